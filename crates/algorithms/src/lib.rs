@@ -1,0 +1,1 @@
+//! The algorithms under test, generic over Predicates.

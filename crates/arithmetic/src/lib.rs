@@ -1,0 +1,1 @@
+//! What exactness is made of: exponent ranges, filters, rationals.

@@ -1,0 +1,1 @@
+//! Topology checks and axioms, decided exactly.

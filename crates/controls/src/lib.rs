@@ -1,0 +1,1 @@
+//! Backends to compare with: naive, epsilon, shewchuk.

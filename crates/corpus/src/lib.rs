@@ -1,0 +1,1 @@
+//! Scene format, content ids, generators, importers and the fetch manifest.

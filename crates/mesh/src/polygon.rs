@@ -1,0 +1,159 @@
+//! Polygonal maps: regions bounded by rings that share vertices.
+//!
+//! Two regions with a common border use the *same* vertices along it. Under a
+//! symbolic perturbation, which moves vertices by identity, the border then
+//! moves as one and the map stays a tiling. Vertices with equal coordinates
+//! but different ids would drift apart and open slivers.
+
+use predicament_predicates::Vertex;
+
+/// A closed chain of vertices; the edge from the last to the first is implied.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Ring {
+    vertices: Vec<Vertex>,
+}
+
+impl Ring {
+    /// The vertices in order; the first is not repeated at the end.
+    #[must_use]
+    pub fn vertices(&self) -> &[Vertex] {
+        &self.vertices
+    }
+
+    /// The directed edges, the closing one last.
+    pub fn edges(&self) -> impl Iterator<Item = [Vertex; 2]> + '_ {
+        let next = self.vertices.iter().cycle().skip(1);
+        self.vertices.iter().zip(next).map(|(&a, &b)| [a, b])
+    }
+}
+
+/// A region of a map: everything with an odd crossing number with its rings
+/// (outer boundaries, islands and holes alike).
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Region {
+    /// What people call it.
+    pub name: String,
+    /// Its boundary.
+    pub rings: Vec<Ring>,
+}
+
+/// Why vertices don't make a map.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum MapError {
+    /// A ring with fewer than three vertices.
+    ShortRing {
+        /// The region's place in the map.
+        region: usize,
+        /// The ring's place in the region.
+        ring: usize,
+        /// How many vertices it has.
+        vertices: usize,
+    },
+    /// An edge from a vertex to itself.
+    LoopEdge {
+        /// The region's place in the map.
+        region: usize,
+        /// The ring's place in the region.
+        ring: usize,
+        /// The place in the ring where the edge starts.
+        at: usize,
+    },
+}
+
+impl std::fmt::Display for MapError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            MapError::ShortRing { region, ring, vertices } => {
+                write!(f, "region {region}, ring {ring}: {vertices} vertices don't bound an area; a ring needs three")
+            }
+            MapError::LoopEdge { region, ring, at } => {
+                write!(f, "region {region}, ring {ring}: vertex {at} is repeated at once; drop one of the two")
+            }
+        }
+    }
+}
+
+impl std::error::Error for MapError {}
+
+/// Regions over the vertices of one scene.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct PolygonMap {
+    regions: Vec<Region>,
+}
+
+impl PolygonMap {
+    /// An empty map.
+    #[must_use]
+    pub fn new() -> PolygonMap {
+        PolygonMap::default()
+    }
+
+    /// Adds a region; a last vertex that repeats the first is dropped.
+    ///
+    /// # Errors
+    /// [`MapError`] names the ring that is no ring.
+    pub fn push(&mut self, name: impl Into<String>, rings: Vec<Vec<Vertex>>) -> Result<(), MapError> {
+        let region = self.regions.len();
+        let mut checked = Vec::with_capacity(rings.len());
+        for (ring, mut vertices) in rings.into_iter().enumerate() {
+            if vertices.len() > 1 && vertices.first() == vertices.last() {
+                vertices.pop();
+            }
+            if vertices.len() < 3 {
+                return Err(MapError::ShortRing { region, ring, vertices: vertices.len() });
+            }
+            let ring_of = Ring { vertices };
+            if let Some(at) = ring_of.edges().position(|[a, b]| a == b) {
+                return Err(MapError::LoopEdge { region, ring, at });
+            }
+            checked.push(ring_of);
+        }
+        self.regions.push(Region { name: name.into(), rings: checked });
+        Ok(())
+    }
+
+    /// The regions, in the order in which they were added.
+    #[must_use]
+    pub fn regions(&self) -> &[Region] {
+        &self.regions
+    }
+
+    /// Every directed edge with the place of its region; shared borders come
+    /// once for each side.
+    pub fn edges(&self) -> impl Iterator<Item = (usize, [Vertex; 2])> + '_ {
+        self.regions
+            .iter()
+            .enumerate()
+            .flat_map(|(at, region)| region.rings.iter().flat_map(Ring::edges).map(move |edge| (at, edge)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ids(indices: &[usize]) -> Vec<Vertex> {
+        indices.iter().map(|&i| Vertex::input(i)).collect()
+    }
+
+    #[test]
+    fn rings_close_by_themselves() {
+        let mut map = PolygonMap::new();
+        map.push("closed", vec![ids(&[0, 1, 2, 0])]).unwrap();
+        map.push("open", vec![ids(&[0, 1, 2])]).unwrap();
+        assert_eq!(map.regions()[0].rings, map.regions()[1].rings);
+        assert_eq!(map.edges().count(), 6);
+        assert_eq!(map.edges().last(), Some((1, [Vertex::input(2), Vertex::input(0)])));
+    }
+
+    #[test]
+    fn what_is_no_ring_is_refused_by_place() {
+        let mut map = PolygonMap::new();
+        map.push("fine", vec![ids(&[0, 1, 2])]).unwrap();
+        let short = map.push("short", vec![ids(&[0, 1, 2]), ids(&[3, 4, 3])]).unwrap_err();
+        assert_eq!(short, MapError::ShortRing { region: 1, ring: 1, vertices: 2 });
+        let again = map.push("again", vec![ids(&[0, 1, 1, 2])]).unwrap_err();
+        assert_eq!(again, MapError::LoopEdge { region: 1, ring: 0, at: 1 });
+        assert_eq!(map.regions().len(), 1);
+    }
+}

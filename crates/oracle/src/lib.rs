@@ -1,0 +1,1 @@
+//! Runs backends on scenes, classifies their answers and measures error.

@@ -1,0 +1,129 @@
+//! The trait that everything meets at.
+//!
+//! # Orientation
+//! One convention, stated here and tested against the crate `robust`:
+//! * [`Predicates::orient2d`] is positive when a, b, c turn counterclockwise.
+//! * [`Predicates::orient3d`] is positive when d lies below the plane of a, b, c,
+//!   that is, on the side from which they are seen clockwise; they are seen
+//!   counterclockwise from above (Shewchuk's convention).
+//! * [`Predicates::incircle`] is positive when d is inside the circle of a
+//!   counterclockwise a, b, c.
+//! * [`Predicates::insphere`] is positive when e is inside the sphere of
+//!   a, b, c, d with a positive `orient3d`.
+
+use crate::{Axis, Band, Contract, Declined, Plane, PredicateKind, Question, Scene, Sign, Tally, Vertex};
+
+/// A philosophy of robustness: it turns a scene into a session.
+pub trait Backend: Sync {
+    /// A backend prepared for one scene.
+    type Session<'s, T: Tally + 's>: Predicates + 's
+    where
+        Self: 's;
+
+    /// The name on the command line and in every file, with its parameters.
+    fn name(&self) -> String;
+
+    /// What it promises about this predicate.
+    fn contract(&self, kind: PredicateKind) -> Contract;
+
+    /// The names of the stages that can settle a query, cheapest first; at
+    /// most [`MAX_STAGES`](crate::MAX_STAGES).
+    fn stages(&self) -> &'static [&'static str];
+
+    /// Learns what the scene needs.
+    ///
+    /// # Errors
+    /// [`Declined`] where the backend can't take the scene at all.
+    fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Self::Session<'s, T>, Declined>;
+}
+
+/// Geometric questions about the vertices of one prepared scene.
+///
+/// Sessions are immutable: the same question has the same answer, from any
+/// thread, whatever was asked before. Asking a predicate that
+/// [`supports`](Predicates::supports) refuses panics; ask first, once a scene.
+pub trait Predicates: Sync {
+    /// The scene that the session was prepared for.
+    fn scene(&self) -> &Scene;
+
+    /// Whether the session answers this predicate.
+    ///
+    /// # Errors
+    /// [`Declined`] with the reason.
+    fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
+        let _ = kind;
+        Ok(())
+    }
+
+    /// The sign of a's coordinate minus b's.
+    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign;
+
+    /// The turn a, b, c in a coordinate plane: the sign of
+    /// (a − c)₁(b − c)₂ − (a − c)₂(b − c)₁, twice the signed area.
+    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign;
+
+    /// Positive when d lies below the plane of a, b, c: the sign of
+    /// det(a − d, b − d, c − d).
+    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign;
+
+    /// Positive when d is inside the circle of a counterclockwise a, b, c (2D scenes).
+    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign;
+
+    /// Positive when e is inside the sphere of a positively oriented a, b, c, d.
+    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign;
+
+    /// The floating-point determinant that the answer stood on, if there was
+    /// one: what error measures look at, and how a NaN is found.
+    fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {
+        let _ = (question, args);
+        None
+    }
+
+    /// The tolerance band of this predicate, for sessions whose zero is a band.
+    fn band(&self, kind: PredicateKind) -> Option<Band> {
+        let _ = kind;
+        None
+    }
+
+    /// How far beyond a feature the session may still register it, in scene
+    /// units: broad phases inflate their boxes by this. Zero for all whose
+    /// answers are signs of exact or perturbed points.
+    fn reach(&self) -> f64 {
+        0.0
+    }
+
+    /// [`Predicates::compare`] for many pairs, in order.
+    fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {
+        for (&[a, b], out) in queries.iter().zip(out) {
+            *out = self.compare(axis, a, b);
+        }
+    }
+
+    /// [`Predicates::orient2d`] for many triples, in order.
+    fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
+        for (&[a, b, c], out) in queries.iter().zip(out) {
+            *out = self.orient2d(plane, a, b, c);
+        }
+    }
+
+    /// [`Predicates::orient3d`] for many quadruples, in order.
+    fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        for (&[a, b, c, d], out) in queries.iter().zip(out) {
+            *out = self.orient3d(a, b, c, d);
+        }
+    }
+
+    /// [`Predicates::incircle`] for many quadruples, in order.
+    fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        for (&[a, b, c, d], out) in queries.iter().zip(out) {
+            *out = self.incircle(a, b, c, d);
+        }
+    }
+
+    /// [`Predicates::insphere`] for many quintuples, in order.
+    fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
+        for (&[a, b, c, d, e], out) in queries.iter().zip(out) {
+            *out = self.insphere(a, b, c, d, e);
+        }
+    }
+}

@@ -1,0 +1,27 @@
+//! The vocabulary of predicament: signs, vertices, scenes, contracts, and the
+//! two traits that every backend implements and every algorithm is generic over.
+//!
+//! Nothing here computes: a newcomer can read this crate and know what the
+//! rest of the house talks about.
+//!
+//! * [`Scene`]: finite points by index; [`Vertex`]: one of them, by identity.
+//! * [`Backend`]: prepares a scene; [`Predicates`]: the session that answers.
+//! * [`Contract`]: what zero means; [`Band`]: how wide it is; [`Declined`]: "I can't".
+//! * [`QuerySet`]: many questions as data.
+//! * [`Tally`]: which stage settled a query, at no cost when nobody asks.
+
+mod backend;
+mod contract;
+mod query;
+mod scene;
+mod sign;
+mod tally;
+mod vertex;
+
+pub use backend::{Backend, Predicates};
+pub use contract::{Band, Contract, Declined, ZeroMeaning};
+pub use query::{PredicateKind, QuerySet, Question};
+pub use scene::{Dimension, Scene, SceneError};
+pub use sign::Sign;
+pub use tally::{Counts, MAX_STAGES, Off, Tally};
+pub use vertex::{Axis, Plane, Vertex};

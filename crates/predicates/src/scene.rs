@@ -1,0 +1,222 @@
+//! The points that questions are asked about.
+//!
+//! A scene is only numbers: finite doubles, two or three to a vertex. What is
+//! asked of it (tasks, queries, polygons) lives elsewhere. NaN and infinity
+//! are refused here, once, so that no backend needs to.
+
+use crate::{Axis, Plane, Vertex};
+
+/// How many coordinates a point has.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Dimension {
+    /// The plane.
+    Two,
+    /// Space.
+    Three,
+}
+
+impl Dimension {
+    /// 2 or 3.
+    #[inline]
+    #[must_use]
+    pub const fn count(self) -> usize {
+        match self {
+            Dimension::Two => 2,
+            Dimension::Three => 3,
+        }
+    }
+}
+
+/// Why a list of numbers is not a scene.
+#[derive(Clone, PartialEq, Debug)]
+pub enum SceneError {
+    /// A coordinate is NaN or infinite.
+    NotFinite {
+        /// The vertex that has it.
+        vertex: usize,
+        /// Which of its coordinates.
+        axis: usize,
+        /// The value found.
+        value: f64,
+    },
+    /// The coordinates don't divide into whole points.
+    Ragged {
+        /// How many coordinates there are.
+        coordinates: usize,
+        /// How many a point takes.
+        dimension: usize,
+    },
+    /// More points than [`Vertex::MAX_INPUT`].
+    TooMany {
+        /// How many points there are.
+        points: usize,
+    },
+}
+
+impl std::fmt::Display for SceneError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            SceneError::NotFinite { vertex, axis, value } => {
+                write!(f, "point {vertex}: coordinate {axis} is {value}; every coordinate must be finite")
+            }
+            SceneError::Ragged { coordinates, dimension } => {
+                write!(f, "{coordinates} coordinates don't divide into points of {dimension}")
+            }
+            SceneError::TooMany { points } => {
+                write!(f, "{points} points are more than the 2^31 that a scene can hold")
+            }
+        }
+    }
+}
+
+impl std::error::Error for SceneError {}
+
+/// The vertices of one scene, by index. Coordinates are finite.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Scene {
+    dimension: Dimension,
+    coordinates: Vec<f64>,
+}
+
+impl Scene {
+    /// A scene from coordinates, point after point.
+    ///
+    /// # Errors
+    /// [`SceneError`] names the first point that is not finite, or says that
+    /// the coordinates don't divide into points.
+    pub fn new(dimension: Dimension, coordinates: Vec<f64>) -> Result<Scene, SceneError> {
+        let stride = dimension.count();
+        if !coordinates.len().is_multiple_of(stride) {
+            return Err(SceneError::Ragged { coordinates: coordinates.len(), dimension: stride });
+        }
+        let points = coordinates.len() / stride;
+        if points > Vertex::MAX_INPUT {
+            return Err(SceneError::TooMany { points });
+        }
+        if let Some(at) = coordinates.iter().position(|c| !c.is_finite()) {
+            return Err(SceneError::NotFinite { vertex: at / stride, axis: at % stride, value: coordinates[at] });
+        }
+        Ok(Scene { dimension, coordinates })
+    }
+
+    /// A 2D scene from points.
+    ///
+    /// # Errors
+    /// As [`Scene::new`].
+    pub fn from_points2(points: &[[f64; 2]]) -> Result<Scene, SceneError> {
+        Scene::new(Dimension::Two, points.as_flattened().to_vec())
+    }
+
+    /// A 3D scene from points.
+    ///
+    /// # Errors
+    /// As [`Scene::new`].
+    pub fn from_points3(points: &[[f64; 3]]) -> Result<Scene, SceneError> {
+        Scene::new(Dimension::Three, points.as_flattened().to_vec())
+    }
+
+    /// Two or three.
+    #[inline]
+    #[must_use]
+    pub fn dimension(&self) -> Dimension {
+        self.dimension
+    }
+
+    /// The number of vertices.
+    #[inline]
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.coordinates.len() / self.dimension.count()
+    }
+
+    /// Whether there is no vertex at all.
+    #[inline]
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.coordinates.is_empty()
+    }
+
+    /// Every vertex, in index order.
+    pub fn vertices(&self) -> impl ExactSizeIterator<Item = Vertex> + use<> {
+        (0..self.len()).map(Vertex::input)
+    }
+
+    /// All coordinates, point after point.
+    #[inline]
+    #[must_use]
+    pub fn coordinates(&self) -> &[f64] {
+        &self.coordinates
+    }
+
+    /// The coordinates of one vertex, two or three of them.
+    ///
+    /// # Panics
+    /// If the scene has no such vertex.
+    #[inline]
+    #[must_use]
+    pub fn point(&self, v: Vertex) -> &[f64] {
+        let stride = self.dimension.count();
+        &self.coordinates[v.index() * stride..][..stride]
+    }
+
+    /// One coordinate of a vertex.
+    ///
+    /// # Panics
+    /// If the scene has no such vertex or no such axis.
+    #[inline]
+    #[must_use]
+    pub fn coordinate(&self, axis: Axis, v: Vertex) -> f64 {
+        self.point(v)[axis.index()]
+    }
+
+    /// A vertex seen in a coordinate plane.
+    ///
+    /// # Panics
+    /// If the scene has no such vertex, or the plane needs an axis that a 2D scene lacks.
+    #[inline]
+    #[must_use]
+    pub fn point2(&self, plane: Plane, v: Vertex) -> [f64; 2] {
+        let point = self.point(v);
+        match plane {
+            Plane::Xy => [point[0], point[1]],
+            Plane::Yz => [point[1], point[2]],
+            Plane::Zx => [point[2], point[0]],
+        }
+    }
+
+    /// A vertex of a 3D scene.
+    ///
+    /// # Panics
+    /// If the scene has no such vertex or is 2D.
+    #[inline]
+    #[must_use]
+    pub fn point3(&self, v: Vertex) -> [f64; 3] {
+        let point = self.point(v);
+        [point[0], point[1], point[2]]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refuses_what_is_not_finite_and_says_where() {
+        let error = Scene::from_points2(&[[0.0, 1.0], [2.0, f64::NAN]]).unwrap_err();
+        assert!(matches!(error, SceneError::NotFinite { vertex: 1, axis: 1, .. }));
+        let error = Scene::from_points3(&[[f64::INFINITY, 1.0, 2.0]]).unwrap_err();
+        assert!(error.to_string().contains("point 0: coordinate 0 is inf"), "{error}");
+        let error = Scene::new(Dimension::Three, vec![0.0; 4]).unwrap_err();
+        assert_eq!(error, SceneError::Ragged { coordinates: 4, dimension: 3 });
+    }
+
+    #[test]
+    fn projections_take_the_axes_in_their_order() {
+        let scene = Scene::from_points3(&[[1.0, 2.0, 3.0]]).unwrap();
+        let v = Vertex::input(0);
+        for plane in [Plane::Xy, Plane::Yz, Plane::Zx] {
+            let by_axes = plane.axes().map(|axis| scene.coordinate(axis, v));
+            assert_eq!(scene.point2(plane, v), by_axes);
+        }
+    }
+}

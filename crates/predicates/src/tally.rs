@@ -1,0 +1,119 @@
+//! Who settled how many: stage counts that cost nothing unless asked for.
+//!
+//! A session is generic over a [`Tally`]. [`Off`] is a zero-sized type whose
+//! calls vanish; a `&Counts` counts. Each thread counts in its own row, with
+//! plain loads and stores, so that counting costs about as much as an
+//! increment; only threads past the [`ROWS`]th share a row and pay for it.
+
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed};
+
+use crate::PredicateKind;
+
+/// The stages that one backend can have at most.
+pub const MAX_STAGES: usize = 64;
+/// The threads that count without sharing a row.
+pub const ROWS: usize = 64;
+const KINDS: usize = PredicateKind::ALL.len();
+
+/// A place to report which stage settled a query.
+pub trait Tally: Sync {
+    /// One query of this kind was settled by the stage with this index in
+    /// [`Backend::stages`](crate::Backend::stages).
+    fn settled(&self, kind: PredicateKind, stage: usize);
+}
+
+/// Counts nothing, at no cost.
+#[derive(Clone, Copy, Default, Debug)]
+pub struct Off;
+
+impl Tally for Off {
+    #[inline(always)]
+    fn settled(&self, _: PredicateKind, _: usize) {}
+}
+
+#[repr(align(128))]
+struct Row([[AtomicU64; MAX_STAGES]; KINDS]);
+
+/// Counts per predicate and stage, summed over threads when read.
+pub struct Counts {
+    rows: Box<[Row]>,
+}
+
+impl Counts {
+    /// All zero.
+    #[must_use]
+    pub fn new() -> Counts {
+        let rows = (0..ROWS).map(|_| Row([const { [const { AtomicU64::new(0) }; MAX_STAGES] }; KINDS]));
+        Counts { rows: rows.collect() }
+    }
+
+    /// How many queries of this kind the stage settled.
+    ///
+    /// Exact once the threads that counted have been joined.
+    #[must_use]
+    pub fn get(&self, kind: PredicateKind, stage: usize) -> u64 {
+        self.rows.iter().map(|row| row.0[kind.index()][stage].load(Relaxed)).sum()
+    }
+}
+
+impl Default for Counts {
+    fn default() -> Counts {
+        Counts::new()
+    }
+}
+
+impl std::fmt::Debug for Counts {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mut map = f.debug_map();
+        for kind in PredicateKind::ALL {
+            for stage in 0..MAX_STAGES {
+                let count = self.get(kind, stage);
+                if count > 0 {
+                    map.entry(&(kind.name(), stage), &count);
+                }
+            }
+        }
+        map.finish()
+    }
+}
+
+fn this_thread() -> usize {
+    static NEXT: AtomicUsize = AtomicUsize::new(0);
+    thread_local!(static ME: usize = NEXT.fetch_add(1, Relaxed));
+    ME.with(|me| *me)
+}
+
+impl Tally for &Counts {
+    #[inline]
+    fn settled(&self, kind: PredicateKind, stage: usize) {
+        let me = this_thread();
+        if me < ROWS - 1 {
+            let cell = &self.rows[me].0[kind.index()][stage];
+            cell.store(cell.load(Relaxed) + 1, Relaxed);
+        } else {
+            self.rows[ROWS - 1].0[kind.index()][stage].fetch_add(1, Relaxed);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_from_more_threads_than_rows_add_up() {
+        let counts = Counts::new();
+        std::thread::scope(|scope| {
+            for _ in 0..(2 * ROWS) {
+                scope.spawn(|| {
+                    let tally = &counts;
+                    for _ in 0..1000 {
+                        tally.settled(PredicateKind::Incircle, 3);
+                    }
+                });
+            }
+        });
+        assert_eq!(counts.get(PredicateKind::Incircle, 3), 2 * ROWS as u64 * 1000);
+        assert_eq!(counts.get(PredicateKind::Incircle, 2), 0);
+    }
+}

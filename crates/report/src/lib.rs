@@ -1,0 +1,1 @@
+//! CSV, Markdown, JUnit, HTML, plots and pixel maps.

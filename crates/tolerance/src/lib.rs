@@ -1,0 +1,1 @@
+//! The tolerance backend of Wang, Jiang, Schroeder and Teran.

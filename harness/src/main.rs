@@ -1,0 +1,2 @@
+//! The predicament tool.
+fn main() {}
