@@ -1,1 +1,10 @@
-//! The algorithms under test, generic over Predicates.
+//! The algorithms under test, each generic over
+//! [`Predicates`](predicament_predicates::Predicates).
+//!
+//! An algorithm never names a backend and never looks at a contract: it is
+//! written once, as a user would write it, and what goes wrong in it is the
+//! backend's doing. Raw coordinates serve broad phases only.
+//!
+//! * [`polygon_locate`]: points in the regions of a map, by ray casting.
+
+pub mod polygon_locate;

@@ -1,1 +1,11 @@
-//! Topology checks and axioms, decided exactly.
+//! What must be true of an answer, whatever it is, decided exactly.
+//!
+//! A sign can be judged by the exact sign. Whole families of signs can also be
+//! judged by one another, and the output of an algorithm by the geometry
+//! around it, without knowing which single answer was wrong:
+//!
+//! * [`axioms`]: laws between the answers to related queries;
+//! * [`tiling`]: points of the plane in the regions of a map.
+
+pub mod axioms;
+pub mod tiling;

@@ -1,1 +1,25 @@
-//! Backends to compare with: naive, epsilon, shewchuk.
+//! Backends to compare with: what people use, as they use it.
+//!
+//! Controls are ordinary backends. They promise what the real thing promises,
+//! that zero means zero, and don't keep it: nothing is proved, and a harness
+//! that doesn't find them out finds nothing.
+//!
+//! * [`Naive`]: plain f64 determinants, the pivot a parameter.
+//! * [`Epsilon`]: the same, with |determinant| < ε taken for zero.
+//! * [`Shewchuk`]: the crate `robust` as it is, without a guard against
+//!   underflow and overflow.
+//!
+//! Each keeps the determinant it computed for
+//! [`estimate`](predicament_predicates::Predicates::estimate).
+
+mod determinant;
+mod epsilon;
+mod naive;
+mod session;
+mod shewchuk;
+
+pub use determinant::Pivot;
+pub use epsilon::{BadEpsilon, Epsilon};
+pub use naive::Naive;
+pub use session::Session;
+pub use shewchuk::Shewchuk;

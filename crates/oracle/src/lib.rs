@@ -1,1 +1,28 @@
-//! Runs backends on scenes, classifies their answers and measures error.
+//! The oracle: runs backends on scenes, classifies their answers, measures error.
+//!
+//! * [`judge`]: the truth, straight in rationals.
+//! * [`Case`]: a loaded scene with the truth about it; [`Case::run`] holds one
+//!   backend against it and gives an [`Outcome`].
+//! * [`Class`]: what becomes of an answer; [`expect`]: which findings are expected.
+//! * [`roster`]: all backends by name; [`faults`]: wrong ones that have to be caught.
+
+pub mod expect;
+pub mod faults;
+pub mod judge;
+pub mod locate;
+pub mod roster;
+pub mod signs;
+
+mod axioms;
+mod case;
+mod class;
+mod contestant;
+mod error;
+mod outcome;
+mod watch;
+
+pub use case::{Case, Dispute, Truth};
+pub use class::{Class, ClassCounts, classify};
+pub use contestant::{Contestant, Entry, Explanation, Stopwatch, digest_of};
+pub use outcome::{Finding, LocateCounts, Outcome, finding_id};
+pub use watch::{Stop, Watch};

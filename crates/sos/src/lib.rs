@@ -1,1 +1,32 @@
-//! The Simulation of Simplicity backend.
+//! Simulation of Simplicity: every vertex moves by an infinitesimal of its own,
+//! and no determinant of distinct vertices is zero any more.
+//!
+//! The exact backend answers first; only when it says zero does the
+//! perturbation have to be looked at. Then the vertices are sorted by their
+//! *identity* (the index in the scene, never the place in the argument list),
+//! and the terms of the perturbed determinant are evaluated from the largest
+//! infinitesimal down until one is not zero. All answers about a scene are
+//! those of one and the same moved scene, so they can't contradict each other.
+//!
+//! * [`Scheme`]: which infinitesimal moves which coordinate.
+//! * [`Sos`], [`Session`]: the backend.
+//! * [`derive`]: the program that finds the terms; its output is what
+//!   [`Scheme::terms`] returns. [`Term`]: one of them, as data.
+//! * [`ties`]: sorting and evaluating, open for experiments and planted faults.
+//! * [`infinitesimal`]: the same answers by explicit polynomials in ε, sharing
+//!   nothing with the terms: the judge.
+
+mod backend;
+pub mod derive;
+pub mod infinitesimal;
+mod lift;
+mod scheme;
+mod stage;
+#[rustfmt::skip]
+mod tables;
+mod term;
+pub mod ties;
+
+pub use backend::{Session, Sos};
+pub use scheme::Scheme;
+pub use term::{Gap, Lift, Term};

@@ -1,2 +1,53 @@
-//! Chores.
-fn main() {}
+//! The chores: `cargo xtask demo` runs the main job and leaves a report to
+//! open, `cargo xtask test` is everything that CI runs.
+//!
+//! No dependencies, so that it starts before anything else is built. It has to
+//! look after one thing that cargo can't: `rug` builds GMP, and GMP's
+//! configure needs `m4`.
+
+mod m4;
+mod steps;
+
+use std::process::ExitCode;
+
+const HELP: &str = "\
+Chores for predicament.
+
+Usage: cargo xtask <command>
+
+Commands:
+  demo   build the tool, run the embedded corpora, leave a report to open
+  test   format, clippy, tests, doc tests, docs, and the embedded corpora through the gate
+  setup  only make sure that what the build needs is there (m4, a C compiler, make)
+  help   this text
+
+Examples:
+  cargo xtask demo
+  cargo xtask test
+";
+
+fn main() -> ExitCode {
+    let mut args = std::env::args().skip(1);
+    let command = args.next().unwrap_or_else(|| "help".to_owned());
+    if let Some(extra) = args.next() {
+        eprintln!("xtask: unexpected argument `{extra}`; see `cargo xtask help`");
+        return ExitCode::from(2);
+    }
+    let done = match command.as_str() {
+        "demo" => m4::ensure().and_then(|()| steps::demo()),
+        "test" => m4::ensure().and_then(|()| steps::test()),
+        "setup" => m4::ensure(),
+        "help" | "-h" | "--help" => {
+            print!("{HELP}");
+            Ok(())
+        }
+        other => Err(format!("no command is called `{other}`; see `cargo xtask help`")),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("xtask: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}

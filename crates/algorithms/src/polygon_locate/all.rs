@@ -1,0 +1,138 @@
+//! Many queries, in parallel, with the same bytes whatever the thread count.
+
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
+
+use predicament_predicates::{Predicates, Vertex};
+use rayon::prelude::*;
+
+use super::{LocateIndex, Location, Scratch};
+
+/// The number of queries between two calls of the progress hook.
+pub const CHUNK: usize = 4096;
+
+/// The answers to many queries, in their order, in two flat arrays.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Locations {
+    inside: Lists,
+    boundary: Lists,
+    asked: usize,
+}
+
+/// Lists of regions, one after another.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct Lists {
+    /// The place where each list ends.
+    ends: Vec<usize>,
+    items: Vec<u32>,
+}
+
+impl Lists {
+    const EMPTY: Lists = Lists { ends: Vec::new(), items: Vec::new() };
+
+    fn push(&mut self, list: &[u32]) {
+        self.items.extend_from_slice(list);
+        self.ends.push(self.items.len());
+    }
+
+    fn append(&mut self, other: &Lists) {
+        let base = self.items.len();
+        self.ends.extend(other.ends.iter().map(|end| base + end));
+        self.items.extend_from_slice(&other.items);
+    }
+
+    fn get(&self, at: usize) -> &[u32] {
+        let start = if at == 0 { 0 } else { self.ends[at - 1] };
+        &self.items[start..self.ends[at]]
+    }
+}
+
+impl Locations {
+    fn none(asked: usize) -> Locations {
+        Locations { inside: Lists::EMPTY, boundary: Lists::EMPTY, asked }
+    }
+
+    /// How many queries are answered: the first so many.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.inside.ends.len()
+    }
+
+    /// Whether no query is answered.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Whether all queries are answered, and not only those up to an early stop.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.len() == self.asked
+    }
+
+    /// The regions that query `at` is inside of, ascending.
+    ///
+    /// # Panics
+    /// If the query is not answered.
+    #[must_use]
+    pub fn inside(&self, at: usize) -> &[u32] {
+        self.inside.get(at)
+    }
+
+    /// The regions whose boundary query `at` is on, ascending.
+    ///
+    /// # Panics
+    /// If the query is not answered.
+    #[must_use]
+    pub fn boundary(&self, at: usize) -> &[u32] {
+        self.boundary.get(at)
+    }
+
+    /// The answers in order.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = Location<'_>> + '_ {
+        (0..self.len()).map(|at| Location { inside: self.inside(at), boundary: self.boundary(at) })
+    }
+}
+
+/// Locates every vertex of `queries`, on all threads of the current rayon pool.
+///
+/// `progress` is called after each chunk of [`CHUNK`] queries with the number
+/// of queries done so far; as soon as it returns false no further chunk is
+/// begun, and the result holds the answered queries before the first gap.
+///
+/// # Panics
+/// As [`LocateIndex::locate`].
+pub fn locate_all<P: Predicates>(
+    index: &LocateIndex,
+    session: &P,
+    queries: &[Vertex],
+    progress: &(dyn Fn(usize) -> bool + Sync),
+) -> Locations {
+    let stopped = AtomicBool::new(false);
+    let done = AtomicUsize::new(0);
+    let parts: Vec<Option<Locations>> = queries
+        .par_chunks(CHUNK)
+        .map_init(Scratch::new, |scratch, chunk| {
+            if stopped.load(Relaxed) {
+                return None;
+            }
+            let mut part = Locations::none(chunk.len());
+            for &q in chunk {
+                let location = index.locate(session, q, scratch);
+                part.inside.push(location.inside);
+                part.boundary.push(location.boundary);
+            }
+            let so_far = done.fetch_add(chunk.len(), Relaxed) + chunk.len();
+            if !progress(so_far) {
+                stopped.store(true, Relaxed);
+            }
+            Some(part)
+        })
+        .collect();
+
+    let mut all = Locations::none(queries.len());
+    for part in parts.iter().map_while(Option::as_ref) {
+        all.inside.append(&part.inside);
+        all.boundary.append(&part.boundary);
+    }
+    all
+}

@@ -1,0 +1,278 @@
+//! Ray casting against winding numbers, and what the index and the parallel
+//! driver promise.
+
+mod common;
+
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+use common::{Truth, brute_force, with};
+use predicament_algorithms::polygon_locate::{CHUNK, LocateIndex, Locations, Scratch, locate_all};
+use predicament_exact::Exact;
+use predicament_mesh::PolygonMap;
+use predicament_predicates::{Axis, Backend, Off, Plane, Predicates, Scene, Sign, Vertex};
+use predicament_sos::Sos;
+use proptest::prelude::*;
+
+fn ids(indices: impl IntoIterator<Item = usize>) -> Vec<Vertex> {
+    indices.into_iter().map(Vertex::input).collect()
+}
+
+/// Rings over the first vertices; every vertex of the scene is a query.
+fn problem(points: &[[f64; 2]], regions: &[Vec<Vec<usize>>]) -> (PolygonMap, Scene) {
+    let mut map = PolygonMap::new();
+    for (at, rings) in regions.iter().enumerate() {
+        let rings = rings.iter().map(|ring| ids(ring.iter().copied())).collect();
+        map.push(at.to_string(), rings).expect("rings");
+    }
+    (map, Scene::from_points2(points).expect("finite"))
+}
+
+fn located<P: Predicates>(map: &PolygonMap, session: &P) -> Locations {
+    let scene = session.scene();
+    let queries: Vec<Vertex> = scene.vertices().collect();
+    locate_all(&LocateIndex::new(map, scene), session, &queries, &|_| true)
+}
+
+/// How many queries an exact-looking session answers otherwise than brute force.
+fn disagreements<P: Predicates>(map: &PolygonMap, session: &P) -> usize {
+    let answers = located(map, session);
+    assert!(answers.is_complete());
+    let scene = session.scene();
+    let wrong = |(at, q): &(usize, Vertex)| {
+        let truths = brute_force(map, scene, *q);
+        answers.inside(*at) != with(&truths, Truth::Inside) || answers.boundary(*at) != with(&truths, Truth::Boundary)
+    };
+    scene.vertices().enumerate().filter(wrong).count()
+}
+
+fn check_exact(map: &PolygonMap, scene: &Scene) {
+    assert_eq!(disagreements(map, &Exact.prepare(scene, Off).unwrap()), 0);
+}
+
+/// Where a query is on no boundary the perturbed answer is the exact one;
+/// where it is on one it is still an answer, unless it is that very vertex.
+fn check_perturbed(map: &PolygonMap, scene: &Scene) {
+    let sos = Sos::default();
+    let answers = located(map, &sos.prepare(scene, Off).unwrap());
+    let of_map: Vec<Vertex> = map.edges().flat_map(|(_, ends)| ends).collect();
+    for (at, q) in scene.vertices().enumerate() {
+        let truths = brute_force(map, scene, q);
+        if with(&truths, Truth::Boundary).is_empty() {
+            assert_eq!(answers.inside(at), with(&truths, Truth::Inside), "at {q}");
+        }
+        if !of_map.contains(&q) {
+            assert!(answers.boundary(at).is_empty(), "ties are broken at {q}");
+        }
+    }
+}
+
+const SQUARE: [[f64; 2]; 4] = [[0., 0.], [4., 0.], [4., 4.], [0., 4.]];
+
+#[test]
+fn the_figure_of_the_paper() {
+    // Figure 2's cases: below a vertex between two edges, inside under a
+    // vertex, and beside; a diamond and one point for each
+    let points = [[0., 2.], [2., 0.], [4., 2.], [2., 4.], [2., 2.], [2., -1.], [0., 0.], [4., 1.], [4., 2.], [1., 1.]];
+    let (map, scene) = problem(&points, &[vec![vec![0, 1, 2, 3]]]);
+    let session = Exact.prepare(&scene, Off).unwrap();
+    let answers = located(&map, &session);
+    let inside: Vec<usize> = (0..points.len()).filter(|&at| answers.inside(at) == [0]).collect();
+    let boundary: Vec<usize> = (0..points.len()).filter(|&at| answers.boundary(at) == [0]).collect();
+    assert_eq!(inside, [4]);
+    assert_eq!(boundary, [0, 1, 2, 3, 8, 9]);
+    check_exact(&map, &scene);
+    check_perturbed(&map, &scene);
+}
+
+#[test]
+fn vertical_edges_are_touched_but_never_crossed() {
+    let mut points = SQUARE.to_vec();
+    for x in [0., 2., 4.] {
+        points.extend([-1., 0., 2., 4., 5.].map(|y: f64| [x, y]));
+    }
+    let (map, scene) = problem(&points, &[vec![vec![0, 1, 2, 3]]]);
+    let session = Exact.prepare(&scene, Off).unwrap();
+    let answers = located(&map, &session);
+    let column = |from: usize| -> String {
+        let letter = |at: usize| match (answers.inside(at), answers.boundary(at)) {
+            ([0], []) => 'i',
+            ([], [0]) => 'b',
+            ([], []) => '.',
+            _ => '?',
+        };
+        (from..from + 5).map(letter).collect()
+    };
+    assert_eq!([column(4), column(9), column(14)], [".bbb.", ".bib.", ".bbb."]);
+}
+
+#[test]
+fn borders_are_shared_and_double_use_cancels() {
+    let points = [[0., 0.], [1., 0.], [2., 0.], [2., 1.], [1., 1.], [0., 1.]];
+    // two cells side by side, and one region that uses its middle edge twice
+    let cells = vec![vec![vec![0, 1, 4, 5]], vec![vec![1, 2, 3, 4]], vec![vec![0, 1, 4, 5], vec![1, 2, 3, 4]]];
+    let (map, scene) = problem(&points, &cells);
+    let index = LocateIndex::new(&map, &scene);
+    assert_eq!((index.len(), index.regions()), (7, 3));
+    let owners = |a: usize, b: usize| {
+        let edge = index.edges().find(|&edge| index.ends(edge) == [Vertex::input(a), Vertex::input(b)]);
+        index.owners(edge.expect("an edge of the map"))
+    };
+    assert_eq!(owners(0, 1), [0, 2]);
+    assert_eq!(owners(1, 4), [0, 1]);
+    assert_eq!(owners(3, 4), [1, 2]);
+    assert!(LocateIndex::new(&PolygonMap::new(), &scene).is_empty());
+}
+
+#[test]
+fn rings_inside_rings() {
+    let ring = |r: f64| [[-r, -r], [r, -r], [r, r], [-r, r]];
+    let mut points: Vec<[f64; 2]> = [ring(8.), ring(4.), ring(2.)].concat();
+    points.extend([[0., 0.], [3., 0.], [6., 0.], [9., 0.], [3., 3.], [2., 2.], [-4., 1.]]);
+    let rings: Vec<Vec<usize>> = vec![vec![0, 1, 2, 3], vec![4, 5, 6, 7], vec![8, 9, 10, 11]];
+    // land with a lake that has an island; the lake as a region of its own
+    let (map, scene) = problem(&points, &[rings.clone(), rings[1..].to_vec()]);
+    check_exact(&map, &scene);
+    check_perturbed(&map, &scene);
+    let answers = located(&map, &Exact.prepare(&scene, Off).unwrap());
+    let inside: Vec<&[u32]> = (12..16).map(|at| answers.inside(at)).collect();
+    assert_eq!(inside, [&[0][..], &[1], &[0], &[]]);
+}
+
+#[test]
+fn the_answer_does_not_depend_on_threads_or_chunks() {
+    let (map, scene) = lattice(60);
+    let session = Exact.prepare(&scene, Off).unwrap();
+    let index = LocateIndex::new(&map, &scene);
+    let queries: Vec<Vertex> = (0..3 * CHUNK + 17).map(|at| Vertex::input(at % scene.len())).collect();
+    let with_threads = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| locate_all(&index, &session, &queries, &|_| true))
+    };
+    let all = with_threads(1);
+    assert!(all.is_complete() && all.len() == queries.len());
+    assert_eq!(with_threads(2), all);
+    assert_eq!(with_threads(5), all);
+    let mut scratch = Scratch::new();
+    for (&q, location) in queries.iter().zip(all.iter()) {
+        assert_eq!(index.locate(&session, q, &mut scratch), location);
+    }
+}
+
+#[test]
+fn progress_counts_up_and_can_stop() {
+    let (map, scene) = lattice(20);
+    let session = Exact.prepare(&scene, Off).unwrap();
+    let index = LocateIndex::new(&map, &scene);
+    let queries = vec![Vertex::input(7); 20 * CHUNK];
+    let most = AtomicUsize::new(0);
+    let whole = locate_all(&index, &session, &queries, &|done| {
+        most.fetch_max(done, Relaxed);
+        true
+    });
+    assert_eq!((whole.len(), most.into_inner()), (queries.len(), queries.len()));
+
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let part = pool.install(|| locate_all(&index, &session, &queries, &|done| done < 3 * CHUNK));
+    assert!(!part.is_complete());
+    assert!(part.len().is_multiple_of(CHUNK) && part.len() <= 3 * CHUNK);
+    assert!(part.iter().zip(whole.iter()).all(|(a, b)| a == b));
+    assert!(locate_all(&index, &session, &[], &|_| false).is_complete());
+}
+
+/// n × n unit cells with integer corners; the corners come first.
+fn lattice(n: usize) -> (PolygonMap, Scene) {
+    #[allow(clippy::cast_precision_loss)] // small
+    let points: Vec<[f64; 2]> =
+        (0..(n + 1) * (n + 1)).map(|at| [(at % (n + 1)) as f64, (at / (n + 1)) as f64]).collect();
+    let cell = |at: usize| {
+        let corner = at % n + at / n * (n + 1);
+        vec![vec![corner, corner + 1, corner + n + 2, corner + n + 1]]
+    };
+    problem(&points, &(0..n * n).map(cell).collect::<Vec<_>>())
+}
+
+/// Answers exactly but for one triple, whose turn it reverses.
+struct OneFlip<'s> {
+    exact: <Exact as Backend>::Session<'s, Off>,
+    flipped: [Vertex; 3],
+}
+
+impl Predicates for OneFlip<'_> {
+    fn scene(&self) -> &Scene {
+        self.exact.scene()
+    }
+    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        self.exact.compare(axis, a, b)
+    }
+    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        let sign = self.exact.orient2d(plane, a, b, c);
+        let mut sorted = [a, b, c];
+        sorted.sort_unstable();
+        if sorted == self.flipped { -sign } else { sign }
+    }
+    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.exact.orient3d(a, b, c, d)
+    }
+    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.exact.incircle(a, b, c, d)
+    }
+    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
+        self.exact.insphere(a, b, c, d, e)
+    }
+}
+
+#[test]
+fn one_wrong_sign_is_seen() {
+    let mut points = SQUARE.to_vec();
+    points.extend([[1., 3.], [1., 5.]]);
+    let (map, scene) = problem(&points, &[vec![vec![0, 1, 2, 3]]]);
+    let planted = |flipped: [usize; 3]| {
+        disagreements(
+            &map,
+            &OneFlip { exact: Exact.prepare(&scene, Off).unwrap(), flipped: flipped.map(Vertex::input) },
+        )
+    };
+    assert_eq!(planted([0, 1, 2]), 0, "a triple that is never asked");
+    assert_eq!(planted([2, 3, 4]), 1, "the inner point under the top edge");
+}
+
+/// Rings of any kind: self-crossing, overlapping, collinear, with repeated points.
+fn rings(vertices: usize) -> impl Strategy<Value = Vec<Vec<Vec<usize>>>> {
+    let ring = prop::collection::vec(0..vertices, 3..8).prop_filter_map("a loop edge", |mut ring| {
+        ring.dedup();
+        while ring.len() > 1 && ring.first() == ring.last() {
+            ring.pop();
+        }
+        (ring.len() >= 3).then_some(ring)
+    });
+    prop::collection::vec(prop::collection::vec(ring, 1..3), 1..5)
+}
+
+fn grid_points() -> impl Strategy<Value = Vec<[f64; 2]>> {
+    prop::collection::vec(prop::array::uniform2((0..7_i32).prop_map(f64::from)), 24)
+}
+
+/// Neighbours of 0.1, 0.3 …: coordinates whose products are not exact.
+fn ulp_points() -> impl Strategy<Value = Vec<[f64; 2]>> {
+    let coordinate =
+        (0..4_i32, 0..3_u64).prop_map(|(at, ulps)| f64::from_bits((0.1 + 0.2 * f64::from(at)).to_bits() + ulps));
+    prop::collection::vec(prop::array::uniform2(coordinate), 24)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(600))]
+
+    #[test]
+    fn crossing_and_winding_agree_on_grids(points in grid_points(), regions in rings(12)) {
+        let (map, scene) = problem(&points, &regions);
+        check_exact(&map, &scene);
+        check_perturbed(&map, &scene);
+    }
+
+    #[test]
+    fn crossing_and_winding_agree_within_ulps(points in ulp_points(), regions in rings(12)) {
+        let (map, scene) = problem(&points, &regions);
+        check_exact(&map, &scene);
+        check_perturbed(&map, &scene);
+    }
+}

@@ -1,0 +1,99 @@
+//! The constants of semi-static filters.
+//!
+//! # What is proved
+//! Let u = 2^-53 be the unit roundoff: without overflow and underflow,
+//! fl(x ∘ y) = (x ∘ y)(1 + δ) with |δ| ≤ u for +, − and ×. Let D be a sum of
+//! products of differences of doubles, and P its *permanent*: the same sum with
+//! every term taken by magnitude. Both are evaluated in floating point, to d
+//! and p. Say that
+//! * d = fl(x + y) is the last operation, and no term of D goes through more
+//!   than n roundings on its way into x or y;
+//! * no term of P goes through more than m roundings on its way into p.
+//!
+//! Then |(x + y) − D| ≤ ((1 + u)^n − 1)·P, and p ≥ (1 − u)^m·P since nothing
+//! cancels in P. Rounding keeps the order, so d has the sign of x + y, and
+//! |d| ≤ (1 + u)|x + y|. Hence **d has the sign of D if |d| ≥ fl(B·p)** with
+//! p > 0 and
+//!
+//! B > ((1 + u)^n − 1) · (1 − u)^−m · (1 + u)/(1 − u)
+//!   = n·u·(1 + ((n − 1)/2 + m + 2)·u + …).
+//!
+//! That the last rounding is free is what makes Shewchuk's constants begin with
+//! 3, 7 and 10 where terms see 4, 8 and 11 roundings. [`semi_static`] takes
+//! n·u·(1 + (n + m + 3)·u): the excess of at least 2n·u² pays for the higher
+//! powers of u and for rounding B itself, which costs n·u² at most. A test
+//! compares it with the true requirement, in rationals.
+//!
+//! With p = 0 every term is zero, exactly, where nothing underflows; then
+//! d = 0 = D, and the comparison |d| ≥ fl(B·p) holds as well.
+//!
+//! # Counting
+//! A difference of coordinates is one rounding, a product adds its factors'
+//! roundings and one, a sum takes the larger count and adds one. So, for the
+//! formulas as `predicament-exact` evaluates them (terms of D before the last
+//! sum, terms of P):
+//!
+//! | predicate | D | n | P | m |
+//! |---|---|---|---|---|
+//! | orient2d | 2 differences, × | 3 | +1 sum | 4 |
+//! | orient3d | 3 differences, ×, −, ×, first of 2 sums | 7 | both sums | 8 |
+//! | incircle | lift 2+1+1, minor 2+1+1, ×, first of 2 sums | 10 | both sums | 11 |
+//! | insphere | lift 2+1+2, minor 3+1+1+1+2, ×, first of 2 sums | 15 | both sums | 16 |
+
+/// The unit roundoff 2^-53: the largest relative error of one rounding to nearest.
+pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
+
+/// A constant B for which |d| ≥ fl(B·p) proves the sign of d, for a determinant
+/// with `n` roundings before its last sum and a permanent with `m`.
+///
+/// In units of 1, to be multiplied with the permanent. Good for n and m up to 100.
+#[must_use]
+pub const fn semi_static(n: u8, m: u8) -> f64 {
+    let count = n as f64;
+    let second = (n as f64) * (n as f64 + m as f64 + 3.0);
+    count * UNIT_ROUNDOFF + second * UNIT_ROUNDOFF * UNIT_ROUNDOFF
+}
+
+/// For (a − c) × (b − c): 3u, a hair more.
+pub const ORIENT2D: f64 = semi_static(3, 4);
+/// For det(a − d, b − d, c − d), expanded along one column: 7u.
+pub const ORIENT3D: f64 = semi_static(7, 8);
+/// For the lifted 3 × 3 determinant, expanded along the lift: 10u.
+pub const INCIRCLE: f64 = semi_static(10, 11);
+/// For the lifted 4 × 4 determinant, expanded along the lift: 15u.
+pub const INSPHERE: f64 = semi_static(15, 16);
+
+#[cfg(test)]
+mod tests {
+    use rug::{Rational, ops::Pow};
+
+    use super::*;
+    use crate::rational;
+
+    /// The right-hand side of the requirement, exactly.
+    fn required(n: u8, m: u8) -> Rational {
+        let u = rational(UNIT_ROUNDOFF).unwrap();
+        let up = Rational::from(1 + &u);
+        let down = Rational::from(1 - &u);
+        (Rational::from((&up).pow(u32::from(n))) - 1) * &up / Rational::from((&down).pow(u32::from(m) + 1))
+    }
+
+    #[test]
+    fn constants_meet_the_requirement_and_waste_nothing() {
+        for n in 1..=100 {
+            for m in 1..=100 {
+                let constant = rational(semi_static(n, m)).unwrap();
+                let required = required(n, m);
+                assert!(constant > required, "n = {n}, m = {m}");
+                assert!(constant < required * Rational::from((1_000_000_000_001_u64, 1_000_000_000_000_u64)));
+            }
+        }
+    }
+
+    #[test]
+    fn half_a_constant_does_not_meet_it() {
+        for (n, m, constant) in [(3, 4, ORIENT2D), (7, 8, ORIENT3D), (10, 11, INCIRCLE), (15, 16, INSPHERE)] {
+            assert!(rational(constant / 2.0).unwrap() < required(n, m));
+        }
+    }
+}

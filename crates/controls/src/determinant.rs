@@ -1,0 +1,73 @@
+//! Plain f64 determinants, with the point that is subtracted as a parameter.
+//!
+//! All five predicates are determinants of homogeneous coordinates, which
+//! subtracting one row from the others makes smaller. In real numbers it
+//! doesn't matter which row; in floating point it decides which inputs go wrong
+//! (Kettner, Mehlhorn, Pion, Schirra and Yap 2008, section 3).
+
+/// The point that is subtracted from the others first.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
+pub enum Pivot {
+    /// The last argument, as Shewchuk does.
+    #[default]
+    Last,
+    /// The first argument, as Kettner et al. do.
+    First,
+}
+
+/// The turn a, b, c. For [`Pivot::First`], with p, q, r for a, b, c:
+/// (q.x − p.x)(r.y − p.y) − (q.y − p.y)(r.x − p.x).
+pub(crate) fn orient2d(pivot: Pivot, [a, b, c]: [[f64; 2]; 3]) -> f64 {
+    match pivot {
+        Pivot::Last => cross(minus(a, c), minus(b, c)),
+        Pivot::First => cross(minus(b, a), minus(c, a)),
+    }
+}
+
+/// The side of d on the plane of a, b, c.
+pub(crate) fn orient3d(pivot: Pivot, [a, b, c, d]: [[f64; 3]; 4]) -> f64 {
+    match pivot {
+        Pivot::Last => triple(minus(a, d), minus(b, d), minus(c, d)),
+        // Moving the first of four rows to the end is an odd permutation.
+        Pivot::First => -triple(minus(b, a), minus(c, a), minus(d, a)),
+    }
+}
+
+/// d in the circle of a, b, c.
+pub(crate) fn incircle(pivot: Pivot, [a, b, c, d]: [[f64; 2]; 4]) -> f64 {
+    let lifted = |p, q| {
+        let [x, y] = minus(p, q);
+        [x, y, x * x + y * y]
+    };
+    match pivot {
+        Pivot::Last => triple(lifted(a, d), lifted(b, d), lifted(c, d)),
+        Pivot::First => -triple(lifted(b, a), lifted(c, a), lifted(d, a)),
+    }
+}
+
+/// e in the sphere of a, b, c, d.
+pub(crate) fn insphere(pivot: Pivot, [a, b, c, d, e]: [[f64; 3]; 5]) -> f64 {
+    match pivot {
+        Pivot::Last => lifted_quadruple(minus(a, e), minus(b, e), minus(c, e), minus(d, e)),
+        // Of five rows it is an even one.
+        Pivot::First => lifted_quadruple(minus(b, a), minus(c, a), minus(d, a), minus(e, a)),
+    }
+}
+
+fn minus<const D: usize>(p: [f64; D], q: [f64; D]) -> [f64; D] {
+    std::array::from_fn(|i| p[i] - q[i])
+}
+
+fn cross(p: [f64; 2], q: [f64; 2]) -> f64 {
+    p[0] * q[1] - p[1] * q[0]
+}
+
+fn triple([px, py, pz]: [f64; 3], [qx, qy, qz]: [f64; 3], [rx, ry, rz]: [f64; 3]) -> f64 {
+    pz * (qx * ry - rx * qy) + qz * (rx * py - px * ry) + rz * (px * qy - qx * py)
+}
+
+/// The 4 × 4 determinant of p, q, r, s with their squared lengths as a last column.
+fn lifted_quadruple(p: [f64; 3], q: [f64; 3], r: [f64; 3], s: [f64; 3]) -> f64 {
+    let lift = |[x, y, z]: [f64; 3]| x * x + y * y + z * z;
+    (lift(s) * triple(p, q, r) - lift(r) * triple(p, q, s)) + (lift(q) * triple(p, r, s) - lift(p) * triple(q, r, s))
+}

@@ -1,0 +1,105 @@
+//! Plain floating point with a fixed epsilon.
+
+use predicament_predicates::{Backend, Contract, Declined, PredicateKind, Scene, Sign, Tally, ZeroMeaning};
+
+use crate::{
+    Naive,
+    session::{Float, Session},
+};
+
+/// Plain f64 determinants, zero if smaller in magnitude than a fixed epsilon,
+/// whatever the size of the coordinates. Comparisons too: the determinant is
+/// the difference then.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Epsilon {
+    eps: f64,
+}
+
+/// Why a number is no epsilon.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct BadEpsilon(pub f64);
+
+impl std::fmt::Display for BadEpsilon {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} is no epsilon; it must be finite and not negative", self.0)
+    }
+}
+
+impl std::error::Error for BadEpsilon {}
+
+impl Epsilon {
+    /// A determinant is zero if its magnitude is less than `eps`, in the units
+    /// of the determinant; with an `eps` of 0 this is [`Naive`].
+    ///
+    /// # Errors
+    /// [`BadEpsilon`] if `eps` is NaN, infinite or negative.
+    pub fn new(eps: f64) -> Result<Epsilon, BadEpsilon> {
+        if eps.is_finite() && eps >= 0.0 {
+            // −0 is 0, also in the name.
+            Ok(Epsilon { eps: eps.abs() })
+        } else {
+            Err(BadEpsilon(eps))
+        }
+    }
+
+    /// The threshold.
+    #[must_use]
+    pub fn eps(&self) -> f64 {
+        self.eps
+    }
+}
+
+impl Default for Epsilon {
+    /// 1e-10, as people write it.
+    fn default() -> Epsilon {
+        Epsilon { eps: 1e-10 }
+    }
+}
+
+impl Float for Epsilon {
+    #[inline]
+    fn orient2d(&self, points: [[f64; 2]; 3]) -> f64 {
+        Naive::default().orient2d(points)
+    }
+
+    #[inline]
+    fn orient3d(&self, points: [[f64; 3]; 4]) -> f64 {
+        Naive::default().orient3d(points)
+    }
+
+    #[inline]
+    fn incircle(&self, points: [[f64; 2]; 4]) -> f64 {
+        Naive::default().incircle(points)
+    }
+
+    #[inline]
+    fn insphere(&self, points: [[f64; 3]; 5]) -> f64 {
+        Naive::default().insphere(points)
+    }
+
+    #[inline]
+    fn sign(&self, determinant: f64) -> Sign {
+        if determinant.abs() < self.eps { Sign::Zero } else { Sign::of(determinant) }
+    }
+}
+
+impl Backend for Epsilon {
+    type Session<'s, T: Tally + 's> = Session<'s, Epsilon, T>;
+
+    /// `epsilon:` and the threshold, which reads back as the same number.
+    fn name(&self) -> String {
+        format!("epsilon:{:e}", self.eps)
+    }
+
+    fn contract(&self, _: PredicateKind) -> Contract {
+        Contract { zero: ZeroMeaning::Exact, proved: false }
+    }
+
+    fn stages(&self) -> &'static [&'static str] {
+        &["float"]
+    }
+
+    fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Self::Session<'s, T>, Declined> {
+        Ok(Session::new(scene, *self, tally))
+    }
+}

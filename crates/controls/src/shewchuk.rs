@@ -1,0 +1,66 @@
+//! Shewchuk's adaptive predicates, as published.
+
+use predicament_predicates::{Backend, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
+use robust::{Coord, Coord3D};
+
+use crate::session::{Float, Session};
+
+/// The crate `robust`, without a guard: right unless something underflows or overflows.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
+pub struct Shewchuk;
+
+impl Float for Shewchuk {
+    #[inline]
+    fn orient2d(&self, points: [[f64; 2]; 3]) -> f64 {
+        let [a, b, c] = points.map(point2);
+        robust::orient2d(a, b, c)
+    }
+
+    #[inline]
+    fn orient3d(&self, points: [[f64; 3]; 4]) -> f64 {
+        let [a, b, c, d] = points.map(point3);
+        robust::orient3d(a, b, c, d)
+    }
+
+    #[inline]
+    fn incircle(&self, points: [[f64; 2]; 4]) -> f64 {
+        let [a, b, c, d] = points.map(point2);
+        robust::incircle(a, b, c, d)
+    }
+
+    #[inline]
+    fn insphere(&self, points: [[f64; 3]; 5]) -> f64 {
+        let [a, b, c, d, e] = points.map(point3);
+        robust::insphere(a, b, c, d, e)
+    }
+}
+
+#[inline]
+fn point2([x, y]: [f64; 2]) -> Coord<f64> {
+    Coord { x, y }
+}
+
+#[inline]
+fn point3([x, y, z]: [f64; 3]) -> Coord3D<f64> {
+    Coord3D { x, y, z }
+}
+
+impl Backend for Shewchuk {
+    type Session<'s, T: Tally + 's> = Session<'s, Shewchuk, T>;
+
+    fn name(&self) -> String {
+        "shewchuk".to_owned()
+    }
+
+    fn contract(&self, _: PredicateKind) -> Contract {
+        Contract { zero: ZeroMeaning::Exact, proved: false }
+    }
+
+    fn stages(&self) -> &'static [&'static str] {
+        &["adaptive"]
+    }
+
+    fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Self::Session<'s, T>, Declined> {
+        Ok(Session::new(scene, Shewchuk, tally))
+    }
+}

@@ -1,0 +1,190 @@
+//! What each control computes, and that it goes wrong where it should.
+
+use predicament_controls::{BadEpsilon, Epsilon, Naive, Pivot, Shewchuk};
+use predicament_predicates::{
+    Axis, Backend, Counts, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex, ZeroMeaning,
+};
+use proptest::prelude::*;
+
+const FIRST: Naive = Naive { pivot: Pivot::First };
+const LAST: Naive = Naive { pivot: Pivot::Last };
+const TURN: Question = Question::Orient2d(Plane::Xy);
+
+fn v(index: usize) -> Vertex {
+    Vertex::input(index)
+}
+
+/// The sign and the estimate for the first vertices of a scene.
+fn ask(backend: &impl Backend, question: Question, scene: &Scene) -> (Sign, f64) {
+    let session = backend.prepare(scene, Off).expect("controls take every scene");
+    session.supports(question.kind()).expect("a scene of the right dimension");
+    let args: Vec<Vertex> = (0..question.kind().arity()).map(v).collect();
+    (question.ask(&session, &args), session.estimate(question, &args).expect("controls compute determinants"))
+}
+
+fn ask2(backend: &impl Backend, question: Question, points: &[[f64; 2]]) -> (Sign, f64) {
+    ask(backend, question, &Scene::from_points2(points).unwrap())
+}
+
+fn ask3(backend: &impl Backend, question: Question, points: &[[f64; 3]]) -> (Sign, f64) {
+    ask(backend, question, &Scene::from_points3(points).unwrap())
+}
+
+/// Points whose differences, products and sums are small integers: every
+/// control gets them right, and they tell all sign conventions apart.
+#[test]
+fn all_agree_on_small_integers() {
+    let turn = [[0.0, 0.0], [2.0, 1.0], [1.0, 3.0]];
+    let circle = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [1.0, 1.0]];
+    let below = [[0.0, 0.0, 0.0], [3.0, 0.0, 1.0], [0.0, 2.0, 1.0], [1.0, 1.0, -4.0]];
+    let sphere = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, -4.0], [1.0, 1.0, -1.0]];
+    // By hand: 2·3 − 1·1; |1|² rows (-1,-1,2), (3,-1,10), (-1,3,10); and so on.
+    macro_rules! check {
+        ($($backend:expr),*) => {$(
+            assert_eq!(ask2(&$backend, TURN, &turn), (Sign::Positive, 5.0));
+            assert_eq!(ask2(&$backend, Question::Incircle, &circle), (Sign::Positive, 96.0));
+            assert_eq!(ask3(&$backend, Question::Orient3d, &below), (Sign::Positive, 29.0));
+            assert_eq!(ask3(&$backend, Question::Insphere, &sphere), (Sign::Positive, 576.0));
+            assert_eq!(ask2(&$backend, Question::Compare(Axis::Y), &turn), (Sign::Negative, -1.0));
+        )*};
+    }
+    check!(LAST, FIRST, Epsilon::default(), Shewchuk);
+}
+
+proptest! {
+    /// Integers small enough for plain floating point to be exact, in every
+    /// predicate and projection: there both pivots are Shewchuk's signs.
+    #[test]
+    fn pivots_are_equal_where_nothing_rounds(
+        flat in proptest::collection::vec(-40i8..=40, 8),
+        solid in proptest::collection::vec(-40i8..=40, 15),
+    ) {
+        let scene = |dimension, from: &[i8]| Scene::new(dimension, from.iter().copied().map(f64::from).collect()).unwrap();
+        let flat = scene(predicament_predicates::Dimension::Two, &flat);
+        let solid = scene(predicament_predicates::Dimension::Three, &solid);
+        for (scene, question) in [
+            (&flat, Question::Compare(Axis::X)),
+            (&flat, TURN),
+            (&flat, Question::Incircle),
+            (&solid, Question::Compare(Axis::Z)),
+            (&solid, Question::Orient2d(Plane::Yz)),
+            (&solid, Question::Orient2d(Plane::Zx)),
+            (&solid, Question::Orient3d),
+            (&solid, Question::Insphere),
+        ] {
+            let truth = ask(&Shewchuk, question, scene);
+            prop_assert_eq!(ask(&LAST, question, scene), truth);
+            prop_assert_eq!(ask(&FIRST, question, scene), truth);
+            prop_assert_eq!(ask(&Epsilon::default(), question, scene), truth);
+        }
+    }
+}
+
+/// Kettner, Mehlhorn, Pion, Schirra and Yap 2008, figure 2 (a): the pixels
+/// around (0.5, 0.5) against the line through (12, 12) and (24, 24).
+#[test]
+fn kettners_first_picture_depends_on_the_pivot() {
+    let pixel = 2f64.powi(-53);
+    let [mut first_wrong, mut last_wrong, mut differ] = [0; 3];
+    for i in 0..256 {
+        for j in 0..256 {
+            let p = [0.5 + f64::from(i) * pixel, 0.5 + f64::from(j) * pixel];
+            // Left of the rising diagonal, y > x; the pixels below 1 are 2^-53 apart.
+            let truth = Sign::from(j.cmp(&i));
+            let points = [p, [12.0, 12.0], [24.0, 24.0]];
+            let [first, last] = [FIRST, LAST].map(|backend| ask2(&backend, TURN, &points).0);
+            assert_eq!(ask2(&Shewchuk, TURN, &points).0, truth, "pixel {i}, {j}");
+            first_wrong += u32::from(first != truth);
+            last_wrong += u32::from(last != truth);
+            differ += u32::from(first != last);
+        }
+    }
+    assert!(first_wrong > 0 && last_wrong > 0 && differ > 0, "{first_wrong} {last_wrong} {differ}");
+    assert_ne!(first_wrong, last_wrong);
+}
+
+#[test]
+fn overflow_leaves_a_nan_and_a_zero() {
+    let solid = [[1e200, 1e200, 1.0], [1e200, 2e200, 3.0], [2e200, 1e200, 2.0], [0.0; 3], [-1e200; 3]];
+    let flat = solid.map(|[x, y, _]| [x, y]);
+    macro_rules! check {
+        ($($backend:expr),*) => {$(
+            for (sign, estimate) in [
+                ask2(&$backend, TURN, &[flat[0], flat[1], flat[3]]),
+                ask2(&$backend, Question::Incircle, &flat),
+                ask3(&$backend, Question::Orient3d, &solid),
+                ask3(&$backend, Question::Insphere, &solid),
+            ] {
+                assert!(estimate.is_nan());
+                assert_eq!(sign, Sign::Zero);
+            }
+        )*};
+    }
+    check!(LAST, FIRST, Epsilon::default(), Shewchuk);
+}
+
+/// Underflow makes Shewchuk's predicates wrong, as their author says.
+#[test]
+fn underflow_hides_a_turn() {
+    let points = [[1e-200, 0.0], [0.0, 1e-200], [0.0, 0.0]];
+    assert_eq!(ask2(&Shewchuk, TURN, &points), (Sign::Zero, 0.0));
+    assert_eq!(ask2(&LAST, TURN, &points), (Sign::Zero, 0.0));
+}
+
+#[test]
+fn epsilon_is_strict() {
+    // The determinant is the first abscissa.
+    let turn = |x: f64| [[x, 0.0], [0.0, 1.0], [0.0, 0.0]];
+    let epsilon = Epsilon::new(0.125).unwrap();
+    assert_eq!(ask2(&epsilon, TURN, &turn(0.125)), (Sign::Positive, 0.125));
+    assert_eq!(ask2(&epsilon, TURN, &turn(-0.125)), (Sign::Negative, -0.125));
+    assert_eq!(ask2(&epsilon, TURN, &turn(0.125f64.next_down())).0, Sign::Zero);
+    assert_eq!(ask2(&epsilon, TURN, &turn(-0.125f64.next_down())).0, Sign::Zero);
+    assert_eq!(ask2(&epsilon, Question::Compare(Axis::X), &turn(0.1)).0, Sign::Zero);
+    assert_eq!(ask2(&epsilon, Question::Compare(Axis::X), &turn(-0.2)).0, Sign::Negative);
+    let none = Epsilon::new(0.0).unwrap();
+    assert_eq!(ask2(&none, TURN, &turn(5e-324)).0, Sign::Positive);
+}
+
+#[test]
+fn what_is_no_epsilon_is_refused() {
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1e-10, -5e-324] {
+        let refused: BadEpsilon = Epsilon::new(bad).unwrap_err();
+        assert!(refused.to_string().contains("no epsilon"), "{refused}");
+    }
+    for good in [0.0, -0.0, 5e-324, 1e-10, f64::MAX] {
+        let name = Epsilon::new(good).unwrap().name();
+        let read: f64 = name.strip_prefix("epsilon:").unwrap().parse().unwrap();
+        assert_eq!(read.to_bits(), good.abs().to_bits(), "{name}");
+    }
+}
+
+#[test]
+fn controls_introduce_themselves_and_promise_what_they_cannot_prove() {
+    fn check(backend: &impl Backend, name: &str, stage: &str) {
+        assert_eq!(backend.name(), name);
+        assert_eq!(backend.stages(), [stage]);
+        for kind in PredicateKind::ALL {
+            let contract = backend.contract(kind);
+            assert!(!contract.proved && contract.zero == ZeroMeaning::Exact);
+        }
+        let counts = Counts::new();
+        let scene = Scene::from_points2(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]).unwrap();
+        let session = backend.prepare(&scene, &counts).unwrap();
+        let _ = session.orient2d(Plane::Xy, v(0), v(1), v(2));
+        let _ = session.estimate(TURN, &[v(0), v(1), v(2)]);
+        assert_eq!(session.estimate(TURN, &[v(0)]), None);
+        assert_eq!(counts.get(PredicateKind::Orient2d, 0), 1, "estimates are not tallied");
+        assert!(session.supports(PredicateKind::Incircle).is_ok());
+        assert!(session.supports(PredicateKind::Orient3d).is_err());
+        let solid = Scene::from_points3(&[[0.0; 3]]).unwrap();
+        let session = backend.prepare(&solid, Off).unwrap();
+        assert!(session.supports(PredicateKind::Incircle).is_err());
+        assert!(session.supports(PredicateKind::Insphere).is_ok());
+    }
+    check(&LAST, "naive", "float");
+    check(&FIRST, "naive:first", "float");
+    check(&Epsilon::default(), "epsilon:1e-10", "float");
+    check(&Shewchuk, "shewchuk", "adaptive");
+    assert_eq!(Naive::default(), LAST);
+}

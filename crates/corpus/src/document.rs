@@ -1,0 +1,258 @@
+//! A TOML file that knows its lines.
+//!
+//! Suites are read through these two types instead of derived structures: an
+//! error names the line of the very value that is wrong, a key that nobody
+//! asked for is an error, and numbers are seen as they were written, before
+//! anything rounds them.
+
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::coordinate::{self, CoordinateError};
+use crate::{CorpusError, Task};
+
+/// The text of a file, its name, and where its lines start.
+pub(crate) struct Document<'t> {
+    pub(crate) file: &'t str,
+    pub(crate) text: &'t str,
+}
+
+impl<'t> Document<'t> {
+    pub(crate) fn parse(&self) -> Result<Spanned<DeTable<'t>>, CorpusError> {
+        DeTable::parse(self.text).map_err(|error| {
+            let at = error.span().map_or(0, |span| span.start);
+            self.error(at, error.message(), "correct the TOML")
+        })
+    }
+
+    /// The line of a byte offset, counted from 1.
+    pub(crate) fn line(&self, at: usize) -> usize {
+        let before = &self.text.as_bytes()[..at.min(self.text.len())];
+        1 + before.iter().filter(|&&byte| byte == b'\n').count()
+    }
+
+    pub(crate) fn error(&self, at: usize, message: impl Into<String>, cure: impl Into<String>) -> CorpusError {
+        CorpusError::file(self.file, message, cure).at_line(self.line(at))
+    }
+}
+
+/// One value of the file.
+#[derive(Clone, Copy)]
+pub(crate) struct Field<'d, 't> {
+    document: &'d Document<'t>,
+    key: &'d str,
+    value: &'d DeValue<'t>,
+    span: (usize, usize),
+}
+
+impl<'d, 't> Field<'d, 't> {
+    fn new(document: &'d Document<'t>, key: &'d str, value: &'d Spanned<DeValue<'t>>) -> Field<'d, 't> {
+        let Range { start, end } = value.span();
+        Field { document, key, value: value.get_ref(), span: (start, end) }
+    }
+
+    pub(crate) fn line(&self) -> usize {
+        self.document.line(self.span.0)
+    }
+
+    pub(crate) fn span(&self) -> Range<usize> {
+        self.span.0..self.span.1
+    }
+
+    pub(crate) fn error(&self, message: impl Into<String>, cure: impl Into<String>) -> CorpusError {
+        self.document.error(self.span.0, message, cure)
+    }
+
+    fn wrong_type(&self, wanted: &str) -> CorpusError {
+        let found = self.value.type_str();
+        self.error(format!("`{}` is of type {found}", self.key), format!("write {wanted}"))
+    }
+
+    pub(crate) fn is_array(&self) -> bool {
+        self.value.is_array()
+    }
+
+    pub(crate) fn str(&self) -> Result<&'d str, CorpusError> {
+        self.value.as_str().ok_or_else(|| self.wrong_type("a string"))
+    }
+
+    pub(crate) fn string(&self) -> Result<String, CorpusError> {
+        self.str().map(str::to_owned)
+    }
+
+    pub(crate) fn strings(&self) -> Result<Vec<String>, CorpusError> {
+        self.items("an array of strings")?.map(|item| item.string()).collect()
+    }
+
+    /// The members of an array; `wanted` says what it should hold.
+    pub(crate) fn items(
+        &self,
+        wanted: &str,
+    ) -> Result<impl ExactSizeIterator<Item = Field<'d, 't>> + use<'d, 't>, CorpusError> {
+        let array = self.value.as_array().ok_or_else(|| self.wrong_type(wanted))?;
+        let (document, key) = (self.document, self.key);
+        Ok(array.iter().map(move |item| Field::new(document, key, item)))
+    }
+
+    pub(crate) fn fields(&self, what: &'static str) -> Result<Fields<'d, 't>, CorpusError> {
+        let table = self.value.as_table().ok_or_else(|| self.wrong_type("a table"))?;
+        Ok(Fields::new(self.document, what, table, self.span.0))
+    }
+
+    /// An integer from `range`.
+    pub(crate) fn integer(&self, range: std::ops::RangeInclusive<u64>) -> Result<u64, CorpusError> {
+        let integer = self.value.as_integer().ok_or_else(|| self.wrong_type("an integer"))?;
+        let value = u64::from_str_radix(integer.as_str(), integer.radix()).ok().filter(|value| range.contains(value));
+        value.ok_or_else(|| {
+            let (low, high) = range.into_inner();
+            self.error(format!("`{}` is {}", self.key, integer), format!("choose an integer from {low} to {high}"))
+        })
+    }
+
+    /// An [`integer`](Field::integer) that counts things.
+    pub(crate) fn count(&self, range: std::ops::RangeInclusive<u64>) -> Result<usize, CorpusError> {
+        self.integer(range).map(|value| usize::try_from(value).unwrap_or(usize::MAX))
+    }
+
+    /// What was written where a coordinate should be.
+    pub(crate) fn coordinate_text(&self) -> Result<&str, CorpusError> {
+        match self.value {
+            DeValue::String(text) => Ok(text),
+            DeValue::Integer(integer) if integer.radix() == 10 => Ok(integer.as_str()),
+            DeValue::Float(float) => Ok(float.as_str()),
+            _ => Err(self.wrong_type("a decimal that is exactly a double, or a hex float in quotes")),
+        }
+    }
+
+    pub(crate) fn coordinate(&self) -> Result<f64, CorpusError> {
+        let text = self.coordinate_text()?;
+        coordinate::exact(text).map_err(|error| self.coordinate_error(text, &error))
+    }
+
+    pub(crate) fn coordinate_error(&self, text: &str, error: &CoordinateError) -> CorpusError {
+        let (message, cure) = explain(self.document.file, text, error);
+        self.error(message, cure)
+    }
+
+    /// The literal in the file, quotes included.
+    pub(crate) fn written(&self) -> &'t str {
+        &self.document.text[self.span()]
+    }
+
+    /// A string or number as it was written, for names.
+    pub(crate) fn plain(&self) -> Result<&str, CorpusError> {
+        self.coordinate_text()
+    }
+
+    pub(crate) fn task(&self) -> Result<Task, CorpusError> {
+        let name = self.str()?;
+        name.parse().map_err(|_| {
+            let known = Task::ALL.map(Task::name).join(", ");
+            self.error(format!("no task is called `{name}`"), format!("use one of {known}"))
+        })
+    }
+}
+
+/// What is wrong with a coordinate, and the cure.
+pub(crate) fn explain(file: &str, text: &str, error: &CoordinateError) -> (String, String) {
+    match error {
+        CoordinateError::Malformed => {
+            (format!("`{text}` is not a number"), "write a decimal or a hex float such as 0x1.8p+1".into())
+        }
+        CoordinateError::NotFinite => (format!("coordinate `{text}` is not finite"), "remove the point".into()),
+        CoordinateError::Overflow => {
+            (format!("coordinate `{text}` is beyond the largest double"), "scale the scene by a power of two".into())
+        }
+        CoordinateError::Underflow => (
+            format!("coordinate `{text}` is not zero but below half the smallest double"),
+            "write 0 or scale the scene by a power of two".into(),
+        ),
+        CoordinateError::TooManyBits => (
+            format!("hex float `{text}` has more bits than a double"),
+            "keep 53 bits, the lowest not below 2^-1074".into(),
+        ),
+        CoordinateError::Inexact { .. } => {
+            (format!("decimal {text} is not exactly a double"), format!("run `predicament corpus fmt {file}`"))
+        }
+    }
+}
+
+/// The keys of a table, taken one by one; what is left over is an error.
+pub(crate) struct Fields<'d, 't> {
+    document: &'d Document<'t>,
+    what: &'static str,
+    table: &'d DeTable<'t>,
+    at: usize,
+    asked: RefCell<BTreeSet<&'static str>>,
+}
+
+impl<'d, 't> Fields<'d, 't> {
+    pub(crate) fn new(
+        document: &'d Document<'t>,
+        what: &'static str,
+        table: &'d DeTable<'t>,
+        at: usize,
+    ) -> Fields<'d, 't> {
+        Fields { document, what, table, at, asked: RefCell::default() }
+    }
+
+    pub(crate) fn line(&self) -> usize {
+        self.document.line(self.at)
+    }
+
+    pub(crate) fn file(&self) -> &'t str {
+        self.document.file
+    }
+
+    /// An error about the table as a whole.
+    pub(crate) fn error(&self, message: impl Into<String>, cure: impl Into<String>) -> CorpusError {
+        self.document.error(self.at, message, cure)
+    }
+
+    pub(crate) fn get(&self, key: &'static str) -> Option<Field<'d, 't>> {
+        self.asked.borrow_mut().insert(key);
+        let (key, value) = self.table.get_key_value(key)?;
+        Some(Field::new(self.document, key.get_ref(), value))
+    }
+
+    pub(crate) fn required(&self, key: &'static str) -> Result<Field<'d, 't>, CorpusError> {
+        self.get(key).ok_or_else(|| self.error(format!("{} has no `{key}`", self.what), format!("add `{key} = …`")))
+    }
+
+    /// A string, empty where the key is missing.
+    pub(crate) fn string_or_empty(&self, key: &'static str) -> Result<String, CorpusError> {
+        self.get(key).map_or(Ok(String::new()), |field| field.string())
+    }
+
+    /// An integer, or a default where the key is missing.
+    pub(crate) fn integer_or(
+        &self,
+        key: &'static str,
+        default: u64,
+        range: std::ops::RangeInclusive<u64>,
+    ) -> Result<u64, CorpusError> {
+        self.get(key).map_or(Ok(default), |field| field.integer(range))
+    }
+
+    /// Refuses the keys that nobody asked for.
+    pub(crate) fn finish(self) -> Result<(), CorpusError> {
+        let asked = self.asked.into_inner();
+        let unknown =
+            self.table.keys().filter(|key| !asked.contains(key.get_ref().as_ref())).min_by_key(|key| key.span().start);
+        match unknown {
+            None => Ok(()),
+            Some(key) => {
+                let known: Vec<_> = asked.into_iter().collect();
+                Err(self.document.error(
+                    key.span().start,
+                    format!("a {} has no key `{}`", self.what, key.get_ref()),
+                    format!("remove it or use one of {}", known.join(", ")),
+                ))
+            }
+        }
+    }
+}

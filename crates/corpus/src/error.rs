@@ -1,0 +1,70 @@
+//! What is wrong, where, and what to do about it: always on one line.
+
+use std::fmt;
+
+/// Who has to act on an error; the tool's exit code depends on it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ErrorKind {
+    /// The command names something that doesn't exist (exit code 2).
+    Usage,
+    /// A suite, a data file or the cache is not what it should be (exit code 104).
+    Corpus,
+}
+
+/// An error with its place and its cure.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct CorpusError {
+    /// Who has to act.
+    pub kind: ErrorKind,
+    /// The file as the user knows it, or what was asked for where there is no file.
+    pub file: String,
+    /// The line in the file, counted from 1.
+    pub line: Option<usize>,
+    /// What is wrong.
+    pub message: String,
+    /// What to do about it.
+    pub cure: String,
+}
+
+impl CorpusError {
+    /// Something is wrong with a file as a whole.
+    #[must_use]
+    pub fn file(file: impl Into<String>, message: impl Into<String>, cure: impl Into<String>) -> CorpusError {
+        CorpusError {
+            kind: ErrorKind::Corpus,
+            file: file.into(),
+            line: None,
+            message: message.into(),
+            cure: cure.into(),
+        }
+    }
+
+    /// The user asked for something that isn't there.
+    #[must_use]
+    pub fn usage(what: impl Into<String>, message: impl Into<String>, cure: impl Into<String>) -> CorpusError {
+        CorpusError { kind: ErrorKind::Usage, ..CorpusError::file(what, message, cure) }
+    }
+
+    /// The same error, at a line.
+    #[must_use]
+    pub fn at_line(self, line: usize) -> CorpusError {
+        CorpusError { line: Some(line), ..self }
+    }
+}
+
+/// Messages of other libraries may span lines; ours never do.
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+impl fmt::Display for CorpusError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.file)?;
+        if let Some(line) = self.line {
+            write!(f, ":{line}")?;
+        }
+        write!(f, ": {}; {}", one_line(&self.message), one_line(&self.cure))
+    }
+}
+
+impl std::error::Error for CorpusError {}

@@ -1,0 +1,219 @@
+//! Fetching with the ordinary clients: `npm` and `cargo` know proxies,
+//! mirrors and credentials; this tool needs to know none of it.
+
+use std::ffi::OsStr;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use flate2::read::GzDecoder;
+use serde::Deserialize;
+
+use crate::cache::sha256;
+use crate::{Cache, CorpusError, Entry, Manager};
+
+/// Fetches one file into the cache, unless it is there already.
+///
+/// The file is checked against the manifest's SHA-256 before it gets its name,
+/// so that the cache never holds half a file or the wrong one. `log` is told
+/// what is done, one line each.
+///
+/// # Errors
+/// [`CorpusError`] where the client is missing or fails, the package lacks
+/// the file, the hash is another, or the cache can't be written.
+pub fn fetch(entry: &Entry, cache: &Cache, log: &mut dyn FnMut(&str)) -> Result<PathBuf, CorpusError> {
+    let path = cache.path(entry);
+    if cache.has(entry) {
+        log(&format!("{}: in the cache", entry.key));
+        return Ok(path);
+    }
+    log(&format!("{}: {} {}@{}", entry.key, entry.manager, entry.package, entry.version));
+    let workshop = Workshop::new(cache, entry)?;
+    let bytes = match entry.manager {
+        Manager::Npm => from_npm(entry, workshop.path())?,
+        Manager::Cargo => from_cargo(entry, workshop.path())?,
+    };
+    let found = sha256(&bytes);
+    if found != entry.sha256 {
+        let message = format!("{} has SHA-256 {found}, the manifest says {}", entry.file, entry.sha256);
+        return Err(error(entry, message, "don't use the file; find out who changed it"));
+    }
+    let unnamed = workshop.path().join("verified");
+    let folder = path.parent().unwrap_or(cache.folder());
+    std::fs::write(&unnamed, bytes)
+        .and_then(|()| std::fs::create_dir_all(folder))
+        .and_then(|()| std::fs::rename(&unnamed, &path))
+        .map_err(|why| CorpusError::file(path.display().to_string(), why.to_string(), "make the cache writable"))?;
+    log(&format!("{}: verified, {}", entry.key, path.display()));
+    Ok(path)
+}
+
+fn error(entry: &Entry, message: impl Into<String>, cure: impl Into<String>) -> CorpusError {
+    CorpusError::file(format!("fetch {}", entry.key), message, cure)
+}
+
+/// A folder in the cache that goes away with its value.
+struct Workshop(PathBuf);
+
+impl Workshop {
+    fn new(cache: &Cache, entry: &Entry) -> Result<Workshop, CorpusError> {
+        let path = cache.folder().join(format!(".fetching-{}-{}", entry.key, std::process::id()));
+        std::fs::create_dir_all(&path).map_err(|why| {
+            CorpusError::file(
+                path.display().to_string(),
+                why.to_string(),
+                "make the cache writable or set PREDICAMENT_CACHE",
+            )
+        })?;
+        Ok(Workshop(path))
+    }
+
+    fn path(&self) -> &Path {
+        &self.0
+    }
+}
+
+impl Drop for Workshop {
+    fn drop(&mut self) {
+        // What can't be removed is only litter.
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// Runs a client and returns what it says on stdout.
+fn run<S: AsRef<OsStr>>(entry: &Entry, program: &str, args: &[S], folder: &Path) -> Result<Vec<u8>, CorpusError> {
+    let output = Command::new(program).args(args).current_dir(folder).output().map_err(|why| {
+        error(entry, format!("`{program}` can't be run: {why}"), format!("install {program} or fetch the file by hand"))
+    })?;
+    if output.status.success() {
+        return Ok(output.stdout);
+    }
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    let last = stderr.lines().rev().find(|line| !line.trim().is_empty()).unwrap_or("no message");
+    let message = format!("`{program}` ended with {}: {last}", output.status);
+    Err(error(entry, message, "check the network, the package and its version"))
+}
+
+/// `npm pack` leaves one .tgz, in which everything is under `package/`.
+fn from_npm(entry: &Entry, folder: &Path) -> Result<Vec<u8>, CorpusError> {
+    let package = format!("{}@{}", entry.package, entry.version);
+    run(entry, "npm", &["pack", &package, "--ignore-scripts", "--silent"], folder)?;
+    let tarball = std::fs::read_dir(folder)
+        .ok()
+        .and_then(|files| {
+            files.flatten().map(|file| file.path()).find(|path| path.extension() == Some(OsStr::new("tgz")))
+        })
+        .ok_or_else(|| error(entry, "`npm pack` left no .tgz file", "try `npm pack` by hand"))?;
+    let bytes = std::fs::read(&tarball).map_err(|why| error(entry, why.to_string(), "try again"))?;
+    unpack(&bytes, &entry.file)
+        .map_err(|why| error(entry, format!("the tarball is broken: {why}"), "fetch again"))?
+        .ok_or_else(|| missing(entry))
+}
+
+fn missing(entry: &Entry) -> CorpusError {
+    let message = format!("{}@{} has no file {}", entry.package, entry.version, entry.file);
+    error(entry, message, "correct `file` in fetch.toml")
+}
+
+/// One file of an npm tarball, read without unpacking the others.
+fn unpack(tarball: &[u8], file: &str) -> std::io::Result<Option<Vec<u8>>> {
+    let mut archive = tar::Archive::new(GzDecoder::new(tarball));
+    for member in archive.entries()? {
+        let mut member = member?;
+        // The top folder's name is npm's habit, not a rule.
+        let inner: PathBuf = member.path()?.components().skip(1).collect();
+        if inner == Path::new(file) {
+            let mut bytes = Vec::new();
+            member.read_to_end(&mut bytes)?;
+            return Ok(Some(bytes));
+        }
+    }
+    Ok(None)
+}
+
+#[derive(Deserialize)]
+struct Metadata {
+    packages: Vec<Package>,
+}
+
+#[derive(Deserialize)]
+struct Package {
+    name: String,
+    version: String,
+    manifest_path: PathBuf,
+}
+
+/// A project with one dependency makes cargo download and unpack it.
+fn from_cargo(entry: &Entry, folder: &Path) -> Result<Vec<u8>, CorpusError> {
+    let manifest = format!(
+        "[package]\nname = \"fetched\"\nversion = \"0.0.0\"\nedition = \"2021\"\n\n\
+         [lib]\npath = \"lib.rs\"\n\n[dependencies]\n{} = \"={}\"\n\n[workspace]\n",
+        entry.package, entry.version
+    );
+    std::fs::write(folder.join("Cargo.toml"), manifest)
+        .and_then(|()| std::fs::write(folder.join("lib.rs"), ""))
+        .map_err(|why| error(entry, why.to_string(), "make the cache writable"))?;
+    let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
+    let stdout = run(entry, &cargo, &["metadata", "--format-version", "1"], folder)?;
+    let metadata: Metadata = serde_json::from_slice(&stdout)
+        .map_err(|why| error(entry, format!("`cargo metadata` is not understood: {why}"), "update cargo"))?;
+    let package = metadata
+        .packages
+        .iter()
+        .find(|package| package.name == entry.package && package.version == entry.version)
+        .ok_or_else(|| error(entry, "cargo resolved another version", "correct `version` in fetch.toml"))?;
+    let source = package.manifest_path.with_file_name(&entry.file);
+    std::fs::read(source).map_err(|_| missing(entry))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use flate2::Compression;
+    use flate2::write::GzEncoder;
+
+    fn tarball(files: &[(&str, &str)]) -> Vec<u8> {
+        let mut builder = tar::Builder::new(GzEncoder::new(Vec::new(), Compression::fast()));
+        for (path, text) in files {
+            let mut header = tar::Header::new_gnu();
+            header.set_size(u64::try_from(text.len()).unwrap());
+            header.set_mode(0o644);
+            builder.append_data(&mut header, path, text.as_bytes()).unwrap();
+        }
+        builder.into_inner().unwrap().finish().unwrap()
+    }
+
+    #[test]
+    fn one_file_of_a_tarball() {
+        let bytes =
+            tarball(&[("package/package.json", "{}"), ("package/data/map.json", "map"), ("package/map.json", "no")]);
+        assert_eq!(unpack(&bytes, "data/map.json").unwrap().as_deref(), Some(b"map".as_slice()));
+        assert_eq!(unpack(&bytes, "absent.json").unwrap(), None);
+        assert!(unpack(&bytes[..bytes.len() / 2], "map.json").is_err());
+    }
+
+    #[test]
+    fn a_file_in_the_cache_is_not_fetched_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let cache = Cache::new(folder.path());
+        let entry = Entry {
+            key: "k".into(),
+            manager: Manager::Npm,
+            package: "p".into(),
+            version: "1".into(),
+            file: "a/b.txt".into(),
+            sha256: sha256(b"text"),
+        };
+        let missing = cache.read(&entry).unwrap_err();
+        assert!(missing.to_string().ends_with("`k` has not been fetched; run `predicament corpus fetch`"), "{missing}");
+        std::fs::create_dir(folder.path().join("k")).unwrap();
+        std::fs::write(cache.path(&entry), "text").unwrap();
+        let mut said = Vec::new();
+        fetch(&entry, &cache, &mut |line| said.push(line.to_owned())).unwrap();
+        assert_eq!(said, ["k: in the cache"]);
+        assert_eq!(cache.read(&entry).as_deref(), Ok("text"));
+        std::fs::write(cache.path(&entry), "test").unwrap();
+        let changed = cache.read(&entry).unwrap_err();
+        assert!(changed.message.starts_with("SHA-256 is 9f86d081"), "{changed}");
+    }
+}

@@ -1,0 +1,177 @@
+//! Makes a suite lossless without changing anything else in it.
+
+use std::ops::Range;
+
+use crate::coordinate::{self, CoordinateError};
+use crate::document::{Document, Field, Fields};
+use crate::{CorpusError, hexfloat};
+
+/// Rewrites the decimals of a suite that are not exactly doubles: each
+/// becomes the hex float of its nearest double, and a comment at the end of
+/// its line keeps what was written. All other bytes stay, so that a suite
+/// without such decimals, and a suite that was rewritten, come back unchanged.
+///
+/// # Errors
+/// [`CorpusError`] where the text is no TOML, or a coordinate is no number
+/// that a double could be near to.
+pub fn fmt(file: &str, text: &str) -> Result<String, CorpusError> {
+    let document = Document { file, text };
+    let root = document.parse()?;
+    let fields = Fields::new(&document, "suite", root.get_ref(), 0);
+    let mut edits = Vec::new();
+    for table in tables(&fields, "scene")? {
+        if let Some(points) = table.fields("scene")?.get("points").filter(Field::is_array) {
+            for point in points.items("points")? {
+                collect(&point, &mut edits)?;
+            }
+        }
+    }
+    for table in tables(&fields, "generate")? {
+        let fields = table.fields("generate")?;
+        for point in ["p", "q", "r"].into_iter().filter_map(|key| fields.get(key)) {
+            collect(&point, &mut edits)?;
+        }
+        if let Some(step) = fields.get("step") {
+            edits.extend(edit(&step)?);
+        }
+    }
+    edits.sort_by_key(|edit| edit.span.start);
+    let rewritten = apply(text, &edits);
+    let again = Document { file, text: &rewritten };
+    // A comment inside a multi-line string would be text.
+    again.parse().map_err(|error| CorpusError { cure: "write each point on a line of its own".into(), ..error })?;
+    Ok(rewritten)
+}
+
+/// One literal and what replaces it.
+struct Edit<'t> {
+    span: Range<usize>,
+    decimal: &'t str,
+    hex: String,
+}
+
+fn tables<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field<'d, 't>>, CorpusError> {
+    fields.get(key).map_or(Ok(Vec::new()), |field| Ok(field.items("tables")?.collect()))
+}
+
+fn collect<'t>(point: &Field<'_, 't>, edits: &mut Vec<Edit<'t>>) -> Result<(), CorpusError> {
+    for coordinate in point.items("a point")? {
+        edits.extend(edit(&coordinate)?);
+    }
+    Ok(())
+}
+
+fn edit<'t>(field: &Field<'_, 't>) -> Result<Option<Edit<'t>>, CorpusError> {
+    let text = field.coordinate_text()?;
+    match coordinate::exact(text) {
+        Ok(_) => Ok(None),
+        Err(CoordinateError::Inexact { nearest }) => Ok(Some(Edit {
+            span: field.span(),
+            decimal: field.written().trim_matches(['"', '\'']),
+            hex: hexfloat::format(nearest),
+        })),
+        Err(error) => Err(field.coordinate_error(text, &error)),
+    }
+}
+
+/// Replaces the literals from left to right, and ends each line that had any
+/// with a comment.
+fn apply(text: &str, edits: &[Edit<'_>]) -> String {
+    let mut out = String::with_capacity(text.len() + 64 * edits.len());
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        let range = start..start + line.len();
+        let body = line.trim_end_matches(['\n', '\r']);
+        let mut at = start;
+        let mut decimals = Vec::new();
+        for edit in edits.iter().filter(|edit| range.contains(&edit.span.start)) {
+            out.push_str(&text[at..edit.span.start]);
+            out.push('"');
+            out.push_str(&edit.hex);
+            out.push('"');
+            at = edit.span.end;
+            decimals.push(edit.decimal);
+        }
+        out.push_str(&text[at..start + body.len()]);
+        if !decimals.is_empty() {
+            out.push_str("  # ");
+            out.push_str(&decimals.join(", "));
+        }
+        out.push_str(&line[body.len()..]);
+        start = range.end;
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const SUITE: &str = r#"# a comment that stays
+title = "t"   # and this one
+
+[[scene]]
+name = "a"
+task = "orient2d"
+points = [
+    ["0.1", 0.2],   # first
+    [8, "0x1.8p+1"],
+  ['-1e-1', "0.5"]]
+
+[[generate]]
+family = "pixel-map"
+task = "orient2d"
+name = "b"
+p = [0.5, 0.30]
+q = [12, 12]
+r = ["24", "24"]"#;
+
+    #[test]
+    fn only_inexact_decimals_change_and_stay_as_comments() {
+        let expected = SUITE
+            .replace(
+                "[\"0.1\", 0.2],   # first",
+                "[\"0x1.999999999999ap-4\", \"0x1.999999999999ap-3\"],   # first  # 0.1, 0.2",
+            )
+            .replace("['-1e-1', \"0.5\"]]", "[\"-0x1.999999999999ap-4\", \"0.5\"]]  # -1e-1")
+            .replace("[0.5, 0.30]", "[0.5, \"0x1.3333333333333p-2\"]  # 0.30");
+        let once = fmt("s.toml", SUITE).unwrap();
+        assert_eq!(once, expected);
+        assert_eq!(fmt("s.toml", &once).unwrap(), once);
+        let windows = SUITE.replace('\n', "\r\n");
+        assert_eq!(fmt("s.toml", &windows).unwrap(), expected.replace('\n', "\r\n"));
+    }
+
+    #[test]
+    fn what_no_double_is_near_to_is_refused() {
+        for (bad, message) in
+            [("inf", "not finite"), ("1e400", "beyond"), ("1e-400", "half the smallest"), ("\"x\"", "not a number")]
+        {
+            let text = SUITE.replace("0.2]", &format!("{bad}]"));
+            let error = fmt("s.toml", &text).unwrap_err().to_string();
+            assert!(error.starts_with("s.toml:8: ") && error.contains(message), "{error}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn rewriting_keeps_the_nearest_doubles(points in proptest::collection::vec((-1e9..1e9f64, any::<f32>()), 1..20)) {
+            let points: Vec<_> = points.into_iter().filter(|(_, y)| y.is_finite() && *y != 0.0).collect();
+            // Shortest decimals of doubles and of floats: most are not doubles.
+            let rows: String = points.iter().map(|(x, y)| format!("  [{x:?}, \"{y:?}\"],\n")).collect();
+            let text = format!("title = \"t\"\n[[scene]]\nname = \"a\"\ntask = \"compare\"\npoints = [\n{rows}]\n");
+            let once = fmt("s.toml", &text).unwrap();
+            prop_assert_eq!(&fmt("s.toml", &once).unwrap(), &once);
+            let mut read = Vec::new();
+            for row in once.lines().filter(|line| line.starts_with("  [")) {
+                let row = row.split_once(']').unwrap().0.trim_start_matches(['[', ' ']);
+                for cell in row.split(", ") {
+                    read.push(coordinate::exact(cell.trim_matches('"')).unwrap());
+                }
+            }
+            let meant: Vec<f64> = points.iter().flat_map(|(x, y)| [*x, y.to_string().parse().unwrap()]).collect();
+            prop_assert_eq!(read, meant);
+        }
+    }
+}

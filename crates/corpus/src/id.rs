@@ -1,0 +1,133 @@
+//! Content ids: what a scene *is*, whatever it is called.
+
+use std::collections::BTreeMap;
+
+use predicament_mesh::PolygonMap;
+use predicament_predicates::{Axis, Plane, Question, Scene, Vertex};
+use sha2::{Digest, Sha256};
+
+use crate::{CorpusError, LoadedScene, SceneDef, Work};
+
+/// The first 16 hex digits of a SHA-256 over the canonical bytes of a scene:
+/// task, dimension, coordinate bits, and queries, or the map's rings and the
+/// probes.
+///
+/// Names, tags, sources and the names of regions are not part of it, so that
+/// expectations and baselines survive renames. Negative zeros are read as
+/// positive ones: the two are the same point, and every predicate is a
+/// function of points.
+#[must_use]
+pub fn content_id(scene: &Scene, work: &Work) -> String {
+    let mut canon = Canon(Sha256::new());
+    canon.bytes(b"predicament scene 1\n");
+    canon.count(scene.dimension().count());
+    canon.count(scene.coordinates().len());
+    for &x in scene.coordinates() {
+        // -0 + 0 is +0 in the default rounding; everything else stays.
+        canon.bytes(&(x + 0.0).to_bits().to_le_bytes());
+    }
+    match work {
+        Work::Signs(queries) => {
+            canon.text(&question_text(queries.question()));
+            canon.vertices(queries.flat());
+        }
+        Work::Locate { map, probes } => {
+            canon.text("polygon-locate");
+            canon.map(map);
+            canon.count(probes.len());
+            for probe in probes {
+                canon.text(probe.kind.name());
+                canon.count(probe.vertex.index());
+            }
+        }
+    }
+    hex(&canon.0.finalize()[..8])
+}
+
+/// A digest as lower-case hex digits.
+pub(crate) fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn question_text(question: Question) -> String {
+    let of = match question {
+        Question::Compare(Axis::X) => " x",
+        Question::Compare(Axis::Y) => " y",
+        Question::Compare(Axis::Z) => " z",
+        Question::Orient2d(Plane::Xy) => " xy",
+        Question::Orient2d(Plane::Yz) => " yz",
+        Question::Orient2d(Plane::Zx) => " zx",
+        Question::Orient3d | Question::Incircle | Question::Insphere => "",
+    };
+    format!("{}{of}", question.kind())
+}
+
+/// Feeds a digest with values whose bytes can't run into each other.
+struct Canon(Sha256);
+
+impl Canon {
+    fn bytes(&mut self, bytes: &[u8]) {
+        self.0.update(bytes);
+    }
+
+    fn count(&mut self, n: usize) {
+        self.bytes(&u64::try_from(n).expect("no machine has more").to_le_bytes());
+    }
+
+    fn text(&mut self, text: &str) {
+        self.count(text.len());
+        self.bytes(text.as_bytes());
+    }
+
+    fn vertices(&mut self, vertices: &[Vertex]) {
+        self.count(vertices.len());
+        for vertex in vertices {
+            self.count(vertex.index());
+        }
+    }
+
+    fn map(&mut self, map: &PolygonMap) {
+        self.count(map.regions().len());
+        for region in map.regions() {
+            self.count(region.rings.len());
+            for ring in &region.rings {
+                self.vertices(ring.vertices());
+            }
+        }
+    }
+}
+
+/// The ids met so far: two scenes of one library may not be the same scene,
+/// or an expectation for one would speak about both.
+#[derive(Clone, Debug, Default)]
+pub struct SeenIds(BTreeMap<String, String>);
+
+impl SeenIds {
+    /// Nothing met yet.
+    #[must_use]
+    pub fn new() -> SeenIds {
+        SeenIds::default()
+    }
+
+    /// Notes a loaded scene and its definition.
+    ///
+    /// # Errors
+    /// [`CorpusError`] where another scene with the same content was met before.
+    pub fn insert(&mut self, definition: &SceneDef, loaded: &LoadedScene) -> Result<(), CorpusError> {
+        self.note(loaded.id.clone(), definition)
+    }
+
+    pub(crate) fn note(&mut self, id: String, definition: &SceneDef) -> Result<(), CorpusError> {
+        let name = format!("{}/{}", definition.suite, definition.name);
+        match self.0.get(&id) {
+            Some(other) if *other != name => {
+                let message = format!("scene `{name}` has the same content as `{other}` (id {id})");
+                Err(CorpusError::file(&definition.file, message, "remove one of the two").at_line(definition.line))
+            }
+            _ => {
+                self.0.insert(id, name);
+                Ok(())
+            }
+        }
+    }
+}

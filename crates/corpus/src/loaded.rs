@@ -1,0 +1,112 @@
+//! A scene that is ready to be asked.
+
+use predicament_mesh::PolygonMap;
+use predicament_predicates::{QuerySet, Scene, Sign, Vertex};
+
+use crate::{ImportNotes, Task};
+
+/// A scene with its questions.
+#[derive(Clone, PartialEq, Debug)]
+pub struct LoadedScene {
+    /// The suite it is from.
+    pub suite: String,
+    /// Its name in the suite.
+    pub name: String,
+    /// The content id: see [`content_id`](crate::content_id).
+    pub id: String,
+    /// What is asked.
+    pub task: Task,
+    /// The family as `throughput.csv` calls it; the scene's name where it has none.
+    pub family: String,
+    /// Free words to select by.
+    pub tags: Vec<String>,
+    /// Where the scene is from.
+    pub source: String,
+    /// One sentence that ends up in the report.
+    pub analysis: String,
+    /// The points.
+    pub scene: Scene,
+    /// The questions.
+    pub work: Work,
+    /// The signs that the data's author expects, query by query.
+    pub expected: Option<Vec<Sign>>,
+    /// What an importer changed.
+    pub notes: ImportNotes,
+}
+
+/// The questions of a scene.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Work {
+    /// Signs of a predicate.
+    Signs(QuerySet),
+    /// The region of each probe. The map's vertices come first in the scene;
+    /// every probe is a vertex of its own behind them, even where its
+    /// coordinates are those of a map vertex.
+    Locate {
+        /// The regions.
+        map: PolygonMap,
+        /// What to locate.
+        probes: Vec<Probe>,
+    },
+}
+
+impl Work {
+    /// The number of queries or probes.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        match self {
+            Work::Signs(queries) => queries.len(),
+            Work::Locate { probes, .. } => probes.len(),
+        }
+    }
+
+    /// Whether nothing is asked.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// A point to locate.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Probe {
+    /// Its vertex in the scene.
+    pub vertex: Vertex,
+    /// How it was chosen.
+    pub kind: ProbeKind,
+}
+
+/// How a probe was chosen.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum ProbeKind {
+    /// On a vertex of the map.
+    Vertex,
+    /// On an edge: its midpoint, where that is a pair of doubles.
+    Midpoint,
+    /// One double straight below a vertex.
+    Below,
+    /// One double straight above a vertex.
+    Above,
+    /// Anywhere in the bounding box.
+    Random,
+}
+
+impl ProbeKind {
+    /// The name in reports.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            ProbeKind::Vertex => "vertex",
+            ProbeKind::Midpoint => "midpoint",
+            ProbeKind::Below => "below",
+            ProbeKind::Above => "above",
+            ProbeKind::Random => "random",
+        }
+    }
+}
+
+impl std::fmt::Display for ProbeKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}

@@ -1,0 +1,159 @@
+//! `fetch.toml`: real data by package manager, package, version, file and hash.
+
+use std::collections::BTreeMap;
+
+use crate::CorpusError;
+use crate::document::{Document, Field, Fields};
+
+/// A package manager whose ordinary client fetches packages.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Manager {
+    /// `npm`, from the npm registry.
+    Npm,
+    /// `cargo`, from crates.io.
+    Cargo,
+}
+
+impl Manager {
+    /// The name in the manifest, which is the client's.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Manager::Npm => "npm",
+            Manager::Cargo => "cargo",
+        }
+    }
+}
+
+impl std::fmt::Display for Manager {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// One file of one published package.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Entry {
+    /// What suites call it.
+    pub key: String,
+    /// Who has the package.
+    pub manager: Manager,
+    /// The package.
+    pub package: String,
+    /// Its exact version.
+    pub version: String,
+    /// The file's path in the package.
+    pub file: String,
+    /// The file's SHA-256 in lower-case hex.
+    pub sha256: String,
+}
+
+/// All entries by key.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Manifest {
+    entries: BTreeMap<String, Entry>,
+}
+
+impl Manifest {
+    /// Reads a manifest: `[[file]]` tables.
+    ///
+    /// # Errors
+    /// [`CorpusError`] at the line that is wrong.
+    pub fn parse(file: &str, text: &str) -> Result<Manifest, CorpusError> {
+        let document = Document { file, text };
+        let root = document.parse()?;
+        let fields = Fields::new(&document, "fetch manifest", root.get_ref(), 0);
+        let mut entries = BTreeMap::new();
+        if let Some(files) = fields.get("file") {
+            for table in files.items("[[file]] tables")? {
+                let entry = read(table.fields("file")?)?;
+                if entries.contains_key(&entry.key) {
+                    return Err(table.error(format!("the key `{}` is taken", entry.key), "give every file its own key"));
+                }
+                entries.insert(entry.key.clone(), entry);
+            }
+        }
+        fields.finish()?;
+        Ok(Manifest { entries })
+    }
+
+    /// The entry with this key.
+    #[must_use]
+    pub fn entry(&self, key: &str) -> Option<&Entry> {
+        self.entries.get(key)
+    }
+
+    /// All entries, in the order of their keys.
+    pub fn entries(&self) -> impl ExactSizeIterator<Item = &Entry> {
+        self.entries.values()
+    }
+}
+
+fn read(fields: Fields<'_, '_>) -> Result<Entry, CorpusError> {
+    let entry = Entry {
+        key: plain_name(&fields.required("key")?)?,
+        manager: manager(&fields.required("manager")?)?,
+        package: package(&fields.required("package")?)?,
+        version: plain_name(&fields.required("version")?)?,
+        file: path(&fields.required("file")?)?,
+        sha256: sha256(&fields.required("sha256")?)?,
+    };
+    fields.finish()?;
+    Ok(entry)
+}
+
+fn manager(field: &Field<'_, '_>) -> Result<Manager, CorpusError> {
+    match field.str()? {
+        "npm" => Ok(Manager::Npm),
+        "cargo" => Ok(Manager::Cargo),
+        other => Err(field.error(format!("no package manager is called `{other}`"), "use npm or cargo")),
+    }
+}
+
+fn is_plain(name: &str) -> bool {
+    !name.is_empty()
+        && name.bytes().all(|b| b.is_ascii_alphanumeric() || b"._-+".contains(&b))
+        && !name.starts_with(['.', '-'])
+}
+
+/// A word that can stand in a file name and on a command line.
+fn plain_name(field: &Field<'_, '_>) -> Result<String, CorpusError> {
+    let name = field.string()?;
+    if is_plain(&name) {
+        Ok(name)
+    } else {
+        Err(field.error(format!("`{name}` is no plain name"), "use letters, digits, . _ - +"))
+    }
+}
+
+/// A package's name: plain, or npm's `@scope/name`.
+fn package(field: &Field<'_, '_>) -> Result<String, CorpusError> {
+    let name = field.string()?;
+    let bare = name.strip_prefix('@').unwrap_or(&name);
+    let parts = bare.split('/').collect::<Vec<_>>();
+    let most = if name.starts_with('@') { 2 } else { 1 };
+    if parts.len() <= most && parts.iter().all(|part| is_plain(part)) {
+        Ok(name)
+    } else {
+        Err(field.error(format!("`{name}` is no package name"), "write the name in the registry"))
+    }
+}
+
+/// A path that stays in the package.
+fn path(field: &Field<'_, '_>) -> Result<String, CorpusError> {
+    let path = field.string()?;
+    if path.split('/').all(is_plain) {
+        Ok(path)
+    } else {
+        Err(field.error(format!("`{path}` is no path in a package"), "write names joined by /, without . and .."))
+    }
+}
+
+fn sha256(field: &Field<'_, '_>) -> Result<String, CorpusError> {
+    let text = field.string()?;
+    if text.len() == 64 && text.bytes().all(|b| b.is_ascii_digit() || (b'a'..=b'f').contains(&b)) {
+        Ok(text)
+    } else {
+        Err(field.error(format!("`{text}` is no SHA-256"), "write 64 lower-case hex digits"))
+    }
+}

@@ -1,0 +1,67 @@
+//! `[[generate]]` tables.
+
+use predicament_predicates::Dimension;
+
+use super::scene::{Content, Probing, SceneDef, define};
+use super::{Context, queries};
+use crate::document::{Field, Fields};
+use crate::generate::{Amount, Family, Generator, Shape};
+use crate::{CorpusError, Task};
+
+/// More queries than this don't fit a scene's vertex ids.
+const MOST_QUERIES: u64 = 100_000_000;
+
+/// Reads a `[[generate]]` table.
+pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<SceneDef, CorpusError> {
+    let task = fields.required("task")?.task()?;
+    let family_field = fields.required("family")?;
+    let family = Family::read(&family_field, &fields, task)?;
+    let generator = Generator {
+        seed: fields.integer_or("seed", 0, 0..=u64::MAX)?,
+        amount: amount(&fields, &family)?,
+        shape: shape(&fields, task)?,
+        family,
+    };
+    let name = match fields.get("name") {
+        Some(name) => name.string()?,
+        None => default_name(&generator, &fields, task)?,
+    };
+    let family = generator.family.reported_as();
+    define(context, fields, name, task, family, Content::Generated(generator))
+}
+
+/// `n` and `n_full`; families of a fixed size have neither.
+fn amount(fields: &Fields<'_, '_>, family: &Family) -> Result<Amount, CorpusError> {
+    if let Some(n) = family.fixed_size() {
+        return Ok(Amount { quick: n, full: n });
+    }
+    let count = |field: Field<'_, '_>| field.count(1..=MOST_QUERIES);
+    let quick = count(fields.required("n")?)?;
+    let full = fields.get("n_full").map_or(Ok(quick), count)?;
+    Ok(Amount { quick, full })
+}
+
+fn shape(fields: &Fields<'_, '_>, task: Task) -> Result<Shape, CorpusError> {
+    if task == Task::PolygonLocate {
+        return Ok(Shape::Map(Probing::read(fields)?));
+    }
+    let question = queries::question(fields, task)?;
+    let dimension = match (task, fields.get("dimension")) {
+        (Task::Compare | Task::Orient2d, Some(field)) if field.integer(2..=3)? == 3 => Dimension::Three,
+        (Task::Orient3d | Task::Insphere, _) => Dimension::Three,
+        _ => Dimension::Two,
+    };
+    queries::fits(question, dimension).map_err(|(message, _)| fields.error(message, "write `dimension = 3`"))?;
+    Ok(Shape::Signs { question, dimension })
+}
+
+/// Family, task, and every parameter that was written: `near-orient2d-ulps-4`.
+fn default_name(generator: &Generator, fields: &Fields<'_, '_>, task: Task) -> Result<String, CorpusError> {
+    let mut name = format!("{}-{task}", generator.family.name());
+    for key in ["dimension", "plane", "axis"].into_iter().chain(generator.family.parameters().iter().copied()) {
+        if let Some(field) = fields.get(key) {
+            name.push_str(&format!("-{key}-{}", field.plain()?));
+        }
+    }
+    Ok(name)
+}

@@ -1,0 +1,142 @@
+//! Suites: named lists of scenes, each a few lines of TOML.
+
+mod generate;
+mod load;
+mod points;
+mod queries;
+mod scene;
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+pub(crate) use scene::Probing;
+pub use scene::SceneDef;
+
+use crate::document::{Document, Field, Fields};
+use crate::{CorpusError, Manifest, SeenIds};
+
+/// A suite: a TOML file's scenes in the order in which they are written.
+#[derive(Clone, Debug)]
+pub struct Suite {
+    /// The file's name without `.toml`.
+    pub name: String,
+    /// A heading.
+    pub title: String,
+    /// A paragraph for readers.
+    pub description: String,
+    /// Whether any scene needs data from `predicament corpus fetch`.
+    pub needs_fetch: bool,
+    /// The scenes.
+    pub scenes: Vec<SceneDef>,
+    file: String,
+}
+
+impl Suite {
+    /// Reads a suite.
+    ///
+    /// Everything that needs no generator, no data file and no download is
+    /// checked here: keys, tasks, families, coordinates, queries, and that
+    /// scenes written out in the file have different names and contents.
+    ///
+    /// `file` is the name in error messages; its stem names the suite. Data
+    /// paths are relative to `base`; without one (embedded suites) they are
+    /// errors. `manifest` resolves fetch keys.
+    ///
+    /// # Errors
+    /// [`CorpusError`] at the line that is wrong.
+    pub fn parse(file: &str, text: &str, base: Option<&Path>, manifest: &Manifest) -> Result<Suite, CorpusError> {
+        let name = Path::new(file).file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+        let document = Document { file, text };
+        let root = document.parse()?;
+        let fields = Fields::new(&document, "suite", root.get_ref(), 0);
+        let title = fields.required("title")?.string()?;
+        let description = fields.string_or_empty("description")?;
+        let context = Context { suite: name.clone(), base: base.map(Path::to_path_buf), manifest };
+        let mut scenes = Vec::new();
+        for table in tables(&fields, "scene")? {
+            scenes.push(scene::read(&context, table.fields("scene")?)?);
+        }
+        for table in tables(&fields, "generate")? {
+            scenes.push(generate::read(&context, table.fields("generate")?)?);
+        }
+        fields.finish()?;
+        scenes.sort_by_key(|scene: &SceneDef| scene.line);
+        let needs_fetch = scenes.iter().any(SceneDef::needs_fetch);
+        let suite = Suite { name, title, description, needs_fetch, scenes, file: file.to_owned() };
+        suite.check_names()?;
+        suite.check_ids(&mut SeenIds::new())?;
+        Ok(suite)
+    }
+
+    /// Reads a suite from disk.
+    ///
+    /// # Errors
+    /// [`CorpusError`] where the file can't be read, or as [`Suite::parse`].
+    pub fn from_file(path: &Path, manifest: &Manifest) -> Result<Suite, CorpusError> {
+        let file = path.display().to_string();
+        let text = std::fs::read_to_string(path).map_err(|error| {
+            CorpusError::usage(&file, format!("the suite can't be read: {error}"), "give a suite's name or a TOML file")
+        })?;
+        Suite::parse(&file, &text, path.parent(), manifest)
+    }
+
+    /// The file as error messages name it.
+    #[must_use]
+    pub fn file(&self) -> &str {
+        &self.file
+    }
+
+    fn check_names(&self) -> Result<(), CorpusError> {
+        let mut lines = BTreeMap::new();
+        for scene in &self.scenes {
+            if let Some(first) = lines.insert(&scene.name, scene.line) {
+                return Err(CorpusError::file(
+                    &self.file,
+                    format!("the name `{}` is taken by the scene in line {first}", scene.name),
+                    "give every scene of a suite its own `name`",
+                )
+                .at_line(scene.line));
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks the contents of the scenes that are written out in the file.
+    pub(crate) fn check_ids(&self, seen: &mut SeenIds) -> Result<(), CorpusError> {
+        for scene in &self.scenes {
+            if let Some(id) = scene.inline_id() {
+                seen.note(id, scene)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What a scene needs to know besides its own table.
+struct Context<'m> {
+    suite: String,
+    base: Option<PathBuf>,
+    manifest: &'m Manifest,
+}
+
+impl Context<'_> {
+    /// A data file's path beside the suite.
+    fn path(&self, field: &Field<'_, '_>) -> Result<PathBuf, CorpusError> {
+        let name = field.str()?;
+        match &self.base {
+            Some(base) => Ok(base.join(name)),
+            None => {
+                Err(field
+                    .error("an embedded suite has no files beside it", "use `fetch`, or run the suite from a folder"))
+            }
+        }
+    }
+}
+
+/// The tables of an array of tables; none where the key is missing.
+fn tables<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field<'d, 't>>, CorpusError> {
+    match fields.get(key) {
+        None => Ok(Vec::new()),
+        Some(field) => Ok(field.items(&format!("[[{key}]] tables"))?.collect()),
+    }
+}

@@ -1,0 +1,202 @@
+//! Which vertices are asked about.
+
+use predicament_predicates::{Axis, Dimension, Plane, QuerySet, Question, Vertex};
+
+use crate::document::{Field, Fields};
+use crate::{CorpusError, Task};
+
+/// More combinations than this are a mistake, not a scene.
+const MOST_COMBINATIONS: usize = 1_000_000;
+
+/// The `queries` of a scene, before its points are known.
+#[derive(Clone, Debug)]
+pub(super) struct Plan {
+    question: Question,
+    choice: Choice,
+    line: usize,
+}
+
+#[derive(Clone, Debug)]
+enum Choice {
+    Tuples,
+    All,
+    Explicit(Vec<(usize, Vec<usize>)>),
+}
+
+impl Plan {
+    /// Reads `queries`, `plane` and `axis`.
+    pub(super) fn read(fields: &Fields<'_, '_>, task: Task) -> Result<Plan, CorpusError> {
+        let question = question(fields, task)?;
+        let arity = question.kind().arity();
+        let field = fields.get("queries");
+        let line = field.map_or(fields.line(), |field| field.line());
+        let choice = match field {
+            None => Choice::Tuples,
+            Some(field) if field.is_array() => Choice::Explicit(explicit(&field, arity)?),
+            Some(field) => match field.str()? {
+                "tuples" => Choice::Tuples,
+                "all" => Choice::All,
+                other => {
+                    return Err(field.error(
+                        format!("no choice of queries is called `{other}`"),
+                        "write \"tuples\", \"all\" or arrays of indices",
+                    ));
+                }
+            },
+        };
+        Ok(Plan { question, choice, line })
+    }
+
+    /// The queries over `points` points.
+    pub(super) fn queries(&self, file: &str, dimension: Dimension, points: usize) -> Result<QuerySet, CorpusError> {
+        let error = |line, message: String, cure: &str| CorpusError::file(file, message, cure).at_line(line);
+        let kind = self.question.kind();
+        let arity = kind.arity();
+        if let Err((message, cure)) = fits(self.question, dimension) {
+            return Err(error(self.line, message, &cure));
+        }
+        let args = match &self.choice {
+            Choice::Tuples if points == 0 || !points.is_multiple_of(arity) => {
+                let message = format!("{points} points don't divide into queries of {arity} for {kind}");
+                return Err(error(self.line, message, "add or remove points, or write `queries`"));
+            }
+            Choice::Tuples => (0..points).map(Vertex::input).collect(),
+            Choice::All => {
+                let count = combinations(points, arity).filter(|count| (1..=MOST_COMBINATIONS).contains(count));
+                if count.is_none() {
+                    let message =
+                        format!("{points} points have none or over {MOST_COMBINATIONS} combinations of {arity}");
+                    return Err(error(self.line, message, "write the queries that matter"));
+                }
+                all(points, arity)
+            }
+            Choice::Explicit(queries) => {
+                let mut args = Vec::with_capacity(queries.len() * arity);
+                for (line, query) in queries {
+                    if let Some(index) = query.iter().find(|&&index| index >= points) {
+                        let message = format!("query index {index} is out of range: the scene has {points} points");
+                        return Err(error(*line, message, "indices count from 0"));
+                    }
+                    args.extend(query.iter().map(|&index| Vertex::input(index)));
+                }
+                args
+            }
+        };
+        Ok(QuerySet::new(self.question, args))
+    }
+}
+
+/// The question that a table asks: its task with `plane` or `axis`.
+pub(super) fn question(fields: &Fields<'_, '_>, task: Task) -> Result<Question, CorpusError> {
+    Ok(match task {
+        Task::Compare => Question::Compare(match fields.get("axis") {
+            None => Axis::X,
+            Some(field) => match field.str()? {
+                "x" => Axis::X,
+                "y" => Axis::Y,
+                "z" => Axis::Z,
+                other => return Err(field.error(format!("no axis is called `{other}`"), "write x, y or z")),
+            },
+        }),
+        Task::Orient2d => Question::Orient2d(match fields.get("plane") {
+            None => Plane::Xy,
+            Some(field) => match field.str()? {
+                "xy" => Plane::Xy,
+                "yz" => Plane::Yz,
+                "zx" => Plane::Zx,
+                other => return Err(field.error(format!("no plane is called `{other}`"), "write xy, yz or zx")),
+            },
+        }),
+        Task::Orient3d => Question::Orient3d,
+        Task::Incircle => Question::Incircle,
+        Task::Insphere => Question::Insphere,
+        Task::PolygonLocate => {
+            return Err(fields.error("polygon-locate asks about a map, not about points", "write `map = …`"));
+        }
+    })
+}
+
+/// Whether a question can be asked of points with so many coordinates.
+pub(super) fn fits(question: Question, dimension: Dimension) -> Result<(), (String, String)> {
+    let needed = match question {
+        Question::Compare(Axis::X | Axis::Y) | Question::Orient2d(Plane::Xy) => return Ok(()),
+        Question::Incircle => Dimension::Two,
+        _ => Dimension::Three,
+    };
+    if dimension == needed {
+        return Ok(());
+    }
+    let detail = match question {
+        Question::Compare(_) => " along z",
+        Question::Orient2d(_) => " in a plane with z",
+        _ => "",
+    };
+    let message = format!(
+        "{}{detail} takes points of {}, not of {} coordinates",
+        question.kind(),
+        needed.count(),
+        dimension.count()
+    );
+    Err((message, format!("give every point {} coordinates", needed.count())))
+}
+
+fn explicit(field: &Field<'_, '_>, arity: usize) -> Result<Vec<(usize, Vec<usize>)>, CorpusError> {
+    let queries = field.items("arrays of indices")?;
+    if queries.len() == 0 {
+        return Err(field.error("`queries` is empty", "write at least one query"));
+    }
+    queries
+        .map(|query| {
+            let indices = query.items("an array of indices")?;
+            if indices.len() != arity {
+                let message = format!("a query of {} indices; the predicate takes {arity}", indices.len());
+                return Err(query.error(message, format!("write {arity} indices")));
+            }
+            let most = u64::try_from(Vertex::MAX_INPUT - 1).unwrap_or(u64::MAX);
+            let indices = indices.map(|index| index.count(0..=most)).collect::<Result<_, _>>()?;
+            Ok((query.line(), indices))
+        })
+        .collect()
+}
+
+/// The number of ways to choose; none where it does not fit.
+fn combinations(n: usize, k: usize) -> Option<usize> {
+    (0..k).try_fold(1_usize, |count, i| {
+        let factor = n.checked_sub(i)?;
+        Some(count.checked_mul(factor)? / (i + 1))
+    })
+}
+
+/// Every choice of `k` among `n` indices, in lexicographic order.
+fn all(n: usize, k: usize) -> Vec<Vertex> {
+    let mut args = Vec::new();
+    let mut choice: Vec<usize> = (0..k).collect();
+    loop {
+        args.extend(choice.iter().map(|&index| Vertex::input(index)));
+        let Some(place) = (0..k).rev().find(|&place| choice[place] < n - k + place) else {
+            return args;
+        };
+        choice[place] += 1;
+        for later in place + 1..k {
+            choice[later] = choice[later - 1] + 1;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_combinations_in_index_order() {
+        let indices: Vec<Vec<usize>> =
+            all(4, 3).chunks(3).map(|query| query.iter().map(|v| v.index()).collect()).collect();
+        assert_eq!(indices, [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]);
+        for (n, k) in [(5, 5), (9, 3), (12, 4)] {
+            let args = all(n, k);
+            assert_eq!(Some(args.len() / k), combinations(n, k));
+            assert!(args.chunks(k).is_sorted());
+        }
+        assert_eq!(combinations(2, 3), Some(0));
+    }
+}

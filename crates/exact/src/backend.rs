@@ -1,0 +1,43 @@
+//! The backend: a name, a promise, a list of stages.
+
+use predicament_predicates::{Backend, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
+
+use crate::Session;
+
+/// The indices of the stages in [`Backend::stages`].
+pub mod stage {
+    /// A comparison of two coordinates.
+    pub const COMPARE: usize = 0;
+    /// Plain floating point and a bound on its error.
+    pub const FILTER: usize = 1;
+    /// Floating-point expansions.
+    pub const EXPANSION: usize = 2;
+    /// Integers over a common power of two.
+    pub const RATIONAL: usize = 3;
+    /// Their names, in this order.
+    pub const NAMES: [&str; 4] = ["compare", "filter", "expansion", "rational"];
+}
+
+/// The exact backend. Its promise is proved: the sign of the real determinant.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Exact;
+
+impl Backend for Exact {
+    type Session<'s, T: Tally + 's> = Session<'s, T>;
+
+    fn name(&self) -> String {
+        "exact".to_owned()
+    }
+
+    fn contract(&self, _: PredicateKind) -> Contract {
+        Contract { zero: ZeroMeaning::Exact, proved: true }
+    }
+
+    fn stages(&self) -> &'static [&'static str] {
+        &stage::NAMES
+    }
+
+    fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {
+        Ok(Session::new(scene, tally))
+    }
+}

@@ -1,0 +1,139 @@
+//! Determinants in plain floating point, each with its permanent.
+//!
+//! The permanent is the same sum with every term taken by magnitude: the
+//! measure of how much a determinant can cancel, and of how far rounding can
+//! carry it.
+
+use predicament_predicates::Sign;
+
+/// A determinant and its permanent, as plain floating point finds them.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Estimate {
+    /// The determinant.
+    pub determinant: f64,
+    /// The permanent; for [`orient2d`] see there.
+    pub permanent: f64,
+}
+
+impl Estimate {
+    /// The sign of the determinant if its magnitude is at least `bound` times
+    /// the permanent. No bound that is NaN lets an estimate pass.
+    #[inline(always)]
+    #[must_use]
+    pub fn certain(self, bound: f64) -> Option<Sign> {
+        (self.determinant.abs() >= bound * self.permanent).then(|| Sign::of(self.determinant))
+    }
+}
+
+/// (a − c) × (b − c) = l − r, with |l + r| for the permanent |l| + |r|.
+///
+/// The two differ when l and r have opposite signs, but then no rounding can
+/// change the sign of l − r (Ozaki, Bünger, Ogita, Oishi and Rump 2016).
+#[inline(always)]
+#[must_use]
+pub fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Estimate {
+    let [acx, acy] = minus2(a, c);
+    let [bcx, bcy] = minus2(b, c);
+    let left = acx * bcy;
+    let right = acy * bcx;
+    Estimate { determinant: left - right, permanent: (left + right).abs() }
+}
+
+/// det(a − d, b − d, c − d).
+#[inline(always)]
+#[must_use]
+pub fn orient3d(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Estimate {
+    let [adx, ady, adz] = minus3(a, d);
+    let [bdx, bdy, bdz] = minus3(b, d);
+    let [cdx, cdy, cdz] = minus3(c, d);
+    let bc = Minor::new(bdx, bdy, cdx, cdy);
+    let ca = Minor::new(cdx, cdy, adx, ady);
+    let ab = Minor::new(adx, ady, bdx, bdy);
+    Estimate {
+        determinant: adz * bc.value + bdz * ca.value + cdz * ab.value,
+        permanent: adz.abs() * bc.permanent + bdz.abs() * ca.permanent + cdz.abs() * ab.permanent,
+    }
+}
+
+/// The 3 × 3 determinant of a − d, b − d, c − d, each with its squared length.
+#[inline(always)]
+#[must_use]
+pub fn incircle(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Estimate {
+    let [adx, ady] = minus2(a, d);
+    let [bdx, bdy] = minus2(b, d);
+    let [cdx, cdy] = minus2(c, d);
+    let bc = Minor::new(bdx, bdy, cdx, cdy);
+    let ca = Minor::new(cdx, cdy, adx, ady);
+    let ab = Minor::new(adx, ady, bdx, bdy);
+    let a_lift = adx * adx + ady * ady;
+    let b_lift = bdx * bdx + bdy * bdy;
+    let c_lift = cdx * cdx + cdy * cdy;
+    Estimate {
+        determinant: a_lift * bc.value + b_lift * ca.value + c_lift * ab.value,
+        permanent: a_lift * bc.permanent + b_lift * ca.permanent + c_lift * ab.permanent,
+    }
+}
+
+/// The 4 × 4 determinant of a − e, b − e, c − e, d − e, each with its squared length.
+#[inline(always)]
+#[must_use]
+pub fn insphere(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3], e: [f64; 3]) -> Estimate {
+    let a = minus3(a, e);
+    let b = minus3(b, e);
+    let c = minus3(c, e);
+    let d = minus3(d, e);
+    let [ab, bc, cd] = [Minor::xy(a, b), Minor::xy(b, c), Minor::xy(c, d)];
+    let [da, ac, bd] = [Minor::xy(d, a), Minor::xy(a, c), Minor::xy(b, d)];
+    let [az, bz, cz, dz] = [a[2], b[2], c[2], d[2]];
+    let [al, bl, cl, dl] = [lift3(a), lift3(b), lift3(c), lift3(d)];
+
+    let abc = az * bc.value - bz * ac.value + cz * ab.value;
+    let bcd = bz * cd.value - cz * bd.value + dz * bc.value;
+    let cda = cz * da.value + dz * ac.value + az * cd.value;
+    let dab = dz * ab.value + az * bd.value + bz * da.value;
+    let determinant = (dl * abc - cl * dab) + (bl * cda - al * bcd);
+
+    let [az, bz, cz, dz] = [az.abs(), bz.abs(), cz.abs(), dz.abs()];
+    let abc = az * bc.permanent + bz * ac.permanent + cz * ab.permanent;
+    let bcd = bz * cd.permanent + cz * bd.permanent + dz * bc.permanent;
+    let cda = cz * da.permanent + dz * ac.permanent + az * cd.permanent;
+    let dab = dz * ab.permanent + az * bd.permanent + bz * da.permanent;
+    let permanent = (dl * abc + cl * dab) + (bl * cda + al * bcd);
+    Estimate { determinant, permanent }
+}
+
+/// A 2 × 2 determinant, and the same with its terms taken by magnitude.
+#[derive(Clone, Copy)]
+struct Minor {
+    value: f64,
+    permanent: f64,
+}
+
+impl Minor {
+    #[inline(always)]
+    fn new(px: f64, py: f64, qx: f64, qy: f64) -> Minor {
+        let left = px * qy;
+        let right = qx * py;
+        Minor { value: left - right, permanent: left.abs() + right.abs() }
+    }
+
+    #[inline(always)]
+    fn xy(p: [f64; 3], q: [f64; 3]) -> Minor {
+        Minor::new(p[0], p[1], q[0], q[1])
+    }
+}
+
+#[inline(always)]
+fn minus2(p: [f64; 2], q: [f64; 2]) -> [f64; 2] {
+    [p[0] - q[0], p[1] - q[1]]
+}
+
+#[inline(always)]
+fn minus3(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
+    [p[0] - q[0], p[1] - q[1], p[2] - q[2]]
+}
+
+#[inline(always)]
+fn lift3([x, y, z]: [f64; 3]) -> f64 {
+    x * x + y * y + z * z
+}

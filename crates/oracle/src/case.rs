@@ -1,0 +1,120 @@
+//! One loaded scene with the truth about it, ready for one backend after another.
+
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use predicament_corpus::{LoadedScene, Work};
+use predicament_predicates::{QuerySet, Sign, Vertex};
+
+use crate::locate::LocateCase;
+use crate::signs::{self, Budget, SignCase, describe};
+use crate::{Class, Contestant, Outcome, Stop, Watch};
+
+/// A scene with the truth about it.
+pub struct Case<'a> {
+    loaded: &'a LoadedScene,
+    truth: Truth<'a>,
+}
+
+/// What is true.
+pub enum Truth<'a> {
+    /// Exact signs.
+    Signs {
+        /// What is asked.
+        queries: &'a QuerySet,
+        /// The answers, by the judge.
+        signs: Vec<Sign>,
+    },
+    /// Exact locations.
+    Locate(Box<LocateCase<'a>>),
+}
+
+/// A scene whose author and the judge disagree: one of the two is wrong, and
+/// nothing is compared until a person has looked.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Dispute {
+    /// How many signs differ.
+    pub count: usize,
+    /// The first one, in words.
+    pub first: String,
+}
+
+impl std::fmt::Display for Dispute {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} of the data's own signs differ from the exact ones, first {}", self.count, self.first)
+    }
+}
+
+impl<'a> Case<'a> {
+    /// Works out the truth.
+    ///
+    /// # Errors
+    /// [`Stop`] where the watch says so.
+    pub fn new(loaded: &'a LoadedScene, watch: &Watch) -> Result<Case<'a>, Stop> {
+        let truth = match &loaded.work {
+            Work::Signs(queries) => Truth::Signs { queries, signs: signs::truth(&loaded.scene, queries, watch)? },
+            Work::Locate { map, probes } => {
+                let probes: Vec<Vertex> = probes.iter().map(|probe| probe.vertex).collect();
+                Truth::Locate(Box::new(LocateCase::new(&loaded.scene, map, probes, watch)?))
+            }
+        };
+        Ok(Case { loaded, truth })
+    }
+
+    /// The scene.
+    #[must_use]
+    pub fn loaded(&self) -> &'a LoadedScene {
+        self.loaded
+    }
+
+    /// The truth.
+    #[must_use]
+    pub fn truth(&self) -> &Truth<'a> {
+        &self.truth
+    }
+
+    /// Holds the signs that came with the data, if any, against the judge's.
+    #[must_use]
+    pub fn dispute(&self) -> Option<Dispute> {
+        let (Truth::Signs { queries, signs }, Some(expected)) = (&self.truth, &self.loaded.expected) else {
+            return None;
+        };
+        let mut wrong = (0..signs.len()).filter(|&i| signs[i] != expected[i]).peekable();
+        let &first = wrong.peek()?;
+        let first = format!(
+            "{} at query {first}: the data say {}, the judge {}",
+            describe(queries.question(), queries.args(first)),
+            expected[first],
+            signs[first]
+        );
+        Some(Dispute { count: wrong.count(), first })
+    }
+
+    /// Runs one backend. A panic is a finding about that backend and stays here.
+    ///
+    /// # Errors
+    /// [`Stop::Interrupted`]; a timeout is an outcome.
+    pub fn run(&self, contestant: &dyn Contestant, budget: Budget, watch: &Watch) -> Result<Outcome, Stop> {
+        let queries = self.loaded.work.len() as u64;
+        let ran = catch_unwind(AssertUnwindSafe(|| match &self.truth {
+            Truth::Signs { queries, signs } => {
+                let case = SignCase { scene: &self.loaded.scene, queries, truth: signs };
+                contestant.run_signs(&case, budget, watch)
+            }
+            Truth::Locate(case) => contestant.run_locate(case, budget, watch),
+        }));
+        match ran {
+            Ok(Err(Stop::Timeout)) => {
+                Ok(Outcome::of_scene(queries, Class::Timeout, "time limit", "took too long".to_owned()))
+            }
+            Ok(done) => done,
+            Err(payload) => Ok(Outcome::of_scene(queries, Class::Panic, "panic", message(payload.as_ref()))),
+        }
+    }
+}
+
+fn message(payload: &(dyn Any + Send)) -> String {
+    let text = payload.downcast_ref::<&str>().map(ToString::to_string);
+    let text = text.or_else(|| payload.downcast_ref::<String>().cloned());
+    text.unwrap_or_else(|| "no message".to_owned()).replace('\n', " ")
+}

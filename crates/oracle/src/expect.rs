@@ -1,0 +1,244 @@
+//! Expected disagreements: what is known to be wrong, written down with the reason.
+//!
+//! Both ways are failures: a finding that nobody expected, and an expectation
+//! that no longer comes true. So the file stays a description of the world.
+
+use std::path::Path;
+
+use globset::{Glob, GlobMatcher};
+use serde::Deserialize;
+use serde_spanned::Spanned;
+
+use crate::{Class, ClassCounts};
+
+/// One `[[expect]]` table.
+#[derive(Clone, Debug)]
+pub struct Expectation {
+    scene: GlobMatcher,
+    /// The backend, by its full name.
+    pub backend: String,
+    /// The class that is expected to occur.
+    pub class: Class,
+    /// Why it is so; ends up in the report.
+    pub reason: String,
+    level: Option<String>,
+    /// The line where the table starts.
+    pub line: usize,
+}
+
+/// The parsed file.
+#[derive(Clone, Default, Debug)]
+pub struct Expectations {
+    entries: Vec<Expectation>,
+}
+
+/// What a row of `summary.csv` came to.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Status {
+    /// Nothing found, nothing expected.
+    Ok,
+    /// Found exactly what was expected.
+    Expected,
+    /// Found something that nobody expected.
+    Unexpected,
+    /// Did not find what was expected.
+    UnexpectedPass,
+}
+
+impl Status {
+    /// The name in `summary.csv`.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Status::Ok => "ok",
+            Status::Expected => "expected",
+            Status::Unexpected => "unexpected",
+            Status::UnexpectedPass => "unexpected_pass",
+        }
+    }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    #[serde(default)]
+    expect: Vec<Spanned<Table>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Table {
+    scene: String,
+    backend: Names,
+    class: Names,
+    reason: String,
+    level: Option<String>,
+}
+
+/// One name or a list of them.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Names {
+    One(String),
+    Many(Vec<String>),
+}
+
+impl Names {
+    fn list(&self) -> &[String] {
+        match self {
+            Names::One(name) => std::slice::from_ref(name),
+            Names::Many(names) => names,
+        }
+    }
+}
+
+impl Expectations {
+    /// Parses the text of `file`.
+    ///
+    /// # Errors
+    /// One line that names the file, the line and the cure.
+    pub fn parse(file: &Path, text: &str) -> Result<Expectations, String> {
+        let line_of = |offset: usize| text[..offset.min(text.len())].matches('\n').count() + 1;
+        let parsed: File = toml::from_str(text).map_err(|error| {
+            let line = error.span().map_or(1, |span| line_of(span.start));
+            format!(
+                "{}:{line}: {}; see docs/FORMAT.md for the keys",
+                file.display(),
+                error.message().replace('\n', " ")
+            )
+        })?;
+        let mut entries = Vec::new();
+        for table in parsed.expect {
+            let line = line_of(table.span().start);
+            let table = table.into_inner();
+            let fail = |message: String| format!("{}:{line}: {message}", file.display());
+            let scene = Glob::new(&table.scene)
+                .map_err(|error| fail(format!("`{}` is no glob: {error}; write e.g. `near-*`", table.scene)))?
+                .compile_matcher();
+            if table.reason.trim().is_empty() {
+                return Err(fail("the reason is empty; say why this is expected".to_owned()));
+            }
+            if let Some(level) = table.level.as_deref().filter(|level| !["quick", "full"].contains(level)) {
+                return Err(fail(format!("no level is called `{level}`; write `quick` or `full`, or leave it out")));
+            }
+            for backend in table.backend.list() {
+                for class in table.class.list() {
+                    let class: Class = class.parse().map_err(fail)?;
+                    if class.is_legal() {
+                        return Err(fail(format!("`{class}` is legal and needs no expectation; drop the entry")));
+                    }
+                    entries.push(Expectation {
+                        scene: scene.clone(),
+                        backend: backend.clone(),
+                        class,
+                        reason: table.reason.clone(),
+                        level: table.level.clone(),
+                        line,
+                    });
+                }
+            }
+        }
+        Ok(Expectations { entries })
+    }
+
+    /// The entries that speak about one row.
+    pub fn matching<'a>(
+        &'a self,
+        suite: &'a str,
+        scene: &'a str,
+        backend: &'a str,
+        level: &'a str,
+    ) -> impl Iterator<Item = &'a Expectation> {
+        let full = format!("{suite}/{scene}");
+        self.entries.iter().filter(move |entry| {
+            entry.backend == backend
+                && entry.level.as_deref().is_none_or(|wanted| wanted == level)
+                && (entry.scene.is_match(scene) || entry.scene.is_match(&full))
+        })
+    }
+
+    /// Holds a row against the expectations.
+    #[must_use]
+    pub fn status(&self, suite: &str, scene: &str, backend: &str, level: &str, counts: &ClassCounts) -> Status {
+        let mut expected = [false; Class::ALL.len()];
+        for entry in self.matching(suite, scene, backend, level) {
+            expected[entry.class as usize] = true;
+        }
+        let found = |class: &Class| counts.get(*class) > 0;
+        let wanted = |class: &Class| expected[*class as usize];
+        let findings = || Class::ALL.iter().filter(|class| !class.is_legal());
+        if findings().any(|class| found(class) && !wanted(class)) {
+            Status::Unexpected
+        } else if findings().any(|class| wanted(class) && !found(class)) {
+            Status::UnexpectedPass
+        } else if findings().any(found) {
+            Status::Expected
+        } else {
+            Status::Ok
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(text: &str) -> Result<Expectations, String> {
+        Expectations::parse(Path::new("expected.toml"), text)
+    }
+
+    fn counts(classes: &[Class]) -> ClassCounts {
+        let mut counts = ClassCounts::default();
+        for &class in classes {
+            counts.add(class, 1);
+        }
+        counts
+    }
+
+    const TEXT: &str = r#"
+[[expect]]
+scene = "near-*"
+backend = "naive"
+class = ["sign_flip", "overreach"]
+reason = "rounding"
+"#;
+
+    #[test]
+    fn each_status_is_reached() {
+        let expected = parse(TEXT).unwrap();
+        let status =
+            |scene, backend, classes: &[Class]| expected.status("families", scene, backend, "quick", &counts(classes));
+        let both = [Class::Agree, Class::SignFlip, Class::Overreach];
+        assert_eq!(status("near-plane", "naive", &both), Status::Expected);
+        assert_eq!(status("near-plane", "naive", &both[..2]), Status::UnexpectedPass);
+        assert_eq!(status("near-plane", "naive", &[Class::Agree]), Status::UnexpectedPass);
+        assert_eq!(status("near-plane", "exact", &[Class::Agree, Class::TieBroken]), Status::Ok);
+        assert_eq!(status("near-plane", "exact", &[Class::SignFlip]), Status::Unexpected);
+        assert_eq!(status("uniform", "naive", &[Class::SignFlip]), Status::Unexpected);
+        assert_eq!(status("near-plane", "naive", &[Class::SignFlip, Class::Overreach, Class::Nan]), Status::Unexpected);
+    }
+
+    #[test]
+    fn scenes_are_named_with_or_without_their_suite() {
+        let text = TEXT.replace("near-*", "families/near-*");
+        let expected = parse(&text).unwrap();
+        assert_eq!(expected.matching("families", "near-line", "naive", "full").count(), 2);
+        assert_eq!(expected.matching("others", "near-line", "naive", "full").count(), 0);
+    }
+
+    #[test]
+    fn mistakes_are_one_line_with_a_place() {
+        for (wrong, right, needle) in [
+            ("reason = \"rounding\"", "reason = \" \"", "expected.toml:2: the reason is empty"),
+            ("sign_flip", "sign_flop", "expected.toml:2: no class is called `sign_flop`"),
+            ("overreach", "in_band", "expected.toml:2: `in_band` is legal"),
+            ("backend", "bakend", "expected.toml:4: unknown field `bakend`"),
+            ("near-*", "near-[", "expected.toml:2: `near-[` is no glob"),
+            ("reason =", "level = \"slow\"\nreason =", "expected.toml:2: no level is called `slow`"),
+        ] {
+            let error = parse(&TEXT.replacen(wrong, right, 1)).unwrap_err();
+            assert!(error.starts_with(needle), "{error}");
+            assert!(!error.contains('\n'), "{error}");
+        }
+    }
+}

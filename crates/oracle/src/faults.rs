@@ -1,0 +1,308 @@
+//! Planted faults: backends that are wrong in one known way.
+//!
+//! A harness that has never caught anything proves nothing. Each of these is
+//! made of the real backends' own parts with one part wrong, claims the real
+//! contract, and has to be caught by `selftest` on the embedded corpora.
+
+use predicament_arithmetic::Plan;
+use predicament_exact::{Exact, expansion, filter, form};
+use predicament_predicates::{
+    Axis, Backend, Band, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally,
+    Vertex, ZeroMeaning,
+};
+use predicament_sos::{Scheme, Term, infinitesimal, ties};
+use predicament_tolerance::Tolerance;
+
+use crate::{Contestant, Entry};
+
+/// One way to be wrong.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Fault {
+    /// SoS with the sign of one term of one list swapped: still antisymmetric,
+    /// still never zero.
+    SosSwappedTerm,
+    /// SoS that sorts the vertices and forgets the parity of doing so.
+    SosDroppedParity,
+    /// SoS that perturbs by the place in the argument list, not by identity.
+    SosPlaceAsIdentity,
+    /// SoS that gives up after the first-order terms and calls the rest zero.
+    SosFirstOrderOnly,
+    /// Exact, with the bound of the floating-point filter halved.
+    ExactHalvedFilter,
+    /// Exact, with expansions used where they can underflow or overflow.
+    ExactUnguarded,
+    /// Exact, with everything below the smallest normal double called zero.
+    ExactFlushed,
+    /// Tolerance, with the band narrower than its promise.
+    ToleranceNarrow,
+    /// Tolerance, with the band wider than its promise.
+    ToleranceWide,
+    /// Exact on the comparison, but a tie says "greater": an endpoint counts twice.
+    CompareGreaterOnTies,
+}
+
+impl Fault {
+    /// All of them.
+    pub const ALL: [Fault; 10] = [
+        Fault::SosSwappedTerm,
+        Fault::SosDroppedParity,
+        Fault::SosPlaceAsIdentity,
+        Fault::SosFirstOrderOnly,
+        Fault::ExactHalvedFilter,
+        Fault::ExactUnguarded,
+        Fault::ExactFlushed,
+        Fault::ToleranceNarrow,
+        Fault::ToleranceWide,
+        Fault::CompareGreaterOnTies,
+    ];
+
+    /// The name after `fault:`.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Fault::SosSwappedTerm => "sos-swapped-term",
+            Fault::SosDroppedParity => "sos-dropped-parity",
+            Fault::SosPlaceAsIdentity => "sos-place-as-identity",
+            Fault::SosFirstOrderOnly => "sos-first-order-only",
+            Fault::ExactHalvedFilter => "exact-halved-filter",
+            Fault::ExactUnguarded => "exact-unguarded",
+            Fault::ExactFlushed => "exact-flushed",
+            Fault::ToleranceNarrow => "tolerance-narrow",
+            Fault::ToleranceWide => "tolerance-wide",
+            Fault::CompareGreaterOnTies => "compare-greater-on-ties",
+        }
+    }
+
+    /// What is wrong, in one line.
+    #[must_use]
+    pub const fn what(self) -> &'static str {
+        match self {
+            Fault::SosSwappedTerm => "the sign of the third term of every list swapped",
+            Fault::SosDroppedParity => "ties sorted by vertex, the parity of sorting forgotten",
+            Fault::SosPlaceAsIdentity => "perturbed by place in the argument list, not by identity",
+            Fault::SosFirstOrderOnly => "only terms that move one coordinate are looked at",
+            Fault::ExactHalvedFilter => "the floating-point filter's bound halved",
+            Fault::ExactUnguarded => "expansions used where they underflow or overflow",
+            Fault::ExactFlushed => "determinants below the smallest normal double called zero",
+            Fault::ToleranceNarrow => "the band a third of what it should be",
+            Fault::ToleranceWide => "the band twice what it should be",
+            Fault::CompareGreaterOnTies => "equal coordinates compare as greater, both ways round",
+        }
+    }
+
+    const fn poses_as(self) -> ZeroMeaning {
+        match self {
+            Fault::SosSwappedTerm
+            | Fault::SosDroppedParity
+            | Fault::SosPlaceAsIdentity
+            | Fault::SosFirstOrderOnly
+            | Fault::CompareGreaterOnTies => ZeroMeaning::Never,
+            Fault::ExactHalvedFilter | Fault::ExactUnguarded | Fault::ExactFlushed => ZeroMeaning::Exact,
+            Fault::ToleranceNarrow | Fault::ToleranceWide => ZeroMeaning::Band,
+        }
+    }
+}
+
+/// The faulty backend with this name.
+#[must_use]
+pub fn backend(name: &str) -> Option<Box<dyn Contestant>> {
+    let fault = Fault::ALL.into_iter().find(|fault| fault.name() == name)?;
+    Some(match fault.poses_as() {
+        ZeroMeaning::Never => Box::new(Entry::breaking_ties(Faulty(fault), |scene, question, args| {
+            infinitesimal::judge(Scheme::PerCoordinate, scene, question, args)
+        })),
+        ZeroMeaning::Exact | ZeroMeaning::Band => Box::new(Entry::new(Faulty(fault))),
+    })
+}
+
+struct Faulty(Fault);
+
+impl Backend for Faulty {
+    type Session<'s, T: Tally + 's> = Session<'s>;
+
+    fn name(&self) -> String {
+        format!("fault:{}", self.0.name())
+    }
+
+    fn contract(&self, kind: PredicateKind) -> Contract {
+        match self.0.poses_as() {
+            ZeroMeaning::Band => Tolerance.contract(kind),
+            zero => Contract { zero, proved: false },
+        }
+    }
+
+    fn stages(&self) -> &'static [&'static str] {
+        &["faulty"]
+    }
+
+    fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, _: T) -> Result<Session<'s>, Declined> {
+        let tolerance = match self.0.poses_as() {
+            ZeroMeaning::Band => Some(Tolerance.prepare(scene, Off)?),
+            ZeroMeaning::Never | ZeroMeaning::Exact => None,
+        };
+        let plan = Plan::of(scene.coordinates());
+        Ok(Session { fault: self.0, plan, exact: Exact.prepare(scene, Off)?, tolerance })
+    }
+}
+
+struct Session<'s> {
+    fault: Fault,
+    plan: Plan,
+    exact: predicament_exact::Session<'s, Off>,
+    tolerance: Option<predicament_tolerance::Session<'s, Off>>,
+}
+
+impl Session<'_> {
+    fn answer<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
+        let exact = question.ask(&self.exact, &args);
+        match self.fault {
+            Fault::CompareGreaterOnTies if question.kind() == PredicateKind::Compare => {
+                if exact.is_zero() {
+                    Sign::Positive
+                } else {
+                    exact
+                }
+            }
+            Fault::SosSwappedTerm
+            | Fault::SosDroppedParity
+            | Fault::SosPlaceAsIdentity
+            | Fault::SosFirstOrderOnly
+            | Fault::CompareGreaterOnTies => {
+                if exact.is_zero() {
+                    self.break_tie(question, args)
+                } else {
+                    exact
+                }
+            }
+            Fault::ExactHalvedFilter => self.half_filtered(question, &args).unwrap_or(exact),
+            Fault::ExactUnguarded => self.unguarded(question, &args).unwrap_or(exact),
+            Fault::ExactFlushed => {
+                let scene = self.exact.scene();
+                let determinant = crate::judge::verdict(scene, question, &args).determinant;
+                if determinant.to_f64().is_normal() { exact } else { Sign::Zero }
+            }
+            Fault::ToleranceNarrow => self.banded(question, &args, 1.0 / 3.0),
+            Fault::ToleranceWide => self.banded(question, &args, 2.0),
+        }
+    }
+
+    fn break_tie<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
+        let Some(sorted) = ties::Sorted::new(args) else { return Sign::Zero };
+        let terms = Scheme::PerCoordinate.terms(question.kind());
+        let decide = |terms: &[Term], rows: &[Vertex]| ties::decide(&self.exact, question, terms, rows);
+        let decided = match self.fault {
+            Fault::SosSwappedTerm => {
+                let mut terms = terms.to_vec();
+                if let Some(term) = terms.get_mut(2) {
+                    term.sign = -term.sign;
+                }
+                decide(&terms, &sorted.vertices).map(|(sign, _)| sign * sorted.parity)
+            }
+            Fault::SosDroppedParity => decide(terms, &sorted.vertices).map(|(sign, _)| sign),
+            Fault::SosPlaceAsIdentity => decide(terms, &args).map(|(sign, _)| sign),
+            Fault::SosFirstOrderOnly => {
+                // A term that moves one coordinate keeps all rows but one.
+                let first: Vec<Term> = terms.iter().filter(|term| term.rows.len() + 1 == N).copied().collect();
+                decide(&first, &sorted.vertices).map(|(sign, _)| sign * sorted.parity)
+            }
+            _ => decide(terms, &sorted.vertices).map(|(sign, _)| sign * sorted.parity),
+        };
+        decided.unwrap_or(Sign::Zero)
+    }
+
+    fn half_filtered(&self, question: Question, args: &[Vertex]) -> Option<Sign> {
+        let scene = self.exact.scene();
+        let halved = |determinant: form::Determinant| determinant.bound_in(self.plan.regime(determinant.form)) / 2.0;
+        match (question, args) {
+            (Question::Orient2d(plane), &[a, b, c]) => {
+                let [a, b, c] = [a, b, c].map(|v| scene.point2(plane, v));
+                filter::orient2d(a, b, c, halved(form::ORIENT2D))
+            }
+            (Question::Orient3d, &[a, b, c, d]) => {
+                let [a, b, c, d] = [a, b, c, d].map(|v| scene.point3(v));
+                filter::orient3d(a, b, c, d, halved(form::ORIENT3D))
+            }
+            (Question::Incircle, &[a, b, c, d]) => {
+                let [a, b, c, d] = [a, b, c, d].map(|v| scene.point2(Plane::Xy, v));
+                filter::incircle(a, b, c, d, halved(form::INCIRCLE))
+            }
+            (Question::Insphere, &[a, b, c, d, e]) => {
+                let [a, b, c, d, e] = [a, b, c, d, e].map(|v| scene.point3(v));
+                filter::insphere(a, b, c, d, e, halved(form::INSPHERE))
+            }
+            _ => None,
+        }
+    }
+
+    fn unguarded(&self, question: Question, args: &[Vertex]) -> Option<Sign> {
+        let scene = self.exact.scene();
+        match (question, args) {
+            (Question::Orient2d(plane), &[a, b, c]) => {
+                let [a, b, c] = [a, b, c].map(|v| scene.point2(plane, v));
+                Some(expansion::orient2d(a, b, c))
+            }
+            (Question::Orient3d, &[a, b, c, d]) => {
+                let [a, b, c, d] = [a, b, c, d].map(|v| scene.point3(v));
+                Some(expansion::orient3d(a, b, c, d))
+            }
+            (Question::Incircle, &[a, b, c, d]) => {
+                let [a, b, c, d] = [a, b, c, d].map(|v| scene.point2(Plane::Xy, v));
+                Some(expansion::incircle(a, b, c, d))
+            }
+            (Question::Insphere, &[a, b, c, d, e]) => {
+                let [a, b, c, d, e] = [a, b, c, d, e].map(|v| scene.point3(v));
+                Some(expansion::insphere(a, b, c, d, e))
+            }
+            _ => None,
+        }
+    }
+
+    fn banded(&self, question: Question, args: &[Vertex], factor: f64) -> Sign {
+        let Some(tolerance) = &self.tolerance else { return Sign::Zero };
+        let (Some(value), Some(band)) = (tolerance.estimate(question, args), tolerance.band(question.kind())) else {
+            return question.ask(tolerance, args);
+        };
+        if value.abs() <= factor * band.width { Sign::Zero } else { Sign::of(value) }
+    }
+}
+
+impl Predicates for Session<'_> {
+    fn scene(&self) -> &Scene {
+        self.exact.scene()
+    }
+
+    fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
+        match &self.tolerance {
+            Some(tolerance) => tolerance.supports(kind),
+            None => self.exact.supports(kind),
+        }
+    }
+
+    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        self.answer(Question::Compare(axis), [a, b])
+    }
+
+    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        self.answer(Question::Orient2d(plane), [a, b, c])
+    }
+
+    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.answer(Question::Orient3d, [a, b, c, d])
+    }
+
+    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.answer(Question::Incircle, [a, b, c, d])
+    }
+
+    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
+        self.answer(Question::Insphere, [a, b, c, d, e])
+    }
+
+    fn band(&self, kind: PredicateKind) -> Option<Band> {
+        self.tolerance.as_ref().and_then(|tolerance| tolerance.band(kind))
+    }
+
+    fn reach(&self) -> f64 {
+        self.tolerance.as_ref().map_or(0.0, Predicates::reach)
+    }
+}

@@ -1,0 +1,165 @@
+//! The twelve ways in which an answer can turn out, and what the gate says to it.
+
+use serde::{Deserialize, Serialize};
+
+/// How an answer compares with the truth and with the backend's promise.
+///
+/// Which class is legal for which promise is the oracle's business.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Class {
+    /// The exact answer.
+    Agree,
+    /// An exact zero answered by a sign, as a backend that breaks ties promises.
+    TieBroken,
+    /// Registered as degenerate, and the exact distance is within the upper tolerance.
+    InBand,
+    /// Registered as degenerate, and the exact distance is beyond the upper tolerance.
+    Overreach,
+    /// An exact zero answered by a sign without a promise to break ties.
+    MissedZero,
+    /// The opposite sign.
+    SignFlip,
+    /// An axiom is violated between answers.
+    Inconsistent,
+    /// The arithmetic produced a NaN.
+    Nan,
+    /// A topology check of the whole scene failed.
+    Topology,
+    /// The backend or the algorithm on it panicked.
+    Panic,
+    /// The scene took longer than it was given.
+    Timeout,
+    /// The backend said that it can't.
+    Declined,
+}
+
+impl Class {
+    /// All twelve, in the order of the columns of `summary.csv`.
+    pub const ALL: [Class; 12] = [
+        Class::Agree,
+        Class::TieBroken,
+        Class::InBand,
+        Class::Overreach,
+        Class::MissedZero,
+        Class::SignFlip,
+        Class::Inconsistent,
+        Class::Nan,
+        Class::Topology,
+        Class::Panic,
+        Class::Timeout,
+        Class::Declined,
+    ];
+
+    /// The name used in every file.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Class::Agree => "agree",
+            Class::TieBroken => "tie_broken",
+            Class::InBand => "in_band",
+            Class::Overreach => "overreach",
+            Class::MissedZero => "missed_zero",
+            Class::SignFlip => "sign_flip",
+            Class::Inconsistent => "inconsistent",
+            Class::Nan => "nan",
+            Class::Topology => "topology",
+            Class::Panic => "panic",
+            Class::Timeout => "timeout",
+            Class::Declined => "declined",
+        }
+    }
+
+    /// Whether the class is a wrong answer to a single query, whoever gave it:
+    /// what is counted per million queries and plotted against time.
+    #[must_use]
+    pub const fn is_wrong_answer(self) -> bool {
+        matches!(self, Class::Overreach | Class::MissedZero | Class::SignFlip | Class::Inconsistent | Class::Nan)
+    }
+
+    /// Whether the class is an answer to a query at all, and not the fate of a scene.
+    #[must_use]
+    pub const fn is_answer(self) -> bool {
+        !matches!(self, Class::Topology | Class::Panic | Class::Timeout | Class::Declined)
+    }
+}
+
+impl std::fmt::Display for Class {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl std::str::FromStr for Class {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Class, String> {
+        Class::ALL.into_iter().find(|class| class.name() == name).ok_or_else(|| format!("no class is called `{name}`"))
+    }
+}
+
+/// What the gate says about one scene on one backend.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Status {
+    /// Nothing but legal answers.
+    Ok,
+    /// Findings, and all of them are listed in `expected.toml`.
+    Expected,
+    /// A finding that nobody expected.
+    Unexpected,
+    /// An expected finding did not occur.
+    UnexpectedPass,
+}
+
+impl Status {
+    /// All four, from good to bad.
+    pub const ALL: [Status; 4] = [Status::Ok, Status::Expected, Status::Unexpected, Status::UnexpectedPass];
+
+    /// The name used in every file.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Status::Ok => "ok",
+            Status::Expected => "expected",
+            Status::Unexpected => "unexpected",
+            Status::UnexpectedPass => "unexpected_pass",
+        }
+    }
+
+    /// Whether the gate lets it pass.
+    #[must_use]
+    pub const fn passes(self) -> bool {
+        matches!(self, Status::Ok | Status::Expected)
+    }
+}
+
+impl std::fmt::Display for Status {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_what_serde_writes_and_reads() {
+        for class in Class::ALL {
+            assert_eq!(serde_json::to_string(&class).unwrap(), format!("\"{class}\""));
+            assert_eq!(class.name().parse(), Ok(class));
+        }
+        for status in Status::ALL {
+            assert_eq!(serde_json::to_string(&status).unwrap(), format!("\"{status}\""));
+        }
+        assert!("Agree".parse::<Class>().is_err());
+    }
+
+    #[test]
+    fn wrong_answers_are_answers() {
+        let wrong: Vec<&str> = Class::ALL.into_iter().filter(|c| c.is_wrong_answer()).map(Class::name).collect();
+        assert_eq!(wrong, ["overreach", "missed_zero", "sign_flip", "inconsistent", "nan"]);
+        assert!(Class::ALL.into_iter().all(|c| c.is_answer() || !c.is_wrong_answer()));
+    }
+}

@@ -1,0 +1,116 @@
+//! `env.json`: where a run took place.
+//!
+//! Timings mean nothing without the machine, and floating-point answers may
+//! depend on what the compiler was allowed to use.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+/// The machine, the compiler and the command.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+pub struct Env {
+    /// The processor's name; none where the system doesn't tell.
+    pub cpu: Option<String>,
+    /// How many threads the process may run at once; none where unknown.
+    pub cores: Option<u64>,
+    /// The operating system and architecture, such as `linux x86_64`.
+    pub os: String,
+    /// The compiler's version, `rustc -V`; none where unknown.
+    pub rustc: Option<String>,
+    /// The features that the compiler was allowed to use everywhere.
+    pub compiled_features: Vec<String>,
+    /// The features that the processor has, of those that matter here.
+    pub detected_features: Vec<String>,
+    /// Compiler flags beyond the release profile; none where unknown.
+    pub opt_flags: Option<String>,
+    /// Whether debug assertions were compiled in: such timings are worthless.
+    pub debug_assertions: bool,
+    /// The version of the tool.
+    pub package_version: String,
+    /// The command line, argument by argument.
+    pub command_line: Vec<String>,
+    /// The versions of the libraries that the tool is compared with, by name.
+    pub peers: BTreeMap<String, String>,
+}
+
+impl Env {
+    /// What can be found out from inside the process. What it can't know is
+    /// left empty, to be filled in: the compiler, its flags, and the peers.
+    #[must_use]
+    pub fn collect(package_version: &str) -> Env {
+        Env {
+            cpu: std::fs::read_to_string("/proc/cpuinfo").ok().and_then(|text| cpu_model(&text)),
+            cores: std::thread::available_parallelism().ok().and_then(|n| u64::try_from(n.get()).ok()),
+            os: format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
+            rustc: None,
+            compiled_features: names(&compiled()),
+            detected_features: names(&detected()),
+            opt_flags: None,
+            debug_assertions: cfg!(debug_assertions),
+            package_version: package_version.to_owned(),
+            command_line: std::env::args_os().map(|arg| arg.to_string_lossy().into_owned()).collect(),
+            peers: BTreeMap::new(),
+        }
+    }
+}
+
+/// The first `model name` of a Linux `/proc/cpuinfo`.
+fn cpu_model(cpuinfo: &str) -> Option<String> {
+    let lines = cpuinfo.lines().filter_map(|line| line.split_once(':'));
+    let mut models = lines.filter(|(key, _)| key.trim() == "model name").map(|(_, model)| model.trim());
+    models.find(|model| !model.is_empty()).map(str::to_owned)
+}
+
+fn names(features: &[(&str, bool)]) -> Vec<String> {
+    features.iter().filter(|(_, present)| *present).map(|(name, _)| (*name).to_owned()).collect()
+}
+
+fn compiled() -> [(&'static str, bool); 4] {
+    [
+        ("avx2", cfg!(target_feature = "avx2")),
+        ("avx512f", cfg!(target_feature = "avx512f")),
+        ("fma", cfg!(target_feature = "fma")),
+        ("neon", cfg!(target_feature = "neon")),
+    ]
+}
+
+#[cfg(target_arch = "x86_64")]
+fn detected() -> [(&'static str, bool); 3] {
+    [
+        ("avx2", std::is_x86_feature_detected!("avx2")),
+        ("avx512f", std::is_x86_feature_detected!("avx512f")),
+        ("fma", std::is_x86_feature_detected!("fma")),
+    ]
+}
+
+#[cfg(target_arch = "aarch64")]
+fn detected() -> [(&'static str, bool); 2] {
+    // Armv8 has a fused multiply-add in its base instruction set.
+    [("fma", true), ("neon", std::arch::is_aarch64_feature_detected!("neon"))]
+}
+
+#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+fn detected() -> [(&'static str, bool); 0] {
+    []
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cpu_model_is_read_where_there_is_one() {
+        let text = "processor\t: 0\nmodel\t\t: 85\nmodel name\t: Example CPU @ 2.00GHz\nflags\t\t: fpu vme\n";
+        assert_eq!(cpu_model(text).as_deref(), Some("Example CPU @ 2.00GHz"));
+        assert_eq!(cpu_model("processor\t: 0\nBogoMIPS\t: 243.75\n"), None);
+    }
+
+    #[test]
+    fn what_is_collected_survives_json() {
+        let env = Env { rustc: Some("rustc 1.89.0".to_owned()), ..Env::collect("0.1.0") };
+        let json = serde_json::to_string(&env).unwrap();
+        assert_eq!(serde_json::from_str::<Env>(&json).unwrap(), env);
+        assert!(env.compiled_features.iter().all(|f| env.detected_features.contains(f)));
+    }
+}

@@ -1,0 +1,117 @@
+//! The two pages: one for browsers and printers, one for terminals and forges.
+
+use std::path::Path;
+
+use minijinja::syntax::SyntaxConfig;
+use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value, context};
+
+use crate::sections::{headlines, sections};
+use crate::table::{Headline, Section};
+use crate::{Error, RunDir, scatter};
+
+const HTML: &str = "page.html";
+const MARKDOWN: &str = "page.md";
+
+/// One page that needs nothing else: style and pictures are inside, and there are no scripts.
+///
+/// # Errors
+/// If the plot can't be drawn or the page can't be filled in.
+pub fn html(runs: &[RunDir]) -> Result<String, Error> {
+    render(HTML, runs)
+}
+
+/// The same as Markdown. The plot is a file beside it, `scatter.svg`; pixel maps are left out.
+///
+/// # Errors
+/// If the plot can't be drawn or the page can't be filled in.
+pub fn markdown(runs: &[RunDir]) -> Result<String, Error> {
+    render(MARKDOWN, runs)
+}
+
+/// Writes `report.html`, `report.md` and, where there is something to plot,
+/// `scatter.svg` into a folder, which is made if need be.
+///
+/// # Errors
+/// If a page can't be made or written.
+pub fn write_pages(runs: &[RunDir], folder: impl AsRef<Path>) -> Result<(), Error> {
+    let folder = folder.as_ref();
+    std::fs::create_dir_all(folder).map_err(Error::io(folder))?;
+    let pages = [("report.html", html(runs)?), ("report.md", markdown(runs)?)];
+    let plot = scatter(runs)?.map(|svg| ("scatter.svg", svg));
+    for (name, text) in pages.into_iter().chain(plot) {
+        let path = folder.join(name);
+        std::fs::write(&path, text).map_err(Error::io(&path))?;
+    }
+    Ok(())
+}
+
+fn render(template: &str, runs: &[RunDir]) -> Result<String, Error> {
+    let sections: Vec<Value> = sections(runs)?.iter().map(Section::value).collect();
+    let headlines: Vec<Value> = headlines(runs).iter().map(Headline::value).collect();
+    let page = context! { headlines => headlines, sections => sections };
+    let filled = environment().and_then(|env| env.get_template(template)?.render(page));
+    filled.map_err(|error| Error::new(template.as_ref(), error.to_string()))
+}
+
+fn environment() -> Result<Environment<'static>, minijinja::Error> {
+    let mut env = Environment::new();
+    env.set_undefined_behavior(UndefinedBehavior::Strict);
+    env.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build()?);
+    env.set_auto_escape_callback(|name| if name == HTML { AutoEscape::Html } else { AutoEscape::None });
+    env.add_filter("plain", plain);
+    env.add_filter("code", code);
+    env.add_filter("breakable", breakable);
+    env.add_template(HTML, include_str!("../templates/page.html"))?;
+    env.add_template(MARKDOWN, include_str!("../templates/page.md"))?;
+    Ok(env)
+}
+
+/// A name that a narrow column may break after an underscore; a zero-width space needs no escaping.
+fn breakable(text: String) -> String {
+    text.replace('_', "_\u{200b}")
+}
+
+/// Text that Markdown prints as it stands, also within a table.
+fn plain(text: String) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '\n' | '\r' => escaped.push(' '),
+            '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '|' | '#' => escaped.extend(['\\', c]),
+            _ => escaped.push(c),
+        }
+    }
+    escaped
+}
+
+/// Text as Markdown code, also within a table.
+fn code(text: String) -> String {
+    if text.is_empty() {
+        return text;
+    }
+    let text = text.replace(['\n', '\r'], " ").replace('|', "\\|");
+    let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
+    let fence = "`".repeat(longest + 1);
+    let pad = if longest > 0 { " " } else { "" };
+    format!("{fence}{pad}{text}{pad}{fence}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn markdown_can_t_be_broken_by_names() {
+        assert_eq!(plain("a|b_c\n<d>".to_owned()), "a\\|b\\_c \\<d\\>");
+        assert_eq!(code("a|b".to_owned()), "`a\\|b`");
+        assert_eq!(code("a`b".to_owned()), "`` a`b ``");
+        assert_eq!(code(String::new()), "");
+    }
+
+    #[test]
+    fn no_runs_make_a_page_too() {
+        for page in [html(&[]).unwrap(), markdown(&[]).unwrap()] {
+            assert!(page.contains("No scene was checked."));
+        }
+    }
+}

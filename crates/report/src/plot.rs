@@ -1,0 +1,306 @@
+//! Speed against error: what a backend's answers cost, and what they are worth.
+//!
+//! One panel for each task, on common logarithmic axes, because a task's times
+//! are comparable with each other only. Zero has no logarithm: backends
+//! without a wrong answer stand in a column of their own at the left.
+
+use std::ops::Range;
+
+use plotters::chart::ChartContext;
+use plotters::coord::Shift;
+use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint};
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use crate::format::per_million;
+use crate::groups::{Mark, backends, marks};
+use crate::{Error, RunDir};
+
+/// Stands for the colour of the text around the picture, which no fixed
+/// colour can be on both light and dark pages.
+const INK: RGBColor = RGBColor(1, 2, 3);
+const INK_IN_SVG: &str = "#010203";
+
+/// The Okabe-Ito colours without black and yellow, then two that fit: told
+/// apart by every kind of colour vision, on light and dark ground.
+const COLOURS: [RGBColor; 8] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+    RGBColor(140, 140, 140),
+    RGBColor(150, 130, 60),
+];
+
+const PANEL: (u32, u32) = (380, 320);
+const PANELS_IN_A_ROW: usize = 3;
+/// The height of a label, and so the least distance between two.
+const LINE: i32 = 14;
+/// About the width of a letter in a label.
+const LETTER: i32 = 7;
+/// Marks nearer than this in x can have labels that touch.
+const LABEL_WIDTH: i32 = 100;
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+type Chart<'c, 'a> = ChartContext<'c, SVGBackend<'a>, Cartesian2d<Decades, Decades>>;
+
+/// An axis of common logarithms, with a tick at each power of ten.
+struct Decades(Range<f64>);
+
+impl From<Range<f64>> for Decades {
+    fn from(range: Range<f64>) -> Decades {
+        Decades(range)
+    }
+}
+
+impl Ranged for Decades {
+    type FormatOption = DefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, (from, to): (i32, i32)) -> i32 {
+        let share = (value - self.0.start) / (self.0.end - self.0.start);
+        // A pixel near those that are given.
+        #[allow(clippy::cast_possible_truncation)]
+        let offset = (share * f64::from(to - from)).round() as i32;
+        from + offset
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
+        if hint.weight().allow_light_points() {
+            return Vec::new();
+        }
+        let next = |tick: &f64| Some(tick + 1.0);
+        std::iter::successors(Some(self.0.start.ceil()), next).take_while(|&tick| tick <= self.0.end).collect()
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.0.clone()
+    }
+}
+
+/// Nanoseconds per query against wrong answers per million, as an SVG
+/// picture; none where no backend was both checked and timed on any family.
+///
+/// # Errors
+/// If the picture can't be drawn.
+pub fn scatter(runs: &[RunDir]) -> Result<Option<String>, Error> {
+    let marks = marks(runs);
+    if marks.is_empty() {
+        return Ok(None);
+    }
+    let mut svg = String::new();
+    draw(&mut svg, runs, &marks).map_err(|error| Error::new("plot".as_ref(), error.to_string()))?;
+    let svg = svg.replace(INK_IN_SVG, "currentColor");
+    // Beside a page the file stands alone and has to look up the ground itself.
+    let style = "<style>.scatter{color:#222;max-width:100%;height:auto}\
+                 @media(prefers-color-scheme:dark){.scatter{color:#ddd}}\
+                 .scatter text{font-variant-numeric:tabular-nums}</style>";
+    let open = svg.find('>').map_or(0, |end| end + 1);
+    let (head, body) = svg.split_at(open);
+    let head = head.replacen("<svg", "<svg class=\"scatter\" role=\"img\"", 1);
+    Ok(Some(format!("{head}{style}{body}")))
+}
+
+type Drawn = Result<(), DrawingAreaErrorKind<std::io::Error>>;
+
+fn draw(svg: &mut String, runs: &[RunDir], marks: &[Mark]) -> Drawn {
+    let panels: Vec<&[Mark]> = marks.chunk_by(|a, b| (a.run, a.task) == (b.run, b.task)).collect();
+    let columns = panels.len().min(PANELS_IN_A_ROW);
+    let rows = panels.len().div_ceil(columns);
+    let scale = Scale::of(marks);
+    let order = backends(runs);
+    let timed_runs = panels.iter().any(|panel| panel[0].run != marks[0].run);
+
+    // At most a few panels: the products are small.
+    let size = |n: usize, each: u32| u32::try_from(n).unwrap_or(u32::MAX).saturating_mul(each);
+    let root = SVGBackend::with_string(svg, (size(columns, PANEL.0), size(rows, PANEL.1))).into_drawing_area();
+    for (area, panel) in root.split_evenly((rows, columns)).iter().zip(&panels) {
+        let mut title = panel[0].task.to_owned();
+        if timed_runs {
+            title = format!("{title}, run {}", panel[0].run + 1);
+        }
+        draw_panel(area, panel, &title, scale, &order)?;
+    }
+    root.present()
+}
+
+/// The powers of ten that the axes span.
+#[derive(Clone, Copy)]
+struct Scale {
+    /// Where zero wrong answers stand: a decade below the smallest rate.
+    zero: i32,
+    most_wrong: i32,
+    fastest: i32,
+    slowest: i32,
+}
+
+impl Scale {
+    fn of(marks: &[Mark]) -> Scale {
+        let decades = |values: &[f64]| {
+            let low = values.iter().fold(f64::INFINITY, |a, &b| a.min(b));
+            let high = values.iter().fold(f64::NEG_INFINITY, |a, &b| a.max(b));
+            // Logarithms of doubles lie between -324 and 309.
+            #[allow(clippy::cast_possible_truncation)]
+            low.is_finite().then(|| (low.log10().floor() as i32, high.log10().ceil() as i32))
+        };
+        let rates: Vec<f64> = marks.iter().filter_map(rate).filter(|&rate| rate > 0.0).collect();
+        let times: Vec<f64> = marks.iter().map(|mark| mark.ns).collect();
+        let (least_wrong, most_wrong) = decades(&rates).unwrap_or((1, 2));
+        let (fastest, slowest) = decades(&times).unwrap_or((0, 1));
+        let zero = least_wrong - 1;
+        Scale { zero, most_wrong: most_wrong.max(zero + 2), fastest, slowest: slowest.max(fastest + 1) }
+    }
+
+    /// The place of a mark: logarithms, with zero at its own place.
+    fn place(self, mark: &Mark) -> (f64, f64) {
+        let x = rate(mark).filter(|&rate| rate > 0.0).map_or(f64::from(self.zero), f64::log10);
+        (x, mark.ns.log10())
+    }
+}
+
+fn rate(mark: &Mark) -> Option<f64> {
+    per_million(mark.errors.wrong, mark.errors.queries)
+}
+
+fn draw_panel(area: &Area, marks: &[Mark], title: &str, scale: Scale, order: &[&str]) -> Drawn {
+    let (left, right) = (f64::from(scale.zero) - 0.5, f64::from(scale.most_wrong) + 0.2);
+    let (bottom, top) = (f64::from(scale.fastest), f64::from(scale.slowest));
+    let mut chart = ChartBuilder::on(area)
+        .caption(title, ("sans-serif", 15).into_font().style(FontStyle::Bold).color(&INK))
+        .margin(10)
+        .x_label_area_size(40)
+        .y_label_area_size(52)
+        .build_cartesian_2d(Decades(left..right), Decades(bottom..top))?;
+    let small = ("sans-serif", 11).into_font().color(&INK);
+    chart
+        .configure_mesh()
+        .axis_style(INK.mix(0.5))
+        .bold_line_style(INK.mix(0.12))
+        .light_line_style(TRANSPARENT)
+        .label_style(small.clone())
+        .axis_desc_style(small)
+        .x_label_formatter(&|x| if *x <= f64::from(scale.zero) { "0".to_owned() } else { power_of_ten(*x) })
+        .y_label_formatter(&|y| power_of_ten(*y))
+        .x_desc("wrong answers per million queries")
+        .y_desc("ns per query")
+        .draw()?;
+    let edge = f64::from(scale.zero) + 0.5;
+    chart.draw_series([Rectangle::new([(left, bottom), (edge, top)], INK.mix(0.05).filled())])?;
+    draw_frontier(&mut chart, marks, scale)?;
+    draw_marks(area, &mut chart, marks, scale, order)
+}
+
+/// A staircase: what is above and to the right of it is beaten.
+fn draw_frontier(chart: &mut Chart, marks: &[Mark], scale: Scale) -> Drawn {
+    let mut corners: Vec<(f64, f64)> = marks.iter().filter(|m| m.on_frontier).map(|m| scale.place(m)).collect();
+    corners.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let mut stairs = Vec::new();
+    let mut height = f64::from(scale.slowest);
+    for (x, y) in corners {
+        stairs.extend([(x, height), (x, y)]);
+        height = y;
+    }
+    stairs.push((f64::from(scale.most_wrong) + 0.2, height));
+    chart.draw_series(DashedLineSeries::new(stairs, 5, 4, INK.mix(0.5).stroke_width(1)))?;
+    Ok(())
+}
+
+fn draw_marks(area: &Area, chart: &mut Chart, marks: &[Mark], scale: Scale, order: &[&str]) -> Drawn {
+    let (x_range, y_range) = chart.plotting_area().get_pixel_range();
+    let origin = area.get_pixel_range();
+    let (dx, dy) = (origin.0.start, origin.1.start);
+    let mut labels: Vec<Label> = Vec::new();
+    for mark in marks {
+        let colour = COLOURS[order.iter().position(|b| *b == mark.backend).unwrap_or(0) % COLOURS.len()];
+        let place = scale.place(mark);
+        chart.draw_series([Circle::new(place, 4, colour.filled())])?;
+        let at = chart.backend_coord(&place);
+        labels.push(Label { text: mark.backend, at: (at.0 - dx, at.1 - dy), y: at.1 - dy, colour });
+    }
+    spread(&mut labels, (y_range.start - dy + LINE / 2, y_range.end - dy - LINE / 2));
+    let edge = x_range.end - dx;
+    for label in &labels {
+        let width = i32::try_from(label.text.chars().count()).unwrap_or(i32::MAX).saturating_mul(LETTER);
+        let on_the_left = width > edge - label.at.0;
+        let (offset, side) = if on_the_left { (-9, HPos::Right) } else { (9, HPos::Left) };
+        let x = label.at.0 + offset;
+        if (label.y - label.at.1).abs() > LINE / 2 {
+            area.draw(&PathElement::new(vec![label.at, (x, label.y)], label.colour.mix(0.6)))?;
+        }
+        let style = ("sans-serif", 12).into_font().color(&label.colour).pos(Pos::new(side, VPos::Center));
+        area.draw(&Text::new(label.text.to_owned(), (x, label.y), style))?;
+    }
+    Ok(())
+}
+
+/// The name beside a mark.
+struct Label<'t> {
+    text: &'t str,
+    at: (i32, i32),
+    y: i32,
+    colour: RGBColor,
+}
+
+/// Moves labels up and down until none covers another: from the top each is
+/// pushed below those that it would touch, then what stuck out at the bottom
+/// is pushed back up.
+fn spread(labels: &mut [Label], (top, bottom): (i32, i32)) {
+    labels.sort_by_key(|label| (label.at.1, label.at.0));
+    for i in 0..labels.len() {
+        let others = labels[..i].iter().filter(|other| touch(other, &labels[i]));
+        labels[i].y = others.fold(labels[i].y.max(top), |y, other| y.max(other.y + LINE));
+    }
+    for i in (0..labels.len()).rev() {
+        let others = labels[i + 1..].iter().filter(|other| touch(other, &labels[i]));
+        labels[i].y = others.fold(labels[i].y.min(bottom), |y, other| y.min(other.y - LINE));
+    }
+}
+
+fn touch(a: &Label, b: &Label) -> bool {
+    (a.at.0 - b.at.0).abs() < LABEL_WIDTH
+}
+
+fn power_of_ten(exponent: f64) -> String {
+    // Key points are whole numbers between -324 and 309.
+    #[allow(clippy::cast_possible_truncation)]
+    let exponent = exponent.round() as i32;
+    match exponent {
+        0 => "1".to_owned(),
+        1 => "10".to_owned(),
+        2 => "100".to_owned(),
+        3 => "1k".to_owned(),
+        4 => "10k".to_owned(),
+        5 => "100k".to_owned(),
+        6 => "1M".to_owned(),
+        -3..0 => format!("{:.*}", usize::try_from(-exponent).unwrap_or(0), 10_f64.powi(exponent)),
+        _ => format!("1e{exponent}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_don_t_cover_each_other() {
+        let label = |x, y| Label { text: "", at: (x, y), y, colour: INK };
+        let mut labels =
+            [label(10, 100), label(12, 101), label(300, 101), label(11, 99), label(10, 196), label(9, 197)];
+        spread(&mut labels, (0, 200));
+        for (i, a) in labels.iter().enumerate() {
+            assert!((0..=200).contains(&a.y), "label {i} is at {}", a.y);
+            for b in &labels[..i] {
+                assert!(!touch(a, b) || (a.y - b.y).abs() >= LINE, "{} and {}", a.y, b.y);
+            }
+        }
+        assert_eq!(labels.iter().find(|label| label.at.0 == 300).unwrap().y, 101);
+    }
+
+    #[test]
+    fn ticks() {
+        let ticks: Vec<String> = [-4, -2, -1, 0, 3, 6, 9].map(|e| power_of_ten(f64::from(e))).into();
+        assert_eq!(ticks, ["1e-4", "0.01", "0.1", "1", "1k", "1M", "1e9"]);
+    }
+}

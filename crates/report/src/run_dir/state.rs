@@ -1,0 +1,60 @@
+//! `state.json`: whether a run is complete, and how much of it can be trusted.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use crate::Error;
+
+/// How a run ended.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Outcome {
+    /// It did all that was planned.
+    Complete,
+    /// It is still running, or was killed without a chance to say so.
+    Unfinished,
+    /// Somebody interrupted it.
+    Interrupted,
+    /// It ran out of time.
+    Timeout,
+}
+
+impl Outcome {
+    /// What a report says about it.
+    #[must_use]
+    pub const fn describe(self) -> &'static str {
+        match self {
+            Outcome::Complete => "complete",
+            Outcome::Unfinished => "incomplete: still running, or killed",
+            Outcome::Interrupted => "incomplete: interrupted",
+            Outcome::Timeout => "incomplete: out of time",
+        }
+    }
+}
+
+/// The file itself. It is replaced as a whole, never edited in place.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub(super) struct State {
+    /// How the run ended.
+    pub outcome: Outcome,
+    /// The length of each table in bytes when the last scene was done: what
+    /// comes after belongs to a scene that was not.
+    pub committed: BTreeMap<String, u64>,
+}
+
+impl State {
+    const FILE: &str = "state.json";
+
+    pub fn read(folder: &Path) -> Result<State, Error> {
+        super::reader::read_json(&folder.join(State::FILE))
+    }
+
+    pub fn write(&self, folder: &Path) -> Result<(), Error> {
+        let path = folder.join(State::FILE);
+        let next = folder.join("state.json.next");
+        super::writer::write_json(&next, self)?;
+        std::fs::rename(&next, &path).map_err(Error::io(&path))
+    }
+}

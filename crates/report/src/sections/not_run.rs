@@ -1,0 +1,78 @@
+//! What was not run: silence must not look like success.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{rank, run_head, run_label, some_of};
+use crate::format::{length, thousands};
+use crate::groups::backends;
+use crate::table::{Block, Cell, Section, Table, Tone};
+use crate::{Class, RunDir};
+
+/// How many scenes are named.
+const FEW: usize = 5;
+
+pub fn section(runs: &[RunDir]) -> Section {
+    let mut blocks = Vec::new();
+    let skipped = not_selected(runs);
+    let scenes_of_class = |class: Class, caption: &str| {
+        scenes(runs, caption, |run| {
+            let rows = run.summary.iter().filter(|row| row.count(class) > 0);
+            rows.map(|row| [&*row.suite, &*row.task, &*row.backend, &*row.scene].map(str::to_owned)).collect()
+        })
+    };
+    let planned = scenes(runs, "Planned and not run", |run| {
+        run.not_run().into_iter().map(|pair| [pair.suite, pair.task, pair.backend, pair.scene]).collect()
+    });
+    let declined = scenes_of_class(Class::Declined, "Declined by the backend");
+    let timeout = scenes_of_class(Class::Timeout, "Out of time");
+    for table in [skipped, planned, declined, timeout] {
+        if !table.is_empty() {
+            blocks.push(Block::Table(table));
+        }
+    }
+    if blocks.is_empty() {
+        let note =
+            "Nothing: every suite was selected, every scene was run, and no backend declined or ran out of time.";
+        blocks.push(Block::Note(note.to_owned(), Tone::Good));
+    }
+    Section { id: "not-run", title: "What was not run", lead: String::new(), blocks }
+}
+
+fn not_selected(runs: &[RunDir]) -> Table {
+    let mut table = Table::new("Suites that were not selected").words(run_head(runs)).words(["suite", "reason"]);
+    for (index, run) in runs.iter().enumerate() {
+        for skipped in run.plan.not_selected.iter().collect::<BTreeSet<_>>() {
+            let cells = [Cell::from(skipped.suite.as_str()), skipped.reason.as_str().into()];
+            table.push(run_label(runs, index).into_iter().chain(cells).collect());
+        }
+    }
+    table
+}
+
+/// Scenes by suite, task and backend; `list` gives suite, task, backend and scene.
+fn scenes(runs: &[RunDir], caption: &str, list: impl Fn(&RunDir) -> Vec<[String; 4]>) -> Table {
+    let order = backends(runs);
+    let mut table = Table::new(caption)
+        .words(run_head(runs))
+        .words(["suite", "task", "backend"])
+        .numbers(["scenes"])
+        .words(["which"]);
+    for (index, run) in runs.iter().enumerate() {
+        let mut groups: BTreeMap<(String, String, usize), Vec<String>> = BTreeMap::new();
+        for [suite, task, backend, scene] in list(run) {
+            groups.entry((suite, task, rank(&order, &backend))).or_default().push(scene);
+        }
+        for ((suite, task, backend), mut names) in groups {
+            names.sort_unstable();
+            let cells = [
+                suite.into(),
+                task.into(),
+                order[backend].into(),
+                thousands(length(names.len())).into(),
+                some_of(names.iter().map(String::as_str), FEW).into(),
+            ];
+            table.push(run_label(runs, index).into_iter().chain(cells).collect());
+        }
+    }
+    table
+}

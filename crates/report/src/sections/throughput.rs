@@ -1,0 +1,62 @@
+//! What a query costs, beside what it costs the reference.
+
+use std::collections::BTreeSet;
+
+use super::{run_head, run_label};
+use crate::RunDir;
+use crate::format::{factor, nanoseconds};
+use crate::groups::{REFERENCE, Timing, backends, timings};
+use crate::table::{Block, Cell, Section, Table, Tone};
+
+pub fn section(runs: &[RunDir]) -> Section {
+    let timings: Vec<_> = runs.iter().map(timings).collect();
+    let timed: BTreeSet<&str> = timings.iter().flat_map(|t| t.keys()).map(|[_, _, backend]| *backend).collect();
+    let columns: Vec<&str> = backends(runs).into_iter().filter(|backend| timed.contains(backend)).collect();
+
+    let mut table = Table::new("").words(run_head(runs)).words(["task", "family"]).numbers(columns.iter().copied());
+    for (index, timings) in timings.iter().enumerate() {
+        let groups: BTreeSet<[&str; 2]> = timings.keys().map(|[task, family, _]| [*task, *family]).collect();
+        for [task, family] in groups {
+            let reference = timings.get(&[task, family, REFERENCE]);
+            let cells = columns.iter().map(|backend| match timings.get(&[task, family, backend]) {
+                None => Cell::from("—").tone(Tone::Muted),
+                Some(timing) => cell(timing, reference),
+            });
+            let labels = run_label(runs, index).into_iter().chain([task.into(), family.into()]);
+            table.push(labels.chain(cells).collect());
+        }
+    }
+
+    let mut blocks = Vec::new();
+    if table.is_empty() {
+        blocks.push(Block::Note("Nothing was timed.".to_owned(), Tone::Notable));
+    } else {
+        blocks.push(Block::Table(table));
+        let mut versions: BTreeSet<(&str, &str)> = BTreeSet::new();
+        for timings in &timings {
+            for ([_, _, backend], timing) in timings {
+                versions.extend(timing.versions.iter().map(|version| (*backend, *version)));
+            }
+        }
+        let versions: Vec<String> = versions.iter().map(|(backend, version)| format!("{backend} {version}")).collect();
+        blocks.push(Block::Note(format!("Engine versions: {}.", versions.join(", ")), Tone::Muted));
+    }
+    Section {
+        id: "throughput",
+        title: "Throughput",
+        lead: format!(
+            "Nanoseconds per query: the median of the samples, then the smallest and largest, and the median as a \
+             multiple of {REFERENCE}'s in the same run. Only verified answers are timed."
+        ),
+        blocks,
+    }
+}
+
+fn cell(timing: &Timing, reference: Option<&Timing>) -> Cell {
+    let spread = timing.spread;
+    let mut detail = format!("{}–{}", nanoseconds(spread.min), nanoseconds(spread.max));
+    if let Some(reference) = reference {
+        detail += &format!(" · {}", factor(spread.median / reference.spread.median));
+    }
+    Cell::from(nanoseconds(spread.median)).detail(detail)
+}

@@ -1,0 +1,212 @@
+//! A page as data: sections of tables, pictures and sentences.
+//!
+//! Both kinds of page are made from the same data, so that they can't
+//! disagree; a template decides only what a table looks like.
+
+use minijinja::{Value, context};
+
+use crate::format::thousands;
+
+/// What a reader's eye should do with a cell.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Tone {
+    /// Nothing special.
+    #[default]
+    Plain,
+    /// Pass over it.
+    Muted,
+    /// Be content.
+    Good,
+    /// Look, though it was expected.
+    Notable,
+    /// Stop.
+    Bad,
+}
+
+impl Tone {
+    const fn class(self) -> &'static str {
+        match self {
+            Tone::Plain => "",
+            Tone::Muted => "muted",
+            Tone::Good => "good",
+            Tone::Notable => "notable",
+            Tone::Bad => "bad",
+        }
+    }
+}
+
+/// One cell.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Cell {
+    text: String,
+    /// A second, smaller line.
+    detail: String,
+    tone: Tone,
+    code: bool,
+}
+
+impl Cell {
+    /// A count; zero is passed over.
+    pub fn count(n: u64) -> Cell {
+        Cell::from(thousands(n)).tone(if n == 0 { Tone::Muted } else { Tone::Plain })
+    }
+
+    /// Something to be typed or searched for.
+    pub fn code(text: impl Into<String>) -> Cell {
+        Cell { code: true, ..Cell::from(text.into()) }
+    }
+
+    pub fn tone(self, tone: Tone) -> Cell {
+        Cell { tone, ..self }
+    }
+
+    pub fn detail(self, detail: impl Into<String>) -> Cell {
+        Cell { detail: detail.into(), ..self }
+    }
+
+    fn value(&self) -> Value {
+        context! { text => &self.text, detail => &self.detail, tone => self.tone.class(), code => self.code }
+    }
+}
+
+impl From<String> for Cell {
+    fn from(text: String) -> Cell {
+        Cell { text, ..Cell::default() }
+    }
+}
+
+impl From<&str> for Cell {
+    fn from(text: &str) -> Cell {
+        Cell::from(text.to_owned())
+    }
+}
+
+/// A table; the columns after the first `labels` hold numbers.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Table {
+    caption: String,
+    columns: Vec<String>,
+    numeric: Vec<bool>,
+    rows: Vec<Vec<Cell>>,
+}
+
+impl Table {
+    /// A table with this caption, which may be empty.
+    pub fn new(caption: impl Into<String>) -> Table {
+        Table { caption: caption.into(), ..Table::default() }
+    }
+
+    /// Adds columns of words, to be aligned on the left.
+    pub fn words<S: Into<String>>(mut self, heads: impl IntoIterator<Item = S>) -> Table {
+        self.columns.extend(heads.into_iter().map(Into::into));
+        self.numeric.resize(self.columns.len(), false);
+        self
+    }
+
+    /// Adds columns of numbers, to be aligned on the right.
+    pub fn numbers<S: Into<String>>(mut self, heads: impl IntoIterator<Item = S>) -> Table {
+        self.columns.extend(heads.into_iter().map(Into::into));
+        self.numeric.resize(self.columns.len(), true);
+        self
+    }
+
+    pub fn push(&mut self, row: Vec<Cell>) {
+        debug_assert_eq!(row.len(), self.columns.len(), "a cell for each column");
+        self.rows.push(row);
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    fn value(&self) -> Value {
+        let columns = self.columns.iter().zip(&self.numeric);
+        let columns: Vec<Value> =
+            columns.map(|(head, &numeric)| context! { head => head, numeric => numeric }).collect();
+        let rows = self.rows.iter().map(|row| {
+            let cells = row.iter().zip(&self.numeric);
+            cells.map(|(cell, &numeric)| context! { numeric => numeric, ..cell.value() }).collect::<Vec<Value>>()
+        });
+        context! { kind => "table", caption => &self.caption, columns => columns, rows => rows.collect::<Vec<_>>() }
+    }
+}
+
+/// A part of a section.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Block {
+    /// Rows and columns.
+    Table(Table),
+    /// A sentence.
+    Note(String, Tone),
+    /// A command to be typed.
+    Command(String),
+    /// A plot; Markdown, which can't hold it, refers to the file instead.
+    Plot {
+        /// The picture.
+        svg: String,
+        /// The name of the file that [`write_pages`](crate::write_pages) puts it in.
+        file: &'static str,
+        /// What there is to see.
+        alt: &'static str,
+    },
+    /// A PNG as a data address; not in Markdown.
+    Image {
+        /// The name.
+        name: String,
+        /// The address.
+        uri: String,
+    },
+}
+
+impl Block {
+    fn value(&self) -> Value {
+        match self {
+            Block::Table(table) => table.value(),
+            Block::Note(text, tone) => context! { kind => "note", text => text, tone => tone.class() },
+            Block::Command(text) => context! { kind => "command", text => text },
+            Block::Plot { svg, file, alt } => {
+                context! { kind => "plot", svg => Value::from_safe_string(svg.clone()), file => *file, alt => *alt }
+            }
+            Block::Image { name, uri } => context! { kind => "image", name => name, uri => uri },
+        }
+    }
+}
+
+/// A heading and what stands under it.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Section {
+    /// The anchor.
+    pub id: &'static str,
+    /// The heading.
+    pub title: &'static str,
+    /// What the section shows and how to read it.
+    pub lead: String,
+    /// The rest.
+    pub blocks: Vec<Block>,
+}
+
+impl Section {
+    pub fn value(&self) -> Value {
+        let blocks: Vec<Value> = self.blocks.iter().map(Block::value).collect();
+        context! { id => self.id, title => self.title, lead => &self.lead, blocks => blocks }
+    }
+}
+
+/// A number in large print.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Headline {
+    /// The number.
+    pub number: String,
+    /// What it counts.
+    pub label: &'static str,
+    /// Out of how many, for whom, or why there is none.
+    pub detail: String,
+    /// How to look at it.
+    pub tone: Tone,
+}
+
+impl Headline {
+    pub fn value(&self) -> Value {
+        context! { number => &self.number, label => self.label, detail => &self.detail, tone => self.tone.class() }
+    }
+}

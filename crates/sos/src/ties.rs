@@ -1,0 +1,109 @@
+//! Breaking a tie by a term list.
+//!
+//! These are the parts that [`Session`](crate::Session) is made of, open for
+//! experiments and planted faults: a table with one sign swapped, a sorting
+//! whose parity is dropped, or the arguments taken in the order in which they
+//! stand, as if positions were identities, each make a wrong backend out of
+//! the right pieces.
+
+use predicament_predicates::{Axis, Plane, Predicates, Question, Sign, Vertex};
+
+use crate::{Term, lift};
+
+/// Vertices in the order of their identity.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Sorted<const N: usize> {
+    /// The vertices, ascending.
+    pub vertices: [Vertex; N],
+    /// The sign of the permutation that sorts them: a determinant of the
+    /// sorted rows times this is the determinant of the rows as given.
+    pub parity: Sign,
+}
+
+impl<const N: usize> Sorted<N> {
+    /// Sorts; none if a vertex comes twice. Two equal rows stay equal under
+    /// every perturbation, so the perturbed determinant is zero as well.
+    #[inline]
+    #[must_use]
+    pub fn new(mut vertices: [Vertex; N]) -> Option<Sorted<N>> {
+        let mut parity = Sign::Positive;
+        for end in (1..N).rev() {
+            for i in 0..end {
+                if vertices[i] > vertices[i + 1] {
+                    vertices.swap(i, i + 1);
+                    parity = -parity;
+                }
+            }
+        }
+        let distinct = vertices.windows(2).all(|pair| pair[0] != pair[1]);
+        distinct.then_some(Sorted { vertices, parity })
+    }
+}
+
+/// The first term that is not zero: its sign, and its place in `terms`.
+///
+/// `rows[k]` is the vertex that the terms call row k: for a right answer, the
+/// k-th smallest of distinct vertices. None if every term is zero, which can
+/// happen only for a list that has lost its last, constant term.
+///
+/// `signs` must answer exactly; it evaluates the minors that are predicates of
+/// fewer dimensions.
+///
+/// # Panics
+/// If a term names a row or column that the question doesn't have.
+#[must_use]
+pub fn decide<P: Predicates>(signs: &P, question: Question, terms: &[Term], rows: &[Vertex]) -> Option<(Sign, usize)> {
+    let (axes, orientation) = columns(question);
+    let sign_of = |term: &Term| coefficient(signs, axes, term, rows);
+    let (place, sign) = terms.iter().map(sign_of).enumerate().find(|(_, sign)| !sign.is_zero())?;
+    Some((sign * orientation, place))
+}
+
+/// The axes behind the columns, ascending as the tables have them, and the
+/// sign of bringing them into that order: zx is the mirror image of xz.
+fn columns(question: Question) -> (&'static [Axis], Sign) {
+    match question {
+        Question::Compare(Axis::X) => (&[Axis::X], Sign::Positive),
+        Question::Compare(Axis::Y) => (&[Axis::Y], Sign::Positive),
+        Question::Compare(Axis::Z) => (&[Axis::Z], Sign::Positive),
+        Question::Orient2d(Plane::Xy) | Question::Incircle => (&[Axis::X, Axis::Y], Sign::Positive),
+        Question::Orient2d(Plane::Yz) => (&[Axis::Y, Axis::Z], Sign::Positive),
+        Question::Orient2d(Plane::Zx) => (&[Axis::X, Axis::Z], Sign::Negative),
+        Question::Orient3d | Question::Insphere => (&[Axis::X, Axis::Y, Axis::Z], Sign::Positive),
+    }
+}
+
+fn coefficient<P: Predicates>(signs: &P, axes: &[Axis], term: &Term, rows: &[Vertex]) -> Sign {
+    let vertex = |row: u8| rows[usize::from(row)];
+    let gap = match term.gap {
+        Some(gap) => signs.compare(axes[usize::from(gap.column)], vertex(gap.from), vertex(gap.to)),
+        None => Sign::Positive,
+    };
+    if gap.is_zero() {
+        return gap;
+    }
+    let minor = match term.lift {
+        Some(lift) => lift::sign(signs.scene(), axes, rows, term.rows, term.columns, lift),
+        None => linear(signs, axes, term, vertex),
+    };
+    term.sign * gap * minor
+}
+
+/// A minor of coordinates and ones is a predicate of a projection.
+fn linear<P: Predicates>(signs: &P, axes: &[Axis], term: &Term, vertex: impl Fn(u8) -> Vertex) -> Sign {
+    match (term.rows, term.columns) {
+        (&[_], &[]) => Sign::Positive,
+        (&[a, b], &[x]) => signs.compare(axes[usize::from(x)], vertex(a), vertex(b)),
+        (&[a, b, c], &[x, y]) => {
+            let (plane, orientation) = match (axes[usize::from(x)], axes[usize::from(y)]) {
+                (Axis::X, Axis::Y) => (Plane::Xy, Sign::Positive),
+                (Axis::Y, Axis::Z) => (Plane::Yz, Sign::Positive),
+                (Axis::X, Axis::Z) => (Plane::Zx, Sign::Negative),
+                _ => panic!("the columns of {term:?} don't ascend"),
+            };
+            signs.orient2d(plane, vertex(a), vertex(b), vertex(c)) * orientation
+        }
+        (&[a, b, c, d], &[_, _, _]) => signs.orient3d(vertex(a), vertex(b), vertex(c), vertex(d)),
+        _ => panic!("{term:?} is no minor"),
+    }
+}

@@ -1,0 +1,146 @@
+//! The term lists as data: what is committed is what the program derives, and
+//! every term is needed.
+
+mod common;
+
+use common::{Random, first, grid_scene, question};
+use predicament_exact::Exact;
+use predicament_predicates::{Backend, Counts, MAX_STAGES, Off, PredicateKind, Sign};
+use predicament_sos::{Scheme, Sos, Term, derive, infinitesimal::judge, ties};
+
+#[test]
+fn the_committed_tables_are_the_derived_ones() {
+    assert!(
+        derive::tables() == include_str!("../src/tables.rs"),
+        "run `cargo run --release -p predicament-sos --bin derive_sos_terms > crates/sos/src/tables.rs`"
+    );
+}
+
+#[test]
+fn only_the_last_term_is_constant() {
+    for scheme in Scheme::ALL {
+        for kind in PredicateKind::ALL {
+            let (last, others) = scheme.terms(kind).split_last().unwrap();
+            let constant = |term: &Term| term.columns.is_empty() && term.lift.is_none() && term.gap.is_none();
+            assert!(constant(last), "{scheme} {kind}");
+            assert!(!others.iter().any(constant), "{scheme} {kind}");
+            for term in scheme.terms(kind) {
+                assert!(!term.sign.is_zero());
+                assert_eq!(term.rows.len(), term.columns.len() + usize::from(term.lift.is_some()) + 1);
+            }
+        }
+    }
+}
+
+#[test]
+fn stages_are_distinct_and_fit() {
+    for scheme in Scheme::ALL {
+        let stages = Sos { scheme }.stages();
+        let terms = PredicateKind::ALL.map(|kind| scheme.terms(kind).len()).into_iter().max().unwrap();
+        assert_eq!(stages.len(), Exact.stages().len() + terms);
+        assert!(stages.len() <= MAX_STAGES);
+        assert!(stages.starts_with(Exact.stages()));
+        assert_eq!(*stages.last().unwrap(), format!("term {terms}"));
+    }
+}
+
+/// Queries of three kinds of degeneracy: few values a coordinate, few points,
+/// and points on few lines through the grid.
+fn degenerate(random: &mut Random, dimension: usize, arity: usize) -> Vec<usize> {
+    let side = 3_usize;
+    let all = side.pow(u32::try_from(dimension).unwrap());
+    match random.below(3) {
+        0 => random.numbers(all, arity),
+        1 => {
+            let points = random.numbers(all, 3);
+            (0..arity).map(|_| points[random.below(3)]).collect()
+        }
+        _ => {
+            let stride = side.pow(u32::try_from(random.below(dimension)).unwrap());
+            let start = random.numbers(all, 2);
+            (0..arity).map(|_| (start[random.below(2)] + stride * random.below(side)) % all).collect()
+        }
+    }
+}
+
+/// Each term decides some query, and the judge sees it when its sign is
+/// swapped: nothing in the tables is dead, and nothing is untested.
+#[test]
+fn every_term_decides_and_a_swapped_sign_is_seen() {
+    for scheme in Scheme::ALL {
+        for kind in PredicateKind::ALL {
+            let dimension = if matches!(kind, PredicateKind::Orient3d | PredicateKind::Insphere) { 3 } else { 2 };
+            let terms = scheme.terms(kind);
+            let mut seen = vec![false; terms.len()];
+            let mut random = Random(5);
+            for _ in 0..200_000 {
+                if seen.iter().all(|&seen| seen) {
+                    break;
+                }
+                let scene = grid_scene(dimension, 3, &degenerate(&mut random, dimension, kind.arity()));
+                let args = first(kind.arity());
+                let exact = Exact.prepare(&scene, Off).unwrap();
+                if !question(kind).ask(&exact, &args).is_zero() {
+                    continue;
+                }
+                let (sign, depth) = ties::decide(&exact, question(kind), terms, &args).unwrap();
+                if !seen[depth] {
+                    seen[depth] = true;
+                    let mut swapped = terms.to_vec();
+                    swapped[depth].sign = -swapped[depth].sign;
+                    let (wrong, _) = ties::decide(&exact, question(kind), &swapped, &args).unwrap();
+                    let truth = judge(scheme, &scene, question(kind), &args);
+                    assert_eq!(sign, truth, "{scheme} {kind}, term {}", depth + 1);
+                    assert_ne!(wrong, truth, "{scheme} {kind}, term {}", depth + 1);
+                }
+            }
+            let unseen: Vec<usize> = (0..seen.len()).filter(|&depth| !seen[depth]).map(|depth| depth + 1).collect();
+            assert!(unseen.is_empty(), "{scheme} {kind}: terms {unseen:?} never decide");
+        }
+    }
+}
+
+/// The tally names the deciding term, and a tie without distinct vertices the exact stage.
+#[test]
+fn the_tally_counts_the_deciding_term() {
+    let scene = grid_scene(2, 3, &[0, 0, 4]);
+    let counts = Counts::new();
+    let sos = Sos::default();
+    let session = sos.prepare(&scene, &counts).unwrap();
+    let [a, b, c] = common::ids([0, 1, 2]);
+    let kind = PredicateKind::Orient2d;
+    let stage = |name: &str| sos.stages().iter().position(|&stage| stage == name).unwrap();
+    let exact_stages = || (0..Exact.stages().len()).map(|stage| counts.get(kind, stage)).sum::<u64>();
+
+    assert_ne!(question(kind).ask(&session, &[a, b, c]), Sign::Zero);
+    // y differs between rows 1 and 2, so the first term decides.
+    assert_eq!(counts.get(kind, stage("term 1")), 1);
+    assert_eq!(exact_stages(), 0);
+    assert_eq!(question(kind).ask(&session, &[a, a, c]), Sign::Zero);
+    assert_eq!(exact_stages(), 1);
+}
+
+/// Franklin and Magalhães' paper has no table; Edelsbrunner and Mücke print
+/// theirs for two dimensions, and it is this one.
+#[test]
+fn the_planar_lists_by_hand() {
+    use Sign::{Negative, Positive};
+    assert_eq!(
+        Scheme::EdelsbrunnerMucke.terms(PredicateKind::Orient2d),
+        [
+            Term::minor(Negative, &[1, 2], &[0]),
+            Term::minor(Positive, &[1, 2], &[1]),
+            Term::minor(Positive, &[0, 2], &[0]),
+            Term::minor(Positive, &[2], &[]),
+        ]
+    );
+    assert_eq!(
+        Scheme::PerCoordinate.terms(PredicateKind::Orient2d),
+        [
+            Term::minor(Positive, &[1, 2], &[1]),
+            Term::minor(Negative, &[1, 2], &[0]),
+            Term::minor(Negative, &[0, 2], &[1]),
+            Term::minor(Negative, &[2], &[]),
+        ]
+    );
+}

@@ -1,0 +1,121 @@
+//! What the session says about itself, and the scenes that it declines.
+
+use predicament_predicates::{
+    Axis, Backend, Counts, Declined, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex, ZeroMeaning,
+};
+use predicament_tolerance::{Tolerance, Tolerances2d, Tolerances3d};
+
+fn v<const N: usize>() -> [Vertex; N] {
+    std::array::from_fn(Vertex::input)
+}
+
+fn declined(scene: &Scene) -> Option<Declined> {
+    Tolerance.prepare(scene, Off).map(|_| ()).err()
+}
+
+#[test]
+fn signs_follow_the_convention() {
+    let scene = Scene::from_points2(&[[0., 0.], [1., 0.], [0., 1.]]).unwrap();
+    let session = Tolerance.prepare(&scene, Off).unwrap();
+    let [a, b, c] = v();
+    assert_eq!(session.orient2d(Plane::Xy, a, b, c), Sign::Positive);
+    assert_eq!(session.orient2d(Plane::Xy, b, a, c), Sign::Negative);
+    assert_eq!(session.orient2d(Plane::Xy, b, a, a), Sign::Zero);
+    assert_eq!(session.compare(Axis::X, b, a), Sign::Positive);
+    assert_eq!(session.estimate(Question::Orient2d(Plane::Xy), &[a, b, c]), Some(1.0));
+
+    let scene = Scene::from_points3(&[[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 0., -1.]]).unwrap();
+    let session = Tolerance.prepare(&scene, Off).unwrap();
+    let [a, b, c, d] = v();
+    assert_eq!(session.orient3d(a, b, c, d), Sign::Positive, "below is positive");
+    assert_eq!(session.orient2d(Plane::Xy, a, b, c), Sign::Positive);
+    assert_eq!(session.orient2d(Plane::Yz, a, c, d), Sign::Negative);
+    assert_eq!(session.orient2d(Plane::Zx, a, d, b), Sign::Negative);
+    assert_eq!(session.orient2d(Plane::Yz, a, b, c), Sign::Zero);
+}
+
+#[test]
+fn length_is_the_largest_edge_of_the_box() {
+    let scene = Scene::from_points2(&[[0., 0.], [3., 1.], [1., -1.]]).unwrap();
+    let session = Tolerance.prepare(&scene, Off).unwrap();
+    let tolerances = Tolerances2d::from_length(3.0);
+    assert_eq!(session.tolerances2d(Plane::Xy), Ok(&tolerances));
+    assert_eq!(session.band(PredicateKind::Orient2d), Some(tolerances.kappa));
+    assert_eq!(session.reach(), tolerances.sigma.upper);
+
+    let scene = Scene::from_points3(&[[0., 0., 0.], [2., 3., 5.]]).unwrap();
+    let session = Tolerance.prepare(&scene, Off).unwrap();
+    assert_eq!(session.band(PredicateKind::Orient3d), Some(Tolerances3d::from_length(5.0).xi));
+    let [xy, yz, zx] = [Plane::Xy, Plane::Yz, Plane::Zx].map(|plane| session.tolerances2d(plane).unwrap().length);
+    assert_eq!([xy, yz, zx], [3.0, 5.0, 5.0], "projections are scenes of their own");
+    let hull = session.band(PredicateKind::Orient2d).unwrap();
+    assert_eq!(hull.lower, Tolerances2d::from_length(3.0).kappa.lower);
+    assert_eq!(hull.upper, Tolerances2d::from_length(5.0).kappa.upper);
+}
+
+#[test]
+fn what_the_paper_lacks_is_declined() {
+    let flat = Scene::from_points2(&[[0., 0.], [1., 1.]]).unwrap();
+    let session = Tolerance.prepare(&flat, Off).unwrap();
+    let answers = PredicateKind::ALL.map(|kind| session.supports(kind).is_ok());
+    assert_eq!(answers, [true, true, false, false, false]);
+    assert!(session.tolerances2d(Plane::Yz).is_err());
+
+    let deep = Scene::from_points3(&[[0., 0., 0.], [1., 1., 1.]]).unwrap();
+    let session = Tolerance.prepare(&deep, Off).unwrap();
+    let answers = PredicateKind::ALL.map(|kind| session.supports(kind).is_ok());
+    assert_eq!(answers, [true, true, true, false, false]);
+    assert!(session.supports(PredicateKind::Insphere).unwrap_err().reason.contains("the paper has no"));
+    for kind in [PredicateKind::Orient2d, PredicateKind::Orient3d] {
+        assert_eq!(Tolerance.contract(kind).zero, ZeroMeaning::Band);
+    }
+}
+
+#[test]
+fn scenes_that_underflow_or_overflow_are_declined() {
+    let wide = |x: f64| Scene::from_points2(&[[-x, 0.0], [x, x]]).unwrap();
+    let deep = |x: f64| Scene::from_points3(&[[-x, 0.0, 0.0], [x, x, x]]).unwrap();
+    for x in [f64::MAX, 1e155, 1e-150, 5e-324] {
+        let reason = declined(&wide(x)).unwrap_or_else(|| panic!("{x:e} is out of range")).reason;
+        assert!(reason.contains("L = "), "{reason}");
+    }
+    for x in [f64::MAX, 1e103, 1e-100, 5e-324] {
+        assert!(declined(&deep(x)).is_some(), "{x:e} is out of range");
+    }
+    for x in [1e150, 1.0, 1e-140] {
+        assert_eq!(declined(&wide(x)), None, "{x:e}");
+    }
+    for x in [1e100, 1.0, 1e-90] {
+        assert_eq!(declined(&deep(x)), None, "{x:e}");
+    }
+    // two axes are too short for κ, and only orient2d has to pay
+    let needle = Scene::from_points3(&[[0., 0., 0.], [1e-200, 1e-200, 1.]]).unwrap();
+    let session = Tolerance.prepare(&needle, Off).unwrap();
+    assert!(session.supports(PredicateKind::Orient2d).is_err());
+    assert_eq!(session.supports(PredicateKind::Orient3d), Ok(()));
+}
+
+#[test]
+fn where_all_points_coincide_everything_is_degenerate() {
+    let scene = Scene::from_points2(&[[7.5, -3.0]; 3]).unwrap();
+    let session = Tolerance.prepare(&scene, Off).unwrap();
+    let [a, b, c] = v();
+    assert_eq!(session.orient2d(Plane::Xy, a, b, c), Sign::Zero);
+    assert_eq!(session.reach(), 0.0);
+    let empty = Scene::from_points3(&[]).unwrap();
+    assert_eq!(declined(&empty), None);
+}
+
+#[test]
+fn queries_are_counted() {
+    let scene = Scene::from_points2(&[[0., 0.], [1., 0.], [0., 1.]]).unwrap();
+    let counts = Counts::new();
+    let session = Tolerance.prepare(&scene, &counts).unwrap();
+    let [a, b, c] = v();
+    session.orient2d(Plane::Xy, a, b, c);
+    session.compare(Axis::Y, a, c);
+    session.compare(Axis::Y, a, b);
+    assert_eq!(Tolerance.stages(), ["float"]);
+    assert_eq!(counts.get(PredicateKind::Orient2d, 0), 1);
+    assert_eq!(counts.get(PredicateKind::Compare, 0), 2);
+}

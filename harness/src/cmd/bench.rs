@@ -1,0 +1,200 @@
+//! `bench`: throughput, beside the errors of the very same answers.
+//!
+//! Every backend's answers are judged first, and that judgement is kept in the
+//! bench folder's `summary.csv`. Then the backends take turns, sample by
+//! sample, so that a noisy machine is noisy for all of them; each timed pass
+//! has to give the answers that were judged, or it is not a measurement.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use predicament_oracle::locate;
+use predicament_oracle::signs::Budget;
+use predicament_oracle::{Case, Contestant, Stopwatch, Truth, Watch, digest_of};
+use predicament_report::{self as report, PlannedScene, RunWriter, Shard, ThroughputRow};
+
+use crate::cmd::run::{env, free_folder, plan};
+use crate::exit::{self, Failure};
+use crate::select::Selector;
+use crate::{expectations, interrupt, peers, progress, roster, rows};
+
+const EXAMPLES: &str = "\
+Examples:
+  predicament bench                                     all embedded corpora
+  predicament bench families -f orient2d --samples 21
+  predicament bench maps -f 10m -b exact,sos,naive      built with `--features peers`, `geo` is timed as well";
+
+/// What is asked of an answer before it is timed: the classes of its queries, nothing sampled.
+const JUDGED: Budget = Budget { findings_per_class: 0, permutations: 0, relations: 0, ties: 0 };
+
+/// Time backends against each other on judged answers
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    #[command(flatten)]
+    pub selector: Selector,
+
+    /// Backends, several with commas or by repeating; all if left out
+    #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
+    pub backends: Vec<String>,
+
+    /// Samples of each backend
+    #[arg(long, value_name = "N", default_value_t = 11)]
+    pub samples: u64,
+
+    /// Milliseconds that a sample takes at least, by repeating passes
+    #[arg(long, value_name = "MS", default_value_t = 4)]
+    pub sample_ms: u64,
+
+    /// A new folder; the first free predicament-bench-N if left out
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// One backend at its starting line.
+struct Runner<'a> {
+    name: String,
+    version: String,
+    watch: Box<dyn Stopwatch + 'a>,
+    judged: u64,
+    passes: u32,
+}
+
+/// Runs the command.
+pub fn run(args: Args) -> exit::Outcome {
+    if args.samples == 0 {
+        return Err(Failure::usage("--samples: at least one sample is needed"));
+    }
+    let expected = expectations::load(None)?;
+    let backends = roster::pick(&args.backends)?;
+    let selection = args.selector.select()?;
+    let scenes = selection.plan(Shard::WHOLE)?;
+    let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-bench"));
+    let plan = plan(&selection, &scenes, &backends, Shard::WHOLE);
+    let mut writer = RunWriter::create(&folder, &plan, &env()).map_err(Failure::usage)?;
+    interrupt::listen();
+    let bar = progress::bar(scenes.len() as u64 * args.samples, "rounds");
+    let quiet = |_: u64| {};
+    let watch = Watch::new(interrupt::flag(), None, &quiet);
+    let mut ended = report::Outcome::Complete;
+    let mut refused = Vec::new();
+    'scenes: for (def, scene) in &scenes {
+        bar.set_message(scene.scene.clone());
+        let loaded = selection.load(def)?;
+        let Ok(case) = Case::new(&loaded, &watch) else {
+            ended = report::Outcome::Interrupted;
+            break;
+        };
+        let mut runners = Vec::new();
+        for backend in &backends {
+            let Ok(outcome) = case.run(backend.as_ref(), JUDGED, &watch) else {
+                ended = report::Outcome::Interrupted;
+                break 'scenes;
+            };
+            let row = rows::summary(scene, &backend.name(), &outcome, &expected, selection.level.name());
+            writer.write(&[row]).map_err(Failure::usage)?;
+            match start(&case, backend.as_ref()) {
+                Ok(runner) => runners.push(runner),
+                Err(why) => refused.push(format!("{}/{} on {}: {why}", scene.suite, scene.scene, backend.name())),
+            }
+        }
+        for peer in peers::runners(&case) {
+            match peer {
+                Ok(peer) => runners.push(Runner {
+                    name: peer.name,
+                    version: peer.version,
+                    watch: peer.watch,
+                    judged: peer.judged,
+                    passes: 1,
+                }),
+                Err(why) => refused.push(format!("{}/{}: {why}", scene.suite, scene.scene)),
+            }
+        }
+        let samples = Samples { count: args.samples, least: Duration::from_millis(args.sample_ms) };
+        if !samples.take(scene, runners, &mut writer, &mut refused, || bar.inc(1))? {
+            ended = report::Outcome::Interrupted;
+            break;
+        }
+        writer.commit().map_err(Failure::usage)?;
+    }
+    bar.finish_and_clear();
+    writer.finish(ended).map_err(Failure::usage)?;
+    println!("{}: {} scenes timed, {}", folder.display(), scenes.len(), ended.describe());
+    for line in &refused {
+        println!("  not timed: {line}");
+    }
+    Ok(if ended == report::Outcome::Complete { exit::OK } else { exit::INCOMPLETE })
+}
+
+/// Prepares one backend, with the digest of its judged answers.
+fn start<'a>(case: &'a Case<'a>, backend: &'a dyn Contestant) -> Result<Runner<'a>, String> {
+    let (watch, judged) = match case.truth() {
+        Truth::Signs { queries, .. } => {
+            let scene = &case.loaded().scene;
+            let answers = backend.answers(scene, queries)?;
+            (backend.time_signs(scene, queries)?, digest_of(&answers))
+        }
+        Truth::Locate(case) => (backend.time_locate(case)?, locate::digest_of(&backend.locations(case)?)),
+    };
+    Ok(Runner { name: backend.name(), version: env!("CARGO_PKG_VERSION").to_owned(), watch, judged, passes: 1 })
+}
+
+struct Samples {
+    count: u64,
+    least: Duration,
+}
+
+impl Samples {
+    /// Times the runners in turns. False if interrupted.
+    fn take(
+        &self,
+        scene: &PlannedScene,
+        mut runners: Vec<Runner>,
+        writer: &mut RunWriter,
+        refused: &mut Vec<String>,
+        tick: impl Fn(),
+    ) -> Result<bool, Failure> {
+        // A pass to warm up, to size the samples, and to see that the answers are the judged ones.
+        runners.retain_mut(|runner| {
+            runner.watch.pass();
+            let pass = runner.watch.pass().max(Duration::from_nanos(1));
+            runner.passes = u32::try_from(self.least.as_nanos() / pass.as_nanos() + 1).unwrap_or(u32::MAX);
+            let same = runner.watch.digest() == runner.judged;
+            if !same {
+                refused.push(format!(
+                    "{}/{} on {}: the timed answers are not the judged ones",
+                    scene.suite, scene.scene, runner.name
+                ));
+            }
+            same
+        });
+        for sample in 0..self.count {
+            if interrupt::flag().load(std::sync::atomic::Ordering::Relaxed) {
+                return Ok(false);
+            }
+            let mut rows = Vec::with_capacity(runners.len());
+            for runner in &mut runners {
+                let total: Duration = (0..runner.passes).map(|_| runner.watch.pass()).sum();
+                // Counts of queries and passes are far below 2^53: no rounding.
+                #[allow(clippy::cast_precision_loss)]
+                let queries = scene.queries as f64 * f64::from(runner.passes);
+                rows.push(ThroughputRow {
+                    task: scene.task.clone(),
+                    family: scene.family.clone(),
+                    backend: runner.name.clone(),
+                    engine_version: runner.version.clone(),
+                    queries: scene.queries,
+                    sample,
+                    ns_per_query: total.as_secs_f64() * 1e9 / queries,
+                });
+            }
+            writer.write(&rows).map_err(Failure::usage)?;
+            tick();
+        }
+        if let Some(runner) = runners.iter().find(|runner| runner.watch.digest() != runner.judged) {
+            let message = format!("{}/{} on {}: answers changed while timed", scene.suite, scene.scene, runner.name);
+            return Err(Failure { message, code: exit::UNEXPECTED });
+        }
+        Ok(true)
+    }
+}

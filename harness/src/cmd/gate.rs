@@ -1,0 +1,188 @@
+//! `gate`: holds a run against its expectations, and against an earlier run.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use predicament_oracle::ClassCounts;
+use predicament_report::{RunDir, Spread, Status, SummaryRow, junit};
+
+use crate::cmd::run::describe;
+use crate::exit::{self, Failure};
+use crate::{expectations, rows};
+
+const EXAMPLES: &str = "\
+Examples:
+  predicament gate out/run
+  predicament gate out/run --baseline out/main --junit out/junit.xml
+  predicament gate out/run --expected mine-expected.toml --suggest";
+
+/// Hold a run against expectations and a baseline
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// A folder written by `run`
+    pub run: PathBuf,
+
+    /// An earlier run: no finding may have become more frequent, no timing slower beyond noise
+    #[arg(long, value_name = "RUN")]
+    pub baseline: Option<PathBuf>,
+
+    /// Expected disagreements; those of the embedded corpora if left out
+    #[arg(long, value_name = "FILE")]
+    pub expected: Option<PathBuf>,
+
+    /// Write a JUnit file
+    #[arg(long, value_name = "FILE")]
+    pub junit: Option<PathBuf>,
+
+    /// Print the expectations that would make every unexpected finding expected
+    #[arg(long)]
+    pub suggest: bool,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> exit::Outcome {
+    let expected = expectations::load(args.expected.as_ref())?;
+    let mut run = RunDir::open(&args.run).map_err(Failure::usage)?;
+    let level = run.plan.level.to_string();
+    // The file may have changed since the run: it is the gate's word that counts.
+    for row in &mut run.summary {
+        let mut counts = ClassCounts::default();
+        for class in predicament_oracle::Class::ALL {
+            counts.add(class, row.count(rows::class(class)));
+        }
+        row.status = rows::status(expected.status(&row.suite, &row.scene, &row.backend, &level, &counts));
+    }
+    let worse = match &args.baseline {
+        None => Worse::default(),
+        Some(baseline) => {
+            let baseline = RunDir::open(baseline).map_err(Failure::usage)?;
+            Worse { findings: more_findings(&run, &baseline), timings: slower(&run, &baseline) }
+        }
+    };
+    if let Some(path) = &args.junit {
+        let text = junit("predicament", &run.summary, &run.not_run()).map_err(Failure::usage)?;
+        std::fs::write(path, text).map_err(|error| Failure::usage(format!("{}: {error}", path.display())))?;
+    }
+    for row in run.summary.iter().filter(|row| !row.status.passes()) {
+        println!("{}", describe(row));
+    }
+    for line in worse.findings.iter().chain(&worse.timings) {
+        println!("{line}");
+    }
+    let not_run = run.not_run();
+    for missing in &not_run {
+        println!("not run: {}/{} on {}", missing.suite, missing.scene, missing.backend);
+    }
+    if args.suggest {
+        suggest(&run.summary);
+    }
+    let count = |status: Status| run.summary.iter().filter(|row| row.status == status).count();
+    let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
+    println!(
+        "{}: {} rows: {} ok, {} expected, {unexpected} unexpected, {passes} unexpected pass, {} not run, {} worse than \
+         the baseline; {}",
+        args.run.display(),
+        run.summary.len(),
+        count(Status::Ok),
+        count(Status::Expected),
+        not_run.len(),
+        worse.findings.len() + worse.timings.len(),
+        run.outcome.describe(),
+    );
+    Ok(if unexpected > 0 || !worse.findings.is_empty() {
+        exit::UNEXPECTED
+    } else if passes > 0 {
+        exit::UNEXPECTED_PASS
+    } else if !run.is_complete() || !not_run.is_empty() {
+        exit::INCOMPLETE
+    } else if !worse.timings.is_empty() {
+        exit::SLOWER
+    } else {
+        exit::OK
+    })
+}
+
+#[derive(Default)]
+struct Worse {
+    findings: Vec<String>,
+    timings: Vec<String>,
+}
+
+/// Rows of the same scene and backend with more of an illegal class than before.
+fn more_findings(run: &RunDir, baseline: &RunDir) -> Vec<String> {
+    let before: BTreeMap<(&str, &str), &SummaryRow> =
+        baseline.summary.iter().map(|row| ((row.scene_id.as_str(), row.backend.as_str()), row)).collect();
+    let mut worse = Vec::new();
+    for row in &run.summary {
+        let Some(old) = before.get(&(row.scene_id.as_str(), row.backend.as_str())) else { continue };
+        for class in predicament_oracle::Class::ALL.into_iter().filter(|class| !class.is_legal()) {
+            let (now, then) = (row.count(rows::class(class)), old.count(rows::class(class)));
+            if now > then {
+                worse.push(format!(
+                    "worse than the baseline: {}/{} on {}: {} {class}, was {then}",
+                    row.suite, row.scene, row.backend, now
+                ));
+            }
+        }
+    }
+    worse
+}
+
+/// Timings whose fastest sample is slower than the slowest sample of before,
+/// and by a tenth at least: beyond what noise explains.
+fn slower(run: &RunDir, baseline: &RunDir) -> Vec<String> {
+    let (now, then) = (timings(run), timings(baseline));
+    let pairs = now.iter().filter_map(|(key, now)| then.get(key).map(|then| (key, now, then)));
+    pairs
+        .filter(|(_, now, then)| now.min > then.max && now.median > 1.1 * then.median)
+        .map(|((task, family, backend), now, then)| {
+            format!(
+                "slower: {task} {family} on {backend}: {:.2} ns/query, was {:.2} ({:.2} times)",
+                now.median,
+                then.median,
+                now.median / then.median
+            )
+        })
+        .collect()
+}
+
+fn timings(run: &RunDir) -> BTreeMap<(&str, &str, &str), Spread> {
+    let mut samples: BTreeMap<_, Vec<f64>> = BTreeMap::new();
+    for row in &run.throughput {
+        let key = (row.task.as_str(), row.family.as_str(), row.backend.as_str());
+        samples.entry(key).or_default().push(row.ns_per_query);
+    }
+    samples.into_iter().filter_map(|(key, samples)| Some((key, Spread::of(samples)?))).collect()
+}
+
+/// TOML that would turn the gate green, for a person to check and to give reasons.
+fn suggest(summary: &[SummaryRow]) {
+    for row in summary.iter().filter(|row| row.status == Status::Unexpected) {
+        let classes: Vec<String> = predicament_oracle::Class::ALL
+            .into_iter()
+            .filter(|&class| !class.is_legal() && row.count(rows::class(class)) > 0)
+            .map(|class| format!("\"{class}\""))
+            .collect();
+        println!(
+            "[[expect]]\nscene = \"{}/{}\"\nbackend = \"{}\"\nclass = [{}]\nreason = \"\"\n",
+            row.suite,
+            row.scene,
+            row.backend,
+            classes.join(", ")
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_crates_call_the_classes_the_same() {
+        for class in predicament_oracle::Class::ALL {
+            assert_eq!(rows::class(class).name(), class.name());
+        }
+        assert_eq!(predicament_report::Class::ALL.len(), predicament_oracle::Class::ALL.len());
+    }
+}

@@ -1,0 +1,11 @@
+//! One file per command: its arguments, its help, its work.
+
+pub mod bench;
+pub mod corpus;
+pub mod doctor;
+pub mod gate;
+pub mod map;
+pub mod replay;
+pub mod report;
+pub mod run;
+pub mod selftest;

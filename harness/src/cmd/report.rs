@@ -1,0 +1,37 @@
+//! `report`: pages from run folders.
+
+use std::path::PathBuf;
+
+use predicament_report::{RunDir, write_pages};
+
+use crate::exit::{self, Failure};
+
+const EXAMPLES: &str = "\
+Examples:
+  predicament report out/run --out out/report
+  predicament report out/run out/bench --out out/report    errors and timings on one page";
+
+/// Write Markdown, one self-contained HTML page and plots from run folders
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// Folders written by `run` or `bench`
+    #[arg(required = true, value_name = "RUN")]
+    pub runs: Vec<PathBuf>,
+
+    /// Where the pages go; files of an earlier report are replaced
+    #[arg(long, value_name = "DIR", default_value = "predicament-report")]
+    pub out: PathBuf,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> exit::Outcome {
+    let runs: Result<Vec<RunDir>, _> = args.runs.iter().map(RunDir::open).collect();
+    let runs = runs.map_err(Failure::usage)?;
+    for warning in runs.iter().flat_map(|run| &run.warnings) {
+        eprintln!("predicament: {warning}");
+    }
+    write_pages(&runs, &args.out).map_err(Failure::usage)?;
+    println!("{}", args.out.join("report.html").display());
+    Ok(exit::OK)
+}

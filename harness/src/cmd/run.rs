@@ -1,0 +1,289 @@
+//! `run`: every selected scene through every backend, each answer judged.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use predicament_corpus::{Level, SceneDef};
+use predicament_oracle::signs::Budget;
+use predicament_oracle::{Case, Class, Contestant, Outcome, Stop, Watch, roster as backends};
+use predicament_report::{self as report, Env, Plan, PlannedScene, RunWriter, Shard, Status, SummaryRow};
+
+use crate::exit::{self, Failure};
+use crate::select::{Selection, Selector};
+use crate::{expectations, interrupt, progress, roster, rows};
+
+const EXAMPLES: &str = "\
+Examples:
+  predicament run                                   all embedded corpora, all backends
+  predicament run classics -b exact,sos,naive       one suite, three backends
+  predicament run families -f 'near.*orient3d' --level full
+  predicament run mine.toml --expected mine-expected.toml --out out/mine
+  predicament run --shard 2/4 --out out/part2       a quarter of the work
+  predicament run --resume out/part2                go on where it stopped";
+
+/// Run scenes through backends and judge every answer
+#[derive(clap::Args)]
+#[command(after_help = format!("Backends:\n{}\n\n{EXAMPLES}", backends::HELP))]
+pub struct Args {
+    #[command(flatten)]
+    pub selector: Selector,
+
+    /// Backends, several with commas or by repeating; all if left out
+    #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
+    pub backends: Vec<String>,
+
+    /// Part k of n, by scene id
+    #[arg(long, value_name = "k/n", default_value = "1/1")]
+    pub shard: Shard,
+
+    /// Threads; all cores if left out
+    #[arg(long, value_name = "N")]
+    pub threads: Option<usize>,
+
+    /// A new folder for the run; the first free predicament-run-N if left out
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+
+    /// Go on with an incomplete run; takes its selection from that run's plan
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "shard", "backends"])]
+    pub resume: Option<PathBuf>,
+
+    /// Expected disagreements; those of the embedded corpora if left out
+    #[arg(long, value_name = "FILE")]
+    pub expected: Option<PathBuf>,
+
+    /// Seconds that one backend may take for one scene; it can stop only between queries
+    #[arg(long, value_name = "SECONDS")]
+    pub timeout: Option<u64>,
+}
+
+/// Runs the command.
+pub fn run(args: Args) -> exit::Outcome {
+    set_threads(args.threads)?;
+    let expected = expectations::load(args.expected.as_ref())?;
+    let Job { selection, scenes, backends, mut ledger } = match &args.resume {
+        None => Job::new(&args)?,
+        Some(folder) => Job::resume(&args, folder)?,
+    };
+    interrupt::listen();
+    let work: u64 = scenes.iter().map(|(_, scene)| scene.queries * (backends.len() as u64 + 1)).sum();
+    let bar = progress::bar(work, "answers");
+    let told = |done: u64| bar.inc(done);
+    let limit = args.timeout.map(Duration::from_secs);
+    let budget = budget(selection.level);
+    let mut ended = report::Outcome::Complete;
+    // Whole-scene loop; each scene is loaded once and dropped before the next.
+    'scenes: for (def, scene) in &scenes {
+        let left: Vec<&dyn Contestant> =
+            backends.iter().map(AsRef::as_ref).filter(|backend| !ledger.is_done(scene, &backend.name())).collect();
+        if left.is_empty() {
+            bar.inc(scene.queries * (backends.len() as u64 + 1));
+            continue;
+        }
+        bar.set_message(scene.scene.clone());
+        let loaded = selection.load(def)?;
+        let watch = Watch::new(interrupt::flag(), None, &told);
+        let Ok(case) = Case::new(&loaded, &watch) else {
+            ended = report::Outcome::Interrupted;
+            break 'scenes;
+        };
+        if let Some(dispute) = case.dispute() {
+            let message =
+                format!("{}/{}: {dispute}; fix the data before anything is compared", scene.suite, scene.scene);
+            return Err(Failure { message, code: exit::CORPUS });
+        }
+        for backend in left {
+            match case.run(backend, budget, &watch.restarted(limit)) {
+                Err(Stop::Interrupted | Stop::Timeout) => {
+                    ended = report::Outcome::Interrupted;
+                    break 'scenes;
+                }
+                Ok(outcome) => {
+                    if outcome.counts.get(Class::Timeout) > 0 && ended == report::Outcome::Complete {
+                        ended = report::Outcome::Timeout;
+                    }
+                    ledger.record(scene, &backend.name(), &outcome, &expected)?;
+                }
+            }
+        }
+    }
+    bar.finish_and_clear();
+    ledger.finish(ended)
+}
+
+/// Sizes the thread pool.
+pub fn set_threads(threads: Option<usize>) -> Result<(), Failure> {
+    if threads == Some(0) {
+        return Err(Failure::usage("--threads: at least one thread is needed"));
+    }
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.unwrap_or(0))
+        .build_global()
+        .map_err(|error| Failure::usage(format!("--threads: {error}")))
+}
+
+/// How much is sampled at a level.
+pub fn budget(level: Level) -> Budget {
+    match level {
+        Level::Quick => Budget::QUICK,
+        Level::Full => Budget::FULL,
+    }
+}
+
+/// A run under way.
+struct Job {
+    selection: Selection,
+    scenes: Vec<(SceneDef, PlannedScene)>,
+    backends: Vec<Box<dyn Contestant>>,
+    ledger: Ledger,
+}
+
+/// What is done, in memory and on disk.
+struct Ledger {
+    level: Level,
+    done: Vec<SummaryRow>,
+    folder: PathBuf,
+    writer: RunWriter,
+}
+
+impl Job {
+    fn new(args: &Args) -> Result<Job, Failure> {
+        let backends = roster::pick(&args.backends)?;
+        let selection = args.selector.select()?;
+        let scenes = selection.plan(args.shard)?;
+        let plan = plan(&selection, &scenes, &backends, args.shard);
+        let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-run"));
+        let writer = RunWriter::create(&folder, &plan, &env()).map_err(Failure::usage)?;
+        for left in &selection.not_selected {
+            eprintln!("predicament: suite `{}` is not run: {}", left.suite, left.reason);
+        }
+        let ledger = Ledger { level: selection.level, done: Vec::new(), folder, writer };
+        Ok(Job { selection, scenes, backends, ledger })
+    }
+
+    fn resume(args: &Args, folder: &PathBuf) -> Result<Job, Failure> {
+        let before = report::RunDir::open(folder).map_err(Failure::usage)?;
+        let plan = &before.plan;
+        let level: Level = plan.level.to_string().parse().map_err(Failure::usage)?;
+        let selector = Selector { level, ..args.selector.clone() };
+        let selector =
+            if selector.suites.is_empty() { Selector { suites: plan.suites.clone(), ..selector } } else { selector };
+        let selection = selector.select()?;
+        let backends = roster::pick(&plan.backends)?;
+        // The filter of the first call isn't needed: the plan lists its scenes.
+        let scenes: Vec<_> = selection
+            .plan(plan.shard)?
+            .into_iter()
+            .filter(|(_, scene)| plan.scenes.iter().any(|planned| planned == scene))
+            .collect();
+        if let Some(lost) = plan.scenes.iter().find(|planned| scenes.iter().all(|(_, scene)| scene != *planned)) {
+            return Err(Failure::usage(format!(
+                "{}: scene {}/{} has changed since the run was planned; start a new run",
+                folder.display(),
+                lost.suite,
+                lost.scene
+            )));
+        }
+        let (writer, before) = RunWriter::resume(folder).map_err(Failure::usage)?;
+        let ledger = Ledger { level, done: before.summary, folder: folder.clone(), writer };
+        Ok(Job { selection, scenes, backends, ledger })
+    }
+}
+
+impl Ledger {
+    fn is_done(&self, scene: &PlannedScene, backend: &str) -> bool {
+        self.done.iter().any(|row| row.suite == scene.suite && row.scene == scene.scene && row.backend == backend)
+    }
+
+    fn record(
+        &mut self,
+        scene: &PlannedScene,
+        backend: &str,
+        outcome: &Outcome,
+        expected: &predicament_oracle::expect::Expectations,
+    ) -> Result<(), Failure> {
+        let summary = rows::summary(scene, backend, outcome, expected, self.level.name());
+        let writer = &mut self.writer;
+        writer.write(std::slice::from_ref(&summary)).map_err(Failure::usage)?;
+        writer.write(&rows::findings(scene, backend, outcome)).map_err(Failure::usage)?;
+        writer.write(&rows::stages(scene, backend, outcome)).map_err(Failure::usage)?;
+        writer.write(&rows::locate(scene, backend, outcome)).map_err(Failure::usage)?;
+        writer.commit().map_err(Failure::usage)?;
+        self.done.push(summary);
+        Ok(())
+    }
+
+    fn finish(self, ended: report::Outcome) -> exit::Outcome {
+        self.writer.finish(ended).map_err(Failure::usage)?;
+        let count = |status: Status| self.done.iter().filter(|row| row.status == status).count();
+        let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
+        let queries: u64 = self.done.iter().map(|row| row.queries).sum();
+        println!(
+            "{}: {queries} answers judged; rows: {} ok, {} expected, {unexpected} unexpected, \
+             {passes} unexpected pass; {}",
+            self.folder.display(),
+            count(Status::Ok),
+            count(Status::Expected),
+            ended.describe(),
+        );
+        for row in self.done.iter().filter(|row| !row.status.passes()) {
+            println!("  {}", describe(row));
+        }
+        Ok(if ended != report::Outcome::Complete {
+            exit::INCOMPLETE
+        } else if unexpected > 0 {
+            exit::UNEXPECTED
+        } else if passes > 0 {
+            exit::UNEXPECTED_PASS
+        } else {
+            exit::OK
+        })
+    }
+}
+
+/// A summary row in words.
+pub fn describe(row: &SummaryRow) -> String {
+    let classes: Vec<String> = report::Class::ALL
+        .into_iter()
+        .filter(|&class| row.count(class) > 0)
+        .map(|class| format!("{} {}", row.count(class), class.name()))
+        .collect();
+    format!("{}: {}/{} on {}: {}", row.status.name(), row.suite, row.scene, row.backend, classes.join(", "))
+}
+
+/// The plan of a run over these scenes.
+pub fn plan(
+    selection: &Selection,
+    scenes: &[(SceneDef, PlannedScene)],
+    backends: &[Box<dyn Contestant>],
+    shard: Shard,
+) -> Plan {
+    Plan {
+        format: report::FORMAT,
+        created_by: format!("predicament {}", env!("CARGO_PKG_VERSION")),
+        level: match selection.level {
+            Level::Quick => report::Level::Quick,
+            Level::Full => report::Level::Full,
+        },
+        suites: selection.suites.iter().map(|suite| suite.name.clone()).collect(),
+        scenes: scenes.iter().map(|(_, scene)| scene.clone()).collect(),
+        backends: backends.iter().map(|backend| backend.name()).collect(),
+        shard,
+        not_selected: selection.not_selected.clone(),
+        findings_per_class: budget(selection.level).findings_per_class as u64,
+    }
+}
+
+/// The machine, the compiler and the peers.
+pub fn env() -> Env {
+    let mut env = Env::collect(env!("CARGO_PKG_VERSION"));
+    env.rustc = Some(env!("PREDICAMENT_RUSTC").to_owned());
+    env.peers.insert("robust".to_owned(), env!("PREDICAMENT_ROBUST").to_owned());
+    env
+}
+
+/// `stem-1`, or the first number that is free.
+pub fn free_folder(stem: &str) -> PathBuf {
+    let mut names = (1..).map(|n| PathBuf::from(format!("{stem}-{n}")));
+    names.find(|path| !path.exists()).expect("some number is free")
+}

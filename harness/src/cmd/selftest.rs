@@ -1,0 +1,100 @@
+//! `selftest`: plants faults and sees whether they are caught.
+//!
+//! Each faulty backend claims a real contract and runs through the embedded
+//! corpora like any other. A fault that produces no finding means that the
+//! corpora or the checks have a hole. The real backends of proved contracts
+//! run beside them and must come out clean, or the score would mean nothing.
+
+use std::collections::BTreeMap;
+
+use predicament_corpus::Level;
+use predicament_oracle::faults::Fault;
+use predicament_oracle::{Case, Class, Contestant, Watch, roster as backends};
+use predicament_report::Shard;
+
+use crate::exit::{self, Failure};
+use crate::select::Selector;
+use crate::{interrupt, progress};
+
+const EXAMPLES: &str = "\
+Examples:
+  predicament selftest
+  predicament selftest --list
+  predicament selftest -f kettner                  which faults does one part of the corpora catch?
+  predicament run -b fault:sos-swapped-term        a planted fault in a run of its own; `gate` turns red";
+
+/// Backends that must have no finding.
+const CLEAN: [&str; 4] = ["exact", "sos", "sos:edelsbrunner-mucke", "tolerance"];
+
+/// Plant faulty backends; each must be caught
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// Only scenes whose `suite/scene` matches this regular expression
+    #[arg(short = 'f', long = "filter", value_name = "RE")]
+    pub filter: Option<String>,
+
+    /// Name the faults and stop
+    #[arg(long)]
+    pub list: bool,
+}
+
+/// What caught a fault: class and check, and how often.
+type Catches = BTreeMap<(Class, String), u64>;
+
+/// Runs the command.
+pub fn run(args: Args) -> exit::Outcome {
+    if args.list {
+        for fault in Fault::ALL {
+            println!("fault:{:<24} {}", fault.name(), fault.what());
+        }
+        return Ok(exit::OK);
+    }
+    let selector = Selector { suites: Vec::new(), filter: args.filter, level: Level::Quick, cache: None };
+    let selection = selector.select()?;
+    let scenes = selection.plan(Shard::WHOLE)?;
+    let names = CLEAN.iter().map(ToString::to_string);
+    let names: Vec<String> = names.chain(Fault::ALL.iter().map(|fault| format!("fault:{}", fault.name()))).collect();
+    let contestants: Result<Vec<Box<dyn Contestant>>, String> =
+        names.iter().map(|name| backends::backend(name)).collect();
+    let contestants = contestants.map_err(Failure::usage)?;
+    interrupt::listen();
+    let bar = progress::bar(scenes.len() as u64, "scenes");
+    let quiet = |_: u64| {};
+    let mut caught: Vec<Catches> = vec![Catches::new(); contestants.len()];
+    let interrupted = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
+    for (def, _) in &scenes {
+        let loaded = selection.load(def)?;
+        let watch = Watch::new(interrupt::flag(), None, &quiet);
+        let case = Case::new(&loaded, &watch).map_err(interrupted)?;
+        for (contestant, caught) in contestants.iter().zip(&mut caught) {
+            let outcome =
+                case.run(contestant.as_ref(), super::run::budget(Level::Quick), &watch).map_err(interrupted)?;
+            for finding in outcome.findings.iter().filter(|finding| finding.class != Class::Declined) {
+                *caught.entry((finding.class, finding.check.clone())).or_default() += 1;
+            }
+        }
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    Ok(scorecard(&names, &caught))
+}
+
+fn scorecard(names: &[String], caught: &[Catches]) -> u8 {
+    let mut holes = 0;
+    for (name, caught) in names.iter().zip(caught) {
+        let planted = name.starts_with("fault:");
+        let good = planted != caught.is_empty();
+        holes += usize::from(!good);
+        let verdict = match (planted, good) {
+            (true, true) => "caught",
+            (true, false) => "NOT CAUGHT",
+            (false, true) => "clean",
+            (false, false) => "NOT CLEAN",
+        };
+        let by: Vec<String> = caught.iter().map(|((class, check), _)| format!("{class} ({check})")).collect();
+        println!("{name:<30} {verdict:<11} {}", by.join(", "));
+    }
+    println!("{} of {} as they should be", names.len() - holes, names.len());
+    if holes == 0 { exit::OK } else { exit::UNEXPECTED }
+}

@@ -1,0 +1,67 @@
+//! The exit codes: part of the contract, so each is a public, documented constant.
+
+use std::process::ExitCode;
+
+/// All as it should be.
+pub const OK: u8 = 0;
+/// Usage, or input that is bad outside of the corpora.
+pub const USAGE: u8 = 2;
+/// The selection is empty: nothing was run.
+pub const NOTHING_SELECTED: u8 = 4;
+/// A finding that nobody expected.
+pub const UNEXPECTED: u8 = 100;
+/// An expected finding that did not occur.
+pub const UNEXPECTED_PASS: u8 = 101;
+/// Slower than the baseline, beyond noise.
+pub const SLOWER: u8 = 102;
+/// Incomplete: a timeout or an interrupt.
+pub const INCOMPLETE: u8 = 103;
+/// A suite, or the data that it needs, is invalid or missing.
+pub const CORPUS: u8 = 104;
+
+/// A failure: what to print in one line, and the code to leave with.
+#[derive(Debug)]
+pub struct Failure {
+    /// One line for stderr.
+    pub message: String,
+    /// One of the constants of this module.
+    pub code: u8,
+}
+
+/// What a command gives back.
+pub type Outcome = Result<u8, Failure>;
+
+impl Failure {
+    /// Bad usage or input.
+    pub fn usage(message: impl std::fmt::Display) -> Failure {
+        Failure { message: message.to_string(), code: USAGE }
+    }
+
+    /// Nothing matches.
+    pub fn nothing(message: impl std::fmt::Display) -> Failure {
+        Failure { message: message.to_string(), code: NOTHING_SELECTED }
+    }
+}
+
+/// Prints a failure and turns an outcome into the process' exit code.
+pub fn code(outcome: Outcome) -> ExitCode {
+    match outcome {
+        Ok(code) => ExitCode::from(code),
+        Err(failure) => {
+            eprintln!("predicament: {}", failure.message);
+            ExitCode::from(failure.code)
+        }
+    }
+}
+
+/// The table for `--help`.
+pub const HELP: &str = "\
+Exit codes:
+    0  ok
+    2  usage or bad input
+    4  nothing selected
+  100  unexpected finding
+  101  unexpected pass: an expected finding did not occur
+  102  slower than the baseline, beyond noise
+  103  incomplete: a timeout or an interrupt
+  104  corpus invalid, or its data missing";

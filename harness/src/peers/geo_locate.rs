@@ -1,0 +1,145 @@
+//! The crate `geo`: which regions contain each probe, its way.
+//!
+//! `geo` answers one polygon at a time and has no notion of a map, so each
+//! region gets a bounding-box test in front, kept in a flat list: what a user
+//! of `geo` would write. Two of its ways are timed: `Contains` on the plain
+//! multipolygon, and the interval tree.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use geo::indexed::IntervalTreeMultiPolygon;
+use geo::{BoundingRect, Contains, CoordinatePosition, LineString, MultiPolygon, Point, Polygon, Rect};
+use predicament_mesh::{PolygonMap, Ring};
+use predicament_oracle::Stopwatch;
+use predicament_oracle::locate::LocateCase;
+use predicament_predicates::{Plane, Scene, Vertex};
+
+use super::Peer;
+
+/// Both ways, ready to be timed; an error where their answers are wrong.
+pub fn peers<'a>(case: &'a LocateCase<'a>) -> Vec<Result<Peer<'a>, String>> {
+    let regions = regions(case.map(), case.scene());
+    let judged = digest(strictly_inside(case));
+    let trees = regions.iter().map(|(region, rect)| (IntervalTreeMultiPolygon::new(region), *rect)).collect();
+    vec![
+        peer("geo:contains", Watch { case, regions, out: Vec::new() }, judged),
+        peer("geo:interval-tree", Watch { case, regions: trees, out: Vec::new() }, judged),
+    ]
+}
+
+fn peer<'a, R: Contains<Point> + 'a>(name: &str, mut watch: Watch<'a, R>, judged: u64) -> Result<Peer<'a>, String> {
+    watch.pass();
+    if watch.digest() != judged {
+        let wrong = watch.wrong();
+        return Err(format!("{name}: {wrong} of its answers are not the exact ones; not timed"));
+    }
+    Ok(Peer { name: name.to_owned(), version: "0.33".to_owned(), watch: Box::new(watch), judged })
+}
+
+/// Every region as `geo` wants it, with its box.
+///
+/// Our regions are bounded by rings under the even-odd rule; `geo` wants shells
+/// and holes apart. A ring lies in a hole of the region iff an odd number of
+/// its other rings hold it.
+fn regions(map: &PolygonMap, scene: &Scene) -> Vec<(MultiPolygon, Rect)> {
+    let line = |ring: &Ring| -> LineString {
+        let points = ring.vertices().iter().map(|&v| scene.point2(Plane::Xy, v)).map(|[x, y]| (x, y));
+        let mut line = LineString::from_iter(points);
+        line.close();
+        line
+    };
+    let region = |rings: &[Ring]| {
+        let rings: Vec<Polygon> = rings.iter().map(|ring| Polygon::new(line(ring), Vec::new())).collect();
+        let holders = |at: usize| -> Vec<usize> {
+            let others = (0..rings.len()).filter(|&other| other != at);
+            others.filter(|&other| holds(&rings[other], &rings[at])).collect()
+        };
+        let holders: Vec<Vec<usize>> = (0..rings.len()).map(holders).collect();
+        let shells = (0..rings.len()).filter(|&at| holders[at].len() % 2 == 0);
+        let polygons = shells.map(|shell| {
+            let depth = holders[shell].len() + 1;
+            let holes = (0..rings.len()).filter(|&at| holders[at].len() == depth && holders[at].contains(&shell));
+            let holes = holes.map(|at| rings[at].exterior().clone()).collect();
+            Polygon::new(rings[shell].exterior().clone(), holes)
+        });
+        let region = MultiPolygon::from_iter(polygons);
+        let rect = region.bounding_rect().unwrap_or_else(|| Rect::new((0.0, 0.0), (0.0, 0.0)));
+        (region, rect)
+    };
+    map.regions().iter().map(|each| region(&each.rings)).collect()
+}
+
+/// Whether one ring lies in another: by its first vertex that is not on the other's boundary.
+fn holds(outer: &Polygon, inner: &Polygon) -> bool {
+    use geo::coordinate_position::CoordPos;
+    let box_holds = outer
+        .bounding_rect()
+        .zip(inner.bounding_rect())
+        .is_some_and(|(outer, inner)| outer.contains(&inner) || outer == inner);
+    let place =
+        || inner.exterior().coords().map(|at| outer.coordinate_position(at)).find(|at| *at != CoordPos::OnBoundary);
+    box_holds && place() == Some(CoordPos::Inside)
+}
+
+/// The exact answers, as far as `geo`'s `Contains` speaks about them: a point
+/// on a region's boundary is not contained.
+fn strictly_inside(case: &LocateCase) -> impl Iterator<Item = u32> {
+    (0..case.exact().len()).flat_map(|probe| {
+        let inside = case.exact().inside(probe);
+        inside.iter().copied().chain([u32::MAX])
+    })
+}
+
+fn digest(regions: impl Iterator<Item = u32>) -> u64 {
+    // FNV-1a, as the oracle's own digests.
+    regions
+        .flat_map(u32::to_le_bytes)
+        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+struct Watch<'a, R> {
+    case: &'a LocateCase<'a>,
+    regions: Vec<(R, Rect)>,
+    /// The regions of each probe, then `u32::MAX`.
+    out: Vec<u32>,
+}
+
+impl<R> Watch<'_, R> {
+    fn wrong(&self) -> usize {
+        let theirs = self.out.split(|&region| region == u32::MAX);
+        theirs.zip(0..self.case.exact().len()).filter(|&(theirs, at)| theirs != self.case.exact().inside(at)).count()
+    }
+}
+
+impl<R: Contains<Point>> Stopwatch for Watch<'_, R> {
+    fn pass(&mut self) -> Duration {
+        self.out.clear();
+        let start = Instant::now();
+        for &probe in self.case.probes() {
+            self.locate(probe);
+        }
+        black_box(&mut self.out);
+        start.elapsed()
+    }
+
+    fn digest(&self) -> u64 {
+        digest(self.out.iter().copied())
+    }
+}
+
+impl<R: Contains<Point>> Watch<'_, R> {
+    fn locate(&mut self, probe: Vertex) {
+        let [x, y] = self.case.scene().point2(Plane::Xy, probe);
+        let point = Point::new(x, y);
+        for (at, (region, rect)) in self.regions.iter().enumerate() {
+            let (low, high) = (rect.min(), rect.max());
+            if low.x <= x && x <= high.x && low.y <= y && y <= high.y && region.contains(&point) {
+                // A map has far fewer than 2^32 regions.
+                #[allow(clippy::cast_possible_truncation)]
+                self.out.push(at as u32);
+            }
+        }
+        self.out.push(u32::MAX);
+    }
+}

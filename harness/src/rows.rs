@@ -1,0 +1,104 @@
+//! From the oracle's outcomes to the rows of a run folder.
+
+use predicament_oracle::expect::Expectations;
+use predicament_oracle::{Class, Finding, Outcome, finding_id};
+use predicament_report::{self as report, FindingRow, LocateRow, PlannedScene, StageRow, SummaryRow};
+
+/// The report's name for a class.
+pub fn class(class: Class) -> report::Class {
+    match class {
+        Class::Agree => report::Class::Agree,
+        Class::TieBroken => report::Class::TieBroken,
+        Class::InBand => report::Class::InBand,
+        Class::Overreach => report::Class::Overreach,
+        Class::MissedZero => report::Class::MissedZero,
+        Class::SignFlip => report::Class::SignFlip,
+        Class::Inconsistent => report::Class::Inconsistent,
+        Class::Nan => report::Class::Nan,
+        Class::Topology => report::Class::Topology,
+        Class::Panic => report::Class::Panic,
+        Class::Timeout => report::Class::Timeout,
+        Class::Declined => report::Class::Declined,
+    }
+}
+
+/// The row of one scene and backend.
+pub fn summary(
+    scene: &PlannedScene,
+    backend: &str,
+    outcome: &Outcome,
+    expectations: &Expectations,
+    level: &str,
+) -> SummaryRow {
+    let status = expectations.status(&scene.suite, &scene.scene, backend, level, &outcome.counts);
+    let mut row = SummaryRow::new(scene, backend, outcome.queries, self::status(status));
+    for each in Class::ALL {
+        *row.count_mut(class(each)) = outcome.counts.get(each);
+    }
+    row
+}
+
+/// The report's name for a status.
+pub fn status(status: predicament_oracle::expect::Status) -> report::Status {
+    use predicament_oracle::expect::Status;
+    match status {
+        Status::Ok => report::Status::Ok,
+        Status::Expected => report::Status::Expected,
+        Status::Unexpected => report::Status::Unexpected,
+        Status::UnexpectedPass => report::Status::UnexpectedPass,
+    }
+}
+
+/// The rows of the kept findings.
+pub fn findings(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<FindingRow> {
+    outcome.findings.iter().map(|finding| row(scene, backend, finding)).collect()
+}
+
+fn row(scene: &PlannedScene, backend: &str, finding: &Finding) -> FindingRow {
+    FindingRow {
+        finding_id: finding_id(&scene.scene_id, backend, finding),
+        suite: scene.suite.clone(),
+        scene: scene.scene.clone(),
+        scene_id: scene.scene_id.clone(),
+        task: scene.task.clone(),
+        backend: backend.to_owned(),
+        class: class(finding.class),
+        check: finding.check.clone(),
+        query: finding.query.clone(),
+        got: finding.got.clone(),
+        truth: finding.truth.clone(),
+        log2_relative_det: finding.log2_relative_det,
+        distance_over_l: finding.distance_over_l,
+        stage: finding.stage.unwrap_or_default().to_owned(),
+    }
+}
+
+/// The rows of the stages that settled something.
+pub fn stages(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<StageRow> {
+    let row = |&(stage, settled): &(&str, u64)| StageRow {
+        task: scene.task.clone(),
+        family: scene.family.clone(),
+        backend: backend.to_owned(),
+        stage: stage.to_owned(),
+        settled,
+    };
+    outcome.stages.iter().map(row).collect()
+}
+
+/// The rows of a map.
+pub fn locate(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<LocateRow> {
+    let row = |counts: &predicament_oracle::LocateCounts| LocateRow {
+        suite: scene.suite.clone(),
+        scene: scene.scene.clone(),
+        scene_id: scene.scene_id.clone(),
+        backend: backend.to_owned(),
+        surroundings: counts.surroundings.clone(),
+        probes: counts.probes,
+        in_none: counts.in_none,
+        in_one: counts.in_one,
+        in_many: counts.in_many,
+        on_boundary: counts.on_boundary,
+        violations: counts.violations,
+    };
+    outcome.locate.iter().map(row).collect()
+}
