@@ -91,8 +91,9 @@ mod tests {
     }
 
     #[test]
-    fn half_a_constant_does_not_meet_it() {
+    fn each_constant_meets_it_and_half_of_it_does_not() {
         for (n, m, constant) in [(3, 4, ORIENT2D), (7, 8, ORIENT3D), (10, 11, INCIRCLE), (15, 16, INSPHERE)] {
+            assert!(rational(constant).unwrap() > required(n, m));
             assert!(rational(constant / 2.0).unwrap() < required(n, m));
         }
     }

@@ -5,7 +5,7 @@ mod common;
 use common::{Fault as Planted, Faulty, Problem, bricks, island, square_cells, squares};
 use predicament_algorithms::polygon_locate::{LocateIndex, Locations, locate_all};
 use predicament_checks::tiling::{
-    Fault, Flaws, Ground, Surroundings, TilingReport, map_flaws, surroundings, tiling_report,
+    Fault, Flaws, Ground, Surroundings, TilingReport, TilingViolation, map_flaws, surroundings, tiling_report,
 };
 use predicament_controls::Naive;
 use predicament_exact::Exact;
@@ -71,10 +71,12 @@ impl Case {
 #[test]
 fn sound_maps_obey_the_law_everywhere() {
     for problem in [squares(6), bricks(5), island()] {
-        let case = Case::new(problem);
-        assert_eq!(case.flaws, Flaws::default());
-        assert_eq!(case.grounds(), [Ground::Land, Ground::Coast, Ground::Sea]);
-        case.assert_lawful();
+        for problem in [problem.scattered(), problem.scattered().scattered(), problem] {
+            let case = Case::new(problem);
+            assert_eq!(case.flaws, Flaws::default());
+            assert_eq!(case.grounds(), [Ground::Land, Ground::Coast, Ground::Sea]);
+            case.assert_lawful();
+        }
     }
 }
 
@@ -158,7 +160,8 @@ fn crossings_and_duplicates_are_found() {
     assert_eq!(case.flaws.crossings, [[[v(1), v(2)], [v(4), v(5)]], [[v(2), v(3)], [v(4), v(7)]]]);
     assert_eq!(case.flaws.len(), 2);
     assert_eq!(case.ground_at([4., 2.]), Ground::Defect);
-    assert_eq!(case.ground_at([3., 4.]), Ground::Overlap, "beside the crossing");
+    assert_eq!(case.ground_at([4.25, 2.125]), Ground::Land, "beside the crossing");
+    assert_eq!(case.ground_at([2.25, 2.125]), Ground::Overlap);
     assert_eq!(case.grounds(), Ground::ALL);
     case.assert_lawful();
 
@@ -207,18 +210,20 @@ fn planted_faults_are_caught() {
         let report = case.with_fault(Planted::MirroredPair([corner(x, y), id]));
         assert_eq!(report.violations().iter().map(|v| v.probe).collect::<Vec<_>>(), [probe], "({x}, {y})");
     }
-    // a turn that is asked for once: the crossing above, or the tie itself
-    let report = case.with_fault(Planted::FlippedTriple([corner(2, 3), corner(3, 3), id]));
-    let [violation] = report.violations() else { panic!("{report:?}") };
-    assert_eq!(violation.probe, probe);
-    assert!(violation.fault.is_topological());
+    // one turn: the perturbed ray goes up through one of two neighbouring edges
+    let caught = [(1, 2), (2, 3)].map(|(left, right)| {
+        let report = case.with_fault(Planted::FlippedTriple([corner(left, 3), corner(right, 3), id]));
+        assert!(report.violations().iter().all(|v| v.probe == probe && v.fault.is_topological()));
+        report.violations().len()
+    });
+    assert_eq!(caught.iter().sum::<usize>(), 1, "{caught:?}");
 
-    // l ≤ p ≤ r instead of l ≤ p < r, and the like: ties by a fixed rule
-    for planted in [Planted::TiesUp, Planted::TiesByPlace] {
-        let exact = Exact.prepare(&case.problem.scene, Off).unwrap();
-        let report = case.report(&Faulty { inner: exact, fault: planted }, ZeroMeaning::Never);
-        assert!(report.violations().iter().any(|v| v.fault.is_topological()), "{planted:?}");
-    }
+    // every tied turn for itself: at a corner the answers don't fit together
+    let scattered = Case::new(squares(4).scattered());
+    assert_eq!(scattered.with_fault(Planted::None).violations(), []);
+    let report = scattered.with_fault(Planted::TiesByParity);
+    let on_land = |v: &TilingViolation| v.ground == Ground::Land && v.fault == Fault::Double;
+    assert!(report.violations().iter().any(on_land), "{:?}", report.violations());
 
     // an epsilon without a promise puts points on boundaries that they are not on
     let exact = Exact.prepare(&case.problem.scene, Off).unwrap();
@@ -231,6 +236,20 @@ fn planted_faults_are_caught() {
     let report = case.report(&exact, ZeroMeaning::Never);
     assert!(report.violations().iter().all(|v| v.fault == Fault::UnbrokenTie));
     assert!(!report.violations().is_empty());
+}
+
+/// Counting what is on an edge as above it, and a tie in x always the same
+/// way, is a consistent perturbation too: the probe moves, and nothing else.
+#[test]
+fn ties_by_one_fixed_rule_are_lawful() {
+    for problem in [squares(4), bricks(4), island()] {
+        let case = Case::new(problem);
+        for planted in [Planted::TiesUp, Planted::TiesByPlace] {
+            let exact = Exact.prepare(&case.problem.scene, Off).unwrap();
+            let report = case.report(&Faulty { inner: exact, fault: planted }, ZeroMeaning::Band);
+            assert_eq!(report.violations(), [], "{planted:?}");
+        }
+    }
 }
 
 #[test]

@@ -31,6 +31,7 @@ impl<'s, F, T> Session<'s, F, T> {
     }
 }
 
+#[allow(private_bounds)] // the methods are private as well
 impl<F: Float, T: Tally> Session<'_, F, T> {
     /// a − b: what a comparison amounts to. It is zero for equal coordinates
     /// only, since differences underflow gradually.

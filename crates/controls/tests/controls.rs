@@ -105,12 +105,14 @@ fn kettners_first_picture_depends_on_the_pivot() {
 
 #[test]
 fn overflow_leaves_a_nan_and_a_zero() {
-    let solid = [[1e200, 1e200, 1.0], [1e200, 2e200, 3.0], [2e200, 1e200, 2.0], [0.0; 3], [-1e200; 3]];
+    // Whichever point is the pivot, some minor is ∞ − ∞.
+    let solid = [[0.0, 0.0, 1.0], [1.0, 2.0, 3.0], [3.0, 4.0, -2.0], [5.0, -7.0, 4.0], [-2.0, 6.0, 5.0]];
+    let solid = solid.map(|p| p.map(|x| 1e200 * x));
     let flat = solid.map(|[x, y, _]| [x, y]);
     macro_rules! check {
         ($($backend:expr),*) => {$(
             for (sign, estimate) in [
-                ask2(&$backend, TURN, &[flat[0], flat[1], flat[3]]),
+                ask2(&$backend, TURN, &flat),
                 ask2(&$backend, Question::Incircle, &flat),
                 ask3(&$backend, Question::Orient3d, &solid),
                 ask3(&$backend, Question::Insphere, &solid),

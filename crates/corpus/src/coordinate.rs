@@ -136,7 +136,7 @@ mod tests {
     #[test]
     fn decimals_that_are_doubles() {
         for (text, x) in [
-            ("8", 8.0),
+            ("8", 8.0_f64),
             ("-0.5", -0.5),
             ("+2.50", 2.5),
             ("1e3", 1000.0),

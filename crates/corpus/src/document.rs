@@ -219,6 +219,11 @@ impl<'d, 't> Fields<'d, 't> {
         Some(Field::new(self.document, key.get_ref(), value))
     }
 
+    /// A key that was asked for before; asking here does not make it a known one.
+    pub(crate) fn again(&self, key: &'static str) -> Option<Field<'d, 't>> {
+        if self.asked.borrow().contains(key) { self.get(key) } else { None }
+    }
+
     pub(crate) fn required(&self, key: &'static str) -> Result<Field<'d, 't>, CorpusError> {
         self.get(key).ok_or_else(|| self.error(format!("{} has no `{key}`", self.what), format!("add `{key} = …`")))
     }

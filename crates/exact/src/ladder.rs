@@ -6,8 +6,6 @@ use predicament_predicates::Sign;
 use crate::{expansion, filter, form, form::Determinant, rational, stage};
 
 /// The turn a, b, c, where the scene is in this regime and its filter has failed.
-#[cold]
-#[inline(never)]
 pub(crate) fn orient2d(points: [[f64; 2]; 3], scene: Regime) -> (Sign, usize) {
     let [a, b, c] = points;
     climb(
@@ -19,8 +17,6 @@ pub(crate) fn orient2d(points: [[f64; 2]; 3], scene: Regime) -> (Sign, usize) {
 }
 
 /// The side of d on the plane of a, b, c, as above.
-#[cold]
-#[inline(never)]
 pub(crate) fn orient3d(points: [[f64; 3]; 4], scene: Regime) -> (Sign, usize) {
     let [a, b, c, d] = points;
     climb(
@@ -32,8 +28,6 @@ pub(crate) fn orient3d(points: [[f64; 3]; 4], scene: Regime) -> (Sign, usize) {
 }
 
 /// d in the circle of a, b, c, as above.
-#[cold]
-#[inline(never)]
 pub(crate) fn incircle(points: [[f64; 2]; 4], scene: Regime) -> (Sign, usize) {
     let [a, b, c, d] = points;
     climb(
@@ -45,8 +39,6 @@ pub(crate) fn incircle(points: [[f64; 2]; 4], scene: Regime) -> (Sign, usize) {
 }
 
 /// e in the sphere of a, b, c, d, as above.
-#[cold]
-#[inline(never)]
 pub(crate) fn insphere(points: [[f64; 3]; 5], scene: Regime) -> (Sign, usize) {
     let [a, b, c, d, e] = points;
     climb(

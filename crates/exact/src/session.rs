@@ -78,11 +78,10 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline]
     #[must_use]
     pub fn decide_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
-        let points = [a, b, c].map(|v| self.point2(plane, v));
-        let [a, b, c] = points;
-        match filter::orient2d(a, b, c, self.orient2d.bound) {
+        let at = |v| self.point2(plane, v);
+        match filter::orient2d(at(a), at(b), at(c), self.orient2d.bound) {
             Some(sign) => (sign, stage::FILTER),
-            None => ladder::orient2d(points, self.orient2d.regime),
+            None => self.climb_orient2d(plane, [a, b, c]),
         }
     }
 
@@ -93,11 +92,10 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline]
     #[must_use]
     pub fn decide_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        let points = [a, b, c, d].map(|v| self.points3[v.index()]);
-        let [a, b, c, d] = points;
-        match filter::orient3d(a, b, c, d, self.orient3d.bound) {
+        let at = |v: Vertex| self.points3[v.index()];
+        match filter::orient3d(at(a), at(b), at(c), at(d), self.orient3d.bound) {
             Some(sign) => (sign, stage::FILTER),
-            None => ladder::orient3d(points, self.orient3d.regime),
+            None => self.climb_orient3d([a, b, c, d]),
         }
     }
 
@@ -108,11 +106,10 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline]
     #[must_use]
     pub fn decide_incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        let points = [a, b, c, d].map(|v| self.points2[v.index()]);
-        let [a, b, c, d] = points;
-        match filter::incircle(a, b, c, d, self.incircle.bound) {
+        let at = |v: Vertex| self.points2[v.index()];
+        match filter::incircle(at(a), at(b), at(c), at(d), self.incircle.bound) {
             Some(sign) => (sign, stage::FILTER),
-            None => ladder::incircle(points, self.incircle.regime),
+            None => self.climb_incircle([a, b, c, d]),
         }
     }
 
@@ -123,12 +120,37 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline]
     #[must_use]
     pub fn decide_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {
-        let points = [a, b, c, d, e].map(|v| self.points3[v.index()]);
-        let [a, b, c, d, e] = points;
-        match filter::insphere(a, b, c, d, e, self.insphere.bound) {
+        let at = |v: Vertex| self.points3[v.index()];
+        match filter::insphere(at(a), at(b), at(c), at(d), at(e), self.insphere.bound) {
             Some(sign) => (sign, stage::FILTER),
-            None => ladder::insphere(points, self.insphere.regime),
+            None => self.climb_insphere([a, b, c, d, e]),
         }
+    }
+
+    // The cold paths take vertices and not points, so that the hot ones keep points in registers.
+
+    #[cold]
+    #[inline(never)]
+    fn climb_orient2d(&self, plane: Plane, vertices: [Vertex; 3]) -> (Sign, usize) {
+        ladder::orient2d(vertices.map(|v| self.point2(plane, v)), self.orient2d.regime)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn climb_orient3d(&self, vertices: [Vertex; 4]) -> (Sign, usize) {
+        ladder::orient3d(vertices.map(|v| self.points3[v.index()]), self.orient3d.regime)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn climb_incircle(&self, vertices: [Vertex; 4]) -> (Sign, usize) {
+        ladder::incircle(vertices.map(|v| self.points2[v.index()]), self.incircle.regime)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn climb_insphere(&self, vertices: [Vertex; 5]) -> (Sign, usize) {
+        ladder::insphere(vertices.map(|v| self.points3[v.index()]), self.insphere.regime)
     }
 
     #[inline(always)]

@@ -1,10 +1,10 @@
 //! The constants of the filters are not too large by much: rounding really
 //! carries determinants that far, and a filter with half the constant lies.
 //!
-//! The points were found by hill climbing towards large errors at determinants
-//! near zero. They show errors of 2.7 u (of 3), 4.6 u (of 7), 5.2 u (of 10) and
-//! 5.0 u (of 15) times the permanent; for insphere that convicts a third of
-//! the constant, not half of it.
+//! The points were found by hill climbing towards wrong signs. Rounding gives
+//! them determinants of 2.7 u (of 3), 4.2 u (of 7), 5.6 u (of 10) and 5.2 u (of
+//! 15) times the permanent where the true sign is another. For insphere that
+//! convicts a third of the constant, not half of it.
 
 mod common;
 
@@ -23,9 +23,9 @@ fn convict(truth: Sign, filter: impl Fn(f64) -> Option<Sign>, bound: f64, diviso
 #[test]
 fn half_of_orient2d_is_caught() {
     let points = [
-        [-1.0364788806630651, 1.0371398918763206],
-        [1.0000000000022122, -1.0000000000000022],
-        [-3.43058914608898e-14, 0.00032458535264636393],
+        [-0.5480837617636191, -1.000830015377735],
+        [0.5544184476308657, 1.0119599324884534],
+        [0.00011914968490606137, 5.779852929599067e-9],
     ];
     let [a, b, c] = points;
     convict(common::orient2d(&points), |bound| filter::orient2d(a, b, c, bound), ORIENT2D, 2.0);
@@ -34,10 +34,10 @@ fn half_of_orient2d_is_caught() {
 #[test]
 fn half_of_orient3d_is_caught() {
     let points = [
-        [0.9999999999999996, -0.500000007051426, -0.381565625174042],
-        [-1.0007752645760757, -1.4929493151986175, -0.12499618530273438],
-        [-0.12506279655038666, -0.2476801824866225, 1.0],
-        [1.0000000704417153, -0.2500000006656712, -1.0027451091740597e-11],
+        [0.9999999999996937, -0.509341678342232, -0.5093534168920598],
+        [1.0000000000000007, -1.0000057220459002, -1.0000006332643216],
+        [0.5000000018778371, -2.0005493317261, 0.24999199854214108],
+        [1.0000000001371407, 7.525783798351117e-5, 4.604820591075365e-5],
     ];
     let [a, b, c, d] = points;
     convict(common::orient3d(&points), |bound| filter::orient3d(a, b, c, d, bound), ORIENT3D, 2.0);
@@ -46,10 +46,10 @@ fn half_of_orient3d_is_caught() {
 #[test]
 fn half_of_incircle_is_caught() {
     let points = [
-        [-1.0000525857876321, 1.00000000000003],
-        [0.999997854709371, 0.2500052541636582],
-        [-1.000052585677977, 1.0000000000802],
-        [-1.0000025480997141, -1.0625000000018137],
+        [1.0000089531455398, 1.0000005964866305],
+        [0.5000000000000033, -1.0009779460535795],
+        [1.0000572204471623, 1.000091118310815],
+        [0.5000000000000191, -1.0000000000004103],
     ];
     let [a, b, c, d] = points;
     convict(common::incircle(&points), |bound| filter::incircle(a, b, c, d, bound), INCIRCLE, 2.0);
@@ -58,11 +58,11 @@ fn half_of_incircle_is_caught() {
 #[test]
 fn a_third_of_insphere_is_caught() {
     let points = [
-        [-1.533164385215486, 0.9999999999999999, 1.0000000000289588],
-        [-1.5331631109728736, 1.0000000000010298, 1.0000015053192282],
-        [0.500000001034339, -0.4999999999999999, 0.9998168945295343],
-        [-0.2502399887889545, 1.0000000855493254, -0.5004910267889938],
-        [0.5601787972146675, 8.282668371822899e-5, 1.000001338989217],
+        [1.002658811465076, 0.9994780178617911, 1.000000006304888],
+        [1.0000641684879954, 1.0000000007529455, 0.9999999999947233],
+        [1.0000000504728508, -0.5036299738876681, -2.000000536441803],
+        [-2.0003365741218935, -1.0000000015810482, 1.0004884052123693],
+        [-3.431693818001236e-9, 1.000009075773427, 1.0020286988739815],
     ];
     let [a, b, c, d, e] = points;
     convict(common::insphere(&points), |bound| filter::insphere(a, b, c, d, e, bound), INSPHERE, 3.0);

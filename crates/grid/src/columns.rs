@@ -89,9 +89,9 @@ impl Columns {
         let blank = Entry { low: 0.0, high: 0.0, top: 0.0, segment: 0 };
         columns.entries = vec![blank; columns.starts[count]];
         for entry in by_top {
-            for column in columns.column(entry.low)..=columns.column(entry.high) {
-                columns.entries[next[column]] = entry;
-                next[column] += 1;
+            for next in &mut next[columns.column(entry.low)..=columns.column(entry.high)] {
+                columns.entries[*next] = entry;
+                *next += 1;
             }
         }
         columns

@@ -130,8 +130,9 @@ fn expand(
 /// Good to about 1e-9: it is a coordinate in plots, nothing is decided by it.
 #[must_use]
 pub fn log2_relative(verdict: &Verdict) -> Option<f64> {
-    let ratio = Rational::from(verdict.determinant.abs_ref()) / &verdict.permanent;
-    if ratio.cmp0().is_eq() { None } else { Some(log2(&ratio)) }
+    // The permanent is zero only where the determinant is.
+    let value = Rational::from(verdict.determinant.abs_ref());
+    if value.cmp0().is_eq() { None } else { Some(log2(&(value / &verdict.permanent))) }
 }
 
 /// log2 of a positive rational, also far outside the range of doubles.
@@ -273,5 +274,8 @@ mod tests {
         let found = verdict(&scene, Question::Orient2d(Plane::Xy), &args);
         assert_eq!(log2(&found.determinant), -2148.0);
         assert_eq!(log2_relative(&found), Some(0.0));
+        let origin = Scene::from_points2(&[[0.0, 0.0]; 3]).unwrap();
+        let found = verdict(&origin, Question::Orient2d(Plane::Xy), &args);
+        assert_eq!(log2_relative(&found), None, "neither determinant nor permanent");
     }
 }

@@ -84,6 +84,13 @@ impl<'a> LocateCase<'a> {
         &self.flaws
     }
 
+    /// How many probes stand on each kind of ground.
+    #[must_use]
+    pub fn grounds(&self) -> Vec<(&'static str, usize)> {
+        let count = |ground| (0..self.probes.len()).filter(|&at| self.surroundings.ground(at) == ground).count();
+        Ground::ALL.into_iter().map(|ground| (ground.name(), count(ground))).filter(|&(_, n)| n > 0).collect()
+    }
+
     /// How long the index took to build.
     #[must_use]
     pub fn build_time(&self) -> Duration {

@@ -21,10 +21,10 @@ use crate::{Error, RunDir};
 const INK: RGBColor = RGBColor(1, 2, 3);
 const INK_IN_SVG: &str = "#010203";
 
-/// The Okabe-Ito colours without black and yellow, then two that fit: told
+/// The Okabe-Ito colours without black and yellow, its blue lightened, then two that fit: told
 /// apart by every kind of colour vision, on light and dark ground.
 const COLOURS: [RGBColor; 8] = [
-    RGBColor(0, 114, 178),
+    RGBColor(46, 134, 204),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
     RGBColor(204, 121, 167),

@@ -167,7 +167,9 @@ impl Block {
             Block::Plot { svg, file, alt } => {
                 context! { kind => "plot", svg => Value::from_safe_string(svg.clone()), file => *file, alt => *alt }
             }
-            Block::Image { name, uri } => context! { kind => "image", name => name, uri => uri },
+            Block::Image { name, uri } => {
+                context! { kind => "image", name => name, uri => Value::from_safe_string(uri.clone()) }
+            }
         }
     }
 }

@@ -18,6 +18,10 @@ use crate::Scheme;
 use ideal::Ideal;
 use polynomial::{AXES, Polynomial, Powers, determinant};
 
+/// Powers of a coefficient are looked for in the ideal up to this degree; at 5
+/// the linear algebra of `insphere` would take minutes instead of seconds.
+const POWER_DEGREE: u8 = 4;
+
 /// The columns of a predicate's matrix.
 #[derive(Clone, Copy)]
 struct Shape {
@@ -229,7 +233,7 @@ fn terms(scheme: Scheme, kind: PredicateKind) -> Vec<Derived> {
             matrix[m.row] = m.replacement(scheme, shape);
         }
         let coefficient = determinant(&matrix);
-        if coefficient.is_zero() || ideal.implies(&coefficient, std::env::var("DEG").unwrap().parse().unwrap()) {
+        if coefficient.is_zero() || ideal.implies(&coefficient, POWER_DEGREE) {
             continue;
         }
         let last = coefficient.degree() == 0;

@@ -49,13 +49,10 @@ pub const PER_COORDINATE_INCIRCLE: &[Term] = &[
     Term::minor(Positive, &[2, 3], &[1]), // ε(0,0)²·ε(1,0)
     Term::minor(Negative, &[2, 3], &[]).lifted([Some(1), Some(0), None]), // ε(0,1)·ε(1,0)
     Term::minor(Negative, &[0, 2, 3], &[0, 1]), // ε(1,0)²
-    Term::minor(Positive, &[2, 3], &[0]), // ε(0,1)·ε(1,0)²
     Term::minor(Positive, &[0, 1, 3], &[1]).lifted([Some(2), None, None]), // ε(2,0)
     Term::minor(Negative, &[1, 3], &[1]).times(Gap { column: 0, from: 0, to: 2 }), // ε(0,0)·ε(2,0)
     Term::minor(Negative, &[1, 3], &[1]), // ε(0,0)²·ε(2,0)
     Term::minor(Positive, &[1, 3], &[]).lifted([Some(2), Some(0), None]), // ε(0,1)·ε(2,0)
-    Term::minor(Positive, &[0, 3], &[1]).times(Gap { column: 0, from: 1, to: 2 }), // ε(1,0)·ε(2,0)
-    Term::minor(Positive, &[3], &[]).times(Gap { column: 0, from: 1, to: 2 }), // ε(0,1)·ε(1,0)·ε(2,0)
     Term::minor(Positive, &[0, 3], &[1]), // ε(1,0)²·ε(2,0)
     Term::minor(Positive, &[3], &[]), // ε(0,1)·ε(1,0)²·ε(2,0)
 ];
@@ -93,7 +90,6 @@ pub const PER_COORDINATE_INSPHERE: &[Term] = &[
     Term::minor(Positive, &[1, 3, 4], &[0, 2]), // ε(0,1)·ε(2,0)²
     Term::minor(Negative, &[1, 3, 4], &[0, 1]), // ε(0,2)·ε(2,0)²
     Term::minor(Negative, &[0, 3, 4], &[0, 2]), // ε(1,1)·ε(2,0)²
-    Term::minor(Positive, &[3, 4], &[0]), // ε(0,2)·ε(1,1)·ε(2,0)²
     Term::minor(Negative, &[0, 1, 2, 4], &[1, 2]).lifted([Some(3), None, None]), // ε(3,0)
     Term::minor(Negative, &[1, 2, 4], &[1, 2]).times(Gap { column: 0, from: 0, to: 3 }), // ε(0,0)·ε(3,0)
     Term::minor(Negative, &[1, 2, 4], &[1, 2]), // ε(0,0)²·ε(3,0)
@@ -108,10 +104,6 @@ pub const PER_COORDINATE_INSPHERE: &[Term] = &[
     Term::minor(Positive, &[0, 2, 4], &[2]).lifted([Some(3), Some(1), None]), // ε(1,1)·ε(3,0)
     Term::minor(Positive, &[2, 4], &[]).lifted([Some(3), Some(1), Some(0)]), // ε(0,2)·ε(1,1)·ε(3,0)
     Term::minor(Negative, &[0, 1, 4], &[1, 2]).times(Gap { column: 0, from: 2, to: 3 }), // ε(2,0)·ε(3,0)
-    Term::minor(Negative, &[1, 4], &[2]).times(Gap { column: 0, from: 2, to: 3 }), // ε(0,1)·ε(2,0)·ε(3,0)
-    Term::minor(Positive, &[1, 4], &[1]).times(Gap { column: 0, from: 2, to: 3 }), // ε(0,2)·ε(2,0)·ε(3,0)
-    Term::minor(Positive, &[0, 4], &[2]).times(Gap { column: 0, from: 2, to: 3 }), // ε(1,1)·ε(2,0)·ε(3,0)
-    Term::minor(Positive, &[4], &[]).times(Gap { column: 0, from: 2, to: 3 }), // ε(0,2)·ε(1,1)·ε(2,0)·ε(3,0)
     Term::minor(Negative, &[0, 1, 4], &[1, 2]), // ε(2,0)²·ε(3,0)
     Term::minor(Negative, &[1, 4], &[2]), // ε(0,1)·ε(2,0)²·ε(3,0)
     Term::minor(Positive, &[1, 4], &[1]), // ε(0,2)·ε(2,0)²·ε(3,0)

@@ -29,8 +29,13 @@ impl Random {
 
     /// ± T₋, T or T₊, off by up to a half of it or only by 2⁻¹⁶.
     fn aim(&mut self, band: Band) -> f64 {
-        let target = [band.lower, band.width, band.upper][self.bits() as usize % 3];
-        let off = self.unit() * 2.0_f64.powi(-(self.bits() as i32 & 15));
+        let target = match self.bits() % 3 {
+            0 => band.lower,
+            1 => band.width,
+            _ => band.upper,
+        };
+        let scale = 1_u32 << (self.bits() % 16);
+        let off = self.unit() / f64::from(scale);
         target * (1.0 + off) * if self.bits() & 1 == 0 { 1.0 } else { -1.0 }
     }
 }

@@ -85,7 +85,8 @@ fn space() {
 /// Whether x is √3 y up to 4ε: both are positive, so squares tell.
 fn is_close_to_root3(x: f64, y: &Rational) -> bool {
     let square = Rational::from(y * y) * 3;
-    Rational::from(sq(x) - &square).abs() <= eps() * 8 * square
+    let off: Rational = sq(x) - &square;
+    off.abs() <= eps() * 8 * square
 }
 
 #[test]

@@ -9,11 +9,10 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use predicament_oracle::locate;
-use predicament_oracle::signs::Budget;
 use predicament_oracle::{Case, Contestant, Stopwatch, Truth, Watch, digest_of};
 use predicament_report::{self as report, PlannedScene, RunWriter, Shard, ThroughputRow};
 
-use crate::cmd::run::{env, free_folder, plan};
+use crate::cmd::run::{budget, env, free_folder, plan};
 use crate::exit::{self, Failure};
 use crate::select::Selector;
 use crate::{expectations, interrupt, peers, progress, roster, rows};
@@ -23,9 +22,6 @@ Examples:
   predicament bench                                     all embedded corpora
   predicament bench families -f orient2d --samples 21
   predicament bench maps -f 10m -b exact,sos,naive      built with `--features peers`, `geo` is timed as well";
-
-/// What is asked of an answer before it is timed: the classes of its queries, nothing sampled.
-const JUDGED: Budget = Budget { findings_per_class: 0, permutations: 0, relations: 0, ties: 0 };
 
 /// Time backends against each other on judged answers
 #[derive(clap::Args)]
@@ -87,12 +83,13 @@ pub fn run(args: Args) -> exit::Outcome {
         };
         let mut runners = Vec::new();
         for backend in &backends {
-            let Ok(outcome) = case.run(backend.as_ref(), JUDGED, &watch) else {
+            let Ok(outcome) = case.run(backend.as_ref(), budget(selection.level), &watch) else {
                 ended = report::Outcome::Interrupted;
                 break 'scenes;
             };
             let row = rows::summary(scene, &backend.name(), &outcome, &expected, selection.level.name());
             writer.write(&[row]).map_err(Failure::usage)?;
+            writer.write(&rows::findings(scene, &backend.name(), &outcome)).map_err(Failure::usage)?;
             match start(&case, backend.as_ref()) {
                 Ok(runner) => runners.push(runner),
                 Err(why) => refused.push(format!("{}/{} on {}: {why}", scene.suite, scene.scene, backend.name())),

@@ -2,9 +2,11 @@
 
 use std::path::PathBuf;
 
-use predicament_corpus::{Level, Library, Work, degeneracy, fetch, fmt};
+use predicament_corpus::{Level, Library, LoadedScene, Work, degeneracy, fetch, fmt};
+use predicament_oracle::{Case, Truth, Watch};
 
 use crate::exit::{self, CORPUS, Failure};
+use crate::interrupt;
 use crate::select::Selector;
 
 const EXAMPLES: &str = "\
@@ -140,11 +142,32 @@ fn generate(selector: &Selector) -> exit::Outcome {
                     map.regions().len(),
                     probes.len()
                 );
-                print!("{}", loaded.notes);
+                println!("  import: {}", loaded.notes);
+                flaws(&loaded)?;
             }
         }
     }
     Ok(exit::OK)
+}
+
+/// The map's own gaps and overlaps, found exactly: they are nobody's errors but the map's.
+fn flaws(loaded: &LoadedScene) -> Result<(), Failure> {
+    let quiet = |_: u64| {};
+    let stopped = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
+    let case = Case::new(loaded, &Watch::new(interrupt::flag(), None, &quiet)).map_err(stopped)?;
+    if let Truth::Locate(case) = case.truth() {
+        let flaws = case.flaws();
+        println!(
+            "  the map's own flaws: {} duplicate points, {} T-junctions, {} crossings, {} overlapping edges",
+            flaws.duplicates.len(),
+            flaws.junctions.len(),
+            flaws.crossings.len(),
+            flaws.overlaps.len()
+        );
+        let grounds: Vec<String> = case.grounds().into_iter().map(|(name, count)| format!("{count} {name}")).collect();
+        println!("  probes by their surroundings: {}", grounds.join(", "));
+    }
+    Ok(())
 }
 
 fn fetch_all(keys: &[String], cache: Option<PathBuf>) -> exit::Outcome {

@@ -52,6 +52,9 @@ impl LocateIndex {
         }
 
         let point = |v| scene.point2(Plane::Xy, v);
+        // A query's candidates share an x: keep them close together in memory.
+        let left = |edge: &Edge| edge.ends.map(|v| point(v)[0]).into_iter().fold(f64::INFINITY, f64::min);
+        edges.sort_by(|a, b| left(a).total_cmp(&left(b)));
         let segments: Vec<_> = edges.iter().map(|edge| edge.ends.map(point)).collect();
         LocateIndex {
             edges,

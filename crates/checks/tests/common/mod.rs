@@ -27,6 +27,9 @@ pub enum Fault {
     TiesByPlace,
     /// All ties are broken towards positive, as a "≥" in place of a ">" does.
     TiesUp,
+    /// Turns that are ties go by the parity of the sum of the indices: each
+    /// tie broken for itself, not as part of one moved scene.
+    TiesByParity,
     /// Everything within this distance of zero is zero, without a promise.
     Epsilon(f64),
 }
@@ -38,6 +41,12 @@ fn sorted<const N: usize>(args: [Vertex; N]) -> [usize; N] {
 }
 
 impl<P: Predicates> Faulty<P> {
+    /// The determinant in plain floating point; exact on small integers.
+    fn plain(&self, plane: Plane, args: [Vertex; 3]) -> f64 {
+        let [a, b, c] = args.map(|v| self.scene().point2(plane, v));
+        (a[0] - c[0]) * (b[1] - c[1]) - (a[1] - c[1]) * (b[0] - c[0])
+    }
+
     fn break_tie(&self, sign: Sign) -> Sign {
         match self.fault {
             Fault::TiesUp | Fault::TiesByPlace if sign.is_zero() => Sign::Positive,
@@ -65,11 +74,11 @@ impl<P: Predicates> Predicates for Faulty<P> {
         let sign = self.inner.orient2d(plane, a, b, c);
         match self.fault {
             Fault::FlippedTriple(triple) if sorted([a, b, c]) == triple => -sign,
-            Fault::Epsilon(eps) => {
-                let [a, b, c] = [a, b, c].map(|v| self.scene().point2(plane, v));
-                let det = (a[0] - c[0]) * (b[1] - c[1]) - (a[1] - c[1]) * (b[0] - c[0]);
-                if det.abs() < eps { Sign::Zero } else { sign }
+            Fault::TiesByParity if self.plain(plane, [a, b, c]) == 0.0 => {
+                let sum = a.index() + b.index() + c.index();
+                if sum.is_multiple_of(2) { Sign::Positive } else { Sign::Negative }
             }
+            Fault::Epsilon(eps) if self.plain(plane, [a, b, c]).abs() < eps => Sign::Zero,
             _ => self.break_tie(sign),
         }
     }
@@ -122,6 +131,32 @@ impl Problem {
         let probes = (corners.len()..points.len()).chain(0..corners.len()).map(Vertex::input).collect();
         Problem { map, scene, probes }
     }
+}
+
+impl Problem {
+    /// The same map with other numbers. A perturbation goes by the number, and
+    /// as long as all probes come last, they all move less than the map does.
+    pub fn scattered(&self) -> Problem {
+        let count = self.scene.len();
+        let stride = (count / 3..).find(|&stride| gcd(stride, count) == 1).expect("there are primes");
+        let renumber = |v: Vertex| Vertex::input((v.index() * stride + 1) % count);
+        let mut points = vec![[0.0; 2]; count];
+        for v in self.scene.vertices() {
+            points[renumber(v).index()] = [self.scene.point(v)[0], self.scene.point(v)[1]];
+        }
+        let mut map = PolygonMap::new();
+        for region in self.map.regions() {
+            let rings =
+                region.rings.iter().map(|ring| ring.vertices().iter().map(|&v| renumber(v)).collect()).collect();
+            map.push(region.name.clone(), rings).expect("rings");
+        }
+        let scene = Scene::from_points2(&points).expect("finite");
+        Problem { map, scene, probes: self.probes.iter().map(|&v| renumber(v)).collect() }
+    }
+}
+
+fn gcd(a: usize, b: usize) -> usize {
+    if b == 0 { a } else { gcd(b, a % b) }
 }
 
 /// n × n unit squares with integer corners: every second edge is vertical.

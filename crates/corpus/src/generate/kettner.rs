@@ -8,13 +8,13 @@ use crate::bits::{integer, power_of_two};
 
 /// One point from the 256 × 256 doubles next to (0.5, 0.5), against points on
 /// a line, plane, circle or sphere through (0.5, 0.5) with coordinates up to
-/// 128: the differences cancel, the rest is rounding.
+/// 130: the differences cancel, the rest is rounding.
 pub(super) fn kettner(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
     let mut near_half = || 0.5 + integer(rng.integer(0, 255)) * power_of_two(-53);
     let p = [near_half(), near_half(), near_half()];
     let other = [near_half(), near_half()];
     let m = integer(rng.integer(1, 64));
-    // The box from 0.5 to 2m - 0.5 has its centre in m; its corners lie on one sphere.
+    // The corners of this box lie on one circle or sphere.
     let (low, high) = (0.5, 2.0 * m + 1.5);
     match kind {
         PredicateKind::Compare => {

@@ -104,7 +104,7 @@ const FAMILIES: [FamilyInfo; 17] = [
     ),
     family("wide-scaled", "wide", SIGNS, &[], "uniform, near and degen queries scaled by 2^k, subnormal to 2^1023"),
     family("wide-mixed", "wide", SIGNS, &[], "every coordinate with its own exponent, subnormal to 2^1023"),
-    family("far", "far", SIGNS, &[], "unit clusters 2^20 to 2^44 away from the origin"),
+    family("far", "far", SIGNS, &[], "unit clusters 2^20 to 2^45 away from the origin"),
     family(
         "band",
         "band",

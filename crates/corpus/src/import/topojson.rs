@@ -283,7 +283,7 @@ mod tests {
         assert!(error(&SQUARES.replace("\"Polygon\"", "\"Point\""), "squares").contains("`Point` bounds no region"));
         assert!(error(&SQUARES.replace("\"Topology\"", "\"FeatureCollection\""), "squares").contains("not `Topology`"));
         let truncated = error(&SQUARES[..SQUARES.len() - 60], "squares");
-        assert!(truncated.starts_with("m.json:13: not TopoJSON: EOF"), "{truncated}");
+        assert!(truncated.starts_with("m.json:12: not TopoJSON: EOF"), "{truncated}");
         assert!(truncated.ends_with("; the file ends early: fetch or copy it again"), "{truncated}");
     }
 }

@@ -59,7 +59,7 @@ fn shape(fields: &Fields<'_, '_>, task: Task) -> Result<Shape, CorpusError> {
 fn default_name(generator: &Generator, fields: &Fields<'_, '_>, task: Task) -> Result<String, CorpusError> {
     let mut name = format!("{}-{task}", generator.family.name());
     for key in ["dimension", "plane", "axis"].into_iter().chain(generator.family.parameters().iter().copied()) {
-        if let Some(field) = fields.get(key) {
+        if let Some(field) = fields.again(key) {
             name.push_str(&format!("-{key}-{}", field.plain()?));
         }
     }

@@ -57,7 +57,7 @@ impl Suite {
             scenes.push(scene::read(&context, table.fields("scene")?)?);
         }
         for table in tables(&fields, "generate")? {
-            scenes.push(generate::read(&context, table.fields("generate")?)?);
+            scenes.push(generate::read(&context, table.fields("generator")?)?);
         }
         fields.finish()?;
         scenes.sort_by_key(|scene: &SceneDef| scene.line);

@@ -45,7 +45,7 @@ pub(super) fn read_text(path: &Path) -> Result<String, CorpusError> {
     std::fs::read_to_string(path).map_err(|error| {
         CorpusError::file(
             path.display().to_string(),
-            format!("the data file can't be read: {error}"),
+            format!("the data file can't be read: {}", error.kind()),
             "put the file there or correct `path`",
         )
     })

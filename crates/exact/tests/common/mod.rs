@@ -151,7 +151,7 @@ impl Random {
     /// A number below n.
     #[allow(clippy::cast_possible_truncation)] // below n
     pub fn below(&mut self, n: usize) -> usize {
-        (u128::from(self.bits()) * n as u128 >> 64) as usize
+        ((u128::from(self.bits()) * n as u128) >> 64) as usize
     }
 
     /// A number in [0, 1), a multiple of 2^-53.

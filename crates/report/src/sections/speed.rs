@@ -24,7 +24,7 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
         title: "Speed against error",
         lead: "One mark for each backend and task, over the families that were both checked and timed: the geometric \
                mean of the families' median times, and wrong answers per million of their queries. The dashed line is \
-               the Pareto frontier: what is above and to the right of it is beaten in both."
+               the Pareto frontier: what is above or to the right of it is beaten by a backend on it."
             .to_owned(),
         blocks,
     })

@@ -1,15 +1,17 @@
 //! Which coefficients must vanish where all earlier ones do.
 //!
 //! A polynomial of the form Σ qᵢ·cᵢ, with any polynomials qᵢ, is zero at every
-//! point at which all cᵢ are zero. Evaluation reaches a term only after every
-//! earlier coefficient was zero, so such a term could never decide and is
-//! dropped. The converse fails (x is not a multiple of x², yet vanishes with
-//! it), so some droppable terms may stay: that costs length, never a sign.
+//! point at which all cᵢ are zero, and so is a polynomial with a power of this
+//! form. Evaluation reaches a term only after every earlier coefficient was
+//! zero, so such a term could never decide and is dropped. The converse fails:
+//! powers are tried up to a low degree only, and real zeros obey more laws than
+//! complex ones (x vanishes with x² + y²). So some droppable terms may stay:
+//! that costs length, never a sign.
 //!
 //! All coefficients are homogeneous, so the qᵢ can be taken homogeneous too, and
 //! membership is linear algebra over the rationals within one degree: is the
 //! polynomial in the span of the products of a monomial and an earlier
-//! coefficient? This is exact, and complete for the ideal.
+//! coefficient? This is exact, and complete for the ideal itself.
 
 use std::collections::BTreeMap;
 
@@ -42,19 +44,22 @@ impl Ideal {
         self.generators.push(generator);
     }
 
-    /// Whether a power of a homogeneous polynomial, up to this degree, belongs
-    /// to the ideal: then the polynomial vanishes where all generators do.
+    /// Whether a homogeneous polynomial is seen to vanish wherever all
+    /// generators do: a power of it, up to this degree, belongs to the ideal.
+    /// The polynomial itself then joins the generators.
     pub fn implies(&mut self, polynomial: &Polynomial, degree: u8) -> bool {
+        if self.contains(polynomial) {
+            return true;
+        }
         let mut power = polynomial.clone();
-        loop {
+        for _ in 2..=degree / polynomial.degree().max(1) {
+            power = power.times(polynomial);
             if self.contains(&power) {
+                self.insert(polynomial.clone());
                 return true;
             }
-            power = power.times(polynomial);
-            if power.degree() == 0 || power.degree() > degree {
-                return false;
-            }
         }
+        false
     }
 
     /// Whether a homogeneous polynomial belongs to the ideal.

@@ -1,0 +1,84 @@
+//! Point location on a map of 217,600 edges and 256 regions, on one thread,
+//! against the crate `geo`: its plain polygons and its interval trees, one per
+//! region, each behind a bounding-box test. Answers are compared before
+//! anything is timed.
+
+mod wiggly;
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use geo::algorithm::indexed::IntervalTreeMultiPolygon;
+use geo::{BoundingRect, Contains, Coord, Intersects, LineString, MultiPolygon, Polygon, Rect};
+use predicament_algorithms::polygon_locate::{LocateIndex, Locations, locate_all};
+use predicament_exact::Exact;
+use predicament_mesh::PolygonMap;
+use predicament_predicates::{Backend, Off, Predicates, Scene, Vertex};
+use predicament_sos::Sos;
+
+const QUERIES: usize = 20_000;
+
+fn coordinate(scene: &Scene, v: Vertex) -> Coord {
+    let point = scene.point(v);
+    Coord { x: point[0], y: point[1] }
+}
+
+fn polygons(map: &PolygonMap, scene: &Scene) -> Vec<Polygon> {
+    let ring = |region: &predicament_mesh::Region| {
+        let ring: Vec<Coord> = region.rings[0].vertices().iter().map(|&v| coordinate(scene, v)).collect();
+        Polygon::new(LineString::new(ring), Vec::new())
+    };
+    map.regions().iter().map(ring).collect()
+}
+
+/// The regions that contain each query, by any test of one region.
+fn located<R: Contains<Coord>>(regions: &[(Rect, R)], queries: &[Coord]) -> Vec<Vec<u32>> {
+    let inside = |query: &Coord| {
+        let hits =
+            (0..).zip(regions).filter(|(_, (bounds, region))| bounds.intersects(query) && region.contains(query));
+        hits.map(|(at, _)| at).collect()
+    };
+    queries.iter().map(inside).collect()
+}
+
+fn ours<P: Predicates>(index: &LocateIndex, session: &P, queries: &[Vertex]) -> Locations {
+    locate_all(index, session, queries, &|_| true)
+}
+
+fn bench(criterion: &mut Criterion) {
+    let (map, scene, queries) = wiggly::map(16, 400, QUERIES);
+    let index = LocateIndex::new(&map, &scene);
+    assert_eq!((index.len(), index.regions()), (217_600, 256));
+    let exact = Exact.prepare(&scene, Off).expect("a 2D scene");
+    let perturbed = Sos::default();
+    let sos = perturbed.prepare(&scene, Off).expect("a 2D scene");
+
+    let bounded = |polygon: &Polygon| polygon.bounding_rect().expect("a polygon with points");
+    let plain: Vec<(Rect, Polygon)> = polygons(&map, &scene).into_iter().map(|p| (bounded(&p), p)).collect();
+    let trees: Vec<(Rect, IntervalTreeMultiPolygon<f64>)> = plain
+        .iter()
+        .map(|(bounds, polygon)| (*bounds, IntervalTreeMultiPolygon::new(&MultiPolygon::new(vec![polygon.clone()]))))
+        .collect();
+    let points: Vec<Coord> = queries.iter().map(|&q| coordinate(&scene, q)).collect();
+
+    let answers = ours(&index, &exact, &queries);
+    assert_eq!(answers, ours(&index, &sos, &queries));
+    for geo in [located(&plain, &points), located(&trees, &points)] {
+        assert!(answers.iter().map(|location| location.inside).eq(geo.iter()));
+    }
+
+    let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("one thread");
+    let mut group = criterion.benchmark_group("polygon-locate");
+    group.sample_size(10).throughput(Throughput::Elements(queries.len() as u64));
+    group.bench_function("exact", |b| b.iter(|| one_thread.install(|| ours(&index, &exact, &queries))));
+    group.bench_function("sos", |b| b.iter(|| one_thread.install(|| ours(&index, &sos, &queries))));
+    group.bench_function("geo/polygon", |b| b.iter(|| located(&plain, &points)));
+    group.bench_function("geo/interval-tree", |b| b.iter(|| located(&trees, &points)));
+    group.finish();
+
+    let mut group = criterion.benchmark_group("polygon-locate-build");
+    group.sample_size(10).throughput(Throughput::Elements(index.len() as u64));
+    group.bench_function("index", |b| b.iter(|| LocateIndex::new(&map, &scene)));
+    group.finish();
+}
+
+criterion_group!(benches, bench);
+criterion_main!(benches);
