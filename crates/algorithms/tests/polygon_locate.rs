@@ -114,12 +114,14 @@ fn borders_are_shared_and_double_use_cancels() {
     let index = LocateIndex::new(&map, &scene);
     assert_eq!((index.len(), index.regions()), (7, 3));
     let owners = |a: usize, b: usize| {
-        let edge = index.edges().find(|&edge| index.ends(edge) == [Vertex::input(a), Vertex::input(b)]);
+        let edge = index.edges().find(|&edge| [[a, b], [b, a]].contains(&index.ends(edge).map(Vertex::index)));
         index.owners(edge.expect("an edge of the map"))
     };
     assert_eq!(owners(0, 1), [0, 2]);
     assert_eq!(owners(1, 4), [0, 1]);
     assert_eq!(owners(3, 4), [1, 2]);
+    let x = |v: Vertex| scene.coordinate(Axis::X, v);
+    assert!(index.edges().map(|edge| index.ends(edge)).all(|[u, v]| (x(u), u) < (x(v), v)), "from left to right");
     assert!(LocateIndex::new(&PolygonMap::new(), &scene).is_empty());
 }
 

@@ -13,6 +13,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::coordinate::{self, CoordinateError};
+use crate::tables::TableKind;
 use crate::{CorpusError, Task};
 
 /// The text of a file, its name, and where its lines start.
@@ -98,9 +99,9 @@ impl<'d, 't> Field<'d, 't> {
         Ok(array.iter().map(move |item| Field::new(document, key, item)))
     }
 
-    pub(crate) fn fields(&self, what: &'static str) -> Result<Fields<'d, 't>, CorpusError> {
+    pub(crate) fn fields(&self, kind: &'static TableKind) -> Result<Fields<'d, 't>, CorpusError> {
         let table = self.value.as_table().ok_or_else(|| self.wrong_type("a table"))?;
-        Ok(Fields::new(self.document, what, table, self.span.0))
+        Ok(Fields::new(self.document, kind, table, self.span.0))
     }
 
     /// An integer from `range`.
@@ -184,7 +185,7 @@ pub(crate) fn explain(file: &str, text: &str, error: &CoordinateError) -> (Strin
 /// The keys of a table, taken one by one; what is left over is an error.
 pub(crate) struct Fields<'d, 't> {
     document: &'d Document<'t>,
-    what: &'static str,
+    kind: &'static TableKind,
     table: &'d DeTable<'t>,
     at: usize,
     asked: RefCell<BTreeSet<&'static str>>,
@@ -193,11 +194,11 @@ pub(crate) struct Fields<'d, 't> {
 impl<'d, 't> Fields<'d, 't> {
     pub(crate) fn new(
         document: &'d Document<'t>,
-        what: &'static str,
+        kind: &'static TableKind,
         table: &'d DeTable<'t>,
         at: usize,
     ) -> Fields<'d, 't> {
-        Fields { document, what, table, at, asked: RefCell::default() }
+        Fields { document, kind, table, at, asked: RefCell::default() }
     }
 
     pub(crate) fn line(&self) -> usize {
@@ -214,6 +215,7 @@ impl<'d, 't> Fields<'d, 't> {
     }
 
     pub(crate) fn get(&self, key: &'static str) -> Option<Field<'d, 't>> {
+        debug_assert!(self.kind.keys.contains(&key), "{:?} leaves out {key}", self.kind);
         self.asked.borrow_mut().insert(key);
         let (key, value) = self.table.get_key_value(key)?;
         Some(Field::new(self.document, key.get_ref(), value))
@@ -225,7 +227,25 @@ impl<'d, 't> Fields<'d, 't> {
     }
 
     pub(crate) fn required(&self, key: &'static str) -> Result<Field<'d, 't>, CorpusError> {
-        self.get(key).ok_or_else(|| self.error(format!("{} has no `{key}`", self.what), format!("add `{key} = …`")))
+        self.get(key).ok_or_else(|| {
+            let missing = self.error(format!("{} has no `{key}`", self.kind.name), format!("add `{key} = …`"));
+            self.lacking(&format!("`{key}`"), missing)
+        })
+    }
+
+    /// The error about something missing. A key that no table of the kind
+    /// knows comes first: it may well be what is missing, misspelled.
+    pub(crate) fn lacking(&self, what: &str, missing: CorpusError) -> CorpusError {
+        self.first_key_outside(|key| self.kind.keys.contains(&key)).map_or(missing, |(at, key)| {
+            let message = format!("a {} has no key `{key}`, and {what} is missing", self.kind.name);
+            self.document.error(at, message, format!("correct the key, or remove it and write {what}"))
+        })
+    }
+
+    /// The first key in the file that is not known, and where it is.
+    fn first_key_outside(&self, known: impl Fn(&str) -> bool) -> Option<(usize, &str)> {
+        let keys = self.table.keys().map(|key| (key.span().start, key.get_ref().as_ref()));
+        keys.filter(|&(_, key)| !known(key)).min()
     }
 
     /// A string, empty where the key is missing.
@@ -245,19 +265,11 @@ impl<'d, 't> Fields<'d, 't> {
 
     /// Refuses the keys that nobody asked for.
     pub(crate) fn finish(self) -> Result<(), CorpusError> {
-        let asked = self.asked.into_inner();
-        let unknown =
-            self.table.keys().filter(|key| !asked.contains(key.get_ref().as_ref())).min_by_key(|key| key.span().start);
-        match unknown {
-            None => Ok(()),
-            Some(key) => {
-                let known: Vec<_> = asked.into_iter().collect();
-                Err(self.document.error(
-                    key.span().start,
-                    format!("a {} has no key `{}`", self.what, key.get_ref()),
-                    format!("remove it or use one of {}", known.join(", ")),
-                ))
-            }
-        }
+        let asked = self.asked.borrow();
+        self.first_key_outside(|key| asked.contains(key)).map_or(Ok(()), |(at, key)| {
+            let known: Vec<_> = asked.iter().copied().collect();
+            let cure = format!("remove it or use one of {}", known.join(", "));
+            Err(self.document.error(at, format!("a {} has no key `{key}`", self.kind.name), cure))
+        })
     }
 }

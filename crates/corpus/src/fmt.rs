@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::coordinate::{self, CoordinateError};
 use crate::document::{Document, Field, Fields};
-use crate::{CorpusError, hexfloat};
+use crate::{CorpusError, hexfloat, tables};
 
 /// Rewrites the decimals of a suite that are not exactly doubles: each
 /// becomes the hex float of its nearest double, and a comment at the end of
@@ -17,17 +17,17 @@ use crate::{CorpusError, hexfloat};
 pub fn fmt(file: &str, text: &str) -> Result<String, CorpusError> {
     let document = Document { file, text };
     let root = document.parse()?;
-    let fields = Fields::new(&document, "suite", root.get_ref(), 0);
+    let fields = Fields::new(&document, &tables::SUITE, root.get_ref(), 0);
     let mut edits = Vec::new();
-    for table in tables(&fields, "scene")? {
-        if let Some(points) = table.fields("scene")?.get("points").filter(Field::is_array) {
+    for table in array(&fields, "scene")? {
+        if let Some(points) = table.fields(&tables::SCENE)?.get("points").filter(Field::is_array) {
             for point in points.items("points")? {
                 collect(&point, &mut edits)?;
             }
         }
     }
-    for table in tables(&fields, "generate")? {
-        let fields = table.fields("generate")?;
+    for table in array(&fields, "generate")? {
+        let fields = table.fields(&tables::GENERATOR)?;
         for point in ["p", "q", "r"].into_iter().filter_map(|key| fields.get(key)) {
             collect(&point, &mut edits)?;
         }
@@ -50,7 +50,7 @@ struct Edit<'t> {
     hex: String,
 }
 
-fn tables<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field<'d, 't>>, CorpusError> {
+fn array<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field<'d, 't>>, CorpusError> {
     fields.get(key).map_or(Ok(Vec::new()), |field| Ok(field.items("tables")?.collect()))
 }
 

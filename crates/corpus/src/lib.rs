@@ -23,6 +23,7 @@ mod loaded;
 mod manifest;
 mod probes;
 mod suite;
+mod tables;
 mod task;
 
 pub use cache::Cache;

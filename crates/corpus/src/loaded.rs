@@ -39,9 +39,11 @@ pub struct LoadedScene {
 pub enum Work {
     /// Signs of a predicate.
     Signs(QuerySet),
-    /// The region of each probe. The map's vertices come first in the scene;
-    /// every probe is a vertex of its own behind them, even where its
-    /// coordinates are those of a map vertex.
+    /// The region of each probe. Every probe is a vertex of its own, even where
+    /// its coordinates are those of a map vertex. The probes are numbered in
+    /// turn before and after all of the map's vertices, the first one before:
+    /// so Simulation of Simplicity moves half of them further than the map and
+    /// half of them less far.
     Locate {
         /// The regions.
         map: PolygonMap,

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::CorpusError;
 use crate::document::{Document, Field, Fields};
+use crate::{CorpusError, tables};
 
 /// A package manager whose ordinary client fetches packages.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -62,11 +62,11 @@ impl Manifest {
     pub fn parse(file: &str, text: &str) -> Result<Manifest, CorpusError> {
         let document = Document { file, text };
         let root = document.parse()?;
-        let fields = Fields::new(&document, "fetch manifest", root.get_ref(), 0);
+        let fields = Fields::new(&document, &tables::MANIFEST, root.get_ref(), 0);
         let mut entries = BTreeMap::new();
         if let Some(files) = fields.get("file") {
             for table in files.items("[[file]] tables")? {
-                let entry = read(table.fields("file")?)?;
+                let entry = read(table.fields(&tables::FILE)?)?;
                 if entries.contains_key(&entry.key) {
                     return Err(table.error(format!("the key `{}` is taken", entry.key), "give every file its own key"));
                 }

@@ -3,6 +3,11 @@
 //! Random points almost never meet a degeneracy. Points on vertices, on edges
 //! and one double above and below a vertex always do: there a ray or a
 //! comparison has to decide between neighbours.
+//!
+//! Under Simulation of Simplicity a vertex moves further the smaller its
+//! number is. Were all probes numbered after the map, every one would move
+//! less than what it touches, and ties would always be broken in the same
+//! simple way; so they are numbered before and after the map in turn.
 
 use std::collections::BTreeSet;
 
@@ -13,7 +18,8 @@ use crate::generate::Random;
 use crate::suite::Probing;
 use crate::{Level, Probe, ProbeKind, Work};
 
-/// The scene of a map: its vertices, then its probes.
+/// The scene of a map: the probes in even places (the first is in place 0),
+/// the map's vertices, the probes in odd places.
 pub(crate) fn with_probes(points: Vec<[f64; 2]>, map: PolygonMap, probing: Probing, level: Level) -> (Scene, Work) {
     let stride = match level {
         Level::Quick => probing.quick_stride,
@@ -40,13 +46,15 @@ pub(crate) fn with_probes(points: Vec<[f64; 2]>, map: PolygonMap, probing: Probi
     }
     // Next to the largest double there is no finite neighbour to probe.
     places.retain(|(place, _)| place.iter().all(|x| x.is_finite()));
-    let first = points.len();
+    let leading = places.len().div_ceil(2);
+    let behind = leading + points.len();
+    let number = |at: usize| at / 2 + if at.is_multiple_of(2) { 0 } else { behind };
     let probes = places.iter().enumerate();
-    let probes = probes.map(|(at, &(_, kind))| Probe { vertex: Vertex::input(first + at), kind }).collect();
-    let mut coordinates = points.into_flattened();
-    coordinates.extend(places.iter().flat_map(|(place, _)| place));
-    let scene = Scene::new(Dimension::Two, coordinates).expect("finite pairs");
-    (scene, Work::Locate { map, probes })
+    let probes = probes.map(|(at, &(_, kind))| Probe { vertex: Vertex::input(number(at)), kind }).collect();
+    let every_other = |from: usize| places.iter().skip(from).step_by(2).map(|&(place, _)| place);
+    let all: Vec<[f64; 2]> = every_other(0).chain(points).chain(every_other(1)).collect();
+    let scene = Scene::new(Dimension::Two, all.into_flattened()).expect("finite pairs");
+    (scene, Work::Locate { map: map.shifted(leading), probes })
 }
 
 /// Each edge once, whichever side it is seen from.

@@ -342,18 +342,25 @@ fn probes_are_vertices_of_their_own_where_they_should_be() {
     for name in ["tiling", "bricks"] {
         let loaded = load(name);
         let Work::Locate { map, probes } = &loaded.work else { panic!("{name} is no map") };
-        let first = loaded.scene.len() - probes.len();
-        assert!(map.edges().all(|(_, [a, b])| a.index() < first && b.index() < first));
+        let leading = probes.iter().step_by(2).count();
+        let corners = loaded.scene.len() - probes.len();
+        let of_map = leading..leading + corners;
+        assert!(map.edges().all(|(_, ends)| ends.iter().all(|end| of_map.contains(&end.index()))));
+        // Every kind of probe is numbered on both sides of the map.
+        let sides: BTreeSet<(ProbeKind, bool)> =
+            probes.iter().map(|probe| (probe.kind, probe.vertex.index() < leading)).collect();
+        assert_eq!(sides.len(), 2 * 5, "{name}: {sides:?}");
         let mut kinds: BTreeMap<ProbeKind, usize> = BTreeMap::new();
         let mut current = [0.0; 2];
         for (at, probe) in probes.iter().enumerate() {
-            assert_eq!(probe.vertex.index(), first + at);
+            let before_the_map = at % 2 == 0;
+            assert_eq!(probe.vertex.index(), if before_the_map { at / 2 } else { of_map.end + at / 2 });
             let p = loaded.scene.point(probe.vertex);
             let place = kinds.entry(probe.kind).or_default();
             match probe.kind {
                 ProbeKind::Vertex => {
                     current = [p[0], p[1]];
-                    assert_eq!(p, loaded.scene.point(Vertex::input(*place)));
+                    assert_eq!(p, loaded.scene.point(Vertex::input(of_map.start + *place)));
                 }
                 ProbeKind::Below => assert_eq!([p[0], p[1].next_up()], current),
                 ProbeKind::Above => assert_eq!([p[0], p[1].next_down()], current),
@@ -361,8 +368,8 @@ fn probes_are_vertices_of_their_own_where_they_should_be() {
             }
             *place += 1;
         }
-        assert_eq!(kinds[&ProbeKind::Vertex], first);
-        assert_eq!((kinds[&ProbeKind::Below], kinds[&ProbeKind::Above]), (first, first));
+        assert_eq!(kinds[&ProbeKind::Vertex], corners);
+        assert_eq!((kinds[&ProbeKind::Below], kinds[&ProbeKind::Above]), (corners, corners));
         assert_eq!(kinds[&ProbeKind::Random], 2000);
         // On integers every midpoint is a double: one for each undirected edge.
         let edges: BTreeSet<_> = map.edges().map(|(_, [a, b])| [a.min(b), a.max(b)]).collect();

@@ -59,15 +59,13 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline]
     #[must_use]
     pub fn decide_compare(&self, axis: Axis, a: Vertex, b: Vertex) -> (Sign, usize) {
-        let (a, b) = match (self.scene.dimension(), axis) {
-            (Dimension::Two, _) => (self.points2[a.index()][axis.index()], self.points2[b.index()][axis.index()]),
-            (Dimension::Three, _) => (self.points3[a.index()][axis.index()], self.points3[b.index()][axis.index()]),
+        let at = |v: Vertex| match self.scene.dimension() {
+            Dimension::Two => self.points2[v.index()][axis.index()],
+            Dimension::Three => self.points3[v.index()][axis.index()],
         };
-        let sign = match (a > b, a < b) {
-            (true, _) => Sign::Positive,
-            (_, true) => Sign::Negative,
-            _ => Sign::Zero,
-        };
+        let (a, b) = (at(a), at(b));
+        // The coordinates of a scene are finite: there's always an order, in which -0 equals 0.
+        let sign = a.partial_cmp(&b).map_or(Sign::Zero, Sign::from);
         (sign, stage::COMPARE)
     }
 

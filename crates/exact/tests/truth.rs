@@ -5,6 +5,8 @@ mod common;
 use std::collections::BTreeSet;
 
 use common::{Random, check_incircle, check_insphere, check_orient2d, check_orient3d, check_projections, every, nudge};
+use predicament_arithmetic::{Plan, Regime};
+use predicament_exact::form::{self, Determinant};
 use predicament_predicates::Sign;
 use proptest::prelude::*;
 
@@ -89,6 +91,35 @@ fn nearly_degenerate_at_every_scale() {
         let sphere: [[f64; 3]; 5] = std::array::from_fn(|_| on_sphere(false));
         check_incircle(&circle.map(|[x, y, _]| [x, y]));
         check_insphere(&sphere);
+    }
+}
+
+/// The longest integers for which plain floating point is said to make no
+/// error: as large as they get, with small determinants among them.
+#[test]
+fn short_numbers_to_the_last_bit() {
+    let mut random = Random(11);
+    let highest = |determinant: Determinant| {
+        let bits = (53 - determinant.form.growth) / determinant.form.degree - 1;
+        let largest = 2f64.powi(bits) - 1.0;
+        let regime = |value: f64| Plan::of(&[1.0, value]).regime(determinant.form);
+        assert_eq!((regime(largest), regime(largest + 1.0)), (Regime::Exact, Regime::Safe));
+        largest
+    };
+    let [turn, side, circle, sphere] = [form::ORIENT2D, form::ORIENT3D, form::INCIRCLE, form::INSPHERE].map(highest);
+    let extreme = |largest: f64| {
+        move |random: &mut Random| {
+            let edge = if random.below(2) == 0 { largest } else { -largest };
+            (edge * *random.pick(&[1.0, 0.5, 0.25]) + *random.pick(&[0.0, 0.0, 1.0, -1.0]))
+                .trunc()
+                .clamp(-largest, largest)
+        }
+    };
+    for _ in 0..20_000 {
+        check_orient2d(&random.points(extreme(turn)));
+        check_orient3d(&random.points(extreme(side)));
+        check_incircle(&random.points(extreme(circle)));
+        check_insphere(&random.points(extreme(sphere)));
     }
 }
 

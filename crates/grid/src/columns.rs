@@ -29,6 +29,13 @@ struct Entry {
     segment: u32,
 }
 
+impl Entry {
+    #[inline]
+    fn holds(&self, x: f64) -> bool {
+        (self.low <= x) & (x <= self.high)
+    }
+}
+
 /// A column index over segments of the plane, known by their places 0, 1, 2 …
 #[derive(Clone, Debug)]
 pub struct Columns {
@@ -117,13 +124,35 @@ impl Columns {
     /// positive `reach` is rounded up.
     #[inline]
     pub fn above(&self, point: [f64; 2], reach: f64) -> impl Iterator<Item = u32> + '_ {
-        let [x, y] = point;
+        let [x, _] = point;
+        let entries = self.reaching_up_to(point, reach).iter();
+        entries.filter(move |entry| entry.holds(x)).map(|entry| entry.segment)
+    }
+
+    /// Replaces the contents of `found` with what [`Columns::above`] yields.
+    ///
+    /// Which entries hold x is a coin toss for the processor; this does
+    /// without the branch, for callers to whom a query is all they do.
+    #[inline]
+    pub fn collect_above(&self, point: [f64; 2], reach: f64, found: &mut Vec<u32>) {
+        let [x, _] = point;
+        let entries = self.reaching_up_to(point, reach);
+        found.resize(entries.len(), 0);
+        let mut count = 0;
+        for entry in entries {
+            found[count] = entry.segment;
+            count += usize::from(entry.holds(x));
+        }
+        found.truncate(count);
+    }
+
+    /// The entries of the point's column that don't end too far below it.
+    #[inline]
+    fn reaching_up_to(&self, [x, y]: [f64; 2], reach: f64) -> &[Entry] {
         let floor = if reach == 0.0 { y } else { (y - reach).next_down() };
-        self.of(self.column(x))
-            .iter()
-            .take_while(move |entry| entry.top >= floor)
-            .filter(move |entry| entry.low <= x && x <= entry.high)
-            .map(|entry| entry.segment)
+        let entries = self.of(self.column(x));
+        let end = entries.iter().position(|entry| entry.top < floor).unwrap_or(entries.len());
+        &entries[..end]
     }
 
     /// The pairs of segments whose closed boxes meet, smaller place first:

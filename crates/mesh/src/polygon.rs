@@ -112,6 +112,18 @@ impl PolygonMap {
         Ok(())
     }
 
+    /// The same map in a scene where `by` other vertices are numbered first.
+    ///
+    /// # Panics
+    /// As [`Vertex::input`], where a number becomes too large.
+    #[must_use]
+    pub fn shifted(mut self, by: usize) -> PolygonMap {
+        for vertex in self.regions.iter_mut().flat_map(|region| &mut region.rings).flat_map(|ring| &mut ring.vertices) {
+            *vertex = Vertex::input(vertex.index() + by);
+        }
+        self
+    }
+
     /// The regions, in the order in which they were added.
     #[must_use]
     pub fn regions(&self) -> &[Region] {
@@ -144,6 +156,19 @@ mod tests {
         assert_eq!(map.regions()[0].rings, map.regions()[1].rings);
         assert_eq!(map.edges().count(), 6);
         assert_eq!(map.edges().last(), Some((1, [Vertex::input(2), Vertex::input(0)])));
+    }
+
+    #[test]
+    fn a_shifted_map_has_the_same_shape() {
+        let of = |offset: usize| {
+            let at = |indices: &[usize]| ids(&indices.iter().map(|i| i + offset).collect::<Vec<_>>());
+            let mut map = PolygonMap::new();
+            map.push("ring", vec![at(&[0, 1, 2, 3]), at(&[4, 6, 5])]).unwrap();
+            map.push("lake", vec![at(&[4, 5, 6])]).unwrap();
+            map
+        };
+        assert_eq!(of(0).shifted(7), of(7));
+        assert_eq!(of(3).shifted(0), of(3));
     }
 
     #[test]

@@ -160,7 +160,7 @@ impl<B: Backend> Contestant for Entry<B> {
             sign: question.ask(&session, args),
             stage: signs::stage_of(&self.backend, scene, question, args),
             estimate: session.estimate(question, args),
-            band: session.band(question.kind()).map(|band| [band.lower, band.width, band.upper]),
+            band: session.band(question).map(|band| [band.lower, band.width, band.upper]),
         })
     }
 }

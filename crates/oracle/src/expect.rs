@@ -5,7 +5,7 @@
 
 use std::path::Path;
 
-use globset::{Glob, GlobMatcher};
+use globset::{Glob, GlobSet, GlobSetBuilder};
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
@@ -14,7 +14,7 @@ use crate::{Class, ClassCounts};
 /// One `[[expect]]` table.
 #[derive(Clone, Debug)]
 pub struct Expectation {
-    scene: GlobMatcher,
+    scenes: GlobSet,
     /// The backend, by its full name.
     pub backend: String,
     /// The class that is expected to occur.
@@ -68,7 +68,7 @@ struct File {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Table {
-    scene: String,
+    scene: Names,
     backend: Names,
     class: Names,
     reason: String,
@@ -92,6 +92,16 @@ impl Names {
     }
 }
 
+fn globs(patterns: &[String]) -> Result<GlobSet, String> {
+    let mut set = GlobSetBuilder::new();
+    for pattern in patterns {
+        // globset's own message repeats the pattern.
+        let glob = Glob::new(pattern).map_err(|error| format!("{error}; write e.g. `near-*`"))?;
+        set.add(glob);
+    }
+    set.build().map_err(|error| format!("the globs of `scene`: {error}"))
+}
+
 impl Expectations {
     /// Parses the text of `file`.
     ///
@@ -112,9 +122,7 @@ impl Expectations {
             let line = line_of(table.span().start);
             let table = table.into_inner();
             let fail = |message: String| format!("{}:{line}: {message}", file.display());
-            let scene = Glob::new(&table.scene)
-                .map_err(|error| fail(format!("`{}` is no glob: {error}; write e.g. `near-*`", table.scene)))?
-                .compile_matcher();
+            let scenes = globs(table.scene.list()).map_err(fail)?;
             if table.reason.trim().is_empty() {
                 return Err(fail("the reason is empty; say why this is expected".to_owned()));
             }
@@ -128,7 +136,7 @@ impl Expectations {
                         return Err(fail(format!("`{class}` is legal and needs no expectation; drop the entry")));
                     }
                     entries.push(Expectation {
-                        scene: scene.clone(),
+                        scenes: scenes.clone(),
                         backend: backend.clone(),
                         class,
                         reason: table.reason.clone(),
@@ -153,7 +161,7 @@ impl Expectations {
         self.entries.iter().filter(move |entry| {
             entry.backend == backend
                 && entry.level.as_deref().is_none_or(|wanted| wanted == level)
-                && (entry.scene.is_match(scene) || entry.scene.is_match(&full))
+                && (entry.scenes.is_match(scene) || entry.scenes.is_match(&full))
         })
     }
 
@@ -233,7 +241,7 @@ reason = "rounding"
             ("sign_flip", "sign_flop", "expected.toml:2: no class is called `sign_flop`"),
             ("overreach", "in_band", "expected.toml:2: `in_band` is legal"),
             ("backend", "bakend", "expected.toml:4: unknown field `bakend`"),
-            ("near-*", "near-[", "expected.toml:2: `near-[` is no glob"),
+            ("near-*", "near-[", "expected.toml:2: error parsing glob 'near-['"),
             ("reason =", "level = \"slow\"\nreason =", "expected.toml:2: no level is called `slow`"),
         ] {
             let error = parse(&TEXT.replacen(wrong, right, 1)).unwrap_err();

@@ -259,7 +259,7 @@ impl Session<'_> {
 
     fn banded(&self, question: Question, args: &[Vertex], factor: f64) -> Sign {
         let Some(tolerance) = &self.tolerance else { return Sign::Zero };
-        let (Some(value), Some(band)) = (tolerance.estimate(question, args), tolerance.band(question.kind())) else {
+        let (Some(value), Some(band)) = (tolerance.estimate(question, args), tolerance.band(question)) else {
             return question.ask(tolerance, args);
         };
         if value.abs() <= factor * band.width { Sign::Zero } else { Sign::of(value) }
@@ -298,8 +298,8 @@ impl Predicates for Session<'_> {
         self.answer(Question::Insphere, [a, b, c, d, e])
     }
 
-    fn band(&self, kind: PredicateKind) -> Option<Band> {
-        self.tolerance.as_ref().and_then(|tolerance| tolerance.band(kind))
+    fn band(&self, question: Question) -> Option<Band> {
+        self.tolerance.as_ref().and_then(|tolerance| tolerance.band(question))
     }
 
     fn reach(&self) -> f64 {

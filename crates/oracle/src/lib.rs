@@ -26,3 +26,8 @@ pub use class::{Class, ClassCounts, classify};
 pub use contestant::{Contestant, Entry, Explanation, Stopwatch, digest_of};
 pub use outcome::{Finding, LocateCounts, Outcome, finding_id};
 pub use watch::{Stop, Watch};
+
+/// The example in the documentation of backends has to compile.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/BACKENDS.md")]
+struct Backends;

@@ -162,7 +162,7 @@ fn class_of_answer<P: Predicates>(session: &P, contract: Contract, case: &SignCa
     if got.is_zero() && session.estimate(question, args).is_some_and(f64::is_nan) {
         return Class::Nan;
     }
-    let band = session.band(question.kind());
+    let band = session.band(question);
     classify(contract.zero, band, got, truth, || judge::verdict(case.scene, question, args))
 }
 

@@ -79,9 +79,10 @@ pub trait Predicates: Sync {
         None
     }
 
-    /// The tolerance band of this predicate, for sessions whose zero is a band.
-    fn band(&self, kind: PredicateKind) -> Option<Band> {
-        let _ = kind;
+    /// The tolerance band of this question, for sessions whose zero is a band.
+    /// (In space each projection of `orient2d` can have its own.)
+    fn band(&self, question: Question) -> Option<Band> {
+        let _ = question;
         None
     }
 

@@ -10,7 +10,7 @@
 //!
 //! * [`Scheme`]: which infinitesimal moves which coordinate.
 //! * [`Sos`], [`Session`]: the backend.
-//! * [`derive`]: the program that finds the terms; its output is what
+//! * [`mod@derive`]: the program that finds the terms; its output is what
 //!   [`Scheme::terms`] returns. [`Term`]: one of them, as data.
 //! * [`ties`]: sorting and evaluating, open for experiments and planted faults.
 //! * [`infinitesimal`]: the same answers by explicit polynomials in ε, sharing

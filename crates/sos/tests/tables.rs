@@ -130,8 +130,8 @@ fn the_tally_counts_the_deciding_term() {
     assert_eq!(exact_stages(), 1);
 }
 
-/// Franklin and Magalhães' paper has no table; Edelsbrunner and Mücke print
-/// theirs for two dimensions, and it is this one.
+/// Short enough to expand on paper: (x₁ − x₂) and (y₁ − y₂) by the moves of row
+/// 0, then the first coordinate to move row 1, then the product that ends it.
 #[test]
 fn the_planar_lists_by_hand() {
     use Sign::{Negative, Positive};

@@ -198,20 +198,12 @@ impl<T: Tally> Predicates for Session<'_, T> {
         }
     }
 
-    /// In a 3D scene each projection has its own κ, see
-    /// [`Session::tolerances2d`]; for all of them at once this is the hull:
-    /// registered up to the narrowest κ₋, never beyond the widest κ₊.
-    fn band(&self, kind: PredicateKind) -> Option<Band> {
-        match kind {
-            PredicateKind::Orient2d => {
-                self.planar.iter().flatten().map(|tolerances| tolerances.kappa).reduce(|a, b| Band {
-                    lower: a.lower.min(b.lower),
-                    width: a.width.max(b.width),
-                    upper: a.upper.max(b.upper),
-                })
-            }
-            PredicateKind::Orient3d => self.spatial.map(|tolerances| tolerances.xi),
-            PredicateKind::Compare | PredicateKind::Incircle | PredicateKind::Insphere => None,
+    /// κ of the projection, or ξ.
+    fn band(&self, question: Question) -> Option<Band> {
+        match question {
+            Question::Orient2d(plane) => self.tolerances2d(plane).ok().map(|tolerances| tolerances.kappa),
+            Question::Orient3d => self.spatial.map(|tolerances| tolerances.xi),
+            Question::Compare(_) | Question::Incircle | Question::Insphere => None,
         }
     }
 

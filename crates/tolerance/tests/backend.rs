@@ -40,17 +40,17 @@ fn length_is_the_largest_edge_of_the_box() {
     let session = Tolerance.prepare(&scene, Off).unwrap();
     let tolerances = Tolerances2d::from_length(3.0);
     assert_eq!(session.tolerances2d(Plane::Xy), Ok(&tolerances));
-    assert_eq!(session.band(PredicateKind::Orient2d), Some(tolerances.kappa));
+    assert_eq!(session.band(Question::Orient2d(Plane::Xy)), Some(tolerances.kappa));
     assert_eq!(session.reach(), tolerances.sigma.upper);
 
     let scene = Scene::from_points3(&[[0., 0., 0.], [2., 3., 5.]]).unwrap();
     let session = Tolerance.prepare(&scene, Off).unwrap();
-    assert_eq!(session.band(PredicateKind::Orient3d), Some(Tolerances3d::from_length(5.0).xi));
+    assert_eq!(session.band(Question::Orient3d), Some(Tolerances3d::from_length(5.0).xi));
     let [xy, yz, zx] = [Plane::Xy, Plane::Yz, Plane::Zx].map(|plane| session.tolerances2d(plane).unwrap().length);
     assert_eq!([xy, yz, zx], [3.0, 5.0, 5.0], "projections are scenes of their own");
-    let hull = session.band(PredicateKind::Orient2d).unwrap();
-    assert_eq!(hull.lower, Tolerances2d::from_length(3.0).kappa.lower);
-    assert_eq!(hull.upper, Tolerances2d::from_length(5.0).kappa.upper);
+    for (plane, length) in [(Plane::Xy, 3.0), (Plane::Yz, 5.0), (Plane::Zx, 5.0)] {
+        assert_eq!(session.band(Question::Orient2d(plane)), Some(Tolerances2d::from_length(length).kappa));
+    }
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //! |d| ≤ T₊, for exact d. Queries are aimed at T₋, T and T₊.
 
 use predicament_predicates::{
-    Backend, Band, Dimension, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex,
+    Backend, Band, Dimension, Off, Plane, Predicates, Question, Scene, Sign, Vertex,
 };
 use predicament_tolerance::Tolerance;
 use rug::Rational;
@@ -89,17 +89,16 @@ fn check(dimension: Dimension, scale: f64, answer: impl Fn(f64, Band) -> Option<
         // two corners make L the same for all scenes
         let mut coordinates = [corner(-0.5), corner(0.5)].concat();
         let frame = Scene::new(dimension, coordinates.clone()).unwrap();
-        let kind = if dimension == Dimension::Two { PredicateKind::Orient2d } else { PredicateKind::Orient3d };
         let question = if dimension == Dimension::Two { Question::Orient2d(Plane::Xy) } else { Question::Orient3d };
-        let band = Tolerance.prepare(&frame, Off).unwrap().band(kind).unwrap();
+        let band = Tolerance.prepare(&frame, Off).unwrap().band(question).unwrap();
         for _ in 0..50 {
             coordinates.extend(near(&mut random, dimension, scale, band));
         }
         let scene = Scene::new(dimension, coordinates).unwrap();
         let session = Tolerance.prepare(&scene, Off).unwrap();
-        assert_eq!(session.band(kind), Some(band), "the points stay in the frame");
+        assert_eq!(session.band(question), Some(band), "the points stay in the frame");
         let vertices: Vec<Vertex> = scene.vertices().skip(2).collect();
-        for args in vertices.chunks(kind.arity()) {
+        for args in vertices.chunks(question.kind().arity()) {
             let estimate = session.estimate(question, args).unwrap();
             let sign = answer(estimate, band).unwrap_or_else(|| question.ask(&session, args));
             let d = exact(&scene, args);

@@ -53,8 +53,14 @@ impl LocateIndex {
 
         let point = |v| scene.point2(Plane::Xy, v);
         // A query's candidates share an x: keep them close together in memory.
-        let left = |edge: &Edge| edge.ends.map(|v| point(v)[0]).into_iter().fold(f64::INFINITY, f64::min);
-        edges.sort_by(|a, b| left(a).total_cmp(&left(b)));
+        for edge in &mut edges {
+            let [u, v] = edge.ends;
+            if point(v)[0] < point(u)[0] {
+                edge.ends = [v, u];
+            }
+        }
+        edges.sort_by(|a, b| point(a.ends[0])[0].total_cmp(&point(b.ends[0])[0]));
+
         let segments: Vec<_> = edges.iter().map(|edge| edge.ends.map(point)).collect();
         LocateIndex {
             edges,
@@ -88,7 +94,8 @@ impl LocateIndex {
         0..count
     }
 
-    /// The two vertices of an edge, the smaller index first.
+    /// The two vertices of an edge, from left to right by raw coordinates; the
+    /// smaller index first where those are equal.
     ///
     /// # Panics
     /// If there is no such edge.
@@ -105,7 +112,22 @@ impl LocateIndex {
     #[inline]
     #[must_use]
     pub fn owners(&self, edge: u32) -> &[u32] {
-        &self.owner_sets[self.edges[edge as usize].owners as usize]
+        self.owner_set(self.owner_set_of(edge))
+    }
+
+    /// The number of distinct sets of owners; many edges share one.
+    pub(super) fn owner_sets(&self) -> usize {
+        self.owner_sets.len()
+    }
+
+    #[inline]
+    pub(super) fn owner_set_of(&self, edge: u32) -> u32 {
+        self.edges[edge as usize].owners
+    }
+
+    #[inline]
+    pub(super) fn owner_set(&self, set: u32) -> &[u32] {
+        &self.owner_sets[set as usize]
     }
 
     /// The broad phase; its segments are the edges.

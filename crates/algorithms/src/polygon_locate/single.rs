@@ -17,13 +17,23 @@ pub struct Location<'a> {
 /// Working memory for [`LocateIndex::locate`], to be reused from query to query.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
-    marks: Vec<Mark>,
-    touched: Vec<u32>,
+    candidates: Vec<u32>,
+    /// Edges with the same owners are counted together …
+    owner_sets: Marks,
+    /// … and summed up per region at the end.
+    regions: Marks,
     inside: Vec<u32>,
     boundary: Vec<u32>,
 }
 
-/// What is known about one region during a query.
+/// What is known about numbered things during a query.
+#[derive(Clone, Debug, Default)]
+struct Marks {
+    marks: Vec<Mark>,
+    touched: Vec<u32>,
+}
+
+/// What is known about one of them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 struct Mark {
     touched: bool,
@@ -50,16 +60,19 @@ impl LocateIndex {
     /// # Panics
     /// If the session's scene has no vertex `q`, or lacks vertices of the map.
     pub fn locate<'a, P: Predicates>(&self, session: &P, q: Vertex, scratch: &'a mut Scratch) -> Location<'a> {
-        scratch.begin(self.regions());
         let point = session.scene().point2(Plane::Xy, q);
-        for edge in self.columns().above(point, session.reach()) {
-            match meet(session, self.ends(edge), q) {
-                Meeting::Misses => {}
-                Meeting::Crosses => scratch.mark(self.owners(edge), |mark| mark.odd = !mark.odd),
-                Meeting::Touches => scratch.mark(self.owners(edge), |mark| mark.on_boundary = true),
-            }
+        self.columns().collect_above(point, session.reach(), &mut scratch.candidates);
+        scratch.owner_sets.fit(self.owner_sets());
+        scratch.regions.fit(self.regions());
+        for &edge in &scratch.candidates {
+            let mark = match meet(session, self.ends(edge), q) {
+                Meeting::Misses => continue,
+                Meeting::Crosses => Mark { odd: true, ..Mark::default() },
+                Meeting::Touches => Mark { on_boundary: true, ..Mark::default() },
+            };
+            scratch.owner_sets.add(self.owner_set_of(edge), mark);
         }
-        scratch.end()
+        scratch.sum_up(self)
     }
 }
 
@@ -94,34 +107,47 @@ impl Scratch {
         Scratch::default()
     }
 
-    fn begin(&mut self, regions: usize) {
+    fn sum_up(&mut self, index: &LocateIndex) -> Location<'_> {
         self.inside.clear();
         self.boundary.clear();
-        self.marks.resize(regions, Mark::default());
-    }
-
-    #[inline]
-    fn mark(&mut self, regions: &[u32], change: impl Fn(&mut Mark)) {
-        for &region in regions {
-            let mark = &mut self.marks[region as usize];
-            if !mark.touched {
-                mark.touched = true;
-                self.touched.push(region);
+        self.owner_sets.drain(|set, mark| {
+            for &region in index.owner_set(set) {
+                self.regions.add(region, mark);
             }
-            change(mark);
-        }
-    }
-
-    fn end(&mut self) -> Location<'_> {
-        self.touched.sort_unstable();
-        for region in self.touched.drain(..) {
-            let mark = std::mem::take(&mut self.marks[region as usize]);
+        });
+        self.regions.drain(|region, mark| {
             if mark.on_boundary {
                 self.boundary.push(region);
             } else if mark.odd {
                 self.inside.push(region);
             }
-        }
+        });
+        self.inside.sort_unstable();
+        self.boundary.sort_unstable();
         Location { inside: &self.inside, boundary: &self.boundary }
+    }
+}
+
+impl Marks {
+    fn fit(&mut self, count: usize) {
+        self.marks.resize(count, Mark::default());
+    }
+
+    #[inline]
+    fn add(&mut self, at: u32, more: Mark) {
+        let mark = &mut self.marks[at as usize];
+        if !mark.touched {
+            mark.touched = true;
+            self.touched.push(at);
+        }
+        mark.odd ^= more.odd;
+        mark.on_boundary |= more.on_boundary;
+    }
+
+    /// Hands over every mark, and leaves none.
+    fn drain(&mut self, mut take: impl FnMut(u32, Mark)) {
+        for at in self.touched.drain(..) {
+            take(at, std::mem::take(&mut self.marks[at as usize]));
+        }
     }
 }

@@ -26,11 +26,11 @@ pub fn antisymmetry<P: Predicates>(
         if says_nothing(sign, zero) {
             return;
         }
-        let answer = Answer { args: args.to_vec(), sign };
+        // Vectors are made for the first answer and for violations only.
         match &reference {
-            None => reference = Some((answer, sign * parity)),
+            None => reference = Some((Answer { args: args.to_vec(), sign }, sign * parity)),
             Some((first, even)) if sign * parity != *even => {
-                let answers = vec![first.clone(), answer];
+                let answers = vec![first.clone(), Answer { args: args.to_vec(), sign }];
                 violations.push(Violation { law: Law::Antisymmetry, question, answers });
             }
             Some(_) => {}

@@ -60,7 +60,7 @@ pub fn map_flaws<P: Predicates>(index: &LocateIndex, exact: &P) -> Flaws {
         .flat_map_iter(|column| {
             let pairs = index.columns().overlaps(column);
             pairs.filter_map(|[e, f]| {
-                let pair = [index.ends(e), index.ends(f)];
+                let pair = [edge_of(index, e), edge_of(index, f)];
                 Some((meeting(exact, pair)?, pair))
             })
         })
@@ -75,6 +75,11 @@ pub fn map_flaws<P: Predicates>(index: &LocateIndex, exact: &P) -> Flaws {
     flaws.crossings.sort_unstable();
     flaws.overlaps.sort_unstable();
     flaws
+}
+
+fn edge_of(index: &LocateIndex, edge: u32) -> Edge {
+    let [u, v] = index.ends(edge);
+    [u.min(v), u.max(v)]
 }
 
 fn used_vertices(index: &LocateIndex) -> Vec<Vertex> {
@@ -101,7 +106,7 @@ fn junctions<P: Predicates>(index: &LocateIndex, exact: &P, vertices: &[Vertex])
         .par_iter()
         .flat_map_iter(|&vertex| {
             let point = exact.scene().point2(Plane::Xy, vertex);
-            let edges = index.columns().above(point, 0.0).map(|edge| index.ends(edge));
+            let edges = index.columns().above(point, 0.0).map(|edge| edge_of(index, edge));
             edges.filter(move |&ends| place(exact, ends, vertex) == Place::Between).map(move |ends| (ends, vertex))
         })
         .collect();

@@ -13,7 +13,7 @@ pub(crate) use scene::Probing;
 pub use scene::SceneDef;
 
 use crate::document::{Document, Field, Fields};
-use crate::{CorpusError, Manifest, SeenIds};
+use crate::{CorpusError, Manifest, SeenIds, tables};
 
 /// A suite: a TOML file's scenes in the order in which they are written.
 #[derive(Clone, Debug)]
@@ -48,16 +48,16 @@ impl Suite {
         let name = Path::new(file).file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
         let document = Document { file, text };
         let root = document.parse()?;
-        let fields = Fields::new(&document, "suite", root.get_ref(), 0);
+        let fields = Fields::new(&document, &tables::SUITE, root.get_ref(), 0);
         let title = fields.required("title")?.string()?;
         let description = fields.string_or_empty("description")?;
         let context = Context { suite: name.clone(), base: base.map(Path::to_path_buf), manifest };
         let mut scenes = Vec::new();
-        for table in tables(&fields, "scene")? {
-            scenes.push(scene::read(&context, table.fields("scene")?)?);
+        for table in array(&fields, "scene")? {
+            scenes.push(scene::read(&context, table.fields(&tables::SCENE)?)?);
         }
-        for table in tables(&fields, "generate")? {
-            scenes.push(generate::read(&context, table.fields("generator")?)?);
+        for table in array(&fields, "generate")? {
+            scenes.push(generate::read(&context, table.fields(&tables::GENERATOR)?)?);
         }
         fields.finish()?;
         scenes.sort_by_key(|scene: &SceneDef| scene.line);
@@ -134,7 +134,7 @@ impl Context<'_> {
 }
 
 /// The tables of an array of tables; none where the key is missing.
-fn tables<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field<'d, 't>>, CorpusError> {
+fn array<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field<'d, 't>>, CorpusError> {
     match fields.get(key) {
         None => Ok(Vec::new()),
         Some(field) => Ok(field.items(&format!("[[{key}]] tables"))?.collect()),

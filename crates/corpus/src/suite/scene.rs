@@ -9,7 +9,7 @@ use super::queries::Plan;
 use super::{Context, points};
 use crate::document::{Field, Fields};
 use crate::generate::Generator;
-use crate::{CorpusError, Entry, ImportNotes, LoadedScene, Task, Work, content_id};
+use crate::{CorpusError, Entry, ImportNotes, LoadedScene, Task, Work, content_id, tables};
 
 /// A scene as its suite defines it; [`SceneDef::load`] makes it ready.
 #[derive(Clone, Debug)]
@@ -168,7 +168,8 @@ pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<Scen
         (None, None, Some(map)) => Content::Map(read_map(context, &fields, &map, task)?),
         (None, None, None) => {
             let cure = "write `points`, `fixture` or `map`";
-            return Err(fields.error(format!("scene `{name}` has no content"), cure));
+            let missing = fields.error(format!("scene `{name}` has no content"), cure);
+            return Err(fields.lacking("one of `points`, `fixture` and `map`", missing));
         }
         _ => {
             let message = format!("scene `{name}` has more than one of `points`, `fixture` and `map`");
@@ -187,7 +188,7 @@ fn read_points(
 ) -> Result<Content, CorpusError> {
     let plan = Plan::read(fields, task)?;
     if !points.is_array() {
-        let table = points.fields("reference to points")?;
+        let table = points.fields(&tables::POINTS)?;
         let path = context.path(&table.required("path")?)?;
         table.finish()?;
         return Ok(Content::Csv { path, plan });
@@ -205,7 +206,7 @@ fn read_fixture(context: &Context<'_>, fixture: &Field<'_, '_>, task: Task) -> R
             fixture.error(format!("no fixture has rows for {task}"), "use orient2d, orient3d, incircle or insphere")
         );
     }
-    let table = fixture.fields("fixture")?;
+    let table = fixture.fields(&tables::FIXTURE)?;
     let entry = fetched(context, &table.required("fetch")?)?;
     table.finish()?;
     Ok(entry)
@@ -222,11 +223,13 @@ fn read_map(
             map.error(format!("{task} asks about points, not about a map"), "write `task = \"polygon-locate\"`")
         );
     }
-    let table = map.fields("map")?;
+    let table = map.fields(&tables::MAP)?;
+    let not_one = || map.error("a map is either a file or fetched", "write one of `topojson` and `fetch`");
     let origin = match (table.get("topojson"), table.get("fetch")) {
         (Some(path), None) => Origin::Path(context.path(&path)?),
         (None, Some(key)) => Origin::Fetched(fetched(context, &key)?),
-        _ => return Err(map.error("a map is either a file or fetched", "write one of `topojson` and `fetch`")),
+        (None, None) => return Err(table.lacking("one of `topojson` and `fetch`", not_one())),
+        (Some(_), Some(_)) => return Err(not_one()),
     };
     let object = table.required("object")?.string()?;
     table.finish()?;

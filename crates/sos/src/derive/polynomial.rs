@@ -20,13 +20,8 @@ impl Polynomial {
     /// A number.
     #[must_use]
     pub fn constant(value: i32) -> Polynomial {
-        let mut constant = Polynomial::default();
-        constant.add_product(&Rational::from(value), &[0; PLACES * AXES], &Polynomial::one());
-        constant
-    }
-
-    fn one() -> Polynomial {
-        Polynomial(BTreeMap::from([([0; PLACES * AXES], Rational::from(1))]))
+        let term = (value != 0).then(|| (Powers::default(), Rational::from(value)));
+        Polynomial(term.into_iter().collect())
     }
 
     /// One coordinate of the point at a place.
@@ -70,14 +65,14 @@ impl Polynomial {
     /// The sum.
     #[must_use]
     pub fn plus(mut self, other: &Polynomial) -> Polynomial {
-        self.add_product(&Rational::from(1), &[0; PLACES * AXES], other);
+        self.add_product(&Rational::from(1), &Powers::default(), other);
         self
     }
 
     /// The difference.
     #[must_use]
     pub fn minus(mut self, other: &Polynomial) -> Polynomial {
-        self.add_product(&Rational::from(-1), &[0; PLACES * AXES], other);
+        self.add_product(&Rational::from(-1), &Powers::default(), other);
         self
     }
 

@@ -1,0 +1,84 @@
+//! Runs the tool as a user would.
+
+// Each test binary uses a part of this.
+#![allow(dead_code)]
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// The tool, ready for arguments, with no data fetched.
+pub fn tool(args: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_predicament"));
+    command.args(args).stdin(Stdio::null()).env("RUST_BACKTRACE", "0").env_remove("PREDICAMENT_CACHE");
+    command
+}
+
+/// What a call printed and how it ended.
+pub struct Told {
+    pub code: i32,
+    pub stdout: String,
+    pub stderr: String,
+}
+
+/// Runs the tool to its end.
+pub fn run(args: &[&str]) -> Told {
+    told(tool(args).output().expect("the tool starts"))
+}
+
+pub fn told(output: Output) -> Told {
+    Told {
+        code: output.status.code().expect("the tool ends by itself"),
+        stdout: String::from_utf8(output.stdout).expect("UTF-8"),
+        stderr: String::from_utf8(output.stderr).expect("UTF-8"),
+    }
+}
+
+/// Runs the tool and insists on an exit code.
+pub fn expect(code: i32, args: &[&str]) -> Told {
+    let told = run(args);
+    assert_eq!(told.code, code, "{args:?}\nstdout: {}\nstderr: {}", told.stdout, told.stderr);
+    told
+}
+
+/// A path inside a temporary folder, as an argument.
+pub fn at(folder: &tempfile::TempDir, name: &str) -> String {
+    folder.path().join(name).display().to_string()
+}
+
+/// The tables of a run that have to be the same whatever the threads.
+pub fn tables(run: &str) -> Vec<(&'static str, String)> {
+    ["summary.csv", "findings.csv", "stages.csv", "locate.csv"].map(|file| (file, read(run, file))).to_vec()
+}
+
+pub fn read(folder: &str, file: &str) -> String {
+    std::fs::read_to_string(Path::new(folder).join(file)).unwrap_or_else(|error| panic!("{folder}/{file}: {error}"))
+}
+
+/// A column of a CSV file.
+pub fn column(csv: &str, name: &str) -> Vec<String> {
+    let mut lines = csv.lines();
+    let place = lines.next().and_then(|header| header.split(',').position(|column| column == name));
+    let place = place.unwrap_or_else(|| panic!("no column {name}"));
+    lines.map(|line| line.split(',').nth(place).unwrap_or_default().to_owned()).collect()
+}
+
+/// Writes a file and gives its path.
+pub fn write(folder: &tempfile::TempDir, name: &str, text: &str) -> String {
+    let path: PathBuf = folder.path().join(name);
+    std::fs::write(&path, text).expect("the folder is writable");
+    path.display().to_string()
+}
+
+/// A suite in which naive floating point is wrong once and exact never.
+pub const SUITE: &str = r#"title = "Mine"
+
+[[scene]]
+name = "wrong-once"
+task = "orient2d"
+points = [["0x1.0000000000001p-1", "0x1p-1"], ["12", "12"], ["24", "24"]]
+
+[[scene]]
+name = "plain"
+task = "orient2d"
+points = [["0", "0"], ["1", "0"], ["0", "1"]]
+"#;

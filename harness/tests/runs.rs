@@ -1,0 +1,186 @@
+//! `run`, `gate`, `replay`, `report` and `bench` from end to end.
+
+mod common;
+
+use common::{SUITE, at, column, expect, read, run, tables, tool, write};
+use tempfile::tempdir;
+
+/// A part of the corpora that has signs, ties, findings and a map.
+const SOME: [&str; 4] = ["-f", "kettner-[ab]|wide-scaled-orient2d|grid-incircle|tilings", "-b", "exact,sos,naive,tolerance"];
+
+fn some<'a>(rest: &[&'a str]) -> Vec<&'a str> {
+    [&["run"][..], &SOME, rest].concat()
+}
+
+#[test]
+fn the_bytes_do_not_depend_on_the_number_of_threads() {
+    let folder = tempdir().unwrap();
+    let (one, many) = (at(&folder, "one"), at(&folder, "many"));
+    run(&some(&["--threads", "1", "--out", &one]));
+    run(&some(&["--threads", "5", "--out", &many]));
+    for ((file, one), (_, many)) in tables(&one).into_iter().zip(tables(&many)) {
+        assert!(one.lines().count() > 1, "{file} has rows");
+        assert!(one == many, "{file} differs");
+    }
+}
+
+#[test]
+fn shards_are_a_partition_of_the_whole() {
+    let folder = tempdir().unwrap();
+    let whole = at(&folder, "whole");
+    run(&some(&["--out", &whole]));
+    let mut parts: Vec<String> = Vec::new();
+    for k in 1..=3 {
+        let part = at(&folder, &format!("part{k}"));
+        let shard = format!("{k}/3");
+        if run(&some(&["--shard", &shard, "--out", &part])).code != 4 {
+            parts.extend(read(&part, "summary.csv").lines().skip(1).map(str::to_owned));
+        }
+    }
+    let mut rows: Vec<String> = read(&whole, "summary.csv").lines().skip(1).map(str::to_owned).collect();
+    rows.sort();
+    parts.sort();
+    assert_eq!(rows, parts);
+}
+
+#[test]
+#[cfg(unix)]
+fn an_interrupted_run_says_so_and_goes_on_where_it_stopped() {
+    let folder = tempdir().unwrap();
+    let (whole, broken) = (at(&folder, "whole"), at(&folder, "broken"));
+    let args = ["run", "-f", "classics|decimals|families", "-b", "exact,sos,sos:edelsbrunner-mucke", "--out"];
+    run(&[&args[..], &[&whole]].concat());
+    let mut child = tool(&[&args[..], &[&broken]].concat()).stdout(std::process::Stdio::null()).spawn().unwrap();
+    // Wait until something is done, then interrupt.
+    let rows = || std::fs::read_to_string(folder.path().join("broken/summary.csv")).map_or(0, |text| text.lines().count());
+    while rows() < 3 && child.try_wait().unwrap().is_none() {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    let code = child.wait().unwrap().code();
+    assert_eq!(code, Some(103), "stopped with the code for incomplete");
+    assert!(rows() < read(&whole, "summary.csv").lines().count(), "it was stopped before its end");
+    assert_eq!(run(&["gate", &broken]).code, 103);
+    let resumed = run(&["run", "--resume", &broken]);
+    assert!([0, 100, 101].contains(&resumed.code), "{}", resumed.stderr);
+    for ((file, whole), (_, broken)) in tables(&whole).into_iter().zip(tables(&broken)) {
+        assert!(whole == broken, "{file} differs after resuming");
+    }
+    assert!(run(&["run", "--resume", &broken]).stderr.contains("nothing to resume"));
+}
+
+#[test]
+fn expectations_turn_the_gate_both_ways() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let out = at(&folder, "run");
+    let empty = write(&folder, "empty.toml", "");
+    let found = expect(100, &["run", &suite, "--expected", &empty, "-b", "naive,exact", "--out", &out]);
+    assert!(found.stdout.contains("unexpected: mine/wrong-once on naive: 1 overreach"), "{}", found.stdout);
+
+    let expectation = |class: &str, scene: &str| {
+        let text = format!("[[expect]]\nscene = \"{scene}\"\nbackend = \"naive\"\nclass = \"{class}\"\nreason = \"rounding\"\n");
+        write(&folder, &format!("{class}-{}.toml", scene.len()), &text)
+    };
+    expect(100, &["gate", &out, "--expected", &empty]);
+    expect(0, &["gate", &out, "--expected", &expectation("overreach", "wrong-*")]);
+    expect(100, &["gate", &out, "--expected", &expectation("sign_flip", "wrong-*")]);
+    expect(101, &["gate", &out, "--expected", &expectation("overreach", "*")]);
+
+    let suggested = expect(100, &["gate", &out, "--expected", &empty, "--suggest"]).stdout;
+    let table = suggested.split("[[expect]]").nth(1).and_then(|text| text.split("\n\n").next()).unwrap();
+    let filled = format!("[[expect]]{}", table.replace("reason = \"\"", "reason = \"rounding\""));
+    expect(0, &["gate", &out, "--expected", &write(&folder, "suggested.toml", &filled)]);
+}
+
+#[test]
+fn planted_faults_turn_the_gate_red() {
+    let folder = tempdir().unwrap();
+    for (fault, scenes) in [
+        ("sos-swapped-term", "ties/grid"),
+        ("sos-dropped-parity", "kettner-pixels-a"),
+        ("sos-place-as-identity", "kettner-pixels-a"),
+        ("exact-halved-filter", "filters"),
+        ("exact-unguarded", "wide-scaled-orient3d"),
+        ("exact-flushed", "wide-scaled-orient2d"),
+        ("tolerance-narrow", "bands"),
+        ("tolerance-wide", "bands"),
+        ("compare-greater-on-ties", "grid-compare"),
+    ] {
+        let honest = fault.split('-').next().unwrap().replace("compare", "sos");
+        let backend = format!("fault:{fault}");
+        for (backend, code) in [(backend.as_str(), 100), (honest.as_str(), 0)] {
+            let out = at(&folder, &format!("{fault}-{}", backend.replace(':', "-")));
+            run(&["run", "-f", scenes, "-b", backend, "--out", &out]);
+            expect(code, &["gate", &out]);
+        }
+    }
+}
+
+#[test]
+fn a_baseline_catches_what_expectations_forgive() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let (good, bad) = (at(&folder, "good"), at(&folder, "bad"));
+    let forgiving = "[[expect]]\nscene = \"wrong-once\"\nbackend = \"naive\"\nclass = \"overreach\"\nreason = \"r\"\n";
+    let forgiving = write(&folder, "forgiving.toml", forgiving);
+    expect(0, &["run", &suite, "--expected", &forgiving, "-b", "naive", "--out", &bad]);
+    expect(0, &["run", &suite, "--expected", &forgiving, "-b", "naive", "--out", &good]);
+    // As if the baseline had been right: its one overreach agrees.
+    let summary = read(&good, "summary.csv").replace(",1,0,0,0,1,0,0,0,0,0,0,0,0,", ",1,1,0,0,0,0,0,0,0,0,0,0,0,");
+    assert_ne!(summary, read(&good, "summary.csv"), "the row was found");
+    std::fs::write(folder.path().join("good/summary.csv"), summary).unwrap();
+    expect(0, &["gate", &bad, "--expected", &forgiving, "--baseline", &bad]);
+    let worse = expect(100, &["gate", &bad, "--expected", &forgiving, "--baseline", &good]);
+    assert!(worse.stdout.contains("worse than the baseline: mine/wrong-once on naive: 1 overreach, was 0"));
+}
+
+#[test]
+fn a_finding_is_replayed_from_its_id() {
+    let folder = tempdir().unwrap();
+    let out = at(&folder, "run");
+    run(&["run", "-f", "kettner|tilings/tiling", "-b", "naive,epsilon:1e-10", "--out", &out]);
+    let findings = read(&out, "findings.csv");
+    let (ids, checks) = (column(&findings, "finding_id"), column(&findings, "check"));
+    for kind in ["sign", "antisymmetry", "false-boundary"] {
+        let at = checks.iter().position(|check| check == kind).unwrap_or_else(|| panic!("a finding of {kind}"));
+        let told = expect(0, &["replay", &ids[at], "--run", &out]);
+        assert!(told.stdout.contains(&ids[at]) && told.stdout.contains("vertex "), "{}", told.stdout);
+        assert!(told.stdout.lines().any(|line| line.trim_start().starts_with("exact ")), "{}", told.stdout);
+    }
+    expect(4, &["replay", "zzz", "--run", &out]);
+    expect(2, &["replay", "zzz", "--run", &at(&folder, "nowhere")]);
+}
+
+#[test]
+fn a_report_has_errors_and_timings_on_one_page() {
+    let folder = tempdir().unwrap();
+    let (out, bench, report) = (at(&folder, "run"), at(&folder, "bench"), at(&folder, "report"));
+    let scenes = ["-f", "kettner-pixels-a|tilings/bricks", "-b", "exact,naive,shewchuk"];
+    run(&[&["run"][..], &scenes, &["--out", &out]].concat());
+    expect(0, &[&["bench"][..], &scenes, &["--samples", "3", "--sample-ms", "0", "--out", &bench]].concat());
+    let throughput = read(&bench, "throughput.csv");
+    // two scenes, three backends, three samples
+    assert_eq!(throughput.lines().count(), 1 + 2 * 3 * 3, "{throughput}");
+    assert!(column(&throughput, "ns_per_query").iter().all(|ns| ns.parse::<f64>().unwrap() > 0.0));
+    expect(0, &["report", &out, &bench, "--out", &report]);
+    let (html, markdown) = (read(&report, "report.html"), read(&report, "report.md"));
+    for page in [&html, &markdown] {
+        for needle in ["kettner-pixels-a", "shewchuk", "polygon-locate", "needs fetched data"] {
+            assert!(page.contains(needle), "{needle}");
+        }
+    }
+    assert!(html.contains("<svg") && !html.contains("src=\"http"));
+}
+
+#[test]
+fn a_pixel_map_is_a_picture_and_a_count() {
+    let folder = tempdir().unwrap();
+    let out = at(&folder, "map.png");
+    let told = expect(0, &["map", "kettner-pixels-a", "-b", "naive,exact,tolerance", "--out", &out]);
+    let exact = told.stdout.lines().find(|line| line.starts_with("exact")).unwrap();
+    assert!(exact.contains(" 0 differ"), "{exact}");
+    let tolerance = told.stdout.lines().find(|line| line.starts_with("tolerance")).unwrap();
+    assert!(tolerance.contains("65536 0"), "all of the map is in the band: {tolerance}");
+    assert_eq!(std::fs::read(out).unwrap()[..8], *b"\x89PNG\r\n\x1a\n");
+}
