@@ -41,7 +41,10 @@ fn suites_are_refused_with_file_line_and_cure() {
 #[test]
 fn a_scene_twice_is_refused() {
     let folder = tempdir().unwrap();
-    let twice = SUITE.replace("[[\"0\", \"0\"], [\"1\", \"0\"], [\"0\", \"1\"]]", "[[\"0x1.0000000000001p-1\", \"0x1p-1\"], [\"12\", \"12\"], [\"24\", \"24\"]]");
+    let twice = SUITE.replace(
+        "[[\"0\", \"0\"], [\"1\", \"0\"], [\"0\", \"1\"]]",
+        "[[\"0x1.0000000000001p-1\", \"0x1p-1\"], [\"12\", \"12\"], [\"24\", \"24\"]]",
+    );
     let suite = write(&folder, "twice.toml", &twice);
     fails(104, &["corpus", "verify", &suite], &["twice.toml:", "wrong-once", "plain"]);
 }
@@ -79,7 +82,11 @@ fn usage_is_answered_with_what_there_is() {
     fails(2, &["gate", &at(&folder, "nowhere")], &["nowhere"]);
     fails(2, &["bench", "--samples", "0"], &["--samples"]);
     fails(2, &["corpus", "fetch", "no-such-key"], &["no-such-key", "world-110m"]);
-    fails(104, &["gate", &out, "--expected", &write(&folder, "e.toml", "[[expect]]\nscene = \"*\"\n")], &["e.toml:1", "backend"]);
+    fails(
+        104,
+        &["gate", &out, "--expected", &write(&folder, "e.toml", "[[expect]]\nscene = \"*\"\n")],
+        &["e.toml:1", "backend"],
+    );
     assert!(!folder.path().join("run").exists(), "nothing half-written");
     assert_eq!(tool(&["run", "--no-such-flag"]).output().unwrap().status.code(), Some(2));
 }

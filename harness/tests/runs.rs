@@ -6,7 +6,8 @@ use common::{SUITE, at, column, expect, read, run, tables, tool, write};
 use tempfile::tempdir;
 
 /// A part of the corpora that has signs, ties, findings and a map.
-const SOME: [&str; 4] = ["-f", "kettner-[ab]|wide-scaled-orient2d|grid-incircle|tilings", "-b", "exact,sos,naive,tolerance"];
+const SOME: [&str; 4] =
+    ["-f", "kettner-[ab]|wide-scaled-orient2d|grid-incircle|tilings", "-b", "exact,sos,naive,tolerance"];
 
 fn some<'a>(rest: &[&'a str]) -> Vec<&'a str> {
     [&["run"][..], &SOME, rest].concat()
@@ -52,7 +53,8 @@ fn an_interrupted_run_says_so_and_goes_on_where_it_stopped() {
     run(&[&args[..], &[&whole]].concat());
     let mut child = tool(&[&args[..], &[&broken]].concat()).stdout(std::process::Stdio::null()).spawn().unwrap();
     // Wait until something is done, then interrupt.
-    let rows = || std::fs::read_to_string(folder.path().join("broken/summary.csv")).map_or(0, |text| text.lines().count());
+    let rows =
+        || std::fs::read_to_string(folder.path().join("broken/summary.csv")).map_or(0, |text| text.lines().count());
     while rows() < 3 && child.try_wait().unwrap().is_none() {
         std::thread::sleep(std::time::Duration::from_millis(1));
     }
@@ -79,7 +81,9 @@ fn expectations_turn_the_gate_both_ways() {
     assert!(found.stdout.contains("unexpected: mine/wrong-once on naive: 1 overreach"), "{}", found.stdout);
 
     let expectation = |class: &str, scene: &str| {
-        let text = format!("[[expect]]\nscene = \"{scene}\"\nbackend = \"naive\"\nclass = \"{class}\"\nreason = \"rounding\"\n");
+        let text = format!(
+            "[[expect]]\nscene = \"{scene}\"\nbackend = \"naive\"\nclass = \"{class}\"\nreason = \"rounding\"\n"
+        );
         write(&folder, &format!("{class}-{}.toml", scene.len()), &text)
     };
     expect(100, &["gate", &out, "--expected", &empty]);

@@ -122,7 +122,11 @@ fn tuples(case: &SignCase, size: usize, wanted: usize) -> Vec<Vec<Vertex>> {
     let near = (0..windows).step_by(step).map(|at| flat[at..at + size].to_vec());
     // Weyl sequence: spreads indices evenly without a random source.
     let spread = (0..wanted / 2).map(|i| {
-        (0..size).map(|j| flat[(i * size + j).wrapping_mul(0x9e37_79b9_7f4a_7c15_u64 as usize) % flat.len()]).collect()
+        let place = |j: usize| {
+            let weyl = ((i * size + j) as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) % flat.len() as u64;
+            usize::try_from(weyl).unwrap_or_default()
+        };
+        (0..size).map(|j| flat[place(j)]).collect()
     });
     near.chain(spread)
         .filter(|tuple: &Vec<Vertex>| {

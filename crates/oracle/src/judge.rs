@@ -170,7 +170,7 @@ mod tests {
             .iter()
             .map(|&v| {
                 let mut row: Vec<Integer> =
-                    exact(v).into_iter().map(|x| Rational::from(x * &scale).into_numer_denom().0).collect();
+                    exact(v).iter().map(|x| Integer::from(x.numer() * &scale) / x.denom()).collect();
                 if matches!(question, Question::Incircle | Question::Insphere) {
                     row.push(row.iter().map(|x| Integer::from(x.square_ref())).sum());
                 }

@@ -1,9 +1,7 @@
 //! The promise itself: |d| ≤ T₋ is registered, and what is registered has
 //! |d| ≤ T₊, for exact d. Queries are aimed at T₋, T and T₊.
 
-use predicament_predicates::{
-    Backend, Band, Dimension, Off, Plane, Predicates, Question, Scene, Sign, Vertex,
-};
+use predicament_predicates::{Backend, Band, Dimension, Off, Plane, Predicates, Question, Scene, Sign, Vertex};
 use predicament_tolerance::Tolerance;
 use rug::Rational;
 

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use predicament_oracle::locate;
-use predicament_oracle::{Case, Contestant, Stopwatch, Truth, Watch, digest_of};
+use predicament_oracle::{Case, Class, Contestant, Outcome, Stopwatch, Truth, Watch, digest_of};
 use predicament_report::{self as report, PlannedScene, RunWriter, Shard, ThroughputRow};
 
 use crate::cmd::run::{budget, env, free_folder, plan};
@@ -73,7 +73,7 @@ pub fn run(args: Args) -> exit::Outcome {
     let quiet = |_: u64| {};
     let watch = Watch::new(interrupt::flag(), None, &quiet);
     let mut ended = report::Outcome::Complete;
-    let mut refused = Vec::new();
+    let mut remarks = Vec::new();
     'scenes: for (def, scene) in &scenes {
         bar.set_message(scene.scene.clone());
         let loaded = selection.load(def)?;
@@ -92,23 +92,26 @@ pub fn run(args: Args) -> exit::Outcome {
             writer.write(&rows::findings(scene, &backend.name(), &outcome)).map_err(Failure::usage)?;
             match start(&case, backend.as_ref()) {
                 Ok(runner) => runners.push(runner),
-                Err(why) => refused.push(format!("{}/{} on {}: {why}", scene.suite, scene.scene, backend.name())),
+                Err(why) => {
+                    remarks.push(format!("not timed: {}/{} on {}: {why}", scene.suite, scene.scene, backend.name()))
+                }
             }
         }
         for peer in peers::runners(&case) {
-            match peer {
-                Ok(peer) => runners.push(Runner {
-                    name: peer.name,
-                    version: peer.version,
-                    watch: peer.watch,
-                    judged: peer.judged,
-                    passes: 1,
-                }),
-                Err(why) => refused.push(format!("{}/{}: {why}", scene.suite, scene.scene)),
+            let mut judged = Outcome { queries: scene.queries, ..Outcome::default() };
+            judged.counts.add(Class::Agree, scene.queries - peer.wrong);
+            judged.counts.add(Class::Topology, peer.wrong);
+            writer
+                .write(&[rows::summary(scene, &peer.name, &judged, &expected, selection.level.name())])
+                .map_err(Failure::usage)?;
+            if let Some(first) = &peer.first_wrong {
+                remarks.push(format!("{}/{}: {} wrong; first, {first}", scene.suite, scene.scene, peer.wrong));
             }
+            let (name, version) = (peer.name, peer.version);
+            runners.push(Runner { name, version, watch: peer.watch, judged: peer.judged, passes: 1 });
         }
         let samples = Samples { count: args.samples, least: Duration::from_millis(args.sample_ms) };
-        if !samples.take(scene, runners, &mut writer, &mut refused, || bar.inc(1))? {
+        if !samples.take(scene, runners, &mut writer, &mut remarks, || bar.inc(1))? {
             ended = report::Outcome::Interrupted;
             break;
         }
@@ -117,8 +120,8 @@ pub fn run(args: Args) -> exit::Outcome {
     bar.finish_and_clear();
     writer.finish(ended).map_err(Failure::usage)?;
     println!("{}: {} scenes timed, {}", folder.display(), scenes.len(), ended.describe());
-    for line in &refused {
-        println!("  not timed: {line}");
+    for line in &remarks {
+        println!("  {line}");
     }
     Ok(if ended == report::Outcome::Complete { exit::OK } else { exit::INCOMPLETE })
 }
@@ -148,7 +151,7 @@ impl Samples {
         scene: &PlannedScene,
         mut runners: Vec<Runner>,
         writer: &mut RunWriter,
-        refused: &mut Vec<String>,
+        remarks: &mut Vec<String>,
         tick: impl Fn(),
     ) -> Result<bool, Failure> {
         // A pass to warm up, to size the samples, and to see that the answers are the judged ones.
@@ -158,8 +161,8 @@ impl Samples {
             runner.passes = u32::try_from(self.least.as_nanos() / pass.as_nanos() + 1).unwrap_or(u32::MAX);
             let same = runner.watch.digest() == runner.judged;
             if !same {
-                refused.push(format!(
-                    "{}/{} on {}: the timed answers are not the judged ones",
+                remarks.push(format!(
+                    "not timed: {}/{} on {}: the timed answers are not the judged ones",
                     scene.suite, scene.scene, runner.name
                 ));
             }

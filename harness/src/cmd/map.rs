@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use predicament_oracle::{Case, Truth, Watch};
+use predicament_oracle::{Case, Contestant, Truth, Watch};
 use predicament_predicates::Sign;
 use predicament_report::{PixelMap, side_by_side};
 
@@ -56,33 +56,48 @@ pub fn run(args: Args) -> exit::Outcome {
     let quiet = |_: u64| {};
     let stopped = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
     let case = Case::new(&loaded, &Watch::new(interrupt::flag(), None, &quiet)).map_err(stopped)?;
-    let Truth::Signs { queries, signs: truth } = case.truth() else {
-        return Err(Failure::usage(format!("`{}` is a map with regions; only sign scenes can be drawn", args.scene)));
-    };
-    let side = queries.len().isqrt();
-    if side == 0 || side * side != queries.len() {
-        return Err(Failure::usage(format!("`{}` has {} queries, which is no square", args.scene, queries.len())));
-    }
     let mut maps = Vec::new();
     for backend in &backends {
-        let answers = backend
-            .answers(&loaded.scene, queries)
-            .map_err(|why| Failure::usage(format!("{}: {why}", backend.name())))?;
-        let wrong: Vec<bool> = answers.iter().zip(truth).map(|(got, truth)| got != truth).collect();
-        let count = |sign: Sign| answers.iter().filter(|&&answer| answer == sign).count();
-        println!(
-            "{:<24} {:>8} -  {:>8} 0  {:>8} +  {:>8} differ from the exact sign",
-            backend.name(),
-            count(Sign::Negative),
-            count(Sign::Zero),
-            count(Sign::Positive),
-            wrong.iter().filter(|&&wrong| wrong).count()
-        );
-        let signs: Vec<i8> = answers.iter().map(|sign| sign.as_i8()).collect();
-        maps.push(PixelMap::new(side, side, &signs, &wrong).map_err(Failure::usage)?);
+        let tile = tile(&case, backend.as_ref())?;
+        println!("{:<24} {}", backend.name(), tile.caption);
+        maps.push(tile.map);
     }
     let png = side_by_side(&maps, args.zoom, 8).map_err(Failure::usage)?;
     std::fs::write(&args.out, png).map_err(|error| Failure::usage(format!("{}: {error}", args.out.display())))?;
     println!("{}", args.out.display());
     Ok(exit::OK)
+}
+
+/// One backend's picture.
+pub struct Tile {
+    /// The pixels.
+    pub map: PixelMap,
+    /// How many of each sign, and how many wrong.
+    pub caption: String,
+}
+
+/// Draws one backend's answers to a square of queries.
+pub fn tile(case: &Case, backend: &dyn Contestant) -> Result<Tile, Failure> {
+    let loaded = case.loaded();
+    let Truth::Signs { queries, signs: truth } = case.truth() else {
+        return Err(Failure::usage(format!("`{}` is a map with regions; only sign scenes can be drawn", loaded.name)));
+    };
+    let side = queries.len().isqrt();
+    if side == 0 || side * side != queries.len() {
+        return Err(Failure::usage(format!("`{}` has {} queries, which is no square", loaded.name, queries.len())));
+    }
+    let answers = backend
+        .answers(&loaded.scene, queries)
+        .map_err(|why| Failure::usage(format!("{}: {why}", backend.name())))?;
+    let wrong: Vec<bool> = answers.iter().zip(truth).map(|(got, truth)| got != truth).collect();
+    let count = |sign: Sign| answers.iter().filter(|&&answer| answer == sign).count();
+    let caption = format!(
+        "{:>8} -  {:>8} 0  {:>8} +  {:>8} differ from the exact sign",
+        count(Sign::Negative),
+        count(Sign::Zero),
+        count(Sign::Positive),
+        wrong.iter().filter(|&&wrong| wrong).count()
+    );
+    let signs: Vec<i8> = answers.iter().map(|sign| sign.as_i8()).collect();
+    Ok(Tile { map: PixelMap::new(side, side, &signs, &wrong).map_err(Failure::usage)?, caption })
 }

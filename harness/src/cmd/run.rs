@@ -8,6 +8,7 @@ use predicament_oracle::signs::Budget;
 use predicament_oracle::{Case, Class, Contestant, Outcome, Stop, Watch, roster as backends};
 use predicament_report::{self as report, Env, Plan, PlannedScene, RunWriter, Shard, Status, SummaryRow};
 
+use crate::cmd::map;
 use crate::exit::{self, Failure};
 use crate::select::{Selection, Selector};
 use crate::{expectations, interrupt, progress, roster, rows};
@@ -93,6 +94,10 @@ pub fn run(args: Args) -> exit::Outcome {
             return Err(Failure { message, code: exit::CORPUS });
         }
         for backend in left {
+            // The pictures of pixel maps go with their rows; every other scene has none.
+            if loaded.family == "pixel-map" {
+                ledger.draw(&case, backend)?;
+            }
             match case.run(backend, budget, &watch.restarted(limit)) {
                 Err(Stop::Interrupted | Stop::Timeout) => {
                     ended = report::Outcome::Interrupted;
@@ -211,6 +216,15 @@ impl Ledger {
         writer.commit().map_err(Failure::usage)?;
         self.done.push(summary);
         Ok(())
+    }
+
+    fn draw(&self, case: &Case, backend: &dyn Contestant) -> Result<(), Failure> {
+        // A backend that declines or panics has a row that says so, and no picture.
+        let tile = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| map::tile(case, backend)));
+        let Ok(Ok(tile)) = tile else { return Ok(()) };
+        let png = tile.map.to_png(1).map_err(Failure::usage)?;
+        let name = format!("{} {}", case.loaded().name, backend.name()).replace(':', "-");
+        self.writer.add_map(&name, &png).map_err(Failure::usage)
     }
 
     fn finish(self, ended: report::Outcome) -> exit::Outcome {
