@@ -188,3 +188,14 @@ fn a_pixel_map_is_a_picture_and_a_count() {
     assert!(tolerance.contains("65536 0"), "all of the map is in the band: {tolerance}");
     assert_eq!(std::fs::read(out).unwrap()[..8], *b"\x89PNG\r\n\x1a\n");
 }
+
+#[test]
+fn a_timeout_is_counted_and_the_run_incomplete() {
+    let folder = tempdir().unwrap();
+    let out = at(&folder, "run");
+    let told = expect(103, &["run", "-f", "kettner-a1$", "-b", "exact,naive", "--timeout", "0", "--out", &out]);
+    assert!(told.stdout.contains("1 timeout"), "{}", told.stdout);
+    assert_eq!(column(&read(&out, "summary.csv"), "timeout"), ["1", "1"]);
+    // A timeout is a finding that nobody expects.
+    expect(100, &["gate", &out]);
+}

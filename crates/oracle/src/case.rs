@@ -118,3 +118,118 @@ fn message(payload: &(dyn Any + Send)) -> String {
     let text = text.or_else(|| payload.downcast_ref::<String>().cloned());
     text.unwrap_or_else(|| "no message".to_owned()).replace('\n', " ")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Entry;
+    use predicament_corpus::{Cache, Level, Library};
+    use predicament_predicates::{
+        Axis, Backend, Contract, Declined, Plane, PredicateKind, Predicates, Scene, Tally, ZeroMeaning,
+    };
+    use std::sync::atomic::AtomicBool;
+
+    /// Answers that everything is positive, or panics at the third query.
+    struct Stub {
+        panics: bool,
+    }
+
+    struct Session<'s> {
+        scene: &'s Scene,
+        panics: bool,
+    }
+
+    impl Backend for Stub {
+        type Session<'s, T: Tally + 's> = Session<'s>;
+
+        fn name(&self) -> String {
+            "stub".to_owned()
+        }
+
+        fn contract(&self, _: PredicateKind) -> Contract {
+            Contract { zero: ZeroMeaning::Exact, proved: false }
+        }
+
+        fn stages(&self) -> &'static [&'static str] {
+            &["stub"]
+        }
+
+        fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, _: T) -> Result<Session<'s>, Declined> {
+            Ok(Session { scene, panics: self.panics })
+        }
+    }
+
+    impl Predicates for Session<'_> {
+        fn scene(&self) -> &Scene {
+            self.scene
+        }
+
+        fn compare(&self, _: Axis, _: Vertex, _: Vertex) -> Sign {
+            Sign::Positive
+        }
+
+        fn orient2d(&self, _: Plane, _: Vertex, _: Vertex, c: Vertex) -> Sign {
+            assert!(!self.panics || c.index() < 3, "third\nquery");
+            Sign::Positive
+        }
+
+        fn orient3d(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
+            Sign::Positive
+        }
+
+        fn incircle(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
+            Sign::Positive
+        }
+
+        fn insphere(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
+            Sign::Positive
+        }
+    }
+
+    fn load(name: &str) -> LoadedScene {
+        let suite = Library::embedded().unwrap().suite("classics").unwrap();
+        let scene = suite.scenes.iter().find(|scene| scene.name == name).expect("a classic");
+        scene.load(Level::Quick, &Cache::new("nowhere")).unwrap()
+    }
+
+    fn run(loaded: &LoadedScene, stub: Stub) -> Outcome {
+        let (cancel, progress) = (AtomicBool::new(false), |_: u64| {});
+        let watch = Watch::new(&cancel, None, &progress);
+        Case::new(loaded, &watch).unwrap().run(&Entry::new(stub), Budget::QUICK, &watch).unwrap()
+    }
+
+    #[test]
+    fn a_panic_is_a_finding_about_the_backend() {
+        let outcome = run(&load("kettner-a1"), Stub { panics: true });
+        assert_eq!(outcome.counts.get(Class::Panic), 1);
+        assert_eq!(outcome.counts.findings(), 1);
+        assert!(outcome.findings[0].got.contains("third query"), "{:?}", outcome.findings);
+    }
+
+    #[test]
+    fn an_answer_that_is_always_the_same_is_flipped_inconsistent_and_no_zero() {
+        let loaded = load("kettner-b2");
+        let outcome = run(&loaded, Stub { panics: false });
+        assert!(outcome.counts.get(Class::SignFlip) > 0);
+        assert!(outcome.counts.get(Class::Inconsistent) > 0);
+        assert_eq!(outcome.counts.get(Class::Overreach), 0, "it never says zero");
+        let classed: u64 =
+            [Class::Agree, Class::SignFlip, Class::MissedZero].map(|class| outcome.counts.get(class)).iter().sum();
+        assert!(classed <= outcome.queries && outcome.queries == loaded.work.len() as u64);
+    }
+
+    #[test]
+    fn signs_that_came_with_the_data_are_held_against_the_judge() {
+        let mut loaded = load("kettner-b2");
+        let (cancel, progress) = (AtomicBool::new(false), |_: u64| {});
+        let watch = Watch::new(&cancel, None, &progress);
+        let Truth::Signs { signs, .. } = Case::new(&loaded, &watch).unwrap().truth else { panic!("a sign scene") };
+        loaded.expected = Some(signs.clone());
+        assert_eq!(Case::new(&loaded, &watch).unwrap().dispute(), None);
+        let wrong: Vec<Sign> = signs.iter().enumerate().map(|(i, &sign)| if i == 4 { -sign } else { sign }).collect();
+        loaded.expected = Some(wrong);
+        let dispute = Case::new(&loaded, &watch).unwrap().dispute().unwrap();
+        assert_eq!(dispute.count, 1);
+        assert!(dispute.first.contains("at query 4"), "{dispute}");
+    }
+}

@@ -86,9 +86,8 @@ pub fn tile(case: &Case, backend: &dyn Contestant) -> Result<Tile, Failure> {
     if side == 0 || side * side != queries.len() {
         return Err(Failure::usage(format!("`{}` has {} queries, which is no square", loaded.name, queries.len())));
     }
-    let answers = backend
-        .answers(&loaded.scene, queries)
-        .map_err(|why| Failure::usage(format!("{}: {why}", backend.name())))?;
+    let answers =
+        backend.answers(&loaded.scene, queries).map_err(|why| Failure::usage(format!("{}: {why}", backend.name())))?;
     let wrong: Vec<bool> = answers.iter().zip(truth).map(|(got, truth)| got != truth).collect();
     let count = |sign: Sign| answers.iter().filter(|&&answer| answer == sign).count();
     let caption = format!(
