@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use common::{Truth, brute_force, with};
 use predicament_algorithms::polygon_locate::{CHUNK, LocateIndex, Locations, Scratch, locate_all};
+use predicament_controls::Naive;
 use predicament_exact::Exact;
 use predicament_mesh::PolygonMap;
 use predicament_predicates::{Axis, Backend, Off, Plane, Predicates, Scene, Sign, Vertex};
@@ -225,8 +226,8 @@ impl Predicates for OneFlip<'_> {
 
 #[test]
 fn one_wrong_sign_is_seen() {
-    let mut points = SQUARE.to_vec();
-    points.extend([[1., 3.], [1., 5.]]);
+    // a diamond: raw coordinates don't force the side of its edges
+    let points = [[0., 2.], [2., 0.], [4., 2.], [2., 4.], [1., 2.5], [1., 5.]];
     let (map, scene) = problem(&points, &[vec![vec![0, 1, 2, 3]]]);
     let planted = |flipped: [usize; 3]| {
         disagreements(
@@ -235,7 +236,7 @@ fn one_wrong_sign_is_seen() {
         )
     };
     assert_eq!(planted([0, 1, 2]), 0, "a triple that is never asked");
-    assert_eq!(planted([2, 3, 4]), 1, "the inner point under the top edge");
+    assert_eq!(planted([0, 3, 4]), 1, "the inner point under the left top edge");
 }
 
 /// Rings of any kind: self-crossing, overlapping, collinear, with repeated points.
@@ -261,6 +262,106 @@ fn ulp_points() -> impl Strategy<Value = Vec<[f64; 2]>> {
     prop::collection::vec(prop::array::uniform2(coordinate), 24)
 }
 
+/// A board of quads over shared vertices, whose corners are so far off that
+/// they coincide, fold over and line up.
+fn shaken_board() -> impl Strategy<Value = (PolygonMap, Scene)> {
+    const N: usize = 7;
+    let shake = prop::array::uniform2((0..3_i32).prop_map(f64::from));
+    prop::collection::vec(shake, (N + 1) * (N + 1)).prop_map(|shakes| {
+        #[allow(clippy::cast_precision_loss)] // small
+        let corner = |(at, [dx, dy]): (usize, [f64; 2])| [(at % (N + 1)) as f64 + dx, (at / (N + 1)) as f64 + dy];
+        let mut points: Vec<[f64; 2]> = shakes.into_iter().enumerate().map(corner).collect();
+        let halves = |at: i32| [f64::from(at % 11) - 0.5, f64::from(at / 11) / 2.0];
+        points.extend((0..220).map(halves));
+        let cell = |at: usize| {
+            let corner = at % N + at / N * (N + 1);
+            vec![vec![corner, corner + 1, corner + N + 2, corner + N + 1]]
+        };
+        problem(&points, &(0..N * N).map(cell).collect::<Vec<_>>())
+    })
+}
+
+/// Sees points on an edge that are no more than `reach` above or below it.
+struct Banded<'s> {
+    exact: <Exact as Backend>::Session<'s, Off>,
+    reach: f64,
+}
+
+impl Predicates for Banded<'_> {
+    fn scene(&self) -> &Scene {
+        self.exact.scene()
+    }
+    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        self.exact.compare(axis, a, b)
+    }
+    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        let [a, b, c] = [a, b, c].map(|v| self.scene().point2(plane, v));
+        let area = (a[0] - c[0]) * (b[1] - c[1]) - (a[1] - c[1]) * (b[0] - c[0]);
+        if area.abs() <= self.reach * (a[0] - b[0]).abs() { Sign::Zero } else { Sign::of(area) }
+    }
+    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.exact.orient3d(a, b, c, d)
+    }
+    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.exact.incircle(a, b, c, d)
+    }
+    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
+        self.exact.insphere(a, b, c, d, e)
+    }
+    fn reach(&self) -> f64 {
+        self.reach
+    }
+}
+
+/// The rule of 4.2, with every question put to the session about every edge.
+fn ask_everything<P: Predicates>(index: &LocateIndex, session: &P, q: Vertex) -> [Vec<u32>; 2] {
+    let mut odd = vec![false; index.regions()];
+    let mut touched = vec![false; index.regions()];
+    for edge in index.edges() {
+        let [u, v] = index.ends(edge);
+        let [of_u, of_v] = [u, v].map(|v| session.compare(Axis::X, v, q));
+        let past = [of_u, of_v].map(|of| of != Sign::Positive);
+        let [left, right] = if of_u > of_v { [v, u] } else { [u, v] };
+        let (crosses, touches) = if of_u == of_v {
+            let [a, b] = [u, v].map(|v| session.compare(Axis::Y, v, q));
+            (false, of_u.is_zero() && a * b != Sign::Positive)
+        } else if of_u * of_v == Sign::Positive {
+            (false, false)
+        } else {
+            let side = session.orient2d(Plane::Xy, left, right, q);
+            (past[0] != past[1] && side == Sign::Negative, side.is_zero())
+        };
+        for &region in index.owners(edge) {
+            odd[region as usize] ^= crosses;
+            touched[region as usize] |= touches;
+        }
+    }
+    let regions =
+        |is: &dyn Fn(usize) -> bool| (0..).zip(0..odd.len()).filter(|&(_, at)| is(at)).map(|(r, _)| r).collect();
+    [regions(&|at| odd[at] && !touched[at]), regions(&|at| touched[at])]
+}
+
+/// For sessions of all kinds: what the coordinates force need not be asked.
+fn check_against_asking_everything(map: &PolygonMap, scene: &Scene) {
+    fn check<P: Predicates>(map: &PolygonMap, session: &P) {
+        let index = LocateIndex::new(map, session.scene());
+        let mut scratch = Scratch::new();
+        for q in session.scene().vertices() {
+            let [inside, boundary] = ask_everything(&index, session, q);
+            let location = index.locate(session, q, &mut scratch);
+            assert_eq!((location.inside, location.boundary), (&inside[..], &boundary[..]), "at {q}");
+        }
+    }
+    let exact = || Exact.prepare(scene, Off).unwrap();
+    check(map, &exact());
+    check(map, &Sos::default().prepare(scene, Off).unwrap());
+    check(map, &Naive::default().prepare(scene, Off).unwrap());
+    // within a row, across rows, and everything
+    for reach in [1e-12, 0.25, 1.5, 1e300] {
+        check(map, &Banded { exact: exact(), reach });
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(600))]
 
@@ -276,5 +377,22 @@ proptest! {
         let (map, scene) = problem(&points, &regions);
         check_exact(&map, &scene);
         check_perturbed(&map, &scene);
+    }
+
+    #[test]
+    fn what_coordinates_force_need_not_be_asked_on_shaken_boards((map, scene) in shaken_board()) {
+        check_against_asking_everything(&map, &scene);
+    }
+
+    #[test]
+    fn what_coordinates_force_need_not_be_asked(points in grid_points(), regions in rings(12)) {
+        let (map, scene) = problem(&points, &regions);
+        check_against_asking_everything(&map, &scene);
+    }
+
+    #[test]
+    fn what_coordinates_force_need_not_be_asked_within_ulps(points in ulp_points(), regions in rings(12)) {
+        let (map, scene) = problem(&points, &regions);
+        check_against_asking_everything(&map, &scene);
     }
 }

@@ -12,13 +12,8 @@
 //! segments that a vertical line meets. At w = m/2 both overheads are small:
 //! 3n entries, half as many again per query as there must be. There are never
 //! more columns than segments.
-//!
-//! # Why no segment is missed
-//! One function maps x to a column. It is a subtraction, a multiplication and
-//! a truncation, all rounded monotonically, so it is monotone, whatever the
-//! rounding: low ≤ x ≤ high implies column(low) ≤ column(x) ≤ column(high).
-//! Neither a border that is hit exactly nor an extent near the ends of the
-//! exponent range can break that; at worst all x share a column.
+
+use crate::steps::{Steps, extent};
 
 /// A segment as one column sees it.
 #[derive(Clone, Copy, Debug)]
@@ -39,10 +34,7 @@ impl Entry {
 /// A column index over segments of the plane, known by their places 0, 1, 2 …
 #[derive(Clone, Debug)]
 pub struct Columns {
-    /// Half the smallest x; halves can't overflow when they are subtracted.
-    origin: f64,
-    /// Columns per half unit of x.
-    scale: f64,
+    steps: Steps,
     /// The place of each column's first entry, and the number of entries.
     starts: Vec<usize>,
     /// Column after column, in each from the highest `top` down, ties by place.
@@ -63,14 +55,13 @@ impl Columns {
 
         let low = |&[a, b]: &[[f64; 2]; 2]| a[0].min(b[0]);
         let high = |&[a, b]: &[[f64; 2]; 2]| a[0].max(b[0]);
-        let left = segments.iter().map(low).fold(f64::INFINITY, f64::min);
-        let right = segments.iter().map(high).fold(f64::NEG_INFINITY, f64::max);
+        let [left, right] = extent(segments.as_flattened().iter().map(|end| end[0]));
         let half_extent = if segments.is_empty() { 0.0 } else { right / 2.0 - left / 2.0 };
         let covered = segments.iter().map(|s| (high(s) / 2.0 - low(s) / 2.0) / half_extent).sum();
-        let count = column_count(segments.len(), half_extent, covered);
+        let steps = Steps::new([left, right], column_count(segments.len(), half_extent, covered));
+        let count = steps.count();
         let mut columns = Columns {
-            origin: if segments.is_empty() { 0.0 } else { left / 2.0 },
-            scale: columns_per_unit(count, half_extent),
+            steps,
             starts: vec![0; count + 1],
             entries: Vec::new(),
             bottoms: segments.iter().map(|[a, b]| a[1].min(b[1])).collect(),
@@ -129,23 +120,6 @@ impl Columns {
         entries.filter(move |entry| entry.holds(x)).map(|entry| entry.segment)
     }
 
-    /// Replaces the contents of `found` with what [`Columns::above`] yields.
-    ///
-    /// Which entries hold x is a coin toss for the processor; this does
-    /// without the branch, for callers to whom a query is all they do.
-    #[inline]
-    pub fn collect_above(&self, point: [f64; 2], reach: f64, found: &mut Vec<u32>) {
-        let [x, _] = point;
-        let entries = self.reaching_up_to(point, reach);
-        found.resize(entries.len(), 0);
-        let mut count = 0;
-        for entry in entries {
-            found[count] = entry.segment;
-            count += usize::from(entry.holds(x));
-        }
-        found.truncate(count);
-    }
-
     /// The entries of the point's column that don't end too far below it.
     #[inline]
     fn reaching_up_to(&self, [x, y]: [f64; 2], reach: f64) -> &[Entry] {
@@ -174,12 +148,9 @@ impl Columns {
         &self.entries[self.starts[column]..self.starts[column + 1]]
     }
 
-    /// The one monotone map from x to columns; what lies outside goes to the
-    /// nearest column.
     #[inline]
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `as` saturates, which is the clamp we want
     fn column(&self, x: f64) -> usize {
-        (((x / 2.0 - self.origin) * self.scale) as usize).min(self.starts.len() - 2)
+        self.steps.of(x)
     }
 }
 
@@ -191,10 +162,4 @@ fn column_count(segments: usize, half_extent: f64, covered: f64) -> usize {
         return 1;
     }
     ((2.0 * segments as f64 / covered) as usize).clamp(1, segments.max(1))
-}
-
-/// Never infinite, or the leftmost x would make 0 · ∞.
-#[allow(clippy::cast_precision_loss)] // any monotone map will do
-fn columns_per_unit(count: usize, half_extent: f64) -> f64 {
-    if half_extent == 0.0 { 0.0 } else { (count as f64 / half_extent).min(f64::MAX) }
 }

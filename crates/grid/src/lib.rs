@@ -2,10 +2,16 @@
 //! coordinates alone, so that the predicates are asked about few.
 //!
 //! A broad phase may keep too much and must never drop what matters. The ones
-//! here go further: what they yield is stated in terms of the raw coordinates,
-//! without reference to cells, so an answer can't depend on how the space was
-//! cut.
+//! here go further: what their users conclude is stated in terms of the raw
+//! coordinates, without reference to cells, so an answer can't depend on how
+//! the space was cut.
+//!
+//! * [`Columns`]: the segments above a point, one by one.
+//! * [`Cells`]: the segments near a point, and the sum of those far above.
 
+mod cells;
 mod columns;
+mod steps;
 
+pub use cells::{Cell, Cells, End, Entry, Labels};
 pub use columns::Columns;

@@ -44,9 +44,6 @@ fn check(segments: &[Segment], queries: &[[f64; 2]]) {
         for &[_, y] in queries.iter().chain(ends) {
             let mut found: Vec<u32> = columns.above([x, y], 0.0).collect();
             let tops: Vec<f64> = found.iter().map(|&at| box_of(&segments[at as usize])[1][1]).collect();
-            let mut collected = vec![7; 3];
-            columns.collect_above([x, y], 0.0, &mut collected);
-            assert_eq!(collected, found);
             assert!(tops.is_sorted_by(|a, b| a >= b), "from the highest down");
             found.sort_unstable();
             assert_eq!(found, brute_above(segments, [x, y]), "at {x:e} {y:e}");

@@ -28,12 +28,7 @@ pub fn test() -> Result<(), String> {
     cargo("format", &["fmt", "--all", "--check"])?;
     cargo("clippy", &["clippy", "--release", "--workspace", "--all-targets", "--", "-D", "warnings"])?;
     cargo("tests and doc tests", &["test", "--release", "--workspace", "--no-fail-fast"])?;
-    with_env(
-        "docs",
-        "RUSTDOCFLAGS",
-        "-D warnings",
-        &["doc", "--release", "--workspace", "--no-deps", "--document-private-items"],
-    )?;
+    with_env("docs", "RUSTDOCFLAGS", "-D warnings", &["doc", "--release", "--workspace", "--no-deps"])?;
     cargo("build the tool", &["build", "--release"])?;
     tool("verify the corpora", &["corpus", "verify"])?;
     tool("run the embedded corpora", &["run", "--level", "quick", "--out", &gate])?;

@@ -34,6 +34,14 @@ impl Lists {
         self.ends.push(self.items.len());
     }
 
+    /// Makes room for all these lists at once.
+    fn reserve<'a>(&mut self, lists: impl Iterator<Item = &'a Lists>) {
+        let [ends, items] =
+            lists.fold([0, 0], |[ends, items], list| [ends + list.ends.len(), items + list.items.len()]);
+        self.ends.reserve_exact(ends);
+        self.items.reserve_exact(items);
+    }
+
     fn append(&mut self, other: &Lists) {
         let base = self.items.len();
         self.ends.extend(other.ends.iter().map(|end| base + end));
@@ -116,6 +124,8 @@ pub fn locate_all<P: Predicates>(
                 return None;
             }
             let mut part = Locations::none(chunk.len());
+            part.inside.ends.reserve_exact(chunk.len());
+            part.boundary.ends.reserve_exact(chunk.len());
             for &q in chunk {
                 let location = index.locate(session, q, scratch);
                 part.inside.push(location.inside);
@@ -130,6 +140,8 @@ pub fn locate_all<P: Predicates>(
         .collect();
 
     let mut all = Locations::none(queries.len());
+    all.inside.reserve(parts.iter().map_while(Option::as_ref).map(|part| &part.inside));
+    all.boundary.reserve(parts.iter().map_while(Option::as_ref).map(|part| &part.boundary));
     for part in parts.iter().map_while(Option::as_ref) {
         all.inside.append(&part.inside);
         all.boundary.append(&part.boundary);

@@ -1,6 +1,8 @@
 //! The edges of a map, each once, with the regions that they bound.
 
-use predicament_grid::Columns;
+use std::collections::BTreeMap;
+
+use predicament_grid::{Cells, Columns, Labels};
 use predicament_mesh::PolygonMap;
 use predicament_predicates::{Plane, Scene, Vertex};
 
@@ -9,9 +11,12 @@ use predicament_predicates::{Plane, Scene, Vertex};
 #[derive(Clone, Debug)]
 pub struct LocateIndex {
     edges: Vec<Edge>,
-    /// The distinct sets of owners, one after another; a map has few.
-    owner_sets: Vec<Vec<u32>>,
+    /// The distinct sets of regions that are told apart: the owners of edges
+    /// first, then what covers the cells. A map has few.
+    sets: Vec<Vec<u32>>,
+    owner_sets: usize,
     regions: usize,
+    cells: Cells,
     columns: Columns,
 }
 
@@ -41,15 +46,16 @@ impl LocateIndex {
             .collect();
         uses.sort_unstable();
 
-        let mut sets = OwnerSets::default();
+        let mut sets = Sets::default();
         let mut edges = Vec::new();
         for uses in uses.chunk_by(|a, b| a.0 == b.0) {
             let odd = uses.chunk_by(|a, b| a == b).filter(|same| same.len() % 2 == 1);
             let owners: Vec<u32> = odd.map(|same| same[0].1).collect();
             if !owners.is_empty() {
-                edges.push(Edge { ends: uses[0].0, owners: sets.intern(owners) });
+                edges.push(Edge { ends: uses[0].0, owners: sets.intern(&owners) });
             }
         }
+        let owner_sets = sets.sets.len();
 
         let point = |v| scene.point2(Plane::Xy, v);
         // A query's candidates share an x: keep them close together in memory.
@@ -62,10 +68,13 @@ impl LocateIndex {
         edges.sort_by(|a, b| point(a.ends[0])[0].total_cmp(&point(b.ends[0])[0]));
 
         let segments: Vec<_> = edges.iter().map(|edge| edge.ends.map(point)).collect();
+        let cells = Cells::new(&segments, &mut Cover { edges: &edges, sets: &mut sets, regions: Vec::new() });
         LocateIndex {
             edges,
-            owner_sets: sets.into_sets(),
+            sets: sets.sets,
+            owner_sets,
             regions: map.regions().len(),
+            cells,
             columns: Columns::new(&segments),
         }
     }
@@ -112,25 +121,32 @@ impl LocateIndex {
     #[inline]
     #[must_use]
     pub fn owners(&self, edge: u32) -> &[u32] {
-        self.owner_set(self.owner_set_of(edge))
+        self.set(self.owners_of(edge))
     }
 
-    /// The number of distinct sets of owners; many edges share one.
+    /// The sets below this number are sets of owners; many edges share one.
     pub(super) fn owner_sets(&self) -> usize {
-        self.owner_sets.len()
+        self.owner_sets
     }
 
     #[inline]
-    pub(super) fn owner_set_of(&self, edge: u32) -> u32 {
+    pub(super) fn owners_of(&self, edge: u32) -> u32 {
         self.edges[edge as usize].owners
     }
 
     #[inline]
-    pub(super) fn owner_set(&self, set: u32) -> &[u32] {
-        &self.owner_sets[set as usize]
+    pub(super) fn set(&self, set: u32) -> &[u32] {
+        &self.sets[set as usize]
     }
 
-    /// The broad phase; its segments are the edges.
+    /// What is near a point, and the regions that cover it from afar.
+    #[inline]
+    pub(super) fn cells(&self) -> &Cells {
+        &self.cells
+    }
+
+    /// The broad phase that goes through all edges above a point; its segments
+    /// are the edges.
     #[inline]
     #[must_use]
     pub fn columns(&self) -> &Columns {
@@ -140,21 +156,48 @@ impl LocateIndex {
 
 /// Numbers sets in the order in which they first come up.
 #[derive(Default)]
-struct OwnerSets {
-    ids: std::collections::BTreeMap<Vec<u32>, u32>,
+struct Sets {
+    sets: Vec<Vec<u32>>,
+    ids: BTreeMap<Vec<u32>, u32>,
 }
 
-impl OwnerSets {
-    fn intern(&mut self, set: Vec<u32>) -> u32 {
-        let next = u32::try_from(self.ids.len()).expect("there are no more sets than edges");
-        *self.ids.entry(set).or_insert(next)
+impl Sets {
+    fn intern(&mut self, set: &[u32]) -> u32 {
+        if let Some(&id) = self.ids.get(set) {
+            return id;
+        }
+        let id = u32::try_from(self.sets.len()).expect("fewer than 2^32 distinct sets of regions");
+        self.sets.push(set.to_vec());
+        self.ids.insert(set.to_vec(), id);
+        id
+    }
+}
+
+/// Sums up owners as the cells are made.
+struct Cover<'a> {
+    edges: &'a [Edge],
+    sets: &'a mut Sets,
+    regions: Vec<u32>,
+}
+
+impl Labels for Cover<'_> {
+    fn clear(&mut self) {
+        self.regions.clear();
     }
 
-    fn into_sets(self) -> Vec<Vec<u32>> {
-        let mut sets = vec![Vec::new(); self.ids.len()];
-        for (set, id) in self.ids {
-            sets[id as usize] = set;
+    fn toggle(&mut self, edge: u32) {
+        let owners = self.edges[edge as usize].owners;
+        for region in &self.sets.sets[owners as usize] {
+            match self.regions.binary_search(region) {
+                Ok(at) => {
+                    self.regions.remove(at);
+                }
+                Err(at) => self.regions.insert(at, *region),
+            }
         }
-        sets
+    }
+
+    fn number(&mut self) -> u32 {
+        self.sets.intern(&self.regions)
     }
 }

@@ -1,5 +1,6 @@
 //! One query: what each edge above the point says, summed up per region.
 
+use predicament_grid::Entry;
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 
 use super::LocateIndex;
@@ -17,7 +18,6 @@ pub struct Location<'a> {
 /// Working memory for [`LocateIndex::locate`], to be reused from query to query.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
-    candidates: Vec<u32>,
     /// Edges with the same owners are counted together …
     owner_sets: Marks,
     /// … and summed up per region at the end.
@@ -50,34 +50,134 @@ enum Meeting {
     Touches,
 }
 
+/// A query with what raw coordinates say about it.
+#[derive(Clone, Copy)]
+struct Query<'s, P> {
+    session: &'s P,
+    vertex: Vertex,
+    x: f64,
+    /// The heights at which the session may still register the point.
+    band: [f64; 2],
+}
+
 impl LocateIndex {
     /// Where the vertex `q` is, for all regions in one pass.
     ///
-    /// Edges are skipped by raw coordinates where they can't matter: those
-    /// whose x-range does not hold q, and those that end further below q than
-    /// the session can reach.
+    /// The session is asked what raw coordinates leave open, and nothing else:
+    /// * how q compares to an end of an edge, where their x is equal;
+    /// * on which side of an edge q is, where the edge's closed box, drawn out
+    ///   by the session's reach upward and downward, holds q.
+    ///
+    /// The answer is that of asking about every edge, for every session that
+    /// takes a strict order of raw coordinates as it is and sees no point on
+    /// an edge from outside of its box. Signs of exact or perturbed points do;
+    /// a session that would not is not told on by edges whose boxes don't hold q.
     ///
     /// # Panics
     /// If the session's scene has no vertex `q`, or lacks vertices of the map.
-    pub fn locate<'a, P: Predicates>(&self, session: &P, q: Vertex, scratch: &'a mut Scratch) -> Location<'a> {
-        let point = session.scene().point2(Plane::Xy, q);
-        self.columns().collect_above(point, session.reach(), &mut scratch.candidates);
+    pub fn locate<'a, P: Predicates>(&'a self, session: &P, q: Vertex, scratch: &'a mut Scratch) -> Location<'a> {
+        let [x, y] = session.scene().point2(Plane::Xy, q);
+        let reach = session.reach();
+        let band = if reach == 0.0 { [y, y] } else { [(y - reach).next_down(), (y + reach).next_up()] };
+        let query = Query { session, vertex: q, x, band };
         scratch.owner_sets.fit(self.owner_sets());
+        let above = if let Some(cell) = self.cells().at(x, band) {
+            self.look_around(&query, cell.entries, &mut scratch.owner_sets);
+            self.set(cell.above)
+        } else {
+            self.look_up(&query, [x, y], &mut scratch.owner_sets);
+            &[]
+        };
+        if scratch.owner_sets.are_clear() {
+            return Location { inside: above, boundary: &[] };
+        }
         scratch.regions.fit(self.regions());
-        for &edge in &scratch.candidates {
-            let mark = match meet(session, self.ends(edge), q) {
+        for &region in above {
+            scratch.regions.add(region, Mark { odd: true, ..Mark::default() });
+        }
+        scratch.sum_up(self)
+    }
+
+    /// What the segments near the point add to what is above their cell.
+    #[inline]
+    fn look_around<P: Predicates>(&self, query: &Query<'_, P>, entries: &[Entry], owner_sets: &mut Marks) {
+        for entry in entries {
+            let pivot_is_past = entry.pivot.is_some_and(|end| {
+                query.is_past(entry.ends[end as usize][0], || self.ends(entry.segment)[end as usize])
+            });
+            if pivot_is_past | query.may_meet(entry.ends) {
+                let meeting = query.meet(entry.ends, || self.ends(entry.segment));
+                let odd = pivot_is_past != (meeting == Meeting::Crosses);
+                let on_boundary = meeting == Meeting::Touches;
+                if odd | on_boundary {
+                    owner_sets.add(self.owners_of(entry.segment), Mark { touched: false, odd, on_boundary });
+                }
+            }
+        }
+    }
+
+    /// All of it, edge by edge, for a band that no row holds.
+    #[cold]
+    fn look_up<P: Predicates>(&self, query: &Query<'_, P>, point: [f64; 2], owner_sets: &mut Marks) {
+        let scene = query.session.scene();
+        for edge in self.columns().above(point, query.session.reach()) {
+            let ends = self.ends(edge);
+            let mark = match query.meet(ends.map(|v| scene.point2(Plane::Xy, v)), || ends) {
                 Meeting::Misses => continue,
                 Meeting::Crosses => Mark { odd: true, ..Mark::default() },
                 Meeting::Touches => Mark { on_boundary: true, ..Mark::default() },
             };
-            scratch.owner_sets.add(self.owner_set_of(edge), mark);
+            owner_sets.add(self.owners_of(edge), mark);
         }
-        scratch.sum_up(self)
     }
 }
 
-/// The rule of 4.2 for one edge.
-#[inline]
+impl<P: Predicates> Query<'_, P> {
+    /// Whether the point is past an end, left or equal: the session is asked
+    /// about ties only.
+    #[inline]
+    fn is_past(&self, end: f64, vertex: impl FnOnce() -> Vertex) -> bool {
+        end < self.x || (end == self.x && self.session.compare(Axis::X, vertex(), self.vertex) != Sign::Positive)
+    }
+
+    /// Whether an edge, its ends from left to right, is at the point's x and
+    /// not all below it.
+    #[inline]
+    fn may_meet(&self, [[left, a], [right, b]]: [[f64; 2]; 2]) -> bool {
+        (left <= self.x) & (self.x <= right) & (self.band[0] <= a.max(b))
+    }
+
+    /// How an edge, its ends from left to right, meets the ray.
+    #[inline]
+    fn meet(&self, ends: [[f64; 2]; 2], vertices: impl FnOnce() -> [Vertex; 2]) -> Meeting {
+        if !self.may_meet(ends) {
+            return Meeting::Misses;
+        }
+        let [[left, a], [right, b]] = ends;
+        let is_above = self.band[1] < a.min(b);
+        if (left < self.x) & (self.x < right) {
+            return if is_above { Meeting::Crosses } else { self.meet_below_or_on(vertices()) };
+        }
+        let [u, v] = vertices();
+        match is_above {
+            true if self.is_past(left, || u) != self.is_past(right, || v) => Meeting::Crosses,
+            true => Meeting::Misses,
+            false => meet(self.session, [u, v], self.vertex),
+        }
+    }
+
+    /// An edge whose left end the point is past, and whose right end not.
+    #[inline]
+    fn meet_below_or_on(&self, [left, right]: [Vertex; 2]) -> Meeting {
+        match self.session.orient2d(Plane::Xy, left, right, self.vertex) {
+            Sign::Zero => Meeting::Touches,
+            Sign::Negative => Meeting::Crosses,
+            Sign::Positive => Meeting::Misses,
+        }
+    }
+}
+
+/// The rule of 4.2 for one edge, all of it asked.
 fn meet<P: Predicates>(session: &P, [u, v]: [Vertex; 2], q: Vertex) -> Meeting {
     let of_u = session.compare(Axis::X, u, q);
     let of_v = session.compare(Axis::X, v, q);
@@ -111,7 +211,7 @@ impl Scratch {
         self.inside.clear();
         self.boundary.clear();
         self.owner_sets.drain(|set, mark| {
-            for &region in index.owner_set(set) {
+            for &region in index.set(set) {
                 self.regions.add(region, mark);
             }
         });
@@ -129,8 +229,15 @@ impl Scratch {
 }
 
 impl Marks {
+    /// Makes room; there may already be more than enough, from another map.
     fn fit(&mut self, count: usize) {
-        self.marks.resize(count, Mark::default());
+        if self.marks.len() < count {
+            self.marks.resize(count, Mark::default());
+        }
+    }
+
+    fn are_clear(&self) -> bool {
+        self.touched.is_empty()
     }
 
     #[inline]

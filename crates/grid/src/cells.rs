@@ -1,0 +1,276 @@
+//! Cells that know what is above them.
+//!
+//! The segments bound things: each has a label, a set, and at every vertex
+//! every member is in the labels of an even number of segments, as it must be
+//! where boundaries are closed. Asked is the *cover* of a point, the sum
+//! modulo 2 of the labels of all segments that an upward ray from it crosses.
+//! The ray crosses a segment iff the point is below it and is *past* exactly
+//! one of its ends; past an end is one bit, here whether the point's x is
+//! larger.
+//!
+//! # One row at a time
+//! A ray from a cell is long and most of what it crosses is the same from
+//! everywhere in the cell. Segments that lie above the row are crossed
+//! wherever the point is past one end only, so their labels sum up to
+//!
+//! > Σ over vertices v: past(v) · Σ of the labels of segments above the row at v.
+//!
+//! The inner sum is zero unless a segment at v isn't above the row, and then
+//! it is the sum of the labels of just those segments, because all at v sum
+//! up to zero. Such a segment leaves the row through its top and v is its
+//! upper end. So what is above a row needs only the segments that leave it
+//! upward, each at its upper end: those ends in columns to the left are past
+//! for every point of the cell and are summed up beforehand, those in columns
+//! to the right are not past, and those in the cell's own column are the
+//! *pivots* of the cell, to be looked at for each point. A segment with a
+//! pivot in a cell reaches that cell and is listed there anyway.
+//!
+//! Nothing in this asks which way a tie at x is broken, as long as past(v) is
+//! one bit per vertex and point: the caller may ask whom he likes.
+//!
+//! # How many cells
+//! The rows and columns are equal, and there are about four times as many
+//! cells as segments; fewer where segments are long, so that there are never
+//! more than four entries to a segment.
+
+use crate::steps::{Steps, extent};
+
+type Segment = [[f64; 2]; 2];
+
+/// Cells (and entries) per segment.
+const PER_SEGMENT: usize = 4;
+
+/// A running sum of labels modulo 2.
+pub trait Labels {
+    /// Back to the empty set.
+    fn clear(&mut self);
+    /// Adds the label of a segment.
+    fn toggle(&mut self, segment: u32);
+    /// A number for the sum, by which the caller knows it again.
+    fn number(&mut self) -> u32;
+}
+
+/// The first or the second end of a segment.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum End {
+    /// The end that was given first.
+    First,
+    /// The other.
+    Second,
+}
+
+/// A segment that reaches a cell.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// Both ends, as they were given.
+    pub ends: Segment,
+    /// The place of the segment.
+    pub segment: u32,
+    /// The end that lies above the cell's row and in its column: for points
+    /// past it the label counts once more.
+    pub pivot: Option<End>,
+}
+
+impl Entry {
+    /// The lowest and the highest y.
+    #[inline]
+    #[must_use]
+    pub fn y_range(&self) -> [f64; 2] {
+        let [[_, a], [_, b]] = self.ends;
+        if a <= b { [a, b] } else { [b, a] }
+    }
+}
+
+/// What is known in a cell.
+///
+/// The cover of a point of the cell is the sum of `above`, of the labels of
+/// entries with a pivot that the point is past, and of the labels of entries
+/// that the ray crosses.
+#[derive(Clone, Copy, Debug)]
+pub struct Cell<'a> {
+    /// The number of the sum of all labels that count once for every point of the cell.
+    pub above: u32,
+    /// The segments whose boxes reach the cell, by their places.
+    pub entries: &'a [Entry],
+}
+
+#[derive(Clone, Copy, Default, Debug)]
+struct Head {
+    /// The place of the first entry.
+    start: u32,
+    above: u32,
+}
+
+/// Equal cells over closed boundaries in the plane.
+#[derive(Clone, Debug)]
+pub struct Cells {
+    grid: Grid,
+    /// Row after row, and one more that ends the last.
+    heads: Vec<Head>,
+    entries: Vec<Entry>,
+}
+
+impl Cells {
+    /// Cells over these segments, given by both ends.
+    ///
+    /// # Panics
+    /// If there are 2^32 segments or more, or a coordinate is not finite.
+    #[must_use]
+    pub fn new(segments: &[Segment], labels: &mut impl Labels) -> Cells {
+        assert!(segments.as_flattened().as_flattened().iter().all(|c| c.is_finite()), "coordinates must be finite");
+        let grid = Grid::over(segments);
+        let mut cells = Cells { heads: vec![Head::default(); grid.len() + 1], entries: Vec::new(), grid };
+        cells.enter(segments);
+        cells.sum_up(segments, labels);
+        cells
+    }
+
+    /// The number of cells; at least one.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.grid.len()
+    }
+
+    /// The number of entries in all cells.
+    #[must_use]
+    pub fn entries(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// The cell of all points with this x and a y from `low` to `high`, unless
+    /// they are in several. Segments that it doesn't list and that hold x are
+    /// strictly above `high` or strictly below `low`.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, x: f64, [low, high]: [f64; 2]) -> Option<Cell<'_>> {
+        let row = self.grid.rows.of(low);
+        if row != self.grid.rows.of(high) {
+            return None;
+        }
+        let cell = self.grid.cell([row, self.grid.columns.of(x)]);
+        let [head, next] = [self.heads[cell], self.heads[cell + 1]];
+        Some(Cell { above: head.above, entries: &self.entries[head.start as usize..next.start as usize] })
+    }
+
+    fn enter(&mut self, segments: &[Segment]) {
+        for segment in segments {
+            for place in self.grid.reached(segment) {
+                self.heads[self.grid.cell(place)].start += 1;
+            }
+        }
+        // from counts to ends; filled from the last entry back, they become starts
+        let mut end = 0;
+        for head in &mut self.heads {
+            end += head.start;
+            head.start = end;
+        }
+        let blank = Entry { ends: [[0.0; 2]; 2], segment: 0, pivot: None };
+        self.entries = vec![blank; end as usize];
+        for (segment, number) in segments.iter().zip(numbers(segments)).rev() {
+            let (upper, end) = upper_end(segment);
+            let [top, column_of_upper] = self.grid.place(upper);
+            for [row, column] in self.grid.reached(segment) {
+                let is_pivot = row < top && column == column_of_upper;
+                let at = &mut self.heads[self.grid.cell([row, column])].start;
+                *at -= 1;
+                self.entries[*at as usize] = Entry { ends: *segment, segment: number, pivot: is_pivot.then_some(end) };
+            }
+        }
+    }
+
+    /// Goes along each row and adds what is past from the next column on.
+    fn sum_up(&mut self, segments: &[Segment], labels: &mut impl Labels) {
+        let mut past: Vec<(usize, u32)> = Vec::new();
+        for (segment, number) in segments.iter().zip(numbers(segments)) {
+            let [_, column] = self.grid.place(upper_end(segment).0);
+            if column + 1 < self.grid.columns.count() {
+                let [[bottom, top], _] = self.grid.ranges(segment);
+                past.extend((bottom..top).map(|row| (self.grid.cell([row, column + 1]), number)));
+            }
+        }
+        past.sort_unstable();
+        let mut news = past.chunk_by(|a, b| a.0 == b.0).peekable();
+        let mut above = 0;
+        for (cell, head) in self.heads.iter_mut().enumerate() {
+            if cell % self.grid.columns.count() == 0 {
+                labels.clear();
+                above = labels.number();
+            }
+            if let Some(news) = news.next_if(|news| news[0].0 == cell) {
+                news.iter().for_each(|&(_, segment)| labels.toggle(segment));
+                above = labels.number();
+            }
+            head.above = above;
+        }
+    }
+}
+
+fn numbers(segments: &[Segment]) -> std::ops::Range<u32> {
+    0..u32::try_from(segments.len()).expect("a grid holds fewer than 2^32 segments")
+}
+
+/// The higher end. Where both are equally high no row lies between them, and
+/// which is named doesn't matter.
+fn upper_end(&[a, b]: &Segment) -> ([f64; 2], End) {
+    if a[1] > b[1] { (a, End::First) } else { (b, End::Second) }
+}
+
+/// Where the cells are.
+#[derive(Clone, Copy, Debug)]
+struct Grid {
+    columns: Steps,
+    rows: Steps,
+}
+
+impl Grid {
+    /// As many cells as there may be, and as long as that makes too many
+    /// entries, half the columns or half the rows, whichever cut more.
+    fn over(segments: &[Segment]) -> Grid {
+        let x = extent(segments.as_flattened().iter().map(|end| end[0]));
+        let y = extent(segments.as_flattened().iter().map(|end| end[1]));
+        let most = PER_SEGMENT * segments.len();
+        let side = most.isqrt().max(1);
+        let mut counts = [side; 2];
+        loop {
+            let grid = Grid { columns: Steps::new(x, counts[0]), rows: Steps::new(y, counts[1]) };
+            let mut cuts = [0, 0];
+            let mut entries = 0_usize;
+            for segment in segments {
+                let [rows, columns] = grid.ranges(segment).map(|[low, high]| high - low);
+                cuts[0] += columns;
+                cuts[1] += rows;
+                entries = entries.saturating_add((columns + 1).saturating_mul(rows + 1));
+            }
+            if (entries <= most && u32::try_from(entries).is_ok()) || cuts == [0, 0] {
+                return grid;
+            }
+            let more = usize::from(cuts[1] > cuts[0]);
+            counts[more] = counts[more].div_ceil(2);
+        }
+    }
+
+    fn len(&self) -> usize {
+        self.rows.count() * self.columns.count()
+    }
+
+    #[inline]
+    fn cell(&self, [row, column]: [usize; 2]) -> usize {
+        row * self.columns.count() + column
+    }
+
+    /// The row and the column of a point.
+    fn place(&self, [x, y]: [f64; 2]) -> [usize; 2] {
+        [self.rows.of(y), self.columns.of(x)]
+    }
+
+    /// The first and the last row and column that a segment's box reaches.
+    fn ranges(&self, segment: &Segment) -> [[usize; 2]; 2] {
+        let [a, b] = segment.map(|end| self.place(end));
+        [0, 1].map(|axis| [a[axis].min(b[axis]), a[axis].max(b[axis])])
+    }
+
+    fn reached(&self, segment: &Segment) -> impl Iterator<Item = [usize; 2]> + use<> {
+        let [[bottom, top], [left, right]] = self.ranges(segment);
+        (bottom..=top).flat_map(move |row| (left..=right).map(move |column| [row, column]))
+    }
+}

@@ -1,0 +1,48 @@
+//! One axis, cut into equal steps.
+//!
+//! # Why nothing is missed
+//! One function maps coordinates to steps. It is a subtraction, a
+//! multiplication and a truncation, all rounded monotonically, so it is
+//! monotone, whatever the rounding: low ≤ x ≤ high implies
+//! step(low) ≤ step(x) ≤ step(high), and step(x) < step(y) implies x < y.
+//! Neither a border that is hit exactly nor an extent near the ends of the
+//! exponent range can break that; at worst everything shares a step.
+
+/// A monotone map from coordinates to 0, 1, 2 … count − 1.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Steps {
+    /// Half the smallest coordinate; halves can't overflow when they are subtracted.
+    origin: f64,
+    /// Steps per half unit; never infinite, or the smallest coordinate would make 0 · ∞.
+    scale: f64,
+    count: usize,
+}
+
+impl Steps {
+    /// Steps over an extent; what has no extent has one step.
+    #[allow(clippy::cast_precision_loss)] // any monotone map will do
+    pub(crate) fn new([low, high]: [f64; 2], count: usize) -> Steps {
+        let half_extent = high / 2.0 - low / 2.0;
+        if half_extent > 0.0 {
+            Steps { origin: low / 2.0, scale: (count as f64 / half_extent).min(f64::MAX), count }
+        } else {
+            Steps { origin: 0.0, scale: 0.0, count: 1 }
+        }
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The step of a coordinate; what lies outside goes to the nearest one.
+    #[inline]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `as` saturates, which is the clamp we want
+    pub(crate) fn of(&self, x: f64) -> usize {
+        (((x / 2.0 - self.origin) * self.scale) as usize).min(self.count - 1)
+    }
+}
+
+/// The smallest and the largest of some coordinates; nothing has no extent.
+pub(crate) fn extent(coordinates: impl Iterator<Item = f64>) -> [f64; 2] {
+    coordinates.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+}
