@@ -17,6 +17,7 @@ pub enum Pivot {
 
 /// The turn a, b, c. For [`Pivot::First`], with p, q, r for a, b, c:
 /// (q.x − p.x)(r.y − p.y) − (q.y − p.y)(r.x − p.x).
+#[inline(always)]
 pub(crate) fn orient2d(pivot: Pivot, [a, b, c]: [[f64; 2]; 3]) -> f64 {
     match pivot {
         Pivot::Last => cross(minus(a, c), minus(b, c)),
@@ -25,6 +26,7 @@ pub(crate) fn orient2d(pivot: Pivot, [a, b, c]: [[f64; 2]; 3]) -> f64 {
 }
 
 /// The side of d on the plane of a, b, c.
+#[inline(always)]
 pub(crate) fn orient3d(pivot: Pivot, [a, b, c, d]: [[f64; 3]; 4]) -> f64 {
     match pivot {
         Pivot::Last => triple(minus(a, d), minus(b, d), minus(c, d)),
@@ -34,6 +36,7 @@ pub(crate) fn orient3d(pivot: Pivot, [a, b, c, d]: [[f64; 3]; 4]) -> f64 {
 }
 
 /// d in the circle of a, b, c.
+#[inline(always)]
 pub(crate) fn incircle(pivot: Pivot, [a, b, c, d]: [[f64; 2]; 4]) -> f64 {
     let lifted = |p, q| {
         let [x, y] = minus(p, q);
@@ -46,6 +49,7 @@ pub(crate) fn incircle(pivot: Pivot, [a, b, c, d]: [[f64; 2]; 4]) -> f64 {
 }
 
 /// e in the sphere of a, b, c, d.
+#[inline(always)]
 pub(crate) fn insphere(pivot: Pivot, [a, b, c, d, e]: [[f64; 3]; 5]) -> f64 {
     match pivot {
         Pivot::Last => lifted_quadruple(minus(a, e), minus(b, e), minus(c, e), minus(d, e)),
@@ -54,19 +58,27 @@ pub(crate) fn insphere(pivot: Pivot, [a, b, c, d, e]: [[f64; 3]; 5]) -> f64 {
     }
 }
 
+#[inline(always)]
 fn minus<const D: usize>(p: [f64; D], q: [f64; D]) -> [f64; D] {
-    std::array::from_fn(|i| p[i] - q[i])
+    let mut difference = p;
+    for (d, q) in difference.iter_mut().zip(q) {
+        *d -= q;
+    }
+    difference
 }
 
+#[inline(always)]
 fn cross(p: [f64; 2], q: [f64; 2]) -> f64 {
     p[0] * q[1] - p[1] * q[0]
 }
 
+#[inline(always)]
 fn triple([px, py, pz]: [f64; 3], [qx, qy, qz]: [f64; 3], [rx, ry, rz]: [f64; 3]) -> f64 {
     pz * (qx * ry - rx * qy) + qz * (rx * py - px * ry) + rz * (px * qy - qx * py)
 }
 
 /// The 4 × 4 determinant of p, q, r, s with their squared lengths as a last column.
+#[inline(always)]
 fn lifted_quadruple(p: [f64; 3], q: [f64; 3], r: [f64; 3], s: [f64; 3]) -> f64 {
     let lift = |[x, y, z]: [f64; 3]| x * x + y * y + z * z;
     (lift(s) * triple(p, q, r) - lift(r) * triple(p, q, s)) + (lift(q) * triple(p, r, s) - lift(p) * triple(q, r, s))

@@ -79,7 +79,8 @@ impl Float for Epsilon {
 
     #[inline]
     fn sign(&self, determinant: f64) -> Sign {
-        if determinant.abs() < self.eps { Sign::Zero } else { Sign::of(determinant) }
+        // A selected zero, not a branch: which determinants are small can't be predicted.
+        Sign::of(if determinant.abs() < self.eps { 0.0 } else { determinant })
     }
 }
 

@@ -25,12 +25,12 @@ impl Sign {
     #[inline]
     #[must_use]
     pub fn of(x: f64) -> Sign {
-        if x > 0.0 {
-            Sign::Positive
-        } else if x < 0.0 {
-            Sign::Negative
-        } else {
-            Sign::Zero
+        // Without branches: the sign of a random determinant can't be predicted,
+        // and a wrong guess costs more than the determinant.
+        match i8::from(x > 0.0) - i8::from(x < 0.0) {
+            -1 => Sign::Negative,
+            0 => Sign::Zero,
+            _ => Sign::Positive,
         }
     }
 

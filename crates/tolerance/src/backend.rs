@@ -99,6 +99,7 @@ fn spatial(scene: &Scene) -> Result<Tolerances3d, Declined> {
 }
 
 /// Zero within the tolerance, else the sign of the computed value.
+#[inline]
 fn register(value: f64, band: Band) -> Sign {
     if value.abs() <= band.width { Sign::Zero } else { Sign::of(value) }
 }
@@ -123,6 +124,7 @@ impl<T> Session<'_, T> {
 
     /// Twice the signed area, as Algorithm 5 computes its first: edge vectors
     /// from the last point, then their cross product.
+    #[inline]
     fn area(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> f64 {
         let [a, b, c] = [a, b, c].map(|v| Vector2::from(self.scene.point2(plane, v)));
         (a - c).perp(&(b - c))
@@ -130,11 +132,13 @@ impl<T> Session<'_, T> {
 
     /// Six times the signed volume, as Algorithm 11 computes its first: edge
     /// vectors from the last point, a cross product and a dot product.
+    #[inline]
     fn volume(&self, [a, b, c, d]: [Vertex; 4]) -> f64 {
         let [a, b, c, d] = [a, b, c, d].map(|v| Vector3::from(self.scene.point3(v)));
         (a - d).cross(&(b - d)).dot(&(c - d))
     }
 
+    #[inline]
     fn kappa(&self, plane: Plane) -> Band {
         match self.tolerances2d(plane) {
             Ok(tolerances) => tolerances.kappa,
@@ -142,6 +146,7 @@ impl<T> Session<'_, T> {
         }
     }
 
+    #[inline]
     fn xi(&self) -> Band {
         self.spatial.expect("orient3d needs a 3D scene").xi
     }
@@ -166,17 +171,20 @@ impl<T: Tally> Predicates for Session<'_, T> {
         }
     }
 
+    #[inline]
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
         self.tally.settled(PredicateKind::Compare, 0);
         let (a, b) = (self.scene.coordinate(axis, a), self.scene.coordinate(axis, b));
         a.partial_cmp(&b).expect("coordinates are finite").into()
     }
 
+    #[inline]
     fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
         self.tally.settled(PredicateKind::Orient2d, 0);
         register(self.area(plane, [a, b, c]), self.kappa(plane))
     }
 
+    #[inline]
     fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
         self.tally.settled(PredicateKind::Orient3d, 0);
         register(self.volume([a, b, c, d]), self.xi())
