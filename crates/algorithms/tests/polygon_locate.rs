@@ -6,7 +6,7 @@ mod common;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use common::{Truth, brute_force, with};
-use predicament_algorithms::polygon_locate::{CHUNK, LocateIndex, Locations, Scratch, locate_all};
+use predicament_algorithms::polygon_locate::{CHUNK, LocateIndex, Locations, Scratch, locate_all, question_all};
 use predicament_controls::Naive;
 use predicament_exact::Exact;
 use predicament_mesh::PolygonMap;
@@ -226,17 +226,28 @@ impl Predicates for OneFlip<'_> {
 
 #[test]
 fn one_wrong_sign_is_seen() {
-    // a diamond: raw coordinates don't force the side of its edges
-    let points = [[0., 2.], [2., 0.], [4., 2.], [2., 4.], [1., 2.5], [1., 5.]];
-    let (map, scene) = problem(&points, &[vec![vec![0, 1, 2, 3]]]);
-    let planted = |flipped: [usize; 3]| {
-        disagreements(
-            &map,
-            &OneFlip { exact: Exact.prepare(&scene, Off).unwrap(), flipped: flipped.map(Vertex::input) },
-        )
+    // a diamond, and a square: raw coordinates force the side of its top edge
+    let diamond = [[0., 2.], [2., 0.], [4., 2.], [2., 4.], [1., 2.5], [1., 5.]];
+    let square = [[0., 0.], [4., 0.], [4., 4.], [0., 4.], [1., 1.], [1., 5.]];
+    // by the shortcut, and with every edge asked about
+    let planted = |points: &[[f64; 2]], flipped: [usize; 3]| {
+        let (map, scene) = problem(points, &[vec![vec![0, 1, 2, 3]]]);
+        let session = OneFlip { exact: Exact.prepare(&scene, Off).unwrap(), flipped: flipped.map(Vertex::input) };
+        let index = LocateIndex::new(&map, &scene);
+        let queries: Vec<Vertex> = scene.vertices().collect();
+        [locate_all::<OneFlip>, question_all].map(|locate| {
+            let answers = locate(&index, &session, &queries, &|_| true);
+            let wrong = |&(at, q): &(usize, Vertex)| {
+                let truths = brute_force(&map, &scene, q);
+                answers.inside(at) != with(&truths, Truth::Inside)
+                    || answers.boundary(at) != with(&truths, Truth::Boundary)
+            };
+            scene.vertices().enumerate().filter(wrong).map(|(at, _)| at).collect::<Vec<_>>()
+        })
     };
-    assert_eq!(planted([0, 1, 2]), 0, "a triple that is never asked");
-    assert_eq!(planted([0, 3, 4]), 1, "the inner point under the left top edge");
+    assert!(planted(&diamond, [0, 1, 2]).iter().all(Vec::is_empty), "a triple that is never asked");
+    assert_eq!(planted(&diamond, [0, 3, 4]), [vec![4], vec![4]], "the inner point under the left top edge");
+    assert_eq!(planted(&square, [2, 3, 4]), [vec![], vec![4]], "under the top edge, whose box does not hold it");
 }
 
 /// Rings of any kind: self-crossing, overlapping, collinear, with repeated points.
@@ -342,6 +353,7 @@ fn ask_everything<P: Predicates>(index: &LocateIndex, session: &P, q: Vertex) ->
 }
 
 /// For sessions of all kinds: what the coordinates force need not be asked.
+/// And the library's own way to ask everything is that of this test.
 fn check_against_asking_everything(map: &PolygonMap, scene: &Scene) {
     fn check<P: Predicates>(map: &PolygonMap, session: &P) {
         let index = LocateIndex::new(map, session.scene());
@@ -350,6 +362,8 @@ fn check_against_asking_everything(map: &PolygonMap, scene: &Scene) {
             let [inside, boundary] = ask_everything(&index, session, q);
             let location = index.locate(session, q, &mut scratch);
             assert_eq!((location.inside, location.boundary), (&inside[..], &boundary[..]), "at {q}");
+            let location = index.question(session, q, &mut scratch);
+            assert_eq!((location.inside, location.boundary), (&inside[..], &boundary[..]), "at {q}, all asked");
         }
     }
     let exact = || Exact.prepare(scene, Off).unwrap();

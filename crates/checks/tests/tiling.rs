@@ -3,9 +3,9 @@
 mod common;
 
 use common::{Fault as Planted, Faulty, Problem, bricks, island, square_cells, squares};
-use predicament_algorithms::polygon_locate::{LocateIndex, Locations, locate_all};
+use predicament_algorithms::polygon_locate::{LocateIndex, Locations, question_all};
 use predicament_checks::tiling::{
-    Fault, Flaws, Ground, Surroundings, TilingReport, map_flaws, surroundings, tiling_report,
+    Fault, Flaws, Ground, Surroundings, TilingReport, TilingViolation, map_flaws, surroundings, tiling_report,
 };
 use predicament_controls::Naive;
 use predicament_exact::Exact;
@@ -29,7 +29,7 @@ impl Case {
     }
 
     fn locate<P: Predicates>(&self, session: &P) -> Locations {
-        locate_all(&self.index, session, &self.problem.probes, &|_| true)
+        question_all(&self.index, session, &self.problem.probes, &|_| true)
     }
 
     fn report<P: Predicates>(&self, session: &P, zero: ZeroMeaning) -> TilingReport {
@@ -206,25 +206,31 @@ fn planted_faults_are_caught() {
     let probe = case.problem.probes.iter().position(|&v| case.problem.scene.point(v) == [2., 2.]).unwrap();
     let id = case.problem.probes[probe].index();
     let corner = |x: usize, y: usize| x + 5 * y;
-    let report = case.with_fault(Planted::MirroredPair([corner(2, 2), id]));
-    assert_eq!(report.violations().iter().map(|v| v.probe).collect::<Vec<_>>(), [probe]);
-    // a corner straight above is never asked about: what lies strictly above a
-    // probe's cell is known from the cell, whatever the perturbation
-    let report = case.with_fault(Planted::MirroredPair([corner(2, 3), id]));
-    assert_eq!(report.violations(), []);
-    // nor is the side of an edge up there
-    for (left, right) in [(1, 2), (2, 3)] {
-        let report = case.with_fault(Planted::FlippedTriple([corner(left, 3), corner(right, 3), id]));
-        assert_eq!(report.violations(), [], "({left}, {right})");
+    for (x, y) in [(2, 2), (2, 3)] {
+        let report = case.with_fault(Planted::MirroredPair([corner(x, y), id]));
+        assert_eq!(report.violations().iter().map(|v| v.probe).collect::<Vec<_>>(), [probe], "({x}, {y})");
     }
+    // one turn: the perturbed ray goes up through one of two neighbouring edges
+    let caught = [(1, 2), (2, 3)].map(|(left, right)| {
+        let report = case.with_fault(Planted::FlippedTriple([corner(left, 3), corner(right, 3), id]));
+        assert!(report.violations().iter().all(|v| v.probe == probe && v.fault.is_topological()));
+        report.violations().len()
+    });
+    assert_eq!(caught.iter().sum::<usize>(), 1, "{caught:?}");
+
+    // every tied turn for itself: at a corner the answers don't fit together
+    let scattered = Case::new(squares(4).scattered());
+    assert_eq!(scattered.with_fault(Planted::None).violations(), []);
+    let report = scattered.with_fault(Planted::TiesByParity);
+    let on_land = |v: &TilingViolation| v.ground == Ground::Land && v.fault == Fault::Double;
+    assert!(report.violations().iter().any(on_land), "{:?}", report.violations());
 
     // an epsilon without a promise puts points on boundaries that they are not on
-    let slanted = slanted();
-    let exact = Exact.prepare(&slanted.problem.scene, Off).unwrap();
+    let exact = Exact.prepare(&case.problem.scene, Off).unwrap();
     let faulty = Faulty { inner: exact, fault: Planted::Epsilon(1e-10) };
-    let report = slanted.report(&faulty, ZeroMeaning::Exact);
+    let report = case.report(&faulty, ZeroMeaning::Exact);
     assert!(report.violations().iter().any(|v| v.fault == Fault::FalseBoundary));
-    assert_eq!(slanted.report(&faulty, ZeroMeaning::Band).violations(), [], "with a promise it is a legal answer");
+    assert_eq!(case.report(&faulty, ZeroMeaning::Band).violations(), [], "with a promise it is a legal answer");
     // and zeros are no way to break ties
     let exact = Exact.prepare(&case.problem.scene, Off).unwrap();
     let report = case.report(&exact, ZeroMeaning::Never);
@@ -246,17 +252,13 @@ fn ties_by_one_fixed_rule_are_lawful() {
     }
 }
 
-/// Squares turned by a few degrees, with coordinates that round.
-fn slanted() -> Case {
+#[test]
+fn plain_floating_point_is_caught_on_a_slanted_tiling() {
+    // squares turned by a few degrees, with coordinates that round
     let (corners, regions) = square_cells(8);
     let turned: Vec<[f64; 2]> =
         corners.iter().map(|[x, y]| [0.1 + 0.97 * x - 0.23 * y, 0.3 + 0.23 * x + 0.97 * y]).collect();
-    Case::new(Problem::new(&turned, &regions))
-}
-
-#[test]
-fn plain_floating_point_is_caught_on_a_slanted_tiling() {
-    let case = slanted();
+    let case = Case::new(Problem::new(&turned, &regions));
     assert!(case.flaws.is_empty());
     case.assert_lawful();
     let naive = Naive::default();
@@ -268,7 +270,7 @@ fn plain_floating_point_is_caught_on_a_slanted_tiling() {
 fn an_incomplete_answer_is_judged_as_far_as_it_goes() {
     let case = Case::new(squares(3));
     let exact = Exact.prepare(&case.problem.scene, Off).unwrap();
-    let few = locate_all(&case.index, &exact, &case.problem.probes[..10], &|_| true);
+    let few = question_all(&case.index, &exact, &case.problem.probes[..10], &|_| true);
     let report = tiling_report(&case.surroundings, &few, ZeroMeaning::Exact);
     let all: usize = Ground::ALL.iter().map(|&ground| report.counts(ground).probes()).sum();
     assert_eq!((all, report.violations()), (10, &[][..]));

@@ -157,22 +157,3 @@ proptest! {
         check(&scene, question, &first(question.kind().arity()));
     }
 }
-
-/// The oracle judges samples, so a query of the judge should take milliseconds at most.
-#[test]
-#[ignore = "a measurement: run with --nocapture"]
-fn how_long_the_judge_takes() {
-    let mut random = Random(15);
-    for scheme in Scheme::ALL {
-        for coincident in [false, true] {
-            let scenes: Vec<Scene> = (0..200)
-                .map(|_| grid_scene(3, 2, &if coincident { vec![random.below(8); 5] } else { random.numbers(8, 5) }))
-                .collect();
-            let start = std::time::Instant::now();
-            for scene in &scenes {
-                assert!(!judge(scheme, scene, Question::Insphere, &first(5)).is_zero());
-            }
-            eprintln!("{scheme}, coincident {coincident}: {:?} a query", start.elapsed() / 200);
-        }
-    }
-}

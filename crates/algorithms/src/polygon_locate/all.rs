@@ -115,6 +115,39 @@ pub fn locate_all<P: Predicates>(
     queries: &[Vertex],
     progress: &(dyn Fn(usize) -> bool + Sync),
 ) -> Locations {
+    gather(index, session, queries, progress, Asking::Open)
+}
+
+/// [`locate_all`] by [`LocateIndex::question`]: every edge in the way is asked
+/// about, so that a session that is wrong about one can't hide it.
+///
+/// # Panics
+/// As [`LocateIndex::question`].
+pub fn question_all<P: Predicates>(
+    index: &LocateIndex,
+    session: &P,
+    queries: &[Vertex],
+    progress: &(dyn Fn(usize) -> bool + Sync),
+) -> Locations {
+    gather(index, session, queries, progress, Asking::Everything)
+}
+
+/// How much a session is asked.
+#[derive(Clone, Copy)]
+enum Asking {
+    /// What raw coordinates leave open.
+    Open,
+    /// About every edge in the way.
+    Everything,
+}
+
+fn gather<P: Predicates>(
+    index: &LocateIndex,
+    session: &P,
+    queries: &[Vertex],
+    progress: &(dyn Fn(usize) -> bool + Sync),
+    asking: Asking,
+) -> Locations {
     let stopped = AtomicBool::new(false);
     let done = AtomicUsize::new(0);
     let parts: Vec<Option<Locations>> = queries
@@ -127,7 +160,10 @@ pub fn locate_all<P: Predicates>(
             part.inside.ends.reserve_exact(chunk.len());
             part.boundary.ends.reserve_exact(chunk.len());
             for &q in chunk {
-                let location = index.locate(session, q, scratch);
+                let location = match asking {
+                    Asking::Open => index.locate(session, q, scratch),
+                    Asking::Everything => index.question(session, q, scratch),
+                };
                 part.inside.push(location.inside);
                 part.boundary.push(location.boundary);
             }

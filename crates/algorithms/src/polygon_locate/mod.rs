@@ -43,6 +43,6 @@ mod all;
 mod index;
 mod single;
 
-pub use all::{CHUNK, Locations, locate_all};
+pub use all::{CHUNK, Locations, locate_all, question_all};
 pub use index::LocateIndex;
 pub use single::{Location, Scratch};

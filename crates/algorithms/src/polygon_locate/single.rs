@@ -50,6 +50,18 @@ enum Meeting {
     Touches,
 }
 
+impl Meeting {
+    /// What the edge adds to its owners.
+    #[inline]
+    fn mark(self) -> Option<Mark> {
+        match self {
+            Meeting::Misses => None,
+            Meeting::Crosses => Some(Mark { odd: true, ..Mark::default() }),
+            Meeting::Touches => Some(Mark { on_boundary: true, ..Mark::default() }),
+        }
+    }
+}
+
 /// A query with what raw coordinates say about it.
 #[derive(Clone, Copy)]
 struct Query<'s, P> {
@@ -98,6 +110,27 @@ impl LocateIndex {
         scratch.sum_up(self)
     }
 
+    /// Where the vertex `q` is, all of it asked: every edge that is not below
+    /// the point beyond the session's reach, and not in other columns, whether
+    /// or not raw coordinates decide about it.
+    ///
+    /// The same as [`locate`](LocateIndex::locate) for exact and perturbed
+    /// signs, and several times slower: for judging sessions, not for using them.
+    ///
+    /// # Panics
+    /// If the session's scene has no vertex `q`, or lacks vertices of the map.
+    pub fn question<'a, P: Predicates>(&self, session: &P, q: Vertex, scratch: &'a mut Scratch) -> Location<'a> {
+        let point = session.scene().point2(Plane::Xy, q);
+        scratch.owner_sets.fit(self.owner_sets());
+        for edge in self.columns().above(point, session.reach()) {
+            if let Some(mark) = meet(session, self.ends(edge), q).mark() {
+                scratch.owner_sets.add(self.owners_of(edge), mark);
+            }
+        }
+        scratch.regions.fit(self.regions());
+        scratch.sum_up(self)
+    }
+
     /// What the segments near the point add to what is above their cell.
     #[inline]
     fn look_around<P: Predicates>(&self, query: &Query<'_, P>, entries: &[Entry], owner_sets: &mut Marks) {
@@ -122,12 +155,9 @@ impl LocateIndex {
         let scene = query.session.scene();
         for edge in self.columns().above(point, query.session.reach()) {
             let ends = self.ends(edge);
-            let mark = match query.meet(ends.map(|v| scene.point2(Plane::Xy, v)), || ends) {
-                Meeting::Misses => continue,
-                Meeting::Crosses => Mark { odd: true, ..Mark::default() },
-                Meeting::Touches => Mark { on_boundary: true, ..Mark::default() },
-            };
-            owner_sets.add(self.owners_of(edge), mark);
+            if let Some(mark) = query.meet(ends.map(|v| scene.point2(Plane::Xy, v)), || ends).mark() {
+                owner_sets.add(self.owners_of(edge), mark);
+            }
         }
     }
 }

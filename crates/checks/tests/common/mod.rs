@@ -27,6 +27,9 @@ pub enum Fault {
     TiesByPlace,
     /// All ties are broken towards positive, as a "≥" in place of a ">" does.
     TiesUp,
+    /// Turns that are ties go by the parity of the sum of the indices: each
+    /// tie broken for itself, not as part of one moved scene.
+    TiesByParity,
     /// Everything within this distance of zero is zero, without a promise.
     Epsilon(f64),
 }
@@ -71,6 +74,10 @@ impl<P: Predicates> Predicates for Faulty<P> {
         let sign = self.inner.orient2d(plane, a, b, c);
         match self.fault {
             Fault::FlippedTriple(triple) if sorted([a, b, c]) == triple => -sign,
+            Fault::TiesByParity if self.plain(plane, [a, b, c]) == 0.0 => {
+                let sum = a.index() + b.index() + c.index();
+                if sum.is_multiple_of(2) { Sign::Positive } else { Sign::Negative }
+            }
             Fault::Epsilon(eps) if self.plain(plane, [a, b, c]).abs() < eps => Sign::Zero,
             _ => self.break_tie(sign),
         }

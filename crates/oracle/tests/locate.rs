@@ -1,0 +1,95 @@
+//! Locating is judged with every edge asked about, and the shortcut that users
+//! run is held against it.
+
+use std::sync::atomic::AtomicBool;
+
+use predicament_mesh::PolygonMap;
+use predicament_oracle::locate::LocateCase;
+use predicament_oracle::signs::Budget;
+use predicament_oracle::{Class, Contestant, Entry, Outcome, Watch};
+use predicament_predicates::{
+    Axis, Backend, Contract, Declined, Off, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, ZeroMeaning,
+};
+use predicament_sos::{Scheme, Sos};
+
+/// SoS that says one turn of every probe the wrong way round: that of the
+/// square's top edge, which lies above all probes.
+struct WrongAboutTheTop {
+    proved: bool,
+}
+
+struct Session<'s>(predicament_sos::Session<'s, Off>);
+
+/// The probes come first: the middles of the left and of the right side, and
+/// the middle of the square; then its corners.
+const POINTS: [[f64; 2]; 7] = [[0., 1.], [2., 1.], [1., 1.], [0., 0.], [2., 0.], [2., 2.], [0., 2.]];
+const TOP: [usize; 2] = [5, 6];
+
+impl Backend for WrongAboutTheTop {
+    type Session<'s, T: Tally + 's> = Session<'s>;
+
+    fn name(&self) -> String {
+        "wrong about the top".to_owned()
+    }
+    fn contract(&self, _: PredicateKind) -> Contract {
+        Contract { zero: ZeroMeaning::Never, proved: self.proved }
+    }
+    fn stages(&self) -> &'static [&'static str] {
+        &[]
+    }
+    fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, _: T) -> Result<Session<'s>, Declined> {
+        const SOS: Sos = Sos { scheme: Scheme::PerCoordinate };
+        Ok(Session(SOS.prepare(scene, Off)?))
+    }
+}
+
+impl Predicates for Session<'_> {
+    fn scene(&self) -> &Scene {
+        self.0.scene()
+    }
+    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        self.0.compare(axis, a, b)
+    }
+    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        let sign = self.0.orient2d(plane, a, b, c);
+        let is_top = TOP.iter().all(|&v| [a, b, c].contains(&Vertex::input(v)));
+        if is_top { -sign } else { sign }
+    }
+    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.0.orient3d(a, b, c, d)
+    }
+    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.0.incircle(a, b, c, d)
+    }
+    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
+        self.0.insphere(a, b, c, d, e)
+    }
+}
+
+fn judged(backend: impl Backend, probes: usize) -> Outcome {
+    let scene = Scene::from_points2(&POINTS).unwrap();
+    let mut map = PolygonMap::new();
+    map.push("square", vec![(3..7).map(Vertex::input).collect()]).unwrap();
+    let (cancel, silent) = (AtomicBool::new(false), |_| {});
+    let watch = Watch::new(&cancel, None, &silent);
+    let case = LocateCase::new(&scene, &map, (0..probes).map(Vertex::input).collect(), &watch).unwrap();
+    Entry::new(backend).run_locate(&case, Budget::QUICK, &watch).unwrap()
+}
+
+#[test]
+fn a_wrong_sign_that_raw_coordinates_would_hide_is_found() {
+    assert!(judged(Sos::default(), 3).findings.is_empty());
+    let outcome = judged(WrongAboutTheTop { proved: false }, 3);
+    let checks: Vec<&str> = outcome.findings.iter().map(|finding| finding.check.as_str()).collect();
+    assert_eq!((outcome.counts.get(Class::Topology), checks), (1, vec!["gap"]));
+}
+
+#[test]
+fn proved_signs_have_to_give_the_same_by_the_shortcut() {
+    // On the coast "outside" is as legal as "inside": only the shortcut, which
+    // does not ask about the top, tells. One side is perturbed into the square.
+    let outcome = judged(WrongAboutTheTop { proved: true }, 2);
+    let checks: Vec<&str> = outcome.findings.iter().map(|finding| finding.check.as_str()).collect();
+    assert_eq!((outcome.counts.get(Class::Topology), checks), (1, vec!["shortcut"]));
+    assert!(judged(WrongAboutTheTop { proved: false }, 2).findings.is_empty(), "no promise, no check");
+}
