@@ -2,25 +2,7 @@
 
 use predicament_oracle::expect::Expectations;
 use predicament_oracle::{Class, Finding, Outcome, finding_id};
-use predicament_report::{self as report, FindingRow, LocateRow, PlannedScene, StageRow, SummaryRow};
-
-/// The report's name for a class.
-pub fn class(class: Class) -> report::Class {
-    match class {
-        Class::Agree => report::Class::Agree,
-        Class::TieBroken => report::Class::TieBroken,
-        Class::InBand => report::Class::InBand,
-        Class::Overreach => report::Class::Overreach,
-        Class::MissedZero => report::Class::MissedZero,
-        Class::SignFlip => report::Class::SignFlip,
-        Class::Inconsistent => report::Class::Inconsistent,
-        Class::Nan => report::Class::Nan,
-        Class::Topology => report::Class::Topology,
-        Class::Panic => report::Class::Panic,
-        Class::Timeout => report::Class::Timeout,
-        Class::Declined => report::Class::Declined,
-    }
-}
+use predicament_report::{FindingRow, LocateRow, PlannedScene, StageRow, SummaryRow};
 
 /// The row of one scene and backend.
 pub fn summary(
@@ -31,22 +13,11 @@ pub fn summary(
     level: &str,
 ) -> SummaryRow {
     let status = expectations.status(&scene.suite, &scene.scene, backend, level, &outcome.counts);
-    let mut row = SummaryRow::new(scene, backend, outcome.queries, self::status(status));
+    let mut row = SummaryRow::new(scene, backend, outcome.queries, status);
     for each in Class::ALL {
-        *row.count_mut(class(each)) = outcome.counts.get(each);
+        *row.count_mut(each) = outcome.counts.get(each);
     }
     row
-}
-
-/// The report's name for a status.
-pub fn status(status: predicament_oracle::expect::Status) -> report::Status {
-    use predicament_oracle::expect::Status;
-    match status {
-        Status::Ok => report::Status::Ok,
-        Status::Expected => report::Status::Expected,
-        Status::Unexpected => report::Status::Unexpected,
-        Status::UnexpectedPass => report::Status::UnexpectedPass,
-    }
 }
 
 /// The rows of the kept findings.
@@ -62,7 +33,7 @@ fn row(scene: &PlannedScene, backend: &str, finding: &Finding) -> FindingRow {
         scene_id: scene.scene_id.clone(),
         task: scene.task.clone(),
         backend: backend.to_owned(),
-        class: class(finding.class),
+        class: finding.class,
         check: finding.check.clone(),
         query: finding.query.clone(),
         got: finding.got.clone(),

@@ -1,8 +1,6 @@
 //! One session for all controls: a scene, and a way to compute determinants.
 
-use predicament_predicates::{
-    Axis, Declined, Dimension, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally, Vertex,
-};
+use predicament_predicates::{Axis, Dimension, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally, Vertex};
 
 /// How a control computes: a determinant for each predicate, and what sign it makes of it.
 pub(crate) trait Float: Sync {
@@ -72,15 +70,6 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
     #[inline]
     fn scene(&self) -> &Scene {
         self.scene
-    }
-
-    fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
-        use PredicateKind::{Compare, Incircle, Insphere, Orient2d, Orient3d};
-        match (kind, self.scene.dimension()) {
-            (Compare | Orient2d, _) | (Incircle, Dimension::Two) | (Orient3d | Insphere, Dimension::Three) => Ok(()),
-            (Incircle, Dimension::Three) => Err(Declined::predicate(kind, "the scene is 3D")),
-            (Orient3d | Insphere, Dimension::Two) => Err(Declined::predicate(kind, "the scene is 2D")),
-        }
     }
 
     #[inline]

@@ -1,7 +1,7 @@
 //! A scene, prepared: which arithmetic its exponents allow, predicate by predicate.
 
 use predicament_arithmetic::{Plan, Regime};
-use predicament_predicates::{Axis, Declined, Dimension, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex};
+use predicament_predicates::{Axis, Dimension, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex};
 
 use crate::{filter, form, form::Determinant, ladder, stage};
 
@@ -173,15 +173,6 @@ impl<T: Tally> Predicates for Session<'_, T> {
     #[inline]
     fn scene(&self) -> &Scene {
         self.scene
-    }
-
-    fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
-        use PredicateKind::{Compare, Incircle, Insphere, Orient2d, Orient3d};
-        match (kind, self.scene.dimension()) {
-            (Compare | Orient2d, _) | (Incircle, Dimension::Two) | (Orient3d | Insphere, Dimension::Three) => Ok(()),
-            (Incircle, Dimension::Three) => Err(Declined::predicate(kind, "the scene is 3D")),
-            (Orient3d | Insphere, Dimension::Two) => Err(Declined::predicate(kind, "the scene is 2D")),
-        }
     }
 
     #[inline]

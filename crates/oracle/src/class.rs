@@ -1,103 +1,12 @@
-//! The classes that answers fall into (DESIGN's names), and how a sign is classified.
+//! How a sign is classified, and counts of classes.
 //!
 //! An answer is held to two things: the exact sign, and the backend's own
 //! promise. Every query is in exactly one class.
 
-use predicament_predicates::{Band, Sign, ZeroMeaning};
+use predicament_predicates::{Band, Class, Sign, ZeroMeaning};
 use rug::Rational;
 
 use crate::judge::{self, Verdict};
-
-/// What became of a query, or of a whole scene.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Class {
-    /// The exact sign.
-    Agree,
-    /// Exact zero, answered by a sign: promised by backends that break ties.
-    TieBroken,
-    /// Zero for a value within the upper tolerance: promised by backends with a band.
-    InBand,
-    /// Zero for a value beyond the upper tolerance; for backends without a band, for any value but zero.
-    Overreach,
-    /// A degeneracy that the backend promised to report, answered by a sign.
-    MissedZero,
-    /// The opposite sign.
-    SignFlip,
-    /// Answers that contradict each other.
-    Inconsistent,
-    /// The arithmetic produced a NaN.
-    Nan,
-    /// A topology check failed.
-    Topology,
-    /// The backend panicked.
-    Panic,
-    /// The backend took too long.
-    Timeout,
-    /// The backend said that it can't.
-    Declined,
-}
-
-impl Class {
-    /// All classes, in the order of the columns of `summary.csv`.
-    pub const ALL: [Class; 12] = [
-        Class::Agree,
-        Class::TieBroken,
-        Class::InBand,
-        Class::Overreach,
-        Class::MissedZero,
-        Class::SignFlip,
-        Class::Inconsistent,
-        Class::Nan,
-        Class::Topology,
-        Class::Panic,
-        Class::Timeout,
-        Class::Declined,
-    ];
-
-    /// The name in files and expectations.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Class::Agree => "agree",
-            Class::TieBroken => "tie_broken",
-            Class::InBand => "in_band",
-            Class::Overreach => "overreach",
-            Class::MissedZero => "missed_zero",
-            Class::SignFlip => "sign_flip",
-            Class::Inconsistent => "inconsistent",
-            Class::Nan => "nan",
-            Class::Topology => "topology",
-            Class::Panic => "panic",
-            Class::Timeout => "timeout",
-            Class::Declined => "declined",
-        }
-    }
-
-    /// Whether the class is within a promise. Everything else is a finding
-    /// and has to be expected. ([`classify`] hands out `TieBroken` and
-    /// `InBand` only to backends that promise them.)
-    #[must_use]
-    pub const fn is_legal(self) -> bool {
-        matches!(self, Class::Agree | Class::TieBroken | Class::InBand)
-    }
-}
-
-impl std::fmt::Display for Class {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl std::str::FromStr for Class {
-    type Err = String;
-
-    fn from_str(name: &str) -> Result<Class, String> {
-        Class::ALL.into_iter().find(|class| class.name() == name).ok_or_else(|| {
-            let names: Vec<&str> = Class::ALL.iter().map(|class| class.name()).collect();
-            format!("no class is called `{name}`; the classes are {}", names.join(", "))
-        })
-    }
-}
 
 /// How many of each class.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -204,13 +113,5 @@ mod tests {
         assert_eq!(of(Positive, 1.000_001), Class::Agree);
         assert_eq!(of(Positive, 1.0), Class::MissedZero);
         assert_eq!(of(Negative, 1.0), Class::SignFlip);
-    }
-
-    #[test]
-    fn names_are_unique_and_parse() {
-        for class in Class::ALL {
-            assert_eq!(class.name().parse(), Ok(class));
-        }
-        assert!("sign-flip".parse::<Class>().unwrap_err().contains("sign_flip"));
     }
 }

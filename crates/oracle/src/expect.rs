@@ -9,7 +9,7 @@ use globset::{Glob, GlobSet, GlobSetBuilder};
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
-use crate::{Class, ClassCounts};
+use crate::{Class, ClassCounts, Status};
 
 /// One `[[expect]]` table.
 #[derive(Clone, Debug)]
@@ -30,32 +30,6 @@ pub struct Expectation {
 #[derive(Clone, Default, Debug)]
 pub struct Expectations {
     entries: Vec<Expectation>,
-}
-
-/// What a row of `summary.csv` came to.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Status {
-    /// Nothing found, nothing expected.
-    Ok,
-    /// Found exactly what was expected.
-    Expected,
-    /// Found something that nobody expected.
-    Unexpected,
-    /// Did not find what was expected.
-    UnexpectedPass,
-}
-
-impl Status {
-    /// The name in `summary.csv`.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Status::Ok => "ok",
-            Status::Expected => "expected",
-            Status::Unexpected => "unexpected",
-            Status::UnexpectedPass => "unexpected_pass",
-        }
-    }
 }
 
 #[derive(Deserialize)]

@@ -3,7 +3,7 @@
 //! * [`judge`]: the truth, straight in rationals.
 //! * [`Case`]: a loaded scene with the truth about it; [`Case::run`] holds one
 //!   backend against it and gives an [`Outcome`].
-//! * [`Class`]: what becomes of an answer; [`expect`]: which findings are expected.
+//! * [`classify`]: what becomes of an answer; [`expect`]: which findings are expected.
 //! * [`roster`]: all backends by name; [`faults`]: wrong ones that have to be caught.
 
 pub mod expect;
@@ -22,9 +22,10 @@ mod outcome;
 mod watch;
 
 pub use case::{Case, Dispute, Truth};
-pub use class::{Class, ClassCounts, classify};
+pub use class::{ClassCounts, classify};
 pub use contestant::{Contestant, Entry, Explanation, Stopwatch, digest_of};
 pub use outcome::{Finding, LocateCounts, Outcome, finding_id};
+pub use predicament_predicates::{Class, Status};
 pub use watch::{Stop, Watch};
 
 /// The example in the documentation of backends has to compile.

@@ -13,9 +13,7 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use predicament_algorithms::polygon_locate::{
-    LocateIndex, Location, Locations, Scratch, locate_all, question_all,
-};
+use predicament_algorithms::polygon_locate::{LocateIndex, Location, Locations, Scratch, locate_all, question_all};
 use predicament_checks::tiling::{Fault, Flaws, Ground, Surroundings, map_flaws, surroundings, tiling_report};
 use predicament_exact::Exact;
 use predicament_mesh::PolygonMap;

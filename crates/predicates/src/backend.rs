@@ -46,13 +46,13 @@ pub trait Predicates: Sync {
     /// The scene that the session was prepared for.
     fn scene(&self) -> &Scene;
 
-    /// Whether the session answers this predicate.
+    /// Whether the session answers this predicate: if not said otherwise,
+    /// where the scene has the dimension for it.
     ///
     /// # Errors
     /// [`Declined`] with the reason.
     fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
-        let _ = kind;
-        Ok(())
+        self.scene().has_dimension_for(kind)
     }
 
     /// The sign of a's coordinate minus b's.

@@ -8,9 +8,11 @@
 //! * [`Backend`]: prepares a scene; [`Predicates`]: the session that answers.
 //! * [`Contract`]: what zero means; [`Band`]: how wide it is; [`Declined`]: "I can't".
 //! * [`QuerySet`]: many questions as data.
+//! * [`Class`]: what becomes of an answer; [`Status`]: of a scene.
 //! * [`Tally`]: which stage settled a query, at no cost when nobody asks.
 
 mod backend;
+mod class;
 mod contract;
 mod query;
 mod scene;
@@ -19,6 +21,7 @@ mod tally;
 mod vertex;
 
 pub use backend::{Backend, Predicates};
+pub use class::{Class, Status};
 pub use contract::{Band, Contract, Declined, ZeroMeaning};
 pub use query::{PredicateKind, QuerySet, Question};
 pub use scene::{Dimension, Scene, SceneError};

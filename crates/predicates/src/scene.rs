@@ -4,7 +4,7 @@
 //! asked of it (tasks, queries, polygons) lives elsewhere. NaN and infinity
 //! are refused here, once, so that no backend needs to.
 
-use crate::{Axis, Plane, Vertex};
+use crate::{Axis, Declined, Plane, PredicateKind, Vertex};
 
 /// How many coordinates a point has.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -120,6 +120,20 @@ impl Scene {
     #[must_use]
     pub fn dimension(&self) -> Dimension {
         self.dimension
+    }
+
+    /// Whether the predicate can be asked of points of this dimension. A 3D
+    /// scene has three planes, so it has turns but no circles.
+    ///
+    /// # Errors
+    /// [`Declined`] with the reason.
+    pub fn has_dimension_for(&self, kind: PredicateKind) -> Result<(), Declined> {
+        use PredicateKind::{Compare, Incircle, Insphere, Orient2d, Orient3d};
+        match (kind, self.dimension) {
+            (Compare | Orient2d, _) | (Incircle, Dimension::Two) | (Orient3d | Insphere, Dimension::Three) => Ok(()),
+            (Incircle, Dimension::Three) => Err(Declined::predicate(kind, "the scene is 3D")),
+            (Orient3d | Insphere, Dimension::Two) => Err(Declined::predicate(kind, "the scene is 2D")),
+        }
     }
 
     /// The number of vertices.

@@ -17,7 +17,6 @@
 //! The same folder gives the same bytes: rows are sorted before they are
 //! printed, and nothing asks for the time.
 
-mod class;
 mod env;
 mod error;
 mod format;
@@ -33,7 +32,6 @@ mod sections;
 mod stats;
 mod table;
 
-pub use class::{Class, Status};
 pub use env::Env;
 pub use error::Error;
 pub use junit::junit;
@@ -41,6 +39,7 @@ pub use page::{html, markdown, write_pages};
 pub use pixel_map::{PixelMap, PixelMapError, data_uri, side_by_side};
 pub use plan::{FORMAT, Level, NotSelected, Plan, PlannedScene, Shard};
 pub use plot::scatter;
+pub use predicament_predicates::{Class, Status};
 pub use rows::{FindingRow, LocateRow, Row, StageRow, SummaryRow, ThroughputRow};
 pub use run_dir::{NotRun, Outcome, RunDir, RunWriter};
 pub use stats::Spread;

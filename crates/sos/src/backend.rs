@@ -83,10 +83,6 @@ impl<T: Tally> Predicates for Session<'_, T> {
         self.exact.scene()
     }
 
-    fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
-        self.exact.supports(kind)
-    }
-
     #[inline]
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
         self.settle(Question::Compare(axis), [a, b], self.exact.decide_compare(axis, a, b))

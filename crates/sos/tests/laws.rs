@@ -17,9 +17,7 @@ mod common;
 
 use common::{Random, ask_antisymmetric, first, grid_scene, questions};
 use predicament_exact::Exact;
-use predicament_predicates::{
-    Axis, Backend, Declined, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex,
-};
+use predicament_predicates::{Axis, Backend, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex};
 use predicament_sos::{Scheme, Sos, Term, ties};
 
 /// A vertex of the scene, or the unit vector of a column.
@@ -167,9 +165,6 @@ impl Faulty<'_> {
 impl Predicates for Faulty<'_> {
     fn scene(&self) -> &Scene {
         self.exact.scene()
-    }
-    fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
-        self.exact.supports(kind)
     }
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
         self.answer(Question::Compare(axis), [a, b])

@@ -8,7 +8,7 @@ use predicament_report::{RunDir, Spread, Status, SummaryRow, junit};
 
 use crate::cmd::run::describe;
 use crate::exit::{self, Failure};
-use crate::{expectations, rows};
+use crate::expectations;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -49,9 +49,9 @@ pub fn run(args: &Args) -> exit::Outcome {
     for row in &mut run.summary {
         let mut counts = ClassCounts::default();
         for class in predicament_oracle::Class::ALL {
-            counts.add(class, row.count(rows::class(class)));
+            counts.add(class, row.count(class));
         }
-        row.status = rows::status(expected.status(&row.suite, &row.scene, &row.backend, &level, &counts));
+        row.status = expected.status(&row.suite, &row.scene, &row.backend, &level, &counts);
     }
     let worse = match &args.baseline {
         None => Worse::default(),
@@ -117,7 +117,7 @@ fn more_findings(run: &RunDir, baseline: &RunDir) -> Vec<String> {
     for row in &run.summary {
         let Some(old) = before.get(&(row.scene_id.as_str(), row.backend.as_str())) else { continue };
         for class in predicament_oracle::Class::ALL.into_iter().filter(|class| !class.is_legal()) {
-            let (now, then) = (row.count(rows::class(class)), old.count(rows::class(class)));
+            let (now, then) = (row.count(class), old.count(class));
             if now > then {
                 worse.push(format!(
                     "worse than the baseline: {}/{} on {}: {} {class}, was {then}",
@@ -161,7 +161,7 @@ fn suggest(summary: &[SummaryRow]) {
     for row in summary.iter().filter(|row| row.status == Status::Unexpected) {
         let classes: Vec<String> = predicament_oracle::Class::ALL
             .into_iter()
-            .filter(|&class| !class.is_legal() && row.count(rows::class(class)) > 0)
+            .filter(|&class| !class.is_legal() && row.count(class) > 0)
             .map(|class| format!("\"{class}\""))
             .collect();
         println!(
@@ -171,18 +171,5 @@ fn suggest(summary: &[SummaryRow]) {
             row.backend,
             classes.join(", ")
         );
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn both_crates_call_the_classes_the_same() {
-        for class in predicament_oracle::Class::ALL {
-            assert_eq!(rows::class(class).name(), class.name());
-        }
-        assert_eq!(predicament_report::Class::ALL.len(), predicament_oracle::Class::ALL.len());
     }
 }

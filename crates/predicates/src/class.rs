@@ -1,34 +1,35 @@
 //! The twelve ways in which an answer can turn out, and what the gate says to it.
+//!
+//! They live here, below everything, because the oracle decides on them, the
+//! report prints them, and neither needs the other.
 
 use serde::{Deserialize, Serialize};
 
 /// How an answer compares with the truth and with the backend's promise.
-///
-/// Which class is legal for which promise is the oracle's business.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Class {
-    /// The exact answer.
+    /// The exact sign.
     Agree,
-    /// An exact zero answered by a sign, as a backend that breaks ties promises.
+    /// Exact zero, answered by a sign: promised by backends that break ties.
     TieBroken,
-    /// Registered as degenerate, and the exact distance is within the upper tolerance.
+    /// Zero for a value within the upper tolerance: promised by backends with a band.
     InBand,
-    /// Registered as degenerate, and the exact distance is beyond the upper tolerance.
+    /// Zero for a value beyond the upper tolerance; for backends without a band, for any value but zero.
     Overreach,
-    /// An exact zero answered by a sign without a promise to break ties.
+    /// A degeneracy that the backend promised to report, answered by a sign.
     MissedZero,
     /// The opposite sign.
     SignFlip,
-    /// An axiom is violated between answers.
+    /// Answers that contradict each other.
     Inconsistent,
     /// The arithmetic produced a NaN.
     Nan,
-    /// A topology check of the whole scene failed.
+    /// A topology check failed.
     Topology,
-    /// The backend or the algorithm on it panicked.
+    /// The backend panicked.
     Panic,
-    /// The scene took longer than it was given.
+    /// The backend took too long.
     Timeout,
     /// The backend said that it can't.
     Declined,
@@ -70,6 +71,14 @@ impl Class {
         }
     }
 
+    /// Whether the class is within a promise. Everything else is a finding
+    /// and has to be expected. (The oracle hands out `TieBroken` and `InBand`
+    /// only to backends that promise them.)
+    #[must_use]
+    pub const fn is_legal(self) -> bool {
+        matches!(self, Class::Agree | Class::TieBroken | Class::InBand)
+    }
+
     /// Whether the class is a wrong answer to a single query, whoever gave it:
     /// what is counted per million queries and plotted against time.
     #[must_use]
@@ -94,7 +103,10 @@ impl std::str::FromStr for Class {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Class, String> {
-        Class::ALL.into_iter().find(|class| class.name() == name).ok_or_else(|| format!("no class is called `{name}`"))
+        Class::ALL.into_iter().find(|class| class.name() == name).ok_or_else(|| {
+            let names: Vec<&str> = Class::ALL.iter().map(|class| class.name()).collect();
+            format!("no class is called `{name}`; the classes are {}", names.join(", "))
+        })
     }
 }
 
@@ -153,7 +165,7 @@ mod tests {
         for status in Status::ALL {
             assert_eq!(serde_json::to_string(&status).unwrap(), format!("\"{status}\""));
         }
-        assert!("Agree".parse::<Class>().is_err());
+        assert!("Agree".parse::<Class>().unwrap_err().contains("sign_flip"));
     }
 
     #[test]
