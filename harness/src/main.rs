@@ -10,6 +10,7 @@ mod expectations;
 mod interrupt;
 mod peers;
 mod progress;
+mod precision;
 mod roster;
 mod rows;
 mod select;

@@ -40,6 +40,10 @@
 //! | incircle | lift 2+1+1, minor 2+1+1, ×, first of 2 sums | 10 | both sums | 11 |
 //! | insphere | lift 2+1+2, minor 3+1+1+1+2, ×, first of 2 sums | 15 | both sums | 16 |
 
+mod fixed_scene;
+
+pub use fixed_scene::{static_incircle, static_insphere, static_orient2d, static_orient3d};
+
 /// The unit roundoff 2^-53: the largest relative error of one rounding to nearest.
 pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
@@ -63,20 +67,24 @@ pub const INCIRCLE: f64 = semi_static(10, 11);
 /// For the lifted 4 × 4 determinant, expanded along the lift: 15u.
 pub const INSPHERE: f64 = semi_static(15, 16);
 
+/// The right-hand side of the requirement, exactly.
+#[cfg(test)]
+fn required(n: u8, m: u8) -> rug::Rational {
+    use rug::{Rational, ops::Pow};
+
+    let rational = |x| Rational::from_f64(x).expect("finite");
+    let u = rational(UNIT_ROUNDOFF);
+    let up = Rational::from(1 + &u);
+    let down = Rational::from(1 - &u);
+    (Rational::from((&up).pow(u32::from(n))) - 1) * &up / Rational::from((&down).pow(u32::from(m) + 1))
+}
+
 #[cfg(test)]
 mod tests {
-    use rug::{Rational, ops::Pow};
+    use rug::Rational;
 
     use super::*;
     use crate::rational;
-
-    /// The right-hand side of the requirement, exactly.
-    fn required(n: u8, m: u8) -> Rational {
-        let u = rational(UNIT_ROUNDOFF).unwrap();
-        let up = Rational::from(1 + &u);
-        let down = Rational::from(1 - &u);
-        (Rational::from((&up).pow(u32::from(n))) - 1) * &up / Rational::from((&down).pow(u32::from(m) + 1))
-    }
 
     #[test]
     fn constants_meet_the_requirement_and_waste_nothing() {

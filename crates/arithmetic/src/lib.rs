@@ -8,13 +8,21 @@
 //! * [`ExponentRange`]: the lowest bit and the highest exponent of a list.
 //! * [`Plan`]: what that range proves about a [`Form`]; the proof is in its docs.
 //! * [`bound`]: the constants of semi-static filters, and where they come from.
+//! * [`Fixed`]: integers of a fixed size; [`Dyadic`]: exact numbers with an exponent of
+//!   their own; [`Ball`]: doubles with a proved radius. All on the stack.
 //! * [`rational`], [`Scaled`]: doubles as exact numbers.
 
+mod ball;
 pub mod bound;
+mod dyadic;
+mod fixed;
 mod exact;
 mod plan;
 mod range;
 
+pub use ball::Ball;
+pub use dyadic::Dyadic;
+pub use fixed::Fixed;
 pub use exact::{Scaled, rational};
-pub use plan::{Form, Plan, Regime};
+pub use plan::{Arithmetic, Form, Plan, Span, Unit, exact_tail};
 pub use range::ExponentRange;

@@ -1,50 +1,51 @@
 //! What the exponents of a scene prove about arithmetic on it.
 //!
-//! Floating-point filters and expansions are right as long as nothing
-//! overflows and nothing underflows. Both can be known in advance, from two
-//! exponents and the degree of what will be computed.
+//! Floating-point filters are right as long as nothing overflows and nothing
+//! underflows, plain floating point is exact as long as nothing has more than
+//! 53 bits, and integers of a fixed size are exact as long as everything fits.
+//! All of this is known in advance, from two exponents and the degree of what
+//! will be computed.
 //!
 //! # The proof
-//! Let every coordinate be a multiple of 2^l and less than 2^h in magnitude
-//! ([`ExponentRange`]), and let an algorithm only take sums, differences and
+//! Let every coordinate be a multiple of 2^l, and every difference of two
+//! coordinates of the same axis less than M = 2^s in magnitude. Let an
+//! algorithm take differences first and then only sums, differences and
 //! products, so that each of its intermediates is homogeneous of some degree
-//! 1 ≤ j ≤ k in the coordinates.
+//! 1 ≤ j ≤ k in the differences.
 //!
 //! **Granularity.** Sums and differences of multiples of 2^g are multiples of
 //! 2^g; products of multiples of 2^g and 2^g′ are multiples of 2^(g+g′). A
 //! double nearest to a multiple of 2^g is a multiple of 2^g itself: either the
 //! value is representable, or the doubles around it lie on a coarser grid. By
-//! induction each intermediate of degree j, *rounded or not, tails included*,
-//! is a multiple of 2^(j·l). The subnormal grid is 2^-1074, so as long as
-//! j·l ≥ -1074 for all j, tiny results are exact: no tail of a sum or
-//! product is lost. (Splitting a factor in two halves keeps its granularity: a
-//! factor of 26 bits or fewer is its own upper half; of a longer one the lower
-//! half takes the bits that are there.)
+//! induction each intermediate of degree j, *rounded or not*, is a multiple of
+//! 2^(j·l). The subnormal grid is 2^-1074, so as long as j·l ≥ -1074 for all
+//! j, tiny results are exact.
 //!
-//! **Bounds.** Filters multiply a sum of degree k by a constant, u = 2^-53
-//! times a small number in first stages and its square in later ones. For these
-//! products to be rounded as usual they must not be subnormal, unless zero:
-//! k·l − 106 ≥ -1022, or **k·l ≥ -916**, which implies the above. (For l > 0
-//! there's nothing to lose.)
+//! **Bounds.** Filters multiply a sum of degree k by a constant of at least
+//! u = 2^-53. For this product to be rounded as usual it must not be subnormal,
+//! unless zero: **k·l ≥ -969**, which implies the above. (For l > 0 there's
+//! nothing to lose.)
 //!
-//! **Magnitude.** Differences are less than M = 2^(h+1). If every intermediate
-//! of degree j is less than 2^growth · M^j, then none overflows when
-//! j·(h + 1) + growth ≤ 1023. Shewchuk's splitter multiplies factors by
-//! 2^27 + 1 < 2^28, so **max(k·(h + 1), 0) + growth + 28 ≤ 1023** suffices for
-//! all degrees at once; the rounding of sums, a relative u each, is covered by
-//! taking growth with room to spare.
+//! **Magnitude.** If every intermediate of degree j is less than
+//! 2^growth · M^j, then none overflows when **max(k·s, 0) + growth ≤ 1023**
+//! (the roundings of sums, a relative u each, are covered by the step from
+//! 2^1023 to the largest double).
 //!
 //! **Exactness.** An intermediate of degree j is a multiple of 2^(j·l) and less
-//! than 2^(j·(h+1) + growth). If **k·(h + 1 − l) + growth ≤ 53** it has 53 bits
-//! at most, for each j (since h + 1 > l), and plain floating point makes no
-//! error at all.
+//! than 2^(j·s + growth). If **k·(s − l) + growth ≤ 53** it has 53 bits at
+//! most, for each j (since s > l), and plain floating point makes no error.
+//! For k = 1 this says that differences are exact if s − l ≤ 53.
+//!
+//! **Integers.** Differences over 2^l are integers of s − l bits. What else
+//! fits into how many limbs is counted where the determinants are; a [`Form`]
+//! carries the result.
 
 use crate::ExponentRange;
 
-/// The lowest exponent that a non-zero sum may have for its product with u² to be normal.
-const LOWEST: i32 = -1022 + 2 * 53;
-/// The exponent that no intermediate may reach, less Shewchuk's splitter.
-const HIGHEST: i32 = 1023 - 28;
+/// The lowest exponent that a non-zero sum may have for its product with u to be normal.
+const LOWEST: i32 = -1022 + 53;
+/// The exponent that no intermediate may reach.
+const HIGHEST: i32 = 1023;
 /// The bits of a double.
 const PRECISION: i32 = 53;
 
@@ -56,53 +57,188 @@ pub struct Form {
     /// How far sums grow: an intermediate of degree j is less than
     /// 2^`growth` · M^j, if all differences are less than M.
     pub growth: i32,
+    /// The bits of a difference up to which integers do, with differences of
+    /// one limb and of two.
+    pub integer_bits: [i32; 2],
 }
 
-/// What is proved about floating-point evaluation of a [`Form`].
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Regime {
-    /// Every intermediate is a double: plain evaluation makes no error.
-    Exact,
-    /// Nothing overflows or underflows: filters and expansions are right.
-    Safe,
-    /// Nothing is proved.
-    Unproved,
+/// The cheapest arithmetic that makes no error.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Arithmetic {
+    /// Doubles: every intermediate is one.
+    Double,
+    /// Integers of a fixed size, differences of one limb.
+    Integer,
+    /// Integers of a fixed size, differences of two limbs.
+    WideInteger,
+    /// Numbers with an exponent of their own.
+    Dyadic,
 }
 
-/// A list of coordinates, reduced to what can be proved about it.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub struct Plan {
-    range: Option<ExponentRange>,
-}
+impl Arithmetic {
+    /// All of them, cheapest first.
+    pub const ALL: [Arithmetic; 4] =
+        [Arithmetic::Double, Arithmetic::Integer, Arithmetic::WideInteger, Arithmetic::Dyadic];
 
-impl Plan {
-    /// The plan for these coordinates.
+    /// The name in lists.
     #[must_use]
-    pub fn of<'a>(coordinates: impl IntoIterator<Item = &'a f64>) -> Plan {
-        Plan { range: ExponentRange::of(coordinates) }
-    }
-
-    /// The exponents of the coordinates; none if all are zero.
-    #[must_use]
-    pub fn range(&self) -> Option<ExponentRange> {
-        self.range
-    }
-
-    /// What is proved for this form; see the source of this module for the proof.
-    #[must_use]
-    pub fn regime(&self, form: Form) -> Regime {
-        let Some(ExponentRange { lowest, highest }) = self.range else {
-            return Regime::Exact;
-        };
-        let Form { degree, growth } = form;
-        let no_underflow = degree * lowest >= LOWEST;
-        let no_overflow = (degree * (highest + 1)).max(0) + growth <= HIGHEST;
-        if !(no_underflow && no_overflow) {
-            Regime::Unproved
-        } else if degree * (highest + 1 - lowest) + growth <= PRECISION {
-            Regime::Exact
-        } else {
-            Regime::Safe
+    pub const fn name(self) -> &'static str {
+        match self {
+            Arithmetic::Double => "double",
+            Arithmetic::Integer => "integer",
+            Arithmetic::WideInteger => "wide integer",
+            Arithmetic::Dyadic => "dyadic",
         }
     }
+}
+
+/// What one axis of some points spans.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Span {
+    /// The exponents of the coordinates; none if all are zero.
+    pub range: Option<ExponentRange>,
+    /// The least coordinate.
+    pub min: f64,
+    /// The largest coordinate.
+    pub max: f64,
+}
+
+impl Span {
+    /// The least double that is not less than any difference of two
+    /// coordinates; infinite where that is no double.
+    #[must_use]
+    pub fn extent(&self) -> f64 {
+        if self.max < self.min {
+            return 0.0; // no points at all
+        }
+        let extent = self.max - self.min;
+        if extent < f64::INFINITY && exact_tail(self.max, self.min, extent) > 0.0 { extent.next_up() } else { extent }
+    }
+}
+
+/// What a − b loses in rounding to `difference`, exactly (Knuth).
+#[inline(always)]
+#[must_use]
+pub fn exact_tail(a: f64, b: f64, difference: f64) -> f64 {
+    let virtual_b = a - difference;
+    let virtual_a = difference + virtual_b;
+    (a - virtual_a) + (virtual_b - b)
+}
+
+/// Some points, reduced to what can be proved about them.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Plan<const D: usize> {
+    axes: [Span; D],
+    /// Every coordinate is a multiple of 2^`lowest`, every difference less than 2^`span`.
+    lowest: i32,
+    span: i32,
+}
+
+impl<const D: usize> Plan<D> {
+    /// The plan for these points.
+    #[must_use]
+    pub fn of(points: &[[f64; D]]) -> Plan<D> {
+        let axes = std::array::from_fn(|axis| {
+            let column = || points.iter().map(|point| &point[axis]);
+            let min = column().fold(f64::INFINITY, |min, &x| if x < min { x } else { min });
+            let max = column().fold(f64::NEG_INFINITY, |max, &x| if x > max { x } else { max });
+            Span { range: ExponentRange::of(column()), min, max }
+        });
+        Plan::of_axes(axes)
+    }
+
+    fn of_axes(axes: [Span; D]) -> Plan<D> {
+        let lowest = axes.iter().filter_map(|axis| axis.range).map(|range| range.lowest).min().unwrap_or(0);
+        let extents: [f64; D] = axes.map(|axis| axis.extent());
+        let span = ExponentRange::of(&extents).map(|range| range.highest);
+        // Without any difference all determinants are zero, in any arithmetic.
+        Plan { axes, lowest, span: span.unwrap_or(lowest + 1) }
+    }
+
+    /// The plan for the same points, seen along some of their axes.
+    ///
+    /// # Panics
+    /// If there is no such axis.
+    #[must_use]
+    pub fn project<const E: usize>(&self, axes: [usize; E]) -> Plan<E> {
+        Plan::of_axes(axes.map(|axis| self.axes[axis]))
+    }
+
+    /// What each axis spans.
+    #[must_use]
+    pub fn axes(&self) -> &[Span; D] {
+        &self.axes
+    }
+
+    /// Every coordinate is a multiple of two to this.
+    #[must_use]
+    pub fn lowest(&self) -> i32 {
+        self.lowest
+    }
+
+    /// The bits of the largest difference, in units of the lowest bit.
+    #[must_use]
+    pub fn bits(&self) -> i32 {
+        self.span - self.lowest
+    }
+
+    /// Whether differences are doubles.
+    #[must_use]
+    pub fn has_exact_differences(&self) -> bool {
+        self.bits() <= PRECISION
+    }
+
+    /// Whether floating-point filters can be trusted: nothing overflows,
+    /// nothing underflows.
+    #[must_use]
+    pub fn allows_filters(&self, form: Form) -> bool {
+        form.degree * self.lowest >= LOWEST && (form.degree * self.span).max(0) + form.growth <= HIGHEST
+    }
+
+    /// The cheapest arithmetic that makes no error in this form.
+    #[must_use]
+    pub fn arithmetic(&self, form: Form) -> Arithmetic {
+        let [one, two] = form.integer_bits;
+        if self.allows_filters(form) && form.degree * self.bits() + form.growth <= PRECISION {
+            Arithmetic::Double
+        } else if self.span > HIGHEST {
+            Arithmetic::Dyadic
+        } else if self.bits() <= one {
+            Arithmetic::Integer
+        } else if self.bits() <= two {
+            Arithmetic::WideInteger
+        } else {
+            Arithmetic::Dyadic
+        }
+    }
+
+    /// What turns differences into integers.
+    #[must_use]
+    pub fn unit(&self) -> Unit {
+        Unit::new(self.lowest)
+    }
+}
+
+/// 1/2^l as two doubles, since for the lowest l it is not one.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Unit([f64; 2]);
+
+impl Unit {
+    fn new(lowest: i32) -> Unit {
+        let first = -lowest / 2;
+        Unit([power(first), power(-lowest - first)])
+    }
+
+    /// x/2^l, exactly, if that is a double.
+    #[inline(always)]
+    #[must_use]
+    pub fn scale(self, x: f64) -> f64 {
+        x * self.0[0] * self.0[1]
+    }
+}
+
+/// 2^`exponent`, a normal double.
+fn power(exponent: i32) -> f64 {
+    let biased = u64::try_from(exponent + 1023).expect("half of an exponent of doubles is in their range");
+    f64::from_bits(biased << 52)
 }

@@ -1,92 +1,108 @@
 //! Plans at their edges: on the safe side arithmetic must be as promised, and
 //! a little beyond it must be possible to break it.
 
-use predicament_arithmetic::{Form, Plan, Regime, rational};
+use predicament_arithmetic::{Arithmetic, Fixed, Form, Plan, exact_tail, rational};
 
-const PRODUCT: Form = Form { degree: 2, growth: 0 };
+const PRODUCT: Form = Form { degree: 2, growth: 0, integer_bits: [62, 126] };
 
 fn power(exponent: i32) -> f64 {
     2f64.powi(exponent)
 }
 
-fn regime(values: &[f64], form: Form) -> Regime {
-    Plan::of(values).regime(form)
-}
-
-/// Dekker's product: a·b = high + low where nothing over- or underflows.
-fn two_product(a: f64, b: f64) -> (f64, f64) {
-    let split = |x: f64| {
-        let c = 134_217_729.0 * x;
-        let high = c - (c - x);
-        (high, x - high)
-    };
-    let ((a1, a0), (b1, b0)) = (split(a), split(b));
-    let high = a * b;
-    (high, a0 * b0 - (((high - a1 * b1) - a0 * b1) - a1 * b0))
-}
-
-fn is_exact(a: f64, b: f64) -> bool {
-    let (high, low) = two_product(a, b);
-    match (rational(high), rational(low)) {
-        (Some(high), Some(low)) => high + low == rational(a).unwrap() * rational(b).unwrap(),
-        _ => false,
-    }
+/// The plan for values along one axis, zero among them.
+fn plan(values: &[f64]) -> Plan<1> {
+    Plan::of(&[values, &[0.0]].concat().iter().map(|&x| [x]).collect::<Vec<_>>())
 }
 
 #[test]
 fn edges_are_where_the_proof_puts_them() {
     for degree in 1..=5 {
-        let form = Form { degree, growth: 7 };
-        let low = -(916 / degree);
-        // A second value forces more than 53 bits.
-        assert_eq!(regime(&[power(low), power(low + 60)], form), Regime::Safe, "degree {degree}");
-        assert_eq!(regime(&[power(low - 1), power(low + 60)], form), Regime::Unproved, "degree {degree}");
-        let high = (995 - 7) / degree - 1;
-        assert_eq!(regime(&[power(high - 1), power(high - 60)], form), Regime::Safe, "degree {degree}");
-        assert_eq!(regime(&[power(high), power(high - 60)], form), Regime::Unproved, "degree {degree}");
+        let form = Form { degree, growth: 7, ..PRODUCT };
+        let low = -(969 / degree);
+        assert!(plan(&[power(low)]).allows_filters(form), "degree {degree}");
+        assert!(!plan(&[power(low - 1)]).allows_filters(form), "degree {degree}");
+        let high = (1023 - 7) / degree;
+        assert!(plan(&[power(high).next_down()]).allows_filters(form), "degree {degree}");
+        assert!(!plan(&[power(high)]).allows_filters(form), "degree {degree}");
     }
-    assert_eq!(regime(&[], PRODUCT), Regime::Exact);
-    assert_eq!(regime(&[0.0, -0.0], PRODUCT), Regime::Exact);
-    assert_eq!(regime(&[f64::INFINITY], PRODUCT), Regime::Unproved);
-    assert_eq!(regime(&[f64::NAN], PRODUCT), Regime::Unproved);
-    assert_eq!(regime(&[5e-324], PRODUCT), Regime::Unproved);
-    assert_eq!(regime(&[f64::MAX], PRODUCT), Regime::Unproved);
+    for values in [f64::INFINITY, f64::NAN, 5e-324, f64::MAX] {
+        assert!(!plan(&[values]).allows_filters(PRODUCT), "{values}");
+    }
+    assert!(Plan::<2>::of(&[]).allows_filters(PRODUCT));
+    assert!(plan(&[-0.0]).allows_filters(PRODUCT));
 }
 
 #[test]
-fn small_integers_are_exact() {
-    let product = Form { degree: 2, growth: 1 };
-    assert_eq!(regime(&[power(25) - 1.0, 1.0], product), Regime::Exact);
-    assert_eq!(regime(&[power(25), 1.0], product), Regime::Safe);
-    // The same numbers elsewhere on the exponent scale.
-    assert_eq!(regime(&[power(-375) - power(-400), power(-400)], product), Regime::Exact);
-    assert_eq!(regime(&[power(-435) - power(-460), power(-460)], product), Regime::Unproved);
+fn differences_count_and_not_the_distance_from_the_origin() {
+    let far = |x: f64| Plan::of(&[[power(52) + x], [power(52)]]);
+    assert_eq!((far(9.0).bits(), far(7.0).bits()), (4, 3));
+    assert_eq!(far(7.0).lowest(), 0);
+    assert_eq!(Plan::of(&[[3.0, 1.0], [3.0, 2.0]]).axes().map(|axis| axis.extent()), [0.0, 1.0]);
+    let projected = Plan::of(&[[1.0, 2.0, 0.125], [3.0, 5.0, 0.5]]).project([1, 0]);
+    assert_eq!((projected.lowest(), projected.bits()), (0, 2));
+}
+
+#[test]
+fn extents_are_rounded_up_and_only_if_they_must() {
+    let extent = |min: f64, max: f64| Plan::of(&[[min], [max]]).axes()[0].extent();
+    assert_eq!(extent(0.0, 1.0 - power(-53)), 1.0 - power(-53));
+    assert_eq!(extent(-power(-54), 1.0), 1.0f64.next_up(), "rounding to nearest would give 1");
+    assert_eq!(extent(power(-54), 1.0), 1.0, "rounding to nearest is up");
+    assert_eq!(extent(-f64::MAX, f64::MAX), f64::INFINITY);
+    assert_eq!(extent(2.0, 2.0), 0.0);
+}
+
+#[test]
+fn each_arithmetic_is_chosen_up_to_its_last_bit() {
+    let product = Form { degree: 2, growth: 1, ..PRODUCT };
+    let arithmetic = |bits: i32, lowest: i32| {
+        // From 1 to 2^bits − 1 where that is a double, else just below 2^bits.
+        let largest = power(bits).next_down();
+        let largest = if bits < 53 { power(bits) - 1.0 } else { largest };
+        let plan = plan(&[power(lowest), largest * power(lowest)]);
+        assert_eq!(plan.bits(), bits);
+        plan.arithmetic(product)
+    };
+    for lowest in [0, -400, 300] {
+        assert_eq!([26, 27].map(|bits| arithmetic(bits, lowest)), [Arithmetic::Double, Arithmetic::Integer]);
+        assert_eq!([62, 63].map(|bits| arithmetic(bits, lowest)), [Arithmetic::Integer, Arithmetic::WideInteger]);
+        assert_eq!([126, 127].map(|bits| arithmetic(bits, lowest)), [Arithmetic::WideInteger, Arithmetic::Dyadic]);
+    }
+    assert_eq!(arithmetic(26, -600), Arithmetic::Integer, "products of doubles underflow");
+    assert_eq!(plan(&[f64::MAX, -f64::MAX]).arithmetic(product), Arithmetic::Dyadic, "a difference overflows");
+    assert_eq!(Plan::<2>::of(&[]).arithmetic(product), Arithmetic::Double);
+}
+
+#[test]
+fn units_reach_both_ends_of_the_range() {
+    for x in [5e-324, f64::MIN_POSITIVE, 1.0, -0.75, power(1023), 3.0 * power(971)] {
+        let unit = plan(&[x]).unit();
+        let scaled = unit.scale(x);
+        assert_eq!(scaled.abs() % 2.0, 1.0, "{x} is an odd multiple of its lowest bit");
+        assert_eq!(Fixed::<1>::from_double(scaled).is_negative(), x < 0.0);
+    }
 }
 
 #[test]
 fn products_are_exact_up_to_the_lower_edge_and_not_far_below() {
-    // 53-bit factors whose lowest bit is at the edge.
-    let ugly = 1.0 + f64::EPSILON * 12_345_678_901.0;
-    let factor = ugly.next_up() * power(52 - 458);
-    assert_eq!(regime(&[factor], PRODUCT), Regime::Safe);
-    assert!(is_exact(factor, factor));
-    assert!(rational(two_product(factor, factor).1).unwrap() != 0, "the tail is what the edge is about");
-
-    let below = factor * power(-132); // 2 (-458 - 132) < -1074
-    assert_eq!(regime(&[below], PRODUCT), Regime::Unproved);
-    assert!(!is_exact(below, below), "the tail is lost");
+    // Two factors at the edge: their product is a multiple of 2^-969, and rounding it as usual.
+    let factor = (1.0 + f64::EPSILON) * power(52 - 484);
+    assert!(plan(&[factor]).allows_filters(PRODUCT));
+    let relative = |x: f64| {
+        let exact = rational(x).unwrap() * rational(x).unwrap();
+        ((rational(x * x).unwrap() - &exact) / exact).abs().to_f64()
+    };
+    assert!(relative(factor) <= f64::EPSILON / 2.0);
+    let below = factor * power(-150);
+    assert!(!plan(&[below]).allows_filters(PRODUCT));
+    assert!(relative(below) > f64::EPSILON, "the product is subnormal");
 }
 
 #[test]
-fn products_are_exact_up_to_the_upper_edge_and_not_far_above() {
-    let factor = (1.0 - f64::EPSILON) * power(496); // 2 (496 + 1) ≤ 995
-    assert_eq!(regime(&[factor, 1.0], PRODUCT), Regime::Safe);
-    assert!(is_exact(2.0 * factor, 2.0 * factor), "a difference can be twice a coordinate");
-    let above = factor * power(17);
-    assert_eq!(regime(&[above, 1.0], PRODUCT), Regime::Unproved);
-    assert!(!is_exact(above, above), "overflow");
-    // Degree one: the product fits, but not the splitter's.
-    let factor = (1.0 - f64::EPSILON) * power(1000);
-    assert_eq!(regime(&[factor, 1.0], Form { degree: 1, growth: 0 }), Regime::Unproved);
-    assert!(!is_exact(factor, 1.0), "the splitter overflows");
+fn tails_complete_differences() {
+    for (a, b) in [(1.0, 1e-20), (0.1, -0.3), (5e-324, 1.0), (power(1000), 1.0), (3.0, 3.0), (1e-308, -1e-300)] {
+        let head = a - b;
+        let tail = exact_tail(a, b, head);
+        assert_eq!(rational(head).unwrap() + rational(tail).unwrap(), rational(a).unwrap() - rational(b).unwrap());
+    }
 }

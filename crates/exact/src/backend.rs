@@ -2,21 +2,7 @@
 
 use predicament_predicates::{Backend, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
 
-use crate::Session;
-
-/// The indices of the stages in [`Backend::stages`].
-pub mod stage {
-    /// A comparison of two coordinates.
-    pub const COMPARE: usize = 0;
-    /// Plain floating point and a bound on its error.
-    pub const FILTER: usize = 1;
-    /// Floating-point expansions.
-    pub const EXPANSION: usize = 2;
-    /// Integers over a common power of two.
-    pub const RATIONAL: usize = 3;
-    /// Their names, in this order.
-    pub const NAMES: [&str; 4] = ["compare", "filter", "expansion", "rational"];
-}
+use crate::{Session, stage};
 
 /// The exact backend. Its promise is proved: the sign of the real determinant.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]

@@ -21,11 +21,18 @@ impl Estimate {
     #[inline(always)]
     #[must_use]
     pub fn certain(self, bound: f64) -> Option<Sign> {
+        self.above(bound * self.permanent)
+    }
+
+    /// The sign of the determinant if its magnitude is at least `bound`. With
+    /// a bound that is NaN there is none.
+    #[inline(always)]
+    #[must_use]
+    pub fn above(self, bound: f64) -> Option<Sign> {
         // A table: signs are as good as random, and a branch on them mispredicts every other time.
         const SIGNS: [Sign; 3] = [Sign::Negative, Sign::Zero, Sign::Positive];
-        let Estimate { determinant, permanent } = self;
-        let sign = SIGNS[usize::from(determinant >= 0.0) + usize::from(determinant > 0.0)];
-        (determinant.abs() >= bound * permanent).then_some(sign)
+        let sign = SIGNS[usize::from(self.determinant >= 0.0) + usize::from(self.determinant > 0.0)];
+        (self.determinant.abs() >= bound).then_some(sign)
     }
 }
 

@@ -1,70 +1,133 @@
-//! What happens to a query that the scene's filter leaves open.
+//! What happens to a query that the scene's static filter leaves open.
 
-use predicament_arithmetic::{Plan, Regime};
+use predicament_arithmetic::{Arithmetic, Fixed, Plan, Unit, exact_tail};
 use predicament_predicates::Sign;
 
-use crate::{expansion, filter, form, form::Determinant, rational, stage};
+use crate::{predicate::Predicate, stage};
 
-/// The turn a, b, c, where the scene is in this regime and its filter has failed.
-pub(crate) fn orient2d(points: [[f64; 2]; 3], scene: Regime) -> (Sign, usize) {
-    let [a, b, c] = points;
-    climb(
-        (&points, scene, form::ORIENT2D),
-        |bound| filter::orient2d(a, b, c, bound),
-        || expansion::orient2d(a, b, c),
-        || rational::orient2d(a, b, c),
-    )
+/// What a plan proves for one predicate.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Prepared {
+    /// The bound of the static filter: zero where doubles make no error, NaN
+    /// (with which no filter ever answers) where filters are not allowed.
+    pub static_bound: f64,
+    /// The stage that the static bound stands for.
+    pub static_stage: usize,
+    /// The bound of the semi-static filter, or NaN.
+    semi_static_bound: f64,
+    arithmetic: Arithmetic,
+    exact_differences: bool,
+    unit: Unit,
 }
 
-/// The side of d on the plane of a, b, c, as above.
-pub(crate) fn orient3d(points: [[f64; 3]; 4], scene: Regime) -> (Sign, usize) {
-    let [a, b, c, d] = points;
-    climb(
-        (&points, scene, form::ORIENT3D),
-        |bound| filter::orient3d(a, b, c, d, bound),
-        || expansion::orient3d(a, b, c, d),
-        || rational::orient3d(a, b, c, d),
-    )
-}
-
-/// d in the circle of a, b, c, as above.
-pub(crate) fn incircle(points: [[f64; 2]; 4], scene: Regime) -> (Sign, usize) {
-    let [a, b, c, d] = points;
-    climb(
-        (&points, scene, form::INCIRCLE),
-        |bound| filter::incircle(a, b, c, d, bound),
-        || expansion::incircle(a, b, c, d),
-        || rational::incircle(a, b, c, d),
-    )
-}
-
-/// e in the sphere of a, b, c, d, as above.
-pub(crate) fn insphere(points: [[f64; 3]; 5], scene: Regime) -> (Sign, usize) {
-    let [a, b, c, d, e] = points;
-    climb(
-        (&points, scene, form::INSPHERE),
-        |bound| filter::insphere(a, b, c, d, e, bound),
-        || expansion::insphere(a, b, c, d, e),
-        || rational::insphere(a, b, c, d, e),
-    )
-}
-
-fn climb<const D: usize>(
-    (points, scene, determinant): (&[[f64; D]], Regime, Determinant),
-    filter: impl Fn(f64) -> Option<Sign>,
-    expansion: impl Fn() -> Sign,
-    rational: impl Fn() -> rational::Value,
-) -> (Sign, usize) {
-    let mut regime = scene;
-    if scene == Regime::Unproved {
-        // The scene is wide; these few points alone may not be.
-        regime = Plan::of(points.as_flattened()).regime(determinant.form);
-        if let Some(sign) = filter(determinant.bound_in(regime)) {
-            return (sign, stage::FILTER);
+impl Prepared {
+    pub fn new<P: Predicate<D, N>, const D: usize, const N: usize>(plan: &Plan<D>) -> Prepared {
+        let form = P::DETERMINANT.form;
+        let arithmetic = plan.arithmetic(form);
+        let (static_bound, semi_static_bound, static_stage) = if arithmetic == Arithmetic::Double {
+            (0.0, 0.0, stage::DOUBLE)
+        } else if plan.allows_filters(form) {
+            (P::static_bound(plan.axes().map(|axis| axis.extent())), P::DETERMINANT.bound, stage::STATIC)
+        } else {
+            (f64::NAN, f64::NAN, stage::STATIC)
+        };
+        Prepared {
+            static_bound,
+            static_stage,
+            semi_static_bound,
+            arithmetic,
+            exact_differences: plan.has_exact_differences(),
+            unit: plan.unit(),
         }
     }
-    match regime {
-        Regime::Unproved => (rational().sign(), stage::RATIONAL),
-        Regime::Exact | Regime::Safe => (expansion(), stage::EXPANSION),
+
+    /// The sign of a query that the static filter leaves open.
+    #[inline(always)]
+    pub fn climb<P: Predicate<D, N>, const D: usize, const N: usize>(&self, points: [[f64; D]; N]) -> (Sign, usize) {
+        if self.arithmetic == Arithmetic::Integer && self.exact_differences {
+            // Cheaper than to ask another filter first.
+            return (self.integer::<P, D, N>(points), stage::INTEGER);
+        }
+        if let Some(sign) = P::estimate(points).certain(self.semi_static_bound) {
+            return (sign, stage::SEMI_STATIC);
+        }
+        match self.arithmetic {
+            Arithmetic::Integer => (self.inexact_integer::<P, D, N>(points), stage::INTEGER),
+            // The scene is wide; these few points alone may not be. (Doubles have always answered.)
+            Arithmetic::WideInteger => match P::short(points) {
+                Some(sign) => (sign, stage::INTEGER),
+                None => (self.wide_integer::<P, D, N>(points), stage::WIDE_INTEGER),
+            },
+            Arithmetic::Double | Arithmetic::Dyadic => alone::<P, D, N>(points),
+        }
     }
+
+    #[inline(always)]
+    fn integer<P: Predicate<D, N>, const D: usize, const N: usize>(&self, points: [[f64; D]; N]) -> Sign {
+        let last = points[N - 1];
+        P::integer(points.map(|p| std::array::from_fn(|i| Fixed::<1>::from_double(self.unit.scale(p[i] - last[i])))))
+    }
+
+    #[inline(never)]
+    fn inexact_integer<P: Predicate<D, N>, const D: usize, const N: usize>(&self, points: [[f64; D]; N]) -> Sign {
+        let last = points[N - 1];
+        let row = |p: [f64; D]| {
+            std::array::from_fn(|i| {
+                let [head, tail] = difference(p[i], last[i]).map(|x| Fixed::<1>::from_double(self.unit.scale(x)));
+                head.plus(tail)
+            })
+        };
+        P::integer(points.map(row))
+    }
+
+    #[inline(never)]
+    fn wide_integer<P: Predicate<D, N>, const D: usize, const N: usize>(&self, points: [[f64; D]; N]) -> Sign {
+        let last = points[N - 1];
+        let row = |p: [f64; D]| {
+            std::array::from_fn(|i| {
+                let [head, tail] = difference(p[i], last[i]).map(|x| Fixed::<2>::from_double(self.unit.scale(x)));
+                head.plus(tail)
+            })
+        };
+        P::wide_integer(points.map(row))
+    }
+}
+
+/// A query of a scene that is too wide for integers.
+#[inline(never)]
+pub(crate) fn alone<P: Predicate<D, N>, const D: usize, const N: usize>(points: [[f64; D]; N]) -> (Sign, usize) {
+    if is_ordinary(&points)
+        && let Some(sign) = P::estimate(points).certain(P::DETERMINANT.bound)
+    {
+        return (sign, stage::SEMI_STATIC);
+    }
+    if let Some(sign) = P::short(points) {
+        return (sign, stage::INTEGER);
+    }
+    (P::dyadic(points), stage::DYADIC)
+}
+
+/// Whether filters are allowed, for every predicate here, without looking for the lowest bit.
+///
+/// Coordinates of at least 2^-141 are multiples of 2^-193, and 5·193 ≤ 969;
+/// differences of coordinates up to 2^200 are at most 2^201, and
+/// 5·201 + 7 ≤ 1023 (see [`Plan`]).
+#[inline(always)]
+fn is_ordinary<const D: usize>(points: &[[f64; D]]) -> bool {
+    const LOWEST: f64 = power(-141);
+    const HIGHEST: f64 = power(200);
+    let ordinary = |x: f64| (x.abs() <= HIGHEST) & ((x.abs() >= LOWEST) | (x == 0.0));
+    points.as_flattened().iter().fold(true, |all, &x| all & ordinary(x))
+}
+
+/// a − b as the sum of two doubles.
+#[inline(always)]
+fn difference(a: f64, b: f64) -> [f64; 2] {
+    let head = a - b;
+    [head, exact_tail(a, b, head)]
+}
+
+/// 2^`exponent`, a normal double.
+const fn power(exponent: i64) -> f64 {
+    f64::from_bits((exponent + 1023).cast_unsigned() << 52)
 }

@@ -2,29 +2,37 @@
 //!
 //! A query climbs a ladder until a rung can prove its answer ([`stage`]):
 //!
-//! 1. [`filter`]: plain floating point with a bound on its error. Where the
-//!    scene's numbers are short enough, the bound is zero and the filter
-//!    settles ties as well.
-//! 2. [`expansion`]: the adaptive predicates of the crate `robust`.
-//! 3. [`rational`]: integers over a common power of two.
+//! 1. plain floating point, where every intermediate is a double anyway;
+//! 2. the static [`filter`]: plain floating point with one bound on its error
+//!    for the whole scene;
+//! 3. the semi-static filter, with a bound for the query;
+//! 4. [`integer`]s of a fixed size, over one power of two for the scene;
+//! 5. [`dyadic`]: exact numbers with an exponent of their own.
 //!
-//! The first two hold as long as nothing underflows or overflows. Whether that
-//! is so is not hoped for but proved, once per scene, by
+//! Which of them hold is not hoped for but proved, once per scene, by a
 //! [`Plan`](predicament_arithmetic::Plan), and for a scene whose exponents are
-//! too wide, again for each query alone. Queries without a proof go to the
-//! third rung, which needs none.
+//! too wide for integers, again for each query alone. [`Precision`] tells what
+//! was chosen. What a scene doesn't need it doesn't pay: short numbers get no
+//! filter, and long ones climb straight to the integers that they fit.
 //!
 //! [`Session`] also decides without tallying (`decide_…`), for backends that
 //! stand on this one and count their own stages.
 
 mod backend;
+mod batch;
+pub mod dyadic;
 pub mod estimate;
-pub mod expansion;
 pub mod filter;
 pub mod form;
+pub mod integer;
 mod ladder;
+mod precision;
+mod predicate;
 pub mod rational;
 mod session;
+mod short;
+pub mod stage;
 
-pub use backend::{Exact, stage};
+pub use backend::Exact;
+pub use precision::{Choice, Precision};
 pub use session::Session;

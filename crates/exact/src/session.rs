@@ -1,24 +1,11 @@
 //! A scene, prepared: which arithmetic its exponents allow, predicate by predicate.
 
-use predicament_arithmetic::{Plan, Regime};
+use predicament_arithmetic::Plan;
 use predicament_predicates::{Axis, Dimension, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex};
 
-use crate::{filter, form, form::Determinant, ladder, stage};
-
-/// What the scene's plan proves for one determinant, with the filter's bound
-/// at hand: the fast path reads nothing else.
-#[derive(Clone, Copy)]
-struct Prepared {
-    bound: f64,
-    regime: Regime,
-}
-
-impl Prepared {
-    fn new(plan: &Plan, determinant: Determinant) -> Prepared {
-        let regime = plan.regime(determinant.form);
-        Prepared { bound: determinant.bound_in(regime), regime }
-    }
-}
+use crate::ladder::Prepared;
+use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
+use crate::{batch, stage};
 
 /// The exact backend, prepared for one scene.
 pub struct Session<'s, T> {
@@ -27,7 +14,8 @@ pub struct Session<'s, T> {
     /// The scene's points, in the view of its dimension; the other one is empty.
     points2: &'s [[f64; 2]],
     points3: &'s [[f64; 3]],
-    orient2d: Prepared,
+    /// By plane.
+    orient2d: [Prepared; 3],
     orient3d: Prepared,
     incircle: Prepared,
     insphere: Prepared,
@@ -35,20 +23,25 @@ pub struct Session<'s, T> {
 
 impl<'s, T: Tally> Session<'s, T> {
     pub(crate) fn new(scene: &'s Scene, tally: T) -> Session<'s, T> {
-        let plan = Plan::of(scene.coordinates());
         let (points2, points3): (&[_], &[_]) = match scene.dimension() {
             Dimension::Two => (scene.coordinates().as_chunks().0, &[]),
             Dimension::Three => (&[], scene.coordinates().as_chunks().0),
+        };
+        let (flat, solid) = (Plan::of(points2), Plan::of(points3));
+        let orient2d = match scene.dimension() {
+            Dimension::Two => [Prepared::new::<Orient2d, 2, 3>(&flat); 3],
+            Dimension::Three => [Plane::Xy, Plane::Yz, Plane::Zx]
+                .map(|plane| Prepared::new::<Orient2d, 2, 3>(&solid.project(plane.axes().map(Axis::index)))),
         };
         Session {
             scene,
             tally,
             points2,
             points3,
-            orient2d: Prepared::new(&plan, form::ORIENT2D),
-            orient3d: Prepared::new(&plan, form::ORIENT3D),
-            incircle: Prepared::new(&plan, form::INCIRCLE),
-            insphere: Prepared::new(&plan, form::INSPHERE),
+            orient2d,
+            orient3d: Prepared::new::<Orient3d, 3, 4>(&solid),
+            incircle: Prepared::new::<Incircle, 2, 4>(&flat),
+            insphere: Prepared::new::<Insphere, 3, 5>(&solid),
         }
     }
 
@@ -77,8 +70,9 @@ impl<'s, T: Tally> Session<'s, T> {
     #[must_use]
     pub fn decide_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
         let at = |v| self.point2(plane, v);
-        match filter::orient2d(at(a), at(b), at(c), self.orient2d.bound) {
-            Some(sign) => (sign, stage::FILTER),
+        let prepared = &self.orient2d[plane as usize];
+        match Orient2d::estimate([at(a), at(b), at(c)]).above(prepared.static_bound) {
+            Some(sign) => (sign, prepared.static_stage),
             None => self.climb_orient2d(plane, [a, b, c]),
         }
     }
@@ -91,8 +85,8 @@ impl<'s, T: Tally> Session<'s, T> {
     #[must_use]
     pub fn decide_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
         let at = |v: Vertex| self.points3[v.index()];
-        match filter::orient3d(at(a), at(b), at(c), at(d), self.orient3d.bound) {
-            Some(sign) => (sign, stage::FILTER),
+        match Orient3d::estimate([at(a), at(b), at(c), at(d)]).above(self.orient3d.static_bound) {
+            Some(sign) => (sign, self.orient3d.static_stage),
             None => self.climb_orient3d([a, b, c, d]),
         }
     }
@@ -105,8 +99,8 @@ impl<'s, T: Tally> Session<'s, T> {
     #[must_use]
     pub fn decide_incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
         let at = |v: Vertex| self.points2[v.index()];
-        match filter::incircle(at(a), at(b), at(c), at(d), self.incircle.bound) {
-            Some(sign) => (sign, stage::FILTER),
+        match Incircle::estimate([at(a), at(b), at(c), at(d)]).above(self.incircle.static_bound) {
+            Some(sign) => (sign, self.incircle.static_stage),
             None => self.climb_incircle([a, b, c, d]),
         }
     }
@@ -119,8 +113,8 @@ impl<'s, T: Tally> Session<'s, T> {
     #[must_use]
     pub fn decide_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {
         let at = |v: Vertex| self.points3[v.index()];
-        match filter::insphere(at(a), at(b), at(c), at(d), at(e), self.insphere.bound) {
-            Some(sign) => (sign, stage::FILTER),
+        match Insphere::estimate([at(a), at(b), at(c), at(d), at(e)]).above(self.insphere.static_bound) {
+            Some(sign) => (sign, self.insphere.static_stage),
             None => self.climb_insphere([a, b, c, d, e]),
         }
     }
@@ -130,25 +124,25 @@ impl<'s, T: Tally> Session<'s, T> {
     #[cold]
     #[inline(never)]
     fn climb_orient2d(&self, plane: Plane, vertices: [Vertex; 3]) -> (Sign, usize) {
-        ladder::orient2d(vertices.map(|v| self.point2(plane, v)), self.orient2d.regime)
+        self.orient2d[plane as usize].climb::<Orient2d, 2, 3>(vertices.map(|v| self.point2(plane, v)))
     }
 
     #[cold]
     #[inline(never)]
     fn climb_orient3d(&self, vertices: [Vertex; 4]) -> (Sign, usize) {
-        ladder::orient3d(vertices.map(|v| self.points3[v.index()]), self.orient3d.regime)
+        self.orient3d.climb::<Orient3d, 3, 4>(vertices.map(|v| self.points3[v.index()]))
     }
 
     #[cold]
     #[inline(never)]
     fn climb_incircle(&self, vertices: [Vertex; 4]) -> (Sign, usize) {
-        ladder::incircle(vertices.map(|v| self.points2[v.index()]), self.incircle.regime)
+        self.incircle.climb::<Incircle, 2, 4>(vertices.map(|v| self.points2[v.index()]))
     }
 
     #[cold]
     #[inline(never)]
     fn climb_insphere(&self, vertices: [Vertex; 5]) -> (Sign, usize) {
-        ladder::insphere(vertices.map(|v| self.points3[v.index()]), self.insphere.regime)
+        self.insphere.climb::<Insphere, 3, 5>(vertices.map(|v| self.points3[v.index()]))
     }
 
     #[inline(always)]
@@ -160,6 +154,10 @@ impl<'s, T: Tally> Session<'s, T> {
                 plane.axes().map(|axis| point[axis.index()])
             }
         }
+    }
+
+    fn counter(&self, kind: PredicateKind) -> impl FnMut(usize, u64) {
+        move |stage, count| self.tally.settled_many(kind, stage, count)
     }
 
     #[inline(always)]
@@ -198,5 +196,31 @@ impl<T: Tally> Predicates for Session<'_, T> {
     #[inline]
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
         self.tallied(PredicateKind::Insphere, self.decide_insphere(a, b, c, d, e))
+    }
+
+    fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
+        if self.scene.dimension() == Dimension::Two {
+            let prepared = &self.orient2d[plane as usize];
+            batch::by_index::<Orient2d, 2, 3>(prepared, self.points2, queries, out, self.counter(PredicateKind::Orient2d));
+        } else {
+            for (&[a, b, c], out) in queries.iter().zip(out) {
+                *out = self.orient2d(plane, a, b, c);
+            }
+        }
+    }
+
+    fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        let settled = self.counter(PredicateKind::Orient3d);
+        batch::by_index::<Orient3d, 3, 4>(&self.orient3d, self.points3, queries, out, settled);
+    }
+
+    fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        let settled = self.counter(PredicateKind::Incircle);
+        batch::by_index::<Incircle, 2, 4>(&self.incircle, self.points2, queries, out, settled);
+    }
+
+    fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
+        let settled = self.counter(PredicateKind::Insphere);
+        batch::by_index::<Insphere, 3, 5>(&self.insphere, self.points3, queries, out, settled);
     }
 }

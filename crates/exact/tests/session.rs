@@ -51,7 +51,7 @@ fn the_convention_is_that_of_robust() {
 
 /// Points among which ties, near ties, huge and tiny numbers abound.
 fn mixed<const D: usize>(seed: u64, n: usize) -> Vec<[f64; D]> {
-    let values = [0.0, -0.0, 1.0, 1.0f64.next_up(), 0.1, 0.3, 5e-324, 1e-200, 1e180, -2.0];
+    let values = [0.0, -0.0, 1.0, 1.0f64.next_up(), 0.1, 0.3, 5e-324, 1e-200, 1e180, -2.0, 1e25];
     let mut random = Random(seed);
     (0..n).map(|_| random.points::<1, D>(|random| *random.pick(&values))[0]).collect()
 }
@@ -109,7 +109,7 @@ fn every_query_is_tallied_once_where_it_was_decided() {
             assert_eq!(counts.get(kind, stage), expected[kind.index()][stage], "{kind} {name}");
         }
     }
-    for stage in [stage::FILTER, stage::EXPANSION, stage::RATIONAL] {
+    for stage in [stage::SEMI_STATIC, stage::INTEGER, stage::DYADIC] {
         assert!(expected.iter().any(|row| row[stage] > 0), "no query got to {}", stage::NAMES[stage]);
     }
 }
@@ -125,14 +125,23 @@ fn each_stage_settles_what_it_can_prove() {
     let turn = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     let tie = [[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]];
     let uneven_tie = tie.map(|p| p.map(|x| x * (1.0 + f64::EPSILON)));
-    let wide = [[5e-324, f64::MAX]];
-    assert_eq!(settled(turn, &[]), (Sign::Positive, stage::FILTER));
-    assert_eq!(settled(tie, &[]), (Sign::Zero, stage::FILTER), "short numbers: floats make no error");
-    assert_eq!(settled(uneven_tie, &[]), (Sign::Zero, stage::EXPANSION));
-    assert_eq!(settled(turn, &wide), (Sign::Positive, stage::FILTER), "planned for itself");
-    assert_eq!(settled(uneven_tie, &wide), (Sign::Zero, stage::EXPANSION), "planned for itself");
-    let tiny = uneven_tie.map(|p| p.map(|x| x * 1e-300));
-    assert_eq!(settled(tiny, &[]), (Sign::Zero, stage::RATIONAL));
+    let tiny_tie = uneven_tie.map(|p| p.map(|x| x * 1e-300));
+    let far_tie = [[0.0, 0.0], [1e17, 1e17], [1.0, 1.0]];
+    let [long, wide] = [[[1.0 + f64::EPSILON, 0.5]], [[5e-324, f64::MAX]]];
+    assert_eq!(settled(turn, &[]), (Sign::Positive, stage::DOUBLE));
+    assert_eq!(settled(tie, &[]), (Sign::Zero, stage::DOUBLE), "short numbers: floats make no error");
+    assert_eq!(settled(turn, &long), (Sign::Positive, stage::STATIC));
+    assert_eq!(settled(uneven_tie, &[]), (Sign::Zero, stage::INTEGER));
+    assert_eq!(settled(tiny_tie, &[]), (Sign::Zero, stage::INTEGER), "no float can be trusted, but all fits");
+    assert_eq!(settled(far_tie, &[[0.5, 0.25]]), (Sign::Zero, stage::INTEGER));
+    assert_eq!(settled(far_tie, &[[0.5, 1e-3]]), (Sign::Zero, stage::WIDE_INTEGER));
+    // Scenes that are too wide for anything but points alone.
+    assert_eq!(settled(turn, &wide), (Sign::Positive, stage::SEMI_STATIC), "planned for itself");
+    assert_eq!(settled(uneven_tie, &wide), (Sign::Zero, stage::INTEGER), "planned for itself");
+    let wide_turn = [[0.0, 0.0], [1e200, 1e-200], [1e200, 2e-200]];
+    assert_eq!(settled(wide_turn, &[]), (Sign::Positive, stage::INTEGER), "differences are doubles");
+    let uneven_turn = [[3.0, 5.0], [1e200, 1e-200], [1e200, 2e-200]];
+    assert_eq!(settled(uneven_turn, &[]), (Sign::Positive, stage::DYADIC));
 }
 
 /// Overflow and underflow that would make a filter without a guard answer wrongly.
@@ -141,11 +150,11 @@ fn the_filter_does_not_answer_where_nothing_is_proved() {
     // The products underflow to zero, exact as it may look.
     let below = [[1e-200, 0.0], [0.0, 1e-200], [0.0, 0.0]];
     assert_eq!(estimate::orient2d(below[0], below[1], below[2]).certain(form::ORIENT2D.bound), Some(Sign::Zero));
-    assert_eq!(settled(below, &[]), (Sign::Positive, stage::RATIONAL));
+    assert_eq!(settled(below, &[]), (Sign::Positive, stage::INTEGER));
     // ∞ − ∞.
     let above = [[1e200, 1e200], [1e200, 2e200], [0.0, 0.0]];
     assert!(estimate::orient2d(above[0], above[1], above[2]).determinant.is_nan());
-    assert_eq!(settled(above, &[]), (Sign::Positive, stage::RATIONAL));
+    assert_eq!(settled(above, &[]), (Sign::Positive, stage::INTEGER));
 }
 
 #[test]
@@ -184,7 +193,7 @@ fn what_the_scene_lacks_is_declined() {
 #[test]
 fn the_backend_introduces_itself() {
     assert_eq!(Exact.name(), "exact");
-    assert_eq!(Exact.stages(), ["compare", "filter", "expansion", "rational"]);
+    assert_eq!(Exact.stages(), stage::NAMES);
     assert!(Exact.stages().len() <= MAX_STAGES);
     for kind in PredicateKind::ALL {
         let contract = Exact.contract(kind);

@@ -5,8 +5,8 @@ mod common;
 use std::collections::BTreeSet;
 
 use common::{Random, check_incircle, check_insphere, check_orient2d, check_orient3d, check_projections, every, nudge};
-use predicament_arithmetic::{Plan, Regime};
-use predicament_exact::form::{self, Determinant};
+use predicament_arithmetic::{Arithmetic, Plan};
+use predicament_exact::form;
 use predicament_predicates::Sign;
 use proptest::prelude::*;
 
@@ -94,33 +94,42 @@ fn nearly_degenerate_at_every_scale() {
     }
 }
 
-/// The longest integers for which plain floating point is said to make no
-/// error: as large as they get, with small determinants among them.
+/// Integers of a size at which a rung just does, and of the next size: as large
+/// as they get, with small determinants among them.
 #[test]
-fn short_numbers_to_the_last_bit() {
+fn numbers_to_the_last_bit_of_each_rung() {
     let mut random = Random(11);
-    let highest = |determinant: Determinant| {
-        let bits = (53 - determinant.form.growth) / determinant.form.degree - 1;
-        let largest = 2f64.powi(bits) - 1.0;
-        let regime = |value: f64| Plan::of(&[1.0, value]).regime(determinant.form);
-        assert_eq!((regime(largest), regime(largest + 1.0)), (Regime::Exact, Regime::Safe));
-        largest
-    };
-    let [turn, side, circle, sphere] = [form::ORIENT2D, form::ORIENT3D, form::INCIRCLE, form::INSPHERE].map(highest);
-    let extreme = |largest: f64| {
-        move |random: &mut Random| {
-            let edge = if random.below(2) == 0 { largest } else { -largest };
-            (edge * *random.pick(&[1.0, 0.5, 0.25]) + *random.pick(&[0.0, 0.0, 1.0, -1.0]))
-                .trunc()
-                .clamp(-largest, largest)
+    for determinant in [form::ORIENT2D, form::ORIENT3D, form::INCIRCLE, form::INSPHERE] {
+        let exact_in_doubles = (53 - determinant.form.growth) / determinant.form.degree;
+        for (bits, arithmetic, next) in [
+            (exact_in_doubles, Arithmetic::Double, Arithmetic::Integer),
+            (62, Arithmetic::Integer, Arithmetic::WideInteger),
+            (126, Arithmetic::WideInteger, Arithmetic::Dyadic),
+        ] {
+            let chosen = |bits: i32| Plan::of(&[[0.0], [1.0], [largest(bits)]]).arithmetic(determinant.form);
+            assert_eq!([chosen(bits), chosen(bits + 1)], [arithmetic, next]);
         }
-    };
-    for _ in 0..20_000 {
-        check_orient2d(&random.points(extreme(turn)));
-        check_orient3d(&random.points(extreme(side)));
-        check_incircle(&random.points(extreme(circle)));
-        check_insphere(&random.points(extreme(sphere)));
+        for bits in [exact_in_doubles, exact_in_doubles + 1, 53, 54, 62, 63, 126, 127] {
+            for _ in 0..1000 {
+                let mut extreme = |random: &mut Random| {
+                    // Corners of the range, their halves, and the lowest bit.
+                    let corner = random.pick(&[0.0, 1.0, 0.5, 0.75].map(|part| part * largest(bits))).trunc();
+                    (corner + *random.pick(&[0.0, 0.0, 1.0, -1.0])).clamp(0.0, largest(bits))
+                };
+                match determinant {
+                    form::ORIENT2D => drop(check_orient2d(&random.points(&mut extreme))),
+                    form::ORIENT3D => drop(check_orient3d(&random.points(&mut extreme))),
+                    form::INCIRCLE => drop(check_incircle(&random.points(&mut extreme))),
+                    _ => drop(check_insphere(&random.points(&mut extreme))),
+                }
+            }
+        }
     }
+}
+
+/// The largest double below 2^bits that is an integer.
+fn largest(bits: i32) -> f64 {
+    if bits < 53 { 2f64.powi(bits) - 1.0 } else { 2f64.powi(bits).next_down() }
 }
 
 /// Five points of a sphere with integer coordinates, moved far from the origin:

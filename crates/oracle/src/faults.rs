@@ -5,7 +5,9 @@
 //! contract, and has to be caught by `selftest` on the embedded corpora.
 
 use predicament_arithmetic::Plan;
-use predicament_exact::{Exact, expansion, filter, form};
+use predicament_controls::Shewchuk;
+use predicament_exact::form::{self, Determinant};
+use predicament_exact::{Exact, filter};
 use predicament_predicates::{
     Axis, Backend, Band, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally,
     Vertex, ZeroMeaning,
@@ -140,14 +142,14 @@ impl Backend for Faulty {
             ZeroMeaning::Band => Some(Tolerance.prepare(scene, Off)?),
             ZeroMeaning::Never | ZeroMeaning::Exact => None,
         };
-        let plan = Plan::of(scene.coordinates());
-        Ok(Session { fault: self.0, plan, exact: Exact.prepare(scene, Off)?, tolerance })
+        let adaptive = Shewchuk.prepare(scene, Off)?;
+        Ok(Session { fault: self.0, adaptive, exact: Exact.prepare(scene, Off)?, tolerance })
     }
 }
 
 struct Session<'s> {
     fault: Fault,
-    plan: Plan,
+    adaptive: <Shewchuk as Backend>::Session<'s, Off>,
     exact: predicament_exact::Session<'s, Off>,
     tolerance: Option<predicament_tolerance::Session<'s, Off>>,
 }
@@ -175,7 +177,7 @@ impl Session<'_> {
                 }
             }
             Fault::ExactHalvedFilter => self.half_filtered(question, &args).unwrap_or(exact),
-            Fault::ExactUnguarded => self.unguarded(question, &args).unwrap_or(exact),
+            Fault::ExactUnguarded => question.ask(&self.adaptive, &args),
             Fault::ExactFlushed => {
                 let scene = self.exact.scene();
                 let determinant = crate::judge::verdict(scene, question, &args).determinant;
@@ -211,49 +213,31 @@ impl Session<'_> {
     }
 
     fn half_filtered(&self, question: Question, args: &[Vertex]) -> Option<Sign> {
-        let scene = self.exact.scene();
-        let halved = |determinant: form::Determinant| determinant.bound_in(self.plan.regime(determinant.form)) / 2.0;
-        match (question, args) {
-            (Question::Orient2d(plane), &[a, b, c]) => {
-                let [a, b, c] = [a, b, c].map(|v| scene.point2(plane, v));
-                filter::orient2d(a, b, c, halved(form::ORIENT2D))
-            }
-            (Question::Orient3d, &[a, b, c, d]) => {
-                let [a, b, c, d] = [a, b, c, d].map(|v| scene.point3(v));
-                filter::orient3d(a, b, c, d, halved(form::ORIENT3D))
-            }
-            (Question::Incircle, &[a, b, c, d]) => {
-                let [a, b, c, d] = [a, b, c, d].map(|v| scene.point2(Plane::Xy, v));
-                filter::incircle(a, b, c, d, halved(form::INCIRCLE))
-            }
-            (Question::Insphere, &[a, b, c, d, e]) => {
-                let [a, b, c, d, e] = [a, b, c, d, e].map(|v| scene.point3(v));
-                filter::insphere(a, b, c, d, e, halved(form::INSPHERE))
-            }
-            _ => None,
+        fn halved<const D: usize>(determinant: Determinant, points: &[[f64; D]]) -> f64 {
+            let allowed = Plan::of(points).allows_filters(determinant.form);
+            if allowed { determinant.bound / 2.0 } else { f64::NAN }
         }
-    }
-
-    fn unguarded(&self, question: Question, args: &[Vertex]) -> Option<Sign> {
         let scene = self.exact.scene();
-        match (question, args) {
-            (Question::Orient2d(plane), &[a, b, c]) => {
-                let [a, b, c] = [a, b, c].map(|v| scene.point2(plane, v));
-                Some(expansion::orient2d(a, b, c))
+        let flat = |plane, v: &[Vertex]| v.iter().map(|&v| scene.point2(plane, v)).collect::<Vec<_>>();
+        let solid = || args.iter().map(|&v| scene.point3(v)).collect::<Vec<_>>();
+        match question {
+            Question::Compare(_) => None,
+            Question::Orient2d(plane) => {
+                let p = flat(plane, args);
+                filter::orient2d(p[0], p[1], p[2], halved(form::ORIENT2D, &p))
             }
-            (Question::Orient3d, &[a, b, c, d]) => {
-                let [a, b, c, d] = [a, b, c, d].map(|v| scene.point3(v));
-                Some(expansion::orient3d(a, b, c, d))
+            Question::Orient3d => {
+                let p = solid();
+                filter::orient3d(p[0], p[1], p[2], p[3], halved(form::ORIENT3D, &p))
             }
-            (Question::Incircle, &[a, b, c, d]) => {
-                let [a, b, c, d] = [a, b, c, d].map(|v| scene.point2(Plane::Xy, v));
-                Some(expansion::incircle(a, b, c, d))
+            Question::Incircle => {
+                let p = flat(Plane::Xy, args);
+                filter::incircle(p[0], p[1], p[2], p[3], halved(form::INCIRCLE, &p))
             }
-            (Question::Insphere, &[a, b, c, d, e]) => {
-                let [a, b, c, d, e] = [a, b, c, d, e].map(|v| scene.point3(v));
-                Some(expansion::insphere(a, b, c, d, e))
+            Question::Insphere => {
+                let p = solid();
+                filter::insphere(p[0], p[1], p[2], p[3], p[4], halved(form::INSPHERE, &p))
             }
-            _ => None,
         }
     }
 

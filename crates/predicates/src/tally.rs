@@ -19,7 +19,13 @@ const KINDS: usize = PredicateKind::ALL.len();
 pub trait Tally: Sync {
     /// One query of this kind was settled by the stage with this index in
     /// [`Backend::stages`](crate::Backend::stages).
-    fn settled(&self, kind: PredicateKind, stage: usize);
+    #[inline(always)]
+    fn settled(&self, kind: PredicateKind, stage: usize) {
+        self.settled_many(kind, stage, 1);
+    }
+
+    /// So many queries of this kind were settled by this stage.
+    fn settled_many(&self, kind: PredicateKind, stage: usize, count: u64);
 }
 
 /// Counts nothing, at no cost.
@@ -28,7 +34,7 @@ pub struct Off;
 
 impl Tally for Off {
     #[inline(always)]
-    fn settled(&self, _: PredicateKind, _: usize) {}
+    fn settled_many(&self, _: PredicateKind, _: usize, _: u64) {}
 }
 
 #[repr(align(128))]
@@ -85,13 +91,13 @@ fn this_thread() -> usize {
 
 impl Tally for &Counts {
     #[inline]
-    fn settled(&self, kind: PredicateKind, stage: usize) {
+    fn settled_many(&self, kind: PredicateKind, stage: usize, count: u64) {
         let me = this_thread();
         if me < ROWS - 1 {
             let cell = &self.rows[me].0[kind.index()][stage];
-            cell.store(cell.load(Relaxed) + 1, Relaxed);
+            cell.store(cell.load(Relaxed) + count, Relaxed);
         } else {
-            self.rows[ROWS - 1].0[kind.index()][stage].fetch_add(1, Relaxed);
+            self.rows[ROWS - 1].0[kind.index()][stage].fetch_add(count, Relaxed);
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::Scheme;
 pub(crate) const FIRST_TERM: usize = EXACT.len();
 
 #[rustfmt::skip]
-const TERMS: [&str; MAX_STAGES - FIRST_TERM] = [
+const TERMS: [&str; 60] = [
     "term 1", "term 2", "term 3", "term 4", "term 5", "term 6", "term 7", "term 8", "term 9", "term 10",
     "term 11", "term 12", "term 13", "term 14", "term 15", "term 16", "term 17", "term 18", "term 19", "term 20",
     "term 21", "term 22", "term 23", "term 24", "term 25", "term 26", "term 27", "term 28", "term 29", "term 30",
@@ -18,10 +18,10 @@ const TERMS: [&str; MAX_STAGES - FIRST_TERM] = [
     "term 51", "term 52", "term 53", "term 54", "term 55", "term 56", "term 57", "term 58", "term 59", "term 60",
 ];
 
-static ALL: [&str; MAX_STAGES] = {
-    let mut all = [""; MAX_STAGES];
+static ALL: [&str; FIRST_TERM + TERMS.len()] = {
+    let mut all = [""; FIRST_TERM + TERMS.len()];
     let mut i = 0;
-    while i < MAX_STAGES {
+    while i < all.len() {
         all[i] = if i < FIRST_TERM { EXACT[i] } else { TERMS[i - FIRST_TERM] };
         i += 1;
     }

@@ -1,17 +1,21 @@
-//! `doctor`: what this machine and this build are, and what data are missing.
+//! `doctor`: what this machine and this build are, what data are missing, and
+//! what a scene needs.
 
 use std::path::PathBuf;
 
 use predicament_corpus::Library;
+use predicament_exact::Precision;
 
 use crate::cmd::run::env;
-use crate::exit;
+use crate::exit::{self, Failure};
+use crate::precision;
 use crate::select::Selector;
 
 const EXAMPLES: &str = "\
 Examples:
   predicament doctor
-  predicament doctor --cache /data/predicament";
+  predicament doctor --cache /data/predicament
+  predicament doctor --scene 'near-.*orient3d'      which arithmetic the exact backend chose, and why";
 
 /// Tell what this build is, what the machine has, and which data are missing
 #[derive(clap::Args)]
@@ -20,10 +24,26 @@ pub struct Args {
     /// Where fetched data lie; $PREDICAMENT_CACHE or the user's cache if left out
     #[arg(long, value_name = "DIR")]
     pub cache: Option<PathBuf>,
+
+    /// Instead, show the precision plan of the scenes whose `suite/scene` matches this
+    /// regular expression: what their coordinates span, and the arithmetic that each predicate needs
+    #[arg(long, value_name = "RE")]
+    pub scene: Option<String>,
+
+    /// Suites to look for scenes in, by name, or TOML files of your own
+    #[arg(long, value_name = "SUITE", requires = "scene", value_delimiter = ',')]
+    pub suite: Vec<String>,
+
+    /// The level at which scenes are loaded
+    #[arg(long, default_value = "quick", value_name = "quick|full", requires = "scene")]
+    pub level: predicament_corpus::Level,
 }
 
 /// Runs the command.
 pub fn run(args: &Args) -> exit::Outcome {
+    if let Some(scene) = &args.scene {
+        return scenes(args, scene);
+    }
     let env = env();
     let line = |key: &str, value: &str| println!("{key:<18} {value}");
     line("predicament", &env.package_version);
@@ -53,6 +73,31 @@ pub fn run(args: &Args) -> exit::Outcome {
     let scenes: usize = library.suites().iter().map(|suite| suite.scenes.len()).sum();
     line("suites", &format!("{} with {scenes} scenes", library.suites().len()));
     Ok(if sound { exit::OK } else { exit::UNEXPECTED })
+}
+
+/// The precision plans of all scenes that match.
+fn scenes(args: &Args, filter: &str) -> exit::Outcome {
+    let selection = Selector {
+        suites: args.suite.clone(),
+        filter: Some(filter.to_owned()),
+        level: args.level,
+        cache: args.cache.clone(),
+    }
+    .select()?;
+    let defs = selection.defs();
+    if defs.is_empty() {
+        return Err(Failure::nothing(format!(
+            "no scene matches `{filter}`; `predicament corpus list --scenes` names them"
+        )));
+    }
+    for def in defs {
+        let loaded = selection.load(def)?;
+        println!("{}/{}: {} points", def.suite, def.name, loaded.scene.len());
+        for line in precision::lines(&Precision::of(&loaded.scene)) {
+            println!("  {line}");
+        }
+    }
+    Ok(exit::OK)
 }
 
 fn list(features: &[String]) -> String {

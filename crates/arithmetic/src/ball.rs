@@ -1,0 +1,274 @@
+//! Floating point that knows its error and has no limits to its exponent.
+//!
+//! Where coordinates span all exponents, products underflow or overflow long
+//! before their signs become doubtful. A [`Ball`] keeps a double beside an
+//! integer exponent and a bound on the distance to the real value, so its sign is
+//! either proved or admitted to be unknown. It stands before
+//! [`Dyadic`](crate::Dyadic) on wide input, where exact numbers are long and signs
+//! are mostly plain.
+//!
+//! # The error bound
+//! A ball (m, r, e) holds a real value v with |v·2^−e − m| ≤ r. It is kept such
+//! that max(|m|, r) lies in \[1, 2), or m = r = 0, which is exact zero. u = 2^−53.
+//!
+//! **Products.** |m₁ + δ₁||m₂ + δ₂| differs from m₁m₂ by at most
+//! |m₁|r₂ + |m₂|r₁ + r₁r₂, and the product of doubles rounds by at most u|m|.
+//!
+//! **Sums.** The one with the lower exponent is scaled by 2^−d exactly, for the
+//! difference d ≤ 500 of exponents. Beyond, 2^−500 is taken for 2^−d: the value meant and
+//! the value taken both lie within (|m| + r)·2^−500 < 2^−498 of zero, nothing to the room that
+//! a radius has (below), which after a sum is u at least. The sum of doubles rounds by at most u|m|.
+//!
+//! **Differences of doubles** round by half a unit in the last place at most, which is u for
+//! a result scaled to \[1, 2), and not at all where they are subnormal.
+//!
+//! **The bound itself** is computed in at most eight roundings of relative error u, for
+//! which a factor of 1 + 16u makes up, with at least 4u to spare. A radius is zero, for
+//! a double or an exact zero, or at least u, as every operation adds u|m|; scaled, it is at
+//! least u·2^−500 and loses nothing. A center below 1 comes with a radius of 1 or more:
+//! where such a center underflows in a product or when it is scaled, by 2^−1075 at most, the
+//! radius has 2^−551 to spare.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// The unit roundoff u = 2^−53.
+const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
+/// 1 + 16u: for the roundings in the bound.
+const ROOM: f64 = 1.0 + 8.0 * f64::EPSILON;
+/// Beyond this difference of exponents the lower summand counts as error.
+const REACH: i32 = 500;
+/// The exponent of zero, lower than all others. (A product of half a million doubles
+/// could get there; it panics.)
+const LOWEST: i32 = i32::MIN / 4;
+
+/// An approximate number of any magnitude with a proved bound on its error.
+///
+/// The source of this module has the proof.
+#[derive(Clone, Copy, Debug)]
+pub struct Ball {
+    center: f64,
+    radius: f64,
+    exponent: i32,
+}
+
+impl Ball {
+    /// A double, without error. It has to be finite: NaN and infinity count as
+    /// if they were some number of 2^1024 or more.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(x: f64) -> Ball {
+        let field = field(x.abs());
+        if field == 0 {
+            return Ball::subnormal(x);
+        }
+        let center = f64::from_bits(x.to_bits() & !(0x7ff << 52) | 1023 << 52);
+        Ball { center, radius: 0.0, exponent: field - 1023 }
+    }
+
+    /// x − y, from one subtraction of doubles. Both have to be finite.
+    #[inline(always)]
+    #[must_use]
+    pub fn difference(x: f64, y: f64) -> Ball {
+        let difference = x - y;
+        if difference.is_finite() {
+            // Rounded by half a unit in the last place, exact if zero or subnormal.
+            let ball = Ball::new(difference);
+            Ball { radius: ball.center.abs().min(1.0) * UNIT_ROUNDOFF, ..ball }
+        } else {
+            Ball::new(x) - Ball::new(y)
+        }
+    }
+
+    #[cold]
+    fn subnormal(x: f64) -> Ball {
+        // A factor of 2^64 is exact here and gives a normal number, or zero.
+        let center = x * power_of_two(64);
+        Ball { center, radius: 0.0, exponent: -64 }.normal()
+    }
+
+    /// A double with the sign of the value, where the ball says what that is: it
+    /// does not hold zero, or nothing else.
+    #[inline(always)]
+    #[must_use]
+    pub fn certain(self) -> Option<f64> {
+        (self.center.abs() > self.radius || self.radius == 0.0).then_some(self.center)
+    }
+
+    /// How the value compares to zero, where the ball says so.
+    #[must_use]
+    pub fn cmp0(self) -> Option<Ordering> {
+        self.certain().and_then(|center| center.partial_cmp(&0.0))
+    }
+
+    /// Scaled such that max(|center|, radius) is in [1, 2).
+    #[inline(always)]
+    fn normal(self) -> Ball {
+        // Neither is NaN, so this is their maximum.
+        let center = self.center.abs();
+        let magnitude = if center > self.radius { center } else { self.radius };
+        if magnitude == 0.0 {
+            return Ball { center: 0.0, radius: 0.0, exponent: LOWEST };
+        }
+        // The magnitude is a normal number, so its field has the exponent.
+        let shift = field(magnitude) - 1023;
+        let scale = power_of_two(-shift);
+        let exponent = self.exponent + shift;
+        assert!(exponent.abs() < -LOWEST, "the exponent of a ball is below 2^29");
+        Ball { center: self.center * scale, radius: self.radius * scale, exponent }
+    }
+}
+
+impl Add for Ball {
+    type Output = Ball;
+
+    #[inline(always)]
+    fn add(self, other: Ball) -> Ball {
+        // Both are scaled, one of them by 1: which one is hard to predict.
+        let apart = self.exponent - other.exponent;
+        let [mine, yours] = [(-apart).max(0), apart.max(0)].map(|below| power_of_two(-below.min(REACH)));
+        let center = self.center * mine + other.center * yours;
+        let radius = (self.radius * mine + other.radius * yours + center.abs() * UNIT_ROUNDOFF) * ROOM;
+        Ball { center, radius, exponent: self.exponent.max(other.exponent) }.normal()
+    }
+}
+
+impl Sub for Ball {
+    type Output = Ball;
+
+    #[inline(always)]
+    fn sub(self, other: Ball) -> Ball {
+        self + -other
+    }
+}
+
+impl Mul for Ball {
+    type Output = Ball;
+
+    #[inline(always)]
+    fn mul(self, other: Ball) -> Ball {
+        let center = self.center * other.center;
+        let radius = (self.center.abs() * other.radius
+            + other.center.abs() * self.radius
+            + self.radius * other.radius
+            + center.abs() * UNIT_ROUNDOFF)
+            * ROOM;
+        Ball { center, radius, exponent: self.exponent + other.exponent }.normal()
+    }
+}
+
+impl Neg for Ball {
+    type Output = Ball;
+
+    #[inline(always)]
+    fn neg(self) -> Ball {
+        Ball { center: -self.center, ..self }
+    }
+}
+
+/// The biased exponent of a positive double.
+#[inline(always)]
+#[allow(clippy::cast_possible_truncation)] // 11 bits
+fn field(x: f64) -> i32 {
+    (x.to_bits() >> 52) as i32
+}
+
+/// 2^k, for k in −1022 ..= 1023.
+#[inline(always)]
+#[allow(clippy::cast_sign_loss)] // never negative
+const fn power_of_two(k: i32) -> f64 {
+    f64::from_bits(((k + 1023) as u64) << 52)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+    use rug::Rational;
+
+    use super::*;
+    use crate::rational;
+
+    /// |v·2^−e − m|, exactly.
+    fn error(ball: Ball, value: &Rational) -> Rational {
+        let exponent = if ball.exponent == LOWEST { 0 } else { ball.exponent };
+        (Rational::from(value >> exponent) - rational(ball.center).unwrap()).abs()
+    }
+
+    fn holds(ball: Ball, value: &Rational) -> bool {
+        let magnitude = ball.center.abs().max(ball.radius);
+        let normal = (1.0..2.0).contains(&magnitude) || (magnitude == 0.0 && ball.exponent == LOWEST);
+        normal && error(ball, value) <= rational(ball.radius).unwrap()
+    }
+
+    fn finite() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite()),
+            (any::<f32>(), -900..900)
+                .prop_map(|(x, e)| f64::from(x % 64.0) * 2f64.powi(e))
+                .prop_filter("finite", |x| x.is_finite()),
+            -1.0..1.0f64,
+            Just(0.0),
+        ]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4000))]
+
+        /// Every intermediate of random straight-line programs is where its ball says.
+        #[test]
+        fn balls_hold_their_values(x in proptest::collection::vec(finite(), 2..6), steps in proptest::collection::vec((0..3, any::<[prop::sample::Index; 2]>()), 1..10)) {
+            let mut numbers: Vec<(Ball, Rational)> = x.iter().map(|&x| (Ball::new(x), rational(x).unwrap())).collect();
+            let [first, second] = [rational(x[0]).unwrap(), rational(x[1]).unwrap()];
+            numbers.push((Ball::difference(x[0], x[1]), first - second));
+            prop_assert!(numbers.iter().all(|(ball, value)| holds(*ball, value)));
+            for (operation, [i, j]) in steps {
+                let ((a, p), (b, q)) = (i.get(&numbers), j.get(&numbers));
+                let (ball, value) = match operation {
+                    0 => (*a + *b, Rational::from(p + q)),
+                    1 => (*a - *b, Rational::from(p - q)),
+                    _ => (*a * *b, Rational::from(p * q)),
+                };
+                prop_assert!(holds(ball, &value), "{ball:?} without {value}");
+                if value.numer().significant_bits() < 20_000 && value.denom().significant_bits() < 20_000 {
+                    numbers.push((ball, value));
+                }
+            }
+        }
+    }
+
+    /// The bound is no larger than it must be: an error term dropped from it,
+    /// or one that is 2% too small, would be seen by the test above.
+    #[test]
+    fn the_bound_is_reached() {
+        let ratio = |ball: Ball, value: Rational| (error(ball, &value) / rational(ball.radius).unwrap()).to_f64();
+        let mut worst = [0f64; 4];
+        for k in 1..2000u32 {
+            // x·y and x + z end about half an ulp beside a double near 1.
+            let x = 1.0 + f64::from(65_536 + k) * f64::EPSILON;
+            let y = 1.0 + f64::from(32_768 - k % 7) * 2f64.powi(-32);
+            let z = 2f64.powi(-40) + f64::from((1 << 19) - k) * 2f64.powi(-72);
+            let [p, q] = [x, y].map(|x| rational(x).unwrap());
+            let product = Ball::new(x) * Ball::new(y);
+            worst[0] = worst[0].max(ratio(product, Rational::from(&p * &q)));
+            let sum = Ball::new(x) + Ball::new(z);
+            worst[1] = worst[1].max(ratio(sum, Rational::from(&p + &rational(z).unwrap())));
+            // An inherited radius: what is left of a product after cancellation.
+            let left = product - Ball::new(x * y);
+            let rounded = Ball::difference(x, -z);
+            worst[3] = worst[3].max(ratio(rounded, Rational::from(&p + &rational(z).unwrap())));
+            worst[2] = worst[2].max(ratio(left, Rational::from(&p * &q) - rational(x * y).unwrap()));
+        }
+        assert!(worst.iter().all(|&ratio| (0.98..=1.0).contains(&ratio)), "{worst:?}");
+    }
+
+    #[test]
+    fn the_least_and_the_largest() {
+        let [least, largest] = [5e-324, f64::MAX].map(Ball::new);
+        assert_eq!((least * least * least).cmp0(), Some(Ordering::Greater));
+        assert_eq!((least - largest * largest).cmp0(), Some(Ordering::Less));
+        assert_eq!((largest - largest).cmp0(), Some(Ordering::Equal));
+        assert_eq!((largest - largest + least).cmp0(), Some(Ordering::Greater));
+        // Beyond reach, what is left of the lower one is not known to be nothing.
+        assert_eq!((largest + least - largest).cmp0(), None);
+    }
+}

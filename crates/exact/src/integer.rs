@@ -1,0 +1,110 @@
+//! The determinants in integers of a fixed size.
+//!
+//! The arguments are differences of coordinates in units of the scene's lowest
+//! bit. `D` is the number of limbs of a difference; a product of k of them
+//! takes k·D. Sums wrap, which harms nobody as long as the determinant itself
+//! fits: for differences less than M = 2^b in magnitude,
+//!
+//! | predicate | largest determinant | limbs | b up to, for D = 1 | for D = 2 |
+//! |---|---|---|---|---|
+//! | orient2d | 2M² | 2D | 63 | 127 |
+//! | orient3d | 4M³ | 3D | 63 | 127 |
+//! | incircle | 8M⁴ | 4D | 63 | 127 |
+//! | insphere | 48M⁵ | 5D | 62 | 126 |
+//!
+//! since 2b + 1 ≤ 127, 3b + 2 ≤ 191 and 4b + 3 ≤ 255 at b = 63, and
+//! 5b + log₂48 ≤ 319 at b = 62; the same for D = 2. (4M³ is what a 3 × 3
+//! determinant with entries up to M can reach, 16M⁴ a 4 × 4 one: Hadamard.
+//! Lifts scale one column, by 2M or 3M.) What is multiplied on the way has to
+//! fit as well: lifts are less than 2M² or 3M² and get 2D limbs, minors less
+//! than 2M² and 4M³ and get 2D and 3D.
+//!
+//! A difference that is no double is the sum of two, of which the first may be
+//! rounded up to M itself; so that this fits too, all predicates stop one bit
+//! earlier: b ≤ 62 for D = 1, and 126 for D = 2.
+
+use predicament_arithmetic::Fixed;
+use predicament_predicates::Sign;
+
+/// The largest b for differences of one and of two limbs.
+pub const BITS: [i32; 2] = [62, 126];
+
+/// p × q.
+#[inline(always)]
+pub fn orient2d<const D: usize, const D2: usize>([p, q]: [[Fixed<D>; 2]; 2]) -> Sign {
+    sign(cross::<D, D2>(p, q))
+}
+
+/// det(p, q, r).
+#[inline(always)]
+pub fn orient3d<const D: usize, const D2: usize, const D3: usize>(rows: [[Fixed<D>; 3]; 3]) -> Sign {
+    let [p, q, r] = rows;
+    sign(triple::<D, D2, D3>([[p[0], p[1]], [q[0], q[1]], [r[0], r[1]]], [p[2], q[2], r[2]]))
+}
+
+/// det(p, q, r), each with its squared length.
+#[inline(always)]
+pub fn incircle<const D: usize, const D2: usize, const D4: usize>(rows: [[Fixed<D>; 2]; 3]) -> Sign {
+    let [p, q, r] = rows;
+    let term = |a, b, c: [Fixed<D>; 2]| -> Fixed<D4> { cross::<D, D2>(a, b).times(lift2::<D, D2>(c)) };
+    sign(term(q, r, p).plus(term(r, p, q)).plus(term(p, q, r)))
+}
+
+/// det(p, q, r, s), each with its squared length.
+#[inline(always)]
+pub fn insphere<const D: usize, const D2: usize, const D3: usize, const D5: usize>(
+    rows: [[Fixed<D>; 3]; 4],
+) -> Sign {
+    let [p, q, r, s] = rows.map(|[x, y, _]| [x, y]);
+    let [pz, qz, rz, sz] = rows.map(|row| row[2]);
+    let [pq, qr, rs] = [cross::<D, D2>(p, q), cross(q, r), cross(r, s)];
+    let [sp, pr, qs] = [cross::<D, D2>(s, p), cross(p, r), cross(q, s)];
+    let minor = |x: (Fixed<D2>, Fixed<D>), y: (Fixed<D2>, Fixed<D>), z: (Fixed<D2>, Fixed<D>)| -> [Fixed<D3>; 3] {
+        [x.0.times(x.1), y.0.times(y.1), z.0.times(z.1)]
+    };
+    let [a, b, c] = minor((qr, pz), (pr, qz), (pq, rz));
+    let pqr = a.minus(b).plus(c);
+    let [a, b, c] = minor((rs, qz), (qs, rz), (qr, sz));
+    let qrs = a.minus(b).plus(c);
+    let [a, b, c] = minor((sp, rz), (pr, sz), (rs, pz));
+    let rsp = a.plus(b).plus(c);
+    let [a, b, c] = minor((pq, sz), (qs, pz), (sp, qz));
+    let spq = a.plus(b).plus(c);
+    let [pl, ql, rl, sl] = rows.map(lift3::<D, D2>);
+    let term = |minor: Fixed<D3>, lift: Fixed<D2>| -> Fixed<D5> { minor.times(lift) };
+    sign(term(pqr, sl).minus(term(spq, rl)).plus(term(rsp, ql).minus(term(qrs, pl))))
+}
+
+#[inline(always)]
+fn sign<const L: usize>(x: Fixed<L>) -> Sign {
+    // A table: signs are as good as random, and a branch on them mispredicts every other time.
+    const SIGNS: [Sign; 4] = [Sign::Zero, Sign::Positive, Sign::Negative, Sign::Negative];
+    SIGNS[2 * usize::from(x.is_negative()) + usize::from(!x.is_zero())]
+}
+
+#[inline(always)]
+fn cross<const D: usize, const D2: usize>([px, py]: [Fixed<D>; 2], [qx, qy]: [Fixed<D>; 2]) -> Fixed<D2> {
+    let left: Fixed<D2> = px.times(qy);
+    left.minus(py.times(qx))
+}
+
+/// The 3 × 3 determinant of flat rows and their heights.
+#[inline(always)]
+fn triple<const D: usize, const D2: usize, const D3: usize>(
+    [p, q, r]: [[Fixed<D>; 2]; 3],
+    [pz, qz, rz]: [Fixed<D>; 3],
+) -> Fixed<D3> {
+    let term = |a, b, z| -> Fixed<D3> { cross::<D, D2>(a, b).times(z) };
+    term(q, r, pz).plus(term(r, p, qz)).plus(term(p, q, rz))
+}
+
+#[inline(always)]
+fn lift2<const D: usize, const D2: usize>([x, y]: [Fixed<D>; 2]) -> Fixed<D2> {
+    let square: Fixed<D2> = x.times(x);
+    square.plus(y.times(y))
+}
+
+#[inline(always)]
+fn lift3<const D: usize, const D2: usize>([x, y, z]: [Fixed<D>; 3]) -> Fixed<D2> {
+    lift2::<D, D2>([x, y]).plus(z.times(z))
+}

@@ -1,0 +1,146 @@
+//! What the ladder has to know about each predicate of the determinant kind.
+//!
+//! The four differ in their formulas, and in nothing that concerns the ladder:
+//! so the ladder is written once, generic over this.
+
+use predicament_arithmetic::{Fixed, bound};
+use predicament_predicates::Sign;
+
+use crate::estimate::{self, Estimate};
+use crate::form::{self, Determinant};
+use crate::{dyadic, integer, short};
+
+/// A predicate on `N` points of `D` coordinates.
+pub(crate) trait Predicate<const D: usize, const N: usize> {
+    /// As a polynomial.
+    const DETERMINANT: Determinant;
+
+    /// The bound of the static filter, from the extents of the scene's axes.
+    fn static_bound(extent: [f64; D]) -> f64;
+
+    /// In plain floating point.
+    fn estimate(points: [[f64; D]; N]) -> Estimate;
+
+    /// In integers; the rows are the differences to the last point, and the last row is zero.
+    fn integer(rows: [[Fixed<1>; D]; N]) -> Sign;
+
+    /// In integers, differences of two limbs.
+    fn wide_integer(rows: [[Fixed<2>; D]; N]) -> Sign;
+
+    /// For points whose differences span few bits; none if they don't.
+    #[inline(always)]
+    fn short(points: [[f64; D]; N]) -> Option<Sign> {
+        short::rows(points).map(Self::integer)
+    }
+
+    /// For any finite points.
+    fn dyadic(points: [[f64; D]; N]) -> Sign;
+}
+
+/// The turn of three points.
+pub(crate) struct Orient2d;
+
+impl Predicate<2, 3> for Orient2d {
+    const DETERMINANT: Determinant = form::ORIENT2D;
+
+    fn static_bound(extent: [f64; 2]) -> f64 {
+        bound::static_orient2d(extent)
+    }
+    #[inline(always)]
+    fn estimate([a, b, c]: [[f64; 2]; 3]) -> Estimate {
+        estimate::orient2d(a, b, c)
+    }
+    #[inline(always)]
+    fn integer([a, b, _]: [[Fixed<1>; 2]; 3]) -> Sign {
+        integer::orient2d::<1, 2>([a, b])
+    }
+    #[inline(always)]
+    fn wide_integer([a, b, _]: [[Fixed<2>; 2]; 3]) -> Sign {
+        integer::orient2d::<2, 4>([a, b])
+    }
+    #[inline(always)]
+    fn short(points: [[f64; 2]; 3]) -> Option<Sign> {
+        short::orient2d(points)
+    }
+    fn dyadic([a, b, c]: [[f64; 2]; 3]) -> Sign {
+        dyadic::orient2d(a, b, c)
+    }
+}
+
+/// The side of a point on a plane.
+pub(crate) struct Orient3d;
+
+impl Predicate<3, 4> for Orient3d {
+    const DETERMINANT: Determinant = form::ORIENT3D;
+
+    fn static_bound(extent: [f64; 3]) -> f64 {
+        bound::static_orient3d(extent)
+    }
+    #[inline(always)]
+    fn estimate([a, b, c, d]: [[f64; 3]; 4]) -> Estimate {
+        estimate::orient3d(a, b, c, d)
+    }
+    #[inline(always)]
+    fn integer([a, b, c, _]: [[Fixed<1>; 3]; 4]) -> Sign {
+        integer::orient3d::<1, 2, 3>([a, b, c])
+    }
+    #[inline(always)]
+    fn wide_integer([a, b, c, _]: [[Fixed<2>; 3]; 4]) -> Sign {
+        integer::orient3d::<2, 4, 6>([a, b, c])
+    }
+    fn dyadic([a, b, c, d]: [[f64; 3]; 4]) -> Sign {
+        dyadic::orient3d(a, b, c, d)
+    }
+}
+
+/// A point in a circle.
+pub(crate) struct Incircle;
+
+impl Predicate<2, 4> for Incircle {
+    const DETERMINANT: Determinant = form::INCIRCLE;
+
+    fn static_bound(extent: [f64; 2]) -> f64 {
+        bound::static_incircle(extent)
+    }
+    #[inline(always)]
+    fn estimate([a, b, c, d]: [[f64; 2]; 4]) -> Estimate {
+        estimate::incircle(a, b, c, d)
+    }
+    #[inline(always)]
+    fn integer([a, b, c, _]: [[Fixed<1>; 2]; 4]) -> Sign {
+        integer::incircle::<1, 2, 4>([a, b, c])
+    }
+    #[inline(always)]
+    fn wide_integer([a, b, c, _]: [[Fixed<2>; 2]; 4]) -> Sign {
+        integer::incircle::<2, 4, 8>([a, b, c])
+    }
+    fn dyadic([a, b, c, d]: [[f64; 2]; 4]) -> Sign {
+        dyadic::incircle(a, b, c, d)
+    }
+}
+
+/// A point in a sphere.
+pub(crate) struct Insphere;
+
+impl Predicate<3, 5> for Insphere {
+    const DETERMINANT: Determinant = form::INSPHERE;
+
+    fn static_bound(extent: [f64; 3]) -> f64 {
+        bound::static_insphere(extent)
+    }
+    #[inline(always)]
+    fn estimate([a, b, c, d, e]: [[f64; 3]; 5]) -> Estimate {
+        estimate::insphere(a, b, c, d, e)
+    }
+    #[inline(always)]
+    fn integer([a, b, c, d, _]: [[Fixed<1>; 3]; 5]) -> Sign {
+        integer::insphere::<1, 2, 3, 5>([a, b, c, d])
+    }
+    #[inline(always)]
+    fn wide_integer([a, b, c, d, _]: [[Fixed<2>; 3]; 5]) -> Sign {
+        integer::insphere::<2, 4, 6, 10>([a, b, c, d])
+    }
+    fn dyadic([a, b, c, d, e]: [[f64; 3]; 5]) -> Sign {
+        dyadic::insphere(a, b, c, d, e)
+    }
+}

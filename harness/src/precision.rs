@@ -1,0 +1,37 @@
+//! Precision plans in words.
+
+use predicament_arithmetic::Span;
+use predicament_exact::{Choice, Precision};
+
+/// A plan, line by line.
+pub fn lines(precision: &Precision) -> Vec<String> {
+    let axes = precision.axes.iter().zip(["x", "y", "z"]).map(|(span, name)| axis(name, span));
+    let all = format!("all: multiples of 2^{}, differences of {} bits", precision.lowest, precision.bits);
+    axes.chain([all]).chain(precision.choices.iter().map(choice)).collect()
+}
+
+/// The arithmetic of each predicate, in one line.
+pub fn summary(precision: &Precision) -> String {
+    let choice = |choice: &Choice| format!("{} {}", choice.predicate, choice.arithmetic.name());
+    let choices: Vec<String> = precision.choices.iter().map(choice).collect();
+    format!("{} bits: {}", precision.bits, choices.join(", "))
+}
+
+fn axis(name: &str, span: &Span) -> String {
+    match span.range {
+        Some(range) => format!(
+            "{name}:   {:e} to {:e}; multiples of 2^{}, less than 2^{}",
+            span.min, span.max, range.lowest, range.highest
+        ),
+        None => format!("{name}:   all zero"),
+    }
+}
+
+fn choice(choice: &Choice) -> String {
+    let filter = match choice.static_bound {
+        Some(0.0) => "no filter: doubles make no error".to_owned(),
+        Some(bound) => format!("doubles are trusted from {bound:e} on, then {}", choice.arithmetic.name()),
+        None => format!("no filter holds: {}", choice.arithmetic.name()),
+    };
+    format!("{:<9} {filter}", choice.predicate.to_string())
+}
