@@ -1,7 +1,20 @@
 //! Peers from crates.io, timed beside our own where the tool is built with
 //! `--features peers`. Their answers are judged like everybody's.
 
-use predicament_oracle::{Case, Stopwatch};
+#[cfg(feature = "peers")]
+mod geo_locate;
+#[cfg(feature = "peers")]
+mod judged;
+#[cfg(feature = "peers")]
+mod libraries;
+#[cfg(feature = "peers")]
+mod predicate;
+#[cfg(feature = "peers")]
+mod signs;
+#[cfg(feature = "peers")]
+mod tables;
+
+use predicament_oracle::{Case, Outcome, Stopwatch};
 
 /// A peer at its starting line.
 pub struct Peer<'a> {
@@ -9,28 +22,56 @@ pub struct Peer<'a> {
     pub name: String,
     /// The version that is linked in.
     pub version: String,
+    /// What became of its answers. It may have been asked fewer queries than
+    /// the scene has: none that its documentation rules out.
+    pub outcome: Outcome,
+    /// The prepared work; none where it panicked.
+    pub timed: Option<Timed<'a>>,
+    /// What a reader has to be told: the first wrong answer in words, and what was not asked.
+    pub remarks: Vec<String>,
+}
+
+/// Work that can be timed, and what its answers have to be.
+pub struct Timed<'a> {
     /// The prepared work.
     pub watch: Box<dyn Stopwatch + 'a>,
     /// The digest of the answers that were judged.
     pub judged: u64,
-    /// How many of them are not the exact ones.
-    pub wrong: u64,
-    /// The first of those, in words.
-    pub first_wrong: Option<String>,
 }
 
+/// The crates that are linked in, with their versions.
+#[cfg(not(feature = "peers"))]
+pub const VERSIONS: &[(&str, &str)] = &[];
+
+/// The crates that are linked in, with their versions.
+#[cfg(feature = "peers")]
+pub const VERSIONS: &[(&str, &str)] = &[
+    ("geo", env!("PREDICAMENT_GEO")),
+    ("geogram_predicates", env!("PREDICAMENT_GEOGRAM_PREDICATES")),
+    ("geometry-predicates", env!("PREDICAMENT_GEOMETRY_PREDICATES")),
+    ("simplicity", env!("PREDICAMENT_SIMPLICITY")),
+];
+
+/// The peers that can answer the questions of a case.
 #[cfg(not(feature = "peers"))]
 pub fn runners<'a>(_: &'a Case<'a>) -> Vec<Peer<'a>> {
     Vec::new()
 }
 
-#[cfg(feature = "peers")]
-mod geo_locate;
-
+/// The peers that can answer the questions of a case.
 #[cfg(feature = "peers")]
 pub fn runners<'a>(case: &'a Case<'a>) -> Vec<Peer<'a>> {
     match case.truth() {
-        predicament_oracle::Truth::Signs { .. } => Vec::new(),
+        predicament_oracle::Truth::Signs { queries, signs } => signs::peers(&case.loaded().scene, queries, signs),
         predicament_oracle::Truth::Locate(case) => geo_locate::peers(case),
     }
 }
+
+/// What a bench folder says about peers, as Markdown tables.
+#[cfg(not(feature = "peers"))]
+pub fn tables(_: &std::path::Path) -> Result<String, predicament_report::Error> {
+    Ok(String::new())
+}
+
+#[cfg(feature = "peers")]
+pub use tables::tables;

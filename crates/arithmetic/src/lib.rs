@@ -19,6 +19,7 @@ mod fixed;
 mod exact;
 mod plan;
 mod range;
+mod short;
 
 pub use ball::Ball;
 pub use dyadic::Dyadic;
@@ -26,3 +27,4 @@ pub use fixed::Fixed;
 pub use exact::{Scaled, rational};
 pub use plan::{Arithmetic, Form, Plan, Span, Unit, exact_tail};
 pub use range::ExponentRange;
+pub use short::{exact_differences, short_rows};

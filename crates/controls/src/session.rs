@@ -40,12 +40,21 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
 
     #[inline]
     fn points2<const N: usize>(&self, plane: Plane, vertices: [Vertex; N]) -> [[f64; 2]; N] {
-        vertices.map(|v| self.scene.point2(plane, v))
+        // (`map` on arrays goes through memory; this stays in registers.)
+        let mut points = [[0.0; 2]; N];
+        for (point, v) in points.iter_mut().zip(vertices) {
+            *point = self.scene.point2(plane, v);
+        }
+        points
     }
 
     #[inline]
     fn points3<const N: usize>(&self, vertices: [Vertex; N]) -> [[f64; 3]; N] {
-        vertices.map(|v| self.scene.point3(v))
+        let mut points = [[0.0; 3]; N];
+        for (point, v) in points.iter_mut().zip(vertices) {
+            *point = self.scene.point3(v);
+        }
+        points
     }
 
     /// The coordinates of a 2D scene.

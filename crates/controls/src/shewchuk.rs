@@ -12,26 +12,26 @@ pub struct Shewchuk;
 impl Float for Shewchuk {
     #[inline]
     fn orient2d(&self, points: [[f64; 2]; 3]) -> f64 {
-        let [a, b, c] = points.map(point2);
-        robust::orient2d(a, b, c)
+        let [a, b, c] = points;
+        robust::orient2d(point2(a), point2(b), point2(c))
     }
 
     #[inline]
     fn orient3d(&self, points: [[f64; 3]; 4]) -> f64 {
-        let [a, b, c, d] = points.map(point3);
-        robust::orient3d(a, b, c, d)
+        let [a, b, c, d] = points;
+        robust::orient3d(point3(a), point3(b), point3(c), point3(d))
     }
 
     #[inline]
     fn incircle(&self, points: [[f64; 2]; 4]) -> f64 {
-        let [a, b, c, d] = points.map(point2);
-        robust::incircle(a, b, c, d)
+        let [a, b, c, d] = points;
+        robust::incircle(point2(a), point2(b), point2(c), point2(d))
     }
 
     #[inline]
     fn insphere(&self, points: [[f64; 3]; 5]) -> f64 {
-        let [a, b, c, d, e] = points.map(point3);
-        robust::insphere(a, b, c, d, e)
+        let [a, b, c, d, e] = points;
+        robust::insphere(point3(a), point3(b), point3(c), point3(d), point3(e))
     }
 }
 

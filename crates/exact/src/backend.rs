@@ -24,6 +24,6 @@ impl Backend for Exact {
     }
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {
-        Ok(Session::new(scene, tally))
+        Session::new(scene, tally)
     }
 }

@@ -1,5 +1,8 @@
 //! What happens to a query that the scene's static filter leaves open.
 
+// Loops over indices stay in registers, where `map` on arrays goes through memory.
+#![allow(clippy::needless_range_loop)]
+
 use predicament_arithmetic::{Arithmetic, Fixed, Plan, Unit, exact_tail};
 use predicament_predicates::Sign;
 
@@ -64,32 +67,40 @@ impl Prepared {
 
     #[inline(always)]
     fn integer<P: Predicate<D, N>, const D: usize, const N: usize>(&self, points: [[f64; D]; N]) -> Sign {
-        let last = points[N - 1];
-        P::integer(points.map(|p| std::array::from_fn(|i| Fixed::<1>::from_double(self.unit.scale(p[i] - last[i])))))
+        let mut rows = [[Fixed::ZERO; D]; N];
+        for row in 0..N - 1 {
+            for axis in 0..D {
+                let difference = points[row][axis] - points[N - 1][axis];
+                rows[row][axis] = Fixed::<1>::from_double(self.unit.scale(difference));
+            }
+        }
+        P::integer(rows)
     }
 
     #[inline(never)]
     fn inexact_integer<P: Predicate<D, N>, const D: usize, const N: usize>(&self, points: [[f64; D]; N]) -> Sign {
-        let last = points[N - 1];
-        let row = |p: [f64; D]| {
-            std::array::from_fn(|i| {
-                let [head, tail] = difference(p[i], last[i]).map(|x| Fixed::<1>::from_double(self.unit.scale(x)));
-                head.plus(tail)
-            })
-        };
-        P::integer(points.map(row))
+        let mut rows = [[Fixed::ZERO; D]; N];
+        for row in 0..N - 1 {
+            for axis in 0..D {
+                let [head, tail] = difference(points[row][axis], points[N - 1][axis]);
+                let tail = Fixed::<1>::from_double(self.unit.scale(tail));
+                rows[row][axis] = Fixed::<1>::from_double(self.unit.scale(head)).plus(tail);
+            }
+        }
+        P::integer(rows)
     }
 
     #[inline(never)]
     fn wide_integer<P: Predicate<D, N>, const D: usize, const N: usize>(&self, points: [[f64; D]; N]) -> Sign {
-        let last = points[N - 1];
-        let row = |p: [f64; D]| {
-            std::array::from_fn(|i| {
-                let [head, tail] = difference(p[i], last[i]).map(|x| Fixed::<2>::from_double(self.unit.scale(x)));
-                head.plus(tail)
-            })
-        };
-        P::wide_integer(points.map(row))
+        let mut rows = [[Fixed::ZERO; D]; N];
+        for row in 0..N - 1 {
+            for axis in 0..D {
+                let [head, tail] = difference(points[row][axis], points[N - 1][axis]);
+                let tail = Fixed::<2>::from_double(self.unit.scale(tail));
+                rows[row][axis] = Fixed::<2>::from_double(self.unit.scale(head)).plus(tail);
+            }
+        }
+        P::wide_integer(rows)
     }
 }
 
@@ -128,6 +139,6 @@ fn difference(a: f64, b: f64) -> [f64; 2] {
 }
 
 /// 2^`exponent`, a normal double.
-const fn power(exponent: i64) -> f64 {
+pub(crate) const fn power(exponent: i64) -> f64 {
     f64::from_bits((exponent + 1023).cast_unsigned() << 52)
 }

@@ -20,6 +20,7 @@
 
 mod backend;
 mod batch;
+pub mod constructed;
 pub mod dyadic;
 pub mod estimate;
 pub mod filter;
@@ -28,9 +29,10 @@ pub mod integer;
 mod ladder;
 mod precision;
 mod predicate;
+mod products;
 pub mod rational;
+pub mod raw;
 mod session;
-mod short;
 pub mod stage;
 
 pub use backend::Exact;

@@ -3,15 +3,17 @@
 //! The four differ in their formulas, and in nothing that concerns the ladder:
 //! so the ladder is written once, generic over this.
 
-use predicament_arithmetic::{Fixed, bound};
-use predicament_predicates::Sign;
+use predicament_arithmetic::{Fixed, bound, short_rows};
+use predicament_predicates::{PredicateKind, Sign};
 
 use crate::estimate::{self, Estimate};
 use crate::form::{self, Determinant};
-use crate::{dyadic, integer, short};
+use crate::{dyadic, integer, products};
 
 /// A predicate on `N` points of `D` coordinates.
 pub(crate) trait Predicate<const D: usize, const N: usize> {
+    /// Its name.
+    const KIND: PredicateKind;
     /// As a polynomial.
     const DETERMINANT: Determinant;
 
@@ -30,7 +32,7 @@ pub(crate) trait Predicate<const D: usize, const N: usize> {
     /// For points whose differences span few bits; none if they don't.
     #[inline(always)]
     fn short(points: [[f64; D]; N]) -> Option<Sign> {
-        short::rows(points).map(Self::integer)
+        short_rows(points).map(Self::integer)
     }
 
     /// For any finite points.
@@ -41,6 +43,7 @@ pub(crate) trait Predicate<const D: usize, const N: usize> {
 pub(crate) struct Orient2d;
 
 impl Predicate<2, 3> for Orient2d {
+    const KIND: PredicateKind = PredicateKind::Orient2d;
     const DETERMINANT: Determinant = form::ORIENT2D;
 
     fn static_bound(extent: [f64; 2]) -> f64 {
@@ -60,7 +63,7 @@ impl Predicate<2, 3> for Orient2d {
     }
     #[inline(always)]
     fn short(points: [[f64; 2]; 3]) -> Option<Sign> {
-        short::orient2d(points)
+        products::orient2d(points)
     }
     fn dyadic([a, b, c]: [[f64; 2]; 3]) -> Sign {
         dyadic::orient2d(a, b, c)
@@ -71,6 +74,7 @@ impl Predicate<2, 3> for Orient2d {
 pub(crate) struct Orient3d;
 
 impl Predicate<3, 4> for Orient3d {
+    const KIND: PredicateKind = PredicateKind::Orient3d;
     const DETERMINANT: Determinant = form::ORIENT3D;
 
     fn static_bound(extent: [f64; 3]) -> f64 {
@@ -97,6 +101,7 @@ impl Predicate<3, 4> for Orient3d {
 pub(crate) struct Incircle;
 
 impl Predicate<2, 4> for Incircle {
+    const KIND: PredicateKind = PredicateKind::Incircle;
     const DETERMINANT: Determinant = form::INCIRCLE;
 
     fn static_bound(extent: [f64; 2]) -> f64 {
@@ -123,6 +128,7 @@ impl Predicate<2, 4> for Incircle {
 pub(crate) struct Insphere;
 
 impl Predicate<3, 5> for Insphere {
+    const KIND: PredicateKind = PredicateKind::Insphere;
     const DETERMINANT: Determinant = form::INSPHERE;
 
     fn static_bound(extent: [f64; 3]) -> f64 {

@@ -1,11 +1,13 @@
 //! A scene, prepared: which arithmetic its exponents allow, predicate by predicate.
 
 use predicament_arithmetic::Plan;
-use predicament_predicates::{Axis, Dimension, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex};
+use predicament_predicates::{Axis, Declined, Dimension, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex};
 
 use crate::ladder::Prepared;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
-use crate::{batch, stage};
+use crate::batch::{self, Batch};
+use crate::constructed::Constructed;
+use crate::stage;
 
 /// The exact backend, prepared for one scene.
 pub struct Session<'s, T> {
@@ -19,10 +21,11 @@ pub struct Session<'s, T> {
     orient3d: Prepared,
     incircle: Prepared,
     insphere: Prepared,
+    constructed: Constructed<'s>,
 }
 
 impl<'s, T: Tally> Session<'s, T> {
-    pub(crate) fn new(scene: &'s Scene, tally: T) -> Session<'s, T> {
+    pub(crate) fn new(scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {
         let (points2, points3): (&[_], &[_]) = match scene.dimension() {
             Dimension::Two => (scene.coordinates().as_chunks().0, &[]),
             Dimension::Three => (&[], scene.coordinates().as_chunks().0),
@@ -33,16 +36,23 @@ impl<'s, T: Tally> Session<'s, T> {
             Dimension::Three => [Plane::Xy, Plane::Yz, Plane::Zx]
                 .map(|plane| Prepared::new::<Orient2d, 2, 3>(&solid.project(plane.axes().map(Axis::index)))),
         };
-        Session {
+        Ok(Session {
             scene,
             tally,
+            constructed: Constructed::new(scene)?,
             points2,
             points3,
             orient2d,
             orient3d: Prepared::new::<Orient3d, 3, 4>(&solid),
             incircle: Prepared::new::<Incircle, 2, 4>(&flat),
             insphere: Prepared::new::<Insphere, 3, 5>(&solid),
-        }
+        })
+    }
+
+    /// The scene's constructed vertices.
+    #[must_use]
+    pub fn constructed(&self) -> &Constructed<'s> {
+        &self.constructed
     }
 
     /// [`Predicates::compare`] and the stage that settled it, not tallied.
@@ -53,12 +63,12 @@ impl<'s, T: Tally> Session<'s, T> {
     #[must_use]
     pub fn decide_compare(&self, axis: Axis, a: Vertex, b: Vertex) -> (Sign, usize) {
         let at = |v: Vertex| match self.scene.dimension() {
-            Dimension::Two => self.points2[v.index()][axis.index()],
-            Dimension::Three => self.points3[v.index()][axis.index()],
+            Dimension::Two => self.points2.get(v.index()).map(|p| p[axis.index()]),
+            Dimension::Three => self.points3.get(v.index()).map(|p| p[axis.index()]),
         };
-        let (a, b) = (at(a), at(b));
+        let (Some(x), Some(y)) = (at(a), at(b)) else { return self.compare_constructed(axis, [a, b]) };
         // The coordinates of a scene are finite: there's always an order, in which -0 equals 0.
-        let sign = a.partial_cmp(&b).map_or(Sign::Zero, Sign::from);
+        let sign = x.partial_cmp(&y).map_or(Sign::Zero, Sign::from);
         (sign, stage::COMPARE)
     }
 
@@ -71,10 +81,12 @@ impl<'s, T: Tally> Session<'s, T> {
     pub fn decide_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
         let at = |v| self.point2(plane, v);
         let prepared = &self.orient2d[plane as usize];
-        match Orient2d::estimate([at(a), at(b), at(c)]).above(prepared.static_bound) {
-            Some(sign) => (sign, prepared.static_stage),
-            None => self.climb_orient2d(plane, [a, b, c]),
+        if let (Some(a), Some(b), Some(c)) = (at(a), at(b), at(c))
+            && let Some(sign) = Orient2d::estimate([a, b, c]).above(prepared.static_bound)
+        {
+            return (sign, prepared.static_stage);
         }
+        self.climb_orient2d(plane, [a, b, c])
     }
 
     /// [`Predicates::orient3d`] and the stage that settled it, not tallied.
@@ -84,80 +96,124 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline]
     #[must_use]
     pub fn decide_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        let at = |v: Vertex| self.points3[v.index()];
-        match Orient3d::estimate([at(a), at(b), at(c), at(d)]).above(self.orient3d.static_bound) {
-            Some(sign) => (sign, self.orient3d.static_stage),
-            None => self.climb_orient3d([a, b, c, d]),
+        let at = |v: Vertex| self.points3.get(v.index()).copied();
+        if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d))
+            && let Some(sign) = Orient3d::estimate([a, b, c, d]).above(self.orient3d.static_bound)
+        {
+            return (sign, self.orient3d.static_stage);
         }
+        self.climb_orient3d([a, b, c, d])
     }
 
     /// [`Predicates::incircle`] and the stage that settled it, not tallied.
     ///
     /// # Panics
-    /// If the scene has no such vertex or is 3D.
+    /// If the scene has no such vertex or is 3D, or if one is constructed.
     #[inline]
     #[must_use]
     pub fn decide_incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        let at = |v: Vertex| self.points2[v.index()];
-        match Incircle::estimate([at(a), at(b), at(c), at(d)]).above(self.incircle.static_bound) {
-            Some(sign) => (sign, self.incircle.static_stage),
-            None => self.climb_incircle([a, b, c, d]),
+        let at = |v: Vertex| self.points2.get(v.index()).copied();
+        if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d))
+            && let Some(sign) = Incircle::estimate([a, b, c, d]).above(self.incircle.static_bound)
+        {
+            return (sign, self.incircle.static_stage);
         }
+        self.climb_incircle([a, b, c, d])
     }
 
     /// [`Predicates::insphere`] and the stage that settled it, not tallied.
     ///
     /// # Panics
-    /// If the scene has no such vertex or is 2D.
+    /// If the scene has no such vertex or is 2D, or if one is constructed.
     #[inline]
     #[must_use]
     pub fn decide_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {
-        let at = |v: Vertex| self.points3[v.index()];
-        match Insphere::estimate([at(a), at(b), at(c), at(d), at(e)]).above(self.insphere.static_bound) {
-            Some(sign) => (sign, self.insphere.static_stage),
-            None => self.climb_insphere([a, b, c, d, e]),
+        let at = |v: Vertex| self.points3.get(v.index()).copied();
+        if let (Some(a), Some(b), Some(c), Some(d), Some(e)) = (at(a), at(b), at(c), at(d), at(e))
+            && let Some(sign) = Insphere::estimate([a, b, c, d, e]).above(self.insphere.static_bound)
+        {
+            return (sign, self.insphere.static_stage);
         }
+        self.climb_insphere([a, b, c, d, e])
     }
 
     // The cold paths take vertices and not points, so that the hot ones keep points in registers.
+    // A vertex that is no input vertex gets here because its index is beyond all points.
 
     #[cold]
     #[inline(never)]
-    fn climb_orient2d(&self, plane: Plane, vertices: [Vertex; 3]) -> (Sign, usize) {
-        self.orient2d[plane as usize].climb::<Orient2d, 2, 3>(vertices.map(|v| self.point2(plane, v)))
+    fn compare_constructed(&self, axis: Axis, [a, b]: [Vertex; 2]) -> (Sign, usize) {
+        self.constructed.compare(axis, a, b)
     }
 
     #[cold]
     #[inline(never)]
-    fn climb_orient3d(&self, vertices: [Vertex; 4]) -> (Sign, usize) {
-        self.orient3d.climb::<Orient3d, 3, 4>(vertices.map(|v| self.points3[v.index()]))
+    fn climb_orient2d(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> (Sign, usize) {
+        let at = |v| self.point2(plane, v);
+        match (at(a), at(b), at(c)) {
+            (Some(a), Some(b), Some(c)) => self.orient2d[plane as usize].climb::<Orient2d, 2, 3>([a, b, c]),
+            _ => self.constructed.orient2d(plane, a, b, c),
+        }
     }
 
     #[cold]
     #[inline(never)]
-    fn climb_incircle(&self, vertices: [Vertex; 4]) -> (Sign, usize) {
-        self.incircle.climb::<Incircle, 2, 4>(vertices.map(|v| self.points2[v.index()]))
+    fn climb_orient3d(&self, [a, b, c, d]: [Vertex; 4]) -> (Sign, usize) {
+        let at = |v: Vertex| self.points3.get(v.index()).copied();
+        match (at(a), at(b), at(c), at(d)) {
+            (Some(a), Some(b), Some(c), Some(d)) => self.orient3d.climb::<Orient3d, 3, 4>([a, b, c, d]),
+            _ => self.constructed.orient3d(a, b, c, d),
+        }
     }
 
     #[cold]
     #[inline(never)]
-    fn climb_insphere(&self, vertices: [Vertex; 5]) -> (Sign, usize) {
-        self.insphere.climb::<Insphere, 3, 5>(vertices.map(|v| self.points3[v.index()]))
+    fn climb_incircle(&self, [a, b, c, d]: [Vertex; 4]) -> (Sign, usize) {
+        let at = |v: Vertex| self.points2[v.index()];
+        self.incircle.climb::<Incircle, 2, 4>([at(a), at(b), at(c), at(d)])
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn climb_insphere(&self, [a, b, c, d, e]: [Vertex; 5]) -> (Sign, usize) {
+        let at = |v: Vertex| self.points3[v.index()];
+        self.insphere.climb::<Insphere, 3, 5>([at(a), at(b), at(c), at(d), at(e)])
     }
 
     #[inline(always)]
-    fn point2(&self, plane: Plane, v: Vertex) -> [f64; 2] {
+    fn point2(&self, plane: Plane, v: Vertex) -> Option<[f64; 2]> {
         match (self.scene.dimension(), plane) {
-            (Dimension::Two, Plane::Xy) => self.points2[v.index()],
+            (Dimension::Two, Plane::Xy) => self.points2.get(v.index()).copied(),
             (_, plane) => {
-                let point = self.points3[v.index()];
-                plane.axes().map(|axis| point[axis.index()])
+                let point = self.points3.get(v.index())?;
+                let [x, y] = plane.axes();
+                Some([point[x.index()], point[y.index()]])
             }
         }
     }
 
-    fn counter(&self, kind: PredicateKind) -> impl FnMut(usize, u64) {
-        move |stage, count| self.tally.settled_many(kind, stage, count)
+    #[inline]
+    fn batch<P: Predicate<D, N>, const D: usize, const N: usize>(
+        &self,
+        prepared: &Prepared,
+        points: &[[f64; D]],
+        queries: &[[Vertex; N]],
+        out: &mut [Sign],
+        climb: impl Fn(&[Vertex; N]) -> (Sign, usize),
+    ) {
+        batch::run::<P, _, D, N>(Batch {
+            static_bound: prepared.static_bound,
+            queries,
+            out,
+            // With NaN nothing is certain, and the vertex is seen to where it climbs.
+            point: |v: Vertex| points.get(v.index()).copied().unwrap_or([f64::NAN; D]),
+            settled: |count| self.tally.settled_many(P::KIND, prepared.static_stage, count),
+            climb: |query: &[Vertex; N]| {
+                let (sign, stage) = climb(query);
+                self.tally.settled(P::KIND, stage);
+                sign
+            },
+        });
     }
 
     #[inline(always)]
@@ -200,8 +256,8 @@ impl<T: Tally> Predicates for Session<'_, T> {
 
     fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
         if self.scene.dimension() == Dimension::Two {
-            let prepared = &self.orient2d[plane as usize];
-            batch::by_index::<Orient2d, 2, 3>(prepared, self.points2, queries, out, self.counter(PredicateKind::Orient2d));
+            let climb = |query: &[Vertex; 3]| self.climb_orient2d(plane, *query);
+            self.batch::<Orient2d, 2, 3>(&self.orient2d[plane as usize], self.points2, queries, out, climb);
         } else {
             for (&[a, b, c], out) in queries.iter().zip(out) {
                 *out = self.orient2d(plane, a, b, c);
@@ -210,17 +266,17 @@ impl<T: Tally> Predicates for Session<'_, T> {
     }
 
     fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
-        let settled = self.counter(PredicateKind::Orient3d);
-        batch::by_index::<Orient3d, 3, 4>(&self.orient3d, self.points3, queries, out, settled);
+        let climb = |query: &[Vertex; 4]| self.climb_orient3d(*query);
+        self.batch::<Orient3d, 3, 4>(&self.orient3d, self.points3, queries, out, climb);
     }
 
     fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
-        let settled = self.counter(PredicateKind::Incircle);
-        batch::by_index::<Incircle, 2, 4>(&self.incircle, self.points2, queries, out, settled);
+        let climb = |query: &[Vertex; 4]| self.climb_incircle(*query);
+        self.batch::<Incircle, 2, 4>(&self.incircle, self.points2, queries, out, climb);
     }
 
     fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
-        let settled = self.counter(PredicateKind::Insphere);
-        batch::by_index::<Insphere, 3, 5>(&self.insphere, self.points3, queries, out, settled);
+        let climb = |query: &[Vertex; 5]| self.climb_insphere(*query);
+        self.batch::<Insphere, 3, 5>(&self.insphere, self.points3, queries, out, climb);
     }
 }

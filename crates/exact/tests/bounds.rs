@@ -1,71 +1,122 @@
-//! The constants of the filters are not too large by much: rounding really
-//! carries determinants that far, and a filter with half the constant lies.
+//! Wrong signs, and the constants that let them through.
 //!
-//! The points were found by hill climbing towards wrong signs. Rounding gives
-//! them determinants of 2.7 u (of 3), 4.2 u (of 7), 5.6 u (of 10) and 5.2 u (of
-//! 15) times the permanent where the true sign is another. For insphere that
-//! convicts a third of the constant, not half of it.
+//! Rounding gives these points determinants of 3 u, 6 u, 7.4 u and 12.8 u times
+//! the permanent where the true sign is another: the filters with their constants
+//! of 3 u, 6½ u, 8½ u and 15 u don't answer, filters with a little less do, and lie.
+//! A wrong sign is more than an error as large as the constant says (those are in
+//! `adversary`, up to two percent): it has to come out as a whole number of ulps.
+//! For orient2d it does. For the dominant products of orient3d, both just above a
+//! power of two, it is 6 ulps where the constant would allow 6½.
 
 mod common;
 
 use common::{Random, nudge};
-use predicament_arithmetic::bound::{INCIRCLE, INSPHERE, ORIENT2D, ORIENT3D};
-use predicament_exact::filter;
+use predicament_arithmetic::{
+    ExponentRange,
+    bound::{INCIRCLE, INSPHERE, ORIENT2D, ORIENT3D},
+};
+use predicament_exact::{
+    estimate::{self, Estimate},
+    filter,
+};
 use predicament_predicates::Sign;
 
-/// The filter with its constant doesn't answer; with a part of it, it answers wrongly.
-fn convict(truth: Sign, filter: impl Fn(f64) -> Option<Sign>, bound: f64, divisor: f64) {
-    assert_eq!(filter(bound), None);
-    let answer = filter(bound / divisor);
-    assert!(answer.is_some_and(|sign| sign != truth), "{answer:?} where the truth is {truth}");
+/// The least exponent of a determinant's lowest bit for which filters may run:
+/// u times it is normal.
+const LOWEST: i32 = -1022 + 53;
+/// The exponent that no term may reach.
+const HIGHEST: i32 = 1023;
+
+/// The filter with its constant doesn't answer; with a share of it, it answers
+/// wrongly. And so it is for the same points at either end of the exponents that
+/// filters are made for: underflow doesn't begin there yet, nor does overflow.
+fn convict<const D: usize, const N: usize>(
+    points: [[f64; D]; N],
+    degree: i32,
+    truth: fn(&[[f64; D]; N]) -> Sign,
+    filter: fn([[f64; D]; N], f64) -> Option<Sign>,
+    [bound, share]: [f64; 2],
+) {
+    let range = ExponentRange::of(points.as_flattened()).expect("coordinates");
+    // The least shift with degree·(lowest + shift) ≥ LOWEST; sums grow by 2^8 at most.
+    let down = -((degree * range.lowest - LOWEST) / degree);
+    let up = (HIGHEST - 8) / degree - (range.highest + 1);
+    for shift in [0, down, up] {
+        let points = points.map(|point| point.map(|x| x * 2f64.powi(shift)));
+        let truth = truth(&points);
+        assert_eq!(filter(points, bound), None);
+        let answer = filter(points, bound * share);
+        assert!(answer.is_some_and(|sign| sign != truth), "{answer:?} where the truth is {truth}, times 2^{shift}");
+    }
 }
 
 #[test]
-fn half_of_orient2d_is_caught() {
+fn a_millionth_of_orient2d_is_caught() {
     let points = [
-        [-0.5480837617636191, -1.000830015377735],
-        [0.5544184476308657, 1.0119599324884534],
-        [0.00011914968490606137, 5.779852929599067e-9],
+        [1.000000011071512, -1.0000000110715122],
+        [-1.0000000300832355, 1.0000000300832361],
+        [1.1102230246251564e-16, 1.1102230246251564e-16],
     ];
-    let [a, b, c] = points;
-    convict(common::orient2d(&points), |bound| filter::orient2d(a, b, c, bound), ORIENT2D, 2.0);
+    convict(points, 2, common::orient2d, |[a, b, c], bound| filter::orient2d(a, b, c, bound), [ORIENT2D, 0.999_999]);
 }
 
 #[test]
-fn half_of_orient3d_is_caught() {
+fn eight_percent_of_orient3d_are_caught() {
     let points = [
-        [0.9999999999996937, -0.509341678342232, -0.5093534168920598],
-        [1.0000000000000007, -1.0000057220459002, -1.0000006332643216],
-        [0.5000000018778371, -2.0005493317261, 0.24999199854214108],
-        [1.0000000001371407, 7.525783798351117e-5, 4.604820591075365e-5],
+        [1.000000429564789, 6.356880262003047e-18, 1.000000600465973],
+        [-1.000000588388583, 1.0000005073039557, -3.107684093139857e-15],
+        [2.059076189191988e-16, -1.0000003821243646, -1.000000634110167],
+        [-1.043886828350476e-16, -1.0462145628249994e-16, 1.0556342128973997e-16],
     ];
-    let [a, b, c, d] = points;
-    convict(common::orient3d(&points), |bound| filter::orient3d(a, b, c, d, bound), ORIENT3D, 2.0);
+    convict(points, 3, common::orient3d, |[a, b, c, d], bound| filter::orient3d(a, b, c, d, bound), [ORIENT3D, 0.92]);
 }
 
 #[test]
-fn half_of_incircle_is_caught() {
+fn an_eighth_of_incircle_is_caught() {
     let points = [
-        [1.0000089531455398, 1.0000005964866305],
-        [0.5000000000000033, -1.0009779460535795],
-        [1.0000572204471623, 1.000091118310815],
-        [0.5000000000000191, -1.0000000000004103],
+        [1.0116704243220918, 2.4491417362468253e-8],
+        [0.000514144527171216, -1.525023222285189e-8],
+        [2084.62995223123, 128.00002725010435],
+        [-2.2705432433575597e-13, 1.421056159048487e-14],
     ];
-    let [a, b, c, d] = points;
-    convict(common::incircle(&points), |bound| filter::incircle(a, b, c, d, bound), INCIRCLE, 2.0);
+    convict(points, 4, common::incircle, |[a, b, c, d], bound| filter::incircle(a, b, c, d, bound), [INCIRCLE, 0.87]);
 }
 
 #[test]
-fn a_third_of_insphere_is_caught() {
+fn a_sixth_of_insphere_is_caught() {
     let points = [
-        [1.002658811465076, 0.9994780178617911, 1.000000006304888],
-        [1.0000641684879954, 1.0000000007529455, 0.9999999999947233],
-        [1.0000000504728508, -0.5036299738876681, -2.000000536441803],
-        [-2.0003365741218935, -1.0000000015810482, 1.0004884052123693],
-        [-3.431693818001236e-9, 1.000009075773427, 1.0020286988739815],
+        [8.000005851112034, -3.814697435580228e-6, 0.0009893456853990405],
+        [1048577.029895696, 32768.01281495028, 9.75602685254429],
+        [-8.000019892133745, -0.0009765627996871557, 2.3388486119740525e-6],
+        [-1048576.9813207937, 1.9994739744899575, 32768.005027310086],
+        [1.1637535342268225e-10, -3.6379721925226578e-12, 3.5056954092559104e-12],
     ];
-    let [a, b, c, d, e] = points;
-    convict(common::insphere(&points), |bound| filter::insphere(a, b, c, d, e, bound), INSPHERE, 3.0);
+    convict(
+        points,
+        5,
+        common::insphere,
+        |[a, b, c, d, e], bound| filter::insphere(a, b, c, d, e, bound),
+        [INSPHERE, 0.845],
+    );
+}
+
+/// |d| ≥ B·p, not >: a determinant that reaches the bound is certain, and so is a
+/// zero whose terms are all zero. Just below the bound nothing is.
+#[test]
+fn equality_is_certain() {
+    for bound in [ORIENT2D, ORIENT3D, INCIRCLE, INSPHERE] {
+        for permanent in [1.0, 0.7, 3e200] {
+            let at = bound * permanent;
+            let certain = |determinant| Estimate { determinant, permanent }.certain(bound);
+            assert_eq!([at, -at].map(certain), [Some(Sign::Positive), Some(Sign::Negative)]);
+            assert_eq!([at.next_down(), -at.next_down(), 0.0].map(certain), [None; 3]);
+        }
+        assert_eq!(Estimate { determinant: -0.0, permanent: 0.0 }.certain(bound), Some(Sign::Zero));
+    }
+    let [p, q] = [[0.1, 0.2], [0.3, 0.7]];
+    assert_eq!(estimate::orient2d(p, p, q), Estimate { determinant: 0.0, permanent: 2.0 * (0.1 - 0.3) * (0.2 - 0.7) });
+    assert_eq!(filter::orient2d(p, q, q, ORIENT2D), Some(Sign::Zero));
+    assert_eq!(filter::insphere([0.1; 3], [0.3; 3], [0.1; 3], [0.1; 3], [0.1; 3], INSPHERE), Some(Sign::Zero));
 }
 
 /// Nearly collinear points whose pivot rounds every difference: a random search

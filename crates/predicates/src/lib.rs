@@ -5,6 +5,7 @@
 //! rest of the house talks about.
 //!
 //! * [`Scene`]: finite points by index; [`Vertex`]: one of them, by identity.
+//! * [`Construction`]: a vertex that is no input, by what defines it.
 //! * [`Backend`]: prepares a scene; [`Predicates`]: the session that answers.
 //! * [`Contract`]: what zero means; [`Band`]: how wide it is; [`Declined`]: "I can't".
 //! * [`QuerySet`]: many questions as data.
@@ -13,6 +14,7 @@
 
 mod backend;
 mod class;
+mod construction;
 mod contract;
 mod query;
 mod scene;
@@ -22,6 +24,7 @@ mod vertex;
 
 pub use backend::{Backend, Predicates};
 pub use class::{Class, Status};
+pub use construction::{Construction, ConstructionError};
 pub use contract::{Band, Contract, Declined, ZeroMeaning};
 pub use query::{PredicateKind, QuerySet, Question};
 pub use scene::{Dimension, Scene, SceneError};

@@ -4,7 +4,9 @@
 //! asked of it (tasks, queries, polygons) lives elsewhere. NaN and infinity
 //! are refused here, once, so that no backend needs to.
 
-use crate::{Axis, Declined, Plane, PredicateKind, Vertex};
+use std::collections::BTreeMap;
+
+use crate::{Axis, Construction, ConstructionError, Declined, Plane, PredicateKind, Vertex};
 
 /// How many coordinates a point has.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -72,10 +74,17 @@ impl std::fmt::Display for SceneError {
 impl std::error::Error for SceneError {}
 
 /// The vertices of one scene, by index. Coordinates are finite.
+///
+/// The scene's own vertices are its input vertices: [`Scene::len`],
+/// [`Scene::vertices`] and [`Scene::point`] are about those. Vertices
+/// [constructed](Scene::construct) from them are known by definition only.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Scene {
     dimension: Dimension,
     coordinates: Vec<f64>,
+    constructions: Vec<Construction>,
+    /// The vertex of each construction: the inverse of `constructions`.
+    interned: BTreeMap<Construction, Vertex>,
 }
 
 impl Scene {
@@ -96,7 +105,7 @@ impl Scene {
         if let Some(at) = coordinates.iter().position(|c| !c.is_finite()) {
             return Err(SceneError::NotFinite { vertex: at / stride, axis: at % stride, value: coordinates[at] });
         }
-        Ok(Scene { dimension, coordinates })
+        Ok(Scene { dimension, coordinates, constructions: Vec::new(), interned: BTreeMap::new() })
     }
 
     /// A 2D scene from points.
@@ -113,6 +122,55 @@ impl Scene {
     /// As [`Scene::new`].
     pub fn from_points3(points: &[[f64; 3]]) -> Result<Scene, SceneError> {
         Scene::new(Dimension::Three, points.as_flattened().to_vec())
+    }
+
+    /// The vertex that this construction defines: a new one, or the one that
+    /// it got when it, or the same in another order, was first asked for.
+    ///
+    /// # Errors
+    /// [`ConstructionError`] if the construction is for another dimension, uses
+    /// what is not an input vertex of this scene, or names a vertex twice in
+    /// one line or plane; or if there are too many already.
+    pub fn construct(&mut self, construction: Construction) -> Result<Vertex, ConstructionError> {
+        if construction.dimension() != self.dimension {
+            let (scene, construction) = (self.dimension, construction.dimension());
+            return Err(ConstructionError::Dimension { scene, construction });
+        }
+        let construction = construction.canonical();
+        for flat in construction.flats() {
+            if let Some(&vertex) = flat.iter().find(|vertex| vertex.index() >= self.len()) {
+                return Err(ConstructionError::NotInput { vertex });
+            }
+            // Sorted: what stands twice stands side by side.
+            if let Some(pair) = flat.windows(2).find(|pair| pair[0] == pair[1]) {
+                return Err(ConstructionError::Repeated { vertex: pair[0] });
+            }
+        }
+        if let Some(&vertex) = self.interned.get(&construction) {
+            return Ok(vertex);
+        }
+        let index = self.constructions.len();
+        if index == Vertex::MAX_CONSTRUCTED {
+            return Err(ConstructionError::TooMany);
+        }
+        let vertex = Vertex::constructed(index);
+        self.constructions.push(construction);
+        self.interned.insert(construction, vertex);
+        Ok(vertex)
+    }
+
+    /// What defines this vertex, in canonical form; none for an input vertex
+    /// and for one that is not of this scene.
+    #[must_use]
+    pub fn construction(&self, v: Vertex) -> Option<&Construction> {
+        self.constructions.get(v.construction()?)
+    }
+
+    /// What defines each constructed vertex, in the order of their ids.
+    #[inline]
+    #[must_use]
+    pub fn constructions(&self) -> &[Construction] {
+        &self.constructions
     }
 
     /// Two or three.
@@ -136,7 +194,7 @@ impl Scene {
         }
     }
 
-    /// The number of vertices.
+    /// The number of input vertices.
     #[inline]
     #[must_use]
     pub fn len(&self) -> usize {
@@ -150,7 +208,7 @@ impl Scene {
         self.coordinates.is_empty()
     }
 
-    /// Every vertex, in index order.
+    /// Every input vertex, in index order.
     pub fn vertices(&self) -> impl ExactSizeIterator<Item = Vertex> + use<> {
         (0..self.len()).map(Vertex::input)
     }
@@ -222,6 +280,39 @@ mod tests {
         assert!(error.to_string().contains("point 0: coordinate 0 is inf"), "{error}");
         let error = Scene::new(Dimension::Three, vec![0.0; 4]).unwrap_err();
         assert_eq!(error, SceneError::Ragged { coordinates: 4, dimension: 3 });
+    }
+
+    #[test]
+    fn constructions_are_interned_by_definition() {
+        let mut scene = Scene::from_points2(&[[0.0, 0.0], [2.0, 2.0], [0.0, 2.0], [2.0, 0.0], [1.0, 1.0]]).unwrap();
+        let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(Vertex::input);
+        let x = scene.construct(Construction::Ssi([[a, b], [c, d]])).unwrap();
+        let y = scene.construct(Construction::Ssi([[a, e], [c, d]])).unwrap();
+        assert_eq!([x, y], [0, 1].map(Vertex::constructed), "the same point, by other lines");
+        assert_eq!(scene.construct(Construction::Ssi([[d, c], [b, a]])), Ok(x));
+        assert_eq!(scene.construction(x), Some(&Construction::Ssi([[a, b], [c, d]])));
+        assert_eq!(scene.constructions().len(), 2);
+        assert_eq!((scene.construction(a), scene.construction(Vertex::constructed(2))), (None, None));
+        assert_eq!((scene.len(), scene.vertices().len()), (5, 5), "constructed vertices are not input");
+    }
+
+    #[test]
+    fn constructions_that_make_no_sense_are_refused() {
+        let mut scene = Scene::from_points3(&[[0.0; 3]; 6]).unwrap();
+        let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(Vertex::input);
+        let lpi = |line, plane| Construction::Lpi { line, plane };
+        let outside = Vertex::input(6);
+        assert_eq!(scene.construct(lpi([a, a], [b, c, d])), Err(ConstructionError::Repeated { vertex: a }));
+        assert_eq!(scene.construct(lpi([a, b], [d, c, d])), Err(ConstructionError::Repeated { vertex: d }));
+        assert_eq!(scene.construct(lpi([a, outside], [b, c, d])), Err(ConstructionError::NotInput { vertex: outside }));
+        assert!(matches!(
+            scene.construct(Construction::Ssi([[a, b], [c, d]])),
+            Err(ConstructionError::Dimension { .. })
+        ));
+        let x = scene.construct(lpi([a, b], [c, d, e])).expect("whether they meet is not the scene's business");
+        let nested = Construction::Tpi([[a, b, c], [a, b, d], [c, d, x]]);
+        assert_eq!(scene.construct(nested), Err(ConstructionError::NotInput { vertex: x }));
+        assert_eq!(scene.constructions().len(), 1);
     }
 
     #[test]

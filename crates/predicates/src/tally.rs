@@ -17,6 +17,9 @@ const KINDS: usize = PredicateKind::ALL.len();
 
 /// A place to report which stage settled a query.
 pub trait Tally: Sync {
+    /// Whether anybody listens.
+    const LISTENS: bool = true;
+
     /// One query of this kind was settled by the stage with this index in
     /// [`Backend::stages`](crate::Backend::stages).
     #[inline(always)]
@@ -33,6 +36,8 @@ pub trait Tally: Sync {
 pub struct Off;
 
 impl Tally for Off {
+    const LISTENS: bool = false;
+
     #[inline(always)]
     fn settled_many(&self, _: PredicateKind, _: usize, _: u64) {}
 }

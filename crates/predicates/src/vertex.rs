@@ -4,8 +4,9 @@
 ///
 /// Symbolic perturbation moves a vertex by what it *is* (its index in the
 /// scene), never by where it stands in an argument list, so a vertex is an
-/// opaque id and not a point. Today every id is an input vertex; the ids from
-/// 2^31 up are kept free for vertices constructed by a session.
+/// opaque id and not a point. Ids below 2^31 are input vertices, whose
+/// coordinates are the scene's; ids from 2^31 up are vertices
+/// [constructed](crate::Construction) from those, which have none.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[repr(transparent)]
 pub struct Vertex(u32);
@@ -26,17 +27,51 @@ impl Vertex {
         Vertex(index as u32)
     }
 
-    /// The index in the scene.
+    /// The number of constructed vertices that a scene can have.
+    pub const MAX_CONSTRUCTED: usize = 1 << 31;
+
+    /// The vertex of the construction with this index in its scene.
+    ///
+    /// # Panics
+    /// If `index` is not below [`Vertex::MAX_CONSTRUCTED`].
+    #[inline]
+    #[must_use]
+    pub const fn constructed(index: usize) -> Vertex {
+        assert!(index < Vertex::MAX_CONSTRUCTED, "a scene holds at most 2^31 constructed vertices");
+        #[allow(clippy::cast_possible_truncation)] // checked above
+        Vertex(index as u32 | 1 << 31)
+    }
+
+    /// The index in the scene. That of a constructed vertex is beyond every
+    /// input vertex: no lookup of coordinates can take it for one.
     #[inline]
     #[must_use]
     pub const fn index(self) -> usize {
         self.0 as usize
     }
+
+    /// Whether this is a constructed vertex.
+    #[inline]
+    #[must_use]
+    pub const fn is_constructed(self) -> bool {
+        self.0 >= 1 << 31
+    }
+
+    /// The index of the vertex' construction in its scene; none for an input vertex.
+    #[inline]
+    #[must_use]
+    pub const fn construction(self) -> Option<usize> {
+        if self.is_constructed() { Some((self.0 & !(1 << 31)) as usize) } else { None }
+    }
 }
 
+/// Input vertices by their index, constructed ones by theirs with a `c` before it.
 impl std::fmt::Display for Vertex {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}", self.0)
+        match self.construction() {
+            None => write!(f, "{}", self.0),
+            Some(index) => write!(f, "c{index}"),
+        }
     }
 }
 
@@ -85,5 +120,22 @@ impl Plane {
             Plane::Yz => [Axis::Y, Axis::Z],
             Plane::Zx => [Axis::Z, Axis::X],
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn input_and_constructed_vertices_share_no_id() {
+        let last = Vertex::input(Vertex::MAX_INPUT - 1);
+        let first = Vertex::constructed(0);
+        assert!(last < first && !last.is_constructed() && first.is_constructed());
+        assert_eq!((last.construction(), first.construction()), (None, Some(0)));
+        assert_eq!(first.index(), Vertex::MAX_INPUT);
+        let end = Vertex::constructed(Vertex::MAX_CONSTRUCTED - 1);
+        assert_eq!(end.construction(), Some(Vertex::MAX_CONSTRUCTED - 1));
+        assert_eq!([last, first, end].map(|v| v.to_string()), ["2147483647", "c0", "c2147483647"]);
     }
 }

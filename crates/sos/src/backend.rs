@@ -77,6 +77,31 @@ impl<T: Tally> Session<'_, T> {
     }
 }
 
+impl<T: Tally> Session<'_, T> {
+    /// The exact backend's batch, and then the ties that it has found.
+    #[inline(always)]
+    fn batch<const N: usize>(
+        &self,
+        question: Question,
+        queries: &[[Vertex; N]],
+        out: &mut [Sign],
+        exact: impl Fn(&mut [Sign]),
+    ) {
+        if T::LISTENS {
+            // Which of the exact backend's stages settled a query is known only where it is asked alone.
+            for (query, out) in queries.iter().zip(out) {
+                *out = question.ask(self, query);
+            }
+            return;
+        }
+        exact(out);
+        // (A tie has no stage to be told of.)
+        for (query, out) in queries.iter().zip(out).filter(|(_, out)| out.is_zero()) {
+            *out = self.break_tie(question, *query, 0);
+        }
+    }
+}
+
 impl<T: Tally> Predicates for Session<'_, T> {
     #[inline]
     fn scene(&self) -> &Scene {
@@ -106,5 +131,21 @@ impl<T: Tally> Predicates for Session<'_, T> {
     #[inline]
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
         self.settle(Question::Insphere, [a, b, c, d, e], self.exact.decide_insphere(a, b, c, d, e))
+    }
+
+    fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
+        self.batch(Question::Orient2d(plane), queries, out, |out| self.exact.orient2d_batch(plane, queries, out));
+    }
+
+    fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        self.batch(Question::Orient3d, queries, out, |out| self.exact.orient3d_batch(queries, out));
+    }
+
+    fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        self.batch(Question::Incircle, queries, out, |out| self.exact.incircle_batch(queries, out));
+    }
+
+    fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
+        self.batch(Question::Insphere, queries, out, |out| self.exact.insphere_batch(queries, out));
     }
 }

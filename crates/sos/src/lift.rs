@@ -1,10 +1,14 @@
 //! Minors with a lift column, in integers.
 //!
-//! Only ties get here, so this is plain exact arithmetic without a filter. All
-//! coordinates are multiples of one power of two, 2^s. Divided by it they are
-//! integers, the lift shrinks by 2^2s, and the minor keeps its sign.
+//! Coordinates over a common power of two are integers, the lift shrinks by
+//! that power squared, and the minor keeps its sign. Where the vertices of a
+//! query span 61 bits, the origin among them, the integers are those of a
+//! machine, and nothing is allocated; else they are as long as they have to be.
+//! Only ties that the exact backend could not see through get here.
 
-use predicament_arithmetic::Scaled;
+use std::cell::OnceCell;
+
+use predicament_arithmetic::{Fixed, Scaled, short_rows};
 use predicament_predicates::{Axis, Scene, Sign, Vertex};
 use rug::Integer;
 
@@ -14,19 +18,101 @@ use crate::Lift;
 const PLACES: usize = 5;
 const AXES: usize = 3;
 
-/// The sign of the determinant with one row for each of `rows`: the
-/// coordinates along `columns`, the lift, and 1. Rows are places in `sorted`,
-/// columns are places in `axes`.
-pub(crate) fn sign(scene: &Scene, axes: &[Axis], sorted: &[Vertex], rows: &[u8], columns: &[u8], lift: Lift) -> Sign {
-    let mut points = [[0.0; AXES]; PLACES];
-    for (point, &vertex) in points.iter_mut().zip(sorted) {
-        for (value, &axis) in point.iter_mut().zip(axes) {
-            *value = scene.coordinate(axis, vertex);
+/// The vertices of a query, in integers as soon as a lifted minor is asked for.
+pub(crate) struct Lifted<'a> {
+    scene: &'a Scene,
+    axes: &'a [Axis],
+    sorted: &'a [Vertex],
+    integers: OnceCell<Integers>,
+}
+
+enum Integers {
+    /// Coordinates less than 2^61 in magnitude.
+    Short([[Fixed<1>; AXES]; PLACES + 1]),
+    Long(Box<[[Integer; AXES]; PLACES]>),
+}
+
+impl<'a> Lifted<'a> {
+    pub fn new(scene: &'a Scene, axes: &'a [Axis], sorted: &'a [Vertex]) -> Lifted<'a> {
+        Lifted { scene, axes, sorted, integers: OnceCell::new() }
+    }
+
+    /// The sign of the determinant with one row for each of `rows`: the
+    /// coordinates along `columns`, the lift, and 1. Rows are places among the
+    /// sorted vertices, columns are places among the axes.
+    pub fn sign(&self, rows: &[u8], columns: &[u8], lift: Lift) -> Sign {
+        match self.integers.get_or_init(|| self.read()) {
+            Integers::Short(points) => short_sign(points, rows, columns, lift),
+            Integers::Long(points) => long_sign(points, rows, columns, lift),
         }
     }
-    let Scaled { integers, .. } = Scaled::new(points).expect("a scene's coordinates are finite");
-    let coordinate = |row: u8, axis: usize| &integers[usize::from(row)][axis];
 
+    fn read(&self) -> Integers {
+        // One more than there can be: the origin.
+        let mut points = [[0.0; AXES]; PLACES + 1];
+        for (point, &vertex) in points.iter_mut().zip(self.sorted) {
+            for (value, &axis) in point.iter_mut().zip(self.axes) {
+                *value = self.scene.coordinate(axis, vertex);
+            }
+        }
+        short_rows(points).map_or_else(|| long(points), Integers::Short)
+    }
+}
+
+#[cold]
+fn long(points: [[f64; AXES]; PLACES + 1]) -> Integers {
+    let points: [[f64; AXES]; PLACES] = std::array::from_fn(|i| points[i]);
+    let scaled = Scaled::new(points).expect("a scene's coordinates are finite");
+    Integers::Long(Box::new(scaled.integers))
+}
+
+/// With coordinates less than M = 2^61: entries of differences are less than
+/// 2M = 2^62, those of the lift less than 3·(2M)² < 2^126, and determinants less
+/// than 6 · 2^62 · 2^62 · 2^127 < 2^254.
+fn short_sign(points: &[[Fixed<1>; AXES]; PLACES + 1], rows: &[u8], columns: &[u8], lift: Lift) -> Sign {
+    let last = rows[rows.len() - 1];
+    // Subtracting the last row strikes it together with the column of ones.
+    let entry = |row: u8, column: u8| {
+        let axis = usize::from(column);
+        points[usize::from(row)][axis].minus(points[usize::from(last)][axis])
+    };
+    let lifted = |row: u8| {
+        let mut sum = Fixed::<2>::ZERO;
+        for (axis, about) in lift.about.into_iter().enumerate() {
+            let origin = about.map_or(Fixed::ZERO, |about| points[usize::from(about)][axis]);
+            let [p, q] = [row, last].map(|row| points[usize::from(row)][axis].minus(origin));
+            let (p, q): (Fixed<2>, Fixed<2>) = (p.times(p), q.times(q));
+            sum = sum.plus(p.minus(q));
+        }
+        sum
+    };
+    match (rows, columns) {
+        (&[p, _], &[]) => sign(lifted(p)),
+        (&[p, q, _], &[x]) => {
+            let left: Fixed<3> = lifted(q).times(entry(p, x));
+            sign(left.minus(lifted(p).times(entry(q, x))))
+        }
+        (&[p, q, r, _], &[x, y]) => {
+            let term = |a: u8, b: u8, c: u8| -> Fixed<4> {
+                let minor: Fixed<2> = entry(a, x).times(entry(b, y));
+                minor.minus(entry(a, y).times(entry(b, x))).times(lifted(c))
+            };
+            sign(term(q, r, p).plus(term(r, p, q)).plus(term(p, q, r)))
+        }
+        _ => panic!("{rows:?} and {columns:?} make no minor with a lift"),
+    }
+}
+
+fn sign<const L: usize>(x: Fixed<L>) -> Sign {
+    match (x.is_negative(), x.is_zero()) {
+        (true, _) => Sign::Negative,
+        (_, true) => Sign::Zero,
+        _ => Sign::Positive,
+    }
+}
+
+fn long_sign(points: &[[Integer; AXES]; PLACES], rows: &[u8], columns: &[u8], lift: Lift) -> Sign {
+    let coordinate = |row: u8, axis: usize| &points[usize::from(row)][axis];
     let entries = |&row: &u8| -> Vec<Integer> {
         let mut entries: Vec<Integer> = columns.iter().map(|&c| coordinate(row, usize::from(c)).clone()).collect();
         let mut lifted = Integer::new();
@@ -40,7 +126,7 @@ pub(crate) fn sign(scene: &Scene, axes: &[Axis], sorted: &[Vertex], rows: &[u8],
         entries
     };
     let mut matrix: Vec<Vec<Integer>> = rows.iter().map(entries).collect();
-    // Subtracting the last row strikes it together with the column of ones.
+    // As above.
     let last = matrix.pop().unwrap_or_default();
     for row in &mut matrix {
         for (entry, subtrahend) in row.iter_mut().zip(&last) {

@@ -8,7 +8,7 @@
 
 use predicament_predicates::{Axis, Plane, Predicates, Question, Sign, Vertex};
 
-use crate::{Term, lift};
+use crate::{Term, lift::Lifted};
 
 /// Vertices in the order of their identity.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -26,16 +26,18 @@ impl<const N: usize> Sorted<N> {
     #[inline]
     #[must_use]
     pub fn new(mut vertices: [Vertex; N]) -> Option<Sorted<N>> {
-        let mut parity = Sign::Positive;
+        // Without branches: the order of arguments is as good as random.
+        let mut odd = false;
         for end in (1..N).rev() {
             for i in 0..end {
-                if vertices[i] > vertices[i + 1] {
-                    vertices.swap(i, i + 1);
-                    parity = -parity;
-                }
+                let (a, b) = (vertices[i], vertices[i + 1]);
+                odd ^= a > b;
+                vertices[i] = a.min(b);
+                vertices[i + 1] = a.max(b);
             }
         }
-        let distinct = vertices.windows(2).all(|pair| pair[0] != pair[1]);
+        let distinct = vertices.windows(2).fold(true, |distinct, pair| distinct & (pair[0] != pair[1]));
+        let parity = if odd { Sign::Negative } else { Sign::Positive };
         distinct.then_some(Sorted { vertices, parity })
     }
 }
@@ -54,7 +56,8 @@ impl<const N: usize> Sorted<N> {
 #[must_use]
 pub fn decide<P: Predicates>(signs: &P, question: Question, terms: &[Term], rows: &[Vertex]) -> Option<(Sign, usize)> {
     let (axes, orientation) = columns(question);
-    let sign_of = |term: &Term| coefficient(signs, axes, term, rows);
+    let lifted = Lifted::new(signs.scene(), axes, rows);
+    let sign_of = |term: &Term| coefficient(signs, axes, term, rows, &lifted);
     let (place, sign) = terms.iter().map(sign_of).enumerate().find(|(_, sign)| !sign.is_zero())?;
     Some((sign * orientation, place))
 }
@@ -73,7 +76,7 @@ fn columns(question: Question) -> (&'static [Axis], Sign) {
     }
 }
 
-fn coefficient<P: Predicates>(signs: &P, axes: &[Axis], term: &Term, rows: &[Vertex]) -> Sign {
+fn coefficient<P: Predicates>(signs: &P, axes: &[Axis], term: &Term, rows: &[Vertex], lifted: &Lifted<'_>) -> Sign {
     let vertex = |row: u8| rows[usize::from(row)];
     let gap = match term.gap {
         Some(gap) => signs.compare(axes[usize::from(gap.column)], vertex(gap.from), vertex(gap.to)),
@@ -83,7 +86,7 @@ fn coefficient<P: Predicates>(signs: &P, axes: &[Axis], term: &Term, rows: &[Ver
         return gap;
     }
     let minor = match term.lift {
-        Some(lift) => lift::sign(signs.scene(), axes, rows, term.rows, term.columns, lift),
+        Some(lift) => lifted.sign(term.rows, term.columns, lift),
         None => linear(signs, axes, term, vertex),
     };
     term.sign * gap * minor

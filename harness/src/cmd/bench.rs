@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use predicament_oracle::locate;
-use predicament_oracle::{Case, Class, Contestant, Outcome, Stopwatch, Truth, Watch, digest_of};
+use predicament_oracle::{Case, Contestant, Stopwatch, Truth, Watch, digest_of};
 use predicament_report::{self as report, PlannedScene, RunWriter, Shard, ThroughputRow};
 
 use crate::cmd::run::{budget, env, free_folder, plan};
@@ -21,7 +21,8 @@ const EXAMPLES: &str = "\
 Examples:
   predicament bench                                     all embedded corpora
   predicament bench families -f orient2d --samples 21
-  predicament bench maps -f 10m -b exact,sos,naive      built with `--features peers`, `geo` is timed as well";
+  predicament bench families -b exact,sos,naive         built with `--features peers`, other crates take part
+  predicament bench maps -f 10m -b exact,sos,naive      the same with maps, against `geo`";
 
 /// Time backends against each other on judged answers
 #[derive(clap::Args)]
@@ -53,6 +54,7 @@ struct Runner<'a> {
     version: String,
     watch: Box<dyn Stopwatch + 'a>,
     judged: u64,
+    queries: u64,
     passes: u32,
 }
 
@@ -90,7 +92,7 @@ pub fn run(args: Args) -> exit::Outcome {
             let row = rows::summary(scene, &backend.name(), &outcome, &expected, selection.level.name());
             writer.write(&[row]).map_err(Failure::usage)?;
             writer.write(&rows::findings(scene, &backend.name(), &outcome)).map_err(Failure::usage)?;
-            match start(&case, backend.as_ref()) {
+            match start(&case, backend.as_ref(), scene.queries) {
                 Ok(runner) => runners.push(runner),
                 Err(why) => {
                     remarks.push(format!("not timed: {}/{} on {}: {why}", scene.suite, scene.scene, backend.name()))
@@ -98,17 +100,15 @@ pub fn run(args: Args) -> exit::Outcome {
             }
         }
         for peer in peers::runners(&case) {
-            let mut judged = Outcome { queries: scene.queries, ..Outcome::default() };
-            judged.counts.add(Class::Agree, scene.queries - peer.wrong);
-            judged.counts.add(Class::Topology, peer.wrong);
-            writer
-                .write(&[rows::summary(scene, &peer.name, &judged, &expected, selection.level.name())])
-                .map_err(Failure::usage)?;
-            if let Some(first) = &peer.first_wrong {
-                remarks.push(format!("{}/{}: {} wrong; first, {first}", scene.suite, scene.scene, peer.wrong));
+            let row = rows::summary(scene, &peer.name, &peer.outcome, &expected, selection.level.name());
+            writer.write(&[row]).map_err(Failure::usage)?;
+            writer.write(&rows::findings(scene, &peer.name, &peer.outcome)).map_err(Failure::usage)?;
+            remarks.extend(peer.remarks.iter().map(|remark| format!("{}/{}: {remark}", scene.suite, scene.scene)));
+            if let Some(timed) = peer.timed {
+                let (queries, judged) = (peer.outcome.queries, timed.judged);
+                let (name, version, watch) = (peer.name, peer.version, timed.watch);
+                runners.push(Runner { name, version, watch, judged, queries, passes: 1 });
             }
-            let (name, version) = (peer.name, peer.version);
-            runners.push(Runner { name, version, watch: peer.watch, judged: peer.judged, passes: 1 });
         }
         let samples = Samples { count: args.samples, least: Duration::from_millis(args.sample_ms) };
         if !samples.take(scene, runners, &mut writer, &mut remarks, || bar.inc(1))? {
@@ -123,11 +123,12 @@ pub fn run(args: Args) -> exit::Outcome {
     for line in &remarks {
         println!("  {line}");
     }
+    print!("{}", peers::tables(&folder).map_err(Failure::usage)?);
     Ok(if ended == report::Outcome::Complete { exit::OK } else { exit::INCOMPLETE })
 }
 
 /// Prepares one backend, with the digest of its judged answers.
-fn start<'a>(case: &'a Case<'a>, backend: &'a dyn Contestant) -> Result<Runner<'a>, String> {
+fn start<'a>(case: &'a Case<'a>, backend: &'a dyn Contestant, queries: u64) -> Result<Runner<'a>, String> {
     let (watch, judged) = match case.truth() {
         Truth::Signs { queries, .. } => {
             let scene = &case.loaded().scene;
@@ -136,7 +137,14 @@ fn start<'a>(case: &'a Case<'a>, backend: &'a dyn Contestant) -> Result<Runner<'
         }
         Truth::Locate(case) => (backend.time_locate(case)?, locate::digest_of(&backend.locations(case)?)),
     };
-    Ok(Runner { name: backend.name(), version: env!("CARGO_PKG_VERSION").to_owned(), watch, judged, passes: 1 })
+    Ok(Runner {
+        name: backend.name(),
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        watch,
+        judged,
+        queries,
+        passes: 1,
+    })
 }
 
 struct Samples {
@@ -177,13 +185,13 @@ impl Samples {
                 let total: Duration = (0..runner.passes).map(|_| runner.watch.pass()).sum();
                 // Counts of queries and passes are far below 2^53: no rounding.
                 #[allow(clippy::cast_precision_loss)]
-                let queries = scene.queries as f64 * f64::from(runner.passes);
+                let queries = runner.queries as f64 * f64::from(runner.passes);
                 rows.push(ThroughputRow {
                     task: scene.task.clone(),
                     family: scene.family.clone(),
                     backend: runner.name.clone(),
                     engine_version: runner.version.clone(),
-                    queries: scene.queries,
+                    queries: runner.queries,
                     sample,
                     ns_per_query: total.as_secs_f64() * 1e9 / queries,
                 });

@@ -45,7 +45,7 @@ pub fn run(args: &Args) -> exit::Outcome {
         return scenes(args, scene);
     }
     let env = env();
-    let line = |key: &str, value: &str| println!("{key:<18} {value}");
+    let line = |key: &str, value: &str| println!("{key:<20} {value}");
     line("predicament", &env.package_version);
     line("compiler", env.rustc.as_deref().unwrap_or("unknown"));
     line("system", &env.os);

@@ -299,6 +299,7 @@ pub fn env() -> Env {
     let mut env = Env::collect(env!("CARGO_PKG_VERSION"));
     env.rustc = Some(env!("PREDICAMENT_RUSTC").to_owned());
     env.peers.insert("robust".to_owned(), env!("PREDICAMENT_ROBUST").to_owned());
+    env.peers.extend(crate::peers::VERSIONS.iter().map(|&(peer, version)| (peer.to_owned(), version.to_owned())));
     env
 }
 

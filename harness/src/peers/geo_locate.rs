@@ -11,11 +11,11 @@ use std::time::{Duration, Instant};
 use geo::indexed::IntervalTreeMultiPolygon;
 use geo::{BoundingRect, Contains, CoordinatePosition, LineString, MultiPolygon, Point, Polygon, Rect};
 use predicament_mesh::{PolygonMap, Ring};
-use predicament_oracle::Stopwatch;
 use predicament_oracle::locate::LocateCase;
+use predicament_oracle::{Class, Outcome, Stopwatch};
 use predicament_predicates::{Plane, Scene, Vertex};
 
-use super::Peer;
+use super::{Peer, Timed};
 
 /// Both ways, judged and ready to be timed.
 pub fn peers<'a>(case: &'a LocateCase<'a>) -> Vec<Peer<'a>> {
@@ -39,8 +39,17 @@ fn peer<'a, R: Contains<Point> + 'a>(name: &str, mut watch: Watch<'a, R>) -> Pee
         let exact = watch.case.exact().inside(probe);
         format!("probe {probe}: {name} has it in {}, the exact answer is in {}", names(theirs), names(exact))
     });
-    let (wrong, judged) = (wrong.len() as u64, watch.digest());
-    Peer { name: name.to_owned(), version: "0.33".to_owned(), watch: Box::new(watch), judged, wrong, first_wrong }
+    let (wrong, queries, judged) = (wrong.len() as u64, watch.case.exact().len() as u64, watch.digest());
+    let mut outcome = Outcome { queries, ..Outcome::default() };
+    outcome.counts.add(Class::Agree, queries - wrong);
+    outcome.counts.add(Class::Topology, wrong);
+    Peer {
+        name: name.to_owned(),
+        version: env!("PREDICAMENT_GEO").to_owned(),
+        outcome,
+        timed: Some(Timed { watch: Box::new(watch), judged }),
+        remarks: first_wrong.map(|first| format!("{wrong} wrong; first, {first}")).into_iter().collect(),
+    }
 }
 
 /// Every region as `geo` wants it, with its box.

@@ -10,8 +10,8 @@
 //! With the constant B of the semi-static filter and P ≤ M, the largest
 //! permanent, **d has the sign of D if |d| ≥ B·M** by the proof in
 //! [`bound`](super): what that proof pays for roundings of the permanent,
-//! (1 − u)^−(m + 1), pays here for an extent that was rounded to nearest once
-//! per factor, which makes it too small by a factor of 1 − u at worst.
+//! (1 − u)^−(m + 1), pays here for extents that were rounded to nearest, which
+//! makes each of them too small by a factor of 1 − u at worst.
 //!
 //! The products are rounded up, whatever happens to them: the double above a
 //! product rounded to nearest is not below the product, also where that is
@@ -26,8 +26,8 @@ use super::{INCIRCLE, INSPHERE, ORIENT2D, ORIENT3D};
 /// `extent` is the largest difference of coordinates along each axis, as floating
 /// point finds it (largest less smallest, rounded to nearest) or larger; the unit
 /// is theirs, squared. The proviso is that of all filters: nothing underflows or
-/// overflows in the determinant itself. NaN if an extent is NaN or infinite next to
-/// an extent of zero: then nothing is certain.
+/// overflows in the determinant itself. A bound that overflows is infinite, or NaN
+/// where an extent of zero follows: then nothing is certain.
 #[must_use]
 pub fn static_orient2d([x, y]: [f64; 2]) -> f64 {
     product([ORIENT2D, 2.0, x, y])
@@ -71,10 +71,10 @@ fn up(rounded: f64, exact: bool) -> f64 {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use rug::{Rational, ops::Pow};
+    use rug::Rational;
 
     use super::*;
-    use crate::{bound::required, rational};
+    use crate::{bound::requirement::REQUIREMENTS, rational};
 
     /// The bounds of all four predicates beside what they must exceed, exactly.
     fn all([x, y, z]: [f64; 3]) -> [(f64, Rational); 4] {
@@ -82,14 +82,12 @@ mod tests {
         let volume = |axes: &[Rational]| axes.iter().fold(Rational::from(1), |v, x| v * x);
         let diagonal = |axes: &[Rational]| axes.iter().fold(Rational::new(), |s, x| s + Rational::from(x * x));
         let (two, three) = (&exact[..2], &exact[..]);
-        // An extent of d roundings to nearest is at least (1 − u)^d times the truth.
-        let (u, one) = (rational(super::super::UNIT_ROUNDOFF).unwrap(), Rational::from(1));
-        let least = |n, degree: u32| required(n, 0) / (Rational::from(&one - &u)).pow(degree);
+        let [orient2d, orient3d, incircle, insphere] = REQUIREMENTS.map(|requirement| requirement.fixed_scene());
         [
-            (static_orient2d([x, y]), least(3, 2) * 2 * volume(two)),
-            (static_orient3d([x, y, z]), least(7, 3) * 6 * volume(three)),
-            (static_incircle([x, y]), least(10, 4) * 6 * volume(two) * diagonal(two)),
-            (static_insphere([x, y, z]), least(15, 5) * 24 * volume(three) * diagonal(three)),
+            (static_orient2d([x, y]), orient2d * 2 * volume(two)),
+            (static_orient3d([x, y, z]), orient3d * 6 * volume(three)),
+            (static_incircle([x, y]), incircle * 6 * volume(two) * diagonal(two)),
+            (static_insphere([x, y, z]), insphere * 24 * volume(three) * diagonal(three)),
         ]
     }
 

@@ -5,70 +5,84 @@
 //! written where they are certain. The few that are not are collected and
 //! climb the ladder one by one, so that they don't hold up the others.
 
+#![allow(clippy::needless_range_loop)]
+
 mod simd;
 
-use predicament_predicates::{Sign, Vertex};
+use std::marker::PhantomData;
 
-use crate::ladder::Prepared;
+use predicament_predicates::Sign;
+
 use crate::predicate::Predicate;
 use simd::{Kernel, dispatch};
 
 /// The queries of a block: a bit each in a mask.
 const BLOCK: usize = 64;
 
-/// Answers queries on points by index; `settled` is told of each block how many
-/// the static filter settled, and of each query that climbed where it ended.
+/// Queries of `N` points each, and what to do about them.
+pub(crate) struct Batch<'a, Q, F, S, C> {
+    /// The bound of the static filter.
+    pub static_bound: f64,
+    /// What is asked.
+    pub queries: &'a [Q],
+    /// A place for each answer.
+    pub out: &'a mut [Sign],
+    /// Gives the coordinates of a point.
+    pub point: F,
+    /// Told how many queries of a block the static filter has settled.
+    pub settled: S,
+    /// Answers a query that it leaves open.
+    pub climb: C,
+}
+
+/// Answers all queries.
 ///
 /// # Panics
-/// If a query names a point that there is not, or `out` is shorter than `queries`.
-pub(crate) fn by_index<P: Predicate<D, N>, const D: usize, const N: usize>(
-    prepared: &Prepared,
-    points: &[[f64; D]],
-    queries: &[[Vertex; N]],
-    out: &mut [Sign],
-    settled: impl FnMut(usize, u64),
-) {
-    let fetch = |v: Vertex| points[v.index()];
-    dispatch(Batch { prepared, queries, out, fetch, settled, predicate: std::marker::PhantomData::<P> });
+/// If a query names a point that there is not.
+#[inline]
+pub(crate) fn run<P, V, const D: usize, const N: usize>(
+    batch: Batch<'_, [V; N], impl Fn(V) -> [f64; D], impl Fn(u64), impl Fn(&[V; N]) -> Sign>,
+) where
+    P: Predicate<D, N>,
+    V: Copy,
+{
+    dispatch(Of { batch, predicate: PhantomData::<P> });
 }
 
-struct Batch<'a, P, Q, F, S> {
-    prepared: &'a Prepared,
-    queries: &'a [Q],
-    out: &'a mut [Sign],
-    fetch: F,
-    settled: S,
-    predicate: std::marker::PhantomData<P>,
+/// A batch of queries of one predicate.
+struct Of<B, P> {
+    batch: B,
+    predicate: PhantomData<P>,
 }
 
-impl<P, Q, F, S, const D: usize, const N: usize> Kernel for Batch<'_, P, [Q; N], F, S>
+impl<P, V, F, S, C, const D: usize, const N: usize> Kernel for Of<Batch<'_, [V; N], F, S, C>, P>
 where
     P: Predicate<D, N>,
-    Q: Copy,
-    F: Fn(Q) -> [f64; D],
-    S: FnMut(usize, u64),
+    V: Copy,
+    F: Fn(V) -> [f64; D],
+    S: Fn(u64),
+    C: Fn(&[V; N]) -> Sign,
 {
     type Output = ();
 
     #[inline(always)]
-    fn run(mut self) {
+    fn run(self) {
+        let Batch { static_bound, queries, out, point, settled, climb } = self.batch;
         let mut block = [[[0.0; D]; BLOCK]; N];
-        let chunks = self.queries.chunks(BLOCK).zip(self.out.chunks_mut(BLOCK));
-        for (queries, out) in chunks {
+        for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
+            // Row by row and not with `map` on arrays, which goes through memory.
             for (at, query) in queries.iter().enumerate() {
                 for row in 0..N {
-                    block[row][at] = (self.fetch)(query[row]);
+                    block[row][at] = point(query[row]);
                 }
             }
-            let (signs, open) = filter::<P, D, N>(&block, self.prepared.static_bound);
+            let (signs, open) = filter::<P, D, N>(&block, static_bound);
             out.copy_from_slice(&signs[..queries.len()]);
             let mut open = open & (u64::MAX >> (BLOCK - queries.len()));
-            (self.settled)(self.prepared.static_stage, queries.len() as u64 - u64::from(open.count_ones()));
+            settled(queries.len() as u64 - u64::from(open.count_ones()));
             while open != 0 {
                 let at = open.trailing_zeros() as usize;
-                let (sign, stage) = self.prepared.climb::<P, D, N>(std::array::from_fn(|row| block[row][at]));
-                out[at] = sign;
-                (self.settled)(stage, 1);
+                out[at] = climb(&queries[at]);
                 open &= open - 1;
             }
         }

@@ -1,0 +1,138 @@
+//! Floating point on approximations, with a bound on the error of both.
+//!
+//! # What is proved
+//! A constructed vertex is given by doubles, each within κu of the true
+//! coordinate in relation to itself, or within 2^-400; u = 2^-53, κ = 65/64. Let
+//! its *slack* be e = κ|x| + 2^-300, and that of an exact coordinate 2^-300. The
+//! difference of two is computed as d = fl(x − y), with
+//! |d − D| ≤ u|d| + u·e_x + u·e_y = u·M for **M = |d| + e_x + e_y**, and |d| ≤ M.
+//! (Subtraction underflows exactly.) That is what [`bound`](predicament_arithmetic::bound)
+//! supposes of a difference: one rounding, in relation to M. So its proof
+//! holds with the permanent P taken of M in place of |d|, and n as counted
+//! there: 3 for orient2d, 7 for orient3d. In p each M has four roundings, so m
+//! is 2·4 + 2 and 3·4 + 5.
+//!
+//! **Underflow.** Each M is at least 2^-299, so a product that underflows, and
+//! is wrong by 2^-1075 then, is wrong by less than 2^-170·u·P for the whole
+//! determinant. The constants exceed what they have to by more than that, as a
+//! test says. P and B·P never underflow.
+//!
+//! **Overflow.** Rounding keeps the order, so no intermediate of d exceeds that
+//! of p at the same place. If p is finite, nothing overflowed; if not, |d| > B·p
+//! is false. It is false as well for a NaN, and for d = 0: a tie is never
+//! answered. No plan of the scene is needed.
+
+use predicament_arithmetic::bound::semi_static;
+use predicament_predicates::Sign;
+
+/// For a difference of coordinates.
+pub const COMPARE: f64 = semi_static(1, 4);
+/// For (a − c) × (b − c).
+pub const ORIENT2D: f64 = semi_static(3, 10);
+/// For det(a − d, b − d, c − d), expanded along one column.
+pub const ORIENT3D: f64 = semi_static(7, 17);
+
+/// The slack that every coordinate has, so that no permanent underflows: 2^-300.
+const FLOOR: f64 = f64::from_bits((1023 - 300) << 52);
+
+/// A number and what bounds its error, in units of u.
+#[derive(Clone, Copy, Debug)]
+pub struct Approximate {
+    value: f64,
+    slack: f64,
+}
+
+impl Approximate {
+    /// A coordinate that is within `errors`·u of the true one, in relation to
+    /// itself: none for input vertices, 65/64 for constructed ones.
+    #[inline(always)]
+    #[must_use]
+    pub fn within(value: f64, errors: f64) -> Approximate {
+        Approximate { value, slack: errors * value.abs() + FLOOR }
+    }
+
+    #[inline(always)]
+    fn minus(self, other: Approximate) -> Approximate {
+        let value = self.value - other.value;
+        Approximate { value, slack: value.abs() + (self.slack + other.slack) }
+    }
+
+    /// ad − bc.
+    #[inline(always)]
+    fn cross([a, b]: [Approximate; 2], [c, d]: [Approximate; 2]) -> Approximate {
+        let value = a.value * d.value - b.value * c.value;
+        Approximate { value, slack: a.slack * d.slack + b.slack * c.slack }
+    }
+
+    #[inline(always)]
+    fn certain(self, bound: f64) -> Option<Sign> {
+        (self.value.abs() > bound * self.slack).then(|| Sign::of(self.value))
+    }
+}
+
+/// The sign of a − b, or none if the errors may have changed it.
+#[inline(always)]
+#[must_use]
+pub fn compare(a: Approximate, b: Approximate, bound: f64) -> Option<Sign> {
+    a.minus(b).certain(bound)
+}
+
+/// The turn a, b, c, or none if the errors may have changed it.
+#[inline(always)]
+#[must_use]
+pub fn orient2d(a: [Approximate; 2], b: [Approximate; 2], c: [Approximate; 2], bound: f64) -> Option<Sign> {
+    let [ac, bc] = [minus2(a, c), minus2(b, c)];
+    Approximate::cross(ac, bc).certain(bound)
+}
+
+/// The side of d on the plane of a, b, c, or none if the errors may have changed it.
+#[inline(always)]
+#[must_use]
+pub fn orient3d(
+    a: [Approximate; 3],
+    b: [Approximate; 3],
+    c: [Approximate; 3],
+    d: [Approximate; 3],
+    bound: f64,
+) -> Option<Sign> {
+    let [a, b, c] = [minus3(a, d), minus3(b, d), minus3(c, d)];
+    let [bc, ca, ab] = [cross3(b, c), cross3(c, a), cross3(a, b)];
+    let value = a[2].value * bc.value + b[2].value * ca.value + c[2].value * ab.value;
+    let slack = a[2].slack * bc.slack + b[2].slack * ca.slack + c[2].slack * ab.slack;
+    Approximate { value, slack }.certain(bound)
+}
+
+#[inline(always)]
+fn minus2(p: [Approximate; 2], q: [Approximate; 2]) -> [Approximate; 2] {
+    [p[0].minus(q[0]), p[1].minus(q[1])]
+}
+
+#[inline(always)]
+fn minus3(p: [Approximate; 3], q: [Approximate; 3]) -> [Approximate; 3] {
+    [p[0].minus(q[0]), p[1].minus(q[1]), p[2].minus(q[2])]
+}
+
+#[inline(always)]
+fn cross3(p: [Approximate; 3], q: [Approximate; 3]) -> Approximate {
+    Approximate::cross([p[0], p[1]], [q[0], q[1]])
+}
+
+#[cfg(test)]
+mod tests {
+    use rug::{Rational, ops::Pow};
+
+    use super::*;
+
+    /// The requirement of `predicament_arithmetic::bound`, with room for what underflow loses.
+    #[test]
+    fn constants_meet_the_requirement_and_half_of_them_do_not() {
+        let u = Rational::from(1) >> 53;
+        let [up, down] = [Rational::from(1 + &u), Rational::from(1 - &u)];
+        for (n, m, constant) in [(1_u32, 4_u32, COMPARE), (3, 10, ORIENT2D), (7, 17, ORIENT3D)] {
+            let needed = (Rational::from((&up).pow(n)) - 1 + (Rational::from(1) >> 170)) * &up
+                / Rational::from((&down).pow(m + 1));
+            let constant = Rational::from_f64(constant).expect("finite");
+            assert!(constant > needed && constant.clone() / 2 < needed);
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! Where lines and planes meet: the exact homogeneous row of a construction.
+//!
+//! Each point is a vertex plus a multiple of a direction, P = p + (n/w)·u, by
+//! Cramer's rule on differences; then (w·p + n·u, w) is its row.
+//!
+//! | kind | w | row |
+//! |---|---|---|
+//! | lines ab, cd | (b − a) × (d − c), degree 2 | w·a + ((c − a) × (d − c))(b − a), degree 3 |
+//! | line pq, plane rst with normal N | N·(q − p), degree 3 | w·p + (N·(r − p))(q − p), degree 4 |
+//! | planes with normals L, M, N through p, q, r | L·(M × N), degree 6 | w·p + (M·(q − p))(N × L) + (N·(r − p))(L × M), degree 7 |
+//!
+//! # Capacity
+//! With coordinates below 2^58, differences are below 2^59, normals below
+//! 2^119, w of degree 3 below 2^180 and of degree 6 below 2^360, and the rows
+//! below 2^179, 2^240 and 2^421: degree k stays below 2^(61·k). With
+//! coordinates that are multiples of 2^(64·l), l ≤ 0, degree k is a multiple of
+//! 2^(64·k·l). [`Number::sum`] takes a sign and up to two bits for three terms;
+//! four are granted. So degree k takes as many limbs as its share of degree 7
+//! has, and less than 17/16 beside. The 48 sums for three planes have degrees
+//! that add up to 111: less than 16 capacities and 51 limbs. The other kinds,
+//! whose capacities are for degree 3 and 4, take 6 and 9 capacities and less beside.
+
+use predicament_predicates::{
+    Axis::{X, Y, Z},
+    Construction,
+};
+
+use super::{
+    number::{
+        Number, Space,
+        Take::{Minus, Plus},
+    },
+    rows::Rows,
+};
+
+type Point<'a, const D: usize> = [Number<'a>; D];
+
+/// The capacities that one construction takes at most: 16, and 51 limbs in capacities of 9 or more.
+const NUMBERS: usize = 16 + 6;
+
+/// Adds the construction's row, or says why it defines no point.
+pub(super) fn push(rows: &mut Rows, construction: &Construction) -> Result<(), &'static str> {
+    let mut held = [[0; 2]; 3 * 9];
+    let space = &mut Space::new(held.as_flattened_mut());
+    match *construction {
+        Construction::Ssi(lines) => {
+            let lines = lines.map(|line| line.map(|v| rows.input(space, v, [X, Y])));
+            let limbs = limbs(lines.as_flattened().as_flattened(), 3);
+            with_capacity!(limbs, CAP => segments::<CAP>(rows, lines))
+        }
+        Construction::Lpi { line, plane } => {
+            let line = line.map(|v| rows.input(space, v, [X, Y, Z]));
+            let plane = plane.map(|v| rows.input(space, v, [X, Y, Z]));
+            let limbs = limbs(line.as_flattened(), 4).max(limbs(plane.as_flattened(), 4));
+            with_capacity!(limbs, CAP => line_plane::<CAP>(rows, line, plane))
+        }
+        Construction::Tpi(planes) => {
+            let planes = planes.map(|plane| plane.map(|v| rows.input(space, v, [X, Y, Z])));
+            let limbs = limbs(planes.as_flattened().as_flattened(), 7);
+            with_capacity!(limbs, CAP => planes_point::<CAP>(rows, planes))
+        }
+    }
+}
+
+#[inline(never)] // so that the stack frame is that of this capacity
+fn segments<const CAP: usize>(rows: &mut Rows, lines: [[Point<2>; 2]; 2]) -> Result<(), &'static str> {
+    let mut limbs = [[0; CAP]; NUMBERS];
+    let space = &mut Space::new(limbs.as_flattened_mut());
+    let [[a, b], [c, d]] = lines;
+    let [u, v, s] = [minus(space, b, a), minus(space, d, c), minus(space, c, a)];
+    if is_zero(u) || is_zero(v) {
+        return Err("the ends of a segment coincide");
+    }
+    let weight = minor(space, u, v, 0, 1);
+    if weight.is_zero() {
+        return Err("the lines are parallel");
+    }
+    let along = minor(space, s, v, 0, 1);
+    rows.push(&moved(space, a, weight, along, u), weight);
+    Ok(())
+}
+
+#[inline(never)]
+fn line_plane<const CAP: usize>(
+    rows: &mut Rows,
+    [p, q]: [Point<3>; 2],
+    plane: [Point<3>; 3],
+) -> Result<(), &'static str> {
+    let mut limbs = [[0; CAP]; NUMBERS];
+    let space = &mut Space::new(limbs.as_flattened_mut());
+    let (u, normal) = (minus(space, q, p), normal(space, plane)?);
+    if is_zero(u) {
+        return Err("the two vertices of the line coincide");
+    }
+    let weight = dot(space, normal, u);
+    if weight.is_zero() {
+        return Err("the line is parallel to the plane");
+    }
+    let way = minus(space, plane[0], p);
+    let along = dot(space, normal, way);
+    rows.push(&moved(space, p, weight, along, u), weight);
+    Ok(())
+}
+
+#[inline(never)]
+fn planes_point<const CAP: usize>(rows: &mut Rows, planes: [[Point<3>; 3]; 3]) -> Result<(), &'static str> {
+    let mut limbs = [[0; CAP]; NUMBERS];
+    let space = &mut Space::new(limbs.as_flattened_mut());
+    let [[p, ..], [q, ..], [r, ..]] = planes;
+    let [l, m, n] = [normal(space, planes[0])?, normal(space, planes[1])?, normal(space, planes[2])?];
+    let [lm, mn, nl] = [cross(space, l, m), cross(space, m, n), cross(space, n, l)];
+    let weight = dot(space, l, mn);
+    if weight.is_zero() {
+        return Err("the planes share no point, or more than one");
+    }
+    let [to_second, to_third] = [minus(space, q, p), minus(space, r, p)];
+    let [second, third] = [dot(space, m, to_second), dot(space, n, to_third)];
+    let point =
+        [0, 1, 2].map(|i| Number::sum(space, [(p[i], weight, Plus), (second, nl[i], Plus), (third, lm[i], Plus)]));
+    rows.push(&point, weight);
+    Ok(())
+}
+
+/// The normal of the plane of three points.
+fn normal<'a>(space: &mut Space<'a>, [r, s, t]: [Point<'a, 3>; 3]) -> Result<Point<'a, 3>, &'static str> {
+    let [u, v] = [minus(space, s, r), minus(space, t, r)];
+    let normal = cross(space, u, v);
+    if is_zero(normal) { Err("the three vertices of a plane are collinear") } else { Ok(normal) }
+}
+
+fn minus<'a, const D: usize>(space: &mut Space<'a>, p: Point<D>, q: Point<D>) -> Point<'a, D> {
+    std::array::from_fn(|i| Number::sum(space, [(p[i], Number::ONE, Plus), (q[i], Number::ONE, Minus)]))
+}
+
+fn minor<'a, const D: usize>(space: &mut Space<'a>, p: Point<D>, q: Point<D>, i: usize, j: usize) -> Number<'a> {
+    Number::sum(space, [(p[i], q[j], Plus), (p[j], q[i], Minus)])
+}
+
+fn cross<'a>(space: &mut Space<'a>, p: Point<3>, q: Point<3>) -> Point<'a, 3> {
+    [minor(space, p, q, 1, 2), minor(space, p, q, 2, 0), minor(space, p, q, 0, 1)]
+}
+
+fn dot<'a>(space: &mut Space<'a>, p: Point<3>, q: Point<3>) -> Number<'a> {
+    Number::sum(space, [(p[0], q[0], Plus), (p[1], q[1], Plus), (p[2], q[2], Plus)])
+}
+
+/// w·p + n·u.
+fn moved<'a, const D: usize>(
+    space: &mut Space<'a>,
+    p: Point<D>,
+    weight: Number,
+    along: Number,
+    u: Point<D>,
+) -> Point<'a, D> {
+    std::array::from_fn(|i| Number::sum(space, [(p[i], weight, Plus), (along, u[i], Plus)]))
+}
+
+fn is_zero<const D: usize>(vector: Point<D>) -> bool {
+    vector.iter().all(|x| x.is_zero())
+}
+
+/// The limbs that a polynomial of this degree in these coordinates needs.
+fn limbs(coordinates: &[Number], degree: i32) -> usize {
+    let low = coordinates.iter().map(|x| x.low).min().unwrap_or(0).min(0);
+    usize::try_from(degree * (61 - 64 * low) + 4).unwrap_or(0).div_ceil(64)
+}

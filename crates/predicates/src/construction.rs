@@ -1,0 +1,145 @@
+//! Vertices that are no input: where lines and planes through input vertices meet.
+//!
+//! Overlays, slices and unions make such vertices, and round them if they store
+//! coordinates. A [`Construction`] stores what defines the vertex instead, so
+//! that a backend can answer about the very point (*indirect predicates*,
+//! Attene 2020). Equality is of definitions: two constructions of one point
+//! are two vertices, and it takes a predicate to find that out.
+
+use crate::{Dimension, Vertex};
+
+/// What defines a constructed vertex: input vertices, by identity.
+///
+/// [`Construction::canonical`] lists the vertices of a line or a plane, and the
+/// lines or planes of a kind, in the order of their ids: the point does not
+/// depend on it. Whether there is such a point, and only one, is a question
+/// for arithmetic: a backend declines the scene if not.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Construction {
+    /// 2D: the point where two lines meet, each given by a segment of it.
+    /// Whether the segments themselves reach that point is not asked.
+    Ssi([[Vertex; 2]; 2]),
+    /// 3D: the point where a line meets a plane.
+    Lpi {
+        /// Two points of the line.
+        line: [Vertex; 2],
+        /// Three points of the plane.
+        plane: [Vertex; 3],
+    },
+    /// 3D: the point where three planes meet, three points of each.
+    Tpi([[Vertex; 3]; 3]),
+}
+
+impl Construction {
+    /// The same construction with ids in ascending order wherever the order
+    /// does not matter.
+    #[must_use]
+    pub fn canonical(self) -> Construction {
+        match self {
+            Construction::Ssi(lines) => Construction::Ssi(sorted(lines.map(sorted))),
+            Construction::Lpi { line, plane } => Construction::Lpi { line: sorted(line), plane: sorted(plane) },
+            Construction::Tpi(planes) => Construction::Tpi(sorted(planes.map(sorted))),
+        }
+    }
+
+    /// The dimension of the scenes that it belongs to.
+    #[must_use]
+    pub const fn dimension(&self) -> Dimension {
+        match self {
+            Construction::Ssi(_) => Dimension::Two,
+            Construction::Lpi { .. } | Construction::Tpi(_) => Dimension::Three,
+        }
+    }
+
+    /// The lines and planes, each as the vertices that span it.
+    pub fn flats(&self) -> impl Iterator<Item = &[Vertex]> {
+        let (line, plane, rest): (&[Vertex], &[Vertex], &[[Vertex; 3]]) = match self {
+            Construction::Ssi([first, second]) => (first, second, &[]),
+            Construction::Lpi { line, plane } => (line, plane, &[]),
+            Construction::Tpi([first, second, third]) => (first, second, std::slice::from_ref(third)),
+        };
+        [line, plane].into_iter().chain(rest.iter().map(<[Vertex; 3]>::as_slice))
+    }
+}
+
+/// As `SSI(0 1, 2 3)`: the kind, then each line or plane.
+impl std::fmt::Display for Construction {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let kind = match self {
+            Construction::Ssi(_) => "SSI",
+            Construction::Lpi { .. } => "LPI",
+            Construction::Tpi(_) => "TPI",
+        };
+        let flats: Vec<String> =
+            self.flats().map(|flat| flat.iter().map(Vertex::to_string).collect::<Vec<_>>().join(" ")).collect();
+        write!(f, "{kind}({})", flats.join(", "))
+    }
+}
+
+/// Why a scene does not take a construction.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ConstructionError {
+    /// The construction belongs to scenes of another dimension.
+    Dimension {
+        /// That of the scene.
+        scene: Dimension,
+        /// That of the construction.
+        construction: Dimension,
+    },
+    /// A defining vertex is not an input vertex of the scene.
+    NotInput {
+        /// The vertex.
+        vertex: Vertex,
+    },
+    /// A line or a plane names a vertex twice.
+    Repeated {
+        /// The vertex.
+        vertex: Vertex,
+    },
+    /// The scene has [`Vertex::MAX_CONSTRUCTED`] constructions already.
+    TooMany,
+}
+
+impl std::fmt::Display for ConstructionError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            ConstructionError::Dimension { scene, construction } => {
+                let [scene, construction] = [scene, construction].map(|dimension| dimension.count());
+                write!(f, "the scene is {scene}D and the construction {construction}D")
+            }
+            ConstructionError::NotInput { vertex } => write!(f, "{vertex} is no input vertex of the scene"),
+            ConstructionError::Repeated { vertex } => write!(f, "vertex {vertex} stands twice in one line or plane"),
+            ConstructionError::TooMany => write!(f, "a scene holds at most 2^31 constructed vertices"),
+        }
+    }
+}
+
+impl std::error::Error for ConstructionError {}
+
+fn sorted<X: Ord, const N: usize>(mut items: [X; N]) -> [X; N] {
+    items.sort_unstable();
+    items
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ids<const N: usize>(indices: [usize; N]) -> [Vertex; N] {
+        indices.map(Vertex::input)
+    }
+
+    #[test]
+    fn canonical_forms_forget_the_order_and_nothing_else() {
+        let ssi = |p, q| Construction::Ssi([ids(p), ids(q)]).canonical();
+        assert_eq!(ssi([3, 2], [1, 0]), ssi([0, 1], [2, 3]));
+        assert_ne!(ssi([0, 2], [1, 3]), ssi([0, 1], [2, 3]), "other lines");
+        let lpi = |line, plane| Construction::Lpi { line: ids(line), plane: ids(plane) }.canonical();
+        assert_eq!(lpi([9, 1], [8, 2, 5]), lpi([1, 9], [2, 5, 8]));
+        assert_ne!(lpi([1, 2], [3, 4, 5]), lpi([1, 3], [2, 4, 5]));
+        let tpi = |p, q, r| Construction::Tpi([ids(p), ids(q), ids(r)]).canonical();
+        assert_eq!(tpi([8, 7, 6], [5, 4, 3], [2, 1, 0]), tpi([0, 1, 2], [3, 4, 5], [6, 7, 8]));
+        assert_eq!(tpi([8, 7, 6], [5, 4, 3], [2, 1, 0]).to_string(), "TPI(0 1 2, 3 4 5, 6 7 8)");
+        assert_eq!(lpi([9, 1], [8, 2, 5]).to_string(), "LPI(1 9, 2 5 8)");
+    }
+}

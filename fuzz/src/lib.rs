@@ -1,0 +1,149 @@
+//! The body of the fuzz targets: bytes become points, the points are asked
+//! about, and the exact backend has to agree with the judge in rationals.
+//!
+//! With a nightly compiler and `cargo install cargo-fuzz`, from the folder above:
+//!
+//! ```text
+//! cargo +nightly fuzz run insphere -- -max_len=256
+//! ```
+//!
+//! Random bytes make random points, and those are easy. [`points`] therefore
+//! has ways to say "nearly as before" in a byte or two, so that mutations walk
+//! along the degenerate cases instead of away from them.
+
+#![forbid(unsafe_code)]
+
+pub mod points;
+
+use predicament_exact::Exact;
+use predicament_oracle::{judge, signs};
+use predicament_predicates::{
+    Axis, Backend, Dimension, Off, Plane, PredicateKind, QuerySet, Question, Scene, Sign, Vertex,
+};
+
+/// One fuzz case.
+///
+/// # Panics
+/// If the exact backend gives a wrong sign: the message has the points bit by bit.
+pub fn check(kind: PredicateKind, bytes: &[u8]) {
+    if let Some(wrong) = first_wrong(&Exact, kind, bytes) {
+        panic!("{wrong}");
+    }
+}
+
+/// The first answer of a backend that is not the exact sign, in words: every
+/// run of consecutive points is asked about, one query at a time and as a batch.
+pub fn first_wrong<B: Backend>(backend: &B, kind: PredicateKind, bytes: &[u8]) -> Option<String> {
+    let (scene, questions) = case(kind, bytes);
+    let session = backend.prepare(&scene, Off).expect("nothing here is beyond the backends that are fuzzed");
+    questions.into_iter().find_map(|question| {
+        let vertices: Vec<Vertex> = scene.vertices().collect();
+        let queries = QuerySet::new(question, vertices.windows(kind.arity()).flatten().copied().collect());
+        let mut batch = vec![Sign::Zero; queries.len()];
+        queries.ask_batch(&session, 0..queries.len(), &mut batch);
+        batch.into_iter().enumerate().find_map(|(query, in_batch)| {
+            let args = queries.args(query);
+            let (alone, truth) = (question.ask(&session, args), judge::sign(&scene, question, args));
+            ([alone, in_batch] != [truth, truth]).then(|| {
+                let asked = signs::describe(question, args);
+                let bits: Vec<String> = scene.coordinates().iter().map(|c| format!("{:#018x}", c.to_bits())).collect();
+                format!("{asked} is {truth}; alone {alone}, in a batch {in_batch}; all coordinates: {}", bits.join(" "))
+            })
+        })
+    })
+}
+
+/// The scene that bytes stand for, and what is asked about it.
+fn case(kind: PredicateKind, bytes: &[u8]) -> (Scene, Vec<Question>) {
+    let (&head, bytes) = bytes.split_first().unwrap_or((&0, &[]));
+    let space = match kind {
+        PredicateKind::Compare | PredicateKind::Orient2d => head & 1 == 1,
+        PredicateKind::Incircle => false,
+        PredicateKind::Orient3d | PredicateKind::Insphere => true,
+    };
+    let (dimension, axes, planes): (_, &[Axis], &[Plane]) = if space {
+        (Dimension::Three, &[Axis::X, Axis::Y, Axis::Z], &[Plane::Xy, Plane::Yz, Plane::Zx])
+    } else {
+        (Dimension::Two, &[Axis::X, Axis::Y], &[Plane::Xy])
+    };
+    let questions = match kind {
+        PredicateKind::Compare => axes.iter().map(|&axis| Question::Compare(axis)).collect(),
+        PredicateKind::Orient2d => planes.iter().map(|&plane| Question::Orient2d(plane)).collect(),
+        PredicateKind::Orient3d => vec![Question::Orient3d],
+        PredicateKind::Incircle => vec![Question::Incircle],
+        PredicateKind::Insphere => vec![Question::Insphere],
+    };
+    let coordinates = match dimension {
+        Dimension::Two => points::from_bytes::<2>(bytes, kind.arity()).into_flattened(),
+        Dimension::Three => points::from_bytes::<3>(bytes, kind.arity()).into_flattened(),
+    };
+    (Scene::new(dimension, coordinates).expect("points are finite and whole"), questions)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use predicament_controls::{Epsilon, Naive};
+
+    const RUNS: u64 = 4000;
+
+    /// Bytes from a linear congruence (Knuth's MMIX constants), as many as a case can use.
+    fn bytes(run: u64) -> Vec<u8> {
+        let mut state = run.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        (0..128)
+            .map(|_| {
+                state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                state.to_be_bytes()[0]
+            })
+            .collect()
+    }
+
+    #[test]
+    fn the_exact_backend_agrees_on_random_bytes() {
+        for kind in PredicateKind::ALL {
+            for run in 0..RUNS {
+                check(kind, &bytes(run));
+            }
+        }
+    }
+
+    #[test]
+    fn short_inputs_are_cases_too() {
+        for kind in PredicateKind::ALL {
+            for length in 0..40 {
+                check(kind, &bytes(7)[..length]);
+                check(kind, &[0xff; 40][..length]);
+            }
+        }
+    }
+
+    /// If the bytes made easy points only, nothing would be wrong with these.
+    #[test]
+    fn backends_that_round_are_caught_on_the_same_bytes() {
+        let naive = |kind| (0..RUNS).filter(|&run| first_wrong(&Naive::default(), kind, &bytes(run)).is_some()).count();
+        let epsilon =
+            |kind| (0..RUNS).filter(|&run| first_wrong(&Epsilon::default(), kind, &bytes(run)).is_some()).count();
+        assert_eq!(naive(PredicateKind::Compare), 0, "a comparison needs no rounding");
+        assert!(epsilon(PredicateKind::Compare) > 100);
+        for kind in &PredicateKind::ALL[1..] {
+            assert!(naive(*kind) > 100 && epsilon(*kind) > 100, "{kind}: {} and {}", naive(*kind), epsilon(*kind));
+        }
+    }
+
+    #[test]
+    fn ties_signs_and_all_magnitudes_come_up() {
+        for kind in PredicateKind::ALL {
+            let mut seen = [0_u32; 3];
+            let (mut tiny, mut huge) = (0, 0);
+            for run in 0..RUNS {
+                let (scene, questions) = case(kind, &bytes(run));
+                let args: Vec<Vertex> = scene.vertices().take(kind.arity()).collect();
+                let sign = judge::sign(&scene, questions[0], &args);
+                seen[usize::try_from(sign.as_i8() + 1).expect("0, 1 or 2")] += 1;
+                tiny += u32::from(scene.coordinates().iter().any(|c| c.is_subnormal()));
+                huge += u32::from(scene.coordinates().iter().any(|c| c.abs() > 1e300));
+            }
+            assert!(seen.iter().all(|&n| n > 100) && tiny > 20 && huge > 20, "{kind}: {seen:?}, {tiny}, {huge}");
+        }
+    }
+}

@@ -1,0 +1,325 @@
+//! Sign scenes, asked of every crate in two ways: by vertex id through the
+//! scene's array of points, and by raw coordinates.
+//!
+//! A crate without sessions prepares nothing: its session is the array. Where a
+//! crate wants circles and spheres through points of one orientation, the
+//! queries are rearranged before anybody looks at a clock, as by a caller that
+//! knows the orientation of its triangles; queries whose points allow for no
+//! such order (all five in a plane, say) are not asked.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use predicament_oracle::{Stopwatch, judge};
+use predicament_predicates::{Plane, QuerySet, Question, Scene, Sign, Vertex};
+
+use super::Peer;
+use super::judged::Judged;
+use super::libraries::{Exact, Geogram, GeometryPredicates, Robust, Simplicity};
+use super::predicate::{Library, Predicate};
+use super::tables::RAW;
+
+/// All crates, in both ways. None of them has a comparison to offer that would
+/// be worth its name.
+pub fn peers<'a>(scene: &'a Scene, queries: &'a QuerySet, truth: &'a [Sign]) -> Vec<Peer<'a>> {
+    let points2 = |plane| scene.vertices().map(|v| scene.point2(plane, v)).collect::<Vec<_>>();
+    let points3 = || scene.vertices().map(|v| scene.point3(v)).collect::<Vec<_>>();
+    let asked = Asked { scene, question: queries.question() };
+    let args = queries.flat();
+    match queries.question() {
+        Question::Compare(_) => Vec::new(),
+        Question::Orient2d(plane) => asked.all::<2, 3>(&points2(plane), args.as_chunks().0, truth),
+        Question::Orient3d => asked.all::<3, 4>(&points3(), args.as_chunks().0, truth),
+        Question::Incircle => asked.all::<2, 4>(&points2(Plane::Xy), args.as_chunks().0, truth),
+        Question::Insphere => asked.all::<3, 5>(&points3(), args.as_chunks().0, truth),
+    }
+}
+
+/// What all queries of a scene have in common.
+struct Asked<'a> {
+    scene: &'a Scene,
+    question: Question,
+}
+
+impl<'a> Asked<'a> {
+    fn all<const D: usize, const N: usize>(
+        &self,
+        points: &[[f64; D]],
+        queries: &[[Vertex; N]],
+        truth: &[Sign],
+    ) -> Vec<Peer<'a>>
+    where
+        Exact: Predicate<D, N>,
+        Robust: Predicate<D, N>,
+        GeometryPredicates: Predicate<D, N>,
+        Geogram: Predicate<D, N>,
+        Simplicity: Predicate<D, N>,
+    {
+        let of = [
+            Self::both::<Robust, D, N>,
+            Self::both::<GeometryPredicates, D, N>,
+            Self::both::<Geogram, D, N>,
+            Self::both::<Simplicity, D, N>,
+        ];
+        let (by_id, raw): (Vec<_>, Vec<_>) =
+            of.into_iter().map(|both| both(self, points, queries, truth).into()).unzip();
+        by_id.into_iter().chain([self.raw::<Exact, D, N>(points, queries, truth)]).chain(raw).collect()
+    }
+
+    /// One crate, in both ways.
+    fn both<L: Library + Predicate<D, N>, const D: usize, const N: usize>(
+        &self,
+        points: &[[f64; D]],
+        queries: &[[Vertex; N]],
+        truth: &[Sign],
+    ) -> [Peer<'a>; 2] {
+        let (arranged, truth): (Vec<_>, Vec<_>) = match self.base::<L>() {
+            Some(base) => {
+                queries.iter().zip(truth).filter_map(|(&args, &truth)| self.rearranged(args, truth, base)).unzip()
+            }
+            None => (queries.to_vec(), truth.to_vec()),
+        };
+        let mut by_id = self.by_id::<L, D, N>(points.to_vec(), arranged.clone(), &truth);
+        let mut raw = self.raw::<L, D, N>(points, &arranged, &truth);
+        if raw.outcome.counts == by_id.outcome.counts {
+            raw.remarks.clear();
+        }
+        let not_asked = queries.len() - arranged.len();
+        if not_asked > 0 {
+            by_id.remarks.push(format!("{}: {not_asked} not asked, as no order of their points suits it", L::NAME));
+        }
+        [by_id, raw]
+    }
+
+    /// By vertex id, through the scene's array of points.
+    fn by_id<L: Library + Predicate<D, N>, const D: usize, const N: usize>(
+        &self,
+        points: Vec<[f64; D]>,
+        queries: Vec<[Vertex; N]>,
+        truth: &[Sign],
+    ) -> Peer<'a> {
+        let at = |i: usize| queries[i].map(Vertex::index);
+        let judged = self
+            .judged::<L>(L::NAME.to_owned())
+            .judge(queries.as_flattened(), truth, &|i| (L::sign(&points, at(i)), L::is_nan(&points, at(i))));
+        judged.timed(Watch::new(queries, move |at: &[Vertex; N]| L::sign(&points, at.map(Vertex::index))))
+    }
+
+    /// By the coordinates of each query.
+    fn raw<L: Library + Predicate<D, N>, const D: usize, const N: usize>(
+        &self,
+        points: &[[f64; D]],
+        queries: &[[Vertex; N]],
+        truth: &[Sign],
+    ) -> Peer<'a> {
+        let places: [usize; N] = std::array::from_fn(|i| i);
+        let coordinates: Vec<[[f64; D]; N]> = queries.iter().map(|args| args.map(|v| points[v.index()])).collect();
+        let judged = self.judged::<L>(format!("{RAW}{}", L::NAME)).judge(queries.as_flattened(), truth, &|i| {
+            (L::sign(&coordinates[i], places), L::is_nan(&coordinates[i], places))
+        });
+        judged.timed(Watch::new(coordinates, move |points: &[[f64; D]; N]| L::sign(points, places)))
+    }
+
+    fn judged<L: Library>(&self, name: String) -> Judged<'_> {
+        Judged { scene: self.scene, question: self.question, zero: L::ZERO, name, version: L::VERSION }
+    }
+
+    /// The orientation that a crate wants under this question, if it cares.
+    fn base<L: Library>(&self) -> Option<Sign> {
+        match self.question {
+            Question::Incircle => L::BASE.map(|base| base.circle),
+            Question::Insphere => L::BASE.map(|base| base.sphere),
+            _ => None,
+        }
+    }
+
+    /// The same circle or sphere with its first points of this orientation, and
+    /// the sign of its determinant then; none where they are degenerate in any order.
+    fn rearranged<const N: usize>(&self, args: [Vertex; N], truth: Sign, base: Sign) -> Option<([Vertex; N], Sign)> {
+        let question = if N == 4 { Question::Orient2d(Plane::Xy) } else { Question::Orient3d };
+        // The last point stays the last if it can.
+        (0..N).rev().find_map(|last| {
+            let mut args = args;
+            args[last..].rotate_left(1);
+            let moved = if (N - 1 - last).is_multiple_of(2) { truth } else { -truth };
+            let found = judge::sign(self.scene, question, &args[..N - 1]);
+            if found == -base {
+                args.swap(0, 1);
+            }
+            (!found.is_zero()).then_some((args, moved * found * base))
+        })
+    }
+}
+
+/// Queries, and a way to answer one.
+struct Watch<Q, F> {
+    queries: Vec<Q>,
+    ask: F,
+    out: Vec<Sign>,
+}
+
+impl<Q, F: Fn(&Q) -> Sign> Watch<Q, F> {
+    fn new(queries: Vec<Q>, ask: F) -> Watch<Q, F> {
+        let out = vec![Sign::Zero; queries.len()];
+        Watch { queries, ask, out }
+    }
+}
+
+impl<Q, F: Fn(&Q) -> Sign> Stopwatch for Watch<Q, F> {
+    fn pass(&mut self) -> Duration {
+        let start = Instant::now();
+        for (query, out) in black_box(&self.queries).iter().zip(&mut self.out) {
+            *out = (self.ask)(query);
+        }
+        black_box(&mut self.out);
+        start.elapsed()
+    }
+
+    fn digest(&self) -> u64 {
+        predicament_oracle::digest_of(&self.out)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use predicament_oracle::Class;
+    use predicament_predicates::PredicateKind;
+
+    const QUESTIONS: [Question; 4] =
+        [Question::Orient2d(Plane::Xy), Question::Orient3d, Question::Incircle, Question::Insphere];
+
+    /// Small integers from a linear congruence (Knuth's MMIX constants): no
+    /// crate has to round anything.
+    fn integers(n: usize) -> Vec<f64> {
+        let mut state = 20_u64;
+        let mut next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let four_bits = u8::try_from(state >> 60).expect("four bits are left");
+            f64::from(four_bits) - 8.0
+        };
+        (0..n).map(|_| next()).collect()
+    }
+
+    fn scene_for(question: Question, points: usize) -> Scene {
+        match question.kind() {
+            PredicateKind::Orient2d | PredicateKind::Incircle => {
+                Scene::from_points2(integers(2 * points).as_chunks().0)
+            }
+            _ => Scene::from_points3(integers(3 * points).as_chunks().0),
+        }
+        .unwrap()
+    }
+
+    /// Every point with those that follow it, and what is true about them.
+    fn asked(scene: &Scene, question: Question) -> (QuerySet, Vec<Sign>) {
+        let vertices: Vec<Vertex> = scene.vertices().collect();
+        let args = vertices.windows(question.kind().arity()).flatten().copied().collect();
+        let queries = QuerySet::new(question, args);
+        let truth = (0..queries.len()).map(|i| judge::sign(scene, question, queries.args(i))).collect();
+        (queries, truth)
+    }
+
+    #[test]
+    fn conventions_are_mapped_and_ties_go_by_the_promise() {
+        for question in QUESTIONS {
+            let scene = scene_for(question, 3000);
+            let (queries, truth) = asked(&scene, question);
+            let ties = truth.iter().filter(|sign| sign.is_zero()).count() as u64;
+            assert!(0 < ties && ties < 600, "{question:?}: {ties} ties");
+            let peers = peers(&scene, &queries, &truth);
+            assert_eq!(peers.len(), 9);
+            for peer in peers {
+                let counts = &peer.outcome.counts;
+                assert_eq!(counts.findings(), 0, "{question:?}: {:?}", peer.remarks);
+                let broken = if peer.name.ends_with("simplicity") { ties } else { 0 };
+                assert_eq!(counts.get(Class::TieBroken), broken, "{question:?}: {}", peer.name);
+                assert!(peer.outcome.queries > 2900, "{question:?}: {} was asked too little", peer.name);
+            }
+        }
+    }
+
+    #[test]
+    fn a_mapping_that_is_turned_round_is_noticed() {
+        for question in QUESTIONS {
+            let scene = scene_for(question, 100);
+            let (queries, truth) = asked(&scene, question);
+            let turned: Vec<Sign> = truth.iter().map(|&sign| -sign).collect();
+            for peer in peers(&scene, &queries, &turned) {
+                let (flipped, zeros) = (peer.outcome.counts.get(Class::SignFlip), peer.outcome.queries);
+                assert!(flipped > 80 && flipped <= zeros, "{question:?}: {}", peer.name);
+                assert!(peer.name.starts_with("raw:") || peer.remarks[0].contains("wrong; first"));
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_timed_is_what_was_judged() {
+        for question in QUESTIONS {
+            let scene = scene_for(question, 200);
+            let (queries, truth) = asked(&scene, question);
+            for peer in peers(&scene, &queries, &truth) {
+                let mut timed = peer.timed.expect("nobody panics over small integers");
+                assert_ne!(timed.watch.digest(), timed.judged, "{}: before the first pass all is zero", peer.name);
+                timed.watch.pass();
+                assert_eq!(timed.watch.digest(), timed.judged, "{question:?}: {}", peer.name);
+            }
+        }
+    }
+
+    #[test]
+    fn rearranged_queries_have_the_base_that_was_asked_for_and_their_own_truth() {
+        for (question, base) in
+            [(Question::Incircle, Question::Orient2d(Plane::Xy)), (Question::Insphere, Question::Orient3d)]
+        {
+            let scene = scene_for(question, 2000);
+            let (queries, truth) = asked(&scene, question);
+            let asked = Asked { scene: &scene, question };
+            let mut moved = 0;
+            for wanted in [Sign::Positive, Sign::Negative] {
+                for (i, &truth) in truth.iter().enumerate() {
+                    moved += match queries.args(i) {
+                        &[a, b, c, d] => check(&asked, base, [a, b, c, d], truth, wanted),
+                        &[a, b, c, d, e] => check(&asked, base, [a, b, c, d, e], truth, wanted),
+                        args => panic!("{} arguments", args.len()),
+                    };
+                }
+            }
+            assert!(moved > 10, "{question:?}: a degenerate base came up {moved} times only");
+        }
+    }
+
+    /// One query; 1 if another point had to become the last.
+    fn check<const N: usize>(asked: &Asked, base: Question, args: [Vertex; N], truth: Sign, wanted: Sign) -> u32 {
+        match asked.rearranged(args, truth, wanted) {
+            Some((new, sign)) => {
+                assert_eq!(judge::sign(asked.scene, base, &new[..N - 1]), wanted);
+                assert_eq!(judge::sign(asked.scene, asked.question, &new), sign);
+                let sorted = |mut args: [Vertex; N]| {
+                    args.sort_unstable();
+                    args
+                };
+                assert_eq!(sorted(new), sorted(args));
+                u32::from(new[N - 1] != args[N - 1])
+            }
+            None => {
+                assert_eq!(truth, Sign::Zero, "without any base there is no determinant");
+                0
+            }
+        }
+    }
+
+    #[test]
+    fn underflow_is_told_in_words() {
+        // Twice the area is 1e-400: no double, and not zero.
+        let scene = Scene::from_points2(&[[0.0, 0.0], [1e-200, 0.0], [0.0, 1e-200]]).unwrap();
+        let (queries, truth) = asked(&scene, QUESTIONS[0]);
+        assert_eq!(truth, [Sign::Positive]);
+        let peers = peers(&scene, &queries, &truth);
+        let robust = peers.iter().find(|peer| peer.name == "robust").unwrap();
+        assert_eq!(robust.outcome.counts.get(Class::Overreach), 1);
+        let told = "robust: 1 of 1 wrong; first, orient2d(xy; 0 1 2) is + and robust says 0 (overreach): \
+                    [0.0, 0.0] [1e-200, 0.0] [0.0, 1e-200]";
+        assert_eq!(robust.remarks, [told]);
+    }
+}

@@ -1,0 +1,141 @@
+//! A bench folder as three tables: times by vertex id, times by raw
+//! coordinates, and wrong answers. All of it is read back from the folder, so
+//! every number can be traced to a row.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::Path;
+
+use predicament_report::{Class, Error, RunDir, Spread, SummaryRow};
+
+/// The peer whose time is one.
+const ONE: &str = "robust";
+
+/// What the names of backends start with that were asked by raw coordinates.
+pub const RAW: &str = "raw:";
+
+/// What a bench folder says about peers, as Markdown.
+///
+/// # Errors
+/// That of a folder that cannot be read.
+pub fn tables(folder: &Path) -> Result<String, Error> {
+    let run = RunDir::open(folder)?;
+    let mut text = String::new();
+    times(&mut text, &run, "Asked by vertex id, in sessions of a prepared scene", |name| !name.starts_with(RAW));
+    times(&mut text, &run, "Asked by raw coordinates, nothing prepared", |name| name.starts_with(RAW));
+    wrong(&mut text, &run);
+    Ok(text)
+}
+
+/// Medians in nanoseconds, with their ratios to [`ONE`].
+fn times(text: &mut String, run: &RunDir, title: &str, of: impl Fn(&str) -> bool) {
+    let mut samples: BTreeMap<(&str, &str, &str), Vec<f64>> = BTreeMap::new();
+    for row in run.throughput.iter().filter(|row| of(&row.backend)) {
+        samples.entry((&row.task, &row.family, &row.backend)).or_default().push(row.ns_per_query);
+    }
+    let median =
+        |task, family, backend| Some(Spread::of(samples.get(&(task, family, backend))?.iter().copied())?.median);
+    let backends = in_order(run.throughput.iter().map(|row| row.backend.as_str()).filter(|name| of(name)));
+    let lines = in_order(run.throughput.iter().filter(|row| of(&row.backend)).map(|row| (&*row.task, &*row.family)));
+    let rows = lines.into_iter().map(|(task, family)| {
+        let one = backends.iter().find(|name| name.ends_with(ONE)).and_then(|one| median(task, family, one));
+        let cells = backends.iter().map(|backend| match (median(task, family, backend), one) {
+            (Some(ns), Some(one)) => format!("{ns:.1} ({:.2})", ns / one),
+            (Some(ns), None) => format!("{ns:.1}"),
+            (None, _) => String::new(),
+        });
+        [task.to_owned(), family.to_owned()].into_iter().chain(cells).collect()
+    });
+    let heads = ["task", "family"].into_iter().chain(backends.iter().copied());
+    let about = format!("{title}: ns per query, median (ratio to {ONE})");
+    markdown(text, &about, 2, heads.map(str::to_owned).collect(), rows.collect());
+}
+
+/// Answers that break a promise, for the scenes in which a backend has some.
+fn wrong(text: &mut String, run: &RunDir) {
+    let shown = |row: &&SummaryRow| !row.backend.starts_with(RAW);
+    let backends = in_order(run.summary.iter().filter(shown).map(|row| row.backend.as_str()));
+    let cells: BTreeMap<(&str, &str), &SummaryRow> =
+        run.summary.iter().map(|row| ((row.scene_id.as_str(), row.backend.as_str()), row)).collect();
+    let rows = run.plan.scenes.iter().filter_map(|scene| {
+        let cell =
+            |backend: &&str| cells.get(&(scene.scene_id.as_str(), *backend)).map_or_else(String::new, |row| count(row));
+        let cells: Vec<String> = backends.iter().map(cell).collect();
+        let bad = cells.iter().any(|cell| cell.chars().any(|c| c.is_ascii_digit() && c != '0'));
+        bad.then(|| [scene.scene.clone(), scene.queries.to_string()].into_iter().chain(cells).collect())
+    });
+    let rows: Vec<Vec<String>> = rows.collect();
+    if rows.is_empty() {
+        text.push_str("\nNobody gave a wrong answer.\n");
+        return;
+    }
+    let heads = ["scene", "queries"].into_iter().chain(backends.iter().copied());
+    markdown(text, "Wrong answers", 1, heads.map(str::to_owned).collect(), rows);
+}
+
+/// How many are wrong, and how many of them are no answers at all.
+fn count(row: &SummaryRow) -> String {
+    let [nan, panic, declined] = [Class::Nan, Class::Panic, Class::Declined].map(|class| row.count(class));
+    if declined > 0 {
+        return "declined".to_owned();
+    }
+    let mut cell = row.wrong().to_string();
+    for (n, what) in [(nan, "NaN"), (panic, "panics")] {
+        if n > 0 {
+            // A String takes everything.
+            let _ = write!(cell, ", {n} {what}");
+        }
+    }
+    cell
+}
+
+/// Every value once, in the order of first appearance.
+fn in_order<T: PartialEq>(values: impl Iterator<Item = T>) -> Vec<T> {
+    values.fold(Vec::new(), |mut seen, value| {
+        if !seen.contains(&value) {
+            seen.push(value);
+        }
+        seen
+    })
+}
+
+/// One table, its first columns words and the others numbers. Nothing if it has no rows.
+fn markdown(text: &mut String, title: &str, words: usize, heads: Vec<String>, rows: Vec<Vec<String>>) {
+    if rows.is_empty() {
+        return;
+    }
+    let width = |column: usize| rows.iter().chain([&heads]).map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..heads.len()).map(width).collect();
+    let rule = widths.iter().enumerate().map(|(column, &width)| {
+        if column < words { "-".repeat(width) } else { format!("{}:", "-".repeat(width.max(2) - 1)) }
+    });
+    let rule: Vec<String> = rule.collect();
+    // A String takes everything.
+    let _ = writeln!(text, "\n{title}\n");
+    for row in [&heads, &rule].into_iter().chain(&rows) {
+        let cells = row.iter().zip(&widths).enumerate().map(|(column, (cell, &width))| {
+            if column < words { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
+        });
+        let _ = writeln!(text, "| {} |", cells.collect::<Vec<_>>().join(" | "));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_line_up_and_say_nothing_about_nothing() {
+        let mut text = String::new();
+        let strings = |cells: &[&str]| cells.iter().map(|&cell| cell.to_owned()).collect::<Vec<_>>();
+        markdown(&mut text, "None", 1, strings(&["a"]), Vec::new());
+        assert_eq!(text, "");
+        markdown(&mut text, "One", 1, strings(&["scene", "n"]), vec![strings(&["x", "1000"])]);
+        assert_eq!(text, "\nOne\n\n| scene |    n |\n| ----- | ---: |\n| x     | 1000 |\n");
+    }
+
+    #[test]
+    fn every_value_once_in_the_order_of_its_coming() {
+        assert_eq!(in_order(["b", "a", "b", "c"].into_iter()), ["b", "a", "c"]);
+    }
+}

@@ -1,0 +1,47 @@
+//! The table of `docs/PEERS.md` is what the tool prints today.
+#![cfg(feature = "peers")]
+
+mod common;
+
+use common::{at, column, expect, read};
+
+#[test]
+fn the_committed_table_of_wrong_answers_is_the_one_that_comes_out() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let out = at(&folder, "bench");
+    let told = expect(
+        0,
+        &[
+            "bench",
+            "families",
+            "decimals",
+            "fixtures",
+            "-b",
+            "exact",
+            "--samples",
+            "1",
+            "--sample-ms",
+            "0",
+            "--out",
+            &out,
+        ],
+    );
+    let (_, table) = told.stdout.split_once("Wrong answers\n").expect("peers go wrong on the wide families");
+    assert!(table.lines().count() > 10, "{table}");
+    let page = include_str!("../../docs/PEERS.md");
+    assert!(page.contains(table.trim()), "docs/PEERS.md has another table than this one:\n{table}");
+    // What is timed by vertex id is timed by coordinates too, and `exact` makes no error at all.
+    let backends = column(&read(&out, "throughput.csv"), "backend");
+    for peer in ["robust", "geometry-predicates", "geogram_predicates", "simplicity"] {
+        let times = |name: &str| backends.iter().filter(|backend| *backend == name).count();
+        assert!(times(peer) > 0 && times(peer) == times(&format!("raw:{peer}")), "{peer}");
+    }
+    let summary = read(&out, "summary.csv");
+    let wrong_of = |class: &str| -> u64 {
+        let rows = column(&summary, "backend").into_iter().zip(column(&summary, class));
+        rows.filter(|(backend, _)| backend == "exact").map(|(_, n)| n.parse::<u64>().expect("a count")).sum()
+    };
+    for class in ["overreach", "missed_zero", "sign_flip", "inconsistent", "nan", "panic"] {
+        assert_eq!(wrong_of(class), 0, "{class}");
+    }
+}
