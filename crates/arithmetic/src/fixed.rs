@@ -95,9 +95,8 @@ impl<const L: usize> Fixed<L> {
                     product[i + j] = low(wide.cast_unsigned());
                     carry = wide >> 64;
                 } else {
-                    let wide = u128::from(row) * u128::from(other.0[j])
-                        + u128::from(product[i + j])
-                        + carry.cast_unsigned();
+                    let wide =
+                        u128::from(row) * u128::from(other.0[j]) + u128::from(product[i + j]) + carry.cast_unsigned();
                     product[i + j] = low(wide);
                     carry = (wide >> 64).cast_signed();
                 }

@@ -15,16 +15,16 @@
 mod ball;
 pub mod bound;
 mod dyadic;
-mod fixed;
 mod exact;
+mod fixed;
 mod plan;
 mod range;
 mod short;
 
 pub use ball::Ball;
 pub use dyadic::Dyadic;
-pub use fixed::Fixed;
 pub use exact::{Scaled, rational};
+pub use fixed::Fixed;
 pub use plan::{Arithmetic, Form, Plan, Span, Unit, exact_tail};
 pub use range::ExponentRange;
 pub use short::{exact_differences, short_rows};

@@ -16,13 +16,7 @@ use crate::Fixed;
 #[must_use]
 pub fn short_rows<const D: usize, const N: usize>(points: [[f64; D]; N]) -> Option<[[Fixed<1>; D]; N]> {
     let differences = exact_differences(points)?;
-    let mut largest = 0.0;
-    for row in 0..N - 1 {
-        for axis in 0..D {
-            let size = differences[row][axis].abs();
-            largest = if size > largest { size } else { largest };
-        }
-    }
+    let largest = largest(&differences);
     // Of the biased exponent e, it is less than 2^(e - 1022); scaled it is less than 2^61.
     let exponent = largest.to_bits() >> 52;
     if !(60..2047).contains(&exponent) {
@@ -41,6 +35,25 @@ pub fn short_rows<const D: usize, const N: usize>(points: [[f64; D]; N]) -> Opti
         }
     }
     whole.then_some(rows)
+}
+
+/// The largest magnitude, pair by pair: a chain of maxima would wait for each of them.
+#[inline(always)]
+fn largest<const D: usize, const N: usize>(entries: &[[f64; D]; N]) -> f64 {
+    let max = |x: f64, y: f64| if x > y { x } else { y };
+    let mut sizes = [0.0; 16];
+    for row in 0..N - 1 {
+        for axis in 0..D {
+            let at = (row * D + axis) % 16;
+            sizes[at] = max(entries[row][axis].abs(), sizes[at]);
+        }
+    }
+    for half in [8, 4, 2, 1] {
+        for at in 0..half {
+            sizes[at] = max(sizes[at], sizes[at + half]);
+        }
+    }
+    sizes[0]
 }
 
 /// The differences to the last point, if all of them are doubles.

@@ -52,9 +52,7 @@ pub fn incircle<const D: usize, const D2: usize, const D4: usize>(rows: [[Fixed<
 
 /// det(p, q, r, s), each with its squared length.
 #[inline(always)]
-pub fn insphere<const D: usize, const D2: usize, const D3: usize, const D5: usize>(
-    rows: [[Fixed<D>; 3]; 4],
-) -> Sign {
+pub fn insphere<const D: usize, const D2: usize, const D3: usize, const D5: usize>(rows: [[Fixed<D>; 3]; 4]) -> Sign {
     let [p, q, r, s] = rows.map(|[x, y, _]| [x, y]);
     let [pz, qz, rz, sz] = rows.map(|row| row[2]);
     let [pq, qr, rs] = [cross::<D, D2>(p, q), cross(q, r), cross(r, s)];

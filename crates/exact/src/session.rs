@@ -3,10 +3,10 @@
 use predicament_arithmetic::Plan;
 use predicament_predicates::{Axis, Declined, Dimension, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex};
 
-use crate::ladder::Prepared;
-use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::batch::{self, Batch};
 use crate::constructed::Constructed;
+use crate::ladder::Prepared;
+use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::stage;
 
 /// The exact backend, prepared for one scene.
@@ -96,9 +96,9 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline]
     #[must_use]
     pub fn decide_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        let at = |v: Vertex| self.points3.get(v.index()).copied();
+        let at = |v: Vertex| self.points3.get(v.index());
         if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d))
-            && let Some(sign) = Orient3d::estimate([a, b, c, d]).above(self.orient3d.static_bound)
+            && let Some(sign) = Orient3d::estimate([*a, *b, *c, *d]).above(self.orient3d.static_bound)
         {
             return (sign, self.orient3d.static_stage);
         }
@@ -112,9 +112,9 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline]
     #[must_use]
     pub fn decide_incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        let at = |v: Vertex| self.points2.get(v.index()).copied();
+        let at = |v: Vertex| self.points2.get(v.index());
         if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d))
-            && let Some(sign) = Incircle::estimate([a, b, c, d]).above(self.incircle.static_bound)
+            && let Some(sign) = Incircle::estimate([*a, *b, *c, *d]).above(self.incircle.static_bound)
         {
             return (sign, self.incircle.static_stage);
         }
@@ -128,9 +128,9 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline]
     #[must_use]
     pub fn decide_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {
-        let at = |v: Vertex| self.points3.get(v.index()).copied();
+        let at = |v: Vertex| self.points3.get(v.index());
         if let (Some(a), Some(b), Some(c), Some(d), Some(e)) = (at(a), at(b), at(c), at(d), at(e))
-            && let Some(sign) = Insphere::estimate([a, b, c, d, e]).above(self.insphere.static_bound)
+            && let Some(sign) = Insphere::estimate([*a, *b, *c, *d, *e]).above(self.insphere.static_bound)
         {
             return (sign, self.insphere.static_stage);
         }
@@ -159,9 +159,9 @@ impl<'s, T: Tally> Session<'s, T> {
     #[cold]
     #[inline(never)]
     fn climb_orient3d(&self, [a, b, c, d]: [Vertex; 4]) -> (Sign, usize) {
-        let at = |v: Vertex| self.points3.get(v.index()).copied();
+        let at = |v: Vertex| self.points3.get(v.index());
         match (at(a), at(b), at(c), at(d)) {
-            (Some(a), Some(b), Some(c), Some(d)) => self.orient3d.climb::<Orient3d, 3, 4>([a, b, c, d]),
+            (Some(a), Some(b), Some(c), Some(d)) => self.orient3d.climb::<Orient3d, 3, 4>([*a, *b, *c, *d]),
             _ => self.constructed.orient3d(a, b, c, d),
         }
     }

@@ -15,4 +15,5 @@ pub const WIDE_INTEGER: usize = 5;
 /// Numbers with an exponent of their own.
 pub const DYADIC: usize = 6;
 /// Their names, in this order.
-pub const NAMES: [&str; 7] = ["compare", "double", "static filter", "semi-static filter", "integer", "wide integer", "dyadic"];
+pub const NAMES: [&str; 7] =
+    ["compare", "double", "static filter", "semi-static filter", "integer", "wide integer", "dyadic"];
