@@ -40,7 +40,7 @@
 //! fits into how many limbs is counted where the determinants are; a [`Form`]
 //! carries the result.
 
-use crate::ExponentRange;
+use crate::{ExponentRange, range::decompose};
 
 /// The lowest exponent that a non-zero sum may have for its product with u to be normal.
 const LOWEST: i32 = -1022 + 53;
@@ -188,6 +188,12 @@ impl<const D: usize> Plan<D> {
         self.bits() <= PRECISION
     }
 
+    /// Whether differences overflow nowhere.
+    #[must_use]
+    pub fn has_finite_differences(&self) -> bool {
+        self.span <= HIGHEST
+    }
+
     /// Whether floating-point filters can be trusted: nothing overflows,
     /// nothing underflows.
     #[must_use]
@@ -201,7 +207,7 @@ impl<const D: usize> Plan<D> {
         let [one, two] = form.integer_bits;
         if self.allows_filters(form) && form.degree * self.bits() + form.growth <= PRECISION {
             Arithmetic::Double
-        } else if self.span > HIGHEST {
+        } else if !self.has_finite_differences() {
             Arithmetic::Dyadic
         } else if self.bits() <= one {
             Arithmetic::Integer
@@ -210,6 +216,22 @@ impl<const D: usize> Plan<D> {
         } else {
             Arithmetic::Dyadic
         }
+    }
+
+    /// A coordinate of these points in units of their lowest bit, modulo 2^128:
+    /// differences are right if they have 127 bits at most, however far from
+    /// the origin the points are.
+    #[inline]
+    #[must_use]
+    pub fn units(&self, x: f64) -> i128 {
+        let (significand, exponent) = decompose(x);
+        // To the right nothing but zeros is shifted out.
+        let magnitude = match u32::try_from(exponent - self.lowest) {
+            Ok(shift) => u128::from(significand).checked_shl(shift).unwrap_or(0),
+            Err(_) => u128::from(significand >> (self.lowest - exponent)),
+        };
+        let units = magnitude.cast_signed();
+        if x.is_sign_negative() { units.wrapping_neg() } else { units }
     }
 
     /// What turns differences into integers.

@@ -31,6 +31,7 @@ impl ExponentRange {
         ExponentRange { lowest: self.lowest.min(other.lowest), highest: self.highest.max(other.highest) }
     }
 
+    #[inline]
     #[allow(clippy::cast_possible_wrap)] // counts up to 64
     fn of_one(x: f64) -> Option<ExponentRange> {
         let (significand, exponent) = decompose(x);
@@ -42,6 +43,7 @@ impl ExponentRange {
 }
 
 /// The integers s < 2^53 and e with |x| = s·2^e, for a finite x.
+#[inline]
 #[allow(clippy::cast_possible_truncation)] // an 11-bit field
 pub(crate) fn decompose(x: f64) -> (u64, i32) {
     let bits = x.to_bits();

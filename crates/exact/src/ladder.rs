@@ -3,10 +3,10 @@
 // Loops over indices stay in registers, where `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]
 
-use predicament_arithmetic::{Arithmetic, Fixed, Plan, Unit, exact_tail};
+use predicament_arithmetic::{Arithmetic, Fixed, Plan, Unit};
 use predicament_predicates::Sign;
 
-use crate::{predicate::Predicate, stage};
+use crate::{integers, predicate::Predicate, stage};
 
 /// What a plan proves for one predicate.
 #[derive(Clone, Copy, Debug)]
@@ -18,8 +18,8 @@ pub(crate) struct Prepared {
     pub static_stage: usize,
     /// The bound of the semi-static filter, or NaN.
     semi_static_bound: f64,
-    arithmetic: Arithmetic,
-    exact_differences: bool,
+    /// Whether differences are doubles, and integers of one limb.
+    has_double_differences: bool,
     unit: Unit,
 }
 
@@ -38,30 +38,33 @@ impl Prepared {
             static_bound,
             static_stage,
             semi_static_bound,
-            arithmetic,
-            exact_differences: plan.has_exact_differences(),
+            has_double_differences: arithmetic == Arithmetic::Integer && plan.has_exact_differences(),
             unit: plan.unit(),
         }
     }
 
-    /// The sign of a query that the static filter leaves open.
+    /// The sign of a query that the static filter leaves open; `rows` are its
+    /// differences in integers, if the scene has them.
     #[inline(always)]
-    pub fn climb<P: Predicate<D, N>, const D: usize, const N: usize>(&self, points: [[f64; D]; N]) -> (Sign, usize) {
-        if self.arithmetic == Arithmetic::Integer && self.exact_differences {
+    pub fn climb<P: Predicate<D, N>, const D: usize, const N: usize>(
+        &self,
+        points: [[f64; D]; N],
+        rows: impl FnOnce() -> Option<[[i128; D]; N]>,
+    ) -> (Sign, usize) {
+        if self.has_double_differences {
             // Cheaper than to ask another filter first.
             return (self.integer::<P, D, N>(points), stage::INTEGER);
         }
         if let Some(sign) = P::estimate(points).certain(self.semi_static_bound) {
             return (sign, stage::SEMI_STATIC);
         }
-        match self.arithmetic {
-            Arithmetic::Integer => (self.inexact_integer::<P, D, N>(points), stage::INTEGER),
-            // The scene is wide; these few points alone may not be. (Doubles have always answered.)
-            Arithmetic::WideInteger => match P::short(points) {
-                Some(sign) => (sign, stage::INTEGER),
-                None => (self.wide_integer::<P, D, N>(points), stage::WIDE_INTEGER),
-            },
-            Arithmetic::Double | Arithmetic::Dyadic => alone::<P, D, N>(points),
+        let Some(rows) = rows() else { return alone::<P, D, N>(points) };
+        if !P::TRIES_ONE_LIMB {
+            return (P::wide_integer(integers::long(&rows)), stage::WIDE_INTEGER);
+        }
+        match integers::short(&rows) {
+            Some(rows) => (P::integer(rows), stage::INTEGER),
+            None => (wide_integer::<P, D, N>(&rows), stage::WIDE_INTEGER),
         }
     }
 
@@ -76,32 +79,11 @@ impl Prepared {
         }
         P::integer(rows)
     }
+}
 
-    #[inline(never)]
-    fn inexact_integer<P: Predicate<D, N>, const D: usize, const N: usize>(&self, points: [[f64; D]; N]) -> Sign {
-        let mut rows = [[Fixed::ZERO; D]; N];
-        for row in 0..N - 1 {
-            for axis in 0..D {
-                let [head, tail] = difference(points[row][axis], points[N - 1][axis]);
-                let tail = Fixed::<1>::from_double(self.unit.scale(tail));
-                rows[row][axis] = Fixed::<1>::from_double(self.unit.scale(head)).plus(tail);
-            }
-        }
-        P::integer(rows)
-    }
-
-    #[inline(never)]
-    fn wide_integer<P: Predicate<D, N>, const D: usize, const N: usize>(&self, points: [[f64; D]; N]) -> Sign {
-        let mut rows = [[Fixed::ZERO; D]; N];
-        for row in 0..N - 1 {
-            for axis in 0..D {
-                let [head, tail] = difference(points[row][axis], points[N - 1][axis]);
-                let tail = Fixed::<2>::from_double(self.unit.scale(tail));
-                rows[row][axis] = Fixed::<2>::from_double(self.unit.scale(head)).plus(tail);
-            }
-        }
-        P::wide_integer(rows)
-    }
+#[inline(never)]
+fn wide_integer<P: Predicate<D, N>, const D: usize, const N: usize>(rows: &[[i128; D]; N]) -> Sign {
+    P::wide_integer(integers::long(rows))
 }
 
 /// A query of a scene that is too wide for integers.
@@ -129,13 +111,6 @@ fn is_ordinary<const D: usize>(points: &[[f64; D]]) -> bool {
     const HIGHEST: f64 = power(200);
     let ordinary = |x: f64| (x.abs() <= HIGHEST) & ((x.abs() >= LOWEST) | (x == 0.0));
     points.as_flattened().iter().fold(true, |all, &x| all & ordinary(x))
-}
-
-/// a − b as the sum of two doubles.
-#[inline(always)]
-fn difference(a: f64, b: f64) -> [f64; 2] {
-    let head = a - b;
-    [head, exact_tail(a, b, head)]
 }
 
 /// 2^`exponent`, a normal double.

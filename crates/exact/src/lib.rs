@@ -26,6 +26,7 @@ pub mod estimate;
 pub mod filter;
 pub mod form;
 pub mod integer;
+mod integers;
 mod ladder;
 mod precision;
 mod predicate;

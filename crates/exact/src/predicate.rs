@@ -29,6 +29,9 @@ pub(crate) trait Predicate<const D: usize, const N: usize> {
     /// In integers, differences of two limbs.
     fn wide_integer(rows: [[Fixed<2>; D]; N]) -> Sign;
 
+    /// Whether it pays to see first if two limbs are really needed.
+    const TRIES_ONE_LIMB: bool = true;
+
     /// For points whose differences span few bits; none if they don't.
     #[inline(always)]
     fn short(points: [[f64; D]; N]) -> Option<Sign> {
@@ -45,6 +48,8 @@ pub(crate) struct Orient2d;
 impl Predicate<2, 3> for Orient2d {
     const KIND: PredicateKind = PredicateKind::Orient2d;
     const DETERMINANT: Determinant = form::ORIENT2D;
+    // Two products of two limbs cost less than looking.
+    const TRIES_ONE_LIMB: bool = false;
 
     fn static_bound(extent: [f64; 2]) -> f64 {
         bound::static_orient2d(extent)

@@ -72,7 +72,7 @@ fn answer<P: Predicate<D, N>, const D: usize, const N: usize>(
             extent[axis] = if size > extent[axis] { size } else { extent[axis] };
         }
     }
-    let is_safe = extent.iter().fold(true, |safe, &x| safe & (x >= LOWEST) & (x <= HIGHEST));
+    let is_safe = extent.iter().fold(true, |safe, &x| safe & (LOWEST..=HIGHEST).contains(&x));
     let bound = if is_safe { bound(extent) * MARGIN } else { f64::NAN };
     P::estimate(points).above(bound).unwrap_or_else(|| climb::<P, D, N>(points))
 }

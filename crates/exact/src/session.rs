@@ -5,6 +5,7 @@ use predicament_predicates::{Axis, Declined, Dimension, Plane, PredicateKind, Pr
 
 use crate::batch::{self, Batch};
 use crate::constructed::Constructed;
+use crate::integers::Integers;
 use crate::ladder::Prepared;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::stage;
@@ -21,6 +22,8 @@ pub struct Session<'s, T> {
     orient3d: Prepared,
     incircle: Prepared,
     insphere: Prepared,
+    integers2: Integers<2>,
+    integers3: Integers<3>,
     constructed: Constructed<'s>,
 }
 
@@ -46,6 +49,8 @@ impl<'s, T: Tally> Session<'s, T> {
             orient3d: Prepared::new::<Orient3d, 3, 4>(&solid),
             incircle: Prepared::new::<Incircle, 2, 4>(&flat),
             insphere: Prepared::new::<Insphere, 3, 5>(&solid),
+            integers2: Integers::new(&flat, points2),
+            integers3: Integers::new(&solid, points3),
         })
     }
 
@@ -149,9 +154,28 @@ impl<'s, T: Tally> Session<'s, T> {
     #[cold]
     #[inline(never)]
     fn climb_orient2d(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> (Sign, usize) {
+        if self.scene.dimension() == Dimension::Three {
+            return self.climb_projected(plane, [a, b, c]);
+        }
+        let at = |v: Vertex| self.points2.get(v.index());
+        match (at(a), at(b), at(c)) {
+            (Some(p), Some(q), Some(r)) => {
+                let rows = || self.integers2.rows([0, 1], [a.index(), b.index(), c.index()]);
+                self.orient2d[plane as usize].climb::<Orient2d, 2, 3>([*p, *q, *r], rows)
+            }
+            _ => self.constructed.orient2d(plane, a, b, c),
+        }
+    }
+
+    #[inline(never)]
+    fn climb_projected(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> (Sign, usize) {
         let at = |v| self.point2(plane, v);
         match (at(a), at(b), at(c)) {
-            (Some(a), Some(b), Some(c)) => self.orient2d[plane as usize].climb::<Orient2d, 2, 3>([a, b, c]),
+            (Some(p), Some(q), Some(r)) => {
+                let axes = plane.axes().map(Axis::index);
+                let rows = || self.integers3.rows(axes, [a.index(), b.index(), c.index()]);
+                self.orient2d[plane as usize].climb::<Orient2d, 2, 3>([p, q, r], rows)
+            }
             _ => self.constructed.orient2d(plane, a, b, c),
         }
     }
@@ -161,7 +185,10 @@ impl<'s, T: Tally> Session<'s, T> {
     fn climb_orient3d(&self, [a, b, c, d]: [Vertex; 4]) -> (Sign, usize) {
         let at = |v: Vertex| self.points3.get(v.index());
         match (at(a), at(b), at(c), at(d)) {
-            (Some(a), Some(b), Some(c), Some(d)) => self.orient3d.climb::<Orient3d, 3, 4>([*a, *b, *c, *d]),
+            (Some(p), Some(q), Some(r), Some(s)) => {
+                let rows = || self.integers3.rows([0, 1, 2], [a.index(), b.index(), c.index(), d.index()]);
+                self.orient3d.climb::<Orient3d, 3, 4>([*p, *q, *r, *s], rows)
+            }
             _ => self.constructed.orient3d(a, b, c, d),
         }
     }
@@ -170,14 +197,16 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline(never)]
     fn climb_incircle(&self, [a, b, c, d]: [Vertex; 4]) -> (Sign, usize) {
         let at = |v: Vertex| self.points2[v.index()];
-        self.incircle.climb::<Incircle, 2, 4>([at(a), at(b), at(c), at(d)])
+        let rows = || self.integers2.rows([0, 1], [a.index(), b.index(), c.index(), d.index()]);
+        self.incircle.climb::<Incircle, 2, 4>([at(a), at(b), at(c), at(d)], rows)
     }
 
     #[cold]
     #[inline(never)]
     fn climb_insphere(&self, [a, b, c, d, e]: [Vertex; 5]) -> (Sign, usize) {
         let at = |v: Vertex| self.points3[v.index()];
-        self.insphere.climb::<Insphere, 3, 5>([at(a), at(b), at(c), at(d), at(e)])
+        let rows = || self.integers3.rows([0, 1, 2], [a.index(), b.index(), c.index(), d.index(), e.index()]);
+        self.insphere.climb::<Insphere, 3, 5>([at(a), at(b), at(c), at(d), at(e)], rows)
     }
 
     #[inline(always)]

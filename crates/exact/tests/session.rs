@@ -125,7 +125,7 @@ fn each_stage_settles_what_it_can_prove() {
     let turn = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     let tie = [[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]];
     let uneven_tie = tie.map(|p| p.map(|x| x * (1.0 + f64::EPSILON)));
-    let tiny_tie = uneven_tie.map(|p| p.map(|x| x * 1e-300));
+    let tiny_tie = uneven_tie.map(|p| p.map(|x| x * 2f64.powi(-1000)));
     let far_tie = [[0.0, 0.0], [1e17, 1e17], [1.0, 1.0]];
     let [long, wide] = [[[1.0 + f64::EPSILON, 0.5]], [[5e-324, f64::MAX]]];
     assert_eq!(settled(turn, &[]), (Sign::Positive, stage::DOUBLE));
@@ -133,8 +133,18 @@ fn each_stage_settles_what_it_can_prove() {
     assert_eq!(settled(turn, &long), (Sign::Positive, stage::STATIC));
     assert_eq!(settled(uneven_tie, &[]), (Sign::Zero, stage::INTEGER));
     assert_eq!(settled(tiny_tie, &[]), (Sign::Zero, stage::INTEGER), "no float can be trusted, but all fits");
-    assert_eq!(settled(far_tie, &[[0.5, 0.25]]), (Sign::Zero, stage::INTEGER));
+    assert_eq!(settled(far_tie, &[[0.5, 0.25]]), (Sign::Zero, stage::WIDE_INTEGER), "no double differences");
     assert_eq!(settled(far_tie, &[[0.5, 1e-3]]), (Sign::Zero, stage::WIDE_INTEGER));
+    // Where two limbs cost much more than one, it is seen first which it takes.
+    let flat_tie = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.1], [2.0, 2.0, 0.2], [3.0, 3.0, 0.7]];
+    for (other, stage) in [([0.5, 1e-3, 1e10], stage::INTEGER), ([0.5, 1e-3, 1e3], stage::INTEGER)] {
+        let scene = Scene::from_points3(&[&flat_tie[..], &[other]].concat()).unwrap();
+        assert_eq!(prepare(&scene, Off).decide_orient3d(v(0), v(1), v(2), v(3)), (Sign::Zero, stage));
+    }
+    let long_tie = flat_tie.map(|[x, y, z]| [x + 1e17, y, z + 1e-3]);
+    let scene = Scene::from_points3(&long_tie).unwrap();
+    let (sign, stage) = prepare(&scene, Off).decide_orient3d(v(0), v(1), v(2), v(3));
+    assert_eq!((sign, stage), (common::orient3d(&long_tie), stage::WIDE_INTEGER));
     // Scenes that are too wide for anything but points alone.
     assert_eq!(settled(turn, &wide), (Sign::Positive, stage::SEMI_STATIC), "planned for itself");
     assert_eq!(settled(uneven_tie, &wide), (Sign::Zero, stage::INTEGER), "planned for itself");
