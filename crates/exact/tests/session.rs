@@ -124,7 +124,7 @@ fn settled(points: [[f64; 2]; 3], others: &[[f64; 2]]) -> (Sign, usize) {
 fn each_stage_settles_what_it_can_prove() {
     let turn = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     let tie = [[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]];
-    let uneven_tie = tie.map(|p| p.map(|x| x * (1.0 + f64::EPSILON)));
+    let uneven_tie = [[0.0, 0.0], [1.0 + f64::EPSILON, 1.0 + f64::EPSILON], [1.0, 1.0]];
     let tiny_tie = uneven_tie.map(|p| p.map(|x| x * 2f64.powi(-1000)));
     let far_tie = [[0.0, 0.0], [1e17, 1e17], [1.0, 1.0]];
     let [long, wide] = [[[1.0 + f64::EPSILON, 0.5]], [[5e-324, f64::MAX]]];
