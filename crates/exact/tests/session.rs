@@ -141,10 +141,9 @@ fn each_stage_settles_what_it_can_prove() {
         let scene = Scene::from_points3(&[&flat_tie[..], &[other]].concat()).unwrap();
         assert_eq!(prepare(&scene, Off).decide_orient3d(v(0), v(1), v(2), v(3)), (Sign::Zero, stage));
     }
-    let long_tie = flat_tie.map(|[x, y, z]| [x + 1e17, y, z + 1e-3]);
+    let long_tie = [[1e17, 1e17, 0.1], [1.0, 1.0, 1e-3], [0.3, 0.3, 7.7], [0.0, 0.0, 0.0]];
     let scene = Scene::from_points3(&long_tie).unwrap();
-    let (sign, stage) = prepare(&scene, Off).decide_orient3d(v(0), v(1), v(2), v(3));
-    assert_eq!((sign, stage), (common::orient3d(&long_tie), stage::WIDE_INTEGER));
+    assert_eq!(prepare(&scene, Off).decide_orient3d(v(0), v(1), v(2), v(3)), (Sign::Zero, stage::WIDE_INTEGER));
     // Scenes that are too wide for anything but points alone.
     assert_eq!(settled(turn, &wide), (Sign::Positive, stage::SEMI_STATIC), "planned for itself");
     assert_eq!(settled(uneven_tie, &wide), (Sign::Zero, stage::INTEGER), "planned for itself");
