@@ -105,6 +105,7 @@ fn planted_faults_turn_the_gate_red() {
         ("sos-dropped-parity", "kettner-pixels-a"),
         ("sos-place-as-identity", "kettner-pixels-a"),
         ("exact-halved-filter", "filters"),
+        ("exact-one-limb", "near-insphere"),
         ("exact-unguarded", "wide-scaled-orient3d"),
         ("exact-flushed", "wide-scaled-orient2d"),
         ("tolerance-narrow", "bands"),

@@ -4,10 +4,10 @@
 //! made of the real backends' own parts with one part wrong, claims the real
 //! contract, and has to be caught by `selftest` on the embedded corpora.
 
-use predicament_arithmetic::Plan;
+use predicament_arithmetic::{Fixed, Plan};
 use predicament_controls::Shewchuk;
 use predicament_exact::form::{self, Determinant};
-use predicament_exact::{Exact, filter};
+use predicament_exact::{Exact, filter, integer};
 use predicament_predicates::{
     Axis, Backend, Band, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally,
     Vertex, ZeroMeaning,
@@ -31,7 +31,9 @@ pub enum Fault {
     SosFirstOrderOnly,
     /// Exact, with the bound of the floating-point filter halved.
     ExactHalvedFilter,
-    /// Exact, with expansions used where they can underflow or overflow.
+    /// Exact, with integers of one limb where differences need two.
+    ExactOneLimb,
+    /// Adaptive floating point (the crate `robust`) where it can underflow or overflow.
     ExactUnguarded,
     /// Exact, with everything below the smallest normal double called zero.
     ExactFlushed,
@@ -45,12 +47,13 @@ pub enum Fault {
 
 impl Fault {
     /// All of them.
-    pub const ALL: [Fault; 10] = [
+    pub const ALL: [Fault; 11] = [
         Fault::SosSwappedTerm,
         Fault::SosDroppedParity,
         Fault::SosPlaceAsIdentity,
         Fault::SosFirstOrderOnly,
         Fault::ExactHalvedFilter,
+        Fault::ExactOneLimb,
         Fault::ExactUnguarded,
         Fault::ExactFlushed,
         Fault::ToleranceNarrow,
@@ -67,6 +70,7 @@ impl Fault {
             Fault::SosPlaceAsIdentity => "sos-place-as-identity",
             Fault::SosFirstOrderOnly => "sos-first-order-only",
             Fault::ExactHalvedFilter => "exact-halved-filter",
+            Fault::ExactOneLimb => "exact-one-limb",
             Fault::ExactUnguarded => "exact-unguarded",
             Fault::ExactFlushed => "exact-flushed",
             Fault::ToleranceNarrow => "tolerance-narrow",
@@ -84,7 +88,8 @@ impl Fault {
             Fault::SosPlaceAsIdentity => "perturbed by place in the argument list, not by identity",
             Fault::SosFirstOrderOnly => "only terms that move one coordinate are looked at",
             Fault::ExactHalvedFilter => "the floating-point filter's bound halved",
-            Fault::ExactUnguarded => "expansions used where they underflow or overflow",
+            Fault::ExactOneLimb => "integers of one limb used where differences need two",
+            Fault::ExactUnguarded => "adaptive floating point used where it underflows or overflows",
             Fault::ExactFlushed => "determinants below the smallest normal double called zero",
             Fault::ToleranceNarrow => "the band a third of what it should be",
             Fault::ToleranceWide => "the band twice what it should be",
@@ -99,7 +104,9 @@ impl Fault {
             | Fault::SosPlaceAsIdentity
             | Fault::SosFirstOrderOnly
             | Fault::CompareGreaterOnTies => ZeroMeaning::Never,
-            Fault::ExactHalvedFilter | Fault::ExactUnguarded | Fault::ExactFlushed => ZeroMeaning::Exact,
+            Fault::ExactHalvedFilter | Fault::ExactOneLimb | Fault::ExactUnguarded | Fault::ExactFlushed => {
+                ZeroMeaning::Exact
+            }
             Fault::ToleranceNarrow | Fault::ToleranceWide => ZeroMeaning::Band,
         }
     }
@@ -177,6 +184,7 @@ impl Session<'_> {
                 }
             }
             Fault::ExactHalvedFilter => self.half_filtered(question, &args).unwrap_or(exact),
+            Fault::ExactOneLimb => self.one_limb(question, &args).unwrap_or(exact),
             Fault::ExactUnguarded => question.ask(&self.adaptive, &args),
             Fault::ExactFlushed => {
                 let scene = self.exact.scene();
@@ -238,6 +246,30 @@ impl Session<'_> {
                 let p = solid();
                 filter::insphere(p[0], p[1], p[2], p[3], p[4], halved(form::INSPHERE, &p))
             }
+        }
+    }
+
+    fn one_limb(&self, question: Question, args: &[Vertex]) -> Option<Sign> {
+        fn rows<const D: usize, const N: usize>(points: &[[f64; D]]) -> Option<[[Fixed<1>; D]; N]> {
+            let plan = Plan::of(points);
+            let last = points.last()?;
+            // The lower half of the difference, where that is all that there is and where it is not.
+            #[allow(clippy::cast_possible_truncation)]
+            let entry = |row: usize, axis: usize| {
+                Fixed::from(plan.units(points[row][axis]).wrapping_sub(plan.units(last[axis])) as i64)
+            };
+            let fits = plan.bits() <= 126 && plan.has_finite_differences();
+            fits.then(|| std::array::from_fn(|row| std::array::from_fn(|axis| entry(row, axis))))
+        }
+        let scene = self.exact.scene();
+        let flat = |plane| args.iter().map(|&v| scene.point2(plane, v)).collect::<Vec<_>>();
+        let solid = || args.iter().map(|&v| scene.point3(v)).collect::<Vec<_>>();
+        match question {
+            Question::Compare(_) => None,
+            Question::Orient2d(plane) => rows(&flat(plane)).map(integer::orient2d::<1, 2>),
+            Question::Orient3d => rows(&solid()).map(integer::orient3d::<1, 2, 3>),
+            Question::Incircle => rows(&flat(Plane::Xy)).map(integer::incircle::<1, 2, 4>),
+            Question::Insphere => rows(&solid()).map(integer::insphere::<1, 2, 3, 5>),
         }
     }
 
