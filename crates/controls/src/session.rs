@@ -19,13 +19,20 @@ pub(crate) trait Float: Sync {
 /// A control, prepared for one scene.
 pub struct Session<'s, F, T> {
     scene: &'s Scene,
+    /// The scene's points, in the view of its dimension; the other one is empty.
+    points2: &'s [[f64; 2]],
+    points3: &'s [[f64; 3]],
     float: F,
     tally: T,
 }
 
 impl<'s, F, T> Session<'s, F, T> {
     pub(crate) fn new(scene: &'s Scene, float: F, tally: T) -> Session<'s, F, T> {
-        Session { scene, float, tally }
+        let (points2, points3): (&[_], &[_]) = match scene.dimension() {
+            Dimension::Two => (scene.coordinates().as_chunks().0, &[]),
+            Dimension::Three => (&[], scene.coordinates().as_chunks().0),
+        };
+        Session { scene, points2, points3, float, tally }
     }
 }
 
@@ -38,21 +45,30 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         self.scene.coordinate(axis, a) - self.scene.coordinate(axis, b)
     }
 
-    #[inline]
+    // Inlined always: points that go through memory cost several times the determinant.
+
+    #[inline(always)]
     fn points2<const N: usize>(&self, plane: Plane, vertices: [Vertex; N]) -> [[f64; 2]; N] {
-        // (`map` on arrays goes through memory; this stays in registers.)
         let mut points = [[0.0; 2]; N];
-        for (point, v) in points.iter_mut().zip(vertices) {
-            *point = self.scene.point2(plane, v);
+        if let (Dimension::Two, Plane::Xy) = (self.scene.dimension(), plane) {
+            for (point, v) in points.iter_mut().zip(vertices) {
+                *point = self.points2[v.index()];
+            }
+        } else {
+            let [x, y] = plane.axes().map(Axis::index);
+            for (point, v) in points.iter_mut().zip(vertices) {
+                let solid = self.points3[v.index()];
+                *point = [solid[x], solid[y]];
+            }
         }
         points
     }
 
-    #[inline]
+    #[inline(always)]
     fn points3<const N: usize>(&self, vertices: [Vertex; N]) -> [[f64; 3]; N] {
         let mut points = [[0.0; 3]; N];
         for (point, v) in points.iter_mut().zip(vertices) {
-            *point = self.scene.point3(v);
+            *point = self.points3[v.index()];
         }
         points
     }
@@ -62,10 +78,14 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
     /// # Panics
     /// If the scene is 3D, where a circle through three points says nothing
     /// about a fourth: `supports` refuses it.
-    #[inline]
+    #[inline(always)]
     fn flat<const N: usize>(&self, vertices: [Vertex; N]) -> [[f64; 2]; N] {
         assert!(self.scene.dimension() == Dimension::Two, "incircle needs a 2D scene");
-        self.points2(Plane::Xy, vertices)
+        let mut points = [[0.0; 2]; N];
+        for (point, v) in points.iter_mut().zip(vertices) {
+            *point = self.points2[v.index()];
+        }
+        points
     }
 
     #[inline]

@@ -1,4 +1,4 @@
-//! The first rung: plain floating point and a bound on its error.
+//! The semi-static filter: plain floating point and a bound on its error.
 //!
 //! Each function takes a determinant d and its permanent p from [`estimate`], and
 //! answers if |d| ≥ bound·p. With the constant of [`bound`](predicament_arithmetic::bound)

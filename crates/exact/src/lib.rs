@@ -13,7 +13,12 @@
 //! [`Plan`](predicament_arithmetic::Plan), and for a scene whose exponents are
 //! too wide for integers, again for each query alone. [`Precision`] tells what
 //! was chosen. What a scene doesn't need it doesn't pay: short numbers get no
-//! filter, and long ones climb straight to the integers that they fit.
+//! filter, and long ones climb straight to the integers that they fit. No
+//! rung allocates. `docs/EXACT.md` has the conditions and the bits of each.
+//!
+//! [`constructed`] vertices have a ladder of their own, of two rungs. [`raw`]
+//! predicates take coordinates and no scene. [`rational`] is no rung: it gives
+//! values, to those who want more of a determinant than its sign.
 //!
 //! [`Session`] also decides without tallying (`decide_…`), for backends that
 //! stand on this one and count their own stages.

@@ -1,4 +1,5 @@
-//! The third rung: exact values of the determinants.
+//! Exact values of the determinants, for those who ask for them: no rung of the
+//! ladder, which needs signs only.
 //!
 //! The coordinates of a query are integers times one power of two; the
 //! determinant is computed in those integers, and scaled back only for those

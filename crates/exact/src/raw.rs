@@ -14,7 +14,7 @@
 //! E that bounds a term, the error is at most 2^-1075·E/F with F a product of at
 //! least two extents. With *all* extents at least 2^-140, F ≥ 2^-280 (with a
 //! lift, ≥ 2^-700), and a hundred such errors are less than 2^-300·E, nothing
-//! beside the 2^-50·u·E by which [`MARGIN`] exceeds what roundings need.
+//! beside the 2^-50·u·E by which the bound exceeds what roundings need.
 //!
 //! Coordinates must be finite; others make the functions panic.
 
