@@ -10,13 +10,6 @@ pub fn lines(precision: &Precision) -> Vec<String> {
     axes.chain([all]).chain(precision.choices.iter().map(choice)).collect()
 }
 
-/// The arithmetic of each predicate, in one line.
-pub fn summary(precision: &Precision) -> String {
-    let choice = |choice: &Choice| format!("{} {}", choice.predicate, choice.arithmetic.name());
-    let choices: Vec<String> = precision.choices.iter().map(choice).collect();
-    format!("{} bits: {}", precision.bits, choices.join(", "))
-}
-
 fn axis(name: &str, span: &Span) -> String {
     match span.range {
         Some(range) => format!(

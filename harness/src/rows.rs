@@ -1,8 +1,10 @@
-//! From the oracle's outcomes to the rows of a run folder.
+//! From the oracle's outcomes and the scenes' plans to the rows of a run folder.
 
+use predicament_exact::Precision;
 use predicament_oracle::expect::Expectations;
 use predicament_oracle::{Class, Finding, Outcome, finding_id};
-use predicament_report::{FindingRow, LocateRow, PlannedScene, StageRow, SummaryRow};
+use predicament_predicates::PredicateKind;
+use predicament_report::{FindingRow, LocateRow, PlannedScene, PrecisionRow, StageRow, SummaryRow};
 
 /// The row of one scene and backend.
 pub fn summary(
@@ -72,4 +74,23 @@ pub fn locate(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<Loc
         violations: counts.violations,
     };
     outcome.locate.iter().map(row).collect()
+}
+
+/// The row of a scene's precision plan.
+pub fn precision(scene: &PlannedScene, plan: &Precision) -> PrecisionRow {
+    let arithmetic = |predicate: PredicateKind| {
+        let choice = plan.choices.iter().find(|choice| choice.predicate == predicate);
+        choice.map(|choice| choice.arithmetic.name().to_owned()).unwrap_or_default()
+    };
+    PrecisionRow {
+        suite: scene.suite.clone(),
+        scene: scene.scene.clone(),
+        scene_id: scene.scene_id.clone(),
+        lowest: plan.lowest,
+        bits: plan.bits,
+        orient2d: arithmetic(PredicateKind::Orient2d),
+        orient3d: arithmetic(PredicateKind::Orient3d),
+        incircle: arithmetic(PredicateKind::Incircle),
+        insphere: arithmetic(PredicateKind::Insphere),
+    }
 }

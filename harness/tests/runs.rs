@@ -72,6 +72,45 @@ fn an_interrupted_run_says_so_and_goes_on_where_it_stopped() {
 }
 
 #[test]
+fn every_scene_has_one_precision_plan_whatever_the_backends() {
+    let folder = tempdir().unwrap();
+    let (one, many, old) = (at(&folder, "one"), at(&folder, "many"), at(&folder, "old"));
+    let scenes = ["run", "-f", "grid-(orient3d|incircle)|wide-scaled-orient2d", "-b"];
+    run(&[&scenes[..], &["naive", "--out", &one]].concat());
+    run(&[&scenes[..], &["exact,sos,naive", "--out", &many]].concat());
+    let plans = read(&one, "precision.csv");
+    assert_eq!(plans, read(&many, "precision.csv"));
+    // Small integers are exact in doubles; what spans most exponents is not even in integers.
+    let choices = |scene: &str| {
+        let line = plans.lines().find(|line| line.contains(scene)).unwrap_or_else(|| panic!("{scene}: {plans}"));
+        line.splitn(6, ',').last().unwrap_or_default().to_owned()
+    };
+    assert_eq!(choices("grid-incircle"), "double,,double,");
+    assert_eq!(choices("grid-orient3d"), "double,double,,double");
+    assert_eq!(choices("wide-scaled-orient2d"), "dyadic,,dyadic,");
+    // Once per scene that was run.
+    let mut scenes = column(&plans, "scene");
+    scenes.sort();
+    let mut checked = column(&read(&one, "summary.csv"), "scene");
+    checked.sort();
+    assert_eq!(scenes, checked);
+
+    // A finished scene of a folder that is older than the table gets its plan when the run is resumed.
+    let state = read(&one, "state.json").replace("\"complete\"", "\"interrupted\"");
+    let known = format!("\"precision.csv\": {}", plans.len());
+    assert!(state.contains(&known), "{state}");
+    std::fs::create_dir(&old).unwrap();
+    for file in ["plan.json", "env.json", "throughput.csv", "summary.csv", "findings.csv", "stages.csv", "locate.csv"] {
+        write(&folder, &format!("old/{file}"), &read(&one, file));
+    }
+    write(&folder, "old/state.json", &state.replace(&format!("{known},"), ""));
+    run(&["run", "--resume", &old]);
+    for ((file, one), (_, old)) in tables(&one).into_iter().zip(tables(&old)) {
+        assert!(one == old, "{file} differs after resuming");
+    }
+}
+
+#[test]
 fn expectations_turn_the_gate_both_ways() {
     let folder = tempdir().unwrap();
     let suite = write(&folder, "mine.toml", SUITE);

@@ -58,14 +58,7 @@ impl Prepared {
         if let Some(sign) = P::estimate(points).certain(self.semi_static_bound) {
             return (sign, stage::SEMI_STATIC);
         }
-        let Some(rows) = rows() else { return alone::<P, D, N>(points) };
-        if !P::TRIES_ONE_LIMB {
-            return (P::wide_integer(integers::long(&rows)), stage::WIDE_INTEGER);
-        }
-        match integers::short(&rows) {
-            Some(rows) => (P::integer(rows), stage::INTEGER),
-            None => (wide_integer::<P, D, N>(&rows), stage::WIDE_INTEGER),
-        }
+        rest::<P, D, N>(points, rows)
     }
 
     #[inline(always)]
@@ -78,6 +71,22 @@ impl Prepared {
             }
         }
         P::integer(rows)
+    }
+}
+
+/// What no filter settles. (Not inlined, so that filters need no stack.)
+#[inline(never)]
+fn rest<P: Predicate<D, N>, const D: usize, const N: usize>(
+    points: [[f64; D]; N],
+    rows: impl FnOnce() -> Option<[[i128; D]; N]>,
+) -> (Sign, usize) {
+    let Some(rows) = rows() else { return alone::<P, D, N>(points) };
+    if !P::TRIES_ONE_LIMB {
+        return (P::wide_integer(integers::long(&rows)), stage::WIDE_INTEGER);
+    }
+    match integers::short(&rows) {
+        Some(rows) => (P::integer(rows), stage::INTEGER),
+        None => (wide_integer::<P, D, N>(&rows), stage::WIDE_INTEGER),
     }
 }
 

@@ -144,6 +144,10 @@ pub struct Plan {
     pub scenes: Vec<PlannedScene>,
     /// The backends' names, with their parameters.
     pub backends: Vec<String>,
+    /// The rungs of the exact backend's ladder, cheapest first: columns go by it.
+    /// Empty in folders made before it was written down.
+    #[serde(default)]
+    pub ladder: Vec<String>,
     /// Which part of the selection this is.
     pub shard: Shard,
     /// What was left out on purpose.

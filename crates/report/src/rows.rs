@@ -1,4 +1,4 @@
-//! The rows of the five tables of a run folder.
+//! The rows of the six tables of a run folder.
 //!
 //! Each struct is one line of its file: its fields are the columns, in order.
 //! Columns are a contract; other programs read them.
@@ -337,4 +337,41 @@ impl Row for LocateRow {
         "on_boundary",
         "violations",
     ];
+}
+
+/// `precision.csv`: what the coordinates of a scene span, and the arithmetic
+/// that exact predicates got for it. It depends on the scene alone, not on a backend.
+///
+/// The last four columns name an arithmetic, or are empty where the scene has no
+/// such predicate.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct PrecisionRow {
+    /// The suite's name.
+    pub suite: String,
+    /// The scene's name in its suite.
+    pub scene: String,
+    /// The scene's content id.
+    pub scene_id: String,
+    /// Every coordinate is a multiple of two to this.
+    pub lowest: i32,
+    /// The bits of the largest difference of two coordinates of an axis, in units of 2^`lowest`.
+    pub bits: i32,
+    /// The arithmetic of `orient2d`.
+    pub orient2d: String,
+    /// The arithmetic of `orient3d`.
+    pub orient3d: String,
+    /// The arithmetic of `incircle`.
+    pub incircle: String,
+    /// The arithmetic of `insphere`.
+    pub insphere: String,
+}
+
+impl Row for PrecisionRow {
+    const FILE: &'static str = "precision.csv";
+    const COLUMNS: &'static [&'static str] =
+        &["suite", "scene", "scene_id", "lowest", "bits", "orient2d", "orient3d", "incircle", "insphere"];
+
+    fn check(&self) -> Result<(), String> {
+        if self.bits < 0 { Err(format!("bits is {}, which is not a number of bits", self.bits)) } else { Ok(()) }
+    }
 }

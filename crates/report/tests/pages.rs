@@ -35,7 +35,9 @@ fn numbers_trace_to_rows() {
     // naive on orient2d: 2502 of 1.1 million; √(1.25 · 1.0) = 1.118 ns.
     assert!(page.contains("| naive | 2 | 1,100,000 | 2,502 | 2,270 | 1.12 | yes |"));
     // sos near: 38000 of 100000.
-    assert!(page.contains("filter 61.0 % · integers 38.0 % · perturbation 1.0 %"));
+    assert!(page.contains("| 1 | orient2d | near | sos | 100,000 | — | 61.0 % | 38.0 % | 1.0 % (to 3) |"));
+    // Two scenes of suite near got the same, one of 54 bits and one of 61.
+    assert!(page.contains("| 1 | near | near, uniform | 2 | 54 to 61 | −60 to −53 | integer | — | wide integer | — |"));
 }
 
 #[test]
@@ -44,7 +46,8 @@ fn html_has_every_section_and_needs_nothing_else() {
     let png = PixelMap::new(2, 1, &[-1, 1], &[false, true]).unwrap().to_png(1).unwrap();
     runs[0].maps.push(("near-7".to_owned(), png.clone()));
     let page = html(&runs).unwrap();
-    for id in ["run", "answers", "findings", "speed", "throughput", "stages", "locate", "not-run", "maps"] {
+    for id in ["run", "answers", "findings", "speed", "throughput", "precision", "stages", "locate", "not-run", "maps"]
+    {
         assert!(page.contains(&format!("<section id=\"{id}\">")), "{id}");
         assert!(page.contains(&format!("<a href=\"#{id}\">")), "{id}");
     }
@@ -62,6 +65,8 @@ fn names_can_t_smuggle_markup_into_a_page() {
     let evil = "<script>alert(1)</script>\"&|";
     runs[0].summary[3].backend = evil.to_owned();
     runs[0].findings[0].scene = evil.to_owned();
+    runs[0].precision[0].orient2d = evil.to_owned();
+    runs[0].stages[0].stage = evil.to_owned();
     runs[1].throughput[0].backend = evil.to_owned();
     runs[0].summary[0].suite = evil.to_owned();
     let page = html(&runs).unwrap();
@@ -79,6 +84,7 @@ fn the_order_of_rows_changes_nothing() {
         run.findings.reverse();
         run.throughput.reverse();
         run.locate.reverse();
+        run.precision.reverse();
     }
     assert_eq!(html(&forward).unwrap(), html(&backward).unwrap());
     assert_eq!(markdown(&forward).unwrap(), markdown(&backward).unwrap());

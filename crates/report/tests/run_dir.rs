@@ -5,8 +5,8 @@ use std::io::Write;
 use std::path::Path;
 
 use predicament_report::{
-    Class, Env, FORMAT, FindingRow, Level, LocateRow, Outcome, Plan, PlannedScene, Row, RunDir, RunWriter, Shard,
-    StageRow, Status, SummaryRow, ThroughputRow,
+    Class, Env, FORMAT, FindingRow, Level, LocateRow, Outcome, Plan, PlannedScene, PrecisionRow, Row, RunDir,
+    RunWriter, Shard, StageRow, Status, SummaryRow, ThroughputRow,
 };
 
 fn scene(name: &str) -> PlannedScene {
@@ -28,6 +28,7 @@ fn plan() -> Plan {
         suites: vec![scene("").suite],
         scenes: vec![scene("one"), scene("two")],
         backends: vec!["exact".to_owned()],
+        ladder: vec!["filter".to_owned(), "wide integer".to_owned()],
         shard: Shard::new(2, 3).unwrap(),
         not_selected: Vec::new(),
         findings_per_class: 5,
@@ -99,6 +100,20 @@ fn locate() -> LocateRow {
     }
 }
 
+fn precision() -> PrecisionRow {
+    PrecisionRow {
+        suite: "near, or \"far\"".to_owned(),
+        scene: "one".to_owned(),
+        scene_id: "0123abcd".to_owned(),
+        lowest: -1074,
+        bits: 2098,
+        orient2d: "wide integer".to_owned(),
+        orient3d: String::new(),
+        incircle: "dyadic".to_owned(),
+        insphere: String::new(),
+    }
+}
+
 /// A run folder with one scene done and committed, its writer gone.
 fn killed(folder: &Path) {
     let mut writer = RunWriter::create(folder, &plan(), &Env::collect("0.1.0")).unwrap();
@@ -122,6 +137,7 @@ fn every_table_survives_the_disk() {
     writer.write(&[throughput()]).unwrap();
     writer.write(&[stage()]).unwrap();
     writer.write(&[locate()]).unwrap();
+    writer.write(&[precision()]).unwrap();
     writer.add_map("a map", b"not really a PNG").unwrap();
     assert!(writer.add_map("../escape", b"").is_err());
     writer.finish(Outcome::Complete).unwrap();
@@ -133,6 +149,7 @@ fn every_table_survives_the_disk() {
     assert_eq!(run.findings[0], finding());
     assert_eq!(run.findings[1].log2_relative_det, None);
     assert_eq!((run.throughput, run.stages, run.locate), (vec![throughput()], vec![stage()], vec![locate()]));
+    assert_eq!(run.precision, [precision()]);
     assert_eq!(run.maps, [("a map".to_owned(), b"not really a PNG".to_vec())]);
     assert_eq!(run.warnings, Vec::<String>::new());
 }
@@ -150,6 +167,7 @@ fn columns_are_the_fields_in_their_order() {
     assert_eq!(header(&throughput()), ThroughputRow::COLUMNS);
     assert_eq!(header(&stage()), StageRow::COLUMNS);
     assert_eq!(header(&locate()), LocateRow::COLUMNS);
+    assert_eq!(header(&precision()), PrecisionRow::COLUMNS);
     // The class columns hold the counts of their classes.
     let row = serde_json::to_value(summary("")).unwrap();
     for class in Class::ALL {
@@ -225,6 +243,7 @@ fn errors_name_file_and_line() {
         ("stages.csv", "a,b,c,d\na,b,c,d,1\n", "stages.csv:2: there are 4 fields, and there should be 5"),
         ("throughput.csv", "t,f,b,v,1,0,NaN\n", "throughput.csv:2: ns_per_query is NaN, which is not a time"),
         ("throughput.csv", "t,f,b,v,1,0,0\n", "which is not a time"),
+        ("precision.csv", "s,n,i,0,-1,double,,,\n", "precision.csv:2: bits is -1, which is not a number of bits"),
         ("summary.csv", "s,n,i,t,b,1,1,0,0,0,0,0,0,0,0,0,0,0,fine\n", "summary.csv:3: "),
     ];
     for (file, lines, message) in bad {
@@ -279,6 +298,40 @@ fn a_resumed_run_forgets_the_scene_that_was_not_committed() {
     assert!(error.to_string().contains("complete"), "{error}");
 }
 
+/// Takes a table away, and with `forgotten` the state's word for it, as if the
+/// folder had been made before there was such a table.
+fn take_away(folder: &Path, file: &str, forgotten: bool) {
+    fs::remove_file(folder.join(file)).unwrap();
+    if forgotten {
+        let path = folder.join("state.json");
+        let mut state: serde_json::Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+        assert!(state["committed"].as_object_mut().unwrap().remove(file).is_some(), "{file} was known");
+        fs::write(&path, state.to_string()).unwrap();
+    }
+}
+
+#[test]
+fn a_table_younger_than_the_folder_is_empty_and_started_when_resumed() {
+    let folder = tempfile::tempdir().unwrap();
+    killed(folder.path());
+    take_away(folder.path(), PrecisionRow::FILE, true);
+    assert_eq!(RunDir::open(folder.path()).unwrap().precision, []);
+
+    let (mut writer, done) = RunWriter::resume(folder.path()).unwrap();
+    assert_eq!((done.precision, done.summary), (vec![], vec![summary("one")]));
+    writer.write(&[precision()]).unwrap();
+    drop(writer); // killed once more, before a commit
+    let (mut writer, done) = RunWriter::resume(folder.path()).unwrap();
+    assert_eq!(done.precision, []);
+    writer.write(&[precision()]).unwrap();
+    writer.finish(Outcome::Interrupted).unwrap();
+    assert_eq!(RunWriter::resume(folder.path()).unwrap().1.precision, [precision()]);
+
+    take_away(folder.path(), PrecisionRow::FILE, false);
+    assert!(RunDir::open(folder.path()).is_err(), "the run had written it");
+    assert!(RunWriter::resume(folder.path()).is_err(), "the run had written it");
+}
+
 #[test]
 fn a_run_that_lost_rows_can_t_be_resumed() {
     let folder = tempfile::tempdir().unwrap();
@@ -296,4 +349,5 @@ fn rows_that_make_no_sense_are_not_written() {
     let mut writer = RunWriter::create(folder.path(), &plan(), &Env::default()).unwrap();
     assert!(writer.write(&[ThroughputRow { ns_per_query: f64::INFINITY, ..throughput() }]).is_err());
     assert!(writer.write(&[FindingRow { distance_over_l: Some(-1.0), ..finding() }]).is_err());
+    assert!(writer.write(&[PrecisionRow { bits: -1, ..precision() }]).is_err());
 }

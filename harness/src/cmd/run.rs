@@ -4,9 +4,11 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use predicament_corpus::{Level, SceneDef};
+use predicament_exact::{Exact, Precision};
 use predicament_oracle::signs::Budget;
 use predicament_oracle::{Case, Class, Contestant, Outcome, Stop, Watch, roster as backends};
-use predicament_report::{self as report, Env, Plan, PlannedScene, RunWriter, Shard, Status, SummaryRow};
+use predicament_predicates::{Backend, Scene};
+use predicament_report::{self as report, Env, Plan, PlannedScene, PrecisionRow, RunWriter, Shard, Status, SummaryRow};
 
 use crate::cmd::map;
 use crate::exit::{self, Failure};
@@ -83,12 +85,17 @@ pub fn run(args: Args) -> exit::Outcome {
     'scenes: for (def, scene) in &scenes {
         let left: Vec<&dyn Contestant> =
             backends.iter().map(AsRef::as_ref).filter(|backend| !ledger.is_done(scene, &backend.name())).collect();
-        if left.is_empty() {
+        if left.is_empty() && ledger.is_planned(scene) {
             bar.inc(scene.queries * (backends.len() as u64 + 1));
             continue;
         }
         bar.set_message(scene.scene.clone());
         let loaded = selection.load(def)?;
+        ledger.plan(scene, &loaded.scene)?;
+        if left.is_empty() {
+            bar.inc(scene.queries * (backends.len() as u64 + 1));
+            continue;
+        }
         let watch = Watch::new(interrupt::flag(), None, &told);
         let Ok(case) = Case::new(&loaded, &watch) else {
             ended = report::Outcome::Interrupted;
@@ -153,6 +160,7 @@ struct Job {
 struct Ledger {
     level: Level,
     done: Vec<SummaryRow>,
+    precision: Vec<PrecisionRow>,
     folder: PathBuf,
     writer: RunWriter,
 }
@@ -168,7 +176,7 @@ impl Job {
         for left in &selection.not_selected {
             eprintln!("predicament: suite `{}` is not run: {}", left.suite, left.reason);
         }
-        let ledger = Ledger { level: selection.level, done: Vec::new(), folder, writer };
+        let ledger = Ledger { level: selection.level, done: Vec::new(), precision: Vec::new(), folder, writer };
         Ok(Job { selection, scenes, backends, ledger })
     }
 
@@ -196,7 +204,8 @@ impl Job {
             )));
         }
         let (writer, before) = RunWriter::resume(folder).map_err(Failure::usage)?;
-        let ledger = Ledger { level, done: before.summary, folder: folder.clone(), writer };
+        let ledger =
+            Ledger { level, done: before.summary, precision: before.precision, folder: folder.clone(), writer };
         Ok(Job { selection, scenes, backends, ledger })
     }
 }
@@ -204,6 +213,21 @@ impl Job {
 impl Ledger {
     fn is_done(&self, scene: &PlannedScene, backend: &str) -> bool {
         self.done.iter().any(|row| row.suite == scene.suite && row.scene == scene.scene && row.backend == backend)
+    }
+
+    /// Whether the scene's precision plan is written down: a run folder may be older than that table.
+    fn is_planned(&self, scene: &PlannedScene) -> bool {
+        self.precision.iter().any(|row| row.suite == scene.suite && row.scene == scene.scene)
+    }
+
+    /// Writes the scene's precision plan, once; the next commit makes it permanent.
+    fn plan(&mut self, scene: &PlannedScene, points: &Scene) -> Result<(), Failure> {
+        if !self.is_planned(scene) {
+            let row = rows::precision(scene, &Precision::of(points));
+            self.writer.write(std::slice::from_ref(&row)).map_err(Failure::usage)?;
+            self.precision.push(row);
+        }
+        Ok(())
     }
 
     fn record(
@@ -288,6 +312,7 @@ pub fn plan(
         suites: selection.suites.iter().map(|suite| suite.name.clone()).collect(),
         scenes: scenes.iter().map(|(_, scene)| scene.clone()).collect(),
         backends: backends.iter().map(|backend| backend.name()).collect(),
+        ladder: Exact.stages().iter().map(|&stage| stage.to_owned()).collect(),
         shard,
         not_selected: selection.not_selected.clone(),
         findings_per_class: budget(selection.level).findings_per_class as u64,

@@ -10,7 +10,7 @@ use serde::de::DeserializeOwned;
 use super::csv_file;
 use super::state::{Outcome, State};
 use super::{ENV, MAPS, PLAN};
-use crate::{Env, Error, FORMAT, FindingRow, LocateRow, Plan, Row, StageRow, SummaryRow, ThroughputRow};
+use crate::{Env, Error, FORMAT, FindingRow, LocateRow, Plan, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
 
 /// A run that was read back. Rows stand in the order of their files.
 #[derive(Clone, PartialEq, Debug)]
@@ -33,6 +33,8 @@ pub struct RunDir {
     pub stages: Vec<StageRow>,
     /// `locate.csv`.
     pub locate: Vec<LocateRow>,
+    /// `precision.csv`; empty if the folder was made before there was such a table.
+    pub precision: Vec<PrecisionRow>,
     /// The PNG pictures in `maps/` with their names, sorted.
     pub maps: Vec<(String, Vec<u8>)>,
     /// What was wrong with the files without making them unreadable.
@@ -69,18 +71,19 @@ impl RunDir {
             let message = format!("the run has format {}, and this tool reads formats up to {FORMAT}", plan.format);
             return Err(Error::new(path, message));
         }
-        let outcome = State::read(path)?.outcome;
+        let state = State::read(path)?;
         let mut warnings = Vec::new();
         Ok(RunDir {
             path: path.to_owned(),
             plan,
             env: read_json(&path.join(ENV))?,
-            outcome,
-            summary: read_table(path, outcome, &mut warnings)?,
-            findings: read_table(path, outcome, &mut warnings)?,
-            throughput: read_table(path, outcome, &mut warnings)?,
-            stages: read_table(path, outcome, &mut warnings)?,
-            locate: read_table(path, outcome, &mut warnings)?,
+            outcome: state.outcome,
+            summary: read_table(path, &state, &mut warnings)?,
+            findings: read_table(path, &state, &mut warnings)?,
+            throughput: read_table(path, &state, &mut warnings)?,
+            stages: read_table(path, &state, &mut warnings)?,
+            locate: read_table(path, &state, &mut warnings)?,
+            precision: read_table(path, &state, &mut warnings)?,
             maps: read_maps(&path.join(MAPS))?,
             warnings,
         })
@@ -120,8 +123,12 @@ impl RunDir {
     }
 }
 
-fn read_table<R: Row>(folder: &Path, outcome: Outcome, warnings: &mut Vec<String>) -> Result<Vec<R>, Error> {
-    let (rows, warning) = csv_file::read(&folder.join(R::FILE), outcome != Outcome::Complete)?;
+fn read_table<R: Row>(folder: &Path, state: &State, warnings: &mut Vec<String>) -> Result<Vec<R>, Error> {
+    let path = folder.join(R::FILE);
+    if !state.committed.contains_key(R::FILE) && !path.exists() {
+        return Ok(Vec::new());
+    }
+    let (rows, warning) = csv_file::read(&path, state.outcome != Outcome::Complete)?;
     warnings.extend(warning);
     Ok(rows)
 }

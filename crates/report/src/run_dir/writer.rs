@@ -59,16 +59,24 @@ impl RunWriter {
             return Err(Error::new(folder, "the run is complete: there is nothing to resume"));
         }
         let mut tables = BTreeMap::new();
-        for (file, _) in TABLES {
-            let Some(&length) = state.committed.get(file) else {
-                return Err(Error::new(folder, format!("state.json doesn't say how much of {file} was written")));
+        for (file, columns) in TABLES {
+            let path = folder.join(file);
+            let table = match state.committed.get(file) {
+                Some(&length) => CsvFile::reopen(path, length)?,
+                None if path.exists() => {
+                    let message = format!("state.json doesn't say how much of {file} was written");
+                    return Err(Error::new(folder, message));
+                }
+                None => CsvFile::create(path, columns)?,
             };
-            tables.insert(file, CsvFile::reopen(folder.join(file), length)?);
+            tables.insert(file, table);
         }
         state.outcome = Outcome::Unfinished;
-        state.write(folder)?;
+        let mut writer = RunWriter { folder: folder.to_owned(), tables, state };
+        // New tables get their header, and the state is told of them.
+        writer.commit()?;
         let done = RunDir::open(folder)?;
-        Ok((RunWriter { folder: folder.to_owned(), tables, state }, done))
+        Ok((writer, done))
     }
 
     /// Appends rows to their table.

@@ -6,6 +6,7 @@ mod headlines;
 mod locate;
 mod maps;
 mod not_run;
+mod precision;
 mod run;
 mod speed;
 mod stages;
@@ -24,6 +25,7 @@ pub fn sections(runs: &[RunDir]) -> Result<Vec<Section>, Error> {
         findings::section(runs),
         speed::section(runs)?,
         throughput::section(runs),
+        precision::section(runs),
         stages::section(runs),
         locate::section(runs),
         not_run::section(runs),

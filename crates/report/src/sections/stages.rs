@@ -1,51 +1,86 @@
 //! Which rung of a backend's ladder settled how many queries.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::{rank, run_head, run_label};
 use crate::RunDir;
 use crate::format::percent;
 use crate::groups::backends;
+use crate::rungs::{rung, rungs};
 use crate::table::{Block, Cell, Section, Table, Tone};
 
-/// Rungs and how many queries each settled.
-type Ladder<'r> = Vec<(&'r str, u64)>;
+/// What a rung settled, and the deepest of its stages where they have numbers.
+#[derive(Clone, Copy, Default)]
+struct Settled {
+    queries: u64,
+    deepest: Option<u64>,
+}
 
 pub fn section(runs: &[RunDir]) -> Section {
     let order = backends(runs);
+    let mut climbed: BTreeMap<usize, BTreeSet<&str>> = BTreeMap::new();
+    for row in runs.iter().flat_map(|run| &run.stages).filter(|row| row.settled > 0) {
+        climbed.entry(rank(&order, &row.backend)).or_default().insert(rung(&row.stage).0);
+    }
+    // A backend that settles everything in one way has nothing to be shared out.
+    let (flat, ladders): (BTreeMap<_, _>, BTreeMap<_, _>) =
+        climbed.into_iter().partition(|(_, rungs)| rungs.len() == 1);
+    let columns: Vec<&str> =
+        rungs(runs).into_iter().filter(|rung| ladders.values().any(|rungs| rungs.contains(rung))).collect();
+
     let mut table = Table::new("")
         .words(run_head(runs))
         .words(["task", "family", "backend"])
         .numbers(["queries settled"])
-        .words(["by stage"]);
+        .numbers(columns.iter().copied());
     for (index, run) in runs.iter().enumerate() {
-        let mut groups: BTreeMap<(&str, &str, usize), Ladder> = BTreeMap::new();
+        let mut groups: BTreeMap<(&str, &str, usize), BTreeMap<&str, Settled>> = BTreeMap::new();
         for row in &run.stages {
-            let stages = groups.entry((&row.task, &row.family, rank(&order, &row.backend))).or_default();
-            // Rungs keep the order of the file, which is that of the ladder.
-            match stages.iter_mut().find(|(stage, _)| *stage == row.stage) {
-                Some((_, settled)) => *settled += row.settled,
-                None => stages.push((&row.stage, row.settled)),
+            let backend = rank(&order, &row.backend);
+            if row.settled > 0 && ladders.contains_key(&backend) {
+                let (rung, number) = rung(&row.stage);
+                let rungs = groups.entry((&row.task, &row.family, backend)).or_default();
+                let settled = rungs.entry(rung).or_default();
+                settled.queries += row.settled;
+                settled.deepest = settled.deepest.max(number);
             }
         }
-        for ((task, family, backend), stages) in groups {
-            let all = stages.iter().map(|(_, settled)| settled).sum();
-            let shares = stages.iter().filter(|(_, settled)| *settled > 0);
-            let shares: Vec<String> = shares.map(|(stage, n)| format!("{stage} {}", percent(*n, all))).collect();
-            let cells =
-                [task.into(), family.into(), order[backend].into(), Cell::count(all), shares.join(" · ").into()];
-            table.push(run_label(runs, index).into_iter().chain(cells).collect());
+        for ((task, family, backend), rungs) in groups {
+            let all = rungs.values().map(|settled| settled.queries).sum();
+            let cells = [task.into(), family.into(), order[backend].into(), Cell::count(all)];
+            let shares = columns.iter().map(|rung| share(rungs.get(rung), all));
+            table.push(run_label(runs, index).into_iter().chain(cells).chain(shares).collect());
         }
     }
-    let block = if table.is_empty() {
-        Block::Note("No stage was counted.".to_owned(), Tone::Notable)
-    } else {
-        Block::Table(table)
-    };
+
+    let mut blocks = Vec::new();
+    if !table.is_empty() {
+        blocks.push(Block::Table(table));
+    }
+    if !flat.is_empty() {
+        let names = flat.iter().flat_map(|(&backend, rungs)| rungs.iter().map(move |rung| (backend, rung)));
+        let names: Vec<String> = names.map(|(backend, rung)| format!("{} ({rung})", order[backend])).collect();
+        blocks.push(Block::Note(format!("One stage settled every query: {}.", names.join(", ")), Tone::Muted));
+    }
+    if blocks.is_empty() {
+        blocks.push(Block::Note("No stage was counted.".to_owned(), Tone::Notable));
+    }
     Section {
         id: "stages",
         title: "Stages",
-        lead: "A query climbs a backend's ladder, cheapest rung first, until one can settle it.".to_owned(),
-        blocks: vec![block],
+        lead: "A query climbs a backend's ladder, cheapest rung first, until one can settle it: the exact backend's from \
+               left to right, then the others. Stages that only differ by a number share a column; the deepest one stands beside the share."
+            .to_owned(),
+        blocks,
+    }
+}
+
+fn share(settled: Option<&Settled>, all: u64) -> Cell {
+    match settled {
+        None => Cell::from("—").tone(Tone::Muted),
+        Some(&Settled { queries, deepest }) => {
+            let share = Cell::from(percent(queries, all));
+            deepest.into_iter().fold(share, |share, deepest| share.detail(format!("to {deepest}")))
+        }
     }
 }

@@ -1,0 +1,91 @@
+//! What scenes asked of exact arithmetic, and which one they got.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{run_head, run_label, some_of};
+use crate::table::{Block, Cell, Section, Table, Tone};
+use crate::{PrecisionRow, RunDir};
+
+/// How many families are named in a line.
+const FEW: usize = 4;
+
+/// The scenes of a suite for which the same was chosen.
+struct Group<'r> {
+    scenes: u64,
+    bits: [i32; 2],
+    lowest: [i32; 2],
+    families: BTreeSet<&'r str>,
+}
+
+pub fn section(runs: &[RunDir]) -> Section {
+    let mut table = Table::new("")
+        .words(run_head(runs))
+        .words(["suite", "families"])
+        .numbers(["scenes", "bits", "lowest bit"])
+        .words(["orient2d", "orient3d", "incircle", "insphere"]);
+    for (index, run) in runs.iter().enumerate() {
+        let mut groups: Vec<_> = groups(run).into_iter().collect();
+        // Within a suite the plane before space, then what needs the fewest bits.
+        groups.sort_by_key(|((suite, choices), group)| (*suite, !choices[1].is_empty(), group.bits, *choices));
+        for ((suite, choices), group) in groups {
+            let cells = [
+                suite.into(),
+                some_of(group.families.iter().copied().collect::<Vec<_>>().into_iter(), FEW).into(),
+                Cell::count(group.scenes),
+                range(group.bits).into(),
+                range(group.lowest).into(),
+            ];
+            let choices = choices.map(|name| match name {
+                "" => Cell::from("—").tone(Tone::Muted),
+                name => name.into(),
+            });
+            table.push(run_label(runs, index).into_iter().chain(cells).chain(choices).collect());
+        }
+    }
+    let block = if table.is_empty() {
+        Block::Note("No precision plan was written down.".to_owned(), Tone::Notable)
+    } else {
+        Block::Table(table)
+    };
+    Section {
+        id: "precision",
+        title: "Precision plans",
+        lead: "Before the first query, the exact backend reads what the coordinates of a scene span: each is a \
+               multiple of two to the lowest bit, and differences have so many bits in these units. Hence the \
+               cheapest arithmetic that makes no error, for each predicate that the scene has. Scenes of a suite \
+               that got the same share a line."
+            .to_owned(),
+        blocks: vec![block],
+    }
+}
+
+/// The scenes of a run by suite and by what was chosen for the four predicates.
+fn groups(run: &RunDir) -> BTreeMap<(&str, [&str; 4]), Group<'_>> {
+    let families = run.plan.scenes.iter().map(|s| ([&*s.suite, &*s.scene, &*s.scene_id], &*s.family));
+    let families: BTreeMap<[&str; 3], &str> = families.collect();
+    let mut groups: BTreeMap<(&str, [&str; 4]), Group> = BTreeMap::new();
+    for row in &run.precision {
+        let PrecisionRow { orient2d, orient3d, incircle, insphere, .. } = row;
+        let group = groups.entry((&row.suite, [orient2d, orient3d, incircle, insphere])).or_insert_with(|| Group {
+            scenes: 0,
+            bits: [row.bits; 2],
+            lowest: [row.lowest; 2],
+            families: BTreeSet::new(),
+        });
+        group.scenes += 1;
+        group.bits = widened(group.bits, row.bits);
+        group.lowest = widened(group.lowest, row.lowest);
+        group.families.extend(families.get(&[&*row.suite, &*row.scene, &*row.scene_id]));
+    }
+    groups
+}
+
+fn widened([least, most]: [i32; 2], with: i32) -> [i32; 2] {
+    [least.min(with), most.max(with)]
+}
+
+/// `7`, `−52`, `7 to 61`.
+fn range([least, most]: [i32; 2]) -> String {
+    let text = if least == most { least.to_string() } else { format!("{least} to {most}") };
+    text.replace('-', "−")
+}
