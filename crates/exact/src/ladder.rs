@@ -17,7 +17,7 @@ pub(crate) struct Prepared {
     /// The stage that the static bound stands for.
     pub static_stage: usize,
     /// The bound of the semi-static filter, or NaN.
-    semi_static_bound: f64,
+    pub semi_static_bound: f64,
     /// Whether differences are doubles, and integers of one limb.
     has_double_differences: bool,
     unit: Unit,
@@ -51,12 +51,11 @@ impl Prepared {
         points: [[f64; D]; N],
         rows: impl FnOnce() -> Option<[[i128; D]; N]>,
     ) -> (Sign, usize) {
-        if self.has_double_differences {
-            // Cheaper than to ask another filter first.
-            return (self.integer::<P, D, N>(points), stage::INTEGER);
-        }
         if let Some(sign) = P::estimate(points).certain(self.semi_static_bound) {
             return (sign, stage::SEMI_STATIC);
+        }
+        if self.has_double_differences {
+            return (self.integer::<P, D, N>(points), stage::INTEGER);
         }
         rest::<P, D, N>(points, rows)
     }

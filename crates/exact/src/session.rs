@@ -86,10 +86,15 @@ impl<'s, T: Tally> Session<'s, T> {
     pub fn decide_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
         let at = |v| self.point2(plane, v);
         let prepared = &self.orient2d[plane as usize];
-        if let (Some(a), Some(b), Some(c)) = (at(a), at(b), at(c))
-            && let Some(sign) = Orient2d::estimate([a, b, c]).above(prepared.static_bound)
-        {
-            return (sign, prepared.static_stage);
+        if let (Some(a), Some(b), Some(c)) = (at(a), at(b), at(c)) {
+            let estimate = Orient2d::estimate([a, b, c]);
+            if let Some(sign) = estimate.above(prepared.static_bound) {
+                return (sign, prepared.static_stage);
+            }
+            // Here the second filter costs less than the call.
+            if let Some(sign) = estimate.certain(prepared.semi_static_bound) {
+                return (sign, stage::SEMI_STATIC);
+            }
         }
         self.climb_orient2d(plane, [a, b, c])
     }
@@ -231,12 +236,15 @@ impl<'s, T: Tally> Session<'s, T> {
         climb: impl Fn(&[Vertex; N]) -> (Sign, usize),
     ) {
         batch::run::<P, _, D, N>(Batch {
-            static_bound: prepared.static_bound,
+            bounds: [prepared.static_bound, prepared.semi_static_bound],
             queries,
             out,
             // With NaN nothing is certain, and the vertex is seen to where it climbs.
             point: |v: Vertex| points.get(v.index()).copied().unwrap_or([f64::NAN; D]),
-            settled: |count| self.tally.settled_many(P::KIND, prepared.static_stage, count),
+            settled: |[by_static, by_semi_static]: [u64; 2]| {
+                self.tally.settled_many(P::KIND, prepared.static_stage, by_static);
+                self.tally.settled_many(P::KIND, stage::SEMI_STATIC, by_semi_static);
+            },
             climb: |query: &[Vertex; N]| {
                 let (sign, stage) = climb(query);
                 self.tally.settled(P::KIND, stage);

@@ -95,7 +95,7 @@ fn coordinate(random: &mut Random, rung: usize) -> f64 {
         stage::STATIC => random.unit(),
         // All but one of the points are in a corner of the scene.
         stage::SEMI_STATIC => random.unit() * 2f64.powi(-30),
-        stage::INTEGER => *random.pick(&[0.0, LONG, 2.0 * LONG, 3.0 * LONG]),
+        stage::INTEGER => *random.pick(&[0.0, 0.5, 1.0, LONG]),
         // Differences are no doubles, in 112 bits.
         stage::WIDE_INTEGER => *random.pick(&[0.1, 3.0, 1e17, -7e16]),
         _ => *random.pick(&[0.1, 3.0, 1e200, -7e-170, f64::MAX, 5e-324]),

@@ -13,6 +13,7 @@ use std::marker::PhantomData;
 
 use predicament_predicates::Sign;
 
+use crate::estimate::Estimate;
 use crate::predicate::Predicate;
 use simd::{Kernel, dispatch};
 
@@ -21,15 +22,15 @@ const BLOCK: usize = 64;
 
 /// Queries of `N` points each, and what to do about them.
 pub(crate) struct Batch<'a, Q, F, S, C> {
-    /// The bound of the static filter.
-    pub static_bound: f64,
+    /// The bounds of the static and of the semi-static filter.
+    pub bounds: [f64; 2],
     /// What is asked.
     pub queries: &'a [Q],
     /// A place for each answer.
     pub out: &'a mut [Sign],
     /// Gives the coordinates of a point.
     pub point: F,
-    /// Told how many queries of a block the static filter has settled.
+    /// Told how many queries of a block each of the two has settled.
     pub settled: S,
     /// Answers a query that it leaves open.
     pub climb: C,
@@ -41,7 +42,7 @@ pub(crate) struct Batch<'a, Q, F, S, C> {
 /// If a query names a point that there is not.
 #[inline]
 pub(crate) fn run<P, V, const D: usize, const N: usize>(
-    batch: Batch<'_, [V; N], impl Fn(V) -> [f64; D], impl Fn(u64), impl Fn(&[V; N]) -> Sign>,
+    batch: Batch<'_, [V; N], impl Fn(V) -> [f64; D], impl Fn([u64; 2]), impl Fn(&[V; N]) -> Sign>,
 ) where
     P: Predicate<D, N>,
     V: Copy,
@@ -60,14 +61,14 @@ where
     P: Predicate<D, N>,
     V: Copy,
     F: Fn(V) -> [f64; D],
-    S: Fn(u64),
+    S: Fn([u64; 2]),
     C: Fn(&[V; N]) -> Sign,
 {
     type Output = ();
 
     #[inline(always)]
     fn run(self) {
-        let Batch { static_bound, queries, out, point, settled, climb } = self.batch;
+        let Batch { bounds: [static_bound, semi_static_bound], queries, out, point, settled, climb } = self.batch;
         let mut block = [[[0.0; D]; BLOCK]; N];
         for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
             // Row by row and not with `map` on arrays, which goes through memory.
@@ -76,10 +77,19 @@ where
                     block[row][at] = point(query[row]);
                 }
             }
-            let (signs, open) = filter::<P, D, N>(&block, static_bound);
+            let (mut signs, open) = filter::<P, D, N>(&block, |_| static_bound);
+            let open = open & (u64::MAX >> (BLOCK - queries.len()));
+            let by_static = queries.len() as u64 - u64::from(open.count_ones());
+            let mut left = open;
+            if open != 0 {
+                // (A determinant that is large enough for the one has the same sign for the other.)
+                let (again, still) = filter::<P, D, N>(&block, |permanent| semi_static_bound * permanent);
+                signs = again;
+                left = open & still;
+            }
             out.copy_from_slice(&signs[..queries.len()]);
-            let mut open = open & (u64::MAX >> (BLOCK - queries.len()));
-            settled(queries.len() as u64 - u64::from(open.count_ones()));
+            settled([by_static, u64::from(open.count_ones() - left.count_ones())]);
+            let mut open = left;
             while open != 0 {
                 let at = open.trailing_zeros() as usize;
                 out[at] = climb(&queries[at]);
@@ -89,28 +99,32 @@ where
     }
 }
 
-/// The signs of a block, and a mask of those that are not certain.
+/// The signs of a block, and a mask of those that are not certain: whose
+/// magnitude is not at least the bound that comes from the permanent.
 #[inline(always)]
 fn filter<P: Predicate<D, N>, const D: usize, const N: usize>(
     block: &[[[f64; D]; BLOCK]; N],
-    bound: f64,
+    bound: impl Fn(f64) -> f64,
 ) -> ([Sign; BLOCK], u64) {
     let mut determinants = [0.0; BLOCK];
-    for (at, determinant) in determinants.iter_mut().enumerate() {
-        *determinant = P::estimate(std::array::from_fn(|row| block[row][at])).determinant;
+    let mut bounds = [0.0; BLOCK];
+    for at in 0..BLOCK {
+        let Estimate { determinant, permanent } = P::estimate(std::array::from_fn(|row| block[row][at]));
+        determinants[at] = determinant;
+        bounds[at] = bound(permanent);
     }
     let mut signs = [Sign::Zero; BLOCK];
     let mut open = 0;
-    for (at, (sign, determinant)) in signs.iter_mut().zip(determinants).enumerate() {
-        *sign = if determinant > 0.0 {
+    for at in 0..BLOCK {
+        signs[at] = if determinants[at] > 0.0 {
             Sign::Positive
-        } else if determinant < 0.0 {
+        } else if determinants[at] < 0.0 {
             Sign::Negative
         } else {
             Sign::Zero
         };
         // With a bound that is NaN nothing is certain.
-        let certain = determinant.abs() >= bound;
+        let certain = determinants[at].abs() >= bounds[at];
         open |= u64::from(!certain) << at;
     }
     (signs, open)
