@@ -6,7 +6,7 @@
 use predicament_arithmetic::{Arithmetic, Fixed, Plan, Unit};
 use predicament_predicates::Sign;
 
-use crate::{integers, predicate::Predicate, stage};
+use crate::{integers::Rows, predicate::Predicate, stage};
 
 /// What a plan proves for one predicate.
 #[derive(Clone, Copy, Debug)]
@@ -49,7 +49,7 @@ impl Prepared {
     pub fn climb<P: Predicate<D, N>, const D: usize, const N: usize>(
         &self,
         points: [[f64; D]; N],
-        rows: impl FnOnce() -> Option<[[i128; D]; N]>,
+        rows: impl FnOnce() -> Option<Rows<D, N>>,
     ) -> (Sign, usize) {
         if let Some(sign) = P::estimate(points).certain(self.semi_static_bound) {
             return (sign, stage::SEMI_STATIC);
@@ -77,21 +77,23 @@ impl Prepared {
 #[inline(never)]
 fn rest<P: Predicate<D, N>, const D: usize, const N: usize>(
     points: [[f64; D]; N],
-    rows: impl FnOnce() -> Option<[[i128; D]; N]>,
+    rows: impl FnOnce() -> Option<Rows<D, N>>,
 ) -> (Sign, usize) {
     let Some(rows) = rows() else { return alone::<P, D, N>(points) };
-    if !P::TRIES_ONE_LIMB {
-        return (P::wide_integer(integers::long(&rows)), stage::WIDE_INTEGER);
+    if let Some(rows) = rows.short() {
+        return (P::integer(rows), stage::INTEGER);
     }
-    match integers::short(&rows) {
-        Some(rows) => (P::integer(rows), stage::INTEGER),
-        None => (wide_integer::<P, D, N>(&rows), stage::WIDE_INTEGER),
+    if P::TRIES_ONE_LIMB
+        && let Some(rows) = rows.shortened()
+    {
+        return (P::integer(rows), stage::INTEGER);
     }
+    (wide_integer::<P, D, N>(&rows), stage::WIDE_INTEGER)
 }
 
 #[inline(never)]
-fn wide_integer<P: Predicate<D, N>, const D: usize, const N: usize>(rows: &[[i128; D]; N]) -> Sign {
-    P::wide_integer(integers::long(rows))
+fn wide_integer<P: Predicate<D, N>, const D: usize, const N: usize>(rows: &Rows<D, N>) -> Sign {
+    P::wide_integer(rows.long())
 }
 
 /// A query of a scene that is too wide for integers.
