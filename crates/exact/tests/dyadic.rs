@@ -4,7 +4,7 @@ mod common;
 
 use std::collections::BTreeMap;
 
-use common::{Random, every, nudge};
+use common::{Random, every, nudge, points};
 use predicament_exact::dyadic;
 use predicament_predicates::Sign;
 use proptest::prelude::*;
@@ -230,15 +230,6 @@ fn nothing_is_too_long() {
 #[should_panic(expected = "finite")]
 fn infinity_is_refused() {
     let _ = dyadic::orient2d([0.0, 1.0], [f64::INFINITY, 0.0], [1.0, 1.0]);
-}
-
-fn finite() -> impl Strategy<Value = f64> {
-    any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite())
-}
-
-fn points<const N: usize, const D: usize>() -> impl Strategy<Value = [[f64; D]; N]> {
-    proptest::collection::vec(finite(), N * D)
-        .prop_map(|flat| std::array::from_fn(|i| std::array::from_fn(|j| flat[i * D + j])))
 }
 
 proptest! {

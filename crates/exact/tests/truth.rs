@@ -4,7 +4,9 @@ mod common;
 
 use std::collections::BTreeSet;
 
-use common::{Random, check_incircle, check_insphere, check_orient2d, check_orient3d, check_projections, every, nudge};
+use common::{
+    Random, check_incircle, check_insphere, check_orient2d, check_orient3d, check_projections, every, nudge, points,
+};
 use predicament_arithmetic::{Arithmetic, Plan};
 use predicament_exact::form;
 use predicament_predicates::Sign;
@@ -145,15 +147,6 @@ fn hidden_ties() {
             assert_eq!(check_insphere(&[on(5), on(1), on(2), on(4), on(3)]), Sign::Zero);
         }
     }
-}
-
-fn finite() -> impl Strategy<Value = f64> {
-    any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite())
-}
-
-fn points<const N: usize, const D: usize>() -> impl Strategy<Value = [[f64; D]; N]> {
-    proptest::collection::vec(finite(), N * D)
-        .prop_map(|flat| std::array::from_fn(|i| std::array::from_fn(|j| flat[i * D + j])))
 }
 
 proptest! {

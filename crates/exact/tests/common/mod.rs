@@ -1,8 +1,9 @@
 //! The independent judge, and points to be judged.
 #![allow(dead_code)] // each test takes what it needs
 
-use predicament_exact::Exact;
-use predicament_predicates::{Axis, Backend, Off, Plane, Predicates, Question, Scene, Sign, Vertex};
+use predicament_exact::{Exact, raw};
+use predicament_predicates::{Axis, Backend, Off, Plane, Predicates, QuerySet, Question, Scene, Sign, Vertex};
+use proptest::prelude::*;
 use rug::{Integer, Rational};
 
 /// The sign of the determinant of homogeneous rows (p, 1) or (p, |p|², 1), by
@@ -77,7 +78,12 @@ fn ask<const D: usize>(question: Question, points: &[[f64; D]], scene: impl Fn(&
         let scene = scene(points);
         let session = Exact.prepare(&scene, Off).expect("every scene can be prepared");
         session.supports(question.kind()).expect("a scene of the right dimension");
-        question.ask(&session, &args)
+        let single = question.ask(&session, &args);
+        // The same question at both ends of a batch of more than one block.
+        let mut batch = [Sign::Zero; 65];
+        QuerySet::new(question, args.repeat(batch.len())).ask_batch(&session, 0..batch.len(), &mut batch);
+        assert_eq!([batch[0], batch[64]], [single; 2], "{question:?} as a batch: {points:?}");
+        single
     };
     let mut wide = points.to_vec();
     wide.push(std::array::from_fn(|i| WIDE[i]));
@@ -98,6 +104,7 @@ fn ask3(question: Question, points: &[[f64; 3]]) -> Sign {
 pub fn check_orient2d(points: &[[f64; 2]; 3]) -> Sign {
     let truth = orient2d(points);
     assert_eq!(ask2(Question::Orient2d(Plane::Xy), points), truth, "orient2d {points:?}");
+    assert_eq!(raw::orient2d(*points), truth, "raw orient2d {points:?}");
     truth
 }
 
@@ -105,6 +112,7 @@ pub fn check_orient2d(points: &[[f64; 2]; 3]) -> Sign {
 pub fn check_orient3d(points: &[[f64; 3]; 4]) -> Sign {
     let truth = orient3d(points);
     assert_eq!(ask3(Question::Orient3d, points), truth, "orient3d {points:?}");
+    assert_eq!(raw::orient3d(*points), truth, "raw orient3d {points:?}");
     truth
 }
 
@@ -112,6 +120,7 @@ pub fn check_orient3d(points: &[[f64; 3]; 4]) -> Sign {
 pub fn check_incircle(points: &[[f64; 2]; 4]) -> Sign {
     let truth = incircle(points);
     assert_eq!(ask2(Question::Incircle, points), truth, "incircle {points:?}");
+    assert_eq!(raw::incircle(*points), truth, "raw incircle {points:?}");
     truth
 }
 
@@ -119,6 +128,7 @@ pub fn check_incircle(points: &[[f64; 2]; 4]) -> Sign {
 pub fn check_insphere(points: &[[f64; 3]; 5]) -> Sign {
     let truth = insphere(points);
     assert_eq!(ask3(Question::Insphere, points), truth, "insphere {points:?}");
+    assert_eq!(raw::insphere(*points), truth, "raw insphere {points:?}");
     truth
 }
 
@@ -133,6 +143,17 @@ pub fn check_projections(points: &[[f64; 3]; 3]) {
         let [a, b] = [0, 1].map(|i| Rational::from_f64(points[i][axis.index()]).expect("finite"));
         assert_eq!(ask3(Question::Compare(axis), &points[..2]), Sign::from(a.cmp(&b)), "{axis:?} {points:?}");
     }
+}
+
+/// Any finite double, all bit patterns alike.
+fn finite() -> impl Strategy<Value = f64> {
+    any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite())
+}
+
+/// Points of such coordinates.
+pub fn points<const N: usize, const D: usize>() -> impl Strategy<Value = [[f64; D]; N]> {
+    proptest::collection::vec(finite(), N * D)
+        .prop_map(|flat| std::array::from_fn(|i| std::array::from_fn(|j| flat[i * D + j])))
 }
 
 /// SplitMix64 (Steele, Lea and Flood 2014): small, seeded, the same everywhere.
