@@ -234,33 +234,25 @@ impl<const D: usize> Plan<D> {
         if x.is_sign_negative() { units.wrapping_neg() } else { units }
     }
 
-    /// What turns differences into integers.
+    /// The same of all points, modulo 2^64: differences are right if they have
+    /// 63 bits at most.
     #[must_use]
-    pub fn unit(&self) -> Unit {
-        Unit::new(self.lowest)
-    }
-}
-
-/// 1/2^l as two doubles, since for the lowest l it is not one.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Unit([f64; 2]);
-
-impl Unit {
-    fn new(lowest: i32) -> Unit {
-        let first = -lowest / 2;
-        Unit([power(first), power(-lowest - first)])
-    }
-
-    /// x/2^l, exactly, if that is a double.
-    #[inline(always)]
-    #[must_use]
-    pub fn scale(self, x: f64) -> f64 {
-        x * self.0[0] * self.0[1]
+    pub fn low_units(&self, points: &[[f64; D]]) -> Vec<[i64; D]> {
+        // Where all coordinates fit, scaled by a power of two that is a normal double, the
+        // processor's conversion of doubles does it; all values are integers, and none is rounded.
+        let fits = |axis: &Span| axis.range.is_none_or(|range| range.highest - self.lowest <= 63);
+        if self.axes.iter().all(fits) && (-1022..=1022).contains(&self.lowest) {
+            let scale = power(-self.lowest);
+            #[allow(clippy::cast_possible_truncation)] // integers in range
+            return points.iter().map(|point| point.map(|x| (x * scale) as i64)).collect();
+        }
+        #[allow(clippy::cast_possible_truncation)] // modulo 2^64
+        points.iter().map(|point| point.map(|x| self.units(x) as i64)).collect()
     }
 }
 
 /// 2^`exponent`, a normal double.
 fn power(exponent: i32) -> f64 {
-    let biased = u64::try_from(exponent + 1023).expect("half of an exponent of doubles is in their range");
+    let biased = u64::try_from(exponent + 1023).expect("an exponent of normal doubles");
     f64::from_bits(biased << 52)
 }

@@ -1,69 +1,92 @@
-//! The coordinates of a scene as integers, for scenes whose differences are no doubles.
+//! The coordinates of a scene as integers.
 //!
-//! Where differences are doubles, they become integers when a query needs
-//! them. Where they are not, both coordinates would have to be converted, each
-//! time; so it is done once, in units of the scene's lowest bit. A query then
-//! subtracts, and looks how many bits it really has: most figures are shorter
-//! than their scene.
+//! Coordinates become integers once, when the scene is prepared, in units of
+//! its lowest bit: a query then only subtracts. Numbers are kept modulo a
+//! power of two, so that the points may be as far from the origin as they
+//! like; only their differences have to fit.
+//!
+//! Where differences fit in one limb, a coordinate takes as much room as the
+//! double that it comes from. Where they need two, a query looks how many bits
+//! it really has: most figures are shorter than their scene.
 
 // Loops over indices stay in registers, where `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]
 
 use predicament_arithmetic::{Fixed, Plan};
+use predicament_predicates::Vertex;
 
 use crate::integer::BITS;
 
-/// A scene's coordinates, or nothing if they are not needed, or too long.
+/// A scene's coordinates: one of the two lists, or none of them if integers
+/// are not needed or don't do.
 pub(crate) struct Integers<const D: usize> {
-    points: Vec<[i128; D]>,
-    /// Whether no difference needs more than a limb.
-    is_short: bool,
+    /// Differences have one limb.
+    short: Vec<[i64; D]>,
+    /// Differences have two limbs.
+    long: Vec<[i128; D]>,
 }
 
-/// The differences of a query.
-pub(crate) struct Rows<const D: usize, const N: usize> {
-    differences: [[i128; D]; N],
-    is_short: bool,
-}
+/// The differences of a query, in two limbs.
+pub(crate) struct Rows<const D: usize, const N: usize>([[i128; D]; N]);
 
 impl<const D: usize> Integers<D> {
+    /// None: for scenes that don't need them.
+    pub const NONE: Integers<D> = Integers { short: Vec::new(), long: Vec::new() };
+
     pub fn new(plan: &Plan<D>, points: &[[f64; D]]) -> Integers<D> {
-        let are_needed = !plan.has_exact_differences() && plan.bits() <= BITS[1] && plan.has_finite_differences();
-        let point = |point: &[f64; D]| point.map(|x| plan.units(x));
-        let points = if are_needed { points.iter().map(point).collect() } else { Vec::new() };
-        Integers { points, is_short: plan.bits() <= BITS[0] }
+        let [one, two] = BITS;
+        if !plan.has_finite_differences() || plan.bits() > two {
+            Integers::NONE
+        } else if plan.bits() <= one {
+            Integers { short: plan.low_units(points), long: Vec::new() }
+        } else {
+            let point = |point: &[f64; D]| point.map(|x| plan.units(x));
+            Integers { short: Vec::new(), long: points.iter().map(point).collect() }
+        }
     }
 
-    /// The differences to the last of some points along some axes; none if the
-    /// scene has no integers.
+    /// The differences to the last of some vertices along some axes, in one
+    /// limb; none if the scene has no such integers, or no such vertex.
     #[inline(always)]
-    pub fn rows<const E: usize, const N: usize>(&self, axes: [usize; E], points: [usize; N]) -> Option<Rows<E, N>> {
-        let last = self.points.get(points[N - 1])?;
+    pub fn short<const E: usize, const N: usize>(
+        &self,
+        axes: [usize; E],
+        vertices: [Vertex; N],
+    ) -> Option<[[Fixed<1>; E]; N]> {
+        let last = self.short.get(vertices[N - 1].index())?;
+        let mut rows = [[Fixed::ZERO; E]; N];
+        for row in 0..N - 1 {
+            let point = self.short.get(vertices[row].index())?;
+            for axis in 0..E {
+                rows[row][axis] = Fixed::from(point[axes[axis]].wrapping_sub(last[axes[axis]]));
+            }
+        }
+        Some(rows)
+    }
+
+    /// The same in two limbs, for scenes that need them.
+    #[inline(always)]
+    pub fn long<const E: usize, const N: usize>(&self, axes: [usize; E], vertices: [Vertex; N]) -> Option<Rows<E, N>> {
+        let last = self.long.get(vertices[N - 1].index())?;
         let mut differences = [[0; E]; N];
         for row in 0..N - 1 {
-            let point = &self.points[points[row]];
+            let point = self.long.get(vertices[row].index())?;
             for axis in 0..E {
                 differences[row][axis] = point[axes[axis]].wrapping_sub(last[axes[axis]]);
             }
         }
-        Some(Rows { differences, is_short: self.is_short })
+        Some(Rows(differences))
     }
 }
 
 impl<const D: usize, const N: usize> Rows<D, N> {
-    /// The rows in one limb, where that is known to be enough.
-    #[inline(always)]
-    pub fn short(&self) -> Option<[[Fixed<1>; D]; N]> {
-        self.is_short.then(|| shifted(&self.differences, 0))
-    }
-
     /// The rows in some larger unit, if one limb is enough.
     #[inline(always)]
     pub fn shortened(&self) -> Option<[[Fixed<1>; D]; N]> {
         let (mut bits, mut size) = (0, 0);
         for row in 0..N - 1 {
             for axis in 0..D {
-                let x = self.differences[row][axis];
+                let x = self.0[row][axis];
                 bits |= x;
                 // The bits of |x|, or of |x| - 1.
                 size |= x ^ (x >> 127);
@@ -72,32 +95,32 @@ impl<const D: usize, const N: usize> Rows<D, N> {
         // At most that many zeros below, and less than two to that in magnitude.
         let low = bits.trailing_zeros() & 127;
         let is_short = (128 - size.leading_zeros()).saturating_sub(low) < BITS[0].unsigned_abs();
-        is_short.then(|| shifted(&self.differences, low))
+        is_short.then(|| self.shifted(low))
     }
 
     /// The rows as they are.
     #[inline(always)]
-    pub fn long(&self) -> [[Fixed<2>; D]; N] {
-        let mut longer = [[Fixed::ZERO; D]; N];
+    pub fn whole(&self) -> [[Fixed<2>; D]; N] {
+        let mut rows = [[Fixed::ZERO; D]; N];
         for row in 0..N - 1 {
             for axis in 0..D {
-                longer[row][axis] = Fixed::from(self.differences[row][axis]);
+                rows[row][axis] = Fixed::from(self.0[row][axis]);
             }
         }
-        longer
+        rows
     }
-}
 
-/// The low limbs of the rows, shifted to the right.
-#[inline(always)]
-fn shifted<const D: usize, const N: usize>(rows: &[[i128; D]; N], by: u32) -> [[Fixed<1>; D]; N] {
-    let mut shorter = [[Fixed::ZERO; D]; N];
-    for row in 0..N - 1 {
-        for axis in 0..D {
-            #[allow(clippy::cast_possible_truncation)] // 62 bits
-            let x = (rows[row][axis] >> by) as i64;
-            shorter[row][axis] = Fixed::from(x);
+    /// The low limbs of the rows, shifted to the right.
+    #[inline(always)]
+    fn shifted(&self, by: u32) -> [[Fixed<1>; D]; N] {
+        let mut shorter = [[Fixed::ZERO; D]; N];
+        for row in 0..N - 1 {
+            for axis in 0..D {
+                #[allow(clippy::cast_possible_truncation)] // 62 bits
+                let x = (self.0[row][axis] >> by) as i64;
+                shorter[row][axis] = Fixed::from(x);
+            }
         }
+        shorter
     }
-    shorter
 }

@@ -3,10 +3,10 @@
 // Loops over indices stay in registers, where `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]
 
-use predicament_arithmetic::{Arithmetic, Fixed, Plan, Unit};
-use predicament_predicates::Sign;
+use predicament_arithmetic::{Arithmetic, Fixed, Plan};
+use predicament_predicates::{Sign, Vertex};
 
-use crate::{integers::Rows, predicate::Predicate, stage};
+use crate::{integers::Integers, predicate::Predicate, stage};
 
 /// What a plan proves for one predicate.
 #[derive(Clone, Copy, Debug)]
@@ -18,82 +18,80 @@ pub(crate) struct Prepared {
     pub static_stage: usize,
     /// The bound of the semi-static filter, or NaN.
     pub semi_static_bound: f64,
-    /// Whether differences are doubles, and integers of one limb.
-    has_double_differences: bool,
-    unit: Unit,
 }
 
 impl Prepared {
     pub fn new<P: Predicate<D, N>, const D: usize, const N: usize>(plan: &Plan<D>) -> Prepared {
         let form = P::DETERMINANT.form;
-        let arithmetic = plan.arithmetic(form);
-        let (static_bound, semi_static_bound, static_stage) = if arithmetic == Arithmetic::Double {
+        let (static_bound, semi_static_bound, static_stage) = if plan.arithmetic(form) == Arithmetic::Double {
             (0.0, 0.0, stage::DOUBLE)
         } else if plan.allows_filters(form) {
             (P::static_bound(plan.axes().map(|axis| axis.extent())), P::DETERMINANT.bound, stage::STATIC)
         } else {
             (f64::NAN, f64::NAN, stage::STATIC)
         };
-        Prepared {
-            static_bound,
-            static_stage,
-            semi_static_bound,
-            has_double_differences: arithmetic == Arithmetic::Integer && plan.has_exact_differences(),
-            unit: plan.unit(),
-        }
+        Prepared { static_bound, static_stage, semi_static_bound }
     }
 
-    /// The sign of a query that the static filter leaves open; `rows` are its
-    /// differences in integers, if the scene has them.
+    /// Whether doubles make no error.
+    pub fn is_double(&self) -> bool {
+        self.static_stage == stage::DOUBLE
+    }
+
+    /// The sign of a query whose `determinant` the static filter has found too
+    /// small to be certain of; `points` are those of the vertices, seen along
+    /// these axes of the integers.
     #[inline(always)]
-    pub fn climb<P: Predicate<D, N>, const D: usize, const N: usize>(
+    pub fn climb<P: Predicate<D, N>, const D: usize, const N: usize, const E: usize>(
         &self,
+        determinant: f64,
         points: [[f64; D]; N],
-        rows: impl FnOnce() -> Option<Rows<D, N>>,
+        (integers, axes, vertices): (&Integers<E>, [usize; D], [Vertex; N]),
     ) -> (Sign, usize) {
+        let short = integers.short(axes, vertices);
+        if let Some(rows) = short
+            && !(P::FILTERS_PAY && self.is_small(determinant))
+        {
+            return (P::integer(rows), stage::INTEGER);
+        }
         if let Some(sign) = P::estimate(points).certain(self.semi_static_bound) {
             return (sign, stage::SEMI_STATIC);
         }
-        if self.has_double_differences {
-            return (self.integer::<P, D, N>(points), stage::INTEGER);
+        match short {
+            Some(rows) => (P::integer(rows), stage::INTEGER),
+            None => rest::<P, D, N, E>(points, (integers, axes, vertices)),
         }
-        rest::<P, D, N>(points, rows)
     }
 
+    /// Whether a determinant is so small that it is more likely that of a
+    /// small figure, with roundings as small, than the remains of a large one
+    /// that has cancelled: those are some hundred times smaller than the bound.
     #[inline(always)]
-    fn integer<P: Predicate<D, N>, const D: usize, const N: usize>(&self, points: [[f64; D]; N]) -> Sign {
-        let mut rows = [[Fixed::ZERO; D]; N];
-        for row in 0..N - 1 {
-            for axis in 0..D {
-                let difference = points[row][axis] - points[N - 1][axis];
-                rows[row][axis] = Fixed::<1>::from_double(self.unit.scale(difference));
-            }
-        }
-        P::integer(rows)
+    fn is_small(&self, determinant: f64) -> bool {
+        const FRACTION: f64 = power(-20);
+        (determinant.abs() < FRACTION * self.static_bound) & (determinant != 0.0)
     }
 }
 
-/// What no filter settles. (Not inlined, so that filters need no stack.)
+/// What no filter settles, in a scene without integers of one limb. (Not
+/// inlined, so that filters need no stack.)
 #[inline(never)]
-fn rest<P: Predicate<D, N>, const D: usize, const N: usize>(
+fn rest<P: Predicate<D, N>, const D: usize, const N: usize, const E: usize>(
     points: [[f64; D]; N],
-    rows: impl FnOnce() -> Option<Rows<D, N>>,
+    (integers, axes, vertices): (&Integers<E>, [usize; D], [Vertex; N]),
 ) -> (Sign, usize) {
-    let Some(rows) = rows() else { return alone::<P, D, N>(points) };
-    if let Some(rows) = rows.short() {
-        return (P::integer(rows), stage::INTEGER);
-    }
+    let Some(rows) = integers.long(axes, vertices) else { return alone::<P, D, N>(points) };
     if P::TRIES_ONE_LIMB
         && let Some(rows) = rows.shortened()
     {
         return (P::integer(rows), stage::INTEGER);
     }
-    (wide_integer::<P, D, N>(&rows), stage::WIDE_INTEGER)
+    (wide_integer::<P, D, N>(rows.whole()), stage::WIDE_INTEGER)
 }
 
 #[inline(never)]
-fn wide_integer<P: Predicate<D, N>, const D: usize, const N: usize>(rows: &Rows<D, N>) -> Sign {
-    P::wide_integer(rows.long())
+fn wide_integer<P: Predicate<D, N>, const D: usize, const N: usize>(rows: [[Fixed<2>; D]; N]) -> Sign {
+    P::wide_integer(rows)
 }
 
 /// A query of a scene that is too wide for integers.

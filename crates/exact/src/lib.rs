@@ -39,6 +39,7 @@ mod products;
 pub mod rational;
 pub mod raw;
 mod session;
+pub mod side;
 pub mod stage;
 
 pub use backend::Exact;

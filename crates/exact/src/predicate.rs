@@ -32,6 +32,9 @@ pub(crate) trait Predicate<const D: usize, const N: usize> {
     /// Whether it pays to see first if two limbs are really needed.
     const TRIES_ONE_LIMB: bool = true;
 
+    /// Whether it pays to try the semi-static filter before integers of one limb.
+    const FILTERS_PAY: bool = true;
+
     /// For points whose differences span few bits; none if they don't.
     #[inline(always)]
     fn short(points: [[f64; D]; N]) -> Option<Sign> {
@@ -50,6 +53,7 @@ impl Predicate<2, 3> for Orient2d {
     const DETERMINANT: Determinant = form::ORIENT2D;
     // Two products of two limbs cost less than looking.
     const TRIES_ONE_LIMB: bool = false;
+    const FILTERS_PAY: bool = false;
 
     fn static_bound(extent: [f64; 2]) -> f64 {
         bound::static_orient2d(extent)
@@ -81,6 +85,7 @@ pub(crate) struct Orient3d;
 impl Predicate<3, 4> for Orient3d {
     const KIND: PredicateKind = PredicateKind::Orient3d;
     const DETERMINANT: Determinant = form::ORIENT3D;
+    const FILTERS_PAY: bool = false;
 
     fn static_bound(extent: [f64; 3]) -> f64 {
         bound::static_orient3d(extent)

@@ -3,11 +3,12 @@
 use predicament_arithmetic::Plan;
 use predicament_predicates::{Axis, Declined, Dimension, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex};
 
-use crate::batch::{self, Batch};
+use crate::batch::{self, Batch, Beside, View, Whole, Xy, Yz, Zx};
 use crate::constructed::Constructed;
 use crate::integers::Integers;
 use crate::ladder::Prepared;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
+use crate::side::Side;
 use crate::stage;
 
 /// The exact backend, prepared for one scene.
@@ -24,6 +25,9 @@ pub struct Session<'s, T> {
     insphere: Prepared,
     integers2: Integers<2>,
     integers3: Integers<3>,
+    /// How far the scene extends along each of its axes.
+    extent2: [f64; 2],
+    extent3: [f64; 3],
     constructed: Constructed<'s>,
 }
 
@@ -39,6 +43,12 @@ impl<'s, T: Tally> Session<'s, T> {
             Dimension::Three => [Plane::Xy, Plane::Yz, Plane::Zx]
                 .map(|plane| Prepared::new::<Orient2d, 2, 3>(&solid.project(plane.axes().map(Axis::index)))),
         };
+        let orient3d = Prepared::new::<Orient3d, 3, 4>(&solid);
+        let incircle = Prepared::new::<Incircle, 2, 4>(&flat);
+        let insphere = Prepared::new::<Insphere, 3, 5>(&solid);
+        // If doubles do for the predicate of the highest degree, they do for all.
+        let integers2 = if incircle.is_double() { Integers::NONE } else { Integers::new(&flat, points2) };
+        let integers3 = if insphere.is_double() { Integers::NONE } else { Integers::new(&solid, points3) };
         Ok(Session {
             scene,
             tally,
@@ -46,11 +56,13 @@ impl<'s, T: Tally> Session<'s, T> {
             points2,
             points3,
             orient2d,
-            orient3d: Prepared::new::<Orient3d, 3, 4>(&solid),
-            incircle: Prepared::new::<Incircle, 2, 4>(&flat),
-            insphere: Prepared::new::<Insphere, 3, 5>(&solid),
-            integers2: Integers::new(&flat, points2),
-            integers3: Integers::new(&solid, points3),
+            orient3d,
+            incircle,
+            insphere,
+            integers2,
+            integers3,
+            extent2: flat.axes().map(|axis| axis.extent()),
+            extent3: solid.axes().map(|axis| axis.extent()),
         })
     }
 
@@ -81,22 +93,16 @@ impl<'s, T: Tally> Session<'s, T> {
     ///
     /// # Panics
     /// If the scene has no such vertex, or lacks an axis of the plane.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn decide_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
-        let at = |v| self.point2(plane, v);
-        let prepared = &self.orient2d[plane as usize];
-        if let (Some(a), Some(b), Some(c)) = (at(a), at(b), at(c)) {
-            let estimate = Orient2d::estimate([a, b, c]);
-            if let Some(sign) = estimate.above(prepared.static_bound) {
-                return (sign, prepared.static_stage);
-            }
-            // Here the second filter costs less than the call.
-            if let Some(sign) = estimate.certain(prepared.semi_static_bound) {
-                return (sign, stage::SEMI_STATIC);
-            }
+        // Two products of one limb cost no more than a filter, and leave nothing open.
+        if plane == Plane::Xy
+            && let Some(rows) = self.integers2.short([0, 1], [a, b, c])
+        {
+            return (Orient2d::integer(rows), stage::INTEGER);
         }
-        self.climb_orient2d(plane, [a, b, c])
+        self.filter_orient2d(plane, [a, b, c])
     }
 
     /// [`Predicates::orient3d`] and the stage that settled it, not tallied.
@@ -107,12 +113,15 @@ impl<'s, T: Tally> Session<'s, T> {
     #[must_use]
     pub fn decide_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
         let at = |v: Vertex| self.points3.get(v.index());
-        if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d))
-            && let Some(sign) = Orient3d::estimate([*a, *b, *c, *d]).above(self.orient3d.static_bound)
-        {
-            return (sign, self.orient3d.static_stage);
+        let mut determinant = f64::NAN;
+        if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d)) {
+            let estimate = Orient3d::estimate([*a, *b, *c, *d]);
+            if let Some(sign) = estimate.above(self.orient3d.static_bound) {
+                return (sign, self.orient3d.static_stage);
+            }
+            determinant = estimate.determinant;
         }
-        self.climb_orient3d([a, b, c, d])
+        self.climb_orient3d(determinant, [a, b, c, d])
     }
 
     /// [`Predicates::incircle`] and the stage that settled it, not tallied.
@@ -123,12 +132,15 @@ impl<'s, T: Tally> Session<'s, T> {
     #[must_use]
     pub fn decide_incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
         let at = |v: Vertex| self.points2.get(v.index());
-        if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d))
-            && let Some(sign) = Incircle::estimate([*a, *b, *c, *d]).above(self.incircle.static_bound)
-        {
-            return (sign, self.incircle.static_stage);
+        let mut determinant = f64::NAN;
+        if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d)) {
+            let estimate = Incircle::estimate([*a, *b, *c, *d]);
+            if let Some(sign) = estimate.above(self.incircle.static_bound) {
+                return (sign, self.incircle.static_stage);
+            }
+            determinant = estimate.determinant;
         }
-        self.climb_incircle([a, b, c, d])
+        self.climb_incircle(determinant, [a, b, c, d])
     }
 
     /// [`Predicates::insphere`] and the stage that settled it, not tallied.
@@ -139,12 +151,15 @@ impl<'s, T: Tally> Session<'s, T> {
     #[must_use]
     pub fn decide_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {
         let at = |v: Vertex| self.points3.get(v.index());
-        if let (Some(a), Some(b), Some(c), Some(d), Some(e)) = (at(a), at(b), at(c), at(d), at(e))
-            && let Some(sign) = Insphere::estimate([*a, *b, *c, *d, *e]).above(self.insphere.static_bound)
-        {
-            return (sign, self.insphere.static_stage);
+        let mut determinant = f64::NAN;
+        if let (Some(a), Some(b), Some(c), Some(d), Some(e)) = (at(a), at(b), at(c), at(d), at(e)) {
+            let estimate = Insphere::estimate([*a, *b, *c, *d, *e]);
+            if let Some(sign) = estimate.above(self.insphere.static_bound) {
+                return (sign, self.insphere.static_stage);
+            }
+            determinant = estimate.determinant;
         }
-        self.climb_insphere([a, b, c, d, e])
+        self.climb_insphere(determinant, [a, b, c, d, e])
     }
 
     // The cold paths take vertices and not points, so that the hot ones keep points in registers.
@@ -156,43 +171,54 @@ impl<'s, T: Tally> Session<'s, T> {
         self.constructed.compare(axis, a, b)
     }
 
+    #[inline(never)]
+    fn filter_orient2d(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> (Sign, usize) {
+        if let Some(rows) = self.integers3.short(plane.axes().map(Axis::index), [a, b, c]) {
+            return (Orient2d::integer(rows), stage::INTEGER);
+        }
+        let at = |v| self.point2(plane, v);
+        if let (Some(p), Some(q), Some(r)) = (at(a), at(b), at(c)) {
+            let prepared = &self.orient2d[plane as usize];
+            let estimate = Orient2d::estimate([p, q, r]);
+            if let Some(sign) = estimate.above(prepared.static_bound) {
+                return (sign, prepared.static_stage);
+            }
+            // Here the second filter costs less than the call.
+            if let Some(sign) = estimate.certain(prepared.semi_static_bound) {
+                return (sign, stage::SEMI_STATIC);
+            }
+        }
+        self.climb_orient2d(plane, [a, b, c])
+    }
+
     #[cold]
     #[inline(never)]
     fn climb_orient2d(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> (Sign, usize) {
-        if self.scene.dimension() == Dimension::Three {
-            return self.climb_projected(plane, [a, b, c]);
-        }
-        let at = |v: Vertex| self.points2.get(v.index());
-        match (at(a), at(b), at(c)) {
-            (Some(p), Some(q), Some(r)) => {
-                let rows = || self.integers2.rows([0, 1], [a.index(), b.index(), c.index()]);
-                self.orient2d[plane as usize].climb::<Orient2d, 2, 3>([*p, *q, *r], rows)
-            }
-            _ => self.constructed.orient2d(plane, a, b, c),
-        }
-    }
-
-    #[inline(never)]
-    fn climb_projected(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> (Sign, usize) {
         let at = |v| self.point2(plane, v);
-        match (at(a), at(b), at(c)) {
-            (Some(p), Some(q), Some(r)) => {
-                let axes = plane.axes().map(Axis::index);
-                let rows = || self.integers3.rows(axes, [a.index(), b.index(), c.index()]);
-                self.orient2d[plane as usize].climb::<Orient2d, 2, 3>([p, q, r], rows)
+        let (Some(p), Some(q), Some(r)) = (at(a), at(b), at(c)) else {
+            return self.constructed.orient2d(plane, a, b, c);
+        };
+        let (points, prepared) = ([p, q, r], &self.orient2d[plane as usize]);
+        match self.scene.dimension() {
+            Dimension::Two => {
+                prepared.climb::<Orient2d, 2, 3, 2>(f64::NAN, points, (&self.integers2, [0, 1], [a, b, c]))
             }
-            _ => self.constructed.orient2d(plane, a, b, c),
+            Dimension::Three => {
+                let axes = plane.axes().map(Axis::index);
+                prepared.climb::<Orient2d, 2, 3, 3>(f64::NAN, points, (&self.integers3, axes, [a, b, c]))
+            }
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn climb_orient3d(&self, [a, b, c, d]: [Vertex; 4]) -> (Sign, usize) {
+    fn climb_orient3d(&self, determinant: f64, vertices: [Vertex; 4]) -> (Sign, usize) {
+        let [a, b, c, d] = vertices;
         let at = |v: Vertex| self.points3.get(v.index());
         match (at(a), at(b), at(c), at(d)) {
             (Some(p), Some(q), Some(r), Some(s)) => {
-                let rows = || self.integers3.rows([0, 1, 2], [a.index(), b.index(), c.index(), d.index()]);
-                self.orient3d.climb::<Orient3d, 3, 4>([*p, *q, *r, *s], rows)
+                let integers = (&self.integers3, [0, 1, 2], vertices);
+                self.orient3d.climb::<Orient3d, 3, 4, 3>(determinant, [*p, *q, *r, *s], integers)
             }
             _ => self.constructed.orient3d(a, b, c, d),
         }
@@ -200,18 +226,20 @@ impl<'s, T: Tally> Session<'s, T> {
 
     #[cold]
     #[inline(never)]
-    fn climb_incircle(&self, [a, b, c, d]: [Vertex; 4]) -> (Sign, usize) {
+    fn climb_incircle(&self, determinant: f64, vertices: [Vertex; 4]) -> (Sign, usize) {
+        let [a, b, c, d] = vertices;
         let at = |v: Vertex| self.points2[v.index()];
-        let rows = || self.integers2.rows([0, 1], [a.index(), b.index(), c.index(), d.index()]);
-        self.incircle.climb::<Incircle, 2, 4>([at(a), at(b), at(c), at(d)], rows)
+        let integers = (&self.integers2, [0, 1], vertices);
+        self.incircle.climb::<Incircle, 2, 4, 2>(determinant, [at(a), at(b), at(c), at(d)], integers)
     }
 
     #[cold]
     #[inline(never)]
-    fn climb_insphere(&self, [a, b, c, d, e]: [Vertex; 5]) -> (Sign, usize) {
+    fn climb_insphere(&self, determinant: f64, vertices: [Vertex; 5]) -> (Sign, usize) {
+        let [a, b, c, d, e] = vertices;
         let at = |v: Vertex| self.points3[v.index()];
-        let rows = || self.integers3.rows([0, 1, 2], [a.index(), b.index(), c.index(), d.index(), e.index()]);
-        self.insphere.climb::<Insphere, 3, 5>([at(a), at(b), at(c), at(d), at(e)], rows)
+        let integers = (&self.integers3, [0, 1, 2], vertices);
+        self.insphere.climb::<Insphere, 3, 5, 3>(determinant, [at(a), at(b), at(c), at(d), at(e)], integers)
     }
 
     #[inline(always)]
@@ -227,20 +255,18 @@ impl<'s, T: Tally> Session<'s, T> {
     }
 
     #[inline]
-    fn batch<P: Predicate<D, N>, const D: usize, const N: usize>(
+    fn batch<P: Predicate<D, N>, V: View<E, D>, const E: usize, const D: usize, const N: usize>(
         &self,
         prepared: &Prepared,
-        points: &[[f64; D]],
-        queries: &[[Vertex; N]],
-        out: &mut [Sign],
+        points: &[[f64; E]],
+        (queries, out): (&[[Vertex; N]], &mut [Sign]),
         climb: impl Fn(&[Vertex; N]) -> (Sign, usize),
     ) {
-        batch::run::<P, _, D, N>(Batch {
+        batch::run::<P, V, E, D, N>(Batch {
             bounds: [prepared.static_bound, prepared.semi_static_bound],
+            points,
             queries,
             out,
-            // With NaN nothing is certain, and the vertex is seen to where it climbs.
-            point: |v: Vertex| points.get(v.index()).copied().unwrap_or([f64::NAN; D]),
             settled: |[by_static, by_semi_static]: [u64; 2]| {
                 self.tally.settled_many(P::KIND, prepared.static_stage, by_static);
                 self.tally.settled_many(P::KIND, stage::SEMI_STATIC, by_semi_static);
@@ -250,6 +276,27 @@ impl<'s, T: Tally> Session<'s, T> {
                 self.tally.settled(P::KIND, stage);
                 sign
             },
+        });
+    }
+
+    /// Where points lie beside a line or plane.
+    #[inline]
+    fn beside<P: Predicate<D, N>, V: View<E, D>, const E: usize, const D: usize, const N: usize>(
+        &self,
+        prepared: &Prepared,
+        side: Side<D>,
+        points: &[[f64; E]],
+        (vertices, out): (&[Vertex], &mut [Sign]),
+        climb: impl Fn(Vertex) -> (Sign, usize),
+    ) {
+        batch::run_beside::<V, E, D>(Beside {
+            side,
+            bound: prepared.semi_static_bound * side.permanent,
+            points,
+            vertices,
+            out,
+            settled: |count| self.tally.settled_many(P::KIND, prepared.static_stage, count),
+            climb: |vertex| self.tallied(P::KIND, climb(vertex)),
         });
     }
 
@@ -292,28 +339,70 @@ impl<T: Tally> Predicates for Session<'_, T> {
     }
 
     fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
-        if self.scene.dimension() == Dimension::Two {
-            let climb = |query: &[Vertex; 3]| self.climb_orient2d(plane, *query);
-            self.batch::<Orient2d, 2, 3>(&self.orient2d[plane as usize], self.points2, queries, out, climb);
-        } else {
-            for (&[a, b, c], out) in queries.iter().zip(out) {
-                *out = self.orient2d(plane, a, b, c);
+        let climb = |query: &[Vertex; 3]| self.climb_orient2d(plane, *query);
+        let prepared = &self.orient2d[plane as usize];
+        let asked = (queries, out);
+        match (self.scene.dimension(), plane) {
+            (Dimension::Two, Plane::Xy) => {
+                self.batch::<Orient2d, Whole, 2, 2, 3>(prepared, self.points2, asked, climb);
+            }
+            (_, Plane::Xy) => {
+                self.batch::<Orient2d, Xy, 3, 2, 3>(prepared, self.points3, asked, climb);
+            }
+            (_, Plane::Yz) => {
+                self.batch::<Orient2d, Yz, 3, 2, 3>(prepared, self.points3, asked, climb);
+            }
+            (_, Plane::Zx) => {
+                self.batch::<Orient2d, Zx, 3, 2, 3>(prepared, self.points3, asked, climb);
             }
         }
     }
 
+    fn orient2d_line(&self, plane: Plane, [a, b]: [Vertex; 2], points: &[Vertex], out: &mut [Sign]) {
+        let (Some(p), Some(q)) = (self.point2(plane, a), self.point2(plane, b)) else {
+            return points.iter().zip(out).for_each(|(&c, out)| *out = self.orient2d(plane, a, b, c));
+        };
+        let climb = |c: Vertex| self.climb_orient2d(plane, [a, b, c]);
+        let prepared = &self.orient2d[plane as usize];
+        let asked = (points, out);
+        match (self.scene.dimension(), plane) {
+            (Dimension::Two, _) => {
+                let side = Side::of_line([p, q], self.extent2);
+                self.beside::<Orient2d, Whole, 2, 2, 3>(prepared, side, self.points2, asked, climb);
+            }
+            (Dimension::Three, plane) => {
+                let side = Side::of_line([p, q], plane.axes().map(|axis| self.extent3[axis.index()]));
+                match plane {
+                    Plane::Xy => self.beside::<Orient2d, Xy, 3, 2, 3>(prepared, side, self.points3, asked, climb),
+                    Plane::Yz => self.beside::<Orient2d, Yz, 3, 2, 3>(prepared, side, self.points3, asked, climb),
+                    Plane::Zx => self.beside::<Orient2d, Zx, 3, 2, 3>(prepared, side, self.points3, asked, climb),
+                }
+            }
+        }
+    }
+
+    fn orient3d_plane(&self, [a, b, c]: [Vertex; 3], points: &[Vertex], out: &mut [Sign]) {
+        let at = |v: Vertex| self.points3.get(v.index());
+        let (Some(p), Some(q), Some(r)) = (at(a), at(b), at(c)) else {
+            return points.iter().zip(out).for_each(|(&d, out)| *out = self.orient3d(a, b, c, d));
+        };
+        let climb = |d: Vertex| self.climb_orient3d(f64::NAN, [a, b, c, d]);
+        let side = Side::of_plane([*p, *q, *r], self.extent3);
+        self.beside::<Orient3d, Whole, 3, 3, 4>(&self.orient3d, side, self.points3, (points, out), climb);
+    }
+
     fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
-        let climb = |query: &[Vertex; 4]| self.climb_orient3d(*query);
-        self.batch::<Orient3d, 3, 4>(&self.orient3d, self.points3, queries, out, climb);
+        let climb = |query: &[Vertex; 4]| self.climb_orient3d(f64::NAN, *query);
+        self.batch::<Orient3d, Whole, 3, 3, 4>(&self.orient3d, self.points3, (queries, out), climb);
     }
 
     fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
-        let climb = |query: &[Vertex; 4]| self.climb_incircle(*query);
-        self.batch::<Incircle, 2, 4>(&self.incircle, self.points2, queries, out, climb);
+        let climb = |query: &[Vertex; 4]| self.climb_incircle(f64::NAN, *query);
+        self.batch::<Incircle, Whole, 2, 2, 4>(&self.incircle, self.points2, (queries, out), climb);
     }
 
     fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
-        let climb = |query: &[Vertex; 5]| self.climb_insphere(*query);
-        self.batch::<Insphere, 3, 5>(&self.insphere, self.points3, queries, out, climb);
+        let climb = |query: &[Vertex; 5]| self.climb_insphere(f64::NAN, *query);
+        self.batch::<Insphere, Whole, 3, 3, 5>(&self.insphere, self.points3, (queries, out), climb);
     }
 }

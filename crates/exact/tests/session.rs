@@ -130,7 +130,9 @@ fn each_stage_settles_what_it_can_prove() {
     let [long, wide] = [[[1.0 + f64::EPSILON, 0.5]], [[5e-324, f64::MAX]]];
     assert_eq!(settled(turn, &[]), (Sign::Positive, stage::DOUBLE));
     assert_eq!(settled(tie, &[]), (Sign::Zero, stage::DOUBLE), "short numbers: floats make no error");
-    assert_eq!(settled(turn, &long), (Sign::Positive, stage::STATIC));
+    assert_eq!(settled(turn, &long), (Sign::Positive, stage::INTEGER), "two products cost no more than a filter");
+    assert_eq!(settled(turn, &[[1e20, 0.1]]), (Sign::Positive, stage::SEMI_STATIC));
+    assert_eq!(settled(turn, &[[1.0, 1e-20]]), (Sign::Positive, stage::STATIC));
     assert_eq!(settled(uneven_tie, &[]), (Sign::Zero, stage::INTEGER));
     assert_eq!(settled(tiny_tie, &[]), (Sign::Zero, stage::INTEGER), "no float can be trusted, but all fits");
     assert_eq!(settled(far_tie, &[[0.5, 0.25]]), (Sign::Zero, stage::INTEGER), "59 bits: no double differences");

@@ -107,9 +107,23 @@ pub trait Predicates: Sync {
         }
     }
 
+    /// [`Predicates::orient2d`] of one line through a and b with many points c, in order.
+    fn orient2d_line(&self, plane: Plane, [a, b]: [Vertex; 2], points: &[Vertex], out: &mut [Sign]) {
+        for (&c, out) in points.iter().zip(out) {
+            *out = self.orient2d(plane, a, b, c);
+        }
+    }
+
     /// [`Predicates::orient3d`] for many quadruples, in order.
     fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
         for (&[a, b, c, d], out) in queries.iter().zip(out) {
+            *out = self.orient3d(a, b, c, d);
+        }
+    }
+
+    /// [`Predicates::orient3d`] of one plane through a, b and c with many points d, in order.
+    fn orient3d_plane(&self, [a, b, c]: [Vertex; 3], points: &[Vertex], out: &mut [Sign]) {
+        for (&d, out) in points.iter().zip(out) {
             *out = self.orient3d(a, b, c, d);
         }
     }

@@ -6,48 +6,51 @@
 //! climb the ladder one by one, so that they don't hold up the others.
 
 #![allow(clippy::needless_range_loop)]
+#![allow(unsafe_code)]
 
+mod beside;
+mod block;
 mod simd;
+#[cfg(test)]
+mod tests;
 
 use std::marker::PhantomData;
 
-use predicament_predicates::Sign;
+use predicament_predicates::{Sign, Vertex};
 
 use crate::estimate::Estimate;
 use crate::predicate::Predicate;
+pub(crate) use beside::{Beside, run_beside};
+use block::{BLOCK, Block};
+pub(crate) use block::{View, Whole, Xy, Yz, Zx};
 use simd::{Kernel, dispatch};
 
-/// The queries of a block: a bit each in a mask.
-const BLOCK: usize = 64;
-
-/// Queries of `N` points each, and what to do about them.
-pub(crate) struct Batch<'a, Q, F, S, C> {
+/// Queries of `N` vertices each, and what to do about them.
+pub(crate) struct Batch<'a, S, C, const E: usize, const N: usize> {
     /// The bounds of the static and of the semi-static filter.
     pub bounds: [f64; 2],
+    /// The points of the vertices. With what has none nothing is certain, and
+    /// the vertex is seen to where it climbs.
+    pub points: &'a [[f64; E]],
     /// What is asked.
-    pub queries: &'a [Q],
+    pub queries: &'a [[Vertex; N]],
     /// A place for each answer.
     pub out: &'a mut [Sign],
-    /// Gives the coordinates of a point.
-    pub point: F,
     /// Told how many queries of a block each of the two has settled.
     pub settled: S,
     /// Answers a query that it leaves open.
     pub climb: C,
 }
 
-/// Answers all queries.
-///
-/// # Panics
-/// If a query names a point that there is not.
+/// Answers all queries with a predicate that sees points in this view.
 #[inline]
-pub(crate) fn run<P, V, const D: usize, const N: usize>(
-    batch: Batch<'_, [V; N], impl Fn(V) -> [f64; D], impl Fn([u64; 2]), impl Fn(&[V; N]) -> Sign>,
+pub(crate) fn run<P, V, const E: usize, const D: usize, const N: usize>(
+    batch: Batch<'_, impl Fn([u64; 2]), impl Fn(&[Vertex; N]) -> Sign, E, N>,
 ) where
     P: Predicate<D, N>,
-    V: Copy,
+    V: View<E, D>,
 {
-    dispatch(Of { batch, predicate: PhantomData::<P> });
+    dispatch(Of { batch, predicate: PhantomData::<(P, V, [(); D])> });
 }
 
 /// A batch of queries of one predicate.
@@ -56,62 +59,63 @@ struct Of<B, P> {
     predicate: PhantomData<P>,
 }
 
-impl<P, V, F, S, C, const D: usize, const N: usize> Kernel for Of<Batch<'_, [V; N], F, S, C>, P>
+impl<P, V, S, C, const E: usize, const D: usize, const N: usize> Kernel for Of<Batch<'_, S, C, E, N>, (P, V, [(); D])>
 where
     P: Predicate<D, N>,
-    V: Copy,
-    F: Fn(V) -> [f64; D],
+    V: View<E, D>,
     S: Fn([u64; 2]),
-    C: Fn(&[V; N]) -> Sign,
+    C: Fn(&[Vertex; N]) -> Sign,
 {
     type Output = ();
 
     #[inline(always)]
-    fn run(self) {
-        let Batch { bounds: [static_bound, semi_static_bound], queries, out, point, settled, climb } = self.batch;
-        let mut block = [[[0.0; D]; BLOCK]; N];
+    unsafe fn run<const WIDE: bool>(self) {
+        let Batch { bounds: [static_bound, semi_static_bound], points, queries, out, settled, climb } = self.batch;
+        let mut block = Block::EMPTY;
         for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
-            // Row by row and not with `map` on arrays, which goes through memory.
-            for (at, query) in queries.iter().enumerate() {
-                for row in 0..N {
-                    block[row][at] = point(query[row]);
-                }
-            }
-            let (mut signs, open) = filter::<P, D, N>(&block, |_| static_bound);
+            // SAFETY: the kernel is run wide where the processor has AVX-512F.
+            unsafe { block.fetch::<V, E, WIDE>(points, queries) };
+            let (mut signs, open) = filter(&block, |points| (P::estimate(points).determinant, static_bound));
             let open = open & (u64::MAX >> (BLOCK - queries.len()));
             let by_static = queries.len() as u64 - u64::from(open.count_ones());
             let mut left = open;
             if open != 0 {
                 // (A determinant that is large enough for the one has the same sign for the other.)
-                let (again, still) = filter::<P, D, N>(&block, |permanent| semi_static_bound * permanent);
+                let (again, still) = filter(&block, |points| {
+                    let Estimate { determinant, permanent } = P::estimate(points);
+                    (determinant, semi_static_bound * permanent)
+                });
                 signs = again;
                 left = open & still;
             }
             out.copy_from_slice(&signs[..queries.len()]);
             settled([by_static, u64::from(open.count_ones() - left.count_ones())]);
-            let mut open = left;
-            while open != 0 {
-                let at = open.trailing_zeros() as usize;
+            for at in ones(left) {
                 out[at] = climb(&queries[at]);
-                open &= open - 1;
             }
         }
     }
 }
 
-/// The signs of a block, and a mask of those that are not certain: whose
-/// magnitude is not at least the bound that comes from the permanent.
+/// The places of the ones in a mask, in order.
+fn ones(mut mask: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let at = mask.trailing_zeros() as usize;
+        (mask != 0).then(|| mask &= mask - 1).map(|()| at)
+    })
+}
+
+/// The signs of a block, and a mask of those that are not certain: `evaluate`
+/// gives a determinant and the magnitude from which on it is.
 #[inline(always)]
-fn filter<P: Predicate<D, N>, const D: usize, const N: usize>(
-    block: &[[[f64; D]; BLOCK]; N],
-    bound: impl Fn(f64) -> f64,
+fn filter<const D: usize, const N: usize>(
+    block: &Block<D, N>,
+    evaluate: impl Fn([[f64; D]; N]) -> (f64, f64),
 ) -> ([Sign; BLOCK], u64) {
     let mut determinants = [0.0; BLOCK];
     let mut bounds = [0.0; BLOCK];
     for at in 0..BLOCK {
-        let Estimate { determinant, permanent } = P::estimate(std::array::from_fn(|row| block[row][at]));
-        determinants[at] = determinant;
-        bounds[at] = bound(permanent);
+        (determinants[at], bounds[at]) = evaluate(block.query(at));
     }
     let mut signs = [Sign::Zero; BLOCK];
     let mut open = 0;

@@ -15,37 +15,80 @@ pub(crate) trait Kernel {
     type Output;
 
     /// Does the work.
-    fn run(self) -> Self::Output;
+    ///
+    /// # Safety
+    /// With `WIDE` the processor must have AVX-512F.
+    unsafe fn run<const WIDE: bool>(self) -> Self::Output;
+}
+
+/// How many doubles a register holds.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Width {
+    /// As many as all processors of the target have.
+    Any,
+    /// Four: AVX2.
+    Four,
+    /// Eight: AVX-512.
+    Eight,
+}
+
+impl Width {
+    /// All of them, widest first.
+    pub const ALL: [Width; 3] = [Width::Eight, Width::Four, Width::Any];
+
+    /// Whether this machine has them.
+    #[inline]
+    pub fn is_available(self) -> bool {
+        #[cfg(target_arch = "x86_64")]
+        match self {
+            Width::Any => true,
+            Width::Four => std::is_x86_feature_detected!("avx2"),
+            Width::Eight => {
+                std::is_x86_feature_detected!("avx512f")
+                    && std::is_x86_feature_detected!("avx512bw")
+                    && std::is_x86_feature_detected!("avx512dq")
+                    && std::is_x86_feature_detected!("avx512vl")
+            }
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        return self == Width::Any;
+    }
 }
 
 /// Does the work with the widest registers.
+#[inline]
 pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
+    let width = Width::ALL.into_iter().find(|width| width.is_available());
+    run_on(width.unwrap_or(Width::Any), kernel)
+}
+
+/// Does the work with registers of this width, or of any if the machine has no such ones.
+#[inline]
+pub(crate) fn run_on<K: Kernel>(width: Width, kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
-    {
-        if std::is_x86_feature_detected!("avx512f")
-            && std::is_x86_feature_detected!("avx512bw")
-            && std::is_x86_feature_detected!("avx512dq")
-            && std::is_x86_feature_detected!("avx512vl")
-        {
-            // SAFETY: the machine has the features that the function is compiled for.
-            return unsafe { wide(kernel) };
-        }
-        if std::is_x86_feature_detected!("avx2") {
-            // SAFETY: the machine has the feature that the function is compiled for.
-            return unsafe { medium(kernel) };
+    if width.is_available() {
+        match width {
+            // SAFETY: the machine has the features that the functions are compiled for.
+            Width::Eight => return unsafe { eight(kernel) },
+            // SAFETY: as above.
+            Width::Four => return unsafe { four(kernel) },
+            Width::Any => {}
         }
     }
-    kernel.run()
+    // SAFETY: it does not run wide.
+    unsafe { kernel.run::<false>() }
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl")]
-fn wide<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run()
+fn eight<K: Kernel>(kernel: K) -> K::Output {
+    // SAFETY: this function has AVX-512F.
+    unsafe { kernel.run::<true>() }
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn medium<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run()
+fn four<K: Kernel>(kernel: K) -> K::Output {
+    // SAFETY: it does not run wide.
+    unsafe { kernel.run::<false>() }
 }

@@ -16,7 +16,7 @@ mod verdict;
 use climb::{Recipe, minus, over, steer, under};
 use common::Random;
 use predicament_arithmetic::bound;
-use predicament_exact::{estimate, rational};
+use predicament_exact::{estimate, rational, side::Side};
 use predicament_predicates::Sign;
 use traced::Formula;
 use verdict::Verdict;
@@ -42,6 +42,22 @@ const ORIENT3D: Recipe<3, 4> = Recipe {
     spread: -20,
     price: 15.0,
     steps: 3_000_000,
+};
+
+/// The side of the first point on the line from the last to the second: as `ORIENT2D`.
+const LINE: Recipe<2, 3> = Recipe { formula: traced::line, ..ORIENT2D };
+
+/// The side of the first point on the plane of the others: as `ORIENT3D`, rows and columns exchanged.
+const PLANE: Recipe<3, 4> = Recipe {
+    formula: traced::plane,
+    entries: [
+        [over(0), steer(-53), under(0)],
+        [minus(under(0)), minus(over(0)), steer(-53)],
+        [steer(-53), under(0), minus(over(0))],
+        [steer(0); 3],
+    ],
+    spread: -12,
+    ..ORIENT3D
 };
 
 /// The terms a_x²·b_x·c_y and c_x²·a_x·b_y.
@@ -116,6 +132,16 @@ fn two_percent_of_orient3d_are_caught() {
 }
 
 #[test]
+fn two_percent_of_a_line_are_caught() {
+    hunt(&LINE, 1..13, [bound::ORIENT2D, 0.98], |&[c, b, a]| rational::orient2d(c, b, a));
+}
+
+#[test]
+fn two_percent_of_a_plane_are_caught() {
+    hunt(&PLANE, 1..9, [bound::ORIENT3D, 0.98], |&[d, b, c, a]| rational::orient3d(d, b, c, a));
+}
+
+#[test]
 fn two_percent_of_incircle_are_caught() {
     hunt(&INCIRCLE, 1..7, [bound::INCIRCLE, 0.98], |&[a, b, c, d]| rational::incircle(a, b, c, d));
 }
@@ -156,6 +182,13 @@ fn the_search_sees_what_the_filters_do() {
         let p @ [a, b, c, d] = random.points(Random::unit);
         let determinant = estimate::orient3d(a, b, c, d).determinant;
         check(traced::orient3d, &p, determinant, &rational::orient3d(a, b, c, d), common::orient3d(&p));
+        // Without the last point for a pivot: rows are relative to the first of the line or plane.
+        let p @ [c, b, a] = random.points(Random::unit);
+        let d = -Side::of_line([a, b], [1.0; 2]).determinant(c);
+        check(traced::line, &p, d, &rational::orient2d(c, b, a), common::orient2d(&p));
+        let p @ [d, b, c, a] = random.points(Random::unit);
+        let determinant = -Side::of_plane([a, b, c], [1.0; 3]).determinant(d);
+        check(traced::plane, &p, determinant, &rational::orient3d(d, b, c, a), common::orient3d(&p));
         let p @ [a, b, c, d] = random.points(Random::unit);
         let determinant = estimate::incircle(a, b, c, d).determinant;
         check(traced::incircle, &p, determinant, &rational::incircle(a, b, c, d), common::incircle(&p));

@@ -92,7 +92,20 @@ pub fn orient3d([a, b, c, d]: &[[f64; 3]; 4]) -> [Traced; 2] {
     [a[2] * minor(b, c) + b[2] * minor(c, a), c[2] * minor(a, b)]
 }
 
-/// The same, each with its squared length.
+/// The side of c on the line from a to b: (c − a) times the normal of b − a.
+pub fn line([c, b, a]: &[[f64; 2]; 3]) -> [Traced; 2] {
+    let [c, b] = [c, b].map(|p| minus(p, a));
+    [b[1] * c[0], -(b[0] * c[1])]
+}
+
+/// The side of d on the plane of a, b, c: (d − a) times the normal of b − a and c − a.
+pub fn plane([d, b, c, a]: &[[f64; 3]; 4]) -> [Traced; 2] {
+    let [d, b, c] = [d, b, c].map(|p| minus(p, a));
+    let normal = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| b[i] * c[j] - b[j] * c[i]);
+    [normal[0] * d[0] + normal[1] * d[1], normal[2] * d[2]]
+}
+
+/// The 3 × 3 determinant of a − d, b − d, c − d, each with its squared length.
 pub fn incircle([a, b, c, d]: &[[f64; 2]; 4]) -> [Traced; 2] {
     let [a, b, c] = [a, b, c].map(|p| minus(p, d));
     [lift(a) * minor(b, c) + lift(b) * minor(c, a), lift(c) * minor(a, b)]

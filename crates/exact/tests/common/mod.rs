@@ -79,17 +79,25 @@ fn ask<const D: usize>(question: Question, points: &[[f64; D]], scene: impl Fn(&
         let session = Exact.prepare(&scene, Off).expect("every scene can be prepared");
         session.supports(question.kind()).expect("a scene of the right dimension");
         let single = question.ask(&session, &args);
-        // The same question at both ends of a batch of more than one block.
-        let mut batch = [Sign::Zero; 65];
+        // Eight that are taken together, and one more.
+        let mut batch = [Sign::Zero; 9];
         QuerySet::new(question, args.repeat(batch.len())).ask_batch(&session, 0..batch.len(), &mut batch);
-        assert_eq!([batch[0], batch[64]], [single; 2], "{question:?} as a batch: {points:?}");
+        assert_eq!([batch[0], batch[8]], [single; 2], "{question:?} as a batch: {points:?}");
+        // The last vertex for many, beside the line or plane of the others.
+        let mut beside = [single; 9];
+        match (question, &args[..]) {
+            (Question::Orient2d(plane), &[a, b, c]) => session.orient2d_line(plane, [a, b], &[c; 9], &mut beside),
+            (Question::Orient3d, &[a, b, c, d]) => session.orient3d_plane([a, b, c], &[d; 9], &mut beside),
+            _ => {}
+        }
+        assert_eq!([beside[0], beside[8]], [single; 2], "{question:?} beside: {points:?}");
         single
     };
-    let mut wide = points.to_vec();
-    wide.push(std::array::from_fn(|i| WIDE[i]));
-    let [alone, among] = [answer(points), answer(&wide)];
-    assert_eq!(alone, among, "{question:?} alone and in a wide scene: {points:?}");
-    alone
+    let with = |point: [f64; D]| answer(&[points, &[point]].concat());
+    // (A batch may take another way if it asks about the last point of the scene.)
+    let answers = [answer(points), with(points[0]), with(std::array::from_fn(|i| WIDE[i]))];
+    assert_eq!(answers, [answers[0]; 3], "{question:?} alone, with another point and in a wide scene: {points:?}");
+    answers[0]
 }
 
 fn ask2(question: Question, points: &[[f64; 2]]) -> Sign {

@@ -1,0 +1,182 @@
+//! The points of some queries, coordinate by coordinate.
+//!
+//! For a query that the filter settles at once, fetching its points by the ids
+//! of their vertices is most of the work. So ids are checked all together, and
+//! the points of eight queries at a time are fetched as they lie in memory and
+//! transposed in registers.
+
+#![allow(unsafe_code)]
+#![allow(clippy::needless_range_loop)]
+
+use predicament_predicates::Vertex;
+
+/// The queries of a block: a bit each in a mask.
+pub(super) const BLOCK: usize = 64;
+
+/// What a predicate on `D` coordinates sees of a point of `E`.
+pub(crate) trait View<const E: usize, const D: usize> {
+    /// The coordinates that it sees, in its order.
+    fn see<T: Copy>(point: [T; E]) -> [T; D];
+}
+
+/// All coordinates.
+pub(crate) struct Whole;
+/// The projection along z.
+pub(crate) struct Xy;
+/// The projection along x.
+pub(crate) struct Yz;
+/// The projection along y.
+pub(crate) struct Zx;
+
+impl<const D: usize> View<D, D> for Whole {
+    #[inline(always)]
+    fn see<T: Copy>(point: [T; D]) -> [T; D] {
+        point
+    }
+}
+
+impl View<3, 2> for Xy {
+    #[inline(always)]
+    fn see<T: Copy>([x, y, _]: [T; 3]) -> [T; 2] {
+        [x, y]
+    }
+}
+
+impl View<3, 2> for Yz {
+    #[inline(always)]
+    fn see<T: Copy>([_, y, z]: [T; 3]) -> [T; 2] {
+        [y, z]
+    }
+}
+
+impl View<3, 2> for Zx {
+    #[inline(always)]
+    fn see<T: Copy>([x, _, z]: [T; 3]) -> [T; 2] {
+        [z, x]
+    }
+}
+
+/// The coordinates of up to [`BLOCK`] queries of `N` points: by place in the
+/// query, by axis, by query.
+#[repr(align(64))]
+pub(super) struct Block<const D: usize, const N: usize>([[[f64; BLOCK]; D]; N]);
+
+impl<const D: usize, const N: usize> Block<D, N> {
+    pub const EMPTY: Block<D, N> = Block([[[0.0; BLOCK]; D]; N]);
+
+    /// The points of one query.
+    #[inline(always)]
+    pub fn query(&self, at: usize) -> [[f64; D]; N] {
+        let mut points = [[0.0; D]; N];
+        for row in 0..N {
+            for axis in 0..D {
+                points[row][axis] = self.0[row][axis][at];
+            }
+        }
+        points
+    }
+
+    /// Takes the points of these queries, [`BLOCK`] at most. A vertex that has
+    /// none gets NaN for coordinates.
+    ///
+    /// # Safety
+    /// With `W` the processor must have AVX-512F.
+    #[inline(always)]
+    pub unsafe fn fetch<V: View<E, D>, const E: usize, const W: bool>(
+        &mut self,
+        points: &[[f64; E]],
+        queries: &[[Vertex; N]],
+    ) {
+        let mut first = 0;
+        #[cfg(target_arch = "x86_64")]
+        if W {
+            let of_all = |largest, &v| if v > largest { v } else { largest };
+            let largest = queries.as_flattened().iter().fold(Vertex::input(0), of_all);
+            // The last point is left out, since registers reach into what comes after a point.
+            if largest.index() + 1 < points.len() {
+                let (eights, rest) = queries.as_chunks::<8>();
+                for (eighth, queries) in eights.iter().enumerate() {
+                    for row in 0..N {
+                        let mut indices = [0; 8];
+                        for lane in 0..8 {
+                            indices[lane] = queries[lane][row].index();
+                        }
+                        // SAFETY: the processor has AVX-512F, says the caller, and `indices` are
+                        // less than that of the last point.
+                        let lanes = V::see(unsafe { wide::transposed(points, indices) });
+                        for axis in 0..D {
+                            self.0[row][axis].as_chunks_mut::<8>().0[eighth] = lanes[axis];
+                        }
+                    }
+                }
+                first = queries.len() - rest.len();
+            }
+        }
+        for at in first..queries.len() {
+            for row in 0..N {
+                let point = points.get(queries[at][row].index()).map_or([f64::NAN; D], |point| V::see(*point));
+                for axis in 0..D {
+                    self.0[row][axis][at] = point[axis];
+                }
+            }
+        }
+    }
+}
+
+/// Registers of eight doubles.
+#[cfg(target_arch = "x86_64")]
+mod wide {
+    use std::arch::x86_64::{
+        __m256d, __m512d, _mm_loadu_pd, _mm256_castpd128_pd256, _mm256_insertf128_pd, _mm256_loadu_pd,
+        _mm512_castpd256_pd512, _mm512_insertf64x4, _mm512_shuffle_f64x2, _mm512_storeu_pd, _mm512_unpackhi_pd,
+        _mm512_unpacklo_pd,
+    };
+
+    /// The coordinates of eight points, axis by axis.
+    ///
+    /// # Safety
+    /// The processor must have AVX-512F, and all indices be less than that of the last point.
+    #[inline(always)]
+    pub unsafe fn transposed<const E: usize>(points: &[[f64; E]], indices: [usize; 8]) -> [[f64; 8]; E] {
+        let point = |lane: usize| points.as_ptr().wrapping_add(indices[lane]).cast::<f64>();
+        // SAFETY: the processor has what the operations need, says the caller. Each load is of the
+        // doubles of a point, and in space of one more, which the next point has.
+        unsafe {
+            let mut lanes = [[0.0; 8]; E];
+            if E == 2 {
+                // x0 y0 x2 y2 …, x1 y1 x3 y3 …
+                let pair = |a: usize, b: usize| -> __m256d {
+                    let low = _mm256_castpd128_pd256(_mm_loadu_pd(point(a)));
+                    _mm256_insertf128_pd::<1>(low, _mm_loadu_pd(point(b)))
+                };
+                let even = join(pair(0, 2), pair(4, 6));
+                let odd = join(pair(1, 3), pair(5, 7));
+                store(_mm512_unpacklo_pd(even, odd), &mut lanes[0]);
+                store(_mm512_unpackhi_pd(even, odd), &mut lanes[1]);
+            } else {
+                // x0 y0 z0 _ x2 y2 z2 _, and the same of points 1 and 3, 4 and 6, 5 and 7
+                let pair = |a: usize, b: usize| join(_mm256_loadu_pd(point(a)), _mm256_loadu_pd(point(b)));
+                let [p, q, r, s] = [pair(0, 2), pair(1, 3), pair(4, 6), pair(5, 7)];
+                // x0 x1 z0 z1 x2 x3 z2 z3, …
+                let [xz, zx] = [_mm512_unpacklo_pd(p, q), _mm512_unpacklo_pd(r, s)];
+                let [y, yy] = [_mm512_unpackhi_pd(p, q), _mm512_unpackhi_pd(r, s)];
+                store(_mm512_shuffle_f64x2::<0b10_00_10_00>(xz, zx), &mut lanes[0]);
+                store(_mm512_shuffle_f64x2::<0b10_00_10_00>(y, yy), &mut lanes[1]);
+                store(_mm512_shuffle_f64x2::<0b11_01_11_01>(xz, zx), &mut lanes[2]);
+            }
+            lanes
+        }
+    }
+
+    #[inline(always)]
+    unsafe fn join(low: __m256d, high: __m256d) -> __m512d {
+        // SAFETY: the processor has AVX-512F, says the caller.
+        unsafe { _mm512_insertf64x4::<1>(_mm512_castpd256_pd512(low), high) }
+    }
+
+    #[inline(always)]
+    unsafe fn store(register: __m512d, lanes: &mut [f64; 8]) {
+        // SAFETY: the processor has AVX-512F, says the caller, and there is room for eight doubles.
+        unsafe { _mm512_storeu_pd(lanes.as_mut_ptr(), register) }
+    }
+}

@@ -1,0 +1,144 @@
+//! Every width of registers answers as one query at a time would.
+
+use std::cell::Cell;
+
+use predicament_predicates::{Sign, Vertex};
+use proptest::prelude::*;
+
+use super::simd::{Width, run_on};
+use super::{Batch, Beside, Of, View, Whole, Xy, Yz, Zx, beside};
+use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
+use crate::side::Side;
+
+/// Bounds of the two filters that leave about a third of all queries to each.
+const BOUNDS: [f64; 2] = [0.3, 0.1];
+const POINTS: usize = 40;
+
+/// What the ladder says in these tests, where it is only seen who gets there.
+const CLIMBED: Sign = Sign::Zero;
+
+/// Vertices of a scene; the last few have no points.
+fn vertices() -> impl Strategy<Value = Vec<Vertex>> {
+    let within = |end: usize| prop::collection::vec((0..end).prop_map(Vertex::input), 0..700);
+    // Often none is the last, and often there are some that are not there.
+    prop_oneof![within(POINTS - 1), within(POINTS), within(POINTS + 2)]
+}
+
+fn points<const D: usize>() -> impl Strategy<Value = Vec<[f64; D]>> {
+    prop::collection::vec(prop::array::uniform(-1.0..1.0), POINTS)
+}
+
+/// The widths that this machine has: at least one.
+fn widths() -> impl Iterator<Item = Width> {
+    Width::ALL.into_iter().filter(|width| width.is_available())
+}
+
+fn check<P: Predicate<D, N>, V: View<E, D>, const E: usize, const D: usize, const N: usize>(
+    points: &[[f64; E]],
+    vertices: &[Vertex],
+) {
+    let queries = vertices.as_chunks::<N>().0;
+    let mut expected = Vec::new();
+    let mut counts = [0; 3];
+    for query in queries {
+        let seen = query.map(|v| points.get(v.index()).map_or([f64::NAN; D], |point| V::see(*point)));
+        let estimate = P::estimate(seen);
+        let [by_static, by_semi_static] = [estimate.above(BOUNDS[0]), estimate.certain(BOUNDS[1])];
+        counts[if by_static.is_some() { 0 } else { 2 - usize::from(by_semi_static.is_some()) }] += 1;
+        expected.push(by_static.or(by_semi_static).unwrap_or(CLIMBED));
+    }
+    for width in widths() {
+        let mut out = vec![Sign::Positive; queries.len()];
+        let [by_static, by_semi_static, climbed] = [(); 3].map(|()| Cell::new(0));
+        let add = |to: &Cell<u64>, count| to.set(to.get() + count);
+        run_on(
+            width,
+            Of {
+                batch: Batch {
+                    bounds: BOUNDS,
+                    points,
+                    queries,
+                    out: &mut out,
+                    settled: |settled: [u64; 2]| {
+                        add(&by_static, settled[0]);
+                        add(&by_semi_static, settled[1]);
+                    },
+                    climb: |_: &[Vertex; N]| {
+                        add(&climbed, 1);
+                        CLIMBED
+                    },
+                },
+                predicate: std::marker::PhantomData::<(P, V, [(); D])>,
+            },
+        );
+        assert_eq!(out, expected, "{width:?}");
+        assert_eq!([by_static, by_semi_static, climbed].map(Cell::into_inner), counts, "{width:?}");
+    }
+}
+
+fn check_beside<V: View<E, D>, const E: usize, const D: usize>(
+    side: Side<D>,
+    determinant: impl Fn([f64; D]) -> f64,
+    points: &[[f64; E]],
+    vertices: &[Vertex],
+) {
+    let bound = 0.3;
+    let expected = vertices.iter().map(|v| {
+        let value = points.get(v.index()).map_or(f64::NAN, |point| determinant(V::see(*point)));
+        if value.abs() >= bound { Sign::of(value) } else { CLIMBED }
+    });
+    let expected: Vec<Sign> = expected.collect();
+    for width in widths() {
+        let mut out = vec![Sign::Positive; vertices.len()];
+        let [settled, climbed] = [Cell::new(0), Cell::new(0)];
+        run_on(
+            width,
+            beside::Of {
+                beside: Beside {
+                    side,
+                    bound,
+                    points,
+                    vertices,
+                    out: &mut out,
+                    settled: |count| settled.set(settled.get() + count),
+                    climb: |_| {
+                        climbed.set(climbed.get() + 1);
+                        CLIMBED
+                    },
+                },
+                view: std::marker::PhantomData::<V>,
+            },
+        );
+        assert_eq!(out, expected, "{width:?}");
+        let open = expected.iter().filter(|sign| sign.is_zero()).count() as u64;
+        assert_eq!([settled.get(), climbed.get()], [expected.len() as u64 - open, open], "{width:?}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn all_widths_answer_alike(flat in points::<2>(), solid in points::<3>(), vertices in vertices()) {
+        check::<Orient2d, Whole, 2, 2, 3>(&flat, &vertices);
+        check::<Orient2d, Xy, 3, 2, 3>(&solid, &vertices);
+        check::<Orient2d, Yz, 3, 2, 3>(&solid, &vertices);
+        check::<Orient2d, Zx, 3, 2, 3>(&solid, &vertices);
+        check::<Orient3d, Whole, 3, 3, 4>(&solid, &vertices);
+        check::<Incircle, Whole, 2, 2, 4>(&flat, &vertices);
+        check::<Insphere, Whole, 3, 3, 5>(&solid, &vertices);
+    }
+
+    /// The determinants written out: they're evaluated in this order.
+    #[test]
+    fn all_widths_see_the_same_side(flat in points::<2>(), solid in points::<3>(), vertices in vertices()) {
+        let side = Side::of_line([flat[0], flat[1]], [2.0; 2]);
+        let ([nx, ny], [x, y]) = (side.normal, side.pivot);
+        check_beside::<Whole, 2, 2>(side, |p| nx * (x - p[0]) + ny * (y - p[1]), &flat, &vertices);
+        check_beside::<Zx, 3, 2>(side, |p| nx * (x - p[0]) + ny * (y - p[1]), &solid, &vertices);
+        let side = Side::of_plane([solid[0], solid[1], solid[2]], [2.0; 3]);
+        let ([nx, ny, nz], [x, y, z]) = (side.normal, side.pivot);
+        let determinant = |p: [f64; 3]| nx * (x - p[0]) + ny * (y - p[1]) + nz * (z - p[2]);
+        check_beside::<Whole, 3, 3>(side, determinant, &solid, &vertices);
+    }
+}

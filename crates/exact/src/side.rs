@@ -1,0 +1,72 @@
+//! One line or plane, many points: what all the queries have in common is
+//! computed once.
+//!
+//! With rows relative to the first point of the line or plane instead of the
+//! last of the query, all but one row of the determinant belong to the line or
+//! plane alone. Expanded along the one that is left, the determinant is the
+//! product of a normal with a difference.
+//!
+//! # The filter
+//! Terms go through as many roundings as those of `estimate::orient2d` and
+//! `orient3d`, so their constants hold here too: three terms of seven
+//! roundings, of which the last sum is free and the one before counts half.
+//! The permanent is taken with the extents of the scene for the difference:
+//! one bound does for all points.
+
+// Loops over indices stay in registers, where `map` on arrays goes through memory.
+#![allow(clippy::needless_range_loop)]
+
+use crate::estimate::Estimate;
+
+/// A line in the plane, or a plane in space, directed.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Side<const D: usize> {
+    /// What differences to the pivot are multiplied with.
+    pub normal: [f64; D],
+    /// A point of the line or plane.
+    pub pivot: [f64; D],
+    /// The permanent of any point of the scene, at most.
+    pub permanent: f64,
+}
+
+impl<const D: usize> Side<D> {
+    /// The determinant of a point.
+    #[inline(always)]
+    #[must_use]
+    pub fn determinant(&self, p: [f64; D]) -> f64 {
+        let mut sum = self.normal[0] * (self.pivot[0] - p[0]);
+        for axis in 1..D {
+            sum += self.normal[axis] * (self.pivot[axis] - p[axis]);
+        }
+        sum
+    }
+}
+
+impl Side<2> {
+    /// Of the line from a to b: positive to its left. `extent` is that of the
+    /// scene's axes.
+    #[must_use]
+    pub fn of_line([a, b]: [[f64; 2]; 2], extent: [f64; 2]) -> Side<2> {
+        let normal = [b[1] - a[1], a[0] - b[0]];
+        let permanent = normal[0].abs() * extent[0] + normal[1].abs() * extent[1];
+        Side { normal, pivot: a, permanent }
+    }
+}
+
+impl Side<3> {
+    /// Of the plane of a, b and c: positive below it, where they are seen
+    /// clockwise. `extent` is that of the scene's axes.
+    #[must_use]
+    pub fn of_plane([a, b, c]: [[f64; 3]; 3], extent: [f64; 3]) -> Side<3> {
+        let row = |p: [f64; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
+        let (b, c) = (row(b), row(c));
+        let minor = |i: usize, j: usize| {
+            let (left, right) = (b[i] * c[j], b[j] * c[i]);
+            Estimate { determinant: left - right, permanent: left.abs() + right.abs() }
+        };
+        let minors = [minor(1, 2), minor(2, 0), minor(0, 1)];
+        let [x, y, z] = minors.map(|minor| minor.permanent);
+        let permanent = x * extent[0] + y * extent[1] + z * extent[2];
+        Side { normal: minors.map(|minor| minor.determinant), pivot: a, permanent }
+    }
+}
