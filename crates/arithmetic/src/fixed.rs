@@ -75,13 +75,14 @@ impl<const L: usize> Fixed<L> {
         Fixed(difference)
     }
 
-    /// The product, with room for all of it.
+    /// The product, modulo 2^(64P).
     ///
-    /// `P` must be `L + M`; anything else does not compile.
+    /// With `P` = `L + M` there is room for all of it; with less, the upper
+    /// limbs are not computed. More does not compile.
     #[inline(always)]
     #[must_use]
     pub fn times<const M: usize, const P: usize>(self, other: Fixed<M>) -> Fixed<P> {
-        const { assert!(P == L + M, "a product has the limbs of both factors") };
+        const { assert!(P <= L + M, "a product has the limbs of both factors at most") };
         // Row by row, the top limbs as signed numbers: after row i the lowest
         // i + M + 1 limbs hold a signed number.
         let mut product = [0; P];
@@ -89,6 +90,9 @@ impl<const L: usize> Fixed<L> {
             let row = self.0[i];
             let mut carry = 0;
             for j in 0..M - 1 {
+                if i + j >= P {
+                    break;
+                }
                 // (2^64 − 1)² + 2(2^64 − 1) = 2^128 − 1: nothing is lost.
                 if i == L - 1 {
                     let wide = signed(row) * unsigned(other.0[j]) + unsigned(product[i + j]) + carry;
@@ -101,11 +105,16 @@ impl<const L: usize> Fixed<L> {
                     carry = (wide >> 64).cast_signed();
                 }
             }
+            if i + M > P {
+                continue;
+            }
             let factor = if i == L - 1 { signed(row) } else { unsigned(row) };
             let above = if i == 0 { 0 } else { signed(product[i + M - 1]) };
             let wide = factor * signed(other.0[M - 1]) + above + carry;
             product[i + M - 1] = low(wide.cast_unsigned());
-            product[i + M] = low((wide >> 64).cast_unsigned());
+            if i + M < P {
+                product[i + M] = low((wide >> 64).cast_unsigned());
+            }
         }
         Fixed(product)
     }
@@ -184,7 +193,10 @@ mod tests {
 
     fn check<const A: usize, const B: usize, const P: usize>(a: Fixed<A>, b: Fixed<B>) {
         let product: Fixed<P> = a.times(b);
-        assert_eq!(value(product), value(a) * value(b));
+        // (Whole if P = A + B, and else modulo 2^(64P).)
+        let bits = 64 * u32::try_from(P.min(A + B)).unwrap();
+        assert_eq!(value(product), (value(a) * value(b)).keep_signed_bits(bits));
+        assert!(P < A + B || value(product) == value(a) * value(b));
         assert_eq!(a.is_zero(), value(a).is_zero());
     }
 
@@ -214,6 +226,15 @@ mod tests {
             check::<4, 2, 6>(d, b);
             check::<4, 4, 8>(d, d);
             check::<6, 4, 10>(e, d);
+            check::<1, 1, 1>(a, a);
+            check::<2, 1, 2>(b, a);
+            check::<2, 1, 1>(b, a);
+            check::<2, 2, 2>(b, b);
+            check::<2, 2, 3>(b, b);
+            check::<3, 2, 4>(c, b);
+            check::<3, 2, 3>(c, b);
+            check::<2, 3, 2>(b, c);
+            check::<4, 4, 5>(d, d);
         }
 
         #[test]

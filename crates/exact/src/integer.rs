@@ -19,15 +19,24 @@
 //! fit as well: lifts are less than 2M² or 3M² and get 2D limbs, minors less
 //! than 2M² and 4M³ and get 2D and 3D.
 //!
-//! A difference that is no double is the sum of two, of which the first may be
-//! rounded up to M itself; so that this fits too, all predicates stop one bit
-//! earlier: b ≤ 62 for D = 1, and 126 for D = 2.
+//! All predicates stop one bit earlier, at 62 and 126, so that one number does for all.
+//!
+//! # What a filter leaves open is small
+//! Where a filter has been asked and could not tell, the determinant is at most
+//! about twice the filter's bound, some 2^-48 of what it could be: it is
+//! known but for multiples of a power of two, and so it is computed modulo
+//! that. The upper limbs are left out; see [`Determinant::limbs`].
+//!
+//! [`Determinant::limbs`]: crate::form::Determinant::limbs
 
 use predicament_arithmetic::Fixed;
 use predicament_predicates::Sign;
 
 /// The largest b for differences of one and of two limbs.
 pub const BITS: [i32; 2] = [62, 126];
+
+// D is the number of limbs of a difference, D2 and so on those of products; the
+// last is that of the determinant. Fewer than all are right modulo what they hold.
 
 /// p × q.
 #[inline(always)]

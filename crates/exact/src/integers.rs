@@ -80,9 +80,9 @@ impl<const D: usize> Integers<D> {
 }
 
 impl<const D: usize, const N: usize> Rows<D, N> {
-    /// The rows in some larger unit, if one limb is enough.
+    /// The rows in some larger unit and the bits that they have, if one limb is enough.
     #[inline(always)]
-    pub fn shortened(&self) -> Option<[[Fixed<1>; D]; N]> {
+    pub fn shortened(&self) -> Option<([[Fixed<1>; D]; N], i32)> {
         let (mut bits, mut size) = (0, 0);
         for row in 0..N - 1 {
             for axis in 0..D {
@@ -94,8 +94,9 @@ impl<const D: usize, const N: usize> Rows<D, N> {
         }
         // At most that many zeros below, and less than two to that in magnitude.
         let low = bits.trailing_zeros() & 127;
-        let is_short = (128 - size.leading_zeros()).saturating_sub(low) < BITS[0].unsigned_abs();
-        is_short.then(|| self.shifted(low))
+        // (One more, since what is negative may be two to that, exactly.)
+        let bits = (129 - size.leading_zeros()).saturating_sub(low).cast_signed();
+        (bits <= BITS[0]).then(|| (self.shifted(low), bits))
     }
 
     /// The rows as they are.

@@ -6,7 +6,9 @@
 use predicament_arithmetic::{Arithmetic, Fixed, Plan};
 use predicament_predicates::{Sign, Vertex};
 
-use crate::{integers::Integers, predicate::Predicate, stage};
+use crate::integers::Integers;
+use crate::predicate::{ALL, Predicate};
+use crate::stage;
 
 /// What a plan proves for one predicate.
 #[derive(Clone, Copy, Debug)]
@@ -18,6 +20,8 @@ pub(crate) struct Prepared {
     pub static_stage: usize,
     /// The bound of the semi-static filter, or NaN.
     pub semi_static_bound: f64,
+    /// The limbs of what the static filter leaves open, in integers of the scene's unit.
+    limbs: usize,
 }
 
 impl Prepared {
@@ -30,7 +34,8 @@ impl Prepared {
         } else {
             (f64::NAN, f64::NAN, stage::STATIC)
         };
-        Prepared { static_bound, static_stage, semi_static_bound }
+        let limbs = if static_bound.is_nan() { ALL } else { P::DETERMINANT.limbs(plan.bits()) };
+        Prepared { static_bound, static_stage, semi_static_bound, limbs }
     }
 
     /// Whether doubles make no error.
@@ -39,28 +44,52 @@ impl Prepared {
     }
 
     /// The sign of a query whose `determinant` the static filter has found too
-    /// small to be certain of; `points` are those of the vertices, seen along
-    /// these axes of the integers.
+    /// small to be certain of, if integers of one limb are the next rung for it.
+    #[inline(always)]
+    pub fn next<P: Predicate<D, N>, const D: usize, const N: usize, const E: usize>(
+        &self,
+        determinant: f64,
+        (integers, axes, vertices): (&Integers<E>, [usize; D], [Vertex; N]),
+    ) -> Option<(Sign, usize)> {
+        let rows = integers.short(axes, vertices)?;
+        let skips = P::FILTERS_PAY && self.is_small(determinant);
+        (!skips).then(|| (P::integer(rows, self.limbs), stage::INTEGER))
+    }
+
+    /// The sign of a query, from the semi-static filter on; `points` are those
+    /// of the vertices, seen along these axes of the integers.
     #[inline(always)]
     pub fn climb<P: Predicate<D, N>, const D: usize, const N: usize, const E: usize>(
         &self,
-        determinant: f64,
         points: [[f64; D]; N],
         (integers, axes, vertices): (&Integers<E>, [usize; D], [Vertex; N]),
     ) -> (Sign, usize) {
-        let short = integers.short(axes, vertices);
-        if let Some(rows) = short
-            && !(P::FILTERS_PAY && self.is_small(determinant))
-        {
-            return (P::integer(rows), stage::INTEGER);
-        }
         if let Some(sign) = P::estimate(points).certain(self.semi_static_bound) {
             return (sign, stage::SEMI_STATIC);
         }
-        match short {
-            Some(rows) => (P::integer(rows), stage::INTEGER),
-            None => rest::<P, D, N, E>(points, (integers, axes, vertices)),
+        match integers.short(axes, vertices) {
+            Some(rows) => (P::integer(rows, self.limbs), stage::INTEGER),
+            None => self.rest::<P, D, N, E>(points, (integers, axes, vertices)),
         }
+    }
+
+    /// What no filter settles, in a scene without integers of one limb. (Not
+    /// inlined, so that filters need no stack.)
+    #[inline(never)]
+    pub fn rest<P: Predicate<D, N>, const D: usize, const N: usize, const E: usize>(
+        &self,
+        points: [[f64; D]; N],
+        (integers, axes, vertices): (&Integers<E>, [usize; D], [Vertex; N]),
+    ) -> (Sign, usize) {
+        let Some(rows) = integers.long(axes, vertices) else { return alone::<P, D, N>(points) };
+        if P::TRIES_ONE_LIMB
+            && let Some((rows, bits)) = rows.shortened()
+        {
+            // (Where filters are not allowed, none has left this open.)
+            let limbs = if self.limbs == ALL { ALL } else { P::DETERMINANT.limbs(bits) };
+            return (P::integer(rows, limbs), stage::INTEGER);
+        }
+        (wide_integer::<P, D, N>(rows.whole(), self.limbs), stage::WIDE_INTEGER)
     }
 
     /// Whether a determinant is so small that it is more likely that of a
@@ -73,25 +102,9 @@ impl Prepared {
     }
 }
 
-/// What no filter settles, in a scene without integers of one limb. (Not
-/// inlined, so that filters need no stack.)
 #[inline(never)]
-fn rest<P: Predicate<D, N>, const D: usize, const N: usize, const E: usize>(
-    points: [[f64; D]; N],
-    (integers, axes, vertices): (&Integers<E>, [usize; D], [Vertex; N]),
-) -> (Sign, usize) {
-    let Some(rows) = integers.long(axes, vertices) else { return alone::<P, D, N>(points) };
-    if P::TRIES_ONE_LIMB
-        && let Some(rows) = rows.shortened()
-    {
-        return (P::integer(rows), stage::INTEGER);
-    }
-    (wide_integer::<P, D, N>(rows.whole()), stage::WIDE_INTEGER)
-}
-
-#[inline(never)]
-fn wide_integer<P: Predicate<D, N>, const D: usize, const N: usize>(rows: [[Fixed<2>; D]; N]) -> Sign {
-    P::wide_integer(rows)
+fn wide_integer<P: Predicate<D, N>, const D: usize, const N: usize>(rows: [[Fixed<2>; D]; N], limbs: usize) -> Sign {
+    P::wide_integer(rows, limbs)
 }
 
 /// A query of a scene that is too wide for integers.

@@ -10,6 +10,9 @@ use crate::estimate::{self, Estimate};
 use crate::form::{self, Determinant};
 use crate::{dyadic, integer, products};
 
+/// As many limbs as the determinant can have.
+pub(crate) const ALL: usize = usize::MAX;
+
 /// A predicate on `N` points of `D` coordinates.
 pub(crate) trait Predicate<const D: usize, const N: usize> {
     /// Its name.
@@ -23,11 +26,12 @@ pub(crate) trait Predicate<const D: usize, const N: usize> {
     /// In plain floating point.
     fn estimate(points: [[f64; D]; N]) -> Estimate;
 
-    /// In integers; the rows are the differences to the last point, and the last row is zero.
-    fn integer(rows: [[Fixed<1>; D]; N]) -> Sign;
+    /// In integers, where that many limbs hold the determinant; the rows are
+    /// the differences to the last point, and the last row is zero.
+    fn integer(rows: [[Fixed<1>; D]; N], limbs: usize) -> Sign;
 
     /// In integers, differences of two limbs.
-    fn wide_integer(rows: [[Fixed<2>; D]; N]) -> Sign;
+    fn wide_integer(rows: [[Fixed<2>; D]; N], limbs: usize) -> Sign;
 
     /// Whether it pays to see first if two limbs are really needed.
     const TRIES_ONE_LIMB: bool = true;
@@ -38,7 +42,7 @@ pub(crate) trait Predicate<const D: usize, const N: usize> {
     /// For points whose differences span few bits; none if they don't.
     #[inline(always)]
     fn short(points: [[f64; D]; N]) -> Option<Sign> {
-        short_rows(points).map(Self::integer)
+        short_rows(points).map(|rows| Self::integer(rows, ALL))
     }
 
     /// For any finite points.
@@ -63,12 +67,16 @@ impl Predicate<2, 3> for Orient2d {
         estimate::orient2d(a, b, c)
     }
     #[inline(always)]
-    fn integer([a, b, _]: [[Fixed<1>; 2]; 3]) -> Sign {
+    fn integer([a, b, _]: [[Fixed<1>; 2]; 3], _: usize) -> Sign {
         integer::orient2d::<1, 2>([a, b])
     }
     #[inline(always)]
-    fn wide_integer([a, b, _]: [[Fixed<2>; 2]; 3]) -> Sign {
-        integer::orient2d::<2, 4>([a, b])
+    fn wide_integer([a, b, _]: [[Fixed<2>; 2]; 3], limbs: usize) -> Sign {
+        match limbs {
+            ..=2 => integer::orient2d::<2, 2>([a, b]),
+            3 => integer::orient2d::<2, 3>([a, b]),
+            _ => integer::orient2d::<2, 4>([a, b]),
+        }
     }
     #[inline(always)]
     fn short(points: [[f64; 2]; 3]) -> Option<Sign> {
@@ -95,11 +103,14 @@ impl Predicate<3, 4> for Orient3d {
         estimate::orient3d(a, b, c, d)
     }
     #[inline(always)]
-    fn integer([a, b, c, _]: [[Fixed<1>; 3]; 4]) -> Sign {
-        integer::orient3d::<1, 2, 3>([a, b, c])
+    fn integer([a, b, c, _]: [[Fixed<1>; 3]; 4], limbs: usize) -> Sign {
+        match limbs {
+            ..=2 => integer::orient3d::<1, 2, 2>([a, b, c]),
+            _ => integer::orient3d::<1, 2, 3>([a, b, c]),
+        }
     }
     #[inline(always)]
-    fn wide_integer([a, b, c, _]: [[Fixed<2>; 3]; 4]) -> Sign {
+    fn wide_integer([a, b, c, _]: [[Fixed<2>; 3]; 4], _: usize) -> Sign {
         integer::orient3d::<2, 4, 6>([a, b, c])
     }
     fn dyadic([a, b, c, d]: [[f64; 3]; 4]) -> Sign {
@@ -122,11 +133,15 @@ impl Predicate<2, 4> for Incircle {
         estimate::incircle(a, b, c, d)
     }
     #[inline(always)]
-    fn integer([a, b, c, _]: [[Fixed<1>; 2]; 4]) -> Sign {
-        integer::incircle::<1, 2, 4>([a, b, c])
+    fn integer([a, b, c, _]: [[Fixed<1>; 2]; 4], limbs: usize) -> Sign {
+        match limbs {
+            ..=2 => integer::incircle::<1, 2, 2>([a, b, c]),
+            3 => integer::incircle::<1, 2, 3>([a, b, c]),
+            _ => integer::incircle::<1, 2, 4>([a, b, c]),
+        }
     }
     #[inline(always)]
-    fn wide_integer([a, b, c, _]: [[Fixed<2>; 2]; 4]) -> Sign {
+    fn wide_integer([a, b, c, _]: [[Fixed<2>; 2]; 4], _: usize) -> Sign {
         integer::incircle::<2, 4, 8>([a, b, c])
     }
     fn dyadic([a, b, c, d]: [[f64; 2]; 4]) -> Sign {
@@ -149,11 +164,16 @@ impl Predicate<3, 5> for Insphere {
         estimate::insphere(a, b, c, d, e)
     }
     #[inline(always)]
-    fn integer([a, b, c, d, _]: [[Fixed<1>; 3]; 5]) -> Sign {
-        integer::insphere::<1, 2, 3, 5>([a, b, c, d])
+    fn integer([a, b, c, d, _]: [[Fixed<1>; 3]; 5], limbs: usize) -> Sign {
+        match limbs {
+            ..=2 => integer::insphere::<1, 2, 2, 2>([a, b, c, d]),
+            3 => integer::insphere::<1, 2, 3, 3>([a, b, c, d]),
+            4 => integer::insphere::<1, 2, 3, 4>([a, b, c, d]),
+            _ => integer::insphere::<1, 2, 3, 5>([a, b, c, d]),
+        }
     }
     #[inline(always)]
-    fn wide_integer([a, b, c, d, _]: [[Fixed<2>; 3]; 5]) -> Sign {
+    fn wide_integer([a, b, c, d, _]: [[Fixed<2>; 3]; 5], _: usize) -> Sign {
         integer::insphere::<2, 4, 6, 10>([a, b, c, d])
     }
     fn dyadic([a, b, c, d, e]: [[f64; 3]; 5]) -> Sign {

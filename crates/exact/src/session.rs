@@ -7,7 +7,7 @@ use crate::batch::{self, Batch, Beside, View, Whole, Xy, Yz, Zx};
 use crate::constructed::Constructed;
 use crate::integers::Integers;
 use crate::ladder::Prepared;
-use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
+use crate::predicate::{ALL, Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::side::Side;
 use crate::stage;
 
@@ -100,7 +100,7 @@ impl<'s, T: Tally> Session<'s, T> {
         if plane == Plane::Xy
             && let Some(rows) = self.integers2.short([0, 1], [a, b, c])
         {
-            return (Orient2d::integer(rows), stage::INTEGER);
+            return (Orient2d::integer(rows, ALL), stage::INTEGER);
         }
         self.filter_orient2d(plane, [a, b, c])
     }
@@ -121,7 +121,7 @@ impl<'s, T: Tally> Session<'s, T> {
             }
             determinant = estimate.determinant;
         }
-        self.climb_orient3d(determinant, [a, b, c, d])
+        self.next_orient3d(determinant, a, b, c, d)
     }
 
     /// [`Predicates::incircle`] and the stage that settled it, not tallied.
@@ -140,7 +140,7 @@ impl<'s, T: Tally> Session<'s, T> {
             }
             determinant = estimate.determinant;
         }
-        self.climb_incircle(determinant, [a, b, c, d])
+        self.next_incircle(determinant, a, b, c, d)
     }
 
     /// [`Predicates::insphere`] and the stage that settled it, not tallied.
@@ -159,7 +159,7 @@ impl<'s, T: Tally> Session<'s, T> {
             }
             determinant = estimate.determinant;
         }
-        self.climb_insphere(determinant, [a, b, c, d, e])
+        self.next_insphere(determinant, [a, b, c, d, e])
     }
 
     // The cold paths take vertices and not points, so that the hot ones keep points in registers.
@@ -174,7 +174,7 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline(never)]
     fn filter_orient2d(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> (Sign, usize) {
         if let Some(rows) = self.integers3.short(plane.axes().map(Axis::index), [a, b, c]) {
-            return (Orient2d::integer(rows), stage::INTEGER);
+            return (Orient2d::integer(rows, ALL), stage::INTEGER);
         }
         let at = |v| self.point2(plane, v);
         if let (Some(p), Some(q), Some(r)) = (at(a), at(b), at(c)) {
@@ -200,25 +200,46 @@ impl<'s, T: Tally> Session<'s, T> {
         };
         let (points, prepared) = ([p, q, r], &self.orient2d[plane as usize]);
         match self.scene.dimension() {
-            Dimension::Two => {
-                prepared.climb::<Orient2d, 2, 3, 2>(f64::NAN, points, (&self.integers2, [0, 1], [a, b, c]))
-            }
+            Dimension::Two => prepared.climb::<Orient2d, 2, 3, 2>(points, (&self.integers2, [0, 1], [a, b, c])),
             Dimension::Three => {
                 let axes = plane.axes().map(Axis::index);
-                prepared.climb::<Orient2d, 2, 3, 3>(f64::NAN, points, (&self.integers3, axes, [a, b, c]))
+                prepared.climb::<Orient2d, 2, 3, 3>(points, (&self.integers3, axes, [a, b, c]))
             }
         }
     }
 
+    // Vertices by themselves and not in arrays: these stay in registers.
+
+    #[inline(never)]
+    fn next_orient3d(&self, determinant: f64, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        let integers = (&self.integers3, [0, 1, 2], [a, b, c, d]);
+        let next = self.orient3d.next::<Orient3d, 3, 4, 3>(determinant, integers);
+        next.unwrap_or_else(|| self.climb_orient3d([a, b, c, d]))
+    }
+
+    #[inline(never)]
+    fn next_incircle(&self, determinant: f64, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        let integers = (&self.integers2, [0, 1], [a, b, c, d]);
+        let next = self.incircle.next::<Incircle, 2, 4, 2>(determinant, integers);
+        next.unwrap_or_else(|| self.climb_incircle([a, b, c, d]))
+    }
+
+    #[inline(never)]
+    fn next_insphere(&self, determinant: f64, [a, b, c, d, e]: [Vertex; 5]) -> (Sign, usize) {
+        let integers = (&self.integers3, [0, 1, 2], [a, b, c, d, e]);
+        let next = self.insphere.next::<Insphere, 3, 5, 3>(determinant, integers);
+        next.unwrap_or_else(|| self.climb_insphere([a, b, c, d, e]))
+    }
+
     #[cold]
     #[inline(never)]
-    fn climb_orient3d(&self, determinant: f64, vertices: [Vertex; 4]) -> (Sign, usize) {
+    fn climb_orient3d(&self, vertices: [Vertex; 4]) -> (Sign, usize) {
         let [a, b, c, d] = vertices;
         let at = |v: Vertex| self.points3.get(v.index());
         match (at(a), at(b), at(c), at(d)) {
             (Some(p), Some(q), Some(r), Some(s)) => {
                 let integers = (&self.integers3, [0, 1, 2], vertices);
-                self.orient3d.climb::<Orient3d, 3, 4, 3>(determinant, [*p, *q, *r, *s], integers)
+                self.orient3d.climb::<Orient3d, 3, 4, 3>([*p, *q, *r, *s], integers)
             }
             _ => self.constructed.orient3d(a, b, c, d),
         }
@@ -226,20 +247,16 @@ impl<'s, T: Tally> Session<'s, T> {
 
     #[cold]
     #[inline(never)]
-    fn climb_incircle(&self, determinant: f64, vertices: [Vertex; 4]) -> (Sign, usize) {
-        let [a, b, c, d] = vertices;
-        let at = |v: Vertex| self.points2[v.index()];
-        let integers = (&self.integers2, [0, 1], vertices);
-        self.incircle.climb::<Incircle, 2, 4, 2>(determinant, [at(a), at(b), at(c), at(d)], integers)
+    fn climb_incircle(&self, vertices: [Vertex; 4]) -> (Sign, usize) {
+        let points = vertices.map(|v| self.points2[v.index()]);
+        self.incircle.climb::<Incircle, 2, 4, 2>(points, (&self.integers2, [0, 1], vertices))
     }
 
     #[cold]
     #[inline(never)]
-    fn climb_insphere(&self, determinant: f64, vertices: [Vertex; 5]) -> (Sign, usize) {
-        let [a, b, c, d, e] = vertices;
-        let at = |v: Vertex| self.points3[v.index()];
-        let integers = (&self.integers3, [0, 1, 2], vertices);
-        self.insphere.climb::<Insphere, 3, 5, 3>(determinant, [at(a), at(b), at(c), at(d), at(e)], integers)
+    fn climb_insphere(&self, vertices: [Vertex; 5]) -> (Sign, usize) {
+        let points = vertices.map(|v| self.points3[v.index()]);
+        self.insphere.climb::<Insphere, 3, 5, 3>(points, (&self.integers3, [0, 1, 2], vertices))
     }
 
     #[inline(always)]
@@ -386,23 +403,23 @@ impl<T: Tally> Predicates for Session<'_, T> {
         let (Some(p), Some(q), Some(r)) = (at(a), at(b), at(c)) else {
             return points.iter().zip(out).for_each(|(&d, out)| *out = self.orient3d(a, b, c, d));
         };
-        let climb = |d: Vertex| self.climb_orient3d(f64::NAN, [a, b, c, d]);
+        let climb = |d: Vertex| self.next_orient3d(f64::NAN, a, b, c, d);
         let side = Side::of_plane([*p, *q, *r], self.extent3);
         self.beside::<Orient3d, Whole, 3, 3, 4>(&self.orient3d, side, self.points3, (points, out), climb);
     }
 
     fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
-        let climb = |query: &[Vertex; 4]| self.climb_orient3d(f64::NAN, *query);
+        let climb = |&[a, b, c, d]: &[Vertex; 4]| self.next_orient3d(f64::NAN, a, b, c, d);
         self.batch::<Orient3d, Whole, 3, 3, 4>(&self.orient3d, self.points3, (queries, out), climb);
     }
 
     fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
-        let climb = |query: &[Vertex; 4]| self.climb_incircle(f64::NAN, *query);
+        let climb = |&[a, b, c, d]: &[Vertex; 4]| self.next_incircle(f64::NAN, a, b, c, d);
         self.batch::<Incircle, Whole, 2, 2, 4>(&self.incircle, self.points2, (queries, out), climb);
     }
 
     fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
-        let climb = |query: &[Vertex; 5]| self.climb_insphere(f64::NAN, *query);
+        let climb = |query: &[Vertex; 5]| self.next_insphere(f64::NAN, *query);
         self.batch::<Insphere, Whole, 3, 3, 5>(&self.insphere, self.points3, (queries, out), climb);
     }
 }
