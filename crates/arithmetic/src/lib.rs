@@ -25,6 +25,6 @@ pub use ball::Ball;
 pub use dyadic::Dyadic;
 pub use exact::{Scaled, rational};
 pub use fixed::Fixed;
-pub use plan::{Arithmetic, Form, Plan, Span, exact_tail};
+pub use plan::{Arithmetic, Form, Plan, Span, exact_tail, units};
 pub use range::ExponentRange;
 pub use short::{exact_differences, short_rows};

@@ -218,24 +218,8 @@ impl<const D: usize> Plan<D> {
         }
     }
 
-    /// A coordinate of these points in units of their lowest bit, modulo 2^128:
-    /// differences are right if they have 127 bits at most, however far from
-    /// the origin the points are.
-    #[inline]
-    #[must_use]
-    pub fn units(&self, x: f64) -> i128 {
-        let (significand, exponent) = decompose(x);
-        // To the right nothing but zeros is shifted out.
-        let magnitude = match u32::try_from(exponent - self.lowest) {
-            Ok(shift) => u128::from(significand).checked_shl(shift).unwrap_or(0),
-            Err(_) => u128::from(significand >> (self.lowest - exponent)),
-        };
-        let units = magnitude.cast_signed();
-        if x.is_sign_negative() { units.wrapping_neg() } else { units }
-    }
-
-    /// The same of all points, modulo 2^64: differences are right if they have
-    /// 63 bits at most.
+    /// All points in units of their lowest bit, modulo 2^64: differences are
+    /// right if they have 63 bits at most.
     #[must_use]
     pub fn low_units(&self, points: &[[f64; D]]) -> Vec<[i64; D]> {
         // Where all coordinates fit, scaled by a power of two that is a normal double, the
@@ -247,8 +231,24 @@ impl<const D: usize> Plan<D> {
             return points.iter().map(|point| point.map(|x| (x * scale) as i64)).collect();
         }
         #[allow(clippy::cast_possible_truncation)] // modulo 2^64
-        points.iter().map(|point| point.map(|x| self.units(x) as i64)).collect()
+        points.iter().map(|point| point.map(|x| units(x, self.lowest) as i64)).collect()
     }
+}
+
+/// A multiple of 2^`lowest` in units of that, modulo 2^128: differences are
+/// right if they have 127 bits at most, however far from the origin the points
+/// are.
+#[inline]
+#[must_use]
+pub fn units(x: f64, lowest: i32) -> i128 {
+    let (significand, exponent) = decompose(x);
+    // To the right nothing but zeros is shifted out.
+    let magnitude = match u32::try_from(exponent - lowest) {
+        Ok(shift) => u128::from(significand).checked_shl(shift).unwrap_or(0),
+        Err(_) => u128::from(significand >> (lowest - exponent)),
+    };
+    let units = magnitude.cast_signed();
+    if x.is_sign_negative() { units.wrapping_neg() } else { units }
 }
 
 /// 2^`exponent`, a normal double.

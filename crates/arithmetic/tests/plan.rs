@@ -1,7 +1,7 @@
 //! Plans at their edges: on the safe side arithmetic must be as promised, and
 //! a little beyond it must be possible to break it.
 
-use predicament_arithmetic::{Arithmetic, Form, Plan, exact_tail, rational};
+use predicament_arithmetic::{Arithmetic, Form, Plan, exact_tail, rational, units};
 
 const PRODUCT: Form = Form { degree: 2, growth: 0, integer_bits: [62, 126] };
 
@@ -77,9 +77,9 @@ fn each_arithmetic_is_chosen_up_to_its_last_bit() {
 fn units_reach_both_ends_of_the_range() {
     for x in [5e-324, f64::MIN_POSITIVE, 1.0, -0.75, power(1023), 3.0 * power(971)] {
         let plan = plan(&[x]);
-        let [[units]] = plan.low_units(&[[x]])[..] else { panic!("one point") };
-        assert_eq!(units % 2, if x < 0.0 { -1 } else { 1 }, "{x} is an odd multiple of its lowest bit");
-        assert_eq!(plan.units(x), i128::from(units));
+        let [[one]] = plan.low_units(&[[x]])[..] else { panic!("one point") };
+        assert_eq!(one % 2, if x < 0.0 { -1 } else { 1 }, "{x} is an odd multiple of its lowest bit");
+        assert_eq!(units(x, plan.lowest()), i128::from(one));
     }
 }
 
@@ -91,14 +91,14 @@ fn both_kinds_of_units_are_the_same() {
         for far in [0.0, power(8), power(52), -power(60)] {
             let points: Vec<[f64; 2]> = values.iter().map(|&x| [(x + far) * scale, -x * scale]).collect();
             let plan = Plan::of(&points);
-            for (point, units) in points.iter().zip(plan.low_units(&points)) {
+            for (point, found) in points.iter().zip(plan.low_units(&points)) {
                 #[allow(clippy::cast_possible_truncation)] // modulo 2^64
-                let expected = point.map(|x| plan.units(x) as i64);
-                assert_eq!(units, expected, "{point:?}");
+                let expected = point.map(|x| units(x, plan.lowest()) as i64);
+                assert_eq!(found, expected, "{point:?}");
             }
             let distance = rational(points[6][0]).unwrap() - rational(points[3][0]).unwrap();
-            let units = plan.low_units(&points);
-            let difference = units[6][0].wrapping_sub(units[3][0]);
+            let found = plan.low_units(&points);
+            let difference = found[6][0].wrapping_sub(found[3][0]);
             assert!(plan.bits() > 62 || distance == rug::Rational::from(difference) << plan.lowest());
         }
     }

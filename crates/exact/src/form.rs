@@ -19,8 +19,13 @@ pub struct Determinant {
 }
 
 impl Determinant {
-    /// The limbs that hold a determinant of differences of this many bits which
-    /// a filter has left open.
+    /// The limbs that hold any determinant of differences of this many bits.
+    #[must_use]
+    pub const fn limbs(&self, bits: i32) -> usize {
+        limbs(self.form.degree * bits + self.form.growth)
+    }
+
+    /// The limbs that hold one which a filter has left open.
     ///
     /// The filter has found |d| < B·p, and d errs by no more than a determinant
     /// must to have the wrong sign: so |D| < 2.01·B·2^growth·M^degree, where what is
@@ -28,14 +33,17 @@ impl Determinant {
     /// B·p, for M larger than the differences of the query, and the static bound,
     /// for M larger than those of the scene.
     #[must_use]
-    pub const fn limbs(&self, bits: i32) -> usize {
+    pub const fn limbs_left_open(&self, bits: i32) -> usize {
         let share = 2.01 * self.bound;
         #[allow(clippy::cast_possible_truncation)] // an exponent of 11 bits: the bound is positive
         let exponent = (share.to_bits() >> 52).cast_signed() as i32 - 1022;
-        // One bit for the sign.
-        let bits = self.form.degree * bits + self.form.growth + exponent + 1;
-        if bits <= 0 { 1 } else { (bits.cast_unsigned()).div_ceil(64) as usize }
+        limbs(self.form.degree * bits + self.form.growth + exponent)
     }
+}
+
+/// The limbs of integers less than 2^`bits`, and their signs.
+const fn limbs(bits: i32) -> usize {
+    if bits < 0 { 1 } else { (bits.cast_unsigned() + 1).div_ceil(64) as usize }
 }
 
 const fn determinant(degree: i32, growth: i32, bound: f64) -> Determinant {

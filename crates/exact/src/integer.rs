@@ -25,9 +25,9 @@
 //! Where a filter has been asked and could not tell, the determinant is at most
 //! about twice the filter's bound, some 2^-48 of what it could be: it is
 //! known but for multiples of a power of two, and so it is computed modulo
-//! that. The upper limbs are left out; see [`Determinant::limbs`].
+//! that. The upper limbs are left out; see [`Determinant::limbs_left_open`].
 //!
-//! [`Determinant::limbs`]: crate::form::Determinant::limbs
+//! [`Determinant::limbs_left_open`]: crate::form::Determinant::limbs_left_open
 
 use predicament_arithmetic::Fixed;
 use predicament_predicates::Sign;

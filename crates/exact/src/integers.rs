@@ -1,62 +1,83 @@
 //! The coordinates of a scene as integers.
 //!
-//! Coordinates become integers once, when the scene is prepared, in units of
-//! its lowest bit: a query then only subtracts. Numbers are kept modulo a
-//! power of two, so that the points may be as far from the origin as they
-//! like; only their differences have to fit.
+//! Where differences fit in one limb, coordinates become integers once, when
+//! the scene is prepared, in units of its lowest bit: a query then only
+//! subtracts. They are kept modulo 2^64, so that the points may be as far from
+//! the origin as they like; only their differences have to fit. A coordinate
+//! takes as much room as the double that it comes from.
 //!
-//! Where differences fit in one limb, a coordinate takes as much room as the
-//! double that it comes from. Where they need two, a query looks how many bits
-//! it really has: most figures are shorter than their scene.
+//! A scene that needs more is hardly ever one that needs it everywhere: it has
+//! figures of many sizes, or a few coordinates with long tails. There it is
+//! noted for each point which bits it has, and a query that has few gets a unit
+//! of its own.
 
 // Loops over indices stay in registers, where `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]
 
-use predicament_arithmetic::{Fixed, Plan};
+use predicament_arithmetic::{ExponentRange, Fixed, Plan, units};
 use predicament_predicates::Vertex;
 
 use crate::integer::BITS;
+use crate::truncate::to_integer;
 
-/// A scene's coordinates: one of the two lists, or none of them if integers
-/// are not needed or don't do.
+/// A scene's coordinates: one of the two lists, or none where integers are not needed.
 pub(crate) struct Integers<const D: usize> {
-    /// Differences have one limb.
-    short: Vec<[i64; D]>,
-    /// Differences have two limbs.
-    long: Vec<[i128; D]>,
+    /// In units of the scene.
+    units: Vec<[i64; D]>,
+    /// Where the bits of each point are.
+    spans: Vec<Span>,
 }
 
-/// The differences of a query, in two limbs.
-pub(crate) struct Rows<const D: usize, const N: usize>([[i128; D]; N]);
+/// The coordinates of a point are multiples of 2^`low`, less than 2^`high`.
+#[derive(Clone, Copy)]
+struct Span {
+    low: i16,
+    high: i16,
+}
+
+impl Span {
+    /// The span of the origin: any unit will do.
+    const NONE: Span = Span { low: i16::MAX, high: i16::MIN };
+
+    fn of<const D: usize>(point: &[f64; D]) -> Span {
+        let exponent = |e: i32| i16::try_from(e).expect("the exponent of a double");
+        ExponentRange::of(point)
+            .map_or(Span::NONE, |range| Span { low: exponent(range.lowest), high: exponent(range.highest) })
+    }
+
+    #[inline(always)]
+    fn and(self, other: Span) -> Span {
+        Span { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+}
+
+/// Differences of one limb, and the bits that they have at most.
+pub(crate) type Short<const D: usize, const N: usize> = ([[Fixed<1>; D]; N], i32);
 
 impl<const D: usize> Integers<D> {
     /// None: for scenes that don't need them.
-    pub const NONE: Integers<D> = Integers { short: Vec::new(), long: Vec::new() };
+    pub const NONE: Integers<D> = Integers { units: Vec::new(), spans: Vec::new() };
 
     pub fn new(plan: &Plan<D>, points: &[[f64; D]]) -> Integers<D> {
-        let [one, two] = BITS;
-        if !plan.has_finite_differences() || plan.bits() > two {
-            Integers::NONE
-        } else if plan.bits() <= one {
-            Integers { short: plan.low_units(points), long: Vec::new() }
+        if plan.has_finite_differences() && plan.bits() <= BITS[0] {
+            Integers { units: plan.low_units(points), spans: Vec::new() }
         } else {
-            let point = |point: &[f64; D]| point.map(|x| plan.units(x));
-            Integers { short: Vec::new(), long: points.iter().map(point).collect() }
+            Integers { units: Vec::new(), spans: points.iter().map(Span::of).collect() }
         }
     }
 
-    /// The differences to the last of some vertices along some axes, in one
-    /// limb; none if the scene has no such integers, or no such vertex.
+    /// The differences to the last of some vertices along some axes, in units of
+    /// the scene; none if the scene has more bits, or no such vertex.
     #[inline(always)]
-    pub fn short<const E: usize, const N: usize>(
+    pub fn of_scene<const E: usize, const N: usize>(
         &self,
         axes: [usize; E],
         vertices: [Vertex; N],
     ) -> Option<[[Fixed<1>; E]; N]> {
-        let last = self.short.get(vertices[N - 1].index())?;
+        let last = self.units.get(vertices[N - 1].index())?;
         let mut rows = [[Fixed::ZERO; E]; N];
         for row in 0..N - 1 {
-            let point = self.short.get(vertices[row].index())?;
+            let point = self.units.get(vertices[row].index())?;
             for axis in 0..E {
                 rows[row][axis] = Fixed::from(point[axes[axis]].wrapping_sub(last[axes[axis]]));
             }
@@ -64,25 +85,55 @@ impl<const D: usize> Integers<D> {
         Some(rows)
     }
 
-    /// The same in two limbs, for scenes that need them.
+    /// The same in units of the query, for scenes that have more bits; none if
+    /// the query has more as well. `points` are those of the vertices.
     #[inline(always)]
-    pub fn long<const E: usize, const N: usize>(&self, axes: [usize; E], vertices: [Vertex; N]) -> Option<Rows<E, N>> {
-        let last = self.long.get(vertices[N - 1].index())?;
-        let mut differences = [[0; E]; N];
-        for row in 0..N - 1 {
-            let point = self.long.get(vertices[row].index())?;
-            for axis in 0..E {
-                differences[row][axis] = point[axes[axis]].wrapping_sub(last[axes[axis]]);
+    pub fn of_query<const E: usize, const N: usize>(
+        &self,
+        points: &[[f64; E]; N],
+        vertices: [Vertex; N],
+    ) -> Option<Short<E, N>> {
+        let mut span = Span::NONE;
+        for row in 0..N {
+            span = span.and(*self.spans.get(vertices[row].index())?);
+        }
+        // Coordinates are less than 2^(high − low) in magnitude, their differences less than twice that.
+        let (low, bits) = (i32::from(span.low), i32::from(span.high) - i32::from(span.low) + 1);
+        if bits > BITS[0] || !(-1022..=1022).contains(&low) {
+            return None;
+        }
+        let scale = f64::from_bits(u64::from((1023 - low).cast_unsigned()) << 52);
+        let mut rows = [[Fixed::ZERO; E]; N];
+        for axis in 0..E {
+            let last = to_integer(points[N - 1][axis] * scale);
+            for row in 0..N - 1 {
+                rows[row][axis] = Fixed::from(to_integer(points[row][axis] * scale) - last);
             }
         }
-        Some(Rows(differences))
+        Some((rows, bits))
     }
 }
 
+/// Differences of a query in two limbs.
+pub(crate) struct Rows<const D: usize, const N: usize>([[i128; D]; N]);
+
 impl<const D: usize, const N: usize> Rows<D, N> {
+    /// The differences to the last of some points whose plan allows two limbs.
+    #[inline(always)]
+    pub fn new(points: &[[f64; D]; N], lowest: i32) -> Rows<D, N> {
+        let mut rows = [[0; D]; N];
+        for axis in 0..D {
+            let last = units(points[N - 1][axis], lowest);
+            for row in 0..N - 1 {
+                rows[row][axis] = units(points[row][axis], lowest).wrapping_sub(last);
+            }
+        }
+        Rows(rows)
+    }
+
     /// The rows in some larger unit and the bits that they have, if one limb is enough.
     #[inline(always)]
-    pub fn shortened(&self) -> Option<([[Fixed<1>; D]; N], i32)> {
+    pub fn shortened(&self) -> Option<Short<D, N>> {
         let (mut bits, mut size) = (0, 0);
         for row in 0..N - 1 {
             for axis in 0..D {
@@ -92,9 +143,8 @@ impl<const D: usize, const N: usize> Rows<D, N> {
                 size |= x ^ (x >> 127);
             }
         }
-        // At most that many zeros below, and less than two to that in magnitude.
+        // At most that many zeros below, and no more than two to that in magnitude.
         let low = bits.trailing_zeros() & 127;
-        // (One more, since what is negative may be two to that, exactly.)
         let bits = (129 - size.leading_zeros()).saturating_sub(low).cast_signed();
         (bits <= BITS[0]).then(|| (self.shifted(low), bits))
     }

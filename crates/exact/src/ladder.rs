@@ -6,8 +6,8 @@
 use predicament_arithmetic::{Arithmetic, Fixed, Plan};
 use predicament_predicates::{Sign, Vertex};
 
-use crate::integers::Integers;
-use crate::predicate::{ALL, Predicate};
+use crate::integers::{Integers, Rows};
+use crate::predicate::Predicate;
 use crate::stage;
 
 /// What a plan proves for one predicate.
@@ -22,20 +22,30 @@ pub(crate) struct Prepared {
     pub semi_static_bound: f64,
     /// The limbs of what the static filter leaves open, in integers of the scene's unit.
     limbs: usize,
+    /// Every coordinate is a multiple of two to this, and differences over it
+    /// have two limbs at most.
+    two_limbs: Option<i32>,
 }
 
 impl Prepared {
     pub fn new<P: Predicate<D, N>, const D: usize, const N: usize>(plan: &Plan<D>) -> Prepared {
         let form = P::DETERMINANT.form;
-        let (static_bound, semi_static_bound, static_stage) = if plan.arithmetic(form) == Arithmetic::Double {
+        let arithmetic = plan.arithmetic(form);
+        let (static_bound, semi_static_bound, static_stage) = if arithmetic == Arithmetic::Double {
             (0.0, 0.0, stage::DOUBLE)
         } else if plan.allows_filters(form) {
             (P::static_bound(plan.axes().map(|axis| axis.extent())), P::DETERMINANT.bound, stage::STATIC)
         } else {
             (f64::NAN, f64::NAN, stage::STATIC)
         };
-        let limbs = if static_bound.is_nan() { ALL } else { P::DETERMINANT.limbs(plan.bits()) };
-        Prepared { static_bound, static_stage, semi_static_bound, limbs }
+        let determinant = P::DETERMINANT;
+        let limbs = if static_bound.is_nan() {
+            determinant.limbs(plan.bits())
+        } else {
+            determinant.limbs_left_open(plan.bits())
+        };
+        let two_limbs = (arithmetic <= Arithmetic::WideInteger).then(|| plan.lowest());
+        Prepared { static_bound, static_stage, semi_static_bound, limbs, two_limbs }
     }
 
     /// Whether doubles make no error.
@@ -51,7 +61,7 @@ impl Prepared {
         determinant: f64,
         (integers, axes, vertices): (&Integers<E>, [usize; D], [Vertex; N]),
     ) -> Option<(Sign, usize)> {
-        let rows = integers.short(axes, vertices)?;
+        let rows = integers.of_scene(axes, vertices)?;
         let skips = P::FILTERS_PAY && self.is_small(determinant);
         (!skips).then(|| (P::integer(rows, self.limbs), stage::INTEGER))
     }
@@ -61,35 +71,39 @@ impl Prepared {
     #[inline(always)]
     pub fn climb<P: Predicate<D, N>, const D: usize, const N: usize, const E: usize>(
         &self,
-        points: [[f64; D]; N],
+        points: &[[f64; D]; N],
         (integers, axes, vertices): (&Integers<E>, [usize; D], [Vertex; N]),
     ) -> (Sign, usize) {
-        if let Some(sign) = P::estimate(points).certain(self.semi_static_bound) {
+        if let Some(sign) = P::estimate(*points).certain(self.semi_static_bound) {
             return (sign, stage::SEMI_STATIC);
         }
-        match integers.short(axes, vertices) {
-            Some(rows) => (P::integer(rows, self.limbs), stage::INTEGER),
-            None => self.rest::<P, D, N, E>(points, (integers, axes, vertices)),
+        if let Some((rows, bits)) = integers.of_query(points, vertices) {
+            return (P::integer(rows, self.limbs_of::<P, D, N>(bits)), stage::INTEGER);
+        }
+        if let Some(rows) = integers.of_scene(axes, vertices) {
+            return (P::integer(rows, self.limbs), stage::INTEGER);
+        }
+        self.rest::<P, D, N>(points)
+    }
+
+    /// What fits in one limb neither in units of the scene nor, as it is, in
+    /// units of the query. (Not inlined, so that filters need no stack.)
+    #[inline(never)]
+    fn rest<P: Predicate<D, N>, const D: usize, const N: usize>(&self, points: &[[f64; D]; N]) -> (Sign, usize) {
+        let Some(lowest) = self.two_limbs else { return alone::<P, D, N>(points) };
+        let rows = Rows::new(points, lowest);
+        match rows.shortened() {
+            Some((rows, bits)) => (P::integer(rows, self.limbs_of::<P, D, N>(bits)), stage::INTEGER),
+            None => (wide_integer::<P, D, N>(rows.whole(), self.limbs), stage::WIDE_INTEGER),
         }
     }
 
-    /// What no filter settles, in a scene without integers of one limb. (Not
-    /// inlined, so that filters need no stack.)
-    #[inline(never)]
-    pub fn rest<P: Predicate<D, N>, const D: usize, const N: usize, const E: usize>(
-        &self,
-        points: [[f64; D]; N],
-        (integers, axes, vertices): (&Integers<E>, [usize; D], [Vertex; N]),
-    ) -> (Sign, usize) {
-        let Some(rows) = integers.long(axes, vertices) else { return alone::<P, D, N>(points) };
-        if P::TRIES_ONE_LIMB
-            && let Some((rows, bits)) = rows.shortened()
-        {
-            // (Where filters are not allowed, none has left this open.)
-            let limbs = if self.limbs == ALL { ALL } else { P::DETERMINANT.limbs(bits) };
-            return (P::integer(rows, limbs), stage::INTEGER);
-        }
-        (wide_integer::<P, D, N>(rows.whole(), self.limbs), stage::WIDE_INTEGER)
+    /// The limbs of what the semi-static filter leaves open, in integers of so many bits.
+    #[inline(always)]
+    fn limbs_of<P: Predicate<D, N>, const D: usize, const N: usize>(&self, bits: i32) -> usize {
+        // (Where filters are not allowed, none has left it open.)
+        let is_left_open = !self.semi_static_bound.is_nan();
+        if is_left_open { P::DETERMINANT.limbs_left_open(bits) } else { P::DETERMINANT.limbs(bits) }
     }
 
     /// Whether a determinant is so small that it is more likely that of a
@@ -109,16 +123,16 @@ fn wide_integer<P: Predicate<D, N>, const D: usize, const N: usize>(rows: [[Fixe
 
 /// A query of a scene that is too wide for integers.
 #[inline(never)]
-pub(crate) fn alone<P: Predicate<D, N>, const D: usize, const N: usize>(points: [[f64; D]; N]) -> (Sign, usize) {
-    if is_ordinary(&points)
-        && let Some(sign) = P::estimate(points).certain(P::DETERMINANT.bound)
+pub(crate) fn alone<P: Predicate<D, N>, const D: usize, const N: usize>(points: &[[f64; D]; N]) -> (Sign, usize) {
+    if is_ordinary(points)
+        && let Some(sign) = P::estimate(*points).certain(P::DETERMINANT.bound)
     {
         return (sign, stage::SEMI_STATIC);
     }
-    if let Some(sign) = P::short(points) {
+    if let Some(sign) = P::short(*points) {
         return (sign, stage::INTEGER);
     }
-    (P::dyadic(points), stage::DYADIC)
+    (P::dyadic(*points), stage::DYADIC)
 }
 
 /// Whether filters are allowed, for every predicate here, without looking for the lowest bit.

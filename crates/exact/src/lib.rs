@@ -41,6 +41,7 @@ pub mod raw;
 mod session;
 pub mod side;
 pub mod stage;
+mod truncate;
 
 pub use backend::Exact;
 pub use precision::{Choice, Precision};

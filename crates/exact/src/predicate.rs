@@ -10,9 +10,6 @@ use crate::estimate::{self, Estimate};
 use crate::form::{self, Determinant};
 use crate::{dyadic, integer, products};
 
-/// As many limbs as the determinant can have.
-pub(crate) const ALL: usize = usize::MAX;
-
 /// A predicate on `N` points of `D` coordinates.
 pub(crate) trait Predicate<const D: usize, const N: usize> {
     /// Its name.
@@ -33,16 +30,13 @@ pub(crate) trait Predicate<const D: usize, const N: usize> {
     /// In integers, differences of two limbs.
     fn wide_integer(rows: [[Fixed<2>; D]; N], limbs: usize) -> Sign;
 
-    /// Whether it pays to see first if two limbs are really needed.
-    const TRIES_ONE_LIMB: bool = true;
-
     /// Whether it pays to try the semi-static filter before integers of one limb.
     const FILTERS_PAY: bool = true;
 
     /// For points whose differences span few bits; none if they don't.
     #[inline(always)]
     fn short(points: [[f64; D]; N]) -> Option<Sign> {
-        short_rows(points).map(|rows| Self::integer(rows, ALL))
+        short_rows(points).map(|rows| Self::integer(rows, Self::DETERMINANT.limbs(integer::BITS[0])))
     }
 
     /// For any finite points.
@@ -55,8 +49,6 @@ pub(crate) struct Orient2d;
 impl Predicate<2, 3> for Orient2d {
     const KIND: PredicateKind = PredicateKind::Orient2d;
     const DETERMINANT: Determinant = form::ORIENT2D;
-    // Two products of two limbs cost less than looking.
-    const TRIES_ONE_LIMB: bool = false;
     const FILTERS_PAY: bool = false;
 
     fn static_bound(extent: [f64; 2]) -> f64 {

@@ -80,5 +80,5 @@ fn answer<P: Predicate<D, N>, const D: usize, const N: usize>(
 #[cold]
 #[inline(never)]
 fn climb<P: Predicate<D, N>, const D: usize, const N: usize>(points: [[f64; D]; N]) -> Sign {
-    alone::<P, D, N>(points).0
+    alone::<P, D, N>(&points).0
 }

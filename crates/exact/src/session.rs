@@ -7,7 +7,7 @@ use crate::batch::{self, Batch, Beside, View, Whole, Xy, Yz, Zx};
 use crate::constructed::Constructed;
 use crate::integers::Integers;
 use crate::ladder::Prepared;
-use crate::predicate::{ALL, Incircle, Insphere, Orient2d, Orient3d, Predicate};
+use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::side::Side;
 use crate::stage;
 
@@ -98,11 +98,11 @@ impl<'s, T: Tally> Session<'s, T> {
     pub fn decide_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
         // Two products of one limb cost no more than a filter, and leave nothing open.
         if plane == Plane::Xy
-            && let Some(rows) = self.integers2.short([0, 1], [a, b, c])
+            && let Some(rows) = self.integers2.of_scene([0, 1], [a, b, c])
         {
-            return (Orient2d::integer(rows, ALL), stage::INTEGER);
+            return (Orient2d::integer(rows, 2), stage::INTEGER);
         }
-        self.filter_orient2d(plane, [a, b, c])
+        self.next_orient2d(plane, a, b, c)
     }
 
     /// [`Predicates::orient3d`] and the stage that settled it, not tallied.
@@ -171,24 +171,39 @@ impl<'s, T: Tally> Session<'s, T> {
         self.constructed.compare(axis, a, b)
     }
 
+    /// In scenes of more bits, in projections, and where there are no integers.
     #[inline(never)]
-    fn filter_orient2d(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> (Sign, usize) {
-        if let Some(rows) = self.integers3.short(plane.axes().map(Axis::index), [a, b, c]) {
-            return (Orient2d::integer(rows, ALL), stage::INTEGER);
+    fn next_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
+        // (No vertex of a 2D scene is among the points of a 3D one, and the other way round.)
+        let at = |v: Vertex| self.points2.get(v.index());
+        if plane == Plane::Xy
+            && let (Some(p), Some(q), Some(r)) = (at(a), at(b), at(c))
+        {
+            if let Some((rows, _)) = self.integers2.of_query(&[*p, *q, *r], [a, b, c]) {
+                return (Orient2d::integer(rows, 2), stage::INTEGER);
+            }
+            return self.filter_orient2d(plane, [*p, *q, *r], [a, b, c]);
+        }
+        if let Some(rows) = self.integers3.of_scene(plane.axes().map(Axis::index), [a, b, c]) {
+            return (Orient2d::integer(rows, 2), stage::INTEGER);
         }
         let at = |v| self.point2(plane, v);
-        if let (Some(p), Some(q), Some(r)) = (at(a), at(b), at(c)) {
-            let prepared = &self.orient2d[plane as usize];
-            let estimate = Orient2d::estimate([p, q, r]);
-            if let Some(sign) = estimate.above(prepared.static_bound) {
-                return (sign, prepared.static_stage);
-            }
-            // Here the second filter costs less than the call.
-            if let Some(sign) = estimate.certain(prepared.semi_static_bound) {
-                return (sign, stage::SEMI_STATIC);
-            }
+        let (Some(p), Some(q), Some(r)) = (at(a), at(b), at(c)) else {
+            return self.constructed.orient2d(plane, a, b, c);
+        };
+        match self.integers3.of_query(&[p, q, r], [a, b, c]) {
+            Some((rows, _)) => (Orient2d::integer(rows, 2), stage::INTEGER),
+            None => self.filter_orient2d(plane, [p, q, r], [a, b, c]),
         }
-        self.climb_orient2d(plane, [a, b, c])
+    }
+
+    #[inline(always)]
+    fn filter_orient2d(&self, plane: Plane, points: [[f64; 2]; 3], vertices: [Vertex; 3]) -> (Sign, usize) {
+        let prepared = &self.orient2d[plane as usize];
+        match Orient2d::estimate(points).above(prepared.static_bound) {
+            Some(sign) => (sign, prepared.static_stage),
+            None => self.climb_orient2d(plane, vertices),
+        }
     }
 
     #[cold]
@@ -200,10 +215,10 @@ impl<'s, T: Tally> Session<'s, T> {
         };
         let (points, prepared) = ([p, q, r], &self.orient2d[plane as usize]);
         match self.scene.dimension() {
-            Dimension::Two => prepared.climb::<Orient2d, 2, 3, 2>(points, (&self.integers2, [0, 1], [a, b, c])),
+            Dimension::Two => prepared.climb::<Orient2d, 2, 3, 2>(&points, (&self.integers2, [0, 1], [a, b, c])),
             Dimension::Three => {
                 let axes = plane.axes().map(Axis::index);
-                prepared.climb::<Orient2d, 2, 3, 3>(points, (&self.integers3, axes, [a, b, c]))
+                prepared.climb::<Orient2d, 2, 3, 3>(&points, (&self.integers3, axes, [a, b, c]))
             }
         }
     }
@@ -239,7 +254,7 @@ impl<'s, T: Tally> Session<'s, T> {
         match (at(a), at(b), at(c), at(d)) {
             (Some(p), Some(q), Some(r), Some(s)) => {
                 let integers = (&self.integers3, [0, 1, 2], vertices);
-                self.orient3d.climb::<Orient3d, 3, 4, 3>([*p, *q, *r, *s], integers)
+                self.orient3d.climb::<Orient3d, 3, 4, 3>(&[*p, *q, *r, *s], integers)
             }
             _ => self.constructed.orient3d(a, b, c, d),
         }
@@ -249,14 +264,14 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline(never)]
     fn climb_incircle(&self, vertices: [Vertex; 4]) -> (Sign, usize) {
         let points = vertices.map(|v| self.points2[v.index()]);
-        self.incircle.climb::<Incircle, 2, 4, 2>(points, (&self.integers2, [0, 1], vertices))
+        self.incircle.climb::<Incircle, 2, 4, 2>(&points, (&self.integers2, [0, 1], vertices))
     }
 
     #[cold]
     #[inline(never)]
     fn climb_insphere(&self, vertices: [Vertex; 5]) -> (Sign, usize) {
         let points = vertices.map(|v| self.points3[v.index()]);
-        self.insphere.climb::<Insphere, 3, 5, 3>(points, (&self.integers3, [0, 1, 2], vertices))
+        self.insphere.climb::<Insphere, 3, 5, 3>(&points, (&self.integers3, [0, 1, 2], vertices))
     }
 
     #[inline(always)]

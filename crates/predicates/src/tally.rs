@@ -5,6 +5,7 @@
 //! plain loads and stores, so that counting costs about as much as an
 //! increment; only threads past the [`ROWS`]th share a row and pay for it.
 
+use std::cell::Cell;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed};
 
 use crate::PredicateKind;
@@ -47,15 +48,16 @@ struct Row([[AtomicU64; MAX_STAGES]; KINDS]);
 
 /// Counts per predicate and stage, summed over threads when read.
 pub struct Counts {
-    rows: Box<[Row]>,
+    rows: Box<[Row; ROWS]>,
 }
 
 impl Counts {
     /// All zero.
     #[must_use]
     pub fn new() -> Counts {
-        let rows = (0..ROWS).map(|_| Row([const { [const { AtomicU64::new(0) }; MAX_STAGES] }; KINDS]));
-        Counts { rows: rows.collect() }
+        let row = |_| Row([const { [const { AtomicU64::new(0) }; MAX_STAGES] }; KINDS]);
+        let rows: Vec<Row> = (0..ROWS).map(row).collect();
+        Counts { rows: rows.try_into().unwrap_or_else(|_| unreachable!("so many rows")) }
     }
 
     /// How many queries of this kind the stage settled.
@@ -88,22 +90,38 @@ impl std::fmt::Debug for Counts {
     }
 }
 
-fn this_thread() -> usize {
+thread_local!(static ME: Cell<usize> = const { Cell::new(usize::MAX) });
+
+/// The row that the thread has to itself; others share the last one.
+#[cold]
+#[inline(never)]
+fn first_count() -> usize {
     static NEXT: AtomicUsize = AtomicUsize::new(0);
-    thread_local!(static ME: usize = NEXT.fetch_add(1, Relaxed));
-    ME.with(|me| *me)
+    if ME.get() == usize::MAX {
+        ME.set(NEXT.fetch_add(1, Relaxed).min(ROWS - 1));
+    }
+    ME.get()
 }
 
 impl Tally for &Counts {
-    #[inline]
+    #[inline(always)]
     fn settled_many(&self, kind: PredicateKind, stage: usize, count: u64) {
-        let me = this_thread();
+        let me = ME.get();
         if me < ROWS - 1 {
             let cell = &self.rows[me].0[kind.index()][stage];
             cell.store(cell.load(Relaxed) + count, Relaxed);
         } else {
-            self.rows[ROWS - 1].0[kind.index()][stage].fetch_add(count, Relaxed);
+            self.settled_elsewhere(kind, stage, count);
         }
+    }
+}
+
+impl Counts {
+    #[cold]
+    #[inline(never)]
+    fn settled_elsewhere(&self, kind: PredicateKind, stage: usize, count: u64) {
+        // (The last row is shared.)
+        self.rows[first_count()].0[kind.index()][stage].fetch_add(count, Relaxed);
     }
 }
 
