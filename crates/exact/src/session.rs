@@ -85,8 +85,8 @@ impl<'s, T: Tally> Session<'s, T> {
         };
         let (Some(x), Some(y)) = (at(a), at(b)) else { return self.compare_constructed(axis, [a, b]) };
         // The coordinates of a scene are finite: there's always an order, in which -0 equals 0.
-        let sign = x.partial_cmp(&y).map_or(Sign::Zero, Sign::from);
-        (sign, stage::COMPARE)
+        const SIGNS: [Sign; 3] = [Sign::Negative, Sign::Zero, Sign::Positive];
+        (SIGNS[usize::from(x >= y) + usize::from(x > y)], stage::COMPARE)
     }
 
     /// [`Predicates::orient2d`] and the stage that settled it, not tallied.

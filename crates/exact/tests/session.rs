@@ -131,13 +131,18 @@ fn each_stage_settles_what_it_can_prove() {
     assert_eq!(settled(turn, &[]), (Sign::Positive, stage::DOUBLE));
     assert_eq!(settled(tie, &[]), (Sign::Zero, stage::DOUBLE), "short numbers: floats make no error");
     assert_eq!(settled(turn, &long), (Sign::Positive, stage::INTEGER), "two products cost no more than a filter");
-    assert_eq!(settled(turn, &[[1e20, 0.1]]), (Sign::Positive, stage::SEMI_STATIC));
-    assert_eq!(settled(turn, &[[1.0, 1e-20]]), (Sign::Positive, stage::STATIC));
+    assert_eq!(settled(turn, &[[1e20, 0.1]]), (Sign::Positive, stage::INTEGER), "few bits in a scene of many");
+    let long_turn = [[1e-20, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    assert_eq!(settled(long_turn, &[]), (Sign::Positive, stage::STATIC));
+    assert_eq!(settled(long_turn, &[[1e20, 0.1]]), (Sign::Positive, stage::SEMI_STATIC));
     assert_eq!(settled(uneven_tie, &[]), (Sign::Zero, stage::INTEGER));
     assert_eq!(settled(tiny_tie, &[]), (Sign::Zero, stage::INTEGER), "no float can be trusted, but all fits");
     assert_eq!(settled(far_tie, &[[0.5, 0.25]]), (Sign::Zero, stage::INTEGER), "59 bits: no double differences");
-    assert_eq!(settled(far_tie, &[[0.5, 1e-3]]), (Sign::Zero, stage::WIDE_INTEGER));
-    // Where two limbs cost much more than one, it is seen first which it takes.
+    assert_eq!(settled(far_tie, &[[0.5, 1e-3]]), (Sign::Zero, stage::INTEGER), "in a unit of its own");
+    let long_tie = [[0.0, 0.0], [1e17, 1e17], [0.3, 0.3]];
+    assert_eq!(settled(long_tie, &[]), (Sign::Zero, stage::WIDE_INTEGER), "112 bits");
+    let cluster = [[1e17, 1e17], [1e17 + 16.0, 1e17 + 16.0], [1e17 + 32.0, 1e17 + 32.0]];
+    assert_eq!(settled(cluster, &[[0.5, 1e-3]]), (Sign::Zero, stage::INTEGER));
     let flat_tie = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.1], [2.0, 2.0, 0.2], [3.0, 3.0, 0.7]];
     for (other, stage) in [([0.5, 1e-3, 1e10], stage::INTEGER), ([0.5, 1e-3, 1e3], stage::INTEGER)] {
         let scene = Scene::from_points3(&[&flat_tie[..], &[other]].concat()).unwrap();

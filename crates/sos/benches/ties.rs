@@ -1,63 +1,242 @@
-//! What ties cost: the exact backend against both schemes, on points without
-//! ties and on grids, where the perturbation has to be paid.
+//! What ties cost: the exact backend against both schemes.
+//!
+//! Families of the corpus:
+//! * `uniform`: no ties. Whoever asks for them pays nothing else.
+//! * `grid`: integers from 0 to 15. Ties are a few in a hundred, and floating
+//!   point is exact: the cheapest answers there are, and the deepest terms.
+//! * `degen`: nothing but ties, in general position.
+//!
+//! Every query has points of its own and its arguments in an order of its own,
+//! and there are more queries than a branch predictor learns by heart; a pass
+//! takes the next few thousand of them. Before Criterion times the engines one
+//! after another, they take turns once, pass by pass, and a line is printed
+//! with their times in relation to the exact backend's. On a machine that does
+//! other things as well, believe that line.
+
+use std::cell::Cell;
+use std::hint::black_box;
+use std::time::{Duration, Instant};
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use predicament_corpus::{Cache, Level, Manifest, Suite, Work};
 use predicament_exact::Exact;
-use predicament_predicates::{Backend, Dimension, Off, Plane, QuerySet, Question, Scene, Sign, Vertex};
-use predicament_sos::{Scheme, Sos};
+use predicament_predicates::{Axis, Backend, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex};
+use predicament_sos::{Scheme, Session, Sos};
 
-const QUERIES: usize = 2000;
+/// Queries of a family, and of a pass.
+const QUERIES: usize = 1 << 17;
+const PASS: usize = 1 << 12;
+/// How often the engines take turns over all queries.
+const ROUNDS: usize = 3;
 
-/// A reproducible stream of random bits (splitmix64).
+/// The queries of a family, their arguments shuffled.
+fn queries<const N: usize>(kind: PredicateKind, family: &str) -> (Scene, Vec<[Vertex; N]>) {
+    let text = format!(
+        "title = \"ties\"\n[[generate]]\nfamily = \"{family}\"\ntask = \"{kind}\"\nn = {QUERIES}\nseed = 5\n\
+         source = \"generated\"\nanalysis = \"What ties cost.\"\n"
+    );
+    let manifest = Manifest::default();
+    let suite = Suite::parse("ties.toml", &text, None, &manifest).expect("a suite");
+    let loaded = suite.scenes[0].load(Level::Quick, &Cache::new("")).expect("generated");
+    let Work::Signs(queries) = loaded.work else { panic!("a family of signs") };
+    let mut random = Random(41);
+    let queries = queries.flat().as_chunks::<N>().0.iter().map(|query| {
+        let mut query = *query;
+        for last in (1..N).rev() {
+            query.swap(last, random.below(last + 1));
+        }
+        query
+    });
+    (loaded.scene, queries.collect())
+}
+
+/// A reproducible stream of random numbers (splitmix64).
 struct Random(u64);
 
 impl Random {
-    fn bits(&mut self) -> u64 {
+    fn below(&mut self, n: usize) -> usize {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut x = self.0;
         x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        x ^ (x >> 31)
-    }
-
-    /// Uniform in [0, 1): 52 random bits.
-    fn uniform(&mut self) -> f64 {
-        f64::from_bits(1_f64.to_bits() | (self.bits() >> 12)) - 1.0
+        x ^= x >> 31;
+        usize::try_from(x % u64::try_from(n).expect("64 bits")).expect("less than n")
     }
 }
 
-fn ask(c: &mut Criterion, group: &str, backend: &impl Backend, scene: &Scene, queries: &QuerySet) {
-    let session = backend.prepare(scene, Off).expect("exact and sos take every scene");
-    let mut out = vec![Sign::Zero; queries.len()];
-    let mut group = c.benchmark_group(group);
-    group.throughput(Throughput::Elements(QUERIES as u64)).sample_size(20);
-    group.bench_function(BenchmarkId::from_parameter(backend.name()), |b| {
-        b.iter(|| queries.ask_batch(&session, 0..queries.len(), &mut out));
-    });
-    group.finish();
+/// A predicate asked singly and by batch, of either backend.
+struct Contest<E, S, F, T> {
+    question: Question,
+    exact: E,
+    sos: S,
+    exact_batch: F,
+    sos_batch: T,
 }
 
-fn ties(c: &mut Criterion) {
-    let questions = [Question::Orient2d(Plane::Xy), Question::Incircle, Question::Orient3d, Question::Insphere];
-    for question in questions {
-        let flat = matches!(question, Question::Orient2d(_) | Question::Incircle);
-        let dimension = if flat { Dimension::Two } else { Dimension::Three };
-        for family in ["uniform", "grid"] {
-            let mut random = Random(1);
-            let vertices = 5 * QUERIES;
-            let coordinate = |_| if family == "grid" { (3.0 * random.uniform()).floor() } else { random.uniform() };
-            let coordinates = (0..vertices * dimension.count()).map(coordinate).collect();
-            let scene = Scene::new(dimension, coordinates).expect("finite");
-            let args: Vec<Vertex> = scene.vertices().take(question.kind().arity() * QUERIES).collect();
-            let queries = QuerySet::new(question, args);
-            let group = format!("{} {family}", question.kind());
-            ask(c, &group, &Exact, &scene, &queries);
-            for scheme in Scheme::ALL {
-                ask(c, &group, &Sos { scheme }, &scene, &queries);
+type ExactSession<'s> = predicament_exact::Session<'s, Off>;
+type SosSession<'s> = Session<'s, Off>;
+
+impl<E, S, F, T> Contest<E, S, F, T> {
+    fn run<const N: usize>(&self, criterion: &mut Criterion)
+    where
+        E: Fn(&ExactSession, [Vertex; N]) -> Sign,
+        S: Fn(&SosSession, [Vertex; N]) -> Sign,
+        F: Fn(&ExactSession, &[[Vertex; N]], &mut [Sign]),
+        T: Fn(&SosSession, &[[Vertex; N]], &mut [Sign]),
+    {
+        let kind = self.question.kind();
+        for family in ["uniform", "grid", "degen"] {
+            let (scene, queries) = queries::<N>(kind, family);
+            let backends = Scheme::ALL.map(|scheme| Sos { scheme });
+            let exact = Exact.prepare(&scene, Off).expect("prepared");
+            let [first, second] = backends.each_ref().map(|sos| sos.prepare(&scene, Off).expect("prepared"));
+
+            // Monomorphic loops: each engine may be inlined into its own.
+            let exact_single = |at: usize, out: &mut [Sign]| {
+                for (&query, out) in black_box(&queries)[at..].iter().zip(out) {
+                    *out = (self.exact)(&exact, query);
+                }
+            };
+            let single = |session: &SosSession, at: usize, out: &mut [Sign]| {
+                for (&query, out) in black_box(&queries)[at..].iter().zip(out) {
+                    *out = (self.sos)(session, query);
+                }
+            };
+            let exact_batch = |at: usize, out: &mut [Sign]| {
+                let end = at + out.len();
+                (self.exact_batch)(&exact, &black_box(&queries)[at..end], out);
+            };
+            let batch = |session: &SosSession, at: usize, out: &mut [Sign]| {
+                let end = at + out.len();
+                (self.sos_batch)(session, &black_box(&queries)[at..end], out);
+            };
+            let names = backends.each_ref().map(Sos::name);
+            let singles: [Engine; 3] = [
+                ("exact", &exact_single),
+                (&names[0], &|at, out| single(&first, at, out)),
+                (&names[1], &|at, out| single(&second, at, out)),
+            ];
+            let batches: [Engine; 3] = [
+                ("exact, batch", &exact_batch),
+                (&names[0], &|at, out| batch(&first, at, out)),
+                (&names[1], &|at, out| batch(&second, at, out)),
+            ];
+            print!("{kind}, {family}:");
+            compare(&singles);
+            print!(";");
+            compare(&batches);
+            println!();
+
+            let mut signs = vec![Sign::Zero; PASS];
+            let mut group = criterion.benchmark_group(format!("{kind} {family}"));
+            group.throughput(Throughput::Elements(PASS as u64));
+            for (engine, ask) in singles {
+                let next = Cell::new(0);
+                group.bench_function(BenchmarkId::from_parameter(engine), |bencher| {
+                    bencher.iter(|| {
+                        ask(next.get(), &mut signs);
+                        next.set((next.get() + PASS) % QUERIES);
+                    });
+                });
             }
+            group.finish();
         }
     }
 }
 
-criterion_group!(benches, ties);
+/// A way to answer a pass of queries, from this one on.
+type Engine<'a> = (&'a str, &'a dyn Fn(usize, &mut [Sign]));
+
+/// Compares answers, and times: pass by pass the engines take turns, so that
+/// whatever else the machine does is shared by all. Prints the median of the
+/// first engine, those of the others in relation to it, and the share of ties.
+fn compare(engines: &[Engine; 3]) {
+    let mut times = [const { Vec::new() }; 3];
+    let mut signs = [(); 3].map(|()| vec![Sign::Zero; PASS]);
+    let mut ties = 0;
+    for pass in 0..ROUNDS * QUERIES / PASS {
+        for turn in 0..3 {
+            let at = (pass + turn) % 3;
+            let start = Instant::now();
+            engines[at].1(pass * PASS % QUERIES, &mut signs[at]);
+            times[at].push(start.elapsed());
+        }
+        for (at, &truth) in signs[0].iter().enumerate() {
+            for (sos, (name, _)) in signs.iter().zip(engines).skip(1) {
+                assert!(!sos[at].is_zero() && (truth.is_zero() || sos[at] == truth), "{name}");
+            }
+            ties += usize::from(truth.is_zero());
+        }
+    }
+    let medians = times.map(median);
+    #[allow(clippy::cast_precision_loss)] // small numbers
+    let (nanoseconds, ties) = (medians[0] * 1e9 / PASS as f64, ties as f64 * 100.0 / (ROUNDS * QUERIES) as f64);
+    print!(" {} {nanoseconds:.1} ns, {ties:.0} % ties", engines[0].0);
+    for ((name, _), median) in engines.iter().zip(medians).skip(1) {
+        print!(", {name} {:.2}", median / medians[0]);
+    }
+}
+
+fn median(mut times: Vec<Duration>) -> f64 {
+    times.sort_unstable();
+    times[times.len() / 2].as_secs_f64()
+}
+
+fn ties(criterion: &mut Criterion) {
+    Contest {
+        question: Question::Compare(Axis::X),
+        exact: |session: &ExactSession, [a, b]: [Vertex; 2]| session.compare(Axis::X, a, b),
+        sos: |session: &SosSession, [a, b]: [Vertex; 2]| session.compare(Axis::X, a, b),
+        exact_batch: |session: &ExactSession, queries: &[_], out: &mut [_]| {
+            session.compare_batch(Axis::X, queries, out);
+        },
+        sos_batch: |session: &SosSession, queries: &[_], out: &mut [_]| session.compare_batch(Axis::X, queries, out),
+    }
+    .run::<2>(criterion);
+    Contest {
+        question: Question::Orient2d(Plane::Xy),
+        exact: |session: &ExactSession, [a, b, c]: [Vertex; 3]| session.orient2d(Plane::Xy, a, b, c),
+        sos: |session: &SosSession, [a, b, c]: [Vertex; 3]| session.orient2d(Plane::Xy, a, b, c),
+        exact_batch: |session: &ExactSession, queries: &[_], out: &mut [_]| {
+            session.orient2d_batch(Plane::Xy, queries, out);
+        },
+        sos_batch: |session: &SosSession, queries: &[_], out: &mut [_]| session.orient2d_batch(Plane::Xy, queries, out),
+    }
+    .run::<3>(criterion);
+    Contest {
+        question: Question::Orient3d,
+        exact: |session: &ExactSession, [a, b, c, d]: [Vertex; 4]| session.orient3d(a, b, c, d),
+        sos: |session: &SosSession, [a, b, c, d]: [Vertex; 4]| session.orient3d(a, b, c, d),
+        exact_batch: |session: &ExactSession, queries: &[_], out: &mut [_]| session.orient3d_batch(queries, out),
+        sos_batch: |session: &SosSession, queries: &[_], out: &mut [_]| session.orient3d_batch(queries, out),
+    }
+    .run::<4>(criterion);
+    Contest {
+        question: Question::Incircle,
+        exact: |session: &ExactSession, [a, b, c, d]: [Vertex; 4]| session.incircle(a, b, c, d),
+        sos: |session: &SosSession, [a, b, c, d]: [Vertex; 4]| session.incircle(a, b, c, d),
+        exact_batch: |session: &ExactSession, queries: &[_], out: &mut [_]| session.incircle_batch(queries, out),
+        sos_batch: |session: &SosSession, queries: &[_], out: &mut [_]| session.incircle_batch(queries, out),
+    }
+    .run::<4>(criterion);
+    Contest {
+        question: Question::Insphere,
+        exact: |session: &ExactSession, [a, b, c, d, e]: [Vertex; 5]| session.insphere(a, b, c, d, e),
+        sos: |session: &SosSession, [a, b, c, d, e]: [Vertex; 5]| session.insphere(a, b, c, d, e),
+        exact_batch: |session: &ExactSession, queries: &[_], out: &mut [_]| session.insphere_batch(queries, out),
+        sos_batch: |session: &SosSession, queries: &[_], out: &mut [_]| session.insphere_batch(queries, out),
+    }
+    .run::<5>(criterion);
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default()
+        .sample_size(15)
+        .warm_up_time(Duration::from_millis(100))
+        .measurement_time(Duration::from_millis(500))
+        .nresamples(2000)
+        .without_plots();
+    targets = ties
+}
 criterion_main!(benches);

@@ -1,11 +1,13 @@
 //! The backend: exact first, the perturbation on ties only.
 
 use predicament_exact::Exact;
+use predicament_exact::stage::COMPARE;
 use predicament_predicates::{
     Axis, Backend, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally, Vertex,
     ZeroMeaning,
 };
 
+use crate::leading::{self, EDELSBRUNNER_MUCKE, PER_COORDINATE, Points};
 use crate::{Scheme, stage, ties, ties::Sorted};
 
 /// The Simulation of Simplicity backend.
@@ -42,7 +44,8 @@ impl Backend for Sos {
     }
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {
-        Ok(Session { scheme: self.scheme, exact: Exact.prepare(scene, Off)?, tally })
+        let exact = Exact.prepare(scene, Off)?;
+        Ok(Session { scheme: self.scheme, exact, points: Points::of(scene), tally })
     }
 }
 
@@ -50,57 +53,132 @@ impl Backend for Sos {
 pub struct Session<'s, T> {
     scheme: Scheme,
     exact: predicament_exact::Session<'s, Off>,
+    points: Points<'s>,
     tally: T,
 }
 
 impl<T: Tally> Session<'_, T> {
     #[inline(always)]
-    fn settle<const N: usize>(&self, question: Question, args: [Vertex; N], (sign, stage): (Sign, usize)) -> Sign {
-        if sign.is_zero() {
-            return self.break_tie(question, args, stage);
-        }
-        self.tally.settled(question.kind(), stage);
+    fn tallied(&self, kind: PredicateKind, sign: Sign, stage: usize) -> Sign {
+        self.tally.settled(kind, stage);
         sign
     }
 
     #[cold]
     #[inline(never)]
-    fn break_tie<const N: usize>(&self, question: Question, args: [Vertex; N], stage: usize) -> Sign {
-        let kind = question.kind();
-        let broken = Sorted::new(args).and_then(|sorted| {
-            let (sign, depth) = ties::decide(&self.exact, question, self.scheme.terms(kind), &sorted.vertices)?;
-            Some((sign * sorted.parity, stage::FIRST_TERM + depth))
-        });
-        let (sign, stage) = broken.unwrap_or((Sign::Zero, stage));
-        self.tally.settled(kind, stage);
-        sign
+    fn compare_constructed(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        let (sign, stage) = self.exact.decide_compare(axis, a, b);
+        if !sign.is_zero() || a == b {
+            return self.tallied(PredicateKind::Compare, sign, stage);
+        }
+        self.tallied(PredicateKind::Compare, Sign::from(b.cmp(&a)), stage::FIRST_TERM)
     }
-}
 
-impl<T: Tally> Session<'_, T> {
-    /// The exact backend's batch, and then the ties that it has found.
+    // Ties are broken out of line and take vertices in registers: answers without ties need no stack for them.
+
+    #[cold]
+    #[inline(never)]
+    fn tie_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        let decided = match self.scheme {
+            Scheme::PerCoordinate => leading::orient2d::<PER_COORDINATE>(self.points, plane, [a, b, c]),
+            Scheme::EdelsbrunnerMucke => leading::orient2d::<EDELSBRUNNER_MUCKE>(self.points, plane, [a, b, c]),
+        };
+        self.broken(Question::Orient2d(plane), [a, b, c], decided, || self.exact.decide_orient2d(plane, a, b, c).1)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn tie_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        let decided = match self.scheme {
+            Scheme::PerCoordinate => leading::orient3d::<PER_COORDINATE>(&self.exact, self.points, [a, b, c, d]),
+            Scheme::EdelsbrunnerMucke => {
+                leading::orient3d::<EDELSBRUNNER_MUCKE>(&self.exact, self.points, [a, b, c, d])
+            }
+        };
+        self.broken(Question::Orient3d, [a, b, c, d], decided, || self.exact.decide_orient3d(a, b, c, d).1)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn tie_incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        let decided = match self.scheme {
+            Scheme::PerCoordinate => leading::incircle::<PER_COORDINATE>(&self.exact, self.points, [a, b, c, d]),
+            Scheme::EdelsbrunnerMucke => {
+                leading::incircle::<EDELSBRUNNER_MUCKE>(&self.exact, self.points, [a, b, c, d])
+            }
+        };
+        self.broken(Question::Incircle, [a, b, c, d], decided, || self.exact.decide_incircle(a, b, c, d).1)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn tie_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
+        let decided = match self.scheme {
+            Scheme::PerCoordinate => leading::insphere::<PER_COORDINATE>(&self.exact, self.points, [a, b, c, d, e]),
+            Scheme::EdelsbrunnerMucke => {
+                leading::insphere::<EDELSBRUNNER_MUCKE>(&self.exact, self.points, [a, b, c, d, e])
+            }
+        };
+        self.broken(Question::Insphere, [a, b, c, d, e], decided, || self.exact.decide_insphere(a, b, c, d, e).1)
+    }
+
+    /// Tallies a tie: by its term, or by the exact stage if a vertex comes twice.
     #[inline(always)]
-    fn batch<const N: usize>(
+    fn broken<const N: usize>(
         &self,
         question: Question,
-        queries: &[[Vertex; N]],
+        args: [Vertex; N],
+        leading: Option<(Sign, usize)>,
+        exact_stage: impl FnOnce() -> usize,
+    ) -> Sign {
+        let decided = leading.or_else(|| self.whole_list(question, args));
+        if let Some((sign, place)) = decided {
+            return self.tallied(question.kind(), sign, stage::FIRST_TERM + place);
+        }
+        // Nobody pays for a stage that nobody wants to know.
+        let stage = if T::LISTENS { exact_stage() } else { 0 };
+        self.tallied(question.kind(), Sign::Zero, stage)
+    }
+
+    #[inline(never)]
+    fn whole_list<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Option<(Sign, usize)> {
+        let sorted = Sorted::new(args)?;
+        let terms = self.scheme.terms(question.kind());
+        let (sign, place) = ties::decide(&self.exact, question, terms, &sorted.vertices)?;
+        Some((sign * sorted.parity, place))
+    }
+
+    /// The exact backend's batch, and then the ties that it has found.
+    #[inline(always)]
+    fn batch<Q: Copy>(
+        &self,
+        queries: &[Q],
         out: &mut [Sign],
+        single: impl Fn(&Q) -> Sign,
         exact: impl Fn(&mut [Sign]),
+        tie: impl Fn(Q) -> Sign,
     ) {
         if T::LISTENS {
             // Which of the exact backend's stages settled a query is known only where it is asked alone.
             for (query, out) in queries.iter().zip(out) {
-                *out = question.ask(self, query);
+                *out = single(query);
             }
             return;
         }
         exact(out);
-        // (A tie has no stage to be told of.)
-        for (query, out) in queries.iter().zip(out).filter(|(_, out)| out.is_zero()) {
-            *out = self.break_tie(question, *query, 0);
+        for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
+            // Seen for a whole register at once: most blocks have no tie.
+            if out.iter().fold(false, |any, sign| any | sign.is_zero()) {
+                for (&query, out) in queries.iter().zip(out).filter(|(_, out)| out.is_zero()) {
+                    *out = tie(query);
+                }
+            }
         }
     }
 }
+
+/// Queries of a batch whose answers are looked at together.
+const BLOCK: usize = 64;
 
 impl<T: Tally> Predicates for Session<'_, T> {
     #[inline]
@@ -110,42 +188,98 @@ impl<T: Tally> Predicates for Session<'_, T> {
 
     #[inline]
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.settle(Question::Compare(axis), [a, b], self.exact.decide_compare(axis, a, b))
+        let kind = PredicateKind::Compare;
+        let (Some(x), Some(y)) = (self.points.coordinate(axis, a), self.points.coordinate(axis, b)) else {
+            return self.compare_constructed(axis, a, b);
+        };
+        // What is not equal has one of two orders, for which the exact backend has to look twice.
+        if x != y {
+            return self.tallied(kind, if x > y { Sign::Positive } else { Sign::Negative }, COMPARE);
+        }
+        // The one term of both lists: the smaller index moves further.
+        let stage = if a == b { COMPARE } else { stage::FIRST_TERM };
+        self.tallied(kind, Sign::from(b.cmp(&a)), stage)
     }
 
     #[inline]
     fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        self.settle(Question::Orient2d(plane), [a, b, c], self.exact.decide_orient2d(plane, a, b, c))
+        let (sign, stage) = self.exact.decide_orient2d(plane, a, b, c);
+        if sign.is_zero() {
+            return self.tie_orient2d(plane, a, b, c);
+        }
+        self.tallied(PredicateKind::Orient2d, sign, stage)
     }
 
     #[inline]
     fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.settle(Question::Orient3d, [a, b, c, d], self.exact.decide_orient3d(a, b, c, d))
+        let (sign, stage) = self.exact.decide_orient3d(a, b, c, d);
+        if sign.is_zero() {
+            return self.tie_orient3d(a, b, c, d);
+        }
+        self.tallied(PredicateKind::Orient3d, sign, stage)
     }
 
     #[inline]
     fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.settle(Question::Incircle, [a, b, c, d], self.exact.decide_incircle(a, b, c, d))
+        let (sign, stage) = self.exact.decide_incircle(a, b, c, d);
+        if sign.is_zero() {
+            return self.tie_incircle(a, b, c, d);
+        }
+        self.tallied(PredicateKind::Incircle, sign, stage)
     }
 
     #[inline]
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.settle(Question::Insphere, [a, b, c, d, e], self.exact.decide_insphere(a, b, c, d, e))
+        let (sign, stage) = self.exact.decide_insphere(a, b, c, d, e);
+        if sign.is_zero() {
+            return self.tie_insphere(a, b, c, d, e);
+        }
+        self.tallied(PredicateKind::Insphere, sign, stage)
     }
 
     fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
-        self.batch(Question::Orient2d(plane), queries, out, |out| self.exact.orient2d_batch(plane, queries, out));
+        let single = |&[a, b, c]: &[_; 3]| self.orient2d(plane, a, b, c);
+        let exact = |out: &mut [Sign]| self.exact.orient2d_batch(plane, queries, out);
+        self.batch(queries, out, single, exact, |[a, b, c]| self.tie_orient2d(plane, a, b, c));
+    }
+
+    fn orient2d_line(&self, plane: Plane, line: [Vertex; 2], points: &[Vertex], out: &mut [Sign]) {
+        let [a, b] = line;
+        self.batch(
+            points,
+            out,
+            |&c| self.orient2d(plane, a, b, c),
+            |out| self.exact.orient2d_line(plane, line, points, out),
+            |c| self.tie_orient2d(plane, a, b, c),
+        );
+    }
+
+    fn orient3d_plane(&self, plane: [Vertex; 3], points: &[Vertex], out: &mut [Sign]) {
+        let [a, b, c] = plane;
+        self.batch(
+            points,
+            out,
+            |&d| self.orient3d(a, b, c, d),
+            |out| self.exact.orient3d_plane(plane, points, out),
+            |d| self.tie_orient3d(a, b, c, d),
+        );
     }
 
     fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
-        self.batch(Question::Orient3d, queries, out, |out| self.exact.orient3d_batch(queries, out));
+        let single = |&[a, b, c, d]: &[_; 4]| self.orient3d(a, b, c, d);
+        let exact = |out: &mut [Sign]| self.exact.orient3d_batch(queries, out);
+        self.batch(queries, out, single, exact, |[a, b, c, d]| self.tie_orient3d(a, b, c, d));
     }
 
     fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
-        self.batch(Question::Incircle, queries, out, |out| self.exact.incircle_batch(queries, out));
+        let single = |&[a, b, c, d]: &[_; 4]| self.incircle(a, b, c, d);
+        let exact = |out: &mut [Sign]| self.exact.incircle_batch(queries, out);
+        self.batch(queries, out, single, exact, |[a, b, c, d]| self.tie_incircle(a, b, c, d));
     }
 
     fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
-        self.batch(Question::Insphere, queries, out, |out| self.exact.insphere_batch(queries, out));
+        let single = |&[a, b, c, d, e]: &[_; 5]| self.insphere(a, b, c, d, e);
+        let exact = |out: &mut [Sign]| self.exact.insphere_batch(queries, out);
+        self.batch(queries, out, single, exact, |[a, b, c, d, e]| self.tie_insphere(a, b, c, d, e));
     }
 }

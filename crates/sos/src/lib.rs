@@ -18,9 +18,12 @@
 
 mod backend;
 pub mod derive;
+mod filter;
 pub mod infinitesimal;
+mod leading;
 mod lift;
 mod scheme;
+mod short;
 mod stage;
 #[rustfmt::skip]
 mod tables;

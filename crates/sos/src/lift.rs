@@ -1,4 +1,4 @@
-//! Minors with a lift column, in integers.
+//! Minors with a lift column, by a filter or in integers.
 //!
 //! Coordinates over a common power of two are integers, the lift shrinks by
 //! that power squared, and the minor keeps its sign. Where the vertices of a
@@ -13,18 +13,24 @@ use predicament_predicates::{Axis, Scene, Sign, Vertex};
 use rug::Integer;
 
 use crate::Lift;
+use crate::filter::{self, Struck};
+use crate::short::{self, sign};
 
 /// The most vertices and axes that a predicate takes.
-const PLACES: usize = 5;
+pub(crate) const PLACES: usize = 5;
 const AXES: usize = 3;
 
-/// The vertices of a query, in integers as soon as a lifted minor is asked for.
+/// The vertices of a query, read as soon as a lifted minor is asked for.
 pub(crate) struct Lifted<'a> {
     scene: &'a Scene,
     axes: &'a [Axis],
     sorted: &'a [Vertex],
+    points: OnceCell<Points>,
     integers: OnceCell<Integers>,
 }
+
+/// With one more than there can be: the origin.
+type Points = [[f64; AXES]; PLACES + 1];
 
 enum Integers {
     /// Coordinates less than 2^61 in magnitude.
@@ -34,33 +40,59 @@ enum Integers {
 
 impl<'a> Lifted<'a> {
     pub fn new(scene: &'a Scene, axes: &'a [Axis], sorted: &'a [Vertex]) -> Lifted<'a> {
-        Lifted { scene, axes, sorted, integers: OnceCell::new() }
+        Lifted { scene, axes, sorted, points: OnceCell::new(), integers: OnceCell::new() }
     }
 
     /// The sign of the determinant with one row for each of `rows`: the
     /// coordinates along `columns`, the lift, and 1. Rows are places among the
     /// sorted vertices, columns are places among the axes.
     pub fn sign(&self, rows: &[u8], columns: &[u8], lift: Lift) -> Sign {
-        match self.integers.get_or_init(|| self.read()) {
+        let points = self.points.get_or_init(|| self.read());
+        if let Some(sign) = self.quick(points, rows, columns, lift) {
+            return sign;
+        }
+        let integers = || short_rows(*points).map_or_else(|| long(*points), Integers::Short);
+        match self.integers.get_or_init(integers) {
             Integers::Short(points) => short_sign(points, rows, columns, lift),
             Integers::Long(points) => long_sign(points, rows, columns, lift),
         }
     }
 
-    fn read(&self) -> Integers {
-        // One more than there can be: the origin.
+    fn read(&self) -> Points {
         let mut points = [[0.0; AXES]; PLACES + 1];
         for (point, &vertex) in points.iter_mut().zip(self.sorted) {
             for (value, &axis) in point.iter_mut().zip(self.axes) {
                 *value = self.scene.coordinate(axis, vertex);
             }
         }
-        short_rows(points).map_or_else(|| long(points), Integers::Short)
+        points
+    }
+
+    /// The sign, if one column was struck and the query is an ordinary one.
+    fn quick(&self, points: &Points, rows: &[u8], columns: &[u8], lift: Lift) -> Option<Sign> {
+        let at = |row: u8| &points[usize::from(row)];
+        let struck = |column: usize| {
+            let origin = lift.about[column].map_or(0.0, |about| at(about)[column]);
+            Struck { column, origin }
+        };
+        match (self.axes.len(), rows, columns) {
+            (2, &[p, q, r], &[x]) => {
+                let column = usize::from(x);
+                let (points, struck) = ([at(p), at(q), at(r)], struck(1 - column));
+                filter::flat(points, column, struck).or_else(|| short::flat(points, column, struck))
+            }
+            (3, &[p, q, r, s], &[x, y]) => {
+                let columns = [x, y].map(usize::from);
+                let (points, struck) = ([at(p), at(q), at(r), at(s)], struck(3 - columns[0] - columns[1]));
+                filter::solid(points, columns, struck).or_else(|| short::solid(points, columns, struck))
+            }
+            _ => None,
+        }
     }
 }
 
 #[cold]
-fn long(points: [[f64; AXES]; PLACES + 1]) -> Integers {
+fn long(points: Points) -> Integers {
     let points: [[f64; AXES]; PLACES] = std::array::from_fn(|i| points[i]);
     let scaled = Scaled::new(points).expect("a scene's coordinates are finite");
     Integers::Long(Box::new(scaled.integers))
@@ -100,14 +132,6 @@ fn short_sign(points: &[[Fixed<1>; AXES]; PLACES + 1], rows: &[u8], columns: &[u
             sign(term(q, r, p).plus(term(r, p, q)).plus(term(p, q, r)))
         }
         _ => panic!("{rows:?} and {columns:?} make no minor with a lift"),
-    }
-}
-
-fn sign<const L: usize>(x: Fixed<L>) -> Sign {
-    match (x.is_negative(), x.is_zero()) {
-        (true, _) => Sign::Negative,
-        (_, true) => Sign::Zero,
-        _ => Sign::Positive,
     }
 }
 

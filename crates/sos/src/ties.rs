@@ -6,9 +6,12 @@
 //! stand, as if positions were identities, each make a wrong backend out of
 //! the right pieces.
 
-use predicament_predicates::{Axis, Plane, Predicates, Question, Sign, Vertex};
+use predicament_predicates::{Axis, Plane, Predicates, Question, Scene, Sign, Vertex};
 
-use crate::{Term, lift::Lifted};
+use crate::{
+    Term,
+    lift::{Lifted, PLACES},
+};
 
 /// Vertices in the order of their identity.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -57,9 +60,47 @@ impl<const N: usize> Sorted<N> {
 pub fn decide<P: Predicates>(signs: &P, question: Question, terms: &[Term], rows: &[Vertex]) -> Option<(Sign, usize)> {
     let (axes, orientation) = columns(question);
     let lifted = Lifted::new(signs.scene(), axes, rows);
-    let sign_of = |term: &Term| coefficient(signs, axes, term, rows, &lifted);
+    let twins = Twins::new(signs.scene(), axes, rows);
+    let sign_of = |term: &Term| {
+        if twins.are_among(term.rows) { Sign::Zero } else { coefficient(signs, axes, term, rows, &lifted) }
+    };
     let (place, sign) = terms.iter().map(sign_of).enumerate().find(|(_, sign)| !sign.is_zero())?;
     Some((sign * orientation, place))
+}
+
+/// Which rows are equal, vertices apart: the commonest tie of all, and the
+/// reason why many terms are zero that need not be looked at then.
+struct Twins {
+    /// For each row, the first one with the same coordinates.
+    firsts: [u8; PLACES],
+}
+
+impl Twins {
+    fn new(scene: &Scene, axes: &[Axis], rows: &[Vertex]) -> Twins {
+        let mut firsts = [0, 1, 2, 3, 4];
+        // (A constructed vertex has no coordinates to look at.)
+        let are_equal = |a: Vertex, b: Vertex| {
+            let is_input = !a.is_constructed() & !b.is_constructed();
+            is_input && axes.iter().all(|&axis| scene.coordinate(axis, a) == scene.coordinate(axis, b))
+        };
+        for (row, &vertex) in rows.iter().enumerate().skip(1) {
+            if let Some(first) = rows[..row].iter().position(|&earlier| are_equal(earlier, vertex)) {
+                firsts[row] = firsts[first];
+            }
+        }
+        Twins { firsts }
+    }
+
+    /// Whether two of these rows are equal, so that every minor of them is zero.
+    fn are_among(&self, rows: &[u8]) -> bool {
+        let mut seen = 0_u8;
+        rows.iter().any(|&row| {
+            let bit = 1 << self.firsts[usize::from(row)];
+            let is_twin = seen & bit != 0;
+            seen |= bit;
+            is_twin
+        })
+    }
 }
 
 /// The axes behind the columns, ascending as the tables have them, and the
@@ -98,15 +139,24 @@ fn linear<P: Predicates>(signs: &P, axes: &[Axis], term: &Term, vertex: impl Fn(
         (&[_], &[]) => Sign::Positive,
         (&[a, b], &[x]) => signs.compare(axes[usize::from(x)], vertex(a), vertex(b)),
         (&[a, b, c], &[x, y]) => {
-            let (plane, orientation) = match (axes[usize::from(x)], axes[usize::from(y)]) {
-                (Axis::X, Axis::Y) => (Plane::Xy, Sign::Positive),
-                (Axis::Y, Axis::Z) => (Plane::Yz, Sign::Positive),
-                (Axis::X, Axis::Z) => (Plane::Zx, Sign::Negative),
-                _ => panic!("the columns of {term:?} don't ascend"),
+            let Some((plane, orientation)) = projection(axes[usize::from(x)], axes[usize::from(y)]) else {
+                panic!("the columns of {term:?} don't ascend");
             };
             signs.orient2d(plane, vertex(a), vertex(b), vertex(c)) * orientation
         }
         (&[a, b, c, d], &[_, _, _]) => signs.orient3d(vertex(a), vertex(b), vertex(c), vertex(d)),
         _ => panic!("{term:?} is no minor"),
+    }
+}
+
+/// The plane of two ascending axes, and the sign of the predicate there: zx is
+/// the mirror image of xz.
+#[inline(always)]
+pub(crate) const fn projection(x: Axis, y: Axis) -> Option<(Plane, Sign)> {
+    match (x, y) {
+        (Axis::X, Axis::Y) => Some((Plane::Xy, Sign::Positive)),
+        (Axis::Y, Axis::Z) => Some((Plane::Yz, Sign::Positive)),
+        (Axis::X, Axis::Z) => Some((Plane::Zx, Sign::Negative)),
+        _ => None,
     }
 }

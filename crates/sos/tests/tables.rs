@@ -3,9 +3,9 @@
 
 mod common;
 
-use common::{Random, first, grid_scene, question};
+use common::{Random, first, grid_scene, question, scene};
 use predicament_exact::Exact;
-use predicament_predicates::{Backend, Counts, MAX_STAGES, Off, PredicateKind, Sign};
+use predicament_predicates::{Backend, Counts, MAX_STAGES, Off, PredicateKind, Scene, Sign};
 use predicament_sos::{Scheme, Sos, Term, derive, infinitesimal::judge, ties};
 
 #[test]
@@ -128,6 +128,78 @@ fn the_tally_counts_the_deciding_term() {
     assert_eq!(exact_stages(), 0);
     assert_eq!(question(kind).ask(&session, &[a, a, c]), Sign::Zero);
     assert_eq!(exact_stages(), 1);
+}
+
+/// Corners of a box with long coordinates, or points of a line or a plane
+/// through some: ties in which hardly a product is a double.
+fn long_ties(random: &mut Random, dimension: usize, arity: usize) -> Scene {
+    let long = |random: &mut Random| f64::from_bits((1 << 62) - random.below(1 << 54) as u64);
+    let ends: Vec<[f64; 2]> = (0..dimension).map(|_| [long(random), long(random)]).collect();
+    let shape = random.below(3);
+    let scale = 2_f64.powi([0, 40, -300, 300, -900, 900][random.below(6)]);
+    let mut coordinates = Vec::new();
+    for _ in 0..arity {
+        let corner = random.below(1 << dimension);
+        let mut point: Vec<f64> = (0..dimension).map(|axis| ends[axis][corner >> axis & 1]).collect();
+        if shape == 1 {
+            // On x = y, or in the plane x = y.
+            point.fill_with(|| long(random));
+            point[0] = point[1];
+        } else if shape == 2 {
+            // On one level.
+            let level = point[dimension - 1];
+            point.fill_with(|| long(random));
+            point[dimension - 1] = level * f64::from(u8::from(corner != 0));
+        }
+        coordinates.extend(point.iter().map(|x| x * scale));
+    }
+    scene(dimension, coordinates).unwrap()
+}
+
+/// What a session does about a tie is a shortcut through the list: the same
+/// term decides, and the judge agrees. Filters decide some and leave others open.
+#[test]
+fn a_session_decides_by_the_first_term_of_its_list() {
+    let mut random = Random(15);
+    let mut terms_seen = [0_u64; 2];
+    for case in 0..40_000 {
+        let dimension = 2 + case % 2;
+        let scene = if case % 3 == 0 {
+            grid_scene(dimension, 3, &degenerate(&mut random, dimension, 5))
+        } else {
+            long_ties(&mut random, dimension, 5)
+        };
+        let questions = common::questions(dimension);
+        let question = questions[random.below(questions.len())];
+        let kind = question.kind();
+        // Five vertices in some order, the first of which are asked about.
+        let mut args = first(5);
+        for last in (1..5).rev() {
+            args.swap(last, random.below(last + 1));
+        }
+        args.truncate(kind.arity());
+        let exact = Exact.prepare(&scene, Off).unwrap();
+        if !question.ask(&exact, &args).is_zero() {
+            continue;
+        }
+        for scheme in Scheme::ALL {
+            let (counts, sos) = (Counts::new(), Sos { scheme });
+            let sign = question.ask(&sos.prepare(&scene, &counts).unwrap(), &args);
+            let mut sorted = args.clone();
+            sorted.sort_unstable();
+            let inversions = (0..args.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+            let is_odd = inversions.filter(|&(i, j)| args[i] > args[j]).count() % 2 == 1;
+            let (listed, place) = ties::decide(&exact, question, scheme.terms(kind), &sorted).unwrap();
+            let context = || format!("{scheme} {question:?} of {args:?} in {scene:?}");
+            assert_eq!(sign, if is_odd { -listed } else { listed }, "{}", context());
+            assert_eq!(counts.get(kind, Exact.stages().len() + place), 1, "{}", context());
+            if case % 8 < 2 {
+                assert_eq!(sign, judge(scheme, &scene, question, &args), "{}", context());
+            }
+            terms_seen[usize::from(scheme.terms(kind)[place].rows[0] != 1)] += 1;
+        }
+    }
+    assert!(terms_seen.iter().all(|&seen| seen > 2000), "leading and other terms: {terms_seen:?}");
 }
 
 /// Short enough to expand on paper: (x₁ − x₂) and (y₁ − y₂) by the moves of row

@@ -1,0 +1,269 @@
+//! Minors with a lift column in plain floating point, and a bound on their error.
+//!
+//! The rows are differences to the last one, d = x − x′, which strikes the
+//! column of ones. The lift of a row is less that of the last one as well: along
+//! a column of the minor its origin may be anywhere (moving it adds multiples of
+//! the other columns), so it is put on the last row and the share is d²; along
+//! the column that was struck, with the origin o, the share is
+//! (x − o)² − (x′ − o)² = d·t with t = (x − o) + (x′ − o).
+//!
+//! # The bound
+//! u = 2^-53. Each operation multiplies its exact result by a factor within
+//! 1 ± u of 1, and permanents (the same sums with every difference and product
+//! taken by magnitude) bound what cancels. Counting factors: a difference has 1,
+//! t has 2, d·t has 4, d² has 3; each d² that is added to d·t costs one more, so
+//! a lift has 5 in the plane and 6 in space. In the plane its product with a
+//! difference has 7 and the minor 8; in space a cross product has 4, its product
+//! with a lift 11, and the minor 13. The permanent has as many, and no
+//! subtraction among its sums. So the error is at most
+//! ((1 + u)^13 − 1)/(1 − u)^13 < 14u times the computed permanent; the constant
+//! is 16u, a power of two, with which a product is exact.
+//!
+//! # Range
+//! The lifts' permanents are at most 2^400 together. Then differences in the
+//! columns are at most 2^200, cross products 2^401, and nothing overflows.
+//! Products that underflow are off by 2^-1075 each, times what they are
+//! multiplied with: the three of a lift by a cross product, the two of a cross
+//! product by a lift, in three terms less than 2^-668 together. 2^-600 in the
+//! bound covers that, and what the permanent itself loses.
+
+use predicament_arithmetic::bound;
+use predicament_exact::estimate::{self, Estimate};
+use predicament_predicates::Sign;
+
+/// 16u: what is left to the permanent.
+const BOUND: f64 = power(-49);
+/// Far above all that underflow can do.
+const TINY: f64 = power(-600);
+/// The largest sum of lifts for which that has been proved.
+const LARGEST: f64 = power(400);
+
+/// 2^`exponent`, a normal double.
+const fn power(exponent: i64) -> f64 {
+    f64::from_bits((exponent + 1023).cast_unsigned() << 52)
+}
+
+/// What the lift is about, in the column that is not among the minor's.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Struck {
+    /// The column.
+    pub column: usize,
+    /// The origin's coordinate there.
+    pub origin: f64,
+}
+
+/// The turn of three points, or none if rounding may have changed it.
+///
+/// Without a lift a product that underflows cannot mislead: if the other one
+/// is not small as well, it outweighs it, and if it is, 2^-600 outweighs both.
+#[inline(always)]
+pub(crate) fn turn([p, q, r]: [[f64; 2]; 3]) -> Option<Sign> {
+    let estimate = estimate::orient2d(p, q, r);
+    certain((estimate, estimate.permanent), bound::ORIENT2D)
+}
+
+/// The sign of the minor of three points with one coordinate, the lift and 1,
+/// or none if rounding may have changed it.
+#[inline(always)]
+pub(crate) fn flat<const D: usize>([p, q, r]: [&[f64; D]; 3], column: usize, struck: Struck) -> Option<Sign> {
+    certain(minor2([p, q, r], column, struck), BOUND)
+}
+
+/// The sign of the minor of four points with two coordinates, the lift and 1,
+/// or none if rounding may have changed it.
+#[inline(always)]
+pub(crate) fn solid(points: [&[f64; 3]; 4], columns: [usize; 2], struck: Struck) -> Option<Sign> {
+    certain(minor3(points, columns, struck), BOUND)
+}
+
+/// An estimate, and the sum of the lifts' permanents.
+type Ranged = (Estimate, f64);
+
+#[inline(always)]
+fn certain((estimate, lifts): Ranged, bound: f64) -> Option<Sign> {
+    // (With NaN the comparison fails.)
+    if lifts <= LARGEST { estimate.above(bound * estimate.permanent + TINY) } else { None }
+}
+
+/// A row of a minor: differences to the last row, and the lift with its permanent.
+struct Row<const K: usize> {
+    differences: [f64; K],
+    lift: f64,
+    size: f64,
+}
+
+// Functions, and loops over indices, stay in registers; closures and `map` need not.
+impl<const K: usize> Row<K> {
+    #[inline(always)]
+    fn new<const D: usize>(point: &[f64; D], last: &[f64; D], columns: [usize; K], struck: Struck) -> Row<K> {
+        let [x, y] = [point[struck.column], last[struck.column]];
+        let [from, to] = [x - struck.origin, y - struck.origin];
+        let difference = x - y;
+        let mut lift = difference * (from + to);
+        let mut size = difference.abs() * (from.abs() + to.abs());
+        let mut differences = [0.0; K];
+        for i in 0..K {
+            let difference = point[columns[i]] - last[columns[i]];
+            lift += difference * difference;
+            size += difference * difference;
+            differences[i] = difference;
+        }
+        Row { differences, lift, size }
+    }
+}
+
+#[inline(always)]
+fn minor2<const D: usize>([p, q, r]: [&[f64; D]; 3], column: usize, struck: Struck) -> Ranged {
+    let p = Row::new(p, r, [column], struck);
+    let q = Row::new(q, r, [column], struck);
+    let [x, y] = [p.differences[0], q.differences[0]];
+    let determinant = x * q.lift - y * p.lift;
+    let permanent = x.abs() * q.size + y.abs() * p.size;
+    (Estimate { determinant, permanent }, p.size + q.size)
+}
+
+#[inline(always)]
+fn minor3([p, q, r, s]: [&[f64; 3]; 4], columns: [usize; 2], struck: Struck) -> Ranged {
+    let p = Row::new(p, s, columns, struck);
+    let q = Row::new(q, s, columns, struck);
+    let r = Row::new(r, s, columns, struck);
+    let [qr, rp, pq] = [cross(&q, &r), cross(&r, &p), cross(&p, &q)];
+    let determinant = p.lift * qr[0] + q.lift * rp[0] + r.lift * pq[0];
+    let permanent = p.size * qr[1] + q.size * rp[1] + r.size * pq[1];
+    (Estimate { determinant, permanent }, p.size + q.size + r.size)
+}
+
+/// The cross product of two rows, and its permanent.
+#[inline(always)]
+fn cross(p: &Row<2>, q: &Row<2>) -> [f64; 2] {
+    let ([px, py], [qx, qy]) = (p.differences, q.differences);
+    let [left, right] = [px * qy, py * qx];
+    [left - right, left.abs() + right.abs()]
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+    use proptest::strategy::ValueTree;
+    use rug::Rational;
+
+    use super::*;
+    use crate::short;
+
+    fn rational(x: f64) -> Rational {
+        Rational::from_f64(x).expect("finite")
+    }
+
+    /// The minor as it is defined: columns, lift about the origin, ones; along the last column.
+    fn truth<const D: usize>(points: &[&[f64; D]], columns: &[usize], struck: Struck) -> Rational {
+        let row = |point: &&[f64; D]| {
+            let mut row: Vec<Rational> = columns.iter().map(|&column| rational(point[column])).collect();
+            let squares: Rational = row.iter().map(|x| x.clone().square()).sum();
+            row.push(squares + (rational(point[struck.column]) - rational(struck.origin)).square());
+            row.push(Rational::from(1));
+            row
+        };
+        determinant(&points.iter().map(row).collect::<Vec<_>>())
+    }
+
+    fn determinant(rows: &[Vec<Rational>]) -> Rational {
+        let Some((first, rest)) = rows.split_first() else { return Rational::from(1) };
+        let without = |column: usize| {
+            let strike = |row: &Vec<Rational>| [&row[..column], &row[column + 1..]].concat();
+            determinant(&rest.iter().map(strike).collect::<Vec<_>>())
+        };
+        let term = |column: usize| without(column) * &first[column];
+        (0..rows.len()).map(|column| if column % 2 == 0 { term(column) } else { -term(column) }).sum()
+    }
+
+    /// Asserts what must hold of an estimate; whether the sign of its determinant is right.
+    fn check((estimate, lifts): Ranged, certain: Option<Sign>, truth: &Rational) -> bool {
+        let sign = Sign::from(truth.cmp0());
+        assert!(certain.is_none_or(|certain| certain == sign), "{certain:?} is {sign:?}");
+        if lifts <= LARGEST && estimate.permanent > 2.0 * TINY {
+            // As the bound is derived, and not only as it is used.
+            let error = (rational(estimate.determinant) - truth).abs();
+            let allowed = rational(14.0 * f64::EPSILON / 2.0) * rational(estimate.permanent) + rational(TINY);
+            assert!(error <= allowed, "{error} of {allowed}");
+        }
+        Sign::of(estimate.determinant) == sign
+    }
+
+    fn check_all(points: &[[f64; 3]; 5], is_about: bool, column: usize) -> [bool; 3] {
+        let [p, q, r, s, first] = points.each_ref();
+        let origin = |column: usize| if is_about { first[column] } else { 0.0 };
+        // Flat minors of the first two axes, struck the other one of them.
+        let flat_column = column % 2;
+        let struck = Struck { column: 1 - flat_column, origin: origin(1 - flat_column) };
+        let triple = [p, q, r];
+        let truth2 = truth(&triple, &[flat_column], struck);
+        let two = check(minor2(triple, flat_column, struck), flat(triple, flat_column, struck), &truth2);
+        assert!(short::flat(triple, flat_column, struck).is_none_or(|sign| sign == Sign::from(truth2.cmp0())));
+        let columns = [[0, 1], [1, 2], [0, 2]][column];
+        let struck = Struck { column: 3 - columns[0] - columns[1], origin: origin(3 - columns[0] - columns[1]) };
+        let all = [p, q, r, s];
+        let truth3 = truth(&all, &columns, struck);
+        let three = check(minor3(all, columns, struck), solid(all, columns, struck), &truth3);
+        assert!(short::solid(all, columns, struck).is_none_or(|sign| sign == Sign::from(truth3.cmp0())));
+        let flat = triple.map(|point| columns.map(|column| point[column]));
+        let ones = flat.map(|[x, y]| vec![rational(x), rational(y), Rational::from(1)]);
+        let sign = Sign::from(determinant(&ones).cmp0());
+        assert!(turn(flat).is_none_or(|certain| certain == sign));
+        [two, three, Sign::of(estimate::orient2d(flat[0], flat[1], flat[2]).determinant) == sign]
+    }
+
+    /// Few values with long significands, and a few ulps beside them: minors
+    /// are zero, or nearly.
+    fn near_ties() -> impl Strategy<Value = [[f64; 3]; 5]> {
+        let coordinate = (0..4_u8, -2..=2_i64).prop_map(|(digit, ulps)| {
+            let x = 1.1 * f64::from(digit);
+            if digit == 0 { x } else { f64::from_bits(x.to_bits().wrapping_add_signed(ulps)) }
+        });
+        prop::array::uniform5(prop::array::uniform3(coordinate))
+    }
+
+    fn any_points() -> impl Strategy<Value = [[f64; 3]; 5]> {
+        let any = any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite());
+        let ends = prop_oneof![Just(-230), Just(-1070), Just(190), Just(340), Just(600)];
+        let scaled = (1..9_i32, ends).prop_map(|(digit, exponent)| f64::from(digit) * 2_f64.powi(exponent));
+        prop::array::uniform5(prop::array::uniform3(prop_oneof![any, scaled, (-3..=3_i32).prop_map(f64::from)]))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        #[test]
+        fn certain_is_right_near_ties(points in near_ties(), is_about: bool, column in 0..3_usize) {
+            check_all(&points, is_about, column);
+        }
+
+        #[test]
+        fn certain_is_right_for_all_exponents(points in any_points(), is_about: bool, column in 0..3_usize) {
+            check_all(&points, is_about, column);
+        }
+    }
+
+    /// The signs of the estimates themselves are wrong now and then: without
+    /// a bound the tests above would fail.
+    #[test]
+    fn near_ties_need_the_bound() {
+        let mut runner = proptest::test_runner::TestRunner::deterministic();
+        let mut wrong = [0; 3];
+        for case in 0..3000 {
+            let points = near_ties().new_tree(&mut runner).expect("a case").current();
+            for (wrong, right) in wrong.iter_mut().zip(check_all(&points, case % 2 == 0, case % 3)) {
+                *wrong += usize::from(!right);
+            }
+        }
+        assert!(wrong.iter().all(|&count| count > 0), "{wrong:?}");
+    }
+
+    #[test]
+    fn general_position_is_certain() {
+        let points = [[0.1, 0.7, 0.2], [0.9, 0.3, 0.5], [0.4, 0.2, 0.8], [0.6, 0.5, 0.1]];
+        let [p, q, r, s] = points.each_ref();
+        assert!(flat([p, q, r], 0, Struck { column: 1, origin: 0.2 }).is_some());
+        assert!(solid([p, q, r, s], [0, 1], Struck { column: 2, origin: 0.0 }).is_some());
+        assert!(turn([[0.1, 0.7], [0.9, 0.3], [0.4, 0.2]]).is_some());
+    }
+}
