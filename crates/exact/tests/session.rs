@@ -152,8 +152,9 @@ fn each_stage_settles_what_it_can_prove() {
     let scene = Scene::from_points3(&long_tie).unwrap();
     assert_eq!(prepare(&scene, Off).decide_orient3d(v(0), v(1), v(2), v(3)), (Sign::Zero, stage::WIDE_INTEGER));
     // Scenes that are too wide for anything but points alone.
-    assert_eq!(settled(turn, &wide), (Sign::Positive, stage::SEMI_STATIC), "planned for itself");
-    assert_eq!(settled(uneven_tie, &wide), (Sign::Zero, stage::INTEGER), "planned for itself");
+    assert_eq!(settled(turn, &wide), (Sign::Positive, stage::INTEGER), "in a unit of its own");
+    assert_eq!(settled(long_turn, &wide), (Sign::Positive, stage::SEMI_STATIC), "planned for itself");
+    assert_eq!(settled(uneven_tie, &wide), (Sign::Zero, stage::INTEGER), "in a unit of its own");
     let wide_turn = [[0.0, 0.0], [1e200, 1e-200], [1e200, 2e-200]];
     assert_eq!(settled(wide_turn, &[]), (Sign::Positive, stage::INTEGER), "differences are doubles");
     let uneven_turn = [[3.0, 5.0], [1e200, 1e-200], [1e200, 2e-200]];
