@@ -9,19 +9,23 @@
 //!
 //! Random bytes make random points, and those are easy. [`points`] therefore
 //! has ways to say "nearly as before" in a byte or two, so that mutations walk
-//! along the degenerate cases instead of away from them.
+//! along the degenerate cases instead of away from them. [`constructed`] also
+//! makes lines and planes through the points, and asks about where they meet.
 
 #![forbid(unsafe_code)]
 
+pub mod constructed;
+#[path = "../../crates/exact/tests/constructed/judge.rs"]
+mod judge_of_constructed;
 pub mod points;
 
-use predicament_exact::Exact;
+use predicament_exact::{Exact, raw};
 use predicament_oracle::{judge, signs};
 use predicament_predicates::{
     Axis, Backend, Dimension, Off, Plane, PredicateKind, QuerySet, Question, Scene, Sign, Vertex,
 };
 
-/// One fuzz case.
+/// One fuzz case: sessions, alone and in a batch, and raw predicates.
 ///
 /// # Panics
 /// If the exact backend gives a wrong sign: the message has the points bit by bit.
@@ -29,6 +33,36 @@ pub fn check(kind: PredicateKind, bytes: &[u8]) {
     if let Some(wrong) = first_wrong(&Exact, kind, bytes) {
         panic!("{wrong}");
     }
+    let (scene, questions) = case(kind, bytes);
+    let vertices: Vec<Vertex> = scene.vertices().collect();
+    for question in questions {
+        for args in vertices.windows(kind.arity()) {
+            let truth = judge::sign(&scene, question, args);
+            if let Some(answer) = ask_raw(&scene, question, args) {
+                let asked = signs::describe(question, args);
+                assert_eq!(answer, truth, "raw {asked}; all coordinates: {}", bits(&scene));
+            }
+        }
+    }
+}
+
+/// The answer from bare coordinates; there is no comparison of those.
+fn ask_raw(scene: &Scene, question: Question, args: &[Vertex]) -> Option<Sign> {
+    let flat = |plane: Plane| move |v| scene.point2(plane, v);
+    let solid = |v| scene.point3(v);
+    match (question, args) {
+        (Question::Orient2d(plane), &[a, b, c]) => Some(raw::orient2d([a, b, c].map(flat(plane)))),
+        (Question::Orient3d, &[a, b, c, d]) => Some(raw::orient3d([a, b, c, d].map(solid))),
+        (Question::Incircle, &[a, b, c, d]) => Some(raw::incircle([a, b, c, d].map(flat(Plane::Xy)))),
+        (Question::Insphere, &[a, b, c, d, e]) => Some(raw::insphere([a, b, c, d, e].map(solid))),
+        _ => None,
+    }
+}
+
+/// The coordinates of a scene, bit by bit.
+fn bits(scene: &Scene) -> String {
+    let bits: Vec<String> = scene.coordinates().iter().map(|c| format!("{:#018x}", c.to_bits())).collect();
+    bits.join(" ")
 }
 
 /// The first answer of a backend that is not the exact sign, in words: every
@@ -46,8 +80,8 @@ pub fn first_wrong<B: Backend>(backend: &B, kind: PredicateKind, bytes: &[u8]) -
             let (alone, truth) = (question.ask(&session, args), judge::sign(&scene, question, args));
             ([alone, in_batch] != [truth, truth]).then(|| {
                 let asked = signs::describe(question, args);
-                let bits: Vec<String> = scene.coordinates().iter().map(|c| format!("{:#018x}", c.to_bits())).collect();
-                format!("{asked} is {truth}; alone {alone}, in a batch {in_batch}; all coordinates: {}", bits.join(" "))
+                let bits = bits(&scene);
+                format!("{asked} is {truth}; alone {alone}, in a batch {in_batch}; all coordinates: {bits}")
             })
         })
     })
@@ -88,7 +122,7 @@ mod tests {
     const RUNS: u64 = 4000;
 
     /// Bytes from a linear congruence (Knuth's MMIX constants), as many as a case can use.
-    fn bytes(run: u64) -> Vec<u8> {
+    pub(crate) fn bytes(run: u64) -> Vec<u8> {
         let mut state = run.wrapping_mul(0x9e37_79b9_7f4a_7c15);
         (0..128)
             .map(|_| {

@@ -10,10 +10,10 @@
 
 mod common;
 
-use common::{Random, nudge};
+use common::{Random, check_incircle, check_insphere, check_orient2d, check_orient3d, nudge};
 use predicament_arithmetic::{
     ExponentRange,
-    bound::{INCIRCLE, INSPHERE, ORIENT2D, ORIENT3D},
+    bound::{INCIRCLE, INSPHERE, ORIENT2D, ORIENT3D, static_orient2d},
 };
 use predicament_exact::{
     estimate::{self, Estimate},
@@ -26,6 +26,34 @@ use predicament_predicates::Sign;
 const LOWEST: i32 = -1022 + 53;
 /// The exponent that no term may reach.
 const HIGHEST: i32 = 1023;
+
+const ORIENT2D_WITNESS: [[f64; 2]; 3] = [
+    [1.000000011071512, -1.0000000110715122],
+    [-1.0000000300832355, 1.0000000300832361],
+    [1.1102230246251564e-16, 1.1102230246251564e-16],
+];
+
+const ORIENT3D_WITNESS: [[f64; 3]; 4] = [
+    [1.000000429564789, 6.356880262003047e-18, 1.000000600465973],
+    [-1.000000588388583, 1.0000005073039557, -3.107684093139857e-15],
+    [2.059076189191988e-16, -1.0000003821243646, -1.000000634110167],
+    [-1.043886828350476e-16, -1.0462145628249994e-16, 1.0556342128973997e-16],
+];
+
+const INCIRCLE_WITNESS: [[f64; 2]; 4] = [
+    [1.0116704243220918, 2.4491417362468253e-8],
+    [0.000514144527171216, -1.525023222285189e-8],
+    [2084.62995223123, 128.00002725010435],
+    [-2.2705432433575597e-13, 1.421056159048487e-14],
+];
+
+const INSPHERE_WITNESS: [[f64; 3]; 5] = [
+    [8.000005851112034, -3.814697435580228e-6, 0.0009893456853990405],
+    [1048577.029895696, 32768.01281495028, 9.75602685254429],
+    [-8.000019892133745, -0.0009765627996871557, 2.3388486119740525e-6],
+    [-1048576.9813207937, 1.9994739744899575, 32768.005027310086],
+    [1.1637535342268225e-10, -3.6379721925226578e-12, 3.5056954092559104e-12],
+];
 
 /// The filter with its constant doesn't answer; with a share of it, it answers
 /// wrongly. And so it is for the same points at either end of the exponents that
@@ -52,52 +80,72 @@ fn convict<const D: usize, const N: usize>(
 
 #[test]
 fn a_millionth_of_orient2d_is_caught() {
-    let points = [
-        [1.000000011071512, -1.0000000110715122],
-        [-1.0000000300832355, 1.0000000300832361],
-        [1.1102230246251564e-16, 1.1102230246251564e-16],
-    ];
-    convict(points, 2, common::orient2d, |[a, b, c], bound| filter::orient2d(a, b, c, bound), [ORIENT2D, 0.999_999]);
+    convict(
+        ORIENT2D_WITNESS,
+        2,
+        common::orient2d,
+        |[a, b, c], bound| filter::orient2d(a, b, c, bound),
+        [ORIENT2D, 0.999_999],
+    );
 }
 
 #[test]
 fn eight_percent_of_orient3d_are_caught() {
-    let points = [
-        [1.000000429564789, 6.356880262003047e-18, 1.000000600465973],
-        [-1.000000588388583, 1.0000005073039557, -3.107684093139857e-15],
-        [2.059076189191988e-16, -1.0000003821243646, -1.000000634110167],
-        [-1.043886828350476e-16, -1.0462145628249994e-16, 1.0556342128973997e-16],
-    ];
-    convict(points, 3, common::orient3d, |[a, b, c, d], bound| filter::orient3d(a, b, c, d, bound), [ORIENT3D, 0.92]);
+    convict(
+        ORIENT3D_WITNESS,
+        3,
+        common::orient3d,
+        |[a, b, c, d], bound| filter::orient3d(a, b, c, d, bound),
+        [ORIENT3D, 0.92],
+    );
 }
 
 #[test]
 fn an_eighth_of_incircle_is_caught() {
-    let points = [
-        [1.0116704243220918, 2.4491417362468253e-8],
-        [0.000514144527171216, -1.525023222285189e-8],
-        [2084.62995223123, 128.00002725010435],
-        [-2.2705432433575597e-13, 1.421056159048487e-14],
-    ];
-    convict(points, 4, common::incircle, |[a, b, c, d], bound| filter::incircle(a, b, c, d, bound), [INCIRCLE, 0.87]);
+    convict(
+        INCIRCLE_WITNESS,
+        4,
+        common::incircle,
+        |[a, b, c, d], bound| filter::incircle(a, b, c, d, bound),
+        [INCIRCLE, 0.87],
+    );
 }
 
 #[test]
 fn a_sixth_of_insphere_is_caught() {
-    let points = [
-        [8.000005851112034, -3.814697435580228e-6, 0.0009893456853990405],
-        [1048577.029895696, 32768.01281495028, 9.75602685254429],
-        [-8.000019892133745, -0.0009765627996871557, 2.3388486119740525e-6],
-        [-1048576.9813207937, 1.9994739744899575, 32768.005027310086],
-        [1.1637535342268225e-10, -3.6379721925226578e-12, 3.5056954092559104e-12],
-    ];
     convict(
-        points,
+        INSPHERE_WITNESS,
         5,
         common::insphere,
         |[a, b, c, d, e], bound| filter::insphere(a, b, c, d, e, bound),
         [INSPHERE, 0.845],
     );
+}
+
+/// The same points by every power of two around the ends of the ranges in which sessions and raw
+/// predicates trust filters: wherever those are, they are not too far out.
+#[test]
+fn witnesses_are_judged_at_every_scale() {
+    fn scaled<const D: usize, const N: usize>(points: [[f64; D]; N], shift: i32) -> [[f64; D]; N] {
+        points.map(|point| point.map(|x| x * 2f64.powi(shift)))
+    }
+    for shift in (-540..-80).chain(0..1).chain(150..900) {
+        check_orient2d(&scaled(ORIENT2D_WITNESS, shift));
+        check_orient3d(&scaled(ORIENT3D_WITNESS, shift));
+        check_incircle(&scaled(INCIRCLE_WITNESS, shift));
+        check_insphere(&scaled(INSPHERE_WITNESS, shift));
+    }
+}
+
+/// The witness of orient2d fills its own bounding box: the bound from its extents, as raw predicates use
+/// it, does not answer, and with two percent less it would, and lie.
+#[test]
+fn two_percent_of_a_bound_from_extents_are_caught() {
+    let points @ [a, b, c] = ORIENT2D_WITNESS;
+    let extent = [0, 1].map(|axis| (a[axis] - c[axis]).abs().max((b[axis] - c[axis]).abs()));
+    let (estimate, bound) = (estimate::orient2d(a, b, c), static_orient2d(extent));
+    assert_eq!(estimate.above(bound), None);
+    assert_eq!(estimate.above(0.98 * bound), Some(-common::orient2d(&points)));
 }
 
 /// |d| ≥ B·p, not >: a determinant that reaches the bound is certain, and so is a

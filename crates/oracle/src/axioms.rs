@@ -12,7 +12,7 @@ use crate::outcome::Finding;
 use crate::signs::{Budget, SignCase, class_of, describe};
 use crate::{Class, ClassCounts, Stop, Watch};
 
-/// What the laws found.
+/// What the laws found: all is counted, the first violations are kept. There can be millions.
 #[derive(Default)]
 pub(crate) struct Violations {
     /// Queries whose own answer was legal, but contradicted by another order
@@ -20,7 +20,7 @@ pub(crate) struct Violations {
     pub moved: ClassCounts,
     /// Relations between different queries that don't hold.
     pub relations: u64,
-    pub findings: Vec<Finding>,
+    first: Vec<Violation>,
 }
 
 /// Queries or tuples to a chunk of the sample.
@@ -33,35 +33,47 @@ pub(crate) fn check<P: Predicates>(
     budget: Budget,
     watch: &Watch,
 ) -> Result<Violations, Stop> {
-    let mut found = Violations::default();
-    for (class, violation) in orders(session, contract, case, budget, watch)? {
-        found.moved.add(class, 1);
-        found.keep(&violation, budget);
-    }
-    for violation in relations(session, contract, case, budget, watch)? {
-        found.relations += 1;
-        found.keep(&violation, budget);
-    }
+    let mut found = orders(session, contract, case, budget, watch)?;
+    found.merge(relations(session, contract, case, budget, watch)?, budget);
     Ok(found)
 }
 
 impl Violations {
-    fn keep(&mut self, violation: &Violation, budget: Budget) {
-        if self.findings.len() >= budget.findings_per_class {
-            return;
+    /// Notes one, of a query that leaves its class or of a relation between queries.
+    fn note(&mut self, leaves: Option<Class>, violation: Violation, budget: Budget) {
+        match leaves {
+            Some(class) => self.moved.add(class, 1),
+            None => self.relations += 1,
         }
-        let answers = &violation.answers;
-        let join = |parts: Vec<String>| parts.join(" | ");
-        self.findings.push(Finding {
-            class: Class::Inconsistent,
-            check: violation.law.name().to_owned(),
-            query: join(answers.iter().map(|answer| describe(violation.question, &answer.args)).collect()),
-            got: answers.iter().map(|answer| answer.sign.symbol()).collect(),
-            truth: String::new(),
-            log2_relative_det: None,
-            distance_over_l: None,
-            stage: None,
-        });
+        if self.first.len() < budget.findings_per_class {
+            self.first.push(violation);
+        }
+    }
+
+    /// Adds what came after.
+    fn merge(&mut self, later: Violations, budget: Budget) {
+        self.moved.merge(&later.moved);
+        self.relations += later.relations;
+        self.first.extend(later.first);
+        self.first.truncate(budget.findings_per_class);
+    }
+
+    /// The first ones, in words.
+    pub fn findings(&self) -> impl Iterator<Item = Finding> {
+        self.first.iter().map(|violation| {
+            let answers = &violation.answers;
+            let queries: Vec<_> = answers.iter().map(|answer| describe(violation.question, &answer.args)).collect();
+            Finding {
+                class: Class::Inconsistent,
+                check: violation.law.name().to_owned(),
+                query: queries.join(" | "),
+                got: answers.iter().map(|answer| answer.sign.symbol()).collect(),
+                truth: String::new(),
+                log2_relative_det: None,
+                distance_over_l: None,
+                stage: None,
+            }
+        })
     }
 }
 
@@ -72,15 +84,15 @@ fn orders<P: Predicates>(
     case: &SignCase,
     budget: Budget,
     watch: &Watch,
-) -> Result<Vec<(Class, Violation)>, Stop> {
+) -> Result<Violations, Stop> {
     let question = case.queries.question();
     let orders: usize = (1..=question.kind().arity()).product();
     let step = (case.queries.len() * orders).div_ceil(budget.permutations.max(1)).max(1);
     let sample: Vec<usize> = (0..case.queries.len()).step_by(step).collect();
-    in_chunks(&sample, watch, |&query| {
+    in_chunks(&sample, budget, watch, |&query| {
         let violation = antisymmetry(session, question, case.queries.args(query), contract.zero).into_iter().next()?;
         let class = class_of(session, contract, case, query);
-        class.is_legal().then_some((class, violation))
+        class.is_legal().then_some((Some(class), violation))
     })
 }
 
@@ -91,22 +103,27 @@ fn relations<P: Predicates>(
     case: &SignCase,
     budget: Budget,
     watch: &Watch,
-) -> Result<Vec<Violation>, Stop> {
+) -> Result<Violations, Stop> {
     let question = case.queries.question();
     let size = match question.kind() {
         PredicateKind::Compare => 3,
         PredicateKind::Orient2d => 5,
         PredicateKind::Orient3d => 6,
-        PredicateKind::Incircle | PredicateKind::Insphere => return Ok(Vec::new()),
+        PredicateKind::Incircle | PredicateKind::Insphere => return Ok(Violations::default()),
     };
     let sample = tuples(case, size, budget.relations);
-    in_chunks(&sample, watch, |tuple| match (question, tuple.as_slice()) {
-        (Question::Compare(axis), &[a, b, c]) => transitivity(session, axis, [a, b, c], contract.zero),
-        (Question::Orient2d(plane), &[x, a, b, c, d]) => {
-            grassmann_plucker2(session, plane, x, [a, b, c, d], contract.zero)
-        }
-        (Question::Orient3d, &[x, y, a, b, c, d]) => grassmann_plucker3(session, [x, y], [a, b, c, d], contract.zero),
-        _ => None,
+    in_chunks(&sample, budget, watch, |tuple| {
+        let violation = match (question, tuple.as_slice()) {
+            (Question::Compare(axis), &[a, b, c]) => transitivity(session, axis, [a, b, c], contract.zero),
+            (Question::Orient2d(plane), &[x, a, b, c, d]) => {
+                grassmann_plucker2(session, plane, x, [a, b, c, d], contract.zero)
+            }
+            (Question::Orient3d, &[x, y, a, b, c, d]) => {
+                grassmann_plucker3(session, [x, y], [a, b, c, d], contract.zero)
+            }
+            _ => None,
+        };
+        violation.map(|violation| (None, violation))
     })
 }
 
@@ -137,14 +154,24 @@ fn tuples(case: &SignCase, size: usize, wanted: usize) -> Vec<Vec<Vertex>> {
         .collect()
 }
 
-/// `filter_map` in parallel and in order, stopping when the watch says so.
-fn in_chunks<T: Sync, R: Send>(items: &[T], watch: &Watch, f: impl Fn(&T) -> Option<R> + Sync) -> Result<Vec<R>, Stop> {
-    let chunks: Result<Vec<Vec<R>>, Stop> = items
+/// Looks at all items in parallel, notes what is found in order, and stops when the watch says so.
+fn in_chunks<T: Sync>(
+    items: &[T],
+    budget: Budget,
+    watch: &Watch,
+    look: impl Fn(&T) -> Option<(Option<Class>, Violation)> + Sync,
+) -> Result<Violations, Stop> {
+    let chunks: Result<Vec<Violations>, Stop> = items
         .par_chunks(CHUNK)
         .map(|chunk| {
-            let found = chunk.iter().filter_map(&f).collect();
+            let mut found = Violations::default();
+            for (leaves, violation) in chunk.iter().filter_map(&look) {
+                found.note(leaves, violation, budget);
+            }
             watch.done(0).map(|()| found)
         })
         .collect();
-    Ok(chunks?.into_iter().flatten().collect())
+    let mut all = Violations::default();
+    chunks?.into_iter().for_each(|found| all.merge(found, budget));
+    Ok(all)
 }

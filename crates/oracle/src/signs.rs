@@ -14,6 +14,9 @@ use crate::{Class, ClassCounts, Stop, Watch, classify, judge};
 /// Queries to a chunk: small enough to stop soon, large enough to cost nothing.
 const CHUNK: usize = 4096;
 
+/// One of so many queries is judged twice, the second time in rationals.
+const TWICE: usize = 1024;
+
 /// A scene whose answers are signs, with the truth beside it.
 pub struct SignCase<'a> {
     /// The points.
@@ -50,19 +53,28 @@ impl Budget {
 /// another way than the backend does.
 pub type TieJudge = dyn Fn(&Scene, Question, &[Vertex]) -> Sign + Sync;
 
-/// The exact signs of all queries.
+/// The exact signs of all queries, those of an even sample found twice.
 ///
 /// # Errors
 /// [`Stop`] where the watch says so.
+///
+/// # Panics
+/// If the judge contradicts itself.
 pub fn truth(scene: &Scene, queries: &QuerySet, watch: &Watch) -> Result<Vec<Sign>, Stop> {
-    let chunks: Result<Vec<Vec<Sign>>, Stop> = chunks(queries.len())
-        .map(|range| {
-            let n = range.len() as u64;
-            let signs = range.map(|i| judge::sign(scene, queries.question(), queries.args(i))).collect();
-            watch.done(n).map(|()| signs)
-        })
-        .collect();
-    Ok(chunks?.concat())
+    let mut signs = vec![Sign::Zero; queries.len()];
+    let question = queries.question();
+    signs.par_chunks_mut(CHUNK).enumerate().try_for_each(|(chunk, signs)| {
+        for (query, sign) in (chunk * CHUNK..).zip(&mut *signs) {
+            let args = queries.args(query);
+            *sign = judge::sign(scene, question, args);
+            if query.is_multiple_of(TWICE) {
+                let again = judge::verdict(scene, question, args).sign();
+                assert_eq!(*sign, again, "the judge contradicts itself: {}", describe(question, args));
+            }
+        }
+        watch.done(signs.len() as u64)
+    })?;
+    Ok(signs)
 }
 
 fn chunks(queries: usize) -> impl IndexedParallelIterator<Item = std::ops::Range<usize>> {
@@ -129,7 +141,7 @@ pub fn run<B: Backend>(
         counts_by_class.reclassify(class, Class::Inconsistent, violations.moved.get(class));
     }
     counts_by_class.add(Class::Inconsistent, violations.relations);
-    findings.extend(violations.findings);
+    findings.extend(violations.findings());
     Ok(Outcome { queries, counts: counts_by_class, findings, stages, locate: Vec::new() })
 }
 

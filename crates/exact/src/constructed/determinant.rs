@@ -132,3 +132,6 @@ fn span<const N: usize>(row: &[Number; N]) -> usize {
     // The weight is never zero.
     usize::try_from(top - low).unwrap_or(0)
 }
+
+#[cfg(test)]
+mod tests;

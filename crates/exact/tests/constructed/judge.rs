@@ -46,17 +46,14 @@ impl Judge {
             Construction::Ssi(lines) => lines.iter().map(|line| self.line2(*line)).collect(),
             Construction::Lpi { line, plane } => {
                 let [p, q] = line.map(|v| self.point(v));
-                if p == q {
-                    return None;
-                }
-                // A line is where two planes meet, and any point off it will do for each.
+                let along = (0..3).find(|&axis| p[axis] != q[axis])?;
+                // A line is where two planes meet: those that it spans with the other two axes.
                 let beside = |axis: usize| {
                     let mut off = p.clone();
                     off[axis] += 1;
                     plane3(p, q, &off)
                 };
-                let mut sides: Vec<Point> = (0..3).map(beside).filter(|plane| !is_flat(plane)).collect();
-                sides.truncate(2);
+                let mut sides: Vec<Point> = (0..3).filter(|&axis| axis != along).map(beside).collect();
                 sides.push(self.plane(plane));
                 sides
             }
@@ -144,10 +141,6 @@ fn plane3(p: &Point, q: &Point, r: &Point) -> Point {
     let mut plane = vec![minor(1, 2), minor(2, 0), minor(0, 1)];
     plane.push((0..3).map(|i| Rational::from(&plane[i] * &p[i])).sum());
     plane
-}
-
-fn is_flat(equation: &Point) -> bool {
-    equation[..3].iter().all(|x| x.cmp0().is_eq())
 }
 
 /// The one solution of as many linear equations as unknowns, if there is one.

@@ -69,6 +69,31 @@ fn every_exponent_with_every_other() {
     }
 }
 
+/// Coordinates as long as they get, bit by bit longer: every length of rows and every capacity in turn.
+#[test]
+fn every_length_of_coordinates() {
+    let mut random = Random(8);
+    for dimension in DIMENSIONS {
+        let mut signs = [0; 3];
+        for bits in (1..2098).step_by(11) {
+            let place = i32::try_from(random.below(2098 - bits)).expect("an exponent") - 1074;
+            // Of numbers below 2^(place + bits) the largest that are doubles, and the lowest bit.
+            let power = |k: i32| if k < -1022 { f64::from_bits(1 << (k + 1074)) } else { 2f64.powi(k) };
+            let top = i32::try_from(bits).expect("2098 at most") - 1;
+            let (one, half) = (power(place), power(place + top));
+            let full = if top < 52 { 2.0 * (half - one / 2.0) } else { half * (2.0 - f64::EPSILON) };
+            let values = [one, -one, half, -half, full, -full, 0.0].map(|x| x.clamp(-f64::MAX, f64::MAX));
+            let mut scene = scene(&mut random, dimension, 12, |random| *random.pick(&values));
+            construct(&mut random, &mut scene, 6);
+            if !scene.constructions().is_empty() {
+                let seen = check(&mut random, &scene, 4);
+                signs = std::array::from_fn(|i| signs[i] + seen.signs[i]);
+            }
+        }
+        assert!(signs.iter().all(|&count| count > 100), "{dimension:?} {signs:?}");
+    }
+}
+
 /// The longest numbers there are: as many planes as can be, of the largest and the least doubles.
 #[test]
 fn from_the_largest_to_the_least() {

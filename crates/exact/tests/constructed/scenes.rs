@@ -53,13 +53,18 @@ pub fn any(random: &mut Random, dimension: Dimension, n: usize) -> Construction 
     }
 }
 
-/// Adds up to `count` constructions that define a point.
+/// Adds up to `count` constructions that define a point. The others have to be declined.
 pub fn construct(random: &mut Random, scene: &mut Scene, count: usize) {
     let judge = Judge::new(scene);
+    let inputs = scene.clone();
     for _ in 0..count {
         let construction = any(random, scene.dimension(), scene.len());
-        if judge.meet(&construction).is_some() {
-            scene.construct(construction).expect("input vertices of the scene");
+        let mut alone = inputs.clone();
+        alone.construct(construction).expect("input vertices of the scene");
+        let is_point = judge.meet(&construction).is_some();
+        assert_eq!(Constructed::new(&alone).is_ok(), is_point, "{construction} of {inputs:?}");
+        if is_point {
+            scene.construct(construction).expect("as alone");
         }
     }
 }

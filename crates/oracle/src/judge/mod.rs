@@ -1,10 +1,16 @@
-//! The judge: the textbook determinants, straight in rationals.
+//! The judge: the textbook determinants, straight from the definition.
 //!
 //! It shares no code with any backend: no filter, no expansion, no translated
 //! copy of anybody's formula, only `rug` and the definition. It is slow and
-//! that is its virtue. Its own check is a second computation by another
-//! method, in this file's tests: the homogeneous matrix by fraction-free
-//! elimination over scaled integers.
+//! that is its virtue.
+//!
+//! [`verdict`] computes in rationals, term by term. [`sign`] is for millions of
+//! queries: rationals over one common denominator, which are integers.
+//! [`signs::truth`](crate::signs::truth) holds samples of the second against the first; both are
+//! held against a third computation by another method in `tests/judge.rs`: the
+//! homogeneous matrix by fraction-free elimination.
+
+mod integers;
 
 use predicament_predicates::{Plane, Question, Scene, Sign, Vertex};
 use rug::Rational;
@@ -46,10 +52,16 @@ pub fn rational(x: f64) -> Rational {
 /// If the query does not fit the scene: wrong number of vertices, no such vertex, no such axis.
 #[must_use]
 pub fn sign(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
-    if let (Question::Compare(axis), &[a, b]) = (question, args) {
-        return sign_of(&(rational(scene.coordinate(axis, a)) - rational(scene.coordinate(axis, b))));
+    let flat = |plane: Plane| move |v| scene.point2(plane, v);
+    let solid = |v| scene.point3(v);
+    match (question, args) {
+        (Question::Compare(axis), &[a, b]) => integers::sign([a, b].map(|v| [scene.coordinate(axis, v)]), false),
+        (Question::Orient2d(plane), &[a, b, c]) => integers::sign([a, b, c].map(flat(plane)), false),
+        (Question::Orient3d, &[a, b, c, d]) => integers::sign([a, b, c, d].map(solid), false),
+        (Question::Incircle, &[a, b, c, d]) => integers::sign([a, b, c, d].map(flat(Plane::Xy)), true),
+        (Question::Insphere, &[a, b, c, d, e]) => integers::sign([a, b, c, d, e].map(solid), true),
+        _ => panic!("{} takes {} vertices", question.kind(), question.kind().arity()),
     }
-    sign_of(&determinant(&rows(scene, question, args)))
 }
 
 /// The exact determinant of a query with its permanent.
@@ -149,102 +161,6 @@ fn log2(x: &Rational) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use predicament_predicates::{Axis, Dimension};
-    use proptest::prelude::*;
-    use rug::Integer;
-
-    /// A second computation that has nothing in common with the first:
-    /// homogeneous coordinates (a column of ones, no differences), all scaled
-    /// to integers, eliminated without fractions (Bareiss).
-    fn second(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
-        let exact = |v: Vertex| -> Vec<Rational> {
-            match question {
-                Question::Compare(axis) => vec![rational(scene.coordinate(axis, v))],
-                Question::Orient2d(plane) => scene.point2(plane, v).map(rational).to_vec(),
-                _ => scene.point(v).iter().map(|&x| rational(x)).collect(),
-            }
-        };
-        // 2^1074 makes every double an integer.
-        let scale = Integer::from(1) << 1074;
-        let mut matrix: Vec<Vec<Integer>> = args
-            .iter()
-            .map(|&v| {
-                let mut row: Vec<Integer> =
-                    exact(v).iter().map(|x| Integer::from(x.numer() * &scale) / x.denom()).collect();
-                if matches!(question, Question::Incircle | Question::Insphere) {
-                    row.push(row.iter().map(|x| Integer::from(x.square_ref())).sum());
-                }
-                row.push(Integer::from(1));
-                row
-            })
-            .collect();
-        let n = matrix.len();
-        let mut sign = 1;
-        let mut before = Integer::from(1);
-        for k in 0..n - 1 {
-            let Some(pivot) = (k..n).find(|&row| matrix[row][k].cmp0().is_ne()) else { return Sign::Zero };
-            if pivot != k {
-                matrix.swap(pivot, k);
-                sign = -sign;
-            }
-            for i in k + 1..n {
-                for j in k + 1..n {
-                    let value =
-                        Integer::from(&matrix[i][j] * &matrix[k][k]) - Integer::from(&matrix[i][k] * &matrix[k][j]);
-                    matrix[i][j] = value.div_exact(&before);
-                }
-            }
-            before = matrix[k][k].clone();
-        }
-        let det: Sign = matrix[n - 1][n - 1].cmp0().into();
-        if sign < 0 { -det } else { det }
-    }
-
-    fn questions(dimension: Dimension) -> Vec<Question> {
-        match dimension {
-            Dimension::Two => {
-                vec![Question::Compare(Axis::X), Question::Orient2d(Plane::Xy), Question::Incircle]
-            }
-            Dimension::Three => vec![
-                Question::Compare(Axis::Z),
-                Question::Orient2d(Plane::Yz),
-                Question::Orient2d(Plane::Zx),
-                Question::Orient3d,
-                Question::Insphere,
-            ],
-        }
-    }
-
-    fn agree(scene: &Scene) -> Result<(), TestCaseError> {
-        for question in questions(scene.dimension()) {
-            let args: Vec<Vertex> = scene.vertices().take(question.kind().arity()).collect();
-            let first = sign(scene, question, &args);
-            prop_assert_eq!(first, second(scene, question, &args), "{:?} of {:?}", question, scene);
-            let full = verdict(scene, question, &args);
-            prop_assert_eq!(first, full.sign());
-            prop_assert!(Rational::from(full.determinant.abs_ref()) <= full.permanent);
-        }
-        Ok(())
-    }
-
-    fn finite() -> impl Strategy<Value = f64> {
-        any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite())
-    }
-
-    proptest! {
-        #[test]
-        fn two_computations_agree_on_small_integers(points in prop::collection::vec(-3i8..=3, 15)) {
-            let coordinates: Vec<f64> = points.iter().map(|&x| f64::from(x)).collect();
-            agree(&Scene::new(Dimension::Three, coordinates.clone()).unwrap())?;
-            agree(&Scene::new(Dimension::Two, coordinates[..8].to_vec()).unwrap())?;
-        }
-
-        #[test]
-        fn two_computations_agree_on_any_doubles(coordinates in prop::collection::vec(finite(), 15)) {
-            agree(&Scene::new(Dimension::Three, coordinates.clone()).unwrap())?;
-            agree(&Scene::new(Dimension::Two, coordinates[..8].to_vec()).unwrap())?;
-        }
-    }
 
     #[test]
     fn the_convention_is_the_one_stated() {

@@ -1,0 +1,131 @@
+//! The judge judged: by a computation that has nothing in common with its own two.
+//!
+//! [`judge::sign`] and [`judge::verdict`] both take differences to the last
+//! vertex and expand. The third computation takes homogeneous coordinates (a
+//! column of ones, lifts of coordinates and not of differences) and eliminates
+//! without fractions (Bareiss).
+
+use predicament_controls::Naive;
+use predicament_corpus::{Cache, Level, Library, Work};
+use predicament_oracle::{judge, signs};
+use predicament_predicates::{Axis, Dimension, Plane, Question, Scene, Sign, Vertex};
+use proptest::prelude::*;
+use rug::{Integer, Rational};
+
+/// Queries of a scene, at most.
+const SAMPLE: usize = 1000;
+
+/// The sign of the homogeneous determinant.
+fn third(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
+    let points: Vec<Vec<f64>> = args
+        .iter()
+        .map(|&v| match question {
+            Question::Compare(axis) => vec![scene.coordinate(axis, v)],
+            Question::Orient2d(plane) => scene.point2(plane, v).to_vec(),
+            _ => scene.point(v).to_vec(),
+        })
+        .collect();
+    let points: Vec<Vec<Rational>> = points.iter().map(|p| p.iter().map(|&x| judge::rational(x)).collect()).collect();
+    // Denominators are powers of two: the largest one makes integers of all.
+    let scale = points.iter().flatten().map(Rational::denom).max().expect("coordinates").clone();
+    let rows = points.iter().map(|point| {
+        let mut row: Vec<Integer> = point.iter().map(|x| Integer::from(x.numer() * &scale) / x.denom()).collect();
+        if matches!(question, Question::Incircle | Question::Insphere) {
+            row.push(row.iter().map(|x| Integer::from(x.square_ref())).sum());
+        }
+        row.push(Integer::from(1));
+        row
+    });
+    bareiss(rows.collect())
+}
+
+fn bareiss(mut matrix: Vec<Vec<Integer>>) -> Sign {
+    let n = matrix.len();
+    let mut sign = Sign::Positive;
+    let mut before = Integer::from(1);
+    for k in 0..n - 1 {
+        let Some(pivot) = (k..n).find(|&row| matrix[row][k].cmp0().is_ne()) else { return Sign::Zero };
+        if pivot != k {
+            matrix.swap(pivot, k);
+            sign = -sign;
+        }
+        for i in k + 1..n {
+            for j in k + 1..n {
+                let value = Integer::from(&matrix[i][j] * &matrix[k][k]) - Integer::from(&matrix[i][k] * &matrix[k][j]);
+                matrix[i][j] = value.div_exact(&before);
+            }
+        }
+        before = matrix[k][k].clone();
+    }
+    sign * Sign::from(matrix[n - 1][n - 1].cmp0())
+}
+
+/// All three computations; a determinant is never larger than its permanent.
+fn agreed(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
+    let (sign, verdict) = (judge::sign(scene, question, args), judge::verdict(scene, question, args));
+    let third = third(scene, question, args);
+    assert_eq!([sign, verdict.sign()], [third; 2], "{} of {scene:?}", signs::describe(question, args));
+    assert!(verdict.determinant.abs() <= verdict.permanent);
+    sign
+}
+
+/// Every embedded scene of signs, so every family: evenly spread queries. The same queries convict
+/// arithmetic that rounds, so they are not too easy to tell a right judge from a wrong one.
+#[test]
+fn three_computations_agree_on_every_family() {
+    let (mut scenes, mut zeros, mut rounded) = (0, 0, 0);
+    for suite in Library::embedded().unwrap().suites() {
+        for definition in suite.scenes.iter().filter(|definition| !definition.needs_fetch()) {
+            let loaded = definition.load(Level::Quick, &Cache::new("/nonexistent")).unwrap();
+            let Work::Signs(queries) = &loaded.work else { continue };
+            let naive = signs::answers(&Naive::default(), &loaded.scene, queries).unwrap();
+            scenes += 1;
+            for query in (0..queries.len()).step_by(queries.len().div_ceil(SAMPLE).max(1)) {
+                let truth = agreed(&loaded.scene, queries.question(), queries.args(query));
+                zeros += usize::from(truth.is_zero());
+                rounded += usize::from(naive[query] != truth);
+            }
+        }
+    }
+    println!("{scenes} scenes, {zeros} ties, {rounded} that floating point gets wrong");
+    assert!(scenes >= 80 && zeros > 10_000 && rounded > 5_000, "{scenes} scenes, {zeros} ties, {rounded} rounded");
+}
+
+fn questions(dimension: Dimension) -> Vec<Question> {
+    match dimension {
+        Dimension::Two => vec![Question::Compare(Axis::X), Question::Orient2d(Plane::Xy), Question::Incircle],
+        Dimension::Three => vec![
+            Question::Compare(Axis::Z),
+            Question::Orient2d(Plane::Yz),
+            Question::Orient2d(Plane::Zx),
+            Question::Orient3d,
+            Question::Insphere,
+        ],
+    }
+}
+
+fn agree_on(coordinates: &[f64]) {
+    for (dimension, count) in [(Dimension::Two, 8), (Dimension::Three, 15)] {
+        let scene = Scene::new(dimension, coordinates[..count].to_vec()).unwrap();
+        for question in questions(dimension) {
+            let args: Vec<Vertex> = scene.vertices().take(question.kind().arity()).collect();
+            agreed(&scene, question, &args);
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn three_computations_agree_on_small_integers(points in prop::collection::vec(-3i8..=3, 15)) {
+        agree_on(&points.iter().map(|&x| f64::from(x)).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn three_computations_agree_on_any_doubles(
+        coordinates in prop::collection::vec(any::<f64>().prop_filter("finite", |x| x.is_finite()), 15),
+        bits in prop::collection::vec(any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite()), 15),
+    ) {
+        agree_on(&coordinates);
+        agree_on(&bits);
+    }
+}
