@@ -2,12 +2,17 @@
 //!
 //! It shares no code with any backend: no filter, no expansion, no translated
 //! copy of anybody's formula, only `rug` and the definition. It is slow and
-//! that is its virtue. Its own check is a second computation by another
-//! method, in this file's tests: the homogeneous matrix by fraction-free
-//! elimination over scaled integers.
+//! that is its virtue. Constructed vertices become rational points first, by
+//! linear equations. Its own check is a second computation by another
+//! method, in its tests: the homogeneous matrix by fraction-free elimination
+//! over scaled integers.
 
-use predicament_predicates::{Plane, Question, Scene, Sign, Vertex};
+mod constructed;
+
+use predicament_predicates::{Axis, Question, Scene, Sign, Vertex};
 use rug::Rational;
+
+pub use constructed::point;
 
 /// An exact determinant and its permanent-like magnitude.
 #[derive(Clone, Debug)]
@@ -43,11 +48,12 @@ pub fn rational(x: f64) -> Rational {
 /// The exact sign of a query.
 ///
 /// # Panics
-/// If the query does not fit the scene: wrong number of vertices, no such vertex, no such axis.
+/// If the query does not fit the scene: wrong number of vertices, no such vertex, no such axis;
+/// or if it is about a construction that is no point, which scenes of suites don't have.
 #[must_use]
 pub fn sign(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
     if let (Question::Compare(axis), &[a, b]) = (question, args) {
-        return sign_of(&(rational(scene.coordinate(axis, a)) - rational(scene.coordinate(axis, b))));
+        return sign_of(&(coordinate(scene, axis, a) - coordinate(scene, axis, b)));
     }
     sign_of(&determinant(&rows(scene, question, args)))
 }
@@ -59,7 +65,7 @@ pub fn sign(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
 #[must_use]
 pub fn verdict(scene: &Scene, question: Question, args: &[Vertex]) -> Verdict {
     if let (Question::Compare(axis), &[a, b]) = (question, args) {
-        let (a, b) = (rational(scene.coordinate(axis, a)), rational(scene.coordinate(axis, b)));
+        let (a, b) = (coordinate(scene, axis, a), coordinate(scene, axis, b));
         return Verdict { permanent: Rational::from(a.abs_ref()) + Rational::from(b.abs_ref()), determinant: a - b };
     }
     let rows = rows(scene, question, args);
@@ -67,18 +73,37 @@ pub fn verdict(scene: &Scene, question: Question, args: &[Vertex]) -> Verdict {
     Verdict { determinant: determinant(&rows), permanent }
 }
 
+/// The exact coordinates of a vertex along these axes.
+///
+/// # Panics
+/// As [`sign`].
+fn coordinates(scene: &Scene, axes: &[Axis], v: Vertex) -> Vec<Rational> {
+    if !v.is_constructed() {
+        return axes.iter().map(|&axis| rational(scene.coordinate(axis, v))).collect();
+    }
+    let point = point(scene, v).unwrap_or_else(|| panic!("{v} is no point"));
+    axes.iter().map(|axis| point[axis.index()].clone()).collect()
+}
+
+fn coordinate(scene: &Scene, axis: Axis, v: Vertex) -> Rational {
+    coordinates(scene, &[axis], v).swap_remove(0)
+}
+
 /// The matrix of differences to the last vertex, with the lifted column where there is one.
 fn rows(scene: &Scene, question: Question, args: &[Vertex]) -> Vec<Vec<Rational>> {
     let arity = question.kind().arity();
     assert_eq!(args.len(), arity, "{} takes {arity} vertices", question.kind());
     let (last, others) = args.split_last().expect("no predicate takes no vertex");
-    let exact = |v: &Vertex| -> Vec<Rational> {
-        match question {
-            Question::Orient2d(plane) => scene.point2(plane, *v).map(rational).to_vec(),
-            Question::Incircle => scene.point2(Plane::Xy, *v).map(rational).to_vec(),
-            _ => scene.point3(*v).map(rational).to_vec(),
+    let plane;
+    let axes: &[Axis] = match question {
+        Question::Orient2d(of) => {
+            plane = of.axes();
+            &plane
         }
+        Question::Incircle => &[Axis::X, Axis::Y],
+        _ => &[Axis::X, Axis::Y, Axis::Z],
     };
+    let exact = |v: &Vertex| coordinates(scene, axes, *v);
     let origin = exact(last);
     let lifted = matches!(question, Question::Incircle | Question::Insphere);
     let row = |v: &Vertex| {
@@ -147,135 +172,4 @@ fn log2(x: &Rational) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use predicament_predicates::{Axis, Dimension};
-    use proptest::prelude::*;
-    use rug::Integer;
-
-    /// A second computation that has nothing in common with the first:
-    /// homogeneous coordinates (a column of ones, no differences), all scaled
-    /// to integers, eliminated without fractions (Bareiss).
-    fn second(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
-        let exact = |v: Vertex| -> Vec<Rational> {
-            match question {
-                Question::Compare(axis) => vec![rational(scene.coordinate(axis, v))],
-                Question::Orient2d(plane) => scene.point2(plane, v).map(rational).to_vec(),
-                _ => scene.point(v).iter().map(|&x| rational(x)).collect(),
-            }
-        };
-        // 2^1074 makes every double an integer.
-        let scale = Integer::from(1) << 1074;
-        let mut matrix: Vec<Vec<Integer>> = args
-            .iter()
-            .map(|&v| {
-                let mut row: Vec<Integer> =
-                    exact(v).iter().map(|x| Integer::from(x.numer() * &scale) / x.denom()).collect();
-                if matches!(question, Question::Incircle | Question::Insphere) {
-                    row.push(row.iter().map(|x| Integer::from(x.square_ref())).sum());
-                }
-                row.push(Integer::from(1));
-                row
-            })
-            .collect();
-        let n = matrix.len();
-        let mut sign = 1;
-        let mut before = Integer::from(1);
-        for k in 0..n - 1 {
-            let Some(pivot) = (k..n).find(|&row| matrix[row][k].cmp0().is_ne()) else { return Sign::Zero };
-            if pivot != k {
-                matrix.swap(pivot, k);
-                sign = -sign;
-            }
-            for i in k + 1..n {
-                for j in k + 1..n {
-                    let value =
-                        Integer::from(&matrix[i][j] * &matrix[k][k]) - Integer::from(&matrix[i][k] * &matrix[k][j]);
-                    matrix[i][j] = value.div_exact(&before);
-                }
-            }
-            before = matrix[k][k].clone();
-        }
-        let det: Sign = matrix[n - 1][n - 1].cmp0().into();
-        if sign < 0 { -det } else { det }
-    }
-
-    fn questions(dimension: Dimension) -> Vec<Question> {
-        match dimension {
-            Dimension::Two => {
-                vec![Question::Compare(Axis::X), Question::Orient2d(Plane::Xy), Question::Incircle]
-            }
-            Dimension::Three => vec![
-                Question::Compare(Axis::Z),
-                Question::Orient2d(Plane::Yz),
-                Question::Orient2d(Plane::Zx),
-                Question::Orient3d,
-                Question::Insphere,
-            ],
-        }
-    }
-
-    fn agree(scene: &Scene) -> Result<(), TestCaseError> {
-        for question in questions(scene.dimension()) {
-            let args: Vec<Vertex> = scene.vertices().take(question.kind().arity()).collect();
-            let first = sign(scene, question, &args);
-            prop_assert_eq!(first, second(scene, question, &args), "{:?} of {:?}", question, scene);
-            let full = verdict(scene, question, &args);
-            prop_assert_eq!(first, full.sign());
-            prop_assert!(Rational::from(full.determinant.abs_ref()) <= full.permanent);
-        }
-        Ok(())
-    }
-
-    fn finite() -> impl Strategy<Value = f64> {
-        any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite())
-    }
-
-    proptest! {
-        #[test]
-        fn two_computations_agree_on_small_integers(points in prop::collection::vec(-3i8..=3, 15)) {
-            let coordinates: Vec<f64> = points.iter().map(|&x| f64::from(x)).collect();
-            agree(&Scene::new(Dimension::Three, coordinates.clone()).unwrap())?;
-            agree(&Scene::new(Dimension::Two, coordinates[..8].to_vec()).unwrap())?;
-        }
-
-        #[test]
-        fn two_computations_agree_on_any_doubles(coordinates in prop::collection::vec(finite(), 15)) {
-            agree(&Scene::new(Dimension::Three, coordinates.clone()).unwrap())?;
-            agree(&Scene::new(Dimension::Two, coordinates[..8].to_vec()).unwrap())?;
-        }
-    }
-
-    #[test]
-    fn the_convention_is_the_one_stated() {
-        let v = Vertex::input;
-        let plane = Scene::from_points2(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.5, 0.5]]).unwrap();
-        let ask = |question, args: &[usize]| sign(&plane, question, &args.iter().map(|&i| v(i)).collect::<Vec<_>>());
-        assert_eq!(ask(Question::Orient2d(Plane::Xy), &[0, 1, 2]), Sign::Positive);
-        assert_eq!(ask(Question::Incircle, &[0, 1, 2, 3]), Sign::Positive);
-        let space = Scene::from_points3(&[
-            [0.0, 0.0, 0.0],
-            [1.0, 0.0, 0.0],
-            [0.0, 1.0, 0.0],
-            [0.0, 0.0, -1.0],
-            [0.1, 0.1, -0.1],
-        ])
-        .unwrap();
-        let all: Vec<Vertex> = space.vertices().collect();
-        assert_eq!(sign(&space, Question::Orient3d, &all[..4]), Sign::Positive, "d is below");
-        assert_eq!(sign(&space, Question::Insphere, &all), Sign::Positive, "e is inside");
-    }
-
-    #[test]
-    fn degeneracy_is_measured_far_outside_the_range_of_doubles() {
-        let tiny = f64::from_bits(1);
-        let scene = Scene::from_points2(&[[tiny, 0.0], [0.0, tiny], [0.0, 0.0]]).unwrap();
-        let args: Vec<Vertex> = scene.vertices().collect();
-        let found = verdict(&scene, Question::Orient2d(Plane::Xy), &args);
-        assert_eq!(log2(&found.determinant), -2148.0);
-        assert_eq!(log2_relative(&found), Some(0.0));
-        let origin = Scene::from_points2(&[[0.0, 0.0]; 3]).unwrap();
-        let found = verdict(&origin, Question::Orient2d(Plane::Xy), &args);
-        assert_eq!(log2_relative(&found), None, "neither determinant nor permanent");
-    }
-}
+mod tests;
