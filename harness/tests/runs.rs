@@ -242,3 +242,32 @@ fn a_timeout_is_counted_and_the_run_incomplete() {
     // A timeout is a finding that nobody expects.
     expect(100, &["gate", &out]);
 }
+
+#[test]
+fn constructed_vertices_are_judged_replayed_and_timed() {
+    let folder = tempdir().unwrap();
+    let (out, bench) = (at(&folder, "run"), at(&folder, "bench"));
+    let scenes = ["constructed", "-f", "/(kite|ssi-degen-orient2d)$", "-b", "exact,sos,naive"];
+    expect(0, &[&["run"][..], &scenes, &["--out", &out]].concat());
+    expect(0, &["gate", &out]);
+    let summary = read(&out, "summary.csv");
+    let answers = column(&summary, "backend").into_iter().zip(column(&summary, "agree"));
+    let exact: Vec<String> = answers.filter(|(backend, _)| backend == "exact").map(|(_, agree)| agree).collect();
+    assert_eq!(exact, ["84", "2000"], "{summary}");
+    assert_eq!(column(&summary, "declined").iter().filter(|declined| *declined == "1").count(), 2, "{summary}");
+    let stages = column(&read(&out, "stages.csv"), "backend");
+    assert!(stages.iter().filter(|backend| *backend == "exact").count() > 1, "a filter and what comes after it");
+
+    let findings = read(&out, "findings.csv");
+    let id = column(&findings, "query").iter().position(|query| query.contains(" c")).expect("a wrong answer");
+    let told = expect(0, &["replay", &column(&findings, "finding_id")[id], "--run", &out, "-b", "exact,sos"]);
+    for needle in ["  SSI(2 3, 4 5)\n", "exact sign", "scene declined"] {
+        assert!(told.stdout.contains(needle), "{needle}: {}", told.stdout);
+    }
+
+    let told = expect(0, &[&["bench"][..], &scenes, &["--samples", "1", "--sample-ms", "0", "--out", &bench]].concat());
+    assert!(told.stdout.contains("not timed: constructed/kite on sos"), "{}", told.stdout);
+    let throughput = read(&bench, "throughput.csv");
+    let timed = column(&throughput, "backend");
+    assert_eq!(timed.iter().filter(|name| ["exact", "naive"].contains(&name.as_str())).count(), 4, "{throughput}");
+}

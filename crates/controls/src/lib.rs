@@ -9,17 +9,23 @@
 //! * [`Shewchuk`]: the crate `robust` as it is, without a guard against
 //!   underflow and overflow.
 //!
+//! Constructed vertices are [computed](constructed) in doubles when a scene is
+//! prepared, and taken for points with those coordinates from then on: that is
+//! wrong before the first predicate is asked.
+//!
 //! Each keeps the determinant it computed for
 //! [`estimate`](predicament_predicates::Predicates::estimate).
 
 mod determinant;
 mod epsilon;
 mod naive;
+mod rounded;
 mod session;
 mod shewchuk;
 
 pub use determinant::Pivot;
 pub use epsilon::{BadEpsilon, Epsilon};
 pub use naive::Naive;
+pub use rounded::constructed;
 pub use session::Session;
 pub use shewchuk::Shewchuk;

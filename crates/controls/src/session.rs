@@ -2,6 +2,8 @@
 
 use predicament_predicates::{Axis, Dimension, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally, Vertex};
 
+use crate::rounded;
+
 /// How a control computes: a determinant for each predicate, and what sign it makes of it.
 pub(crate) trait Float: Sync {
     fn orient2d(&self, points: [[f64; 2]; 3]) -> f64;
@@ -22,6 +24,9 @@ pub struct Session<'s, F, T> {
     /// The scene's points, in the view of its dimension; the other one is empty.
     points2: &'s [[f64; 2]],
     points3: &'s [[f64; 3]],
+    /// In scenes with constructed vertices: the coordinates of all vertices, the
+    /// constructed ones as they were computed after the others. Else empty.
+    all: Vec<f64>,
     float: F,
     tally: T,
 }
@@ -32,32 +37,52 @@ impl<'s, F, T> Session<'s, F, T> {
             Dimension::Two => (scene.coordinates().as_chunks().0, &[]),
             Dimension::Three => (&[], scene.coordinates().as_chunks().0),
         };
-        Session { scene, points2, points3, float, tally }
+        let constructed = rounded::constructed(scene);
+        let all = if constructed.is_empty() { constructed } else { [scene.coordinates(), &constructed].concat() };
+        Session { scene, points2, points3, all, float, tally }
     }
 }
 
-#[allow(private_bounds)] // the methods are private as well
-impl<F: Float, T: Tally> Session<'_, F, T> {
-    /// a − b: what a comparison amounts to. It is zero for equal coordinates
-    /// only, since differences underflow gradually.
-    #[inline]
-    fn difference(&self, axis: Axis, a: Vertex, b: Vertex) -> f64 {
-        self.scene.coordinate(axis, a) - self.scene.coordinate(axis, b)
+/// Where coordinates are looked up: those of input vertices only, or (`ALL`) of
+/// constructed ones as well. Scenes without any don't pay for the difference.
+#[derive(Clone, Copy)]
+struct Points<'a, const ALL: bool> {
+    dimension: Dimension,
+    points2: &'a [[f64; 2]],
+    points3: &'a [[f64; 3]],
+    input: usize,
+}
+
+impl<const ALL: bool> Points<'_, ALL> {
+    #[inline(always)]
+    fn place(self, v: Vertex) -> usize {
+        match v.construction() {
+            Some(index) if ALL => self.input + index,
+            _ => v.index(),
+        }
+    }
+
+    #[inline(always)]
+    fn coordinate(self, axis: Axis, v: Vertex) -> f64 {
+        match self.dimension {
+            Dimension::Two => self.points2[self.place(v)][axis.index()],
+            Dimension::Three => self.points3[self.place(v)][axis.index()],
+        }
     }
 
     // Inlined always: points that go through memory cost several times the determinant.
 
     #[inline(always)]
-    fn points2<const N: usize>(&self, plane: Plane, vertices: [Vertex; N]) -> [[f64; 2]; N] {
+    fn flat<const N: usize>(self, plane: Plane, vertices: [Vertex; N]) -> [[f64; 2]; N] {
         let mut points = [[0.0; 2]; N];
-        if let (Dimension::Two, Plane::Xy) = (self.scene.dimension(), plane) {
+        if let (Dimension::Two, Plane::Xy) = (self.dimension, plane) {
             for (point, v) in points.iter_mut().zip(vertices) {
-                *point = self.points2[v.index()];
+                *point = self.points2[self.place(v)];
             }
         } else {
             let [x, y] = plane.axes().map(Axis::index);
             for (point, v) in points.iter_mut().zip(vertices) {
-                let solid = self.points3[v.index()];
+                let solid = self.points3[self.place(v)];
                 *point = [solid[x], solid[y]];
             }
         }
@@ -65,27 +90,81 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
     }
 
     #[inline(always)]
-    fn points3<const N: usize>(&self, vertices: [Vertex; N]) -> [[f64; 3]; N] {
+    fn solid<const N: usize>(self, vertices: [Vertex; N]) -> [[f64; 3]; N] {
         let mut points = [[0.0; 3]; N];
         for (point, v) in points.iter_mut().zip(vertices) {
-            *point = self.points3[v.index()];
+            *point = self.points3[self.place(v)];
         }
         points
     }
+}
 
-    /// The coordinates of a 2D scene.
+#[allow(private_bounds)] // the methods are private as well
+impl<F: Float, T: Tally> Session<'_, F, T> {
+    #[inline(always)]
+    fn has_constructed(&self) -> bool {
+        !self.all.is_empty()
+    }
+
+    #[inline(always)]
+    fn input(&self) -> Points<'_, false> {
+        let (points2, points3) = (self.points2, self.points3);
+        Points { dimension: self.scene.dimension(), points2, points3, input: self.scene.len() }
+    }
+
+    #[inline(always)]
+    fn all(&self) -> Points<'_, true> {
+        let dimension = self.scene.dimension();
+        let (points2, points3): (&[_], &[_]) = match dimension {
+            Dimension::Two => (self.all.as_chunks().0, &[]),
+            Dimension::Three => (&[], self.all.as_chunks().0),
+        };
+        Points { dimension, points2, points3, input: self.scene.len() }
+    }
+
+    /// a − b: what a comparison amounts to. It is zero for equal coordinates
+    /// only, since differences underflow gradually.
+    #[inline(always)]
+    fn difference<const ALL: bool>(&self, points: Points<ALL>, axis: Axis, [a, b]: [Vertex; 2]) -> f64 {
+        points.coordinate(axis, a) - points.coordinate(axis, b)
+    }
+
+    #[inline(always)]
+    fn turn<const ALL: bool>(&self, points: Points<ALL>, plane: Plane, vertices: [Vertex; 3]) -> f64 {
+        self.float.orient2d(points.flat(plane, vertices))
+    }
+
+    #[inline(always)]
+    fn side<const ALL: bool>(&self, points: Points<ALL>, vertices: [Vertex; 4]) -> f64 {
+        self.float.orient3d(points.solid(vertices))
+    }
+
+    // Out of the way of scenes without constructed vertices.
+
+    #[inline(never)]
+    fn compare_all(&self, axis: Axis, vertices: [Vertex; 2]) -> Sign {
+        self.answer(PredicateKind::Compare, self.difference(self.all(), axis, vertices))
+    }
+
+    #[inline(never)]
+    fn orient2d_all(&self, plane: Plane, vertices: [Vertex; 3]) -> Sign {
+        self.answer(PredicateKind::Orient2d, self.turn(self.all(), plane, vertices))
+    }
+
+    #[inline(never)]
+    fn orient3d_all(&self, vertices: [Vertex; 4]) -> Sign {
+        self.answer(PredicateKind::Orient3d, self.side(self.all(), vertices))
+    }
+
+    /// Four points of a 2D scene.
     ///
     /// # Panics
     /// If the scene is 3D, where a circle through three points says nothing
     /// about a fourth: `supports` refuses it.
     #[inline(always)]
-    fn flat<const N: usize>(&self, vertices: [Vertex; N]) -> [[f64; 2]; N] {
+    fn circle(&self, vertices: [Vertex; 4]) -> [[f64; 2]; 4] {
         assert!(self.scene.dimension() == Dimension::Two, "incircle needs a 2D scene");
-        let mut points = [[0.0; 2]; N];
-        for (point, v) in points.iter_mut().zip(vertices) {
-            *point = self.points2[v.index()];
-        }
-        points
+        self.input().flat(Plane::Xy, vertices)
     }
 
     #[inline]
@@ -103,39 +182,89 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
 
     #[inline]
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.answer(PredicateKind::Compare, self.difference(axis, a, b))
+        if self.has_constructed() {
+            return self.compare_all(axis, [a, b]);
+        }
+        self.answer(PredicateKind::Compare, self.difference(self.input(), axis, [a, b]))
     }
 
     #[inline]
     fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        self.answer(PredicateKind::Orient2d, self.float.orient2d(self.points2(plane, [a, b, c])))
+        if self.has_constructed() {
+            return self.orient2d_all(plane, [a, b, c]);
+        }
+        self.answer(PredicateKind::Orient2d, self.turn(self.input(), plane, [a, b, c]))
     }
 
     #[inline]
     fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.answer(PredicateKind::Orient3d, self.float.orient3d(self.points3([a, b, c, d])))
+        if self.has_constructed() {
+            return self.orient3d_all([a, b, c, d]);
+        }
+        self.answer(PredicateKind::Orient3d, self.side(self.input(), [a, b, c, d]))
     }
 
     #[inline]
     fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.answer(PredicateKind::Incircle, self.float.incircle(self.flat([a, b, c, d])))
+        self.answer(PredicateKind::Incircle, self.float.incircle(self.circle([a, b, c, d])))
     }
 
     #[inline]
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.answer(PredicateKind::Insphere, self.float.insphere(self.points3([a, b, c, d, e])))
+        self.answer(PredicateKind::Insphere, self.float.insphere(self.input().solid([a, b, c, d, e])))
     }
 
     /// The determinant; none for wrong numbers of vertices. For a comparison
     /// it is the difference.
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {
         match (question, args) {
-            (Question::Compare(axis), &[a, b]) => Some(self.difference(axis, a, b)),
-            (Question::Orient2d(plane), &[a, b, c]) => Some(self.float.orient2d(self.points2(plane, [a, b, c]))),
-            (Question::Orient3d, &[a, b, c, d]) => Some(self.float.orient3d(self.points3([a, b, c, d]))),
-            (Question::Incircle, &[a, b, c, d]) => Some(self.float.incircle(self.flat([a, b, c, d]))),
-            (Question::Insphere, &[a, b, c, d, e]) => Some(self.float.insphere(self.points3([a, b, c, d, e]))),
+            (Question::Compare(axis), &[a, b]) if self.has_constructed() => {
+                Some(self.difference(self.all(), axis, [a, b]))
+            }
+            (Question::Orient2d(plane), &[a, b, c]) if self.has_constructed() => {
+                Some(self.turn(self.all(), plane, [a, b, c]))
+            }
+            (Question::Orient3d, &[a, b, c, d]) if self.has_constructed() => Some(self.side(self.all(), [a, b, c, d])),
+            (Question::Compare(axis), &[a, b]) => Some(self.difference(self.input(), axis, [a, b])),
+            (Question::Orient2d(plane), &[a, b, c]) => Some(self.turn(self.input(), plane, [a, b, c])),
+            (Question::Orient3d, &[a, b, c, d]) => Some(self.side(self.input(), [a, b, c, d])),
+            (Question::Incircle, &[a, b, c, d]) => Some(self.float.incircle(self.circle([a, b, c, d]))),
+            (Question::Insphere, &[a, b, c, d, e]) => Some(self.float.insphere(self.input().solid([a, b, c, d, e]))),
             _ => None,
         }
+    }
+
+    fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {
+        let answer = |difference| self.answer(PredicateKind::Compare, difference);
+        if self.has_constructed() {
+            fill(queries, out, |pair| answer(self.difference(self.all(), axis, pair)));
+        } else {
+            fill(queries, out, |pair| answer(self.difference(self.input(), axis, pair)));
+        }
+    }
+
+    fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
+        let answer = |determinant| self.answer(PredicateKind::Orient2d, determinant);
+        if self.has_constructed() {
+            fill(queries, out, |triple| answer(self.turn(self.all(), plane, triple)));
+        } else {
+            fill(queries, out, |triple| answer(self.turn(self.input(), plane, triple)));
+        }
+    }
+
+    fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        let answer = |determinant| self.answer(PredicateKind::Orient3d, determinant);
+        if self.has_constructed() {
+            fill(queries, out, |quadruple| answer(self.side(self.all(), quadruple)));
+        } else {
+            fill(queries, out, |quadruple| answer(self.side(self.input(), quadruple)));
+        }
+    }
+}
+
+#[inline(always)]
+fn fill<const N: usize>(queries: &[[Vertex; N]], out: &mut [Sign], answer: impl Fn([Vertex; N]) -> Sign) {
+    for (&query, out) in queries.iter().zip(out) {
+        *out = answer(query);
     }
 }

@@ -1,8 +1,9 @@
 //! What each control computes, and that it goes wrong where it should.
 
-use predicament_controls::{BadEpsilon, Epsilon, Naive, Pivot, Shewchuk};
+use predicament_controls::{BadEpsilon, Epsilon, Naive, Pivot, Shewchuk, constructed};
 use predicament_predicates::{
-    Axis, Backend, Counts, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex, ZeroMeaning,
+    Axis, Backend, Construction, Counts, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex,
+    ZeroMeaning,
 };
 use proptest::prelude::*;
 
@@ -189,4 +190,49 @@ fn controls_introduce_themselves_and_promise_what_they_cannot_prove() {
     check(&Epsilon::default(), "epsilon:1e-10", "float");
     check(&Shewchuk, "shewchuk", "adaptive");
     assert_eq!(Naive::default(), LAST);
+}
+
+/// Where nothing rounds, a constructed vertex is the point that it should be.
+#[test]
+fn constructed_vertices_are_points_once_they_are_computed() {
+    let mut plane = Scene::from_points2(&[[0.0, 0.0], [4.0, 2.0], [0.0, 4.0], [4.0, -2.0]]).unwrap();
+    let x = plane.construct(Construction::Ssi([[v(0), v(1)], [v(2), v(3)]])).unwrap();
+    assert_eq!(constructed(&plane), [2.0, 1.0]);
+    let corners =
+        [[0.0, 0.0, 1.0], [4.0, 0.0, 1.0], [0.0, 4.0, 1.0], [1.0, 2.0, -1.0], [1.0, 2.0, 3.0], [1.0, 0.0, 5.0]];
+    let mut space = Scene::from_points3(&corners).unwrap();
+    let y = space.construct(Construction::Lpi { line: [v(3), v(4)], plane: [v(0), v(1), v(2)] }).unwrap();
+    let z = space.construct(Construction::Tpi([[v(0), v(1), v(2)], [v(3), v(4), v(5)], [v(0), v(3), v(4)]])).unwrap();
+    assert_eq!(constructed(&space), [1.0, 2.0, 1.0, 1.0, 2.0, 1.0]);
+    macro_rules! check {
+        ($($backend:expr),*) => {$(
+            let backend = $backend;
+            let session = backend.prepare(&plane, Off).unwrap();
+            assert_eq!(session.orient2d(Plane::Xy, v(0), v(1), x), Sign::Zero);
+            assert_eq!(session.orient2d(Plane::Xy, x, v(1), v(2)), Sign::Positive);
+            assert_eq!(session.estimate(TURN, &[x, v(1), v(2)]), Some(8.0));
+            assert_eq!(session.compare(Axis::Y, x, v(1)), Sign::Negative);
+            let session = backend.prepare(&space, Off).unwrap();
+            assert_eq!(session.compare(Axis::X, y, z), Sign::Zero);
+            assert_eq!(session.orient2d(Plane::Zx, y, v(3), z), Sign::Zero);
+            assert_eq!(session.orient3d(v(0), v(1), v(2), y), Sign::Zero);
+            assert_eq!(session.estimate(Question::Orient3d, &[v(0), v(1), z, v(3)]), Some(16.0));
+        )*};
+    }
+    check!(LAST, FIRST, Epsilon::default(), Shewchuk);
+}
+
+/// A vertex that has been rounded is another one, and exactness does not help any more.
+#[test]
+fn a_rounded_vertex_is_beside_its_own_line() {
+    let points = [[0.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.5, 0.0], [2.0, 0.0], [2.0, 5.0]];
+    let mut scene = Scene::from_points2(&points).unwrap();
+    let third = scene.construct(Construction::Ssi([[v(0), v(1)], [v(2), v(3)]])).unwrap();
+    let nowhere = scene.construct(Construction::Ssi([[v(0), v(2)], [v(4), v(5)]])).unwrap();
+    let session = Shewchuk.prepare(&scene, Off).unwrap();
+    assert!(constructed(&scene)[..2].iter().all(|x| (x - 1.0 / 3.0).abs() < 1e-15));
+    assert_ne!(session.orient2d(Plane::Xy, v(2), v(3), third), Sign::Zero, "a third is no double");
+    let parallel = [v(0), nowhere, v(3)];
+    assert!(session.estimate(TURN, &parallel).unwrap().is_nan(), "parallel lines make no point, and it shows");
+    assert_eq!(TURN.ask(&session, &parallel), Sign::Zero);
 }

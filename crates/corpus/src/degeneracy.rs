@@ -8,10 +8,10 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use predicament_predicates::{QuerySet, Question, Scene, Vertex};
+use predicament_predicates::{Axis, QuerySet, Question, Scene, Vertex};
 use rug::Integer;
 
-use crate::bits::{biased_exponent, top_exponent};
+use crate::homogeneous::{homogeneous, integer, lowest_exponent};
 use crate::{LoadedScene, Work};
 
 /// Queries looked at, at most: a deterministic sample of larger scenes.
@@ -67,12 +67,13 @@ fn relative(scene: &Scene, queries: &QuerySet, query: usize) -> Option<i64> {
     let args = queries.args(query);
     let Magnitudes { det, permanent } = match queries.question() {
         Question::Compare(axis) => {
-            let rows = integers(args, |v| vec![scene.coordinate(axis, v)]);
-            let [a, b] = [&rows[0][0], &rows[1][0]];
-            Magnitudes { det: Integer::from(a - b), permanent: a.clone().abs() + b.clone().abs() }
+            let rows = weighted(scene, args, &[axis]);
+            let a = Integer::from(&rows[0][0] * &rows[1][1]);
+            let b = Integer::from(&rows[1][0] * &rows[0][1]);
+            Magnitudes { det: Integer::from(&a - &b), permanent: a.abs() + b.abs() }
         }
-        Question::Orient2d(plane) => minor(&relative_to_last(&integers(args, |v| scene.point2(plane, v).to_vec()))),
-        Question::Orient3d => minor(&relative_to_last(&integers(args, |v| scene.point(v).to_vec()))),
+        Question::Orient2d(plane) => minor(&relative_to_last_weighted(&weighted(scene, args, &plane.axes()))),
+        Question::Orient3d => minor(&relative_to_last_weighted(&weighted(scene, args, &[Axis::X, Axis::Y, Axis::Z]))),
         Question::Incircle | Question::Insphere => {
             minor(&lifted(relative_to_last(&integers(args, |v| scene.point(v).to_vec()))))
         }
@@ -94,24 +95,27 @@ struct Magnitudes {
 /// changes no ratio.
 fn integers(args: &[Vertex], row: impl Fn(Vertex) -> Vec<f64>) -> Vec<Vec<Integer>> {
     let rows: Vec<Vec<f64>> = args.iter().map(|&v| row(v)).collect();
-    let lowest = rows.iter().flatten().filter(|&&x| top_exponent(x).is_some()).map(|&x| low_exponent(x)).min();
-    let lowest = lowest.unwrap_or(0);
+    let lowest = lowest_exponent(rows.iter().flatten().copied());
     rows.into_iter().map(|row| row.into_iter().map(|x| integer(x, lowest)).collect()).collect()
 }
 
-/// The exponent of the last place of a double.
-fn low_exponent(x: f64) -> i64 {
-    biased_exponent(x).max(1) - 1075
+/// Some coordinates of each vertex times its weight, and the weight.
+fn weighted(scene: &Scene, args: &[Vertex], axes: &[Axis]) -> Vec<Vec<Integer>> {
+    let row = |&v: &Vertex| {
+        let point = homogeneous(scene, v).expect("constructions of a suite are points");
+        let (weight, coordinates) = point.split_last().expect("a weight");
+        axes.iter().map(|axis| &coordinates[axis.index()]).chain([weight]).cloned().collect()
+    };
+    args.iter().map(row).collect()
 }
 
-/// x·2^-lowest.
-fn integer(x: f64, lowest: i64) -> Integer {
-    let fraction = x.abs().to_bits() & ((1 << 52) - 1);
-    let mantissa = if biased_exponent(x) == 0 { fraction } else { fraction | (1 << 52) };
-    let shift =
-        if mantissa == 0 { 0 } else { u32::try_from(low_exponent(x) - lowest).expect("the lowest is the least") };
-    let magnitude = Integer::from(mantissa) << shift;
-    if x < 0.0 { -magnitude } else { magnitude }
+/// Each row multiplied by its weight and the last one's, which changes no ratio.
+fn relative_to_last_weighted(rows: &[Vec<Integer>]) -> Vec<Vec<Integer>> {
+    let (last, others) = rows.split_last().expect("a query has vertices");
+    let width = last.len() - 1;
+    let entry =
+        |row: &[Integer], i: usize| Integer::from(&row[i] * &last[width]) - Integer::from(&last[i] * &row[width]);
+    others.iter().map(|row| (0..width).map(|i| entry(row, i)).collect()).collect()
 }
 
 fn relative_to_last(rows: &[Vec<Integer>]) -> Vec<Vec<Integer>> {

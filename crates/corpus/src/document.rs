@@ -12,9 +12,14 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use predicament_predicates::Vertex;
+
 use crate::coordinate::{self, CoordinateError};
 use crate::tables::TableKind;
 use crate::{CorpusError, Task};
+
+/// The last index that a vertex can have.
+const MOST_INDEX: u64 = (1 << 31) - 1;
 
 /// The text of a file, its name, and where its lines start.
 pub(crate) struct Document<'t> {
@@ -137,6 +142,22 @@ impl<'d, 't> Field<'d, 't> {
     pub(crate) fn coordinate_error(&self, text: &str, error: &CoordinateError) -> CorpusError {
         let (message, cure) = explain(self.document.file, text, error);
         self.error(message, cure)
+    }
+
+    /// The index of a point.
+    pub(crate) fn point(&self) -> Result<Vertex, CorpusError> {
+        self.count(0..=MOST_INDEX).map(Vertex::input)
+    }
+
+    /// A vertex: the index of a point, or `"c0"`, `"c1"`… for the vertices that are constructed.
+    pub(crate) fn vertex(&self) -> Result<Vertex, CorpusError> {
+        if !self.value.is_str() {
+            return self.point();
+        }
+        let text = self.str()?;
+        text.parse().ok().filter(|vertex: &Vertex| vertex.is_constructed()).ok_or_else(|| {
+            self.error(format!("`{text}` is no vertex"), "write a point's index, or \"c0\" for the first construction")
+        })
     }
 
     /// The literal in the file, quotes included.

@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 
 use predicament_mesh::PolygonMap;
-use predicament_predicates::{Axis, Plane, Question, Scene, Vertex};
+use predicament_predicates::{Axis, Construction, Plane, Question, Scene, Vertex};
 use sha2::{Digest, Sha256};
 
 use crate::{CorpusError, LoadedScene, SceneDef, Work};
 
 /// The first 16 hex digits of a SHA-256 over the canonical bytes of a scene:
-/// task, dimension, coordinate bits, and queries, or the map's rings and the
-/// probes.
+/// task, dimension, coordinate bits, constructions where there are any, and
+/// queries, or the map's rings and the probes.
 ///
 /// Names, tags, sources and the names of regions are not part of it, so that
 /// expectations and baselines survive renames. Negative zeros are read as
@@ -25,6 +25,13 @@ pub fn content_id(scene: &Scene, work: &Work) -> String {
     for &x in scene.coordinates() {
         // -0 + 0 is +0 in the default rounding; everything else stays.
         canon.bytes(&(x + 0.0).to_bits().to_le_bytes());
+    }
+    if !scene.constructions().is_empty() {
+        canon.text("constructed");
+        canon.count(scene.constructions().len());
+        for construction in scene.constructions() {
+            canon.construction(construction);
+        }
     }
     match work {
         Work::Signs(queries) => {
@@ -83,6 +90,17 @@ impl Canon {
         self.count(vertices.len());
         for vertex in vertices {
             self.count(vertex.index());
+        }
+    }
+
+    fn construction(&mut self, construction: &Construction) {
+        self.text(match construction {
+            Construction::Ssi(_) => "ssi",
+            Construction::Lpi { .. } => "lpi",
+            Construction::Tpi(_) => "tpi",
+        });
+        for flat in construction.flats() {
+            self.vertices(flat);
         }
     }
 

@@ -26,6 +26,7 @@ pub(crate) static SCENE: TableKind = kind(
         "name",
         "task",
         "points",
+        "constructed",
         "queries",
         "axis",
         "plane",
@@ -68,6 +69,7 @@ pub(crate) static GENERATOR: TableKind = kind(
 );
 
 pub(crate) static POINTS: TableKind = kind("reference to points", &["path"]);
+pub(crate) static CONSTRUCTION: TableKind = kind("construction", &["ssi", "lpi", "tpi"]);
 pub(crate) static FIXTURE: TableKind = kind("fixture", &["fetch"]);
 pub(crate) static MAP: TableKind = kind("map", &["topojson", "fetch", "object"]);
 pub(crate) static MANIFEST: TableKind = kind("fetch manifest", &["file"]);

@@ -108,7 +108,13 @@ fn a_rename_keeps_the_id_and_a_change_does_not() {
 
 #[test]
 fn the_first_queries_of_a_larger_amount_are_those_of_a_smaller_one() {
-    for name in ["near-insphere-ulps-4", "wide-mixed-orient3d", "band-orient2d", "near-orient2d-dimension-3-plane-yz"] {
+    for name in [
+        "near-insphere-ulps-4",
+        "wide-mixed-orient3d",
+        "band-orient2d",
+        "near-orient2d-dimension-3-plane-yz",
+        "lpi-tpi-near-orient3d",
+    ] {
         let small = load(name);
         let library = library();
         let suite = library.suite(&small.suite).unwrap();
@@ -120,6 +126,7 @@ fn the_first_queries_of_a_larger_amount_are_those_of_a_smaller_one() {
         assert!(large.work.len() > small.work.len());
         assert!(large.scene.coordinates().starts_with(small.scene.coordinates()), "{name}");
         assert!(queries(&large).flat().starts_with(queries(&small).flat()), "{name}");
+        assert!(large.scene.constructions().starts_with(small.scene.constructions()), "{name}");
     }
 }
 

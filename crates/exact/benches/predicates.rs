@@ -2,6 +2,8 @@
 //!
 //! * `uniform`: points of a unit cube. Filters settle all.
 //! * `near`: collinear, coplanar, cocircular or cospherical up to rounding.
+//! * `ties`: exactly degenerate integers of up to 41 bits: every answer is zero.
+//! * `scaled ties`: the same, with a power of two of its own for each query.
 //! * `degenerate`: a small grid with long significands, on one scale: exact ties
 //!   that are hidden from floating point, and plain signs, one as often as the other.
 //! * `many scales`: the same, with a power of two of its own for each query.
@@ -40,15 +42,19 @@ const VERTICES: usize = 1_000_000;
 enum Family {
     Uniform,
     Near,
+    Ties,
+    ScaledTies,
     Degenerate,
     ManyScales,
     MixedScales,
 }
 
 impl Family {
-    const ALL: [(Family, &str); 5] = [
+    const ALL: [(Family, &str); 7] = [
         (Family::Uniform, "uniform"),
         (Family::Near, "near"),
+        (Family::Ties, "ties"),
+        (Family::ScaledTies, "scaled ties"),
         (Family::Degenerate, "degenerate"),
         (Family::ManyScales, "many scales"),
         (Family::MixedScales, "mixed scales"),
@@ -63,6 +69,11 @@ impl Family {
                 p.map(|x| x / length)
             }),
             Family::Near => random.points(Random::unit).map(flat),
+            Family::Ties => tie(random, round),
+            Family::ScaledTies => {
+                let scale = exponent(random, 40);
+                tie(random, round).map(|p: [f64; D]| p.map(|x| x * scale))
+            }
             Family::Degenerate => random.points(grid),
             Family::ManyScales => {
                 let scale = exponent(random, 150);
@@ -71,9 +82,7 @@ impl Family {
             Family::MixedScales => {
                 let mut points: [[f64; D]; N] = if round {
                     let ends: [[f64; D]; 2] = random.points(|random| (1.0 + random.unit()) * exponent(random, 60));
-                    // Corners of a box: a bit for each axis.
-                    let corners: &[usize] = if D == 2 { &[0b00, 0b01, 0b11, 0b10] } else { &[0, 1, 2, 4, 7] };
-                    std::array::from_fn(|i| std::array::from_fn(|axis| ends[corners[i] >> axis & 1][axis]))
+                    std::array::from_fn(|i| std::array::from_fn(|axis| ends[corners::<D>()[i] >> axis & 1][axis]))
                 } else {
                     random.points(|random| (1.0 + random.unit()) * exponent(random, 60)).map(|mut p: [f64; D]| {
                         p[D - 1] = p[0];
@@ -92,6 +101,27 @@ impl Family {
 fn flat<const D: usize>(mut p: [f64; D]) -> [f64; D] {
     p[D - 1] = 0.1 + p[..D - 1].iter().sum::<f64>() / 3.0;
     p
+}
+
+/// Integer points of one line or plane, or corners of one box.
+fn tie<const D: usize, const N: usize>(random: &mut Random, round: bool) -> [[f64; D]; N] {
+    #[allow(clippy::cast_precision_loss)] // 41 bits fit
+    let mut integer = |bits: u32| random.below(1 << bits) as f64;
+    if round {
+        let ends: [[f64; D]; 2] = [(); 2].map(|()| std::array::from_fn(|_| integer(40)));
+        return std::array::from_fn(|i| std::array::from_fn(|axis| ends[corners::<D>()[i] >> axis & 1][axis]));
+    }
+    let origin: [f64; D] = std::array::from_fn(|_| integer(40));
+    let steps: [[f64; D]; 2] = [(); 2].map(|()| std::array::from_fn(|_| integer(16)));
+    std::array::from_fn(|_| {
+        let places = [integer(16), if D == 2 { 0.0 } else { integer(16) }];
+        std::array::from_fn(|axis| origin[axis] + places[0] * steps[0][axis] + places[1] * steps[1][axis])
+    })
+}
+
+/// Corners of a box that are on one circle or sphere: a bit for each axis.
+fn corners<const D: usize>() -> &'static [usize] {
+    if D == 2 { &[0b00, 0b01, 0b11, 0b10] } else { &[0, 1, 2, 4, 7] }
 }
 
 /// 0, 1 or 2, and what 53 bits add to it.

@@ -122,7 +122,7 @@ fn message(payload: &(dyn Any + Send)) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Entry;
+    use crate::{Entry, roster};
     use predicament_corpus::{Cache, Level, Library};
     use predicament_predicates::{
         Axis, Backend, Contract, Declined, Plane, PredicateKind, Predicates, Scene, Tally, ZeroMeaning,
@@ -187,15 +187,43 @@ mod tests {
     }
 
     fn load(name: &str) -> LoadedScene {
-        let suite = Library::embedded().unwrap().suite("classics").unwrap();
-        let scene = suite.scenes.iter().find(|scene| scene.name == name).expect("a classic");
+        let library = Library::embedded().unwrap();
+        let scenes = library.suites().iter().flat_map(|suite| &suite.scenes);
+        let scene = scenes.into_iter().find(|scene| scene.name == name).expect("a scene of the corpora");
         scene.load(Level::Quick, &Cache::new("nowhere")).unwrap()
     }
 
     fn run(loaded: &LoadedScene, stub: Stub) -> Outcome {
+        run_any(loaded, &Entry::new(stub))
+    }
+
+    fn run_any(loaded: &LoadedScene, contestant: &dyn Contestant) -> Outcome {
         let (cancel, progress) = (AtomicBool::new(false), |_: u64| {});
         let watch = Watch::new(&cancel, None, &progress);
-        Case::new(loaded, &watch).unwrap().run(&Entry::new(stub), Budget::QUICK, &watch).unwrap()
+        Case::new(loaded, &watch).unwrap().run(contestant, Budget::QUICK, &watch).unwrap()
+    }
+
+    #[test]
+    fn constructed_vertices_are_judged_declined_or_found_to_be_rounded() {
+        for name in ["kite", "kite-order", "pyramid", "lpi-tpi-near-orient3d"] {
+            let loaded = load(name);
+            let outcome = |backend: &str| run_any(&loaded, roster::backend(backend).unwrap().as_ref());
+            let exact = outcome("exact");
+            assert_eq!((exact.counts.get(Class::Agree), exact.counts.findings()), (exact.queries, 0), "{name}");
+            for backend in ["sos", "sos:edelsbrunner-mucke", "tolerance", "fault:sos-swapped-term"] {
+                let declined = outcome(backend).counts;
+                assert_eq!((declined.get(Class::Declined), declined.findings()), (1, 1), "{backend} on {name}");
+            }
+            for backend in ["naive", "naive:first", "shewchuk", "fault:exact-rounded-vertex"] {
+                let outcome = outcome(backend);
+                assert!(outcome.counts.findings() > 0, "{backend} on {name}");
+                assert!(outcome.findings.iter().any(|finding| finding.query.contains('c')), "{backend} on {name}");
+                assert_eq!(outcome.counts.get(Class::Panic), 0, "{backend} on {name}");
+            }
+            for fault in ["exact-halved-filter", "exact-one-limb", "exact-flushed"] {
+                assert_eq!(outcome(&format!("fault:{fault}")).counts.findings(), 0, "{fault} on {name}");
+            }
+        }
     }
 
     #[test]

@@ -18,11 +18,15 @@ pub fn largest_edge(scene: &Scene) -> f64 {
 
 /// The distance of the last vertex to the line (orient2d) or plane (orient3d)
 /// of the others, in units of `l`. `None` where that has no meaning: other
-/// predicates, others that span nothing, ranges that doubles don't hold.
+/// predicates, others that span nothing, ranges that doubles don't hold, and
+/// constructed vertices, whose coordinates are no doubles.
 ///
 /// The determinant is the exact one, rounded once; lengths are plain floating point.
 #[must_use]
 pub fn distance_over_l(scene: &Scene, question: Question, args: &[Vertex], determinant: f64, l: f64) -> Option<f64> {
+    if args.iter().any(|v| v.is_constructed()) {
+        return None;
+    }
     let span = match (question, args) {
         (Question::Orient2d(plane), &[a, b, _]) => {
             let ([ax, ay], [bx, by]) = (scene.point2(plane, a), scene.point2(plane, b));

@@ -4,15 +4,15 @@
 //! made of the real backends' own parts with one part wrong, claims the real
 //! contract, and has to be caught by `selftest` on the embedded corpora.
 
-use predicament_arithmetic::{Fixed, Plan};
+use predicament_arithmetic::{Fixed, Plan, units};
 use predicament_controls::Shewchuk;
 use predicament_exact::form::{self, Determinant};
-use predicament_exact::{Exact, filter, integer};
+use predicament_exact::{Exact, filter, integer, raw};
 use predicament_predicates::{
     Axis, Backend, Band, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally,
     Vertex, ZeroMeaning,
 };
-use predicament_sos::{Scheme, Term, infinitesimal, ties};
+use predicament_sos::{Scheme, Sos, Term, infinitesimal, ties};
 use predicament_tolerance::Tolerance;
 
 use crate::{Contestant, Entry};
@@ -37,6 +37,8 @@ pub enum Fault {
     ExactUnguarded,
     /// Exact, with everything below the smallest normal double called zero.
     ExactFlushed,
+    /// Exact about constructed vertices once they are rounded to the nearest doubles.
+    ExactRoundedVertex,
     /// Tolerance, with the band narrower than its promise.
     ToleranceNarrow,
     /// Tolerance, with the band wider than its promise.
@@ -47,7 +49,7 @@ pub enum Fault {
 
 impl Fault {
     /// All of them.
-    pub const ALL: [Fault; 11] = [
+    pub const ALL: [Fault; 12] = [
         Fault::SosSwappedTerm,
         Fault::SosDroppedParity,
         Fault::SosPlaceAsIdentity,
@@ -56,6 +58,7 @@ impl Fault {
         Fault::ExactOneLimb,
         Fault::ExactUnguarded,
         Fault::ExactFlushed,
+        Fault::ExactRoundedVertex,
         Fault::ToleranceNarrow,
         Fault::ToleranceWide,
         Fault::CompareGreaterOnTies,
@@ -73,6 +76,7 @@ impl Fault {
             Fault::ExactOneLimb => "exact-one-limb",
             Fault::ExactUnguarded => "exact-unguarded",
             Fault::ExactFlushed => "exact-flushed",
+            Fault::ExactRoundedVertex => "exact-rounded-vertex",
             Fault::ToleranceNarrow => "tolerance-narrow",
             Fault::ToleranceWide => "tolerance-wide",
             Fault::CompareGreaterOnTies => "compare-greater-on-ties",
@@ -91,6 +95,7 @@ impl Fault {
             Fault::ExactOneLimb => "integers of one limb used where differences need two",
             Fault::ExactUnguarded => "adaptive floating point used where it underflows or overflows",
             Fault::ExactFlushed => "determinants below the smallest normal double called zero",
+            Fault::ExactRoundedVertex => "constructed vertices rounded to doubles, exact from there on",
             Fault::ToleranceNarrow => "the band a third of what it should be",
             Fault::ToleranceWide => "the band twice what it should be",
             Fault::CompareGreaterOnTies => "equal coordinates compare as greater, both ways round",
@@ -104,9 +109,11 @@ impl Fault {
             | Fault::SosPlaceAsIdentity
             | Fault::SosFirstOrderOnly
             | Fault::CompareGreaterOnTies => ZeroMeaning::Never,
-            Fault::ExactHalvedFilter | Fault::ExactOneLimb | Fault::ExactUnguarded | Fault::ExactFlushed => {
-                ZeroMeaning::Exact
-            }
+            Fault::ExactHalvedFilter
+            | Fault::ExactOneLimb
+            | Fault::ExactUnguarded
+            | Fault::ExactFlushed
+            | Fault::ExactRoundedVertex => ZeroMeaning::Exact,
             Fault::ToleranceNarrow | Fault::ToleranceWide => ZeroMeaning::Band,
         }
     }
@@ -145,9 +152,11 @@ impl Backend for Faulty {
     }
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, _: T) -> Result<Session<'s>, Declined> {
+        // Nobody is better at declining than what it poses as.
         let tolerance = match self.0.poses_as() {
             ZeroMeaning::Band => Some(Tolerance.prepare(scene, Off)?),
-            ZeroMeaning::Never | ZeroMeaning::Exact => None,
+            ZeroMeaning::Never => Sos::default().prepare(scene, Off).map(|_| None)?,
+            ZeroMeaning::Exact => None,
         };
         let adaptive = Shewchuk.prepare(scene, Off)?;
         Ok(Session { fault: self.0, adaptive, exact: Exact.prepare(scene, Off)?, tolerance })
@@ -183,6 +192,12 @@ impl Session<'_> {
                     exact
                 }
             }
+            // Their parts are for points with coordinates: about others they are as right as exact.
+            Fault::ExactHalvedFilter | Fault::ExactOneLimb | Fault::ExactFlushed
+                if args.iter().any(|v| v.is_constructed()) =>
+            {
+                exact
+            }
             Fault::ExactHalvedFilter => self.half_filtered(question, &args).unwrap_or(exact),
             Fault::ExactOneLimb => self.one_limb(question, &args).unwrap_or(exact),
             Fault::ExactUnguarded => question.ask(&self.adaptive, &args),
@@ -191,6 +206,7 @@ impl Session<'_> {
                 let determinant = crate::judge::verdict(scene, question, &args).determinant;
                 if determinant.to_f64().is_normal() { exact } else { Sign::Zero }
             }
+            Fault::ExactRoundedVertex => self.rounded(question, &args).unwrap_or(exact),
             Fault::ToleranceNarrow => self.banded(question, &args, 1.0 / 3.0),
             Fault::ToleranceWide => self.banded(question, &args, 2.0),
         }
@@ -256,7 +272,9 @@ impl Session<'_> {
             // The lower half of the difference, where that is all that there is and where it is not.
             #[allow(clippy::cast_possible_truncation)]
             let entry = |row: usize, axis: usize| {
-                Fixed::from(plan.units(points[row][axis]).wrapping_sub(plan.units(last[axis])) as i64)
+                Fixed::from(
+                    units(points[row][axis], plan.lowest()).wrapping_sub(units(last[axis], plan.lowest())) as i64
+                )
             };
             let fits = plan.bits() <= 126 && plan.has_finite_differences();
             fits.then(|| std::array::from_fn(|row| std::array::from_fn(|axis| entry(row, axis))))
@@ -270,6 +288,24 @@ impl Session<'_> {
             Question::Orient3d => rows(&solid()).map(integer::orient3d::<1, 2, 3>),
             Question::Incircle => rows(&flat(Plane::Xy)).map(integer::incircle::<1, 2, 4>),
             Question::Insphere => rows(&solid()).map(integer::insphere::<1, 2, 3, 5>),
+        }
+    }
+
+    /// None where nothing is constructed, or not rounded to something finite.
+    fn rounded(&self, question: Question, args: &[Vertex]) -> Option<Sign> {
+        let constructed = self.exact.constructed();
+        let points: Vec<&[f64]> = args.iter().map(|&v| constructed.approximation(v)).collect();
+        let finite = points.as_slice().concat().iter().all(|x| x.is_finite());
+        if !finite || args.iter().all(|v| !v.is_constructed()) {
+            return None;
+        }
+        match (question, points.as_slice()) {
+            (Question::Compare(axis), [a, b]) => a[axis.index()].partial_cmp(&b[axis.index()]).map(Sign::from),
+            (Question::Orient2d(plane), &[a, b, c]) => {
+                Some(raw::orient2d([a, b, c].map(|p| plane.axes().map(|axis| p[axis.index()]))))
+            }
+            (Question::Orient3d, &[a, b, c, d]) => Some(raw::orient3d([a, b, c, d].map(|p| [p[0], p[1], p[2]]))),
+            _ => None,
         }
     }
 

@@ -6,7 +6,7 @@
 //! without fractions (Bareiss).
 
 use predicament_controls::Naive;
-use predicament_corpus::{Cache, Level, Library, Work};
+use predicament_corpus::{Cache, Level, Library, Work, homogeneous};
 use predicament_oracle::{judge, signs};
 use predicament_predicates::{Axis, Dimension, Plane, Question, Scene, Sign, Vertex};
 use proptest::prelude::*;
@@ -15,28 +15,34 @@ use rug::{Integer, Rational};
 /// Queries of a scene, at most.
 const SAMPLE: usize = 1000;
 
-/// The sign of the homogeneous determinant.
+/// The sign of the homogeneous determinant. Constructed vertices have a positive
+/// weight instead of the one, by joins and meets of integer vectors.
 fn third(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
-    let points: Vec<Vec<f64>> = args
-        .iter()
-        .map(|&v| match question {
-            Question::Compare(axis) => vec![scene.coordinate(axis, v)],
-            Question::Orient2d(plane) => scene.point2(plane, v).to_vec(),
-            _ => scene.point(v).to_vec(),
-        })
-        .collect();
-    let points: Vec<Vec<Rational>> = points.iter().map(|p| p.iter().map(|&x| judge::rational(x)).collect()).collect();
-    // Denominators are powers of two: the largest one makes integers of all.
-    let scale = points.iter().flatten().map(Rational::denom).max().expect("coordinates").clone();
-    let rows = points.iter().map(|point| {
-        let mut row: Vec<Integer> = point.iter().map(|x| Integer::from(x.numer() * &scale) / x.denom()).collect();
-        if matches!(question, Question::Incircle | Question::Insphere) {
-            row.push(row.iter().map(|x| Integer::from(x.square_ref())).sum());
+    let axes = match question {
+        Question::Compare(axis) => vec![axis],
+        Question::Orient2d(plane) => plane.axes().to_vec(),
+        _ => [Axis::X, Axis::Y, Axis::Z][..scene.dimension().count()].to_vec(),
+    };
+    let exact = |v: Vertex| -> Vec<Rational> {
+        if v.is_constructed() {
+            let mut point = homogeneous(scene, v).expect("a point");
+            let weight = point.pop().expect("a weight");
+            let mut row: Vec<Rational> = axes.iter().map(|axis| Rational::from(&point[axis.index()])).collect();
+            row.push(weight.into());
+            return row;
         }
-        row.push(Integer::from(1));
+        let mut row: Vec<Rational> = axes.iter().map(|&axis| judge::rational(scene.coordinate(axis, v))).collect();
+        if matches!(question, Question::Incircle | Question::Insphere) {
+            row.push(row.iter().map(|x| Rational::from(x.square_ref())).sum());
+        }
+        row.push(Rational::from(1));
         row
-    });
-    bareiss(rows.collect())
+    };
+    let rows: Vec<Vec<Rational>> = args.iter().map(|&v| exact(v)).collect();
+    // Denominators are powers of two: the largest one makes integers of all, column by column alike.
+    let scale = rows.iter().flatten().map(Rational::denom).max().expect("coordinates").clone();
+    let whole = |row: &Vec<Rational>| row.iter().map(|x| Integer::from(x.numer() * &scale) / x.denom()).collect();
+    bareiss(rows.iter().map(whole).collect())
 }
 
 fn bareiss(mut matrix: Vec<Vec<Integer>>) -> Sign {

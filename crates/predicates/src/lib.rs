@@ -30,4 +30,4 @@ pub use query::{PredicateKind, QuerySet, Question};
 pub use scene::{Dimension, Scene, SceneError};
 pub use sign::Sign;
 pub use tally::{Counts, MAX_STAGES, Off, Tally};
-pub use vertex::{Axis, Plane, Vertex};
+pub use vertex::{Axis, ParseVertexError, Plane, Vertex};

@@ -75,6 +75,34 @@ impl std::fmt::Display for Vertex {
     }
 }
 
+/// Why a text is no vertex.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ParseVertexError(String);
+
+impl std::fmt::Display for ParseVertexError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "`{}` is no vertex: neither an index nor c and the index of a construction", self.0)
+    }
+}
+
+impl std::error::Error for ParseVertexError {}
+
+/// Reads what `Display` writes.
+impl std::str::FromStr for Vertex {
+    type Err = ParseVertexError;
+
+    fn from_str(text: &str) -> Result<Vertex, ParseVertexError> {
+        let (digits, most, vertex): (_, _, fn(usize) -> Vertex) = match text.strip_prefix('c') {
+            None => (text, Vertex::MAX_INPUT, Vertex::input),
+            Some(digits) => (digits, Vertex::MAX_CONSTRUCTED, Vertex::constructed),
+        };
+        // `parse` would take a sign.
+        let plain = digits.bytes().all(|byte| byte.is_ascii_digit());
+        let index = digits.parse().ok().filter(|&index| plain && index < most);
+        index.map(vertex).ok_or_else(|| ParseVertexError(text.to_owned()))
+    }
+}
+
 /// A coordinate axis.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Axis {
@@ -137,5 +165,11 @@ mod tests {
         let end = Vertex::constructed(Vertex::MAX_CONSTRUCTED - 1);
         assert_eq!(end.construction(), Some(Vertex::MAX_CONSTRUCTED - 1));
         assert_eq!([last, first, end].map(|v| v.to_string()), ["2147483647", "c0", "c2147483647"]);
+        for v in [Vertex::input(0), last, first, end] {
+            assert_eq!(v.to_string().parse(), Ok(v));
+        }
+        for text in ["", "c", "-1", "+1", "c+1", "1.0", "C0", "cc0", "2147483648", "c2147483648", " 1"] {
+            assert!(text.parse::<Vertex>().unwrap_err().to_string().contains(text), "{text}");
+        }
     }
 }

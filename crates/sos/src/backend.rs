@@ -16,6 +16,8 @@ use crate::{Scheme, stage, ties, ties::Sorted};
 /// zero, and else the sign for all small enough ε > 0 of the determinant of
 /// the scene that the scheme has moved. The answer is zero only if a vertex
 /// comes twice in a query.
+///
+/// A scene with constructed vertices is declined.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
 pub struct Sos {
     /// How the scene is moved.
@@ -44,6 +46,10 @@ impl Backend for Sos {
     }
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {
+        if !scene.constructions().is_empty() {
+            // What a vertex does that is constructed from perturbed ones is no term of these lists.
+            return Err(Declined::scene("how a perturbation moves constructed vertices is not derived"));
+        }
         let exact = Exact.prepare(scene, Off)?;
         Ok(Session { scheme: self.scheme, exact, points: Points::of(scene), tally })
     }

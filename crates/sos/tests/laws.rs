@@ -17,7 +17,9 @@ mod common;
 
 use common::{Random, ask_antisymmetric, first, grid_scene, questions};
 use predicament_exact::Exact;
-use predicament_predicates::{Axis, Backend, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex};
+use predicament_predicates::{
+    Axis, Backend, Construction, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex,
+};
 use predicament_sos::{Scheme, Sos, Term, ties};
 
 /// A vertex of the scene, or the unit vector of a column.
@@ -337,5 +339,16 @@ fn all_orders_of_the_arguments_agree() {
                 }
             }
         }
+    }
+}
+
+#[test]
+fn scenes_with_constructed_vertices_are_declined() {
+    let mut scene = Scene::from_points2(&[[0.0, 0.0], [1.0, 1.0], [0.0, 1.0], [1.0, 0.0]]).unwrap();
+    let [a, b, c, d] = [0, 1, 2, 3].map(Vertex::input);
+    scene.construct(Construction::Ssi([[a, b], [c, d]])).unwrap();
+    for scheme in Scheme::ALL {
+        let declined = Sos { scheme }.prepare(&scene, Off).map(|_| ()).expect_err("its terms are of coordinates");
+        assert!(declined.predicate.is_none() && declined.reason.contains("constructed"), "{declined}");
     }
 }

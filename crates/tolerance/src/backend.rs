@@ -22,6 +22,8 @@ const STAGES: [&str; 1] = ["float"];
 /// `orient2d` in a 3D scene, of their projection to its plane, so that the
 /// projections are three 2D scenes of their own.
 ///
+/// A scene with constructed vertices is declined.
+///
 /// A scene where L, a product of coordinate differences or a tolerance leaves
 /// the range of normal doubles is declined, as the paper assumes "no underflow
 /// or overflow". Where all points coincide (L = 0) the tolerances are zero and
@@ -59,6 +61,9 @@ impl Backend for Tolerance {
     }
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {
+        if !scene.constructions().is_empty() {
+            return Err(Declined::scene("the tolerances are for input vertices, not for constructed ones"));
+        }
         let planes = match scene.dimension() {
             Dimension::Two => &PLANES[..1],
             Dimension::Three => &PLANES,

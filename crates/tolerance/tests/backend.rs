@@ -1,7 +1,8 @@
 //! What the session says about itself, and the scenes that it declines.
 
 use predicament_predicates::{
-    Axis, Backend, Counts, Declined, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex, ZeroMeaning,
+    Axis, Backend, Construction, Counts, Declined, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign,
+    Vertex, ZeroMeaning,
 };
 use predicament_tolerance::{Tolerance, Tolerances2d, Tolerances3d};
 
@@ -118,4 +119,14 @@ fn queries_are_counted() {
     assert_eq!(Tolerance.stages(), ["float"]);
     assert_eq!(counts.get(PredicateKind::Orient2d, 0), 1);
     assert_eq!(counts.get(PredicateKind::Compare, 0), 2);
+}
+
+#[test]
+fn scenes_with_constructed_vertices_are_declined() {
+    let mut scene = Scene::from_points2(&[[0., 0.], [1., 1.], [0., 1.], [1., 0.]]).unwrap();
+    assert_eq!(declined(&scene), None);
+    let [a, b, c, d] = v();
+    scene.construct(Construction::Ssi([[a, b], [c, d]])).unwrap();
+    let declined = declined(&scene).expect("a constructed vertex has no coordinates to compute with");
+    assert!(declined.predicate.is_none() && declined.reason.contains("constructed"), "{declined}");
 }

@@ -123,11 +123,15 @@ fn generate(selector: &Selector) -> exit::Outcome {
     for def in defs {
         let loaded = selection.load(def)?;
         println!(
-            "{}/{} ({}, {} vertices, id {})",
+            "{}/{} ({}, {} vertices{}, id {})",
             loaded.suite,
             loaded.name,
             loaded.task,
             loaded.scene.len(),
+            match loaded.scene.constructions().len() {
+                0 => String::new(),
+                constructed => format!(", {constructed} constructed"),
+            },
             loaded.id
         );
         match &loaded.work {

@@ -92,7 +92,9 @@ fn scenes(args: &Args, filter: &str) -> exit::Outcome {
     }
     for def in defs {
         let loaded = selection.load(def)?;
-        println!("{}/{}: {} points", def.suite, def.name, loaded.scene.len());
+        let constructed = loaded.scene.constructions().len();
+        let and = if constructed > 0 { format!(", {constructed} constructed vertices") } else { String::new() };
+        println!("{}/{}: {} points{and}", def.suite, def.name, loaded.scene.len());
         for line in precision::lines(&Precision::of(&loaded.scene)) {
             println!("  {line}");
         }

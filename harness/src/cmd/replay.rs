@@ -127,19 +127,22 @@ fn parse(query: &str) -> Result<(Question, Vec<Vertex>), Failure> {
 }
 
 fn parse_ids(text: &str) -> Result<Vec<Vertex>, Failure> {
-    let ids: Result<Vec<usize>, _> = text.split(' ').map(str::parse).collect();
-    let ids = ids.ok().filter(|ids| ids.iter().all(|&id| id < Vertex::MAX_INPUT) && !ids.is_empty());
-    let ids =
-        ids.ok_or_else(|| Failure::usage(format!("`{text}` is no list of vertices; findings.csv was changed")))?;
-    Ok(ids.into_iter().map(Vertex::input).collect())
+    let ids: Result<Vec<Vertex>, _> = text.split(' ').map(str::parse).collect();
+    ids.map_err(|_| Failure::usage(format!("`{text}` is no list of vertices; findings.csv was changed")))
 }
 
 fn print_points(loaded: &LoadedScene, ids: &[Vertex]) {
     for &id in ids {
+        if let Some(construction) = loaded.scene.construction(id) {
+            println!("  vertex {:>8}  {construction}", id.to_string());
+            let defining: Vec<Vertex> = construction.flats().flatten().copied().collect();
+            print_points(loaded, &defining);
+            continue;
+        }
         let point = loaded.scene.point(id);
         let decimal: Vec<String> = point.iter().map(|x| format!("{x:?}")).collect();
         let hex: Vec<String> = point.iter().map(|&x| hexfloat::format(x)).collect();
-        println!("  vertex {id:>8}  ({})  = ({})", decimal.join(", "), hex.join(", "));
+        println!("  vertex {:>8}  ({})  = ({})", id.to_string(), decimal.join(", "), hex.join(", "));
     }
 }
 
@@ -184,7 +187,8 @@ mod tests {
 
     #[test]
     fn queries_read_back_as_they_are_written() {
-        let ids: Vec<Vertex> = [3, 1, 4, 0, 5].map(Vertex::input).to_vec();
+        let [a, b, c, d] = [3, 1, 0, 5].map(Vertex::input);
+        let ids = [a, b, Vertex::constructed(4), c, d];
         for question in [
             Question::Compare(Axis::Z),
             Question::Orient2d(Plane::Zx),
@@ -196,9 +200,15 @@ mod tests {
             let (parsed, parsed_ids) = parse(&signs::describe(question, ids)).unwrap();
             assert_eq!((parsed, parsed_ids.as_slice()), (question, ids));
         }
-        for broken in
-            ["", "orient2d", "orient2d(xy; 1 2)", "orient3d(xy; 1 2 3 4)", "compare(w; 1 2)", "incircle(1 2 3 x)"]
-        {
+        for broken in [
+            "",
+            "orient2d",
+            "orient2d(xy; 1 2)",
+            "orient2d(xy; 1 2 d3)",
+            "orient3d(xy; 1 2 3 4)",
+            "compare(w; 1 2)",
+            "incircle(1 2 3 x)",
+        ] {
             assert!(parse(broken).is_err(), "{broken}");
         }
     }

@@ -82,7 +82,11 @@ impl Judged<'_> {
 
     /// A finding with its points, to be asked again elsewhere.
     fn in_words(&self, finding: &Finding, args: &[Vertex]) -> String {
-        let points: Vec<String> = args.iter().map(|&v| format!("{:?}", self.scene.point(v))).collect();
+        let point = |&v: &Vertex| match self.scene.construction(v) {
+            Some(construction) => construction.to_string(),
+            None => format!("{:?}", self.scene.point(v)),
+        };
+        let points: Vec<String> = args.iter().map(point).collect();
         format!(
             "{} is {} and {} says {} ({}): {}",
             finding.query,

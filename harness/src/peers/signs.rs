@@ -6,12 +6,16 @@
 //! queries are rearranged before anybody looks at a clock, as by a caller that
 //! knows the orientation of its triangles; queries whose points allow for no
 //! such order (all five in a plane, say) are not asked.
+//!
+//! No crate knows constructed vertices. They are computed in doubles before
+//! anybody looks at a clock, and stand in the array after the scene's points.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
+use predicament_controls::constructed;
 use predicament_oracle::{Stopwatch, judge};
-use predicament_predicates::{Plane, QuerySet, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Plane, QuerySet, Question, Scene, Sign, Vertex};
 
 use super::Peer;
 use super::judged::Judged;
@@ -22,8 +26,8 @@ use super::tables::RAW;
 /// All crates, in both ways. None of them has a comparison to offer that would
 /// be worth its name.
 pub fn peers<'a>(scene: &'a Scene, queries: &'a QuerySet, truth: &'a [Sign]) -> Vec<Peer<'a>> {
-    let points2 = |plane| scene.vertices().map(|v| scene.point2(plane, v)).collect::<Vec<_>>();
-    let points3 = || scene.vertices().map(|v| scene.point3(v)).collect::<Vec<_>>();
+    let points2 = |plane: Plane| points(scene, plane.axes());
+    let points3 = || points(scene, [Axis::X, Axis::Y, Axis::Z]);
     let asked = Asked { scene, question: queries.question() };
     let args = queries.flat();
     match queries.question() {
@@ -33,6 +37,12 @@ pub fn peers<'a>(scene: &'a Scene, queries: &'a QuerySet, truth: &'a [Sign]) -> 
         Question::Incircle => asked.all::<2, 4>(&points2(Plane::Xy), args.as_chunks().0, truth),
         Question::Insphere => asked.all::<3, 5>(&points3(), args.as_chunks().0, truth),
     }
+}
+
+/// Some coordinates of every vertex, the constructed ones after the others.
+fn points<const D: usize>(scene: &Scene, axes: [Axis; D]) -> Vec<[f64; D]> {
+    let all = [scene.coordinates(), &constructed(scene)].concat();
+    all.chunks_exact(scene.dimension().count()).map(|point| axes.map(|axis| point[axis.index()])).collect()
 }
 
 /// What all queries of a scene have in common.
@@ -79,7 +89,7 @@ impl<'a> Asked<'a> {
             }
             None => (queries.to_vec(), truth.to_vec()),
         };
-        let mut by_id = self.by_id::<L, D, N>(points.to_vec(), arranged.clone(), &truth);
+        let mut by_id = self.by_id::<L, D, N>(points.to_vec(), &arranged, &truth);
         let mut raw = self.raw::<L, D, N>(points, &arranged, &truth);
         if raw.outcome.counts == by_id.outcome.counts {
             raw.remarks.clear();
@@ -95,14 +105,15 @@ impl<'a> Asked<'a> {
     fn by_id<L: Library + Predicate<D, N>, const D: usize, const N: usize>(
         &self,
         points: Vec<[f64; D]>,
-        queries: Vec<[Vertex; N]>,
+        queries: &[[Vertex; N]],
         truth: &[Sign],
     ) -> Peer<'a> {
-        let at = |i: usize| queries[i].map(Vertex::index);
+        let places = self.places(queries);
+        let at = |i: usize| places[i].map(Vertex::index);
         let judged = self
             .judged::<L>(L::NAME.to_owned())
             .judge(queries.as_flattened(), truth, &|i| (L::sign(&points, at(i)), L::is_nan(&points, at(i))));
-        judged.timed(Watch::new(queries, move |at: &[Vertex; N]| L::sign(&points, at.map(Vertex::index))))
+        judged.timed(Watch::new(places, move |at: &[Vertex; N]| L::sign(&points, at.map(Vertex::index))))
     }
 
     /// By the coordinates of each query.
@@ -113,11 +124,18 @@ impl<'a> Asked<'a> {
         truth: &[Sign],
     ) -> Peer<'a> {
         let places: [usize; N] = std::array::from_fn(|i| i);
-        let coordinates: Vec<[[f64; D]; N]> = queries.iter().map(|args| args.map(|v| points[v.index()])).collect();
+        let coordinates: Vec<[[f64; D]; N]> =
+            self.places(queries).into_iter().map(|at| at.map(|v| points[v.index()])).collect();
         let judged = self.judged::<L>(format!("{RAW}{}", L::NAME)).judge(queries.as_flattened(), truth, &|i| {
             (L::sign(&coordinates[i], places), L::is_nan(&coordinates[i], places))
         });
         judged.timed(Watch::new(coordinates, move |points: &[[f64; D]; N]| L::sign(points, places)))
+    }
+
+    /// The places of the vertices in the array of points: their ids, but for constructed ones.
+    fn places<const N: usize>(&self, queries: &[[Vertex; N]]) -> Vec<[Vertex; N]> {
+        let place = |v: Vertex| v.construction().map_or(v, |index| Vertex::input(self.scene.len() + index));
+        queries.iter().map(|args| args.map(place)).collect()
     }
 
     fn judged<L: Library>(&self, name: String) -> Judged<'_> {
@@ -184,7 +202,7 @@ impl<Q, F: Fn(&Q) -> Sign> Stopwatch for Watch<Q, F> {
 mod tests {
     use super::*;
     use predicament_oracle::Class;
-    use predicament_predicates::PredicateKind;
+    use predicament_predicates::{Construction, PredicateKind};
 
     const QUESTIONS: [Question; 4] =
         [Question::Orient2d(Plane::Xy), Question::Orient3d, Question::Incircle, Question::Insphere];
@@ -305,6 +323,35 @@ mod tests {
             None => {
                 assert_eq!(truth, Sign::Zero, "without any base there is no determinant");
                 0
+            }
+        }
+    }
+
+    #[test]
+    fn constructed_vertices_are_points_that_were_rounded() {
+        // The diagonals of a square meet in (1, 1), and of a kite in (1/3, 1/3), which is no double.
+        let mut scene = Scene::from_points2(&[
+            [0.0, 0.0],
+            [2.0, 2.0],
+            [0.0, 2.0],
+            [2.0, 0.0],
+            [0.0, 1.0],
+            [0.5, 0.0],
+            [3.0, 0.0],
+            [-1.0, 2.0],
+        ])
+        .unwrap();
+        let v = Vertex::input;
+        let x = scene.construct(Construction::Ssi([[v(0), v(1)], [v(2), v(3)]])).unwrap();
+        let y = scene.construct(Construction::Ssi([[v(0), v(1)], [v(4), v(5)]])).unwrap();
+        let args = [[x, v(0), v(3)], [y, v(0), v(1)], [v(4), y, v(5)], [v(6), x, v(7)]].concat();
+        let queries = QuerySet::new(QUESTIONS[0], args);
+        let truth: Vec<Sign> = (0..4).map(|i| judge::sign(&scene, QUESTIONS[0], queries.args(i))).collect();
+        assert_eq!(truth, [Sign::Positive, Sign::Zero, Sign::Zero, Sign::Zero]);
+        for peer in peers(&scene, &queries, &truth) {
+            assert_eq!(peer.outcome.queries, 4);
+            if !peer.name.ends_with("simplicity") {
+                assert!(peer.outcome.counts.get(Class::Agree) >= 3, "{}: {:?}", peer.name, peer.remarks);
             }
         }
     }

@@ -31,7 +31,7 @@ pub(super) fn band(kind: PredicateKind, n: usize, rng: &mut Random) -> Cloud {
         }
     }
     let args = (2..2 + n * kind.arity()).map(Vertex::input).collect();
-    Cloud { coordinates, args: Some(args) }
+    Cloud { coordinates, args: Some(args), constructions: Vec::new() }
 }
 
 /// A signed determinant within a sixty-fourth of a threshold.

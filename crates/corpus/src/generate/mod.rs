@@ -7,7 +7,9 @@
 //! only, which IEEE 754 rounds the same everywhere.
 
 mod band;
+mod constructed;
 mod degenerate;
+mod families;
 mod far;
 mod kettner;
 mod maps;
@@ -18,116 +20,17 @@ mod random;
 mod shape;
 mod wide;
 
-use predicament_predicates::{Dimension, PredicateKind, QuerySet, Question, Scene, Vertex};
+use predicament_predicates::{Construction, Dimension, PredicateKind, QuerySet, Question, Scene, Vertex};
 
 use crate::document::{Field, Fields};
 use crate::probes::with_probes;
 use crate::suite::Probing;
 use crate::{CorpusError, Level, Task, Work};
+use constructed::Arrangement;
+use families::FAMILIES;
+pub use families::{FamilyInfo, families};
 use pixels::PixelMap;
 pub(crate) use random::Random;
-
-/// A family of generated scenes, for listings.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct FamilyInfo {
-    /// The name in `[[generate]]` tables.
-    pub name: &'static str,
-    /// The name in `throughput.csv`.
-    pub reported_as: &'static str,
-    /// The tasks that it can generate for.
-    pub tasks: &'static [Task],
-    /// The parameters that it takes besides `n`, `seed` and the question's.
-    pub parameters: &'static [&'static str],
-    /// What it is, in one line.
-    pub about: &'static str,
-}
-
-const SIGNS: &[Task] = &[Task::Compare, Task::Orient2d, Task::Orient3d, Task::Incircle, Task::Insphere];
-const MAPS: &[Task] = &[Task::PolygonLocate];
-
-const fn family(
-    name: &'static str,
-    reported_as: &'static str,
-    tasks: &'static [Task],
-    parameters: &'static [&'static str],
-    about: &'static str,
-) -> FamilyInfo {
-    FamilyInfo { name, reported_as, tasks, parameters, about }
-}
-
-const FAMILIES: [FamilyInfo; 17] = [
-    family("uniform", "uniform", SIGNS, &[], "multiples of 2^-53, uniform in [0, 1)"),
-    family("grid", "grid", SIGNS, &[], "integers from 0 to 15: many ties, all arithmetic short"),
-    family("near", "near", SIGNS, &["ulps"], "moved by at most so many ulps off a line, plane, circle or sphere"),
-    family(
-        "kettner",
-        "kettner",
-        SIGNS,
-        &[],
-        "0.5 + k·2^-53, k < 256, against a line, plane, circle or sphere through 0.5",
-    ),
-    family("degen", "degen", SIGNS, &[], "exactly degenerate in general position: every answer is 0"),
-    family(
-        "decimal-collinear",
-        "decimal-collinear",
-        &[Task::Orient2d],
-        &["digits"],
-        "collinear decimals, rounded to doubles",
-    ),
-    family(
-        "decimal-coplanar",
-        "decimal-coplanar",
-        &[Task::Orient3d],
-        &["digits"],
-        "coplanar decimals, rounded to doubles",
-    ),
-    family(
-        "decimal-cocircular",
-        "decimal-cocircular",
-        &[Task::Incircle],
-        &["digits"],
-        "cocircular decimals, rounded to doubles",
-    ),
-    family(
-        "decimal-cospherical",
-        "decimal-cospherical",
-        &[Task::Insphere],
-        &["digits"],
-        "cospherical decimals, rounded to doubles",
-    ),
-    family(
-        "midpoint-collinear",
-        "midpoint-collinear",
-        &[Task::Orient2d, Task::Orient3d],
-        &[],
-        "two points and their rounded midpoint; in 3D with any fourth",
-    ),
-    family("wide-scaled", "wide", SIGNS, &[], "uniform, near and degen queries scaled by 2^k, subnormal to 2^1023"),
-    family("wide-mixed", "wide", SIGNS, &[], "every coordinate with its own exponent, subnormal to 2^1023"),
-    family("far", "far", SIGNS, &[], "unit clusters 2^20 to 2^45 away from the origin"),
-    family(
-        "band",
-        "band",
-        &[Task::Orient2d, Task::Orient3d],
-        &[],
-        "determinants around the tolerance scheme's thresholds",
-    ),
-    family(
-        "pixel-map",
-        "pixel-map",
-        &[Task::Orient2d],
-        &["p", "q", "r", "side", "step"],
-        "a square of neighbours of p against fixed q and r (Kettner et al.)",
-    ),
-    family("tiling", "tiling", MAPS, &[], "a jittered n×n quadrilateral tiling with lakes, islands and sea"),
-    family("bricks", "bricks", MAPS, &[], "n courses of n bricks: axis-parallel borders and collinear runs"),
-];
-
-/// Every family, for listings.
-#[must_use]
-pub fn families() -> &'static [FamilyInfo] {
-    &FAMILIES
-}
 
 /// A family with its parameters.
 #[derive(Clone, PartialEq, Debug)]
@@ -150,6 +53,7 @@ enum Recipe {
     Far,
     Band,
     PixelMap(PixelMap),
+    Arrangement(Arrangement),
     Tiling,
     Bricks,
 }
@@ -167,12 +71,13 @@ impl Family {
             let message = format!("family {text} generates nothing for {task}");
             return Err(name.error(message, format!("use it for {}", tasks.join(", "))));
         }
+        if let Some(arrangement) = Arrangement::read(text, fields)? {
+            return Ok(Family { info, recipe: Recipe::Arrangement(arrangement) });
+        }
         let recipe = match text {
             "uniform" => Recipe::Uniform,
             "grid" => Recipe::Grid,
-            "near" => Recipe::Near {
-                ulps: fields.get("ulps").map_or(Ok(4), |f| f.integer(1..=1 << 20)).map(u64::cast_signed)?,
-            },
+            "near" => Recipe::Near { ulps: fields.integer_or("ulps", 4, 1..=1 << 20).map(u64::cast_signed)? },
             "kettner" => Recipe::Kettner,
             "degen" => Recipe::Degen,
             "midpoint-collinear" => Recipe::Midpoint,
@@ -205,6 +110,14 @@ impl Family {
         self.info.parameters
     }
 
+    /// The number of coordinates of the family's points, where it is not for the question to say.
+    pub(crate) fn dimension(&self) -> Option<Dimension> {
+        match &self.recipe {
+            Recipe::Arrangement(arrangement) => Some(arrangement.dimension()),
+            _ => None,
+        }
+    }
+
     /// The number of queries, where the parameters fix it.
     pub(crate) fn fixed_size(&self) -> Option<usize> {
         match &self.recipe {
@@ -224,7 +137,7 @@ impl Family {
         for _ in 0..n {
             self.query(kind, rng, &mut coordinates);
         }
-        Cloud { coordinates, args: None }
+        Cloud { coordinates, args: None, constructions: Vec::new() }
     }
 
     /// Appends the points of one query.
@@ -240,7 +153,7 @@ impl Family {
             Recipe::WideScaled => wide::scaled(kind, rng, out),
             Recipe::WideMixed => wide::mixed(kind, rng, out),
             Recipe::Far => far::far(kind, rng, out),
-            Recipe::Band | Recipe::PixelMap(_) | Recipe::Tiling | Recipe::Bricks => {
+            Recipe::Band | Recipe::PixelMap(_) | Recipe::Arrangement(_) | Recipe::Tiling | Recipe::Bricks => {
                 unreachable!("{} is not made query by query", self.name())
             }
         }
@@ -255,10 +168,12 @@ fn native(kind: PredicateKind) -> usize {
     }
 }
 
-/// Points, and the queries where these are not simply one after the other.
+/// Points, what is constructed from them, and the queries where these are not
+/// simply one after the other.
 struct Cloud {
     coordinates: Vec<f64>,
     args: Option<Vec<Vertex>>,
+    constructions: Vec<Construction>,
 }
 
 /// How many queries, by level.
@@ -303,10 +218,19 @@ impl Generator {
                 with_probes(points, map, probing, level)
             }
             Shape::Signs { question, dimension } => {
-                let cloud = self.family.points(question.kind(), n, &mut rng);
-                let mut rest = Random::new(self.family.name(), "coordinates that nobody asks about", self.seed);
-                let coordinates = shape::place(cloud.coordinates, question, dimension, &mut rest);
-                let scene = Scene::new(dimension, coordinates).expect("generators make finite points");
+                let cloud = match self.family.recipe {
+                    Recipe::Arrangement(arrangement) => arrangement.queries(question, n, rng),
+                    _ => {
+                        let cloud = self.family.points(question.kind(), n, &mut rng);
+                        let mut rest = Random::new(self.family.name(), "coordinates that nobody asks about", self.seed);
+                        let coordinates = shape::place(cloud.coordinates, question, dimension, &mut rest);
+                        Cloud { coordinates, ..cloud }
+                    }
+                };
+                let mut scene = Scene::new(dimension, cloud.coordinates).expect("generators make finite points");
+                for construction in cloud.constructions {
+                    scene.construct(construction).expect("generators construct from the scene's points");
+                }
                 let args = cloud.args.unwrap_or_else(|| scene.vertices().collect());
                 (scene, Work::Signs(QuerySet::new(question, args)))
             }

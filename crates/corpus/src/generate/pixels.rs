@@ -57,7 +57,7 @@ impl PixelMap {
         let mut coordinates = self.pixels.as_flattened().to_vec();
         coordinates.extend([self.q, self.r].as_flattened());
         let args = (0..n).flat_map(|pixel| [pixel, n, n + 1].map(Vertex::input)).collect();
-        Cloud { coordinates, args: Some(args) }
+        Cloud { coordinates, args: Some(args), constructions: Vec::new() }
     }
 }
 

@@ -19,7 +19,7 @@ pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<Scen
     let generator = Generator {
         seed: fields.integer_or("seed", 0, 0..=u64::MAX)?,
         amount: amount(&fields, &family)?,
-        shape: shape(&fields, task)?,
+        shape: shape(&fields, task, &family)?,
         family,
     };
     let name = match fields.get("name") {
@@ -41,17 +41,24 @@ fn amount(fields: &Fields<'_, '_>, family: &Family) -> Result<Amount, CorpusErro
     Ok(Amount { quick, full })
 }
 
-fn shape(fields: &Fields<'_, '_>, task: Task) -> Result<Shape, CorpusError> {
+fn shape(fields: &Fields<'_, '_>, task: Task, family: &Family) -> Result<Shape, CorpusError> {
     if task == Task::PolygonLocate {
         return Ok(Shape::Map(Probing::read(fields)?));
     }
     let question = queries::question(fields, task)?;
+    let fits = |dimension, cure: &str| {
+        queries::fits(question, dimension).map_err(|(message, _)| fields.error(message, cure)).map(|()| dimension)
+    };
+    if let Some(dimension) = family.dimension() {
+        let dimension = fits(dimension, "choose an axis or a plane that the family's points have")?;
+        return Ok(Shape::Signs { question, dimension });
+    }
     let dimension = match (task, fields.get("dimension")) {
         (Task::Compare | Task::Orient2d, Some(field)) if field.integer(2..=3)? == 3 => Dimension::Three,
         (Task::Orient3d | Task::Insphere, _) => Dimension::Three,
         _ => Dimension::Two,
     };
-    queries::fits(question, dimension).map_err(|(message, _)| fields.error(message, "write `dimension = 3`"))?;
+    let dimension = fits(dimension, "write `dimension = 3`")?;
     Ok(Shape::Signs { question, dimension })
 }
 

@@ -17,10 +17,11 @@ impl SceneDef {
     pub fn load(&self, level: Level, cache: &Cache) -> Result<LoadedScene, CorpusError> {
         match &self.content {
             Content::Inline(inline) => Ok(self.around(inline.0.clone(), inline.1.clone())),
-            Content::Csv { path, plan } => {
+            Content::Csv { path, constructed, plan } => {
                 let (dimension, coordinates) = points::read_csv(path)?;
-                let scene = self.scene(dimension, coordinates)?;
-                let queries = plan.queries(&self.file, dimension, scene.len())?;
+                let mut scene = self.scene(dimension, coordinates)?;
+                constructed.add_to(&mut scene, &self.file)?;
+                let queries = plan.queries(&self.file, &scene)?;
                 Ok(self.around(scene, Work::Signs(queries)))
             }
             Content::Fixture(entry) => {

@@ -1,5 +1,6 @@
 //! Suites: named lists of scenes, each a few lines of TOML.
 
+mod constructed;
 mod generate;
 mod load;
 mod points;

@@ -1,6 +1,6 @@
 //! Which vertices are asked about.
 
-use predicament_predicates::{Axis, Dimension, Plane, QuerySet, Question, Vertex};
+use predicament_predicates::{Axis, Dimension, Plane, QuerySet, Question, Scene, Vertex};
 
 use crate::document::{Field, Fields};
 use crate::{CorpusError, Task};
@@ -20,7 +20,7 @@ pub(super) struct Plan {
 enum Choice {
     Tuples,
     All,
-    Explicit(Vec<(usize, Vec<usize>)>),
+    Explicit(Vec<(usize, Vec<Vertex>)>),
 }
 
 impl Plan {
@@ -47,37 +47,53 @@ impl Plan {
         Ok(Plan { question, choice, line })
     }
 
-    /// The queries over `points` points.
-    pub(super) fn queries(&self, file: &str, dimension: Dimension, points: usize) -> Result<QuerySet, CorpusError> {
+    /// The queries about the vertices of a scene.
+    pub(super) fn queries(&self, file: &str, scene: &Scene) -> Result<QuerySet, CorpusError> {
+        let (points, constructed) = (scene.len(), scene.constructions().len());
         let error = |line, message: String, cure: &str| CorpusError::file(file, message, cure).at_line(line);
         let kind = self.question.kind();
         let arity = kind.arity();
-        if let Err((message, cure)) = fits(self.question, dimension) {
+        if let Err((message, cure)) = fits(self.question, scene.dimension()) {
             return Err(error(self.line, message, &cure));
         }
         let args = match &self.choice {
+            Choice::Tuples if constructed > 0 => {
+                let message = "tuples are of points, and the scene has constructed vertices".to_owned();
+                return Err(error(self.line, message, "write `queries`: \"all\", or arrays such as [\"c0\", 0, 1]"));
+            }
             Choice::Tuples if points == 0 || !points.is_multiple_of(arity) => {
                 let message = format!("{points} points don't divide into queries of {arity} for {kind}");
                 return Err(error(self.line, message, "add or remove points, or write `queries`"));
             }
             Choice::Tuples => (0..points).map(Vertex::input).collect(),
             Choice::All => {
-                let count = combinations(points, arity).filter(|count| (1..=MOST_COMBINATIONS).contains(count));
+                let vertices = points + constructed;
+                let count = combinations(vertices, arity).filter(|count| (1..=MOST_COMBINATIONS).contains(count));
                 if count.is_none() {
                     let message =
-                        format!("{points} points have none or over {MOST_COMBINATIONS} combinations of {arity}");
+                        format!("{vertices} points have none or over {MOST_COMBINATIONS} combinations of {arity}");
                     return Err(error(self.line, message, "write the queries that matter"));
                 }
-                all(points, arity)
+                let vertex = |index: usize| match index.checked_sub(points) {
+                    None => Vertex::input(index),
+                    Some(index) => Vertex::constructed(index),
+                };
+                all(vertices, arity).into_iter().map(vertex).collect()
             }
             Choice::Explicit(queries) => {
                 let mut args = Vec::with_capacity(queries.len() * arity);
                 for (line, query) in queries {
-                    if let Some(index) = query.iter().find(|&&index| index >= points) {
-                        let message = format!("query index {index} is out of range: the scene has {points} points");
-                        return Err(error(*line, message, "indices count from 0"));
+                    for vertex in query {
+                        let (index, count, what, first) = match vertex.construction() {
+                            None => (vertex.index(), points, "points", "0"),
+                            Some(index) => (index, constructed, "constructed vertices", "c0"),
+                        };
+                        if index >= count {
+                            let message = format!("query index {vertex} is out of range: the scene has {count} {what}");
+                            return Err(error(*line, message, &format!("indices count from {first}")));
+                        }
                     }
-                    args.extend(query.iter().map(|&index| Vertex::input(index)));
+                    args.extend(query);
                 }
                 args
             }
@@ -140,7 +156,7 @@ pub(super) fn fits(question: Question, dimension: Dimension) -> Result<(), (Stri
     Err((message, format!("give every point {} coordinates", needed.count())))
 }
 
-fn explicit(field: &Field<'_, '_>, arity: usize) -> Result<Vec<(usize, Vec<usize>)>, CorpusError> {
+fn explicit(field: &Field<'_, '_>, arity: usize) -> Result<Vec<(usize, Vec<Vertex>)>, CorpusError> {
     let queries = field.items("arrays of indices")?;
     if queries.len() == 0 {
         return Err(field.error("`queries` is empty", "write at least one query"));
@@ -152,9 +168,8 @@ fn explicit(field: &Field<'_, '_>, arity: usize) -> Result<Vec<(usize, Vec<usize
                 let message = format!("a query of {} indices; the predicate takes {arity}", indices.len());
                 return Err(query.error(message, format!("write {arity} indices")));
             }
-            let most = u64::try_from(Vertex::MAX_INPUT - 1).unwrap_or(u64::MAX);
-            let indices = indices.map(|index| index.count(0..=most)).collect::<Result<_, _>>()?;
-            Ok((query.line(), indices))
+            let vertices = indices.map(|index| index.vertex()).collect::<Result<_, _>>()?;
+            Ok((query.line(), vertices))
         })
         .collect()
 }
@@ -168,11 +183,11 @@ fn combinations(n: usize, k: usize) -> Option<usize> {
 }
 
 /// Every choice of `k` among `n` indices, in lexicographic order.
-fn all(n: usize, k: usize) -> Vec<Vertex> {
+fn all(n: usize, k: usize) -> Vec<usize> {
     let mut args = Vec::new();
     let mut choice: Vec<usize> = (0..k).collect();
     loop {
-        args.extend(choice.iter().map(|&index| Vertex::input(index)));
+        args.extend(&choice);
         let Some(place) = (0..k).rev().find(|&place| choice[place] < n - k + place) else {
             return args;
         };
@@ -189,9 +204,7 @@ mod tests {
 
     #[test]
     fn all_combinations_in_index_order() {
-        let indices: Vec<Vec<usize>> =
-            all(4, 3).chunks(3).map(|query| query.iter().map(|v| v.index()).collect()).collect();
-        assert_eq!(indices, [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]);
+        assert_eq!(all(4, 3).as_chunks().0, [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]);
         for (n, k) in [(5, 5), (9, 3), (12, 4)] {
             let args = all(n, k);
             assert_eq!(Some(args.len() / k), combinations(n, k));

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use predicament_predicates::Scene;
 
+use super::constructed::Constructions;
 use super::queries::Plan;
 use super::{Context, points};
 use crate::document::{Field, Fields};
@@ -41,7 +42,7 @@ pub(super) enum Content {
     /// Written out in the suite: read and checked with it.
     Inline(Arc<(Scene, Work)>),
     /// Points in a CSV file.
-    Csv { path: PathBuf, plan: Plan },
+    Csv { path: PathBuf, constructed: Constructions, plan: Plan },
     /// Rows with expected signs, fetched.
     Fixture(Entry),
     /// A map, from a file or fetched.
@@ -187,16 +188,18 @@ fn read_points(
     task: Task,
 ) -> Result<Content, CorpusError> {
     let plan = Plan::read(fields, task)?;
+    let constructed = Constructions::read(fields, task)?;
     if !points.is_array() {
         let table = points.fields(&tables::POINTS)?;
         let path = context.path(&table.required("path")?)?;
         table.finish()?;
-        return Ok(Content::Csv { path, plan });
+        return Ok(Content::Csv { path, constructed, plan });
     }
     let (dimension, coordinates) = points::read(points)?;
-    let scene =
+    let mut scene =
         Scene::new(dimension, coordinates).map_err(|error| points.error(error.to_string(), "correct the points"))?;
-    let queries = plan.queries(fields.file(), dimension, scene.len())?;
+    constructed.add_to(&mut scene, fields.file())?;
+    let queries = plan.queries(fields.file(), &scene)?;
     Ok(Content::Inline(Arc::new((scene, Work::Signs(queries)))))
 }
 

@@ -1,6 +1,6 @@
 //! One query on every rung that it may be asked on, judged.
 
-use predicament_arithmetic::{Arithmetic, Fixed, Plan, short_rows};
+use predicament_arithmetic::{Arithmetic, Fixed, Plan, short_rows, units};
 use predicament_exact::{
     Exact, dyadic, filter,
     form::{self, Determinant},
@@ -162,9 +162,10 @@ impl<const D: usize, const N: usize> Exam<D, N> {
             self.seen.integer += 1;
         }
         if plan.has_finite_differences() && plan.bits() <= integer::BITS[1] {
-            let last = points[N - 1].map(|x| plan.units(x));
-            let row =
-                |p: [f64; D]| std::array::from_fn(|axis| Fixed::from(plan.units(p[axis]).wrapping_sub(last[axis])));
+            let last = points[N - 1].map(|x| units(x, plan.lowest()));
+            let row = |p: [f64; D]| {
+                std::array::from_fn(|axis| Fixed::from(units(p[axis], plan.lowest()).wrapping_sub(last[axis])))
+            };
             assert_eq!((self.predicate.wide_integer)(points.map(row)), truth, "wide integer {question:?} {points:?}");
             self.seen.wide_integer += 1;
         }

@@ -2,18 +2,22 @@
 //!
 //! It shares no code with any backend: no filter, no expansion, no translated
 //! copy of anybody's formula, only `rug` and the definition. It is slow and
-//! that is its virtue.
+//! that is its virtue. Constructed vertices become rational points first, by
+//! linear equations.
 //!
 //! [`verdict`] computes in rationals, term by term. [`sign`] is for millions of
-//! queries: rationals over one common denominator, which are integers.
-//! [`signs::truth`](crate::signs::truth) holds samples of the second against the first; both are
-//! held against a third computation by another method in `tests/judge.rs`: the
-//! homogeneous matrix by fraction-free elimination.
+//! queries: rationals over one common denominator, which are integers, unless a
+//! vertex is constructed. [`signs::truth`](crate::signs::truth) holds samples of the second against
+//! the first; both are held against a third computation by another method, in
+//! the tests: the homogeneous matrix by fraction-free elimination.
 
+mod constructed;
 mod integers;
 
-use predicament_predicates::{Plane, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Plane, Question, Scene, Sign, Vertex};
 use rug::Rational;
+
+pub use constructed::point;
 
 /// An exact determinant and its permanent-like magnitude.
 #[derive(Clone, Debug)]
@@ -49,9 +53,16 @@ pub fn rational(x: f64) -> Rational {
 /// The exact sign of a query.
 ///
 /// # Panics
-/// If the query does not fit the scene: wrong number of vertices, no such vertex, no such axis.
+/// If the query does not fit the scene: wrong number of vertices, no such vertex, no such axis;
+/// or if it is about a construction that is no point, which scenes of suites don't have.
 #[must_use]
 pub fn sign(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
+    if args.iter().any(|v| v.is_constructed()) {
+        return match (question, args) {
+            (Question::Compare(axis), &[a, b]) => sign_of(&(coordinate(scene, axis, a) - coordinate(scene, axis, b))),
+            _ => sign_of(&determinant(&rows(scene, question, args))),
+        };
+    }
     let flat = |plane: Plane| move |v| scene.point2(plane, v);
     let solid = |v| scene.point3(v);
     match (question, args) {
@@ -71,7 +82,7 @@ pub fn sign(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
 #[must_use]
 pub fn verdict(scene: &Scene, question: Question, args: &[Vertex]) -> Verdict {
     if let (Question::Compare(axis), &[a, b]) = (question, args) {
-        let (a, b) = (rational(scene.coordinate(axis, a)), rational(scene.coordinate(axis, b)));
+        let (a, b) = (coordinate(scene, axis, a), coordinate(scene, axis, b));
         return Verdict { permanent: Rational::from(a.abs_ref()) + Rational::from(b.abs_ref()), determinant: a - b };
     }
     let rows = rows(scene, question, args);
@@ -79,18 +90,37 @@ pub fn verdict(scene: &Scene, question: Question, args: &[Vertex]) -> Verdict {
     Verdict { determinant: determinant(&rows), permanent }
 }
 
+/// The exact coordinates of a vertex along these axes.
+///
+/// # Panics
+/// As [`sign`].
+fn coordinates(scene: &Scene, axes: &[Axis], v: Vertex) -> Vec<Rational> {
+    if !v.is_constructed() {
+        return axes.iter().map(|&axis| rational(scene.coordinate(axis, v))).collect();
+    }
+    let point = point(scene, v).unwrap_or_else(|| panic!("{v} is no point"));
+    axes.iter().map(|axis| point[axis.index()].clone()).collect()
+}
+
+fn coordinate(scene: &Scene, axis: Axis, v: Vertex) -> Rational {
+    coordinates(scene, &[axis], v).swap_remove(0)
+}
+
 /// The matrix of differences to the last vertex, with the lifted column where there is one.
 fn rows(scene: &Scene, question: Question, args: &[Vertex]) -> Vec<Vec<Rational>> {
     let arity = question.kind().arity();
     assert_eq!(args.len(), arity, "{} takes {arity} vertices", question.kind());
     let (last, others) = args.split_last().expect("no predicate takes no vertex");
-    let exact = |v: &Vertex| -> Vec<Rational> {
-        match question {
-            Question::Orient2d(plane) => scene.point2(plane, *v).map(rational).to_vec(),
-            Question::Incircle => scene.point2(Plane::Xy, *v).map(rational).to_vec(),
-            _ => scene.point3(*v).map(rational).to_vec(),
+    let plane;
+    let axes: &[Axis] = match question {
+        Question::Orient2d(of) => {
+            plane = of.axes();
+            &plane
         }
+        Question::Incircle => &[Axis::X, Axis::Y],
+        _ => &[Axis::X, Axis::Y, Axis::Z],
     };
+    let exact = |v: &Vertex| coordinates(scene, axes, *v);
     let origin = exact(last);
     let lifted = matches!(question, Question::Incircle | Question::Insphere);
     let row = |v: &Vertex| {
@@ -159,39 +189,4 @@ fn log2(x: &Rational) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_convention_is_the_one_stated() {
-        let v = Vertex::input;
-        let plane = Scene::from_points2(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.5, 0.5]]).unwrap();
-        let ask = |question, args: &[usize]| sign(&plane, question, &args.iter().map(|&i| v(i)).collect::<Vec<_>>());
-        assert_eq!(ask(Question::Orient2d(Plane::Xy), &[0, 1, 2]), Sign::Positive);
-        assert_eq!(ask(Question::Incircle, &[0, 1, 2, 3]), Sign::Positive);
-        let space = Scene::from_points3(&[
-            [0.0, 0.0, 0.0],
-            [1.0, 0.0, 0.0],
-            [0.0, 1.0, 0.0],
-            [0.0, 0.0, -1.0],
-            [0.1, 0.1, -0.1],
-        ])
-        .unwrap();
-        let all: Vec<Vertex> = space.vertices().collect();
-        assert_eq!(sign(&space, Question::Orient3d, &all[..4]), Sign::Positive, "d is below");
-        assert_eq!(sign(&space, Question::Insphere, &all), Sign::Positive, "e is inside");
-    }
-
-    #[test]
-    fn degeneracy_is_measured_far_outside_the_range_of_doubles() {
-        let tiny = f64::from_bits(1);
-        let scene = Scene::from_points2(&[[tiny, 0.0], [0.0, tiny], [0.0, 0.0]]).unwrap();
-        let args: Vec<Vertex> = scene.vertices().collect();
-        let found = verdict(&scene, Question::Orient2d(Plane::Xy), &args);
-        assert_eq!(log2(&found.determinant), -2148.0);
-        assert_eq!(log2_relative(&found), Some(0.0));
-        let origin = Scene::from_points2(&[[0.0, 0.0]; 3]).unwrap();
-        let found = verdict(&origin, Question::Orient2d(Plane::Xy), &args);
-        assert_eq!(log2_relative(&found), None, "neither determinant nor permanent");
-    }
-}
+mod tests;

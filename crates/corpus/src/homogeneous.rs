@@ -1,0 +1,176 @@
+//! Vertices as integers over a common weight, by joins and meets.
+//!
+//! In homogeneous coordinates the line through two points of the plane, and
+//! the point where two lines meet, are cross products; so are, one dimension
+//! up, the plane through three points and the point on three planes. A line
+//! meets a plane where the combination of its two points lies on the plane.
+//! No formula here subtracts one point from another, so that this is a
+//! computation of its own beside everything that does.
+
+use predicament_predicates::{Construction, Scene, Vertex};
+use rug::Integer;
+
+use crate::bits::{biased_exponent, top_exponent};
+
+/// The exact coordinates of a vertex times its weight, and the weight, which
+/// is positive; none for a construction that is no point.
+///
+/// # Panics
+/// If the scene has no such vertex.
+#[must_use]
+pub fn homogeneous(scene: &Scene, v: Vertex) -> Option<Vec<Integer>> {
+    match v.construction() {
+        None => Some(input(scene, v)),
+        Some(index) => meet(scene, &scene.constructions()[index]).ok(),
+    }
+}
+
+/// [`homogeneous`] for a construction from vertices of the scene, or why it is no point.
+pub(crate) fn meet(scene: &Scene, construction: &Construction) -> Result<Vec<Integer>, &'static str> {
+    let span = |flat: &[Vertex]| -> Vec<Vec<Integer>> { flat.iter().map(|&v| input(scene, v)).collect() };
+    let line = |flat: &[Vertex]| hyperplane(&span(flat)).ok_or("the ends of a line coincide");
+    let plane = |flat: &[Vertex]| hyperplane(&span(flat)).ok_or("the points of a plane are collinear");
+    let (point, parallel) = match construction {
+        Construction::Ssi([first, second]) => (cross(&[line(first)?, line(second)?]), "the lines are parallel"),
+        Construction::Lpi { line: ends, plane: flat } => {
+            let (plane, ends) = (plane(flat)?, span(ends));
+            let [p, q] = [&ends[0], &ends[1]];
+            let [at_p, at_q] = [dot(&plane, p), dot(&plane, q)];
+            let point = p.iter().zip(q).map(|(p, q)| Integer::from(&at_q * p) - Integer::from(&at_p * q)).collect();
+            if ends_coincide(p, q) {
+                return Err("the ends of a line coincide");
+            }
+            (point, "the line is parallel to the plane")
+        }
+        Construction::Tpi([first, second, third]) => (
+            cross(&[plane(first)?, plane(second)?, plane(third)?]),
+            "the planes have no point, or more than one, in common",
+        ),
+    };
+    positive(point).ok_or(parallel)
+}
+
+/// The doubles of a point times a power of two, and that power.
+fn input(scene: &Scene, v: Vertex) -> Vec<Integer> {
+    let point = scene.point(v);
+    let lowest = lowest_exponent(point.iter().copied()).min(0);
+    let weight = Integer::from(1) << u32::try_from(-lowest).expect("not positive");
+    point.iter().map(|&x| integer(x, lowest)).chain([weight]).collect()
+}
+
+/// The exponent of the last place of any of these doubles; 0 where all are zero.
+pub(crate) fn lowest_exponent(values: impl Iterator<Item = f64>) -> i64 {
+    values.filter(|&x| top_exponent(x).is_some()).map(low_exponent).min().unwrap_or(0)
+}
+
+/// The exponent of the last place of a double.
+fn low_exponent(x: f64) -> i64 {
+    biased_exponent(x).max(1) - 1075
+}
+
+/// x·2^-lowest, for a double whose last place is not below 2^lowest.
+pub(crate) fn integer(x: f64, lowest: i64) -> Integer {
+    let fraction = x.abs().to_bits() & ((1 << 52) - 1);
+    let mantissa = if biased_exponent(x) == 0 { fraction } else { fraction | (1 << 52) };
+    let shift =
+        if mantissa == 0 { 0 } else { u32::try_from(low_exponent(x) - lowest).expect("the lowest is the least") };
+    let magnitude = Integer::from(mantissa) << shift;
+    if x < 0.0 { -magnitude } else { magnitude }
+}
+
+/// The line through two points or the plane through three; none where they span none.
+fn hyperplane(points: &[Vec<Integer>]) -> Option<Vec<Integer>> {
+    let flat = cross(points);
+    // The normal vanishes for points that span too little, and only for those.
+    let normal = &flat[..flat.len() - 1];
+    normal.iter().any(|x| !x.is_zero()).then_some(flat)
+}
+
+/// The vector that is orthogonal to all of these, one fewer than it has coordinates.
+fn cross(rows: &[Vec<Integer>]) -> Vec<Integer> {
+    (0..=rows.len())
+        .map(|left_out| {
+            let columns: Vec<usize> = (0..=rows.len()).filter(|&column| column != left_out).collect();
+            let minor = determinant(rows, &columns);
+            if left_out % 2 == 0 { minor } else { -minor }
+        })
+        .collect()
+}
+
+fn determinant(rows: &[Vec<Integer>], columns: &[usize]) -> Integer {
+    let Some((first, rest)) = rows.split_first() else { return Integer::from(1) };
+    let mut sum = Integer::new();
+    for (at, &column) in columns.iter().enumerate() {
+        let others: Vec<usize> = columns.iter().copied().filter(|&other| other != column).collect();
+        let term = determinant(rest, &others) * &first[column];
+        if at % 2 == 0 { sum += term } else { sum -= term }
+    }
+    sum
+}
+
+fn dot(a: &[Integer], b: &[Integer]) -> Integer {
+    a.iter().zip(b).map(|(a, b)| Integer::from(a * b)).sum()
+}
+
+fn ends_coincide(p: &[Integer], q: &[Integer]) -> bool {
+    let (at_p, at_q) = (&p[p.len() - 1], &q[q.len() - 1]);
+    p.iter().zip(q).all(|(p, q)| Integer::from(p * at_q) == Integer::from(q * at_p))
+}
+
+/// The same point with a positive weight; none at infinity.
+fn positive(point: Vec<Integer>) -> Option<Vec<Integer>> {
+    match point.last()?.cmp0() {
+        std::cmp::Ordering::Greater => Some(point),
+        std::cmp::Ordering::Equal => None,
+        std::cmp::Ordering::Less => Some(point.into_iter().map(|x| -x).collect()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rug::Rational;
+
+    fn v<const N: usize>(indices: [usize; N]) -> [Vertex; N] {
+        indices.map(Vertex::input)
+    }
+
+    fn point(scene: &Scene, construction: Construction) -> Result<Vec<Rational>, &'static str> {
+        meet(scene, &construction).map(|row| {
+            let (weight, entries) = row.split_last().unwrap();
+            assert!(weight.cmp0().is_gt());
+            entries.iter().map(|x| Rational::from((x.clone(), weight.clone()))).collect()
+        })
+    }
+
+    #[test]
+    fn known_meeting_points() {
+        // Points of different exponents, so that their weights differ.
+        let plane = Scene::from_points2(&[[0.0, 0.0], [3.0, 3.0], [0.0, 0.5], [1e300, 0.5], [-0.0, -7.0]]).unwrap();
+        let half = Rational::from((1, 2));
+        let ssi = |first, second| point(&plane, Construction::Ssi([v(first), v(second)]));
+        assert_eq!(ssi([0, 1], [2, 3]), Ok(vec![half.clone(), half.clone()]));
+        assert_eq!(ssi([4, 2], [3, 2]), Ok(vec![Rational::new(), half]));
+        assert_eq!(ssi([0, 2], [2, 4]), Err("the lines are parallel"));
+        let tiny = f64::from_bits(1);
+        let space = Scene::from_points3(&[
+            [0.0, 0.0, 3.0],
+            [1.0, 0.0, 3.0],
+            [0.0, tiny, 3.0],
+            [0.0, 0.0, 0.0],
+            [1.0, 2.0, 4.0],
+            [1.0, 2.0, 4.0],
+            [2.0, 0.0, 3.0],
+        ])
+        .unwrap();
+        let lpi = |line, plane| point(&space, Construction::Lpi { line: v(line), plane: v(plane) });
+        assert_eq!(lpi([3, 4], [0, 1, 2]), Ok([(3, 4), (3, 2), (3, 1)].map(Rational::from).to_vec()));
+        assert_eq!(lpi([0, 1], [0, 1, 2]), Err("the line is parallel to the plane"));
+        assert_eq!(lpi([4, 5], [0, 1, 2]), Err("the ends of a line coincide"));
+        assert_eq!(lpi([3, 4], [0, 1, 6]), Err("the points of a plane are collinear"));
+        let tpi = |first, second, third| point(&space, Construction::Tpi([v(first), v(second), v(third)]));
+        assert_eq!(tpi([0, 1, 2], [0, 1, 3], [0, 2, 3]), Ok([0, 0, 3].map(Rational::from).to_vec()));
+        let pencil = tpi([0, 1, 2], [0, 1, 3], [0, 1, 4]);
+        assert_eq!(pencil, Err("the planes have no point, or more than one, in common"));
+    }
+}

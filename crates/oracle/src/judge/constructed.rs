@@ -1,0 +1,94 @@
+//! The rational point of a constructed vertex: linear equations by Cramer's rule.
+//!
+//! A line of the plane is one equation, a plane of space is one, and a line of
+//! space is where two planes meet: through the line and along an axis that is
+//! not the line's own. As many equations as unknowns; each determinant is
+//! expanded term by term.
+
+use predicament_predicates::{Construction, Scene, Vertex};
+use rug::Rational;
+
+use super::{determinant, rational};
+
+/// The exact coordinates of any vertex of the scene; none for a constructed
+/// vertex whose lines and planes don't meet in one point.
+///
+/// # Panics
+/// If the scene has no such vertex.
+#[must_use]
+pub fn point(scene: &Scene, v: Vertex) -> Option<Vec<Rational>> {
+    match v.construction() {
+        None => Some(scene.point(v).iter().map(|&x| rational(x)).collect()),
+        Some(index) => solve(&equations(scene, &scene.constructions()[index])?),
+    }
+}
+
+/// a·x = b.
+struct Equation {
+    a: Vec<Rational>,
+    b: Rational,
+}
+
+/// The equations of what meets in the point; none for a line whose ends coincide.
+fn equations(scene: &Scene, construction: &Construction) -> Option<Vec<Equation>> {
+    let point = |v: Vertex| scene.point(v).iter().map(|&x| rational(x)).collect::<Vec<Rational>>();
+    Some(match construction {
+        Construction::Ssi(lines) => lines
+            .iter()
+            .map(|line| {
+                let [p, q] = line.map(point);
+                // The direction turned by a right angle.
+                let [x, y]: [Rational; 2] = [0, 1].map(|i| Rational::from(&q[i] - &p[i]));
+                through(vec![-y, x], &p)
+            })
+            .collect(),
+        Construction::Lpi { line, plane } => {
+            let [p, q] = line.map(point);
+            let along = minus(&q, &p);
+            let longest = (0..3).find(|&axis| along[axis].cmp0().is_ne())?;
+            let sides = (0..3).filter(|&axis| axis != longest).map(|axis| {
+                let mut other = vec![Rational::new(); 3];
+                other[axis] += 1;
+                through(normal(&along, &other), &p)
+            });
+            sides.chain([spanned(&plane.map(point))]).collect()
+        }
+        Construction::Tpi(planes) => planes.iter().map(|plane| spanned(&plane.map(point))).collect(),
+    })
+}
+
+/// The line or plane with this normal through p.
+fn through(a: Vec<Rational>, p: &[Rational]) -> Equation {
+    let b = a.iter().zip(p).map(|(a, p)| Rational::from(a * p)).sum();
+    Equation { a, b }
+}
+
+/// The plane of three points.
+fn spanned([p, q, r]: &[Vec<Rational>; 3]) -> Equation {
+    through(normal(&minus(q, p), &minus(r, p)), p)
+}
+
+fn minus(p: &[Rational], q: &[Rational]) -> Vec<Rational> {
+    p.iter().zip(q).map(|(p, q)| Rational::from(p - q)).collect()
+}
+
+fn normal(u: &[Rational], v: &[Rational]) -> Vec<Rational> {
+    let minor = |i: usize, j: usize| Rational::from(&u[i] * &v[j]) - Rational::from(&u[j] * &v[i]);
+    vec![minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
+/// Cramer's rule; none where the equations depend on each other.
+fn solve(equations: &[Equation]) -> Option<Vec<Rational>> {
+    let with_column = |replaced: Option<usize>| {
+        let row = |Equation { a, b }: &Equation| {
+            let mut row = a.clone();
+            if let Some(column) = replaced {
+                row[column].clone_from(b);
+            }
+            row
+        };
+        determinant(&equations.iter().map(row).collect::<Vec<_>>())
+    };
+    let weight = with_column(None);
+    weight.cmp0().is_ne().then(|| (0..equations.len()).map(|i| with_column(Some(i)) / &weight).collect())
+}
