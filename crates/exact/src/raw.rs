@@ -31,40 +31,63 @@ use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 #[inline]
 #[must_use]
 pub fn orient2d(points: [[f64; 2]; 3]) -> Sign {
-    answer::<Orient2d, 2, 3>(points, |[x, y]| bound::ORIENT2D * 2.0 * x * y)
+    answer::<Orient2d, 2, 3>(points, orient2d_bound)
 }
 
 /// The sign of det(a − d, b − d, c − d): positive if d lies below the plane of a, b, c.
 #[inline]
 #[must_use]
 pub fn orient3d(points: [[f64; 3]; 4]) -> Sign {
-    answer::<Orient3d, 3, 4>(points, |[x, y, z]| bound::ORIENT3D * 6.0 * x * y * z)
+    answer::<Orient3d, 3, 4>(points, orient3d_bound)
 }
 
 /// Positive if d is in the circle of a counterclockwise a, b, c.
 #[inline]
 #[must_use]
 pub fn incircle(points: [[f64; 2]; 4]) -> Sign {
-    answer::<Incircle, 2, 4>(points, |[x, y]| bound::INCIRCLE * 6.0 * (x * y) * (x * x + y * y))
+    answer::<Incircle, 2, 4>(points, incircle_bound)
 }
 
 /// Positive if e is in the sphere of a positively oriented a, b, c, d.
 #[inline]
 #[must_use]
 pub fn insphere(points: [[f64; 3]; 5]) -> Sign {
-    answer::<Insphere, 3, 5>(points, |[x, y, z]| bound::INSPHERE * 24.0 * (x * y * z) * (x * x + y * y + z * z))
+    answer::<Insphere, 3, 5>(points, insphere_bound)
+}
+
+// The bounds of `predicament_arithmetic::bound`, but for roundings.
+
+#[inline(always)]
+fn orient2d_bound([x, y]: [f64; 2]) -> f64 {
+    bound::ORIENT2D * 2.0 * x * y
+}
+
+#[inline(always)]
+fn orient3d_bound([x, y, z]: [f64; 3]) -> f64 {
+    bound::ORIENT3D * 6.0 * x * y * z
+}
+
+#[inline(always)]
+fn incircle_bound([x, y]: [f64; 2]) -> f64 {
+    bound::INCIRCLE * 6.0 * (x * y) * (x * x + y * y)
+}
+
+#[inline(always)]
+fn insphere_bound([x, y, z]: [f64; 3]) -> f64 {
+    bound::INSPHERE * 24.0 * (x * y * z) * (x * x + y * y + z * z)
 }
 
 /// Pays for the roundings of extents and of the bound, 13 of at most u each; the rest is for underflow.
 const MARGIN: f64 = 1.0 + 16.0 * f64::EPSILON;
+/// The extents for which the filter is proved.
+const LOWEST: f64 = power(-140);
+const HIGHEST: f64 = power(200);
 
 #[inline(always)]
 fn answer<P: Predicate<D, N>, const D: usize, const N: usize>(
     points: [[f64; D]; N],
     bound: impl Fn([f64; D]) -> f64,
 ) -> Sign {
-    const LOWEST: f64 = power(-140);
-    const HIGHEST: f64 = power(200);
     let mut extent = [0.0; D];
     for row in 0..N - 1 {
         for axis in 0..D {
@@ -81,4 +104,35 @@ fn answer<P: Predicate<D, N>, const D: usize, const N: usize>(
 #[inline(never)]
 fn climb<P: Predicate<D, N>, const D: usize, const N: usize>(points: [[f64; D]; N]) -> Sign {
     alone::<P, D, N>(&points).0
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn extent() -> impl Strategy<Value = f64> {
+        prop_oneof![LOWEST..2.0 * LOWEST, 1.0..2.0, HIGHEST / 2.0..HIGHEST, Just(LOWEST), Just(HIGHEST)]
+    }
+
+    /// No less than the bound that the proofs are about, and hardly more.
+    fn hold(mine: f64, proved: f64) -> Result<(), TestCaseError> {
+        let mine = mine * MARGIN;
+        // (The other one is rounded up in each operation, as far as it goes.)
+        let rounded_up = 1.0 + 8.0 * f64::EPSILON;
+        prop_assert!(mine.is_finite() && mine * rounded_up >= proved && mine <= proved * (1.0 + 1e-14));
+        prop_assert!(mine * 0.98 < proved, "two percent less are seen");
+        Ok(())
+    }
+
+    proptest! {
+        #[test]
+        fn bounds_are_those_of_static_filters(x in extent(), y in extent(), z in extent()) {
+            hold(orient2d_bound([x, y]), bound::static_orient2d([x, y]))?;
+            hold(orient3d_bound([x, y, z]), bound::static_orient3d([x, y, z]))?;
+            hold(incircle_bound([x, y]), bound::static_incircle([x, y]))?;
+            hold(insphere_bound([x, y, z]), bound::static_insphere([x, y, z]))?;
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use predicament_arithmetic::Plan;
 use predicament_predicates::{Axis, Declined, Dimension, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex};
 
-use crate::batch::{self, Batch, Beside, View, Whole, Xy, Yz, Zx};
+use crate::batch::{self, Along, Batch, Sweep, View, Whole, Xy, Yz, Zx};
 use crate::constructed::Constructed;
 use crate::integers::Integers;
 use crate::ladder::Prepared;
@@ -321,14 +321,34 @@ impl<'s, T: Tally> Session<'s, T> {
         (vertices, out): (&[Vertex], &mut [Sign]),
         climb: impl Fn(Vertex) -> (Sign, usize),
     ) {
-        batch::run_beside::<V, E, D>(Beside {
-            side,
-            bound: prepared.semi_static_bound * side.permanent,
+        let bound = prepared.semi_static_bound * side.permanent;
+        batch::sweep::<V, E, D, 1>(Sweep {
+            evaluate: move |[point]: [[f64; D]; 1]| (side.determinant(point), bound),
             points,
-            vertices,
+            queries: vertices.as_chunks::<1>().0,
             out,
             settled: |count| self.tally.settled_many(P::KIND, prepared.static_stage, count),
-            climb: |vertex| self.tallied(P::KIND, climb(vertex)),
+            climb: |&[vertex]: &[Vertex; 1]| self.tallied(P::KIND, climb(vertex)),
+        });
+    }
+
+    /// Comparisons of many vertices, seen along one axis.
+    #[inline]
+    fn compare_all<V: View<E, 1>, const E: usize>(
+        &self,
+        axis: Axis,
+        points: &[[f64; E]],
+        queries: &[[Vertex; 2]],
+        out: &mut [Sign],
+    ) {
+        batch::sweep::<V, E, 1, 2>(Sweep {
+            // Never rounded to zero and never to the other sign, so as good as exact. (It may overflow.)
+            evaluate: |[[x], [y]]: [[f64; 1]; 2]| (x - y, 0.0),
+            points,
+            queries,
+            out,
+            settled: |count| self.tally.settled_many(PredicateKind::Compare, stage::COMPARE, count),
+            climb: |&[a, b]: &[Vertex; 2]| self.compare(axis, a, b),
         });
     }
 
@@ -368,6 +388,20 @@ impl<T: Tally> Predicates for Session<'_, T> {
     #[inline]
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
         self.tallied(PredicateKind::Insphere, self.decide_insphere(a, b, c, d, e))
+    }
+
+    fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {
+        match (self.scene.dimension(), axis) {
+            (Dimension::Two, Axis::X) => self.compare_all::<Along<0>, 2>(axis, self.points2, queries, out),
+            (Dimension::Two, Axis::Y) => self.compare_all::<Along<1>, 2>(axis, self.points2, queries, out),
+            // There's no such axis, which is said where one is asked.
+            (Dimension::Two, Axis::Z) => {
+                queries.iter().zip(out).for_each(|(&[a, b], out)| *out = self.compare(axis, a, b));
+            }
+            (Dimension::Three, Axis::X) => self.compare_all::<Along<0>, 3>(axis, self.points3, queries, out),
+            (Dimension::Three, Axis::Y) => self.compare_all::<Along<1>, 3>(axis, self.points3, queries, out),
+            (Dimension::Three, Axis::Z) => self.compare_all::<Along<2>, 3>(axis, self.points3, queries, out),
+        }
     }
 
     fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {

@@ -28,6 +28,16 @@ pub(crate) struct Yz;
 /// The projection along y.
 pub(crate) struct Zx;
 
+/// One coordinate.
+pub(crate) struct Along<const AXIS: usize>;
+
+impl<const E: usize, const AXIS: usize> View<E, 1> for Along<AXIS> {
+    #[inline(always)]
+    fn see<T: Copy>(point: [T; E]) -> [T; 1] {
+        [point[AXIS]]
+    }
+}
+
 impl<const D: usize> View<D, D> for Whole {
     #[inline(always)]
     fn see<T: Copy>(point: [T; D]) -> [T; D] {

@@ -8,9 +8,9 @@
 #![allow(clippy::needless_range_loop)]
 #![allow(unsafe_code)]
 
-mod beside;
 mod block;
 mod simd;
+mod sweep;
 #[cfg(test)]
 mod tests;
 
@@ -20,10 +20,10 @@ use predicament_predicates::{Sign, Vertex};
 
 use crate::estimate::Estimate;
 use crate::predicate::Predicate;
-pub(crate) use beside::{Beside, run_beside};
+pub(crate) use block::{Along, View, Whole, Xy, Yz, Zx};
 use block::{BLOCK, Block};
-pub(crate) use block::{View, Whole, Xy, Yz, Zx};
 use simd::{Kernel, dispatch};
+pub(crate) use sweep::{Sweep, sweep};
 
 /// Queries of `N` vertices each, and what to do about them.
 pub(crate) struct Batch<'a, S, C, const E: usize, const N: usize> {

@@ -6,7 +6,7 @@ use predicament_predicates::{Sign, Vertex};
 use proptest::prelude::*;
 
 use super::simd::{Width, run_on};
-use super::{Batch, Beside, Of, View, Whole, Xy, Yz, Zx, beside};
+use super::{Along, Batch, Of, Sweep, View, Whole, Xy, Yz, Zx, sweep};
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::side::Side;
 
@@ -76,39 +76,34 @@ fn check<P: Predicate<D, N>, V: View<E, D>, const E: usize, const D: usize, cons
     }
 }
 
-fn check_beside<V: View<E, D>, const E: usize, const D: usize>(
-    side: Side<D>,
-    determinant: impl Fn([f64; D]) -> f64,
+fn check_sweep<V: View<E, D>, const E: usize, const D: usize, const N: usize>(
+    evaluate: impl Fn([[f64; D]; N]) -> f64,
     points: &[[f64; E]],
     vertices: &[Vertex],
 ) {
     let bound = 0.3;
-    let expected = vertices.iter().map(|v| {
-        let value = points.get(v.index()).map_or(f64::NAN, |point| determinant(V::see(*point)));
+    let queries = vertices.as_chunks::<N>().0;
+    let expected = queries.iter().map(|query| {
+        let seen = query.map(|v| points.get(v.index()).map_or([f64::NAN; D], |point| V::see(*point)));
+        let value = evaluate(seen);
         if value.abs() >= bound { Sign::of(value) } else { CLIMBED }
     });
     let expected: Vec<Sign> = expected.collect();
     for width in widths() {
-        let mut out = vec![Sign::Positive; vertices.len()];
+        let mut out = vec![Sign::Positive; queries.len()];
         let [settled, climbed] = [Cell::new(0), Cell::new(0)];
-        run_on(
-            width,
-            beside::Of {
-                beside: Beside {
-                    side,
-                    bound,
-                    points,
-                    vertices,
-                    out: &mut out,
-                    settled: |count| settled.set(settled.get() + count),
-                    climb: |_| {
-                        climbed.set(climbed.get() + 1);
-                        CLIMBED
-                    },
-                },
-                view: std::marker::PhantomData::<V>,
+        let work = Sweep {
+            evaluate: |points: [[f64; D]; N]| (evaluate(points), bound),
+            points,
+            queries,
+            out: &mut out,
+            settled: |count| settled.set(settled.get() + count),
+            climb: |_: &[Vertex; N]| {
+                climbed.set(climbed.get() + 1);
+                CLIMBED
             },
-        );
+        };
+        run_on(width, sweep::In { sweep: work, view: std::marker::PhantomData::<(V, [(); D])> });
         assert_eq!(out, expected, "{width:?}");
         let open = expected.iter().filter(|sign| sign.is_zero()).count() as u64;
         assert_eq!([settled.get(), climbed.get()], [expected.len() as u64 - open, open], "{width:?}");
@@ -129,16 +124,18 @@ proptest! {
         check::<Insphere, Whole, 3, 3, 5>(&solid, &vertices);
     }
 
-    /// The determinants written out: they're evaluated in this order.
     #[test]
     fn all_widths_see_the_same_side(flat in points::<2>(), solid in points::<3>(), vertices in vertices()) {
+        // Written out: in this order they're evaluated.
         let side = Side::of_line([flat[0], flat[1]], [2.0; 2]);
         let ([nx, ny], [x, y]) = (side.normal, side.pivot);
-        check_beside::<Whole, 2, 2>(side, |p| nx * (x - p[0]) + ny * (y - p[1]), &flat, &vertices);
-        check_beside::<Zx, 3, 2>(side, |p| nx * (x - p[0]) + ny * (y - p[1]), &solid, &vertices);
+        check_sweep::<Whole, 2, 2, 1>(|[p]| nx * (x - p[0]) + ny * (y - p[1]), &flat, &vertices);
+        check_sweep::<Zx, 3, 2, 1>(|[p]| side.determinant(p), &solid, &vertices);
         let side = Side::of_plane([solid[0], solid[1], solid[2]], [2.0; 3]);
         let ([nx, ny, nz], [x, y, z]) = (side.normal, side.pivot);
-        let determinant = |p: [f64; 3]| nx * (x - p[0]) + ny * (y - p[1]) + nz * (z - p[2]);
-        check_beside::<Whole, 3, 3>(side, determinant, &solid, &vertices);
+        let written_out = |[p]: [[f64; 3]; 1]| nx * (x - p[0]) + ny * (y - p[1]) + nz * (z - p[2]);
+        check_sweep::<Whole, 3, 3, 1>(written_out, &solid, &vertices);
+        check_sweep::<Along<1>, 2, 1, 2>(|[[x], [y]]| x - y, &flat, &vertices);
+        check_sweep::<Along<2>, 3, 1, 2>(|[[x], [y]]| x - y, &solid, &vertices);
     }
 }

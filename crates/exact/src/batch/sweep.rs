@@ -1,0 +1,70 @@
+//! Many queries of a value that a caller has a formula for, and one filter.
+
+#![allow(unsafe_code)]
+
+use std::marker::PhantomData;
+
+use predicament_predicates::{Sign, Vertex};
+
+use super::block::{BLOCK, Block, View};
+use super::simd::{Kernel, dispatch};
+use super::{filter, ones};
+
+/// Queries of `N` vertices each, their value, and what to do about them.
+pub(crate) struct Sweep<'a, F, S, C, const E: usize, const N: usize> {
+    /// The value whose sign is asked for, from the points, and the magnitude
+    /// from which on its sign is certain.
+    pub evaluate: F,
+    /// The points of the vertices. With what has none nothing is certain, and
+    /// the vertex is seen to where it climbs.
+    pub points: &'a [[f64; E]],
+    /// What is asked.
+    pub queries: &'a [[Vertex; N]],
+    /// A place for each answer.
+    pub out: &'a mut [Sign],
+    /// Told how many queries of a block the filter has settled.
+    pub settled: S,
+    /// Answers a query that it leaves open.
+    pub climb: C,
+}
+
+/// Answers all queries, with points seen in this view.
+#[inline]
+pub(crate) fn sweep<V: View<E, D>, const E: usize, const D: usize, const N: usize>(
+    sweep: Sweep<'_, impl Fn([[f64; D]; N]) -> (f64, f64), impl Fn(u64), impl Fn(&[Vertex; N]) -> Sign, E, N>,
+) {
+    dispatch(In { sweep, view: PhantomData::<(V, [(); D])> });
+}
+
+/// Queries about points seen in a view.
+pub(super) struct In<B, V> {
+    pub sweep: B,
+    pub view: PhantomData<V>,
+}
+
+impl<V, F, S, C, const E: usize, const D: usize, const N: usize> Kernel for In<Sweep<'_, F, S, C, E, N>, (V, [(); D])>
+where
+    V: View<E, D>,
+    F: Fn([[f64; D]; N]) -> (f64, f64),
+    S: Fn(u64),
+    C: Fn(&[Vertex; N]) -> Sign,
+{
+    type Output = ();
+
+    #[inline(always)]
+    unsafe fn run<const WIDE: bool>(self) {
+        let Sweep { evaluate, points, queries, out, settled, climb } = self.sweep;
+        let mut block = Block::EMPTY;
+        for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
+            // SAFETY: the kernel is run wide where the processor has AVX-512F.
+            unsafe { block.fetch::<V, E, WIDE>(points, queries) };
+            let (signs, open) = filter(&block, &evaluate);
+            let open = open & (u64::MAX >> (BLOCK - queries.len()));
+            out.copy_from_slice(&signs[..queries.len()]);
+            settled(queries.len() as u64 - u64::from(open.count_ones()));
+            for at in ones(open) {
+                out[at] = climb(&queries[at]);
+            }
+        }
+    }
+}
