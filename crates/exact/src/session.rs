@@ -405,7 +405,7 @@ impl<T: Tally> Predicates for Session<'_, T> {
     }
 
     fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
-        let climb = |query: &[Vertex; 3]| self.climb_orient2d(plane, *query);
+        let climb = |&[a, b, c]: &[Vertex; 3]| self.decide_orient2d(plane, a, b, c);
         let prepared = &self.orient2d[plane as usize];
         let asked = (queries, out);
         match (self.scene.dimension(), plane) {
@@ -428,7 +428,7 @@ impl<T: Tally> Predicates for Session<'_, T> {
         let (Some(p), Some(q)) = (self.point2(plane, a), self.point2(plane, b)) else {
             return points.iter().zip(out).for_each(|(&c, out)| *out = self.orient2d(plane, a, b, c));
         };
-        let climb = |c: Vertex| self.climb_orient2d(plane, [a, b, c]);
+        let climb = |c: Vertex| self.decide_orient2d(plane, a, b, c);
         let prepared = &self.orient2d[plane as usize];
         let asked = (points, out);
         match (self.scene.dimension(), plane) {
