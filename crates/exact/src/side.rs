@@ -11,7 +11,8 @@
 //! `orient3d`, so their constants hold here too: three terms of seven
 //! roundings, of which the last sum is free and the one before counts half.
 //! The permanent is taken with the extents of the scene for the difference:
-//! one bound does for all points.
+//! one bound does for all points. It is at most that of the static filter, so
+//! that what is left open is as small as there.
 
 // Loops over indices stay in registers, where `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]

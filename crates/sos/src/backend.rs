@@ -243,6 +243,12 @@ impl<T: Tally> Predicates for Session<'_, T> {
         self.tallied(PredicateKind::Insphere, sign, stage)
     }
 
+    fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {
+        let single = |&[a, b]: &[_; 2]| self.compare(axis, a, b);
+        let exact = |out: &mut [Sign]| self.exact.compare_batch(axis, queries, out);
+        self.batch(queries, out, single, exact, |[a, b]| Sign::from(b.cmp(&a)));
+    }
+
     fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
         let single = |&[a, b, c]: &[_; 3]| self.orient2d(plane, a, b, c);
         let exact = |out: &mut [Sign]| self.exact.orient2d_batch(plane, queries, out);
