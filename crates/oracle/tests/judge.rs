@@ -8,7 +8,7 @@
 use predicament_controls::Naive;
 use predicament_corpus::{Cache, Level, Library, Work, homogeneous};
 use predicament_oracle::{judge, signs};
-use predicament_predicates::{Axis, Dimension, Plane, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Construction, Dimension, Plane, Question, Scene, Sign, Vertex};
 use proptest::prelude::*;
 use rug::{Integer, Rational};
 
@@ -120,6 +120,40 @@ fn agree_on(coordinates: &[f64]) {
     }
 }
 
+fn finite() -> impl Strategy<Value = f64> {
+    any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite())
+}
+
+fn small() -> impl Strategy<Value = f64> {
+    (-3i8..=3).prop_map(f64::from)
+}
+
+/// Constructions by these ids, those that are points.
+fn construct(scene: &mut Scene, ids: &[usize]) {
+    let v = |i: usize| Vertex::input(ids[i]);
+    let candidates: Vec<Construction> = match scene.dimension() {
+        Dimension::Two => {
+            (0..10).map(|i| 4 * i).map(|i| Construction::Ssi([[v(i), v(i + 1)], [v(i + 2), v(i + 3)]])).collect()
+        }
+        Dimension::Three => {
+            let triple = |i| [v(i), v(i + 1), v(i + 2)];
+            let lpi = (0..4).map(|i| 5 * i).map(|i| Construction::Lpi { line: [v(i), v(i + 1)], plane: triple(i + 2) });
+            let tpi = [20, 30].map(|i| Construction::Tpi([triple(i), triple(i + 3), triple(i + 6)]));
+            lpi.chain(tpi).collect()
+        }
+    };
+    for candidate in candidates {
+        let mut trial = scene.clone();
+        if let Ok(vertex) = trial.construct(candidate) {
+            let found = judge::point(&trial, vertex).is_some();
+            assert_eq!(found, homogeneous(&trial, vertex).is_some(), "{candidate} {scene:?}");
+            if found {
+                *scene = trial;
+            }
+        }
+    }
+}
+
 proptest! {
     #[test]
     fn three_computations_agree_on_small_integers(points in prop::collection::vec(-3i8..=3, 15)) {
@@ -133,5 +167,27 @@ proptest! {
     ) {
         agree_on(&coordinates);
         agree_on(&bits);
+    }
+
+    #[test]
+    fn three_computations_agree_on_constructed_vertices(
+        coordinates in prop_oneof![prop::collection::vec(finite(), 36), prop::collection::vec(small(), 36)],
+        ids in prop::collection::vec(0_usize..12, 40),
+        places in prop::collection::vec(any::<prop::sample::Index>(), 4),
+    ) {
+        for dimension in [Dimension::Two, Dimension::Three] {
+            let mut scene = Scene::new(dimension, coordinates[..12 * dimension.count()].to_vec()).unwrap();
+            construct(&mut scene, &ids);
+            let all: Vec<Vertex> =
+                scene.vertices().chain((0..scene.constructions().len()).map(Vertex::constructed)).collect();
+            let args: Vec<Vertex> = places.iter().map(|place| *place.get(&all)).collect();
+            for question in questions(dimension) {
+                if matches!(question, Question::Incircle | Question::Insphere) {
+                    continue;
+                }
+                let args = &args[..question.kind().arity()];
+                agreed(&scene, question, args);
+            }
+        }
     }
 }

@@ -1,95 +1,12 @@
-//! The judge against a second computation, and against what is known.
+//! The judge against what is known. (`tests/judge.rs` has it against another computation.)
 
 use super::*;
 use predicament_corpus::homogeneous;
 use predicament_predicates::{Construction, Dimension, Plane};
 use proptest::prelude::*;
-use rug::Integer;
-
-/// A second computation that has nothing in common with the first:
-/// homogeneous coordinates (a column of ones, no differences), all scaled
-/// to integers, eliminated without fractions (Bareiss). Constructed
-/// vertices come with a positive weight instead of the one, by joins and
-/// meets of integer vectors.
-fn second(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
-    let axes = match question {
-        Question::Compare(axis) => vec![axis],
-        Question::Orient2d(plane) => plane.axes().to_vec(),
-        _ => [Axis::X, Axis::Y, Axis::Z][..scene.dimension().count()].to_vec(),
-    };
-    // 2^1074 makes every double an integer.
-    let scale = Integer::from(1) << 1074;
-    let mut matrix: Vec<Vec<Integer>> = args
-        .iter()
-        .map(|&v| {
-            if v.is_constructed() {
-                let row = homogeneous(scene, v).expect("a point");
-                let entries = axes.iter().map(|axis| Integer::from(&row[axis.index()] * &scale));
-                return entries.chain(row.last().cloned()).collect();
-            }
-            let exact = axes.iter().map(|&axis| rational(scene.coordinate(axis, v)));
-            let mut row: Vec<Integer> = exact.map(|x| Integer::from(x.numer() * &scale) / x.denom()).collect();
-            if matches!(question, Question::Incircle | Question::Insphere) {
-                row.push(row.iter().map(|x| Integer::from(x.square_ref())).sum());
-            }
-            row.push(Integer::from(1));
-            row
-        })
-        .collect();
-    let n = matrix.len();
-    let mut sign = 1;
-    let mut before = Integer::from(1);
-    for k in 0..n - 1 {
-        let Some(pivot) = (k..n).find(|&row| matrix[row][k].cmp0().is_ne()) else { return Sign::Zero };
-        if pivot != k {
-            matrix.swap(pivot, k);
-            sign = -sign;
-        }
-        for i in k + 1..n {
-            for j in k + 1..n {
-                let value = Integer::from(&matrix[i][j] * &matrix[k][k]) - Integer::from(&matrix[i][k] * &matrix[k][j]);
-                matrix[i][j] = value.div_exact(&before);
-            }
-        }
-        before = matrix[k][k].clone();
-    }
-    let det: Sign = matrix[n - 1][n - 1].cmp0().into();
-    if sign < 0 { -det } else { det }
-}
-
-fn questions(dimension: Dimension) -> Vec<Question> {
-    match dimension {
-        Dimension::Two => {
-            vec![Question::Compare(Axis::X), Question::Orient2d(Plane::Xy), Question::Incircle]
-        }
-        Dimension::Three => vec![
-            Question::Compare(Axis::Z),
-            Question::Orient2d(Plane::Yz),
-            Question::Orient2d(Plane::Zx),
-            Question::Orient3d,
-            Question::Insphere,
-        ],
-    }
-}
-
-fn agree(scene: &Scene) -> Result<(), TestCaseError> {
-    for question in questions(scene.dimension()) {
-        let args: Vec<Vertex> = scene.vertices().take(question.kind().arity()).collect();
-        let first = sign(scene, question, &args);
-        prop_assert_eq!(first, second(scene, question, &args), "{:?} of {:?}", question, scene);
-        let full = verdict(scene, question, &args);
-        prop_assert_eq!(first, full.sign());
-        prop_assert!(Rational::from(full.determinant.abs_ref()) <= full.permanent);
-    }
-    Ok(())
-}
 
 fn finite() -> impl Strategy<Value = f64> {
     any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite())
-}
-
-fn small() -> impl Strategy<Value = f64> {
-    (-3i8..=3).prop_map(f64::from)
 }
 
 /// Constructions by these ids, those that are points.
@@ -168,37 +85,6 @@ fn constructed_vertices_are_where_they_are_known_to_be() {
 
 proptest! {
     #[test]
-    fn two_computations_agree_on_small_integers(points in prop::collection::vec(-3i8..=3, 15)) {
-        let coordinates: Vec<f64> = points.iter().map(|&x| f64::from(x)).collect();
-        agree(&Scene::new(Dimension::Three, coordinates.clone()).unwrap())?;
-        agree(&Scene::new(Dimension::Two, coordinates[..8].to_vec()).unwrap())?;
-    }
-
-    #[test]
-    fn two_computations_agree_on_constructed_vertices(
-        coordinates in prop_oneof![prop::collection::vec(finite(), 36), prop::collection::vec(small(), 36)],
-        ids in prop::collection::vec(0_usize..12, 40),
-        places in prop::collection::vec(any::<prop::sample::Index>(), 4),
-    ) {
-        for dimension in [Dimension::Two, Dimension::Three] {
-            let mut scene = Scene::new(dimension, coordinates[..12 * dimension.count()].to_vec()).unwrap();
-            construct(&mut scene, &ids);
-            let all: Vec<Vertex> =
-                scene.vertices().chain((0..scene.constructions().len()).map(Vertex::constructed)).collect();
-            let args: Vec<Vertex> = places.iter().map(|place| *place.get(&all)).collect();
-            for question in questions(dimension) {
-                if matches!(question, Question::Incircle | Question::Insphere) {
-                    continue;
-                }
-                let args = &args[..question.kind().arity()];
-                prop_assert_eq!(
-                    sign(&scene, question, args), second(&scene, question, args), "{:?} {:?} {:?}", question, args, scene
-                );
-            }
-        }
-    }
-
-    #[test]
     fn constructed_vertices_lie_on_what_defines_them(
         coordinates in prop::collection::vec(finite(), 36),
         ids in prop::collection::vec(0_usize..12, 40),
@@ -221,12 +107,6 @@ proptest! {
                 }
             }
         }
-    }
-
-    #[test]
-    fn two_computations_agree_on_any_doubles(coordinates in prop::collection::vec(finite(), 15)) {
-        agree(&Scene::new(Dimension::Three, coordinates.clone()).unwrap())?;
-        agree(&Scene::new(Dimension::Two, coordinates[..8].to_vec()).unwrap())?;
     }
 }
 
