@@ -88,7 +88,7 @@ fn units_reach_both_ends_of_the_range() {
 fn both_kinds_of_units_are_the_same() {
     let values = [0.0, -0.0, 1.0, -1.5, 0.1, -3.0 * power(-40), 1024.0];
     for scale in [1.0, power(-1000), power(900), power(-1018), power(-1074 + 60)] {
-        for far in [0.0, power(8), power(52), -power(60)] {
+        for far in [0.0, power(8), power(52), -power(60), power(64), -power(65)] {
             let points: Vec<[f64; 2]> = values.iter().map(|&x| [(x + far) * scale, -x * scale]).collect();
             let plan = Plan::of(&points);
             for (point, found) in points.iter().zip(plan.low_units(&points)) {

@@ -1,6 +1,8 @@
 //! Shapes made of a scene's vertices. They hold connectivity only: a shape
 //! says *which* vertices, the [`Scene`](predicament_predicates::Scene) says where.
 
+mod complex;
 mod polygon;
 
+pub use complex::{Complex, ComplexError, Simplex, Simplices};
 pub use polygon::{MapError, PolygonMap, Region, Ring};

@@ -11,7 +11,9 @@
 //! * [`Predicates::insphere`] is positive when e is inside the sphere of
 //!   a, b, c, d with a positive `orient3d`.
 
-use crate::{Axis, Band, Contract, Declined, Plane, PredicateKind, Question, Scene, Sign, Tally, Vertex};
+use crate::{
+    Axis, Band, Contract, Declined, Dimension, Plane, PredicateKind, Question, Scene, Sign, Tally, Vertex, contact,
+};
 
 /// A philosophy of robustness: it turns a scene into a session.
 pub trait Backend: Sync {
@@ -91,6 +93,60 @@ pub trait Predicates: Sync {
     /// answers are signs of exact or perturbed points.
     fn reach(&self) -> f64 {
         0.0
+    }
+
+    /// Whether the session answers about contacts between two meshes.
+    ///
+    /// # Errors
+    /// [`Declined`] with the reason.
+    fn supports_contacts(&self) -> Result<(), Declined> {
+        self.supports(PredicateKind::Compare)?;
+        self.supports(PredicateKind::Orient2d)?;
+        match self.scene().dimension() {
+            Dimension::Two => Ok(()),
+            Dimension::Three => self.supports(PredicateKind::Orient3d),
+        }
+    }
+
+    /// Whether the two vertices, of two meshes, are registered as one.
+    ///
+    /// This and the questions that follow are the pairs of a hierarchy. Each
+    /// is asked only where no sub-pair of it (a face of the one with a face of
+    /// the other) was registered before; then its answer says whether the two
+    /// meet, and weights say where. How they are settled is the session's
+    /// business; by default it is by signs.
+    fn vertex_vertex(&self, a: Vertex, p: Vertex) -> bool {
+        contact::vertex_vertex(self, a, p)
+    }
+
+    /// Whether the vertex is registered as one of the edge's points, and the
+    /// fraction of the way from the edge's first vertex to its second.
+    fn edge_vertex(&self, edge: [Vertex; 2], p: Vertex) -> Option<f64> {
+        contact::edge_vertex(self, edge, p)
+    }
+
+    /// Whether two edges meet, and the fraction of the way along each. In the
+    /// plane this is a crossing, in space a degeneracy.
+    fn edge_edge(&self, e: [Vertex; 2], f: [Vertex; 2]) -> Option<[f64; 2]> {
+        contact::edge_edge(self, e, f)
+    }
+
+    /// Whether the vertex is in the triangle, and its barycentric coordinates
+    /// there. In space this is a degeneracy.
+    fn triangle_vertex(&self, triangle: [Vertex; 3], p: Vertex) -> Option<[f64; 3]> {
+        contact::triangle_vertex(self, triangle, p)
+    }
+
+    /// Whether the edge pierces the triangle: the barycentric coordinates of
+    /// the point there, and the fraction of the way along the edge (3D scenes).
+    fn triangle_edge(&self, triangle: [Vertex; 3], edge: [Vertex; 2]) -> Option<([f64; 3], f64)> {
+        contact::triangle_edge(self, triangle, edge)
+    }
+
+    /// Whether the vertex is in the tetrahedron, and its barycentric
+    /// coordinates there (3D scenes).
+    fn tetrahedron_vertex(&self, tetrahedron: [Vertex; 4], p: Vertex) -> Option<[f64; 4]> {
+        contact::tetrahedron_vertex(self, tetrahedron, p)
     }
 
     /// [`Predicates::compare`] for many pairs, in order.

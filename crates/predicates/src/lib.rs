@@ -15,6 +15,7 @@
 mod backend;
 mod class;
 mod construction;
+mod contact;
 mod contract;
 mod query;
 mod scene;

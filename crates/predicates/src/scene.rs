@@ -85,6 +85,7 @@ pub struct Scene {
     constructions: Vec<Construction>,
     /// The vertex of each construction: the inverse of `constructions`.
     interned: BTreeMap<Construction, Vertex>,
+    primitive_lengths: Option<[f64; 2]>,
 }
 
 impl Scene {
@@ -105,7 +106,13 @@ impl Scene {
         if let Some(at) = coordinates.iter().position(|c| !c.is_finite()) {
             return Err(SceneError::NotFinite { vertex: at / stride, axis: at % stride, value: coordinates[at] });
         }
-        Ok(Scene { dimension, coordinates, constructions: Vec::new(), interned: BTreeMap::new() })
+        Ok(Scene {
+            dimension,
+            coordinates,
+            constructions: Vec::new(),
+            interned: BTreeMap::new(),
+            primitive_lengths: None,
+        })
     }
 
     /// A 2D scene from points.
@@ -122,6 +129,26 @@ impl Scene {
     /// As [`Scene::new`].
     pub fn from_points3(points: &[[f64; 3]]) -> Result<Scene, SceneError> {
         Scene::new(Dimension::Three, points.as_flattened().to_vec())
+    }
+
+    /// The scene with two meshes in it whose primitives are at most this large:
+    /// the largest edge of a primitive's bounding box, for each mesh, rounded
+    /// up. Contacts between the meshes are asked with tolerances made for them.
+    ///
+    /// # Panics
+    /// If a length is negative or NaN.
+    #[must_use]
+    pub fn with_primitive_lengths(mut self, lengths: [f64; 2]) -> Scene {
+        assert!(lengths.iter().all(|&length| length >= 0.0), "a primitive has a length");
+        self.primitive_lengths = Some(lengths);
+        self
+    }
+
+    /// La and Lb, if the scene has two meshes.
+    #[inline]
+    #[must_use]
+    pub fn primitive_lengths(&self) -> Option<[f64; 2]> {
+        self.primitive_lengths
     }
 
     /// The vertex that this construction defines: a new one, or the one that

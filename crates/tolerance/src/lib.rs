@@ -9,6 +9,7 @@
 //!
 //! * [`Tolerances2d`] and [`Tolerances3d`]: the paper's Figures 1 and 5, made
 //!   from lengths by its Algorithms 1 and 6.
+//! * [`quantities`]: what is compared with them, over any number.
 //! * [`Tolerance`]: the backend.
 //!
 //! # Which ε
@@ -19,6 +20,7 @@
 
 mod backend;
 mod extent;
+pub mod quantities;
 mod tolerances2d;
 mod tolerances3d;
 

@@ -1,0 +1,68 @@
+//! Vectors as arrays, with the order of every sum written down: an error bound
+//! is one of an order of evaluation, and a library's is its own business.
+//!
+//! Sums run from the first coordinate to the last, without a zero to start from.
+
+use crate::{Ring, Root};
+
+/// a − b.
+#[inline]
+#[must_use]
+pub fn minus<N: Ring, const D: usize>(a: &[N; D], b: &[N; D]) -> [N; D] {
+    std::array::from_fn(|i| a[i].clone() - b[i].clone())
+}
+
+/// Every coordinate times `factor`.
+#[inline]
+#[must_use]
+pub fn scaled<N: Ring, const D: usize>(a: &[N; D], factor: &N) -> [N; D] {
+    std::array::from_fn(|i| a[i].clone() * factor.clone())
+}
+
+/// −a.
+#[inline]
+#[must_use]
+pub fn negated<N: Ring, const D: usize>(a: &[N; D]) -> [N; D] {
+    std::array::from_fn(|i| -a[i].clone())
+}
+
+/// a · b = (a₀b₀ + a₁b₁) + a₂b₂.
+#[inline]
+#[must_use]
+pub fn dot<N: Ring, const D: usize>(a: &[N; D], b: &[N; D]) -> N {
+    sum(|i| a[i].clone() * b[i].clone(), D)
+}
+
+/// ‖a‖² = (a₀² + a₁²) + a₂².
+#[inline]
+#[must_use]
+pub fn norm_squared<N: Ring, const D: usize>(a: &[N; D]) -> N {
+    sum(|i| a[i].clone().square(), D)
+}
+
+/// ‖a‖.
+#[inline]
+#[must_use]
+pub fn norm<N: Root, const D: usize>(a: &[N; D]) -> N {
+    norm_squared(a).sqrt()
+}
+
+/// a × b in the plane, a number: a₀b₁ − a₁b₀.
+#[inline]
+#[must_use]
+pub fn perp<N: Ring>(a: &[N; 2], b: &[N; 2]) -> N {
+    a[0].clone() * b[1].clone() - a[1].clone() * b[0].clone()
+}
+
+/// a × b in space.
+#[inline]
+#[must_use]
+pub fn cross<N: Ring>(a: &[N; 3], b: &[N; 3]) -> [N; 3] {
+    let minor = |i: usize, j: usize| a[i].clone() * b[j].clone() - a[j].clone() * b[i].clone();
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
+#[inline]
+fn sum<N: Ring>(term: impl Fn(usize) -> N, terms: usize) -> N {
+    (1..terms).fold(term(0), |sum, i| sum + term(i))
+}
