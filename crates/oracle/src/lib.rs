@@ -4,12 +4,14 @@
 //! * [`Case`]: a loaded scene with the truth about it; [`Case::run`] holds one
 //!   backend against it and gives an [`Outcome`].
 //! * [`classify`]: what becomes of an answer; [`expect`]: which findings are expected.
+//! * [`resolution`]: what tolerances cost in resolution.
 //! * [`roster`]: all backends by name; [`faults`]: wrong ones that have to be caught.
 
 pub mod expect;
 pub mod faults;
 pub mod judge;
 pub mod locate;
+pub mod resolution;
 pub mod roster;
 pub mod signs;
 
