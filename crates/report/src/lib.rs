@@ -39,7 +39,7 @@ pub use junit::junit;
 pub use page::{html, markdown, write_pages};
 pub use pixel_map::{PixelMap, PixelMapError, data_uri, side_by_side};
 pub use plan::{FORMAT, Level, NotSelected, Plan, PlannedScene, Shard};
-pub use plot::scatter;
+pub use plot::{Bar, Curve, Curves, curves, ranges, scatter};
 pub use predicament_predicates::{Class, Status};
 pub use rows::{FindingRow, LocateRow, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
 pub use run_dir::{NotRun, Outcome, RunDir, RunWriter};

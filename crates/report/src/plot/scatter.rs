@@ -4,11 +4,6 @@
 //! are comparable with each other only. Zero has no logarithm: backends
 //! without a wrong answer stand in a column of their own at the left.
 
-use std::ops::Range;
-
-use plotters::chart::ChartContext;
-use plotters::coord::Shift;
-use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
@@ -16,23 +11,7 @@ use crate::format::per_million;
 use crate::groups::{Mark, backends, marks};
 use crate::{Error, RunDir};
 
-/// Stands for the colour of the text around the picture, which no fixed
-/// colour can be on both light and dark pages.
-const INK: RGBColor = RGBColor(1, 2, 3);
-const INK_IN_SVG: &str = "#010203";
-
-/// The Okabe-Ito colours without black and yellow, its blue lightened, then two that fit: told
-/// apart by every kind of colour vision, on light and dark ground.
-const COLOURS: [RGBColor; 8] = [
-    RGBColor(46, 134, 204),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(230, 159, 0),
-    RGBColor(86, 180, 233),
-    RGBColor(140, 140, 140),
-    RGBColor(150, 130, 60),
-];
+use super::{Area, COLOURS, Chart, Decades, Drawn, INK, failed, page, power_of_ten};
 
 const PANEL: (u32, u32) = (380, 320);
 const PANELS_IN_A_ROW: usize = 3;
@@ -42,43 +21,6 @@ const LINE: i32 = 14;
 const LETTER: i32 = 7;
 /// Marks nearer than this in x can have labels that touch.
 const LABEL_WIDTH: i32 = 100;
-
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Chart<'c, 'a> = ChartContext<'c, SVGBackend<'a>, Cartesian2d<Decades, Decades>>;
-
-/// An axis of common logarithms, with a tick at each power of ten.
-struct Decades(Range<f64>);
-
-impl From<Range<f64>> for Decades {
-    fn from(range: Range<f64>) -> Decades {
-        Decades(range)
-    }
-}
-
-impl Ranged for Decades {
-    type FormatOption = DefaultFormatting;
-    type ValueType = f64;
-
-    fn map(&self, value: &f64, (from, to): (i32, i32)) -> i32 {
-        let share = (value - self.0.start) / (self.0.end - self.0.start);
-        // A pixel near those that are given.
-        #[allow(clippy::cast_possible_truncation)]
-        let offset = (share * f64::from(to - from)).round() as i32;
-        from + offset
-    }
-
-    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
-        if hint.weight().allow_light_points() {
-            return Vec::new();
-        }
-        let next = |tick: &f64| Some(tick + 1.0);
-        std::iter::successors(Some(self.0.start.ceil()), next).take_while(|&tick| tick <= self.0.end).collect()
-    }
-
-    fn range(&self) -> Range<f64> {
-        self.0.clone()
-    }
-}
 
 /// Nanoseconds per query against wrong answers per million, as an SVG
 /// picture; none where no backend was both checked and timed on any family.
@@ -91,19 +33,9 @@ pub fn scatter(runs: &[RunDir]) -> Result<Option<String>, Error> {
         return Ok(None);
     }
     let mut svg = String::new();
-    draw(&mut svg, runs, &marks).map_err(|error| Error::new("plot".as_ref(), error.to_string()))?;
-    let svg = svg.replace(INK_IN_SVG, "currentColor");
-    // Beside a page the file stands alone and has to look up the ground itself.
-    let style = "<style>.scatter{color:#222;max-width:100%;height:auto}\
-                 @media(prefers-color-scheme:dark){.scatter{color:#ddd}}\
-                 .scatter text{font-variant-numeric:tabular-nums}</style>";
-    let open = svg.find('>').map_or(0, |end| end + 1);
-    let (head, body) = svg.split_at(open);
-    let head = head.replacen("<svg", "<svg class=\"scatter\" role=\"img\"", 1);
-    Ok(Some(format!("{head}{style}{body}")))
+    draw(&mut svg, runs, &marks).map_err(failed)?;
+    Ok(Some(page(&svg)))
 }
-
-type Drawn = Result<(), DrawingAreaErrorKind<std::io::Error>>;
 
 fn draw(svg: &mut String, runs: &[RunDir], marks: &[Mark]) -> Drawn {
     let panels: Vec<&[Mark]> = marks.chunk_by(|a, b| (a.run, a.task) == (b.run, b.task)).collect();
@@ -262,23 +194,6 @@ fn touch(a: &Label, b: &Label) -> bool {
     (a.at.0 - b.at.0).abs() < LABEL_WIDTH
 }
 
-fn power_of_ten(exponent: f64) -> String {
-    // Key points are whole numbers between -324 and 309.
-    #[allow(clippy::cast_possible_truncation)]
-    let exponent = exponent.round() as i32;
-    match exponent {
-        0 => "1".to_owned(),
-        1 => "10".to_owned(),
-        2 => "100".to_owned(),
-        3 => "1k".to_owned(),
-        4 => "10k".to_owned(),
-        5 => "100k".to_owned(),
-        6 => "1M".to_owned(),
-        -3..0 => format!("{:.*}", usize::try_from(-exponent).unwrap_or(0), 10_f64.powi(exponent)),
-        _ => format!("1e{exponent}"),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -296,11 +211,5 @@ mod tests {
             }
         }
         assert_eq!(labels.iter().find(|label| label.at.0 == 300).unwrap().y, 101);
-    }
-
-    #[test]
-    fn ticks() {
-        let ticks: Vec<String> = [-4, -2, -1, 0, 3, 6, 9].map(|e| power_of_ten(f64::from(e))).into();
-        assert_eq!(ticks, ["1e-4", "0.01", "0.1", "1", "1k", "1M", "1e9"]);
     }
 }
