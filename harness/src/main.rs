@@ -41,6 +41,7 @@ enum Command {
     Map(cmd::map::Args),
     Selftest(cmd::selftest::Args),
     Corpus(cmd::corpus::Args),
+    Resolution(cmd::resolution::Args),
     Doctor(cmd::doctor::Args),
 }
 
@@ -63,6 +64,7 @@ fn main() -> ExitCode {
         Command::Map(args) => cmd::map::run(args),
         Command::Selftest(args) => cmd::selftest::run(args),
         Command::Corpus(args) => cmd::corpus::run(args),
+        Command::Resolution(args) => cmd::resolution::run(&args),
         Command::Doctor(args) => cmd::doctor::run(&args),
     })
 }

@@ -6,7 +6,9 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
+use predicament_algorithms::contacts::{Contacts, contacts};
 use predicament_algorithms::polygon_locate::Locations;
+use predicament_mesh::Complex;
 use predicament_predicates::{
     Backend, Contract, Off, PredicateKind, Predicates, QuerySet, Question, Scene, Sign, Vertex,
 };
@@ -46,6 +48,12 @@ pub trait Contestant: Sync {
     /// # Errors
     /// The reason, where the backend declines.
     fn locations(&self, case: &LocateCase) -> Result<Locations, String>;
+
+    /// The contacts of two complexes of a scene.
+    ///
+    /// # Errors
+    /// The reason, where the backend declines.
+    fn contacts_between(&self, scene: &Scene, a: &Complex, b: &Complex) -> Result<Contacts, String>;
 
     /// Prepares a query set for timing.
     ///
@@ -137,6 +145,12 @@ impl<B: Backend> Contestant for Entry<B> {
 
     fn locations(&self, case: &LocateCase) -> Result<Locations, String> {
         locate::locations(&self.backend, case)
+    }
+
+    fn contacts_between(&self, scene: &Scene, a: &Complex, b: &Complex) -> Result<Contacts, String> {
+        let session = self.backend.prepare(scene, Off).map_err(|declined| declined.to_string())?;
+        session.supports_contacts().map_err(|declined| declined.to_string())?;
+        Ok(contacts(&session, a, b))
     }
 
     fn time_signs<'a>(&'a self, scene: &'a Scene, queries: &'a QuerySet) -> Result<Box<dyn Stopwatch + 'a>, String> {

@@ -7,5 +7,6 @@ pub mod gate;
 pub mod map;
 pub mod replay;
 pub mod report;
+pub mod resolution;
 pub mod run;
 pub mod selftest;

@@ -19,6 +19,8 @@ pub struct Feature {
     pub size: &'static str,
     /// The tolerance of the paper that stands in its way first.
     pub tolerance: &'static str,
+    /// The largest size at which no primitive exceeds its length, however it is turned, in units of L.
+    pub(super) most: f64,
     /// What has to be registered, and nothing else: the ranks of the contacts.
     pub(super) contacts: &'static [[u8; 2]],
     pub(super) shape: fn(f64) -> Shape,
@@ -46,6 +48,7 @@ pub const FEATURES: &[Feature] = &[
         dimension: Dimension::Two,
         size: "their distance",
         tolerance: "σ",
+        most: 0.4,
         contacts: &[],
         shape: |h| Shape { points: vec![[0.0; 3], [h, 0.0, 0.0]], a: vertex(0), b: vertex(1) },
     },
@@ -54,6 +57,7 @@ pub const FEATURES: &[Feature] = &[
         dimension: Dimension::Two,
         size: "their distance",
         tolerance: "τ",
+        most: 0.4,
         contacts: &[],
         shape: |h| Shape { points: vec![LEFT, RIGHT, [0.03, h, 0.0]], a: edges(&[[0, 1]]), b: vertex(2) },
     },
@@ -62,6 +66,7 @@ pub const FEATURES: &[Feature] = &[
         dimension: Dimension::Two,
         size: "how far the tip sticks out",
         tolerance: "τ",
+        most: 0.3,
         contacts: &[[1, 1], [1, 1]],
         shape: |h| Shape {
             points: vec![LEFT, RIGHT, [0.03, h, 0.0], [-0.07, -0.1, 0.0], [0.13, -0.1, 0.0]],
@@ -73,7 +78,8 @@ pub const FEATURES: &[Feature] = &[
         name: "triangle around vertex",
         dimension: Dimension::Two,
         size: "its inradius",
-        tolerance: "σ",
+        tolerance: "τ",
+        most: 0.11,
         contacts: &[[2, 0]],
         shape: |h| Shape { points: [&around(h)[..], &[[0.0; 3]]].concat(), a: triangle(), b: vertex(3) },
     },
@@ -82,6 +88,7 @@ pub const FEATURES: &[Feature] = &[
         dimension: Dimension::Three,
         size: "their distance",
         tolerance: "σ",
+        most: 0.4,
         contacts: &[],
         shape: |h| Shape { points: vec![[0.0; 3], [h, 0.0, 0.0]], a: vertex(0), b: vertex(1) },
     },
@@ -90,6 +97,7 @@ pub const FEATURES: &[Feature] = &[
         dimension: Dimension::Three,
         size: "their distance",
         tolerance: "τ",
+        most: 0.4,
         contacts: &[],
         shape: |h| Shape { points: vec![LEFT, RIGHT, [0.03, h, 0.0]], a: edges(&[[0, 1]]), b: vertex(2) },
     },
@@ -98,6 +106,7 @@ pub const FEATURES: &[Feature] = &[
         dimension: Dimension::Three,
         size: "their distance",
         tolerance: "γ",
+        most: 0.4,
         contacts: &[],
         shape: |h| Shape {
             points: vec![LEFT, RIGHT, [0.05, -0.2, h], [-0.02, 0.2, h]],
@@ -110,6 +119,7 @@ pub const FEATURES: &[Feature] = &[
         dimension: Dimension::Three,
         size: "their distance",
         tolerance: "δ",
+        most: 0.4,
         contacts: &[],
         shape: |h| Shape { points: [&around(WIDE)[..], &[[0.0, 0.0, h]]].concat(), a: triangle(), b: vertex(3) },
     },
@@ -118,6 +128,7 @@ pub const FEATURES: &[Feature] = &[
         dimension: Dimension::Three,
         size: "how far the edge's end sticks out",
         tolerance: "δ",
+        most: 0.2,
         contacts: &[[2, 1]],
         shape: |h| Shape {
             points: [&around(WIDE)[..], &[[0.0, 0.0, h], [0.0, 0.0, -0.2]]].concat(),
@@ -129,7 +140,8 @@ pub const FEATURES: &[Feature] = &[
         name: "edge through triangle",
         dimension: Dimension::Three,
         size: "the triangle's inradius",
-        tolerance: "τ",
+        tolerance: "γ",
+        most: 0.11,
         contacts: &[[2, 1]],
         shape: |h| Shape {
             points: [&around(h)[..], &[[0.0, 0.0, 0.2], [0.0, 0.0, -0.2]]].concat(),
@@ -141,7 +153,8 @@ pub const FEATURES: &[Feature] = &[
         name: "tetrahedron around vertex",
         dimension: Dimension::Three,
         size: "its inradius",
-        tolerance: "δ",
+        tolerance: "τ",
+        most: 0.07,
         contacts: &[[3, 0]],
         shape: |h| Shape {
             points: [

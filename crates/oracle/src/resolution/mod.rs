@@ -22,7 +22,8 @@ pub use survey::{Survey, survey};
 
 use predicament_algorithms::contacts::Contacts;
 use predicament_mesh::Complex;
-use predicament_predicates::Scene;
+use predicament_predicates::{Dimension, Scene};
+use predicament_tolerance::{Tolerances2d, Tolerances3d};
 
 /// Asks a backend for the contacts of two complexes; the reason where it declines.
 pub type Ask<'a> = dyn Fn(&Scene, &Complex, &Complex) -> Result<Contacts, String> + Sync + 'a;
@@ -30,3 +31,23 @@ pub type Ask<'a> = dyn Fn(&Scene, &Complex, &Complex) -> Result<Contacts, String
 /// La and Lb of every scene here: L is hardly more than their sum, which is 1.
 /// (The primitives themselves are no larger, whatever way they are turned.)
 const LENGTHS: [f64; 2] = [0.5, 0.5];
+
+/// The L of a backend for these scenes: of the tolerances of the paper in its
+/// precision, and 1 for backends that have none.
+#[must_use]
+pub fn length(backend: &str, dimension: Dimension) -> f64 {
+    let [la, lb] = LENGTHS;
+    match (backend, dimension) {
+        ("tolerance", Dimension::Two) => Tolerances2d::from_lengths(la, lb).length,
+        ("tolerance", Dimension::Three) => Tolerances3d::from_lengths(la, lb).length,
+        ("tolerance:f32", Dimension::Two) => Tolerances2d::<f32>::from_lengths(0.5, 0.5).length.into(),
+        ("tolerance:f32", Dimension::Three) => Tolerances3d::<f32>::from_lengths(0.5, 0.5).length.into(),
+        _ => la + lb,
+    }
+}
+
+/// The precision of the scenes that a backend can take.
+#[must_use]
+pub fn precision(backend: &str) -> Precision {
+    if backend.ends_with(":f32") { Precision::Single } else { Precision::Double }
+}

@@ -12,7 +12,7 @@ use super::{Ask, LENGTHS};
 /// Sizes to a decade.
 const STEPS: i32 = 20;
 /// The decades looked at: from where everything is lost to the largest feature.
-const DECADES: std::ops::RangeInclusive<i32> = -9..=-1;
+const DECADES: std::ops::RangeInclusive<i32> = -9..=0;
 
 /// How one feature fares at all sizes.
 #[derive(Clone, PartialEq, Debug)]
@@ -49,9 +49,11 @@ pub fn survey(
     trials: u32,
     seed: u64,
 ) -> Result<Survey, String> {
-    let sizes: Vec<i32> = (DECADES.start() * STEPS..=DECADES.end() * STEPS).collect();
-    let shares = sizes.par_iter().map(|&step| {
-        let size = 10_f64.powf(f64::from(step) / f64::from(STEPS));
+    let sizes: Vec<(i32, f64)> = (DECADES.start() * STEPS..=DECADES.end() * STEPS)
+        .map(|step| (step, 10_f64.powf(f64::from(step) / f64::from(STEPS))))
+        .filter(|&(_, size)| size <= feature.most)
+        .collect();
+    let shares = sizes.par_iter().map(|&(step, size)| {
         let task = format!("{}-{step}", feature.dimension.count());
         let mut random = Random::new(feature.name, &task, seed);
         let mut survivors = 0_u32;
