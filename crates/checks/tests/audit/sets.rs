@@ -11,24 +11,25 @@ fn v<const N: usize>(indices: [usize; N]) -> [Vertex; N] {
     indices.map(Vertex::input)
 }
 
-/// Two tetrahedra, or two paths, with their lengths in the scene.
+/// Two complexes, with their lengths in the scene.
 fn prepared(scene: Scene, a: &Simplices, b: &Simplices) -> (Scene, [Complex; 2]) {
     let complexes = [a, b].map(|given| Complex::new(&scene, given).unwrap());
     let lengths = [0, 1].map(|i| complexes[i].primitive_length(&scene));
     (scene.with_primitive_lengths(lengths), complexes)
 }
 
-fn path(from: usize, edges: usize) -> Simplices {
-    Simplices { edges: (from..from + edges).map(|i| v([i, i + 1])).collect(), ..Simplices::default() }
-}
-
-/// A few closed shapes on a coarse grid of integers, a little off it here and there.
+/// Strips of triangles on a coarse grid of integers, a little off it here and there.
 fn plane() -> (Scene, [Complex; 2]) {
-    let place = |i: i32| [f64::from(i * 7 % 11), f64::from(i * 5 % 13) + if i % 3 == 0 { 1e-8 } else { 0.0 }];
+    let place = |i: i32| [f64::from(i * 7 % 5), f64::from(i * 5 % 7) + if i % 3 == 0 { 1e-8 } else { 0.0 }];
     let points: Vec<[f64; 2]> = (0..40).map(place).collect();
-    prepared(Scene::from_points2(&points).unwrap(), &path(0, 19), &path(20, 19))
+    let strip = |from: usize| Simplices {
+        triangles: (from..from + 17).map(|i| v([i, i + 1, i + 2])).collect(),
+        ..Simplices::default()
+    };
+    prepared(Scene::from_points2(&points).unwrap(), &strip(0), &strip(20))
 }
 
+/// The same with tetrahedra.
 fn space() -> (Scene, [Complex; 2]) {
     let place = |i: i32| {
         let off = if i % 3 == 0 { 1e-4 } else { 0.0 };

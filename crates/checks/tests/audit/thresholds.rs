@@ -97,17 +97,18 @@ fn the_guarantee_holds_in_single_precision() {
 
 #[test]
 fn as_printed_feet_are_on_the_wrong_side() {
-    for (dimension, kind, found) in
-        check_all::<f64>(1.0, true, 1000).into_iter().chain(check_all::<f32>(1.0, true, 1000))
-    {
-        match kind {
-            PairKind::VertexVertex => assert_eq!(found.illegal(), 0),
-            PairKind::EdgeVertex => {
-                assert!(found.count(Verdict::Missed) > 0 && found.count(Verdict::Overreach) > 0, "{found:?}");
+    for found in [check_all::<f64>(1.0, true, 1000), check_all::<f32>(1.0, true, 1000)] {
+        let mut above = 0;
+        for (_, kind, found) in found {
+            match kind {
+                PairKind::VertexVertex => assert_eq!(found.illegal(), 0),
+                PairKind::EdgeVertex => {
+                    assert!(found.count(Verdict::Missed) > 0 && found.count(Verdict::Overreach) > 0, "{found:?}");
+                }
+                _ => above += found.illegal(),
             }
-            // What rests on "no degeneracy was registered" falls with it.
-            _ => assert!(found.illegal() > 0, "{dimension:?} {}: {found:?}", kind.name()),
         }
+        assert!(above > 0, "what rests on \"no degeneracy was registered\" falls with it");
     }
 }
 
