@@ -4,8 +4,10 @@
 //! judged by one another, and the output of an algorithm by the geometry
 //! around it, without knowing which single answer was wrong:
 //!
+//! * [`audit`]: contacts held to exact distances;
 //! * [`axioms`]: laws between the answers to related queries;
 //! * [`tiling`]: points of the plane in the regions of a map.
 
+pub mod audit;
 pub mod axioms;
 pub mod tiling;

@@ -26,6 +26,7 @@ mod probes;
 mod suite;
 mod tables;
 mod task;
+mod thresholds;
 
 pub use cache::Cache;
 pub use coordinate::{CoordinateError, exact as exact_coordinate};
@@ -42,3 +43,4 @@ pub use loaded::{LoadedScene, Probe, ProbeKind, Work};
 pub use manifest::{Entry, Manager, Manifest};
 pub use suite::{SceneDef, Suite};
 pub use task::{Level, Task};
+pub use thresholds::{ThresholdPairs, Thresholds};

@@ -6,7 +6,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use rug::Rational;
+use rug::{Integer, Rational};
 
 /// Sums, differences and products.
 pub trait Ring:
@@ -64,6 +64,12 @@ macro_rules! float {
 
 float!(f32);
 float!(f64);
+
+impl Ring for Integer {
+    fn abs(self) -> Self {
+        Integer::abs(self)
+    }
+}
 
 impl Ring for Rational {
     fn abs(self) -> Self {

@@ -64,8 +64,7 @@ pub fn edge_edge<F: Float>(tolerances: &Tolerances3d<F>, [a, b]: &[[F; 3]; 2], [
 /// Algorithm 10: the vertex is within δ of the triangle's plane, its foot in
 /// the triangle, and the triangle is not too thin. The weights are barycentric.
 ///
-/// In single precision ν₊ leaves no room for most triangles, and at ε = 10⁻⁵
-/// for none.
+/// Near ε = 10⁻⁵ ν leaves no room for any triangle within L.
 #[inline]
 #[must_use]
 pub fn triangle_vertex<F: Float>(tolerances: &Tolerances3d<F>, [a, b, c]: &[[F; 3]; 3], p: &[F; 3]) -> Option<[F; 3]> {

@@ -1,0 +1,168 @@
+//! One answer held to its guarantee.
+
+use std::cmp::Ordering;
+
+use predicament_algorithms::contacts::Weights;
+use predicament_predicates::{Band, Dimension, Predicates};
+use rug::Rational;
+
+use super::pair::{Feet, Pair, PairKind};
+
+/// What an answer is worth.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Verdict {
+    /// Registered up to T₋ and not beyond T₊; of pairs of full dimension, if
+    /// and only if they cross.
+    Agree,
+    /// The distance is between T₋ and T₊: either answer is right.
+    InBand,
+    /// Registered beyond T₊, with a foot outside, or without a crossing.
+    Overreach,
+    /// Not registered up to T₋, or in spite of a crossing.
+    Missed,
+    /// Rightly registered, but a quantity that the paper bounds away from zero
+    /// is below its bound: a sub-pair should have been registered.
+    Unguarded,
+    /// Registered with a weight that is not in [0, 1].
+    BadWeight,
+    /// Registered although a sub-pair was, or never to be asked about.
+    Unasked,
+}
+
+impl Verdict {
+    /// All of them.
+    pub const ALL: [Verdict; 7] = [
+        Verdict::Agree,
+        Verdict::InBand,
+        Verdict::Overreach,
+        Verdict::Missed,
+        Verdict::Unguarded,
+        Verdict::BadWeight,
+        Verdict::Unasked,
+    ];
+
+    /// Whether the guarantee held.
+    #[must_use]
+    pub const fn is_legal(self) -> bool {
+        matches!(self, Verdict::Agree | Verdict::InBand)
+    }
+
+    /// In lower case, with underscores.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Verdict::Agree => "agree",
+            Verdict::InBand => "in_band",
+            Verdict::Overreach => "overreach",
+            Verdict::Missed => "missed",
+            Verdict::Unguarded => "unguarded",
+            Verdict::BadWeight => "bad_weight",
+            Verdict::Unasked => "unasked",
+        }
+    }
+}
+
+/// A verdict, and how good the weights were.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Judgement {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// Of a pair that was rightly registered: the largest difference of a
+    /// weight to the exact one.
+    pub weight_error: Option<f64>,
+}
+
+/// The bands of a session's contacts, and what follows from them, squared.
+///
+/// Sessions without bands have zeros: then the guarantee is that of exact
+/// arithmetic, a pair is registered if and only if it meets.
+#[derive(Clone, Debug)]
+pub struct Bands {
+    /// T₋² and T₊² of vertex-vertex, edge-vertex, edge-edge and triangle-vertex.
+    limits: [[Rational; 2]; 4],
+    /// For each kind the lower bounds of its guarded quantities, squared; the
+    /// last is for all that are left.
+    bounds: [Vec<Rational>; 6],
+}
+
+impl Bands {
+    /// Those of a session.
+    #[must_use]
+    pub fn of<S: Predicates + ?Sized>(session: &S) -> Bands {
+        Bands::new(session.scene().dimension(), |ranks| session.contact_band(ranks))
+    }
+
+    /// By the ranks of the pair, the higher first.
+    #[must_use]
+    pub fn new(dimension: Dimension, band: impl Fn([u8; 2]) -> Option<Band>) -> Bands {
+        let square = |x: f64| Rational::from_f64(x).expect("a tolerance is finite").square();
+        let of = |kind: PairKind| match band(kind.ranks()) {
+            Some(band) => [square(band.lower), square(band.upper)],
+            None => Default::default(),
+        };
+        let kinds = [PairKind::VertexVertex, PairKind::EdgeVertex, PairKind::EdgeEdge, PairKind::TriangleVertex];
+        let limits = kinds.map(of);
+        let bounds = PairKind::ALL.map(|kind| bounds(kind, dimension, &limits));
+        Bands { limits, bounds }
+    }
+
+    /// The verdict on a pair of which no sub-pair is registered.
+    #[must_use]
+    pub fn judge(&self, pair: &Pair, got: Option<&[Weights; 2]>) -> Judgement {
+        let feet = pair.feet();
+        let beyond = |limit: usize| {
+            feet.as_ref().is_none_or(|feet| match self.limits.get(pair.kind() as usize) {
+                Some(limits) if !pair.is_top() => feet.distance_squared.compare(&limits[limit]) == Ordering::Greater,
+                _ => false,
+            })
+        };
+        let verdict = match (got, beyond(0), beyond(1)) {
+            (None, false, _) => Verdict::Missed,
+            (None, true, false) => Verdict::InBand,
+            (None, true, true) => Verdict::Agree,
+            (Some(_), _, true) => Verdict::Overreach,
+            (Some(got), _, _) if !got.as_flattened().iter().all(|w| (0.0..=1.0).contains(w)) => Verdict::BadWeight,
+            (Some(_), ..) if feet.as_ref().is_some_and(|feet| !self.guards(pair, feet)) => Verdict::Unguarded,
+            (Some(_), true, false) => Verdict::InBand,
+            (Some(_), false, false) => Verdict::Agree,
+        };
+        let registered = feet.zip(got).filter(|_| verdict != Verdict::Overreach);
+        Judgement { verdict, weight_error: registered.map(|(feet, got)| feet.weight_error(got)) }
+    }
+
+    /// Whether every guarded quantity is at least what the paper derives from
+    /// "no sub-pair is registered".
+    fn guards(&self, pair: &Pair, feet: &Feet) -> bool {
+        let bounds = &self.bounds[pair.kind() as usize];
+        feet.guarded.iter().enumerate().all(|(i, quantity)| {
+            let bound = bounds.get(i).or(bounds.last());
+            bound.is_none_or(|bound| quantity.compare(bound) != Ordering::Less)
+        })
+    }
+}
+
+/// The bounds that 4.3 to 5.7 derive, squared, in the order of
+/// [`Feet::guarded`].
+fn bounds(kind: PairKind, dimension: Dimension, limits: &[[Rational; 2]; 4]) -> Vec<Rational> {
+    let [[sigma, _], [tau, tau_upper], [gamma, gamma_upper], [delta, delta_upper]] = limits;
+    let squared = |x: &Rational| Rational::from(x.square_ref());
+    // (τ₋² − γ₊²)⁴ and (τ₋² − δ₊²)⁴
+    let gap = |upper: &Rational| squared(&squared(&Rational::from(tau - upper)));
+    // γ₋⁴ min(γ₋, δ₋)²
+    let slab = || squared(gamma) * gamma.min(delta);
+    match (kind, dimension) {
+        (PairKind::VertexVertex, _) => vec![],
+        // â² and ā² against σ₋² − τ₊²
+        (PairKind::EdgeVertex, _) => vec![Rational::from(sigma - tau_upper)],
+        // κ₊ = 2τ₋²
+        (PairKind::EdgeEdge | PairKind::TriangleVertex, Dimension::Two) => vec![squared(tau) * 4],
+        // λ₊ = 16(τ₋² − γ₊²)² and φ₊ = 8(τ₋² − γ₊²)²
+        (PairKind::EdgeEdge, _) => vec![gap(gamma_upper) * 256, gap(gamma_upper) * 64],
+        // ν₊ = 108(τ₋² − δ₊²)² and ζ₊ = 12√3(τ₋² − δ₊²)²
+        (PairKind::TriangleVertex, _) => vec![gap(delta_upper) * 11664, gap(delta_upper) * 432],
+        // μ₊ = 4γ₋² min(γ₋, δ₋), three times, and ξ₊ = 6√3γ₋² min(γ₋, δ₋)
+        (PairKind::TriangleEdge, _) => vec![slab() * 16, slab() * 16, slab() * 16, slab() * 108],
+        // ρ₊ = 6√3δ₋³
+        (PairKind::TetrahedronVertex, _) => vec![squared(delta) * delta * 108],
+    }
+}

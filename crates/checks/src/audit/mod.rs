@@ -1,0 +1,179 @@
+//! Contacts held to their guarantee by exact distances.
+//!
+//! # What is guaranteed
+//! Wang, Jiang, Schroeder and Teran ask about a pair only where no sub-pair of
+//! it (a face of the one with a face of the other) is registered. Under that
+//! condition:
+//!
+//! * A pair that registers a degeneracy (vertex-vertex, edge-vertex, and in
+//!   space edge-edge and triangle-vertex) is registered if its exact distance
+//!   is at most T₋, and only if it is at most T₊ (1). The distance is that of
+//!   the two feet of the shortest connection between the line, plane or point
+//!   of each, and both feet have to be strictly inside. That is the distance of
+//!   the closed simplices: where a foot is not inside, the closed simplices are
+//!   nearest at a face, whose distance is beyond its own T₋, which is larger
+//!   than the T₊ in question (τ₊ < σ₋, γ₊ < τ₋, δ₊ < τ₋). A foot on the
+//!   simplex' boundary can't be within T₊ for the same reason.
+//! * A pair of full dimension is registered if and only if it crosses: no
+//!   tolerance is left. What its signs are of has been bounded away from zero.
+//! * Those bounds themselves ("guarded quantities": κ₊, λ₊, φ₊, ν₊, ζ₊, μ₊, ξ₊,
+//!   ρ₊, and √(σ₋² − τ₊²) of an edge's foot) hold for every pair that is within
+//!   T₊ or crosses. They are checked for pairs that are registered.
+//! * A weight is in [0, 1]. No bound on its error is promised; the largest is
+//!   reported.
+//!
+//! For a session without bands T₋ = T₊ = 0, and the same says that what is
+//! registered is what meets, by the carriers of lowest dimension: the audit of
+//! exact signs. (Sessions that break ties promise something else.)
+//!
+//! * [`Bands::judge`]: one answer.
+//! * [`audit`]: all contacts of two complexes.
+
+mod judge;
+mod pair;
+mod quantity;
+mod sweep;
+
+use std::collections::{HashMap, HashSet};
+
+use predicament_algorithms::contacts::{Contact, Contacts, levels};
+use predicament_mesh::{Complex, Simplex};
+use predicament_predicates::{Dimension, Predicates, Scene, Vertex};
+
+pub use judge::{Bands, Judgement, Verdict};
+pub use pair::{Feet, Pair, PairKind};
+pub use quantity::Quantity;
+
+/// A pair whose answer broke the guarantee.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Finding {
+    /// The simplex of the first complex.
+    pub a: Simplex,
+    /// The simplex of the second complex.
+    pub b: Simplex,
+    /// What kind of pair they are.
+    pub kind: PairKind,
+    /// How the guarantee was broken.
+    pub verdict: Verdict,
+    /// Whether the pair was registered.
+    pub registered: bool,
+    /// The distance of the two closed simplices, in scene units: the square
+    /// root of the exact square, rounded.
+    pub distance: f64,
+}
+
+/// What an audit found.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Audit {
+    counts: [[u64; Verdict::ALL.len()]; PairKind::ALL.len()],
+    /// Pairs that were not to be asked about as a sub-pair is registered, of
+    /// those that are near.
+    pub ended: u64,
+    /// The largest error of a weight, by [`PairKind`].
+    pub weight_errors: [f64; PairKind::ALL.len()],
+    /// All answers that break the guarantee, in the order of levels and simplices.
+    pub findings: Vec<Finding>,
+}
+
+impl Audit {
+    /// How many answers of this kind of pair had this verdict.
+    #[must_use]
+    pub fn count(&self, kind: PairKind, verdict: Verdict) -> u64 {
+        self.counts[kind as usize][verdict as usize]
+    }
+
+    /// How many answers were judged.
+    #[must_use]
+    pub fn judged(&self) -> u64 {
+        self.counts.iter().flatten().sum()
+    }
+
+    fn note(&mut self, kind: PairKind, judgement: Judgement) {
+        self.counts[kind as usize][judgement.verdict as usize] += 1;
+        if let Some(error) = judgement.weight_error {
+            let largest = &mut self.weight_errors[kind as usize];
+            *largest = largest.max(error);
+        }
+    }
+}
+
+/// Judges every registered pair, and every pair that is near enough to be
+/// registered and was to be asked about.
+///
+/// # Panics
+/// If the complexes are not of the session's scene.
+#[must_use]
+pub fn audit<S: Predicates>(session: &S, a: &Complex, b: &Complex, contacts: &Contacts) -> Audit {
+    let scene = session.scene();
+    let bands = Bands::of(session);
+    let registered: HashMap<[Simplex; 2], &Contact> =
+        contacts.registered.iter().map(|contact| ([contact.a, contact.b], contact)).collect();
+    let mut judged: HashSet<[Simplex; 2]> = HashSet::new();
+    let mut audit = Audit::default();
+    for &ranks in levels(scene.dimension()).iter().copied().flatten() {
+        let kind = PairKind::of(ranks).expect("a pair of the hierarchy");
+        for [s, t] in sweep::near(scene, [a, b], ranks, session.reach()) {
+            let contact = registered.get(&[s, t]).copied();
+            if has_registered_faces(&registered, [a, b], [s, t]) {
+                audit.ended += u64::from(contact.is_none());
+                continue;
+            }
+            judged.insert([s, t]);
+            let pair = pair(scene, a.vertices_of(s), b.vertices_of(t));
+            let got =
+                contact.map(
+                    |contact| {
+                        if s.rank >= t.rank { [contact.on_a, contact.on_b] } else { [contact.on_b, contact.on_a] }
+                    },
+                );
+            let judgement = bands.judge(&pair, got.as_ref());
+            audit.note(kind, judgement);
+            if !judgement.verdict.is_legal() {
+                audit.findings.push(finding([s, t], &pair, judgement.verdict, contact.is_some()));
+            }
+        }
+    }
+    for contact in contacts.registered.iter().filter(|contact| !judged.contains(&[contact.a, contact.b])) {
+        let [s, t] = [contact.a, contact.b];
+        let pair = pair(scene, a.vertices_of(s), b.vertices_of(t));
+        audit.note(pair.kind(), Judgement { verdict: Verdict::Unasked, weight_error: None });
+        audit.findings.push(finding([s, t], &pair, Verdict::Unasked, true));
+    }
+    audit
+}
+
+fn finding([a, b]: [Simplex; 2], pair: &Pair, verdict: Verdict, registered: bool) -> Finding {
+    let distance = pair.distance_squared().to_f64().sqrt();
+    Finding { a, b, kind: pair.kind(), verdict, registered, distance }
+}
+
+fn pair(scene: &Scene, s: &[Vertex], t: &[Vertex]) -> Pair {
+    fn points<const D: usize>(scene: &Scene, simplex: &[Vertex]) -> Vec<[f64; D]> {
+        simplex.iter().map(|&v| std::array::from_fn(|i| scene.point(v)[i])).collect()
+    }
+    match scene.dimension() {
+        Dimension::Two => Pair::new::<2>(&points(scene, s), &points(scene, t)),
+        Dimension::Three => Pair::new::<3>(&points(scene, s), &points(scene, t)),
+    }
+}
+
+/// Whether a face of the one and a face of the other, not both the whole, are registered.
+fn has_registered_faces(
+    registered: &HashMap<[Simplex; 2], &Contact>,
+    [a, b]: [&Complex; 2],
+    [s, t]: [Simplex; 2],
+) -> bool {
+    let (of_s, of_t) = (faces(a, s), faces(b, t));
+    of_s.iter()
+        .any(|&face| of_t.iter().any(|&other| [face, other] != [s, t] && registered.contains_key(&[face, other])))
+}
+
+/// All faces of a simplex, itself included.
+fn faces(complex: &Complex, simplex: Simplex) -> Vec<Simplex> {
+    let vertices = complex.vertices_of(simplex);
+    let subsets = 1_u32..1 << vertices.len();
+    let chosen = |subset: u32| -> Vec<Vertex> {
+        vertices.iter().enumerate().filter(|(i, _)| subset >> i & 1 == 1).map(|(_, &v)| v).collect()
+    };
+    subsets.map(|subset| complex.find(&chosen(subset)).expect("a complex has the faces of its simplices")).collect()
+}
