@@ -15,6 +15,7 @@ use predicament_exact::Exact;
 use predicament_mesh::{Complex, Simplex, Simplices};
 use predicament_predicates::{Backend, Dimension, Off, Predicates, Scene, Vertex};
 use predicament_sos::{Scheme, Sos};
+use predicament_tolerance::Tolerance;
 use proptest::prelude::*;
 use whim::Whim;
 
@@ -22,7 +23,6 @@ fn pair([a, b]: [&Complex; 2], contact: &Contact) -> Pair {
     let on = |complex: &Complex, simplex: Simplex, weights: [f64; 4]| {
         let vertices = complex.vertices_of(simplex);
         assert!(weights[vertices.len()..].iter().all(|&w| w == 0.0));
-        assert!(weights.iter().all(|w| (0.0..=1.0).contains(w)), "{weights:?}");
         vertices.iter().copied().zip(weights).collect()
     };
     Pair {
@@ -120,14 +120,33 @@ fn given(dimension: usize, side: i8, shared: bool) -> impl Strategy<Value = Give
     })
 }
 
-/// Exact, perturbed, and answers at random, on one scene.
+/// By signs they are parts of one, whatever the signs were decided by.
+fn check_weights(found: &Contacts) {
+    for weights in found.registered.iter().flat_map(|c| [c.on_a, c.on_b]) {
+        assert!(weights.iter().all(|w| (0.0..=1.0).contains(w)), "{weights:?}");
+        assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-15, "{weights:?}");
+    }
+}
+
+fn check_tolerance<F: predicament_tolerance::Float>(scene: &Scene, a: &Complex, b: &Complex) {
+    let scene = scene.clone().with_primitive_lengths([a, b].map(|complex| complex.primitive_length(scene)));
+    let backend = Tolerance::<F>::new();
+    let session = backend.prepare(&scene, Off).unwrap();
+    session.supports_contacts().unwrap();
+    check(&session, a, b);
+}
+
+/// Exact, perturbed, with tolerances, and answers at random, on one scene.
 fn check_all(given: &Given, dimension: Dimension) {
     let scene = given.scene(dimension);
     let [a, b] = given.complexes(&scene);
-    check(&Exact.prepare(&scene, Off).unwrap(), &a, &b);
+    check_weights(&check(&Exact.prepare(&scene, Off).unwrap(), &a, &b));
+    check_tolerance::<f64>(&scene, &a, &b);
+    check_tolerance::<f32>(&scene, &a, &b);
     for scheme in [Scheme::PerCoordinate, Scheme::EdelsbrunnerMucke] {
         let sos = Sos { scheme };
         let found = check(&sos.prepare(&scene, Off).unwrap(), &a, &b);
+        check_weights(&found);
         let common = |c: &Contact| a.vertices_of(c.a).iter().any(|v| b.vertices_of(c.b).contains(v));
         let top = |c: &Contact| usize::from(c.a.rank + c.b.rank) == dimension.count();
         // a vertex meets itself, moved or not
