@@ -10,6 +10,7 @@
 //! * [`Tolerances2d`] and [`Tolerances3d`]: the paper's Figures 1 and 5, made
 //!   from lengths by its Algorithms 1 and 6.
 //! * [`quantities`]: what is compared with them, over any number.
+//! * [`circles`]: bands for `incircle` and `insphere`, which are ours.
 //! * [`Tolerance`]: the backend.
 //!
 //! # Which ε
@@ -19,6 +20,7 @@
 //! instead everything would hold as well, with half the room to spare in use.
 
 mod backend;
+pub mod circles;
 mod extent;
 pub mod quantities;
 mod tolerances2d;
