@@ -63,7 +63,7 @@ impl Magnitude {
     }
 
     /// The two c of magnitudes with the same p, for a sum: the higher power of ε
-    /// becomes the lower one, which it is less than.
+    /// becomes the lower one.
     pub(crate) fn common(&self, other: &Magnitude) -> Option<[Rational; 2]> {
         (self.length_quarters == other.length_quarters).then(|| {
             let at = self.epsilon_quarters.min(other.epsilon_quarters);
@@ -71,10 +71,9 @@ impl Magnitude {
         })
     }
 
-    /// c for ε^e with a lower e: times the largest ε to the rest, in whole powers
-    /// where there are any and else 1.
+    /// c for ε^e with a lower e: times the largest ε to the rest, rounded up.
     fn lowered_to(&self, epsilon_quarters: i32) -> Rational {
-        let whole = (self.epsilon_quarters - epsilon_quarters) / 4;
-        (0..whole).fold(self.c.clone(), |c, _| c * crate::rules::largest_epsilon())
+        let fourth = root_up(&root_up(&crate::rules::largest_epsilon()));
+        (epsilon_quarters..self.epsilon_quarters).fold(self.c.clone(), |c, _| c * &fourth)
     }
 }

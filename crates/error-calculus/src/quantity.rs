@@ -23,8 +23,8 @@ use crate::{Field, Ring, Root};
 /// # Rule G
 /// Its c is 1 and that is no bound of |x₁/x₂|. It is one of what the paper
 /// divides for, the coordinates of a unit vector; of 1/m it is not, but of
-/// û · (1/m) again. Only the quotient's own error is safe for other uses, as
-/// that is relative to itself.
+/// û · (1/m) it is again, where û has c ≥ 1 as every edge has. Only the
+/// quotient's own error is safe for other uses, as that is relative to itself.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Quantity {
     expression: Arc<str>,
