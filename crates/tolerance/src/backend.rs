@@ -1,4 +1,4 @@
-//! The backend: floating-point determinants, compared with κ and ξ.
+//! The backend: floating-point determinants, compared with κ, ξ and the bands of [`circles`].
 
 use std::marker::PhantomData;
 
@@ -12,16 +12,17 @@ use crate::contacts::{EdgeVertex, Pairs};
 use crate::extent::largest_extent;
 use crate::float::check_precision;
 use crate::quantities;
-use crate::{ContactTolerances, Float, Tolerances2d, Tolerances3d};
+use crate::{ContactTolerances, Float, Tolerances2d, Tolerances3d, circles};
 
 const PLANES: [Plane; 3] = [Plane::Xy, Plane::Yz, Plane::Zx];
 const STAGES: [&str; 1] = ["float"];
 
 /// The tolerance backend: `orient2d` is zero within κ, `orient3d` within ξ.
 ///
-/// The paper has no tolerance for the other predicates: the order of
+/// The paper has no tolerance for the other predicates: those of `incircle` and
+/// `insphere` are ours, derived with its calculus in [`circles`]; the order of
 /// coordinates is the raw one, zero where they are equal (what to do with the
-/// tie is the caller's business), and `incircle` and `insphere` are declined.
+/// tie is the caller's business).
 ///
 /// L is the largest edge of the bounding box of all points in the scene; for
 /// `orient2d` in a 3D scene, of their projection to its plane, so that the
@@ -38,7 +39,8 @@ const STAGES: [&str; 1] = ["float"];
 ///
 /// A scene where L, a product of coordinate differences or a tolerance leaves
 /// the range of normal numbers of `F` is declined, as the paper assumes "no
-/// underflow or overflow". Where all points coincide (L = 0) the tolerances are
+/// underflow or overflow"; where only those of `incircle` or `insphere` do,
+/// that predicate is. Where all points coincide (L = 0) the tolerances are
 /// zero and everything is degenerate, which is right; where all primitives are
 /// points, only equal ones are in contact.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -80,6 +82,8 @@ pub struct Session<'s, T, F = f64> {
     /// One for each of [`PLANES`]; a 2D scene has the first only.
     planar: Vec<Result<Tolerances2d<F>, Declined>>,
     spatial: Option<Tolerances3d<F>>,
+    /// That of `incircle` in 2D, of `insphere` in 3D.
+    circular: Result<Band, Declined>,
     contacts: Result<ContactTolerances<F>, Declined>,
     form: EdgeVertex,
 }
@@ -99,8 +103,9 @@ impl<F: Float> Backend for Tolerance<F> {
     fn contract(&self, kind: PredicateKind) -> Contract {
         match kind {
             PredicateKind::Compare => Contract { zero: ZeroMeaning::Exact, proved: true },
-            PredicateKind::Orient2d | PredicateKind::Orient3d => Contract { zero: ZeroMeaning::Band, proved: true },
-            PredicateKind::Incircle | PredicateKind::Insphere => Contract { zero: ZeroMeaning::Band, proved: false },
+            PredicateKind::Orient2d | PredicateKind::Orient3d | PredicateKind::Incircle | PredicateKind::Insphere => {
+                Contract { zero: ZeroMeaning::Band, proved: true }
+            }
         }
     }
 
@@ -126,7 +131,16 @@ impl<F: Float> Backend for Tolerance<F> {
         if let (Dimension::Two, Err(declined)) = (scene.dimension(), &planar[0]) {
             return Err(Declined::scene(declined.reason.clone()));
         }
-        Ok(Session { scene, tally, planar, spatial, contacts: ContactTolerances::new(scene), form: self.form })
+        let circular = circles::prepared::<F>(scene);
+        Ok(Session {
+            scene,
+            tally,
+            planar,
+            spatial,
+            circular,
+            contacts: ContactTolerances::new(scene),
+            form: self.form,
+        })
     }
 }
 
@@ -219,6 +233,37 @@ impl<T, F: Float> Session<'_, T, F> {
         quantities::volume(&a, &b, &c, &d)
     }
 
+    /// The determinant of `incircle`, in the order of [`circles::incircle`].
+    #[inline]
+    fn circle(&self, vertices: [Vertex; 4]) -> F {
+        circles::incircle(&vertices.map(|v| self.scene.point2(Plane::Xy, v).map(F::nearest)))
+    }
+
+    /// The determinant of `insphere`, in the order of [`circles::insphere`].
+    #[inline]
+    fn sphere(&self, vertices: [Vertex; 5]) -> F {
+        circles::insphere(&vertices.map(|v| self.scene.point3(v).map(F::nearest)))
+    }
+
+    /// The band of the predicate for circles that scenes of `dimension` have.
+    fn circular(&self, dimension: Dimension) -> Result<Band, Declined> {
+        if self.scene.dimension() == dimension {
+            return self.circular.clone();
+        }
+        Err(match dimension {
+            Dimension::Two => Declined::predicate(PredicateKind::Incircle, "needs a 2D scene"),
+            Dimension::Three => Declined::predicate(PredicateKind::Insphere, "needs a 3D scene"),
+        })
+    }
+
+    #[inline]
+    fn circle_band(&self, dimension: Dimension) -> Band {
+        match &self.circular {
+            Ok(band) if self.scene.dimension() == dimension => *band,
+            _ => panic!("{}", self.circular(dimension).expect_err("declined")),
+        }
+    }
+
     #[inline]
     fn kappa(&self, plane: Plane) -> Band {
         match self.tolerances2d(plane) {
@@ -246,9 +291,8 @@ impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
             }
             PredicateKind::Orient3d if self.spatial.is_some() => Ok(()),
             PredicateKind::Orient3d => Err(Declined::predicate(kind, "needs a 3D scene")),
-            PredicateKind::Incircle | PredicateKind::Insphere => {
-                Err(Declined::predicate(kind, format!("the paper has no tolerance for {kind}")))
-            }
+            PredicateKind::Incircle => self.circular(Dimension::Two).map(|_| ()),
+            PredicateKind::Insphere => self.circular(Dimension::Three).map(|_| ()),
         }
     }
 
@@ -271,28 +315,36 @@ impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
         register(self.volume([a, b, c, d]), self.xi())
     }
 
-    fn incircle(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        panic!("the paper has no tolerance for incircle")
+    #[inline]
+    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.tally.settled(PredicateKind::Incircle, 0);
+        register(self.circle([a, b, c, d]), self.circle_band(Dimension::Two))
     }
 
-    fn insphere(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        panic!("the paper has no tolerance for insphere")
+    #[inline]
+    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
+        self.tally.settled(PredicateKind::Insphere, 0);
+        register(self.sphere([a, b, c, d, e]), self.circle_band(Dimension::Three))
     }
 
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {
         match (question, args) {
             (Question::Orient2d(plane), &[a, b, c]) => Some(self.area(plane, [a, b, c]).wide()),
             (Question::Orient3d, &[a, b, c, d]) => Some(self.volume([a, b, c, d]).wide()),
+            (Question::Incircle, &[a, b, c, d]) => Some(self.circle([a, b, c, d]).wide()),
+            (Question::Insphere, &[a, b, c, d, e]) => Some(self.sphere([a, b, c, d, e]).wide()),
             _ => None,
         }
     }
 
-    /// κ of the projection, or ξ.
+    /// κ of the projection, ξ, or a band of [`circles`].
     fn band(&self, question: Question) -> Option<Band> {
         match question {
             Question::Orient2d(plane) => self.tolerances2d(plane).ok().map(|tolerances| tolerances.kappa),
             Question::Orient3d => self.spatial.map(|tolerances| tolerances.xi),
-            Question::Compare(_) | Question::Incircle | Question::Insphere => None,
+            Question::Incircle => self.circular(Dimension::Two).ok(),
+            Question::Insphere => self.circular(Dimension::Three).ok(),
+            Question::Compare(_) => None,
         }
     }
 

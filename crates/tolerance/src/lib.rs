@@ -11,6 +11,7 @@
 //!   from lengths by its Algorithms 1 and 6.
 //! * [`quantities`]: what is compared with them, over any number.
 //! * [`algorithms`]: Algorithms 2 to 5 and 7 to 12, over any [`Float`].
+//! * [`circles`]: bands for `incircle` and `insphere`, which are ours.
 //! * [`Tolerance`]: the backend.
 //!
 //! # Which ε
@@ -23,6 +24,7 @@
 pub mod algorithms;
 mod backend;
 mod band;
+pub mod circles;
 mod contacts;
 mod extent;
 mod float;

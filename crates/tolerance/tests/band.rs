@@ -5,7 +5,10 @@ use predicament_predicates::{Backend, Band, Dimension, Off, Plane, Predicates, Q
 use predicament_tolerance::Tolerance;
 use rug::Rational;
 
-const QUERIES: usize = 100_000;
+/// Fewer for circles and spheres, whose exact determinants take longer.
+fn queries(question: Question) -> usize {
+    if is_lifted(question) { 20_000 } else { 100_000 }
+}
 
 /// SplitMix64: a few lines, and the same numbers for ever.
 struct Random(u64);
@@ -42,12 +45,22 @@ fn rational(x: f64) -> Rational {
     Rational::from_f64(x).expect("finite")
 }
 
-/// det(a − c, b − c) or det(a − d, b − d, c − d): Laplace on exact differences.
-fn exact(scene: &Scene, args: &[Vertex]) -> Rational {
+/// Whether the rows of the question's determinant end with a squared length.
+fn is_lifted(question: Question) -> bool {
+    matches!(question, Question::Incircle | Question::Insphere)
+}
+
+/// The determinant of the differences to the last point, with their squared
+/// lengths as a last column for circles and spheres: Laplace on exact numbers.
+fn exact(scene: &Scene, question: Question, args: &[Vertex]) -> Rational {
     let (last, others) = args.split_last().expect("not empty");
     let row = |v: &Vertex| -> Vec<Rational> {
         let pairs = scene.point(*v).iter().zip(scene.point(*last));
-        pairs.map(|(&x, &y)| rational(x) - rational(y)).collect()
+        let mut row: Vec<Rational> = pairs.map(|(&x, &y)| rational(x) - rational(y)).collect();
+        if is_lifted(question) {
+            row.push(row.iter().map(|x| Rational::from(x.square_ref())).sum());
+        }
+        row
     };
     determinant(&others.iter().map(row).collect::<Vec<_>>())
 }
@@ -79,18 +92,18 @@ struct Found {
 
 /// Asks queries that are built and judged one by one; `answer` turns an
 /// estimate into a sign, so that faults can be planted.
-fn check(dimension: Dimension, scale: f64, answer: impl Fn(f64, Band) -> Option<Sign>) -> Found {
+fn check(question: Question, scale: f64, answer: impl Fn(f64, Band) -> Option<Sign>) -> Found {
+    let dimension = dimension(question);
     let mut random = Random(42);
     let mut found = Found::default();
     let corner = |at: f64| vec![at * scale; dimension.count()];
-    for _ in 0..QUERIES / 50 {
+    for _ in 0..queries(question) / 50 {
         // two corners make L the same for all scenes
         let mut coordinates = [corner(-0.5), corner(0.5)].concat();
         let frame = Scene::new(dimension, coordinates.clone()).unwrap();
-        let question = if dimension == Dimension::Two { Question::Orient2d(Plane::Xy) } else { Question::Orient3d };
         let band = Tolerance.prepare(&frame, Off).unwrap().band(question).unwrap();
         for _ in 0..50 {
-            coordinates.extend(near(&mut random, dimension, scale, band));
+            coordinates.extend(near(&mut random, question, scale, band));
         }
         let scene = Scene::new(dimension, coordinates).unwrap();
         let session = Tolerance.prepare(&scene, Off).unwrap();
@@ -99,7 +112,7 @@ fn check(dimension: Dimension, scale: f64, answer: impl Fn(f64, Band) -> Option<
         for args in vertices.chunks(question.kind().arity()) {
             let estimate = session.estimate(question, args).unwrap();
             let sign = answer(estimate, band).unwrap_or_else(|| question.ask(&session, args));
-            let d = exact(&scene, args);
+            let d = exact(&scene, question, args);
             let size = d.clone().abs();
             found.missed += usize::from(size <= rational(band.lower) && !sign.is_zero());
             found.overreached += usize::from(size > rational(band.upper) && sign.is_zero());
@@ -111,58 +124,112 @@ fn check(dimension: Dimension, scale: f64, answer: impl Fn(f64, Band) -> Option<
     found
 }
 
-/// The coordinates of one query whose determinant is near a threshold.
-fn near(random: &mut Random, dimension: Dimension, scale: f64, band: Band) -> Vec<f64> {
+/// The coordinates of one query whose determinant is near a threshold, inside
+/// the frame, or L would grow.
+fn near(random: &mut Random, question: Question, scale: f64, band: Band) -> Vec<f64> {
     loop {
-        let mut point = || -> Vec<f64> { (0..dimension.count()).map(|_| random.unit() * scale).collect() };
-        let (a, b) = (point(), point());
-        let mut points = vec![a.clone(), b.clone()];
-        let [s, t] = [random.unit() + 0.5, random.unit() + 0.5];
-        let last = match dimension {
-            // on the line a b, then off it by area / length
-            Dimension::Two => {
-                let u = [b[0] - a[0], b[1] - a[1]];
-                let off = random.aim(band) / (u[0] * u[0] + u[1] * u[1]);
-                vec![a[0] + s * u[0] - off * u[1], a[1] + s * u[1] + off * u[0]]
-            }
-            // in the plane a b c, then off it by volume / area
-            Dimension::Three => {
-                let c: Vec<f64> = (0..3).map(|_| random.unit() * scale).collect();
-                let [u, v] = [&b, &c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
-                let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-                let off = random.aim(band) / n.iter().map(|x| x * x).sum::<f64>();
-                points.push(c);
-                (0..3).map(|i| a[i] + s * u[i] + t * v[i] + off * n[i]).collect()
-            }
-        };
-        points.push(last);
-        // inside the frame, or L would grow
-        let flat = points.concat();
+        let unscaled = if is_lifted(question) { near_sphere } else { near_plane };
+        // a determinant is a sum of products of as many lengths as it has rows, and one more for a lift
+        let degree = question.kind().arity() - 1 + usize::from(is_lifted(question));
+        let aim = random.aim(band) / scale.powi(i32::try_from(degree).expect("small"));
+        let flat: Vec<f64> = unscaled(random, dimension(question), aim).into_iter().map(|x| x * scale).collect();
         if flat.iter().all(|x| x.abs() <= 0.5 * scale) {
             return flat;
         }
     }
 }
 
-const DIMENSIONS: [Dimension; 2] = [Dimension::Two, Dimension::Three];
+fn point(random: &mut Random, dimension: Dimension) -> Vec<f64> {
+    (0..dimension.count()).map(|_| random.unit()).collect()
+}
+
+fn normal(u: &[f64], v: &[f64]) -> [f64; 3] {
+    [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+}
+
+fn minus(p: &[f64], q: &[f64]) -> Vec<f64> {
+    p.iter().zip(q).map(|(x, y)| x - y).collect()
+}
+
+fn dot(u: &[f64], v: &[f64]) -> f64 {
+    u.iter().zip(v).map(|(x, y)| x * y).sum()
+}
+
+/// Points on a line or in a plane, the last one moved off it.
+fn near_plane(random: &mut Random, dimension: Dimension, aim: f64) -> Vec<f64> {
+    let (a, b) = (point(random, dimension), point(random, dimension));
+    let mut points = vec![a.clone(), b.clone()];
+    let [s, t] = [random.unit() + 0.5, random.unit() + 0.5];
+    let u = minus(&b, &a);
+    let last = match dimension {
+        // on the line a b, then off it by area / length
+        Dimension::Two => {
+            let off = aim / dot(&u, &u);
+            vec![a[0] + s * u[0] - off * u[1], a[1] + s * u[1] + off * u[0]]
+        }
+        // in the plane a b c, then off it by volume / area
+        Dimension::Three => {
+            let c = point(random, dimension);
+            let v = minus(&c, &a);
+            let n = normal(&u, &v);
+            let off = aim / dot(&n, &n);
+            points.push(c);
+            (0..3).map(|i| a[i] + s * u[i] + t * v[i] + off * n[i]).collect()
+        }
+    };
+    points.push(last);
+    points.concat()
+}
+
+/// Points on a circle or sphere, the last one moved off it: the determinant is
+/// twice the area or six times the volume of the others, times the power of the
+/// last.
+fn near_sphere(random: &mut Random, dimension: Dimension, aim: f64) -> Vec<f64> {
+    let center: Vec<f64> = point(random, dimension).iter().map(|x| x / 4.0).collect();
+    let radius = 0.35 + 0.3 * random.unit();
+    let on = |random: &mut Random, radius: f64| -> Vec<f64> {
+        let to = point(random, dimension);
+        let length = dot(&to, &to).sqrt();
+        to.iter().zip(&center).map(|(x, o)| o + x * radius / length).collect()
+    };
+    let mut points: Vec<Vec<f64>> = (0..=dimension.count()).map(|_| on(random, radius)).collect();
+    let [u, v] = [1, 2].map(|i| minus(&points[i], &points[0]));
+    let size = match dimension {
+        Dimension::Two => u[0] * v[1] - u[1] * v[0],
+        Dimension::Three => dot(&normal(&u, &v), &minus(&points[3], &points[0])),
+    };
+    points.push(on(random, (radius * radius + aim / size).max(0.0).sqrt()));
+    points.concat()
+}
+
+const QUESTIONS: [Question; 4] =
+    [Question::Orient2d(Plane::Xy), Question::Orient3d, Question::Incircle, Question::Insphere];
+
+fn dimension(question: Question) -> Dimension {
+    match question {
+        Question::Orient2d(_) | Question::Incircle => Dimension::Two,
+        _ => Dimension::Three,
+    }
+}
 
 #[test]
 fn everything_up_to_the_lower_bound_and_nothing_beyond_the_upper_is_registered() {
-    for dimension in DIMENSIONS {
-        for scale in [1.0, 1e-60, 3e50] {
-            let found = check(dimension, scale, |_, _| None);
-            assert_eq!((found.missed, found.overreached, found.flipped), (0, 0, 0), "{dimension:?} {scale}: {found:?}");
-            assert!(found.registered > QUERIES / 20, "{found:?}");
+    for question in QUESTIONS {
+        for scale in [1.0, 1e-55, 3e50] {
+            let found = check(question, scale, |_, _| None);
+            assert_eq!((found.missed, found.overreached, found.flipped), (0, 0, 0), "{question:?} {scale}: {found:?}");
+            assert!(found.registered > queries(question) / 20, "{question:?} {scale}: {found:?}");
         }
     }
 }
 
 #[test]
-fn computed_determinants_stay_within_the_error_bounds_of_the_paper() {
-    let area = check(Dimension::Two, 1.0, |_, _| None).largest_error;
-    assert!(area > 0.0 && area <= 9.0 * f64::EPSILON, "E[a] ≤ 9 ε L²: {area:e}");
-    let volume = check(Dimension::Three, 1.0, |_, _| None).largest_error;
-    assert!(volume > 0.0 && volume <= 47.0 * f64::EPSILON, "E[v] ≤ 47 ε L³: {volume:e}");
+fn computed_determinants_stay_within_the_error_bounds() {
+    // E[a] ≤ 9 ε L² and E[v] ≤ 47 ε L³ are the paper's
+    for (question, bound) in QUESTIONS.into_iter().zip([9.0, 47.0, 129.0, 1129.0]) {
+        let error = check(question, 1.0, |_, _| None).largest_error;
+        assert!(error > 0.0 && error <= bound * f64::EPSILON, "{question:?}: {error:e}");
+    }
 }
 
 #[test]
@@ -172,13 +239,13 @@ fn a_tolerance_outside_its_bounds_is_caught() {
             Some(if estimate.abs() <= band.width * factor { Sign::Zero } else { Sign::of(estimate) })
         }
     };
-    for dimension in DIMENSIONS {
-        assert_eq!(check(dimension, 1.0, with(1.0)).missed, 0, "the wrapper alone changes nothing");
-        // κ₋/κ = 10/21 and ξ₋/ξ = ½
-        let narrow = check(dimension, 1.0, with(0.45));
-        assert!(narrow.missed > 0 && narrow.overreached == 0, "{dimension:?}: {narrow:?}");
-        // κ₊/κ = 32/21 and ξ₊/ξ = 1.485
-        let wide = check(dimension, 1.0, with(1.6));
-        assert!(wide.missed == 0 && wide.overreached > 0, "{dimension:?}: {wide:?}");
+    for question in QUESTIONS {
+        assert_eq!(check(question, 1.0, with(1.0)).missed, 0, "the wrapper alone changes nothing");
+        // κ₋/κ = 10/21, and ½ for the others
+        let narrow = check(question, 1.0, with(0.45));
+        assert!(narrow.missed > 0 && narrow.overreached == 0, "{question:?}: {narrow:?}");
+        // κ₊/κ = 32/21, ξ₊/ξ = 1.485, and 1.5 for circles and spheres
+        let wide = check(question, 1.0, with(1.6));
+        assert!(wide.missed == 0 && wide.overreached > 0, "{question:?}: {wide:?}");
     }
 }

@@ -1,0 +1,307 @@
+//! A number that knows how wrong it is, instead of what it is.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::sync::Arc;
+
+use rug::{Integer, Rational};
+
+use crate::magnitude::Magnitude;
+use crate::rules::{self, Error, largest_epsilon};
+use crate::{Field, Ring, Root};
+
+/// A quantity in the sense of section 2: generic code that runs on it derives
+/// the error bound of what it would compute in floating point.
+///
+/// Each operation applies the most restricted of the rules A to K that fits (C
+/// before B, E before D), and is invalid where an operand is or where no rule
+/// fits. Everything is exact but the root of a c, which is rounded up.
+///
+/// # Which ε
+/// The machine epsilon, 2⁻⁵² for doubles: every operation is charged with it,
+/// which is twice what rounding to nearest can lose.
+///
+/// # Rule G
+/// Its c is 1 and that is no bound of |x₁/x₂|. It is one of what the paper
+/// divides for, the coordinates of a unit vector; of 1/m it is not, but of
+/// û · (1/m) it is again, where û has c ≥ 1 as every edge has. Only the
+/// quotient's own error is safe for other uses, as that is relative to itself.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Quantity {
+    expression: Arc<str>,
+    state: Option<State>,
+}
+
+/// Everything but s; there where v is.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct State {
+    magnitude: Magnitude,
+    nonnegative: bool,
+    error: Error,
+    relative: bool,
+}
+
+/// A bound of an error: aε + bε², with L or the magnitude left out.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Bound {
+    /// The coefficient of ε.
+    pub first: Rational,
+    /// The coefficient of ε².
+    pub second: Rational,
+}
+
+impl Bound {
+    /// The bound as the paper states it, a whole number times ε: not less than
+    /// first·ε + second·ε² for any ε < 10⁻⁵.
+    #[must_use]
+    pub fn rounded_up(&self) -> Integer {
+        (Rational::from(&self.second * largest_epsilon()) + &self.first).ceil().numer().clone()
+    }
+
+    /// first·ε + second·ε².
+    #[must_use]
+    pub fn at(&self, epsilon: &Rational) -> Rational {
+        (Rational::from(&self.second * epsilon) + &self.first) * epsilon
+    }
+}
+
+impl Quantity {
+    /// Rule K: an exact coordinate, which shifting the scene makes at most L/2.
+    #[must_use]
+    pub fn coordinate(name: &str) -> Quantity {
+        Quantity::exact(name, Magnitude::new((1, 2), 1), false)
+    }
+
+    /// Rule J: a constant, which has to be one of the floating-point numbers.
+    #[must_use]
+    pub fn constant(value: impl Into<Rational>) -> Quantity {
+        let value = value.into();
+        let name = value.to_string();
+        let nonnegative = value >= 0;
+        Quantity::exact(&name, Magnitude::new(value.abs(), 0), nonnegative)
+    }
+
+    /// ε: a constant by rule J, and a power of two.
+    #[must_use]
+    pub fn epsilon() -> Quantity {
+        Quantity::exact("ε", Magnitude::epsilon(), true)
+    }
+
+    /// L, as the number that the tolerances are computed from: c = 1, p = 1, and
+    /// no error, as the bounds are in terms of this very number.
+    #[must_use]
+    pub fn length() -> Quantity {
+        Quantity::exact("L", Magnitude::new(1, 1), true)
+    }
+
+    fn exact(name: &str, magnitude: Magnitude, nonnegative: bool) -> Quantity {
+        Quantity {
+            expression: name.into(),
+            state: Some(State { magnitude, nonnegative, error: Error::none(), relative: true }),
+        }
+    }
+
+    /// s: how it is computed, with a pair of brackets for every operation.
+    #[must_use]
+    pub fn expression(&self) -> &str {
+        &self.expression
+    }
+
+    /// v: whether there is a bound.
+    #[must_use]
+    pub fn is_valid(&self) -> bool {
+        self.state.is_some()
+    }
+
+    /// c and p (and our e).
+    #[must_use]
+    pub fn magnitude(&self) -> Option<&Magnitude> {
+        self.state.as_ref().map(|state| &state.magnitude)
+    }
+
+    /// n: whether it is never negative.
+    #[must_use]
+    pub fn is_nonnegative(&self) -> bool {
+        self.state.as_ref().is_some_and(|state| state.nonnegative)
+    }
+
+    /// a and b.
+    #[must_use]
+    pub fn error(&self) -> Option<&Error> {
+        self.state.as_ref().map(|state| &state.error)
+    }
+
+    /// r: whether the error is relative to the quantity, and not to c L^p.
+    #[must_use]
+    pub fn is_relative(&self) -> bool {
+        self.state.as_ref().is_some_and(|state| state.relative)
+    }
+
+    /// E\[x\] over ε^e L^p; none where it is not valid.
+    #[must_use]
+    pub fn absolute(&self) -> Option<Bound> {
+        self.state.as_ref().map(|State { magnitude: Magnitude { c, .. }, error, .. }| Bound {
+            first: Rational::from(c * &error.a),
+            second: Rational::from(c * &error.b),
+        })
+    }
+
+    /// R\[x\]; none where the error isn't relative to the quantity.
+    #[must_use]
+    pub fn relative(&self) -> Option<Bound> {
+        self.state
+            .as_ref()
+            .filter(|state| state.relative)
+            .map(|State { error, .. }| Bound { first: error.a.clone(), second: error.b.clone() })
+    }
+
+    /// The same, its error relative to itself because |x| is known to be at least
+    /// `smallest` times ε^e L^p. Not one of the paper's rules, but its reasoning
+    /// in 4.1 and 5.4.4.
+    ///
+    /// # Panics
+    /// Where `smallest` isn't positive.
+    #[must_use]
+    pub fn at_least(mut self, smallest: &Rational) -> Quantity {
+        assert!(*smallest > 0, "a lower bound of {} has to be positive", self.expression);
+        if let Some(state) = &mut self.state
+            && !state.relative
+        {
+            let factor = Rational::from(&state.magnitude.c / smallest);
+            state.error.a *= &factor;
+            state.error.b *= &factor;
+            state.relative = true;
+        }
+        self
+    }
+
+    /// The same, known not to be negative.
+    #[must_use]
+    pub fn nonnegative(mut self) -> Quantity {
+        if let Some(state) = &mut self.state {
+            state.nonnegative = true;
+        }
+        self
+    }
+
+    fn binary(self, sign: char, other: Quantity, rule: impl Fn(&State, &State, bool) -> Option<State>) -> Quantity {
+        let same = self.expression == other.expression;
+        let state = self.state.as_ref().zip(other.state.as_ref()).and_then(|(x, y)| rule(x, y, same));
+        Quantity { expression: format!("({} {sign} {})", self.expression, other.expression).into(), state }
+    }
+}
+
+/// Rules B and D, for a sum and a difference alike.
+fn rule_b(x: &State, y: &State, nonnegative: bool) -> Option<State> {
+    let [c1, c2] = x.magnitude.common(&y.magnitude)?;
+    let error = rules::sum(&c1, &x.error, &c2, &y.error);
+    Some(State { magnitude: total(x, y, &c1, &c2), nonnegative, error, relative: false })
+}
+
+fn total(x: &State, y: &State, c1: &Rational, c2: &Rational) -> Magnitude {
+    let epsilon_quarters = x.magnitude.epsilon_quarters.min(y.magnitude.epsilon_quarters);
+    Magnitude { c: Rational::from(c1 + c2), length_quarters: x.magnitude.length_quarters, epsilon_quarters }
+}
+
+impl Add for Quantity {
+    type Output = Quantity;
+
+    /// Rule C, else B.
+    fn add(self, other: Quantity) -> Quantity {
+        self.binary('+', other, |x, y, _| {
+            let nonnegative = x.nonnegative && y.nonnegative;
+            if !(nonnegative && x.relative && y.relative) {
+                return rule_b(x, y, nonnegative);
+            }
+            let [c1, c2] = x.magnitude.common(&y.magnitude)?;
+            let error = rules::sum_of_same_sign(&x.error, &y.error);
+            Some(State { magnitude: total(x, y, &c1, &c2), nonnegative, error, relative: true })
+        })
+    }
+}
+
+impl Sub for Quantity {
+    type Output = Quantity;
+
+    /// Rule E, else D.
+    fn sub(self, other: Quantity) -> Quantity {
+        self.binary('-', other, |x, y, _| {
+            let state = rule_b(x, y, false)?;
+            let exact = x.error.is_none() && y.error.is_none();
+            Some(if exact { State { error: rules::exact_difference(), relative: true, ..state } } else { state })
+        })
+    }
+}
+
+impl Mul for Quantity {
+    type Output = Quantity;
+
+    /// Rule F.
+    fn mul(self, other: Quantity) -> Quantity {
+        self.binary('*', other, |x, y, same| {
+            Some(State {
+                magnitude: x.magnitude.product(&y.magnitude),
+                nonnegative: same || (x.nonnegative && y.nonnegative),
+                error: rules::product(&x.error, &y.error),
+                relative: x.relative && y.relative,
+            })
+        })
+    }
+}
+
+impl Div for Quantity {
+    type Output = Quantity;
+
+    /// Rule G, with its c = 1.
+    fn div(self, other: Quantity) -> Quantity {
+        self.binary('/', other, |x, y, _| {
+            if !(x.relative && y.relative) {
+                return None;
+            }
+            Some(State {
+                magnitude: Magnitude {
+                    c: 1.into(),
+                    length_quarters: x.magnitude.length_quarters - y.magnitude.length_quarters,
+                    epsilon_quarters: x.magnitude.epsilon_quarters - y.magnitude.epsilon_quarters,
+                },
+                nonnegative: x.nonnegative && y.nonnegative,
+                error: rules::quotient(&x.error, &y.error)?,
+                relative: true,
+            })
+        })
+    }
+}
+
+impl Neg for Quantity {
+    type Output = Quantity;
+
+    /// Rule A.
+    fn neg(self) -> Quantity {
+        let state = self.state.map(|state| State { nonnegative: false, ..state });
+        Quantity { expression: format!("-{}", self.expression).into(), state }
+    }
+}
+
+impl Ring for Quantity {
+    /// Rule I.
+    fn abs(self) -> Quantity {
+        let state = self.state.map(|state| State { nonnegative: true, ..state });
+        Quantity { expression: format!("|{}|", self.expression).into(), state }
+    }
+}
+
+impl Field for Quantity {
+    fn one() -> Quantity {
+        Quantity::constant(1)
+    }
+}
+
+impl Root for Quantity {
+    /// Rule H.
+    fn sqrt(self) -> Quantity {
+        let state = self.state.filter(|state| state.nonnegative && state.relative).and_then(|state| {
+            let magnitude = state.magnitude.root()?;
+            Some(State { magnitude, nonnegative: true, error: rules::root(&state.error)?, relative: true })
+        });
+        Quantity { expression: format!("√{}", self.expression).into(), state }
+    }
+}
