@@ -35,6 +35,7 @@
 
 mod clusters;
 mod crossings;
+mod embedded;
 mod loose_ends;
 mod orient;
 mod piercings;
@@ -42,6 +43,7 @@ mod seated;
 
 pub use clusters::{Cluster, Collapse, clusters, collapses};
 pub use crossings::{Crossings, Unfaithful, crossings};
+pub use embedded::is_embedded;
 pub use loose_ends::{LooseEnd, LooseEnds, loose_ends};
 pub use orient::{NotOriented, Oriented, oriented_curve, oriented_surface};
 pub use piercings::{Piercings, piercings};

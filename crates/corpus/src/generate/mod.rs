@@ -30,7 +30,7 @@ use constructed::Arrangement;
 use families::FAMILIES;
 pub use families::{FamilyInfo, families};
 use pixels::PixelMap;
-pub(crate) use random::Random;
+pub use random::Random;
 
 /// A family with its parameters.
 #[derive(Clone, PartialEq, Debug)]
