@@ -136,7 +136,7 @@ mod tests {
         let at_first_vertex = |_: &Scene, _: &Complex, _: &Complex| {
             let (a, b) = (Simplex { rank: 0, index: 0 }, Simplex { rank: 1, index: 0 });
             let on = [1.0, 0.0, 0.0, 0.0];
-            Ok(Contacts { registered: vec![Contact { a, b, on_a: on, on_b: on }] })
+            Ok(Contacts { registered: vec![Contact { a, b, on_a: on, on_b: on }], ..Contacts::default() })
         };
         let found = location(&at_first_vertex, 2.0, Precision::Double, 200, 1).unwrap();
         let last = found.last().unwrap();
