@@ -28,10 +28,8 @@ fn closest(first: &[[f64; 3]], second: &[[f64; 3]]) -> Option<([Vec<Rational>; 2
         system[pivot].iter_mut().for_each(|x| *x *= &inverse);
         for other in (0..unknowns).filter(|&other| other != pivot) {
             let factor = system[other][pivot].clone();
-            for column in 0..=unknowns {
-                let change = Rational::from(&factor * &system[pivot][column]);
-                system[other][column] -= change;
-            }
+            let change: Vec<Rational> = system[pivot].iter().map(|x| Rational::from(&factor * x)).collect();
+            system[other].iter_mut().zip(change).for_each(|(x, change)| *x -= change);
         }
     }
     let solution: Vec<Rational> = system.iter().map(|row| row[unknowns].clone()).collect();

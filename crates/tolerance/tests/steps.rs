@@ -1,0 +1,152 @@
+//! Every comparison of Algorithms 2 to 5 and 7 to 12 with its tolerance: a
+//! pair that is just within it is answered otherwise than one just beyond,
+//! whatever else is known about the pair.
+
+use predicament_predicates::Band;
+use predicament_tolerance::algorithms::{plane, space};
+use predicament_tolerance::{Float, Tolerances2d, Tolerances3d};
+
+/// Whether the step passes what is just below T and what is just above it.
+fn passes(band: Band, registered: impl Fn(f64) -> bool) -> [bool; 2] {
+    // Nearer than T₋ and T₊ are, and further than rounding takes these simple numbers.
+    [15.0 / 16.0, 17.0 / 16.0].map(|factor| registered(band.width * factor))
+}
+
+/// Registered up to T.
+const WITHIN: [bool; 2] = [true, false];
+/// Registered beyond T.
+const BEYOND: [bool; 2] = [false, true];
+
+fn p<F: Float, const D: usize, const N: usize>(points: [[f64; D]; N]) -> [[F; D]; N] {
+    points.map(|point| point.map(F::nearest))
+}
+
+fn check_plane<F: Float>() {
+    let t = &Tolerances2d::<F>::from_length(F::one());
+    let vertex_vertex = |d: f64| {
+        let [a, b] = p([[0.0, 0.0], [0.0, d]]);
+        plane::vertex_vertex(t, &a, &b)
+    };
+    assert_eq!(passes(t.sigma, vertex_vertex), WITHIN, "σ");
+
+    let edge_vertex = |m: f64, d: f64| {
+        let [a, b, v] = p([[0.0, 0.0], [m, 0.0], [m / 2.0, d]]);
+        plane::edge_vertex(t, &[a, b], &v).is_some()
+    };
+    assert_eq!(passes(t.tau, |d| edge_vertex(0.5, d)), WITHIN, "τ");
+    assert_eq!(passes(t.sigma_hat, |m| edge_vertex(m, 0.0)), BEYOND, "σ̂");
+
+    // The arms of a cross, one of them short.
+    for short in 0..4 {
+        let edge_edge = |area: f64| {
+            let [a, b, c, d] = std::array::from_fn(|arm| if arm == short { 2.0 * area } else { 0.25 });
+            plane::edge_edge(t, &p([[-a, 0.0], [b, 0.0]]), &p([[0.0, -c], [0.0, d]])).is_some()
+        };
+        assert_eq!(passes(t.kappa, edge_edge), BEYOND, "κ, arm {short}");
+    }
+    for (a, b, c) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
+        let triangle_vertex = |area: f64| {
+            let mut triangle = [[0.0; 2]; 3];
+            (triangle[a], triangle[b], triangle[c]) = ([0.0, 0.0], [0.5, 0.0], [0.0, 0.5]);
+            let [v] = p([[0.25, 2.0 * area]]);
+            plane::triangle_vertex(t, &p(triangle), &v).is_some()
+        };
+        assert_eq!(passes(t.kappa, triangle_vertex), BEYOND, "κ, corner {c}");
+    }
+}
+
+fn check_space<F: Float>() {
+    let t = &Tolerances3d::<F>::from_length(F::one());
+    let vertex_vertex = |d: f64| {
+        let [a, b] = p([[0.0; 3], [0.0, 0.0, d]]);
+        space::vertex_vertex(t, &a, &b)
+    };
+    assert_eq!(passes(t.sigma, vertex_vertex), WITHIN, "σ");
+
+    let edge_vertex = |m: f64, d: f64| {
+        let [a, b, v] = p([[0.0; 3], [m, 0.0, 0.0], [m / 2.0, 0.0, d]]);
+        space::edge_vertex(t, &[a, b], &v).is_some()
+    };
+    assert_eq!(passes(t.tau, |d| edge_vertex(0.75, d)), WITHIN, "τ");
+    assert_eq!(passes(t.sigma_hat, |m| edge_vertex(m, 0.0)), BEYOND, "σ̂");
+
+    let cross = |[a, b, c, d]: [f64; 4], height: f64| {
+        let edges = (p([[-a, 0.0, 0.0], [b, 0.0, 0.0]]), p([[0.0, -c, height], [0.0, d, height]]));
+        space::edge_edge(t, &edges.0, &edges.1).is_some()
+    };
+    assert_eq!(passes(t.gamma, |height| cross([0.5; 4], height)), WITHIN, "γ");
+    // m = 2a · 1
+    let thin = |m_squared: f64| cross([m_squared.sqrt() / 2.0, m_squared.sqrt() / 2.0, 0.5, 0.5], 0.0);
+    assert_eq!(passes(t.lambda, thin), BEYOND, "λ");
+    for short in 0..4 {
+        // With arms s and ½ of one edge and ½ and ½ of the other, m = s + ½ and its weight s / m.
+        let edge_edge = |weight: f64| {
+            let s = 4.0 * weight / ((1.0 + 16.0 * weight).sqrt() + 1.0);
+            cross(std::array::from_fn(|arm| if arm == short { s } else { 0.5 }), 0.0)
+        };
+        assert_eq!(passes(t.phi, edge_edge), BEYOND, "φ, arm {short}");
+    }
+
+    let triangle_vertex = |leg: f64, [x, y]: [f64; 2], height: f64| {
+        let [v] = p([[x, y, height]]);
+        space::triangle_vertex(t, &p([[0.0; 3], [leg, 0.0, 0.0], [0.0, 1.0, 0.0]]), &v).is_some()
+    };
+    assert_eq!(passes(t.delta, |height| triangle_vertex(1.0, [0.25, 0.25], height)), WITHIN, "δ");
+    let thin = |m_squared: f64| triangle_vertex(m_squared.sqrt(), [m_squared.sqrt() / 3.0, 1.0 / 3.0], 0.0);
+    assert_eq!(passes(t.nu, thin), BEYOND, "ν");
+    assert_eq!(passes(t.zeta, |c| triangle_vertex(1.0, [0.5, c], 0.0)), BEYOND, "ζ, ĉ");
+    assert_eq!(passes(t.zeta, |b| triangle_vertex(1.0, [b, 0.5], 0.0)), BEYOND, "ζ, b̂");
+    assert_eq!(passes(t.zeta, |a| triangle_vertex(1.0, [0.5, 0.5 - a], 0.0)), BEYOND, "ζ, â");
+
+    // Twice the triangle's area is 1, and the edge 1 long; the volume is a height.
+    let pierced = |corners: [usize; 3], [x, y]: [f64; 2], ends: [f64; 2]| {
+        let mut triangle = [[0.0; 3]; 3];
+        for (corner, point) in corners.into_iter().zip([[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]) {
+            triangle[corner] = point;
+        }
+        space::triangle_edge(t, &p(triangle), &p(ends.map(|z| [x, y, z]))).is_some()
+    };
+    for corners in [[0, 1, 2], [1, 2, 0], [2, 0, 1]] {
+        assert_eq!(passes(t.mu, |v| pierced(corners, [0.5, v], [0.5, -0.5])), BEYOND, "μ, {corners:?}");
+    }
+    assert_eq!(passes(t.xi, |v| pierced([0, 1, 2], [0.25, 0.25], [v, -0.5])), BEYOND, "ξ, v_P");
+    assert_eq!(passes(t.xi, |v| pierced([0, 1, 2], [0.25, 0.25], [0.5, -v])), BEYOND, "ξ, v_Q");
+
+    for corners in [[0, 1, 2, 3], [1, 2, 3, 0], [2, 3, 0, 1], [3, 0, 1, 2]] {
+        let tetrahedron_vertex = |height: f64| {
+            let mut tetrahedron = [[0.0; 3]; 4];
+            let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+            for (corner, point) in corners.into_iter().zip(points) {
+                tetrahedron[corner] = point;
+            }
+            let [v] = p([[0.25, 0.25, height]]);
+            space::tetrahedron_vertex(t, &p(tetrahedron), &v).is_some()
+        };
+        assert_eq!(passes(t.rho, tetrahedron_vertex), BEYOND, "ρ, {corners:?}");
+    }
+}
+
+#[test]
+fn each_step_turns_at_its_tolerance_in_double_precision() {
+    check_plane::<f64>();
+    check_space::<f64>();
+}
+
+#[test]
+fn each_step_turns_at_its_tolerance_in_single_precision() {
+    check_plane::<f32>();
+    check_space::<f32>();
+}
+
+#[test]
+fn tolerances_are_those_of_the_format() {
+    // 2⁻²³ and its roots, not those of a double.
+    let plane = Tolerances2d::<f32>::from_length(1.0);
+    assert_eq!(plane.kappa.width, 21.0 * 2.0_f64.powi(-23));
+    assert!((plane.sigma.lower - 6.0 * 2.0_f64.powi(-23).sqrt()).abs() < 1e-15);
+    let space = Tolerances3d::<f32>::from_length(1.0);
+    assert_eq!(space.lambda.width, 1215.0 * 2.0_f64.powi(-23));
+    assert!(
+        (space.xi.width - 56.0 * 2.0_f64.powi(-23).powf(0.75)).abs() < 4.0 * f64::from(f32::EPSILON) * space.xi.width
+    );
+}
