@@ -56,8 +56,10 @@ impl<const D: usize> BoxIndex<D> {
     pub fn new(boxes: Vec<Bounds<D>>) -> BoxIndex<D> {
         const { assert!(D == 2 || D == 3, "a scene has two or three dimensions") };
         let count = u32::try_from(boxes.len()).expect("a box index holds fewer than 2^32 boxes");
-        assert!(boxes.par_iter().all(Bounds::is_finite), "coordinates must be finite");
-        let all = hull(boxes.par_iter().copied());
+        let all = hull(boxes.par_iter().map(|bounds| {
+            assert!(bounds.is_finite(), "coordinates must be finite");
+            *bounds
+        }));
         let entries: Vec<Entry> = (0..count).map(|place| Entry { place, starts: ALL_AXES }).collect();
         let grid = (!boxes.is_empty()).then(|| Grid::new(entries, &boxes, &all, DEPTH));
         BoxIndex { boxes, all, grid }
@@ -124,7 +126,8 @@ struct Grid<const D: usize> {
     cells: Cells<D>,
     /// The place of each cell's first entry, and the number of entries.
     starts: Vec<u32>,
-    entries: Vec<Entry>,
+    /// [Packed](Entry::packed), cell after cell.
+    entries: Vec<u64>,
     /// The crowded cells that are cut once more, in ascending order.
     nested: Vec<(usize, Grid<D>)>,
     /// Those that would reach too many cells here.
@@ -142,8 +145,8 @@ impl<const D: usize> Grid<D> {
             let is_large = |entry: &&Entry| reach(&cells, entry) > most_cells(D);
             larger = given.par_iter().filter(is_large).copied().collect();
         }
-        if larger.len() < given.len() && !larger.is_empty() {
-            given.retain(|entry| reach(&cells, entry) <= most_cells(D));
+        if larger.len() < given.len() && depth > 0 {
+            given.retain(|entry| larger.is_empty() || reach(&cells, entry) <= most_cells(D));
         } else {
             larger.clear();
             while given.par_iter().map(|entry| reach(&cells, entry)).sum::<usize>() > most_cells(D) * given.len() {
@@ -166,7 +169,12 @@ impl<const D: usize> Grid<D> {
             if entries.len() <= CROWD {
                 return None;
             }
-            let nested = Grid::new(entries.to_vec(), boxes, &self.cells.bounds(cell), depth);
+            let nested = Grid::new(
+                entries.iter().map(|&packed| Entry::unpacked(packed)).collect(),
+                boxes,
+                &self.cells.bounds(cell),
+                depth,
+            );
             nested.is_worth_it(entries.len()).then_some((cell, nested))
         };
         self.nested = (0..self.cells.len()).into_par_iter().filter_map(cut).collect();
@@ -180,7 +188,7 @@ impl<const D: usize> Grid<D> {
         (larger * without).saturating_add(squares) <= without * without / 2
     }
 
-    fn of(&self, cell: usize) -> &[Entry] {
+    fn of(&self, cell: usize) -> &[u64] {
         &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize]
     }
 
@@ -203,7 +211,7 @@ impl<const D: usize> Grid<D> {
                 self.nested[at].1.near(query, started, boxes, found);
                 continue;
             }
-            for entry in entries {
+            for entry in entries.iter().map(|&packed| Entry::unpacked(packed)) {
                 let is_first = entry.starts & started == started;
                 if is_first && boxes[entry.place as usize].is_near(&query.exact, query.reach) {
                     found.push(entry.place);
@@ -218,7 +226,7 @@ impl<const D: usize> Grid<D> {
 
 /// Counting sort by cells. Threads share the counters, so entries of one cell
 /// can come in any order, which nothing depends on.
-fn enter<const D: usize>(given: &[Entry], boxes: &[Bounds<D>], cells: &Cells<D>) -> (Vec<u32>, Vec<Entry>) {
+fn enter<const D: usize>(given: &[Entry], boxes: &[Bounds<D>], cells: &Cells<D>) -> (Vec<u32>, Vec<u64>) {
     let counters: Vec<AtomicU32> = (0..=cells.len()).map(|_| AtomicU32::new(0)).collect();
     given.par_iter().with_min_len(ALONE).for_each(|entry| {
         for place in places(cells.range(&boxes[entry.place as usize])) {
@@ -242,7 +250,7 @@ fn enter<const D: usize>(given: &[Entry], boxes: &[Bounds<D>], cells: &Cells<D>)
         }
     });
     let starts = counters.into_iter().map(AtomicU32::into_inner).collect();
-    (starts, entries.into_iter().map(|packed| Entry::unpacked(packed.into_inner())).collect())
+    (starts, entries.into_iter().map(AtomicU64::into_inner).collect())
 }
 
 fn hull<const D: usize>(boxes: impl IndexedParallelIterator<Item = Bounds<D>>) -> Bounds<D> {

@@ -74,6 +74,7 @@ pub struct Complex {
     edges: Vec<[Vertex; 2]>,
     triangles: Vec<[Vertex; 3]>,
     tetrahedra: Vec<[Vertex; 4]>,
+    maximal: Vec<Simplex>,
 }
 
 /// Simplices as they were given: in any order, faces left out or repeated.
@@ -99,14 +100,19 @@ impl Complex {
         if let (Dimension::Two, Some(simplex)) = (scene.dimension(), given.tetrahedra.first()) {
             return Err(ComplexError::Dimension { simplex: simplex.to_vec() });
         }
-        complex.tetrahedra = canonical(scene, &given.tetrahedra, [])?;
-        let faces = complex.tetrahedra.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, b, d], [a, c, d], [b, c, d]]);
-        complex.triangles = canonical(scene, &given.triangles, faces)?;
-        let sides = complex.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [a, c], [b, c]]);
-        complex.edges = canonical(scene, &given.edges, sides)?;
         let given_vertices: Vec<[Vertex; 1]> = given.vertices.iter().map(|&v| [v]).collect();
+        let mut maximal: [Vec<u32>; 4] = Default::default();
+        (complex.tetrahedra, maximal[3]) = canonical(scene, &given.tetrahedra, [])?;
+        let faces = complex.tetrahedra.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, b, d], [a, c, d], [b, c, d]]);
+        (complex.triangles, maximal[2]) = canonical(scene, &given.triangles, faces)?;
+        let sides = complex.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [a, c], [b, c]]);
+        (complex.edges, maximal[1]) = canonical(scene, &given.edges, sides)?;
         let ends = complex.edges.as_flattened().iter().map(|&v| [v]);
-        complex.vertices = canonical(scene, &given_vertices, ends)?.into_iter().map(|[v]| v).collect();
+        let vertices;
+        (vertices, maximal[0]) = canonical(scene, &given_vertices, ends)?;
+        complex.vertices = vertices.into_iter().map(|[v]| v).collect();
+        let by_rank = (0..).zip(&maximal);
+        complex.maximal = by_rank.flat_map(|(rank, of)| of.iter().map(move |&index| Simplex { rank, index })).collect();
         Ok(complex)
     }
 
@@ -132,6 +138,12 @@ impl Complex {
     #[must_use]
     pub fn tetrahedra(&self) -> &[[Vertex; 4]] {
         &self.tetrahedra
+    }
+
+    /// The simplices that are faces of no other, in ascending order.
+    #[must_use]
+    pub fn maximal(&self) -> &[Simplex] {
+        &self.maximal
     }
 
     /// How many simplices there are, of all ranks.
@@ -193,13 +205,15 @@ impl Complex {
     }
 }
 
-/// Given simplices and faces of larger ones: checked, sorted, each once.
+/// Given simplices and faces of larger ones: checked, sorted, each once; and
+/// the places of those that are no faces.
 fn canonical<const N: usize>(
     scene: &Scene,
     given: &[[Vertex; N]],
     faces: impl IntoIterator<Item = [Vertex; N]>,
-) -> Result<Vec<[Vertex; N]>, ComplexError> {
-    let mut all: Vec<[Vertex; N]> = Vec::with_capacity(given.len());
+) -> Result<(Vec<[Vertex; N]>, Vec<u32>), ComplexError> {
+    // A face sorts before the same simplex as it was given, and is the one that stays.
+    let mut all: Vec<([Vertex; N], bool)> = Vec::with_capacity(given.len());
     for simplex in given {
         let mut sorted = *simplex;
         sorted.sort_unstable();
@@ -209,15 +223,16 @@ fn canonical<const N: usize>(
         if let Some(pair) = sorted.windows(2).find(|pair| pair[0] == pair[1]) {
             return Err(ComplexError::Repeated { simplex: simplex.to_vec(), vertex: pair[0] });
         }
-        all.push(sorted);
+        all.push((sorted, true));
     }
-    all.extend(faces);
+    all.extend(faces.into_iter().map(|face| (face, false)));
     all.sort_unstable();
-    all.dedup();
+    all.dedup_by_key(|(simplex, _)| *simplex);
     if u32::try_from(all.len()).is_err() {
         return Err(ComplexError::TooMany);
     }
-    Ok(all)
+    let maximal = (0..).zip(&all).filter(|(_, (_, is_maximal))| *is_maximal).map(|(place, _)| place).collect();
+    Ok((all.into_iter().map(|(simplex, _)| simplex).collect(), maximal))
 }
 
 #[cfg(test)]
@@ -249,6 +264,7 @@ mod tests {
         assert_eq!(complex.vertices(), v([0, 1, 2, 3, 4]));
         assert_eq!(complex.len(), 1 + 5 + 8 + 5);
         assert_eq!(complex.vertices_of(Simplex { rank: 2, index: 2 }), v([0, 1, 4]));
+        assert_eq!(complex.maximal(), [Simplex { rank: 2, index: 2 }, Simplex { rank: 3, index: 0 }]);
     }
 
     #[test]

@@ -75,7 +75,7 @@ pub fn tori(triangles: usize) -> Pair {
                 let ring = 3.0 + v.cos();
                 let at = [ring * u.cos(), ring * u.sin(), v.sin()];
                 // the second lies across the first
-                let at = if which == 0 { at } else { [at[0] + 2.9, at[2] + 0.1, at[1] + 0.07] };
+                let at = if which == 0 { at } else { [at[0] + 1.9, at[2] + 0.1, at[1] + 0.07] };
                 points.push(at.map(|c| f64::from(c as f32)));
                 let corner = |i: usize, j: usize| Vertex::input(first + i % around * across + j % across);
                 given.triangles.push([corner(i, j), corner(i + 1, j), corner(i + 1, j + 1)]);

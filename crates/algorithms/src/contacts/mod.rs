@@ -24,7 +24,7 @@ use rayon::prelude::*;
 
 use ask::ask;
 use ended::Ended;
-use near::Near;
+use near::{Near, PIECE};
 
 /// Barycentric coordinates of a point in a simplex, one for each of its
 /// vertices in ascending order; those that the simplex lacks are zero.
@@ -119,11 +119,8 @@ pub fn contacts3d<S: Predicates>(session: &S, a: &Complex, b: &Complex) -> Conta
     contacts(session, a, b)
 }
 
-/// So many simplices of the first complex make a piece of work.
-const PIECE: usize = 512;
-
 fn hierarchy<S: Predicates, const D: usize>(session: &S, complexes: [&Complex; 2]) -> Contacts {
-    let near = Near::<D>::new(session.scene(), complexes[1], session.reach());
+    let near = Near::<D>::new(session.scene(), complexes, session.reach());
     let mut all = Contacts::default();
     let mut ended = Ended::default();
     for pairs in levels(session.scene().dimension()) {
@@ -150,16 +147,10 @@ fn of_ranks<S: Predicates, const D: usize>(
     ended: &Ended,
 ) -> (Level, Vec<Contact>) {
     let none = Level { ranks: [rank_a, rank_b], candidates: 0, ended: 0, asked: 0, registered: 0 };
-    let [count_a, count_b] = [(a, rank_a), (b, rank_b)].map(|(complex, rank)| near::counts(complex)[rank as usize]);
-    if count_a == 0 || count_b == 0 {
-        return (none, Vec::new());
-    }
-    let place = |index: usize| u32::try_from(index).expect("a complex holds 2^32 at most");
-    let piece = |piece: usize| {
+    let piece = |piece: &[u32]| {
         let (mut level, mut registered) = (none, Vec::new());
         let (mut found, mut partners) = (Vec::new(), Vec::new());
-        for index in piece * PIECE..count_a.min((piece + 1) * PIECE) {
-            let s = Simplex { rank: rank_a, index: place(index) };
+        for s in piece.iter().map(|&index| Simplex { rank: rank_a, index }) {
             near.to(a.vertices_of(s), rank_b, &mut found);
             if found.is_empty() {
                 continue;
@@ -178,7 +169,7 @@ fn of_ranks<S: Predicates, const D: usize>(
         level.registered = registered.len() as u64;
         (level, registered)
     };
-    let pieces: Vec<(Level, Vec<Contact>)> = (0..count_a.div_ceil(PIECE)).into_par_iter().map(piece).collect();
+    let pieces: Vec<(Level, Vec<Contact>)> = near.firsts(rank_a).par_chunks(PIECE).map(piece).collect();
     let mut all = (none, Vec::with_capacity(pieces.iter().map(|(_, registered)| registered.len()).sum()));
     for (level, registered) in pieces {
         all.0.candidates += level.candidates;
