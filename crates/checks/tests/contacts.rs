@@ -2,11 +2,13 @@
 
 use predicament_algorithms::arrangement::Arrangement;
 use predicament_algorithms::contacts::{Contact, Contacts, contacts};
+use predicament_algorithms::polygon_locate::LocateIndex;
 use predicament_checks::contacts::{
-    Crossings, NotOriented, Piercings, Seat, Side, clusters, collapses, crossings, loose_ends, piercings,
+    Crossings, NotOriented, Piercings, Seat, Side, clusters, collapses, crossings, is_embedded, loose_ends, piercings,
 };
+use predicament_checks::tiling::map_flaws;
 use predicament_exact::Exact;
-use predicament_mesh::{Complex, Simplex, Simplices};
+use predicament_mesh::{Complex, PolygonMap, Simplex, Simplices};
 use predicament_predicates::{Backend, Off, Scene, Vertex};
 use predicament_sos::{Scheme, Sos};
 use proptest::prelude::*;
@@ -192,6 +194,17 @@ proptest! {
                 prop_assert!(!pair.crossings(contacts, seat).is_odd());
             }
         }
+    }
+
+    /// Against the flaws of a map with this one region.
+    #[test]
+    fn a_ring_is_embedded_if_it_is_a_map_without_flaws(ring in ring(3..7)) {
+        let pair = Pair::polygons(&ring, &SQUARE);
+        let exact = Exact.prepare(&pair.scene, Off).unwrap();
+        let mut map = PolygonMap::new();
+        map.push("ring", vec![(0..ring.len()).map(Vertex::input).collect()]).unwrap();
+        let flaws = map_flaws(&LocateIndex::new(&map, &pair.scene), &exact);
+        prop_assert_eq!(is_embedded(&exact, &pair.a), flaws.is_empty());
     }
 
     /// Whatever was registered or lost: all crossings of closed curves are an

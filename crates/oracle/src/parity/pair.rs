@@ -3,10 +3,9 @@
 use predicament_checks::contacts::{Seat, is_embedded};
 use predicament_exact::Exact;
 use predicament_mesh::{Complex, Simplices};
-use predicament_predicates::{Backend, Off, Scene, Vertex};
-use predicament_tolerance::Tolerance;
+use predicament_predicates::{Backend, Declined, Off, Scene, Vertex};
 
-use super::examine::examine;
+use super::examine::{Examined, examine};
 use crate::shrink::{Shrink, Shrunk, length, shorter, shrink, without_each};
 
 type Polygon = Vec<[f64; 2]>;
@@ -104,17 +103,15 @@ impl Shrink for PolygonPair {
     }
 }
 
-/// Shrinks a pair for which the tolerance scheme counts an odd number of
+/// Shrinks a pair for which this backend's registrations give an odd number of
 /// crossings under all of these rules, keeping that, both polygons simple, and
 /// the exact count even. Tries at most `limit` pairs.
 #[must_use]
-pub fn shrink_odd(pair: PolygonPair, seats: &[Seat], limit: usize) -> Shrunk<PolygonPair> {
-    shrink(pair, limit, |candidate| {
-        let odd = |backend_says: Option<super::Examined>, wanted: bool| {
-            backend_says.is_some_and(|examined| seats.iter().all(|&seat| examined.crossings(seat).is_odd() == wanted))
-        };
-        candidate.is_simple()
-            && odd(examine(&Tolerance, candidate).ok(), true)
-            && odd(examine(&Exact, candidate).ok(), false)
-    })
+pub fn shrink_odd<B: Backend>(backend: &B, pair: PolygonPair, seats: &[Seat], limit: usize) -> Shrunk<PolygonPair> {
+    let all = |examined: Result<Examined, Declined>, odd: bool| {
+        examined.is_ok_and(|examined| seats.iter().all(|&seat| examined.crossings(seat).is_odd() == odd))
+    };
+    let shows =
+        |pair: &PolygonPair| pair.is_simple() && all(examine(backend, pair), true) && all(examine(&Exact, pair), false);
+    shrink(pair, limit, shows)
 }

@@ -14,7 +14,9 @@ use super::{PolygonPair, Recipe, examine, random_pair};
 pub struct SeatCounts {
     /// Pairs with an odd number of crossings.
     pub odd: usize,
-    /// Pairs whose merged curves are not what the registrations say somewhere, odd or not.
+    /// Pairs whose merged curves are not what the registrations say somewhere,
+    /// odd or not. (Of perturbed curves registrations say where *they* cross,
+    /// and where unperturbed curves touch the two are not the same.)
     pub unfaithful: usize,
 }
 
@@ -33,6 +35,10 @@ pub struct Row {
     pub odd_some: usize,
     /// Pairs that are odd under all rules.
     pub odd_all: usize,
+    /// Those that are odd under some rule, by what was registered besides
+    /// crossings: nothing, vertices with vertices only, edges with vertices
+    /// only, both.
+    pub odd_with: [usize; 4],
     /// Pairs with a cluster.
     pub clustered: usize,
     /// All clusters.
@@ -107,6 +113,9 @@ impl Census {
             row.seats = seats;
             row.odd_some = usize::from(!odd.is_empty());
             row.odd_all = usize::from(odd.len() == 3);
+            if !odd.is_empty() {
+                row.odd_with[usize::from(row.registered[0] > 0) + 2 * usize::from(row.registered[1] > 0)] = 1;
+            }
             row.clustered = usize::from(!examined.clusters.is_empty());
             row.clusters = examined.clusters.len();
             let sizes = examined.clusters.iter().map(|cluster| cluster.vertices.iter().map(Vec::len).sum());
@@ -142,6 +151,9 @@ impl Row {
     fn add(&mut self, more: &Row) {
         for (level, count) in self.registered.iter_mut().zip(more.registered) {
             *level += count;
+        }
+        for (count, more) in self.odd_with.iter_mut().zip(more.odd_with) {
+            *count += more;
         }
         for (seat, counts) in self.seats.iter_mut().zip(more.seats) {
             seat.odd += counts.odd;

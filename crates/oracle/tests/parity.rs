@@ -1,0 +1,129 @@
+//! Odd crossings: the smallest scenes found, and the search that found them.
+
+use predicament_algorithms::arrangement::Arrangement;
+use predicament_checks::contacts::Seat;
+use predicament_exact::Exact;
+use predicament_oracle::parity::{Census, PolygonPair, Recipe, examine, random_pair, search, shrink_odd};
+use predicament_predicates::{Backend, Off};
+use predicament_sos::{Scheme, Sos};
+use predicament_tolerance::Tolerance;
+use rug::Rational;
+
+fn pair(a: &[[f64; 2]], b: &[[f64; 2]]) -> PolygonPair {
+    PolygonPair { polygons: [a.to_vec(), b.to_vec()] }
+}
+
+/// 2²⁶.
+const FAR: f64 = 67_108_864.0;
+
+/// A corner of B snaps to a corner of A, and takes an edge across the next.
+fn snap() -> PolygonPair {
+    pair(&[[16.0, 1.0], [-FAR, 0.0], [16.0, 0.0]], &[[32.0, 12.0], [0.0, -FAR], [0.0, FAR]])
+}
+
+/// An edge of B is bent through two corners of A, and crosses the third's edge.
+fn bend() -> PolygonPair {
+    pair(&[[0.0, 1.0], [-2.0, 0.0], [FAR / 16.0, 0.0]], &[[0.0, 0.0], [FAR / 16.0, -1.0], [-1.0, 0.0]])
+}
+
+/// Odd wherever merged points sit.
+fn everywhere() -> PolygonPair {
+    pair(&[[-16.0, 0.0], [0.0, 0.0], [0.0, 8.0]], &[[0.0, 0.0], [-8.0, -1.0], [-FAR, 0.0]])
+}
+
+fn odd_under<B: Backend>(backend: &B, pair: &PolygonPair) -> Vec<Seat> {
+    let examined = examine(backend, pair).unwrap();
+    Seat::ALL.into_iter().filter(|&seat| examined.crossings(seat).is_odd()).collect()
+}
+
+#[test]
+fn the_scenes_of_the_documentation_are_odd_with_tolerances_only() {
+    for (pair, seats) in [(snap(), &[Seat::A][..]), (bend(), &[Seat::A, Seat::Middle]), (everywhere(), &Seat::ALL)] {
+        assert!(pair.is_simple());
+        assert_eq!(odd_under(&Tolerance, &pair), seats);
+        assert_eq!(odd_under(&Exact, &pair), []);
+        for seat in Seat::ALL {
+            assert_eq!(examine(&Exact, &pair).unwrap().crossings(seat).unfaithful, []);
+        }
+        for scheme in [Scheme::PerCoordinate, Scheme::EdelsbrunnerMucke] {
+            assert_eq!(odd_under(&Sos { scheme }, &pair), []);
+        }
+    }
+}
+
+/// The numbers of the documentation, in exact arithmetic.
+#[test]
+fn a_snap_takes_an_edge_across_a_vertex_that_was_out_of_reach() {
+    let pair = snap();
+    let (scene, complexes) = pair.scene();
+    let session = Tolerance.prepare(&scene, Off).unwrap();
+    let tolerances = session.contact_tolerances().unwrap();
+    let (sigma, tau) = match tolerances {
+        predicament_tolerance::ContactTolerances::Plane(planar) => (planar.sigma, planar.tau),
+        predicament_tolerance::ContactTolerances::Space(_) => unreachable!("a scene of the plane"),
+    };
+    let squared = |x: f64| Rational::from_f64(x).unwrap().square();
+    let of = |[x, y]: [f64; 2]| squared(x) + squared(y);
+    // 19.42 units from corner to corner, 16 from the next corner to the edge; σ = 19.5, τ₊ = 15
+    assert!(of([16.0, 11.0]) < squared(sigma.width));
+    let [a, b, p] = [[32.0, 12.0], [0.0, -FAR], [16.0, 0.0]].map(|p| p.map(|x| Rational::from_f64(x).unwrap()));
+    let [u, w] = [&b, &p].map(|end| [0, 1].map(|axis| Rational::from(&end[axis] - &a[axis])));
+    let area = Rational::from(&u[0] * &w[1]) - Rational::from(&u[1] * &w[0]);
+    let length = u[0].clone().square() + u[1].clone().square();
+    assert!(area.square() / length > squared(tau.upper), "the vertex is out of reach of the edge");
+
+    let examined = examine(&Tolerance, &pair).unwrap();
+    let ranks: Vec<[u8; 2]> = examined.contacts.registered.iter().map(|c| [c.a.rank, c.b.rank]).collect();
+    assert_eq!(ranks, [[0, 0], [1, 1], [1, 1]], "one snap, two crossings");
+    let crossings = examined.crossings(Seat::A);
+    assert_eq!((crossings.of_edges, crossings.at_points % 2, crossings.unfaithful.len()), (2, 1, 1));
+    let arrangement = Arrangement::new(complexes.each_ref(), &examined.contacts);
+    assert_eq!(arrangement.points().iter().filter(|point| point.is_shared()).count(), 3);
+    assert!(examined.clusters.is_empty() && examined.collapses.is_empty());
+}
+
+#[test]
+fn the_search_counts_the_same_on_any_number_of_threads() {
+    let on = |threads: usize| -> Census {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| search(3, 400))
+    };
+    let census = on(1);
+    assert_eq!(on(3), census);
+    assert_ne!(search(4, 400), census);
+    assert_eq!(census.pairs, 1200);
+    let [exact, sos, tolerance] = &census.rows[..] else { panic!("three backends") };
+    assert_eq!([&exact.backend, &sos.backend, &tolerance.backend], ["exact", "sos", "tolerance"]);
+    assert_eq!((exact.odd_some, sos.odd_some), (0, 0));
+    assert_eq!(exact.seats.map(|seat| seat.unfaithful), [0; 3]);
+    assert_eq!(sos.registered[..2], [0, 0], "only pairs of the last level");
+    assert!(tolerance.odd_some > 10 && tolerance.odd_all > 0 && tolerance.clusters > 0 && tolerance.collapses > 0);
+    assert_eq!(tolerance.odd_with[0], 0, "crossings alone are never odd");
+    assert_eq!(tolerance.odd_with.iter().sum::<usize>(), tolerance.odd_some);
+    assert_eq!(census.found.len(), tolerance.odd_some);
+    assert!(exact.registered.iter().all(|&count| count > 0), "exact degeneracies too: {:?}", exact.registered);
+}
+
+/// The fault that the paper's print plants: mirrored segments.
+#[test]
+fn the_printed_edge_vertex_test_is_far_worse() {
+    let odd = |backend: &Tolerance| {
+        let pairs = (0..400).map(|number| random_pair(Recipe::Copy, 5, number).0);
+        pairs.filter(|pair| !odd_under(backend, pair).is_empty()).count()
+    };
+    let (right, printed) = (odd(&Tolerance), odd(&Tolerance::as_printed()));
+    assert!(right > 0 && printed > 2 * right, "{right}, {printed}");
+}
+
+#[test]
+fn a_find_shrinks_to_two_triangles_with_short_coordinates() {
+    let find = search(3, 400).found.into_iter().find(|found| found.seats == Seat::ALL).expect("there are some");
+    let (pair, _) = random_pair(find.recipe, 3, find.number);
+    let shrunk = shrink_odd(&Tolerance, pair.clone(), &Seat::ALL, 20_000);
+    assert!(shrunk.minimal && shrunk.taken > 0, "{shrunk:?}");
+    assert!(shrunk.scene.is_simple());
+    assert_eq!(odd_under(&Tolerance, &shrunk.scene), Seat::ALL);
+    assert_eq!(odd_under(&Exact, &shrunk.scene), []);
+    assert!(shrunk.scene.polygons.iter().map(Vec::len).sum::<usize>() <= 7, "{shrunk:?}");
+    assert_eq!(shrink_odd(&Tolerance, pair, &Seat::ALL, 20_000), shrunk);
+}
