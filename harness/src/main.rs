@@ -4,6 +4,7 @@
 //! The binary knows every crate and does little itself: one file per command
 //! under `cmd/`, and the pieces that commands share beside them.
 
+mod bounds;
 mod cmd;
 mod exit;
 mod expectations;
@@ -40,6 +41,7 @@ enum Command {
     Replay(cmd::replay::Args),
     Map(cmd::map::Args),
     Selftest(cmd::selftest::Args),
+    Bounds(cmd::bounds::Args),
     Corpus(cmd::corpus::Args),
     Doctor(cmd::doctor::Args),
 }
@@ -62,6 +64,7 @@ fn main() -> ExitCode {
         Command::Replay(args) => cmd::replay::run(&args),
         Command::Map(args) => cmd::map::run(args),
         Command::Selftest(args) => cmd::selftest::run(args),
+        Command::Bounds(args) => cmd::bounds::run(&args),
         Command::Corpus(args) => cmd::corpus::run(args),
         Command::Doctor(args) => cmd::doctor::run(&args),
     })

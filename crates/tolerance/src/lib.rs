@@ -11,6 +11,7 @@
 //!   from lengths by its Algorithms 1 and 6.
 //! * [`quantities`]: what is compared with them, over any number.
 //! * [`circles`]: bands for `incircle` and `insphere`, which are ours.
+//! * [`bounds`]: every bound and constraint of the paper, derived and decided.
 //! * [`Tolerance`]: the backend.
 //!
 //! # Which ε
@@ -20,6 +21,7 @@
 //! instead everything would hold as well, with half the room to spare in use.
 
 mod backend;
+pub mod bounds;
 pub mod circles;
 mod extent;
 pub mod quantities;
