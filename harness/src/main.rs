@@ -4,6 +4,7 @@
 //! The binary knows every crate and does little itself: one file per command
 //! under `cmd/`, and the pieces that commands share beside them.
 
+mod bounds;
 mod cmd;
 mod exit;
 mod expectations;
@@ -40,6 +41,7 @@ enum Command {
     Replay(cmd::replay::Args),
     Map(cmd::map::Args),
     Selftest(cmd::selftest::Args),
+    Bounds(cmd::bounds::Args),
     Corpus(cmd::corpus::Args),
     Resolution(cmd::resolution::Args),
     Doctor(cmd::doctor::Args),
@@ -63,6 +65,7 @@ fn main() -> ExitCode {
         Command::Replay(args) => cmd::replay::run(&args),
         Command::Map(args) => cmd::map::run(args),
         Command::Selftest(args) => cmd::selftest::run(args),
+        Command::Bounds(args) => cmd::bounds::run(&args),
         Command::Corpus(args) => cmd::corpus::run(args),
         Command::Resolution(args) => cmd::resolution::run(&args),
         Command::Doctor(args) => cmd::doctor::run(&args),

@@ -29,16 +29,13 @@ fn solve(mut rows: Vec<Vec<i64>>, unknowns: usize) -> Option<Vec<[i64; 2]>> {
     for column in 0..unknowns {
         let pivot = (column..rows.len()).find(|&row| rows[row][column] != 0)?;
         rows.swap(column, pivot);
-        for row in 0..rows.len() {
-            if row != column && rows[row][column] != 0 {
-                let [p, q] = [rows[column][column], rows[row][column]];
-                for i in 0..=unknowns {
-                    rows[row][i] = rows[row][i] * p - rows[column][i] * q;
-                }
-                let common = rows[row].iter().fold(0, |g, &x| gcd(g, x.abs()));
-                if common > 1 {
-                    rows[row].iter_mut().for_each(|x| *x /= common);
-                }
+        let by = rows[column].clone();
+        for (_, row) in rows.iter_mut().enumerate().filter(|(at, row)| *at != column && row[column] != 0) {
+            let q = row[column];
+            row.iter_mut().zip(&by).for_each(|(x, y)| *x = *x * by[column] - y * q);
+            let common = row.iter().fold(0, |g, &x| gcd(g, x.abs()));
+            if common > 1 {
+                row.iter_mut().for_each(|x| *x /= common);
             }
         }
     }

@@ -50,7 +50,7 @@ fn vertex_pairs(pairs: &[[u32; 2]]) -> Contacts {
     let vertex = |index| Simplex { rank: 0, index };
     let one = [1.0, 0.0, 0.0, 0.0];
     let contact = |&[a, b]: &[u32; 2]| Contact { a: vertex(a), b: vertex(b), on_a: one, on_b: one };
-    Contacts { registered: pairs.iter().map(contact).collect() }
+    Contacts { registered: pairs.iter().map(contact).collect(), ..Contacts::default() }
 }
 
 const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
@@ -76,7 +76,10 @@ fn a_crossing_that_is_not_there_is_named_too() {
     let pair = Pair::polygons(&SQUARE, &[[12.0, 2.0], [16.0, 2.0], [16.0, 6.0]]);
     let edge = |index| Simplex { rank: 1, index };
     let half = [0.5, 0.5, 0.0, 0.0];
-    let planted = Contacts { registered: vec![Contact { a: edge(0), b: edge(0), on_a: half, on_b: half }] };
+    let planted = Contacts {
+        registered: vec![Contact { a: edge(0), b: edge(0), on_a: half, on_b: half }],
+        ..Contacts::default()
+    };
     let wrong = pair.crossings(&planted, Seat::Middle);
     assert!(wrong.is_odd());
     assert_eq!((wrong.unfaithful[0].registered, wrong.unfaithful[0].found), (1, 0));

@@ -54,7 +54,7 @@ impl Bound {
     /// first·ε + second·ε² for any ε < 10⁻⁵.
     #[must_use]
     pub fn rounded_up(&self) -> Integer {
-        (Rational::from(&self.second * largest_epsilon()) + &self.first).ceil().numer().clone()
+        ((&self.second * largest_epsilon()) + &self.first).ceil().numer().clone()
     }
 
     /// first·ε + second·ε².

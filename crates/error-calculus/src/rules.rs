@@ -149,7 +149,7 @@ pub fn root(e: &Error) -> Option<Error> {
         let eighth = Rational::from(e.a.square_ref()) / 8;
         let square = Rational::from(epsilon.square_ref());
         // terms of third order and more, without those that are negative
-        let above = Rational::from(&half_b * &epsilon) + Rational::from(&cube * Rational::from(&epsilon + 1)) / &square;
+        let above = Rational::from(&half_b * &epsilon) + (&cube * Rational::from(&epsilon + 1)) / &square;
         let above = Rational::from(&half_b + &half_a) - &eighth + above;
         let below = Rational::from(&e.a * &e.b) * &epsilon / 4
             + Rational::from(e.b.square_ref()) * &square / 8
@@ -168,7 +168,7 @@ pub mod as_printed {
     /// Rules B and D: the 1 is in the fraction.
     #[must_use]
     pub fn sum(c1: &Rational, e1: &Error, c2: &Rational, e2: &Error) -> Error {
-        let weighted = |x1: Rational, x2: Rational| Rational::from(c1 * x1) + Rational::from(c2 * x2);
+        let weighted = |x1: Rational, x2: Rational| (c1 * x1) + (c2 * x2);
         let c = Rational::from(c1 + c2);
         Error {
             a: weighted(e1.a.clone(), e2.a.clone()) / &c + 1,

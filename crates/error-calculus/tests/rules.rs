@@ -56,7 +56,7 @@ fn sum_holds(error: &Error, epsilon: &Rational, [c1, c2]: [&Rational; 2], e1: &E
             let (x1, x2) = (Rational::from(c1 * *part1), Rational::from(c2 * *part2));
             // absolute errors: of c, whatever the value is
             let off = |c: &Rational, factor: &Rational| Rational::from(factor - 1) * c;
-            let computed = (Rational::from(&x1 + off(c1, &x)) + Rational::from(&x2 + off(c2, &y))) * &z;
+            let computed = ((&x1 + off(c1, &x)) + (&x2 + off(c2, &y))) * &z;
             at_most(computed - x1 - x2, &bound)
         })
     })

@@ -12,6 +12,7 @@
 //! * [`quantities`]: what is compared with them, over any number.
 //! * [`algorithms`]: Algorithms 2 to 5 and 7 to 12, over any [`Float`].
 //! * [`circles`]: bands for `incircle` and `insphere`, which are ours.
+//! * [`bounds`]: every bound and constraint of the paper, derived and decided.
 //! * [`Tolerance`]: the backend.
 //!
 //! # Which ε
@@ -24,6 +25,7 @@
 pub mod algorithms;
 mod backend;
 mod band;
+pub mod bounds;
 pub mod circles;
 mod contacts;
 mod extent;

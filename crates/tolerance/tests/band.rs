@@ -7,7 +7,7 @@ use rug::Rational;
 
 /// Fewer for circles and spheres, whose exact determinants take longer.
 fn queries(question: Question) -> usize {
-    if is_lifted(question) { 20_000 } else { 100_000 }
+    if is_lifted(question) { 10_000 } else { 100_000 }
 }
 
 /// SplitMix64: a few lines, and the same numbers for ever.

@@ -1,6 +1,7 @@
 //! One file per command: its arguments, its help, its work.
 
 pub mod bench;
+pub mod bounds;
 pub mod corpus;
 pub mod doctor;
 pub mod gate;

@@ -1,5 +1,9 @@
 //! Two complexes that meet in many places, of any size.
 
+// Numbers of parts are small and positive, noise has 53 bits, and coordinates
+// are meant to be rounded to single precision.
+#![allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+
 use predicament_mesh::{Complex, Simplices};
 use predicament_predicates::{Scene, Vertex};
 
@@ -19,7 +23,6 @@ impl Pair {
 }
 
 /// A number in [0, 1) that looks random: splitmix64.
-#[allow(clippy::cast_precision_loss)] // 53 bits
 fn noise(seed: u64) -> f64 {
     let mut z = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -27,7 +30,6 @@ fn noise(seed: u64) -> f64 {
     ((z ^ z >> 31) >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-#[allow(clippy::cast_precision_loss)] // small
 fn turn(part: usize, of: usize) -> f64 {
     std::f64::consts::TAU * part as f64 / of as f64
 }
@@ -35,7 +37,6 @@ fn turn(part: usize, of: usize) -> f64 {
 /// About so many edges: half of them in star-shaped polygons of 20 edges side by
 /// side, half in another such field, shifted by a fraction of a polygon.
 /// Coordinates are single-precision numbers.
-#[allow(clippy::cast_precision_loss)] // small
 pub fn polygons(edges: usize) -> Pair {
     const CORNERS: usize = 20;
     let side = ((edges / (2 * CORNERS)) as f64).sqrt().ceil().max(1.0) as usize;
@@ -47,7 +48,7 @@ pub fn polygons(edges: usize) -> Pair {
             for corner in 0..CORNERS {
                 let seed = points.len() as u64;
                 let (radius, angle) = (0.25 + 0.25 * noise(seed), turn(corner, CORNERS));
-                let shift = 0.37 * which as f64;
+                let shift = 0.37 * f64::from(which);
                 let x = (polygon % side) as f64 + shift + radius * angle.cos();
                 let y = (polygon / side) as f64 + shift + radius * angle.sin();
                 points.push([x, y].map(|c| f64::from(c as f32)));
@@ -61,7 +62,6 @@ pub fn polygons(edges: usize) -> Pair {
 
 /// About so many triangles: two tori through each other.
 /// Coordinates are single-precision numbers.
-#[allow(clippy::cast_precision_loss)] // small
 pub fn tori(triangles: usize) -> Pair {
     let around = ((triangles / 4) as f64 * 3.0).sqrt().ceil().max(3.0) as usize;
     let across = (around / 3).max(3);

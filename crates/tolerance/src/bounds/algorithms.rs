@@ -1,0 +1,50 @@
+//! Algorithms 1 and 6 from L on, over any number: each tolerance in the order in
+//! which the pseudocode multiplies.
+//!
+//! [`Tolerances2d`](crate::Tolerances2d) and [`Tolerances3d`](crate::Tolerances3d) are
+//! these on doubles, and a test says so bit by bit.
+
+use predicament_error_calculus::Root;
+use rug::Rational;
+
+use super::coefficient::{FIGURE_1, FIGURE_5, Tolerance};
+
+/// The middle values of Figure 1, Algorithm 1, from its line 6 on; `number`
+/// makes constants, all of which floats hold.
+pub fn plane<N: Root>(epsilon: &N, length: &N, number: impl Fn(Rational) -> N) -> Vec<(&'static Tolerance, N)> {
+    let t = epsilon.clone().sqrt() * length.clone();
+    let square = length.clone() * length.clone();
+    let value = |tolerance: &Tolerance| {
+        let c = number(tolerance.width.rational());
+        // κ = 21 ε L²
+        if tolerance.symbol == "κ" { c * epsilon.clone() * square.clone() } else { c * t.clone() }
+    };
+    FIGURE_1.iter().map(|tolerance| (tolerance, value(tolerance))).collect()
+}
+
+/// The middle values of Figure 5, Algorithm 6, from its line 8 on.
+pub fn space<N: Root>(epsilon: &N, length: &N, number: impl Fn(Rational) -> N) -> Vec<(&'static Tolerance, N)> {
+    let s = epsilon.clone().sqrt();
+    let a = s.clone().sqrt();
+    let b = s * a.clone();
+    let c = a * length.clone();
+    let d = length.clone() * length.clone();
+    let e = b * length.clone() * d.clone();
+    let f = epsilon.clone() * (d.clone() * d);
+    let unit = |tolerance: &Tolerance| match tolerance.length {
+        1 => c.clone(),
+        3 => e.clone(),
+        _ => f.clone(),
+    };
+    FIGURE_5.iter().map(|tolerance| (tolerance, number(tolerance.width.rational()) * unit(tolerance))).collect()
+}
+
+/// L̂ = (La + Lb)/(1 − 7 ε^(1/2) or 7 ε^(1/4)) of 4.1 and 5.1, whose error the
+/// factor 1 + 5ε of L is for: (La + Lb) first, one division last.
+///
+/// `difference` makes 1 − 7 ε^… of the two, which is relative to itself only by a
+/// lower bound.
+pub fn length<N: Root>(sides: [N; 2], root: N, seven: N, difference: impl Fn(N) -> N) -> N {
+    let [la, lb] = sides;
+    (la + lb) / difference(N::one() - seven * root)
+}

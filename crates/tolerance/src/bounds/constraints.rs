@@ -1,0 +1,328 @@
+//! The constraints on the tolerances, decided at one ε at a time, for L = 1.
+//!
+//! Both sides are enclosed by rationals; a side is less than another where the
+//! enclosures say so. What can't be decided that way says so too.
+
+use predicament_error_calculus::Enclosure;
+use rug::Rational;
+
+use super::coefficient::{Coefficient, Defined, FIGURE_1, FIGURE_5, Tolerance, defined, named};
+use super::decimal::Decimal;
+use super::height;
+
+/// Whose a constraint is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Origin {
+    /// One of the paper's "tolerance constraints".
+    Paper,
+    /// A step that the paper's argument in 5.4.4 takes.
+    Argument,
+    /// What the paper's argument needs and doesn't state, or what our bands need.
+    Ours,
+}
+
+impl Origin {
+    /// In a table.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Origin::Paper => "paper",
+            Origin::Argument => "argument",
+            Origin::Ours => "ours",
+        }
+    }
+}
+
+/// A machine epsilon and its fourth root.
+#[derive(Clone, Debug)]
+pub struct At {
+    /// ε.
+    pub epsilon: Rational,
+    /// ε^¼: exact for 2⁻⁵², enclosed elsewhere.
+    pub fourth: Enclosure,
+}
+
+impl At {
+    /// For one ε.
+    #[must_use]
+    pub fn new(epsilon: Rational) -> At {
+        At { fourth: Enclosure::exact(epsilon.clone()).sqrt().sqrt(), epsilon }
+    }
+
+    /// k ε.
+    #[must_use]
+    pub fn times(&self, k: impl Into<Rational>) -> Enclosure {
+        Enclosure::exact(k.into() * &self.epsilon)
+    }
+
+    /// c ε^e of a tolerance.
+    #[must_use]
+    pub fn of(&self, tolerance: &Tolerance, c: Coefficient) -> Enclosure {
+        c.value() * self.fourth.power(tolerance.epsilon_quarters)
+    }
+
+    fn lower(&self, tolerance: &Tolerance) -> Enclosure {
+        self.of(tolerance, tolerance.lower)
+    }
+
+    fn width(&self, tolerance: &Tolerance) -> Enclosure {
+        self.of(tolerance, tolerance.width)
+    }
+
+    fn upper(&self, tolerance: &Tolerance) -> Enclosure {
+        self.of(tolerance, tolerance.upper)
+    }
+
+    /// min(T₊ − T, T − T₋).
+    fn room(&self, tolerance: &Tolerance) -> Enclosure {
+        (self.upper(tolerance) - self.width(tolerance)).min(self.width(tolerance) - self.lower(tolerance))
+    }
+}
+
+/// Both sides of an inequality, for L = 1.
+pub type Sides = Box<dyn Fn(&At) -> [Enclosure; 2]>;
+
+/// One constraint.
+pub struct Constraint {
+    /// Where it stands.
+    pub section: &'static str,
+    /// In the paper's words.
+    pub text: String,
+    /// Whose it is.
+    pub origin: Origin,
+    test: Test,
+}
+
+enum Test {
+    /// The first side exceeds the second.
+    Greater(Sides),
+    /// Equal, as numbers before the same power of ε; decided once.
+    Same(bool),
+}
+
+/// What became of a constraint at one ε.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Decision {
+    /// It holds.
+    Holds,
+    /// It doesn't.
+    Fails,
+    /// The enclosures overlap.
+    Undecided,
+}
+
+impl Decision {
+    /// In a table.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Decision::Holds => "holds",
+            Decision::Fails => "fails",
+            Decision::Undecided => "undecided",
+        }
+    }
+}
+
+impl Constraint {
+    /// An inequality.
+    pub fn greater(
+        section: &'static str,
+        origin: Origin,
+        text: impl Into<String>,
+        sides: impl Fn(&At) -> [Enclosure; 2] + 'static,
+    ) -> Constraint {
+        Constraint { section, text: text.into(), origin, test: Test::Greater(Box::new(sides)) }
+    }
+
+    fn same(section: &'static str, text: impl Into<String>, holds: bool) -> Constraint {
+        Constraint { section, text: text.into(), origin: Origin::Paper, test: Test::Same(holds) }
+    }
+
+    /// Decides it.
+    #[must_use]
+    pub fn decide(&self, at: &At) -> Decision {
+        let sides = match &self.test {
+            Test::Same(true) => return Decision::Holds,
+            Test::Same(false) => return Decision::Fails,
+            Test::Greater(sides) => sides,
+        };
+        let [left, right] = sides(at);
+        if left.lower > right.upper {
+            Decision::Holds
+        } else if left.upper <= right.lower {
+            Decision::Fails
+        } else {
+            Decision::Undecided
+        }
+    }
+
+    /// Left minus right, in units of the power of L; none for an equation.
+    #[must_use]
+    pub fn slack(&self, at: &At) -> Option<Enclosure> {
+        match &self.test {
+            Test::Same(_) => None,
+            Test::Greater(sides) => {
+                let [left, right] = sides(at);
+                Some(left - right)
+            }
+        }
+    }
+}
+
+/// All constraints of sections 4 and 5 as the paper puts them, and ours.
+#[must_use]
+pub fn constraints() -> Vec<Constraint> {
+    let mut all = plane();
+    all.extend(space());
+    all.extend(circles());
+    all
+}
+
+fn room(section: &'static str, tolerance: &'static Tolerance, k: u32) -> Constraint {
+    let t = tolerance.symbol;
+    let power = ["", "L", "L²", "L³", "L⁴"][tolerance.length as usize];
+    let text = format!("min({t}₊ − {t}, {t} − {t}₋) > {k}ε{power}");
+    Constraint::greater(section, Origin::Paper, text, move |at| [at.room(tolerance), at.times(k)])
+}
+
+fn error_below(section: &'static str, tolerance: &'static Tolerance, of: &str, k: u32) -> Constraint {
+    let power = ["", "L", "L²", "L³", "L⁴"][tolerance.length as usize];
+    let text = format!("{}₋ > E[{of}] ≥ {k}ε{power}", tolerance.symbol);
+    Constraint::greater(section, Origin::Paper, text, move |at| [at.lower(tolerance), at.times(k)])
+}
+
+fn definition(section: &'static str, symbol: &'static str) -> Constraint {
+    let all = defined();
+    let defined = all.iter().find(|row: &&Defined| row.section == section && row.symbol == symbol);
+    let defined = defined.expect("a definition of the section");
+    Constraint::same(section, format!("{symbol}₊ = {}", defined.formula), defined.is_exact() && defined.is_as_printed())
+}
+
+/// The constraints on σ, τ and σ̂ of 4.2 and 4.3, or 5.2 and 5.3.
+fn lengths(
+    figure: &'static [Tolerance],
+    [vertices, edges]: [&'static str; 2],
+    [m, a_bar, a_hat]: [u32; 3],
+) -> Vec<Constraint> {
+    let [sigma, tau, sigma_hat] = ["σ", "τ", "σ̂"].map(|symbol| named(figure, symbol));
+    let greater = |section, text: &str, sides: Sides| Constraint::greater(section, Origin::Paper, text, sides);
+    let weight = |name: &str, k: u32| {
+        let text = format!("√(σ₋² − τ₊²) > E[{name}] = {k}εL");
+        let sides = move |at: &At| [(at.lower(sigma).power(2) - at.upper(tau).power(2)).sqrt(), at.times(k)];
+        greater(edges, &text, Box::new(sides))
+    };
+    vec![
+        greater(
+            vertices,
+            "min(σ₊ − σ, σ − σ₋) > 8εσ",
+            Box::new(move |at| [at.room(sigma), at.times(8) * at.width(sigma)]),
+        ),
+        error_below(edges, sigma_hat, "m", m),
+        weight("ā", a_bar),
+        weight("â", a_hat),
+        greater(
+            edges,
+            "τ₊ < (√3/2) σ₋",
+            Box::new(move |at| {
+                let half_root3 = Enclosure::exact((3, 4).into()).sqrt();
+                [half_root3 * at.lower(sigma), at.upper(tau)]
+            }),
+        ),
+        Constraint::same(edges, "σ₋ = σ̂₊", sigma.lower.rational() == sigma_hat.upper.rational()),
+    ]
+}
+
+fn plane() -> Vec<Constraint> {
+    let [tau, sigma_hat, kappa] = ["τ", "σ̂", "κ"].map(|symbol| named(&FIGURE_1, symbol));
+    let mut all = lengths(&FIGURE_1, ["4.2", "4.3"], [5, 26, 19]);
+    all.extend([room("4.3", sigma_hat, 8), room("4.3", tau, 20)]);
+    for (section, area) in [("4.4", "a_P"), ("4.5", "a_A")] {
+        all.extend([definition(section, "κ"), error_below(section, kappa, area, 9), room(section, kappa, 10)]);
+    }
+    all
+}
+
+fn space() -> Vec<Constraint> {
+    let figure = |symbol| named(&FIGURE_5, symbol);
+    let (tau, sigma_hat) = (figure("τ"), figure("σ̂"));
+    let mut all = lengths(&FIGURE_5, ["5.2", "5.3"], [7, 42, 31]);
+    all.push(room("5.3", sigma_hat, 9));
+    all.push(Constraint::greater("5.3", Origin::Paper, "min(τ₊ − τ, τ − τ₋) > 131εL²/τ", move |at| {
+        // both sides times τ, which is positive
+        [at.room(tau) * at.width(tau), at.times(131)]
+    }));
+    let squares = move |at: &At| at.times(261) + at.times(9) * at.width(tau).power(2);
+    all.push(Constraint::greater("5.3", Origin::Ours, "τ² − τ₋² > 261εL² + 9ετ²", move |at| {
+        [at.width(tau).power(2) - at.lower(tau).power(2), squares(at)]
+    }));
+    all.push(Constraint::greater("5.3", Origin::Ours, "τ₊² − τ² > 261εL² + 9ετ²", move |at| {
+        [at.upper(tau).power(2) - at.width(tau).power(2), squares(at)]
+    }));
+    all.extend([definition("5.4", "λ"), definition("5.4", "φ")]);
+    all.extend([room("5.4", figure("λ"), 130), room("5.4", figure("φ"), 130), room("5.4", figure("φ"), 282)]);
+    all.extend(height::constraints());
+    all.extend([definition("5.5", "ν"), definition("5.5", "ζ"), room("5.5", figure("ν"), 130)]);
+    all.extend([("â", 446), ("b̂", 130), ("ĉ", 130)].map(|(weight, k)| {
+        let Constraint { section, text, origin, test } = room("5.5", figure("ζ"), k);
+        Constraint { section, text: format!("{text} (for {weight})"), origin, test }
+    }));
+    all.extend([definition("5.6", "μ"), definition("5.6", "ξ")]);
+    all.extend([error_below("5.6", figure("μ"), "v_A", 47), error_below("5.6", figure("ξ"), "v_P", 47)]);
+    all.extend([room("5.6", figure("μ"), 48), room("5.6", figure("ξ"), 48)]);
+    all.extend([definition("5.7", "ρ"), error_below("5.7", figure("ρ"), "v_A", 47), room("5.7", figure("ρ"), 48)]);
+    all
+}
+
+/// Those of the bands for `incircle` and `insphere`, over ε L^p.
+fn circles() -> Vec<Constraint> {
+    let of = |name: &str, band: [f64; 3], power: &str, error: u32, rounding: u32| {
+        let [lower, width, upper] = band.map(|c| Rational::from_f64(c).expect("finite"));
+        let room = Rational::from(&upper - &width).min(Rational::from(&width - &lower));
+        let text = format!("{name}: min(T₊ − T, T − T₋) > {error}εL{power} + {rounding}εT");
+        [
+            Constraint::greater("ours", Origin::Ours, text, move |at| {
+                [at.times(room.clone()), at.times(error) + at.times(rounding) * at.times(width.clone())]
+            }),
+            Constraint::greater("ours", Origin::Ours, format!("{name}: T₋ > E = {error}εL{power}"), move |at| {
+                [at.times(lower.clone()), at.times(error)]
+            }),
+        ]
+    };
+    let mut all: Vec<_> = of("incircle", crate::circles::INCIRCLE, "⁴", 129, 6).into();
+    all.extend(of("insphere", crate::circles::INSPHERE, "⁵", 1129, 7));
+    all
+}
+
+/// The ε at which the paper's claims are decided: unit roundoff and machine
+/// epsilon of f64 and f32, and the largest that it admits.
+#[must_use]
+pub fn epsilons() -> [(&'static str, Rational); 5] {
+    let power = |e: u32| Rational::from(1) >> e;
+    [
+        ("2^-53", power(53)),
+        ("2^-52", power(52)),
+        ("2^-24", power(24)),
+        ("2^-23", power(23)),
+        ("10^-5", Rational::from((1, 100_000))),
+    ]
+}
+
+/// The largest ε of three decimal digits at which a constraint holds and all
+/// larger ones up to 10⁻⁵ that were tried fail, with its successor: found by
+/// bisection, so between the two only if it fails from one ε on. None where it
+/// holds at 10⁻⁵ or at none down to 10⁻²⁰.
+#[must_use]
+pub fn validity_limit(constraint: &Constraint) -> Option<[Decimal; 2]> {
+    // 1.00e-20 is 0 and 1.00e-5 is 900 · 15
+    let at = |k: u32| Decimal::new(100 + k % 900, 20 - k / 900);
+    let holds = |k: u32| constraint.decide(&At::new(at(k).value())) == Decision::Holds;
+    let (mut low, mut high) = (0, 900 * 15);
+    if holds(high) || !holds(low) {
+        return None;
+    }
+    while high - low > 1 {
+        let middle = low.midpoint(high);
+        if holds(middle) { low = middle } else { high = middle }
+    }
+    Some([at(low), at(high)])
+}

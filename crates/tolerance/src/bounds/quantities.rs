@@ -1,0 +1,105 @@
+//! What the algorithms of each section compute and compare, by name.
+//!
+//! One list for all numbers: on the calculus' it gives the bounds, on floats and
+//! rationals what the bounds are tested with.
+
+use predicament_error_calculus::Root;
+use predicament_error_calculus::vector::minus;
+
+use crate::circles;
+use crate::quantities::{
+    along, area, distance_squared, edge, edge_edge_weights, height, line_distance, line_distance_squared, normal,
+    triangle_vertex_weights, unit, volume,
+};
+
+/// The points of a section: A, B, C, D, P and Q.
+pub type Points<N, const D: usize> = [[N; D]; 6];
+
+/// A quantity with its section and symbol.
+#[derive(Clone, Debug)]
+pub struct Named<N> {
+    /// Where it is, `4.3`; `ours` for what the paper hasn't.
+    pub section: &'static str,
+    /// As the paper writes it, `â`.
+    pub symbol: &'static str,
+    /// The quantity.
+    pub value: N,
+}
+
+/// How an edge's unit vector is made.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Normalization {
+    /// û · (1/m), with which the published bounds are reproduced.
+    Reciprocal,
+    /// û/m, each coordinate divided.
+    Division,
+}
+
+impl Normalization {
+    fn apply<N: Root, const D: usize>(self, u_hat: &[N; D], m: &N) -> [N; D] {
+        match self {
+            Normalization::Reciprocal => unit(u_hat, m),
+            Normalization::Division => std::array::from_fn(|i| u_hat[i].clone() / m.clone()),
+        }
+    }
+}
+
+/// Names what a section computes.
+fn section<N, const K: usize>(all: &mut Vec<Named<N>>, section: &'static str, named: [(&'static str, N); K]) {
+    all.extend(named.into_iter().map(|(symbol, value)| Named { section, symbol, value }));
+}
+
+/// Section 4, and `incircle`.
+#[must_use]
+pub fn plane<N: Root>([a, b, c, d, p, q]: &Points<N, 2>, normalization: Normalization) -> Vec<Named<N>> {
+    let mut all = Vec::new();
+    section(&mut all, "4.2", [("d²", distance_squared(a, b))]);
+
+    let (u_hat, m) = edge(a, b);
+    let u = normalization.apply(&u_hat, &m);
+    let w = minus(p, a);
+    let [a_hat, a_bar] = along(&u, &w, &m);
+    section(&mut all, "4.3", [("m", m), ("d", line_distance(&u, &w)), ("â", a_hat), ("ā", a_bar)]);
+
+    let areas = [("a_P", area(a, p, b)), ("a_Q", area(a, q, b)), ("a_A", area(p, a, q)), ("a_B", area(p, b, q))];
+    section(&mut all, "4.4", areas);
+    section(&mut all, "4.5", [("a_A", area(p, b, c)), ("a_B", area(a, p, c)), ("a_C", area(a, b, p))]);
+    let four = [a, b, c, d].map(Clone::clone);
+    section(&mut all, "ours", [("incircle", circles::incircle(&four))]);
+    all
+}
+
+/// Section 5, and `insphere`.
+#[must_use]
+pub fn space<N: Root>([a, b, c, d, p, q]: &Points<N, 3>, normalization: Normalization) -> Vec<Named<N>> {
+    let mut all = Vec::new();
+    section(&mut all, "5.2", [("d²", distance_squared(a, b))]);
+
+    let (u_hat, m) = edge(a, b);
+    let u = normalization.apply(&u_hat, &m);
+    let w = minus(p, a);
+    let [a_hat, a_bar] = along(&u, &w, &m);
+    section(&mut all, "5.3", [("m", m), ("d²", line_distance_squared(&u, &w)), ("â", a_hat), ("ā", a_bar)]);
+
+    let (u, v) = (minus(b, a), minus(q, p));
+    let (r, m_squared) = normal(&u, &v);
+    let d_hat = height(&r, &w);
+    let [a_hat, b_hat, a_bar, b_bar] = edge_edge_weights(&r, &w, &u, &v, &m_squared);
+    let d_hat_squared = d_hat.clone().square();
+    section(&mut all, "5.4", [("m²", m_squared), ("d̂", d_hat), ("d̂²", d_hat_squared)]);
+    section(&mut all, "5.4", [("â", a_hat), ("b̂", b_hat), ("ā", a_bar), ("b̄", b_bar)]);
+
+    let v = minus(c, a);
+    let (r, m_squared) = normal(&u, &v);
+    let d_hat = height(&r, &w);
+    let [a_hat, b_hat, c_hat] = triangle_vertex_weights(&r, &w, &u, &v, &m_squared);
+    section(&mut all, "5.5", [("m²", m_squared), ("d̂", d_hat), ("â", a_hat), ("b̂", b_hat), ("ĉ", c_hat)]);
+
+    section(&mut all, "5.6", [("v_A", volume(b, c, p, q)), ("v_B", volume(c, a, p, q)), ("v_C", volume(a, b, p, q))]);
+    section(&mut all, "5.6", [("v_P", volume(a, b, c, p)), ("v_Q", volume(a, b, c, q))]);
+    section(&mut all, "5.7", [("v_A", volume(b, c, d, p)), ("v_B", volume(p, c, d, a))]);
+    section(&mut all, "5.7", [("v_C", volume(b, p, d, a)), ("v_D", volume(b, c, p, a))]);
+    let five = [a, b, c, d, p].map(Clone::clone);
+    section(&mut all, "ours", [("insphere", circles::insphere(&five))]);
+    all
+}

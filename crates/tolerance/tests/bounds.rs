@@ -1,0 +1,235 @@
+//! The derived bounds against arithmetic: floats, and an adversary that errs by ε
+//! in every operation.
+
+use predicament_error_calculus::rules::largest_epsilon;
+use predicament_error_calculus::{Adversary, Enclosure, Perturbed, Quantity, Root};
+use predicament_predicates::Band;
+use predicament_tolerance::bounds::coefficient::{FIGURE_1, FIGURE_5, Tolerance};
+use predicament_tolerance::bounds::constraints::{At, Constraint, Decision, Origin, constraints, validity_limit};
+use predicament_tolerance::bounds::quantities::{Named, Normalization, Points, plane, space};
+use predicament_tolerance::bounds::{Verdict, algorithms, derivations};
+use predicament_tolerance::{Tolerances2d, Tolerances3d};
+use proptest::prelude::*;
+use rug::Rational;
+
+fn bounded<const D: usize>() -> Points<Quantity, D> {
+    std::array::from_fn(|point| std::array::from_fn(|axis| Quantity::coordinate(&format!("{point}.{axis}"))))
+}
+
+/// The bounds of a quantity: |computed − exact|, what the calculus allows for it,
+/// and whether its magnitude is kept.
+fn check(bound: &Quantity, epsilon: &Rational, length: &Rational, exact: &Rational, computed: &Rational) {
+    // the exact roots are enclosed to 2⁻¹⁹²
+    let tiny: Rational = Rational::from(1) >> 150_u32;
+    let magnitude = bound.magnitude().expect("valid");
+    let p = u32::try_from(magnitude.length_quarters / 4).expect("not negative");
+    let unit = (0..p).fold(Rational::from(1), |unit, _| unit * length);
+    let size = exact.clone().abs();
+    assert!(size <= (Rational::from(&magnitude.c + &tiny)) * &unit, "{}", bound.expression());
+    let allowed = match bound.relative() {
+        Some(relative) => relative.at(epsilon) * &size,
+        None => bound.absolute().expect("valid").at(epsilon) * &unit,
+    };
+    let off = Rational::from(computed - exact).abs();
+    assert!(off <= allowed + tiny * unit, "{} is off by {}", bound.expression(), off.to_f64());
+}
+
+/// Everything that the sections compute, with an adversary's or no errors.
+fn perturbed<const D: usize>(points: &Points<Rational, D>, adversary: &Adversary) -> Points<Perturbed, D> {
+    std::array::from_fn(|i| std::array::from_fn(|axis| adversary.input(points[i][axis].clone())))
+}
+
+type Compute<N, const D: usize> = fn(&Points<N, D>, Normalization) -> Vec<Named<N>>;
+
+/// Against an adversary on one set of points, with L the unit.
+fn withstand<const D: usize>(
+    sections: (Compute<Quantity, D>, Compute<Perturbed, D>),
+    points: &Points<Rational, D>,
+    epsilon: &Rational,
+    adversary: &Adversary,
+) {
+    for normalization in [Normalization::Reciprocal, Normalization::Division] {
+        let bounds = sections.0(&bounded(), normalization);
+        let values = sections.1(&perturbed(points, adversary), normalization);
+        for (bound, value) in bounds.iter().zip(values) {
+            check(&bound.value, epsilon, &Rational::from(1), &value.value.exact, &value.value.computed);
+        }
+    }
+}
+
+/// Floats against exact numbers, with |coordinate| ≤ L/2.
+fn rounded<N: Root + Copy, const D: usize>(
+    sections: (Compute<Quantity, D>, Compute<Perturbed, D>, Compute<N, D>),
+    points: &Points<N, D>,
+    rational: fn(N) -> Rational,
+    epsilon: &Rational,
+    length: &Rational,
+) {
+    let exact: Points<Rational, D> = points.map(|point| point.map(rational));
+    let exact = perturbed(&exact, &Adversary::new(Rational::new));
+    for normalization in [Normalization::Reciprocal, Normalization::Division] {
+        let bounds = sections.0(&bounded(), normalization);
+        let exact = sections.1(&exact, normalization);
+        let computed = sections.2(points, normalization);
+        for ((bound, exact), computed) in bounds.iter().zip(exact).zip(computed) {
+            check(&bound.value, epsilon, length, &exact.value.exact, &rational(computed.value));
+        }
+    }
+}
+
+/// −ε, ε or something between, by lot, mostly an end.
+fn adversary(seed: u64, epsilon: &Rational) -> Adversary {
+    let (mut state, epsilon) = (seed, epsilon.clone());
+    Adversary::new(move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let k = [-4, -4, -4, 4, 4, 4, 0, 1][(state >> 61) as usize];
+        Rational::from(&epsilon * k) / 4
+    })
+}
+
+/// Six points with coordinates between −½ and ½, in 512ths, with the ends and
+/// repeated values often among them, and A apart from B.
+fn points<const D: usize>() -> impl Strategy<Value = [[i16; D]; 6]> {
+    let coordinate = prop_oneof![2 => Just(-256_i16), 2 => Just(256), 1 => -3..4_i16, 6 => -256..=256_i16];
+    prop::collection::vec(coordinate, 6 * D)
+        .prop_map(|all| std::array::from_fn(|i| std::array::from_fn(|axis| all[i * D + axis])))
+        .prop_filter("an edge has a length", |points: &[[i16; D]; 6]| points[0] != points[1])
+}
+
+/// As floats: a 512th of L each, off its grid by a few digits of its own.
+fn off_grid<const D: usize>(points: [[i16; D]; 6], seed: u64) -> Points<f64, D> {
+    let mut state = seed;
+    points.map(|point| {
+        point.map(|k| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            #[allow(clippy::cast_precision_loss)] // 20 bits fit
+            let off = (state >> 44) as f64 * 2.0_f64.powi(-31);
+            let x = f64::from(k) / 512.0;
+            if x > 0.0 { x - off } else { x + off }
+        })
+    })
+}
+
+fn of_f32(x: f32) -> Rational {
+    Rational::from_f32(x).expect("finite")
+}
+
+fn of_f64(x: f64) -> Rational {
+    Rational::from_f64(x).expect("finite")
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(150))]
+
+    #[test]
+    fn the_plane_withstands_an_adversary(points in points::<2>(), seed: u64, halvings in 0_u32..40) {
+        let epsilon = largest_epsilon() >> halvings;
+        let points = points.map(|point| point.map(|k| Rational::from((k, 512))));
+        withstand((plane, plane), &points, &epsilon, &adversary(seed, &epsilon));
+    }
+
+    #[test]
+    fn space_withstands_an_adversary(points in points::<3>(), seed: u64, halvings in 0_u32..40) {
+        let epsilon = largest_epsilon() >> halvings;
+        let points = points.map(|point| point.map(|k| Rational::from((k, 512))));
+        withstand((space, space), &points, &epsilon, &adversary(seed, &epsilon));
+    }
+
+    #[test]
+    fn floats_stay_within_the_bounds(flat in points::<2>(), deep in points::<3>(), seed: u64, exponent in -8..8_i32) {
+        let (flat, deep) = (off_grid(flat, seed), off_grid(deep, !seed));
+        let scale = 2.0_f64.powi(exponent);
+        let length = of_f64(scale);
+        let epsilon = of_f64(f64::EPSILON);
+        rounded((plane, plane, plane), &flat.map(|p| p.map(|x| x * scale)), of_f64, &epsilon, &length);
+        rounded((space, space, space), &deep.map(|p| p.map(|x| x * scale)), of_f64, &epsilon, &length);
+        let epsilon = of_f32(f32::EPSILON);
+        #[allow(clippy::cast_possible_truncation)] // another float, taken as the input
+        let narrow = |x: f64| (x * scale) as f32;
+        rounded((plane, plane, plane), &flat.map(|p| p.map(narrow)), of_f32, &epsilon, &length);
+        rounded((space, space, space), &deep.map(|p| p.map(narrow)), of_f32, &epsilon, &length);
+    }
+}
+
+#[test]
+fn every_published_bound_of_a_quantity_is_reproduced() {
+    let all = derivations();
+    let of_sections = all.iter().filter(|row| row.section.len() == 3 && !matches!(row.section, "4.1" | "5.1"));
+    assert_eq!(of_sections.clone().count(), 43);
+    for row in of_sections {
+        assert_eq!(row.verdict(), Verdict::Reproduced, "{} {}: {:?}", row.section, row.name, row.whole());
+    }
+}
+
+#[test]
+fn the_algorithms_are_those_of_the_tolerances() {
+    let constant = |c: Rational| c.to_f64();
+    for length in [1.0, 0.3, 1e-20, 7.7e15] {
+        let t = Tolerances2d::from_length(length);
+        let computed = algorithms::plane(&f64::EPSILON, &length, constant);
+        let bands = [t.sigma, t.tau, t.sigma_hat, t.kappa];
+        assert_eq!(computed.iter().map(|(_, width)| *width).collect::<Vec<_>>(), bands.map(|band| band.width));
+        assert_rows(&FIGURE_1, &bands, length);
+
+        let t = Tolerances3d::from_length(length);
+        let computed = algorithms::space(&f64::EPSILON, &length, constant);
+        let bands = [t.sigma, t.tau, t.delta, t.gamma, t.sigma_hat, t.lambda, t.phi, t.nu, t.zeta, t.mu, t.xi, t.rho];
+        assert_eq!(computed.iter().map(|(_, width)| *width).collect::<Vec<_>>(), bands.map(|band| band.width));
+        assert_rows(&FIGURE_5, &bands, length);
+    }
+}
+
+/// The rows of a figure are the tolerances of the backend, but for their roundings.
+fn assert_rows(figure: &[Tolerance], bands: &[Band], length: f64) {
+    let at = At::new(of_f64(f64::EPSILON));
+    for (row, band) in figure.iter().zip(bands) {
+        let powers = (0..row.length).fold(Rational::from(1), |power, _| power * of_f64(length));
+        for (c, value) in [(row.lower, band.lower), (row.width, band.width), (row.upper, band.upper)] {
+            let exact: Rational = at.of(row, c).upper * &powers;
+            let off: Rational = of_f64(value) - &exact;
+            assert!(off.abs() <= exact * of_f64(8.0 * f64::EPSILON), "{} {value}", row.symbol);
+        }
+    }
+}
+
+#[test]
+fn what_the_enclosures_cannot_tell_apart_is_undecided() {
+    let number = |x: (i32, i32)| Enclosure::exact(Rational::from(x));
+    let greater = |left: Enclosure, right: Enclosure| {
+        Constraint::greater("", Origin::Ours, "", move |_| [left.clone(), right.clone()])
+    };
+    let at = At::new(Rational::from((1, 100_000)));
+    let two = number((2, 1)).sqrt() * number((2, 1)).sqrt();
+    assert_eq!(greater(number((3, 1)), two.clone()).decide(&at), Decision::Holds);
+    assert_eq!(greater(number((1, 1)), two.clone()).decide(&at), Decision::Fails);
+    assert_eq!(greater(number((2, 1)), two).decide(&at), Decision::Undecided);
+    assert_eq!(greater(number((2, 1)), number((2, 1))).decide(&at), Decision::Fails, "greater, not equal");
+}
+
+#[test]
+fn a_validity_limit_is_where_the_constraint_ends() {
+    let below = |limit: (i64, i64)| {
+        let limit = Rational::from(limit);
+        Constraint::greater("", Origin::Ours, "", move |at| [Enclosure::exact(limit.clone()), at.times(1)])
+    };
+    let limits = |constraint: &Constraint| validity_limit(constraint).map(|ends| ends.map(|end| end.to_string()));
+    let ends = |holds: &str, fails: &str| Some([holds.to_owned(), fails.to_owned()]);
+    assert_eq!(limits(&below((3, 10_000_000))), ends("2.99e-7", "3.00e-7"));
+    assert_eq!(limits(&below((100_001, 100_000_000_000))), ends("1.00e-6", "1.01e-6"));
+    assert_eq!(limits(&below((1, 10_000))), None, "holds everywhere");
+    assert_eq!(limits(&below((0, 1))), None, "holds nowhere");
+}
+
+#[test]
+fn the_claim_of_5_4_4_holds_for_every_binary_epsilon_and_its_chain_does_not() {
+    let all = constraints();
+    let of = |needle: &str| -> Vec<&Constraint> { all.iter().filter(|row| row.text.contains(needle)).collect() };
+    let holds = |row: &Constraint, e: u32| row.decide(&At::new(Rational::from(1) >> e)) == Decision::Holds;
+    let (direct, known, step) = (of("direct: "), of("where m² > λ₋"), of("−5 ≥"));
+    assert_eq!([direct.len(), known.len(), step.len()], [2, 1, 1]);
+    for e in 17..=112 {
+        assert!(direct.iter().all(|row| holds(row, e)), "2^-{e}");
+        assert_eq!(holds(known[0], e), e >= 19, "2^-{e}");
+        assert_eq!(holds(step[0], e), e >= 52, "2^-{e}");
+    }
+}

@@ -1,0 +1,32 @@
+//! `predicament bounds`, and the page that is made of it.
+
+mod common;
+
+use common::{column, expect};
+
+#[test]
+fn the_committed_page_is_what_the_command_prints() {
+    let page = include_str!("../../docs/BOUNDS.md");
+    assert_eq!(expect(0, &["bounds"]).stdout, page, "renew it: predicament bounds > docs/BOUNDS.md");
+    assert_eq!(expect(0, &["bounds", "--format", "md"]).stdout, page);
+}
+
+#[test]
+fn the_table_has_a_row_for_every_bound_and_every_constraint_at_every_epsilon() {
+    let told = expect(0, &["bounds", "--format", "csv"]);
+    let tables = column(&told.stdout, "table");
+    let rows = |name: &str| tables.iter().filter(|table| *table == name).count();
+    // 42 quantities and m² ≤ 12L⁴, 6 statements about tolerances, 16 of tables, 4 of ours
+    assert_eq!(rows("bound"), 42 + 1 + 6 + 16 + 4);
+    assert_eq!(rows("definition"), 9);
+    assert_eq!(rows("constraint") % 5, 0);
+    assert!(column(&told.stdout, "verdict").iter().all(|verdict| verdict != "undecided"));
+    let expressions = column(&told.stdout, "expression");
+    assert!(expressions[0].contains("Bx") || expressions[0].contains("Ax"), "{}", expressions[0]);
+}
+
+#[test]
+fn an_unknown_format_is_refused() {
+    let told = expect(2, &["bounds", "--format", "xml"]);
+    assert!(told.stderr.contains("csv") && told.stderr.contains("md"), "{}", told.stderr);
+}
