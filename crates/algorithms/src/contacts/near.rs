@@ -31,13 +31,13 @@ impl<'a, const D: usize> Near<'a, D> {
     pub(super) fn new(scene: &'a Scene, [a, b]: [&Complex; 2], reach: f64) -> Near<'a, D> {
         let [of_a, of_b] = touched::<D>(scene, [a, b], reach);
         let indexed = |rank: u8| {
-            let places = within(b, rank, &of_b);
+            let places = of_b.of(rank);
             let boxes = places.par_iter().with_min_len(PIECE);
             let boxes = boxes.map(|&index| bounds(scene, b.vertices_of(Simplex { rank, index })));
             let index = BoxIndex::new(boxes.collect());
             (places, index)
         };
-        Near { scene, a: [0, 1, 2, 3].map(|rank| within(a, rank, &of_a)), b: [0, 1, 2, 3].map(indexed), reach }
+        Near { scene, a: [0, 1, 2, 3].map(|rank| of_a.of(rank)), b: [0, 1, 2, 3].map(indexed), reach }
     }
 
     /// The places of the first complex' simplices of this rank that can have near ones.
@@ -56,41 +56,72 @@ impl<'a, const D: usize> Near<'a, D> {
     }
 }
 
-/// For each complex the vertices of those maximal simplices that have near ones.
-fn touched<const D: usize>(scene: &Scene, [a, b]: [&Complex; 2], reach: f64) -> [Vec<AtomicBool>; 2] {
-    let none = || (0..scene.len()).map(|_| AtomicBool::new(false)).collect();
-    let of: [Vec<AtomicBool>; 2] = [none(), none()];
-    let touch = |which: usize, vertices: &[Vertex]| {
-        vertices.iter().for_each(|v| of[which][v.index()].store(true, Ordering::Relaxed));
-    };
-    let boxes = b.maximal().par_iter().with_min_len(PIECE);
-    let index = BoxIndex::new(boxes.map(|&t| bounds::<D>(scene, b.vertices_of(t))).collect());
-    a.maximal().par_chunks(PIECE).for_each(|piece| {
-        let mut found = Vec::new();
-        for &s in piece {
-            let vertices = a.vertices_of(s);
-            index.near(&bounds(scene, vertices), reach, &mut found);
-            if !found.is_empty() {
-                touch(0, vertices);
-            }
-            found.iter().for_each(|&t| touch(1, b.vertices_of(b.maximal()[t as usize])));
-        }
-    });
-    of
+/// What of a complex is near the other one.
+struct Touched<'a> {
+    complex: &'a Complex,
+    /// The maximal simplices that have near ones, by their places among the maximal.
+    maximal: Vec<AtomicBool>,
+    /// The vertices of these.
+    vertices: Vec<AtomicBool>,
 }
 
-/// The places of the simplices of this rank all of whose vertices are touched.
-fn within(complex: &Complex, rank: u8, touched: &[AtomicBool]) -> Vec<u32> {
-    let count = match rank {
-        0 => complex.vertices().len(),
-        1 => complex.edges().len(),
-        2 => complex.triangles().len(),
-        _ => complex.tetrahedra().len(),
-    };
-    let count = u32::try_from(count).expect("a complex holds 2^32 at most");
-    let is_touched = |v: &Vertex| touched[v.index()].load(Ordering::Relaxed);
-    let all = |index: &u32| complex.vertices_of(Simplex { rank, index: *index }).iter().all(is_touched);
-    (0..count).into_par_iter().with_min_len(PIECE).filter(all).collect()
+impl<'a> Touched<'a> {
+    fn nothing(scene: &Scene, complex: &'a Complex) -> Touched<'a> {
+        let none = |count: usize| (0..count).map(|_| AtomicBool::new(false)).collect();
+        Touched { complex, maximal: none(complex.maximal().len()), vertices: none(scene.len()) }
+    }
+
+    fn touch(&self, place: usize) {
+        // many threads find the same ones: what is set already is not written again
+        if !self.maximal[place].load(Ordering::Relaxed) {
+            self.maximal[place].store(true, Ordering::Relaxed);
+            let vertices = self.complex.vertices_of(self.complex.maximal()[place]);
+            vertices.iter().for_each(|v| self.vertices[v.index()].store(true, Ordering::Relaxed));
+        }
+    }
+
+    /// The places of all simplices of this rank that can have near ones.
+    fn of(&self, rank: u8) -> Vec<u32> {
+        let complex = self.complex;
+        let count = match rank {
+            0 => complex.vertices().len(),
+            1 => complex.edges().len(),
+            2 => complex.triangles().len(),
+            _ => complex.tetrahedra().len(),
+        };
+        let count = u32::try_from(count).expect("a complex holds 2^32 at most");
+        let start = complex.maximal().partition_point(|maximal| maximal.rank < rank);
+        let maximal = &complex.maximal()[start..];
+        let maximal = &maximal[..maximal.partition_point(|maximal| maximal.rank == rank)];
+        let can = |index: &u32| {
+            let place = if maximal.len() == count as usize {
+                Ok(*index as usize)
+            } else {
+                maximal.binary_search_by_key(index, |simplex| simplex.index)
+            };
+            let is_touched = |v: &Vertex| self.vertices[v.index()].load(Ordering::Relaxed);
+            match place {
+                Ok(place) => self.maximal[start + place].load(Ordering::Relaxed),
+                Err(_) => complex.vertices_of(Simplex { rank, index: *index }).iter().all(is_touched),
+            }
+        };
+        (0..count).into_par_iter().with_min_len(PIECE).filter(can).collect()
+    }
+}
+
+/// What each of the complexes has near the other.
+fn touched<'a, const D: usize>(scene: &Scene, [a, b]: [&'a Complex; 2], reach: f64) -> [Touched<'a>; 2] {
+    let of = [a, b].map(|complex| Touched::nothing(scene, complex));
+    let boxes = b.maximal().par_iter().with_min_len(PIECE);
+    let index = BoxIndex::new(boxes.map(|&t| bounds::<D>(scene, b.vertices_of(t))).collect());
+    (0..a.maximal().len()).into_par_iter().with_min_len(PIECE).for_each_init(Vec::new, |found, place| {
+        index.near(&bounds(scene, a.vertices_of(a.maximal()[place])), reach, found);
+        if !found.is_empty() {
+            of[0].touch(place);
+        }
+        found.iter().for_each(|&t| of[1].touch(t as usize));
+    });
+    of
 }
 
 fn bounds<const D: usize>(scene: &Scene, vertices: &[Vertex]) -> Bounds<D> {
