@@ -1,15 +1,18 @@
 //! Merged curves and surfaces under exact, perturbed and damaged contact sets.
 
+use std::collections::BTreeSet;
+
 use predicament_algorithms::arrangement::Arrangement;
 use predicament_algorithms::contacts::{Contact, Contacts, contacts};
 use predicament_algorithms::polygon_locate::LocateIndex;
 use predicament_checks::contacts::{
-    Crossings, NotOriented, Piercings, Seat, Side, clusters, collapses, crossings, is_embedded, loose_ends, piercings,
+    Crossings, NotOriented, Piercings, Seat, Side, clusters, collapses, crossings, is_embedded, loose_ends,
+    oriented_surface, piercings,
 };
 use predicament_checks::tiling::map_flaws;
 use predicament_exact::Exact;
 use predicament_mesh::{Complex, PolygonMap, Simplex, Simplices};
-use predicament_predicates::{Backend, Off, Scene, Vertex};
+use predicament_predicates::{Backend, Off, Scene, Sign, Vertex};
 use predicament_sos::{Scheme, Sos};
 use proptest::prelude::*;
 
@@ -316,6 +319,29 @@ fn an_open_surface_has_a_border() {
     let none = Contacts::default();
     let refused = loose_ends([&a, &b], &none, &Arrangement::new([&a, &b], &none)).unwrap_err();
     assert!(matches!(refused, NotOriented::Border { side: Side::B, degree: 1, .. }), "{refused}");
+}
+
+#[test]
+fn a_tetrahedron_has_two_sides_and_a_projective_plane_one() {
+    let scene = Scene::from_points3(&TWO_OCTAHEDRA).unwrap();
+    let of = |triangles: &[[usize; 3]]| {
+        let triangles = triangles.iter().map(|triangle| triangle.map(Vertex::input)).collect();
+        Complex::new(&scene, &Simplices { triangles, ..Simplices::default() }).unwrap()
+    };
+    let tetrahedron = of(&[[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]);
+    let oriented = oriented_surface(&tetrahedron, Side::A).unwrap();
+    let mut directed = BTreeSet::new();
+    for (&[a, b, c], (component, sign)) in tetrahedron.triangles().iter().zip(oriented) {
+        assert_eq!(component, 0);
+        let [first, second] = if sign == Sign::Positive { [b, c] } else { [c, b] };
+        directed.extend([[a, first], [first, second], [second, a]]);
+    }
+    assert_eq!(directed.len(), 12, "each edge once in either direction");
+
+    let around = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5], [0, 5, 1]];
+    let across = [[1, 2, 4], [2, 3, 5], [3, 4, 1], [4, 5, 2], [5, 1, 3]];
+    let plane = of(&[around, across].concat());
+    assert_eq!(oriented_surface(&plane, Side::B), Err(NotOriented::OneSided { side: Side::B }));
 }
 
 /// A closed curve of four edges through the octahedron, and the octahedron.

@@ -26,6 +26,11 @@ fn bend() -> PolygonPair {
     pair(&[[0.0, 1.0], [-2.0, 0.0], [FAR / 16.0, 0.0]], &[[0.0, 0.0], [FAR / 16.0, -1.0], [-1.0, 0.0]])
 }
 
+/// A triangle that becomes a line: crossed once on the one side, in a vertex on the other.
+fn collapse() -> PolygonPair {
+    pair(&[[1.0, 0.0], [0.0, FAR / 32.0], [0.0, 0.0]], &[[0.0, 2.0], [0.0, 0.0], [FAR / 8.0, 0.0]])
+}
+
 /// Odd wherever merged points sit.
 fn everywhere() -> PolygonPair {
     pair(&[[-16.0, 0.0], [0.0, 0.0], [0.0, 8.0]], &[[0.0, 0.0], [-8.0, -1.0], [-FAR, 0.0]])
@@ -38,7 +43,12 @@ fn odd_under<B: Backend>(backend: &B, pair: &PolygonPair) -> Vec<Seat> {
 
 #[test]
 fn the_scenes_of_the_documentation_are_odd_with_tolerances_only() {
-    for (pair, seats) in [(snap(), &[Seat::A][..]), (bend(), &[Seat::A, Seat::Middle]), (everywhere(), &Seat::ALL)] {
+    for (pair, seats) in [
+        (snap(), &[Seat::A][..]),
+        (bend(), &[Seat::A, Seat::Middle]),
+        (collapse(), &[Seat::A]),
+        (everywhere(), &Seat::ALL),
+    ] {
         assert!(pair.is_simple());
         assert_eq!(odd_under(&Tolerance, &pair), seats);
         assert_eq!(odd_under(&Exact, &pair), []);
@@ -48,6 +58,20 @@ fn the_scenes_of_the_documentation_are_odd_with_tolerances_only() {
         for scheme in [Scheme::PerCoordinate, Scheme::EdelsbrunnerMucke] {
             assert_eq!(odd_under(&Sos { scheme }, &pair), []);
         }
+    }
+}
+
+#[test]
+fn the_scenes_of_the_documentation_are_minimal() {
+    for (pair, seats) in [
+        (snap(), &Seat::ALL[..1]),
+        (bend(), &Seat::ALL[..1]),
+        (collapse(), &Seat::ALL[..1]),
+        (everywhere(), &Seat::ALL),
+    ] {
+        let shrunk = shrink_odd(&Tolerance, pair.clone(), seats, 20_000);
+        assert!(shrunk.minimal && shrunk.tried > 50, "{shrunk:?}");
+        assert_eq!(shrunk.scene, pair);
     }
 }
 
