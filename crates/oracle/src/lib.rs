@@ -6,6 +6,7 @@
 //! * [`classify`]: what becomes of an answer; [`expect`]: which findings are expected.
 //! * [`roster`]: all backends by name; [`faults`]: wrong ones that have to be caught.
 
+pub mod contacts;
 pub mod expect;
 pub mod faults;
 pub mod judge;
@@ -24,7 +25,7 @@ mod watch;
 pub use case::{Case, Dispute, Truth};
 pub use class::{ClassCounts, classify};
 pub use contestant::{Contestant, Entry, Explanation, Stopwatch, digest_of};
-pub use outcome::{Finding, LocateCounts, Outcome, finding_id};
+pub use outcome::{ContactCounts, Finding, LocateCounts, Outcome, finding_id};
 pub use predicament_predicates::{Class, Status};
 pub use watch::{Stop, Watch};
 

@@ -46,6 +46,15 @@ pub struct LocateCounts {
     pub violations: u64,
 }
 
+/// Pairs of two complexes by the ranks of their simplices, for `contacts.csv`.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ContactCounts {
+    /// The rank of the simplex of each complex: 0 for vertices, 3 for tetrahedra.
+    pub ranks: [u8; 2],
+    /// Pairs that were registered.
+    pub registered: u64,
+}
+
 /// What one backend made of one scene.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Outcome {
@@ -60,6 +69,8 @@ pub struct Outcome {
     pub stages: Vec<(&'static str, u64)>,
     /// For maps: points by surroundings.
     pub locate: Vec<LocateCounts>,
+    /// For contacts: pairs by ranks.
+    pub contacts: Vec<ContactCounts>,
 }
 
 impl Outcome {
