@@ -11,6 +11,7 @@
 //! * [`Fixed`]: integers of a fixed size; [`Dyadic`]: exact numbers with an exponent of
 //!   their own; [`Ball`]: doubles with a proved radius. All on the stack.
 //! * [`rational`], [`Scaled`]: doubles as exact numbers.
+//! * [`difference_up`]: a length that bounds others.
 
 mod ball;
 pub mod bound;
@@ -20,6 +21,7 @@ mod fixed;
 mod plan;
 mod range;
 mod short;
+mod up;
 
 pub use ball::Ball;
 pub use dyadic::Dyadic;
@@ -28,3 +30,4 @@ pub use fixed::Fixed;
 pub use plan::{Arithmetic, Form, Plan, Span, exact_tail, units};
 pub use range::ExponentRange;
 pub use short::{exact_differences, short_rows};
+pub use up::difference_up;

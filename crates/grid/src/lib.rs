@@ -8,10 +8,15 @@
 //!
 //! * [`Columns`]: the segments above a point, one by one.
 //! * [`Cells`]: the segments near a point, and the sum of those far above.
+//! * [`BoxIndex`]: the boxes near a box.
 
+mod bounds;
+mod box_index;
 mod cells;
 mod columns;
 mod steps;
 
+pub use bounds::Bounds;
+pub use box_index::BoxIndex;
 pub use cells::{Cell, Cells, End, Entry, Labels};
 pub use columns::Columns;

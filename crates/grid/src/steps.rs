@@ -34,6 +34,25 @@ impl Steps {
         self.count
     }
 
+    /// The same extent in half as many steps.
+    pub(crate) fn coarser(&self) -> Steps {
+        let count = self.count.div_ceil(2);
+        #[allow(clippy::cast_precision_loss)] // any monotone map will do
+        let scale = self.scale * (count as f64 / self.count as f64);
+        Steps { scale, count, ..*self }
+    }
+
+    /// About from where to where a step goes: near enough to choose a finer
+    /// grid by, not to decide anything.
+    #[allow(clippy::cast_precision_loss)] // about
+    pub(crate) fn about(&self, step: usize) -> [f64; 2] {
+        if self.scale == 0.0 {
+            return [f64::MIN, f64::MAX];
+        }
+        let start = |step: usize| ((self.origin + step as f64 / self.scale) * 2.0).clamp(f64::MIN, f64::MAX);
+        [start(step), start(step + 1)]
+    }
+
     /// The step of a coordinate; what lies outside goes to the nearest one.
     #[inline]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `as` saturates, which is the clamp we want

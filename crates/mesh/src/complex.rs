@@ -5,6 +5,7 @@
 //! faces. Every simplex is stored once, with its vertices in ascending order,
 //! so what is computed about it can't depend on how it was written down.
 
+use predicament_arithmetic::difference_up;
 use predicament_predicates::{Axis, Dimension, Scene, Vertex};
 
 /// Why a list of simplices is not a complex of a scene.
@@ -190,17 +191,6 @@ impl Complex {
         };
         self.edges.iter().map(extent).fold(0.0, f64::max)
     }
-}
-
-/// |a − b|, rounded up. What was rounded off a difference is a double, and
-/// Knuth's two-sum finds it; it is lost only if the difference itself overflows.
-fn difference_up(a: f64, b: f64) -> f64 {
-    let (high, low) = (a.max(b), a.min(b));
-    let difference = high - low;
-    let low_part = high - difference;
-    let high_part = difference + low_part;
-    let roundoff = (high - high_part) + (low_part - low);
-    if roundoff > 0.0 { difference.next_up() } else { difference }
 }
 
 /// Given simplices and faces of larger ones: checked, sorted, each once.

@@ -2,7 +2,9 @@
 //! says *which* vertices, the [`Scene`](predicament_predicates::Scene) says where.
 
 mod complex;
+mod faces;
 mod polygon;
 
 pub use complex::{Complex, ComplexError, Simplex, Simplices};
+pub use faces::Faces;
 pub use polygon::{MapError, PolygonMap, Region, Ring};

@@ -122,6 +122,10 @@ impl Fault {
 /// The faulty backend with this name.
 #[must_use]
 pub fn backend(name: &str) -> Option<Box<dyn Contestant>> {
+    if name == "tolerance-as-printed" {
+        // Its signs are right: only contacts can tell, so it is none of those that sign scenes have to catch.
+        return Some(Box::new(Entry::new(Tolerance::<f64>::as_printed())));
+    }
     let fault = Fault::ALL.into_iter().find(|fault| fault.name() == name)?;
     Some(match fault.poses_as() {
         ZeroMeaning::Never => Box::new(Entry::breaking_ties(Faulty(fault), |scene, question, args| {

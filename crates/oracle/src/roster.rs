@@ -17,6 +17,7 @@ exact                   the sign of the real determinant
 sos                     Simulation of Simplicity, x_i + eps^(2^i) (Franklin)
 sos:edelsbrunner-mucke  Simulation of Simplicity, last coordinate strongest
 tolerance               the hierarchical tolerances of Wang et al.
+tolerance:f32           the same in single precision, for scenes whose coordinates it holds exactly
 naive, naive:first      plain floating point, pivot at the last or the first argument
 epsilon:EPS             plain floating point, zero where |det| < EPS (1e-10 if left out)
 shewchuk                the crate `robust` as it is
@@ -31,7 +32,8 @@ pub fn backend(name: &str) -> Result<Box<dyn Contestant>, String> {
         "exact" => Box::new(Entry::new(Exact)),
         "sos" | "sos:per-coordinate" => sos(Scheme::PerCoordinate),
         "sos:edelsbrunner-mucke" => sos(Scheme::EdelsbrunnerMucke),
-        "tolerance" => Box::new(Entry::new(Tolerance)),
+        "tolerance" | "tolerance:f64" => Box::new(Entry::new(Tolerance::<f64>::new())),
+        "tolerance:f32" => Box::new(Entry::new(Tolerance::<f32>::new())),
         "naive" | "naive:last" => Box::new(Entry::new(Naive { pivot: Pivot::Last })),
         "naive:first" => Box::new(Entry::new(Naive { pivot: Pivot::First })),
         "epsilon" => Box::new(Entry::new(Epsilon::default())),
@@ -64,8 +66,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_default_has_the_name_it_is_picked_by() {
-        for &name in DEFAULT {
+    fn every_backend_has_the_name_it_is_picked_by() {
+        for name in DEFAULT.iter().copied().chain(["tolerance:f32", "fault:tolerance-as-printed"]) {
             assert_eq!(backend(name).unwrap().name(), name);
         }
     }

@@ -95,6 +95,15 @@ pub trait Predicates: Sync {
         0.0
     }
 
+    /// The tolerance band of a pair that registers degeneracies, by the ranks
+    /// of its two simplices in either order: a distance, in scene units. None
+    /// for pairs of full dimension, which are right or nothing, and for
+    /// sessions without tolerances for contacts.
+    fn contact_band(&self, ranks: [u8; 2]) -> Option<Band> {
+        let _ = ranks;
+        None
+    }
+
     /// Whether the session answers about contacts between two meshes.
     ///
     /// # Errors

@@ -6,7 +6,9 @@
 //! common points of two closed simplices by their carriers, the lowest
 //! dimensions first; with signs that are never zero only pairs of full
 //! dimension can meet. Decisions are by signs alone; weights are plain
-//! floating-point values and decide nothing.
+//! floating-point values and decide nothing. They lie in [0, 1] and add up to
+//! one but for rounding. Where floating point sees nothing but zeros, as when
+//! a perturbation has decided, they are equal.
 
 use crate::{Axis, Dimension, Plane, Predicates, Scene, Sign, Vertex};
 
@@ -43,7 +45,7 @@ pub(crate) fn edge_vertex<S: Predicates + ?Sized>(session: &S, [a, b]: [Vertex; 
         .find(|&(_, forward)| forward != Sign::Zero)?;
     let inside = session.compare(axis, p, a) == forward && session.compare(axis, b, p) == forward;
     inside.then(|| {
-        let [a, b, p] = [a, b, p].map(|v| scene.coordinate(axis, v));
+        let [[a], [b], [p]] = scaled([a, b, p].map(|v| [scene.coordinate(axis, v)]));
         (p - a) / (b - a)
     })
 }
@@ -91,7 +93,7 @@ pub(crate) fn triangle_vertex<S: Predicates + ?Sized>(session: &S, t: [Vertex; 3
         }
     };
     encloses(session, plane, t, p).then(|| {
-        let [a, b, c, p] = [a, b, c, p].map(|v| session.scene().point2(plane, v));
+        let [a, b, c, p] = scaled([a, b, c, p].map(|v| session.scene().point2(plane, v)));
         parts([area(p, b, c), area(a, p, c), area(a, b, p)])
     })
 }
@@ -109,10 +111,9 @@ pub(crate) fn triangle_edge<S: Predicates + ?Sized>(
     let side = session.orient3d(p, q, a, b);
     let meets = side != Sign::Zero && side == session.orient3d(p, q, b, c) && side == session.orient3d(p, q, c, a);
     meets.then(|| {
-        let [a, b, c, p, q] = [a, b, c, p, q].map(|v| session.scene().point3(v));
-        let [at_p, at_q] = [volume(a, b, c, p), volume(a, b, c, q)];
-        let weights = parts([volume(p, q, b, c), volume(p, q, c, a), volume(p, q, a, b)]);
-        (weights, at_p / (at_p - at_q))
+        let [a, b, c, p, q] = scaled([a, b, c, p, q].map(|v| session.scene().point3(v)));
+        let [from_p, _] = parts([volume(a, b, c, p), volume(a, b, c, q)]);
+        (parts([volume(p, q, b, c), volume(p, q, c, a), volume(p, q, a, b)]), from_p)
     })
 }
 
@@ -128,22 +129,37 @@ pub(crate) fn tetrahedron_vertex<S: Predicates + ?Sized>(
         && side == session.orient3d(a, p, c, d)
         && side == session.orient3d(p, b, c, d);
     inside.then(|| {
-        let [a, b, c, d, p] = [a, b, c, d, p].map(|v| session.scene().point3(v));
+        let [a, b, c, d, p] = scaled([a, b, c, d, p].map(|v| session.scene().point3(v)));
         parts([volume(p, b, c, d), volume(a, p, c, d), volume(a, b, p, d), volume(a, b, c, p)])
     })
 }
 
 fn crossing_weights(scene: &Scene, plane: Plane, [a, b]: [Vertex; 2], [p, q]: [Vertex; 2]) -> [f64; 2] {
-    let [a, b, p, q] = [a, b, p, q].map(|v| scene.point2(plane, v));
-    let [at_a, at_b] = [area(a, p, q), area(b, p, q)];
-    let [at_p, at_q] = [area(p, a, b), area(q, a, b)];
-    [at_a / (at_a - at_b), at_p / (at_p - at_q)]
+    let [a, b, p, q] = scaled([a, b, p, q].map(|v| scene.point2(plane, v)));
+    let [[from_a, _], [from_p, _]] = [parts([area(a, p, q), area(b, p, q)]), parts([area(p, a, b), area(q, a, b)])];
+    [from_a, from_p]
 }
 
-/// Each over the sum of all.
+/// The magnitude of each over their sum. The signs are known and need not be
+/// believed: what is computed on the wrong side is nearer to the truth without.
+#[allow(clippy::cast_precision_loss)] // N is 2, 3 or 4
 fn parts<const N: usize>(of: [f64; N]) -> [f64; N] {
+    let of = of.map(f64::abs);
     let sum: f64 = of.iter().sum();
-    of.map(|part| part / sum)
+    if sum == 0.0 { [1.0 / N as f64; N] } else { of.map(|part| part / sum) }
+}
+
+/// The points over a power of two, so that no product of their differences
+/// overflows, nor all of them vanish, because all points are far away or near.
+fn scaled<const N: usize, const D: usize>(points: [[f64; D]; N]) -> [[f64; D]; N] {
+    const SAFE: std::ops::Range<f64> = 1e-90..1e90;
+    let largest = points.as_flattened().iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
+    if SAFE.contains(&largest) {
+        return points;
+    }
+    let exponent = i32::try_from(largest.to_bits() >> 52).expect("11 bits") - 1023;
+    let by = 2.0_f64.powi(-exponent);
+    points.map(|point| point.map(|x| x * by))
 }
 
 fn area([ax, ay]: [f64; 2], [bx, by]: [f64; 2], [cx, cy]: [f64; 2]) -> f64 {

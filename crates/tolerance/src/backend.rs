@@ -1,13 +1,18 @@
 //! The backend: floating-point determinants, compared with κ and ξ.
 
-use nalgebra::{Vector2, Vector3};
+use std::marker::PhantomData;
+
 use predicament_predicates::{
     Axis, Backend, Band, Contract, Declined, Dimension, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally,
     Vertex, ZeroMeaning,
 };
 
+use crate::band::is_sound;
+use crate::contacts::{EdgeVertex, Pairs};
 use crate::extent::largest_extent;
-use crate::{Tolerances2d, Tolerances3d, is_sound};
+use crate::float::check_precision;
+use crate::quantities;
+use crate::{ContactTolerances, Float, Tolerances2d, Tolerances3d};
 
 const PLANES: [Plane; 3] = [Plane::Xy, Plane::Yz, Plane::Zx];
 const STAGES: [&str; 1] = ["float"];
@@ -22,30 +27,73 @@ const STAGES: [&str; 1] = ["float"];
 /// `orient2d` in a 3D scene, of their projection to its plane, so that the
 /// projections are three 2D scenes of their own.
 ///
-/// A scene with constructed vertices is declined.
+/// Contacts are the paper's Algorithms 2 to 5 and 7 to 12, with the tolerances
+/// of Algorithm 1 or 6 for the scene's
+/// [primitive lengths](Scene::primitive_lengths), and without such lengths
+/// declined. They have an L of their own, [`Session::contact_tolerances`].
+///
+/// Everything is computed in `F`: `f64`, or `f32` for scenes whose coordinates
+/// are numbers of it; other scenes are declined, as are those with constructed
+/// vertices.
 ///
 /// A scene where L, a product of coordinate differences or a tolerance leaves
-/// the range of normal doubles is declined, as the paper assumes "no underflow
-/// or overflow". Where all points coincide (L = 0) the tolerances are zero and
-/// everything is degenerate, which is right.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct Tolerance;
+/// the range of normal numbers of `F` is declined, as the paper assumes "no
+/// underflow or overflow". Where all points coincide (L = 0) the tolerances are
+/// zero and everything is degenerate, which is right; where all primitives are
+/// points, only equal ones are in contact.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Tolerance<F = f64> {
+    form: EdgeVertex,
+    float: PhantomData<F>,
+}
+
+/// The backend in double precision.
+#[allow(non_upper_case_globals)] // it reads as the unit struct that it would be without its parameter
+pub const Tolerance: Tolerance = Tolerance::new();
+
+impl<F> Tolerance<F> {
+    /// The scheme as it has to be.
+    #[must_use]
+    pub const fn new() -> Tolerance<F> {
+        Tolerance { form: EdgeVertex::Corrected, float: PhantomData }
+    }
+
+    /// The scheme with Algorithms 3 and 8 as the paper prints them, which is
+    /// wrong: see [`as_printed`](crate::algorithms::as_printed).
+    #[must_use]
+    pub const fn as_printed() -> Tolerance<F> {
+        Tolerance { form: EdgeVertex::AsPrinted, float: PhantomData }
+    }
+}
+
+impl<F> Default for Tolerance<F> {
+    fn default() -> Tolerance<F> {
+        Tolerance::new()
+    }
+}
 
 /// [`Tolerance`], prepared for one scene.
 #[derive(Clone, Debug)]
-pub struct Session<'s, T> {
+pub struct Session<'s, T, F = f64> {
     scene: &'s Scene,
     tally: T,
     /// One for each of [`PLANES`]; a 2D scene has the first only.
-    planar: Vec<Result<Tolerances2d, Declined>>,
-    spatial: Option<Tolerances3d>,
+    planar: Vec<Result<Tolerances2d<F>, Declined>>,
+    spatial: Option<Tolerances3d<F>>,
+    contacts: Result<ContactTolerances<F>, Declined>,
+    form: EdgeVertex,
 }
 
-impl Backend for Tolerance {
-    type Session<'s, T: Tally + 's> = Session<'s, T>;
+impl<F: Float> Backend for Tolerance<F> {
+    type Session<'s, T: Tally + 's> = Session<'s, T, F>;
 
+    /// `tolerance`, `tolerance:f32`, or that of a planted fault for the printed form.
     fn name(&self) -> String {
-        "tolerance".into()
+        let name = match self.form {
+            EdgeVertex::Corrected => "tolerance",
+            EdgeVertex::AsPrinted => "fault:tolerance-as-printed",
+        };
+        if F::NAME == <f64 as Float>::NAME { name.into() } else { format!("{name}:{}", F::NAME) }
     }
 
     fn contract(&self, kind: PredicateKind) -> Contract {
@@ -60,10 +108,12 @@ impl Backend for Tolerance {
         &STAGES
     }
 
-    fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {
+    fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s, T, F>, Declined> {
+        check_precision::<F>()?;
         if !scene.constructions().is_empty() {
             return Err(Declined::scene("the tolerances are for input vertices, not for constructed ones"));
         }
+        check_coordinates::<F>(scene)?;
         let planes = match scene.dimension() {
             Dimension::Two => &PLANES[..1],
             Dimension::Three => &PLANES,
@@ -76,45 +126,56 @@ impl Backend for Tolerance {
         if let (Dimension::Two, Err(declined)) = (scene.dimension(), &planar[0]) {
             return Err(Declined::scene(declined.reason.clone()));
         }
-        Ok(Session { scene, tally, planar, spatial })
+        Ok(Session { scene, tally, planar, spatial, contacts: ContactTolerances::new(scene), form: self.form })
     }
 }
 
-/// The tolerances of one projection, if doubles can hold them.
-fn planar(scene: &Scene, plane: Plane) -> Result<Tolerances2d, Declined> {
-    let tolerances = Tolerances2d::from_length(largest_extent(scene, &plane.axes()));
-    let Tolerances2d { length, sigma, kappa, .. } = tolerances;
-    if length == 0.0 || (is_sound(sigma) && is_sound(kappa) && (2.0 * length * length).is_finite()) {
-        return Ok(tolerances);
-    }
-    let reason = format!("with L = {length:e} the tolerance κ = 21 ε L² or an area leaves the range of normal doubles");
-    Err(Declined::predicate(PredicateKind::Orient2d, reason))
+/// Whether all coordinates are numbers of `F`.
+fn check_coordinates<F: Float>(scene: &Scene) -> Result<(), Declined> {
+    let is_exact = |x: &f64| F::nearest(*x).wide() == *x;
+    let Some(at) = scene.coordinates().iter().position(|x| !is_exact(x)) else { return Ok(()) };
+    let (dimension, x, name) = (scene.dimension().count(), scene.coordinates()[at], F::NAME);
+    let (point, axis) = (at / dimension, at % dimension);
+    Err(Declined::scene(format!(
+        "point {point}: coordinate {axis} is {x}, which {name} does not hold exactly; round the scene to {name} first"
+    )))
 }
 
-/// The tolerances of space, if doubles can hold them.
-fn spatial(scene: &Scene) -> Result<Tolerances3d, Declined> {
-    let tolerances = Tolerances3d::from_length(largest_extent(scene, &[Axis::X, Axis::Y, Axis::Z]));
+/// The tolerances of one projection, if `F` can hold them.
+fn planar<F: Float>(scene: &Scene, plane: Plane) -> Result<Tolerances2d<F>, Declined> {
+    let tolerances = Tolerances2d::from_length(F::above(largest_extent(scene, &plane.axes())));
+    let check = tolerances.check_range();
+    check.map_err(|declined| Declined::predicate(PredicateKind::Orient2d, declined.reason))?;
+    Ok(tolerances)
+}
+
+/// The tolerances of space, if `F` can hold those of volumes.
+fn spatial<F: Float>(scene: &Scene) -> Result<Tolerances3d<F>, Declined> {
+    let tolerances = Tolerances3d::from_length(F::above(largest_extent(scene, &[Axis::X, Axis::Y, Axis::Z])));
     let Tolerances3d { length, sigma, xi, .. } = tolerances;
-    if length == 0.0 || (is_sound(sigma) && is_sound(xi) && (6.0 * length * length * length).is_finite()) {
+    let volume = F::nearest(6.0) * length * length * length;
+    if length == F::ZERO || (is_sound::<F>(sigma) && is_sound::<F>(xi) && volume.wide().is_finite()) {
         return Ok(tolerances);
     }
+    let (name, length) = (F::NAME, length.wide());
     let reason =
-        format!("with L = {length:e} the tolerance ξ = 56 ε^¾ L³ or a volume leaves the range of normal doubles");
+        format!("with L = {length:e} the tolerance ξ = 56 ε^¾ L³ or a volume leaves the range of normal {name}");
     Err(Declined::scene(reason))
 }
 
 /// Zero within the tolerance, else the sign of the computed value.
 #[inline]
-fn register(value: f64, band: Band) -> Sign {
+fn register<F: Float>(value: F, band: Band) -> Sign {
+    let value = value.wide();
     if value.abs() <= band.width { Sign::Zero } else { Sign::of(value) }
 }
 
-impl<T> Session<'_, T> {
+impl<T, F: Float> Session<'_, T, F> {
     /// The tolerances of a projection; a 2D scene has only [`Plane::Xy`].
     ///
     /// # Errors
     /// [`Declined`] where the projection has none, or is not of this scene.
-    pub fn tolerances2d(&self, plane: Plane) -> Result<&Tolerances2d, Declined> {
+    pub fn tolerances2d(&self, plane: Plane) -> Result<&Tolerances2d<F>, Declined> {
         match self.planar.get(plane as usize) {
             Some(tolerances) => tolerances.as_ref().map_err(Clone::clone),
             None => Err(Declined::predicate(PredicateKind::Orient2d, "a 2D scene has no such projection")),
@@ -123,24 +184,39 @@ impl<T> Session<'_, T> {
 
     /// The tolerances of a 3D scene.
     #[must_use]
-    pub fn tolerances3d(&self) -> Option<&Tolerances3d> {
+    pub fn tolerances3d(&self) -> Option<&Tolerances3d<F>> {
         self.spatial.as_ref()
+    }
+
+    /// The tolerances of contacts.
+    ///
+    /// # Errors
+    /// [`Declined`] where the scene has no primitive lengths, or `F` no room for them.
+    pub fn contact_tolerances(&self) -> Result<&ContactTolerances<F>, Declined> {
+        self.contacts.as_ref().map_err(Clone::clone)
+    }
+
+    fn pairs(&self) -> Pairs<'_, F> {
+        match &self.contacts {
+            Ok(tolerances) => Pairs { scene: self.scene, tolerances, form: self.form },
+            Err(declined) => panic!("{declined}"),
+        }
     }
 
     /// Twice the signed area, as Algorithm 5 computes its first: edge vectors
     /// from the last point, then their cross product.
     #[inline]
-    fn area(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> f64 {
-        let [a, b, c] = [a, b, c].map(|v| Vector2::from(self.scene.point2(plane, v)));
-        (a - c).perp(&(b - c))
+    fn area(&self, plane: Plane, vertices: [Vertex; 3]) -> F {
+        let [a, b, c] = vertices.map(|v| self.scene.point2(plane, v).map(F::nearest));
+        quantities::area(&c, &a, &b)
     }
 
     /// Six times the signed volume, as Algorithm 11 computes its first: edge
     /// vectors from the last point, a cross product and a dot product.
     #[inline]
-    fn volume(&self, [a, b, c, d]: [Vertex; 4]) -> f64 {
-        let [a, b, c, d] = [a, b, c, d].map(|v| Vector3::from(self.scene.point3(v)));
-        (a - d).cross(&(b - d)).dot(&(c - d))
+    fn volume(&self, vertices: [Vertex; 4]) -> F {
+        let [a, b, c, d] = vertices.map(|v| self.scene.point3(v).map(F::nearest));
+        quantities::volume(&a, &b, &c, &d)
     }
 
     #[inline]
@@ -157,7 +233,7 @@ impl<T> Session<'_, T> {
     }
 }
 
-impl<T: Tally> Predicates for Session<'_, T> {
+impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
     fn scene(&self) -> &Scene {
         self.scene
     }
@@ -205,8 +281,8 @@ impl<T: Tally> Predicates for Session<'_, T> {
 
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {
         match (question, args) {
-            (Question::Orient2d(plane), &[a, b, c]) => Some(self.area(plane, [a, b, c])),
-            (Question::Orient3d, &[a, b, c, d]) => Some(self.volume([a, b, c, d])),
+            (Question::Orient2d(plane), &[a, b, c]) => Some(self.area(plane, [a, b, c]).wide()),
+            (Question::Orient3d, &[a, b, c, d]) => Some(self.volume([a, b, c, d]).wide()),
             _ => None,
         }
     }
@@ -220,12 +296,54 @@ impl<T: Tally> Predicates for Session<'_, T> {
         }
     }
 
-    /// σ₊, the largest of the tolerances that are distances.
+    /// σ₊, the largest of the tolerances that are distances: that of contacts,
+    /// where the scene has primitive lengths.
     fn reach(&self) -> f64 {
+        if let Ok(tolerances) = &self.contacts {
+            return tolerances.band([0, 0]).map_or(0.0, |sigma| sigma.upper);
+        }
         match (&self.spatial, &self.planar[0]) {
             (Some(tolerances), _) => tolerances.sigma.upper,
             (None, Ok(tolerances)) => tolerances.sigma.upper,
             (None, Err(_)) => 0.0,
         }
+    }
+
+    fn contact_band(&self, ranks: [u8; 2]) -> Option<Band> {
+        self.contacts.as_ref().ok().and_then(|tolerances| tolerances.band(ranks))
+    }
+
+    fn supports_contacts(&self) -> Result<(), Declined> {
+        self.contact_tolerances().map(|_| ())
+    }
+
+    #[inline]
+    fn vertex_vertex(&self, a: Vertex, p: Vertex) -> bool {
+        self.pairs().vertex_vertex(a, p)
+    }
+
+    #[inline]
+    fn edge_vertex(&self, edge: [Vertex; 2], p: Vertex) -> Option<f64> {
+        self.pairs().edge_vertex(edge, p)
+    }
+
+    #[inline]
+    fn edge_edge(&self, e: [Vertex; 2], f: [Vertex; 2]) -> Option<[f64; 2]> {
+        self.pairs().edge_edge(e, f)
+    }
+
+    #[inline]
+    fn triangle_vertex(&self, triangle: [Vertex; 3], p: Vertex) -> Option<[f64; 3]> {
+        self.pairs().triangle_vertex(triangle, p)
+    }
+
+    #[inline]
+    fn triangle_edge(&self, triangle: [Vertex; 3], edge: [Vertex; 2]) -> Option<([f64; 3], f64)> {
+        self.pairs().triangle_edge(triangle, edge)
+    }
+
+    #[inline]
+    fn tetrahedron_vertex(&self, tetrahedron: [Vertex; 4], p: Vertex) -> Option<[f64; 4]> {
+        self.pairs().tetrahedron_vertex(tetrahedron, p)
     }
 }

@@ -1,5 +1,6 @@
 //! L for bare points: the largest edge of their bounding box.
 
+use predicament_arithmetic::difference_up;
 use predicament_predicates::{Axis, Scene};
 
 /// The extent of the scene along the given axes, rounded up, so that no exact
@@ -15,29 +16,9 @@ fn extent(scene: &Scene, axis: Axis) -> f64 {
     if scene.is_empty() { 0.0 } else { difference_up(high, low) }
 }
 
-/// high − low, rounded up. The roundoff of a difference is a double, which
-/// Knuth's two-sum finds; it is lost only if the difference itself overflows.
-fn difference_up(high: f64, low: f64) -> f64 {
-    let difference = high - low;
-    let low_part = high - difference;
-    let high_part = difference + low_part;
-    let roundoff = (high - high_part) + (low_part - low);
-    if roundoff > 0.0 { difference.next_up() } else { difference }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn exact_differences_stay_and_others_go_up() {
-        assert_eq!(difference_up(3.0, -1.0), 4.0);
-        assert_eq!(difference_up(1.0, -2.0_f64.powi(-53)), 1.0_f64.next_up());
-        assert_eq!(difference_up(1.0, 2.0_f64.powi(-60)), 1.0);
-        assert_eq!(difference_up(f64::MAX, -f64::MAX), f64::INFINITY);
-        assert_eq!(difference_up(f64::MAX, -1.0), f64::INFINITY);
-        assert_eq!(difference_up(5e-324, -5e-324), 1e-323);
-    }
 
     #[test]
     fn the_largest_edge_of_the_box_counts() {

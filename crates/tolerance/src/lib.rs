@@ -10,33 +10,28 @@
 //! * [`Tolerances2d`] and [`Tolerances3d`]: the paper's Figures 1 and 5, made
 //!   from lengths by its Algorithms 1 and 6.
 //! * [`quantities`]: what is compared with them, over any number.
+//! * [`algorithms`]: Algorithms 2 to 5 and 7 to 12, over any [`Float`].
 //! * [`Tolerance`]: the backend.
 //!
 //! # Which ε
-//! The paper's ε is the machine epsilon, and so is the one here:
-//! ε = 2⁻⁵² ([`f64::EPSILON`]), the distance from 1 to the next double. Its
-//! roots are exact: √ε = 2⁻²⁶, ε^¼ = 2⁻¹³. With the unit roundoff u = ε/2
-//! instead everything would hold as well, with half the room to spare in use.
+//! The paper's ε is the machine epsilon, and so is the one here: the distance
+//! from 1 to the next number, 2⁻⁵² for `f64` ([`f64::EPSILON`]), 2⁻²³ for
+//! `f32`. The roots of the former are exact: √ε = 2⁻²⁶, ε^¼ = 2⁻¹³. With the
+//! unit roundoff u = ε/2 instead everything would hold as well, with half the
+//! room to spare in use. Formats with ε ≥ 10⁻⁵ are refused.
 
+pub mod algorithms;
 mod backend;
+mod band;
+mod contacts;
 mod extent;
+mod float;
 pub mod quantities;
 mod tolerances2d;
 mod tolerances3d;
 
 pub use backend::{Session, Tolerance};
+pub use contacts::ContactTolerances;
+pub use float::Float;
 pub use tolerances2d::Tolerances2d;
 pub use tolerances3d::Tolerances3d;
-
-use predicament_predicates::Band;
-
-/// A band from its three coefficients and the unit that they share.
-fn band([lower, width, upper]: [f64; 3], unit: f64) -> Band {
-    Band { lower: lower * unit, width: width * unit, upper: upper * unit }
-}
-
-/// Whether a band is what its formula says: neither infinite nor NaN, and
-/// nothing of it lost to underflow.
-fn is_sound(band: Band) -> bool {
-    [band.lower, band.width, band.upper].into_iter().all(f64::is_normal)
-}

@@ -1,19 +1,21 @@
 //! The tolerances of the plane: Figure 1 and Algorithm 1.
 
-use predicament_predicates::Band;
+use predicament_predicates::{Band, Declined};
 
-use crate::band;
+use crate::Float;
+use crate::band::{self, Unit};
+use crate::float::check_precision;
 
-/// The tolerances for 2D, each as T₋, T and T₊.
+/// The tolerances for 2D, each as T₋, T and T₊, for the arithmetic of `F`.
 ///
-/// The middle values are computed in the order of Algorithm 1; the outer ones
-/// bound exact quantities and are Figure 1's, rounded to nearest. The room
-/// between them is some 10¹⁵ times larger than that rounding, for κ as for the
-/// lengths.
+/// The middle values are computed in `F`, in the order of Algorithm 1; the
+/// outer ones bound exact quantities and are Figure 1's with `F`'s ε, computed
+/// in double precision. The room between them is 10⁶ times larger than that
+/// rounding for `f32` and 10¹⁵ times for `f64`, for κ as for the lengths.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Tolerances2d {
+pub struct Tolerances2d<F = f64> {
     /// L: no coordinate difference exceeds it.
-    pub length: f64,
+    pub length: F,
     /// σ, vertex-vertex: a distance; 6.0, 6.5, 7.0 times √ε L.
     pub sigma: Band,
     /// τ, edge-vertex: a distance; 4.0, 4.5, 5.0 times √ε L.
@@ -24,30 +26,63 @@ pub struct Tolerances2d {
     pub kappa: Band,
 }
 
-impl Tolerances2d {
+impl<F: Float> Tolerances2d<F> {
     /// Algorithm 1: for two meshes, from the largest bounding-box edge of a
     /// primitive of each.
     ///
     /// L = (1 + 5ε)/(1 − 7√ε) · (La + Lb) holds two primitives side by side
     /// with σ₊ between them, and its own rounding. (The text of 4.1 has 8√ε
     /// in the denominator; σ₊ = 7√ε L needs the 7 of the algorithm.)
+    ///
+    /// # Panics
+    /// If the machine epsilon of `F` is 10⁻⁵ or more.
     #[must_use]
-    pub fn from_lengths(la: f64, lb: f64) -> Tolerances2d {
-        let s = f64::EPSILON.sqrt();
-        Tolerances2d::from_length((1.0 + 5.0 * f64::EPSILON) / (1.0 - 7.0 * s) * (la + lb))
+    pub fn from_lengths(la: F, lb: F) -> Tolerances2d<F> {
+        let s = F::EPSILON.sqrt();
+        let one = F::one();
+        let of = F::nearest;
+        Tolerances2d::from_length((one + of(5.0) * F::EPSILON) / (one - of(7.0) * s) * (la + lb))
     }
 
     /// From L itself, which must bound every coordinate difference.
+    ///
+    /// # Panics
+    /// If the machine epsilon of `F` is 10⁻⁵ or more.
     #[must_use]
-    pub fn from_length(length: f64) -> Tolerances2d {
-        let t = f64::EPSILON.sqrt() * length;
-        let square = length * length;
+    pub fn from_length(length: F) -> Tolerances2d<F> {
+        check_precision::<F>().unwrap_or_else(|declined| panic!("{declined}"));
+        let (epsilon, wide) = (F::EPSILON.wide(), length.wide());
+        let t = Unit { here: F::EPSILON.sqrt() * length, wide: epsilon.sqrt() * wide };
+        let square = Unit { here: length * length, wide: wide * wide };
         Tolerances2d {
             length,
-            sigma: band([6.0, 6.5, 7.0], t),
-            tau: band([4.0, 4.5, 5.0], t),
-            sigma_hat: band([5.0, 5.5, 6.0], t),
-            kappa: band([10.0, 21.0, 32.0].map(|c| c * f64::EPSILON), square),
+            sigma: t.band([6.0, 6.5, 7.0]),
+            tau: t.band([4.0, 4.5, 5.0]),
+            sigma_hat: t.band([5.0, 5.5, 6.0]),
+            kappa: square.band([10.0, 21.0, 32.0].map(|c| c * epsilon)),
         }
+    }
+
+    /// Whether `F` has room for everything that Algorithms 2 to 5 compute, as
+    /// the paper assumes "no underflow or overflow"; L = 0 needs none.
+    ///
+    /// σ² and κ stand for what is compared: where both are normal numbers, what
+    /// underflow adds to an error is nothing beside the room around them.
+    ///
+    /// # Errors
+    /// [`Declined`] with L.
+    pub(crate) fn check_range(&self) -> Result<(), Declined> {
+        let square = self.length * self.length;
+        // |a_A − a_B| ≤ 4 L²
+        let fits = band::is_sound::<F>(self.sigma)
+            && band::is_sound::<F>(self.kappa)
+            && (F::nearest(4.0) * square).wide().is_finite();
+        if self.length == F::ZERO || fits {
+            return Ok(());
+        }
+        let (name, length) = (F::NAME, self.length.wide());
+        let reason =
+            format!("with L = {length:e} the tolerance κ = 21 ε L² or an area leaves the range of normal {name}");
+        Err(Declined::scene(reason))
     }
 }

@@ -1,18 +1,21 @@
 //! The tolerances of space: Figure 5 and Algorithm 6.
 
-use predicament_predicates::Band;
+use predicament_predicates::{Band, Declined};
 
-use crate::band;
+use crate::Float;
+use crate::band::{self, Unit};
+use crate::float::check_precision;
 
-/// The tolerances for 3D, each as T₋, T and T₊.
+/// The tolerances for 3D, each as T₋, T and T₊, for the arithmetic of `F`.
 ///
-/// The middle values are computed in the order of Algorithm 6; the outer ones
-/// bound exact quantities and are Figure 5's, rounded to nearest. Where the
-/// figure says "≈" the value is that of the constraint which defines it.
+/// The middle values are computed in `F`, in the order of Algorithm 6; the
+/// outer ones bound exact quantities and are Figure 5's with `F`'s ε, computed
+/// in double precision. Where the figure says "≈" the value is that of the
+/// constraint which defines it.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Tolerances3d {
+pub struct Tolerances3d<F = f64> {
     /// L: no coordinate difference exceeds it.
-    pub length: f64,
+    pub length: F,
     /// σ, vertex-vertex: a distance; 6.0, 6.5, 7.0 times ε^¼ L.
     pub sigma: Band,
     /// τ, edge-vertex: a distance; 4.0, 4.5, 5.0 times ε^¼ L.
@@ -41,43 +44,82 @@ pub struct Tolerances3d {
     pub rho: Band,
 }
 
-impl Tolerances3d {
+impl<F: Float> Tolerances3d<F> {
     /// Algorithm 6: for two meshes, from the largest bounding-box edge of a
     /// primitive of each.
     ///
     /// L = (1 + 5ε)/(1 − 7ε^¼) · (La + Lb) holds two primitives side by side
     /// with σ₊ between them, and its own rounding.
+    ///
+    /// # Panics
+    /// If the machine epsilon of `F` is 10⁻⁵ or more.
     #[must_use]
-    pub fn from_lengths(la: f64, lb: f64) -> Tolerances3d {
-        let a = f64::EPSILON.sqrt().sqrt();
-        Tolerances3d::from_length((1.0 + 5.0 * f64::EPSILON) / (1.0 - 7.0 * a) * (la + lb))
+    pub fn from_lengths(la: F, lb: F) -> Tolerances3d<F> {
+        let a = F::EPSILON.sqrt().sqrt();
+        let one = F::one();
+        let of = F::nearest;
+        Tolerances3d::from_length((one + of(5.0) * F::EPSILON) / (one - of(7.0) * a) * (la + lb))
     }
 
     /// From L itself, which must bound every coordinate difference.
+    ///
+    /// # Panics
+    /// If the machine epsilon of `F` is 10⁻⁵ or more.
     #[must_use]
-    pub fn from_length(length: f64) -> Tolerances3d {
-        let s = f64::EPSILON.sqrt();
-        let a = s.sqrt();
-        let b = s * a;
-        let c = a * length;
-        let d = length * length;
-        let e = b * length * d;
-        let f = f64::EPSILON * (d * d);
+    pub fn from_length(length: F) -> Tolerances3d<F> {
+        check_precision::<F>().unwrap_or_else(|declined| panic!("{declined}"));
+        let [c, e, f] = Unit::pair(powers(F::EPSILON, length), powers(F::EPSILON.wide(), length.wide()));
         let volume_upper = 48.0 * 3.0_f64.sqrt();
         Tolerances3d {
             length,
-            sigma: band([6.0, 6.5, 7.0], c),
-            tau: band([4.0, 4.5, 5.0], c),
-            delta: band([2.0, 2.25, 2.5], c),
-            gamma: band([2.0, 2.25, 2.5], c),
-            sigma_hat: band([5.0, 5.5, 6.0], c),
-            lambda: band([910.0, 1215.0, 1521.0], f),
-            phi: band([150.0, 470.0, 760.5], f),
-            nu: band([3422.25, 6844.5, 10266.75], f),
-            zeta: band([658.0, 1317.0, 12.0 * 3.0_f64.sqrt() * (9.75 * 9.75)], f),
-            mu: band([16.0, 24.0, 32.0], e),
-            xi: band([28.0, 56.0, volume_upper], e),
-            rho: band([28.0, 56.0, volume_upper], e),
+            sigma: c.band([6.0, 6.5, 7.0]),
+            tau: c.band([4.0, 4.5, 5.0]),
+            delta: c.band([2.0, 2.25, 2.5]),
+            gamma: c.band([2.0, 2.25, 2.5]),
+            sigma_hat: c.band([5.0, 5.5, 6.0]),
+            lambda: f.band([910.0, 1215.0, 1521.0]),
+            phi: f.band([150.0, 470.0, 760.5]),
+            nu: f.band([3422.25, 6844.5, 10266.75]),
+            zeta: f.band([658.0, 1317.0, 12.0 * 3.0_f64.sqrt() * (9.75 * 9.75)]),
+            mu: e.band([16.0, 24.0, 32.0]),
+            xi: e.band([28.0, 56.0, volume_upper]),
+            rho: e.band([28.0, 56.0, volume_upper]),
         }
     }
+
+    /// Whether `F` has room for everything that Algorithms 7 to 12 compute, as
+    /// the paper assumes "no underflow or overflow"; L = 0 needs none.
+    ///
+    /// The smallest of what is compared is γ²m² where m² is λ₋, 3640 ε^(3/2) L⁶;
+    /// the largest value is d̂² ≤ 36 L⁶. Where the first is a normal number,
+    /// what underflow adds to an error is nothing beside the room around it.
+    ///
+    /// # Errors
+    /// [`Declined`] with L.
+    pub(crate) fn check_range(&self) -> Result<(), Declined> {
+        let cube = self.length * self.length * self.length;
+        let gamma = F::nearest(self.gamma.lower);
+        let least = gamma * gamma * F::nearest(self.lambda.lower);
+        let fits = [self.sigma, self.phi, self.mu].into_iter().all(band::is_sound::<F>)
+            && band::is_normal(least)
+            && (F::nearest(36.0) * (cube * cube)).wide().is_finite();
+        if self.length == F::ZERO || fits {
+            return Ok(());
+        }
+        let (name, length) = (F::NAME, self.length.wide());
+        let reason = format!(
+            "with L = {length:e} a tolerance of Algorithm 6 or a product of six lengths leaves the range of normal \
+             {name}"
+        );
+        Err(Declined::scene(reason))
+    }
+}
+
+/// c = ε^¼ L, e = ε^¾ L³ and f = ε L⁴, in the order of Algorithm 6.
+fn powers<F: Float>(epsilon: F, length: F) -> [F; 3] {
+    let s = epsilon.sqrt();
+    let a = s.sqrt();
+    let b = s * a;
+    let d = length * length;
+    [a * length, b * length * d, epsilon * (d * d)]
 }

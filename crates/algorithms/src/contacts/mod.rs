@@ -14,10 +14,17 @@
 //! signs only pairs of the last level can register, with tolerances it is the
 //! paper's scheme.
 
-use std::collections::HashSet;
+mod ask;
+mod ended;
+mod near;
 
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Dimension, Predicates};
+use rayon::prelude::*;
+
+use ask::ask;
+use ended::Ended;
+use near::Near;
 
 /// Barycentric coordinates of a point in a simplex, one for each of its
 /// vertices in ascending order; those that the simplex lacks are zero.
@@ -36,11 +43,30 @@ pub struct Contact {
     pub on_b: Weights,
 }
 
-/// All registered pairs, by level (the sum of the ranks), then by simplices.
+/// What became of the pairs of two ranks.
+///
+/// Every candidate either had ended or was asked about.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Level {
+    /// The ranks of the simplices of the first and of the second complex.
+    pub ranks: [u8; 2],
+    /// Pairs whose boxes are within the session's reach of each other.
+    pub candidates: u64,
+    /// Those that had ended: a sub-pair was registered.
+    pub ended: u64,
+    /// Those that the session was asked about.
+    pub asked: u64,
+    /// Those that it registered.
+    pub registered: u64,
+}
+
+/// All registered pairs, and how many there were to look at.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Contacts {
-    /// The registered pairs.
+    /// The registered pairs, by level (the sum of the ranks), then by simplices.
     pub registered: Vec<Contact>,
+    /// What became of the pairs, in the order of [`levels`].
+    pub levels: Vec<Level>,
 }
 
 /// The ranks of the pairs of each level, level after level.
@@ -53,90 +79,113 @@ pub fn levels(dimension: Dimension) -> &'static [&'static [[u8; 2]]] {
 
 /// The contacts of two complexes of the session's scene.
 ///
+/// Asked about are the pairs whose boxes are within the session's
+/// [reach](Predicates::reach), as far as they haven't ended. The complexes may
+/// share vertices; a vertex meets itself, whatever the session does with ties.
+///
+/// The answer doesn't depend on the number of threads, nor, up to the exchange
+/// of the two sides, on which complex comes first.
+///
 /// # Panics
 /// If the session doesn't [support](Predicates::supports_contacts) contacts.
 #[must_use]
 pub fn contacts<S: Predicates>(session: &S, a: &Complex, b: &Complex) -> Contacts {
-    let mut registered = Contacts::default();
-    let mut ended: HashSet<[Simplex; 2]> = HashSet::new();
+    if let Err(declined) = session.supports_contacts() {
+        panic!("the session must support contacts: {declined}");
+    }
+    match session.scene().dimension() {
+        Dimension::Two => hierarchy::<S, 2>(session, [a, b]),
+        Dimension::Three => hierarchy::<S, 3>(session, [a, b]),
+    }
+}
+
+/// [`contacts`] in the plane.
+///
+/// # Panics
+/// As [`contacts`], and if the scene is in space.
+#[must_use]
+pub fn contacts2d<S: Predicates>(session: &S, a: &Complex, b: &Complex) -> Contacts {
+    assert_eq!(session.scene().dimension(), Dimension::Two, "contacts2d needs a 2D scene; contacts3d takes this one");
+    contacts(session, a, b)
+}
+
+/// [`contacts`] in space.
+///
+/// # Panics
+/// As [`contacts`], and if the scene is in the plane.
+#[must_use]
+pub fn contacts3d<S: Predicates>(session: &S, a: &Complex, b: &Complex) -> Contacts {
+    assert_eq!(session.scene().dimension(), Dimension::Three, "contacts3d needs a 3D scene; contacts2d takes this one");
+    contacts(session, a, b)
+}
+
+/// So many simplices of the first complex make a piece of work.
+const PIECE: usize = 512;
+
+fn hierarchy<S: Predicates, const D: usize>(session: &S, complexes: [&Complex; 2]) -> Contacts {
+    let near = Near::<D>::new(session.scene(), complexes[1], session.reach());
+    let mut all = Contacts::default();
+    let mut ended = Ended::default();
     for pairs in levels(session.scene().dimension()) {
-        let mut level = Vec::new();
-        for &[rank_a, rank_b] in *pairs {
-            for s in simplices(a, rank_a) {
-                for t in simplices(b, rank_b) {
-                    if has_registered_faces(&ended, [a, b], [s, t]) {
-                        continue;
-                    }
-                    level.extend(ask(session, [a, b], [s, t]));
+        // A level's pairs come by the ranks of the first simplex: what is appended stays sorted.
+        let start = all.registered.len();
+        for &ranks in *pairs {
+            let (level, registered) = of_ranks(session, complexes, ranks, &near, &ended);
+            all.levels.push(level);
+            all.registered.extend(registered);
+        }
+        if all.registered.len() > start {
+            ended.learn(complexes, &all.registered);
+        }
+    }
+    all
+}
+
+/// The pairs of two ranks, in ascending order.
+fn of_ranks<S: Predicates, const D: usize>(
+    session: &S,
+    [a, b]: [&Complex; 2],
+    [rank_a, rank_b]: [u8; 2],
+    near: &Near<D>,
+    ended: &Ended,
+) -> (Level, Vec<Contact>) {
+    let none = Level { ranks: [rank_a, rank_b], candidates: 0, ended: 0, asked: 0, registered: 0 };
+    let [count_a, count_b] = [(a, rank_a), (b, rank_b)].map(|(complex, rank)| near::counts(complex)[rank as usize]);
+    if count_a == 0 || count_b == 0 {
+        return (none, Vec::new());
+    }
+    let place = |index: usize| u32::try_from(index).expect("a complex holds 2^32 at most");
+    let piece = |piece: usize| {
+        let (mut level, mut registered) = (none, Vec::new());
+        let (mut found, mut partners) = (Vec::new(), Vec::new());
+        for index in piece * PIECE..count_a.min((piece + 1) * PIECE) {
+            let s = Simplex { rank: rank_a, index: place(index) };
+            near.to(a.vertices_of(s), rank_b, &mut found);
+            if found.is_empty() {
+                continue;
+            }
+            level.candidates += found.len() as u64;
+            ended.partners(s, &mut partners);
+            for t in found.iter().map(|&index| Simplex { rank: rank_b, index }) {
+                if ended.has_face(&partners, t) {
+                    level.ended += 1;
+                    continue;
                 }
+                level.asked += 1;
+                registered.extend(ask(session, [a, b], [s, t]));
             }
         }
-        level.sort_unstable_by_key(|contact: &Contact| (contact.a, contact.b));
-        ended.extend(level.iter().map(|contact| [contact.a, contact.b]));
-        registered.registered.extend(level);
+        level.registered = registered.len() as u64;
+        (level, registered)
+    };
+    let pieces: Vec<(Level, Vec<Contact>)> = (0..count_a.div_ceil(PIECE)).into_par_iter().map(piece).collect();
+    let mut all = (none, Vec::with_capacity(pieces.iter().map(|(_, registered)| registered.len()).sum()));
+    for (level, registered) in pieces {
+        all.0.candidates += level.candidates;
+        all.0.ended += level.ended;
+        all.0.asked += level.asked;
+        all.0.registered += level.registered;
+        all.1.extend(registered);
     }
-    registered
-}
-
-fn simplices(complex: &Complex, rank: u8) -> impl Iterator<Item = Simplex> + use<> {
-    let count = match rank {
-        0 => complex.vertices().len(),
-        1 => complex.edges().len(),
-        2 => complex.triangles().len(),
-        _ => complex.tetrahedra().len(),
-    };
-    (0..count).map(move |index| Simplex { rank, index: u32::try_from(index).expect("a complex holds 2^32 at most") })
-}
-
-fn has_registered_faces(ended: &HashSet<[Simplex; 2]>, [a, b]: [&Complex; 2], [s, t]: [Simplex; 2]) -> bool {
-    let faces = |complex: &Complex, simplex: Simplex| -> Vec<Simplex> {
-        let vertices = complex.vertices_of(simplex);
-        (1_u32..1 << vertices.len())
-            .map(|subset| {
-                let face: Vec<_> =
-                    vertices.iter().enumerate().filter(|(i, _)| subset >> i & 1 == 1).map(|(_, &v)| v).collect();
-                complex.find(&face).expect("a complex has the faces of its simplices")
-            })
-            .collect()
-    };
-    let of_t = faces(b, t);
-    faces(a, s).iter().any(|&s| of_t.iter().any(|&t| ended.contains(&[s, t])))
-}
-
-/// Asks the question of the pair's ranks, the simplex of higher rank first; of
-/// two edges the one with the lower vertices.
-fn ask<S: Predicates>(session: &S, [a, b]: [&Complex; 2], [s, t]: [Simplex; 2]) -> Option<Contact> {
-    let (on_a, on_b) = match (a.vertices_of(s), b.vertices_of(t)) {
-        (&[p], &[q]) => session.vertex_vertex(p.min(q), p.max(q)).then_some((pad([1.0]), pad([1.0])))?,
-        (&[e, f], &[p]) => (along(session.edge_vertex([e, f], p)?), pad([1.0])),
-        (&[p], &[e, f]) => (pad([1.0]), along(session.edge_vertex([e, f], p)?)),
-        (&[c, d], &[e, f]) => {
-            let flip = [c, d] > [e, f];
-            let [first, second] = if flip { [[e, f], [c, d]] } else { [[c, d], [e, f]] };
-            let [on_first, on_second] = session.edge_edge(first, second)?.map(along);
-            if flip { (on_second, on_first) } else { (on_first, on_second) }
-        }
-        (&[c, d, e], &[p]) => (pad(session.triangle_vertex([c, d, e], p)?), pad([1.0])),
-        (&[p], &[c, d, e]) => (pad([1.0]), pad(session.triangle_vertex([c, d, e], p)?)),
-        (&[c, d, e], &[p, q]) => {
-            let (on_triangle, on_edge) = session.triangle_edge([c, d, e], [p, q])?;
-            (pad(on_triangle), along(on_edge))
-        }
-        (&[p, q], &[c, d, e]) => {
-            let (on_triangle, on_edge) = session.triangle_edge([c, d, e], [p, q])?;
-            (along(on_edge), pad(on_triangle))
-        }
-        (&[c, d, e, f], &[p]) => (pad(session.tetrahedron_vertex([c, d, e, f], p)?), pad([1.0])),
-        (&[p], &[c, d, e, f]) => (pad([1.0]), pad(session.tetrahedron_vertex([c, d, e, f], p)?)),
-        (s, t) => unreachable!("no pair of {} and {} vertices in any hierarchy", s.len(), t.len()),
-    };
-    Some(Contact { a: s, b: t, on_a, on_b })
-}
-
-fn pad<const N: usize>(weights: [f64; N]) -> Weights {
-    std::array::from_fn(|i| weights.get(i).copied().unwrap_or(0.0))
-}
-
-fn along(fraction: f64) -> Weights {
-    [1.0 - fraction, fraction, 0.0, 0.0]
+    all
 }

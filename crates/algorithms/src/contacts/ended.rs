@@ -1,0 +1,71 @@
+//! Which pairs have ended: those of which a sub-pair is registered.
+//!
+//! Registrations are few beside the simplices, and those of a simplex few
+//! beside all. So they are kept by the first simplex, and a simplex is asked
+//! once, for all its candidates, with what its faces are registered; most have
+//! nothing, and then no candidate needs a look.
+
+use predicament_mesh::{Complex, Faces, Simplex};
+
+use super::Contact;
+
+/// The registered pairs of the levels before, by their first simplex.
+#[derive(Default)]
+pub(super) struct Ended {
+    tables: Option<Tables>,
+}
+
+struct Tables {
+    faces: [Faces; 2],
+    /// For each rank, where each simplex' partners start, and their number.
+    starts: [Vec<u32>; 4],
+    partners: [Vec<Simplex>; 4],
+}
+
+impl Ended {
+    /// Learns all that is registered so far. While that is nothing, nothing is looked up.
+    pub(super) fn learn(&mut self, [a, b]: [&Complex; 2], registered: &[Contact]) {
+        if registered.is_empty() {
+            return;
+        }
+        let faces = match self.tables.take() {
+            Some(tables) => tables.faces,
+            None => [a, b].map(Faces::new),
+        };
+        let mut by_first: Vec<[Simplex; 2]> = registered.iter().map(|contact| [contact.a, contact.b]).collect();
+        by_first.sort_unstable();
+        let counts = [a.vertices().len(), a.edges().len(), a.triangles().len(), a.tetrahedra().len()];
+        let mut starts = counts.map(|count| Vec::with_capacity(count + 1));
+        let mut partners: [Vec<Simplex>; 4] = Default::default();
+        for rank in 0..4_u8 {
+            let of_rank = rank as usize;
+            let mut pairs = by_first.iter().filter(|[s, _]| s.rank == rank).peekable();
+            for index in 0..=counts[of_rank] {
+                let start = partners[of_rank].len();
+                starts[of_rank].push(u32::try_from(start).expect("fewer than 2^32 registrations"));
+                while let Some([_, t]) = pairs.next_if(|[s, _]| s.index as usize == index) {
+                    partners[of_rank].push(*t);
+                }
+            }
+        }
+        self.tables = Some(Tables { faces, starts, partners });
+    }
+
+    /// What the faces of `s`, and `s`, are registered with, in ascending order.
+    pub(super) fn partners(&self, s: Simplex, partners: &mut Vec<Simplex>) {
+        partners.clear();
+        let Some(tables) = &self.tables else { return };
+        for face in tables.faces[0].of(s) {
+            let starts = &tables.starts[face.rank as usize];
+            let [start, end] = [starts[face.index as usize], starts[face.index as usize + 1]];
+            partners.extend(&tables.partners[face.rank as usize][start as usize..end as usize]);
+        }
+        partners.sort_unstable();
+    }
+
+    /// Whether one of these [partners](Ended::partners) is a face of `t`, or `t`.
+    pub(super) fn has_face(&self, partners: &[Simplex], t: Simplex) -> bool {
+        let faces = |tables: &Tables| tables.faces[1].of(t).any(|face| partners.binary_search(&face).is_ok());
+        !partners.is_empty() && self.tables.as_ref().is_some_and(faces)
+    }
+}

@@ -1,0 +1,350 @@
+//! Boxes near a box, by a grid within a grid.
+//!
+//! A uniform grid is hard to beat where boxes are alike and evenly spread, and
+//! useless where they are not. Two remedies keep it good:
+//! * Boxes that would reach many cells are left to a coarser grid of their own.
+//!   Cells are not smaller than the mean box, so those are few.
+//! * A cell that holds many boxes is cut once more, by an index of its own.
+//!
+//! # Each pair once
+//! Two boxes can share many cells, and are reported in the first that they
+//! share: the one where along each axis one of them starts. An entry knows
+//! along which axes its box starts in the cell, and a query knows where it has
+//! started itself, so that is one comparison of bits. It holds within nested
+//! grids too, if a box that started in an earlier cell has started before the
+//! first of the nested ones.
+//!
+//! # Memory
+//! A box has at most 4^D entries in a grid, and on the average no more than
+//! about 2^D; a nested grid must be worth it, and nesting ends at a fixed depth.
+
+use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+
+use rayon::prelude::*;
+
+use crate::Bounds;
+use crate::steps::Steps;
+
+/// Boxes that reach more cells are left to a coarser grid.
+const fn most_cells(dimension: usize) -> usize {
+    1 << (2 * dimension)
+}
+
+/// A cell with more entries may be cut once more.
+const CROWD: usize = 32;
+
+/// How deep grids are nested, whether within cells or for larger boxes.
+const DEPTH: u32 = 5;
+
+/// Fewer boxes than this are entered by one thread.
+const ALONE: usize = 1 << 12;
+
+/// An index of boxes, known by their places 0, 1, 2 …, in two or three dimensions.
+#[derive(Debug)]
+pub struct BoxIndex<const D: usize> {
+    boxes: Vec<Bounds<D>>,
+    all: Bounds<D>,
+    grid: Option<Grid<D>>,
+}
+
+impl<const D: usize> BoxIndex<D> {
+    /// An index of these boxes.
+    ///
+    /// # Panics
+    /// If there are 2^32 boxes or entries or more, or a coordinate is not finite.
+    #[must_use]
+    pub fn new(boxes: Vec<Bounds<D>>) -> BoxIndex<D> {
+        const { assert!(D == 2 || D == 3, "a scene has two or three dimensions") };
+        let count = u32::try_from(boxes.len()).expect("a box index holds fewer than 2^32 boxes");
+        assert!(boxes.par_iter().all(Bounds::is_finite), "coordinates must be finite");
+        let all = hull(boxes.par_iter().copied());
+        let entries: Vec<Entry> = (0..count).map(|place| Entry { place, starts: ALL_AXES }).collect();
+        let grid = (!boxes.is_empty()).then(|| Grid::new(entries, &boxes, &all, DEPTH));
+        BoxIndex { boxes, all, grid }
+    }
+
+    /// The boxes.
+    #[must_use]
+    pub fn boxes(&self) -> &[Bounds<D>] {
+        &self.boxes
+    }
+
+    /// The number of entries in all cells: what the index takes in memory.
+    #[must_use]
+    pub fn entries(&self) -> usize {
+        self.grid.as_ref().map_or(0, Grid::count)
+    }
+
+    /// Puts the places of all boxes [near](Bounds::is_near) the query into
+    /// `found`, in ascending order, and nothing else.
+    ///
+    /// # Panics
+    /// If the reach is negative or NaN.
+    pub fn near(&self, query: &Bounds<D>, reach: f64, found: &mut Vec<u32>) {
+        assert!(reach >= 0.0, "a reach is a distance");
+        found.clear();
+        let Some(grid) = self.grid.as_ref().filter(|_| self.all.is_near(query, reach)) else { return };
+        let query = Query { exact: *query, inflated: query.inflated(reach), reach };
+        grid.near(&query, 0, &self.boxes, found);
+        found.sort_unstable();
+    }
+}
+
+/// A bit for each axis.
+type Axes = u32;
+const ALL_AXES: Axes = Axes::MAX;
+
+struct Query<const D: usize> {
+    exact: Bounds<D>,
+    inflated: Bounds<D>,
+    reach: f64,
+}
+
+/// A box in a cell.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    place: u32,
+    /// The axes along which the cell is the first that the box reaches.
+    starts: Axes,
+}
+
+impl Entry {
+    fn packed(self) -> u64 {
+        u64::from(self.place) << 32 | u64::from(self.starts)
+    }
+
+    #[allow(clippy::cast_possible_truncation)] // the halves of what was packed
+    fn unpacked(packed: u64) -> Entry {
+        Entry { place: (packed >> 32) as u32, starts: packed as u32 }
+    }
+}
+
+#[derive(Debug)]
+struct Grid<const D: usize> {
+    cells: Cells<D>,
+    /// The place of each cell's first entry, and the number of entries.
+    starts: Vec<u32>,
+    entries: Vec<Entry>,
+    /// The crowded cells that are cut once more, in ascending order.
+    nested: Vec<(usize, Grid<D>)>,
+    /// Those that would reach too many cells here.
+    larger: Option<Box<Grid<D>>>,
+}
+
+impl<const D: usize> Grid<D> {
+    /// A grid over a part of space, of entries of which the part is a cell.
+    fn new(mut given: Vec<Entry>, boxes: &[Bounds<D>], part: &Bounds<D>, depth: u32) -> Grid<D> {
+        let extent = hull(given.par_iter().map(|entry| boxes[entry.place as usize].clipped(part)));
+        let mut cells = Cells::new(&extent, given.len(), mean_extents(&given, boxes, part, &extent));
+        let reach = |cells: &Cells<D>, entry: &Entry| cells.reach(&boxes[entry.place as usize]);
+        let mut larger = Vec::new();
+        if depth > 0 {
+            let is_large = |entry: &&Entry| reach(&cells, entry) > most_cells(D);
+            larger = given.par_iter().filter(is_large).copied().collect();
+        }
+        if larger.len() < given.len() && !larger.is_empty() {
+            given.retain(|entry| reach(&cells, entry) <= most_cells(D));
+        } else {
+            larger.clear();
+            while given.par_iter().map(|entry| reach(&cells, entry)).sum::<usize>() > most_cells(D) * given.len() {
+                cells.coarsen();
+            }
+        }
+        let (starts, entries) = enter(&given, boxes, &cells);
+        let mut grid = Grid { cells, starts, entries, nested: Vec::new(), larger: None };
+        if depth > 0 {
+            grid.nest(boxes, depth - 1);
+            grid.larger = (!larger.is_empty()).then(|| Box::new(Grid::new(larger, boxes, part, depth - 1)));
+        }
+        grid
+    }
+
+    /// Cuts crowded cells once more, if that spreads their entries.
+    fn nest(&mut self, boxes: &[Bounds<D>], depth: u32) {
+        let cut = |cell: usize| {
+            let entries = self.of(cell);
+            if entries.len() <= CROWD {
+                return None;
+            }
+            let nested = Grid::new(entries.to_vec(), boxes, &self.cells.bounds(cell), depth);
+            nested.is_worth_it(entries.len()).then_some((cell, nested))
+        };
+        self.nested = (0..self.cells.len()).into_par_iter().filter_map(cut).collect();
+    }
+
+    /// Whether a point of a random box meets at most half of the entries that
+    /// it would meet without the grid.
+    fn is_worth_it(&self, without: usize) -> bool {
+        let larger = self.larger.as_ref().map_or(0, |larger| larger.entries.len());
+        let squares: usize = self.starts.windows(2).map(|w| ((w[1] - w[0]) as usize).pow(2)).sum();
+        (larger * without).saturating_add(squares) <= without * without / 2
+    }
+
+    fn of(&self, cell: usize) -> &[Entry] {
+        &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize]
+    }
+
+    fn count(&self) -> usize {
+        let nested: usize = self.nested.iter().map(|(_, grid)| grid.count()).sum();
+        self.entries.len() + nested + self.larger.as_ref().map_or(0, |larger| larger.count())
+    }
+
+    /// Visits the cells that the query reaches; along the axes `before` it has
+    /// started before the first of them.
+    fn near(&self, query: &Query<D>, before: Axes, boxes: &[Bounds<D>], found: &mut Vec<u32>) {
+        let [first, last] = self.cells.range(&query.inflated);
+        for place in places([first, last]) {
+            let started = (0..D).fold(before, |axes, axis| axes | Axes::from(place[axis] > first[axis]) << axis);
+            let cell = self.cells.cell(place);
+            let entries = self.of(cell);
+            if entries.len() > CROWD
+                && let Ok(at) = self.nested.binary_search_by_key(&cell, |&(cell, _)| cell)
+            {
+                self.nested[at].1.near(query, started, boxes, found);
+                continue;
+            }
+            for entry in entries {
+                let is_first = entry.starts & started == started;
+                if is_first && boxes[entry.place as usize].is_near(&query.exact, query.reach) {
+                    found.push(entry.place);
+                }
+            }
+        }
+        if let Some(larger) = &self.larger {
+            larger.near(query, before, boxes, found);
+        }
+    }
+}
+
+/// Counting sort by cells. Threads share the counters, so entries of one cell
+/// can come in any order, which nothing depends on.
+fn enter<const D: usize>(given: &[Entry], boxes: &[Bounds<D>], cells: &Cells<D>) -> (Vec<u32>, Vec<Entry>) {
+    let counters: Vec<AtomicU32> = (0..=cells.len()).map(|_| AtomicU32::new(0)).collect();
+    given.par_iter().with_min_len(ALONE).for_each(|entry| {
+        for place in places(cells.range(&boxes[entry.place as usize])) {
+            counters[cells.cell(place)].fetch_add(1, Ordering::Relaxed);
+        }
+    });
+    // from counts to ends; filled from the last entry back, they become starts
+    let mut end = 0_u32;
+    for counter in &counters {
+        end = end.checked_add(counter.load(Ordering::Relaxed)).expect("a box index has fewer than 2^32 entries");
+        counter.store(end, Ordering::Relaxed);
+    }
+    let entries: Vec<AtomicU64> = (0..end).map(|_| AtomicU64::new(0)).collect();
+    given.par_iter().with_min_len(ALONE).for_each(|entry| {
+        let range = cells.range(&boxes[entry.place as usize]);
+        for place in places(range) {
+            let here = (0..D).fold(0, |axes, axis| axes | Axes::from(place[axis] == range[0][axis]) << axis);
+            let at = counters[cells.cell(place)].fetch_sub(1, Ordering::Relaxed) - 1;
+            let entry = Entry { place: entry.place, starts: entry.starts & here };
+            entries[at as usize].store(entry.packed(), Ordering::Relaxed);
+        }
+    });
+    let starts = counters.into_iter().map(AtomicU32::into_inner).collect();
+    (starts, entries.into_iter().map(|packed| Entry::unpacked(packed.into_inner())).collect())
+}
+
+fn hull<const D: usize>(boxes: impl IndexedParallelIterator<Item = Bounds<D>>) -> Bounds<D> {
+    boxes.with_min_len(ALONE).reduce(|| Bounds::NOTHING, |a, b| a.union(&b))
+}
+
+/// The mean extent of the boxes along each axis, as parts of the whole extent;
+/// one where there is no extent.
+/// Summed up in chunks of a fixed size: the same whatever the threads.
+#[allow(clippy::cast_precision_loss)] // a size to aim at
+fn mean_extents<const D: usize>(
+    given: &[Entry],
+    boxes: &[Bounds<D>],
+    part: &Bounds<D>,
+    extent: &Bounds<D>,
+) -> [f64; D] {
+    let half = |bounds: &Bounds<D>, axis: usize| bounds.high[axis] / 2.0 - bounds.low[axis] / 2.0;
+    let sum = |entries: &[Entry]| {
+        let clipped = entries.iter().map(|entry| boxes[entry.place as usize].clipped(part));
+        clipped.fold([0.0; D], |sum, bounds| {
+            // the minimum of NaN and one is one
+            std::array::from_fn(|axis| sum[axis] + (half(&bounds, axis) / half(extent, axis)).min(1.0))
+        })
+    };
+    let sums: Vec<[f64; D]> = given.par_chunks(ALONE).map(sum).collect();
+    std::array::from_fn(|axis| sums.iter().map(|sum| sum[axis]).sum::<f64>() / given.len() as f64)
+}
+
+/// All places from the first to the last.
+#[inline]
+fn places<const D: usize>([first, last]: [[usize; D]; 2]) -> impl Iterator<Item = [usize; D]> {
+    let mut next = Some(first);
+    std::iter::from_fn(move || {
+        let place = next?;
+        next = (0..D).find(|&axis| place[axis] < last[axis]).map(|axis| {
+            std::array::from_fn(|other| match other.cmp(&axis) {
+                std::cmp::Ordering::Less => first[other],
+                std::cmp::Ordering::Equal => place[other] + 1,
+                std::cmp::Ordering::Greater => place[other],
+            })
+        });
+        Some(place)
+    })
+}
+
+/// Where the cells are.
+#[derive(Clone, Copy, Debug)]
+struct Cells<const D: usize> {
+    steps: [Steps; D],
+}
+
+impl<const D: usize> Cells<D> {
+    /// About as many cells as boxes, none smaller than the mean box.
+    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a size to aim at
+    fn new(extent: &Bounds<D>, boxes: usize, mean: [f64; D]) -> Cells<D> {
+        let mut axes: [usize; D] = std::array::from_fn(|axis| axis);
+        axes.sort_by(|&a, &b| mean[b].total_cmp(&mean[a]));
+        let mut counts = [1; D];
+        let mut cells = boxes.max(1) as f64;
+        for (done, &axis) in axes.iter().enumerate() {
+            let most = cells.powf(1.0 / (D - done) as f64);
+            counts[axis] = ((1.0 / mean[axis]).min(most) as usize).max(1);
+            cells /= counts[axis] as f64;
+        }
+        let steps = |axis: usize| Steps::new([extent.low[axis], extent.high[axis]], counts[axis]);
+        Cells { steps: std::array::from_fn(steps) }
+    }
+
+    fn len(&self) -> usize {
+        self.steps.iter().map(Steps::count).product()
+    }
+
+    /// Halves the number of steps along the axis that has most.
+    fn coarsen(&mut self) {
+        let most = self.steps.iter_mut().max_by_key(|steps| steps.count()).expect("there are axes");
+        *most = most.coarser();
+    }
+
+    #[inline]
+    fn cell(&self, place: [usize; D]) -> usize {
+        (0..D).rev().fold(0, |cell, axis| cell * self.steps[axis].count() + place[axis])
+    }
+
+    /// The first and the last place along each axis that a box reaches.
+    #[inline]
+    fn range(&self, bounds: &Bounds<D>) -> [[usize; D]; 2] {
+        [bounds.low, bounds.high].map(|corner| std::array::from_fn(|axis| self.steps[axis].of(corner[axis])))
+    }
+
+    /// How many cells a box reaches.
+    fn reach(&self, bounds: &Bounds<D>) -> usize {
+        let [first, last] = self.range(bounds);
+        (0..D).map(|axis| last[axis] - first[axis] + 1).fold(1, usize::saturating_mul)
+    }
+
+    /// About where a cell is.
+    fn bounds(&self, mut cell: usize) -> Bounds<D> {
+        let sides: [[f64; 2]; D] = std::array::from_fn(|axis| {
+            let place = cell % self.steps[axis].count();
+            cell /= self.steps[axis].count();
+            self.steps[axis].about(place)
+        });
+        Bounds { low: sides.map(|[low, _]| low), high: sides.map(|[_, high]| high) }
+    }
+}

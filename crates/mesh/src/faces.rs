@@ -1,0 +1,128 @@
+//! The faces of a complex' simplices by their places, looked up once.
+//!
+//! The simplices of a list are sorted by their first vertex before anything
+//! else, so those that share it stand together: a face is found among a few.
+
+use predicament_predicates::Vertex;
+
+use crate::{Complex, Simplex};
+
+/// For each simplex of a complex the places of its faces.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Faces {
+    /// Two vertices to an edge.
+    edges: Vec<[u32; 2]>,
+    /// Three vertices and three edges to a triangle.
+    triangles: Vec<([u32; 3], [u32; 3])>,
+    /// Four vertices, six edges and four triangles to a tetrahedron.
+    tetrahedra: Vec<([u32; 4], [u32; 6], [u32; 4])>,
+}
+
+impl Faces {
+    /// The faces of all simplices of this complex.
+    #[must_use]
+    pub fn new(complex: &Complex) -> Faces {
+        let vertices = Places::new(complex.vertices(), |&v| v);
+        let edges = Places::new(complex.edges(), |edge| edge[0]);
+        let triangles = Places::new(complex.triangles(), |triangle| triangle[0]);
+        let vertex = |v: Vertex| vertices.of(&v);
+        let of_triangle = |&[a, b, c]: &[Vertex; 3]| {
+            let sides = [[a, b], [a, c], [b, c]];
+            ([a, b, c].map(vertex), sides.map(|edge| edges.of(&edge)))
+        };
+        let of_tetrahedron = |&[a, b, c, d]: &[Vertex; 4]| {
+            let sides = [[a, b], [a, c], [a, d], [b, c], [b, d], [c, d]];
+            let faces = [[a, b, c], [a, b, d], [a, c, d], [b, c, d]];
+            ([a, b, c, d].map(vertex), sides.map(|edge| edges.of(&edge)), faces.map(|face| triangles.of(&face)))
+        };
+        Faces {
+            edges: complex.edges().iter().map(|edge| edge.map(vertex)).collect(),
+            triangles: complex.triangles().iter().map(of_triangle).collect(),
+            tetrahedra: complex.tetrahedra().iter().map(of_tetrahedron).collect(),
+        }
+    }
+
+    /// The faces of the simplex in ascending order, and last itself.
+    ///
+    /// # Panics
+    /// If the complex has no such simplex.
+    pub fn of(&self, simplex: Simplex) -> impl Iterator<Item = Simplex> + '_ {
+        const NONE: &[u32] = &[];
+        let at = simplex.index as usize;
+        let by_rank: [&[u32]; 3] = match simplex.rank {
+            0 => [NONE; 3],
+            1 => [&self.edges[at], NONE, NONE],
+            2 => [&self.triangles[at].0, &self.triangles[at].1, NONE],
+            3 => [&self.tetrahedra[at].0, &self.tetrahedra[at].1, &self.tetrahedra[at].2],
+            rank => panic!("a simplex has rank 0 to 3, not {rank}"),
+        };
+        let faces = (0_u8..).zip(by_rank);
+        faces.flat_map(|(rank, places)| places.iter().map(move |&index| Simplex { rank, index })).chain([simplex])
+    }
+}
+
+/// A sorted list of simplices, and where those with a given first vertex are.
+struct Places<'a, S> {
+    simplices: &'a [S],
+    first: fn(&S) -> Vertex,
+    starts: Vec<u32>,
+}
+
+impl<'a, S: Ord> Places<'a, S> {
+    fn new(simplices: &'a [S], first: fn(&S) -> Vertex) -> Places<'a, S> {
+        let end = simplices.last().map_or(0, |last| first(last).index() + 1);
+        let mut starts = vec![0; end + 1];
+        for simplex in simplices {
+            starts[first(simplex).index() + 1] += 1;
+        }
+        let mut sum = 0;
+        for start in &mut starts {
+            sum += *start;
+            *start = sum;
+        }
+        Places { simplices, starts, first }
+    }
+
+    fn of(&self, face: &S) -> u32 {
+        let first = (self.first)(face).index();
+        let start = self.starts[first];
+        let among = &self.simplices[start as usize..self.starts[first + 1] as usize];
+        let at = among.binary_search(face).expect("a complex has the faces of its simplices");
+        start + u32::try_from(at).expect("a complex holds at most 2^32 simplices of one kind")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use predicament_predicates::Scene;
+
+    use super::*;
+    use crate::Simplices;
+
+    #[test]
+    fn faces_are_the_simplices_on_subsets_of_the_vertices() {
+        let scene = Scene::from_points3(&[[0.0; 3]; 12]).unwrap();
+        let v = |indices: &[usize]| -> Vec<Vertex> { indices.iter().map(|&i| Vertex::input(i)).collect() };
+        let given = Simplices {
+            tetrahedra: [[9, 3, 5, 7], [3, 5, 7, 11], [1, 3, 5, 7]].map(|t| t.map(Vertex::input)).to_vec(),
+            triangles: [[1, 2, 4], [3, 9, 10]].map(|t| t.map(Vertex::input)).to_vec(),
+            edges: [[4, 5], [0, 11]].map(|e| e.map(Vertex::input)).to_vec(),
+            vertices: v(&[6]),
+        };
+        let complex = Complex::new(&scene, &given).unwrap();
+        let faces = Faces::new(&complex);
+        let counts = [complex.vertices().len(), complex.edges().len(), complex.triangles().len(), 3];
+        for (rank, count) in (0_u8..).zip(counts) {
+            for index in 0..u32::try_from(count).unwrap() {
+                let simplex = Simplex { rank, index };
+                let vertices = complex.vertices_of(simplex);
+                let subset = |bits: u32| vertices.iter().enumerate().filter(move |(i, _)| bits >> i & 1 == 1);
+                let mut expected: Vec<Simplex> = (1_u32..1 << vertices.len())
+                    .map(|bits| complex.find(&subset(bits).map(|(_, &v)| v).collect::<Vec<_>>()).unwrap())
+                    .collect();
+                expected.sort_unstable();
+                assert_eq!(faces.of(simplex).collect::<Vec<_>>(), expected);
+            }
+        }
+    }
+}
