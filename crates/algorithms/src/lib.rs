@@ -5,8 +5,10 @@
 //! written once, as a user would write it, and what goes wrong in it is the
 //! backend's doing. Raw coordinates serve broad phases only.
 //!
+//! * [`arrangement`]: two complexes merged where they are in contact.
 //! * [`contacts`]: the pairs of simplices of two complexes that meet.
 //! * [`polygon_locate`]: points in the regions of a map, by ray casting.
 
+pub mod arrangement;
 pub mod contacts;
 pub mod polygon_locate;

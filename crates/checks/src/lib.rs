@@ -5,7 +5,9 @@
 //! around it, without knowing which single answer was wrong:
 //!
 //! * [`axioms`]: laws between the answers to related queries;
+//! * [`contacts`]: registered pairs, and the curves and surfaces that they merge;
 //! * [`tiling`]: points of the plane in the regions of a map.
 
 pub mod axioms;
+pub mod contacts;
 pub mod tiling;

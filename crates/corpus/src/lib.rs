@@ -34,7 +34,7 @@ pub use degeneracy::{Histogram, degeneracy};
 pub use error::{CorpusError, ErrorKind};
 pub use fetch::fetch;
 pub use fmt::fmt;
-pub use generate::{FamilyInfo, families};
+pub use generate::{FamilyInfo, Random, families};
 pub use homogeneous::homogeneous;
 pub use id::{SeenIds, content_id};
 pub use import::ImportNotes;

@@ -4,6 +4,7 @@
 //! * [`Case`]: a loaded scene with the truth about it; [`Case::run`] holds one
 //!   backend against it and gives an [`Outcome`].
 //! * [`classify`]: what becomes of an answer; [`expect`]: which findings are expected.
+//! * [`parity`]: closed curves that cross an odd number of times, by search; [`shrink`]: the smallest of them.
 //! * [`roster`]: all backends by name; [`faults`]: wrong ones that have to be caught.
 
 pub mod contacts;
@@ -11,7 +12,9 @@ pub mod expect;
 pub mod faults;
 pub mod judge;
 pub mod locate;
+pub mod parity;
 pub mod roster;
+pub mod shrink;
 pub mod signs;
 
 mod axioms;

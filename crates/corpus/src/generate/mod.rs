@@ -32,7 +32,7 @@ use contacts::Pair;
 use families::FAMILIES;
 pub use families::{FamilyInfo, families};
 use pixels::PixelMap;
-pub(crate) use random::Random;
+pub use random::Random;
 
 /// A family with its parameters.
 #[derive(Clone, PartialEq, Debug)]

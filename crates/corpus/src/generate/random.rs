@@ -7,12 +7,13 @@ use sha2::{Digest, Sha256};
 use crate::bits::power_of_two;
 
 /// A stream of random numbers.
-pub(crate) struct Random(ChaCha8Rng);
+pub struct Random(ChaCha8Rng);
 
 impl Random {
     /// The stream of one family, task and seed: streams of different families
     /// have nothing to do with each other, even under the same seed.
-    pub(crate) fn new(family: &str, task: &str, seed: u64) -> Random {
+    #[must_use]
+    pub fn new(family: &str, task: &str, seed: u64) -> Random {
         let mut digest = Sha256::new();
         for part in ["predicament", family, task] {
             digest.update(part.as_bytes());
@@ -23,26 +24,26 @@ impl Random {
     }
 
     /// A multiple of 2^-53 in [0, 1).
-    pub(crate) fn unit(&mut self) -> f64 {
+    pub fn unit(&mut self) -> f64 {
         #[allow(clippy::cast_precision_loss)] // 53 bits
         let integer = (self.0.next_u64() >> 11) as f64;
         integer * power_of_two(-53)
     }
 
     /// Uniform in [low, high), up to the rounding of the sum.
-    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + self.unit() * (high - low)
     }
 
     /// A double with the given exponent, 52 random bits and a random sign.
-    pub(crate) fn mantissa(&mut self) -> f64 {
+    pub fn mantissa(&mut self) -> f64 {
         let bits = self.0.next_u64();
         let magnitude = f64::from_bits((bits >> 12) | 1.0_f64.to_bits());
         if bits & 1 == 0 { magnitude } else { -magnitude }
     }
 
     /// An integer from `low` to `high`, both included.
-    pub(crate) fn integer(&mut self, low: i64, high: i64) -> i64 {
+    pub fn integer(&mut self, low: i64, high: i64) -> i64 {
         let span = high.abs_diff(low) + 1;
         // Rejecting the incomplete last span keeps the rest uniform.
         let limit = u64::MAX - u64::MAX % span;
@@ -55,13 +56,13 @@ impl Random {
     }
 
     /// An integer from 1 to `high` with a random sign.
-    pub(crate) fn nonzero(&mut self, high: i64) -> i64 {
+    pub fn nonzero(&mut self, high: i64) -> i64 {
         let magnitude = self.integer(1, high);
         if self.one_in(2) { magnitude } else { -magnitude }
     }
 
     /// True once in `n` times.
-    pub(crate) fn one_in(&mut self, n: i64) -> bool {
+    pub fn one_in(&mut self, n: i64) -> bool {
         self.integer(1, n) == 1
     }
 }
