@@ -1,5 +1,6 @@
 //! From the oracle's outcomes and the scenes' plans to the rows of a run folder.
 
+use predicament_algorithms::contacts::Level;
 use predicament_exact::Precision;
 use predicament_oracle::expect::Expectations;
 use predicament_oracle::{Class, Finding, Outcome, finding_id};
@@ -78,18 +79,18 @@ pub fn locate(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<Loc
 
 /// The rows of two complexes.
 pub fn contacts(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<ContactRow> {
-    let row = |counts: &predicament_oracle::ContactCounts| ContactRow {
+    let row = |level: &Level| ContactRow {
         suite: scene.suite.clone(),
         scene: scene.scene.clone(),
         scene_id: scene.scene_id.clone(),
         task: scene.task.clone(),
         backend: backend.to_owned(),
-        rank_a: counts.ranks[0],
-        rank_b: counts.ranks[1],
-        candidates: None,
-        ended: None,
-        asked: None,
-        registered: counts.registered,
+        rank_a: level.ranks[0],
+        rank_b: level.ranks[1],
+        candidates: level.candidates,
+        ended: level.ended,
+        asked: level.asked,
+        registered: level.registered,
     };
     outcome.contacts.iter().map(row).collect()
 }

@@ -28,7 +28,7 @@ mod watch;
 pub use case::{Case, Dispute, Truth};
 pub use class::{ClassCounts, classify};
 pub use contestant::{Contestant, Entry, Explanation, Stopwatch, digest_of};
-pub use outcome::{ContactCounts, Finding, LocateCounts, Outcome, finding_id};
+pub use outcome::{Finding, LocateCounts, Outcome, finding_id};
 pub use predicament_predicates::{Class, Status};
 pub use watch::{Stop, Watch};
 

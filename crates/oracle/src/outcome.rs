@@ -1,5 +1,6 @@
 //! What one backend made of one scene.
 
+use predicament_algorithms::contacts::Level;
 use predicament_predicates::{Sign, Vertex};
 use sha2::{Digest, Sha256};
 
@@ -46,15 +47,6 @@ pub struct LocateCounts {
     pub violations: u64,
 }
 
-/// Pairs of two complexes by the ranks of their simplices, for `contacts.csv`.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct ContactCounts {
-    /// The rank of the simplex of each complex: 0 for vertices, 3 for tetrahedra.
-    pub ranks: [u8; 2],
-    /// Pairs that were registered.
-    pub registered: u64,
-}
-
 /// What one backend made of one scene.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Outcome {
@@ -70,7 +62,7 @@ pub struct Outcome {
     /// For maps: points by surroundings.
     pub locate: Vec<LocateCounts>,
     /// For contacts: pairs by ranks.
-    pub contacts: Vec<ContactCounts>,
+    pub contacts: Vec<Level>,
 }
 
 impl Outcome {

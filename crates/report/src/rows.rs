@@ -356,12 +356,12 @@ pub struct ContactRow {
     pub rank_a: u8,
     /// The rank of the second complex' simplices.
     pub rank_b: u8,
-    /// Pairs whose boxes are near each other; none where the driver doesn't count them.
-    pub candidates: Option<u64>,
+    /// Pairs whose boxes are within the backend's reach of each other.
+    pub candidates: u64,
     /// Of these, pairs that had ended: a pair of their faces was registered before.
-    pub ended: Option<u64>,
+    pub ended: u64,
     /// Pairs that the backend was asked about.
-    pub asked: Option<u64>,
+    pub asked: u64,
     /// Pairs that it registered.
     pub registered: u64,
 }
@@ -383,8 +383,11 @@ impl Row for ContactRow {
     ];
 
     fn check(&self) -> Result<(), String> {
-        if self.asked.is_some_and(|asked| self.registered > asked) {
+        if self.registered > self.asked {
             return Err("more pairs are registered than were asked about".to_owned());
+        }
+        if self.ended.checked_add(self.asked) != Some(self.candidates) {
+            return Err("the candidates are not those that had ended and those that were asked about".to_owned());
         }
         Ok(())
     }

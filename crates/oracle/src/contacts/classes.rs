@@ -17,8 +17,11 @@
 //! it registers has to be registered, and nothing else (`sign_flip`), never
 //! anything degenerate (`inconsistent`). Where that is not what the exact
 //! scene has, a tie was broken: `tie_broken`.
+//!
+//! Backends with a band are held to it by exact distances. What keeps the
+//! guarantee and is not what the exact scene has is `in_band`.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_predicates::{Dimension, ZeroMeaning};
 
@@ -39,13 +42,15 @@ pub(crate) struct Judge<'p> {
     pub got: &'p Pairs<'p>,
     pub truth: &'p Pairs<'p>,
     pub perturbed: Option<&'p Pairs<'p>>,
+    /// For bands: the pairs whose exact distance breaks the guarantee.
+    pub audited: &'p BTreeMap<Pair, (Class, &'static str)>,
 }
 
 impl Judge<'_> {
     /// The pairs that have a class, in order.
     pub fn pairs(&self) -> BTreeSet<Pair> {
         let perturbed = self.perturbed.into_iter().flat_map(Pairs::iter);
-        self.got.iter().chain(self.truth.iter()).chain(perturbed).collect()
+        self.got.iter().chain(self.truth.iter()).chain(perturbed).chain(self.audited.keys().copied()).collect()
     }
 
     /// The class of a pair that somebody registers.
@@ -53,9 +58,8 @@ impl Judge<'_> {
         let [got, truth] = [self.got, self.truth].map(|pairs| pairs.contains(pair));
         let (class, check) = match self.zero {
             ZeroMeaning::Never => self.perturbed(pair, got, truth),
-            // The edges of the band are not looked at: registered beside the truth is taken to be within.
-            ZeroMeaning::Band if got => (if truth { Class::Agree } else { Class::InBand }, "contact"),
-            ZeroMeaning::Exact | ZeroMeaning::Band => self.exact(pair, got, truth),
+            ZeroMeaning::Exact => self.exact(pair, got, truth),
+            ZeroMeaning::Band => self.band(pair, got, truth),
         };
         Judgement { class, check }
     }
@@ -69,6 +73,14 @@ impl Judge<'_> {
             (false, _) if degenerate => (Class::MissedZero, "contact"),
             (_, false) if degenerate => (Class::Overreach, "contact"),
             _ => (Class::SignFlip, "contact"),
+        }
+    }
+
+    fn band(&self, pair: Pair, got: bool, truth: bool) -> (Class, &'static str) {
+        match self.audited.get(&pair) {
+            Some(&broken) => broken,
+            None if got == truth => (Class::Agree, "contact"),
+            None => (Class::InBand, "contact"),
         }
     }
 

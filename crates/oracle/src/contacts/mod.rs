@@ -14,21 +14,19 @@
 mod classes;
 mod order;
 mod pairs;
-mod parity;
+mod topology;
 
 use std::collections::BTreeMap;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use predicament_algorithms::contacts::{Contact, Contacts, Weights, contacts, levels};
-use predicament_mesh::{Complex, Simplex};
-use predicament_predicates::{
-    Backend, Counts, Declined, Dimension, Off, PredicateKind, Predicates, Scene, Vertex, ZeroMeaning,
-};
+use predicament_algorithms::contacts::{Contact, Contacts, Weights, contacts};
+use predicament_mesh::{Complex, Faces, Simplex};
+use predicament_predicates::{Backend, Counts, Declined, Off, PredicateKind, Predicates, Scene, Vertex, ZeroMeaning};
 
 use crate::contestant::{Stopwatch, digest};
 use crate::judge::Judged;
-use crate::outcome::{ContactCounts, Finding, Outcome};
+use crate::outcome::{Finding, Outcome};
 use crate::signs::{Budget, TieJudge};
 use crate::{Class, Stop, Watch};
 use classes::Judgement;
@@ -44,6 +42,7 @@ const TWICE: usize = 16;
 pub struct ContactsCase<'a> {
     scene: Scene,
     complexes: [&'a Complex; 2],
+    faces: [Faces; 2],
     truth: Contacts,
 }
 
@@ -60,7 +59,7 @@ impl<'a> ContactsCase<'a> {
         let scene = scene.clone().with_primitive_lengths(lengths);
         let truth = contacts(&Judged::exact(&scene), a, b);
         watch.done((a.len() + b.len()) as u64)?;
-        let case = ContactsCase { scene, complexes: [a, b], truth };
+        let case = ContactsCase { scene, complexes: [a, b], faces: [a, b].map(Faces::new), truth };
         for contact in case.truth.registered.iter().step_by(TWICE) {
             let pair = [contact.a, contact.b];
             let again = case.alone(&Judged::again(&case.scene), pair);
@@ -89,7 +88,7 @@ impl<'a> ContactsCase<'a> {
     }
 
     fn pairs<'p>(&'p self, contacts: &Contacts) -> Pairs<'p> {
-        Pairs::new(self.complexes, contacts)
+        Pairs::new(self.complexes, &self.faces, contacts)
     }
 
     fn vertices_of(&self, [s, t]: Pair) -> [&[Vertex]; 2] {
@@ -218,14 +217,16 @@ pub fn run<B: Backend>(
     watch.done(0)?;
     let [got, truth] = [&found, &case.truth].map(|contacts| case.pairs(contacts));
     let perturbed = perturbed.as_ref().map(|contacts| case.pairs(contacts));
-    let judge = classes::Judge { dimension, zero, got: &got, truth: &truth, perturbed: perturbed.as_ref() };
+    let audited = BTreeMap::new();
+    let perturbed = perturbed.as_ref();
+    let judge = classes::Judge { dimension, zero, got: &got, truth: &truth, perturbed, audited: &audited };
     let weights: BTreeMap<Pair, [Weights; 2]> =
         found.registered.iter().map(|contact| ([contact.a, contact.b], [contact.on_a, contact.on_b])).collect();
     let pairs = judge.pairs();
     let step = pairs.len().div_ceil((budget.permutations / ORDERS).max(1)).max(1);
     for (at, &pair) in pairs.iter().enumerate() {
         let mut judgement = judge.class(pair);
-        let mut words = [got.say(pair), perturbed.as_ref().unwrap_or(&truth).say(pair)];
+        let mut words = [got.say(pair), perturbed.unwrap_or(&truth).say(pair)];
         if judgement.class == Class::Agree && weights.get(&pair).is_some_and(|on| has_nan(on)) {
             judgement = Judgement { class: Class::Nan, check: "weights" };
         }
@@ -246,13 +247,15 @@ pub fn run<B: Backend>(
         }
     }
     watch.done(0)?;
-    for odd in topology(case, zero, &got) {
+    let sides = match (zero, tie_judge) {
+        (ZeroMeaning::Never, Some(ties)) => Judged::perturbed(&case.scene, ties),
+        _ => Judged::exact(&case.scene),
+    };
+    for (check, violation) in topology::violations(&sides, case.complexes, &found) {
         outcome.counts.add(Class::Topology, 1);
-        if outcome.counts.get(Class::Topology) <= budget.findings_per_class as u64 {
-            outcome.findings.push(Outcome::of_scene(0, Class::Topology, "crossing parity", odd).findings.remove(0));
-        }
+        outcome.findings.extend(Outcome::of_scene(0, Class::Topology, check, violation).findings);
     }
-    outcome.contacts = level_counts(dimension, &found);
+    outcome.contacts = found.levels;
     Ok(outcome)
 }
 
@@ -261,25 +264,6 @@ const ORDERS: usize = 24;
 
 fn has_nan(weights: &[Weights; 2]) -> bool {
     weights.as_flattened().iter().any(|weight| weight.is_nan())
-}
-
-/// The violated laws about all contacts together, in words.
-fn topology(case: &ContactsCase, zero: ZeroMeaning, got: &Pairs) -> Vec<String> {
-    match zero {
-        // A registration in a band means "snap this to that", and is no crossing.
-        ZeroMeaning::Band => Vec::new(),
-        ZeroMeaning::Exact | ZeroMeaning::Never => parity::odd(case.scene.dimension(), case.complexes, got),
-    }
-}
-
-/// How many pairs each kind of pair contributes, all kinds of the hierarchy in its order.
-fn level_counts(dimension: Dimension, found: &Contacts) -> Vec<ContactCounts> {
-    let kinds = levels(dimension).iter().flat_map(|level| level.iter());
-    let count = |[a, b]: [u8; 2]| {
-        let of_kind = found.registered.iter().filter(|contact| [contact.a.rank, contact.b.rank] == [a, b]);
-        ContactCounts { ranks: [a, b], registered: of_kind.count() as u64 }
-    };
-    kinds.map(|&ranks| count(ranks)).collect()
 }
 
 /// All contacts that a backend registers.

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use predicament_algorithms::contacts::Contacts;
-use predicament_mesh::{Complex, Simplex, Simplices};
+use predicament_mesh::{Complex, Faces, Simplex, Simplices};
 use predicament_predicates::{Dimension, Scene, Vertex};
 
 use crate::outcome::ids;
@@ -14,12 +14,13 @@ pub(crate) type Pair = [Simplex; 2];
 /// Registered pairs of two complexes.
 pub(crate) struct Pairs<'a> {
     complexes: [&'a Complex; 2],
+    faces: &'a [Faces; 2],
     set: BTreeSet<Pair>,
 }
 
 impl<'a> Pairs<'a> {
-    pub fn new(complexes: [&'a Complex; 2], contacts: &Contacts) -> Pairs<'a> {
-        Pairs { complexes, set: contacts.registered.iter().map(|contact| [contact.a, contact.b]).collect() }
+    pub fn new(complexes: [&'a Complex; 2], faces: &'a [Faces; 2], contacts: &Contacts) -> Pairs<'a> {
+        Pairs { complexes, faces, set: contacts.registered.iter().map(|contact| [contact.a, contact.b]).collect() }
     }
 
     pub fn contains(&self, pair: Pair) -> bool {
@@ -32,10 +33,9 @@ impl<'a> Pairs<'a> {
 
     /// A registered pair of faces that has ended this one, if any.
     pub fn ended_by(&self, [s, t]: Pair) -> Option<Pair> {
-        let [a, b] = self.complexes;
-        let others = faces(b, t);
-        let pairs = faces(a, s).into_iter().flat_map(|s| others.iter().map(move |&t| [s, t]));
-        pairs.filter(|&pair| pair != [s, t]).find(|&pair| self.contains(pair))
+        let [of_s, of_t] = self.faces;
+        let mut pairs = of_s.of(s).flat_map(|s| of_t.of(t).map(move |t| [s, t]));
+        pairs.find(|&pair| pair != [s, t] && self.contains(pair))
     }
 
     /// What became of a pair, in words.
@@ -46,18 +46,6 @@ impl<'a> Pairs<'a> {
             None => "apart".to_owned(),
         }
     }
-}
-
-/// All faces of a simplex, itself among them.
-fn faces(complex: &Complex, simplex: Simplex) -> Vec<Simplex> {
-    let vertices = complex.vertices_of(simplex);
-    (1_u32..1 << vertices.len())
-        .map(|chosen| {
-            let chosen = (0..vertices.len()).filter(|place| chosen >> place & 1 == 1);
-            let face: Vec<Vertex> = chosen.map(|place| vertices[place]).collect();
-            complex.find(&face).expect("a complex has the faces of its simplices")
-        })
-        .collect()
 }
 
 /// A simplex and its faces, as a complex of its own.

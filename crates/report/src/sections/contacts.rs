@@ -15,25 +15,20 @@ const LEVELS: usize = 4;
 #[derive(Clone, Copy, Default)]
 struct Level {
     registered: u64,
-    /// Candidates, and those that had ended; none where nobody counted them.
-    ended: Option<(u64, u64)>,
+    candidates: u64,
+    ended: u64,
 }
 
 impl Level {
     fn add(&mut self, row: &ContactRow) {
         self.registered += row.registered;
-        if let (Some(candidates), Some(ended)) = (row.candidates, row.ended) {
-            let (all, before) = self.ended.unwrap_or_default();
-            self.ended = Some((all + candidates, before + ended));
-        }
+        self.candidates += row.candidates;
+        self.ended += row.ended;
     }
 
     fn cell(self) -> Cell {
         let cell = Cell::count(self.registered);
-        match self.ended {
-            Some((candidates, ended)) if candidates > 0 => cell.detail(format!("{} ended", percent(ended, candidates))),
-            _ => cell,
-        }
+        if self.candidates == 0 { cell } else { cell.detail(format!("{} ended", percent(self.ended, self.candidates))) }
     }
 }
 

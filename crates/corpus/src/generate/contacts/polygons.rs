@@ -41,14 +41,15 @@ pub(super) fn wavy(n: usize, rng: &mut Random) -> Shape {
 }
 
 /// A polygon along another: each vertex at most 2σ, along each axis, beside a
-/// vertex or a point of an edge of the other.
+/// vertex or a point of an edge of the other, or just there up to rounding.
 pub(super) fn near(other: &Shape, sigma: f64, rng: &mut Random) -> Shape {
     let around = other.coordinates.as_chunks::<2>().0;
     let points: Vec<[f64; 2]> = (0..around.len())
         .map(|at| {
             let (p, q) = (around[at], around[(at + 1) % around.len()]);
             let t = if rng.one_in(2) { 0.0 } else { rng.between(0.25, 0.75) };
-            std::array::from_fn(|i| p[i] + t * (q[i] - p[i]) + rng.between(-2.0, 2.0) * sigma)
+            let reach = if rng.one_in(4) { 0.0 } else { 2.0 };
+            std::array::from_fn(|i| p[i] + t * (q[i] - p[i]) + rng.between(-reach, reach) * sigma)
         })
         .collect();
     closed(&points)
