@@ -1,10 +1,11 @@
 //! From the oracle's outcomes and the scenes' plans to the rows of a run folder.
 
+use predicament_algorithms::contacts::Level;
 use predicament_exact::Precision;
 use predicament_oracle::expect::Expectations;
 use predicament_oracle::{Class, Finding, Outcome, finding_id};
 use predicament_predicates::PredicateKind;
-use predicament_report::{FindingRow, LocateRow, PlannedScene, PrecisionRow, StageRow, SummaryRow};
+use predicament_report::{ContactRow, FindingRow, LocateRow, PlannedScene, PrecisionRow, StageRow, SummaryRow};
 
 /// The row of one scene and backend.
 pub fn summary(
@@ -74,6 +75,24 @@ pub fn locate(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<Loc
         violations: counts.violations,
     };
     outcome.locate.iter().map(row).collect()
+}
+
+/// The rows of two complexes.
+pub fn contacts(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<ContactRow> {
+    let row = |level: &Level| ContactRow {
+        suite: scene.suite.clone(),
+        scene: scene.scene.clone(),
+        scene_id: scene.scene_id.clone(),
+        task: scene.task.clone(),
+        backend: backend.to_owned(),
+        rank_a: level.ranks[0],
+        rank_b: level.ranks[1],
+        candidates: level.candidates,
+        ended: level.ended,
+        asked: level.asked,
+        registered: level.registered,
+    };
+    outcome.contacts.iter().map(row).collect()
 }
 
 /// The row of a scene's precision plan.

@@ -6,8 +6,12 @@ use common::{SUITE, at, column, expect, read, run, tables, tool, write};
 use tempfile::tempdir;
 
 /// A part of the corpora that has signs, ties, findings and a map.
-const SOME: [&str; 4] =
-    ["-f", "kettner-[ab]|wide-scaled-orient2d|grid-incircle|tilings", "-b", "exact,sos,naive,tolerance"];
+const SOME: [&str; 4] = [
+    "-f",
+    "kettner-[ab]|wide-scaled-orient2d|grid-incircle|tilings|contacts/(surfaces|polygons)-degen",
+    "-b",
+    "exact,sos,naive,tolerance",
+];
 
 fn some<'a>(rest: &[&'a str]) -> Vec<&'a str> {
     [&["run"][..], &SOME, rest].concat()
@@ -100,7 +104,16 @@ fn every_scene_has_one_precision_plan_whatever_the_backends() {
     let known = format!("\"precision.csv\": {}", plans.len());
     assert!(state.contains(&known), "{state}");
     std::fs::create_dir(&old).unwrap();
-    for file in ["plan.json", "env.json", "throughput.csv", "summary.csv", "findings.csv", "stages.csv", "locate.csv"] {
+    for file in [
+        "plan.json",
+        "env.json",
+        "throughput.csv",
+        "summary.csv",
+        "findings.csv",
+        "stages.csv",
+        "locate.csv",
+        "contacts.csv",
+    ] {
         write(&folder, &format!("old/{file}"), &read(&one, file));
     }
     write(&folder, "old/state.json", &state.replace(&format!("{known},"), ""));
@@ -150,8 +163,10 @@ fn planted_faults_turn_the_gate_red() {
         ("tolerance-narrow", "bands"),
         ("tolerance-wide", "bands"),
         ("compare-greater-on-ties", "grid-compare"),
+        ("contacts-endless-edge", "contacts/polygons-degen"),
+        ("contacts-one-sided", "contacts/polygons-uniform"),
     ] {
-        let honest = fault.split('-').next().unwrap().replace("compare", "sos");
+        let honest = fault.split('-').next().unwrap().replace("compare", "sos").replace("contacts", "exact");
         let backend = format!("fault:{fault}");
         for (backend, code) in [(backend.as_str(), 100), (honest.as_str(), 0)] {
             let out = at(&folder, &format!("{fault}-{}", backend.replace(':', "-")));
@@ -270,4 +285,40 @@ fn constructed_vertices_are_judged_replayed_and_timed() {
     let throughput = read(&bench, "throughput.csv");
     let timed = column(&throughput, "backend");
     assert_eq!(timed.iter().filter(|name| ["exact", "naive"].contains(&name.as_str())).count(), 4, "{throughput}");
+}
+
+#[test]
+fn contacts_are_judged_replayed_timed_and_reported() {
+    let folder = tempdir().unwrap();
+    let (out, bench, report) = (at(&folder, "run"), at(&folder, "bench"), at(&folder, "report"));
+    let scenes = ["contacts", "-f", "polygons-(near|degen)|tetrahedra", "-b", "exact,sos,tolerance,epsilon:1e-10"];
+    expect(0, &[&["run"][..], &scenes, &["--out", &out]].concat());
+    let contacts = read(&out, "contacts.csv");
+    let number = |name: &str| column(&contacts, name).iter().map(|n| n.parse().unwrap()).collect::<Vec<u64>>();
+    let [candidates, ended, asked, registered] = ["candidates", "ended", "asked", "registered"].map(number);
+    // Two scenes with six kinds of pairs and one with ten, on four backends.
+    assert_eq!(candidates.len(), 4 * (6 + 6 + 10));
+    assert!(
+        (0..candidates.len()).all(|row| candidates[row] == ended[row] + asked[row] && registered[row] <= asked[row])
+    );
+    let ranks: Vec<u64> = number("rank_a").iter().zip(number("rank_b")).map(|(a, b)| a + b).collect();
+    for (row, backend) in column(&contacts, "backend").iter().enumerate().filter(|(_, backend)| *backend == "sos") {
+        let dimension = if column(&contacts, "task")[row] == "contacts2d" { 2 } else { 3 };
+        assert!(registered[row] == 0 || ranks[row] == dimension, "{backend} registers what is degenerate");
+    }
+
+    let findings = read(&out, "findings.csv");
+    let id = column(&findings, "class").iter().position(|class| class == "overreach").expect("a wrong answer");
+    let id = &column(&findings, "finding_id")[id];
+    let told = expect(0, &["replay", id, "--run", &out, "-b", "exact,tolerance"]);
+    for needle in ["contacts2d(", "  vertex ", "\n  truth  ", "\n  exact  ", "\n  tolerance  ", "registered at "] {
+        assert!(told.stdout.contains(needle), "{needle}: {}", told.stdout);
+    }
+
+    expect(0, &[&["bench"][..], &scenes, &["--samples", "1", "--sample-ms", "0", "--out", &bench]].concat());
+    let throughput = read(&bench, "throughput.csv");
+    assert_eq!(column(&throughput, "queries").len(), 3 * 4, "{throughput}");
+    expect(0, &["report", &out, &bench, "--out", &report]);
+    let markdown = read(&report, "report.md");
+    assert!(markdown.contains("## Contacts") && markdown.contains("% ended"), "{markdown}");
 }

@@ -97,7 +97,8 @@ fn a_chain_counts_once_if_sides_change_and_not_if_they_do_not() {
         // Without the crossing further on, which makes up for it.
         let vertices: Vec<Contact> = along.registered.iter().filter(|contact| contact.b.rank == 0).copied().collect();
         for seat in Seat::ALL {
-            let at_chain = pair.crossings(&Contacts { registered: vertices.clone() }, seat).at_points;
+            let at_chain =
+                pair.crossings(&Contacts { registered: vertices.clone(), ..Contacts::default() }, seat).at_points;
             assert_eq!(at_chain % 2, count, "{seat}");
             assert!(!pair.crossings(&along, seat).is_odd());
         }
@@ -114,7 +115,7 @@ fn the_seat_decides_where_edges_go() {
     let side = pair.a.find(&[0, 3].map(Vertex::input)).unwrap();
     let corner = Simplex { rank: 0, index: 0 };
     let contact = Contact { a: side, b: corner, on_a: [0.75, 0.25, 0.0, 0.0], on_b: [1.0, 0.0, 0.0, 0.0] };
-    let planted = Contacts { registered: vec![contact] };
+    let planted = Contacts { registered: vec![contact], ..Contacts::default() };
     let merged = Seat::ALL.map(|seat| pair.crossings(&planted, seat));
     assert_eq!(merged.each_ref().map(Crossings::is_odd), [false, true, true]);
     let passed = pair.b.find(&[5, 6].map(Vertex::input)).unwrap();

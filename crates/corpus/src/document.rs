@@ -124,6 +124,14 @@ impl<'d, 't> Field<'d, 't> {
         self.integer(range).map(|value| usize::try_from(value).unwrap_or(usize::MAX))
     }
 
+    /// A positive number, read as its nearest double.
+    pub(crate) fn positive(&self) -> Result<f64, CorpusError> {
+        let number: Option<f64> = self.coordinate_text()?.parse().ok();
+        number.filter(|x| x.is_finite() && *x > 0.0).ok_or_else(|| {
+            self.error(format!("`{}` is {}", self.key, self.written()), "choose a positive number".to_owned())
+        })
+    }
+
     /// What was written where a coordinate should be.
     pub(crate) fn coordinate_text(&self) -> Result<&str, CorpusError> {
         match self.value {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use predicament_mesh::PolygonMap;
+use predicament_mesh::{Complex, PolygonMap};
 use predicament_predicates::{Axis, Construction, Plane, Question, Scene, Vertex};
 use sha2::{Digest, Sha256};
 
@@ -10,7 +10,7 @@ use crate::{CorpusError, LoadedScene, SceneDef, Work};
 
 /// The first 16 hex digits of a SHA-256 over the canonical bytes of a scene:
 /// task, dimension, coordinate bits, constructions where there are any, and
-/// queries, or the map's rings and the probes.
+/// queries, or the map's rings and the probes, or the simplices of two complexes.
 ///
 /// Names, tags, sources and the names of regions are not part of it, so that
 /// expectations and baselines survive renames. Negative zeros are read as
@@ -46,6 +46,11 @@ pub fn content_id(scene: &Scene, work: &Work) -> String {
                 canon.text(probe.kind.name());
                 canon.count(probe.vertex.index());
             }
+        }
+        Work::Contacts { a, b } => {
+            canon.text("contacts");
+            canon.complex(a);
+            canon.complex(b);
         }
     }
     hex(&canon.0.finalize()[..8])
@@ -102,6 +107,13 @@ impl Canon {
         for flat in construction.flats() {
             self.vertices(flat);
         }
+    }
+
+    fn complex(&mut self, complex: &Complex) {
+        self.vertices(complex.vertices());
+        self.vertices(complex.edges().as_flattened());
+        self.vertices(complex.triangles().as_flattened());
+        self.vertices(complex.tetrahedra().as_flattened());
     }
 
     fn map(&mut self, map: &PolygonMap) {

@@ -23,6 +23,7 @@ mod library;
 mod loaded;
 mod manifest;
 mod probes;
+mod sigma;
 mod suite;
 mod tables;
 mod task;

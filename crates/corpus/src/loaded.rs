@@ -1,6 +1,6 @@
 //! A scene that is ready to be asked.
 
-use predicament_mesh::PolygonMap;
+use predicament_mesh::{Complex, PolygonMap};
 use predicament_predicates::{QuerySet, Scene, Sign, Vertex};
 
 use crate::{ImportNotes, Task};
@@ -50,15 +50,23 @@ pub enum Work {
         /// What to locate.
         probes: Vec<Probe>,
     },
+    /// The contacts between two complexes, which have no vertex in common.
+    Contacts {
+        /// The one.
+        a: Complex,
+        /// The other.
+        b: Complex,
+    },
 }
 
 impl Work {
-    /// The number of queries or probes.
+    /// The number of queries or probes; for contacts, of simplices in both complexes.
     #[must_use]
     pub fn len(&self) -> usize {
         match self {
             Work::Signs(queries) => queries.len(),
             Work::Locate { probes, .. } => probes.len(),
+            Work::Contacts { a, b } => a.len() + b.len(),
         }
     }
 

@@ -32,6 +32,8 @@ pub(crate) static SCENE: TableKind = kind(
         "plane",
         "fixture",
         "map",
+        "a",
+        "b",
         "random",
         "seed",
         "quick_stride",
@@ -60,6 +62,7 @@ pub(crate) static GENERATOR: TableKind = kind(
         "r",
         "side",
         "step",
+        "shift",
         "random",
         "quick_stride",
         "tags",
@@ -72,6 +75,10 @@ pub(crate) static POINTS: TableKind = kind("reference to points", &["path"]);
 pub(crate) static CONSTRUCTION: TableKind = kind("construction", &["ssi", "lpi", "tpi"]);
 pub(crate) static FIXTURE: TableKind = kind("fixture", &["fetch"]);
 pub(crate) static MAP: TableKind = kind("map", &["topojson", "fetch", "object"]);
+pub(crate) static COMPLEX: TableKind = kind(
+    "complex",
+    &["vertices", "edges", "triangles", "tetrahedra", "closed", "path", "topojson", "fetch", "object", "shifted"],
+);
 pub(crate) static MANIFEST: TableKind = kind("fetch manifest", &["file"]);
 pub(crate) static FILE: TableKind = kind("file", &["key", "manager", "package", "version", "file", "sha256"]);
 

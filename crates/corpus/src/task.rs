@@ -56,19 +56,37 @@ pub enum Task {
     Insphere,
     /// The region of a map in which a point lies (Franklin and Magalhães, 4.2).
     PolygonLocate,
+    /// The contacts between two complexes in the plane (Wang et al.).
+    Contacts2d,
+    /// The contacts between two complexes in space (Wang et al.).
+    Contacts3d,
 }
 
 impl Task {
     /// All tasks.
-    pub const ALL: [Task; 6] =
-        [Task::Compare, Task::Orient2d, Task::Orient3d, Task::Incircle, Task::Insphere, Task::PolygonLocate];
+    pub const ALL: [Task; 8] = [
+        Task::Compare,
+        Task::Orient2d,
+        Task::Orient3d,
+        Task::Incircle,
+        Task::Insphere,
+        Task::PolygonLocate,
+        Task::Contacts2d,
+        Task::Contacts3d,
+    ];
 
     /// The name in suites, CSV files and on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
-        match self.predicate() {
-            Some(kind) => kind.name(),
-            None => "polygon-locate",
+        match self {
+            Task::Compare => PredicateKind::Compare.name(),
+            Task::Orient2d => PredicateKind::Orient2d.name(),
+            Task::Orient3d => PredicateKind::Orient3d.name(),
+            Task::Incircle => PredicateKind::Incircle.name(),
+            Task::Insphere => PredicateKind::Insphere.name(),
+            Task::PolygonLocate => "polygon-locate",
+            Task::Contacts2d => "contacts2d",
+            Task::Contacts3d => "contacts3d",
         }
     }
 
@@ -81,7 +99,7 @@ impl Task {
             Task::Orient3d => Some(PredicateKind::Orient3d),
             Task::Incircle => Some(PredicateKind::Incircle),
             Task::Insphere => Some(PredicateKind::Insphere),
-            Task::PolygonLocate => None,
+            Task::PolygonLocate | Task::Contacts2d | Task::Contacts3d => None,
         }
     }
 }

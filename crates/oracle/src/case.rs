@@ -6,6 +6,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use predicament_corpus::{LoadedScene, Work};
 use predicament_predicates::{QuerySet, Sign, Vertex};
 
+use crate::contacts::ContactsCase;
 use crate::locate::LocateCase;
 use crate::signs::{self, Budget, SignCase, describe};
 use crate::{Class, Contestant, Outcome, Stop, Watch};
@@ -27,6 +28,8 @@ pub enum Truth<'a> {
     },
     /// Exact locations.
     Locate(Box<LocateCase<'a>>),
+    /// Exact contacts.
+    Contacts(Box<ContactsCase<'a>>),
 }
 
 /// A scene whose author and the judge disagree: one of the two is wrong, and
@@ -57,6 +60,7 @@ impl<'a> Case<'a> {
                 let probes: Vec<Vertex> = probes.iter().map(|probe| probe.vertex).collect();
                 Truth::Locate(Box::new(LocateCase::new(&loaded.scene, map, probes, watch)?))
             }
+            Work::Contacts { a, b } => Truth::Contacts(Box::new(ContactsCase::new(&loaded.scene, a, b, watch)?)),
         };
         Ok(Case { loaded, truth })
     }
@@ -102,6 +106,7 @@ impl<'a> Case<'a> {
                 contestant.run_signs(&case, budget, watch)
             }
             Truth::Locate(case) => contestant.run_locate(case, budget, watch),
+            Truth::Contacts(case) => contestant.run_contacts(case, budget, watch),
         }));
         match ran {
             Ok(Err(Stop::Timeout)) => {

@@ -6,13 +6,14 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use predicament_algorithms::contacts::{Contacts, contacts};
+use predicament_algorithms::contacts::Contacts;
 use predicament_algorithms::polygon_locate::Locations;
-use predicament_mesh::Complex;
+use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{
     Backend, Contract, Off, PredicateKind, Predicates, QuerySet, Question, Scene, Sign, Vertex,
 };
 
+use crate::contacts::{self, ContactsCase};
 use crate::locate::{self, LocateCase};
 use crate::signs::{self, Budget, SignCase, TieJudge};
 use crate::{Outcome, Stop, Watch};
@@ -37,6 +38,12 @@ pub trait Contestant: Sync {
     /// [`Stop`] where the watch says so.
     fn run_locate(&self, case: &LocateCase, budget: Budget, watch: &Watch) -> Result<Outcome, Stop>;
 
+    /// Runs it on two complexes.
+    ///
+    /// # Errors
+    /// [`Stop`] where the watch says so.
+    fn run_contacts(&self, case: &ContactsCase, budget: Budget, watch: &Watch) -> Result<Outcome, Stop>;
+
     /// All answers to a query set, in order.
     ///
     /// # Errors
@@ -49,11 +56,11 @@ pub trait Contestant: Sync {
     /// The reason, where the backend declines.
     fn locations(&self, case: &LocateCase) -> Result<Locations, String>;
 
-    /// The contacts of two complexes of a scene.
+    /// All contacts of two complexes of a scene, which has to know the lengths of their primitives.
     ///
     /// # Errors
     /// The reason, where the backend declines.
-    fn contacts_between(&self, scene: &Scene, a: &Complex, b: &Complex) -> Result<Contacts, String>;
+    fn contacts(&self, scene: &Scene, complexes: [&Complex; 2]) -> Result<Contacts, String>;
 
     /// Prepares a query set for timing.
     ///
@@ -66,6 +73,18 @@ pub trait Contestant: Sync {
     /// # Errors
     /// The reason, where the backend declines.
     fn time_locate<'a>(&'a self, case: &'a LocateCase) -> Result<Box<dyn Stopwatch + 'a>, String>;
+
+    /// Prepares two complexes for timing.
+    ///
+    /// # Errors
+    /// The reason, where the backend declines.
+    fn time_contacts<'a>(&'a self, case: &'a ContactsCase) -> Result<Box<dyn Stopwatch + 'a>, String>;
+
+    /// What it makes of one pair of simplices, in words.
+    ///
+    /// # Errors
+    /// The reason, where the backend declines.
+    fn contact(&self, case: &ContactsCase, pair: [Simplex; 2]) -> Result<String, String>;
 
     /// Where one vertex of a map lies, in words.
     ///
@@ -139,6 +158,10 @@ impl<B: Backend> Contestant for Entry<B> {
         locate::run(&self.backend, case, budget, watch)
     }
 
+    fn run_contacts(&self, case: &ContactsCase, budget: Budget, watch: &Watch) -> Result<Outcome, Stop> {
+        contacts::run(&self.backend, self.tie_judge.as_deref(), case, budget, watch)
+    }
+
     fn answers(&self, scene: &Scene, queries: &QuerySet) -> Result<Vec<Sign>, String> {
         signs::answers(&self.backend, scene, queries)
     }
@@ -147,10 +170,8 @@ impl<B: Backend> Contestant for Entry<B> {
         locate::locations(&self.backend, case)
     }
 
-    fn contacts_between(&self, scene: &Scene, a: &Complex, b: &Complex) -> Result<Contacts, String> {
-        let session = self.backend.prepare(scene, Off).map_err(|declined| declined.to_string())?;
-        session.supports_contacts().map_err(|declined| declined.to_string())?;
-        Ok(contacts(&session, a, b))
+    fn contacts(&self, scene: &Scene, complexes: [&Complex; 2]) -> Result<Contacts, String> {
+        contacts::registered(&self.backend, scene, complexes)
     }
 
     fn time_signs<'a>(&'a self, scene: &'a Scene, queries: &'a QuerySet) -> Result<Box<dyn Stopwatch + 'a>, String> {
@@ -161,6 +182,14 @@ impl<B: Backend> Contestant for Entry<B> {
 
     fn time_locate<'a>(&'a self, case: &'a LocateCase) -> Result<Box<dyn Stopwatch + 'a>, String> {
         locate::stopwatch(&self.backend, case)
+    }
+
+    fn time_contacts<'a>(&'a self, case: &'a ContactsCase) -> Result<Box<dyn Stopwatch + 'a>, String> {
+        contacts::stopwatch(&self.backend, case)
+    }
+
+    fn contact(&self, case: &ContactsCase, pair: [Simplex; 2]) -> Result<String, String> {
+        case.ask(&self.backend, pair)
     }
 
     fn locate_one(&self, case: &LocateCase, vertex: Vertex) -> Result<String, String> {

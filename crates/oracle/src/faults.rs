@@ -4,6 +4,8 @@
 //! made of the real backends' own parts with one part wrong, claims the real
 //! contract, and has to be caught by `selftest` on the embedded corpora.
 
+mod contacts;
+
 use predicament_arithmetic::{Fixed, Plan, units};
 use predicament_controls::Shewchuk;
 use predicament_exact::form::{self, Determinant};
@@ -45,11 +47,21 @@ pub enum Fault {
     ToleranceWide,
     /// Exact on the comparison, but a tie says "greater": an endpoint counts twice.
     CompareGreaterOnTies,
+    /// Exact, but an edge goes on beyond its ends.
+    ContactsEndlessEdge,
+    /// Exact, but of two edges only the second is asked whether it crosses the other's line.
+    ContactsOneSided,
+    /// Tolerance, with vertices registered within half of what is promised.
+    ToleranceNarrowContacts,
+    /// Tolerance, with vertices registered within twice of what is promised.
+    ToleranceWideContacts,
+    /// Tolerance, with Algorithms 3 and 8 as the paper prints them.
+    ToleranceAsPrinted,
 }
 
 impl Fault {
     /// All of them.
-    pub const ALL: [Fault; 12] = [
+    pub const ALL: [Fault; 17] = [
         Fault::SosSwappedTerm,
         Fault::SosDroppedParity,
         Fault::SosPlaceAsIdentity,
@@ -62,6 +74,11 @@ impl Fault {
         Fault::ToleranceNarrow,
         Fault::ToleranceWide,
         Fault::CompareGreaterOnTies,
+        Fault::ContactsEndlessEdge,
+        Fault::ContactsOneSided,
+        Fault::ToleranceNarrowContacts,
+        Fault::ToleranceWideContacts,
+        Fault::ToleranceAsPrinted,
     ];
 
     /// The name after `fault:`.
@@ -80,6 +97,11 @@ impl Fault {
             Fault::ToleranceNarrow => "tolerance-narrow",
             Fault::ToleranceWide => "tolerance-wide",
             Fault::CompareGreaterOnTies => "compare-greater-on-ties",
+            Fault::ContactsEndlessEdge => "contacts-endless-edge",
+            Fault::ContactsOneSided => "contacts-one-sided",
+            Fault::ToleranceNarrowContacts => "tolerance-narrow-contacts",
+            Fault::ToleranceWideContacts => "tolerance-wide-contacts",
+            Fault::ToleranceAsPrinted => "tolerance-as-printed",
         }
     }
 
@@ -99,6 +121,11 @@ impl Fault {
             Fault::ToleranceNarrow => "the band a third of what it should be",
             Fault::ToleranceWide => "the band twice what it should be",
             Fault::CompareGreaterOnTies => "equal coordinates compare as greater, both ways round",
+            Fault::ContactsEndlessEdge => "a vertex on an edge's line counts as on the edge",
+            Fault::ContactsOneSided => "edges meet where the second crosses the first's line",
+            Fault::ToleranceNarrowContacts => "vertices registered within half the tolerance only",
+            Fault::ToleranceWideContacts => "vertices registered within twice the tolerance",
+            Fault::ToleranceAsPrinted => "the interpolation weight of an edge's point with the printed sign",
         }
     }
 
@@ -113,8 +140,14 @@ impl Fault {
             | Fault::ExactOneLimb
             | Fault::ExactUnguarded
             | Fault::ExactFlushed
-            | Fault::ExactRoundedVertex => ZeroMeaning::Exact,
-            Fault::ToleranceNarrow | Fault::ToleranceWide => ZeroMeaning::Band,
+            | Fault::ExactRoundedVertex
+            | Fault::ContactsEndlessEdge
+            | Fault::ContactsOneSided => ZeroMeaning::Exact,
+            Fault::ToleranceNarrow
+            | Fault::ToleranceWide
+            | Fault::ToleranceNarrowContacts
+            | Fault::ToleranceWideContacts
+            | Fault::ToleranceAsPrinted => ZeroMeaning::Band,
         }
     }
 }
@@ -122,11 +155,17 @@ impl Fault {
 /// The faulty backend with this name.
 #[must_use]
 pub fn backend(name: &str) -> Option<Box<dyn Contestant>> {
-    if name == "tolerance-as-printed" {
-        // Its signs are right: only contacts can tell, so it is none of those that sign scenes have to catch.
-        return Some(Box::new(Entry::new(Tolerance::<f64>::as_printed())));
-    }
     let fault = Fault::ALL.into_iter().find(|fault| fault.name() == name)?;
+    match fault {
+        Fault::ContactsEndlessEdge | Fault::ContactsOneSided => {
+            return Some(Box::new(Entry::new(contacts::Faulty::exact(fault))));
+        }
+        Fault::ToleranceNarrowContacts | Fault::ToleranceWideContacts => {
+            return Some(Box::new(Entry::new(contacts::Faulty::tolerance(fault))));
+        }
+        Fault::ToleranceAsPrinted => return Some(Box::new(Entry::new(Tolerance::<f64>::as_printed()))),
+        _ => {}
+    }
     Some(match fault.poses_as() {
         ZeroMeaning::Never => Box::new(Entry::breaking_ties(Faulty(fault), |scene, question, args| {
             infinitesimal::judge(Scheme::PerCoordinate, scene, question, args)
@@ -213,6 +252,12 @@ impl Session<'_> {
             Fault::ExactRoundedVertex => self.rounded(question, &args).unwrap_or(exact),
             Fault::ToleranceNarrow => self.banded(question, &args, 1.0 / 3.0),
             Fault::ToleranceWide => self.banded(question, &args, 2.0),
+            // Not of this kind: see `backend`.
+            Fault::ContactsEndlessEdge
+            | Fault::ContactsOneSided
+            | Fault::ToleranceNarrowContacts
+            | Fault::ToleranceWideContacts
+            | Fault::ToleranceAsPrinted => exact,
         }
     }
 
@@ -331,6 +376,14 @@ impl Predicates for Session<'_> {
         match &self.tolerance {
             Some(tolerance) => tolerance.supports(kind),
             None => self.exact.supports(kind),
+        }
+    }
+
+    fn supports_contacts(&self) -> Result<(), Declined> {
+        match &self.tolerance {
+            // Contacts by the signs of a band are nobody's scheme.
+            Some(_) => Err(Declined::scene("the fault is in the signs; contacts go by distances")),
+            None => self.exact.supports_contacts(),
         }
     }
 

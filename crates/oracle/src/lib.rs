@@ -8,6 +8,7 @@
 //! * [`resolution`]: what tolerances cost in resolution.
 //! * [`roster`]: all backends by name; [`faults`]: wrong ones that have to be caught.
 
+pub mod contacts;
 pub mod expect;
 pub mod faults;
 pub mod judge;

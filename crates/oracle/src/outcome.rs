@@ -1,5 +1,6 @@
 //! What one backend made of one scene.
 
+use predicament_algorithms::contacts::Level;
 use predicament_predicates::{Sign, Vertex};
 use sha2::{Digest, Sha256};
 
@@ -60,6 +61,8 @@ pub struct Outcome {
     pub stages: Vec<(&'static str, u64)>,
     /// For maps: points by surroundings.
     pub locate: Vec<LocateCounts>,
+    /// For contacts: pairs by ranks.
+    pub contacts: Vec<Level>,
 }
 
 impl Outcome {

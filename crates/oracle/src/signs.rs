@@ -142,7 +142,7 @@ pub fn run<B: Backend>(
     }
     counts_by_class.add(Class::Inconsistent, violations.relations);
     findings.extend(violations.findings());
-    Ok(Outcome { queries, counts: counts_by_class, findings, stages, locate: Vec::new() })
+    Ok(Outcome { queries, counts: counts_by_class, findings, stages, ..Outcome::default() })
 }
 
 /// A finding before it is put into words.

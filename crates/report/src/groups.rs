@@ -70,8 +70,9 @@ pub fn backends(runs: &[RunDir]) -> Vec<&str> {
             let checked = run.summary.iter().map(|row| &*row.backend);
             let timed = run.throughput.iter().map(|row| &*row.backend);
             let located = run.locate.iter().map(|row| &*row.backend);
+            let touched = run.contacts.iter().map(|row| &*row.backend);
             let staged = run.stages.iter().map(|row| &*row.backend);
-            checked.chain(timed).chain(located).chain(staged)
+            checked.chain(timed).chain(located).chain(touched).chain(staged)
         })
         .collect();
     let mut seen = BTreeSet::new();

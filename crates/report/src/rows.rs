@@ -1,4 +1,4 @@
-//! The rows of the six tables of a run folder.
+//! The rows of the seven tables of a run folder.
 //!
 //! Each struct is one line of its file: its fields are the columns, in order.
 //! Columns are a contract; other programs read them.
@@ -337,6 +337,60 @@ impl Row for LocateRow {
         "on_boundary",
         "violations",
     ];
+}
+
+/// `contacts.csv`: the pairs of two complexes by their ranks.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct ContactRow {
+    /// The suite's name.
+    pub suite: String,
+    /// The scene's name in its suite.
+    pub scene: String,
+    /// The scene's content id.
+    pub scene_id: String,
+    /// `contacts2d` or `contacts3d`.
+    pub task: String,
+    /// The backend's name, with its parameters.
+    pub backend: String,
+    /// The rank of the first complex' simplices: 0 for vertices, 3 for tetrahedra.
+    pub rank_a: u8,
+    /// The rank of the second complex' simplices.
+    pub rank_b: u8,
+    /// Pairs whose boxes are within the backend's reach of each other.
+    pub candidates: u64,
+    /// Of these, pairs that had ended: a pair of their faces was registered before.
+    pub ended: u64,
+    /// Pairs that the backend was asked about.
+    pub asked: u64,
+    /// Pairs that it registered.
+    pub registered: u64,
+}
+
+impl Row for ContactRow {
+    const FILE: &'static str = "contacts.csv";
+    const COLUMNS: &'static [&'static str] = &[
+        "suite",
+        "scene",
+        "scene_id",
+        "task",
+        "backend",
+        "rank_a",
+        "rank_b",
+        "candidates",
+        "ended",
+        "asked",
+        "registered",
+    ];
+
+    fn check(&self) -> Result<(), String> {
+        if self.registered > self.asked {
+            return Err("more pairs are registered than were asked about".to_owned());
+        }
+        if self.ended.checked_add(self.asked) != Some(self.candidates) {
+            return Err("the candidates are not those that had ended and those that were asked about".to_owned());
+        }
+        Ok(())
+    }
 }
 
 /// `precision.csv`: what the coordinates of a scene span, and the arithmetic

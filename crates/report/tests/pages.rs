@@ -36,6 +36,9 @@ fn numbers_trace_to_rows() {
     assert!(page.contains("| naive | 2 | 1,100,000 | 2,502 | 2,270 | 1.12 | yes |"));
     // sos near: 38000 of 100000.
     assert!(page.contains("| 1 | orient2d | near | sos | 100,000 | — | 61.0 % | 38.0 % | 1.0 % (to 3) |"));
+    // exact, edges with vertices: 1 of 4 and 3 of 4 had ended; then 2 of 9, 1 of 3 and none of none.
+    let contacts = "| 1 | two-triangles (contacts) | contacts2d | exact | 1 (0 % ended) | 1 (50.0 % ended) | 2 (25.0 % ended) |  |";
+    assert!(page.contains(contacts), "{page}");
     // Two scenes of suite near got the same, one of 54 bits and one of 61.
     assert!(page.contains("| 1 | near | near, uniform | 2 | 54 to 61 | −60 to −53 | integer | — | wide integer | — |"));
 }
@@ -46,8 +49,19 @@ fn html_has_every_section_and_needs_nothing_else() {
     let png = PixelMap::new(2, 1, &[-1, 1], &[false, true]).unwrap().to_png(1).unwrap();
     runs[0].maps.push(("near-7".to_owned(), png.clone()));
     let page = html(&runs).unwrap();
-    for id in ["run", "answers", "findings", "speed", "throughput", "precision", "stages", "locate", "not-run", "maps"]
-    {
+    for id in [
+        "run",
+        "answers",
+        "findings",
+        "speed",
+        "throughput",
+        "precision",
+        "stages",
+        "locate",
+        "contacts",
+        "not-run",
+        "maps",
+    ] {
         assert!(page.contains(&format!("<section id=\"{id}\">")), "{id}");
         assert!(page.contains(&format!("<a href=\"#{id}\">")), "{id}");
     }
@@ -84,6 +98,7 @@ fn the_order_of_rows_changes_nothing() {
         run.findings.reverse();
         run.throughput.reverse();
         run.locate.reverse();
+        run.contacts.reverse();
         run.precision.reverse();
     }
     assert_eq!(html(&forward).unwrap(), html(&backward).unwrap());

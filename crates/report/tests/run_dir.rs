@@ -5,8 +5,8 @@ use std::io::Write;
 use std::path::Path;
 
 use predicament_report::{
-    Class, Env, FORMAT, FindingRow, Level, LocateRow, Outcome, Plan, PlannedScene, PrecisionRow, Row, RunDir,
-    RunWriter, Shard, StageRow, Status, SummaryRow, ThroughputRow,
+    Class, ContactRow, Env, FORMAT, FindingRow, Level, LocateRow, Outcome, Plan, PlannedScene, PrecisionRow, Row,
+    RunDir, RunWriter, Shard, StageRow, Status, SummaryRow, ThroughputRow,
 };
 
 fn scene(name: &str) -> PlannedScene {
@@ -100,6 +100,22 @@ fn locate() -> LocateRow {
     }
 }
 
+fn contact() -> ContactRow {
+    ContactRow {
+        suite: "contacts".to_owned(),
+        scene: "a".to_owned(),
+        scene_id: "b".to_owned(),
+        task: "contacts3d".to_owned(),
+        backend: "sos".to_owned(),
+        rank_a: 1,
+        rank_b: 2,
+        candidates: 12,
+        ended: 5,
+        asked: 7,
+        registered: 6,
+    }
+}
+
 fn precision() -> PrecisionRow {
     PrecisionRow {
         suite: "near, or \"far\"".to_owned(),
@@ -137,6 +153,9 @@ fn every_table_survives_the_disk() {
     writer.write(&[throughput()]).unwrap();
     writer.write(&[stage()]).unwrap();
     writer.write(&[locate()]).unwrap();
+    writer.write(&[contact()]).unwrap();
+    assert!(writer.write(&[ContactRow { registered: 8, ..contact() }]).is_err());
+    assert!(writer.write(&[ContactRow { ended: 4, ..contact() }]).is_err());
     writer.write(&[precision()]).unwrap();
     writer.add_map("a map", b"not really a PNG").unwrap();
     assert!(writer.add_map("../escape", b"").is_err());
@@ -149,7 +168,7 @@ fn every_table_survives_the_disk() {
     assert_eq!(run.findings[0], finding());
     assert_eq!(run.findings[1].log2_relative_det, None);
     assert_eq!((run.throughput, run.stages, run.locate), (vec![throughput()], vec![stage()], vec![locate()]));
-    assert_eq!(run.precision, [precision()]);
+    assert_eq!((run.contacts, run.precision), (vec![contact()], vec![precision()]));
     assert_eq!(run.maps, [("a map".to_owned(), b"not really a PNG".to_vec())]);
     assert_eq!(run.warnings, Vec::<String>::new());
 }
@@ -167,6 +186,7 @@ fn columns_are_the_fields_in_their_order() {
     assert_eq!(header(&throughput()), ThroughputRow::COLUMNS);
     assert_eq!(header(&stage()), StageRow::COLUMNS);
     assert_eq!(header(&locate()), LocateRow::COLUMNS);
+    assert_eq!(header(&contact()), ContactRow::COLUMNS);
     assert_eq!(header(&precision()), PrecisionRow::COLUMNS);
     // The class columns hold the counts of their classes.
     let row = serde_json::to_value(summary("")).unwrap();

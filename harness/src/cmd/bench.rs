@@ -8,8 +8,8 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use predicament_oracle::locate;
 use predicament_oracle::{Case, Contestant, Stopwatch, Truth, Watch, digest_of};
+use predicament_oracle::{contacts, locate};
 use predicament_report::{self as report, PlannedScene, RunWriter, Shard, ThroughputRow};
 
 use crate::cmd::run::{budget, env, free_folder, plan};
@@ -92,6 +92,7 @@ pub fn run(args: Args) -> exit::Outcome {
             let row = rows::summary(scene, &backend.name(), &outcome, &expected, selection.level.name());
             writer.write(&[row]).map_err(Failure::usage)?;
             writer.write(&rows::findings(scene, &backend.name(), &outcome)).map_err(Failure::usage)?;
+            writer.write(&rows::contacts(scene, &backend.name(), &outcome)).map_err(Failure::usage)?;
             match start(&case, backend.as_ref(), scene.queries) {
                 Ok(runner) => runners.push(runner),
                 Err(why) => {
@@ -134,6 +135,9 @@ fn start<'a>(case: &'a Case<'a>, backend: &'a dyn Contestant, queries: u64) -> R
             let scene = &case.loaded().scene;
             let answers = backend.answers(scene, queries)?;
             (backend.time_signs(scene, queries)?, digest_of(&answers))
+        }
+        Truth::Contacts(case) => {
+            (backend.time_contacts(case)?, contacts::digest_of(&backend.contacts(case.scene(), case.complexes())?))
         }
         Truth::Locate(case) => (backend.time_locate(case)?, locate::digest_of(&backend.locations(case)?)),
     };

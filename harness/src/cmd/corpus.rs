@@ -139,6 +139,20 @@ fn generate(selector: &Selector) -> exit::Outcome {
                 println!("  {} queries; log2(|det| / permanent):", queries.len());
                 print!("{}", degeneracy(&loaded));
             }
+            Work::Contacts { a, b } => {
+                for (name, complex) in [("a", a), ("b", b)] {
+                    println!(
+                        "  {name}: {} vertices, {} edges, {} triangles, {} tetrahedra",
+                        complex.vertices().len(),
+                        complex.edges().len(),
+                        complex.triangles().len(),
+                        complex.tetrahedra().len()
+                    );
+                }
+                if !loaded.notes.is_clean() {
+                    println!("  import: {}", loaded.notes);
+                }
+            }
             Work::Locate { map, probes } => {
                 let edges = map.edges().count();
                 println!(

@@ -80,7 +80,7 @@ pub struct Tile {
 pub fn tile(case: &Case, backend: &dyn Contestant) -> Result<Tile, Failure> {
     let loaded = case.loaded();
     let Truth::Signs { queries, signs: truth } = case.truth() else {
-        return Err(Failure::usage(format!("`{}` is a map with regions; only sign scenes can be drawn", loaded.name)));
+        return Err(Failure::usage(format!("`{}` asks for no signs; only sign scenes can be drawn", loaded.name)));
     };
     let side = queries.len().isqrt();
     if side == 0 || side * side != queries.len() {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use predicament_corpus::{Level, LoadedScene, hexfloat};
+use predicament_corpus::{Level, LoadedScene, Task, hexfloat};
 use predicament_oracle::{Case, Contestant, Truth, Watch, judge, signs};
 use predicament_predicates::{Axis, Plane, Question, Vertex};
 use predicament_report::{FindingRow, RunDir};
@@ -63,12 +63,19 @@ pub fn run(args: &Args) -> exit::Outcome {
     let backends = roster::pick(&names)?;
     for query in finding.query.split(" | ") {
         println!("\n{query}");
-        match query.strip_prefix("polygon-locate(").and_then(|rest| rest.strip_suffix(')')) {
-            Some(id) => ask_location(&loaded, parse_ids(id)?[0], &backends)?,
-            None => {
-                let (question, ids) = parse(query)?;
-                ask_sign(&loaded, question, &ids, &backends);
-            }
+        let about = |task: Task| {
+            query
+                .strip_prefix(task.name())
+                .and_then(|rest| rest.strip_prefix('('))
+                .and_then(|rest| rest.strip_suffix(')'))
+        };
+        if let Some(id) = about(Task::PolygonLocate) {
+            ask_location(&loaded, parse_ids(id)?[0], &backends)?;
+        } else if let Some(pair) = about(Task::Contacts2d).or(about(Task::Contacts3d)) {
+            ask_contact(&loaded, pair, &backends)?;
+        } else {
+            let (question, ids) = parse(query)?;
+            ask_sign(&loaded, question, &ids, &backends);
         }
     }
     Ok(exit::OK)
@@ -176,6 +183,25 @@ fn ask_location(loaded: &LoadedScene, id: Vertex, backends: &[Box<dyn Contestant
     };
     for backend in backends {
         let answer = backend.locate_one(case, id).unwrap_or_else(|why| why);
+        println!("  {:<24} {answer}", backend.name());
+    }
+    Ok(())
+}
+
+fn ask_contact(loaded: &LoadedScene, pair: &str, backends: &[Box<dyn Contestant>]) -> Result<(), Failure> {
+    let (s, t) = pair.split_once(", ").ok_or_else(|| Failure::usage(format!("`{pair}` is no pair of simplices")))?;
+    let (s, t) = (parse_ids(s)?, parse_ids(t)?);
+    let quiet = |_: u64| {};
+    let stopped = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
+    let case = Case::new(loaded, &Watch::new(interrupt::flag(), None, &quiet)).map_err(stopped)?;
+    let Truth::Contacts(case) = case.truth() else {
+        return Err(Failure::usage("the scene asks for no contacts any more"));
+    };
+    let pair = case.find(&s, &t).map_err(Failure::usage)?;
+    print_points(loaded, &[s, t].concat());
+    println!("  {:<24} {}", "truth", case.truth_about(pair));
+    for backend in backends {
+        let answer = backend.contact(case, pair).unwrap_or_else(|why| why);
         println!("  {:<24} {answer}", backend.name());
     }
     Ok(())

@@ -88,14 +88,14 @@ type Located = (String, Vec<Location>);
 
 fn ask(feature: &Feature, backend: &dyn Contestant, args: &Args) -> Result<Survey, Failure> {
     let name = backend.name();
-    let contacts = |scene: &_, a: &_, b: &_| backend.contacts_between(scene, a, b);
+    let contacts = |scene: &_, a: &_, b: &_| backend.contacts(scene, [a, b]);
     survey(feature, &contacts, length(&name, feature.dimension), precision(&name), args.trials, args.seed)
         .map_err(|why| Failure::usage(format!("{name} on `{}`: {why}", feature.name)))
 }
 
 fn locate(backend: &dyn Contestant, args: &Args) -> Result<Vec<Location>, Failure> {
     let name = backend.name();
-    let contacts = |scene: &_, a: &_, b: &_| backend.contacts_between(scene, a, b);
+    let contacts = |scene: &_, a: &_, b: &_| backend.contacts(scene, [a, b]);
     location(&contacts, length(&name, Dimension::Two), precision(&name), args.trials, args.seed)
         .map_err(|why| Failure::usage(format!("{name} on shallow crossings: {why}")))
 }

@@ -41,7 +41,7 @@ pub fn antisymmetry<P: Predicates>(
 
 /// Calls `visit` with every permutation of `items` and its parity, the given
 /// order first.
-fn each_order(items: &[Vertex], visit: &mut impl FnMut(&[Vertex], Sign)) {
+pub fn each_order(items: &[Vertex], visit: &mut impl FnMut(&[Vertex], Sign)) {
     fn place(items: &mut [Vertex], at: usize, parity: Sign, visit: &mut impl FnMut(&[Vertex], Sign)) {
         if at == items.len() {
             return visit(items, parity);

@@ -18,7 +18,7 @@ mod antisymmetry;
 mod plucker;
 mod transitivity;
 
-pub use antisymmetry::antisymmetry;
+pub use antisymmetry::{antisymmetry, each_order};
 pub use plucker::{grassmann_plucker2, grassmann_plucker3};
 pub use transitivity::transitivity;
 

@@ -20,6 +20,8 @@ pub struct FamilyInfo {
 const SIGNS: &[Task] = &[Task::Compare, Task::Orient2d, Task::Orient3d, Task::Incircle, Task::Insphere];
 const MAPS: &[Task] = &[Task::PolygonLocate];
 const FLAT: &[Task] = &[Task::Compare, Task::Orient2d];
+const PLANE_CONTACTS: &[Task] = &[Task::Contacts2d];
+const SPACE_CONTACTS: &[Task] = &[Task::Contacts3d];
 const SOLID: &[Task] = &[Task::Compare, Task::Orient2d, Task::Orient3d];
 
 const fn family(
@@ -32,7 +34,7 @@ const fn family(
     FamilyInfo { name, reported_as, tasks, parameters, about }
 }
 
-pub(super) const FAMILIES: [FamilyInfo; 29] = [
+pub(super) const FAMILIES: [FamilyInfo; 36] = [
     family("uniform", "uniform", SIGNS, &[], "multiples of 2^-53, uniform in [0, 1)"),
     family("grid", "grid", SIGNS, &[], "integers from 0 to 15: many ties, all arithmetic short"),
     family("near", "near", SIGNS, &["ulps"], "moved by at most so many ulps off a line, plane, circle or sphere"),
@@ -152,6 +154,55 @@ pub(super) const FAMILIES: [FamilyInfo; 29] = [
     ),
     family("tiling", "tiling", MAPS, &[], "a jittered n×n quadrilateral tiling with lakes, islands and sea"),
     family("bricks", "bricks", MAPS, &[], "n courses of n bricks: axis-parallel borders and collinear runs"),
+    family(
+        "polygons-uniform",
+        "polygons-uniform",
+        PLANE_CONTACTS,
+        &[],
+        "two simple polygons that cross all the way round, in general position",
+    ),
+    family(
+        "polygons-near",
+        "polygons-near",
+        PLANE_CONTACTS,
+        &[],
+        "a polygon with its vertices within a few sigma of another's vertices and edges",
+    ),
+    family(
+        "polygons-degen",
+        "polygons-degen",
+        PLANE_CONTACTS,
+        &[],
+        "skylines on integers: shared vertices, vertices on edges, overlapping edges",
+    ),
+    family(
+        "copy-shifted",
+        "copy-shifted",
+        PLANE_CONTACTS,
+        &["shift"],
+        "a polygon against a copy moved by so many sigma",
+    ),
+    family(
+        "surfaces-uniform",
+        "surfaces-uniform",
+        SPACE_CONTACTS,
+        &[],
+        "two closed surfaces that cross everywhere, in general position",
+    ),
+    family(
+        "surfaces-degen",
+        "surfaces-degen",
+        SPACE_CONTACTS,
+        &[],
+        "boxes on integers that share corners, edges and parts of faces",
+    ),
+    family(
+        "surfaces-shifted",
+        "surfaces-shifted",
+        SPACE_CONTACTS,
+        &["shift"],
+        "a closed surface against a copy moved by so many sigma",
+    ),
 ];
 
 /// Every family, for listings.

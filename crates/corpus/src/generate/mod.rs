@@ -8,6 +8,7 @@
 
 mod band;
 mod constructed;
+mod contacts;
 mod degenerate;
 mod families;
 mod far;
@@ -27,6 +28,7 @@ use crate::probes::with_probes;
 use crate::suite::Probing;
 use crate::{CorpusError, Level, Task, Work};
 use constructed::Arrangement;
+use contacts::Pair;
 use families::FAMILIES;
 pub use families::{FamilyInfo, families};
 use pixels::PixelMap;
@@ -54,6 +56,7 @@ enum Recipe {
     Band,
     PixelMap(PixelMap),
     Arrangement(Arrangement),
+    Pair(Pair),
     Tiling,
     Bricks,
 }
@@ -73,6 +76,9 @@ impl Family {
         }
         if let Some(arrangement) = Arrangement::read(text, fields)? {
             return Ok(Family { info, recipe: Recipe::Arrangement(arrangement) });
+        }
+        if let Some(pair) = Pair::read(text, fields)? {
+            return Ok(Family { info, recipe: Recipe::Pair(pair) });
         }
         let recipe = match text {
             "uniform" => Recipe::Uniform,
@@ -153,7 +159,12 @@ impl Family {
             Recipe::WideScaled => wide::scaled(kind, rng, out),
             Recipe::WideMixed => wide::mixed(kind, rng, out),
             Recipe::Far => far::far(kind, rng, out),
-            Recipe::Band | Recipe::PixelMap(_) | Recipe::Arrangement(_) | Recipe::Tiling | Recipe::Bricks => {
+            Recipe::Band
+            | Recipe::PixelMap(_)
+            | Recipe::Arrangement(_)
+            | Recipe::Pair(_)
+            | Recipe::Tiling
+            | Recipe::Bricks => {
                 unreachable!("{} is not made query by query", self.name())
             }
         }
@@ -190,6 +201,8 @@ pub(crate) enum Shape {
     Signs { question: Question, dimension: Dimension },
     /// A map with probes.
     Map(Probing),
+    /// Two complexes.
+    Contacts,
 }
 
 /// A generated scene before it is generated.
@@ -202,7 +215,8 @@ pub(crate) struct Generator {
 }
 
 impl Generator {
-    /// Makes the scene. The queries of a smaller amount come first in a larger one.
+    /// Makes the scene. The queries of a smaller amount come first in a larger one,
+    /// unless it is a map or a pair of complexes.
     pub(crate) fn run(&self, task: Task, level: Level) -> (Scene, Work) {
         let n = match level {
             Level::Quick => self.amount.quick,
@@ -217,6 +231,10 @@ impl Generator {
                 };
                 with_probes(points, map, probing, level)
             }
+            Shape::Contacts => match self.family.recipe {
+                Recipe::Pair(pair) => pair.make(n, &mut rng),
+                _ => unreachable!("{} makes no complexes", self.family.name()),
+            },
             Shape::Signs { question, dimension } => {
                 let cloud = match self.family.recipe {
                     Recipe::Arrangement(arrangement) => arrangement.queries(question, n, rng),

@@ -1,5 +1,6 @@
 //! Readers of other people's formats.
 
+pub(crate) mod mesh;
 pub(crate) mod topojson;
 
 /// What an importer changed on the way in; never in silence.
@@ -14,6 +15,13 @@ pub struct ImportNotes {
 }
 
 impl ImportNotes {
+    /// Adds what another importer changed.
+    pub(crate) fn add(&mut self, other: &ImportNotes) {
+        self.repeated_points += other.repeated_points;
+        self.degenerate_rings += other.degenerate_rings;
+        self.empty_regions += other.empty_regions;
+    }
+
     /// Whether everything came in as it was.
     #[must_use]
     pub fn is_clean(&self) -> bool {

@@ -3,7 +3,7 @@
 use predicament_predicates::Dimension;
 
 use super::scene::{Content, Probing, SceneDef, define};
-use super::{Context, queries};
+use super::{Context, contacts, queries};
 use crate::document::{Field, Fields};
 use crate::generate::{Amount, Family, Generator, Shape};
 use crate::{CorpusError, Task};
@@ -44,6 +44,9 @@ fn amount(fields: &Fields<'_, '_>, family: &Family) -> Result<Amount, CorpusErro
 fn shape(fields: &Fields<'_, '_>, task: Task, family: &Family) -> Result<Shape, CorpusError> {
     if task == Task::PolygonLocate {
         return Ok(Shape::Map(Probing::read(fields)?));
+    }
+    if contacts::dimension(task).is_some() {
+        return Ok(Shape::Contacts);
     }
     let question = queries::question(fields, task)?;
     let fits = |dimension, cure: &str| {

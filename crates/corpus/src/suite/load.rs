@@ -3,7 +3,7 @@
 use predicament_predicates::{Dimension, Plane, PredicateKind, QuerySet, Question, Scene};
 
 use super::points;
-use super::scene::{Content, MapSource, Origin, SceneDef};
+use super::scene::{Content, MapSource, SceneDef};
 use crate::import::topojson;
 use crate::probes::with_probes;
 use crate::{Cache, CorpusError, Level, LoadedScene, Work};
@@ -33,6 +33,10 @@ impl SceneDef {
                 Ok(LoadedScene { expected: Some(expected), ..self.around(scene, Work::Signs(queries)) })
             }
             Content::Map(source) => self.load_map(source, level, cache),
+            Content::Contacts(contacts) => {
+                let (scene, work, notes) = contacts.assemble(&self.file, cache)?;
+                Ok(LoadedScene { notes, ..self.around(scene, work) })
+            }
             Content::Generated(generator) => {
                 let (scene, work) = generator.run(self.task, level);
                 Ok(self.around(scene, work))
@@ -46,10 +50,7 @@ impl SceneDef {
     }
 
     fn load_map(&self, source: &MapSource, level: Level, cache: &Cache) -> Result<LoadedScene, CorpusError> {
-        let (file, text) = match &source.origin {
-            Origin::Path(path) => (path.display().to_string(), points::read_text(path)?),
-            Origin::Fetched(entry) => (cache.path(entry).display().to_string(), cache.read(entry)?),
-        };
+        let (file, text) = source.origin.read(cache)?;
         let imported = topojson::read(&file, &text, &source.object)?;
         let (scene, work) = with_probes(imported.points, imported.map, source.probing, level);
         Ok(LoadedScene { notes: imported.notes, ..self.around(scene, work) })

@@ -1,6 +1,7 @@
 //! Suites: named lists of scenes, each a few lines of TOML.
 
 mod constructed;
+mod contacts;
 mod generate;
 mod load;
 mod points;
@@ -10,6 +11,7 @@ mod scene;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+pub(crate) use contacts::{moved, shifted};
 pub(crate) use scene::Probing;
 pub use scene::SceneDef;
 

@@ -129,6 +129,10 @@ pub(super) fn question(fields: &Fields<'_, '_>, task: Task) -> Result<Question, 
         Task::PolygonLocate => {
             return Err(fields.error("polygon-locate asks about a map, not about points", "write `map = …`"));
         }
+        Task::Contacts2d | Task::Contacts3d => {
+            let message = format!("{task} asks about two complexes, not about points");
+            return Err(fields.error(message, "write `a = …` and `b = …`"));
+        }
     })
 }
 

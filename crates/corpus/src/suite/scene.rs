@@ -6,11 +6,12 @@ use std::sync::Arc;
 use predicament_predicates::Scene;
 
 use super::constructed::Constructions;
+use super::contacts::{self, Contacts};
 use super::queries::Plan;
 use super::{Context, points};
 use crate::document::{Field, Fields};
 use crate::generate::Generator;
-use crate::{CorpusError, Entry, ImportNotes, LoadedScene, Task, Work, content_id, tables};
+use crate::{Cache, CorpusError, Entry, ImportNotes, LoadedScene, Task, Work, content_id, tables};
 
 /// A scene as its suite defines it; [`SceneDef::load`] makes it ready.
 #[derive(Clone, Debug)]
@@ -47,6 +48,8 @@ pub(super) enum Content {
     Fixture(Entry),
     /// A map, from a file or fetched.
     Map(MapSource),
+    /// Two complexes, at least one of them from a file or fetched.
+    Contacts(Box<Contacts>),
     /// Made by a program.
     Generated(Generator),
 }
@@ -77,6 +80,16 @@ pub(crate) struct Probing {
     pub(crate) quick_stride: usize,
 }
 
+impl Origin {
+    /// The file's name and its text.
+    pub(super) fn read(&self, cache: &Cache) -> Result<(String, String), CorpusError> {
+        match self {
+            Origin::Path(path) => Ok((path.display().to_string(), points::read_text(path)?)),
+            Origin::Fetched(entry) => Ok((cache.path(entry).display().to_string(), cache.read(entry)?)),
+        }
+    }
+}
+
 impl Probing {
     /// Reads `random`, `seed` and `quick_stride`.
     pub(super) fn read(fields: &Fields<'_, '_>) -> Result<Probing, CorpusError> {
@@ -98,11 +111,12 @@ impl SceneDef {
         self.fetch_entry().is_some()
     }
 
-    /// The fetched file that the scene needs, if any.
+    /// The fetched file that the scene needs (the first, where there are two), if any.
     #[must_use]
     pub fn fetch_entry(&self) -> Option<&Entry> {
         match &self.content {
             Content::Fixture(entry) | Content::Map(MapSource { origin: Origin::Fetched(entry), .. }) => Some(entry),
+            Content::Contacts(contacts) => contacts.fetch_entry(),
             _ => None,
         }
     }
@@ -163,6 +177,11 @@ pub(super) fn define(
 pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<SceneDef, CorpusError> {
     let name = fields.required("name")?.string()?;
     let task = fields.required("task")?.task()?;
+    if contacts::dimension(task).is_some() {
+        let content = read_contacts(context, &fields, task)?;
+        let family = name.clone();
+        return define(context, fields, name, task, &family, content);
+    }
     let content = match (fields.get("points"), fields.get("fixture"), fields.get("map")) {
         (Some(points), None, None) => read_points(context, &fields, &points, task)?,
         (None, Some(fixture), None) => Content::Fixture(read_fixture(context, &fixture, task)?),
@@ -203,6 +222,16 @@ fn read_points(
     Ok(Content::Inline(Arc::new((scene, Work::Signs(queries)))))
 }
 
+fn read_contacts(context: &Context<'_>, fields: &Fields<'_, '_>, task: Task) -> Result<Content, CorpusError> {
+    let contacts = Contacts::read(context, fields, task)?;
+    if !contacts.is_inline() {
+        return Ok(Content::Contacts(Box::new(contacts)));
+    }
+    // Nothing is read from a cache: everything is written out.
+    let (scene, work, _) = contacts.assemble(fields.file(), &Cache::new(""))?;
+    Ok(Content::Inline(Arc::new((scene, work))))
+}
+
 fn read_fixture(context: &Context<'_>, fixture: &Field<'_, '_>, task: Task) -> Result<Entry, CorpusError> {
     if task.predicate().is_none_or(|kind| kind.arity() < 3) {
         return Err(
@@ -240,7 +269,7 @@ fn read_map(
 }
 
 /// The manifest's entry for a fetch key.
-fn fetched(context: &Context<'_>, key: &Field<'_, '_>) -> Result<Entry, CorpusError> {
+pub(super) fn fetched(context: &Context<'_>, key: &Field<'_, '_>) -> Result<Entry, CorpusError> {
     let name = key.str()?;
     context.manifest.entry(name).cloned().ok_or_else(|| {
         key.error(format!("fetch.toml has no key `{name}`"), "use a key of fetch.toml or add an entry there")

@@ -13,11 +13,13 @@
 
 mod constructed;
 mod integers;
+mod session;
 
 use predicament_predicates::{Axis, Plane, Question, Scene, Sign, Vertex};
 use rug::Rational;
 
 pub use constructed::point;
+pub use session::Judged;
 
 /// An exact determinant and its permanent-like magnitude.
 #[derive(Clone, Debug)]

@@ -10,7 +10,9 @@ use serde::de::DeserializeOwned;
 use super::csv_file;
 use super::state::{Outcome, State};
 use super::{ENV, MAPS, PLAN};
-use crate::{Env, Error, FORMAT, FindingRow, LocateRow, Plan, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
+use crate::{
+    ContactRow, Env, Error, FORMAT, FindingRow, LocateRow, Plan, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow,
+};
 
 /// A run that was read back. Rows stand in the order of their files.
 #[derive(Clone, PartialEq, Debug)]
@@ -33,6 +35,8 @@ pub struct RunDir {
     pub stages: Vec<StageRow>,
     /// `locate.csv`.
     pub locate: Vec<LocateRow>,
+    /// `contacts.csv`; empty if the folder was made before there was such a table.
+    pub contacts: Vec<ContactRow>,
     /// `precision.csv`; empty if the folder was made before there was such a table.
     pub precision: Vec<PrecisionRow>,
     /// The PNG pictures in `maps/` with their names, sorted.
@@ -83,6 +87,7 @@ impl RunDir {
             throughput: read_table(path, &state, &mut warnings)?,
             stages: read_table(path, &state, &mut warnings)?,
             locate: read_table(path, &state, &mut warnings)?,
+            contacts: read_table(path, &state, &mut warnings)?,
             precision: read_table(path, &state, &mut warnings)?,
             maps: read_maps(&path.join(MAPS))?,
             warnings,

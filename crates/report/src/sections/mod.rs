@@ -1,5 +1,6 @@
 //! What a report says, section by section; each is one file.
 
+mod contacts;
 mod counts;
 mod findings;
 mod headlines;
@@ -28,6 +29,7 @@ pub fn sections(runs: &[RunDir]) -> Result<Vec<Section>, Error> {
         precision::section(runs),
         stages::section(runs),
         locate::section(runs),
+        contacts::section(runs),
         not_run::section(runs),
     ];
     sections.extend(maps::section(runs));

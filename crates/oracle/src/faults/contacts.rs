@@ -1,0 +1,161 @@
+//! Faults in the questions of the contact hierarchy, whatever the signs.
+
+use predicament_exact::Exact;
+use predicament_predicates::{
+    Axis, Backend, Band, Contract, Declined, Off, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex,
+};
+use predicament_tolerance::Tolerance;
+
+use super::Fault;
+
+/// A backend that is right about all signs, and about all contacts but one kind.
+pub(super) struct Faulty<B> {
+    pub(super) fault: Fault,
+    pub(super) honest: B,
+}
+
+impl Faulty<Exact> {
+    pub(super) fn exact(fault: Fault) -> Self {
+        Faulty { fault, honest: Exact }
+    }
+}
+
+impl Faulty<Tolerance> {
+    pub(super) fn tolerance(fault: Fault) -> Self {
+        Faulty { fault, honest: Tolerance }
+    }
+}
+
+impl<B: Backend> Backend for Faulty<B> {
+    type Session<'s, T: Tally + 's>
+        = Session<B::Session<'s, Off>>
+    where
+        B: 's;
+
+    fn name(&self) -> String {
+        format!("fault:{}", self.fault.name())
+    }
+
+    fn contract(&self, kind: PredicateKind) -> Contract {
+        Contract { proved: false, ..self.honest.contract(kind) }
+    }
+
+    fn stages(&self) -> &'static [&'static str] {
+        &["faulty"]
+    }
+
+    fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, _: T) -> Result<Self::Session<'s, T>, Declined> {
+        Ok(Session { fault: self.fault, honest: self.honest.prepare(scene, Off)? })
+    }
+}
+
+pub(super) struct Session<P> {
+    fault: Fault,
+    honest: P,
+}
+
+impl<P: Predicates> Session<P> {
+    /// The distance of two vertices in plain floating point: a planted fault need not be exact.
+    fn distance(&self, a: Vertex, p: Vertex) -> f64 {
+        let [a, p] = [a, p].map(|v| self.scene().point(v));
+        a.iter().zip(p).map(|(a, p)| (a - p) * (a - p)).sum::<f64>().sqrt()
+    }
+
+    /// σ₋ and σ₊.
+    fn sigma(&self) -> Option<[f64; 2]> {
+        self.honest.contact_band([0, 0]).map(|sigma| [sigma.lower, sigma.upper])
+    }
+}
+
+impl<P: Predicates> Predicates for Session<P> {
+    fn scene(&self) -> &Scene {
+        self.honest.scene()
+    }
+
+    fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
+        self.honest.supports(kind)
+    }
+
+    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        self.honest.compare(axis, a, b)
+    }
+
+    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        self.honest.orient2d(plane, a, b, c)
+    }
+
+    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.honest.orient3d(a, b, c, d)
+    }
+
+    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.honest.incircle(a, b, c, d)
+    }
+
+    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
+        self.honest.insphere(a, b, c, d, e)
+    }
+
+    fn band(&self, question: predicament_predicates::Question) -> Option<Band> {
+        self.honest.band(question)
+    }
+
+    /// Wide enough for what registers too much: every pair is looked at.
+    fn reach(&self) -> f64 {
+        match self.fault {
+            Fault::ContactsEndlessEdge => {
+                self.honest.scene().coordinates().iter().fold(0.0, |most, x| x.abs().max(most))
+            }
+            _ => 2.0 * self.honest.reach(),
+        }
+    }
+
+    fn contact_band(&self, ranks: [u8; 2]) -> Option<Band> {
+        self.honest.contact_band(ranks)
+    }
+
+    fn supports_contacts(&self) -> Result<(), Declined> {
+        self.honest.supports_contacts()
+    }
+
+    fn vertex_vertex(&self, a: Vertex, p: Vertex) -> bool {
+        let honest = self.honest.vertex_vertex(a, p);
+        match (self.fault, self.sigma()) {
+            (Fault::ToleranceNarrowContacts, Some([lower, _])) => honest && self.distance(a, p) < lower / 2.0,
+            (Fault::ToleranceWideContacts, Some([_, upper])) => honest || self.distance(a, p) < 2.0 * upper,
+            _ => honest,
+        }
+    }
+
+    fn edge_vertex(&self, [a, b]: [Vertex; 2], p: Vertex) -> Option<f64> {
+        let planes: &[Plane] = match self.scene().dimension().count() {
+            2 => &[Plane::Xy],
+            _ => &[Plane::Xy, Plane::Yz, Plane::Zx],
+        };
+        let on_line = || planes.iter().all(|&plane| self.honest.orient2d(plane, a, b, p) == Sign::Zero);
+        match self.fault {
+            Fault::ContactsEndlessEdge if on_line() => Some(0.5),
+            _ => self.honest.edge_vertex([a, b], p),
+        }
+    }
+
+    fn edge_edge(&self, e: [Vertex; 2], f: [Vertex; 2]) -> Option<[f64; 2]> {
+        if self.fault == Fault::ContactsOneSided && self.scene().dimension().count() == 2 {
+            let [p, q] = f.map(|v| self.honest.orient2d(Plane::Xy, e[0], e[1], v));
+            return (p != Sign::Zero && p == -q).then_some([0.5, 0.5]);
+        }
+        self.honest.edge_edge(e, f)
+    }
+
+    fn triangle_vertex(&self, triangle: [Vertex; 3], p: Vertex) -> Option<[f64; 3]> {
+        self.honest.triangle_vertex(triangle, p)
+    }
+
+    fn triangle_edge(&self, triangle: [Vertex; 3], edge: [Vertex; 2]) -> Option<([f64; 3], f64)> {
+        self.honest.triangle_edge(triangle, edge)
+    }
+
+    fn tetrahedron_vertex(&self, tetrahedron: [Vertex; 4], p: Vertex) -> Option<[f64; 4]> {
+        self.honest.tetrahedron_vertex(tetrahedron, p)
+    }
+}

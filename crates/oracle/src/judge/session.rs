@@ -1,0 +1,77 @@
+//! The judge as a session: what algorithms make of true signs.
+
+use predicament_predicates::{Axis, Plane, Predicates, Question, Scene, Sign, Vertex};
+
+use super::{sign, verdict};
+use crate::signs::TieJudge;
+
+/// A session that answers with the judge's signs. It shares nothing with any
+/// backend; contacts go by the trait's own bodies.
+pub struct Judged<'s> {
+    scene: &'s Scene,
+    way: Way<'s>,
+}
+
+enum Way<'s> {
+    Exact,
+    Again,
+    Perturbed(&'s TieJudge),
+}
+
+impl<'s> Judged<'s> {
+    /// Exact signs: [`judge::sign`](sign).
+    #[must_use]
+    pub fn exact(scene: &'s Scene) -> Judged<'s> {
+        Judged { scene, way: Way::Exact }
+    }
+
+    /// Exact signs by the judge's other computation, which is slow: [`judge::verdict`](verdict).
+    #[must_use]
+    pub fn again(scene: &'s Scene) -> Judged<'s> {
+        Judged { scene, way: Way::Again }
+    }
+
+    /// The signs of a perturbed scene. A perturbation by infinitesimals
+    /// changes no sign that is not zero, so only zeros are asked about.
+    #[must_use]
+    pub fn perturbed(scene: &'s Scene, ties: &'s TieJudge) -> Judged<'s> {
+        Judged { scene, way: Way::Perturbed(ties) }
+    }
+
+    fn sign(&self, question: Question, args: &[Vertex]) -> Sign {
+        match self.way {
+            Way::Exact => sign(self.scene, question, args),
+            Way::Again => verdict(self.scene, question, args).sign(),
+            Way::Perturbed(ties) => match sign(self.scene, question, args) {
+                Sign::Zero => ties(self.scene, question, args),
+                sign => sign,
+            },
+        }
+    }
+}
+
+impl Predicates for Judged<'_> {
+    fn scene(&self) -> &Scene {
+        self.scene
+    }
+
+    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        self.sign(Question::Compare(axis), &[a, b])
+    }
+
+    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        self.sign(Question::Orient2d(plane), &[a, b, c])
+    }
+
+    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.sign(Question::Orient3d, &[a, b, c, d])
+    }
+
+    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.sign(Question::Incircle, &[a, b, c, d])
+    }
+
+    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
+        self.sign(Question::Insphere, &[a, b, c, d, e])
+    }
+}

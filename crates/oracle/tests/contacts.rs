@@ -1,0 +1,213 @@
+//! Contacts: the truth by another method, honest backends, and faulty ones.
+
+use std::collections::BTreeSet;
+use std::sync::atomic::AtomicBool;
+
+use predicament_corpus::{Cache, Level, Library, LoadedScene, Work};
+use predicament_mesh::{Complex, Simplex};
+use predicament_oracle::contacts::ContactsCase;
+use predicament_oracle::signs::Budget;
+use predicament_oracle::{Class, Outcome, Watch, roster};
+use predicament_predicates::{Scene, Vertex};
+use rug::Rational;
+
+fn scenes() -> Vec<LoadedScene> {
+    let library = Library::embedded().unwrap();
+    let suite = library.suite("contacts").unwrap();
+    suite.scenes.iter().map(|scene| scene.load(Level::Quick, &Cache::new("nowhere")).unwrap()).collect()
+}
+
+fn scene(name: &str) -> LoadedScene {
+    scenes().into_iter().find(|scene| scene.name == name).unwrap_or_else(|| panic!("no scene {name}"))
+}
+
+/// Both complexes and the case about them.
+fn with_case<R>(loaded: &LoadedScene, then: impl FnOnce([&Complex; 2], &ContactsCase, &Watch) -> R) -> R {
+    let Work::Contacts { a, b } = &loaded.work else { panic!("{} asks for no contacts", loaded.name) };
+    let (cancel, progress) = (AtomicBool::new(false), |_: u64| {});
+    let watch = Watch::new(&cancel, None, &progress);
+    then([a, b], &ContactsCase::new(&loaded.scene, a, b, &watch).unwrap(), &watch)
+}
+
+fn run(loaded: &LoadedScene, backend: &str) -> Outcome {
+    let contestant = roster::backend(backend).unwrap();
+    with_case(loaded, |_, case, watch| contestant.run_contacts(case, Budget::QUICK, watch).unwrap())
+}
+
+/// A linear form: coefficients, and the constant last.
+type Form = Vec<Rational>;
+
+fn plus(a: &Form, by: &Rational, b: &Form) -> Form {
+    a.iter().zip(b).map(|(a, b)| a + Rational::from(by * b)).collect()
+}
+
+/// Whether some point is strictly inside both simplices: positive weights that
+/// add up to one on each side and give the same point. Equations by Gaussian
+/// elimination, then inequalities by Fourier and Motzkin.
+fn insides_meet(scene: &Scene, s: &[Vertex], t: &[Vertex]) -> bool {
+    let (n, dimension) = (s.len() + t.len(), scene.dimension().count());
+    let mut equations: Vec<Form> = vec![vec![Rational::new(); n + 1]; dimension + 2];
+    for (at, &v) in s.iter().chain(t).enumerate() {
+        let first = at < s.len();
+        for (axis, &x) in scene.point(v).iter().enumerate() {
+            let x = Rational::from_f64(x).unwrap();
+            equations[axis][at] = if first { x } else { -x };
+        }
+        let sum = dimension + usize::from(!first);
+        equations[sum][at] += 1;
+        equations[sum][n] = Rational::from(-1);
+    }
+    // Every weight as a form in the weights that stay free.
+    let mut weights: Vec<Form> =
+        (0..n).map(|at| (0..=n).map(|other| Rational::from(u8::from(other == at))).collect()).collect();
+    while let Some(equation) = equations.pop() {
+        let Some(pivot) = (0..n).find(|&at| !equation[at].is_zero()) else {
+            if !equation[n].is_zero() {
+                return false;
+            }
+            continue;
+        };
+        let scale = Rational::from(-1) / &equation[pivot];
+        for form in equations.iter_mut().chain(&mut weights) {
+            let by = Rational::from(&form[pivot] * &scale);
+            *form = plus(form, &by, &equation);
+        }
+    }
+    for at in 0..n {
+        let (mut kept, mut up, mut down) = (Vec::new(), Vec::new(), Vec::new());
+        for form in weights {
+            match form[at].cmp0() {
+                std::cmp::Ordering::Equal => kept.push(form),
+                std::cmp::Ordering::Greater => up.push(form),
+                std::cmp::Ordering::Less => down.push(form),
+            }
+        }
+        for up in &up {
+            kept.extend(down.iter().map(|down| plus(down, &-Rational::from(&down[at] / &up[at]), up)));
+        }
+        weights = kept;
+    }
+    weights.iter().all(|form| form[n].cmp0().is_gt())
+}
+
+fn simplices(complex: &Complex) -> Vec<Simplex> {
+    let counts =
+        [complex.vertices().len(), complex.edges().len(), complex.triangles().len(), complex.tetrahedra().len()];
+    let of_rank =
+        |rank: u8| (0..counts[rank as usize]).map(move |at| Simplex { rank, index: u32::try_from(at).unwrap() });
+    (0..4).flat_map(of_rank).collect()
+}
+
+fn is_face(part: &[Vertex], of: &[Vertex]) -> bool {
+    part.iter().all(|v| of.contains(v))
+}
+
+/// The pairs that meet, by their definition: common points of two insides, the
+/// most degenerate first, and nothing above what was found.
+fn by_carriers(scene: &Scene, [a, b]: [&Complex; 2]) -> BTreeSet<[Simplex; 2]> {
+    let bounds = |simplex: &[Vertex]| -> Vec<[f64; 2]> {
+        let along = |axis| simplex.iter().map(move |&v| scene.point(v)[axis]);
+        let (low, high) = (f64::INFINITY, f64::NEG_INFINITY);
+        (0..scene.dimension().count()).map(|i| [along(i).fold(low, f64::min), along(i).fold(high, f64::max)]).collect()
+    };
+    let boxed = |complex: &Complex| -> Vec<_> {
+        simplices(complex).into_iter().map(|s| (s, bounds(complex.vertices_of(s)))).collect()
+    };
+    let (of_a, of_b) = (boxed(a), boxed(b));
+    let mut pairs = Vec::new();
+    for (s, box_s) in &of_a {
+        for (t, box_t) in &of_b {
+            let near = box_s.iter().zip(box_t).all(|([l, h], [low, high])| l <= high && low <= h);
+            if near && usize::from(s.rank + t.rank) <= scene.dimension().count() {
+                pairs.push([*s, *t]);
+            }
+        }
+    }
+    pairs.sort_by_key(|[s, t]| s.rank + t.rank);
+    let mut found: Vec<[Simplex; 2]> = Vec::new();
+    for [s, t] in pairs {
+        let (of_s, of_t) = (a.vertices_of(s), b.vertices_of(t));
+        let ended = found.iter().any(|&[p, q]| is_face(a.vertices_of(p), of_s) && is_face(b.vertices_of(q), of_t));
+        if !ended && insides_meet(scene, of_s, of_t) {
+            found.push([s, t]);
+        }
+    }
+    found.into_iter().collect()
+}
+
+#[test]
+fn the_truth_is_what_meets_by_definition() {
+    let mut kinds = BTreeSet::new();
+    for loaded in scenes() {
+        with_case(&loaded, |complexes, case, _| {
+            let truth: BTreeSet<_> = case.truth().registered.iter().map(|contact| [contact.a, contact.b]).collect();
+            assert_eq!(truth, by_carriers(&loaded.scene, complexes), "{}", loaded.name);
+            kinds.extend(truth.iter().map(|[s, t]| (loaded.task, s.rank.max(t.rank), s.rank.min(t.rank))));
+        });
+    }
+    // Of every kind of pair there is one that meets.
+    assert_eq!(kinds.len(), 4 + 6, "{kinds:?}");
+}
+
+#[test]
+fn honest_backends_have_no_findings() {
+    for loaded in scenes() {
+        for backend in ["exact", "sos", "sos:edelsbrunner-mucke", "tolerance"] {
+            let outcome = run(&loaded, backend);
+            assert_eq!(outcome.findings, [], "{backend} on {}", loaded.name);
+            assert_eq!(outcome.queries, loaded.work.len() as u64);
+        }
+    }
+}
+
+#[test]
+fn ties_are_broken_and_bands_are_used() {
+    for (name, backend, class) in [
+        ("touching-squares", "sos", Class::TieBroken),
+        ("polygons-degen", "sos:edelsbrunner-mucke", Class::TieBroken),
+        ("surfaces-degen", "sos", Class::TieBroken),
+        ("copy-shifted-0.5", "tolerance", Class::InBand),
+        ("surfaces-shifted-0.5", "tolerance", Class::InBand),
+        ("polygons-uniform", "tolerance", Class::Agree),
+        ("polygons-degen", "tolerance", Class::Agree),
+        ("surfaces-degen", "exact", Class::Agree),
+    ] {
+        assert!(run(&scene(name), backend).counts.get(class) > 0, "{class} of {backend} on {name}");
+    }
+}
+
+#[test]
+fn faults_are_caught_for_what_they_are() {
+    for (fault, name, class, check) in [
+        ("fault:contacts-endless-edge", "polygons-degen", Class::Overreach, "contact"),
+        ("fault:contacts-one-sided", "polygons-uniform", Class::SignFlip, "contact"),
+        ("fault:contacts-one-sided", "polygons-uniform", Class::Topology, "crossing parity"),
+        ("fault:sos-dropped-parity", "polygons-degen", Class::Inconsistent, "argument order"),
+        ("fault:sos-place-as-identity", "polygons-degen", Class::SignFlip, "perturbed contact"),
+        ("fault:sos-first-order-only", "polygons-degen", Class::Inconsistent, "never degenerate"),
+        ("fault:sos-swapped-term", "surfaces-degen", Class::Topology, "loose ends"),
+        ("fault:tolerance-as-printed", "polygons-near", Class::Topology, "crossing parity"),
+        ("epsilon:1e-10", "polygons-near", Class::Overreach, "ended early"),
+        ("naive", "kettner-zigzag", Class::SignFlip, "contact"),
+    ] {
+        let outcome = run(&scene(name), fault);
+        let caught = outcome.findings.iter().any(|finding| finding.class == class && finding.check == check);
+        let all: BTreeSet<_> = outcome.findings.iter().map(|finding| (finding.class, &finding.check)).collect();
+        assert!(caught, "{fault} on {name}: {class} ({check}) is not among {all:?}");
+    }
+}
+
+#[test]
+fn a_pair_alone_is_what_it_is_among_all_others() {
+    for (name, backend) in [("polygons-near", "tolerance"), ("surfaces-degen", "exact"), ("touching-squares", "sos")] {
+        let contestant = roster::backend(backend).unwrap();
+        with_case(&scene(name), |_, case, _| {
+            let all = contestant.contacts(case.scene(), case.complexes()).unwrap();
+            assert!(!all.registered.is_empty());
+            for contact in &all.registered {
+                let told = contestant.contact(case, [contact.a, contact.b]).unwrap();
+                assert!(told.starts_with("registered at ") && !told.contains(", "), "{backend} on {name}: {told}");
+            }
+        });
+    }
+}
