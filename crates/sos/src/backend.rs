@@ -8,7 +8,7 @@ use predicament_predicates::{
 };
 
 use crate::leading::{self, EDELSBRUNNER_MUCKE, PER_COORDINATE, Points};
-use crate::{Scheme, stage, ties, ties::Sorted};
+use crate::{Scheme, constructed, stage, ties, ties::Sorted};
 
 /// The Simulation of Simplicity backend.
 ///
@@ -46,9 +46,11 @@ impl Backend for Sos {
     }
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {
-        if !scene.constructions().is_empty() {
-            // What a vertex does that is constructed from perturbed ones is no term of these lists.
-            return Err(Declined::scene("how a perturbation moves constructed vertices is not derived"));
+        if self.scheme != Scheme::PerCoordinate && !scene.constructions().is_empty() {
+            return Err(Declined::scene(format!(
+                "constructed vertices are moved by the scheme `{}` only",
+                Scheme::PerCoordinate
+            )));
         }
         let exact = Exact.prepare(scene, Off)?;
         Ok(Session { scheme: self.scheme, exact, points: Points::of(scene), tally })
@@ -74,10 +76,24 @@ impl<T: Tally> Session<'_, T> {
     #[inline(never)]
     fn compare_constructed(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
         let (sign, stage) = self.exact.decide_compare(axis, a, b);
-        if !sign.is_zero() || a == b {
-            return self.tallied(PredicateKind::Compare, sign, stage);
+        if sign.is_zero() {
+            return self.tie_constructed(Question::Compare(axis), [a, b], || stage);
         }
-        self.tallied(PredicateKind::Compare, Sign::from(b.cmp(&a)), stage::FIRST_TERM)
+        self.tallied(PredicateKind::Compare, sign, stage)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn tie_constructed<const N: usize>(
+        &self,
+        question: Question,
+        args: [Vertex; N],
+        exact_stage: impl FnOnce() -> usize,
+    ) -> Sign {
+        match constructed::decide(self.exact.scene(), question, &args) {
+            Some((sign, degree)) => self.tallied(question.kind(), sign, stage::of_degree(degree)),
+            None => self.tallied(question.kind(), Sign::Zero, exact_stage()),
+        }
     }
 
     // Ties are broken out of line and take vertices in registers: answers without ties need no stack for them.
@@ -85,6 +101,10 @@ impl<T: Tally> Session<'_, T> {
     #[cold]
     #[inline(never)]
     fn tie_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        if [a, b, c].iter().any(|v| v.is_constructed()) {
+            let exact_stage = || self.exact.decide_orient2d(plane, a, b, c).1;
+            return self.tie_constructed(Question::Orient2d(plane), [a, b, c], exact_stage);
+        }
         let decided = match self.scheme {
             Scheme::PerCoordinate => leading::orient2d::<PER_COORDINATE>(self.points, plane, [a, b, c]),
             Scheme::EdelsbrunnerMucke => leading::orient2d::<EDELSBRUNNER_MUCKE>(self.points, plane, [a, b, c]),
@@ -95,6 +115,10 @@ impl<T: Tally> Session<'_, T> {
     #[cold]
     #[inline(never)]
     fn tie_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        if [a, b, c, d].iter().any(|v| v.is_constructed()) {
+            let exact_stage = || self.exact.decide_orient3d(a, b, c, d).1;
+            return self.tie_constructed(Question::Orient3d, [a, b, c, d], exact_stage);
+        }
         let decided = match self.scheme {
             Scheme::PerCoordinate => leading::orient3d::<PER_COORDINATE>(&self.exact, self.points, [a, b, c, d]),
             Scheme::EdelsbrunnerMucke => {
@@ -246,7 +270,13 @@ impl<T: Tally> Predicates for Session<'_, T> {
     fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {
         let single = |&[a, b]: &[_; 2]| self.compare(axis, a, b);
         let exact = |out: &mut [Sign]| self.exact.compare_batch(axis, queries, out);
-        self.batch(queries, out, single, exact, |[a, b]| Sign::from(b.cmp(&a)));
+        let tie = |[a, b]: [Vertex; 2]| {
+            if a.is_constructed() || b.is_constructed() {
+                return self.compare_constructed(axis, a, b);
+            }
+            Sign::from(b.cmp(&a))
+        };
+        self.batch(queries, out, single, exact, tie);
     }
 
     fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {

@@ -17,6 +17,7 @@
 //!   nothing with the terms: the judge.
 
 mod backend;
+mod constructed;
 pub mod derive;
 mod filter;
 pub mod infinitesimal;

@@ -1,12 +1,22 @@
-//! The names of the stages that settle queries: the exact backend's, then one for each term.
+//! The names of the stages that settle queries: the exact backend's, those of
+//! constructed vertices, then one for each term.
 
 use predicament_exact::stage::NAMES as EXACT;
 use predicament_predicates::{MAX_STAGES, PredicateKind};
 
 use crate::Scheme;
 
+/// Ties about constructed vertices: the total degree of the monomial that decides.
+const DEGREES: [&str; 4] = ["degree 1", "degree 2", "degree 3", "degree 4 or more"];
+
 /// The index of the stage of a table's first term.
-pub(crate) const FIRST_TERM: usize = EXACT.len();
+pub(crate) const FIRST_TERM: usize = EXACT.len() + DEGREES.len();
+
+/// The stage of a tie about constructed vertices. A constant decides where the
+/// exact determinant is of a point that is there after the move only.
+pub(crate) fn of_degree(degree: usize) -> usize {
+    EXACT.len() + degree.clamp(1, DEGREES.len()) - 1
+}
 
 #[rustfmt::skip]
 const TERMS: [&str; 60] = [
@@ -22,7 +32,13 @@ static ALL: [&str; FIRST_TERM + TERMS.len()] = {
     let mut all = [""; FIRST_TERM + TERMS.len()];
     let mut i = 0;
     while i < all.len() {
-        all[i] = if i < FIRST_TERM { EXACT[i] } else { TERMS[i - FIRST_TERM] };
+        all[i] = if i < EXACT.len() {
+            EXACT[i]
+        } else if i < FIRST_TERM {
+            DEGREES[i - EXACT.len()]
+        } else {
+            TERMS[i - FIRST_TERM]
+        };
         i += 1;
     }
     all

@@ -20,13 +20,16 @@
 //! as far as it goes, as exponents only ever add up; if all of it cancels, the
 //! limit rises to let in the next vertex.
 
+mod constructed;
+
 use predicament_predicates::{Axis, Question, Scene, Sign, Vertex};
 use rug::{Integer, Rational};
 
 use crate::Scheme;
 
 /// The sign of the perturbed determinant behind a question; zero only if a
-/// vertex comes twice.
+/// vertex comes twice, or if it is zero for constructed vertices wherever the
+/// input vertices are.
 ///
 /// # Panics
 /// If `args` are not the vertices that the question takes, or the scene lacks
@@ -34,6 +37,10 @@ use crate::Scheme;
 #[must_use]
 pub fn judge(scheme: Scheme, scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
     assert_eq!(args.len(), question.kind().arity(), "{} has its number of vertices", question.kind());
+    if args.iter().any(|v| v.is_constructed()) {
+        assert_eq!(scheme, Scheme::PerCoordinate, "only this scheme moves constructed vertices");
+        return constructed::judge(scene, question, args);
+    }
     let perturbed = Perturbed::new(scheme, scene, args);
     let limits = perturbed.limits();
     let differences = |axes: &[Axis]| -> Vec<Vec<Series>> {

@@ -1,0 +1,157 @@
+//! Determinants about constructed vertices, of a scene whose vertices have
+//! been moved somehow.
+//!
+//! Nothing here knows how: coordinates are [`Series`], and everything is a
+//! polynomial of them. A constructed vertex is a homogeneous row, its
+//! coordinates times its weight and the weight; an input vertex has weight one.
+
+use predicament_predicates::{Axis, Construction, Dimension, Question, Scene, Vertex};
+
+use super::series::{Coefficient, Cut, Series, difference, sum};
+
+/// The input vertices that a question is about, each once, in ascending order.
+pub(super) fn inputs(scene: &Scene, args: &[Vertex]) -> Vec<Vertex> {
+    let mut inputs = Vec::new();
+    for v in args {
+        match v.construction() {
+            None => inputs.push(*v),
+            Some(index) => scene.constructions()[index].flats().for_each(|flat| inputs.extend_from_slice(flat)),
+        }
+    }
+    inputs.sort_unstable();
+    inputs.dedup();
+    inputs
+}
+
+/// Input vertices where they have been moved to.
+pub(super) struct Moved<'q, C> {
+    pub(super) scene: &'q Scene,
+    pub(super) cut: &'q Cut,
+    /// Ascending.
+    pub(super) inputs: &'q [Vertex],
+    /// Vertex after vertex.
+    pub(super) coordinates: Vec<Series<C>>,
+}
+
+/// Coordinates times the weight, then the weight.
+type Row<C> = Vec<Series<C>>;
+
+impl<C: Coefficient> Moved<'_, C> {
+    /// The determinant behind a question, times the weights of all vertices.
+    pub(super) fn determinant(&self, question: Question, args: &[Vertex]) -> Series<C> {
+        let rows = |axes: &[Axis]| -> Vec<Row<C>> {
+            let row = |&v: &Vertex| {
+                let all = self.row(v);
+                let weight = all.last().cloned().expect("a row has a weight");
+                axes.iter().map(|axis| all[axis.index()].clone()).chain([weight]).collect()
+            };
+            args.iter().map(row).collect()
+        };
+        match question {
+            Question::Compare(axis) => self.minor(&rows(&[axis]), [0, 1], [0, 1]),
+            Question::Orient2d(plane) => self.turn(&rows(&plane.axes())),
+            Question::Orient3d => self.side(&rows(&[Axis::X, Axis::Y, Axis::Z])),
+            Question::Incircle | Question::Insphere => unreachable!("circles take input vertices"),
+        }
+    }
+
+    /// The weight of a constructed vertex.
+    pub(super) fn weight(&self, v: Vertex) -> Series<C> {
+        self.row(v).pop().expect("a row has a weight")
+    }
+
+    fn row(&self, v: Vertex) -> Row<C> {
+        let Some(index) = v.construction() else {
+            let one = self.cut.constant(C::one());
+            return self.point(v).iter().cloned().chain([one]).collect();
+        };
+        match self.scene.constructions()[index] {
+            Construction::Ssi([[p, q], [a, b]]) => {
+                let from = |p| self.perp(&self.minus(b, a), &self.minus(p, a));
+                self.between([p, q], [from(p), from(q)])
+            }
+            Construction::Lpi { line: [p, q], plane } => {
+                let normal = self.normal(plane);
+                let from = |p| self.dot(&normal, &self.minus(p, plane[0]));
+                self.between([p, q], [from(p), from(q)])
+            }
+            Construction::Tpi(planes) => {
+                let [n, o, p] = planes.map(|plane| self.normal(plane));
+                let offsets = [(planes[0], &n), (planes[1], &o), (planes[2], &p)];
+                let [d, e, f] = offsets.map(|(plane, normal)| self.dot(normal, self.point(plane[0])));
+                let [op, pn, no] = [self.cross(&o, &p), self.cross(&p, &n), self.cross(&n, &o)];
+                let along = |axis: usize| {
+                    let [x, y, z] = [(&d, &op), (&e, &pn), (&f, &no)].map(|(d, n)| self.times(d, &n[axis]));
+                    sum(sum(x, &y), &z)
+                };
+                vec![along(0), along(1), along(2), self.dot(&n, &op)]
+            }
+        }
+    }
+
+    /// Where the line p, q has distance zero from a flat: (p·f(q) − q·f(p)) / (f(q) − f(p)).
+    fn between(&self, [p, q]: [Vertex; 2], [at_p, at_q]: [Series<C>; 2]) -> Row<C> {
+        let along = self.point(p).iter().zip(self.point(q));
+        let coordinates = along.map(|(p, q)| difference(self.times(p, &at_q), &self.times(q, &at_p)));
+        let mut row: Row<C> = coordinates.collect();
+        row.push(difference(at_q, &at_p));
+        row
+    }
+
+    fn point(&self, v: Vertex) -> &[Series<C>] {
+        let place = self.inputs.binary_search(&v).expect("a vertex of the question");
+        let stride = match self.scene.dimension() {
+            Dimension::Two => 2,
+            Dimension::Three => 3,
+        };
+        &self.coordinates[place * stride..][..stride]
+    }
+
+    fn minus(&self, a: Vertex, b: Vertex) -> Vec<Series<C>> {
+        self.point(a).iter().zip(self.point(b)).map(|(a, b)| difference(a.clone(), b)).collect()
+    }
+
+    fn times(&self, a: &Series<C>, b: &Series<C>) -> Series<C> {
+        self.cut.times(a, b)
+    }
+
+    /// x₁y₂ − y₁x₂.
+    fn perp(&self, a: &[Series<C>], b: &[Series<C>]) -> Series<C> {
+        difference(self.times(&a[0], &b[1]), &self.times(&a[1], &b[0]))
+    }
+
+    fn cross(&self, a: &[Series<C>], b: &[Series<C>]) -> [Series<C>; 3] {
+        [[1, 2], [2, 0], [0, 1]].map(|[i, j]| difference(self.times(&a[i], &b[j]), &self.times(&a[j], &b[i])))
+    }
+
+    fn dot(&self, a: &[Series<C>], b: &[Series<C>]) -> Series<C> {
+        let zero = self.cut.constant(C::zero());
+        a.iter().zip(b).fold(zero, |total, (a, b)| sum(total, &self.times(a, b)))
+    }
+
+    fn normal(&self, [a, b, c]: [Vertex; 3]) -> [Series<C>; 3] {
+        self.cross(&self.minus(b, a), &self.minus(c, a))
+    }
+
+    /// Two rows' minor of two columns.
+    fn minor(&self, rows: &[Row<C>], [r, s]: [usize; 2], [i, j]: [usize; 2]) -> Series<C> {
+        difference(self.times(&rows[r][i], &rows[s][j]), &self.times(&rows[r][j], &rows[s][i]))
+    }
+
+    /// Along the last row.
+    fn turn(&self, rows: &[Row<C>]) -> Series<C> {
+        let term = |at: usize, columns| self.times(&rows[2][at], &self.minor(rows, [0, 1], columns));
+        sum(difference(term(0, [1, 2]), &term(1, [0, 2])), &term(2, [0, 1]))
+    }
+
+    /// Minors of the first two rows times the others' of the other two.
+    fn side(&self, rows: &[Row<C>]) -> Series<C> {
+        // The complement of a pair is as far from the end; its sign is that of the sum of its places.
+        const PAIRS: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+        let zero = self.cut.constant(C::zero());
+        PAIRS.iter().zip(PAIRS.iter().rev()).fold(zero, |total, (&pair, &other)| {
+            let product = self.times(&self.minor(rows, [0, 1], pair), &self.minor(rows, [2, 3], other));
+            if (pair[0] + pair[1]) % 2 == 1 { sum(total, &product) } else { difference(total, &product) }
+        })
+    }
+}

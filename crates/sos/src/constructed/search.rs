@@ -1,0 +1,182 @@
+//! The largest infinitesimal of a polynomial that is not written out.
+//!
+//! Each coordinate of each input vertex has an infinitesimal δ of its own, and
+//! the next one is smaller than any power of the last: δ₁ ≫ δ₂ ≫ …. Of two
+//! monomials the one with the lower degree in the *smallest* infinitesimal of
+//! the two is larger, whatever their other degrees are. So a polynomial's
+//! largest monomial is found from its smallest infinitesimal up: the lowest
+//! degree that has a coefficient other than zero, that coefficient's lowest
+//! degree in the next infinitesimal, and so on.
+//!
+//! # What is certain
+//! A determinant about four constructed vertices has up to 108 infinitesimals,
+//! and nobody can write it out. Whether a coefficient, which is a polynomial in
+//! the larger infinitesimals, is zero is seen from its value at a fixed random
+//! place modulo 2^61 − 1. A value that is not zero proves that the polynomial isn't.
+//! One that is zero is found again modulo 2^31 − 1, at another place, before the
+//! polynomial is taken for zero. By the lemma of Schwartz and Zippel
+//! that is wrong in one of 2^(55 + 26) cases (degrees up to 64), of inputs
+//! that don't know the two places. The coefficient that decides in the end is
+//! computed in integers: if it is not that of the largest monomial, it still is
+//! one of the determinant's.
+
+use predicament_predicates::{Scene, Sign, Vertex};
+use rug::Integer;
+
+use super::moved::Moved;
+use super::residue::Residue;
+use super::series::{Coefficient, Cut, Series};
+
+/// A polynomial of the coordinates.
+pub(super) trait Expression {
+    fn of<C: Coefficient>(&self, moved: &Moved<'_, C>) -> Series<C>;
+}
+
+/// What decides the sign of a moved polynomial.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct Leading {
+    pub(super) sign: Sign,
+    /// The total degree of the largest monomial.
+    pub(super) degree: usize,
+}
+
+/// A question's input vertices and their infinitesimals.
+pub(super) struct Search<'q> {
+    scene: &'q Scene,
+    inputs: &'q [Vertex],
+    /// Integers over a common power of two, which changes no sign: significand and exponent.
+    coordinates: Vec<(i64, u32)>,
+}
+
+/// One value of each kind of residue, at a place that is always the same.
+fn noise(infinitesimal: usize, seed: u64) -> u64 {
+    // splitmix64
+    let mut z = (infinitesimal as u64).wrapping_add(seed).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ z >> 31
+}
+
+impl<'q> Search<'q> {
+    pub(super) fn new(scene: &'q Scene, inputs: &'q [Vertex]) -> Search<'q> {
+        let parts = |&x: &f64| -> (i64, i32) {
+            let (significand, exponent) = significand(x);
+            (significand, exponent)
+        };
+        let coordinates: Vec<_> = inputs.iter().flat_map(|&v| scene.point(v).iter().map(parts)).collect();
+        let lowest = coordinates.iter().filter(|(m, _)| *m != 0).map(|(_, exponent)| *exponent).min().unwrap_or(0);
+        let raise = |(m, exponent): (i64, i32)| (m, exponent.saturating_sub(lowest).max(0).unsigned_abs());
+        Search { scene, inputs, coordinates: coordinates.into_iter().map(raise).collect() }
+    }
+
+    /// The largest monomial, or none if the polynomial is zero however the vertices move.
+    pub(super) fn leading(&self, expression: &impl Expression) -> Option<Leading> {
+        let all = self.coordinates.len();
+        let mut chosen: Vec<(usize, usize)> = Vec::new();
+        let mut active = self.fewest(expression, all, &chosen)?;
+        while let Some(smallest) = active.checked_sub(1) {
+            chosen.push((smallest, 0));
+            // Some degree has a coefficient: the polynomial of these infinitesimals is not zero.
+            loop {
+                chosen.last_mut().expect("pushed above").1 += 1;
+                if self.is_there(expression, smallest, &chosen) {
+                    break;
+                }
+            }
+            active = self.fewest(expression, smallest, &chosen).expect("found above");
+        }
+        let coefficient = self.coefficient(expression, &chosen);
+        Some(Leading { sign: coefficient.cmp0().into(), degree: chosen.iter().map(|(_, degree)| degree).sum() })
+    }
+
+    /// How many infinitesimals it takes for a coefficient not to be zero, up to `most`.
+    fn fewest(&self, expression: &impl Expression, most: usize, chosen: &[(usize, usize)]) -> Option<usize> {
+        let is_there = |active: usize| self.is_there(expression, active, chosen);
+        // Few are the rule: from none on in growing steps, then between the last two.
+        let (mut without, mut with) = (0, 0);
+        while !is_there(with) {
+            if with == most {
+                return None;
+            }
+            (without, with) = (with + 1, (2 * with + 1).min(most));
+        }
+        while without < with {
+            let middle = usize::midpoint(without, with);
+            if is_there(middle) { with = middle } else { without = middle + 1 }
+        }
+        Some(with)
+    }
+
+    /// Whether the coefficient of the chosen powers is not zero, as a polynomial in the `active` largest infinitesimals.
+    fn is_there(&self, expression: &impl Expression, active: usize, chosen: &[(usize, usize)]) -> bool {
+        self.residue::<61>(expression, active, chosen) || self.residue::<31>(expression, active, chosen)
+    }
+
+    fn residue<const E: u32>(&self, expression: &impl Expression, active: usize, chosen: &[(usize, usize)]) -> bool {
+        let place = |at: usize| {
+            let (m, k) = self.coordinates[at];
+            let coordinate = Residue::<E>::scaled(m, k);
+            if at < active { coordinate.plus(Residue::new(noise(at, E.into()))) } else { coordinate }
+        };
+        !self.evaluate(expression, place, chosen).is_zero()
+    }
+
+    fn coefficient(&self, expression: &impl Expression, chosen: &[(usize, usize)]) -> Integer {
+        let place = |at: usize| {
+            let (m, k) = self.coordinates[at];
+            Integer::from(m) << k
+        };
+        self.evaluate(expression, place, chosen)
+    }
+
+    /// The coefficient of the chosen powers where the other infinitesimals have values.
+    fn evaluate<C: Coefficient>(
+        &self,
+        expression: &impl Expression,
+        place: impl Fn(usize) -> C,
+        chosen: &[(usize, usize)],
+    ) -> C {
+        let cut = Cut::new(chosen.iter().map(|&(_, degree)| degree));
+        let moved = |at: usize| {
+            let mut series = cut.constant(place(at));
+            if let Some(one) = chosen.iter().position(|&(infinitesimal, _)| infinitesimal == at)
+                && let Some(place) = cut.place(one, 1)
+            {
+                series[place] = C::one();
+            }
+            series
+        };
+        let coordinates = (0..self.coordinates.len()).map(moved).collect();
+        let moved = Moved { scene: self.scene, cut: &cut, inputs: self.inputs, coordinates };
+        expression.of(&moved).pop().expect("a series has a coefficient for its cut")
+    }
+}
+
+/// m and e with x = m · 2^e; 0 · 2^0 for zero.
+fn significand(x: f64) -> (i64, i32) {
+    let bits = x.to_bits();
+    let (biased, fraction) = (bits >> 52 & 0x7ff, bits & ((1 << 52) - 1));
+    if x == 0.0 {
+        return (0, 0);
+    }
+    let (m, e) = if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased.cast_signed() - 1075) };
+    let low = m.trailing_zeros();
+    let m = (m >> low).cast_signed();
+    // An exponent has eleven bits, and a word 64.
+    let e = i32::try_from(e).expect("eleven bits") + low.cast_signed();
+    (if x < 0.0 { -m } else { m }, e)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn significands_are_exact() {
+        for x in [0.0, -0.0, 1.0, -1.5, 0.1, 5e-324, -f64::MIN_POSITIVE, f64::MAX, 3.0 * 2f64.powi(-1070)] {
+            let (m, e) = significand(x);
+            let value = rug::Rational::from(m) * (rug::Rational::from(1) << e);
+            assert_eq!(value, rug::Rational::from_f64(x).unwrap(), "{x:e}");
+        }
+    }
+}

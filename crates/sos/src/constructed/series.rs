@@ -1,0 +1,199 @@
+//! Polynomials in a few infinitesimals, cut off where a monomial is looked for.
+//!
+//! A [`Cut`] is a degree for each of some infinitesimals. What has a higher
+//! degree in any of them is dropped, as sums and products never lead back from
+//! there. All coefficients that are left are kept, in one array whose last
+//! entry is that of the monomial in question: most numbers are constants, and
+//! the monomials that decide have a low degree.
+
+use smallvec::{SmallVec, smallvec};
+
+/// What coefficients are.
+pub(super) trait Coefficient: Clone {
+    fn one() -> Self;
+    fn zero() -> Self;
+    fn is_zero(&self) -> bool;
+    fn add(&mut self, other: &Self);
+    fn subtract(&mut self, other: &Self);
+    /// Adds a product.
+    fn add_product(&mut self, a: &Self, b: &Self);
+}
+
+impl<const E: u32> Coefficient for super::residue::Residue<E> {
+    #[inline]
+    fn one() -> Self {
+        Self::ONE
+    }
+
+    #[inline]
+    fn zero() -> Self {
+        Self::ZERO
+    }
+
+    #[inline]
+    fn is_zero(&self) -> bool {
+        Self::is_zero(*self)
+    }
+
+    #[inline]
+    fn add(&mut self, other: &Self) {
+        *self = self.plus(*other);
+    }
+
+    #[inline]
+    fn subtract(&mut self, other: &Self) {
+        *self = self.minus(*other);
+    }
+
+    #[inline]
+    fn add_product(&mut self, a: &Self, b: &Self) {
+        *self = self.plus(a.times(*b));
+    }
+}
+
+impl Coefficient for rug::Integer {
+    fn one() -> Self {
+        rug::Integer::from(1)
+    }
+
+    fn zero() -> Self {
+        rug::Integer::new()
+    }
+
+    fn is_zero(&self) -> bool {
+        rug::Integer::is_zero(self)
+    }
+
+    fn add(&mut self, other: &Self) {
+        *self += other;
+    }
+
+    fn subtract(&mut self, other: &Self) {
+        *self -= other;
+    }
+
+    fn add_product(&mut self, a: &Self, b: &Self) {
+        *self += a * b;
+    }
+}
+
+/// A polynomial up to a cut: by the monomial's place.
+pub(super) type Series<C> = SmallVec<[C; 1]>;
+
+/// The degrees up to which series are kept, one for each infinitesimal.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub(super) struct Cut {
+    degrees: SmallVec<[usize; 8]>,
+}
+
+impl Cut {
+    pub(super) fn new(degrees: impl IntoIterator<Item = usize>) -> Cut {
+        Cut { degrees: degrees.into_iter().collect() }
+    }
+
+    /// How many monomials are kept.
+    fn len(&self) -> usize {
+        self.degrees.iter().map(|degree| degree + 1).product()
+    }
+
+    /// The place of an infinitesimal's power, if it is kept.
+    pub(super) fn place(&self, infinitesimal: usize, power: usize) -> Option<usize> {
+        let stride: usize = self.degrees[..infinitesimal].iter().map(|degree| degree + 1).product();
+        (power <= self.degrees[infinitesimal]).then_some(power * stride)
+    }
+
+    pub(super) fn constant<C: Coefficient>(&self, c: C) -> Series<C> {
+        let mut series: Series<C> = smallvec![C::zero(); self.len()];
+        series[0] = c;
+        series
+    }
+
+    pub(super) fn times<C: Coefficient>(&self, a: &Series<C>, b: &Series<C>) -> Series<C> {
+        let mut product: Series<C> = smallvec![C::zero(); self.len()];
+        for (i, x) in a.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
+            for (j, y) in b.iter().enumerate().filter(|(_, y)| !y.is_zero()) {
+                if self.fits(i, j) {
+                    product[i + j].add_product(x, y);
+                }
+            }
+        }
+        product
+    }
+
+    /// Whether the product of two kept monomials is kept.
+    #[inline]
+    fn fits(&self, mut i: usize, mut j: usize) -> bool {
+        self.degrees.iter().all(|degree| {
+            let base = degree + 1;
+            let within = i % base + j % base <= *degree;
+            (i, j) = (i / base, j / base);
+            within
+        })
+    }
+}
+
+pub(super) fn sum<C: Coefficient>(mut a: Series<C>, b: &Series<C>) -> Series<C> {
+    a.iter_mut().zip(b).for_each(|(x, y)| x.add(y));
+    a
+}
+
+pub(super) fn difference<C: Coefficient>(mut a: Series<C>, b: &Series<C>) -> Series<C> {
+    a.iter_mut().zip(b).for_each(|(x, y)| x.subtract(y));
+    a
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use proptest::prelude::*;
+    use rug::Integer;
+
+    use super::*;
+
+    /// By degrees in two infinitesimals, nothing cut off.
+    type Plain = BTreeMap<[usize; 2], Integer>;
+
+    fn times(a: &Plain, b: &Plain) -> Plain {
+        let mut product = Plain::new();
+        for (i, x) in a {
+            for (j, y) in b {
+                *product.entry([i[0] + j[0], i[1] + j[1]]).or_default() += Integer::from(x * y);
+            }
+        }
+        product
+    }
+
+    fn cut(cut: &Cut, plain: &Plain) -> Series<Integer> {
+        let mut series = cut.constant(Integer::new());
+        for (&[i, j], x) in plain {
+            if let (Some(first), Some(second)) = (cut.place(0, i), cut.place(1, j)) {
+                series[first + second] += x;
+            }
+        }
+        series
+    }
+
+    fn plain() -> impl Strategy<Value = Plain> {
+        prop::collection::btree_map([0_usize..4, 0_usize..4], (-9..9_i32).prop_map(Integer::from), 0..6)
+    }
+
+    proptest! {
+        #[test]
+        fn what_is_kept_is_as_if_nothing_had_been_dropped(a in plain(), b in plain(), m in 0_usize..3, n in 0_usize..3) {
+            let kept = Cut::new([m, n]);
+            let [x, y] = [&a, &b].map(|plain| cut(&kept, plain));
+            prop_assert_eq!(kept.times(&x, &y), cut(&kept, &times(&a, &b)));
+            prop_assert_eq!(difference(sum(x.clone(), &y), &y), x);
+        }
+    }
+
+    #[test]
+    fn the_last_place_is_that_of_the_monomial() {
+        let cut = Cut::new([2, 0, 3]);
+        assert_eq!(cut.constant(Integer::from(7)).len(), 12);
+        assert_eq!((cut.place(0, 2), cut.place(1, 0), cut.place(2, 3)), (Some(2), Some(0), Some(9)));
+        assert_eq!((cut.place(0, 3), cut.place(1, 1)), (None, None));
+        assert_eq!(Cut::default().constant(Integer::from(7)).to_vec(), [Integer::from(7)]);
+    }
+}
