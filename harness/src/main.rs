@@ -6,9 +6,11 @@
 
 mod bounds;
 mod cmd;
+mod contact_tables;
 mod exit;
 mod expectations;
 mod interrupt;
+mod markdown;
 mod peers;
 mod precision;
 mod progress;
@@ -44,6 +46,7 @@ enum Command {
     Bounds(cmd::bounds::Args),
     Corpus(cmd::corpus::Args),
     Resolution(cmd::resolution::Args),
+    Parity(cmd::parity::Args),
     Doctor(cmd::doctor::Args),
 }
 
@@ -68,6 +71,7 @@ fn main() -> ExitCode {
         Command::Bounds(args) => cmd::bounds::run(&args),
         Command::Corpus(args) => cmd::corpus::run(args),
         Command::Resolution(args) => cmd::resolution::run(&args),
+        Command::Parity(args) => cmd::parity::run(&args),
         Command::Doctor(args) => cmd::doctor::run(&args),
     })
 }

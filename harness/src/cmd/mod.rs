@@ -6,6 +6,7 @@ pub mod corpus;
 pub mod doctor;
 pub mod gate;
 pub mod map;
+pub mod parity;
 pub mod replay;
 pub mod report;
 pub mod resolution;

@@ -278,28 +278,29 @@ pub(crate) fn registered<B: Backend>(backend: &B, scene: &Scene, [a, b]: [&Compl
     Ok(contacts(&session, a, b))
 }
 
-/// Prepares a backend for timed passes over both complexes.
+/// Prepares a backend for timed passes over both complexes on so many threads.
 pub(crate) fn stopwatch<'a, B: Backend>(
     backend: &'a B,
     case: &'a ContactsCase,
+    threads: usize,
 ) -> Result<Box<dyn Stopwatch + 'a>, String> {
     let session = prepare(backend, &case.scene).map_err(|declined| declined.to_string())?;
-    // A pass is one thread's work: the driver would use all there are.
-    let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(|error| error.to_string())?;
-    Ok(Box::new(ContactsWatch { session, case, alone, out: Contacts::default() }))
+    // The driver would use all there are.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| error.to_string())?;
+    Ok(Box::new(ContactsWatch { session, case, pool, out: Contacts::default() }))
 }
 
 struct ContactsWatch<'a, P> {
     session: P,
     case: &'a ContactsCase<'a>,
-    alone: rayon::ThreadPool,
+    pool: rayon::ThreadPool,
     out: Contacts,
 }
 
 impl<P: Predicates> Stopwatch for ContactsWatch<'_, P> {
     fn pass(&mut self) -> Duration {
         let [a, b] = self.case.complexes;
-        let (time, out) = self.alone.install(|| {
+        let (time, out) = self.pool.install(|| {
             let start = Instant::now();
             let out = contacts(&self.session, a, b);
             (start.elapsed(), out)
