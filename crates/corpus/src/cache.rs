@@ -61,8 +61,19 @@ impl Cache {
     /// The text of a fetched file.
     ///
     /// # Errors
-    /// [`CorpusError`] where the file was not fetched, or is another one.
+    /// [`CorpusError`] where the file was not fetched, is another one, or is not text.
     pub fn read(&self, entry: &Entry) -> Result<String, CorpusError> {
+        String::from_utf8(self.bytes(entry)?).map_err(|_| {
+            let file = self.path(entry).display().to_string();
+            CorpusError::file(file, "the file is not UTF-8", "name a text file")
+        })
+    }
+
+    /// What is in a fetched file.
+    ///
+    /// # Errors
+    /// [`CorpusError`] where the file was not fetched, or is another one.
+    pub fn bytes(&self, entry: &Entry) -> Result<Vec<u8>, CorpusError> {
         const CURE: &str = "run `predicament corpus fetch`";
         let path = self.path(entry);
         let file = path.display().to_string();
@@ -78,7 +89,7 @@ impl Cache {
             let message = format!("SHA-256 is {found}, the manifest says {}", entry.sha256);
             return Err(CorpusError::file(file, message, CURE));
         }
-        String::from_utf8(bytes).map_err(|_| CorpusError::file(file, "the file is not UTF-8", "name a text file"))
+        Ok(bytes)
     }
 }
 

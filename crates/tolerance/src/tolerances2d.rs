@@ -1,5 +1,6 @@
 //! The tolerances of the plane: Figure 1 and Algorithm 1.
 
+use predicament_error_calculus::Root;
 use predicament_predicates::{Band, Declined};
 
 use crate::Float;
@@ -51,9 +52,8 @@ impl<F: Float> Tolerances2d<F> {
     #[must_use]
     pub fn from_length(length: F) -> Tolerances2d<F> {
         check_precision::<F>().unwrap_or_else(|declined| panic!("{declined}"));
-        let (epsilon, wide) = (F::EPSILON.wide(), length.wide());
-        let t = Unit { here: F::EPSILON.sqrt() * length, wide: epsilon.sqrt() * wide };
-        let square = Unit { here: length * length, wide: wide * wide };
+        let epsilon = F::EPSILON.wide();
+        let [t, square] = Unit::pair(units(F::EPSILON, length), units(epsilon, length.wide()));
         Tolerances2d {
             length,
             sigma: t.band([6.0, 6.5, 7.0]),
@@ -85,4 +85,9 @@ impl<F: Float> Tolerances2d<F> {
             format!("with L = {length:e} the tolerance κ = 21 ε L² or an area leaves the range of normal {name}");
         Err(Declined::scene(reason))
     }
+}
+
+/// √ε L and L², in the order of Algorithm 1.
+pub(crate) fn units<N: Root>(epsilon: N, length: N) -> [N; 2] {
+    [epsilon.sqrt() * length.clone(), length.clone() * length]
 }

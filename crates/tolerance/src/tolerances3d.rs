@@ -1,5 +1,6 @@
 //! The tolerances of space: Figure 5 and Algorithm 6.
 
+use predicament_error_calculus::Root;
 use predicament_predicates::{Band, Declined};
 
 use crate::Float;
@@ -68,7 +69,7 @@ impl<F: Float> Tolerances3d<F> {
     #[must_use]
     pub fn from_length(length: F) -> Tolerances3d<F> {
         check_precision::<F>().unwrap_or_else(|declined| panic!("{declined}"));
-        let [c, e, f] = Unit::pair(powers(F::EPSILON, length), powers(F::EPSILON.wide(), length.wide()));
+        let [c, e, f] = Unit::pair(units(F::EPSILON, length), units(F::EPSILON.wide(), length.wide()));
         let volume_upper = 48.0 * 3.0_f64.sqrt();
         Tolerances3d {
             length,
@@ -116,10 +117,10 @@ impl<F: Float> Tolerances3d<F> {
 }
 
 /// c = ε^¼ L, e = ε^¾ L³ and f = ε L⁴, in the order of Algorithm 6.
-fn powers<F: Float>(epsilon: F, length: F) -> [F; 3] {
-    let s = epsilon.sqrt();
-    let a = s.sqrt();
-    let b = s * a;
-    let d = length * length;
-    [a * length, b * length * d, epsilon * (d * d)]
+pub(crate) fn units<N: Root>(epsilon: N, length: N) -> [N; 3] {
+    let s = epsilon.clone().sqrt();
+    let a = s.clone().sqrt();
+    let b = s * a.clone();
+    let d = length.clone() * length.clone();
+    [a * length.clone(), b * length * d.clone(), epsilon * (d.clone() * d)]
 }

@@ -1,12 +1,17 @@
-//! Meshes of other people: OFF and OBJ, in ASCII.
+//! Meshes of other people: OFF and OBJ, in ASCII, and PLY; all of them also
+//! compressed by gzip.
 //!
 //! Only points and faces are read. Faces with more than three corners are
 //! divided into triangles by a fan around their first corner. Coordinates are
 //! decimals that somebody rounded when writing them; each is read as the
 //! double that is nearest to it.
 
+use std::io::Read;
+
+use flate2::read::MultiGzDecoder;
 use predicament_predicates::Vertex;
 
+use super::ply;
 use crate::CorpusError;
 use crate::coordinate;
 use crate::document::explain;
@@ -22,15 +27,35 @@ pub(crate) struct ImportedMesh {
     pub(crate) triangles: Vec<[Vertex; 3]>,
 }
 
-/// Reads a file by its extension, `.off` or `.obj`.
-pub(crate) fn read(file: &str, text: &str) -> Result<ImportedMesh, CorpusError> {
+/// Reads a file by its extension, `.off`, `.obj` or `.ply`, each perhaps with `.gz` behind it.
+pub(crate) fn read(file: &str, bytes: &[u8]) -> Result<ImportedMesh, CorpusError> {
     let lower = file.to_ascii_lowercase();
-    if lower.ends_with(".off") {
-        off(file, text)
-    } else if lower.ends_with(".obj") {
-        obj(file, text)
+    let unpacked;
+    let (name, bytes) = match lower.strip_suffix(".gz") {
+        None => (lower.as_str(), bytes),
+        Some(name) => {
+            let mut all = Vec::new();
+            MultiGzDecoder::new(bytes).read_to_end(&mut all).map_err(|why| {
+                CorpusError::file(file, format!("the file can't be unpacked: {why}"), "compress it with gzip")
+            })?;
+            unpacked = all;
+            (name, unpacked.as_slice())
+        }
+    };
+    let text = || {
+        std::str::from_utf8(bytes).map_err(|why| {
+            let line = bytes[..why.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count() + 1;
+            CorpusError::file(file, "the file is not text", "write it in ASCII").at_line(line)
+        })
+    };
+    if name.ends_with(".off") {
+        off(file, text()?)
+    } else if name.ends_with(".obj") {
+        obj(file, text()?)
+    } else if name.ends_with(".ply") {
+        ply::read(file, bytes)
     } else {
-        Err(CorpusError::file(file, "the file's name doesn't tell its format", "name a .off or .obj file"))
+        Err(CorpusError::file(file, "the file's name doesn't tell its format", "name a .off, .obj or .ply file"))
     }
 }
 
@@ -86,7 +111,8 @@ fn off(file: &str, text: &str) -> Result<ImportedMesh, CorpusError> {
             let index = word.parse().ok().filter(|&index: &usize| index < vertices);
             index.map(Vertex::input).ok_or_else(|| no_vertex(file, line, word, vertices, "0"))
         };
-        fan(file, line, &corners.iter().map(corner).collect::<Result<Vec<_>, _>>()?, &mut mesh.triangles)?;
+        let corners = corners.iter().map(corner).collect::<Result<Vec<_>, _>>()?;
+        fan(&corners, &mut mesh.triangles).map_err(|(message, cure)| error(line, message, cure))?;
     }
     match lines.next() {
         Some((line, _)) => Err(error(line, format!("more follows the {faces} faces"), "correct the counts")),
@@ -117,7 +143,8 @@ fn obj(file: &str, text: &str) -> Result<ImportedMesh, CorpusError> {
         match words[0] {
             // A weight or colours may follow the coordinates.
             "v" => mesh.points.push(point(file, line, &words[1..])?),
-            "f" => fan(file, line, &corners()?, &mut mesh.triangles)?,
+            "f" => fan(&corners()?, &mut mesh.triangles)
+                .map_err(|(message, cure)| CorpusError::file(file, message, cure).at_line(line))?,
             "l" => mesh.edges.extend(corners()?.windows(2).map(|ends| [ends[0], ends[1]])),
             word if PASSED_OVER.contains(&word) => {}
             word => {
@@ -150,19 +177,18 @@ fn point(file: &str, line: usize, words: &[&str]) -> Result<[f64; 3], CorpusErro
     Ok(point)
 }
 
-/// Appends the triangles of a face.
-fn fan(file: &str, line: usize, corners: &[Vertex], out: &mut Vec<[Vertex; 3]>) -> Result<(), CorpusError> {
-    let error = |message: String, cure: &str| CorpusError::file(file, message, cure).at_line(line);
+/// Appends the triangles of a face; or what is wrong with it, and the cure.
+pub(super) fn fan(corners: &[Vertex], out: &mut Vec<[Vertex; 3]>) -> Result<(), (String, &'static str)> {
     let [first, rest @ ..] = corners else {
-        return Err(error("a face without corners".to_owned(), "remove it"));
+        return Err(("a face without corners".to_owned(), "remove it"));
     };
     if rest.len() < 2 {
-        return Err(error(format!("a face of {} corners", corners.len()), "give it three, or remove it"));
+        return Err((format!("a face of {} corners", corners.len()), "give it three, or remove it"));
     }
     let mut sorted = corners.to_vec();
     sorted.sort_unstable();
     if sorted.windows(2).any(|pair| pair[0] == pair[1]) {
-        return Err(error("a face that names a vertex twice".to_owned(), "divide it, or remove it"));
+        return Err(("a face that names a vertex twice".to_owned(), "divide it, or remove it"));
     }
     out.extend(rest.windows(2).map(|next| [*first, next[0], next[1]]));
     Ok(())
@@ -171,6 +197,10 @@ fn fan(file: &str, line: usize, corners: &[Vertex], out: &mut Vec<[Vertex; 3]>) 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn read(file: &str, text: &str) -> Result<ImportedMesh, CorpusError> {
+        super::read(file, text.as_bytes())
+    }
 
     fn v<const N: usize>(indices: [usize; N]) -> [Vertex; N] {
         indices.map(Vertex::input)
@@ -185,6 +215,10 @@ mod tests {
         assert_eq!(off, obj);
         assert_eq!(off.triangles, [v([0, 1, 2]), v([0, 2, 3]), v([4, 0, 1])]);
         assert_eq!(off.points[4], [0.1, 0.0, 0.1]);
+        let mut packed = flate2::read::GzEncoder::new("OFF\n1 0 0\n1 2 3\n".as_bytes(), flate2::Compression::fast());
+        let mut bytes = Vec::new();
+        packed.read_to_end(&mut bytes).unwrap();
+        assert_eq!(super::read("c.off.gz", &bytes).unwrap().points, [[1.0, 2.0, 3.0]]);
         assert_eq!(read("b.off", "OFF 0 0 0").unwrap(), ImportedMesh::default());
         assert_eq!(read("b.obj", "v 0 0 0\nv 1 1 1\nv 2 2 0\nl 1 2 3").unwrap().edges, [v([0, 1]), v([1, 2])]);
     }
@@ -210,6 +244,8 @@ mod tests {
             (obj("f 1 2 1\n"), "m.obj:4: a face that names a vertex twice; divide it"),
             (obj("curv 1 2\n"), "m.obj:4: `curv` is not understood; write"),
             (read("m.off", "solid\n").unwrap_err().to_string(), "m.off:1: the file starts with `solid`, not with OFF;"),
+            (read("m.off.gz", "OFF").unwrap_err().to_string(), "m.off.gz: the file can't be unpacked: "),
+            (super::read("m.off", b"OFF\n\xff").unwrap_err().to_string(), "m.off:2: the file is not text; write"),
             (read("m.stl", "").unwrap_err().to_string(), "m.stl: the file's name doesn't tell its format; name"),
         ] {
             assert!(got.starts_with(expected), "{got}\n  expected {expected}");

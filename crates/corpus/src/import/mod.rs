@@ -1,6 +1,7 @@
 //! Readers of other people's formats.
 
 pub(crate) mod mesh;
+mod ply;
 pub(crate) mod topojson;
 
 /// What an importer changed on the way in; never in silence.

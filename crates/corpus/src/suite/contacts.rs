@@ -39,8 +39,8 @@ struct Side {
 enum Source {
     /// Simplices of the scene's points, each with its line.
     Written(Vec<(usize, Vec<Vertex>)>),
-    /// An OFF or OBJ file.
-    Mesh(PathBuf),
+    /// An OFF, OBJ or PLY file.
+    Mesh(Origin),
     /// The borders of a map.
     Map { origin: Origin, object: String },
     /// A copy of the first complex, moved by so many σ.
@@ -89,7 +89,7 @@ impl Contacts {
     /// The fetched file that is needed first, if any.
     pub(super) fn fetch_entry(&self) -> Option<&Entry> {
         [&self.a, &self.b].into_iter().find_map(|side| match &side.source {
-            Source::Map { origin: Origin::Fetched(entry), .. } => Some(entry),
+            Source::Map { origin: Origin::Fetched(entry), .. } | Source::Mesh(Origin::Fetched(entry)) => Some(entry),
             _ => None,
         })
     }
@@ -116,9 +116,9 @@ impl Contacts {
             let start = coordinates.len() / self.dimension.count();
             let given = match &side.source {
                 Source::Written(simplices) => from_points(file, simplices, points)?,
-                Source::Mesh(path) => {
-                    let name = path.display().to_string();
-                    let mesh = mesh::read(&name, &points::read_text(path)?)?;
+                Source::Mesh(origin) => {
+                    let (name, bytes) = origin.bytes(cache)?;
+                    let mesh = mesh::read(&name, &bytes)?;
                     coordinates.extend(mesh.points.as_flattened());
                     let given = Simplices { edges: mesh.edges, triangles: mesh.triangles, ..Simplices::default() };
                     shifted(&given, |v| Vertex::input(v.index() + start))
@@ -184,22 +184,31 @@ impl Side {
         is_second: bool,
     ) -> Result<Side, CorpusError> {
         let table = field.fields(&tables::COMPLEX)?;
-        let (path, map) = (table.get("path"), origin(context, &table)?);
+        let (path, map, fetch) = (table.get("path"), table.get("topojson"), table.get("fetch"));
         let copied = if is_second { table.get("shifted") } else { None };
-        let only = |this: &Field<'_, '_>, fits: bool, cure: &str| {
-            if fits { Ok(()) } else { Err(this.error("the file has points of another dimension", cure)) }
+        let only = |this: &Field<'_, '_>, wanted: Dimension| {
+            let cure = "use maps for contacts2d, meshes for contacts3d";
+            if wanted == dimension { Ok(()) } else { Err(this.error("the file has points of another dimension", cure)) }
         };
-        let source = match (path, map, copied) {
-            (Some(path), None, None) => {
-                only(&path, dimension == Dimension::Three, "use meshes for contacts3d, maps for contacts2d")?;
-                Source::Mesh(context.path(&path)?)
+        let object = || table.required("object")?.string();
+        let source = match (path, map, fetch, copied) {
+            (Some(path), None, None, None) => {
+                only(&path, Dimension::Three)?;
+                Source::Mesh(Origin::Path(context.path(&path)?))
             }
-            (None, Some(origin), None) => {
-                only(field, dimension == Dimension::Two, "use maps for contacts2d, meshes for contacts3d")?;
-                Source::Map { origin, object: table.required("object")?.string()? }
+            (None, Some(path), None, None) => {
+                only(&path, Dimension::Two)?;
+                Source::Map { origin: Origin::Path(context.path(&path)?), object: object()? }
             }
-            (None, None, Some(by)) => Source::Shifted(by.positive()?),
-            (None, None, None) => Source::Written(simplices(&table, dimension)?),
+            (None, None, Some(key), None) => {
+                let origin = Origin::Fetched(fetched(context, &key)?);
+                match dimension {
+                    Dimension::Two => Source::Map { origin, object: object()? },
+                    Dimension::Three => Source::Mesh(origin),
+                }
+            }
+            (None, None, None, Some(by)) => Source::Shifted(by.positive()?),
+            (None, None, None, None) => Source::Written(simplices(&table, dimension)?),
             _ => {
                 let cure = "keep one of `path`, `topojson`, `fetch` and `shifted`";
                 return Err(field.error("a complex from more than one place", cure));
@@ -207,16 +216,6 @@ impl Side {
         };
         table.finish()?;
         Ok(Side { line: field.line(), source })
-    }
-}
-
-/// `topojson` or `fetch`.
-fn origin(context: &Context<'_>, table: &Fields<'_, '_>) -> Result<Option<Origin>, CorpusError> {
-    match (table.get("topojson"), table.get("fetch")) {
-        (Some(path), None) => Ok(Some(Origin::Path(context.path(&path)?))),
-        (None, Some(key)) => Ok(Some(Origin::Fetched(fetched(context, &key)?))),
-        (None, None) => Ok(None),
-        (Some(path), Some(_)) => Err(path.error("a map is either a file or fetched", "keep one of the two")),
     }
 }
 

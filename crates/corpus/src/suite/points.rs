@@ -42,13 +42,20 @@ fn ragged(index: usize, found: usize, expected: usize) -> String {
 
 /// Reads a data file beside a suite.
 pub(super) fn read_text(path: &Path) -> Result<String, CorpusError> {
-    std::fs::read_to_string(path).map_err(|error| {
-        CorpusError::file(
-            path.display().to_string(),
-            format!("the data file can't be read: {}", error.kind()),
-            "put the file there or correct `path`",
-        )
-    })
+    std::fs::read_to_string(path).map_err(|error| unreadable(path, &error))
+}
+
+/// What is in a data file, whatever it is.
+pub(super) fn read_bytes(path: &Path) -> Result<Vec<u8>, CorpusError> {
+    std::fs::read(path).map_err(|error| unreadable(path, &error))
+}
+
+fn unreadable(path: &Path, error: &std::io::Error) -> CorpusError {
+    CorpusError::file(
+        path.display().to_string(),
+        format!("the data file can't be read: {}", error.kind()),
+        "put the file there or correct `path`",
+    )
 }
 
 /// A CSV file of points: one a line, coordinates separated by commas, no

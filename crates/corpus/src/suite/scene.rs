@@ -88,6 +88,14 @@ impl Origin {
             Origin::Fetched(entry) => Ok((cache.path(entry).display().to_string(), cache.read(entry)?)),
         }
     }
+
+    /// The file's name and what is in it.
+    pub(super) fn bytes(&self, cache: &Cache) -> Result<(String, Vec<u8>), CorpusError> {
+        match self {
+            Origin::Path(path) => Ok((path.display().to_string(), points::read_bytes(path)?)),
+            Origin::Fetched(entry) => Ok((cache.path(entry).display().to_string(), cache.bytes(entry)?)),
+        }
+    }
 }
 
 impl Probing {

@@ -1,19 +1,20 @@
 //! Algorithms 1 and 6 from L on, over any number: each tolerance in the order in
 //! which the pseudocode multiplies.
 //!
-//! [`Tolerances2d`](crate::Tolerances2d) and [`Tolerances3d`](crate::Tolerances3d) are
-//! these on doubles, and a test says so bit by bit.
+//! The products of powers of ε and L are those of [`Tolerances2d`](crate::Tolerances2d)
+//! and [`Tolerances3d`](crate::Tolerances3d), and a test says bit by bit that on
+//! doubles all is theirs.
 
 use predicament_error_calculus::Root;
 use rug::Rational;
 
 use super::coefficient::{FIGURE_1, FIGURE_5, Tolerance};
+use crate::{tolerances2d, tolerances3d};
 
 /// The middle values of Figure 1, Algorithm 1, from its line 6 on; `number`
 /// makes constants, all of which floats hold.
 pub fn plane<N: Root>(epsilon: &N, length: &N, number: impl Fn(Rational) -> N) -> Vec<(&'static Tolerance, N)> {
-    let t = epsilon.clone().sqrt() * length.clone();
-    let square = length.clone() * length.clone();
+    let [t, square] = tolerances2d::units(epsilon.clone(), length.clone());
     let value = |tolerance: &Tolerance| {
         let c = number(tolerance.width.rational());
         // κ = 21 ε L²
@@ -24,13 +25,7 @@ pub fn plane<N: Root>(epsilon: &N, length: &N, number: impl Fn(Rational) -> N) -
 
 /// The middle values of Figure 5, Algorithm 6, from its line 8 on.
 pub fn space<N: Root>(epsilon: &N, length: &N, number: impl Fn(Rational) -> N) -> Vec<(&'static Tolerance, N)> {
-    let s = epsilon.clone().sqrt();
-    let a = s.clone().sqrt();
-    let b = s * a.clone();
-    let c = a * length.clone();
-    let d = length.clone() * length.clone();
-    let e = b * length.clone() * d.clone();
-    let f = epsilon.clone() * (d.clone() * d);
+    let [c, e, f] = tolerances3d::units(epsilon.clone(), length.clone());
     let unit = |tolerance: &Tolerance| match tolerance.length {
         1 => c.clone(),
         3 => e.clone(),
