@@ -160,7 +160,7 @@ mod tests {
         let tiny = Rational::from_f64(f64::from_bits(1)).unwrap() / 3_u32;
         let mut numbers =
             vec![Rational::new(), huge.clone(), -huge, tiny.clone(), -tiny, third.clone(), -third.clone()];
-        for step in 0..200 {
+        for step in 0..200_i64 {
             numbers.push(third.clone() + Rational::from((step - 100, 1_u64 << 56)));
             numbers.push(Rational::from_f64(f64::from_bits(step.unsigned_abs())).unwrap() * &third);
         }
