@@ -44,6 +44,7 @@ enum Command {
     Bounds(cmd::bounds::Args),
     Corpus(cmd::corpus::Args),
     Resolution(cmd::resolution::Args),
+    Audit(cmd::audit::Args),
     Doctor(cmd::doctor::Args),
 }
 
@@ -68,6 +69,7 @@ fn main() -> ExitCode {
         Command::Bounds(args) => cmd::bounds::run(&args),
         Command::Corpus(args) => cmd::corpus::run(args),
         Command::Resolution(args) => cmd::resolution::run(&args),
+        Command::Audit(args) => cmd::audit::run(&args),
         Command::Doctor(args) => cmd::doctor::run(&args),
     })
 }

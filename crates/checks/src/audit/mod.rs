@@ -136,7 +136,7 @@ pub fn audit<S: Predicates>(session: &S, a: &Complex, b: &Complex, contacts: &Co
     for contact in contacts.registered.iter().filter(|contact| !judged.contains(&[contact.a, contact.b])) {
         let [s, t] = [contact.a, contact.b];
         let pair = pair(scene, a.vertices_of(s), b.vertices_of(t));
-        audit.note(pair.kind(), Judgement { verdict: Verdict::Unasked, weight_error: None });
+        audit.note(pair.kind(), Judgement::unasked());
         audit.findings.push(finding([s, t], &pair, Verdict::Unasked, true));
     }
     audit
