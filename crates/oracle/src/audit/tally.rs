@@ -2,8 +2,8 @@
 
 use predicament_checks::audit::{Judgement, Verdict};
 
-/// Distances whose difference to T₋ or T₊ is at most this part of it are near.
-pub const NEAR: f64 = 1.0 / (1 << 20) as f64;
+/// Distances whose difference to T₋ or T₊ is at most this part of it, 2⁻²⁰, are near.
+pub const NEAR: f64 = 1.0 / 1_048_576.0;
 
 /// Counts and extremes; those of the parts of a stream add up to its own.
 #[derive(Clone, PartialEq, Default, Debug)]
