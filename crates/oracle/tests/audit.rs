@@ -124,7 +124,7 @@ fn closeness_is_that_of_exact_distances() {
             // |d − T| / T = |d² − T²| / (T² (d/T + 1))
             let squared = feet.distance_squared.value();
             let off = limits.each_ref().map(|limit| {
-                let quotient = Rational::from(&squared / limit.clone().square());
+                let quotient = &squared / limit.clone().square();
                 let root = quotient.to_f64().sqrt();
                 (quotient - 1_u32).abs().to_f64() / (root + 1.0)
             });
