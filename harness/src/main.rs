@@ -47,6 +47,7 @@ enum Command {
     Corpus(cmd::corpus::Args),
     Resolution(cmd::resolution::Args),
     Parity(cmd::parity::Args),
+    Audit(cmd::audit::Args),
     Doctor(cmd::doctor::Args),
 }
 
@@ -72,6 +73,7 @@ fn main() -> ExitCode {
         Command::Corpus(args) => cmd::corpus::run(args),
         Command::Resolution(args) => cmd::resolution::run(&args),
         Command::Parity(args) => cmd::parity::run(&args),
+        Command::Audit(args) => cmd::audit::run(&args),
         Command::Doctor(args) => cmd::doctor::run(&args),
     })
 }

@@ -187,6 +187,11 @@ fn faults_are_caught_for_what_they_are() {
         ("fault:sos-first-order-only", "polygons-degen", Class::Inconsistent, "never degenerate"),
         ("fault:sos-swapped-term", "surfaces-degen", Class::Topology, "loose ends"),
         ("fault:tolerance-as-printed", "polygons-near", Class::Topology, "crossing parity"),
+        ("fault:tolerance-as-printed", "polygons-near", Class::MissedZero, "band"),
+        ("fault:tolerance-as-printed", "polygons-near", Class::Overreach, "band"),
+        ("fault:tolerance-narrow-contacts", "polygons-near", Class::MissedZero, "band"),
+        ("fault:tolerance-wide-contacts", "polygons-near", Class::Overreach, "band"),
+        ("fault:tolerance-mirrored-weight", "polygons-near", Class::Inconsistent, "weights"),
         ("epsilon:1e-10", "polygons-near", Class::Overreach, "ended early"),
         ("naive", "kettner-zigzag", Class::SignFlip, "contact"),
     ] {

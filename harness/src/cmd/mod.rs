@@ -1,5 +1,6 @@
 //! One file per command: its arguments, its help, its work.
 
+pub mod audit;
 pub mod bench;
 pub mod bounds;
 pub mod corpus;

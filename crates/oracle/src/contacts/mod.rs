@@ -11,6 +11,7 @@
 //! asked about again by itself, and a sample of the truth is found twice, the
 //! second time pair by pair and by the judge's other computation.
 
+mod band;
 mod classes;
 mod order;
 mod pairs;
@@ -223,7 +224,11 @@ pub fn run<B: Backend>(
     watch.done(0)?;
     let [got, truth] = [&found, &case.truth].map(|contacts| case.pairs(contacts));
     let perturbed = perturbed.as_ref().map(|contacts| case.pairs(contacts));
-    let audited = BTreeMap::new();
+    let audited = match zero {
+        ZeroMeaning::Band => band::broken(&session, case.complexes, &found, &got),
+        ZeroMeaning::Exact | ZeroMeaning::Never => BTreeMap::new(),
+    };
+    watch.done(0)?;
     let perturbed = perturbed.as_ref();
     let judge = classes::Judge { dimension, zero, got: &got, truth: &truth, perturbed, audited: &audited };
     let weights: BTreeMap<Pair, [Weights; 2]> =
