@@ -4,7 +4,7 @@
 use std::process::Command;
 
 /// The peers, as packages.
-const PEERS: [&str; 5] = ["geo", "geogram_predicates", "geometry-predicates", "robust", "simplicity"];
+const PEERS: [&str; 6] = ["geo", "geogram_predicates", "geometry-predicates", "robust", "rstar", "simplicity"];
 
 fn main() {
     println!("cargo::rerun-if-changed=../Cargo.lock");

@@ -6,9 +6,11 @@
 
 mod bounds;
 mod cmd;
+mod contact_tables;
 mod exit;
 mod expectations;
 mod interrupt;
+mod markdown;
 mod peers;
 mod precision;
 mod progress;
@@ -44,6 +46,8 @@ enum Command {
     Bounds(cmd::bounds::Args),
     Corpus(cmd::corpus::Args),
     Resolution(cmd::resolution::Args),
+    Parity(cmd::parity::Args),
+    Audit(cmd::audit::Args),
     Doctor(cmd::doctor::Args),
 }
 
@@ -68,6 +72,8 @@ fn main() -> ExitCode {
         Command::Bounds(args) => cmd::bounds::run(&args),
         Command::Corpus(args) => cmd::corpus::run(args),
         Command::Resolution(args) => cmd::resolution::run(&args),
+        Command::Parity(args) => cmd::parity::run(&args),
+        Command::Audit(args) => cmd::audit::run(&args),
         Command::Doctor(args) => cmd::doctor::run(&args),
     })
 }

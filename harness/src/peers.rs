@@ -2,6 +2,8 @@
 //! `--features peers`. Their answers are judged like everybody's.
 
 #[cfg(feature = "peers")]
+mod contacts;
+#[cfg(feature = "peers")]
 mod geo_locate;
 #[cfg(feature = "peers")]
 mod judged;
@@ -49,6 +51,7 @@ pub const VERSIONS: &[(&str, &str)] = &[
     ("geo", env!("PREDICAMENT_GEO")),
     ("geogram_predicates", env!("PREDICAMENT_GEOGRAM_PREDICATES")),
     ("geometry-predicates", env!("PREDICAMENT_GEOMETRY_PREDICATES")),
+    ("rstar", env!("PREDICAMENT_RSTAR")),
     ("simplicity", env!("PREDICAMENT_SIMPLICITY")),
 ];
 
@@ -64,7 +67,7 @@ pub fn runners<'a>(case: &'a Case<'a>) -> Vec<Peer<'a>> {
     match case.truth() {
         predicament_oracle::Truth::Signs { queries, signs } => signs::peers(&case.loaded().scene, queries, signs),
         predicament_oracle::Truth::Locate(case) => geo_locate::peers(case),
-        predicament_oracle::Truth::Contacts(_) => Vec::new(),
+        predicament_oracle::Truth::Contacts(case) => contacts::peers(case),
     }
 }
 

@@ -45,3 +45,32 @@ fn the_committed_table_of_wrong_answers_is_the_one_that_comes_out() {
         assert_eq!(wrong_of(class), 0, "{class}");
     }
 }
+
+/// The crates that find the pairs of two complexes find all that there are,
+/// and are not asked where contacts are degenerate.
+#[test]
+fn peers_find_the_pairs_of_contacts_in_general_position() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let out = at(&folder, "bench");
+    let scenes = "contacts/(polygons-uniform|surfaces-uniform|touching-squares|tetrahedra)$";
+    expect(0, &["bench", "-f", scenes, "-b", "exact", "--samples", "1", "--sample-ms", "0", "--out", &out]);
+    let summary = read(&out, "summary.csv");
+    let all = |name: &str| column(&summary, name);
+    let number = |name: &str| -> Vec<u64> { all(name).iter().map(|n| n.parse().expect("a count")).collect() };
+    let (agree, flips, declined) = (number("agree"), number("sign_flip"), number("declined"));
+    let mut seen = Vec::new();
+    for (row, (scene, backend)) in all("scene").into_iter().zip(all("backend")).enumerate() {
+        if backend == "exact" {
+            continue;
+        }
+        let general = scene.ends_with("-uniform");
+        assert_eq!((agree[row] > 0, flips[row], declined[row] > 0), (general, 0, !general), "{scene} {backend}");
+        seen.push((scene, backend));
+    }
+    for (scene, peers) in [("polygons-uniform", 2), ("surfaces-uniform", 1), ("touching-squares", 2), ("tetrahedra", 1)]
+    {
+        assert_eq!(seen.iter().filter(|(of, _)| of == scene).count(), peers, "{scene}");
+    }
+    let timed = column(&read(&out, "throughput.csv"), "backend");
+    assert!(["geo:sweep", "rstar"].iter().all(|peer| timed.iter().any(|backend| backend == peer)), "{timed:?}");
+}

@@ -29,6 +29,14 @@ pub(crate) fn step(x: f64, k: i64) -> f64 {
     if place < 0 { -moved } else { moved }
 }
 
+/// The nearest double with at most so many significant bits (1 to 53), ties
+/// away from zero. Subnormals keep fewer.
+pub(crate) fn rounded(x: f64, bits: u32) -> f64 {
+    let dropped = 53 - bits;
+    let half = (1_u64 << dropped) >> 1;
+    f64::from_bits((x.to_bits() + half) >> dropped << dropped)
+}
+
 /// 2^k for an exponent of a normal double.
 ///
 /// # Panics

@@ -63,6 +63,7 @@ pub(crate) static GENERATOR: TableKind = kind(
         "side",
         "step",
         "shift",
+        "bits",
         "random",
         "quick_stride",
         "tags",

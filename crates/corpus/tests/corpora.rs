@@ -73,7 +73,12 @@ fn every_family_is_in_a_suite_for_every_task() {
     }
     for &FamilyInfo { reported_as, tasks, .. } in families() {
         for &task in tasks {
-            assert!(used.contains(&(reported_as.to_owned(), task)), "{reported_as} for {task}");
+            // a scene of contacts is a family of its own, here named after the generator's
+            let is_it = |family: &str| match task {
+                Task::Contacts2d | Task::Contacts3d => family.starts_with(reported_as),
+                _ => family == reported_as,
+            };
+            assert!(used.iter().any(|(family, of)| *of == task && is_it(family)), "{reported_as} for {task}");
         }
     }
 }

@@ -73,6 +73,19 @@ fn coordinates_near_the_ends_of_the_range() {
 }
 
 #[test]
+fn crowds_across_a_border_are_found_once() {
+    let mut boxes: Vec<Bounds<2>> = Vec::new();
+    for crowd in 0..12 {
+        let center = [f64::from(crowd % 4), f64::from(crowd / 4)];
+        for i in 0..400 {
+            let at = [center[0] + f64::from(i % 20 - 10) / 100.0, center[1] + f64::from(i / 20 - 10) / 100.0];
+            boxes.push(spanned(at, at.map(|x| x + 0.015)));
+        }
+    }
+    check(&boxes, &[spanned([-1.0, -1.0], [9.0, 9.0]), spanned([0.0, 0.95], [3.0, 1.05])], &[0.0, 0.02, 0.3]);
+}
+
+#[test]
 fn a_huge_box_and_clusters_among_small_ones() {
     let mut boxes = vec![spanned([-1e6; 3], [1e6; 3]), spanned([1e9; 3], [1e9; 3])];
     for i in 0..2000_u32 {

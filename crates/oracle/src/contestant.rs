@@ -74,11 +74,11 @@ pub trait Contestant: Sync {
     /// The reason, where the backend declines.
     fn time_locate<'a>(&'a self, case: &'a LocateCase) -> Result<Box<dyn Stopwatch + 'a>, String>;
 
-    /// Prepares two complexes for timing.
+    /// Prepares two complexes for timing on so many threads.
     ///
     /// # Errors
     /// The reason, where the backend declines.
-    fn time_contacts<'a>(&'a self, case: &'a ContactsCase) -> Result<Box<dyn Stopwatch + 'a>, String>;
+    fn time_contacts<'a>(&'a self, case: &'a ContactsCase, threads: usize) -> Result<Box<dyn Stopwatch + 'a>, String>;
 
     /// What it makes of one pair of simplices, in words.
     ///
@@ -101,7 +101,8 @@ pub trait Contestant: Sync {
 
 /// A prepared session that can be timed again and again, so that backends can take turns.
 pub trait Stopwatch {
-    /// Answers everything once, on this thread, and says how long it took.
+    /// Answers everything once, on this thread (contacts: on those it was
+    /// prepared for), and says how long it took.
     /// Preparing the scene is not in it.
     fn pass(&mut self) -> Duration;
 
@@ -184,8 +185,8 @@ impl<B: Backend> Contestant for Entry<B> {
         locate::stopwatch(&self.backend, case)
     }
 
-    fn time_contacts<'a>(&'a self, case: &'a ContactsCase) -> Result<Box<dyn Stopwatch + 'a>, String> {
-        contacts::stopwatch(&self.backend, case)
+    fn time_contacts<'a>(&'a self, case: &'a ContactsCase, threads: usize) -> Result<Box<dyn Stopwatch + 'a>, String> {
+        contacts::stopwatch(&self.backend, case, threads)
     }
 
     fn contact(&self, case: &ContactsCase, pair: [Simplex; 2]) -> Result<String, String> {

@@ -57,11 +57,13 @@ pub enum Fault {
     ToleranceWideContacts,
     /// Tolerance, with Algorithms 3 and 8 as the paper prints them.
     ToleranceAsPrinted,
+    /// Tolerance, right about what is registered, with the printed sign of an edge's weight.
+    ToleranceMirroredWeight,
 }
 
 impl Fault {
     /// All of them.
-    pub const ALL: [Fault; 17] = [
+    pub const ALL: [Fault; 18] = [
         Fault::SosSwappedTerm,
         Fault::SosDroppedParity,
         Fault::SosPlaceAsIdentity,
@@ -79,6 +81,7 @@ impl Fault {
         Fault::ToleranceNarrowContacts,
         Fault::ToleranceWideContacts,
         Fault::ToleranceAsPrinted,
+        Fault::ToleranceMirroredWeight,
     ];
 
     /// The name after `fault:`.
@@ -102,6 +105,7 @@ impl Fault {
             Fault::ToleranceNarrowContacts => "tolerance-narrow-contacts",
             Fault::ToleranceWideContacts => "tolerance-wide-contacts",
             Fault::ToleranceAsPrinted => "tolerance-as-printed",
+            Fault::ToleranceMirroredWeight => "tolerance-mirrored-weight",
         }
     }
 
@@ -126,6 +130,7 @@ impl Fault {
             Fault::ToleranceNarrowContacts => "vertices registered within half the tolerance only",
             Fault::ToleranceWideContacts => "vertices registered within twice the tolerance",
             Fault::ToleranceAsPrinted => "the interpolation weight of an edge's point with the printed sign",
+            Fault::ToleranceMirroredWeight => "that sign in the weight alone, what is registered is right",
         }
     }
 
@@ -147,7 +152,8 @@ impl Fault {
             | Fault::ToleranceWide
             | Fault::ToleranceNarrowContacts
             | Fault::ToleranceWideContacts
-            | Fault::ToleranceAsPrinted => ZeroMeaning::Band,
+            | Fault::ToleranceAsPrinted
+            | Fault::ToleranceMirroredWeight => ZeroMeaning::Band,
         }
     }
 }
@@ -160,7 +166,7 @@ pub fn backend(name: &str) -> Option<Box<dyn Contestant>> {
         Fault::ContactsEndlessEdge | Fault::ContactsOneSided => {
             return Some(Box::new(Entry::new(contacts::Faulty::exact(fault))));
         }
-        Fault::ToleranceNarrowContacts | Fault::ToleranceWideContacts => {
+        Fault::ToleranceNarrowContacts | Fault::ToleranceWideContacts | Fault::ToleranceMirroredWeight => {
             return Some(Box::new(Entry::new(contacts::Faulty::tolerance(fault))));
         }
         Fault::ToleranceAsPrinted => return Some(Box::new(Entry::new(Tolerance::<f64>::as_printed()))),
@@ -257,7 +263,8 @@ impl Session<'_> {
             | Fault::ContactsOneSided
             | Fault::ToleranceNarrowContacts
             | Fault::ToleranceWideContacts
-            | Fault::ToleranceAsPrinted => exact,
+            | Fault::ToleranceAsPrinted
+            | Fault::ToleranceMirroredWeight => exact,
         }
     }
 

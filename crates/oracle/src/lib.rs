@@ -4,10 +4,12 @@
 //! * [`Case`]: a loaded scene with the truth about it; [`Case::run`] holds one
 //!   backend against it and gives an [`Outcome`].
 //! * [`classify`]: what becomes of an answer; [`expect`]: which findings are expected.
+//! * [`audit`]: the tolerance paper's algorithms at their thresholds, one by one.
 //! * [`parity`]: closed curves that cross an odd number of times, by search; [`shrink`]: the smallest of them.
 //! * [`resolution`]: what tolerances cost in resolution.
 //! * [`roster`]: all backends by name; [`faults`]: wrong ones that have to be caught.
 
+pub mod audit;
 pub mod contacts;
 pub mod expect;
 pub mod faults;

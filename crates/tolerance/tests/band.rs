@@ -1,13 +1,14 @@
 //! The promise itself: |d| ≤ T₋ is registered, and what is registered has
 //! |d| ≤ T₊, for exact d. Queries are aimed at T₋, T and T₊.
 
+use predicament_arithmetic::Scaled;
 use predicament_predicates::{Backend, Band, Dimension, Off, Plane, Predicates, Question, Scene, Sign, Vertex};
 use predicament_tolerance::Tolerance;
-use rug::Rational;
+use rug::{Integer, Rational};
 
 /// Fewer for circles and spheres, whose exact determinants take longer.
 fn queries(question: Question) -> usize {
-    if is_lifted(question) { 10_000 } else { 100_000 }
+    if is_lifted(question) { 5_000 } else { 25_000 }
 }
 
 /// SplitMix64: a few lines, and the same numbers for ever.
@@ -51,24 +52,30 @@ fn is_lifted(question: Question) -> bool {
 }
 
 /// The determinant of the differences to the last point, with their squared
-/// lengths as a last column for circles and spheres: Laplace on exact numbers.
+/// lengths as a last column for circles and spheres: Laplace on integers, the
+/// coordinates over one power of two.
 fn exact(scene: &Scene, question: Question, args: &[Vertex]) -> Rational {
-    let (last, others) = args.split_last().expect("not empty");
-    let row = |v: &Vertex| -> Vec<Rational> {
-        let pairs = scene.point(*v).iter().zip(scene.point(*last));
-        let mut row: Vec<Rational> = pairs.map(|(&x, &y)| rational(x) - rational(y)).collect();
+    let mut points = [[0.0; 3]; 5];
+    for (to, v) in points.iter_mut().zip(args) {
+        to[..scene.dimension().count()].copy_from_slice(scene.point(*v));
+    }
+    let Scaled { integers, exponent } = Scaled::new(points).expect("finite");
+    let (last, others) = integers[..args.len()].split_last().expect("not empty");
+    let row = |point: &[Integer; 3]| -> Vec<Integer> {
+        let pairs = point.iter().zip(last).take(scene.dimension().count());
+        let mut row: Vec<Integer> = pairs.map(|(x, y)| Integer::from(x - y)).collect();
         if is_lifted(question) {
-            row.push(row.iter().map(|x| Rational::from(x.square_ref())).sum());
+            row.push(row.iter().map(|x| Integer::from(x.square_ref())).sum());
         }
         row
     };
-    determinant(&others.iter().map(row).collect::<Vec<_>>())
+    Rational::from(determinant(&others.iter().map(row).collect::<Vec<_>>())) << (exponent * degree(question))
 }
 
-fn determinant(rows: &[Vec<Rational>]) -> Rational {
-    let [first, rest @ ..] = rows else { return Rational::from(1) };
-    let minor = |column: usize| -> Vec<Vec<Rational>> {
-        let without = |row: &Vec<Rational>| {
+fn determinant(rows: &[Vec<Integer>]) -> Integer {
+    let [first, rest @ ..] = rows else { return Integer::from(1) };
+    let minor = |column: usize| -> Vec<Vec<Integer>> {
+        let without = |row: &Vec<Integer>| {
             row.iter().enumerate().filter(|(at, _)| *at != column).map(|(_, x)| x.clone()).collect()
         };
         rest.iter().map(without).collect()
@@ -78,6 +85,11 @@ fn determinant(rows: &[Vec<Rational>]) -> Rational {
         if column % 2 == 0 { term } else { -term }
     });
     terms.sum()
+}
+
+/// A determinant is a sum of products of as many lengths as it has rows, and one more for a lift.
+fn degree(question: Question) -> i32 {
+    i32::try_from(question.kind().arity() - 1 + usize::from(is_lifted(question))).expect("small")
 }
 
 /// What a checker that knows only the promise finds.
@@ -129,9 +141,7 @@ fn check(question: Question, scale: f64, answer: impl Fn(f64, Band) -> Option<Si
 fn near(random: &mut Random, question: Question, scale: f64, band: Band) -> Vec<f64> {
     loop {
         let unscaled = if is_lifted(question) { near_sphere } else { near_plane };
-        // a determinant is a sum of products of as many lengths as it has rows, and one more for a lift
-        let degree = question.kind().arity() - 1 + usize::from(is_lifted(question));
-        let aim = random.aim(band) / scale.powi(i32::try_from(degree).expect("small"));
+        let aim = random.aim(band) / scale.powi(degree(question));
         let flat: Vec<f64> = unscaled(random, dimension(question), aim).into_iter().map(|x| x * scale).collect();
         if flat.iter().all(|x| x.abs() <= 0.5 * scale) {
             return flat;

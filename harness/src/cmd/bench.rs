@@ -13,6 +13,7 @@ use predicament_oracle::{contacts, locate};
 use predicament_report::{self as report, PlannedScene, RunWriter, Shard, ThroughputRow};
 
 use crate::cmd::run::{budget, env, free_folder, plan};
+use crate::contact_tables::{self, Primitives, on_threads};
 use crate::exit::{self, Failure};
 use crate::select::Selector;
 use crate::{expectations, interrupt, peers, progress, roster, rows};
@@ -22,7 +23,8 @@ Examples:
   predicament bench                                     all embedded corpora
   predicament bench families -f orient2d --samples 21
   predicament bench families -b exact,sos,naive         built with `--features peers`, other crates take part
-  predicament bench maps -f 10m -b exact,sos,naive      the same with maps, against `geo`";
+  predicament bench maps -f 10m -b exact,sos,naive      the same with maps, against `geo`
+  predicament bench contact-sizes --level full --samples 3 --threads 8 -b exact,sos,tolerance,tolerance:f32,naive";
 
 /// Time backends against each other on judged answers
 #[derive(clap::Args)]
@@ -39,6 +41,10 @@ pub struct Args {
     #[arg(long, value_name = "N", default_value_t = 11)]
     pub samples: u64,
 
+    /// Time contacts on so many threads too; everything is timed on one
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: Option<u16>,
+
     /// Milliseconds that a sample takes at least, by repeating passes
     #[arg(long, value_name = "MS", default_value_t = 4)]
     pub sample_ms: u64,
@@ -51,6 +57,7 @@ pub struct Args {
 /// One backend at its starting line.
 struct Runner<'a> {
     name: String,
+    family: String,
     version: String,
     watch: Box<dyn Stopwatch + 'a>,
     judged: u64,
@@ -76,6 +83,9 @@ pub fn run(args: Args) -> exit::Outcome {
     let watch = Watch::new(interrupt::flag(), None, &quiet);
     let mut ended = report::Outcome::Complete;
     let mut remarks = Vec::new();
+    let mut primitives = Primitives::default();
+    let mut threads = vec![1];
+    threads.extend(args.threads.map(usize::from).filter(|&threads| threads > 1));
     'scenes: for (def, scene) in &scenes {
         bar.set_message(scene.scene.clone());
         let loaded = selection.load(def)?;
@@ -83,6 +93,7 @@ pub fn run(args: Args) -> exit::Outcome {
             ended = report::Outcome::Interrupted;
             break;
         };
+        primitives.learn(scene, &case);
         let mut runners = Vec::new();
         for backend in &backends {
             let Ok(outcome) = case.run(backend.as_ref(), budget(selection.level), &watch) else {
@@ -93,8 +104,8 @@ pub fn run(args: Args) -> exit::Outcome {
             writer.write(&[row]).map_err(Failure::usage)?;
             writer.write(&rows::findings(scene, &backend.name(), &outcome)).map_err(Failure::usage)?;
             writer.write(&rows::contacts(scene, &backend.name(), &outcome)).map_err(Failure::usage)?;
-            match start(&case, backend.as_ref(), scene.queries) {
-                Ok(runner) => runners.push(runner),
+            match start(&case, backend.as_ref(), scene, &threads) {
+                Ok(started) => runners.extend(started),
                 Err(why) => {
                     remarks.push(format!("not timed: {}/{} on {}: {why}", scene.suite, scene.scene, backend.name()))
                 }
@@ -108,7 +119,8 @@ pub fn run(args: Args) -> exit::Outcome {
             if let Some(timed) = peer.timed {
                 let (queries, judged) = (peer.outcome.queries, timed.judged);
                 let (name, version, watch) = (peer.name, peer.version, timed.watch);
-                runners.push(Runner { name, version, watch, judged, queries, passes: 1 });
+                let family = scene.family.clone();
+                runners.push(Runner { name, family, version, watch, judged, queries, passes: 1 });
             }
         }
         let samples = Samples { count: args.samples, least: Duration::from_millis(args.sample_ms) };
@@ -124,30 +136,41 @@ pub fn run(args: Args) -> exit::Outcome {
     for line in &remarks {
         println!("  {line}");
     }
+    print!("{}", contact_tables::tables(&folder, &primitives, &threads).map_err(Failure::usage)?);
     print!("{}", peers::tables(&folder).map_err(Failure::usage)?);
     Ok(if ended == report::Outcome::Complete { exit::OK } else { exit::INCOMPLETE })
 }
 
-/// Prepares one backend, with the digest of its judged answers.
-fn start<'a>(case: &'a Case<'a>, backend: &'a dyn Contestant, queries: u64) -> Result<Runner<'a>, String> {
-    let (watch, judged) = match case.truth() {
-        Truth::Signs { queries, .. } => {
-            let scene = &case.loaded().scene;
-            let answers = backend.answers(scene, queries)?;
-            (backend.time_signs(scene, queries)?, digest_of(&answers))
-        }
-        Truth::Contacts(case) => {
-            (backend.time_contacts(case)?, contacts::digest_of(&backend.contacts(case.scene(), case.complexes())?))
-        }
-        Truth::Locate(case) => (backend.time_locate(case)?, locate::digest_of(&backend.locations(case)?)),
-    };
-    Ok(Runner {
+/// Prepares one backend, with the digest of its judged answers: contacts for each number of threads.
+fn start<'a>(
+    case: &'a Case<'a>,
+    backend: &'a dyn Contestant,
+    scene: &PlannedScene,
+    threads: &[usize],
+) -> Result<Vec<Runner<'a>>, String> {
+    let runner = |watch, judged, threads| Runner {
         name: backend.name(),
+        family: on_threads(&scene.family, threads),
         version: env!("CARGO_PKG_VERSION").to_owned(),
         watch,
         judged,
-        queries,
+        queries: scene.queries,
         passes: 1,
+    };
+    Ok(match case.truth() {
+        Truth::Signs { queries, .. } => {
+            let scene = &case.loaded().scene;
+            let answers = backend.answers(scene, queries)?;
+            vec![runner(backend.time_signs(scene, queries)?, digest_of(&answers), 1)]
+        }
+        Truth::Contacts(case) => {
+            let judged = contacts::digest_of(&backend.contacts(case.scene(), case.complexes())?);
+            let start = |&threads: &usize| Ok(runner(backend.time_contacts(case, threads)?, judged, threads));
+            threads.iter().map(start).collect::<Result<_, String>>()?
+        }
+        Truth::Locate(case) => {
+            vec![runner(backend.time_locate(case)?, locate::digest_of(&backend.locations(case)?), 1)]
+        }
     })
 }
 
@@ -192,7 +215,7 @@ impl Samples {
                 let queries = runner.queries as f64 * f64::from(runner.passes);
                 rows.push(ThroughputRow {
                     task: scene.task.clone(),
-                    family: scene.family.clone(),
+                    family: runner.family.clone(),
                     backend: runner.name.clone(),
                     engine_version: runner.version.clone(),
                     queries: runner.queries,

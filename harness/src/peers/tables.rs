@@ -8,6 +8,8 @@ use std::path::Path;
 
 use predicament_report::{Class, Error, RunDir, Spread, SummaryRow};
 
+use crate::markdown::{in_order, markdown};
+
 /// The peer whose time is one.
 const ONE: &str = "robust";
 
@@ -30,13 +32,15 @@ pub fn tables(folder: &Path) -> Result<String, Error> {
 /// Medians in nanoseconds, with their ratios to [`ONE`].
 fn times(text: &mut String, run: &RunDir, title: &str, of: impl Fn(&str) -> bool) {
     let mut samples: BTreeMap<(&str, &str, &str), Vec<f64>> = BTreeMap::new();
-    for row in run.throughput.iter().filter(|row| of(&row.backend)) {
+    // contacts have tables of their own
+    let timed = || run.throughput.iter().filter(|row| of(&row.backend) && !row.task.starts_with("contacts"));
+    for row in timed() {
         samples.entry((&row.task, &row.family, &row.backend)).or_default().push(row.ns_per_query);
     }
     let median =
         |task, family, backend| Some(Spread::of(samples.get(&(task, family, backend))?.iter().copied())?.median);
-    let backends = in_order(run.throughput.iter().map(|row| row.backend.as_str()).filter(|name| of(name)));
-    let lines = in_order(run.throughput.iter().filter(|row| of(&row.backend)).map(|row| (&*row.task, &*row.family)));
+    let backends = in_order(timed().map(|row| row.backend.as_str()));
+    let lines = in_order(timed().map(|row| (&*row.task, &*row.family)));
     let rows = lines.into_iter().map(|(task, family)| {
         let one = backends.iter().find(|name| name.ends_with(ONE)).and_then(|one| median(task, family, one));
         let cells = backends.iter().map(|backend| match (median(task, family, backend), one) {
@@ -87,55 +91,4 @@ fn count(row: &SummaryRow) -> String {
         }
     }
     cell
-}
-
-/// Every value once, in the order of first appearance.
-fn in_order<T: PartialEq>(values: impl Iterator<Item = T>) -> Vec<T> {
-    values.fold(Vec::new(), |mut seen, value| {
-        if !seen.contains(&value) {
-            seen.push(value);
-        }
-        seen
-    })
-}
-
-/// One table, its first columns words and the others numbers. Nothing if it has no rows.
-fn markdown(text: &mut String, title: &str, words: usize, heads: Vec<String>, rows: Vec<Vec<String>>) {
-    if rows.is_empty() {
-        return;
-    }
-    let width = |column: usize| rows.iter().chain([&heads]).map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..heads.len()).map(width).collect();
-    let rule = widths.iter().enumerate().map(|(column, &width)| {
-        if column < words { "-".repeat(width) } else { format!("{}:", "-".repeat(width.max(2) - 1)) }
-    });
-    let rule: Vec<String> = rule.collect();
-    // A String takes everything.
-    let _ = writeln!(text, "\n{title}\n");
-    for row in [&heads, &rule].into_iter().chain(&rows) {
-        let cells = row.iter().zip(&widths).enumerate().map(|(column, (cell, &width))| {
-            if column < words { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
-        });
-        let _ = writeln!(text, "| {} |", cells.collect::<Vec<_>>().join(" | "));
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn tables_line_up_and_say_nothing_about_nothing() {
-        let mut text = String::new();
-        let strings = |cells: &[&str]| cells.iter().map(|&cell| cell.to_owned()).collect::<Vec<_>>();
-        markdown(&mut text, "None", 1, strings(&["a"]), Vec::new());
-        assert_eq!(text, "");
-        markdown(&mut text, "One", 1, strings(&["scene", "n"]), vec![strings(&["x", "1000"])]);
-        assert_eq!(text, "\nOne\n\n| scene |    n |\n| ----- | ---: |\n| x     | 1000 |\n");
-    }
-
-    #[test]
-    fn every_value_once_in_the_order_of_its_coming() {
-        assert_eq!(in_order(["b", "a", "b", "c"].into_iter()), ["b", "a", "c"]);
-    }
 }

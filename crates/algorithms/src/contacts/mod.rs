@@ -123,7 +123,8 @@ fn hierarchy<S: Predicates, const D: usize>(session: &S, complexes: [&Complex; 2
     let near = Near::<D>::new(session.scene(), complexes, session.reach());
     let mut all = Contacts::default();
     let mut ended = Ended::default();
-    for pairs in levels(session.scene().dimension()) {
+    let levels = levels(session.scene().dimension());
+    for (level, pairs) in levels.iter().enumerate() {
         // A level's pairs come by the ranks of the first simplex: what is appended stays sorted.
         let start = all.registered.len();
         for &ranks in *pairs {
@@ -131,7 +132,8 @@ fn hierarchy<S: Predicates, const D: usize>(session: &S, complexes: [&Complex; 2
             all.levels.push(level);
             all.registered.extend(registered);
         }
-        if all.registered.len() > start {
+        let is_last = level + 1 == levels.len();
+        if all.registered.len() > start && !is_last {
             ended.learn(complexes, &all.registered);
         }
     }

@@ -7,6 +7,7 @@ use predicament_predicates::{Band, Dimension, Predicates};
 use rug::Rational;
 
 use super::pair::{Feet, Pair, PairKind};
+use super::quantity::Quantity;
 
 /// What an answer is worth.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -62,7 +63,7 @@ impl Verdict {
     }
 }
 
-/// A verdict, and how good the weights were.
+/// A verdict, and how close a call it was.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Judgement {
     /// The verdict.
@@ -70,6 +71,18 @@ pub struct Judgement {
     /// Of a pair that was rightly registered: the largest difference of a
     /// weight to the exact one.
     pub weight_error: Option<f64>,
+    /// How far the distance is from T₋ or T₊, as [`Bands::from_threshold`].
+    pub from_threshold: Option<f64>,
+    /// Of a pair that was rightly registered: the smallest quotient of a
+    /// guarded quantity and its lower bound, squared as both are.
+    pub room: Option<f64>,
+}
+
+impl Judgement {
+    /// A verdict on a pair that was never to be asked about.
+    pub(super) const fn unasked() -> Judgement {
+        Judgement { verdict: Verdict::Unasked, weight_error: None, from_threshold: None, room: None }
+    }
 }
 
 /// The bands of a session's contacts, and what follows from them, squared.
@@ -126,18 +139,42 @@ impl Bands {
             (Some(_), true, false) => Verdict::InBand,
             (Some(_), false, false) => Verdict::Agree,
         };
+        let from_threshold = feet.as_ref().and_then(|feet| self.off(pair, feet));
         let registered = feet.zip(got).filter(|_| verdict != Verdict::Overreach);
-        Judgement { verdict, weight_error: registered.map(|(feet, got)| feet.weight_error(got)) }
+        let room = registered.as_ref().and_then(|(feet, _)| self.room(pair, feet));
+        Judgement { verdict, weight_error: registered.map(|(feet, got)| feet.weight_error(got)), from_threshold, room }
+    }
+
+    /// Of a pair that has a tolerance and feet inside: the difference between
+    /// its distance and the nearer of T₋ and T₊, as a part of that. To be
+    /// counted and not to be relied on: it comes from rounded values.
+    #[must_use]
+    pub fn from_threshold(&self, pair: &Pair) -> Option<f64> {
+        self.off(pair, &pair.feet()?)
+    }
+
+    fn off(&self, pair: &Pair, feet: &Feet) -> Option<f64> {
+        let limits = self.limits.get(pair.kind() as usize).filter(|[lower, _]| !pair.is_top() && !lower.is_zero())?;
+        let off = limits.each_ref().map(|limit| (feet.distance_squared.over(limit).sqrt() - 1.0).abs());
+        Some(off[0].min(off[1]))
+    }
+
+    fn room(&self, pair: &Pair, feet: &Feet) -> Option<f64> {
+        let quotients = self.guarded(pair, feet).filter(|(_, bound)| !bound.is_zero());
+        quotients.map(|(quantity, bound)| quantity.over(bound)).reduce(f64::min)
     }
 
     /// Whether every guarded quantity is at least what the paper derives from
     /// "no sub-pair is registered".
     fn guards(&self, pair: &Pair, feet: &Feet) -> bool {
+        self.guarded(pair, feet).all(|(quantity, bound)| quantity.compare(bound) != Ordering::Less)
+    }
+
+    /// The guarded quantities with their bounds.
+    fn guarded<'f>(&'f self, pair: &Pair, feet: &'f Feet) -> impl Iterator<Item = (&'f Quantity, &'f Rational)> {
         let bounds = &self.bounds[pair.kind() as usize];
-        feet.guarded.iter().enumerate().all(|(i, quantity)| {
-            let bound = bounds.get(i).or(bounds.last());
-            bound.is_none_or(|bound| quantity.compare(bound) != Ordering::Less)
-        })
+        let guarded = feet.guarded.iter().enumerate();
+        guarded.filter_map(|(i, quantity)| Some((quantity, bounds.get(i).or(bounds.last())?)))
     }
 }
 

@@ -37,8 +37,9 @@ mod sweep;
 use std::collections::{HashMap, HashSet};
 
 use predicament_algorithms::contacts::{Contact, Contacts, levels};
-use predicament_mesh::{Complex, Simplex};
+use predicament_mesh::{Complex, Faces, Simplex};
 use predicament_predicates::{Dimension, Predicates, Scene, Vertex};
+use rayon::prelude::*;
 
 pub use judge::{Bands, Judgement, Verdict};
 pub use pair::{Feet, Pair, PairKind};
@@ -73,7 +74,11 @@ pub struct Audit {
     pub weight_errors: [f64; PairKind::ALL.len()],
     /// All answers that break the guarantee, in the order of levels and simplices.
     pub findings: Vec<Finding>,
+    /// Registered pairs that were to be asked about.
+    asked: Vec<[Simplex; 2]>,
 }
+
+type Registered<'a> = HashMap<[Simplex; 2], &'a Contact>;
 
 impl Audit {
     /// How many answers of this kind of pair had this verdict.
@@ -86,6 +91,18 @@ impl Audit {
     #[must_use]
     pub fn judged(&self) -> u64 {
         self.counts.iter().flatten().sum()
+    }
+
+    fn add(&mut self, later: Audit) {
+        for (count, more) in self.counts.as_flattened_mut().iter_mut().zip(later.counts.as_flattened()) {
+            *count += more;
+        }
+        self.ended += later.ended;
+        for (error, other) in self.weight_errors.iter_mut().zip(later.weight_errors) {
+            *error = error.max(other);
+        }
+        self.findings.extend(later.findings);
+        self.asked.extend(later.asked);
     }
 
     fn note(&mut self, kind: PairKind, judgement: Judgement) {
@@ -106,40 +123,54 @@ impl Audit {
 pub fn audit<S: Predicates>(session: &S, a: &Complex, b: &Complex, contacts: &Contacts) -> Audit {
     let scene = session.scene();
     let bands = Bands::of(session);
-    let registered: HashMap<[Simplex; 2], &Contact> =
-        contacts.registered.iter().map(|contact| ([contact.a, contact.b], contact)).collect();
-    let mut judged: HashSet<[Simplex; 2]> = HashSet::new();
+    let registered: Registered = contacts.registered.iter().map(|contact| ([contact.a, contact.b], contact)).collect();
+    let faces = [a, b].map(Faces::new);
+    let judge =
+        |pairs: &[[Simplex; 2]]| {
+            let mut audit = Audit::default();
+            for &[s, t] in pairs {
+                let contact = registered.get(&[s, t]).copied();
+                if has_registered_faces(&registered, &faces, [s, t]) {
+                    audit.ended += u64::from(contact.is_none());
+                    continue;
+                }
+                audit.asked.extend(contact.map(|_| [s, t]));
+                let pair = pair(scene, a.vertices_of(s), b.vertices_of(t));
+                let got = contact.map(|contact| {
+                    if s.rank >= t.rank { [contact.on_a, contact.on_b] } else { [contact.on_b, contact.on_a] }
+                });
+                let judgement = bands.judge(&pair, got.as_ref());
+                audit.note(pair.kind(), judgement);
+                if !judgement.verdict.is_legal() {
+                    audit.findings.push(finding([s, t], &pair, judgement.verdict, contact.is_some()));
+                }
+            }
+            audit
+        };
     let mut audit = Audit::default();
     for &ranks in levels(scene.dimension()).iter().copied().flatten() {
-        let kind = PairKind::of(ranks).expect("a pair of the hierarchy");
-        for [s, t] in sweep::near(scene, [a, b], ranks, session.reach()) {
-            let contact = registered.get(&[s, t]).copied();
-            if has_registered_faces(&registered, [a, b], [s, t]) {
-                audit.ended += u64::from(contact.is_none());
-                continue;
-            }
-            judged.insert([s, t]);
-            let pair = pair(scene, a.vertices_of(s), b.vertices_of(t));
-            let got =
-                contact.map(
-                    |contact| {
-                        if s.rank >= t.rank { [contact.on_a, contact.on_b] } else { [contact.on_b, contact.on_a] }
-                    },
-                );
-            let judgement = bands.judge(&pair, got.as_ref());
-            audit.note(kind, judgement);
-            if !judgement.verdict.is_legal() {
-                audit.findings.push(finding([s, t], &pair, judgement.verdict, contact.is_some()));
-            }
-        }
+        let near = sweep::near(scene, [a, b], ranks, reach(session));
+        let pieces: Vec<Audit> = near.par_chunks(PIECE).map(judge).collect();
+        pieces.into_iter().for_each(|piece| audit.add(piece));
     }
-    for contact in contacts.registered.iter().filter(|contact| !judged.contains(&[contact.a, contact.b])) {
+    let asked: HashSet<[Simplex; 2]> = std::mem::take(&mut audit.asked).into_iter().collect();
+    for contact in contacts.registered.iter().filter(|contact| !asked.contains(&[contact.a, contact.b])) {
         let [s, t] = [contact.a, contact.b];
         let pair = pair(scene, a.vertices_of(s), b.vertices_of(t));
-        audit.note(pair.kind(), Judgement { verdict: Verdict::Unasked, weight_error: None });
+        audit.note(pair.kind(), Judgement::unasked());
         audit.findings.push(finding([s, t], &pair, Verdict::Unasked, true));
     }
     audit
+}
+
+/// Pairs that one thread judges at a time.
+const PIECE: usize = 1 << 10;
+
+/// How near pairs have to be to be looked at. A session whose own reach is
+/// below its tolerances misses pairs, and has to be found out.
+fn reach<S: Predicates>(session: &S) -> f64 {
+    let bands = PairKind::ALL.into_iter().filter_map(|kind| session.contact_band(kind.ranks()));
+    bands.map(|band| band.upper).fold(session.reach(), f64::max)
 }
 
 fn finding([a, b]: [Simplex; 2], pair: &Pair, verdict: Verdict, registered: bool) -> Finding {
@@ -158,22 +189,7 @@ fn pair(scene: &Scene, s: &[Vertex], t: &[Vertex]) -> Pair {
 }
 
 /// Whether a face of the one and a face of the other, not both the whole, are registered.
-fn has_registered_faces(
-    registered: &HashMap<[Simplex; 2], &Contact>,
-    [a, b]: [&Complex; 2],
-    [s, t]: [Simplex; 2],
-) -> bool {
-    let (of_s, of_t) = (faces(a, s), faces(b, t));
-    of_s.iter()
-        .any(|&face| of_t.iter().any(|&other| [face, other] != [s, t] && registered.contains_key(&[face, other])))
-}
-
-/// All faces of a simplex, itself included.
-fn faces(complex: &Complex, simplex: Simplex) -> Vec<Simplex> {
-    let vertices = complex.vertices_of(simplex);
-    let subsets = 1_u32..1 << vertices.len();
-    let chosen = |subset: u32| -> Vec<Vertex> {
-        vertices.iter().enumerate().filter(|(i, _)| subset >> i & 1 == 1).map(|(_, &v)| v).collect()
-    };
-    subsets.map(|subset| complex.find(&chosen(subset)).expect("a complex has the faces of its simplices")).collect()
+fn has_registered_faces(registered: &Registered, [of_a, of_b]: &[Faces; 2], [s, t]: [Simplex; 2]) -> bool {
+    let mut pairs = of_a.of(s).flat_map(|face| of_b.of(t).map(move |other| [face, other]));
+    pairs.any(|pair| pair != [s, t] && registered.contains_key(&pair))
 }

@@ -205,6 +205,14 @@ impl Pair {
         if let Some(feet) = self.feet() {
             return feet.distance_squared.value();
         }
+        let nearest = self.facets().iter().map(Pair::distance_squared).min();
+        nearest.expect("two vertices have feet")
+    }
+
+    /// One simplex with a facet of the other: what a pair's feet leave it
+    /// through. Two vertices have none.
+    #[must_use]
+    pub fn facets(&self) -> Vec<Pair> {
         let [first, second] = self.kind.ranks().map(|rank| usize::from(rank) + 1);
         let [s, t] = [&self.points[..first], &self.points[first..first + second]];
         let without = |simplex: &[Point], at: usize| {
@@ -214,8 +222,7 @@ impl Pair {
         };
         let of_s = (0..s.len()).filter(|_| s.len() > 1).map(|at| self.of(&without(s, at), t));
         let of_t = (0..t.len()).filter(|_| t.len() > 1).map(|at| self.of(s, &without(t, at)));
-        let nearest = of_s.chain(of_t).map(|face| face.distance_squared()).min();
-        nearest.expect("two vertices have feet")
+        of_s.chain(of_t).collect()
     }
 
     /// A pair of faces, over the same power of two.

@@ -30,6 +30,20 @@ impl Quantity {
         left.cmp(&right)
     }
 
+    /// The quotient with a positive bound, rounded: off by some 2⁻⁵⁰ of itself.
+    #[must_use]
+    pub fn over(&self, bound: &Rational) -> f64 {
+        if self.numerator.is_zero() {
+            return 0.0;
+        }
+        let parts = [&self.numerator, bound.denom(), &self.denominator, bound.numer()];
+        let [(n, e), (m, f), (d, g), (b, h)] = parts.map(Integer::to_f64_exp);
+        let exponent = i64::from(e) + i64::from(f) - i64::from(g) - i64::from(h) + i64::from(self.exponent);
+        // n m / (d b) is between ¼ and 4 in size: beyond these exponents it is zero or infinite all the same
+        let exponent = i32::try_from(exponent.clamp(-2000, 2000)).expect("clamped");
+        n * m / (d * b) * 2.0_f64.powi(exponent)
+    }
+
     /// The value itself.
     #[must_use]
     pub fn value(&self) -> Rational {

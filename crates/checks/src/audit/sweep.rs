@@ -1,14 +1,34 @@
 //! Pairs of simplices whose boxes are near: a sweep along x, which has nothing
 //! in common with the broad phase of the driver under audit.
+//!
+//! One edge around the world would make a plain sweep look at everything for
+//! each box. So boxes are kept apart by the powers of two of their extents
+//! along x, and each such class is swept by the widest of its own.
+
+use std::collections::BTreeMap;
 
 use predicament_arithmetic::difference_up;
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Axis, Dimension, Scene};
+use rayon::prelude::*;
 
+#[derive(Clone, Copy)]
 struct Boxed {
     simplex: Simplex,
-    /// Low and high along each axis.
-    extent: Vec<[f64; 2]>,
+    /// Low and high along each axis; in the plane, those of z are zero.
+    extent: [[f64; 2]; 3],
+}
+
+impl Boxed {
+    fn width(&self) -> f64 {
+        difference_up(self.extent[0][1], self.extent[0][0])
+    }
+}
+
+/// Boxes of about the same extent along x, sorted by where they start.
+struct Class {
+    boxes: Vec<Boxed>,
+    widest: f64,
 }
 
 /// The pairs of these ranks whose boxes are within `reach` along every axis,
@@ -17,23 +37,38 @@ struct Boxed {
 /// Where `reach` is not zero, sums with it are rounded: a pair at just that
 /// distance may be left out, which is no loss as nothing promises to register it.
 pub(super) fn near(scene: &Scene, [a, b]: [&Complex; 2], ranks: [u8; 2], reach: f64) -> Vec<[Simplex; 2]> {
-    let [first, second] = [boxes(scene, a, ranks[0]), boxes(scene, b, ranks[1])];
-    let widest = second.iter().map(|t| difference_up(t.extent[0][1], t.extent[0][0])).fold(0.0, f64::max);
-    let mut pairs = Vec::new();
-    for s in &first {
+    let classes = classes(boxes(scene, b, ranks[1]));
+    let near = |s: Boxed| {
         let [low, high] = s.extent[0];
-        // Boxes are sorted by where they start; one that starts before this has ended.
-        let ended = ((low - reach).next_down() - widest).next_down();
-        let begin = second.partition_point(|t| t.extent[0][0] < ended);
-        for t in second[begin..].iter().take_while(|t| t.extent[0][0] <= high + reach) {
-            let mut axes = s.extent.iter().zip(&t.extent);
-            if axes.all(|(s, t)| t[0] <= s[1] + reach && s[0] <= t[1] + reach) {
-                pairs.push([s.simplex, t.simplex]);
-            }
-        }
-    }
-    pairs.sort_unstable();
+        classes.iter().flat_map(move |class| {
+            // One that starts before this has ended before the box.
+            let ended = ((low - reach).next_down() - class.widest).next_down();
+            let begin = class.boxes.partition_point(|t| t.extent[0][0] < ended);
+            let candidates = class.boxes[begin..].iter().take_while(move |t| t.extent[0][0] <= high + reach);
+            let is_near = move |t: &&Boxed| {
+                let mut axes = s.extent.iter().zip(&t.extent);
+                axes.all(|(s, t)| t[0] <= s[1] + reach && s[0] <= t[1] + reach)
+            };
+            candidates.filter(is_near).map(move |t| [s.simplex, t.simplex])
+        })
+    };
+    let mut pairs: Vec<_> = boxes(scene, a, ranks[0]).into_par_iter().flat_map_iter(near).collect();
+    pairs.par_sort_unstable();
     pairs
+}
+
+fn classes(boxes: Vec<Boxed>) -> Vec<Class> {
+    let mut classes: BTreeMap<u64, Vec<Boxed>> = BTreeMap::new();
+    for boxed in boxes {
+        // the exponent's bits
+        classes.entry(boxed.width().to_bits() >> 52).or_default().push(boxed);
+    }
+    let class = |mut boxes: Vec<Boxed>| {
+        boxes.sort_by(|s, t| s.extent[0][0].total_cmp(&t.extent[0][0]));
+        let widest = boxes.iter().map(Boxed::width).fold(0.0, f64::max);
+        Class { boxes, widest }
+    };
+    classes.into_values().map(class).collect()
 }
 
 fn boxes(scene: &Scene, complex: &Complex, rank: u8) -> Vec<Boxed> {
@@ -49,13 +84,12 @@ fn boxes(scene: &Scene, complex: &Complex, rank: u8) -> Vec<Boxed> {
     };
     let boxed = |index: usize| {
         let simplex = Simplex { rank, index: u32::try_from(index).expect("a complex holds 2^32 at most") };
-        let along = |&axis: &Axis| {
+        let mut extent = [[0.0; 2]; 3];
+        for (along, &axis) in extent.iter_mut().zip(axes) {
             let coordinates = || complex.vertices_of(simplex).iter().map(|&v| scene.coordinate(axis, v));
-            [coordinates().fold(f64::INFINITY, f64::min), coordinates().fold(f64::NEG_INFINITY, f64::max)]
-        };
-        Boxed { simplex, extent: axes.iter().map(along).collect() }
+            *along = [coordinates().fold(f64::INFINITY, f64::min), coordinates().fold(f64::NEG_INFINITY, f64::max)];
+        }
+        Boxed { simplex, extent }
     };
-    let mut boxes: Vec<Boxed> = (0..count).map(boxed).collect();
-    boxes.sort_by(|s, t| s.extent[0][0].total_cmp(&t.extent[0][0]));
-    boxes
+    (0..count).map(boxed).collect()
 }

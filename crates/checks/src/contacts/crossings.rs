@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_algorithms::arrangement::{Arrangement, Seat, Side};
 use predicament_algorithms::contacts::Contacts;
+use predicament_grid::BoxIndex;
 use predicament_mesh::Complex;
 use predicament_predicates::{Dimension, Scene};
 
@@ -54,7 +55,7 @@ impl Crossings {
 }
 
 /// Counts the crossings of two closed curves of the plane after merging, as
-/// [the module](super) defines them. Time goes with the product of their edges.
+/// [the module](super) defines them.
 ///
 /// A curve is closed if each vertex has an even number of edges; it need not
 /// be connected or simple. Triangles are not looked at.
@@ -97,8 +98,11 @@ pub fn crossings(
 
     let mut elsewhere: BTreeMap<[u32; 2], usize> = registered.iter().map(|&edges| (edges, 0)).collect();
     let mut crossings = Crossings { of_edges: registered.len(), absorbed: absorbed.len(), ..Crossings::default() };
+    let index = BoxIndex::new(of_b.iter().map(|&(_, other)| seated.bounds(other)).collect());
+    let mut near = Vec::new();
     for &(e, piece) in &of_a {
-        for &(f, other) in &of_b {
+        index.near(&seated.bounds(piece), 0.0, &mut near);
+        for &(f, other) in near.iter().map(|&at| &of_b[at as usize]) {
             if !seated.crosses(piece, other) {
                 continue;
             }

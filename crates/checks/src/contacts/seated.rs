@@ -2,6 +2,7 @@
 
 use predicament_algorithms::arrangement::{Arrangement, MergedPoint, Seat, Side, Stand};
 use predicament_algorithms::contacts::Weights;
+use predicament_grid::Bounds;
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Plane, Scene, Sign, Vertex};
 use rug::{Integer, Rational};
@@ -12,6 +13,8 @@ type Place = [Rational; 2];
 pub(super) struct Seated {
     /// None for points without a vertex: crossings of edges bend nothing.
     points: Vec<Option<[Integer; 2]>>,
+    /// About where they are; rounding is monotone, so that what meets still does.
+    about: Vec<Option<[f64; 2]>>,
 }
 
 impl Seated {
@@ -20,16 +23,22 @@ impl Seated {
         let points = arrangement.points().iter();
         let places: Vec<Option<Place>> =
             points.map(|point| (!point.is_new()).then(|| rule.place(point, seat))).collect();
+        let about = places.iter().map(|place| place.as_ref().map(|place| place.each_ref().map(truncated))).collect();
         // Every denominator is a power of two: the largest is a multiple of all.
         let coordinates = || places.iter().flatten().flatten();
         let denominator = coordinates().map(Rational::denom).max().cloned().unwrap_or_else(|| Integer::from(1));
         let integer = |x: &Rational| Integer::from(x.numer() * &denominator) / x.denom();
         let points = places.iter().map(|place| place.as_ref().map(|[x, y]| [integer(x), integer(y)])).collect();
-        Seated { points }
+        Seated { points, about }
     }
 
     fn at(&self, point: usize) -> &[Integer; 2] {
         self.points[point].as_ref().expect("pieces end at points with vertices")
+    }
+
+    /// A box of the piece. The boxes of pieces that meet do too.
+    pub(super) fn bounds(&self, piece: [usize; 2]) -> Bounds<2> {
+        Bounds::of(piece.map(|point| self.about[point].expect("pieces end at points with vertices")))
     }
 
     /// Whether two points are in one place.
@@ -47,6 +56,11 @@ impl Seated {
         let ends = [p, q].map(|fixed| turn([r, s], fixed, 1));
         [moved_ends, ends].iter().all(|&[one, other]| one != Sign::Zero && one == -other)
     }
+}
+
+/// The double next to it on the side of zero, finite.
+fn truncated(x: &Rational) -> f64 {
+    x.to_f64().clamp(f64::MIN, f64::MAX)
 }
 
 /// Whether two intervals have no common point, not even an end.
@@ -134,7 +148,42 @@ mod tests {
     use super::*;
 
     fn at(points: &[[i32; 2]]) -> Seated {
-        Seated { points: points.iter().map(|p| Some(p.map(Integer::from))).collect() }
+        let about = points.iter().map(|p| Some(p.map(f64::from))).collect();
+        Seated { points: points.iter().map(|p| Some(p.map(Integer::from))).collect(), about }
+    }
+
+    /// Between doubles, beyond them, and where they end.
+    #[test]
+    fn truncation_keeps_the_order() {
+        let third = Rational::from((1, 3));
+        let huge = Rational::from_f64(f64::MAX).unwrap() * 2_u32;
+        let tiny = Rational::from_f64(f64::from_bits(1)).unwrap() / 3_u32;
+        let mut numbers =
+            vec![Rational::new(), huge.clone(), -huge, tiny.clone(), -tiny, third.clone(), -third.clone()];
+        for step in 0..200_i64 {
+            numbers.push(third.clone() + Rational::from((step - 100, 1_u64 << 56)));
+            numbers.push(Rational::from_f64(f64::from_bits(step.unsigned_abs())).unwrap() * &third);
+        }
+        numbers.sort();
+        assert!(numbers.iter().map(truncated).is_sorted());
+        assert!(numbers.iter().map(truncated).all(f64::is_finite));
+        assert!(numbers.windows(2).filter(|two| truncated(&two[0]) == truncated(&two[1])).count() > 20, "rounded");
+    }
+
+    #[test]
+    fn boxes_of_pieces_that_cross_meet() {
+        let grid: Vec<[i32; 2]> = (0..16).map(|i| [i / 4, i % 4]).collect();
+        let seated = at(&grid);
+        let (mut crossing, mut excluded) = (0, 0);
+        for code in 0..16_usize.pow(4) {
+            let [p, q, r, s] = [0, 1, 2, 3].map(|digit| code / 16_usize.pow(digit) % 16);
+            let near = seated.bounds([p, q]).is_near(&seated.bounds([r, s]), 0.0);
+            let crosses = seated.crosses([p, q], [r, s]);
+            assert!(near || !crosses, "{p} {q} {r} {s}");
+            crossing += usize::from(crosses);
+            excluded += usize::from(!near);
+        }
+        assert!(crossing > 500 && excluded > 500, "{crossing} {excluded}");
     }
 
     /// The same with a number in place of the infinitesimal: far smaller than

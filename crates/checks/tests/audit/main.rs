@@ -1,7 +1,5 @@
-//! Contacts held to exact distances: the tolerance paper's algorithms at their
-//! thresholds, and whole sets of contacts.
+//! Contacts held to exact distances: whole sets of contacts, and distances by
+//! another method.
 
-mod algorithms;
 mod oracle;
 mod sets;
-mod thresholds;

@@ -5,7 +5,15 @@ use predicament_checks::audit::Pair;
 use proptest::prelude::*;
 use rug::Rational;
 
-use crate::algorithms::{Simplex, faces};
+/// Points of either dimension: those of the plane have z = 0.
+type Simplex = Vec<[f64; 3]>;
+
+/// All faces of a simplex, itself included.
+fn faces(simplex: &[[f64; 3]]) -> Vec<Simplex> {
+    let chosen =
+        |subset: u32| simplex.iter().enumerate().filter(|(i, _)| subset >> i & 1 == 1).map(|(_, &p)| p).collect();
+    (1_u32..1 << simplex.len()).map(chosen).collect()
+}
 
 /// The weights on both simplices where their carriers are closest, and the
 /// square of that distance; none where there is no single such place.

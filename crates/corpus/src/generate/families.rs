@@ -158,7 +158,7 @@ pub(super) const FAMILIES: [FamilyInfo; 36] = [
         "polygons-uniform",
         "polygons-uniform",
         PLANE_CONTACTS,
-        &[],
+        &["bits"],
         "two simple polygons that cross all the way round, in general position",
     ),
     family(
@@ -186,7 +186,7 @@ pub(super) const FAMILIES: [FamilyInfo; 36] = [
         "surfaces-uniform",
         "surfaces-uniform",
         SPACE_CONTACTS,
-        &[],
+        &["bits"],
         "two closed surfaces that cross everywhere, in general position",
     ),
     family(

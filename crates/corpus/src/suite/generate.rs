@@ -26,8 +26,12 @@ pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<Scen
         Some(name) => name.string()?,
         None => default_name(&generator, &fields, task)?,
     };
-    let family = generator.family.reported_as();
-    define(context, fields, name, task, family, Content::Generated(generator))
+    // what contacts cost depends on the scene's size and on how near things are: each is a family of its own
+    let family = match contacts::dimension(task) {
+        Some(_) => name.clone(),
+        None => generator.family.reported_as().to_owned(),
+    };
+    define(context, fields, name, task, &family, Content::Generated(generator))
 }
 
 /// `n` and `n_full`; families of a fixed size have neither.

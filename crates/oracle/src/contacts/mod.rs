@@ -11,6 +11,7 @@
 //! asked about again by itself, and a sample of the truth is found twice, the
 //! second time pair by pair and by the judge's other computation.
 
+mod band;
 mod classes;
 mod order;
 mod pairs;
@@ -223,7 +224,11 @@ pub fn run<B: Backend>(
     watch.done(0)?;
     let [got, truth] = [&found, &case.truth].map(|contacts| case.pairs(contacts));
     let perturbed = perturbed.as_ref().map(|contacts| case.pairs(contacts));
-    let audited = BTreeMap::new();
+    let audited = match zero {
+        ZeroMeaning::Band => band::broken(&session, case.complexes, &found, &got),
+        ZeroMeaning::Exact | ZeroMeaning::Never => BTreeMap::new(),
+    };
+    watch.done(0)?;
     let perturbed = perturbed.as_ref();
     let judge = classes::Judge { dimension, zero, got: &got, truth: &truth, perturbed, audited: &audited };
     let weights: BTreeMap<Pair, [Weights; 2]> =
@@ -278,28 +283,29 @@ pub(crate) fn registered<B: Backend>(backend: &B, scene: &Scene, [a, b]: [&Compl
     Ok(contacts(&session, a, b))
 }
 
-/// Prepares a backend for timed passes over both complexes.
+/// Prepares a backend for timed passes over both complexes on so many threads.
 pub(crate) fn stopwatch<'a, B: Backend>(
     backend: &'a B,
     case: &'a ContactsCase,
+    threads: usize,
 ) -> Result<Box<dyn Stopwatch + 'a>, String> {
     let session = prepare(backend, &case.scene).map_err(|declined| declined.to_string())?;
-    // A pass is one thread's work: the driver would use all there are.
-    let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build().map_err(|error| error.to_string())?;
-    Ok(Box::new(ContactsWatch { session, case, alone, out: Contacts::default() }))
+    // The driver would use all there are.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| error.to_string())?;
+    Ok(Box::new(ContactsWatch { session, case, pool, out: Contacts::default() }))
 }
 
 struct ContactsWatch<'a, P> {
     session: P,
     case: &'a ContactsCase<'a>,
-    alone: rayon::ThreadPool,
+    pool: rayon::ThreadPool,
     out: Contacts,
 }
 
 impl<P: Predicates> Stopwatch for ContactsWatch<'_, P> {
     fn pass(&mut self) -> Duration {
         let [a, b] = self.case.complexes;
-        let (time, out) = self.alone.install(|| {
+        let (time, out) = self.pool.install(|| {
             let start = Instant::now();
             let out = contacts(&self.session, a, b);
             (start.elapsed(), out)

@@ -135,6 +135,7 @@ impl<P: Predicates> Predicates for Session<P> {
         let on_line = || planes.iter().all(|&plane| self.honest.orient2d(plane, a, b, p) == Sign::Zero);
         match self.fault {
             Fault::ContactsEndlessEdge if on_line() => Some(0.5),
+            Fault::ToleranceMirroredWeight => self.honest.edge_vertex([a, b], p).map(|weight| -weight),
             _ => self.honest.edge_vertex([a, b], p),
         }
     }

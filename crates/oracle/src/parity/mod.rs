@@ -12,14 +12,17 @@
 //!   degenerate ones.
 //! * [`examine`]: what a backend's registrations make of a pair.
 //! * [`search`]: many pairs, counted.
-//! * [`shrink_odd`]: the smallest pair that a find can be reduced to.
+//! * [`shrink_odd`]: the smallest pair that a find can be reduced to;
+//!   [`smallest`]: the smallest of many, by what they show.
 
 mod examine;
 mod pair;
 mod random;
 mod search;
+mod smallest;
 
 pub use examine::{Examined, examine};
 pub use pair::{PolygonPair, shrink_odd};
 pub use random::{Recipe, random_pair};
 pub use search::{Census, Found, Row, SeatCounts, search};
+pub use smallest::{Kind, Small, smallest};

@@ -1,5 +1,7 @@
 //! Many pairs under all backends, counted.
 
+use std::ops::Range;
+
 use predicament_checks::contacts::Seat;
 use predicament_exact::Exact;
 use predicament_predicates::Backend;
@@ -8,6 +10,7 @@ use predicament_tolerance::Tolerance;
 use rayon::prelude::*;
 
 use super::{PolygonPair, Recipe, examine, random_pair};
+use crate::resolution::Precision;
 
 /// What was counted under one [`Seat`] rule.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -73,32 +76,43 @@ pub struct Census {
     pub pairs: usize,
     /// Draws that were no simple polygons.
     pub refused: usize,
-    /// One for each backend: exact, sos, tolerance.
+    /// One for each backend: exact, sos, tolerance in the precision asked for.
     pub rows: Vec<Row>,
-    /// Every odd pair, in the order of the numbers.
+    /// Every odd pair, in the order of the recipes and numbers.
     pub found: Vec<Found>,
 }
 
-/// Examines so many random pairs of each recipe under exact, perturbed and
-/// tolerant predicates. The counts depend on the seed and nothing else.
+/// Examines the random pairs of each recipe with these numbers under exact,
+/// perturbed and tolerant predicates. The counts depend on nothing else.
 #[must_use]
-pub fn search(seed: u64, pairs_of_each: u64) -> Census {
-    let numbers =
-        Recipe::ALL.into_par_iter().flat_map(|recipe| (0..pairs_of_each).into_par_iter().map(move |n| (recipe, n)));
+pub fn search(precision: Precision, seed: u64, numbers: Range<u64>) -> Census {
+    let of_recipe = |recipe| numbers.clone().into_par_iter().map(move |number| (recipe, number));
     let one = |(recipe, number)| {
-        let (pair, refused) = random_pair(recipe, seed, number);
+        let (pair, refused) = random_pair(recipe, precision, seed, number);
         let mut census = Census { pairs: 1, refused, ..Census::default() };
         census.take(&Exact, &pair, recipe, number);
         census.take(&Sos::default(), &pair, recipe, number);
-        census.take(&Tolerance, &pair, recipe, number);
+        match precision {
+            Precision::Double => census.take(&Tolerance::<f64>::new(), &pair, recipe, number),
+            Precision::Single => census.take(&Tolerance::<f32>::new(), &pair, recipe, number),
+        }
         census
     };
-    let mut census = numbers.map(one).reduce(Census::default, Census::plus);
-    census.found.sort_by_key(|found| (found.recipe, found.number, found.backend.clone()));
-    census
+    Recipe::ALL.into_par_iter().flat_map(of_recipe).map(one).reduce(Census::default, Census::plus).sorted()
 }
 
 impl Census {
+    /// The counts of two searches of other numbers, together.
+    #[must_use]
+    pub fn and(self, other: Census) -> Census {
+        self.plus(other).sorted()
+    }
+
+    fn sorted(mut self) -> Census {
+        self.found.sort_by(|f, g| (f.recipe, f.number, &f.backend).cmp(&(g.recipe, g.number, &g.backend)));
+        self
+    }
+
     fn take<B: Backend>(&mut self, backend: &B, pair: &PolygonPair, recipe: Recipe, number: u64) {
         let mut row = Row { backend: backend.name(), ..Row::default() };
         if let Ok(examined) = examine(backend, pair) {

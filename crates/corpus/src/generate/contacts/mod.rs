@@ -11,6 +11,7 @@ use predicament_mesh::{Complex, Simplices};
 use predicament_predicates::{Dimension, Scene, Vertex};
 
 use super::Random;
+use crate::bits::rounded;
 use crate::document::Fields;
 use crate::sigma::sigma;
 use crate::suite::{moved, shifted};
@@ -19,12 +20,14 @@ use crate::{CorpusError, Work};
 /// A way to make two complexes.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum Pair {
-    PolygonsUniform,
+    /// With coordinates of so many significant bits.
+    PolygonsUniform(u32),
     PolygonsNear,
     PolygonsDegen,
     /// Moved by so many σ.
     CopyShifted(f64),
-    SurfacesUniform,
+    /// With coordinates of so many significant bits.
+    SurfacesUniform(u32),
     SurfacesDegen,
     /// Moved by so many σ.
     SurfacesShifted(f64),
@@ -36,16 +39,25 @@ struct Shape {
     simplices: Simplices,
 }
 
+impl Shape {
+    /// With every coordinate at the nearest number of so many significant bits.
+    fn rounded(mut self, bits: u32) -> Shape {
+        self.coordinates.iter_mut().for_each(|x| *x = rounded(*x, bits));
+        self
+    }
+}
+
 impl Pair {
     /// The pair with this family's name; none for other families.
     pub(super) fn read(family: &str, fields: &Fields<'_, '_>) -> Result<Option<Pair>, CorpusError> {
         let shift = || fields.required("shift")?.positive();
+        let bits = || fields.integer_or("bits", 53, 24..=53).map(|bits| u32::try_from(bits).unwrap_or(53));
         Ok(Some(match family {
-            "polygons-uniform" => Pair::PolygonsUniform,
+            "polygons-uniform" => Pair::PolygonsUniform(bits()?),
             "polygons-near" => Pair::PolygonsNear,
             "polygons-degen" => Pair::PolygonsDegen,
             "copy-shifted" => Pair::CopyShifted(shift()?),
-            "surfaces-uniform" => Pair::SurfacesUniform,
+            "surfaces-uniform" => Pair::SurfacesUniform(bits()?),
             "surfaces-degen" => Pair::SurfacesDegen,
             "surfaces-shifted" => Pair::SurfacesShifted(shift()?),
             _ => return Ok(None),
@@ -54,8 +66,10 @@ impl Pair {
 
     pub(super) fn dimension(self) -> Dimension {
         match self {
-            Pair::PolygonsUniform | Pair::PolygonsNear | Pair::PolygonsDegen | Pair::CopyShifted(_) => Dimension::Two,
-            Pair::SurfacesUniform | Pair::SurfacesDegen | Pair::SurfacesShifted(_) => Dimension::Three,
+            Pair::PolygonsUniform(_) | Pair::PolygonsNear | Pair::PolygonsDegen | Pair::CopyShifted(_) => {
+                Dimension::Two
+            }
+            Pair::SurfacesUniform(_) | Pair::SurfacesDegen | Pair::SurfacesShifted(_) => Dimension::Three,
         }
     }
 
@@ -64,7 +78,7 @@ impl Pair {
     pub(super) fn make(self, n: usize, rng: &mut Random) -> (Scene, Work) {
         let n = n / 2;
         let [a, b] = match self {
-            Pair::PolygonsUniform => [polygons::wavy(n, rng), polygons::wavy(n, rng)],
+            Pair::PolygonsUniform(bits) => [(); 2].map(|()| polygons::wavy(n, rng).rounded(bits)),
             Pair::PolygonsNear => {
                 let a = polygons::wavy(n, rng);
                 let b = polygons::near(&a, self.sigma_of(&a), rng);
@@ -72,7 +86,7 @@ impl Pair {
             }
             Pair::PolygonsDegen => [polygons::skyline(n, true, rng), polygons::skyline(n, false, rng)],
             Pair::CopyShifted(by) => self.with_copy(polygons::wavy(n, rng), by),
-            Pair::SurfacesUniform => [surfaces::lumpy(n, rng), surfaces::lumpy(n, rng)],
+            Pair::SurfacesUniform(bits) => [(); 2].map(|()| surfaces::lumpy(n, rng).rounded(bits)),
             Pair::SurfacesDegen => [surfaces::boxes(n, rng), surfaces::boxes(n, rng)],
             Pair::SurfacesShifted(by) => self.with_copy(surfaces::lumpy(n, rng), by),
         };

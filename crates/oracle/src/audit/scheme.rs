@@ -1,22 +1,23 @@
 //! The algorithms of the tolerance crate, asked about a pair of point lists.
 
 use predicament_algorithms::contacts::Weights;
-use predicament_checks::audit::{Bands, PairKind};
+use predicament_checks::audit::Bands;
 use predicament_corpus::Thresholds;
 use predicament_predicates::{Band, Dimension};
 use predicament_tolerance::algorithms::{as_printed, plane, space};
 use predicament_tolerance::{ContactTolerances, Float, Tolerances2d, Tolerances3d};
 
-/// Points of either dimension: those of the plane have z = 0.
-pub type Simplex = Vec<[f64; 3]>;
-
-/// The scheme for one L.
+/// The algorithms for one L. Points of the plane have z = 0.
 pub struct Scheme<F> {
+    /// The tolerances of that L.
     pub tolerances: ContactTolerances<F>,
-    pub printed: bool,
+    /// Whether Algorithms 3 and 8 are the printed ones.
+    printed: bool,
 }
 
 impl<F: Float> Scheme<F> {
+    /// For the number of `F` that is nearest to this L.
+    #[must_use]
     pub fn new(dimension: Dimension, length: f64, printed: bool) -> Scheme<F> {
         let length = F::nearest(length);
         let tolerances = match dimension {
@@ -26,6 +27,8 @@ impl<F: Float> Scheme<F> {
         Scheme { tolerances, printed }
     }
 
+    /// The dimension of the pairs.
+    #[must_use]
     pub fn dimension(&self) -> Dimension {
         match self.tolerances {
             ContactTolerances::Plane(_) => Dimension::Two,
@@ -33,26 +36,42 @@ impl<F: Float> Scheme<F> {
         }
     }
 
+    /// What the answers are held to.
+    #[must_use]
     pub fn bands(&self) -> Bands {
         Bands::new(self.dimension(), |ranks| self.tolerances.band(ranks))
     }
 
+    /// What pairs are aimed at.
+    ///
+    /// # Panics
+    /// Never: all tolerances have σ and τ.
+    #[must_use]
     pub fn thresholds(&self) -> Thresholds {
         let of = |ranks| {
             let Band { lower, width, upper } = self.tolerances.band(ranks)?;
             Some([lower, width, upper])
         };
-        let [sigma, tau] = [[0, 0], [1, 0]].map(|ranks| of(ranks).unwrap());
+        let [sigma, tau] = [[0, 0], [1, 0]].map(|ranks| of(ranks).expect("all tolerances have σ and τ"));
         // The plane's top-level pairs have no band of their own.
         let [gamma, delta] = [[1, 1], [2, 0]].map(|ranks| of(ranks).unwrap_or(tau));
         Thresholds { length: self.tolerances.length().wide(), sigma, tau, delta, gamma }
     }
 
-    /// The pair's weights if it is registered; the simplex of higher rank is first.
+    /// The pair's weights if it is registered; the simplex of higher rank is
+    /// first. Sub-pairs are not looked at.
+    ///
+    /// # Panics
+    /// If the hierarchy has no such pair.
+    #[must_use]
     pub fn ask(&self, first: &[[f64; 3]], second: &[[f64; 3]]) -> Option<[Weights; 2]> {
         match &self.tolerances {
-            ContactTolerances::Plane(t) => self.ask_plane(t, &points(first), &points(second)),
-            ContactTolerances::Space(t) => self.ask_space(t, &points(first), &points(second)),
+            ContactTolerances::Plane(t) => {
+                self.ask_plane(t, &points(first)[..first.len()], &points(second)[..second.len()])
+            }
+            ContactTolerances::Space(t) => {
+                self.ask_space(t, &points(first)[..first.len()], &points(second)[..second.len()])
+            }
         }
     }
 
@@ -88,33 +107,55 @@ impl<F: Float> Scheme<F> {
     }
 
     /// Whether a sub-pair is registered, the most degenerate asked first.
+    #[must_use]
     pub fn has_registered_faces(&self, first: &[[f64; 3]], second: &[[f64; 3]]) -> bool {
-        let (of_first, of_second) = (faces(first), faces(second));
-        let mut pairs: Vec<_> = of_first.iter().flat_map(|s| of_second.iter().map(move |t| [s, t])).collect();
-        pairs.sort_by_key(|[s, t]| s.len() + t.len());
+        let all = [first, second].map(|simplex| (1_u8 << simplex.len()) - 1);
         let whole = first.len() + second.len();
-        pairs.into_iter().filter(|[s, t]| s.len() + t.len() < whole).any(|[s, t]| {
-            let (s, t) = if s.len() < t.len() { (t, s) } else { (s, t) };
-            self.ask(s, t).is_some()
+        (2..whole).any(|count| {
+            (1..=all[0]).any(|s| {
+                let Some(of_second) = count.checked_sub(s.count_ones() as usize).filter(|&n| n > 0) else {
+                    return false;
+                };
+                let s = Face::of(first, s);
+                (1..=all[1]).filter(|t| t.count_ones() as usize == of_second).any(|t| {
+                    let t = Face::of(second, t);
+                    let (s, t) = if s.count < t.count { (&t, &s) } else { (&s, &t) };
+                    self.ask(s.points(), t.points()).is_some()
+                })
+            })
         })
     }
 }
 
-/// The kinds of pairs in the hierarchy of a space.
-pub fn kinds(dimension: Dimension) -> impl Iterator<Item = PairKind> {
-    PairKind::ALL
-        .into_iter()
-        .filter(move |kind| kind.ranks().map(usize::from).iter().sum::<usize>() <= dimension.count())
+/// A face on the stack: there are many, and most pairs end at one.
+struct Face {
+    points: [[f64; 3]; 4],
+    count: usize,
 }
 
-pub fn faces(simplex: &[[f64; 3]]) -> Vec<Simplex> {
-    let chosen =
-        |subset: u32| simplex.iter().enumerate().filter(|(i, _)| subset >> i & 1 == 1).map(|(_, &p)| p).collect();
-    (1_u32..1 << simplex.len()).map(chosen).collect()
+impl Face {
+    /// The points whose bits are set.
+    fn of(simplex: &[[f64; 3]], chosen: u8) -> Face {
+        let mut face = Face { points: [[0.0; 3]; 4], count: 0 };
+        for (_, &point) in simplex.iter().enumerate().filter(|(i, _)| chosen >> i & 1 == 1) {
+            face.points[face.count] = point;
+            face.count += 1;
+        }
+        face
+    }
+
+    fn points(&self) -> &[[f64; 3]] {
+        &self.points[..self.count]
+    }
 }
 
-fn points<F: Float, const D: usize>(simplex: &[[f64; 3]]) -> Vec<[F; D]> {
-    simplex.iter().map(|point| std::array::from_fn(|i| F::nearest(point[i]))).collect()
+/// The first of them are the simplex' points.
+fn points<F: Float, const D: usize>(simplex: &[[f64; 3]]) -> [[F; D]; 4] {
+    let mut points = [[F::ZERO; D]; 4];
+    for (to, from) in points.iter_mut().zip(simplex) {
+        *to = std::array::from_fn(|i| F::nearest(from[i]));
+    }
+    points
 }
 
 fn pad<const N: usize>(weights: [f64; N]) -> Weights {
