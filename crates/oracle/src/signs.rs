@@ -106,7 +106,7 @@ pub fn run<B: Backend>(
     let chunks: Result<Vec<Chunk>, Stop> = chunks(case.queries.len())
         .map(|range| {
             let n = range.len() as u64;
-            let chunk = judge_chunk(&session, contract, case, budget, range);
+            let chunk = judge_chunk(&session, contract, tie_judge, case, budget, range);
             watch.done(n).map(|()| chunk)
         })
         .collect();
@@ -181,6 +181,7 @@ fn class_of_answer<P: Predicates>(session: &P, contract: Contract, case: &SignCa
 fn judge_chunk<P: Predicates>(
     session: &P,
     contract: Contract,
+    tie_judge: Option<&TieJudge>,
     case: &SignCase,
     budget: Budget,
     range: std::ops::Range<usize>,
@@ -189,7 +190,10 @@ fn judge_chunk<P: Predicates>(
     case.queries.ask_batch(session, range.clone(), &mut answers);
     let mut chunk = Chunk { counts: ClassCounts::default(), raw: Vec::new(), ties: Vec::new() };
     for (query, got) in range.zip(answers) {
-        let class = class_of_answer(session, contract, case, query, got);
+        let mut class = class_of_answer(session, contract, case, query, got);
+        if class == Class::Inconsistent && is_identity(tie_judge, case, query) {
+            class = Class::Agree;
+        }
         chunk.counts.add(class, 1);
         if class == Class::TieBroken && chunk.ties.len() < budget.ties {
             chunk.ties.push(query);
@@ -201,6 +205,14 @@ fn judge_chunk<P: Predicates>(
         }
     }
     chunk
+}
+
+/// Whether a determinant is zero wherever the input vertices are: no tie, but
+/// a vertex on the plane it was constructed on, or two names of one point.
+fn is_identity(tie_judge: Option<&TieJudge>, case: &SignCase, query: usize) -> bool {
+    let args = case.queries.args(query);
+    args.iter().any(|v| v.is_constructed())
+        && tie_judge.is_some_and(|perturbed| perturbed(case.scene, case.queries.question(), args).is_zero())
 }
 
 /// Holds a sample of broken ties against explicit infinitesimals.

@@ -7,9 +7,10 @@
 //! then the vertex with the smallest index, then one more vertex at a time: once
 //! the polynomial isn't zero, its largest monomial decides.
 //!
-//! This takes as long as it takes, and ten vertices that have to move together
-//! are too many. What is zero wherever the vertices are would take all of them, and is
-//! seen at two places with large random coordinates instead, in integers.
+//! What is zero wherever the vertices are would take all of them, and is seen at
+//! two places with large random coordinates instead, in integers of any size. In
+//! the same way a question about more than a few vertices is rid of those
+//! that the largest monomial does without.
 
 use std::collections::BTreeMap;
 
@@ -22,6 +23,9 @@ use rug::{Integer, Rational};
 struct Polynomial(BTreeMap<u128, Integer>);
 
 const BITS: usize = 4;
+
+/// Of so many vertices whole polynomials can be written out.
+const FEW: usize = 7;
 
 /// The key of an infinitesimal; the largest is number 0.
 fn key(infinitesimal: usize) -> u128 {
@@ -110,44 +114,44 @@ struct Moved {
 
 /// How the vertices of a question move.
 #[derive(Clone, Copy)]
-enum Move {
-    /// So many of them by infinitesimals.
-    First(usize),
-    /// All of them, by numbers that nothing is zero for but what always is.
-    Anywhere(u64),
+enum Move<'v> {
+    /// Some of them, by infinitesimals.
+    Slightly(&'v [Vertex]),
+    /// Some of them, by large random numbers: nothing is zero then but what always is.
+    Anywhere(&'v [Vertex], u64),
 }
 
 impl Moved {
-    fn new(scene: &Scene, vertices: &[Vertex], by: Move) -> Moved {
+    fn new(scene: &Scene, vertices: &[Vertex], by: Move<'_>) -> Moved {
         let dimension = scene.dimension().count();
         let exact = |x: f64| Rational::from_f64(x).expect("a scene's coordinates are finite");
         let coordinates = || vertices.iter().flat_map(|&v| scene.point(v)).map(|&x| exact(x));
         let common = coordinates().map(|x| x.denom().clone()).max().unwrap_or_else(|| Integer::from(1));
         let mut noise = Integer::from(1);
-        let mut coordinate = |rank: usize, axis: usize, x: f64| {
+        let mut coordinate = |v: Vertex, axis: usize, x: f64| {
             let x = (exact(x) * &common).into_numer_denom().0;
             match by {
-                Move::First(active) => {
+                Move::Slightly(active) => {
                     let mut polynomial = Polynomial::constant(x);
-                    if rank < active {
+                    if let Some(rank) = active.iter().position(|&active| active == v) {
                         polynomial.0.insert(key(rank * dimension + axis), Integer::from(1));
                     }
                     polynomial
                 }
-                Move::Anywhere(factor) => {
+                Move::Anywhere(active, factor) => {
                     // Powers modulo the prime 2^89 − 1.
                     noise = (noise.clone() * factor + 1) % ((Integer::from(1) << 89) - 1);
-                    Polynomial::constant(x + &noise)
+                    Polynomial::constant(if active.contains(&v) { x + &noise } else { x })
                 }
             }
         };
-        let mut point = |(rank, &v): (usize, &Vertex)| {
+        let mut point = |&v: &Vertex| {
             let mut point: Vec<Polynomial> =
-                scene.point(v).iter().enumerate().map(|(axis, &x)| coordinate(rank, axis, x)).collect();
+                scene.point(v).iter().enumerate().map(|(axis, &x)| coordinate(v, axis, x)).collect();
             point.push(Polynomial::constant(Integer::from(1)));
             (v, point)
         };
-        Moved { points: vertices.iter().enumerate().map(&mut point).collect() }
+        Moved { points: vertices.iter().map(&mut point).collect() }
     }
 
     fn point(&self, scene: &Scene, v: Vertex) -> Vec<Polynomial> {
@@ -197,13 +201,26 @@ pub(super) fn judge(scene: &Scene, question: Question, args: &[Vertex]) -> Sign 
         _ => &[Axis::X, Axis::Y, Axis::Z],
     };
     let sign = |of: &dyn Fn(&Moved) -> Polynomial| {
-        let is_identity = [0x9e37_79b9_7f4a_7c15, 0xd1b5_4a32_d192_ed03]
-            .iter()
-            .all(|&factor| of(&Moved::new(scene, &vertices, Move::Anywhere(factor))).sign().is_zero());
-        if is_identity {
+        let is_zero = |active: &[Vertex]| {
+            [0x9e37_79b9_7f4a_7c15, 0xd1b5_4a32_d192_ed03]
+                .iter()
+                .all(|&factor| of(&Moved::new(scene, &vertices, Move::Anywhere(active, factor))).sign().is_zero())
+        };
+        if is_zero(&vertices) {
             return Sign::Zero;
         }
-        let signs = (0..=vertices.len()).map(|active| of(&Moved::new(scene, &vertices, Move::First(active))).sign());
+        let mut movable = vertices.clone();
+        if movable.len() > FEW {
+            // Smallest first: what is not zero without a vertex' move has a monomial without it, which is larger.
+            for v in vertices.iter().rev() {
+                let others: Vec<Vertex> = movable.iter().copied().filter(|other| other != v).collect();
+                if !is_zero(&others) {
+                    movable = others;
+                }
+            }
+        }
+        let signs = (0..=movable.len())
+            .map(|active| of(&Moved::new(scene, &vertices, Move::Slightly(&movable[..active]))).sign());
         signs.into_iter().find(|sign| !sign.is_zero()).expect("the determinant is zero for certain moves only")
     };
     let matrix = |moved: &Moved| {
