@@ -42,8 +42,12 @@ pub(crate) fn decide(scene: &Scene, question: Question, args: &[Vertex]) -> Opti
     let leading = search.leading(&Determinant { question, args })?;
     let weights = args.iter().filter(|v| v.is_constructed());
     let sign = weights.fold(leading.sign, |sign, &v| {
-        // A weight that is always zero is that of lines or planes that never meet in a point.
-        sign * search.leading(&Weight(v)).map_or(Sign::Zero, |weight| weight.sign)
+        let weight = Weight(v);
+        match search.unmoved(&weight) {
+            // A weight that is always zero is that of lines or planes that never meet in a point.
+            Sign::Zero => sign * search.leading(&weight).map_or(Sign::Zero, |weight| weight.sign),
+            unmoved => sign * unmoved,
+        }
     });
     Some((sign, leading.degree))
 }

@@ -7,6 +7,8 @@
 
 use predicament_predicates::{Axis, Construction, Dimension, Question, Scene, Vertex};
 
+use smallvec::{SmallVec, smallvec};
+
 use super::series::{Coefficient, Cut, Series, difference, sum};
 
 /// The input vertices that a question is about, each once, in ascending order.
@@ -34,12 +36,12 @@ pub(super) struct Moved<'q, C> {
 }
 
 /// Coordinates times the weight, then the weight.
-type Row<C> = Vec<Series<C>>;
+type Row<C> = SmallVec<[Series<C>; 4]>;
 
 impl<C: Coefficient> Moved<'_, C> {
     /// The determinant behind a question, times the weights of all vertices.
     pub(super) fn determinant(&self, question: Question, args: &[Vertex]) -> Series<C> {
-        let rows = |axes: &[Axis]| -> Vec<Row<C>> {
+        let rows = |axes: &[Axis]| -> SmallVec<[Row<C>; 4]> {
             let row = |&v: &Vertex| {
                 let all = self.row(v);
                 let weight = all.last().cloned().expect("a row has a weight");
@@ -84,7 +86,7 @@ impl<C: Coefficient> Moved<'_, C> {
                     let [x, y, z] = [(&d, &op), (&e, &pn), (&f, &no)].map(|(d, n)| self.times(d, &n[axis]));
                     sum(sum(x, &y), &z)
                 };
-                vec![along(0), along(1), along(2), self.dot(&n, &op)]
+                smallvec![along(0), along(1), along(2), self.dot(&n, &op)]
             }
         }
     }
@@ -107,7 +109,7 @@ impl<C: Coefficient> Moved<'_, C> {
         &self.coordinates[place * stride..][..stride]
     }
 
-    fn minus(&self, a: Vertex, b: Vertex) -> Vec<Series<C>> {
+    fn minus(&self, a: Vertex, b: Vertex) -> Row<C> {
         self.point(a).iter().zip(self.point(b)).map(|(a, b)| difference(a.clone(), b)).collect()
     }
 

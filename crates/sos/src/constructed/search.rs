@@ -46,6 +46,9 @@ pub(super) struct Search<'q> {
     inputs: &'q [Vertex],
     /// Integers over a common power of two, which changes no sign: significand and exponent.
     coordinates: Vec<(i64, u32)>,
+    /// The same modulo both primes, in place and moved.
+    by_61: Vec<[Residue<61>; 2]>,
+    by_31: Vec<[Residue<31>; 2]>,
 }
 
 /// One value of each kind of residue, at a place that is always the same.
@@ -57,6 +60,14 @@ fn noise(infinitesimal: usize, seed: u64) -> u64 {
     z ^ z >> 31
 }
 
+fn residues<const E: u32>(coordinates: &[(i64, u32)]) -> Vec<[Residue<E>; 2]> {
+    let residue = |(at, &(m, k)): (usize, &(i64, u32))| {
+        let coordinate = Residue::scaled(m, k);
+        [coordinate, coordinate.plus(Residue::new(noise(at, E.into())))]
+    };
+    coordinates.iter().enumerate().map(residue).collect()
+}
+
 impl<'q> Search<'q> {
     pub(super) fn new(scene: &'q Scene, inputs: &'q [Vertex]) -> Search<'q> {
         let parts = |&x: &f64| -> (i64, i32) {
@@ -66,7 +77,14 @@ impl<'q> Search<'q> {
         let coordinates: Vec<_> = inputs.iter().flat_map(|&v| scene.point(v).iter().map(parts)).collect();
         let lowest = coordinates.iter().filter(|(m, _)| *m != 0).map(|(_, exponent)| *exponent).min().unwrap_or(0);
         let raise = |(m, exponent): (i64, i32)| (m, exponent.saturating_sub(lowest).max(0).unsigned_abs());
-        Search { scene, inputs, coordinates: coordinates.into_iter().map(raise).collect() }
+        let coordinates: Vec<(i64, u32)> = coordinates.into_iter().map(raise).collect();
+        let (by_61, by_31) = (residues(&coordinates), residues(&coordinates));
+        Search { scene, inputs, coordinates, by_61, by_31 }
+    }
+
+    /// The sign where nothing moves.
+    pub(super) fn unmoved(&self, expression: &impl Expression) -> Sign {
+        self.coefficient(expression, &[]).cmp0().into()
     }
 
     /// The largest monomial, or none if the polynomial is zero however the vertices move.
@@ -109,16 +127,8 @@ impl<'q> Search<'q> {
 
     /// Whether the coefficient of the chosen powers is not zero, as a polynomial in the `active` largest infinitesimals.
     fn is_there(&self, expression: &impl Expression, active: usize, chosen: &[(usize, usize)]) -> bool {
-        self.residue::<61>(expression, active, chosen) || self.residue::<31>(expression, active, chosen)
-    }
-
-    fn residue<const E: u32>(&self, expression: &impl Expression, active: usize, chosen: &[(usize, usize)]) -> bool {
-        let place = |at: usize| {
-            let (m, k) = self.coordinates[at];
-            let coordinate = Residue::<E>::scaled(m, k);
-            if at < active { coordinate.plus(Residue::new(noise(at, E.into()))) } else { coordinate }
-        };
-        !self.evaluate(expression, place, chosen).is_zero()
+        !self.evaluate(expression, |at| self.by_61[at][usize::from(at < active)], chosen).is_zero()
+            || !self.evaluate(expression, |at| self.by_31[at][usize::from(at < active)], chosen).is_zero()
     }
 
     fn coefficient(&self, expression: &impl Expression, chosen: &[(usize, usize)]) -> Integer {

@@ -78,7 +78,7 @@ impl Coefficient for rug::Integer {
 }
 
 /// A polynomial up to a cut: by the monomial's place.
-pub(super) type Series<C> = SmallVec<[C; 1]>;
+pub(super) type Series<C> = SmallVec<[C; 2]>;
 
 /// The degrees up to which series are kept, one for each infinitesimal.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -103,13 +103,30 @@ impl Cut {
     }
 
     pub(super) fn constant<C: Coefficient>(&self, c: C) -> Series<C> {
-        let mut series: Series<C> = smallvec![C::zero(); self.len()];
-        series[0] = c;
+        let mut series: Series<C> = smallvec![c];
+        series.resize(self.len(), C::zero());
         series
     }
 
+    #[inline]
     pub(super) fn times<C: Coefficient>(&self, a: &Series<C>, b: &Series<C>) -> Series<C> {
+        // Most numbers are constants.
+        if let ([x], [y]) = (a.as_slice(), b.as_slice()) {
+            let mut product = C::zero();
+            product.add_product(x, y);
+            return smallvec![product];
+        }
+        self.times_in_full(a, b)
+    }
+
+    fn times_in_full<C: Coefficient>(&self, a: &Series<C>, b: &Series<C>) -> Series<C> {
         let mut product: Series<C> = smallvec![C::zero(); self.len()];
+        if self.degrees.len() == 1 {
+            for (i, x) in a.iter().enumerate() {
+                product[i..].iter_mut().zip(b).for_each(|(sum, y)| sum.add_product(x, y));
+            }
+            return product;
+        }
         for (i, x) in a.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
             for (j, y) in b.iter().enumerate().filter(|(_, y)| !y.is_zero()) {
                 if self.fits(i, j) {

@@ -1,0 +1,84 @@
+//! What a tie about constructed vertices costs: the search for the monomial
+//! that decides, against the exact backend that finds the tie.
+//!
+//! Families of the corpus in which half of the queries or all are ties. Both
+//! backends take turns over the same queries, one printed line a family:
+//! nanoseconds for each query, and for each tie what it costs on top.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use predicament_corpus::{Cache, Level, LoadedScene, Manifest, Suite, Work};
+use predicament_exact::Exact;
+use predicament_predicates::{Backend, Off, Predicates, QuerySet, Sign};
+use predicament_sos::Sos;
+
+const QUERIES: usize = 2000;
+const ROUNDS: usize = 5;
+
+fn load(family: &str, task: &str) -> LoadedScene {
+    let text = format!(
+        "title = \"ties\"\n[[generate]]\nfamily = \"{family}\"\ntask = \"{task}\"\nn = {QUERIES}\nseed = 5\n\
+         source = \"generated\"\nanalysis = \"What ties cost.\"\n"
+    );
+    let suite = Suite::parse("ties.toml", &text, None, &Manifest::default()).expect("a suite");
+    suite.scenes[0].load(Level::Quick, &Cache::new("")).expect("generated")
+}
+
+fn pass(session: &impl Predicates, queries: &QuerySet, out: &mut [Sign]) -> Duration {
+    let start = Instant::now();
+    for (query, out) in out.iter_mut().enumerate() {
+        *out = queries.question().ask(session, black_box(queries).args(query));
+    }
+    start.elapsed()
+}
+
+fn median(mut times: Vec<Duration>) -> f64 {
+    times.sort_unstable();
+    times[times.len() / 2].as_secs_f64() * 1e9
+}
+
+fn ties(criterion: &mut Criterion) {
+    for (family, task) in [
+        ("ssi-degen", "compare"),
+        ("ssi-degen", "orient2d"),
+        ("lpi-degen", "compare"),
+        ("lpi-degen", "orient3d"),
+        ("tpi-degen", "compare"),
+        ("tpi-degen", "orient3d"),
+    ] {
+        let loaded = load(family, task);
+        let Work::Signs(queries) = &loaded.work else { panic!("a family of signs") };
+        let sos = Sos::default();
+        let exact = Exact.prepare(&loaded.scene, Off).expect("prepared");
+        let session = sos.prepare(&loaded.scene, Off).expect("prepared");
+        let mut out = vec![Sign::Zero; queries.len()];
+        pass(&exact, queries, &mut out);
+        let broken = out.iter().filter(|sign| sign.is_zero()).count();
+        let (mut plain, mut perturbed) = (Vec::new(), Vec::new());
+        for _ in 0..ROUNDS {
+            plain.push(pass(&exact, queries, &mut out));
+            perturbed.push(pass(&session, queries, &mut out));
+        }
+        let [plain, perturbed] = [plain, perturbed].map(median);
+        #[allow(clippy::cast_precision_loss)] // some thousands
+        let [all, broken] = [queries.len() as f64, broken as f64];
+        println!(
+            "{family} {task}: exact {:.0} ns, sos {:.0} ns, {:.1} µs more for each of {broken} ties in {all}",
+            plain / all,
+            perturbed / all,
+            (perturbed - plain) / broken / 1e3,
+        );
+        criterion.bench_function(&format!("{family} {task}"), |bencher| {
+            bencher.iter(|| pass(&session, queries, &mut out));
+        });
+    }
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default().sample_size(10);
+    targets = ties
+}
+criterion_main!(benches);
