@@ -2,7 +2,7 @@
 
 use predicament_controls::{Epsilon, Naive, Pivot, Shewchuk};
 use predicament_exact::Exact;
-use predicament_sos::{Scheme, Sos, infinitesimal};
+use predicament_sos::{PerMesh, Scheme, Sos, infinitesimal};
 use predicament_tolerance::Tolerance;
 
 use crate::{Contestant, Entry, faults};
@@ -16,6 +16,7 @@ pub const HELP: &str = "\
 exact                   the sign of the real determinant
 sos                     Simulation of Simplicity, x_i + eps^(2^i) (Franklin)
 sos:edelsbrunner-mucke  Simulation of Simplicity, last coordinate strongest
+sos:per-mesh            the second of two meshes moved by (eps, eps^2, eps^3), for contacts
 tolerance               the hierarchical tolerances of Wang et al.
 tolerance:f32           the same in single precision, for scenes whose coordinates it holds exactly
 naive, naive:first      plain floating point, pivot at the last or the first argument
@@ -32,6 +33,7 @@ pub fn backend(name: &str) -> Result<Box<dyn Contestant>, String> {
         "exact" => Box::new(Entry::new(Exact)),
         "sos" | "sos:per-coordinate" => sos(Scheme::PerCoordinate),
         "sos:edelsbrunner-mucke" => sos(Scheme::EdelsbrunnerMucke),
+        "sos:per-mesh" => Box::new(Entry::breaking_ties(PerMesh, infinitesimal::judge_per_mesh)),
         "tolerance" | "tolerance:f64" => Box::new(Entry::new(Tolerance::<f64>::new())),
         "tolerance:f32" => Box::new(Entry::new(Tolerance::<f32>::new())),
         "naive" | "naive:last" => Box::new(Entry::new(Naive { pivot: Pivot::Last })),
@@ -67,7 +69,7 @@ mod tests {
 
     #[test]
     fn every_backend_has_the_name_it_is_picked_by() {
-        for name in DEFAULT.iter().copied().chain(["tolerance:f32", "fault:tolerance-as-printed"]) {
+        for name in DEFAULT.iter().copied().chain(["sos:per-mesh", "tolerance:f32", "fault:tolerance-as-printed"]) {
             assert_eq!(backend(name).unwrap().name(), name);
         }
     }

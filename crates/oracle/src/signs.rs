@@ -207,12 +207,12 @@ fn judge_chunk<P: Predicates>(
     chunk
 }
 
-/// Whether a determinant is zero wherever the input vertices are: no tie, but
-/// a vertex on the plane it was constructed on, or two names of one point.
+/// Whether a determinant is zero however the scene moves: no tie, but a vertex
+/// on the plane it was constructed on, two names of one point, or vertices of
+/// one mesh that is moved as a whole.
 fn is_identity(tie_judge: Option<&TieJudge>, case: &SignCase, query: usize) -> bool {
-    let args = case.queries.args(query);
-    args.iter().any(|v| v.is_constructed())
-        && tie_judge.is_some_and(|perturbed| perturbed(case.scene, case.queries.question(), args).is_zero())
+    let (question, args) = (case.queries.question(), case.queries.args(query));
+    tie_judge.is_some_and(|perturbed| perturbed(case.scene, question, args).is_zero())
 }
 
 /// Holds a sample of broken ties against explicit infinitesimals.

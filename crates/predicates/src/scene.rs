@@ -86,6 +86,8 @@ pub struct Scene {
     /// The vertex of each construction: the inverse of `constructions`.
     interned: BTreeMap<Construction, Vertex>,
     primitive_lengths: Option<[f64; 2]>,
+    /// Whether each vertex is of the second of two meshes; empty where there are no two.
+    second_mesh: Vec<bool>,
 }
 
 impl Scene {
@@ -112,6 +114,7 @@ impl Scene {
             constructions: Vec::new(),
             interned: BTreeMap::new(),
             primitive_lengths: None,
+            second_mesh: Vec::new(),
         })
     }
 
@@ -142,6 +145,25 @@ impl Scene {
         assert!(lengths.iter().all(|&length| length >= 0.0), "a primitive has a length");
         self.primitive_lengths = Some(lengths);
         self
+    }
+
+    /// The scene with two meshes in it, of which the second has these
+    /// vertices. A perturbation that moves a mesh as a whole moves this one.
+    ///
+    /// # Panics
+    /// If one of them is no input vertex of the scene.
+    #[must_use]
+    pub fn with_second_mesh(mut self, vertices: impl IntoIterator<Item = Vertex>) -> Scene {
+        self.second_mesh = vec![false; self.len()];
+        vertices.into_iter().for_each(|v| self.second_mesh[v.index()] = true);
+        self
+    }
+
+    /// For each input vertex whether it is of the second mesh, if the scene has two.
+    #[inline]
+    #[must_use]
+    pub fn second_mesh(&self) -> Option<&[bool]> {
+        (!self.second_mesh.is_empty()).then_some(&self.second_mesh)
     }
 
     /// La and Lb, if the scene has two meshes.

@@ -9,7 +9,7 @@
 //! those of one and the same moved scene, so they can't contradict each other.
 //!
 //! * [`Scheme`]: which infinitesimal moves which coordinate.
-//! * [`Sos`], [`Session`]: the backend.
+//! * [`Sos`], [`Session`]: the backend; [`PerMesh`]: its relative that moves one of two meshes as a whole.
 //! * [`mod@derive`]: the program that finds the terms; its output is what
 //!   [`Scheme::terms`] returns. [`Term`]: one of them, as data.
 //! * [`ties`]: sorting and evaluating, open for experiments and planted faults.
@@ -23,6 +23,7 @@ mod filter;
 pub mod infinitesimal;
 mod leading;
 mod lift;
+mod per_mesh;
 mod scheme;
 mod short;
 mod stage;
@@ -32,5 +33,6 @@ mod term;
 pub mod ties;
 
 pub use backend::{Session, Sos};
+pub use per_mesh::PerMesh;
 pub use scheme::Scheme;
 pub use term::{Gap, Lift, Term};

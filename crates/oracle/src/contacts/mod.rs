@@ -57,7 +57,7 @@ impl<'a> ContactsCase<'a> {
     /// If the judge contradicts itself.
     pub fn new(scene: &Scene, a: &'a Complex, b: &'a Complex, watch: &Watch) -> Result<ContactsCase<'a>, Stop> {
         let lengths = [a, b].map(|complex| complex.primitive_length(scene));
-        let scene = scene.clone().with_primitive_lengths(lengths);
+        let scene = scene.clone().with_primitive_lengths(lengths).with_second_mesh(b.vertices().iter().copied());
         let truth = contacts(&Judged::exact(&scene), a, b);
         watch.done((a.len() + b.len()) as u64)?;
         let case = ContactsCase { scene, complexes: [a, b], faces: [a, b].map(Faces::new), truth };

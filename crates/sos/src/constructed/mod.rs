@@ -22,6 +22,7 @@
 
 mod moved;
 mod residue;
+pub(crate) mod rigid;
 mod search;
 mod series;
 

@@ -1,5 +1,4 @@
-//! Determinants about constructed vertices, of a scene whose vertices have
-//! been moved somehow.
+//! Determinants of a scene whose vertices have been moved somehow.
 //!
 //! Nothing here knows how: coordinates are [`Series`], and everything is a
 //! polynomial of them. A constructed vertex is a homogeneous row, its
@@ -53,7 +52,15 @@ impl<C: Coefficient> Moved<'_, C> {
             Question::Compare(axis) => self.minor(&rows(&[axis]), [0, 1], [0, 1]),
             Question::Orient2d(plane) => self.turn(&rows(&plane.axes())),
             Question::Orient3d => self.side(&rows(&[Axis::X, Axis::Y, Axis::Z])),
-            Question::Incircle | Question::Insphere => unreachable!("circles take input vertices"),
+            Question::Incircle | Question::Insphere => {
+                let (last, others) = args.split_last().expect("circles take vertices");
+                let row = |v: &Vertex| {
+                    let mut row = self.minus(*v, *last);
+                    row.push(self.dot(&row, &row));
+                    row
+                };
+                self.laplace(&others.iter().map(row).collect::<Vec<_>>(), 0)
+            }
         }
     }
 
@@ -133,6 +140,20 @@ impl<C: Coefficient> Moved<'_, C> {
 
     fn normal(&self, [a, b, c]: [Vertex; 3]) -> [Series<C>; 3] {
         self.cross(&self.minus(b, a), &self.minus(c, a))
+    }
+
+    /// The determinant of the columns from `column` on.
+    fn laplace(&self, rows: &[Row<C>], column: usize) -> Series<C> {
+        if let [row] = rows {
+            return row[column].clone();
+        }
+        let mut total = self.cut.constant(C::zero());
+        for at in 0..rows.len() {
+            let rest = [&rows[..at], &rows[at + 1..]].concat();
+            let product = self.times(&rows[at][column], &self.laplace(&rest, column + 1));
+            total = if at % 2 == 0 { sum(total, &product) } else { difference(total, &product) };
+        }
+        total
     }
 
     /// Two rows' minor of two columns.

@@ -70,14 +70,7 @@ fn residues<const E: u32>(coordinates: &[(i64, u32)]) -> Vec<[Residue<E>; 2]> {
 
 impl<'q> Search<'q> {
     pub(super) fn new(scene: &'q Scene, inputs: &'q [Vertex]) -> Search<'q> {
-        let parts = |&x: &f64| -> (i64, i32) {
-            let (significand, exponent) = significand(x);
-            (significand, exponent)
-        };
-        let coordinates: Vec<_> = inputs.iter().flat_map(|&v| scene.point(v).iter().map(parts)).collect();
-        let lowest = coordinates.iter().filter(|(m, _)| *m != 0).map(|(_, exponent)| *exponent).min().unwrap_or(0);
-        let raise = |(m, exponent): (i64, i32)| (m, exponent.saturating_sub(lowest).max(0).unsigned_abs());
-        let coordinates: Vec<(i64, u32)> = coordinates.into_iter().map(raise).collect();
+        let coordinates = integers(scene, inputs);
         let (by_61, by_31) = (residues(&coordinates), residues(&coordinates));
         Search { scene, inputs, coordinates, by_61, by_31 }
     }
@@ -160,6 +153,14 @@ impl<'q> Search<'q> {
         let moved = Moved { scene: self.scene, cut: &cut, inputs: self.inputs, coordinates };
         expression.of(&moved).pop().expect("a series has a coefficient for its cut")
     }
+}
+
+/// The coordinates of these vertices in units of their lowest bit: significands and exponents from 0 on.
+pub(super) fn integers(scene: &Scene, inputs: &[Vertex]) -> Vec<(i64, u32)> {
+    let coordinates: Vec<_> = inputs.iter().flat_map(|&v| scene.point(v)).map(|&x| significand(x)).collect();
+    let lowest = coordinates.iter().filter(|(m, _)| *m != 0).map(|(_, exponent)| *exponent).min().unwrap_or(0);
+    let raise = |(m, exponent): (i64, i32)| (m, (exponent - lowest).max(0).unsigned_abs());
+    coordinates.into_iter().map(raise).collect()
 }
 
 /// m and e with x = m · 2^e; 0 · 2^0 for zero.

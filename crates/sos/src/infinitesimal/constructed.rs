@@ -119,6 +119,8 @@ enum Move<'v> {
     Slightly(&'v [Vertex]),
     /// Some of them, by large random numbers: nothing is zero then but what always is.
     Anywhere(&'v [Vertex], u64),
+    /// Some of them as a whole, by (ε, ε², ε³): a monomial is a power of ε.
+    Rigidly(&'v [bool]),
 }
 
 impl Moved {
@@ -135,6 +137,13 @@ impl Moved {
                     let mut polynomial = Polynomial::constant(x);
                     if let Some(rank) = active.iter().position(|&active| active == v) {
                         polynomial.0.insert(key(rank * dimension + axis), Integer::from(1));
+                    }
+                    polynomial
+                }
+                Move::Rigidly(moving) => {
+                    let mut polynomial = Polynomial::constant(x);
+                    if moving[v.index()] {
+                        polynomial.0.insert(axis as u128 + 1, Integer::from(1));
                     }
                     polynomial
                 }
@@ -181,32 +190,83 @@ impl Moved {
     }
 }
 
-/// The sign of the moved determinant; zero if it is zero wherever the input vertices are.
+/// What a question is about: its input vertices, and its matrix as a function of their move.
+struct Asked<'q> {
+    scene: &'q Scene,
+    question: Question,
+    args: &'q [Vertex],
+    vertices: Vec<Vertex>,
+}
+
+impl<'q> Asked<'q> {
+    fn new(scene: &'q Scene, question: Question, args: &'q [Vertex]) -> Asked<'q> {
+        let flats = |v: &Vertex| -> Vec<Vertex> {
+            let index = v.construction();
+            let defined_by = index.map(|index| scene.constructions()[index].flats().flatten().copied().collect());
+            defined_by.unwrap_or_else(|| vec![*v])
+        };
+        let mut vertices: Vec<Vertex> = args.iter().flat_map(flats).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        Asked { scene, question, args, vertices }
+    }
+
+    fn moved(&self, by: Move<'_>) -> Moved {
+        Moved::new(self.scene, &self.vertices, by)
+    }
+
+    /// The determinant times the weights of all constructed vertices.
+    fn determinant(&self, moved: &Moved) -> Polynomial {
+        let planar;
+        let axes: &[Axis] = match &self.question {
+            Question::Compare(axis) => std::slice::from_ref(axis),
+            Question::Orient2d(plane) => {
+                planar = plane.axes();
+                &planar
+            }
+            Question::Incircle => &[Axis::X, Axis::Y],
+            _ => &[Axis::X, Axis::Y, Axis::Z],
+        };
+        let lifted = matches!(self.question, Question::Incircle | Question::Insphere);
+        let row = |&v: &Vertex| {
+            let mut point = moved.point(self.scene, v);
+            let weight = point.pop().expect("a point has a weight");
+            let mut row: Vec<Polynomial> = axes.iter().map(|axis| point[axis.index()].clone()).collect();
+            if lifted {
+                // Of input vertices, whose weight is one.
+                let mut lift = Polynomial::default();
+                row.iter().for_each(|x| lift.add(&x.times(x), false));
+                row.push(lift);
+            }
+            row.push(weight);
+            row
+        };
+        determinant(&self.args.iter().map(row).collect::<Vec<_>>())
+    }
+
+    fn weight(&self, moved: &Moved, v: Vertex) -> Polynomial {
+        moved.point(self.scene, v).pop().expect("a point has a weight")
+    }
+
+    /// The sign of the determinant, by the signs of polynomials of the move.
+    fn sign(&self, of: impl Fn(&dyn Fn(&Moved) -> Polynomial) -> Sign) -> Sign {
+        let determinant = of(&|moved| self.determinant(moved));
+        self.args.iter().fold(determinant, |product, &v| product * of(&|moved| self.weight(moved, v)))
+    }
+}
+
+/// The sign where each coordinate of each vertex moves by an infinitesimal of
+/// its own; zero if it is zero wherever the input vertices are.
 pub(super) fn judge(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
-    let flats = |v: &Vertex| -> Vec<Vertex> {
-        let defined_by =
-            v.construction().map(|index| scene.constructions()[index].flats().flatten().copied().collect());
-        defined_by.unwrap_or_else(|| vec![*v])
-    };
-    let mut vertices: Vec<Vertex> = args.iter().flat_map(flats).collect();
-    vertices.sort_unstable();
-    vertices.dedup();
-    let planar;
-    let axes: &[Axis] = match &question {
-        Question::Compare(axis) => std::slice::from_ref(axis),
-        Question::Orient2d(plane) => {
-            planar = plane.axes();
-            &planar
-        }
-        _ => &[Axis::X, Axis::Y, Axis::Z],
-    };
-    let sign = |of: &dyn Fn(&Moved) -> Polynomial| {
+    let asked = Asked::new(scene, question, args);
+    let vertices = &asked.vertices;
+    asked.sign(|of| {
         let is_zero = |active: &[Vertex]| {
             [0x9e37_79b9_7f4a_7c15, 0xd1b5_4a32_d192_ed03]
                 .iter()
-                .all(|&factor| of(&Moved::new(scene, &vertices, Move::Anywhere(active, factor))).sign().is_zero())
+                .all(|&factor| of(&asked.moved(Move::Anywhere(active, factor))).sign().is_zero())
         };
-        if is_zero(&vertices) {
+        if is_zero(vertices) {
             return Sign::Zero;
         }
         let mut movable = vertices.clone();
@@ -219,20 +279,18 @@ pub(super) fn judge(scene: &Scene, question: Question, args: &[Vertex]) -> Sign 
                 }
             }
         }
-        let signs = (0..=movable.len())
-            .map(|active| of(&Moved::new(scene, &vertices, Move::Slightly(&movable[..active]))).sign());
+        let signs = (0..=movable.len()).map(|active| of(&asked.moved(Move::Slightly(&movable[..active]))).sign());
         signs.into_iter().find(|sign| !sign.is_zero()).expect("the determinant is zero for certain moves only")
-    };
-    let matrix = |moved: &Moved| {
-        let row = |&v: &Vertex| {
-            let point = moved.point(scene, v);
-            let weight = point.last().cloned();
-            axes.iter().map(|axis| point[axis.index()].clone()).chain(weight).collect()
-        };
-        args.iter().map(row).collect::<Vec<Vec<Polynomial>>>()
-    };
-    let determinant = sign(&|moved| determinant(&matrix(moved)));
-    args.iter().fold(determinant, |product, &v| {
-        product * sign(&|moved| moved.point(scene, v).pop().expect("a point has a weight"))
     })
+}
+
+/// The sign where the second of two meshes has moved by (ε, ε², ε³); zero if it is zero however far that moves.
+///
+/// # Panics
+/// If the scene has no two meshes.
+#[must_use]
+pub fn judge_per_mesh(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
+    let asked = Asked::new(scene, question, args);
+    let moving = scene.second_mesh().expect("a scene with two meshes");
+    asked.sign(|of| of(&asked.moved(Move::Rigidly(moving))).sign())
 }

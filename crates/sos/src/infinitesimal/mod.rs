@@ -22,6 +22,8 @@
 
 mod constructed;
 
+pub use constructed::judge_per_mesh;
+
 use predicament_predicates::{Axis, Question, Scene, Sign, Vertex};
 use rug::{Integer, Rational};
 

@@ -1,0 +1,72 @@
+//! Ties between two meshes, of which one has moved as a whole.
+//!
+//! The second mesh is moved by (ε, ε², ε³). One infinitesimal is enough for
+//! whole polynomials: they are cut off at a power that most ties don't reach, then
+//! at larger ones, up to the largest that there can be.
+
+use predicament_predicates::{Question, Scene, Sign, Vertex};
+use rug::Integer;
+
+use super::moved::{Moved, inputs};
+use super::search::{Expression, integers};
+use super::series::Cut;
+use super::{Determinant, Weight};
+
+/// Where polynomials are cut off, one after the other. About input vertices the largest
+/// power is 12: ε, ε², ε³ and the square of ε³ in the four columns of
+/// `insphere`. Four points of three planes each have products of 4 · 7
+/// coordinates, of which each brings ε³ at most.
+const POWERS: [usize; 3] = [3, 12, 84];
+
+/// The side of a tie, and the power of ε that decides; none if the
+/// determinant is zero however far the second mesh moves.
+///
+/// # Panics
+/// If the scene lacks a vertex or has no two meshes.
+pub(crate) fn decide(scene: &Scene, question: Question, args: &[Vertex]) -> Option<(Sign, usize)> {
+    let second = scene.second_mesh().expect("a scene with two meshes");
+    let inputs = inputs(scene, args);
+    let moving = inputs.iter().filter(|v| second[v.index()]).count();
+    if moving == 0 || moving == inputs.len() {
+        return None;
+    }
+    let constructed = args.iter().any(|v| v.is_constructed());
+    let rigid = Rigid { scene, inputs: &inputs, second, constructed };
+    let (sign, power) = rigid.leading(&Determinant { question, args })?;
+    let weights = args.iter().filter(|v| v.is_constructed());
+    let sign = weights.fold(sign, |sign, &v| sign * rigid.leading(&Weight(v)).map_or(Sign::Zero, |(sign, _)| sign));
+    Some((sign, power))
+}
+
+struct Rigid<'q> {
+    scene: &'q Scene,
+    inputs: &'q [Vertex],
+    second: &'q [bool],
+    /// Whether the question is about constructed vertices.
+    constructed: bool,
+}
+
+impl Rigid<'_> {
+    fn leading(&self, expression: &impl Expression) -> Option<(Sign, usize)> {
+        let powers = if self.constructed { &POWERS[..] } else { &POWERS[..2] };
+        powers.iter().find_map(|&largest| {
+            let series = self.series(expression, largest);
+            let power = series.iter().position(|coefficient| !coefficient.is_zero())?;
+            Some((series[power].cmp0().into(), power))
+        })
+    }
+
+    fn series(&self, expression: &impl Expression, largest: usize) -> super::Series<Integer> {
+        let cut = Cut::new([largest]);
+        let dimension = self.scene.dimension().count();
+        let coordinate = |(at, (m, k)): (usize, (i64, u32))| {
+            let mut series = cut.constant(Integer::from(m) << k);
+            if self.second[self.inputs[at / dimension].index()] {
+                series[at % dimension + 1] += 1;
+            }
+            series
+        };
+        let coordinates = integers(self.scene, self.inputs).into_iter().enumerate().map(coordinate).collect();
+        expression.of(&Moved { scene: self.scene, cut: &cut, inputs: self.inputs, coordinates })
+    }
+}

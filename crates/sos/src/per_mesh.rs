@@ -1,0 +1,117 @@
+//! A perturbation that moves one of two meshes as a whole.
+//!
+//! PinMesh and 3D-EPUG-Overlay (Magalhães, Franklin and Andrade) move one of
+//! their meshes by (ε, ε², ε³) and leave the other in place: nothing between the
+//! two is degenerate then, and each keeps its own coplanar faces, as it is
+//! moved as a whole. Ties within one mesh are not broken.
+//!
+//! The determinants are polynomials in one ε, exact ones, so nothing here is
+//! searched for or believed. In ε³ = ε · ε² infinitesimals collide; their coefficients add up.
+
+use predicament_exact::Exact;
+use predicament_predicates::{
+    Axis, Backend, Contract, Declined, MAX_STAGES, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally,
+    Vertex, ZeroMeaning,
+};
+
+use crate::constructed::rigid;
+
+/// Simulation of Simplicity between two meshes: the second has moved by (ε, ε², ε³).
+///
+/// Zero is answered where a determinant is zero however far the mesh moves: about vertices of one mesh,
+/// and about directions that both have. Scenes without [two meshes](Scene::with_second_mesh) are declined.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+pub struct PerMesh;
+
+const EXACT: usize = predicament_exact::stage::NAMES.len();
+
+/// The exact backend's stages, then the power of ε that decides.
+static STAGES: [&str; EXACT + 5] = {
+    const POWERS: [&str; 5] = ["power 1", "power 2", "power 3", "power 4", "power 5 or more"];
+    let mut all = [""; EXACT + 5];
+    let mut i = 0;
+    while i < all.len() {
+        all[i] = if i < EXACT { predicament_exact::stage::NAMES[i] } else { POWERS[i - EXACT] };
+        i += 1;
+    }
+    all
+};
+
+const _: () = assert!(EXACT + 5 <= MAX_STAGES);
+
+impl Backend for PerMesh {
+    type Session<'s, T: Tally + 's> = Session<'s, T>;
+
+    fn name(&self) -> String {
+        "sos:per-mesh".to_owned()
+    }
+
+    fn contract(&self, _: PredicateKind) -> Contract {
+        Contract { zero: ZeroMeaning::Never, proved: true }
+    }
+
+    fn stages(&self) -> &'static [&'static str] {
+        &STAGES
+    }
+
+    fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {
+        if scene.second_mesh().is_none() {
+            return Err(Declined::scene("the scene has no two meshes, one of which could be moved as a whole"));
+        }
+        Ok(Session { exact: Exact.prepare(scene, Off)?, tally })
+    }
+}
+
+/// The backend, prepared for one scene.
+pub struct Session<'s, T> {
+    exact: predicament_exact::Session<'s, Off>,
+    tally: T,
+}
+
+impl<T: Tally> Session<'_, T> {
+    #[inline(always)]
+    fn settle<const N: usize>(&self, question: Question, args: [Vertex; N], (sign, stage): (Sign, usize)) -> Sign {
+        if sign.is_zero() {
+            return self.tie(question, args, stage);
+        }
+        self.tally.settled(question.kind(), stage);
+        sign
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn tie<const N: usize>(&self, question: Question, args: [Vertex; N], exact_stage: usize) -> Sign {
+        let (sign, stage) = match rigid::decide(self.exact.scene(), question, &args) {
+            Some((sign, power)) => (sign, EXACT + power.clamp(1, 5) - 1),
+            None => (Sign::Zero, exact_stage),
+        };
+        self.tally.settled(question.kind(), stage);
+        sign
+    }
+}
+
+impl<T: Tally> Predicates for Session<'_, T> {
+    fn scene(&self) -> &Scene {
+        self.exact.scene()
+    }
+
+    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        self.settle(Question::Compare(axis), [a, b], self.exact.decide_compare(axis, a, b))
+    }
+
+    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        self.settle(Question::Orient2d(plane), [a, b, c], self.exact.decide_orient2d(plane, a, b, c))
+    }
+
+    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.settle(Question::Orient3d, [a, b, c, d], self.exact.decide_orient3d(a, b, c, d))
+    }
+
+    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.settle(Question::Incircle, [a, b, c, d], self.exact.decide_incircle(a, b, c, d))
+    }
+
+    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
+        self.settle(Question::Insphere, [a, b, c, d, e], self.exact.decide_insphere(a, b, c, d, e))
+    }
+}
