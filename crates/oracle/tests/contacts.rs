@@ -152,7 +152,7 @@ fn the_truth_is_what_meets_by_definition() {
 #[test]
 fn honest_backends_have_no_findings() {
     for loaded in scenes() {
-        for backend in ["exact", "sos", "sos:edelsbrunner-mucke", "tolerance"] {
+        for backend in ["exact", "sos", "sos:edelsbrunner-mucke", "sos:per-mesh", "tolerance"] {
             let mut outcome = run(&loaded, backend);
             // Contacts that keep their promise and make curves cross an odd number of times.
             if backend == "tolerance" && (loaded.name == "kettner-zigzag" || loaded.name.starts_with("odd-")) {
