@@ -7,15 +7,17 @@
 //! it fits in words of 64 bits, and a vertex is a triple of faces whose planes
 //! meet, all three together, exactly the faces' owners.
 
-use super::mass::{Kind, Mass};
+use super::mass::Mass;
 use super::order::{ByIndex, Face};
 use super::wide;
 
 /// A cell with more cubes than this is divided, but no further than to a
 /// quarter of a cube's edge.
-const CROWD: usize = 24;
+const CROWD: usize = 40;
 /// The cubes that a word holds: a cell with more is divided as far as it goes.
 const WORD: usize = 64;
+/// Up to so many coordinates are compared by pairs, more are sorted.
+const PAIRS: usize = 16;
 
 /// A box of points from the first to before the second coordinate, for each axis.
 pub(super) type Range = [[i64; 2]; 3];
@@ -29,24 +31,33 @@ struct Along {
     upper: u64,
     /// Cubes without a face there.
     through: u64,
+    /// The faces' coordinates.
+    at: [i64; WORD],
     /// For each cube with a face the cubes that its plane meets, itself included.
     cubes: [u64; WORD],
     /// For each cube the faces whose planes meet it, its own included.
     met: [u64; WORD],
-    /// The faces' coordinates.
-    at: [i64; WORD],
 }
 
 /// Memory for one cell after the other.
 pub(super) struct Scratch {
     along: Box<[Along; 3]>,
+    /// For each cube those before it.
+    before: Box<[u64; WORD]>,
     keys: Vec<u64>,
+    /// The cubes that own the x, y and z faces of the vertices found.
+    vertices: Vec<[u8; 3]>,
 }
 
 impl Scratch {
     pub(super) fn new() -> Scratch {
-        let along = Along { faces: 0, upper: 0, through: 0, cubes: [0; WORD], met: [0; WORD], at: [0; WORD] };
-        Scratch { along: Box::new([along.clone(), along.clone(), along]), keys: Vec::new() }
+        let along = Along { faces: 0, upper: 0, through: 0, at: [0; WORD], cubes: [0; WORD], met: [0; WORD] };
+        Scratch {
+            along: Box::new([along.clone(), along.clone(), along]),
+            before: Box::new([0; WORD]),
+            keys: Vec::new(),
+            vertices: Vec::new(),
+        }
     }
 }
 
@@ -139,71 +150,87 @@ fn divide(cubes: &mut Vec<[i64; 3]>, first: usize, edge: i64, cell: Range, scrat
 
 impl Along {
     /// Looks at the cubes along one axis; false if none has a face in the range.
+    ///
+    /// Without branches on coordinates: those of random cubes can't be
+    /// predicted, and a wrong guess costs more than a cube.
     #[inline]
-    fn look(&mut self, cubes: &[[i64; 3]], axis: usize, edge: i64, range: [i64; 2], keys: &mut Vec<u64>) -> bool {
-        [self.faces, self.upper, self.through] = [0; 3];
-        keys.clear();
+    fn look(
+        &mut self,
+        cubes: &[[i64; 3]],
+        axis: usize,
+        edge: i64,
+        [from, to]: [i64; 2],
+        before: &mut [u64; WORD],
+        keys: &mut Vec<u64>,
+    ) -> bool {
+        let (mut faces, mut upper) = (0, 0);
         for (j, lower) in cubes.iter().enumerate() {
-            let bit = 1 << j;
-            let Some(upper) = face_in(lower[axis], edge, range) else {
-                self.through |= bit;
-                continue;
-            };
-            let at = lower[axis] + if upper { edge } else { 0 };
+            // It reaches the cell: if its lower face is before it, its upper one isn't.
+            let is_upper = lower[axis] < from;
+            let at = lower[axis] + if is_upper { edge } else { 0 };
             self.at[j] = at;
-            self.faces |= bit;
-            self.upper |= if upper { bit } else { 0 };
-            // Ties by the place in the list, which has smaller indices later. (A range is below 2^57 wide.)
-            keys.push(((at - range[0]).cast_unsigned() << 6) | j as u64);
+            upper |= u64::from(is_upper) << j;
+            faces |= u64::from(at < to) << j;
         }
-        sort(keys);
-        let mut passed = 0;
-        for key in keys.iter() {
-            let j = (key % 64) as usize;
+        upper &= faces;
+        if faces == 0 {
+            return false;
+        }
+        let through = !faces & (u64::MAX >> (WORD - cubes.len()));
+        precede(&self.at[..cubes.len()], from, before, keys);
+        for j in 0..cubes.len() {
             let bit = 1 << j;
-            let before = passed;
-            passed |= bit;
-            self.cubes[j] = (passed & !self.upper & self.faces) | (self.upper & !before) | self.through;
-            self.met[j] = if self.upper & bit != 0 { passed } else { self.faces & !before };
+            let is_upper = upper & bit != 0;
+            let before = before[j] & faces;
+            let passed = before | bit;
+            self.cubes[j] = (passed & faces & !upper) | (upper & !before) | through;
+            let met = if is_upper { passed } else { faces & !before };
+            self.met[j] = if faces & bit != 0 { met } else { faces };
         }
-        let mut through = self.through;
-        while through != 0 {
-            self.met[through.trailing_zeros() as usize] = self.faces;
-            through &= through - 1;
-        }
-        !keys.is_empty()
+        [self.faces, self.upper, self.through] = [faces, upper, through];
+        true
     }
 }
 
-/// By insertion: most cells have few faces.
+/// For each coordinate those before it: the smaller ones, and equal ones that
+/// come earlier in the list. None is less than `from`, nor more than 2^57 above it.
 #[inline]
-fn sort(keys: &mut [u64]) {
-    if keys.len() > 20 {
-        keys.sort_unstable();
-        return;
-    }
-    for end in 1..keys.len() {
-        let key = keys[end];
-        let mut at = end;
-        while at > 0 && keys[at - 1] > key {
-            keys[at] = keys[at - 1];
-            at -= 1;
+fn precede(at: &[i64], from: i64, before: &mut [u64; WORD], keys: &mut Vec<u64>) {
+    if at.len() <= PAIRS {
+        for (j, &b) in at.iter().enumerate() {
+            let mut earlier = 0;
+            for (i, &a) in at[..j].iter().enumerate() {
+                let is_before = u64::from(a <= b);
+                earlier |= is_before << i;
+                before[i] |= (is_before ^ 1) << j;
+            }
+            before[j] = earlier;
         }
-        keys[at] = key;
+    } else {
+        keys.clear();
+        keys.extend((0..).zip(at).map(|(j, &a)| ((a - from).cast_unsigned() << 6) | j));
+        keys.sort_unstable();
+        let mut passed = 0;
+        for key in keys.iter() {
+            let j = key % 64;
+            before[j as usize] = passed;
+            passed |= 1 << j;
+        }
     }
 }
 
 /// [`add_cell`] for cubes that fit in a word.
 fn add_few(cubes: &[[i64; 3]], edge: i64, cell: Range, scratch: &mut Scratch, mass: &mut Mass) {
-    let Scratch { along, keys } = scratch;
+    let Scratch { along, before, keys, vertices } = scratch;
     let [x, y, z] = &mut **along;
-    if !x.look(cubes, 0, edge, cell[0], keys)
-        || !y.look(cubes, 1, edge, cell[1], keys)
-        || !z.look(cubes, 2, edge, cell[2], keys)
+    if !x.look(cubes, 0, edge, cell[0], before, keys)
+        || !y.look(cubes, 1, edge, cell[1], before, keys)
+        || !z.look(cubes, 2, edge, cell[2], before, keys)
         || x.through & y.through & z.through != 0
     {
         return;
     }
+    let mut found = 0;
     let mut faces = x.faces;
     while faces != 0 {
         let a = faces.trailing_zeros() as usize;
@@ -221,16 +248,24 @@ fn add_few(cubes: &[[i64; 3]], edge: i64, cell: Range, scratch: &mut Scratch, ma
                 continue; // The line is covered.
             }
             let mut ends = both & z.met[a] & z.met[b];
+            if vertices.len() < found + WORD {
+                vertices.resize(2 * (found + WORD), [0; 3]);
+            }
             while ends != 0 {
                 let c = ends.trailing_zeros() as usize;
                 ends &= ends - 1;
+                #[allow(clippy::cast_possible_truncation)] // below 64
+                let owners_of_faces = [a, b, c].map(|owner| owner as u8);
+                vertices[found] = owners_of_faces;
                 // On the faces of its owners, and in no other cube.
-                if both & z.cubes[c] == owners | 1 << c {
-                    let upper = [x.upper >> a & 1 == 1, y.upper >> b & 1 == 1, z.upper >> c & 1 == 1];
-                    mass.add(Kind::of([a, b, c]), [x.at[a], y.at[b], z.at[c]], upper);
-                }
+                found += usize::from(both & z.cubes[c] == owners | 1 << c);
             }
         }
+    }
+    for vertex in &vertices[..found] {
+        let [a, b, c] = vertex.map(|owner| usize::from(owner) % WORD);
+        let upper = [x.upper >> a & 1 == 1, y.upper >> b & 1 == 1, z.upper >> c & 1 == 1];
+        mass.add([a, b, c], [x.at[a], y.at[b], z.at[c]], upper);
     }
 }
 
@@ -247,6 +282,6 @@ fn add_crowd(cubes: &[[i64; 3]], edge: i64, cell: Range, mass: &mut Mass) {
     let count = u32::try_from(lowers.len()).unwrap_or_else(|_| unreachable!("no more than there are indices"));
     wide::vertices(&order, count, [&faces[0], &faces[1], &faces[2]], |vertex| {
         let owners = vertex.map(|face| face.cube as usize);
-        mass.add(Kind::of(owners), cell.map(|[from, _]| from), vertex.map(|face| face.upper));
+        mass.add(owners, cell.map(|[from, _]| from), vertex.map(|face| face.upper));
     });
 }

@@ -47,57 +47,28 @@ impl Vertices {
     }
 }
 
-/// Which faces meet at a vertex.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Kind {
-    Corner,
-    /// The cube's edge runs along this axis (0, 1 or 2).
-    EdgeFace(usize),
-    ThreeFaces,
-}
-
-impl Kind {
-    /// By the owners of the three faces, x first.
-    #[inline]
-    pub(super) fn of(owners: [usize; 3]) -> Kind {
-        let [a, b, c] = owners;
-        match (a == b, b == c, c == a) {
-            (true, true, _) => Kind::Corner,
-            (true, false, _) => Kind::EdgeFace(2),
-            (false, true, _) => Kind::EdgeFace(0),
-            (false, false, true) => Kind::EdgeFace(1),
-            (false, false, false) => Kind::ThreeFaces,
-        }
-    }
-}
-
 impl Mass {
-    /// Adds the vertex at `at`, where faces of these kinds meet.
+    /// Adds the vertex at `at`, where the x, y and z face of these owners meet.
     ///
     /// Sums wrap: what is added and taken away again may exceed 128 bits as
     /// long as the totals don't.
     #[inline]
-    pub(super) fn add(&mut self, kind: Kind, at: [i64; 3], upper: [bool; 3]) {
-        let signed = |axis: usize| if upper[axis] { at[axis] } else { -at[axis] };
-        let along = [signed(0), signed(1), signed(2)];
+    pub(super) fn add(&mut self, [a, b, c]: [usize; 3], at: [i64; 3], upper: [bool; 3]) {
+        let signed = |positive: bool, value: i64| if positive { value } else { -value };
+        let along: [i64; 3] = std::array::from_fn(|axis| signed(upper[axis], at[axis]));
         let [x, y, z] = along.map(i128::from);
         let volume = (x * y).wrapping_mul(z);
         let area = (x * y).wrapping_add(y * z).wrapping_add(z * x);
-        let length = x + y + z;
-        match kind {
-            Kind::Corner => {
-                self.vertices.corners += 1;
-                self.sum(volume, area, length);
-            }
-            Kind::EdgeFace(axis) => {
-                self.vertices.edge_faces += 1;
-                self.sum(volume.wrapping_neg(), area.wrapping_neg(), length - 2 * i128::from(along[axis]));
-            }
-            Kind::ThreeFaces => {
-                self.vertices.three_faces += 1;
-                self.sum(volume, area, -length);
-            }
-        }
+        // An edge along an axis is convex if both faces that meet there are of one cube.
+        let convex = [b == c, c == a, a == b];
+        let length: i128 = (0..3).map(|axis| i128::from(signed(convex[axis], along[axis]))).sum();
+        let same = convex.map(u64::from).iter().sum::<u64>();
+        let is_edge_face = same == 1;
+        let negated = |sum: i128| if is_edge_face { sum.wrapping_neg() } else { sum };
+        self.sum(negated(volume), negated(area), negated(length));
+        self.vertices.corners += u64::from(same == 3);
+        self.vertices.edge_faces += u64::from(is_edge_face);
+        self.vertices.three_faces += u64::from(same == 0);
     }
 
     #[inline]

@@ -107,7 +107,6 @@ use bins::{Bins, Entry};
 use cell::{Scratch, add_cell};
 pub use coordinate::Coordinate;
 pub use error::CubesError;
-use mass::Kind;
 pub use mass::{Mass, Vertices};
 pub use order::{ByIndex, BySession, Face, Order};
 pub use scaled::ScaledCubes;
@@ -242,7 +241,7 @@ pub fn union_in_order<O: Order>(order: &O, lowers: &[[i64; 3]], edge: i64) -> Re
             let Face { cube, upper } = vertex[axis];
             lowers[cube as usize][axis] - least[axis] + if upper { edge } else { 0 }
         });
-        mass.add(Kind::of(vertex.map(|face| face.cube as usize)), at, vertex.map(|face| face.upper));
+        mass.add(vertex.map(|face| face.cube as usize), at, vertex.map(|face| face.upper));
     });
     Ok(mass)
 }
