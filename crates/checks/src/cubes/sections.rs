@@ -134,7 +134,7 @@ pub fn measured(lowers: &[[i64; 3]], edge: i64) -> Measures {
     let axes = [0, 1, 2].map(|axis| Faces::new(lowers, edge, axis));
     let mut volumes = [0; 3];
     let mut all = Measures::default();
-    for axis in 0..3 {
+    for (axis, volume) in volumes.iter_mut().enumerate() {
         let [u, v, w] = [axis, (axis + 1) % 3, (axis + 2) % 3].map(|axis| &axes[axis]);
         let mut active = Vec::new();
         for (rank, &(cube, _)) in u.owners.iter().enumerate() {
@@ -142,7 +142,7 @@ pub fn measured(lowers: &[[i64; 3]], edge: i64) -> Measures {
             let width = if rank + 1 < u.owners.len() { u.width(rank, rank + 1) } else { 0 };
             if width > 0 {
                 let section = section(v, w, &active);
-                volumes[axis] += width * section.area;
+                *volume += width * section.area;
                 all.area += width * section.ends;
                 all.edge_length += width * section.corners;
             }

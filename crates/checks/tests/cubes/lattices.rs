@@ -58,3 +58,16 @@ fn lattices_in_any_order_are_right() {
         }
     }
 }
+
+#[test]
+fn ties_are_broken_alike_in_large_input() {
+    // Sorted in several parts, in which the cubes must keep their places in the input.
+    let (n, edge) = (70, 3);
+    let mut lowers = lattice(n, edge);
+    let (count, side) = (i128::from(n).pow(3), i128::from(n * edge));
+    let fused = cube_union(&lowers, edge).unwrap();
+    assert_eq!((fused.volume, fused.area), (side.pow(3), 6 * side.pow(2)));
+    lowers.reverse();
+    let apart = cube_union(&lowers, edge).unwrap();
+    assert_eq!((apart.volume, apart.area, apart.edge_length), (27 * count, 54 * count, 36 * count));
+}
