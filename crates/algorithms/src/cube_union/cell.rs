@@ -61,8 +61,14 @@ impl Scratch {
     }
 }
 
-/// The face of a cube in a range no wider than the cube: none, or whether it
-/// is the upper one.
+/// Whether the cube reaches the cell: a face of it may be on the lower border.
+#[inline]
+pub(super) fn reaches(lower: [i64; 3], edge: i64, cell: Range) -> bool {
+    (0..3).all(|axis| lower[axis] < cell[axis][1] && lower[axis] + edge >= cell[axis][0])
+}
+
+/// The face of a cube in a range: none, or whether it is the upper one. In a
+/// range no wider than the cube there is at most one.
 #[inline]
 fn face_in(lower: i64, edge: i64, [from, to]: [i64; 2]) -> Option<bool> {
     let is_in = |at: i64| from <= at && at < to;
@@ -92,10 +98,7 @@ pub(super) fn add_cell(
         return;
     }
     let widest = cell.iter().map(|[from, to]| to - from).max().unwrap_or(0);
-    if widest > edge {
-        return divide(cubes, first, edge, cell, scratch, mass);
-    }
-    if count > WORD || (count > CROWD && 4 * widest > edge) {
+    if widest > edge || count > WORD || (count > CROWD && 4 * widest > edge) {
         if is_settled(&cubes[first..], edge, cell) {
             return;
         }
@@ -111,6 +114,7 @@ pub(super) fn add_cell(
 }
 
 /// Whether the cell has no vertices: it is covered, or has no faces of some axis.
+/// (A cube that reaches a cell wider than the cube has a face in it.)
 fn is_settled(cubes: &[[i64; 3]], edge: i64, cell: Range) -> bool {
     let mut any = [false; 3];
     for lower in cubes {
@@ -137,7 +141,7 @@ fn divide(cubes: &mut Vec<[i64; 3]>, first: usize, edge: i64, cell: Range, scrat
                 let part = [x, y, z];
                 for at in first..end {
                     let lower = cubes[at];
-                    if (0..3).all(|axis| lower[axis] < part[axis][1] && lower[axis] + edge >= part[axis][0]) {
+                    if reaches(lower, edge, part) {
                         cubes.push(lower);
                     }
                 }

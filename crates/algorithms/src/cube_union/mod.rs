@@ -111,7 +111,7 @@ use predicament_predicates::{PredicateKind, Predicates};
 use rayon::prelude::*;
 
 use bins::{Bins, Entry};
-use cell::{Scratch, add_cell};
+use cell::{Scratch, add_cell, reaches};
 pub use coordinate::Coordinate;
 pub use error::CubesError;
 pub use mass::{Mass, Vertices};
@@ -149,24 +149,32 @@ pub fn cube_union<C: Coordinate>(lowers: &[[C; 3]], edge: C) -> Result<Mass, Cub
         let mut mass = Mass::default();
         for id in first..bins.cells().min(first + CELLS) {
             let place = bins.place(id);
+            let cell = place.map(|at| {
+                let from = at as i64 * size;
+                [from, from + size]
+            });
             near.clear();
             bins.near(id, place, |entry| near.push(*entry));
+            if size > length {
+                near.retain(|entry| reaches(corner(entry), length, cell));
+            }
             if near.is_empty() {
                 continue;
             }
             sort(near);
             cubes.clear();
-            // (Extents are below 2^62.)
-            cubes.extend(near.iter().map(|entry| entry.lower.map(|c| c.into().cast_signed())));
-            let cell = place.map(|at| {
-                let from = at as i64 * size;
-                [from, from + size]
-            });
+            cubes.extend(near.iter().map(corner));
             add_cell(cubes, 0, length, cell, scratch, &mut mass);
         }
         mass
     });
     Ok(sums.reduce(Mass::default, Mass::merge))
+}
+
+/// The lower corner, from the grid's. (Extents are below 2^62.)
+#[inline]
+fn corner<R: Copy + Into<u64>>(entry: &Entry<R>) -> [i64; 3] {
+    entry.lower.map(|c| c.into().cast_signed())
 }
 
 /// The smallest index last.

@@ -61,6 +61,14 @@ fn a_thousand_cubes_have_the_expected_measures_at_all_densities() {
 }
 
 #[test]
+fn a_handful_of_cubes_has_the_expected_measures() {
+    // Where one cube more or less among the others makes all the difference.
+    for (cubes, density) in [(3, 0.3), (8, 0.9)] {
+        assert_near(scores(cubes, density, 4000));
+    }
+}
+
+#[test]
 #[ignore = "ten seconds on one core"]
 fn a_million_cubes_have_the_expected_measures() {
     assert_near(scores(1_000_000, 1.0, 8));
