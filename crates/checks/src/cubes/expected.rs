@@ -109,9 +109,10 @@ impl Expected {
         let w = d / (1.0 - d);
         // All places of a point, and those of a lower face.
         let (points, faces) = (Axis::new(2.0, d, 1.0, pieces), Axis::new(1.0, d, 1.0 - d, pieces));
-        // (1 − p)^m
-        let free = |[x, y, z]: [f64; 3], m: f64| (m * (-w * w * w * x * y * z).ln_1p()).exp();
-        let volume = integral([&points, &points, &points], |s| 1.0 - free(s, n));
+        // The logarithm of (1 − p)^m, and the power.
+        let log_free = |[x, y, z]: [f64; 3], m: f64| m * (-w * w * w * x * y * z).ln_1p();
+        let free = |s: [f64; 3], m: f64| log_free(s, m).exp();
+        let volume = integral([&points, &points, &points], |s| -log_free(s, n).exp_m1());
         let by_face = n / (1.0 - d);
         let area = integral([&faces, &points, &points], |s| w * s[1] * w * s[2] * free(s, n - 1.0));
         let by_edge = by_face / (1.0 - d);
