@@ -7,8 +7,10 @@
 //!
 //! * [`arrangement`]: two complexes merged where they are in contact.
 //! * [`contacts`]: the pairs of simplices of two complexes that meet.
+//! * [`cube_union`]: volume, area and edge length of a union of cubes.
 //! * [`polygon_locate`]: points in the regions of a map, by ray casting.
 
 pub mod arrangement;
 pub mod contacts;
+pub mod cube_union;
 pub mod polygon_locate;

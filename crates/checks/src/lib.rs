@@ -7,9 +7,11 @@
 //! * [`audit`]: contacts held to exact distances;
 //! * [`axioms`]: laws between the answers to related queries;
 //! * [`contacts`]: registered pairs, and the curves and surfaces that they merge;
+//! * [`cubes`]: unions of cubes, measured another way;
 //! * [`tiling`]: points of the plane in the regions of a map.
 
 pub mod audit;
 pub mod axioms;
 pub mod contacts;
+pub mod cubes;
 pub mod tiling;

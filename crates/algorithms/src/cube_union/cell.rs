@@ -1,0 +1,291 @@
+//! The vertices of the union in one cell of the grid.
+//!
+//! A cell that is no wider than a cube has at most one face of each cube for
+//! each axis. With the faces sorted along an axis, the cubes that a face's
+//! plane meets in the cell follow from those that came before: lower faces
+//! passed, upper faces not yet passed, and cubes without a face there. All of
+//! it fits in words of 64 bits, and a vertex is a triple of faces whose planes
+//! meet, all three together, exactly the faces' owners.
+
+use super::mass::Mass;
+use super::order::{ByIndex, Face};
+use super::wide;
+
+/// A cell with more cubes than this is divided, but no further than to a
+/// quarter of a cube's edge.
+const CROWD: usize = 40;
+/// The cubes that a word holds: a cell with more is divided as far as it goes.
+const WORD: usize = 64;
+/// Up to so many coordinates are compared by pairs, more are sorted.
+const PAIRS: usize = 16;
+
+/// A box of points from the first to before the second coordinate, for each axis.
+pub(super) type Range = [[i64; 2]; 3];
+
+/// What is known along one axis: bit or row j belongs to cube j.
+#[derive(Clone)]
+struct Along {
+    /// Cubes with their lower or upper face in the cell.
+    faces: u64,
+    /// Those of them that have the upper one there.
+    upper: u64,
+    /// Cubes without a face there.
+    through: u64,
+    /// The faces' coordinates.
+    at: [i64; WORD],
+    /// For each cube with a face the cubes that its plane meets, itself included.
+    cubes: [u64; WORD],
+    /// For each cube the faces whose planes meet it, its own included.
+    met: [u64; WORD],
+}
+
+/// Memory for one cell after the other.
+pub(super) struct Scratch {
+    along: Box<[Along; 3]>,
+    /// For each cube those before it.
+    before: Box<[u64; WORD]>,
+    keys: Vec<u64>,
+    /// The cubes that own the x, y and z faces of the vertices found.
+    vertices: Vec<[u8; 3]>,
+}
+
+impl Scratch {
+    pub(super) fn new() -> Scratch {
+        let along = Along { faces: 0, upper: 0, through: 0, at: [0; WORD], cubes: [0; WORD], met: [0; WORD] };
+        Scratch {
+            along: Box::new([along.clone(), along.clone(), along]),
+            before: Box::new([0; WORD]),
+            keys: Vec::new(),
+            vertices: Vec::new(),
+        }
+    }
+}
+
+/// Whether the cube reaches the cell: a face of it may be on the lower border.
+#[inline]
+pub(super) fn reaches(lower: [i64; 3], edge: i64, cell: Range) -> bool {
+    (0..3).all(|axis| lower[axis] < cell[axis][1] && lower[axis] + edge >= cell[axis][0])
+}
+
+/// The face of a cube in a range: none, or whether it is the upper one. In a
+/// range no wider than the cube there is at most one.
+#[inline]
+fn face_in(lower: i64, edge: i64, [from, to]: [i64; 2]) -> Option<bool> {
+    let is_in = |at: i64| from <= at && at < to;
+    if is_in(lower) {
+        Some(false)
+    } else if is_in(lower + edge) {
+        Some(true)
+    } else {
+        None
+    }
+}
+
+/// Adds what the cell's vertices contribute.
+///
+/// `cubes` from `first` on are all that reach the cell, the one with the
+/// smallest index last; the list is the same when the call returns.
+pub(super) fn add_cell(
+    cubes: &mut Vec<[i64; 3]>,
+    first: usize,
+    edge: i64,
+    cell: Range,
+    scratch: &mut Scratch,
+    mass: &mut Mass,
+) {
+    let count = cubes.len() - first;
+    if count == 0 {
+        return;
+    }
+    let widest = cell.iter().map(|[from, to]| to - from).max().unwrap_or(0);
+    if widest > edge || count > WORD || (count > CROWD && 4 * widest > edge) {
+        if is_settled(&cubes[first..], edge, cell) {
+            return;
+        }
+        if widest > 1 {
+            return divide(cubes, first, edge, cell, scratch, mass);
+        }
+    }
+    if count > WORD {
+        add_crowd(&cubes[first..], edge, cell, mass)
+    } else {
+        add_few(&cubes[first..], edge, cell, scratch, mass)
+    }
+}
+
+/// Whether the cell has no vertices: it is covered, or has no faces of some axis.
+/// (A cube that reaches a cell wider than the cube has a face in it.)
+fn is_settled(cubes: &[[i64; 3]], edge: i64, cell: Range) -> bool {
+    let mut any = [false; 3];
+    for lower in cubes {
+        let has: [bool; 3] = std::array::from_fn(|axis| face_in(lower[axis], edge, cell[axis]).is_some());
+        if has == [false; 3] {
+            return true;
+        }
+        (0..3).for_each(|axis| any[axis] |= has[axis]);
+    }
+    any != [true; 3]
+}
+
+/// The halves of a range; a point is not divided.
+fn halves([from, to]: [i64; 2]) -> impl Iterator<Item = [i64; 2]> + Clone {
+    let middle = from + (to - from) / 2;
+    [[from, middle], [middle, to]].into_iter().filter(|[from, to]| from < to)
+}
+
+fn divide(cubes: &mut Vec<[i64; 3]>, first: usize, edge: i64, cell: Range, scratch: &mut Scratch, mass: &mut Mass) {
+    let end = cubes.len();
+    for x in halves(cell[0]) {
+        for y in halves(cell[1]) {
+            for z in halves(cell[2]) {
+                let part = [x, y, z];
+                for at in first..end {
+                    let lower = cubes[at];
+                    if reaches(lower, edge, part) {
+                        cubes.push(lower);
+                    }
+                }
+                add_cell(cubes, end, edge, part, scratch, mass);
+                cubes.truncate(end);
+            }
+        }
+    }
+}
+
+impl Along {
+    /// Looks at the cubes along one axis; false if none has a face in the range.
+    ///
+    /// Without branches on coordinates: those of random cubes can't be
+    /// predicted, and a wrong guess costs more than a cube.
+    #[inline]
+    fn look(
+        &mut self,
+        cubes: &[[i64; 3]],
+        axis: usize,
+        edge: i64,
+        [from, to]: [i64; 2],
+        before: &mut [u64; WORD],
+        keys: &mut Vec<u64>,
+    ) -> bool {
+        let (mut faces, mut upper) = (0, 0);
+        for (j, lower) in cubes.iter().enumerate() {
+            // It reaches the cell: if its lower face is before it, its upper one isn't.
+            let is_upper = lower[axis] < from;
+            let at = lower[axis] + if is_upper { edge } else { 0 };
+            self.at[j] = at;
+            upper |= u64::from(is_upper) << j;
+            faces |= u64::from(at < to) << j;
+        }
+        upper &= faces;
+        if faces == 0 {
+            return false;
+        }
+        let through = !faces & (u64::MAX >> (WORD - cubes.len()));
+        precede(&self.at[..cubes.len()], from, before, keys);
+        for j in 0..cubes.len() {
+            let bit = 1 << j;
+            let is_upper = upper & bit != 0;
+            let before = before[j] & faces;
+            let passed = before | bit;
+            self.cubes[j] = (passed & faces & !upper) | (upper & !before) | through;
+            let met = if is_upper { passed } else { faces & !before };
+            self.met[j] = if faces & bit != 0 { met } else { faces };
+        }
+        [self.faces, self.upper, self.through] = [faces, upper, through];
+        true
+    }
+}
+
+/// For each coordinate those before it: the smaller ones, and equal ones that
+/// come earlier in the list. None is less than `from`, nor more than 2^57 above it.
+#[inline]
+fn precede(at: &[i64], from: i64, before: &mut [u64; WORD], keys: &mut Vec<u64>) {
+    if at.len() <= PAIRS {
+        for (j, &b) in at.iter().enumerate() {
+            let mut earlier = 0;
+            for (i, &a) in at[..j].iter().enumerate() {
+                let is_before = u64::from(a <= b);
+                earlier |= is_before << i;
+                before[i] |= (is_before ^ 1) << j;
+            }
+            before[j] = earlier;
+        }
+    } else {
+        keys.clear();
+        keys.extend((0..).zip(at).map(|(j, &a)| ((a - from).cast_unsigned() << 6) | j));
+        keys.sort_unstable();
+        let mut passed = 0;
+        for key in keys.iter() {
+            let j = key % 64;
+            before[j as usize] = passed;
+            passed |= 1 << j;
+        }
+    }
+}
+
+/// [`add_cell`] for cubes that fit in a word.
+fn add_few(cubes: &[[i64; 3]], edge: i64, cell: Range, scratch: &mut Scratch, mass: &mut Mass) {
+    let Scratch { along, before, keys, vertices } = scratch;
+    let [x, y, z] = &mut **along;
+    if !x.look(cubes, 0, edge, cell[0], before, keys)
+        || !y.look(cubes, 1, edge, cell[1], before, keys)
+        || !z.look(cubes, 2, edge, cell[2], before, keys)
+        || x.through & y.through & z.through != 0
+    {
+        return;
+    }
+    let mut found = 0;
+    let mut faces = x.faces;
+    while faces != 0 {
+        let a = faces.trailing_zeros() as usize;
+        faces &= faces - 1;
+        if x.cubes[a] & y.through & z.through & !(1 << a) != 0 {
+            continue; // The face is covered.
+        }
+        let mut partners = x.cubes[a] & y.met[a];
+        while partners != 0 {
+            let b = partners.trailing_zeros() as usize;
+            partners &= partners - 1;
+            let owners = 1 << a | 1 << b;
+            let both = x.cubes[a] & y.cubes[b];
+            if both & z.through & !owners != 0 {
+                continue; // The line is covered.
+            }
+            let mut ends = both & z.met[a] & z.met[b];
+            if vertices.len() < found + WORD {
+                vertices.resize(2 * (found + WORD), [0; 3]);
+            }
+            while ends != 0 {
+                let c = ends.trailing_zeros() as usize;
+                ends &= ends - 1;
+                #[allow(clippy::cast_possible_truncation)] // below 64
+                let owners_of_faces = [a, b, c].map(|owner| owner as u8);
+                vertices[found] = owners_of_faces;
+                // On the faces of its owners, and in no other cube.
+                found += usize::from(both & z.cubes[c] == owners | 1 << c);
+            }
+        }
+    }
+    for vertex in &vertices[..found] {
+        let [a, b, c] = vertex.map(|owner| usize::from(owner) % WORD);
+        let upper = [x.upper >> a & 1 == 1, y.upper >> b & 1 == 1, z.upper >> c & 1 == 1];
+        mass.add([a, b, c], [x.at[a], y.at[b], z.at[c]], upper);
+    }
+}
+
+/// [`add_cell`] for cubes that don't, in a cell that is a point: all faces
+/// there coincide but for their perturbation.
+fn add_crowd(cubes: &[[i64; 3]], edge: i64, cell: Range, mass: &mut Mass) {
+    let lowers: Vec<[i64; 3]> = cubes.iter().rev().copied().collect();
+    let order = ByIndex { lowers: &lowers, edge };
+    let faces = [0, 1, 2].map(|axis| {
+        let face =
+            |(cube, lower): (u32, &[i64; 3])| Some(Face { cube, upper: face_in(lower[axis], edge, cell[axis])? });
+        (0..).zip(&lowers).filter_map(face).collect::<Vec<Face>>()
+    });
+    let count = u32::try_from(lowers.len()).unwrap_or_else(|_| unreachable!("no more than there are indices"));
+    wide::vertices(&order, count, [&faces[0], &faces[1], &faces[2]], |vertex| {
+        let owners = vertex.map(|face| face.cube as usize);
+        mass.add(owners, cell.map(|[from, _]| from), vertex.map(|face| face.upper));
+    });
+}

@@ -1,0 +1,98 @@
+//! Why a union is refused.
+
+use predicament_predicates::Declined;
+
+/// Why the input is not a set of congruent cubes, or not one that can be
+/// measured exactly.
+#[derive(Clone, PartialEq, Debug)]
+pub enum CubesError {
+    /// The edge length is zero, negative or not finite.
+    Edge {
+        /// The edge length.
+        edge: f64,
+    },
+    /// A coordinate is NaN or infinite.
+    NotFinite {
+        /// The cube that has it.
+        cube: usize,
+        /// Which coordinate.
+        axis: usize,
+        /// The value found.
+        value: f64,
+    },
+    /// The scene has an odd number of vertices, or is in the plane.
+    NoPairs {
+        /// How many vertices.
+        vertices: usize,
+        /// Of how many coordinates.
+        dimension: usize,
+    },
+    /// Cube 0 has another extent along the first axis than this one along this axis.
+    Unequal {
+        /// The cube.
+        cube: usize,
+        /// Which of its extents.
+        axis: usize,
+    },
+    /// The coordinates are no multiples of one power of two that leaves them within 62 bits.
+    TooFine {
+        /// The cube that needs the most bits before the point; none for the edge length.
+        largest: Option<usize>,
+        /// The cube that needs the most bits behind it; none for the edge length.
+        finest: Option<usize>,
+        /// How many bits it would take.
+        bits: u32,
+    },
+    /// The box around all cubes has a volume of 2^127 units or more, or an edge of 2^62.
+    TooLarge {
+        /// The edges of the box, in units.
+        extents: [u128; 3],
+    },
+    /// More cubes than indices.
+    TooMany {
+        /// How many.
+        cubes: usize,
+    },
+    /// The session doesn't compare coordinates.
+    Declined(Declined),
+}
+
+impl std::fmt::Display for CubesError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let name = |cube: &Option<usize>| cube.map_or("the edge length".to_owned(), |cube| format!("cube {cube}"));
+        match self {
+            CubesError::Edge { edge } => {
+                write!(f, "the edge length is {edge}; it must be positive and finite")
+            }
+            CubesError::NotFinite { cube, axis, value } => {
+                write!(f, "cube {cube}: coordinate {axis} is {value}; every coordinate must be finite")
+            }
+            CubesError::NoPairs { vertices, dimension } => write!(
+                f,
+                "{vertices} vertices of {dimension} coordinates are no cubes: each cube is two vertices in space, \
+                 its lower corner and its upper corner"
+            ),
+            CubesError::Unequal { cube, axis } => write!(
+                f,
+                "cube {cube}: its extent along axis {axis} is not that of cube 0 along axis 0; all cubes must be \
+                 exactly congruent, so give coordinates whose differences are exact"
+            ),
+            CubesError::TooFine { largest, finest, bits } => write!(
+                f,
+                "{} and {} need a common unit so small that coordinates take {bits} bits, and 62 is the most; \
+                 round the coordinates to multiples of one power of two",
+                name(largest),
+                name(finest)
+            ),
+            CubesError::TooLarge { extents: [x, y, z] } => write!(
+                f,
+                "the box around the cubes measures {x} x {y} x {z} units; exact sums hold a volume below 2^127 and \
+                 edges below 2^62, so round the coordinates to a coarser unit"
+            ),
+            CubesError::TooMany { cubes } => write!(f, "{cubes} cubes are more than the 2^32 - 1 that have an index"),
+            CubesError::Declined(declined) => write!(f, "{declined}"),
+        }
+    }
+}
+
+impl std::error::Error for CubesError {}

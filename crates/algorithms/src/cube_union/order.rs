@@ -1,0 +1,73 @@
+//! The one question that the union asks: which of two parallel faces is further.
+
+use std::cmp::Ordering;
+
+use predicament_predicates::{Axis, Predicates, Sign, Vertex};
+
+/// A face of a cube; its normal is the axis that is spoken of.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Face {
+    /// Whose face.
+    pub cube: u32,
+    /// Whether it is the face with the larger coordinate.
+    pub upper: bool,
+}
+
+/// An order of parallel faces along each axis.
+pub trait Order: Sync {
+    /// The sign of a's coordinate minus b's.
+    fn compare(&self, axis: Axis, a: Face, b: Face) -> Sign;
+
+    /// Whether the face's plane meets the cube, ends included. A cube's own
+    /// faces do, whatever the order says; nobody asks it.
+    fn reaches(&self, axis: Axis, face: Face, cube: u32) -> bool {
+        face.cube == cube
+            || (self.compare(axis, face, Face { cube, upper: false }) != Sign::Negative
+                && self.compare(axis, Face { cube, upper: true }, face) != Sign::Negative)
+    }
+}
+
+/// By the predicates of a session, whose scene has the lower corner of cube i
+/// at vertex 2i and the upper one at vertex 2i + 1.
+///
+/// A session that breaks ties by the vertices' indices breaks them here by
+/// those of the cubes: two faces with equal coordinates belong to two cubes,
+/// and 2i, 2i + 1 come before 2j, 2j + 1 iff i comes before j. So the cubes
+/// are moved as rigid bodies, although each vertex is moved for itself.
+#[derive(Debug)]
+pub struct BySession<'s, S>(pub &'s S);
+
+impl<S: Predicates> Order for BySession<'_, S> {
+    fn compare(&self, axis: Axis, a: Face, b: Face) -> Sign {
+        let vertex = |face: Face| Vertex::input(2 * face.cube as usize + usize::from(face.upper));
+        self.0.compare(axis, vertex(a), vertex(b))
+    }
+}
+
+/// By integers, and of equal ones the cube with the smaller index is further:
+/// Simulation of Simplicity, cube i moved by an infinitesimal that is larger
+/// than all that come after it.
+#[derive(Clone, Copy, Debug)]
+pub struct ByIndex<'c> {
+    /// The lower corners.
+    pub lowers: &'c [[i64; 3]],
+    /// The edge length.
+    pub edge: i64,
+}
+
+impl ByIndex<'_> {
+    fn coordinate(&self, axis: Axis, face: Face) -> i64 {
+        self.lowers[face.cube as usize][axis.index()] + if face.upper { self.edge } else { 0 }
+    }
+}
+
+impl Order for ByIndex<'_> {
+    fn compare(&self, axis: Axis, a: Face, b: Face) -> Sign {
+        let by_value = self.coordinate(axis, a).cmp(&self.coordinate(axis, b));
+        Sign::from(by_value.then_with(|| match b.cube.cmp(&a.cube) {
+            // The two faces of one cube are an edge apart.
+            Ordering::Equal => a.upper.cmp(&b.upper),
+            order => order,
+        }))
+    }
+}

@@ -1,0 +1,154 @@
+//! Cubes in floating point as cubes in integers, without rounding.
+
+use predicament_predicates::{Dimension, Scene, Vertex};
+
+use super::CubesError;
+
+/// The most bits a coordinate may take, so that sums of two don't overflow.
+const BITS: u32 = 62;
+
+/// Congruent cubes in integers, and the unit that they are multiples of.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ScaledCubes {
+    /// The lower corners, in units.
+    pub lowers: Vec<[i64; 3]>,
+    /// The edge length, in units.
+    pub edge: i64,
+    /// The unit is 2 to this power.
+    pub exponent: i32,
+}
+
+/// mantissa · 2^exponent, the mantissa odd, or zero.
+#[derive(Clone, Copy)]
+struct Dyadic {
+    negative: bool,
+    mantissa: u64,
+    exponent: i32,
+}
+
+impl Dyadic {
+    /// The value must be finite.
+    fn of(value: f64) -> Dyadic {
+        let bits = value.to_bits();
+        // (11 bits)
+        let raw = i32::try_from((bits >> 52) & 0x7ff).unwrap_or_else(|_| unreachable!("eleven bits"));
+        let fraction = bits & ((1 << 52) - 1);
+        let (mantissa, exponent) = if raw == 0 { (fraction, -1074) } else { (fraction | (1 << 52), raw - 1075) };
+        let shift = if mantissa == 0 { 0 } else { mantissa.trailing_zeros() };
+        Dyadic { negative: value < 0.0, mantissa: mantissa >> shift, exponent: exponent + shift.cast_signed() }
+    }
+
+    /// One past the place of the highest bit.
+    fn top(self) -> i32 {
+        self.exponent + (u64::BITS - self.mantissa.leading_zeros()).cast_signed()
+    }
+
+    /// In units of 2^unit, which must be small enough for it and leave no more than [`BITS`].
+    fn in_units(self, unit: i32) -> i64 {
+        if self.mantissa == 0 {
+            return 0;
+        }
+        let magnitude = (self.mantissa << (self.exponent - unit)).cast_signed();
+        if self.negative { -magnitude } else { magnitude }
+    }
+}
+
+/// The span of the bits of several numbers, and who owns its ends.
+#[derive(Default)]
+struct Span {
+    finest: Option<(i32, Option<usize>)>,
+    largest: Option<(i32, Option<usize>)>,
+}
+
+impl Span {
+    fn take(&mut self, number: Dyadic, cube: Option<usize>) {
+        if number.mantissa == 0 {
+            return;
+        }
+        if self.finest.is_none_or(|(exponent, _)| number.exponent < exponent) {
+            self.finest = Some((number.exponent, cube));
+        }
+        if self.largest.is_none_or(|(top, _)| number.top() > top) {
+            self.largest = Some((number.top(), cube));
+        }
+    }
+
+    /// The exponent of the unit.
+    fn unit(self) -> Result<i32, CubesError> {
+        let (Some((unit, finest)), Some((top, largest))) = (self.finest, self.largest) else { return Ok(0) };
+        let bits = top.abs_diff(unit);
+        if bits > BITS { Err(CubesError::TooFine { largest, finest, bits }) } else { Ok(unit) }
+    }
+}
+
+fn finite(point: [f64; 3], cube: usize) -> Result<[Dyadic; 3], CubesError> {
+    match point.iter().position(|value| !value.is_finite()) {
+        Some(axis) => Err(CubesError::NotFinite { cube, axis, value: point[axis] }),
+        None => Ok(point.map(Dyadic::of)),
+    }
+}
+
+impl ScaledCubes {
+    /// Cubes by their lower corners and the length of their edges.
+    ///
+    /// # Errors
+    /// [`CubesError`] if a number is not finite, the edge length is not
+    /// positive, or no unit makes all numbers integers of at most 62 bits.
+    pub fn new(lowers: &[[f64; 3]], edge: f64) -> Result<ScaledCubes, CubesError> {
+        if !(edge > 0.0 && edge.is_finite()) {
+            return Err(CubesError::Edge { edge });
+        }
+        let mut span = Span::default();
+        span.take(Dyadic::of(edge), None);
+        for (cube, &lower) in lowers.iter().enumerate() {
+            finite(lower, cube)?.into_iter().for_each(|number| span.take(number, Some(cube)));
+        }
+        let unit = span.unit()?;
+        let units = |value: f64| Dyadic::of(value).in_units(unit);
+        Ok(ScaledCubes {
+            lowers: lowers.iter().map(|lower| lower.map(units)).collect(),
+            edge: units(edge),
+            exponent: unit,
+        })
+    }
+
+    /// The cubes of a scene: vertex 2i is the lower corner of cube i and
+    /// vertex 2i + 1 the upper one. An empty scene has none, of edge length 1.
+    ///
+    /// # Errors
+    /// As [`ScaledCubes::new`], and if vertices don't pair up to cubes, all
+    /// exactly of the same size.
+    pub fn of_scene(scene: &Scene) -> Result<ScaledCubes, CubesError> {
+        let (vertices, dimension) = (scene.len(), scene.dimension());
+        if dimension != Dimension::Three || !vertices.is_multiple_of(2) {
+            return Err(CubesError::NoPairs { vertices, dimension: dimension.count() });
+        }
+        let point = |at: usize| {
+            let point = scene.point(Vertex::input(at));
+            [point[0], point[1], point[2]]
+        };
+        let mut span = Span::default();
+        for at in 0..vertices {
+            finite(point(at), at / 2)?.into_iter().for_each(|number| span.take(number, Some(at / 2)));
+        }
+        let unit = span.unit()?;
+        let units = |at: usize| point(at).map(|value| Dyadic::of(value).in_units(unit));
+        let mut cubes = ScaledCubes { lowers: Vec::with_capacity(vertices / 2), edge: 1, exponent: unit };
+        for cube in 0..vertices / 2 {
+            let (lower, upper) = (units(2 * cube), units(2 * cube + 1));
+            for axis in 0..3 {
+                let extent = upper[axis] - lower[axis];
+                if (cube, axis) == (0, 0) {
+                    if extent <= 0 {
+                        return Err(CubesError::Edge { edge: point(1)[0] - point(0)[0] });
+                    }
+                    cubes.edge = extent;
+                } else if extent != cubes.edge {
+                    return Err(CubesError::Unequal { cube, axis });
+                }
+            }
+            cubes.lowers.push(lower);
+        }
+        Ok(cubes)
+    }
+}

@@ -1,0 +1,130 @@
+//! The vertices of a union for any order of the faces, consistent or not.
+//!
+//! Every pair of a face and a cube is asked about once; the rest is bits. The
+//! cubes may be as many as memory allows: a bit for each face and each cube.
+
+use predicament_predicates::Axis;
+
+use super::order::{Face, Order};
+
+const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+
+/// Rows of bits.
+struct Rows {
+    words: usize,
+    bits: Vec<u64>,
+}
+
+impl Rows {
+    fn new(rows: usize, columns: usize) -> Rows {
+        let words = columns.div_ceil(64);
+        Rows { words, bits: vec![0; rows * words] }
+    }
+
+    fn set(&mut self, row: usize, column: usize) {
+        self.bits[row * self.words + column / 64] |= 1 << (column % 64);
+    }
+
+    fn row(&self, row: usize) -> &[u64] {
+        &self.bits[row * self.words..][..self.words]
+    }
+}
+
+fn has(row: &[u64], column: usize) -> bool {
+    row[column / 64] >> (column % 64) & 1 == 1
+}
+
+/// The bits that are set, ascending.
+fn ones(words: impl Iterator<Item = u64>) -> impl Iterator<Item = usize> {
+    words.enumerate().flat_map(|(at, mut word)| {
+        std::iter::from_fn(move || {
+            let bit = (word != 0).then(|| word.trailing_zeros() as usize);
+            word &= word.wrapping_sub(1);
+            bit.map(|bit| 64 * at + bit)
+        })
+    })
+}
+
+/// The word with this index of a set.
+fn bits_of<const N: usize>(set: [usize; N], word: usize) -> u64 {
+    set.iter().map(|&item| if item / 64 == word { 1 << (item % 64) } else { 0 }).fold(0, |bits, bit: u64| bits | bit)
+}
+
+/// The smallest and the largest member of a set, if it has any.
+fn extremes(words: &[u64]) -> [Option<usize>; 2] {
+    let first = words.iter().position(|&word| word != 0);
+    let last = words.iter().rposition(|&word| word != 0);
+    [
+        first.map(|at| 64 * at + words[at].trailing_zeros() as usize),
+        last.map(|at| 64 * at + 63 - words[at].leading_zeros() as usize),
+    ]
+}
+
+/// Who reaches whom along one axis.
+struct Reach {
+    /// For each face the cubes that its plane meets.
+    cubes: Rows,
+    /// For each cube the faces whose planes meet it.
+    faces: Rows,
+    /// For each cube its own faces.
+    own: Rows,
+}
+
+impl Reach {
+    fn new<O: Order>(order: &O, axis: Axis, cubes: u32, faces: &[Face]) -> Reach {
+        let count = cubes as usize;
+        let [met, own] = [(); 2].map(|()| Rows::new(count, faces.len()));
+        let mut reach = Reach { cubes: Rows::new(faces.len(), count), faces: met, own };
+        for (at, &face) in faces.iter().enumerate() {
+            reach.own.set(face.cube as usize, at);
+            for cube in (0..cubes).filter(|&cube| order.reaches(axis, face, cube)) {
+                reach.cubes.set(at, cube as usize);
+                reach.faces.set(cube as usize, at);
+            }
+        }
+        reach
+    }
+}
+
+/// Calls `found` with the three faces (x, y, z) of each vertex of the union of
+/// the cubes 0 to `cubes`, as far as it is on one of these faces of each axis.
+pub(super) fn vertices<O: Order>(order: &O, cubes: u32, faces: [&[Face]; 3], mut found: impl FnMut([Face; 3])) {
+    let [x, y, z] = [0, 1, 2].map(|axis| Reach::new(order, AXES[axis], cubes, faces[axis]));
+    let (mut both, mut others) = (Vec::new(), Vec::new());
+    for (at, &a) in faces[0].iter().enumerate() {
+        let owner_a = a.cube as usize;
+        let of_a = x.cubes.row(at);
+        for at in ones(y.faces.row(owner_a).iter().copied()) {
+            let b = faces[1][at];
+            let owner_b = b.cube as usize;
+            if !has(of_a, owner_b) {
+                continue;
+            }
+            both.clear();
+            both.extend(of_a.iter().zip(y.cubes.row(at)).map(|(a, b)| a & b));
+            // A cube on the line must not meet the third face, or own it. The first and the last one, which are
+            // the extreme ones where ties go by index, leave few faces to try.
+            others.clear();
+            others.extend_from_slice(&both);
+            [owner_a, owner_b].iter().for_each(|owner| others[owner / 64] &= !(1 << (owner % 64)));
+            let rivals = extremes(&others).map(|rival| rival.unwrap_or(owner_a));
+            let [free_of_one, free_of_other] = rivals.map(|rival| {
+                let is_owner = rival == owner_a || rival == owner_b;
+                let rows = z.faces.row(rival).iter().zip(z.own.row(rival));
+                rows.map(move |(met, own)| if is_owner { u64::MAX } else { !met | own })
+            });
+            let meet_both = z.faces.row(owner_a).iter().zip(z.faces.row(owner_b)).map(|(a, b)| a & b);
+            let free = free_of_one.zip(free_of_other).map(|(one, other)| one & other);
+            for at in ones(meet_both.zip(free).map(|(met, free)| met & free)) {
+                let c = faces[2][at];
+                let owner_c = c.cube as usize;
+                let owners = |word: usize| bits_of([owner_a, owner_b, owner_c], word);
+                // On the faces of its owners, and in no other cube.
+                let of_c = z.cubes.row(at);
+                if (0..both.len()).all(|word| both[word] & of_c[word] == owners(word)) {
+                    found([a, b, c]);
+                }
+            }
+        }
+    }
+}
