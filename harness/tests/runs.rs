@@ -262,7 +262,7 @@ fn a_timeout_is_counted_and_the_run_incomplete() {
 fn constructed_vertices_are_judged_replayed_and_timed() {
     let folder = tempdir().unwrap();
     let (out, bench) = (at(&folder, "run"), at(&folder, "bench"));
-    let scenes = ["constructed", "-f", "/(kite|ssi-degen-orient2d)$", "-b", "exact,sos,naive"];
+    let scenes = ["constructed", "-f", "/(kite|ssi-degen-orient2d)$", "-b", "exact,sos,sos:edelsbrunner-mucke,naive"];
     expect(0, &[&["run"][..], &scenes, &["--out", &out]].concat());
     expect(0, &["gate", &out]);
     let summary = read(&out, "summary.csv");
@@ -275,13 +275,16 @@ fn constructed_vertices_are_judged_replayed_and_timed() {
 
     let findings = read(&out, "findings.csv");
     let id = column(&findings, "query").iter().position(|query| query.contains(" c")).expect("a wrong answer");
-    let told = expect(0, &["replay", &column(&findings, "finding_id")[id], "--run", &out, "-b", "exact,sos"]);
+    let told = expect(
+        0,
+        &["replay", &column(&findings, "finding_id")[id], "--run", &out, "-b", "exact,sos:edelsbrunner-mucke"],
+    );
     for needle in ["  SSI(2 3, 4 5)\n", "exact sign", "scene declined"] {
         assert!(told.stdout.contains(needle), "{needle}: {}", told.stdout);
     }
 
     let told = expect(0, &[&["bench"][..], &scenes, &["--samples", "1", "--sample-ms", "0", "--out", &bench]].concat());
-    assert!(told.stdout.contains("not timed: constructed/kite on sos"), "{}", told.stdout);
+    assert!(told.stdout.contains("not timed: constructed/kite on sos:edelsbrunner-mucke"), "{}", told.stdout);
     let throughput = read(&bench, "throughput.csv");
     let timed = column(&throughput, "backend");
     assert_eq!(timed.iter().filter(|name| ["exact", "naive"].contains(&name.as_str())).count(), 4, "{throughput}");

@@ -215,7 +215,10 @@ mod tests {
             let outcome = |backend: &str| run_any(&loaded, roster::backend(backend).unwrap().as_ref());
             let exact = outcome("exact");
             assert_eq!((exact.counts.get(Class::Agree), exact.counts.findings()), (exact.queries, 0), "{name}");
-            for backend in ["sos", "sos:edelsbrunner-mucke", "tolerance", "fault:sos-swapped-term"] {
+            let sos = outcome("sos");
+            assert_eq!(sos.counts.get(Class::Agree) + sos.counts.get(Class::TieBroken), sos.queries, "{name}");
+            assert!(sos.counts.get(Class::TieBroken) > 0 && sos.counts.findings() == 0, "{name}");
+            for backend in ["sos:edelsbrunner-mucke", "sos:per-mesh", "tolerance", "fault:sos-swapped-term"] {
                 let declined = outcome(backend).counts;
                 assert_eq!((declined.get(Class::Declined), declined.findings()), (1, 1), "{backend} on {name}");
             }

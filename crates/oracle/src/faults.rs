@@ -204,7 +204,8 @@ impl Backend for Faulty {
         // Nobody is better at declining than what it poses as.
         let tolerance = match self.0.poses_as() {
             ZeroMeaning::Band => Some(Tolerance.prepare(scene, Off)?),
-            ZeroMeaning::Never => Sos::default().prepare(scene, Off).map(|_| None)?,
+            // The terms that are tampered with are those of input vertices.
+            ZeroMeaning::Never => Sos { scheme: Scheme::EdelsbrunnerMucke }.prepare(scene, Off).map(|_| None)?,
             ZeroMeaning::Exact => None,
         };
         let adaptive = Shewchuk.prepare(scene, Off)?;
