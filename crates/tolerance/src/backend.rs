@@ -74,7 +74,7 @@ impl<F> Default for Tolerance<F> {
     }
 }
 
-/// [`Tolerance`], prepared for one scene.
+/// [`struct@Tolerance`], prepared for one scene.
 #[derive(Clone, Debug)]
 pub struct Session<'s, T, F = f64> {
     scene: &'s Scene,

@@ -13,7 +13,7 @@
 //! * [`algorithms`]: Algorithms 2 to 5 and 7 to 12, over any [`Float`].
 //! * [`circles`]: bands for `incircle` and `insphere`, which are ours.
 //! * [`bounds`]: every bound and constraint of the paper, derived and decided.
-//! * [`Tolerance`]: the backend.
+//! * [`struct@Tolerance`]: the backend.
 //!
 //! # Which ε
 //! The paper's ε is the machine epsilon, and so is the one here: the distance
