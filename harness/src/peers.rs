@@ -66,6 +66,7 @@ pub fn runners<'a>(_: &'a Case<'a>) -> Vec<Peer<'a>> {
 pub fn runners<'a>(case: &'a Case<'a>) -> Vec<Peer<'a>> {
     match case.truth() {
         predicament_oracle::Truth::Signs { queries, signs } => signs::peers(&case.loaded().scene, queries, signs),
+        predicament_oracle::Truth::Interval(_) | predicament_oracle::Truth::Cubes(_) => Vec::new(),
         predicament_oracle::Truth::Locate(case) => geo_locate::peers(case),
         predicament_oracle::Truth::Contacts(case) => contacts::peers(case),
     }

@@ -3,9 +3,11 @@
 use predicament_algorithms::contacts::Level;
 use predicament_exact::Precision;
 use predicament_oracle::expect::Expectations;
-use predicament_oracle::{Class, Finding, Outcome, finding_id};
+use predicament_oracle::{Class, Finding, MassCounts, Outcome, finding_id};
 use predicament_predicates::PredicateKind;
-use predicament_report::{ContactRow, FindingRow, LocateRow, PlannedScene, PrecisionRow, StageRow, SummaryRow};
+use predicament_report::{
+    ContactRow, FindingRow, LocateRow, MassRow, PlannedScene, PrecisionRow, StageRow, SummaryRow,
+};
 
 /// The row of one scene and backend.
 pub fn summary(
@@ -93,6 +95,31 @@ pub fn contacts(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<C
         registered: level.registered,
     };
     outcome.contacts.iter().map(row).collect()
+}
+
+/// The row of a union of cubes.
+pub fn masses(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<MassRow> {
+    let row = |mass: MassCounts| {
+        let ([volume, area, edge_length], [true_volume, true_area, true_edge_length]) = (mass.found, mass.truth);
+        let [corners, edge_faces, three_faces] = mass.vertices;
+        MassRow {
+            suite: scene.suite.clone(),
+            scene: scene.scene.clone(),
+            scene_id: scene.scene_id.clone(),
+            backend: backend.to_owned(),
+            cubes: mass.cubes,
+            volume,
+            true_volume,
+            area,
+            true_area,
+            edge_length,
+            true_edge_length,
+            corners,
+            edge_faces,
+            three_faces,
+        }
+    };
+    outcome.mass.map(row).into_iter().collect()
 }
 
 /// The row of a scene's precision plan.

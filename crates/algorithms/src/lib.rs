@@ -8,9 +8,11 @@
 //! * [`arrangement`]: two complexes merged where they are in contact.
 //! * [`contacts`]: the pairs of simplices of two complexes that meet.
 //! * [`cube_union`]: volume, area and edge length of a union of cubes.
+//! * [`interval`]: the cell of a line in which a point lies.
 //! * [`polygon_locate`]: points in the regions of a map, by ray casting.
 
 pub mod arrangement;
 pub mod contacts;
 pub mod cube_union;
+pub mod interval;
 pub mod polygon_locate;

@@ -8,10 +8,12 @@
 //! * [`axioms`]: laws between the answers to related queries;
 //! * [`contacts`]: registered pairs, and the curves and surfaces that they merge;
 //! * [`cubes`]: unions of cubes, measured another way;
+//! * [`partition`]: points of a line in its cells;
 //! * [`tiling`]: points of the plane in the regions of a map.
 
 pub mod audit;
 pub mod axioms;
 pub mod contacts;
 pub mod cubes;
+pub mod partition;
 pub mod tiling;

@@ -20,9 +20,10 @@ pub fn fmt(file: &str, text: &str) -> Result<String, CorpusError> {
     let fields = Fields::new(&document, &tables::SUITE, root.get_ref(), 0);
     let mut edits = Vec::new();
     for table in array(&fields, "scene")? {
-        if let Some(points) = table.fields(&tables::SCENE)?.get("points").filter(Field::is_array) {
-            for point in points.items("points")? {
-                collect(&point, &mut edits)?;
+        let fields = table.fields(&tables::SCENE)?;
+        for rows in ["points", "cubes"].into_iter().filter_map(|key| fields.get(key)).filter(Field::is_array) {
+            for row in rows.items("rows of numbers")? {
+                collect(&row, &mut edits)?;
             }
         }
     }

@@ -10,7 +10,7 @@ use crate::{CorpusError, LoadedScene, SceneDef, Work};
 
 /// The first 16 hex digits of a SHA-256 over the canonical bytes of a scene:
 /// task, dimension, coordinate bits, constructions where there are any, and
-/// queries, or the map's rings and the probes, or the simplices of two complexes.
+/// queries, or cells or rings with their probes, or the simplices of two complexes.
 ///
 /// Names, tags, sources and the names of regions are not part of it, so that
 /// expectations and baselines survive renames. Negative zeros are read as
@@ -38,6 +38,13 @@ pub fn content_id(scene: &Scene, work: &Work) -> String {
             canon.text(&question_text(queries.question()));
             canon.vertices(queries.flat());
         }
+        Work::Interval { axis, cells, probes } => {
+            canon.text("interval");
+            canon.count(axis.index());
+            canon.vertices(cells.as_flattened());
+            canon.vertices(probes);
+        }
+        Work::Cubes { .. } => canon.text("cube-union"),
         Work::Locate { map, probes } => {
             canon.text("polygon-locate");
             canon.map(map);

@@ -1,7 +1,7 @@
 //! A scene that is ready to be asked.
 
 use predicament_mesh::{Complex, PolygonMap};
-use predicament_predicates::{QuerySet, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, QuerySet, Scene, Sign, Vertex};
 
 use crate::{ImportNotes, Task};
 
@@ -39,6 +39,17 @@ pub struct LoadedScene {
 pub enum Work {
     /// Signs of a predicate.
     Signs(QuerySet),
+    /// The cell of each probe.
+    Interval {
+        /// The line's direction.
+        axis: Axis,
+        /// The cells from left to right, each by its left and its right end,
+        /// which is the left end of the next. Ends with equal coordinates come
+        /// by descending number, as Simulation of Simplicity orders them.
+        cells: Vec<[Vertex; 2]>,
+        /// What to locate, numbered as the probes of a map.
+        probes: Vec<Vertex>,
+    },
     /// The region of each probe. Every probe is a vertex of its own, even where
     /// its coordinates are those of a map vertex. The probes are numbered in
     /// turn before and after all of the map's vertices, the first one before:
@@ -50,6 +61,13 @@ pub enum Work {
         /// What to locate.
         probes: Vec<Probe>,
     },
+    /// Volume, area and edge length of the union of so many congruent cubes:
+    /// vertex 2i of the scene is the lower corner of cube i and vertex 2i + 1
+    /// the upper one.
+    Cubes {
+        /// How many.
+        cubes: usize,
+    },
     /// The contacts between two complexes, which have no vertex in common.
     Contacts {
         /// The one.
@@ -60,12 +78,14 @@ pub enum Work {
 }
 
 impl Work {
-    /// The number of queries or probes; for contacts, of simplices in both complexes.
+    /// The number of queries, probes or cubes; for contacts, of simplices in both complexes.
     #[must_use]
     pub fn len(&self) -> usize {
         match self {
             Work::Signs(queries) => queries.len(),
+            Work::Interval { probes, .. } => probes.len(),
             Work::Locate { probes, .. } => probes.len(),
+            Work::Cubes { cubes } => *cubes,
             Work::Contacts { a, b } => a.len() + b.len(),
         }
     }

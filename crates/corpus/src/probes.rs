@@ -46,15 +46,22 @@ pub(crate) fn with_probes(points: Vec<[f64; 2]>, map: PolygonMap, probing: Probi
     }
     // Next to the largest double there is no finite neighbour to probe.
     places.retain(|(place, _)| place.iter().all(|x| x.is_finite()));
-    let leading = places.len().div_ceil(2);
-    let behind = leading + points.len();
-    let number = |at: usize| at / 2 + if at.is_multiple_of(2) { 0 } else { behind };
-    let probes = places.iter().enumerate();
-    let probes = probes.map(|(at, &(_, kind))| Probe { vertex: Vertex::input(number(at)), kind }).collect();
-    let every_other = |from: usize| places.iter().skip(from).step_by(2).map(|&(place, _)| place);
-    let all: Vec<[f64; 2]> = every_other(0).chain(points).chain(every_other(1)).collect();
+    let (all, numbers) = numbered(points, &places.iter().map(|&(place, _)| place).collect::<Vec<_>>());
+    let probes = numbers.iter().zip(&places).map(|(&vertex, &(_, kind))| Probe { vertex, kind }).collect();
     let scene = Scene::new(Dimension::Two, all.into_flattened()).expect("finite pairs");
+    let leading = places.len().div_ceil(2);
     (scene, Work::Locate { map: map.shifted(leading), probes })
+}
+
+/// Points with places to probe: the even places first, then the points, then
+/// the odd places; and the vertex of each place. The points move up by half
+/// the number of places, rounded up.
+pub(crate) fn numbered<P: Copy>(points: Vec<P>, places: &[P]) -> (Vec<P>, Vec<Vertex>) {
+    let behind = places.len().div_ceil(2) + points.len();
+    let number = |at: usize| at / 2 + if at.is_multiple_of(2) { 0 } else { behind };
+    let vertices = (0..places.len()).map(|at| Vertex::input(number(at))).collect();
+    let every_other = |from: usize| places.iter().skip(from).step_by(2).copied();
+    (every_other(0).chain(points).chain(every_other(1)).collect(), vertices)
 }
 
 /// Each edge once, whichever side it is seen from.

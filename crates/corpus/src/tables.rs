@@ -32,6 +32,8 @@ pub(crate) static SCENE: TableKind = kind(
         "plane",
         "fixture",
         "map",
+        "cells",
+        "cubes",
         "a",
         "b",
         "random",
@@ -64,6 +66,9 @@ pub(crate) static GENERATOR: TableKind = kind(
         "step",
         "shift",
         "bits",
+        "density",
+        "pitch",
+        "edge",
         "random",
         "quick_stride",
         "tags",
@@ -73,6 +78,7 @@ pub(crate) static GENERATOR: TableKind = kind(
 );
 
 pub(crate) static POINTS: TableKind = kind("reference to points", &["path"]);
+pub(crate) static CUBES: TableKind = kind("reference to cubes", &["path"]);
 pub(crate) static CONSTRUCTION: TableKind = kind("construction", &["ssi", "lpi", "tpi"]);
 pub(crate) static FIXTURE: TableKind = kind("fixture", &["fetch"]);
 pub(crate) static MAP: TableKind = kind("map", &["topojson", "fetch", "object"]);

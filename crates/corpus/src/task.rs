@@ -54,8 +54,12 @@ pub enum Task {
     Incircle,
     /// The inside of a sphere.
     Insphere,
+    /// The cell of a partition of a line in which a point lies (Franklin and Magalhães, 4.1).
+    Interval,
     /// The region of a map in which a point lies (Franklin and Magalhães, 4.2).
     PolygonLocate,
+    /// Volume, area and edge length of a union of cubes (Franklin and Magalhães, 4.3).
+    CubeUnion,
     /// The contacts between two complexes in the plane (Wang et al.).
     Contacts2d,
     /// The contacts between two complexes in space (Wang et al.).
@@ -64,13 +68,15 @@ pub enum Task {
 
 impl Task {
     /// All tasks.
-    pub const ALL: [Task; 8] = [
+    pub const ALL: [Task; 10] = [
         Task::Compare,
         Task::Orient2d,
         Task::Orient3d,
         Task::Incircle,
         Task::Insphere,
+        Task::Interval,
         Task::PolygonLocate,
+        Task::CubeUnion,
         Task::Contacts2d,
         Task::Contacts3d,
     ];
@@ -84,7 +90,9 @@ impl Task {
             Task::Orient3d => PredicateKind::Orient3d.name(),
             Task::Incircle => PredicateKind::Incircle.name(),
             Task::Insphere => PredicateKind::Insphere.name(),
+            Task::Interval => "interval",
             Task::PolygonLocate => "polygon-locate",
+            Task::CubeUnion => "cube-union",
             Task::Contacts2d => "contacts2d",
             Task::Contacts3d => "contacts3d",
         }
@@ -99,7 +107,7 @@ impl Task {
             Task::Orient3d => Some(PredicateKind::Orient3d),
             Task::Incircle => Some(PredicateKind::Incircle),
             Task::Insphere => Some(PredicateKind::Insphere),
-            Task::PolygonLocate | Task::Contacts2d | Task::Contacts3d => None,
+            Task::Interval | Task::PolygonLocate | Task::CubeUnion | Task::Contacts2d | Task::Contacts3d => None,
         }
     }
 }

@@ -7,6 +7,8 @@ use predicament_corpus::{LoadedScene, Work};
 use predicament_predicates::{QuerySet, Sign, Vertex};
 
 use crate::contacts::ContactsCase;
+use crate::cubes::CubesCase;
+use crate::interval::IntervalCase;
 use crate::locate::LocateCase;
 use crate::signs::{self, Budget, SignCase, describe};
 use crate::{Class, Contestant, Outcome, Stop, Watch};
@@ -26,6 +28,10 @@ pub enum Truth<'a> {
         /// The answers, by the judge.
         signs: Vec<Sign>,
     },
+    /// Exact cells.
+    Interval(Box<IntervalCase<'a>>),
+    /// Exact mass properties.
+    Cubes(Box<CubesCase<'a>>),
     /// Exact locations.
     Locate(Box<LocateCase<'a>>),
     /// Exact contacts.
@@ -60,6 +66,10 @@ impl<'a> Case<'a> {
                 let probes: Vec<Vertex> = probes.iter().map(|probe| probe.vertex).collect();
                 Truth::Locate(Box::new(LocateCase::new(&loaded.scene, map, probes, watch)?))
             }
+            Work::Interval { axis, cells, probes } => {
+                Truth::Interval(Box::new(IntervalCase::new(&loaded.scene, *axis, cells, probes, watch)?))
+            }
+            Work::Cubes { .. } => Truth::Cubes(Box::new(CubesCase::new(&loaded.scene, watch)?)),
             Work::Contacts { a, b } => Truth::Contacts(Box::new(ContactsCase::new(&loaded.scene, a, b, watch)?)),
         };
         Ok(Case { loaded, truth })
@@ -105,6 +115,8 @@ impl<'a> Case<'a> {
                 let case = SignCase { scene: &self.loaded.scene, queries, truth: signs };
                 contestant.run_signs(&case, budget, watch)
             }
+            Truth::Interval(case) => contestant.run_interval(case, budget, watch),
+            Truth::Cubes(case) => contestant.run_cubes(case, watch),
             Truth::Locate(case) => contestant.run_locate(case, budget, watch),
             Truth::Contacts(case) => contestant.run_contacts(case, budget, watch),
         }));

@@ -7,6 +7,7 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use predicament_algorithms::contacts::Contacts;
+use predicament_algorithms::cube_union::Mass;
 use predicament_algorithms::polygon_locate::Locations;
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{
@@ -14,6 +15,8 @@ use predicament_predicates::{
 };
 
 use crate::contacts::{self, ContactsCase};
+use crate::cubes::{self, CubesCase};
+use crate::interval::{self, Cells, IntervalCase};
 use crate::locate::{self, LocateCase};
 use crate::signs::{self, Budget, SignCase, TieJudge};
 use crate::{Outcome, Stop, Watch};
@@ -31,6 +34,18 @@ pub trait Contestant: Sync {
     /// # Errors
     /// [`Stop`] where the watch says so.
     fn run_signs(&self, case: &SignCase, budget: Budget, watch: &Watch) -> Result<Outcome, Stop>;
+
+    /// Runs it on the cells of a line.
+    ///
+    /// # Errors
+    /// [`Stop`] where the watch says so.
+    fn run_interval(&self, case: &IntervalCase, budget: Budget, watch: &Watch) -> Result<Outcome, Stop>;
+
+    /// Runs it on a union of cubes.
+    ///
+    /// # Errors
+    /// [`Stop`] where the watch says so.
+    fn run_cubes(&self, case: &CubesCase, watch: &Watch) -> Result<Outcome, Stop>;
 
     /// Runs it on a map.
     ///
@@ -50,6 +65,18 @@ pub trait Contestant: Sync {
     /// The reason, where the backend declines.
     fn answers(&self, scene: &Scene, queries: &QuerySet) -> Result<Vec<Sign>, String>;
 
+    /// The cells of all probes of a line, in order.
+    ///
+    /// # Errors
+    /// The reason, where the backend declines.
+    fn cells(&self, case: &IntervalCase) -> Result<Vec<Cells>, String>;
+
+    /// The mass properties of a union of cubes.
+    ///
+    /// # Errors
+    /// The reason, where the backend declines.
+    fn cube_union(&self, case: &CubesCase) -> Result<Mass, String>;
+
     /// Where all probes of a map lie, in order.
     ///
     /// # Errors
@@ -68,6 +95,18 @@ pub trait Contestant: Sync {
     /// The reason, where the backend declines.
     fn time_signs<'a>(&'a self, scene: &'a Scene, queries: &'a QuerySet) -> Result<Box<dyn Stopwatch + 'a>, String>;
 
+    /// Prepares the cells of a line for timing.
+    ///
+    /// # Errors
+    /// The reason, where the backend declines.
+    fn time_interval<'a>(&'a self, case: &'a IntervalCase) -> Result<Box<dyn Stopwatch + 'a>, String>;
+
+    /// Prepares a union of cubes for timing.
+    ///
+    /// # Errors
+    /// The reason, where the backend declines.
+    fn time_cubes<'a>(&'a self, case: &'a CubesCase) -> Result<Box<dyn Stopwatch + 'a>, String>;
+
     /// Prepares a map for timing.
     ///
     /// # Errors
@@ -85,6 +124,12 @@ pub trait Contestant: Sync {
     /// # Errors
     /// The reason, where the backend declines.
     fn contact(&self, case: &ContactsCase, pair: [Simplex; 2]) -> Result<String, String>;
+
+    /// The cells of one vertex, in words.
+    ///
+    /// # Errors
+    /// The reason, where the backend declines.
+    fn cells_of_one(&self, case: &IntervalCase, vertex: Vertex) -> Result<String, String>;
 
     /// Where one vertex of a map lies, in words.
     ///
@@ -155,6 +200,14 @@ impl<B: Backend> Contestant for Entry<B> {
         signs::run(&self.backend, self.tie_judge.as_deref(), case, budget, watch)
     }
 
+    fn run_interval(&self, case: &IntervalCase, budget: Budget, watch: &Watch) -> Result<Outcome, Stop> {
+        interval::run(&self.backend, case, budget, watch)
+    }
+
+    fn run_cubes(&self, case: &CubesCase, watch: &Watch) -> Result<Outcome, Stop> {
+        cubes::run(&self.backend, case, watch)
+    }
+
     fn run_locate(&self, case: &LocateCase, budget: Budget, watch: &Watch) -> Result<Outcome, Stop> {
         locate::run(&self.backend, case, budget, watch)
     }
@@ -165,6 +218,14 @@ impl<B: Backend> Contestant for Entry<B> {
 
     fn answers(&self, scene: &Scene, queries: &QuerySet) -> Result<Vec<Sign>, String> {
         signs::answers(&self.backend, scene, queries)
+    }
+
+    fn cells(&self, case: &IntervalCase) -> Result<Vec<Cells>, String> {
+        interval::found(&self.backend, case)
+    }
+
+    fn cube_union(&self, case: &CubesCase) -> Result<Mass, String> {
+        cubes::found(&self.backend, case)
     }
 
     fn locations(&self, case: &LocateCase) -> Result<Locations, String> {
@@ -181,6 +242,14 @@ impl<B: Backend> Contestant for Entry<B> {
         Ok(Box::new(SignWatch { session, queries, out: vec![Sign::Zero; queries.len()] }))
     }
 
+    fn time_interval<'a>(&'a self, case: &'a IntervalCase) -> Result<Box<dyn Stopwatch + 'a>, String> {
+        interval::stopwatch(&self.backend, case)
+    }
+
+    fn time_cubes<'a>(&'a self, case: &'a CubesCase) -> Result<Box<dyn Stopwatch + 'a>, String> {
+        cubes::stopwatch(&self.backend, case)
+    }
+
     fn time_locate<'a>(&'a self, case: &'a LocateCase) -> Result<Box<dyn Stopwatch + 'a>, String> {
         locate::stopwatch(&self.backend, case)
     }
@@ -191,6 +260,10 @@ impl<B: Backend> Contestant for Entry<B> {
 
     fn contact(&self, case: &ContactsCase, pair: [Simplex; 2]) -> Result<String, String> {
         case.ask(&self.backend, pair)
+    }
+
+    fn cells_of_one(&self, case: &IntervalCase, vertex: Vertex) -> Result<String, String> {
+        case.locate_one(&self.backend, vertex)
     }
 
     fn locate_one(&self, case: &LocateCase, vertex: Vertex) -> Result<String, String> {

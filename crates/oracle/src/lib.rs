@@ -11,8 +11,10 @@
 
 pub mod audit;
 pub mod contacts;
+pub mod cubes;
 pub mod expect;
 pub mod faults;
+pub mod interval;
 pub mod judge;
 pub mod locate;
 pub mod parity;
@@ -27,12 +29,13 @@ mod class;
 mod contestant;
 mod error;
 mod outcome;
+mod prepared;
 mod watch;
 
 pub use case::{Case, Dispute, Truth};
 pub use class::{ClassCounts, classify};
 pub use contestant::{Contestant, Entry, Explanation, Stopwatch, digest_of};
-pub use outcome::{Finding, LocateCounts, Outcome, finding_id};
+pub use outcome::{Finding, LocateCounts, MassCounts, Outcome, finding_id};
 pub use predicament_predicates::{Class, Status};
 pub use watch::{Stop, Watch};
 

@@ -17,12 +17,12 @@ use predicament_algorithms::polygon_locate::{LocateIndex, Location, Locations, S
 use predicament_checks::tiling::{Fault, Flaws, Ground, Surroundings, map_flaws, surroundings, tiling_report};
 use predicament_exact::Exact;
 use predicament_mesh::PolygonMap;
-use predicament_predicates::{Backend, Counts, Off, PredicateKind, Predicates, Scene, Vertex, ZeroMeaning};
+use predicament_predicates::{Backend, Counts, Off, PredicateKind, Predicates, Scene, Tally, Vertex, ZeroMeaning};
 
 use crate::contestant::{Stopwatch, digest};
 use crate::outcome::{Finding, LocateCounts, Outcome};
 use crate::signs::Budget;
-use crate::{Class, Stop, Watch};
+use crate::{Class, Stop, Watch, prepared};
 
 /// The predicates that locating asks.
 const ASKED: [PredicateKind; 2] = [PredicateKind::Compare, PredicateKind::Orient2d];
@@ -107,6 +107,14 @@ impl<'a> LocateCase<'a> {
     pub fn exact(&self) -> &Locations {
         &self.exact
     }
+
+    fn session<'s, B: Backend, T: Tally + 's>(
+        &'s self,
+        backend: &'s B,
+        tally: T,
+    ) -> Result<B::Session<'s, T>, prepared::Refusal> {
+        prepared::session(backend, self.scene, tally, prepared::supports_all(&ASKED))
+    }
 }
 
 /// All locations, every edge asked about, in the pool's threads.
@@ -133,23 +141,15 @@ fn all<P: Predicates>(index: &LocateIndex, session: &P, probes: &[Vertex], watch
 pub fn run<B: Backend>(backend: &B, case: &LocateCase, budget: Budget, watch: &Watch) -> Result<Outcome, Stop> {
     let queries = case.probes.len() as u64;
     let counts = Counts::new();
-    let session = match backend.prepare(case.scene, &counts) {
+    let session = match case.session(backend, &counts) {
         Ok(session) => session,
-        Err(declined) => return Ok(Outcome::of_scene(queries, Class::Declined, "prepare", declined.to_string())),
+        Err(refusal) => return Ok(refusal.outcome(queries)),
     };
-    if let Some(declined) = ASKED.into_iter().find_map(|kind| session.supports(kind).err()) {
-        return Ok(Outcome::of_scene(queries, Class::Declined, "supports", declined.to_string()));
-    }
     let contract = backend.contract(PredicateKind::Orient2d);
     let zero = contract.zero;
     let answers = all(&case.index, &session, &case.probes, watch)?;
 
-    let mut outcome = Outcome { queries, ..Outcome::default() };
-    let stages = backend.stages().iter().enumerate();
-    outcome.stages = stages
-        .map(|(stage, &name)| (name, ASKED.into_iter().map(|kind| counts.get(kind, stage)).sum()))
-        .filter(|&(_, settled)| settled > 0)
-        .collect();
+    let mut outcome = Outcome { queries, stages: prepared::stages(backend, &counts, &ASKED), ..Outcome::default() };
     // Proved signs are exact ones, or those of one perturbed scene.
     let shortcut = (contract.proved && zero != ZeroMeaning::Band)
         .then(|| locate_all(&case.index, &session, &case.probes, &|_| true));
@@ -214,16 +214,8 @@ fn class_of_fault(fault: Fault) -> Class {
 
 impl LocateCase<'_> {
     fn finding(&self, class: Class, check: &str, probe: usize, got: Location, truth: Location) -> Finding {
-        Finding {
-            class,
-            check: check.to_owned(),
-            query: format!("polygon-locate({})", self.probes[probe]),
-            got: self.describe(got),
-            truth: self.describe(truth),
-            log2_relative_det: None,
-            distance_over_l: None,
-            stage: None,
-        }
+        let query = format!("polygon-locate({})", self.probes[probe]);
+        Finding::plain(class, check, query, self.describe(got), self.describe(truth))
     }
 
     /// A location in words: `in France; on Spain, Andorra`.
@@ -247,10 +239,7 @@ impl LocateCase<'_> {
     /// # Errors
     /// The reason, where the backend declines.
     pub fn locate_one<B: Backend>(&self, backend: &B, vertex: Vertex) -> Result<String, String> {
-        let session = backend.prepare(self.scene, Off).map_err(|declined| declined.to_string())?;
-        for kind in ASKED {
-            session.supports(kind).map_err(|declined| declined.to_string())?;
-        }
+        let session = self.session(backend, Off)?;
         let asked = self.describe(self.index.question(&session, vertex, &mut Scratch::new()));
         let by_shortcut = self.describe(self.index.locate(&session, vertex, &mut Scratch::new()));
         Ok(if asked == by_shortcut { asked } else { format!("{asked} (by the shortcut: {by_shortcut})") })
@@ -259,10 +248,7 @@ impl LocateCase<'_> {
 
 /// All answers of a backend by the shortcut, in order.
 pub(crate) fn locations<B: Backend>(backend: &B, case: &LocateCase) -> Result<Locations, String> {
-    let session = backend.prepare(case.scene, Off).map_err(|declined| declined.to_string())?;
-    for kind in ASKED {
-        session.supports(kind).map_err(|declined| declined.to_string())?;
-    }
+    let session = case.session(backend, Off)?;
     Ok(locate_all(&case.index, &session, &case.probes, &|_| true))
 }
 
@@ -271,10 +257,7 @@ pub(crate) fn stopwatch<'a, B: Backend>(
     backend: &'a B,
     case: &'a LocateCase,
 ) -> Result<Box<dyn Stopwatch + 'a>, String> {
-    let session = backend.prepare(case.scene, Off).map_err(|declined| declined.to_string())?;
-    for kind in ASKED {
-        session.supports(kind).map_err(|declined| declined.to_string())?;
-    }
+    let session = case.session(backend, Off)?;
     Ok(Box::new(LocateWatch { session, case, scratch: Scratch::new(), out: Vec::new() }))
 }
 

@@ -28,6 +28,22 @@ pub struct Finding {
     pub stage: Option<&'static str>,
 }
 
+impl Finding {
+    /// One without a determinant.
+    pub(crate) fn plain(class: Class, check: impl Into<String>, query: String, got: String, truth: String) -> Finding {
+        Finding {
+            class,
+            check: check.into(),
+            query,
+            got,
+            truth,
+            log2_relative_det: None,
+            distance_over_l: None,
+            stage: None,
+        }
+    }
+}
+
 /// Points of a map by what surrounds them, for `locate.csv`.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct LocateCounts {
@@ -47,6 +63,19 @@ pub struct LocateCounts {
     pub violations: u64,
 }
 
+/// The mass properties of a union of cubes, in the scene's units, for `masses.csv`.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct MassCounts {
+    /// How many cubes.
+    pub cubes: u64,
+    /// Volume, area and edge length that were found, each rounded once.
+    pub found: [f64; 3],
+    /// The true ones.
+    pub truth: [f64; 3],
+    /// Corners, edge-face and three-face vertices that were found.
+    pub vertices: [u64; 3],
+}
+
 /// What one backend made of one scene.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Outcome {
@@ -63,6 +92,8 @@ pub struct Outcome {
     pub locate: Vec<LocateCounts>,
     /// For contacts: pairs by ranks.
     pub contacts: Vec<Level>,
+    /// For cubes: what their union measures.
+    pub mass: Option<MassCounts>,
 }
 
 impl Outcome {
@@ -71,16 +102,7 @@ impl Outcome {
     pub fn of_scene(queries: u64, class: Class, check: &str, reason: String) -> Outcome {
         let mut outcome = Outcome { queries, ..Outcome::default() };
         outcome.counts.add(class, 1);
-        outcome.findings.push(Finding {
-            class,
-            check: check.to_owned(),
-            query: String::new(),
-            got: reason,
-            truth: String::new(),
-            log2_relative_det: None,
-            distance_over_l: None,
-            stage: None,
-        });
+        outcome.findings.push(Finding::plain(class, check, String::new(), reason, String::new()));
         outcome
     }
 }

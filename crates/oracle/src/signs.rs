@@ -9,7 +9,7 @@ use rug::Rational;
 use crate::axioms;
 use crate::error::{distance_over_l, largest_edge};
 use crate::outcome::{Finding, Outcome, ids, symbol};
-use crate::{Class, ClassCounts, Stop, Watch, classify, judge};
+use crate::{Class, ClassCounts, Stop, Watch, classify, judge, prepared};
 
 /// Queries to a chunk: small enough to stop soon, large enough to cost nothing.
 const CHUNK: usize = 4096;
@@ -95,13 +95,10 @@ pub fn run<B: Backend>(
     let queries = case.queries.len() as u64;
     let kind = case.queries.kind();
     let counts = Counts::new();
-    let session = match backend.prepare(case.scene, &counts) {
+    let session = match prepared::session(backend, case.scene, &counts, |session| session.supports(kind)) {
         Ok(session) => session,
-        Err(declined) => return Ok(Outcome::of_scene(queries, Class::Declined, "prepare", declined.to_string())),
+        Err(refusal) => return Ok(refusal.outcome(queries)),
     };
-    if let Err(declined) = session.supports(kind) {
-        return Ok(Outcome::of_scene(queries, Class::Declined, "supports", declined.to_string()));
-    }
     let contract = backend.contract(kind);
     let chunks: Result<Vec<Chunk>, Stop> = chunks(case.queries.len())
         .map(|range| {
@@ -119,8 +116,7 @@ pub fn run<B: Backend>(
         ties.extend(chunk.ties);
     }
     // Counted before the checks below ask their own questions.
-    let stages = backend.stages().iter().enumerate();
-    let stages = stages.map(|(stage, &name)| (name, counts.get(kind, stage))).filter(|&(_, n)| n > 0).collect();
+    let stages = prepared::stages(backend, &counts, &[kind]);
 
     let mut findings = Vec::new();
     if let Some(perturbed) = tie_judge {
@@ -301,8 +297,7 @@ pub fn stage_of<B: Backend>(backend: &B, scene: &Scene, question: Question, args
 /// # Errors
 /// The reason, where the backend declines.
 pub fn answers<B: Backend>(backend: &B, scene: &Scene, queries: &QuerySet) -> Result<Vec<Sign>, String> {
-    let session = backend.prepare(scene, Off).map_err(|declined| declined.to_string())?;
-    session.supports(queries.kind()).map_err(|declined| declined.to_string())?;
+    let session = prepared::session(backend, scene, Off, |session| session.supports(queries.kind()))?;
     let mut out = vec![Sign::Zero; queries.len()];
     out.par_chunks_mut(CHUNK).enumerate().for_each(|(i, out)| {
         queries.ask_batch(&session, i * CHUNK..i * CHUNK + out.len(), out);

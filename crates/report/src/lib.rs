@@ -8,7 +8,7 @@
 //! * [`RunWriter`] makes a run folder and appends to it, so that a run that was
 //!   killed explains itself and can be resumed; [`RunDir`] reads one.
 //! * [`SummaryRow`], [`FindingRow`], [`ThroughputRow`], [`StageRow`], [`LocateRow`],
-//!   [`ContactRow`] and [`PrecisionRow`] are the rows of its tables; [`Plan`] and [`Env`] say what
+//!   [`ContactRow`], [`MassRow`] and [`PrecisionRow`] are the rows of its tables; [`Plan`] and [`Env`] say what
 //!   was to be done, and where.
 //! * [`markdown`], [`html`], [`junit`] and [`scatter`] are what people and
 //!   machines read; [`write_pages`] writes all of the first kind into a folder.
@@ -39,8 +39,8 @@ pub use junit::junit;
 pub use page::{html, markdown, write_pages};
 pub use pixel_map::{PixelMap, PixelMapError, data_uri, side_by_side};
 pub use plan::{FORMAT, Level, NotSelected, Plan, PlannedScene, Shard};
-pub use plot::{Bar, Curve, Curves, curves, ranges, scatter};
+pub use plot::{Bar, Bars, Curve, Curves, curves, histogram, ranges, scatter};
 pub use predicament_predicates::{Class, Status};
-pub use rows::{ContactRow, FindingRow, LocateRow, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
+pub use rows::{ContactRow, FindingRow, LocateRow, MassRow, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
 pub use run_dir::{NotRun, Outcome, RunDir, RunWriter};
 pub use stats::Spread;

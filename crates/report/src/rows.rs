@@ -1,4 +1,4 @@
-//! The rows of the seven tables of a run folder.
+//! The rows of the eight tables of a run folder.
 //!
 //! Each struct is one line of its file: its fields are the columns, in order.
 //! Columns are a contract; other programs read them.
@@ -390,6 +390,67 @@ impl Row for ContactRow {
             return Err("the candidates are not those that had ended and those that were asked about".to_owned());
         }
         Ok(())
+    }
+}
+
+/// `masses.csv`: what a union of cubes measures.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct MassRow {
+    /// The suite's name.
+    pub suite: String,
+    /// The scene's name in its suite.
+    pub scene: String,
+    /// The scene's content id.
+    pub scene_id: String,
+    /// The backend's name, with its parameters.
+    pub backend: String,
+    /// How many cubes.
+    pub cubes: u64,
+    /// The volume that was found, in the scene's units, like all that follow rounded once.
+    pub volume: f64,
+    /// The true one.
+    pub true_volume: f64,
+    /// The area of the boundary that was found.
+    pub area: f64,
+    /// The true one, in the limit for perturbations that go to zero.
+    pub true_area: f64,
+    /// The length of the boundary's edges that was found.
+    pub edge_length: f64,
+    /// The true one, in that limit.
+    pub true_edge_length: f64,
+    /// Corners of cubes that were found on the boundary.
+    pub corners: u64,
+    /// Points where an edge of one cube meets a face of another.
+    pub edge_faces: u64,
+    /// Points where the faces of three cubes meet.
+    pub three_faces: u64,
+}
+
+impl Row for MassRow {
+    const FILE: &'static str = "masses.csv";
+    const COLUMNS: &'static [&'static str] = &[
+        "suite",
+        "scene",
+        "scene_id",
+        "backend",
+        "cubes",
+        "volume",
+        "true_volume",
+        "area",
+        "true_area",
+        "edge_length",
+        "true_edge_length",
+        "corners",
+        "edge_faces",
+        "three_faces",
+    ];
+
+    fn check(&self) -> Result<(), String> {
+        if [self.true_volume, self.true_area, self.true_edge_length].iter().all(|&x| x > 0.0 && x.is_finite()) {
+            Ok(())
+        } else {
+            Err("a true measure is not positive".to_owned())
+        }
     }
 }
 

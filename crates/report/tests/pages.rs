@@ -36,6 +36,12 @@ fn numbers_trace_to_rows() {
     assert!(page.contains("| naive | 2 | 1,100,000 | 2,502 | 2,270 | 1.12 | yes |"));
     // sos near: 38000 of 100000.
     assert!(page.contains("| 1 | orient2d | near | sos | 100,000 | — | 61.0 % | 38.0 % | 1.0 % (to 3) |"));
+    // Ties: 1,000 of 1.1 million; √(30/21 · 2.6/2.25) = 1.285 of exact's time. Terms 1 and 3 decided.
+    assert!(page.contains("| 1 | orient2d | sos | 1,100,000 | 1,000 | \\<0.1 % | 3 | 1.3× |"), "{page}");
+    assert!(page.contains("| 1 | orient2d | sos | 990 | 0 | 10 | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 0 |"), "{page}");
+    // A union that came out right, and one that came out negative.
+    assert!(page.contains("| 1 | corner-in-corner (cubes) | sos | 2 | 15.0000 | 42.0000 | 48.0000 | 14 | 6 | 0 |"));
+    assert!(page.contains("| 1 | twins (cubes) | exact | 3 | −2.00000 (true: 1.00000) |"), "{page}");
     // exact, edges with vertices: 1 of 4 and 3 of 4 had ended; then 2 of 9, 1 of 3 and none of none.
     let contacts = "| 1 | two-triangles (contacts) | contacts2d | exact | 1 (0 % ended) | 1 (50.0 % ended) | 2 (25.0 % ended) |  |";
     assert!(page.contains(contacts), "{page}");
@@ -57,8 +63,10 @@ fn html_has_every_section_and_needs_nothing_else() {
         "throughput",
         "precision",
         "stages",
+        "ties",
         "locate",
         "contacts",
+        "cubes",
         "not-run",
         "maps",
     ] {

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use predicament_oracle::{Case, Contestant, Stopwatch, Truth, Watch, digest_of};
-use predicament_oracle::{contacts, locate};
+use predicament_oracle::{contacts, cubes, interval, locate};
 use predicament_report::{self as report, PlannedScene, RunWriter, Shard, ThroughputRow};
 
 use crate::cmd::run::{budget, env, free_folder, plan};
@@ -167,6 +167,12 @@ fn start<'a>(
             let judged = contacts::digest_of(&backend.contacts(case.scene(), case.complexes())?);
             let start = |&threads: &usize| Ok(runner(backend.time_contacts(case, threads)?, judged, threads));
             threads.iter().map(start).collect::<Result<_, String>>()?
+        }
+        Truth::Interval(case) => {
+            vec![runner(backend.time_interval(case)?, interval::digest_of(&backend.cells(case)?), 1)]
+        }
+        Truth::Cubes(case) => {
+            vec![runner(backend.time_cubes(case)?, cubes::digest_of(&backend.cube_union(case)?), 1)]
         }
         Truth::Locate(case) => {
             vec![runner(backend.time_locate(case)?, locate::digest_of(&backend.locations(case)?), 1)]

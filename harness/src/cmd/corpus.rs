@@ -153,6 +153,8 @@ fn generate(selector: &Selector) -> exit::Outcome {
                     println!("  import: {}", loaded.notes);
                 }
             }
+            Work::Interval { cells, probes, .. } => println!("  {} cells, {} probes", cells.len(), probes.len()),
+            Work::Cubes { cubes } => println!("  {cubes} cubes"),
             Work::Locate { map, probes } => {
                 let edges = map.edges().count();
                 println!(

@@ -69,7 +69,9 @@ pub fn run(args: &Args) -> exit::Outcome {
                 .and_then(|rest| rest.strip_prefix('('))
                 .and_then(|rest| rest.strip_suffix(')'))
         };
-        if let Some(id) = about(Task::PolygonLocate) {
+        if let Some(id) = about(Task::Interval) {
+            ask_cells(&loaded, parse_ids(id)?[0], &backends)?;
+        } else if let Some(id) = about(Task::PolygonLocate) {
             ask_location(&loaded, parse_ids(id)?[0], &backends)?;
         } else if let Some(pair) = about(Task::Contacts2d).or(about(Task::Contacts3d)) {
             ask_contact(&loaded, pair, &backends)?;
@@ -173,37 +175,52 @@ fn ask_sign(loaded: &LoadedScene, question: Question, ids: &[Vertex], backends: 
     println!("  query: {}", signs::describe(question, ids));
 }
 
-fn ask_location(loaded: &LoadedScene, id: Vertex, backends: &[Box<dyn Contestant>]) -> Result<(), Failure> {
-    print_points(loaded, &[id]);
+/// Works out the truth about the scene again.
+fn case_of(loaded: &LoadedScene) -> Result<Case<'_>, Failure> {
     let quiet = |_: u64| {};
     let stopped = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
-    let case = Case::new(loaded, &Watch::new(interrupt::flag(), None, &quiet)).map_err(stopped)?;
+    Case::new(loaded, &Watch::new(interrupt::flag(), None, &quiet)).map_err(stopped)
+}
+
+/// What each backend says about something.
+fn print_answers(backends: &[Box<dyn Contestant>], ask: impl Fn(&dyn Contestant) -> Result<String, String>) {
+    for backend in backends {
+        let answer = ask(backend.as_ref()).unwrap_or_else(|why| why);
+        println!("  {:<24} {answer}", backend.name());
+    }
+}
+
+fn ask_cells(loaded: &LoadedScene, id: Vertex, backends: &[Box<dyn Contestant>]) -> Result<(), Failure> {
+    print_points(loaded, &[id]);
+    let case = case_of(loaded)?;
+    let Truth::Interval(case) = case.truth() else {
+        return Err(Failure::usage("the scene has no cells any more"));
+    };
+    print_answers(backends, |backend| backend.cells_of_one(case, id));
+    Ok(())
+}
+
+fn ask_location(loaded: &LoadedScene, id: Vertex, backends: &[Box<dyn Contestant>]) -> Result<(), Failure> {
+    print_points(loaded, &[id]);
+    let case = case_of(loaded)?;
     let Truth::Locate(case) = case.truth() else {
         return Err(Failure::usage("the scene is no map any more"));
     };
-    for backend in backends {
-        let answer = backend.locate_one(case, id).unwrap_or_else(|why| why);
-        println!("  {:<24} {answer}", backend.name());
-    }
+    print_answers(backends, |backend| backend.locate_one(case, id));
     Ok(())
 }
 
 fn ask_contact(loaded: &LoadedScene, pair: &str, backends: &[Box<dyn Contestant>]) -> Result<(), Failure> {
     let (s, t) = pair.split_once(", ").ok_or_else(|| Failure::usage(format!("`{pair}` is no pair of simplices")))?;
     let (s, t) = (parse_ids(s)?, parse_ids(t)?);
-    let quiet = |_: u64| {};
-    let stopped = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
-    let case = Case::new(loaded, &Watch::new(interrupt::flag(), None, &quiet)).map_err(stopped)?;
+    let case = case_of(loaded)?;
     let Truth::Contacts(case) = case.truth() else {
         return Err(Failure::usage("the scene asks for no contacts any more"));
     };
     let pair = case.find(&s, &t).map_err(Failure::usage)?;
     print_points(loaded, &[s, t].concat());
     println!("  {:<24} {}", "truth", case.truth_about(pair));
-    for backend in backends {
-        let answer = backend.contact(case, pair).unwrap_or_else(|why| why);
-        println!("  {:<24} {answer}", backend.name());
-    }
+    print_answers(backends, |backend| backend.contact(case, pair));
     Ok(())
 }
 

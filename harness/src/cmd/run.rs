@@ -244,6 +244,7 @@ impl Ledger {
         writer.write(&rows::stages(scene, backend, outcome)).map_err(Failure::usage)?;
         writer.write(&rows::locate(scene, backend, outcome)).map_err(Failure::usage)?;
         writer.write(&rows::contacts(scene, backend, outcome)).map_err(Failure::usage)?;
+        writer.write(&rows::masses(scene, backend, outcome)).map_err(Failure::usage)?;
         writer.commit().map_err(Failure::usage)?;
         self.done.push(summary);
         Ok(())

@@ -18,7 +18,9 @@ pub struct FamilyInfo {
 }
 
 const SIGNS: &[Task] = &[Task::Compare, Task::Orient2d, Task::Orient3d, Task::Incircle, Task::Insphere];
+const LINES: &[Task] = &[Task::Interval];
 const MAPS: &[Task] = &[Task::PolygonLocate];
+const CUBES: &[Task] = &[Task::CubeUnion];
 const FLAT: &[Task] = &[Task::Compare, Task::Orient2d];
 const PLANE_CONTACTS: &[Task] = &[Task::Contacts2d];
 const SPACE_CONTACTS: &[Task] = &[Task::Contacts3d];
@@ -34,7 +36,7 @@ const fn family(
     FamilyInfo { name, reported_as, tasks, parameters, about }
 }
 
-pub(super) const FAMILIES: [FamilyInfo; 36] = [
+pub(super) const FAMILIES: [FamilyInfo; 41] = [
     family("uniform", "uniform", SIGNS, &[], "multiples of 2^-53, uniform in [0, 1)"),
     family("grid", "grid", SIGNS, &[], "integers from 0 to 15: many ties, all arithmetic short"),
     family("near", "near", SIGNS, &["ulps"], "moved by at most so many ulps off a line, plane, circle or sphere"),
@@ -151,6 +153,29 @@ pub(super) const FAMILIES: [FamilyInfo; 36] = [
         SOLID,
         &[],
         "both kinds of meeting points in space in exact ties: every answer is 0",
+    ),
+    family("cells-uniform", "cells-uniform", LINES, &[], "cells of a line with ends uniform in [0, 1)"),
+    family("cells-degen", "cells-degen", LINES, &[], "cells of a line with ends on few integers: many have no length"),
+    family(
+        "cubes-uniform",
+        "cubes-uniform",
+        CUBES,
+        &["density"],
+        "cubes anywhere in a cube, so many around a point on average",
+    ),
+    family(
+        "cubes-lattice",
+        "cubes-lattice",
+        CUBES,
+        &["pitch", "edge"],
+        "a lattice of cubes in no order: apart, touching or overlapping",
+    ),
+    family(
+        "cubes-degen",
+        "cubes-degen",
+        CUBES,
+        &["edge"],
+        "cubes on few integers: common faces, edges, corners, and identical cubes",
     ),
     family("tiling", "tiling", MAPS, &[], "a jittered n×n quadrilateral tiling with lakes, islands and sea"),
     family("bricks", "bricks", MAPS, &[], "n courses of n bricks: axis-parallel borders and collinear runs"),

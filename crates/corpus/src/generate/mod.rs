@@ -9,19 +9,21 @@
 mod band;
 mod constructed;
 mod contacts;
+mod cubes;
 mod degenerate;
 mod families;
 mod far;
 mod kettner;
 mod maps;
 mod near;
+mod partition;
 mod pixels;
 mod plain;
 mod random;
 mod shape;
 mod wide;
 
-use predicament_predicates::{Construction, Dimension, PredicateKind, QuerySet, Question, Scene, Vertex};
+use predicament_predicates::{Axis, Construction, Dimension, PredicateKind, QuerySet, Question, Scene, Vertex};
 
 use crate::document::{Field, Fields};
 use crate::probes::with_probes;
@@ -29,8 +31,10 @@ use crate::suite::Probing;
 use crate::{CorpusError, Level, Task, Work};
 use constructed::Arrangement;
 use contacts::Pair;
+use cubes::Cubes;
 use families::FAMILIES;
 pub use families::{FamilyInfo, families};
+use partition::Ends;
 use pixels::PixelMap;
 pub use random::Random;
 
@@ -57,6 +61,8 @@ enum Recipe {
     PixelMap(PixelMap),
     Arrangement(Arrangement),
     Pair(Pair),
+    Cells(Ends),
+    Cubes(Cubes),
     Tiling,
     Bricks,
 }
@@ -80,6 +86,9 @@ impl Family {
         if let Some(pair) = Pair::read(text, fields)? {
             return Ok(Family { info, recipe: Recipe::Pair(pair) });
         }
+        if let Some(cubes) = Cubes::read(text, fields)? {
+            return Ok(Family { info, recipe: Recipe::Cubes(cubes) });
+        }
         let recipe = match text {
             "uniform" => Recipe::Uniform,
             "grid" => Recipe::Grid,
@@ -92,6 +101,8 @@ impl Family {
             "far" => Recipe::Far,
             "band" => Recipe::Band,
             "pixel-map" => Recipe::PixelMap(PixelMap::read(fields)?),
+            "cells-uniform" => Recipe::Cells(Ends::Uniform),
+            "cells-degen" => Recipe::Cells(Ends::Repeated),
             "tiling" => Recipe::Tiling,
             "bricks" => Recipe::Bricks,
             _ => Recipe::Decimal {
@@ -163,6 +174,8 @@ impl Family {
             | Recipe::PixelMap(_)
             | Recipe::Arrangement(_)
             | Recipe::Pair(_)
+            | Recipe::Cells(_)
+            | Recipe::Cubes(_)
             | Recipe::Tiling
             | Recipe::Bricks => {
                 unreachable!("{} is not made query by query", self.name())
@@ -199,8 +212,12 @@ pub(crate) struct Amount {
 pub(crate) enum Shape {
     /// Queries in 2D or 3D.
     Signs { question: Question, dimension: Dimension },
+    /// Cells of a line with probes.
+    Cells { axis: Axis, dimension: Dimension },
     /// A map with probes.
     Map(Probing),
+    /// Congruent cubes.
+    Cubes,
     /// Two complexes.
     Contacts,
 }
@@ -216,7 +233,7 @@ pub(crate) struct Generator {
 
 impl Generator {
     /// Makes the scene. The queries of a smaller amount come first in a larger one,
-    /// unless it is a map or a pair of complexes.
+    /// unless they make a whole: cells, maps, cubes, complexes.
     pub(crate) fn run(&self, task: Task, level: Level) -> (Scene, Work) {
         let n = match level {
             Level::Quick => self.amount.quick,
@@ -231,6 +248,14 @@ impl Generator {
                 };
                 with_probes(points, map, probing, level)
             }
+            Shape::Cells { axis, dimension } => match self.family.recipe {
+                Recipe::Cells(ends) => partition::make(ends, n, axis, dimension, &mut rng),
+                _ => unreachable!("{} makes no cells", self.family.name()),
+            },
+            Shape::Cubes => match self.family.recipe {
+                Recipe::Cubes(cubes) => cubes.make(n, &mut rng),
+                _ => unreachable!("{} makes no cubes", self.family.name()),
+            },
             Shape::Contacts => match self.family.recipe {
                 Recipe::Pair(pair) => pair.make(n, &mut rng),
                 _ => unreachable!("{} makes no complexes", self.family.name()),

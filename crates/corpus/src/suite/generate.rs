@@ -1,6 +1,6 @@
 //! `[[generate]]` tables.
 
-use predicament_predicates::Dimension;
+use predicament_predicates::{Axis, Dimension};
 
 use super::scene::{Content, Probing, SceneDef, define};
 use super::{Context, contacts, queries};
@@ -46,11 +46,16 @@ fn amount(fields: &Fields<'_, '_>, family: &Family) -> Result<Amount, CorpusErro
 }
 
 fn shape(fields: &Fields<'_, '_>, task: Task, family: &Family) -> Result<Shape, CorpusError> {
-    if task == Task::PolygonLocate {
-        return Ok(Shape::Map(Probing::read(fields)?));
-    }
-    if contacts::dimension(task).is_some() {
-        return Ok(Shape::Contacts);
+    match task {
+        Task::Interval => {
+            let axis = queries::axis(fields)?;
+            let space = axis == Axis::Z || fields.integer_or("dimension", 2, 2..=3)? == 3;
+            return Ok(Shape::Cells { axis, dimension: if space { Dimension::Three } else { Dimension::Two } });
+        }
+        Task::PolygonLocate => return Ok(Shape::Map(Probing::read(fields)?)),
+        Task::CubeUnion => return Ok(Shape::Cubes),
+        Task::Contacts2d | Task::Contacts3d => return Ok(Shape::Contacts),
+        Task::Compare | Task::Orient2d | Task::Orient3d | Task::Incircle | Task::Insphere => {}
     }
     let question = queries::question(fields, task)?;
     let fits = |dimension, cure: &str| {

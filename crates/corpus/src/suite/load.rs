@@ -2,8 +2,8 @@
 
 use predicament_predicates::{Dimension, Plane, PredicateKind, QuerySet, Question, Scene};
 
-use super::points;
 use super::scene::{Content, MapSource, SceneDef};
+use super::{cubes, points};
 use crate::import::topojson;
 use crate::probes::with_probes;
 use crate::{Cache, CorpusError, Level, LoadedScene, Work};
@@ -23,6 +23,10 @@ impl SceneDef {
                 constructed.add_to(&mut scene, &self.file)?;
                 let queries = plan.queries(&self.file, &scene)?;
                 Ok(self.around(scene, Work::Signs(queries)))
+            }
+            Content::Cubes(path) => {
+                let (scene, work) = cubes::read_csv(path)?;
+                Ok(self.around(scene, work))
             }
             Content::Fixture(entry) => {
                 let text = cache.read(entry)?;

@@ -2,7 +2,9 @@
 
 mod constructed;
 mod contacts;
+mod cubes;
 mod generate;
+mod interval;
 mod load;
 mod points;
 mod queries;

@@ -8,36 +8,80 @@ use crate::coordinate;
 use crate::document::{Field, explain};
 use crate::{CorpusError, Task};
 
-/// Points in a suite, one array each.
-pub(super) fn read(field: &Field<'_, '_>) -> Result<(Dimension, Vec<f64>), CorpusError> {
-    let points = field.items("an array of points, or { path = \"points.csv\" }")?;
-    let mut dimension = None;
-    let mut coordinates = Vec::with_capacity(points.len() * 3);
-    for (index, point) in points.enumerate() {
-        let row = point.items("a point: an array of coordinates")?;
-        let expected = *dimension.get_or_insert(row.len());
-        if row.len() != expected || !(2..=3).contains(&expected) {
-            return Err(point.error(ragged(index, row.len(), expected), RAGGED_CURE));
-        }
-        for coordinate in row {
-            coordinates.push(coordinate.coordinate()?);
+/// What the rows of a list of numbers are.
+pub(super) struct RowKind {
+    /// What one is called.
+    name: &'static str,
+    /// How many numbers it has.
+    widths: std::ops::RangeInclusive<usize>,
+    /// What its numbers are called.
+    numbers: &'static str,
+    /// How to mend one that has another number of them.
+    cure: &'static str,
+}
+
+pub(super) const POINT: RowKind = RowKind {
+    name: "point",
+    widths: 2..=3,
+    numbers: "coordinates",
+    cure: "give all points two or all three coordinates",
+};
+
+pub(super) const CUBE: RowKind = RowKind {
+    name: "cube",
+    widths: 4..=4,
+    numbers: "numbers",
+    cure: "give every cube x, y and z of its lower corner and the length of its edges",
+};
+
+/// Rows of as many numbers each, one after the other, and the line of each row.
+pub(super) struct Rows {
+    pub(super) width: usize,
+    pub(super) numbers: Vec<f64>,
+    pub(super) lines: Vec<usize>,
+}
+
+impl Rows {
+    /// With the width of the first row, if it is one of the kind's.
+    fn check(kind: &RowKind, expected: &mut Option<usize>, index: usize, found: usize) -> Result<(), String> {
+        let RowKind { name, numbers, widths, .. } = kind;
+        let expected = *expected.get_or_insert(found);
+        if !widths.contains(&expected) {
+            Err(format!("{name} {index} has {found} {numbers}"))
+        } else if found != expected {
+            Err(format!("{name} {index} has {found} {numbers}, the {name}s before it {expected}"))
+        } else {
+            Ok(())
         }
     }
-    match dimension {
-        Some(2) => Ok((Dimension::Two, coordinates)),
-        Some(_) => Ok((Dimension::Three, coordinates)),
-        None => Err(field.error("a scene without points", "write at least one query's points")),
+
+    /// As points.
+    fn points(self) -> (Dimension, Vec<f64>) {
+        (if self.width == 2 { Dimension::Two } else { Dimension::Three }, self.numbers)
     }
 }
 
-const RAGGED_CURE: &str = "give all points two or all three coordinates";
+/// Points in a suite, one array each.
+pub(super) fn read(field: &Field<'_, '_>) -> Result<(Dimension, Vec<f64>), CorpusError> {
+    read_rows(field, &POINT).map(Rows::points)
+}
 
-fn ragged(index: usize, found: usize, expected: usize) -> String {
-    if (2..=3).contains(&expected) {
-        format!("point {index} has {found} coordinates, the points before it {expected}")
-    } else {
-        format!("point {index} has {found} coordinates")
+/// Rows of numbers in a suite, one array each.
+pub(super) fn read_rows(field: &Field<'_, '_>, kind: &RowKind) -> Result<Rows, CorpusError> {
+    let RowKind { name, numbers: of, .. } = kind;
+    let rows = field.items(&format!("an array of {name}s, or {{ path = \"{name}s.csv\" }}"))?;
+    let mut width = None;
+    let (mut numbers, mut lines) = (Vec::with_capacity(rows.len() * 3), Vec::with_capacity(rows.len()));
+    for (index, row) in rows.enumerate() {
+        let cells = row.items(&format!("a {name}: an array of {of}"))?;
+        Rows::check(kind, &mut width, index, cells.len()).map_err(|message| row.error(message, kind.cure))?;
+        for cell in cells {
+            numbers.push(cell.coordinate()?);
+        }
+        lines.push(row.line());
     }
+    let none = || field.error(format!("a scene without {name}s"), format!("write at least one {name}"));
+    Ok(Rows { width: width.ok_or_else(none)?, numbers, lines })
 }
 
 /// Reads a data file beside a suite.
@@ -58,34 +102,37 @@ fn unreadable(path: &Path, error: &std::io::Error) -> CorpusError {
     )
 }
 
-/// A CSV file of points: one a line, coordinates separated by commas, no
-/// header; blank lines and lines that start with `#` are skipped.
+/// A CSV file of points.
 pub(super) fn read_csv(path: &Path) -> Result<(Dimension, Vec<f64>), CorpusError> {
+    read_csv_rows(path, &POINT).map(Rows::points)
+}
+
+/// A CSV file of rows of numbers: one a line, separated by commas, no header;
+/// blank lines and lines that start with `#` are skipped.
+pub(super) fn read_csv_rows(path: &Path, kind: &RowKind) -> Result<Rows, CorpusError> {
     let file = path.display().to_string();
     let text = read_text(path)?;
-    let mut dimension = None;
-    let mut coordinates = Vec::new();
+    let mut width = None;
+    let (mut numbers, mut lines) = (Vec::new(), Vec::new());
     let rows = text.lines().enumerate().filter(|(_, line)| !skipped(line));
     for (index, (at, line)) in rows.enumerate() {
         let error = |message: String, cure: String| CorpusError::file(&file, message, cure).at_line(at + 1);
         let cells: Vec<_> = line.split(',').map(str::trim).collect();
-        let expected = *dimension.get_or_insert(cells.len());
-        if cells.len() != expected || !(2..=3).contains(&expected) {
-            return Err(error(ragged(index, cells.len(), expected), RAGGED_CURE.into()));
-        }
+        Rows::check(kind, &mut width, index, cells.len()).map_err(|message| error(message, kind.cure.into()))?;
         for cell in cells {
             let value = coordinate::exact(cell).map_err(|why| {
                 let (message, cure) = explain(&file, cell, &why);
                 error(message, cure)
             })?;
-            coordinates.push(value);
+            numbers.push(value);
         }
+        lines.push(at + 1);
     }
-    match dimension {
-        Some(2) => Ok((Dimension::Two, coordinates)),
-        Some(_) => Ok((Dimension::Three, coordinates)),
-        None => Err(CorpusError::file(file, "the file has no points", "write one point a line")),
-    }
+    let none = || {
+        let RowKind { name, .. } = kind;
+        CorpusError::file(&file, format!("the file has no {name}s"), format!("write one {name} a line"))
+    };
+    Ok(Rows { width: width.ok_or_else(none)?, numbers, lines })
 }
 
 fn skipped(line: &str) -> bool {

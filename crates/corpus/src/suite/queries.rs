@@ -105,15 +105,7 @@ impl Plan {
 /// The question that a table asks: its task with `plane` or `axis`.
 pub(super) fn question(fields: &Fields<'_, '_>, task: Task) -> Result<Question, CorpusError> {
     Ok(match task {
-        Task::Compare => Question::Compare(match fields.get("axis") {
-            None => Axis::X,
-            Some(field) => match field.str()? {
-                "x" => Axis::X,
-                "y" => Axis::Y,
-                "z" => Axis::Z,
-                other => return Err(field.error(format!("no axis is called `{other}`"), "write x, y or z")),
-            },
-        }),
+        Task::Compare => Question::Compare(axis(fields)?),
         Task::Orient2d => Question::Orient2d(match fields.get("plane") {
             None => Plane::Xy,
             Some(field) => match field.str()? {
@@ -126,13 +118,27 @@ pub(super) fn question(fields: &Fields<'_, '_>, task: Task) -> Result<Question, 
         Task::Orient3d => Question::Orient3d,
         Task::Incircle => Question::Incircle,
         Task::Insphere => Question::Insphere,
+        Task::Interval => return Err(fields.error("interval asks about cells, not about points", "write `cells = …`")),
         Task::PolygonLocate => {
             return Err(fields.error("polygon-locate asks about a map, not about points", "write `map = …`"));
+        }
+        Task::CubeUnion => {
+            return Err(fields.error("cube-union asks about cubes, not about points", "write `cubes = …`"));
         }
         Task::Contacts2d | Task::Contacts3d => {
             let message = format!("{task} asks about two complexes, not about points");
             return Err(fields.error(message, "write `a = …` and `b = …`"));
         }
+    })
+}
+
+/// The `axis` of a table; x where it has none.
+pub(super) fn axis(fields: &Fields<'_, '_>) -> Result<Axis, CorpusError> {
+    fields.get("axis").map_or(Ok(Axis::X), |field| match field.str()? {
+        "x" => Ok(Axis::X),
+        "y" => Ok(Axis::Y),
+        "z" => Ok(Axis::Z),
+        other => Err(field.error(format!("no axis is called `{other}`"), "write x, y or z")),
     })
 }
 

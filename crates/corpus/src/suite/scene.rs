@@ -6,9 +6,10 @@ use std::sync::Arc;
 use predicament_predicates::Scene;
 
 use super::constructed::Constructions;
-use super::contacts::{self, Contacts};
+use super::contacts::Contacts;
+use super::cubes::Cubes;
 use super::queries::Plan;
-use super::{Context, points};
+use super::{Context, cubes, interval, points};
 use crate::document::{Field, Fields};
 use crate::generate::Generator;
 use crate::{Cache, CorpusError, Entry, ImportNotes, LoadedScene, Task, Work, content_id, tables};
@@ -44,6 +45,8 @@ pub(super) enum Content {
     Inline(Arc<(Scene, Work)>),
     /// Points in a CSV file.
     Csv { path: PathBuf, constructed: Constructions, plan: Plan },
+    /// Cubes in a CSV file.
+    Cubes(PathBuf),
     /// Rows with expected signs, fetched.
     Fixture(Entry),
     /// A map, from a file or fetched.
@@ -185,8 +188,16 @@ pub(super) fn define(
 pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<SceneDef, CorpusError> {
     let name = fields.required("name")?.string()?;
     let task = fields.required("task")?.task()?;
-    if contacts::dimension(task).is_some() {
-        let content = read_contacts(context, &fields, task)?;
+    let other = match task {
+        Task::Contacts2d | Task::Contacts3d => Some(read_contacts(context, &fields, task)?),
+        Task::Interval => Some(Content::Inline(Arc::new(interval::read(&fields)?))),
+        Task::CubeUnion => Some(match cubes::read(context, &fields)? {
+            Cubes::Written(scene, work) => Content::Inline(Arc::new((scene, work))),
+            Cubes::Csv(path) => Content::Cubes(path),
+        }),
+        _ => None,
+    };
+    if let Some(content) = other {
         let family = name.clone();
         return define(context, fields, name, task, &family, content);
     }

@@ -23,13 +23,13 @@ use std::time::{Duration, Instant};
 
 use predicament_algorithms::contacts::{Contact, Contacts, Weights, contacts};
 use predicament_mesh::{Complex, Faces, Simplex};
-use predicament_predicates::{Backend, Counts, Declined, Off, PredicateKind, Predicates, Scene, Vertex, ZeroMeaning};
+use predicament_predicates::{Backend, Counts, Off, PredicateKind, Predicates, Scene, Vertex, ZeroMeaning};
 
 use crate::contestant::{Stopwatch, digest};
 use crate::judge::Judged;
 use crate::outcome::{Finding, Outcome};
 use crate::signs::{Budget, TieJudge};
-use crate::{Class, Stop, Watch};
+use crate::{Class, Stop, Watch, prepared};
 use classes::Judgement;
 pub(crate) use pairs::Pair;
 use pairs::{Pairs, closure, name};
@@ -133,16 +133,7 @@ impl<'a> ContactsCase<'a> {
     }
 
     fn finding(&self, pair: Pair, judgement: Judgement, got: String, truth: String) -> Finding {
-        Finding {
-            class: judgement.class,
-            check: judgement.check.to_owned(),
-            query: self.describe(pair),
-            got,
-            truth,
-            log2_relative_det: None,
-            distance_over_l: None,
-            stage: None,
-        }
+        Finding::plain(judgement.class, judgement.check, self.describe(pair), got, truth)
     }
 
     /// The exact answer about one pair, for `replay`.
@@ -156,7 +147,7 @@ impl<'a> ContactsCase<'a> {
     /// # Errors
     /// The reason, where the backend declines.
     pub fn ask<B: Backend>(&self, backend: &B, pair: [Simplex; 2]) -> Result<String, String> {
-        let session = prepare(backend, &self.scene).map_err(|declined| declined.to_string())?;
+        let session = prepare(backend, &self.scene)?;
         Ok(self.tell(pair, &self.alone(&session, pair)))
     }
 
@@ -177,10 +168,8 @@ impl<'a> ContactsCase<'a> {
     }
 }
 
-fn prepare<'a, B: Backend>(backend: &'a B, scene: &'a Scene) -> Result<B::Session<'a, Off>, Declined> {
-    let session = backend.prepare(scene, Off)?;
-    session.supports_contacts()?;
-    Ok(session)
+fn prepare<'a, B: Backend>(backend: &'a B, scene: &'a Scene) -> Result<B::Session<'a, Off>, String> {
+    Ok(prepared::session(backend, scene, Off, Predicates::supports_contacts)?)
 }
 
 /// Runs one backend on two complexes.
@@ -196,26 +185,18 @@ pub fn run<B: Backend>(
 ) -> Result<Outcome, Stop> {
     let queries = case.simplices();
     let counts = Counts::new();
-    let session = match backend.prepare(&case.scene, &counts) {
+    let session = match prepared::session(backend, &case.scene, &counts, Predicates::supports_contacts) {
         Ok(session) => session,
-        Err(declined) => return Ok(Outcome::of_scene(queries, Class::Declined, "prepare", declined.to_string())),
+        Err(refusal) => return Ok(refusal.outcome(queries)),
     };
-    if let Err(declined) = session.supports_contacts() {
-        return Ok(Outcome::of_scene(queries, Class::Declined, "supports", declined.to_string()));
-    }
     let [a, b] = case.complexes;
     let dimension = case.scene.dimension();
     let zero = backend.contract(PredicateKind::Orient2d).zero;
     watch.done(0)?;
     let found = contacts(&session, a, b);
     watch.done(queries)?;
-    let mut outcome = Outcome { queries, ..Outcome::default() };
     // Counted before the checks below ask their own questions.
-    let stages = backend.stages().iter().enumerate();
-    outcome.stages = stages
-        .map(|(stage, &name)| (name, ASKED.into_iter().map(|kind| counts.get(kind, stage)).sum()))
-        .filter(|&(_, settled)| settled > 0)
-        .collect();
+    let mut outcome = Outcome { queries, stages: prepared::stages(backend, &counts, &ASKED), ..Outcome::default() };
 
     let perturbed = match (zero, tie_judge) {
         (ZeroMeaning::Never, Some(ties)) => Some(contacts(&Judged::perturbed(&case.scene, ties), a, b)),
@@ -279,7 +260,7 @@ fn has_nan(weights: &[Weights; 2]) -> bool {
 
 /// All contacts that a backend registers.
 pub(crate) fn registered<B: Backend>(backend: &B, scene: &Scene, [a, b]: [&Complex; 2]) -> Result<Contacts, String> {
-    let session = prepare(backend, scene).map_err(|declined| declined.to_string())?;
+    let session = prepare(backend, scene)?;
     Ok(contacts(&session, a, b))
 }
 
@@ -289,7 +270,7 @@ pub(crate) fn stopwatch<'a, B: Backend>(
     case: &'a ContactsCase,
     threads: usize,
 ) -> Result<Box<dyn Stopwatch + 'a>, String> {
-    let session = prepare(backend, &case.scene).map_err(|declined| declined.to_string())?;
+    let session = prepare(backend, &case.scene)?;
     // The driver would use all there are.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| error.to_string())?;
     Ok(Box::new(ContactsWatch { session, case, pool, out: Contacts::default() }))

@@ -2,10 +2,13 @@
 
 use plotters::prelude::*;
 
-use super::{COLOURS, Decades, Drawn, INK, failed, page, power_of_ten};
+use super::{COLOURS, Decades, Drawn, INK, failed, page, power_of_ten, quiet, small};
 use crate::Error;
 
 const SIZE: (u32, u32) = (760, 380);
+
+/// Of letters.
+const FONT: u32 = 12;
 
 /// A line.
 #[derive(Clone, PartialEq, Debug)]
@@ -55,15 +58,9 @@ fn draw(svg: &mut String, curves: &Curves, (x, y): (Decades, Decades)) -> Drawn 
     let root = SVGBackend::with_string(svg, SIZE).into_drawing_area();
     let mut chart =
         ChartBuilder::on(&root).margin(14).x_label_area_size(40).y_label_area_size(60).build_cartesian_2d(x, y)?;
-    let small = ("sans-serif", 12).into_font().color(&INK);
-    chart
-        .configure_mesh()
-        .axis_style(INK.mix(0.5))
-        .bold_line_style(INK.mix(0.12))
-        .light_line_style(TRANSPARENT)
-        .label_style(small.clone())
-        .axis_desc_style(small.clone())
-        .x_label_formatter(&|x| power_of_ten(*x))
+    let mut mesh = chart.configure_mesh();
+    quiet(&mut mesh, FONT);
+    mesh.x_label_formatter(&|x| power_of_ten(*x))
         .y_label_formatter(&|y| power_of_ten(*y))
         .x_desc(&curves.x)
         .y_desc(&curves.y)
@@ -75,7 +72,7 @@ fn draw(svg: &mut String, curves: &Curves, (x, y): (Decades, Decades)) -> Drawn 
             .label(&curve.name)
             .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], colour.stroke_width(2)));
     }
-    chart.configure_series_labels().label_font(small).border_style(INK.mix(0.2)).draw()?;
+    chart.configure_series_labels().label_font(small(FONT)).border_style(INK.mix(0.2)).draw()?;
     root.present()
 }
 

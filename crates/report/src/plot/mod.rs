@@ -3,20 +3,23 @@
 //! * [`scatter`]: speed against error.
 //! * [`ranges`]: from where something is lost to where it is safe.
 //! * [`curves`]: one quantity over another, on logarithmic axes.
+//! * [`histogram`]: how often, by place.
 
 mod curves;
+mod histogram;
 mod ranges;
 mod scatter;
 
 use std::ops::Range;
 
-use plotters::chart::ChartContext;
+use plotters::chart::{ChartContext, MeshStyle};
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint};
 use plotters::prelude::*;
 
 use crate::Error;
 pub use curves::{Curve, Curves, curves};
+pub use histogram::{Bars, histogram};
 pub use ranges::{Bar, ranges};
 pub use scatter::scatter;
 
@@ -44,6 +47,20 @@ type Drawn = Result<(), DrawingAreaErrorKind<std::io::Error>>;
 
 fn failed(error: DrawingAreaErrorKind<std::io::Error>) -> Error {
     Error::new("plot".as_ref(), error.to_string())
+}
+
+/// Letters of so many pixels.
+fn small(size: u32) -> TextStyle<'static> {
+    ("sans-serif", size).into_font().color(&INK)
+}
+
+/// Thin lines at the ticks only, and small letters.
+fn quiet<X: Ranged, Y: Ranged, B: DrawingBackend>(mesh: &mut MeshStyle<'_, '_, X, Y, B>, size: u32) {
+    mesh.axis_style(INK.mix(0.5))
+        .bold_line_style(INK.mix(0.12))
+        .light_line_style(TRANSPARENT)
+        .label_style(small(size))
+        .axis_desc_style(small(size));
 }
 
 /// The drawn picture with the colours of the page around it, or of the

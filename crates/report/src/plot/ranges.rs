@@ -4,7 +4,7 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{COLOURS, Decades, Drawn, INK, failed, page, power_of_ten};
+use super::{COLOURS, Decades, Drawn, failed, page, power_of_ten, quiet, small};
 use crate::Error;
 
 const WIDTH: u32 = 760;
@@ -13,6 +13,9 @@ const ROW: u32 = 16;
 const NAMES: u32 = 250;
 /// Room for the axis and the legend.
 const FRAME: u32 = 80;
+
+/// Of letters.
+const FONT: u32 = 12;
 
 /// A bar.
 #[derive(Clone, PartialEq, Debug)]
@@ -54,19 +57,9 @@ fn draw(svg: &mut String, bars: &[Bar], x: &str, [low, high]: [f64; 2]) -> Drawn
         .x_label_area_size(40)
         .y_label_area_size(NAMES)
         .build_cartesian_2d(Decades(low..high), f64::from(rows)..0.0)?;
-    let small = ("sans-serif", 12).into_font().color(&INK);
-    chart
-        .configure_mesh()
-        .disable_y_mesh()
-        .disable_y_axis()
-        .axis_style(INK.mix(0.5))
-        .bold_line_style(INK.mix(0.12))
-        .light_line_style(TRANSPARENT)
-        .label_style(small.clone())
-        .axis_desc_style(small.clone())
-        .x_label_formatter(&|x| power_of_ten(*x))
-        .x_desc(x)
-        .draw()?;
+    let mut mesh = chart.configure_mesh();
+    quiet(&mut mesh, FONT);
+    mesh.disable_y_mesh().disable_y_axis().x_label_formatter(&|x| power_of_ten(*x)).x_desc(x).draw()?;
     let colour = |backend: &str| COLOURS[backends.iter().position(|b| *b == backend).unwrap_or(0) % COLOURS.len()];
     let place = |x: Option<f64>, edge: f64| x.map_or(edge, |x| x.log10().clamp(low, high));
     let mut row = 0.5;
@@ -75,7 +68,7 @@ fn draw(svg: &mut String, bars: &[Bar], x: &str, [low, high]: [f64; 2]) -> Drawn
         #[allow(clippy::cast_precision_loss)]
         let middle = row + group.len() as f64 / 2.0;
         let at = chart.backend_coord(&(low, middle));
-        let style = small.clone().pos(Pos::new(HPos::Right, VPos::Center));
+        let style = small(FONT).pos(Pos::new(HPos::Right, VPos::Center));
         root.draw(&Text::new(group[0].name.clone(), (at.0 - 8, at.1), style))?;
         for bar in group {
             let (from, to) = (place(bar.from, low), place(bar.to, high));

@@ -11,7 +11,7 @@ use crate::format::per_million;
 use crate::groups::{Mark, backends, marks};
 use crate::{Error, RunDir};
 
-use super::{Area, COLOURS, Chart, Decades, Drawn, INK, failed, page, power_of_ten};
+use super::{Area, COLOURS, Chart, Decades, Drawn, INK, failed, page, power_of_ten, quiet};
 
 const PANEL: (u32, u32) = (380, 320);
 const PANELS_IN_A_ROW: usize = 3;
@@ -105,15 +105,9 @@ fn draw_panel(area: &Area, marks: &[Mark], title: &str, scale: Scale, order: &[&
         .x_label_area_size(40)
         .y_label_area_size(52)
         .build_cartesian_2d(Decades(left..right), Decades(bottom..top))?;
-    let small = ("sans-serif", 11).into_font().color(&INK);
-    chart
-        .configure_mesh()
-        .axis_style(INK.mix(0.5))
-        .bold_line_style(INK.mix(0.12))
-        .light_line_style(TRANSPARENT)
-        .label_style(small.clone())
-        .axis_desc_style(small)
-        .x_label_formatter(&|x| if *x <= f64::from(scale.zero) { "0".to_owned() } else { power_of_ten(*x) })
+    let mut mesh = chart.configure_mesh();
+    quiet(&mut mesh, 11);
+    mesh.x_label_formatter(&|x| if *x <= f64::from(scale.zero) { "0".to_owned() } else { power_of_ten(*x) })
         .y_label_formatter(&|y| power_of_ten(*y))
         .x_desc("wrong answers per million queries")
         .y_desc("ns per query")

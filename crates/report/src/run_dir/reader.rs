@@ -11,7 +11,8 @@ use super::csv_file;
 use super::state::{Outcome, State};
 use super::{ENV, MAPS, PLAN};
 use crate::{
-    ContactRow, Env, Error, FORMAT, FindingRow, LocateRow, Plan, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow,
+    ContactRow, Env, Error, FORMAT, FindingRow, LocateRow, MassRow, Plan, PrecisionRow, Row, StageRow, SummaryRow,
+    ThroughputRow,
 };
 
 /// A run that was read back. Rows stand in the order of their files.
@@ -37,6 +38,8 @@ pub struct RunDir {
     pub locate: Vec<LocateRow>,
     /// `contacts.csv`; empty if the folder was made before there was such a table.
     pub contacts: Vec<ContactRow>,
+    /// `masses.csv`; empty if the folder was made before there was such a table.
+    pub masses: Vec<MassRow>,
     /// `precision.csv`; empty if the folder was made before there was such a table.
     pub precision: Vec<PrecisionRow>,
     /// The PNG pictures in `maps/` with their names, sorted.
@@ -88,6 +91,7 @@ impl RunDir {
             stages: read_table(path, &state, &mut warnings)?,
             locate: read_table(path, &state, &mut warnings)?,
             contacts: read_table(path, &state, &mut warnings)?,
+            masses: read_table(path, &state, &mut warnings)?,
             precision: read_table(path, &state, &mut warnings)?,
             maps: read_maps(&path.join(MAPS))?,
             warnings,

@@ -6,12 +6,14 @@ mod findings;
 mod headlines;
 mod locate;
 mod maps;
+mod masses;
 mod not_run;
 mod precision;
 mod run;
 mod speed;
 mod stages;
 mod throughput;
+mod ties;
 
 pub use headlines::headlines;
 
@@ -28,8 +30,10 @@ pub fn sections(runs: &[RunDir]) -> Result<Vec<Section>, Error> {
         throughput::section(runs),
         precision::section(runs),
         stages::section(runs),
+        ties::section(runs)?,
         locate::section(runs),
         contacts::section(runs),
+        masses::section(runs),
         not_run::section(runs),
     ];
     sections.extend(maps::section(runs));

@@ -1,0 +1,102 @@
+//! How often something was found in each of several places: bars side by side on a logarithmic axis.
+
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use super::{COLOURS, Decades, Drawn, failed, page, power_of_ten, quiet, small};
+use crate::Error;
+
+const SIZE: (u32, u32) = (760, 300);
+/// Of letters.
+const FONT: u32 = 12;
+/// The share of a place that its bars take.
+const FILLED: f64 = 0.8;
+
+/// Counts by place, for each of several.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Bars {
+    /// What the places are.
+    pub x: String,
+    /// What is counted.
+    pub y: String,
+    /// The names of the places.
+    pub places: Vec<String>,
+    /// Names, and a count for each place; zeros get no bar.
+    pub series: Vec<(String, Vec<f64>)>,
+}
+
+/// Bars as an SVG picture; none where nothing was counted.
+///
+/// # Errors
+/// If the picture can't be drawn.
+pub fn histogram(bars: &Bars) -> Result<Option<String>, Error> {
+    let highest = bars.series.iter().flat_map(|(_, counts)| counts).fold(0.0_f64, |a, &b| a.max(b));
+    if highest < 1.0 {
+        return Ok(None);
+    }
+    let mut svg = String::new();
+    draw(&mut svg, bars, highest.log10().floor() + 1.0).map_err(failed)?;
+    Ok(Some(page(&svg)))
+}
+
+fn draw(svg: &mut String, bars: &Bars, top: f64) -> Drawn {
+    let number = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
+    // A single count stands a little above the ground.
+    let ground = -0.3;
+    let root = SVGBackend::with_string(svg, SIZE).into_drawing_area();
+    let mut chart = ChartBuilder::on(&root)
+        .margin(14)
+        .x_label_area_size(40)
+        .y_label_area_size(60)
+        .build_cartesian_2d(0.0..number(bars.places.len()), Decades(ground..top))?;
+    let mut mesh = chart.configure_mesh();
+    quiet(&mut mesh, FONT);
+    mesh.disable_x_mesh()
+        .x_label_formatter(&|_| String::new())
+        .y_label_formatter(&|y| power_of_ten(*y))
+        .x_desc(&bars.x)
+        .y_desc(&bars.y)
+        .draw()?;
+    let width = FILLED / number(bars.series.len().max(1));
+    for (at, ((name, counts), colour)) in bars.series.iter().zip(COLOURS.iter().cycle()).enumerate() {
+        let left = (1.0 - FILLED) / 2.0 + width * number(at);
+        let bar = |(place, &count): (usize, &f64)| {
+            let from = number(place) + left;
+            (count >= 1.0).then(|| Rectangle::new([(from, ground), (from + width, count.log10())], colour.filled()))
+        };
+        chart
+            .draw_series(counts.iter().enumerate().filter_map(bar))?
+            .label(name)
+            .legend(move |(x, y)| Rectangle::new([(x, y - 4), (x + 14, y + 4)], colour.filled()));
+    }
+    for (place, name) in bars.places.iter().enumerate() {
+        let (x, y) = chart.backend_coord(&(number(place) + 0.5, ground));
+        root.draw(&Text::new(name.clone(), (x, y + 6), small(FONT).pos(Pos::new(HPos::Center, VPos::Top))))?;
+    }
+    chart.configure_series_labels().label_font(small(FONT)).draw()?;
+    root.present()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bar_for_each_count_that_is_not_zero() {
+        let bars = Bars {
+            x: "place".into(),
+            y: "count".into(),
+            places: vec!["first".into(), "second".into()],
+            series: vec![("one".into(), vec![10.0, 0.0]), ("two".into(), vec![1.0, 200.0])],
+        };
+        let svg = histogram(&bars).unwrap().unwrap();
+        for text in ["place", "count", "first", "second", "one", "two", "100"] {
+            assert!(svg.contains(text), "{text}");
+        }
+        let filled = |RGBColor(r, g, b): RGBColor| svg.matches(&format!("#{r:02X}{g:02X}{b:02X}")).count();
+        // With one more in the legend.
+        assert_eq!([filled(COLOURS[0]), filled(COLOURS[1])], [2, 3], "{svg}");
+        let nothing = Bars { series: vec![("one".into(), vec![0.0, 0.0])], ..bars };
+        assert_eq!(histogram(&nothing), Ok(None));
+    }
+}

@@ -1,0 +1,132 @@
+//! Ties that a perturbation broke: how many, how deep the term was that decided, and what it cost.
+
+use std::collections::BTreeMap;
+
+use super::{rank, run_head, run_label};
+use crate::format::{factor, percent};
+use crate::groups::{Timing, backends, timings};
+use crate::plot::{Bars, histogram};
+use crate::rungs::rung;
+use crate::stats::{approximately, geometric_mean};
+use crate::table::{Block, Cell, Section, Table, Tone};
+use crate::{Error, RunDir};
+
+/// What breaking ties is compared with.
+const UNPERTURBED: &str = "exact";
+
+/// The places of deciding terms that are told apart: up to each of these, and beyond.
+const PLACES: [u64; 7] = [1, 2, 3, 4, 8, 16, u64::MAX];
+const PLACE_NAMES: [&str; 7] = ["1", "2", "3", "4", "5 to 8", "9 to 16", "17 on"];
+/// The degrees of deciding monomials, where vertices are constructed.
+const DEGREES: [&str; 4] = ["degree 1", "degree 2", "degree 3", "degree 4 or more"];
+
+/// Ties of one task on one backend.
+#[derive(Clone, Default)]
+struct Ties {
+    queries: u64,
+    broken: u64,
+    /// Questions by the place of the term that decided.
+    places: [u64; PLACES.len()],
+    /// Questions by the degree of the monomial that decided.
+    degrees: [u64; DEGREES.len()],
+    deepest: u64,
+}
+
+impl Ties {
+    fn add_stage(&mut self, stage: &str, settled: u64) {
+        if let Some(at) = DEGREES.iter().position(|degree| *degree == stage) {
+            self.degrees[at] += settled;
+        } else if let ("term", Some(term)) = rung(stage) {
+            let at = PLACES.iter().position(|&last| term <= last).unwrap_or(PLACES.len() - 1);
+            self.places[at] += settled;
+            self.deepest = self.deepest.max(term);
+        }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.broken == 0 && self.places.iter().chain(&self.degrees).all(|&settled| settled == 0)
+    }
+}
+
+pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
+    let order = backends(runs);
+    let timings: Vec<_> = runs.iter().map(timings).collect();
+    let mut table = Table::new("Answers that are ties, and time over that of exact on the same families")
+        .words(run_head(runs))
+        .words(["task", "backend"])
+        .numbers(["queries", "ties", "share", "deepest term", "time / exact"]);
+    let mut depths = Table::new("The term that decided, counting every question that an algorithm or a law asked")
+        .words(run_head(runs))
+        .words(["task", "backend"])
+        .numbers(PLACE_NAMES.map(|place| format!("term {place}")))
+        .numbers(DEGREES);
+    let mut pictured: BTreeMap<usize, [u64; PLACES.len()]> = BTreeMap::new();
+    for (index, run) in runs.iter().enumerate() {
+        let mut groups: BTreeMap<(&str, usize), Ties> = BTreeMap::new();
+        for row in &run.summary {
+            let ties = groups.entry((&row.task, rank(&order, &row.backend))).or_default();
+            ties.queries += row.queries;
+            ties.broken += row.tie_broken;
+        }
+        for row in &run.stages {
+            groups.entry((&row.task, rank(&order, &row.backend))).or_default().add_stage(&row.stage, row.settled);
+        }
+        for ((task, backend), ties) in groups.into_iter().filter(|(_, ties)| !ties.is_empty()) {
+            let name = order.get(backend).copied().unwrap_or_default();
+            let label = || run_label(runs, index).into_iter().chain([task.into(), name.into()]);
+            let cost = cost(&timings, task, name).map_or_else(Cell::default, |ratio| factor(ratio).into());
+            let deepest = if ties.deepest == 0 { Cell::default() } else { Cell::count(ties.deepest) };
+            let cells = [Cell::count(ties.queries), Cell::count(ties.broken)].into_iter();
+            let cells = cells.chain([percent(ties.broken, ties.queries).into(), deepest, cost]);
+            table.push(label().chain(cells).collect());
+            if ties.places.iter().chain(&ties.degrees).all(|&settled| settled == 0) {
+                continue;
+            }
+            let counts = ties.places.iter().chain(&ties.degrees).map(|&settled| Cell::count(settled));
+            depths.push(label().chain(counts).collect());
+            let all = pictured.entry(backend).or_default();
+            all.iter_mut().zip(ties.places).for_each(|(all, settled)| *all += settled);
+        }
+    }
+    let mut blocks = Vec::new();
+    if table.is_empty() {
+        blocks.push(Block::Note("No tie was broken.".to_owned(), Tone::Notable));
+    } else {
+        let series = pictured.into_iter().map(|(backend, places)| {
+            (order.get(backend).copied().unwrap_or_default().to_owned(), places.map(approximately).to_vec())
+        });
+        let bars = Bars {
+            x: "place of the term that decided".to_owned(),
+            y: "questions".to_owned(),
+            places: PLACE_NAMES.map(str::to_owned).to_vec(),
+            series: series.collect(),
+        };
+        blocks.push(Block::Table(table));
+        if let Some(svg) = histogram(&bars)? {
+            let alt = "How many questions the first, second, … term of the perturbation decided, over all tasks";
+            blocks.push(Block::Plot { svg, file: "ties.svg", alt });
+        }
+        blocks.push(Block::Table(depths));
+    }
+    Ok(Section {
+        id: "ties",
+        title: "Ties",
+        lead:
+            "Where the exact answer is zero, a symbolic perturbation looks at its terms, the largest first, until one \
+               is not zero. Time over exact is the geometric mean of the ratios of medians over the task's families \
+               that both were timed on in one run."
+                .to_owned(),
+        blocks,
+    })
+}
+
+/// The geometric mean of the time of a backend over that of [`UNPERTURBED`], over the runs and the families of a task.
+fn cost(runs: &[BTreeMap<[&str; 3], Timing>], task: &str, backend: &str) -> Option<f64> {
+    geometric_mean(runs.iter().flat_map(|timings| {
+        let of_task = timings.iter().filter(|([of, _, by], _)| *of == task && *by == backend);
+        of_task.filter_map(|([task, family, _], timing)| {
+            let exact = timings.get(&[*task, *family, UNPERTURBED])?;
+            Some(timing.spread.median / exact.spread.median)
+        })
+    }))
+}
