@@ -33,6 +33,7 @@ mod term;
 pub mod ties;
 
 pub use backend::{Session, Sos};
+pub use constructed::{Limit, limit};
 pub use per_mesh::PerMesh;
 pub use scheme::Scheme;
 pub use term::{Gap, Lift, Term};

@@ -3,11 +3,12 @@
 
 mod common;
 
+use common::substitution::{between, moved, side, turn};
 use common::{Random, ask_antisymmetric, grid_scene, questions};
 use predicament_exact::Exact;
 use predicament_predicates::{Axis, Backend, Construction, Off, Plane, Question, Scene, Sign, Vertex};
 use predicament_sos::{Scheme, Sos, infinitesimal::judge};
-use rug::{Integer, Rational};
+use rug::Rational;
 
 /// Different vertices, `N` of the first `points`.
 fn different<const N: usize>(random: &mut Random, points: usize) -> [Vertex; N] {
@@ -106,85 +107,63 @@ fn where_more_of_them_meet() {
     assert!(ties > queries / 20, "{queries} {ties}");
 }
 
-/// Input vertices where numbers have the infinitesimals' places: coordinate
-/// number n is moved by 2^(−32 · 2^n), n counted from 1. Each vertex
-/// stands in one place of the question, so that no infinitesimal has a square.
-fn moved(scene: &Scene) -> Vec<Vec<Rational>> {
-    let dimension = scene.dimension().count();
-    let by = |n: usize| Rational::from((Integer::from(1), Integer::from(1) << (32_u32 << (n + 1))));
-    let exact = |x: f64| Rational::from_f64(x).unwrap();
-    let coordinates: Vec<Rational> = scene.coordinates().iter().enumerate().map(|(n, &x)| exact(x) + by(n)).collect();
-    coordinates.chunks(dimension).map(<[Rational]>::to_vec).collect()
-}
-
-/// p + t (q − p) for the t with f = 0, from f(p) and f(q).
-fn between(p: &[Rational], q: &[Rational], [at_p, at_q]: [Rational; 2]) -> Vec<Rational> {
-    let t = at_p.clone() / (at_p - at_q);
-    p.iter().zip(q).map(|(p, q)| Rational::from(q - p) * &t + p).collect()
-}
-
-fn turn(a: &[Rational], b: &[Rational], c: &[Rational]) -> Rational {
-    let [u, v] = [a, b].map(|p| [0, 1].map(|i| Rational::from(&p[i] - &c[i])));
-    Rational::from(&u[0] * &v[1]) - Rational::from(&u[1] * &v[0])
-}
-
-fn side(a: &[Rational], b: &[Rational], c: &[Rational], d: &[Rational]) -> Rational {
-    let [u, v, w] = [a, b, c].map(|p| [0, 1, 2].map(|i| Rational::from(&p[i] - &d[i])));
-    let minor = |i: usize, j: usize| Rational::from(&v[i] * &w[j]) - Rational::from(&v[j] * &w[i]);
-    minor(1, 2) * &u[0] + minor(2, 0) * &u[1] + minor(0, 1) * &u[2]
+/// Asks about a point where six grid points' lines and planes meet, and
+/// compares the signs with those of numbers in the infinitesimals' places; how many were ties.
+fn substituted(
+    mut scene: Scene,
+    construction: Construction,
+    values: impl Fn(&[Vec<Rational>], Vertex) -> Vec<(Question, Vec<Vertex>, Rational)>,
+) -> usize {
+    let at = scene.construct(construction).unwrap();
+    let Ok(exact) = Exact.prepare(&scene, Off) else { return 0 };
+    let sos = Sos::default();
+    let session = sos.prepare(&scene, Off).unwrap();
+    let asked = values(&moved(&scene), at);
+    for (question, args, value) in &asked {
+        assert_eq!(question.ask(&session, args), Sign::from(value.cmp0()), "{question:?} in {scene:?}");
+    }
+    asked.iter().filter(|(question, args, _)| question.ask(&exact, args).is_zero()).count()
 }
 
 #[test]
 fn small_numbers_where_two_lines_cross() {
-    let (mut random, mut ties) = (Random(14), 0);
-    for _ in 0..400 {
-        let mut scene = grid_scene(2, 3, &random.numbers(9, 6));
+    let mut random = Random(14);
+    let ties = (0..400).map(|_| {
+        let scene = grid_scene(2, 3, &random.numbers(9, 6));
         let [p, q, a, b, c, d] = std::array::from_fn(Vertex::input);
-        let at = scene.construct(Construction::Ssi([[p, q], [a, b]])).unwrap();
-        if Exact.prepare(&scene, Off).is_err() {
-            continue;
-        }
-        let (exact, sos) = (Exact.prepare(&scene, Off).unwrap(), Sos::default());
-        let session = sos.prepare(&scene, Off).unwrap();
-        let points = moved(&scene);
-        let point = |v: Vertex| points[v.index()].as_slice();
-        let f = |x| turn(point(a), point(b), point(x));
-        let crossing = between(point(p), point(q), [f(p), f(q)]);
-        let x = Rational::from(&crossing[0] - &point(c)[0]);
-        for (question, args, value) in [
-            (Question::Compare(Axis::X), vec![at, c], x),
-            (Question::Orient2d(Plane::Xy), vec![at, c, d], turn(&crossing, point(c), point(d))),
-        ] {
-            ties += usize::from(question.ask(&exact, &args).is_zero());
-            assert_eq!(question.ask(&session, &args), Sign::from(value.cmp0()), "{question:?} in {scene:?}");
-        }
-    }
+        substituted(scene, Construction::Ssi([[p, q], [a, b]]), |points, at| {
+            let point = |v: Vertex| points[v.index()].as_slice();
+            let f = |x| turn(point(a), point(b), point(x));
+            let crossing = between(point(p), point(q), [f(p), f(q)]);
+            let x = Rational::from(&crossing[0] - &point(c)[0]);
+            vec![
+                (Question::Compare(Axis::X), vec![at, c], x),
+                (Question::Orient2d(Plane::Xy), vec![at, c, d], turn(&crossing, point(c), point(d))),
+            ]
+        })
+    });
+    let ties: usize = ties.sum();
     assert!(ties > 100, "{ties}");
 }
 
 #[test]
 fn small_numbers_where_a_line_meets_a_plane() {
-    let (mut random, mut ties) = (Random(15), 0);
-    for _ in 0..30 {
-        let mut scene = grid_scene(3, 2, &random.numbers(8, 6));
+    let mut random = Random(15);
+    let ties = (0..30).map(|_| {
+        let scene = grid_scene(3, 2, &random.numbers(8, 6));
         let [p, q, a, b, c, d] = std::array::from_fn(Vertex::input);
-        let at = scene.construct(Construction::Lpi { line: [p, q], plane: [a, b, c] }).unwrap();
-        if Exact.prepare(&scene, Off).is_err() {
-            continue;
-        }
-        let (exact, sos) = (Exact.prepare(&scene, Off).unwrap(), Sos::default());
-        let session = sos.prepare(&scene, Off).unwrap();
-        let points = moved(&scene);
-        let point = |v: Vertex| points[v.index()].as_slice();
-        let f = |x| side(point(a), point(b), point(c), point(x));
-        let meeting = between(point(p), point(q), [f(p), f(q)]);
-        for axis in [Axis::X, Axis::Y, Axis::Z] {
-            let value = Rational::from(&meeting[axis.index()] - &point(d)[axis.index()]);
-            let question = Question::Compare(axis);
-            ties += usize::from(question.ask(&exact, &[at, d]).is_zero());
-            assert_eq!(question.ask(&session, &[at, d]), Sign::from(value.cmp0()), "{question:?} in {scene:?}");
-        }
-    }
+        substituted(scene, Construction::Lpi { line: [p, q], plane: [a, b, c] }, |points, at| {
+            let point = |v: Vertex| points[v.index()].as_slice();
+            let f = |x| side(point(a), point(b), point(c), point(x));
+            let meeting = between(point(p), point(q), [f(p), f(q)]);
+            let along = |axis: Axis| {
+                let value = Rational::from(&meeting[axis.index()] - &point(d)[axis.index()]);
+                (Question::Compare(axis), vec![at, d], value)
+            };
+            [Axis::X, Axis::Y, Axis::Z].map(along).to_vec()
+        })
+    });
+    let ties: usize = ties.sum();
     assert!(ties > 10, "{ties}");
 }
 

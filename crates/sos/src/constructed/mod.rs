@@ -20,6 +20,7 @@
 //! geometry and no ties; the answer is zero. Between input vertices there are
 //! none but those of a vertex that is asked for twice.
 
+mod limit;
 mod moved;
 mod residue;
 pub(crate) mod rigid;
@@ -28,6 +29,7 @@ mod series;
 
 use predicament_predicates::{Question, Scene, Sign, Vertex};
 
+pub use limit::{Limit, limit};
 use moved::{Moved, inputs};
 use search::{Expression, Search};
 use series::{Coefficient, Series};
@@ -42,15 +44,15 @@ pub(crate) fn decide(scene: &Scene, question: Question, args: &[Vertex]) -> Opti
     let search = Search::new(scene, &inputs);
     let leading = search.leading(&Determinant { question, args })?;
     let weights = args.iter().filter(|v| v.is_constructed());
-    let sign = weights.fold(leading.sign, |sign, &v| {
+    let sign = weights.fold(leading.sign(), |sign, &v| {
         let weight = Weight(v);
         match search.unmoved(&weight) {
             // A weight that is always zero is that of lines or planes that never meet in a point.
-            Sign::Zero => sign * search.leading(&weight).map_or(Sign::Zero, |weight| weight.sign),
+            Sign::Zero => sign * search.leading(&weight).map_or(Sign::Zero, |weight| weight.sign()),
             unmoved => sign * unmoved,
         }
     });
-    Some((sign, leading.degree))
+    Some((sign, leading.degree()))
 }
 
 struct Determinant<'q> {

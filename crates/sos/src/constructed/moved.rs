@@ -69,7 +69,8 @@ impl<C: Coefficient> Moved<'_, C> {
         self.row(v).pop().expect("a row has a weight")
     }
 
-    fn row(&self, v: Vertex) -> Row<C> {
+    /// The homogeneous row.
+    pub(super) fn row(&self, v: Vertex) -> Row<C> {
         let Some(index) = v.construction() else {
             let one = self.cut.constant(C::one());
             return self.point(v).iter().cloned().chain([one]).collect();
@@ -95,6 +96,34 @@ impl<C: Coefficient> Moved<'_, C> {
                 };
                 smallvec![along(0), along(1), along(2), self.dot(&n, &op)]
             }
+        }
+    }
+
+    /// Numerator and denominator of one of the weights of a constructed vertex,
+    /// in the order of [`Limit::weights`](super::Limit::weights).
+    pub(super) fn fraction(&self, v: Vertex, at: usize) -> [Series<C>; 2] {
+        let index = v.construction().expect("a constructed vertex");
+        let zero = || self.cut.constant(C::zero());
+        // The way from where f is f(p) to where it is f(q), up to f = 0.
+        let way = |at_p: Series<C>, at_q: Series<C>| [difference(zero(), &at_p), difference(at_q, &at_p)];
+        match (self.scene.constructions()[index], at) {
+            (Construction::Ssi([[p, q], [a, b]]), 0) | (Construction::Ssi([[a, b], [p, q]]), 1) => {
+                let from = |p| self.perp(&self.minus(b, a), &self.minus(p, a));
+                way(from(p), from(q))
+            }
+            (Construction::Lpi { line: [p, q], plane }, 0) => {
+                let normal = self.normal(plane);
+                let from = |p| self.dot(&normal, &self.minus(p, plane[0]));
+                way(from(p), from(q))
+            }
+            (Construction::Lpi { line: [p, q], plane: [a, b, c] }, 1..=3) => {
+                let along = self.minus(q, p);
+                let part = |b, c| self.dot(&self.cross(&along, &self.minus(b, p)), &self.minus(c, p));
+                let parts = [part(b, c), part(c, a), part(a, b)];
+                let whole = parts.iter().fold(zero(), sum);
+                [parts[at - 1].clone(), whole]
+            }
+            _ => panic!("no weight {at} of {v}"),
         }
     }
 

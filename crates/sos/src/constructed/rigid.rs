@@ -66,7 +66,8 @@ impl Rigid<'_> {
             }
             series
         };
-        let coordinates = integers(self.scene, self.inputs).into_iter().enumerate().map(coordinate).collect();
+        let (_, coordinates) = integers(self.scene, self.inputs);
+        let coordinates = coordinates.into_iter().enumerate().map(coordinate).collect();
         expression.of(&Moved { scene: self.scene, cut: &cut, inputs: self.inputs, coordinates })
     }
 }

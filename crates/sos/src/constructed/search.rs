@@ -32,18 +32,32 @@ pub(super) trait Expression {
     fn of<C: Coefficient>(&self, moved: &Moved<'_, C>) -> Series<C>;
 }
 
-/// What decides the sign of a moved polynomial.
+/// What decides about a moved polynomial.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Leading {
-    pub(super) sign: Sign,
+    /// Never zero.
+    pub(super) coefficient: Integer,
+    /// The largest monomial: infinitesimals and their degrees, the smallest infinitesimal first.
+    pub(super) monomial: Vec<(usize, usize)>,
+}
+
+impl Leading {
+    pub(super) fn sign(&self) -> Sign {
+        self.coefficient.cmp0().into()
+    }
+
     /// The total degree of the largest monomial.
-    pub(super) degree: usize,
+    pub(super) fn degree(&self) -> usize {
+        self.monomial.iter().map(|(_, degree)| degree).sum()
+    }
 }
 
 /// A question's input vertices and their infinitesimals.
 pub(super) struct Search<'q> {
     scene: &'q Scene,
     inputs: &'q [Vertex],
+    /// The exponent of that power of two.
+    unit: i32,
     /// Integers over a common power of two, which changes no sign: significand and exponent.
     coordinates: Vec<(i64, u32)>,
     /// The same modulo both primes, in place and moved.
@@ -70,9 +84,14 @@ fn residues<const E: u32>(coordinates: &[(i64, u32)]) -> Vec<[Residue<E>; 2]> {
 
 impl<'q> Search<'q> {
     pub(super) fn new(scene: &'q Scene, inputs: &'q [Vertex]) -> Search<'q> {
-        let coordinates = integers(scene, inputs);
+        let (unit, coordinates) = integers(scene, inputs);
         let (by_61, by_31) = (residues(&coordinates), residues(&coordinates));
-        Search { scene, inputs, coordinates, by_61, by_31 }
+        Search { scene, inputs, unit, coordinates, by_61, by_31 }
+    }
+
+    /// Coordinates are multiples of 2 to this.
+    pub(super) fn unit(&self) -> i32 {
+        self.unit
     }
 
     /// The sign where nothing moves.
@@ -96,8 +115,7 @@ impl<'q> Search<'q> {
             }
             active = self.fewest(expression, smallest, &chosen).expect("found above");
         }
-        let coefficient = self.coefficient(expression, &chosen);
-        Some(Leading { sign: coefficient.cmp0().into(), degree: chosen.iter().map(|(_, degree)| degree).sum() })
+        Some(Leading { coefficient: self.coefficient(expression, &chosen), monomial: chosen })
     }
 
     /// How many infinitesimals it takes for a coefficient not to be zero, up to `most`.
@@ -155,12 +173,13 @@ impl<'q> Search<'q> {
     }
 }
 
-/// The coordinates of these vertices in units of their lowest bit: significands and exponents from 0 on.
-pub(super) fn integers(scene: &Scene, inputs: &[Vertex]) -> Vec<(i64, u32)> {
+/// The coordinates of these vertices in units of their lowest bit, whose exponent comes first:
+/// significands and exponents from 0 on.
+pub(super) fn integers(scene: &Scene, inputs: &[Vertex]) -> (i32, Vec<(i64, u32)>) {
     let coordinates: Vec<_> = inputs.iter().flat_map(|&v| scene.point(v)).map(|&x| significand(x)).collect();
     let lowest = coordinates.iter().filter(|(m, _)| *m != 0).map(|(_, exponent)| *exponent).min().unwrap_or(0);
     let raise = |(m, exponent): (i64, i32)| (m, (exponent - lowest).max(0).unsigned_abs());
-    coordinates.into_iter().map(raise).collect()
+    (lowest, coordinates.into_iter().map(raise).collect())
 }
 
 /// m and e with x = m · 2^e; 0 · 2^0 for zero.

@@ -1,6 +1,8 @@
 //! Scenes full of ties, and what all tests ask of them.
 #![allow(dead_code)] // each test crate takes what it needs
 
+pub mod substitution;
+
 use predicament_predicates::{Axis, Plane, PredicateKind, Predicates, Question, Scene, SceneError, Sign, Vertex};
 
 /// Every question that a scene of this dimension can be asked.

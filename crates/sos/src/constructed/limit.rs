@@ -1,0 +1,118 @@
+//! Where a constructed vertex is, and how it divides what defines it, as the
+//! perturbation goes to zero.
+//!
+//! Coordinates and weights of a constructed vertex are ratios of polynomials
+//! in the infinitesimals. Where the lines and planes meet in one point as they
+//! are given, the limit of the ratio is the ratio at zero. Where they don't
+//! (lines in one line, a line in a plane), the point is there after the move
+//! only, and the limit is what the largest monomials of both say: their
+//! coefficients' ratio if they are of one kind, zero if the numerator's is
+//! infinitely smaller, and none if it is infinitely larger.
+
+use std::cmp::Ordering;
+
+use predicament_predicates::{Axis, Construction, Dimension, Scene, Vertex};
+use rug::Rational;
+
+use super::moved::{Moved, inputs};
+use super::search::{Expression, Leading, Search};
+use super::series::{Coefficient, Series};
+
+/// A constructed vertex in the limit. What has no limit, as it moves away
+/// without end, is none.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Limit {
+    /// Its coordinates.
+    pub position: Vec<Option<Rational>>,
+    /// How it divides what defines it: for two segments, the fraction of the way
+    /// from the first point to the second, of each; for a line and a
+    /// plane, that fraction along the line, and the barycentric coordinates in
+    /// the triangle that spans the plane; for three planes nothing.
+    pub weights: Vec<Option<Rational>>,
+}
+
+/// The limit of a constructed vertex as the perturbation
+/// [`PerCoordinate`](crate::Scheme::PerCoordinate) goes to zero; none if the lines and
+/// planes meet in no single point however they are moved.
+///
+/// # Panics
+/// If `v` is no constructed vertex of the scene.
+#[must_use]
+pub fn limit(scene: &Scene, v: Vertex) -> Option<Limit> {
+    let construction = scene.construction(v).expect("a constructed vertex of the scene");
+    let inputs = inputs(scene, &[v]);
+    let search = Search::new(scene, &inputs);
+    let leading = |part: Part| search.leading(&Share { v, part });
+    let weight = leading(Part::Weight)?;
+    let axes: &[Axis] = match scene.dimension() {
+        Dimension::Two => &[Axis::X, Axis::Y],
+        Dimension::Three => &[Axis::X, Axis::Y, Axis::Z],
+    };
+    // Coordinates are integers in units of a power of two; a weight has one length less than a coordinate times it.
+    let unit = Rational::from(1) << search.unit();
+    let position = axes.iter().map(|&axis| ratio(leading(Part::Along(axis)).as_ref(), &weight).map(|x| x * &unit));
+    let fractions = match construction {
+        Construction::Ssi(_) => 2,
+        Construction::Lpi { .. } => 4,
+        Construction::Tpi(_) => 0,
+    };
+    let weights = (0..fractions).map(|at| {
+        let whole = leading(Part::Whole(at)).expect("the lines and planes meet");
+        ratio(leading(Part::Part(at)).as_ref(), &whole)
+    });
+    Some(Limit { position: position.collect(), weights: weights.collect() })
+}
+
+/// The limit of a ratio; a numerator that is none is zero.
+fn ratio(numerator: Option<&Leading>, denominator: &Leading) -> Option<Rational> {
+    let Some(numerator) = numerator else { return Some(Rational::new()) };
+    match size(numerator, denominator) {
+        Ordering::Less => Some(Rational::new()),
+        Ordering::Equal => Some(Rational::from((&numerator.coefficient, &denominator.coefficient))),
+        Ordering::Greater => None,
+    }
+}
+
+/// Of two monomials the one with the lower degree in the smallest
+/// infinitesimal in which they differ is larger.
+fn size(a: &Leading, b: &Leading) -> Ordering {
+    // Both lists begin with the smallest infinitesimal, the one with the largest number.
+    for ((i, degree), (j, other)) in a.monomial.iter().zip(&b.monomial) {
+        match (i.cmp(j), degree.cmp(other)) {
+            (Ordering::Equal, Ordering::Equal) => {}
+            (Ordering::Equal, by_degree) => return by_degree.reverse(),
+            // The one that has it is smaller.
+            (by_number, _) => return by_number.reverse(),
+        }
+    }
+    a.monomial.len().cmp(&b.monomial.len()).reverse()
+}
+
+/// A polynomial that a ratio is made of.
+#[derive(Clone, Copy)]
+enum Part {
+    /// The weight of the homogeneous row.
+    Weight,
+    /// Its entry along an axis.
+    Along(Axis),
+    /// The numerator of a weight, by its number.
+    Part(usize),
+    /// The denominator of a weight.
+    Whole(usize),
+}
+
+struct Share {
+    v: Vertex,
+    part: Part,
+}
+
+impl Expression for Share {
+    fn of<C: Coefficient>(&self, moved: &Moved<'_, C>) -> Series<C> {
+        match self.part {
+            Part::Weight => moved.weight(self.v),
+            Part::Along(axis) => moved.row(self.v).swap_remove(axis.index()),
+            Part::Part(at) => moved.fraction(self.v, at)[0].clone(),
+            Part::Whole(at) => moved.fraction(self.v, at)[1].clone(),
+        }
+    }
+}
