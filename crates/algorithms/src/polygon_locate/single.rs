@@ -254,7 +254,8 @@ impl Scratch {
         self.sum_up(index)
     }
 
-    fn sum_up(&mut self, index: &LocateIndex) -> Location<'_> {
+    /// The sum of all marks.
+    pub(super) fn sum_up(&mut self, index: &LocateIndex) -> Location<'_> {
         self.regions.fit(index.regions());
         self.inside.clear();
         self.boundary.clear();

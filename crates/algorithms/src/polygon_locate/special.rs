@@ -22,11 +22,12 @@
 //! last the vertices move instead, the order is l < p ≤ r, and the answers are
 //! the same where the query is on no boundary.
 //!
-//! # Three forms
+//! # In four forms
 //! [`crosses`] is the test of one edge. [`locate`] goes through all edges of
-//! all regions and shares nothing with the rest of this module.
-//! [`LocateIndex::locate_specially`] has the broad phase and the sums in
-//! common with the generic code and nothing else: for comparing speed.
+//! all regions and shares nothing else with the rest of this module.
+//! [`LocateIndex::locate_specially`] and [`LocateIndex::question_specially`]
+//! have the broad phase and the sums in common with the generic code and
+//! nothing else: for comparing speed.
 
 use predicament_mesh::{PolygonMap, Region};
 use predicament_predicates::{Plane, Scene, Sign, Vertex};
@@ -145,6 +146,32 @@ impl LocateIndex {
             }
         }
         scratch.sum_up_under(self, cell.above)
+    }
+
+    /// The same of every edge that is not below the vertex `q`, as in
+    /// [`question`](LocateIndex::question): D is asked for wherever the
+    /// paper's test needs it, and nothing is decided by boxes.
+    ///
+    /// # Panics
+    /// If the scene lacks `q` or vertices of the map.
+    pub fn question_specially<'a>(
+        &self,
+        scene: &Scene,
+        q: Vertex,
+        sign_of_d: &impl Fn(Point, Point, Point) -> Sign,
+        scratch: &'a mut Scratch,
+    ) -> Location<'a> {
+        let point = |v| scene.point2(Plane::Xy, v);
+        let p = point(q);
+        scratch.fit(self);
+        for edge in self.columns().above(p, 0.0) {
+            let crossed = crosses(p, self.ends(edge).map(point), sign_of_d);
+            if crossed != Ok(false) {
+                let mark = Mark { odd: crossed == Ok(true), on_boundary: crossed == Err(OnEdge), touched: false };
+                scratch.add(self.owners_of(edge), mark);
+            }
+        }
+        scratch.sum_up(self)
     }
 }
 

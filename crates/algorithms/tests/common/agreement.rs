@@ -28,8 +28,7 @@ pub struct Probed {
 pub fn sign_of_d(l: Point, r: Point, p: Point) -> Sign {
     let [l, r, p] = [l, r, p].map(|point| point.map(|c| Rational::from_f64(c).expect("finite")));
     let minor = |v: &[Rational; 2], w: &[Rational; 2]| Rational::from(&v[1] - &w[1]);
-    let d = Rational::from(&l[0] * minor(&r, &p)) - Rational::from(&r[0] * minor(&l, &p))
-        + Rational::from(&p[0] * minor(&l, &r));
+    let d = &l[0] * minor(&r, &p) - &r[0] * minor(&l, &p) + &p[0] * minor(&l, &r);
     Sign::from(d.cmp0())
 }
 
@@ -90,7 +89,8 @@ impl Probed {
             let special = special::locate(&self.map, &self.scene, point, sign_of_d);
             let of = |answer| of_answer(&special, answer);
             let (crossed, silent) = (of(Ok(true)), of(Ok(false)));
-            expect(self.specially(point, sign_of_d) == [crossed.clone(), of(Err(OnEdge))], "the two special forms");
+            let special = Some([crossed.clone(), of(Err(OnEdge))]);
+            expect(self.specially(before, sign_of_d) == special, "the special forms");
             expect(of(Err(OnEdge)).iter().all(|on| boundary.contains(on)), "step 5 has an error off a boundary");
             let off = |regions: &[u32]| -> Vec<u32> {
                 regions.iter().copied().filter(|region| !boundary.contains(region)).collect()
@@ -117,17 +117,23 @@ impl Probed {
 
     /// Inside and on the boundary, by the shortcut if that is what asking everything gives.
     fn generic(&self, session: &impl Predicates, q: Vertex) -> Option<[Vec<u32>; 2]> {
-        let lists = |location: Location| [location.inside, location.boundary].map(<[u32]>::to_vec);
         let mut scratch = Scratch::new();
         let shortcut = lists(self.index.locate(session, q, &mut scratch));
         (shortcut == lists(self.index.question(session, q, &mut scratch))).then_some(shortcut)
     }
 
-    fn specially(&self, point: Point, sign_of_d: &impl Fn(Point, Point, Point) -> Sign) -> [Vec<u32>; 2] {
+    /// The same of both indexed forms of the special test.
+    fn specially(&self, q: Vertex, sign_of_d: &impl Fn(Point, Point, Point) -> Sign) -> Option<[Vec<u32>; 2]> {
         let mut scratch = Scratch::new();
-        let location = self.index.locate_specially(point, sign_of_d, &mut scratch);
-        [location.inside.to_vec(), location.boundary.to_vec()]
+        let point = self.scene.point2(Plane::Xy, q);
+        let shortcut = lists(self.index.locate_specially(point, sign_of_d, &mut scratch));
+        let all_asked = lists(self.index.question_specially(&self.scene, q, sign_of_d, &mut scratch));
+        (shortcut == all_asked).then_some(shortcut)
     }
+}
+
+fn lists(location: Location) -> [Vec<u32>; 2] {
+    [location.inside, location.boundary].map(<[u32]>::to_vec)
 }
 
 fn of_answer(answers: &[Result<bool, OnEdge>], wanted: Result<bool, OnEdge>) -> Vec<u32> {
