@@ -88,11 +88,12 @@ impl<R: Contains<Point>> Find for Boxed<R> {
         let first = out.len();
         for held in self.boxes.locate_all_at_point(&[point.x(), point.y()]) {
             let (region, contains) = &self.within[held.data];
-            if contains.contains(&point) {
+            // parts of a region may overlap
+            if contains.contains(&point) && !out[first..].contains(region) {
                 out.push(*region);
             }
         }
-        // the tree has no order
+        // The tree has no order.
         out[first..].sort_unstable();
     }
 }

@@ -93,7 +93,7 @@ fn count(row: &SummaryRow) -> String {
     if declined > 0 {
         return "declined".to_owned();
     }
-    let mut cell = row.wrong().to_string();
+    let mut cell = (row.wrong() + row.count(Class::Topology)).to_string();
     for (n, what) in [(nan, "NaN"), (panic, "panics")] {
         if n > 0 {
             // A String takes everything.
