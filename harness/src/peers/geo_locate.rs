@@ -33,11 +33,34 @@ pub fn peers<'a>(case: &'a LocateCase<'a>) -> Vec<Peer<'a>> {
     });
     let parts = Boxed::new(parts.collect());
     vec![
-        peer(case, "geo:contains", Flat(regions)),
+        if pairs(case) > MOST_PAIRS {
+            not_asked(case, "geo:contains")
+        } else {
+            peer(case, "geo:contains", Flat(regions))
+        },
         peer(case, "geo:interval-tree", Flat(trees)),
         peer(case, "geo:r-tree", whole),
         peer(case, "geo:r-tree:parts", parts),
     ]
+}
+
+/// Plain polygons go through all edges for every probe: with more pairs than
+/// this of the two, minutes pass for nothing that fewer probes don't tell.
+const MOST_PAIRS: usize = 100_000_000_000;
+
+fn pairs(case: &LocateCase) -> usize {
+    case.index().len().saturating_mul(case.probes().len())
+}
+
+fn not_asked<'a>(case: &LocateCase, name: &str) -> Peer<'a> {
+    let why = format!("more than {MOST_PAIRS} pairs of an edge and a probe; ask it at level quick");
+    Peer {
+        name: name.to_owned(),
+        version: env!("PREDICAMENT_GEO").to_owned(),
+        remarks: vec![format!("{name} is not asked: {why}")],
+        outcome: Outcome::of_scene(case.probes().len() as u64, Class::Declined, "pairs", why),
+        timed: None,
+    }
 }
 
 /// Regions that know which of them contain a point.
