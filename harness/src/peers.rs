@@ -14,6 +14,8 @@ mod predicate;
 #[cfg(feature = "peers")]
 mod signs;
 #[cfg(feature = "peers")]
+mod special;
+#[cfg(feature = "peers")]
 mod tables;
 
 use predicament_oracle::{Case, Outcome, Stopwatch};
@@ -67,7 +69,9 @@ pub fn runners<'a>(case: &'a Case<'a>) -> Vec<Peer<'a>> {
     match case.truth() {
         predicament_oracle::Truth::Signs { queries, signs } => signs::peers(&case.loaded().scene, queries, signs),
         predicament_oracle::Truth::Interval(_) | predicament_oracle::Truth::Cubes(_) => Vec::new(),
-        predicament_oracle::Truth::Locate(case) => geo_locate::peers(case),
+        predicament_oracle::Truth::Locate(case) => {
+            special::peers(case).into_iter().chain(geo_locate::peers(case)).collect()
+        }
         predicament_oracle::Truth::Contacts(case) => contacts::peers(case),
     }
 }

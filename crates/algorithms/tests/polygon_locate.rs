@@ -2,10 +2,18 @@
 //! driver promise.
 
 mod common;
+#[path = "common/maps.rs"]
+mod maps;
+#[path = "common/one_flip.rs"]
+mod one_flip;
+#[path = "common/rings.rs"]
+mod rings;
 
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use common::{Truth, brute_force, with};
+use maps::problem;
+use one_flip::OneFlip;
 use predicament_algorithms::polygon_locate::{CHUNK, LocateIndex, Locations, Scratch, locate_all, question_all};
 use predicament_controls::Naive;
 use predicament_exact::Exact;
@@ -13,20 +21,7 @@ use predicament_mesh::PolygonMap;
 use predicament_predicates::{Axis, Backend, Off, Plane, Predicates, Scene, Sign, Vertex};
 use predicament_sos::Sos;
 use proptest::prelude::*;
-
-fn ids(indices: impl IntoIterator<Item = usize>) -> Vec<Vertex> {
-    indices.into_iter().map(Vertex::input).collect()
-}
-
-/// Rings over the first vertices; every vertex of the scene is a query.
-fn problem(points: &[[f64; 2]], regions: &[Vec<Vec<usize>>]) -> (PolygonMap, Scene) {
-    let mut map = PolygonMap::new();
-    for (at, rings) in regions.iter().enumerate() {
-        let rings = rings.iter().map(|ring| ids(ring.iter().copied())).collect();
-        map.push(at.to_string(), rings).expect("rings");
-    }
-    (map, Scene::from_points2(points).expect("finite"))
-}
+use rings::{grid_points, rings, ulp_points};
 
 fn located<P: Predicates>(map: &PolygonMap, session: &P) -> Locations {
     let scene = session.scene();
@@ -194,36 +189,6 @@ fn lattice(n: usize) -> (PolygonMap, Scene) {
     problem(&points, &(0..n * n).map(cell).collect::<Vec<_>>())
 }
 
-/// Answers exactly but for one triple, whose turn it reverses.
-struct OneFlip<'s> {
-    exact: <Exact as Backend>::Session<'s, Off>,
-    flipped: [Vertex; 3],
-}
-
-impl Predicates for OneFlip<'_> {
-    fn scene(&self) -> &Scene {
-        self.exact.scene()
-    }
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.exact.compare(axis, a, b)
-    }
-    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        let sign = self.exact.orient2d(plane, a, b, c);
-        let mut sorted = [a, b, c];
-        sorted.sort_unstable();
-        if sorted == self.flipped { -sign } else { sign }
-    }
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.exact.orient3d(a, b, c, d)
-    }
-    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.exact.incircle(a, b, c, d)
-    }
-    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.exact.insphere(a, b, c, d, e)
-    }
-}
-
 #[test]
 fn one_wrong_sign_is_seen() {
     // a diamond, and a square: raw coordinates force the side of its top edge
@@ -248,29 +213,6 @@ fn one_wrong_sign_is_seen() {
     assert!(planted(&diamond, [0, 1, 2]).iter().all(Vec::is_empty), "a triple that is never asked");
     assert_eq!(planted(&diamond, [0, 3, 4]), [vec![4], vec![4]], "the inner point under the left top edge");
     assert_eq!(planted(&square, [2, 3, 4]), [vec![], vec![4]], "under the top edge, whose box does not hold it");
-}
-
-/// Rings of any kind: self-crossing, overlapping, collinear, with repeated points.
-fn rings(vertices: usize) -> impl Strategy<Value = Vec<Vec<Vec<usize>>>> {
-    let ring = prop::collection::vec(0..vertices, 3..8).prop_filter_map("a loop edge", |mut ring| {
-        ring.dedup();
-        while ring.len() > 1 && ring.first() == ring.last() {
-            ring.pop();
-        }
-        (ring.len() >= 3).then_some(ring)
-    });
-    prop::collection::vec(prop::collection::vec(ring, 1..3), 1..5)
-}
-
-fn grid_points() -> impl Strategy<Value = Vec<[f64; 2]>> {
-    prop::collection::vec(prop::array::uniform2((0..7_i32).prop_map(f64::from)), 24)
-}
-
-/// Neighbours of 0.1, 0.3 …: coordinates whose products are not exact.
-fn ulp_points() -> impl Strategy<Value = Vec<[f64; 2]>> {
-    let coordinate =
-        (0..4_i32, 0..3_u64).prop_map(|(at, ulps)| f64::from_bits((0.1 + 0.2 * f64::from(at)).to_bits() + ulps));
-    prop::collection::vec(prop::array::uniform2(coordinate), 24)
 }
 
 /// A board of quads over shared vertices, whose corners are so far off that

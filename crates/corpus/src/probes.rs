@@ -21,10 +21,7 @@ use crate::{Level, Probe, ProbeKind, Work};
 /// The scene of a map: the probes in even places (the first is in place 0),
 /// the map's vertices, the probes in odd places.
 pub(crate) fn with_probes(points: Vec<[f64; 2]>, map: PolygonMap, probing: Probing, level: Level) -> (Scene, Work) {
-    let stride = match level {
-        Level::Quick => probing.quick_stride,
-        Level::Full => 1,
-    };
+    let stride = probing.stride(level);
     let mut places: Vec<([f64; 2], ProbeKind)> = Vec::new();
     for &[x, y] in points.iter().step_by(stride) {
         places.push(([x, y], ProbeKind::Vertex));
@@ -39,7 +36,7 @@ pub(crate) fn with_probes(points: Vec<[f64; 2]>, map: PolygonMap, probing: Probi
     }
     let mut rng = Random::new("probes", "polygon-locate", probing.seed);
     if let Some([low, high]) = bounds(&points) {
-        for _ in 0..probing.random {
+        for _ in 0..probing.random(level) {
             let mut uniform = |i: usize| rng.between(low[i], high[i]).clamp(low[i], high[i]);
             places.push(([uniform(0), uniform(1)], ProbeKind::Random));
         }

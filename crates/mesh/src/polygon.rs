@@ -4,6 +4,25 @@
 //! symbolic perturbation, which moves vertices by identity, the border then
 //! moves as one and the map stays a tiling. Vertices with equal coordinates
 //! but different ids would drift apart and open slivers.
+//!
+//! # What is a region
+//! The even-odd rule: a point is inside a region iff a ray from it crosses the
+//! region's edges an odd number of times. An edge is known by its two
+//! vertices, whichever way it runs; used twice by one region, it bounds
+//! nothing. That makes odd input well defined:
+//! * a ring that visits a vertex twice, or crosses itself or another ring:
+//!   each part is inside or outside by its crossing number;
+//! * a spike that runs forth and back over the same vertices: as if it were
+//!   not there;
+//! * a ring without area, its vertices on one line: nothing is inside, and its
+//!   edges are boundaries. A perturbation makes a sliver of it that may hold
+//!   points of the line;
+//! * two vertices at one place: an edge without length, or two borders that
+//!   look like one. Which point between them is on which side is decided by
+//!   the perturbation, consistently.
+//!
+//! Refused is what has no edges to ask about: a ring of fewer than three
+//! vertices, and an edge from a vertex to itself.
 
 use predicament_predicates::Vertex;
 
@@ -44,6 +63,8 @@ pub enum MapError {
     ShortRing {
         /// The region's place in the map.
         region: usize,
+        /// What people call it.
+        name: String,
         /// The ring's place in the region.
         ring: usize,
         /// How many vertices it has.
@@ -53,6 +74,8 @@ pub enum MapError {
     LoopEdge {
         /// The region's place in the map.
         region: usize,
+        /// What people call it.
+        name: String,
         /// The ring's place in the region.
         ring: usize,
         /// The place in the ring where the edge starts.
@@ -63,11 +86,16 @@ pub enum MapError {
 impl std::fmt::Display for MapError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            MapError::ShortRing { region, ring, vertices } => {
-                write!(f, "region {region}, ring {ring}: {vertices} vertices don't bound an area; a ring needs three")
-            }
-            MapError::LoopEdge { region, ring, at } => {
-                write!(f, "region {region}, ring {ring}: vertex {at} is repeated at once; drop one of the two")
+            MapError::ShortRing { region, name, ring, vertices } => write!(
+                f,
+                "region {region} (`{name}`), ring {ring}: {vertices} vertices don't bound an area; \
+                 drop the ring, or give it three"
+            ),
+            MapError::LoopEdge { region, name, ring, at } => {
+                write!(
+                    f,
+                    "region {region} (`{name}`), ring {ring}: vertex {at} is repeated at once; drop one of the two"
+                )
             }
         }
     }
@@ -93,22 +121,22 @@ impl PolygonMap {
     /// # Errors
     /// [`MapError`] names the ring that is no ring.
     pub fn push(&mut self, name: impl Into<String>, rings: Vec<Vec<Vertex>>) -> Result<(), MapError> {
-        let region = self.regions.len();
+        let (region, name) = (self.regions.len(), name.into());
         let mut checked = Vec::with_capacity(rings.len());
         for (ring, mut vertices) in rings.into_iter().enumerate() {
             if vertices.len() > 1 && vertices.first() == vertices.last() {
                 vertices.pop();
             }
             if vertices.len() < 3 {
-                return Err(MapError::ShortRing { region, ring, vertices: vertices.len() });
+                return Err(MapError::ShortRing { region, name, ring, vertices: vertices.len() });
             }
             let ring_of = Ring { vertices };
             if let Some(at) = ring_of.edges().position(|[a, b]| a == b) {
-                return Err(MapError::LoopEdge { region, ring, at });
+                return Err(MapError::LoopEdge { region, name, ring, at });
             }
             checked.push(ring_of);
         }
-        self.regions.push(Region { name: name.into(), rings: checked });
+        self.regions.push(Region { name, rings: checked });
         Ok(())
     }
 
@@ -175,10 +203,32 @@ mod tests {
     fn what_is_no_ring_is_refused_by_place() {
         let mut map = PolygonMap::new();
         map.push("fine", vec![ids(&[0, 1, 2])]).unwrap();
-        let short = map.push("short", vec![ids(&[0, 1, 2]), ids(&[3, 4, 3])]).unwrap_err();
-        assert_eq!(short, MapError::ShortRing { region: 1, ring: 1, vertices: 2 });
-        let again = map.push("again", vec![ids(&[0, 1, 1, 2])]).unwrap_err();
-        assert_eq!(again, MapError::LoopEdge { region: 1, ring: 0, at: 1 });
-        assert_eq!(map.regions().len(), 1);
+        let mut refused = |name: &str, rings: &[&[usize]]| {
+            map.push(name, rings.iter().map(|ring| ids(ring)).collect()).unwrap_err().to_string()
+        };
+        let short = |ring: usize, vertices: usize| {
+            let what = "vertices don't bound an area; drop the ring, or give it three";
+            format!("region 1 (`short`), ring {ring}: {vertices} {what}")
+        };
+        assert_eq!(refused("short", &[&[0, 1, 2], &[3, 4, 3]]), short(1, 2));
+        assert_eq!(refused("short", &[&[3, 4]]), short(0, 2));
+        assert_eq!(refused("short", &[&[3]]), short(0, 1));
+        assert_eq!(refused("short", &[&[7, 7, 7]]), short(0, 2));
+        assert_eq!(refused("short", &[&[]]), short(0, 0));
+        let again =
+            |at: usize| format!("region 1 (`again`), ring 0: vertex {at} is repeated at once; drop one of the two");
+        assert_eq!(refused("again", &[&[0, 1, 1, 2]]), again(1));
+        assert_eq!(refused("again", &[&[7, 7, 7, 7]]), again(0));
+        assert_eq!(map.regions().len(), 1, "what is refused leaves no trace");
+    }
+
+    #[test]
+    fn rings_may_touch_themselves_and_run_forth_and_back() {
+        let mut map = PolygonMap::new();
+        let odd: [&[usize]; 4] = [&[0, 1, 2, 0, 3, 4], &[0, 1, 2, 3, 2], &[0, 1, 2, 1], &[0, 1, 0, 2]];
+        for ring in odd {
+            map.push("odd", vec![ids(ring)]).unwrap();
+        }
+        assert_eq!(map.edges().count(), 6 + 5 + 4 + 4);
     }
 }

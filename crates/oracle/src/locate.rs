@@ -77,6 +77,12 @@ impl<'a> LocateCase<'a> {
         self.map
     }
 
+    /// The map's edges, ready for queries.
+    #[must_use]
+    pub fn index(&self) -> &LocateIndex {
+        &self.index
+    }
+
     /// What is located.
     #[must_use]
     pub fn probes(&self) -> &[Vertex] {
@@ -258,15 +264,14 @@ pub(crate) fn stopwatch<'a, B: Backend>(
     case: &'a LocateCase,
 ) -> Result<Box<dyn Stopwatch + 'a>, String> {
     let session = case.session(backend, Off)?;
-    Ok(Box::new(LocateWatch { session, case, scratch: Scratch::new(), out: Vec::new() }))
+    Ok(Box::new(LocateWatch { session, case, scratch: Scratch::new(), out: LocationSink::default() }))
 }
 
 struct LocateWatch<'a, P> {
     session: P,
     case: &'a LocateCase<'a>,
     scratch: Scratch,
-    /// Per probe: how many inside, how many on, then the regions.
-    out: Vec<u32>,
+    out: LocationSink,
 }
 
 impl<P: Predicates> Stopwatch for LocateWatch<'_, P> {
@@ -274,32 +279,49 @@ impl<P: Predicates> Stopwatch for LocateWatch<'_, P> {
         self.out.clear();
         let start = Instant::now();
         for &probe in &self.case.probes {
-            let location = self.case.index.locate(&self.session, probe, &mut self.scratch);
-            write_location(&mut self.out, location);
+            self.out.push(self.case.index.locate(&self.session, probe, &mut self.scratch));
         }
         black_box(&mut self.out);
         start.elapsed()
     }
 
     fn digest(&self) -> u64 {
-        digest(self.out.iter().flat_map(|x| x.to_le_bytes()))
+        self.out.digest()
     }
 }
 
-fn write_location(out: &mut Vec<u32>, location: Location) {
-    // A map has far fewer than 2^32 regions, so both lengths fit.
-    #[allow(clippy::cast_possible_truncation)]
-    out.extend([location.inside.len() as u32, location.boundary.len() as u32]);
-    out.extend(location.inside);
-    out.extend(location.boundary);
+/// Where timed passes write their answers: for each probe how many regions it
+/// is inside of, how many boundaries it is on, then the regions.
+#[derive(Default)]
+pub struct LocationSink(Vec<u32>);
+
+impl LocationSink {
+    /// Forgets all answers, and keeps the memory.
+    pub fn clear(&mut self) {
+        self.0.clear();
+    }
+
+    /// Takes the next answer.
+    #[inline]
+    pub fn push(&mut self, location: Location) {
+        // A map has far fewer than 2^32 regions, so both lengths fit.
+        #[allow(clippy::cast_possible_truncation)]
+        self.0.extend([location.inside.len() as u32, location.boundary.len() as u32]);
+        self.0.extend(location.inside);
+        self.0.extend(location.boundary);
+    }
+
+    /// A digest of the answers and their order.
+    #[must_use]
+    pub fn digest(&self) -> u64 {
+        digest(self.0.iter().flat_map(|x| x.to_le_bytes()))
+    }
 }
 
 /// The digest of known answers, for comparison with [`Stopwatch::digest`].
 #[must_use]
 pub fn digest_of(locations: &Locations) -> u64 {
-    let mut out = Vec::new();
-    for location in locations.iter() {
-        write_location(&mut out, location);
-    }
-    digest(out.iter().flat_map(|x| x.to_le_bytes()))
+    let mut out = LocationSink::default();
+    locations.iter().for_each(|location| out.push(location));
+    out.digest()
 }

@@ -1,9 +1,11 @@
 //! The crate `geo`: which regions contain each probe, its way.
 //!
 //! `geo` answers one polygon at a time and has no notion of a map, so each
-//! region gets a bounding-box test in front, kept in a flat list: what a user
-//! of `geo` would write. Two of its ways are timed: `Contains` on the plain
-//! multipolygon, and the interval tree.
+//! region gets a bounding-box test in front: what a user of `geo` would write.
+//! Two of its ways are timed behind a flat list of boxes: `Contains` on the
+//! plain multipolygon, and the interval tree. Then the interval tree comes
+//! behind an R-tree (`rstar`), of the regions' boxes and of the boxes of their
+//! parts, the polygons of the multipolygons, which are much smaller.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -13,21 +15,114 @@ use geo::{BoundingRect, Contains, CoordinatePosition, LineString, MultiPolygon, 
 use predicament_mesh::{PolygonMap, Ring};
 use predicament_oracle::locate::LocateCase;
 use predicament_oracle::{Class, Outcome, Stopwatch};
-use predicament_predicates::{Plane, Scene, Vertex};
+use predicament_predicates::{Plane, Scene};
+use rstar::RTree;
+use rstar::primitives::{GeomWithData, Rectangle};
 
 use super::{Peer, Timed};
 
-/// Both ways, judged and ready to be timed.
+/// All ways, judged and ready to be timed.
 pub fn peers<'a>(case: &'a LocateCase<'a>) -> Vec<Peer<'a>> {
     let regions = regions(case.map(), case.scene());
-    let trees = regions.iter().map(|(region, rect)| (IntervalTreeMultiPolygon::new(region), *rect)).collect();
+    let tree = |region: &MultiPolygon| IntervalTreeMultiPolygon::new(region);
+    let trees: Vec<_> = regions.iter().map(|(region, rect)| (tree(region), *rect)).collect();
+    let whole = Boxed::new((0..).zip(&regions).map(|(at, (region, rect))| (at, tree(region), *rect)).collect());
+    let parts = (0..).zip(&regions).flat_map(|(at, (region, _))| {
+        let part = move |part: &Polygon| (at, tree(&MultiPolygon::from(part.clone())), bounds(part.bounding_rect()));
+        region.iter().map(part)
+    });
+    let parts = Boxed::new(parts.collect());
     vec![
-        peer("geo:contains", Watch { case, regions, out: Vec::new() }),
-        peer("geo:interval-tree", Watch { case, regions: trees, out: Vec::new() }),
+        if pairs(case) > MOST_PAIRS {
+            not_asked(case, "geo:contains")
+        } else {
+            peer(case, "geo:contains", Flat(regions))
+        },
+        peer(case, "geo:interval-tree", Flat(trees)),
+        peer(case, "geo:r-tree", whole),
+        peer(case, "geo:r-tree:parts", parts),
     ]
 }
 
-fn peer<'a, R: Contains<Point> + 'a>(name: &str, mut watch: Watch<'a, R>) -> Peer<'a> {
+/// Plain polygons go through all edges for every probe: with more pairs than
+/// this of the two, minutes pass for nothing that fewer probes don't tell.
+const MOST_PAIRS: usize = 100_000_000_000;
+
+fn pairs(case: &LocateCase) -> usize {
+    case.index().len().saturating_mul(case.probes().len())
+}
+
+fn not_asked<'a>(case: &LocateCase, name: &str) -> Peer<'a> {
+    let why = format!("more than {MOST_PAIRS} pairs of an edge and a probe; ask it at level quick");
+    Peer {
+        name: name.to_owned(),
+        version: env!("PREDICAMENT_GEO").to_owned(),
+        remarks: vec![format!("{name} is not asked: {why}")],
+        outcome: Outcome::of_scene(case.probes().len() as u64, Class::Declined, "pairs", why),
+        timed: None,
+    }
+}
+
+/// Regions that know which of them contain a point.
+trait Find {
+    /// Adds them, ascending.
+    fn find(&self, point: Point, out: &mut Vec<u32>);
+}
+
+/// Regions with their boxes, in a list.
+struct Flat<R>(Vec<(R, Rect)>);
+
+impl<R: Contains<Point>> Find for Flat<R> {
+    #[inline]
+    fn find(&self, point: Point, out: &mut Vec<u32>) {
+        let Point(at) = point;
+        for (region, (contains, rect)) in (0..).zip(&self.0) {
+            let (low, high) = (rect.min(), rect.max());
+            let held = low.x <= at.x && at.x <= high.x && low.y <= at.y && at.y <= high.y;
+            if held && contains.contains(&point) {
+                out.push(region);
+            }
+        }
+    }
+}
+
+/// Regions, or parts of them, in a tree of their boxes.
+struct Boxed<R> {
+    boxes: RTree<GeomWithData<Rectangle<[f64; 2]>, usize>>,
+    /// Each with its region.
+    within: Vec<(u32, R)>,
+}
+
+impl<R> Boxed<R> {
+    fn new(all: Vec<(u32, R, Rect)>) -> Boxed<R> {
+        let corners = |rect: &Rect| [rect.min(), rect.max()].map(|corner| [corner.x, corner.y]);
+        let boxes = all.iter().enumerate().map(|(at, (_, _, rect))| {
+            let [low, high] = corners(rect);
+            GeomWithData::new(Rectangle::from_corners(low, high), at)
+        });
+        let boxes = RTree::bulk_load(boxes.collect());
+        Boxed { boxes, within: all.into_iter().map(|(region, contains, _)| (region, contains)).collect() }
+    }
+}
+
+impl<R: Contains<Point>> Find for Boxed<R> {
+    #[inline]
+    fn find(&self, point: Point, out: &mut Vec<u32>) {
+        let first = out.len();
+        for held in self.boxes.locate_all_at_point(&[point.x(), point.y()]) {
+            let (region, contains) = &self.within[held.data];
+            // parts of a region may overlap
+            if contains.contains(&point) && !out[first..].contains(region) {
+                out.push(*region);
+            }
+        }
+        // The tree has no order.
+        out[first..].sort_unstable();
+    }
+}
+
+fn peer<'a, R: Find + 'a>(case: &'a LocateCase<'a>, name: &str, regions: R) -> Peer<'a> {
+    let mut watch = Watch { case, regions, out: Vec::new() };
     watch.pass();
     let wrong = watch.wrong();
     let first_wrong = wrong.first().map(|&(probe, theirs)| {
@@ -79,10 +174,14 @@ fn regions(map: &PolygonMap, scene: &Scene) -> Vec<(MultiPolygon, Rect)> {
             Polygon::new(rings[shell].exterior().clone(), holes)
         });
         let region = MultiPolygon::from_iter(polygons);
-        let rect = region.bounding_rect().unwrap_or_else(|| Rect::new((0.0, 0.0), (0.0, 0.0)));
+        let rect = bounds(region.bounding_rect());
         (region, rect)
     };
     map.regions().iter().map(|each| region(&each.rings)).collect()
+}
+
+fn bounds(rect: Option<Rect>) -> Rect {
+    rect.unwrap_or_else(|| Rect::new((0.0, 0.0), (0.0, 0.0)))
 }
 
 /// Whether one ring lies in another: by its first vertex that is not on the other's boundary.
@@ -106,7 +205,7 @@ fn digest(regions: impl Iterator<Item = u32>) -> u64 {
 
 struct Watch<'a, R> {
     case: &'a LocateCase<'a>,
-    regions: Vec<(R, Rect)>,
+    regions: R,
     /// The regions of each probe, then `u32::MAX`.
     out: Vec<u32>,
 }
@@ -120,12 +219,14 @@ impl<R> Watch<'_, R> {
     }
 }
 
-impl<R: Contains<Point>> Stopwatch for Watch<'_, R> {
+impl<R: Find> Stopwatch for Watch<'_, R> {
     fn pass(&mut self) -> Duration {
         self.out.clear();
         let start = Instant::now();
         for &probe in self.case.probes() {
-            self.locate(probe);
+            let [x, y] = self.case.scene().point2(Plane::Xy, probe);
+            self.regions.find(Point::new(x, y), &mut self.out);
+            self.out.push(u32::MAX);
         }
         black_box(&mut self.out);
         start.elapsed()
@@ -133,21 +234,5 @@ impl<R: Contains<Point>> Stopwatch for Watch<'_, R> {
 
     fn digest(&self) -> u64 {
         digest(self.out.iter().copied())
-    }
-}
-
-impl<R: Contains<Point>> Watch<'_, R> {
-    fn locate(&mut self, probe: Vertex) {
-        let [x, y] = self.case.scene().point2(Plane::Xy, probe);
-        let point = Point::new(x, y);
-        for (at, (region, rect)) in self.regions.iter().enumerate() {
-            let (low, high) = (rect.min(), rect.max());
-            if low.x <= x && x <= high.x && low.y <= y && y <= high.y && region.contains(&point) {
-                // A map has far fewer than 2^32 regions.
-                #[allow(clippy::cast_possible_truncation)]
-                self.out.push(at as u32);
-            }
-        }
-        self.out.push(u32::MAX);
     }
 }

@@ -1,17 +1,22 @@
-//! A bench folder as three tables: times by vertex id, times by raw
-//! coordinates, and wrong answers. All of it is read back from the folder, so
+//! A bench folder as four tables: times by vertex id, times by raw
+//! coordinates, times on maps, and wrong answers. All of it is read back from the folder, so
 //! every number can be traced to a row.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use predicament_report::{Class, Error, RunDir, Spread, SummaryRow};
+use predicament_report::{Class, Error, RunDir, Spread, SummaryRow, ThroughputRow};
 
 use crate::markdown::{in_order, markdown};
 
 /// The peer whose time is one.
 const ONE: &str = "robust";
+
+/// The backend whose time is one on maps, where no peer asks for single signs.
+const ONE_ON_MAPS: &str = "sos";
+
+const MAPS: &str = "polygon-locate";
 
 /// What the names of backends start with that were asked by raw coordinates.
 pub const RAW: &str = "raw:";
@@ -23,17 +28,22 @@ pub const RAW: &str = "raw:";
 pub fn tables(folder: &Path) -> Result<String, Error> {
     let run = RunDir::open(folder)?;
     let mut text = String::new();
-    times(&mut text, &run, "Asked by vertex id, in sessions of a prepared scene", |name| !name.starts_with(RAW));
-    times(&mut text, &run, "Asked by raw coordinates, nothing prepared", |name| name.starts_with(RAW));
+    let of_sign = |row: &ThroughputRow| row.task != MAPS;
+    let is_raw = |row: &ThroughputRow| row.backend.starts_with(RAW);
+    let by_id = "Asked by vertex id, in sessions of a prepared scene";
+    times(&mut text, &run, by_id, ONE, |row| of_sign(row) && !is_raw(row));
+    let raw = "Asked by raw coordinates, nothing prepared";
+    times(&mut text, &run, raw, ONE, |row| of_sign(row) && is_raw(row));
+    times(&mut text, &run, "Points of maps located", ONE_ON_MAPS, |row| !of_sign(row));
     wrong(&mut text, &run);
     Ok(text)
 }
 
-/// Medians in nanoseconds, with their ratios to [`ONE`].
-fn times(text: &mut String, run: &RunDir, title: &str, of: impl Fn(&str) -> bool) {
+/// Medians in nanoseconds, with their ratios to the backend whose name ends like this one.
+fn times(text: &mut String, run: &RunDir, title: &str, one_is: &str, of: impl Fn(&ThroughputRow) -> bool) {
     let mut samples: BTreeMap<(&str, &str, &str), Vec<f64>> = BTreeMap::new();
     // contacts have tables of their own
-    let timed = || run.throughput.iter().filter(|row| of(&row.backend) && !row.task.starts_with("contacts"));
+    let timed = || run.throughput.iter().filter(|row| of(row) && !row.task.starts_with("contacts"));
     for row in timed() {
         samples.entry((&row.task, &row.family, &row.backend)).or_default().push(row.ns_per_query);
     }
@@ -42,7 +52,7 @@ fn times(text: &mut String, run: &RunDir, title: &str, of: impl Fn(&str) -> bool
     let backends = in_order(timed().map(|row| row.backend.as_str()));
     let lines = in_order(timed().map(|row| (&*row.task, &*row.family)));
     let rows = lines.into_iter().map(|(task, family)| {
-        let one = backends.iter().find(|name| name.ends_with(ONE)).and_then(|one| median(task, family, one));
+        let one = backends.iter().find(|name| name.ends_with(one_is)).and_then(|one| median(task, family, one));
         let cells = backends.iter().map(|backend| match (median(task, family, backend), one) {
             (Some(ns), Some(one)) => format!("{ns:.1} ({:.2})", ns / one),
             (Some(ns), None) => format!("{ns:.1}"),
@@ -51,7 +61,7 @@ fn times(text: &mut String, run: &RunDir, title: &str, of: impl Fn(&str) -> bool
         [task.to_owned(), family.to_owned()].into_iter().chain(cells).collect()
     });
     let heads = ["task", "family"].into_iter().chain(backends.iter().copied());
-    let about = format!("{title}: ns per query, median (ratio to {ONE})");
+    let about = format!("{title}: ns per query, median (ratio to {one_is})");
     markdown(text, &about, 2, heads.map(str::to_owned).collect(), rows.collect());
 }
 
@@ -83,7 +93,7 @@ fn count(row: &SummaryRow) -> String {
     if declined > 0 {
         return "declined".to_owned();
     }
-    let mut cell = row.wrong().to_string();
+    let mut cell = (row.wrong() + row.count(Class::Topology)).to_string();
     for (n, what) in [(nan, "NaN"), (panic, "panics")] {
         if n > 0 {
             // A String takes everything.

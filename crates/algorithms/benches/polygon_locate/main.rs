@@ -1,17 +1,22 @@
 //! Point location on a map of 217,600 edges and 256 regions, on one thread,
-//! against the crate `geo`: its plain polygons and its interval trees, one per
-//! region, each behind a bounding-box test. Answers are compared before
-//! anything is timed.
+//! against the paper's own test and the crate `geo`: its plain polygons and its
+//! interval trees, one per region, each behind a bounding-box test. Answers are
+//! compared before anything is timed.
+//!
+//! Generic code and the paper's test are compared twice: by the index, as they
+//! are used, and edge by edge, where every edge above a point is tested and
+//! nothing is decided by boxes.
 
 mod wiggly;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use geo::algorithm::indexed::IntervalTreeMultiPolygon;
 use geo::{BoundingRect, Contains, Coord, Intersects, LineString, MultiPolygon, Polygon, Rect};
-use predicament_algorithms::polygon_locate::{LocateIndex, Locations, locate_all};
-use predicament_exact::Exact;
+use predicament_algorithms::polygon_locate::special::Point;
+use predicament_algorithms::polygon_locate::{LocateIndex, Locations, Scratch, locate_all, locate_all_specially};
+use predicament_exact::{Exact, raw};
 use predicament_mesh::PolygonMap;
-use predicament_predicates::{Backend, Off, Predicates, Scene, Vertex};
+use predicament_predicates::{Backend, Off, Predicates, Scene, Sign, Vertex};
 use predicament_sos::Sos;
 
 const QUERIES: usize = 20_000;
@@ -43,6 +48,31 @@ fn ours<P: Predicates>(index: &LocateIndex, session: &P, queries: &[Vertex]) -> 
     locate_all(index, session, queries, &|_| true)
 }
 
+/// The sign of D by `robust`.
+fn by_robust(l: Point, r: Point, p: Point) -> Sign {
+    let [l, r, p] = [l, r, p].map(|[x, y]| robust::Coord { x, y });
+    Sign::of(robust::orient2d(l, r, p))
+}
+
+/// The same by our own exact arithmetic, with nothing prepared.
+fn by_exact(l: Point, r: Point, p: Point) -> Sign {
+    raw::orient2d([l, r, p])
+}
+
+/// The paper's test of every edge that is not below a query.
+fn edge_by_edge(index: &LocateIndex, scene: &Scene, queries: &[Vertex]) -> Vec<Vec<u32>> {
+    let mut scratch = Scratch::new();
+    let mut locate = |&q: &Vertex| index.question_specially(scene, q, &by_robust, &mut scratch).inside.to_vec();
+    queries.iter().map(&mut locate).collect()
+}
+
+/// The same by a session.
+fn edge_by_edge_generic<P: Predicates>(index: &LocateIndex, session: &P, queries: &[Vertex]) -> Vec<Vec<u32>> {
+    let mut scratch = Scratch::new();
+    let mut locate = |&q: &Vertex| index.question(session, q, &mut scratch).inside.to_vec();
+    queries.iter().map(&mut locate).collect()
+}
+
 fn bench(criterion: &mut Criterion) {
     let (map, scene, queries) = wiggly::map(16, 400, QUERIES);
     let index = LocateIndex::new(&map, &scene);
@@ -61,6 +91,10 @@ fn bench(criterion: &mut Criterion) {
 
     let answers = ours(&index, &exact, &queries);
     assert_eq!(answers, ours(&index, &sos, &queries));
+    let by_robust_sign = || locate_all_specially(&index, &scene, &by_robust, &queries, &|_| true);
+    let by_exact_sign = || locate_all_specially(&index, &scene, &by_exact, &queries, &|_| true);
+    assert_eq!(answers, by_robust_sign());
+    assert_eq!(answers, by_exact_sign());
     for geo in [located(&plain, &points), located(&trees, &points)] {
         assert!(answers.iter().map(|location| location.inside).eq(geo.iter()));
     }
@@ -70,8 +104,22 @@ fn bench(criterion: &mut Criterion) {
     group.sample_size(10).throughput(Throughput::Elements(queries.len() as u64));
     group.bench_function("exact", |b| b.iter(|| one_thread.install(|| ours(&index, &exact, &queries))));
     group.bench_function("sos", |b| b.iter(|| one_thread.install(|| ours(&index, &sos, &queries))));
+    group.bench_function("special/robust", |b| b.iter(|| one_thread.install(by_robust_sign)));
+    group.bench_function("special/exact", |b| b.iter(|| one_thread.install(by_exact_sign)));
     group.bench_function("geo/polygon", |b| b.iter(|| located(&plain, &points)));
     group.bench_function("geo/interval-tree", |b| b.iter(|| located(&trees, &points)));
+    group.finish();
+
+    let few = &queries[..queries.len() / 10];
+    let all_asked = edge_by_edge(&index, &scene, few);
+    assert!(all_asked.iter().eq(answers.iter().take(few.len()).map(|location| location.inside)));
+    assert_eq!(all_asked, edge_by_edge_generic(&index, &exact, few));
+    assert_eq!(all_asked, edge_by_edge_generic(&index, &sos, few));
+    let mut group = criterion.benchmark_group("polygon-locate-edge-by-edge");
+    group.sample_size(10).throughput(Throughput::Elements(few.len() as u64));
+    group.bench_function("exact", |b| b.iter(|| edge_by_edge_generic(&index, &exact, few)));
+    group.bench_function("sos", |b| b.iter(|| edge_by_edge_generic(&index, &sos, few)));
+    group.bench_function("special/robust", |b| b.iter(|| edge_by_edge(&index, &scene, few)));
     group.finish();
 
     let mut group = criterion.benchmark_group("polygon-locate-build");

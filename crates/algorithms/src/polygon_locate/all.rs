@@ -2,9 +2,10 @@
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 
-use predicament_predicates::{Predicates, Vertex};
+use predicament_predicates::{Plane, Predicates, Scene, Sign, Vertex};
 use rayon::prelude::*;
 
+use super::special::Point;
 use super::{LocateIndex, Location, Scratch};
 
 /// The number of queries between two calls of the progress hook.
@@ -115,7 +116,7 @@ pub fn locate_all<P: Predicates>(
     queries: &[Vertex],
     progress: &(dyn Fn(usize) -> bool + Sync),
 ) -> Locations {
-    gather(index, session, queries, progress, Asking::Open)
+    gather(index, queries, progress, |index, q, scratch| index.locate(session, q, scratch))
 }
 
 /// [`locate_all`] by [`LocateIndex::question`]: every edge in the way is asked
@@ -129,24 +130,31 @@ pub fn question_all<P: Predicates>(
     queries: &[Vertex],
     progress: &(dyn Fn(usize) -> bool + Sync),
 ) -> Locations {
-    gather(index, session, queries, progress, Asking::Everything)
+    gather(index, queries, progress, |index, q, scratch| index.question(session, q, scratch))
 }
 
-/// How much a session is asked.
-#[derive(Clone, Copy)]
-enum Asking {
-    /// What raw coordinates leave open.
-    Open,
-    /// About every edge in the way.
-    Everything,
-}
-
-fn gather<P: Predicates>(
+/// [`locate_all`] by [`LocateIndex::locate_specially`]: the same work around
+/// the paper's own test.
+///
+/// # Panics
+/// If the scene lacks a query.
+pub fn locate_all_specially(
     index: &LocateIndex,
-    session: &P,
+    scene: &Scene,
+    sign_of_d: &(impl Fn(Point, Point, Point) -> Sign + Sync),
     queries: &[Vertex],
     progress: &(dyn Fn(usize) -> bool + Sync),
-    asking: Asking,
+) -> Locations {
+    gather(index, queries, progress, |index, q, scratch| {
+        index.locate_specially(scene.point2(Plane::Xy, q), sign_of_d, scratch)
+    })
+}
+
+fn gather(
+    index: &LocateIndex,
+    queries: &[Vertex],
+    progress: &(dyn Fn(usize) -> bool + Sync),
+    locate: impl for<'a> Fn(&'a LocateIndex, Vertex, &'a mut Scratch) -> Location<'a> + Sync,
 ) -> Locations {
     let stopped = AtomicBool::new(false);
     let done = AtomicUsize::new(0);
@@ -160,10 +168,7 @@ fn gather<P: Predicates>(
             part.inside.ends.reserve_exact(chunk.len());
             part.boundary.ends.reserve_exact(chunk.len());
             for &q in chunk {
-                let location = match asking {
-                    Asking::Open => index.locate(session, q, scratch),
-                    Asking::Everything => index.question(session, q, scratch),
-                };
+                let location = locate(index, q, scratch);
                 part.inside.push(location.inside);
                 part.boundary.push(location.boundary);
             }

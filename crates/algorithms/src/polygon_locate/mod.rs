@@ -42,7 +42,8 @@
 mod all;
 mod index;
 mod single;
+pub mod special;
 
-pub use all::{CHUNK, Locations, locate_all, question_all};
+pub use all::{CHUNK, Locations, locate_all, locate_all_specially, question_all};
 pub use index::LocateIndex;
 pub use single::{Location, Scratch};

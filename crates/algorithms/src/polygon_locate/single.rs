@@ -35,10 +35,10 @@ struct Marks {
 
 /// What is known about one of them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-struct Mark {
-    touched: bool,
-    odd: bool,
-    on_boundary: bool,
+pub(super) struct Mark {
+    pub(super) touched: bool,
+    pub(super) odd: bool,
+    pub(super) on_boundary: bool,
 }
 
 /// How an edge meets the upward ray from a point.
@@ -92,22 +92,14 @@ impl LocateIndex {
         let reach = session.reach();
         let band = if reach == 0.0 { [y, y] } else { [(y - reach).next_down(), (y + reach).next_up()] };
         let query = Query { session, vertex: q, x, band };
-        scratch.owner_sets.fit(self.owner_sets());
-        let above = if let Some(cell) = self.cells().at(x, band) {
+        scratch.fit(self);
+        if let Some(cell) = self.cells().at(x, band) {
             self.look_around(&query, cell.entries, &mut scratch.owner_sets);
-            self.set(cell.above)
+            scratch.sum_up_under(self, cell.above)
         } else {
             self.look_up(&query, [x, y], &mut scratch.owner_sets);
-            &[]
-        };
-        if scratch.owner_sets.are_clear() {
-            return Location { inside: above, boundary: &[] };
+            scratch.sum_up(self)
         }
-        scratch.regions.fit(self.regions());
-        for &region in above {
-            scratch.regions.add(region, Mark { odd: true, ..Mark::default() });
-        }
-        scratch.sum_up(self)
     }
 
     /// Where the vertex `q` is, all of it asked: every edge that is not below
@@ -121,13 +113,12 @@ impl LocateIndex {
     /// If the session's scene has no vertex `q`, or lacks vertices of the map.
     pub fn question<'a, P: Predicates>(&self, session: &P, q: Vertex, scratch: &'a mut Scratch) -> Location<'a> {
         let point = session.scene().point2(Plane::Xy, q);
-        scratch.owner_sets.fit(self.owner_sets());
+        scratch.fit(self);
         for edge in self.columns().above(point, session.reach()) {
             if let Some(mark) = meet(session, self.ends(edge), q).mark() {
                 scratch.owner_sets.add(self.owners_of(edge), mark);
             }
         }
-        scratch.regions.fit(self.regions());
         scratch.sum_up(self)
     }
 
@@ -237,7 +228,35 @@ impl Scratch {
         Scratch::default()
     }
 
-    fn sum_up(&mut self, index: &LocateIndex) -> Location<'_> {
+    /// Makes room for a map.
+    #[inline]
+    pub(super) fn fit(&mut self, index: &LocateIndex) {
+        self.owner_sets.fit(index.owner_sets());
+    }
+
+    /// Marks the regions of a set of owners.
+    #[inline]
+    pub(super) fn add(&mut self, owners: u32, mark: Mark) {
+        self.owner_sets.add(owners, mark);
+    }
+
+    /// The sum of all marks, and of a set of regions above them.
+    #[inline]
+    pub(super) fn sum_up_under<'a>(&'a mut self, index: &'a LocateIndex, above: u32) -> Location<'a> {
+        let above = index.set(above);
+        if self.owner_sets.are_clear() {
+            return Location { inside: above, boundary: &[] };
+        }
+        self.regions.fit(index.regions());
+        for &region in above {
+            self.regions.add(region, Mark { odd: true, ..Mark::default() });
+        }
+        self.sum_up(index)
+    }
+
+    /// The sum of all marks.
+    pub(super) fn sum_up(&mut self, index: &LocateIndex) -> Location<'_> {
+        self.regions.fit(index.regions());
         self.inside.clear();
         self.boundary.clear();
         self.owner_sets.drain(|set, mark| {

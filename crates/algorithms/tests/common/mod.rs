@@ -16,9 +16,11 @@ pub enum Truth {
     Boundary,
 }
 
-type Point = [Rational; 2];
+/// A place in the plane.
+pub type Point = [Rational; 2];
 
-fn point(scene: &Scene, v: Vertex) -> Point {
+/// Where a vertex is.
+pub fn point(scene: &Scene, v: Vertex) -> Point {
     let p = scene.point(v);
     [0, 1].map(|axis| Rational::from_f64(p[axis]).expect("finite"))
 }
@@ -36,15 +38,19 @@ fn is_between(a: &Rational, b: &Rational, x: &Rational) -> bool {
 
 /// Where `q` is, for every region.
 pub fn brute_force(map: &PolygonMap, scene: &Scene, q: Vertex) -> Vec<Truth> {
-    let q = point(scene, q);
+    winding_numbers(map, &|v| point(scene, v), &point(scene, q))
+}
+
+/// Where `q` is, for every region, with vertices wherever they are said to be.
+pub fn winding_numbers(map: &PolygonMap, at: &dyn Fn(Vertex) -> Point, q: &Point) -> Vec<Truth> {
     let region = |region: &predicament_mesh::Region| {
         let mut winding = 0_i32;
         let edges: Vec<[Vertex; 2]> = region.rings.iter().flat_map(|ring| ring.edges()).collect();
         for &[u, v] in &edges {
             // to and fro along one edge bounds nothing
             let uses = edges.iter().filter(|edge| **edge == [u, v] || **edge == [v, u]).count();
-            let (u, v) = (point(scene, u), point(scene, v));
-            let turn = turn(&u, &v, &q);
+            let (u, v) = (at(u), at(v));
+            let turn = turn(&u, &v, q);
             if uses % 2 == 1 && turn.cmp0().is_eq() && (0..2).all(|axis| is_between(&u[axis], &v[axis], &q[axis])) {
                 return Truth::Boundary;
             }

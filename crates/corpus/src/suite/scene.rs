@@ -12,7 +12,7 @@ use super::queries::Plan;
 use super::{Context, cubes, interval, points};
 use crate::document::{Field, Fields};
 use crate::generate::Generator;
-use crate::{Cache, CorpusError, Entry, ImportNotes, LoadedScene, Task, Work, content_id, tables};
+use crate::{Cache, CorpusError, Entry, ImportNotes, Level, LoadedScene, Task, Work, content_id, tables};
 
 /// A scene as its suite defines it; [`SceneDef::load`] makes it ready.
 #[derive(Clone, Debug)]
@@ -75,12 +75,12 @@ pub(super) enum Origin {
 /// How a map is probed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Probing {
-    /// How many random probes.
-    pub(crate) random: usize,
+    /// How many random probes at level quick, and how many at level full.
+    random: [usize; 2],
     /// Their seed.
     pub(crate) seed: u64,
-    /// At level quick only every so many-th vertex and edge is probed.
-    pub(crate) quick_stride: usize,
+    /// Every so many-th vertex and edge is probed at level quick, and at level full.
+    stride: [usize; 2],
 }
 
 impl Origin {
@@ -102,16 +102,34 @@ impl Origin {
 }
 
 impl Probing {
-    /// Reads `random`, `seed` and `quick_stride`.
+    /// How many random probes.
+    pub(crate) fn random(self, level: Level) -> usize {
+        at(level, self.random)
+    }
+
+    /// Every so many-th vertex and edge is probed.
+    pub(crate) fn stride(self, level: Level) -> usize {
+        at(level, self.stride)
+    }
+
+    /// Reads `random`, `random_full`, `seed`, `quick_stride` and `full_stride`.
     pub(super) fn read(fields: &Fields<'_, '_>) -> Result<Probing, CorpusError> {
-        let count = |key, default, range| -> Result<usize, CorpusError> {
-            Ok(usize::try_from(fields.integer_or(key, default, range)?).unwrap_or(usize::MAX))
-        };
-        Ok(Probing {
-            random: count("random", 0, 0..=100_000_000)?,
-            seed: fields.integer_or("seed", 0, 0..=u64::MAX)?,
-            quick_stride: count("quick_stride", 1, 1..=1_000_000)?,
-        })
+        let number = |key, default, range| fields.integer_or(key, default, range);
+        let quick = number("random", 0, 0..=MOST_RANDOM)?;
+        let random = [quick, number("random_full", quick, 0..=MOST_RANDOM)?];
+        let stride = [number("quick_stride", 1, 1..=MOST_STRIDE)?, number("full_stride", 1, 1..=MOST_STRIDE)?];
+        let counts = |numbers: [u64; 2]| numbers.map(|number| usize::try_from(number).unwrap_or(usize::MAX));
+        Ok(Probing { random: counts(random), seed: number("seed", 0, 0..=u64::MAX)?, stride: counts(stride) })
+    }
+}
+
+const MOST_RANDOM: u64 = 100_000_000;
+const MOST_STRIDE: u64 = 1_000_000;
+
+fn at(level: Level, [quick, full]: [usize; 2]) -> usize {
+    match level {
+        Level::Quick => quick,
+        Level::Full => full,
     }
 }
 
