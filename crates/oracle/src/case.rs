@@ -8,7 +8,7 @@ use predicament_predicates::{QuerySet, Sign, Vertex};
 
 use crate::contacts::ContactsCase;
 use crate::locate::LocateCase;
-use crate::signs::{self, Budget, SignCase, describe};
+use crate::signs::{self, Budget, SignCase};
 use crate::{Class, Contestant, Outcome, Stop, Watch};
 
 /// A scene with the truth about it.
@@ -87,7 +87,7 @@ impl<'a> Case<'a> {
         let &first = wrong.peek()?;
         let first = format!(
             "{} at query {first}: the data say {}, the judge {}",
-            describe(queries.question(), queries.args(first)),
+            queries.question().describe(queries.args(first)),
             expected[first],
             signs[first]
         );
@@ -229,7 +229,9 @@ mod tests {
                 assert_eq!(outcome.counts.get(Class::Panic), 0, "{backend} on {name}");
             }
             for fault in ["exact-halved-filter", "exact-one-limb", "exact-flushed"] {
-                assert_eq!(outcome(&format!("fault:{fault}")).counts.findings(), 0, "{fault} on {name}");
+                // Their projections are asked about input vertices too, which these are wrong about.
+                let outcome = outcome(&format!("fault:{fault}"));
+                assert!(outcome.findings.iter().all(|f| f.check == "mixed-grassmann-plucker"), "{fault} on {name}");
             }
         }
     }

@@ -13,8 +13,11 @@ pub fn transitivity<P: Predicates>(
     zero: ZeroMeaning,
 ) -> Option<Violation> {
     let question = Question::Compare(axis);
-    let answers =
-        [[a, b], [b, c], [a, c]].map(|args| Answer { args: args.to_vec(), sign: question.ask(session, &args) });
+    let answers = [[a, b], [b, c], [a, c]].map(|args| Answer {
+        question,
+        args: args.to_vec(),
+        sign: question.ask(session, &args),
+    });
     if answers.iter().any(|answer| says_nothing(answer.sign, zero)) {
         return None;
     }
@@ -25,5 +28,5 @@ pub fn transitivity<P: Predicates>(
         _ => None,
     };
     let broken = forced.is_some_and(|forced| forced != ac);
-    broken.then(|| Violation { law: Law::Transitivity, question, answers: answers.into() })
+    broken.then(|| Violation { law: Law::Transitivity, answers: answers.into() })
 }
