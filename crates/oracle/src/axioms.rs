@@ -110,12 +110,10 @@ fn orders<P: Predicates>(
     })
 }
 
-/// Transitivity and the three-term relations on evenly spread tuples of vertices.
-///
-/// Those of one predicate have the budget each; the mixed ones, which also ask
-/// others than the scene does, share it unless there is plenty.
-fn related<P: Predicates>(
-    session: &P,
+/// Transitivity and the three-term relations on evenly spread tuples of vertices; in
+/// a hurry only those of comparisons and orientations by themselves.
+fn related(
+    session: &dyn Predicates,
     zeros: Zeros,
     case: &SignCase,
     budget: Budget,
@@ -123,7 +121,6 @@ fn related<P: Predicates>(
 ) -> Result<Violations, Stop> {
     let mut found = Violations::default();
     let asked = asked(case, budget.thorough);
-    let mixed = asked.iter().flat_map(|&question| relations(question)).filter(is_mixed).count().max(1);
     for question in asked {
         if let Question::Compare(axis) = question {
             let sample = tuples(case, 3, budget.relations);
@@ -135,20 +132,16 @@ fn related<P: Predicates>(
                 budget,
             );
         }
-        for relation in relations(question) {
+        let lifted = matches!(question, Question::Incircle | Question::Insphere);
+        let wanted = |relation: &Relation| budget.thorough || (!lifted && relation.law() == Law::GrassmannPlucker);
+        for relation in relations(question).into_iter().filter(wanted) {
             let supported = relation.questions().all(|question| session.supports(question.kind()).is_ok());
-            let wanted =
-                if is_mixed(&relation) && !budget.thorough { budget.relations / mixed } else { budget.relations };
-            let sample = if supported { tuples(case, relation.vertices(), wanted) } else { Vec::new() };
+            let sample = if supported { tuples(case, relation.vertices(), budget.relations) } else { Vec::new() };
             let look = |tuple: &Vec<Vertex>| relation.check(session, tuple, zeros).map(|violation| (None, violation));
             found.merge(in_chunks(&sample, budget, watch, look)?, budget);
         }
     }
     Ok(found)
-}
-
-fn is_mixed(relation: &Relation) -> bool {
-    relation.law() == Law::MixedGrassmannPlucker
 }
 
 /// The scene's own question; with plenty of time also the same along the other axes and in the other planes.
@@ -170,7 +163,7 @@ fn asked(case: &SignCase, thorough: bool) -> Vec<Question> {
 const BATCH: usize = 61;
 
 /// Evenly spread queries alone and in batches.
-fn places<P: Predicates>(session: &P, case: &SignCase, budget: Budget, watch: &Watch) -> Result<Violations, Stop> {
+fn places(session: &dyn Predicates, case: &SignCase, budget: Budget, watch: &Watch) -> Result<Violations, Stop> {
     let step = case.queries.len().div_ceil(budget.relations.max(1)).max(1);
     let sample: Vec<usize> = (0..case.queries.len()).step_by(step).collect();
     let batches: Vec<QuerySet> = sample
@@ -185,9 +178,9 @@ fn places<P: Predicates>(session: &P, case: &SignCase, budget: Budget, watch: &W
 
 /// Evenly spread queries about the first half of the vertices, in a scene that has no others. (Not
 /// where vertices are constructed, nor where there are two meshes: those scenes are no list of points.)
-fn later_vertices<B: Backend, P: Predicates>(
+fn later_vertices<B: Backend>(
     backend: &B,
-    session: &P,
+    session: &dyn Predicates,
     zeros: Zeros,
     case: &SignCase,
     budget: Budget,

@@ -37,9 +37,9 @@ pub struct Budget {
     pub permutations: usize,
     /// Tuples tried for relations between answers (Grassmann-Plücker, transitivity).
     pub relations: usize,
-    /// Whether all laws are tried that apply: in all planes, of single calls and
-    /// batches, of the scene and its first half; and every mixed relation on
-    /// so many tuples of its own.
+    /// Whether all laws are tried that apply: the relations of circles and
+    /// spheres and the mixed ones too, in all planes, of single calls and
+    /// batches, of the scene and its first half.
     pub thorough: bool,
     /// Broken ties held against explicit infinitesimals.
     pub ties: usize,

@@ -201,7 +201,7 @@ impl QuerySet {
     ///
     /// # Panics
     /// If `out` is not as long as `range`, or `range` reaches past the end.
-    pub fn ask_batch<P: Predicates>(&self, session: &P, range: std::ops::Range<usize>, out: &mut [Sign]) {
+    pub fn ask_batch<P: Predicates + ?Sized>(&self, session: &P, range: std::ops::Range<usize>, out: &mut [Sign]) {
         assert_eq!(range.len(), out.len(), "one place for each answer");
         let arity = self.kind().arity();
         let args = &self.args[range.start * arity..range.end * arity];

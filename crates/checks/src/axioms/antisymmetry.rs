@@ -13,7 +13,7 @@ use super::{Answer, Law, Violation, says_nothing};
 ///
 /// # Panics
 /// If `args` has not exactly as many vertices as the predicate takes.
-pub fn antisymmetry<P: Predicates>(
+pub fn antisymmetry<P: Predicates + ?Sized>(
     session: &P,
     question: Question,
     args: &[Vertex],

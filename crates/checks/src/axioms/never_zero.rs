@@ -9,7 +9,7 @@ use super::{Answer, Law, Violation, are_distinct};
 /// `is_identity` is asked about zeros only: whether the determinant is zero
 /// however the input moves, as that of a vertex and the plane that it was
 /// constructed on is. Such a zero is no tie.
-pub fn never_zero<P: Predicates>(
+pub fn never_zero<P: Predicates + ?Sized>(
     session: &P,
     question: Question,
     args: &[Vertex],

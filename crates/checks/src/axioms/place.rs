@@ -13,7 +13,7 @@ use super::{Answer, Law, Violation};
 /// asked of one line with the last vertices of all queries, sides of one plane.
 ///
 /// The violation has the query twice, alone first.
-pub fn independence_of_place<P: Predicates>(session: &P, queries: &QuerySet) -> Option<Violation> {
+pub fn independence_of_place<P: Predicates + ?Sized>(session: &P, queries: &QuerySet) -> Option<Violation> {
     let question = queries.question();
     let alone: Vec<Sign> = (0..queries.len()).map(|query| question.ask(session, queries.args(query))).collect();
     let batch = |queries: &QuerySet, from: usize| {
@@ -36,7 +36,7 @@ pub fn independence_of_place<P: Predicates>(session: &P, queries: &QuerySet) -> 
 }
 
 /// The first query's line or plane with many points.
-fn beside_one_base<P: Predicates>(session: &P, question: Question, queries: &QuerySet) -> Option<Violation> {
+fn beside_one_base<P: Predicates + ?Sized>(session: &P, question: Question, queries: &QuerySet) -> Option<Violation> {
     let last: Vec<Vertex> = (0..queries.len()).filter_map(|query| queries.args(query).last().copied()).collect();
     let mut out = vec![Sign::Zero; last.len()];
     let base = match (question, queries.args(0)) {
@@ -63,7 +63,7 @@ fn beside_one_base<P: Predicates>(session: &P, question: Question, queries: &Que
 /// (A tolerance is made for the extent of the scene, so a session whose zero is
 /// a band does not promise this.) The violation has the query twice, with the
 /// answer of the session of fewer vertices first.
-pub fn independence_of_later_vertices<P: Predicates, Q: Predicates>(
+pub fn independence_of_later_vertices<P: Predicates + ?Sized, Q: Predicates + ?Sized>(
     fewer: &P,
     all: &Q,
     question: Question,

@@ -10,7 +10,7 @@ use super::{Answer, Law, Violation, says_nothing};
 
 /// Where the reference is not zero, the session has to answer the same. The
 /// second answer of the violation is the reference's.
-pub fn equals_reference<P: Predicates, R: Predicates>(
+pub fn equals_reference<P: Predicates + ?Sized, R: Predicates + ?Sized>(
     session: &P,
     reference: &R,
     question: Question,

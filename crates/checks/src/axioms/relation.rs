@@ -177,7 +177,7 @@ impl Relation {
     ///
     /// # Panics
     /// If there are fewer than [`Relation::vertices`] vertices.
-    pub fn check<P: Predicates>(&self, session: &P, vertices: &[Vertex], zeros: Zeros) -> Option<Violation> {
+    pub fn check<P: Predicates + ?Sized>(&self, session: &P, vertices: &[Vertex], zeros: Zeros) -> Option<Violation> {
         let mut signs = [Sign::Zero; 6];
         for (sign, bracket) in signs.iter_mut().zip(&self.brackets) {
             *sign = bracket.sign;
@@ -196,7 +196,7 @@ impl Relation {
     }
 
     #[cold]
-    fn answers<P: Predicates>(&self, session: &P, vertices: &[Vertex]) -> Vec<Answer> {
+    fn answers<P: Predicates + ?Sized>(&self, session: &P, vertices: &[Vertex]) -> Vec<Answer> {
         let asked = self.brackets.iter().filter_map(|bracket| {
             let question = bracket.question?;
             let places = &bracket.places[..question.kind().arity()];

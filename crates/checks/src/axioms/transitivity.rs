@@ -6,7 +6,7 @@ use super::{Answer, Law, Violation, says_nothing};
 
 /// Whether a, b and c can be put on one line: a ≤ b ≤ c implies a ≤ c, and
 /// a < c if one of the two is strict.
-pub fn transitivity<P: Predicates>(
+pub fn transitivity<P: Predicates + ?Sized>(
     session: &P,
     axis: Axis,
     [a, b, c]: [Vertex; 3],
