@@ -48,6 +48,7 @@ enum Command {
     Resolution(cmd::resolution::Args),
     Parity(cmd::parity::Args),
     Audit(cmd::audit::Args),
+    Laws(cmd::laws::Args),
     Doctor(cmd::doctor::Args),
 }
 
@@ -74,6 +75,7 @@ fn main() -> ExitCode {
         Command::Resolution(args) => cmd::resolution::run(&args),
         Command::Parity(args) => cmd::parity::run(&args),
         Command::Audit(args) => cmd::audit::run(&args),
+        Command::Laws(args) => cmd::laws::run(&args),
         Command::Doctor(args) => cmd::doctor::run(&args),
     })
 }

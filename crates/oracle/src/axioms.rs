@@ -3,13 +3,21 @@
 //! The laws themselves are in the crate `checks`; this file picks which tuples
 //! of a scene are asked. The choice depends on indices only, never on chance
 //! or time, so a finding comes back in every run.
+//!
+//! That ties are broken at all, and no sign changed, is seen when every query
+//! is held against the truth, so those two laws are not asked again.
 
-use predicament_checks::axioms::{Violation, antisymmetry, grassmann_plucker2, grassmann_plucker3, transitivity};
-use predicament_predicates::{Contract, PredicateKind, Predicates, Question, Vertex};
+use predicament_checks::axioms::{
+    Law, Relation, Violation, Zeros, antisymmetry, independence_of_later_vertices, independence_of_place, relations,
+    transitivity,
+};
+use predicament_predicates::{
+    Axis, Backend, Contract, Dimension, Off, Plane, Predicates, QuerySet, Question, Scene, Vertex, ZeroMeaning,
+};
 use rayon::prelude::*;
 
 use crate::outcome::Finding;
-use crate::signs::{Budget, SignCase, class_of, describe};
+use crate::signs::{Budget, SignCase, class_of};
 use crate::{Class, ClassCounts, Stop, Watch};
 
 /// What the laws found: all is counted, the first violations are kept. There can be millions.
@@ -26,7 +34,8 @@ pub(crate) struct Violations {
 /// Queries or tuples to a chunk of the sample.
 const CHUNK: usize = 256;
 
-pub(crate) fn check<P: Predicates>(
+pub(crate) fn check<B: Backend, P: Predicates>(
+    backend: &B,
     session: &P,
     contract: Contract,
     case: &SignCase,
@@ -34,7 +43,12 @@ pub(crate) fn check<P: Predicates>(
     watch: &Watch,
 ) -> Result<Violations, Stop> {
     let mut found = orders(session, contract, case, budget, watch)?;
-    found.merge(relations(session, contract, case, budget, watch)?, budget);
+    let zeros = Zeros::promised(|kind| backend.contract(kind));
+    found.merge(related(session, zeros, case, budget, watch)?, budget);
+    if budget.thorough {
+        found.merge(places(session, case, budget, watch)?, budget);
+        found.merge(later_vertices(backend, session, zeros, case, budget, watch)?, budget);
+    }
     Ok(found)
 }
 
@@ -62,7 +76,7 @@ impl Violations {
     pub fn findings(&self) -> impl Iterator<Item = Finding> {
         self.first.iter().map(|violation| {
             let answers = &violation.answers;
-            let queries: Vec<_> = answers.iter().map(|answer| describe(violation.question, &answer.args)).collect();
+            let queries: Vec<_> = answers.iter().map(|answer| answer.question.describe(&answer.args)).collect();
             Finding {
                 class: Class::Inconsistent,
                 check: violation.law.name().to_owned(),
@@ -96,34 +110,98 @@ fn orders<P: Predicates>(
     })
 }
 
-/// Three-term relations and transitivity on evenly spread tuples of vertices.
-fn relations<P: Predicates>(
-    session: &P,
-    contract: Contract,
+/// Transitivity and the three-term relations on evenly spread tuples of vertices; in
+/// a hurry only those of comparisons and orientations by themselves.
+fn related(
+    session: &dyn Predicates,
+    zeros: Zeros,
     case: &SignCase,
     budget: Budget,
     watch: &Watch,
 ) -> Result<Violations, Stop> {
-    let question = case.queries.question();
-    let size = match question.kind() {
-        PredicateKind::Compare => 3,
-        PredicateKind::Orient2d => 5,
-        PredicateKind::Orient3d => 6,
-        PredicateKind::Incircle | PredicateKind::Insphere => return Ok(Violations::default()),
-    };
-    let sample = tuples(case, size, budget.relations);
-    in_chunks(&sample, budget, watch, |tuple| {
-        let violation = match (question, tuple.as_slice()) {
-            (Question::Compare(axis), &[a, b, c]) => transitivity(session, axis, [a, b, c], contract.zero),
-            (Question::Orient2d(plane), &[x, a, b, c, d]) => {
-                grassmann_plucker2(session, plane, x, [a, b, c, d], contract.zero)
-            }
-            (Question::Orient3d, &[x, y, a, b, c, d]) => {
-                grassmann_plucker3(session, [x, y], [a, b, c, d], contract.zero)
-            }
-            _ => None,
-        };
-        violation.map(|violation| (None, violation))
+    let mut found = Violations::default();
+    let asked = asked(case, budget.thorough);
+    for question in asked {
+        if let Question::Compare(axis) = question {
+            let sample = tuples(case, 3, budget.relations);
+            found.merge(
+                in_chunks(&sample, budget, watch, |tuple| {
+                    let &[a, b, c] = tuple.as_slice() else { return None };
+                    transitivity(session, axis, [a, b, c], zeros.of(question.kind())).map(|violation| (None, violation))
+                })?,
+                budget,
+            );
+        }
+        let lifted = matches!(question, Question::Incircle | Question::Insphere);
+        let wanted = |relation: &Relation| budget.thorough || (!lifted && relation.law() == Law::GrassmannPlucker);
+        for relation in relations(question).into_iter().filter(wanted) {
+            let supported = relation.questions().all(|question| session.supports(question.kind()).is_ok());
+            let sample = if supported { tuples(case, relation.vertices(), budget.relations) } else { Vec::new() };
+            let look = |tuple: &Vec<Vertex>| relation.check(session, tuple, zeros).map(|violation| (None, violation));
+            found.merge(in_chunks(&sample, budget, watch, look)?, budget);
+        }
+    }
+    Ok(found)
+}
+
+/// The scene's own question; with plenty of time also the same along the other axes and in the other planes.
+fn asked(case: &SignCase, thorough: bool) -> Vec<Question> {
+    let own = case.queries.question();
+    let axes = [Axis::X, Axis::Y, Axis::Z];
+    match (own, case.scene.dimension()) {
+        (Question::Compare(_), dimension) if thorough => {
+            axes.into_iter().take(dimension.count()).map(Question::Compare).collect()
+        }
+        (Question::Orient2d(_), Dimension::Three) if thorough => {
+            [Plane::Xy, Plane::Yz, Plane::Zx].map(Question::Orient2d).into()
+        }
+        _ => vec![own],
+    }
+}
+
+/// Queries to a batch in which each is asked: not a multiple of what any batch takes at a time.
+const BATCH: usize = 61;
+
+/// Evenly spread queries alone and in batches.
+fn places(session: &dyn Predicates, case: &SignCase, budget: Budget, watch: &Watch) -> Result<Violations, Stop> {
+    let step = case.queries.len().div_ceil(budget.relations.max(1)).max(1);
+    let sample: Vec<usize> = (0..case.queries.len()).step_by(step).collect();
+    let batches: Vec<QuerySet> = sample
+        .chunks(BATCH)
+        .map(|queries| {
+            let args = queries.iter().flat_map(|&query| case.queries.args(query)).copied().collect();
+            QuerySet::new(case.queries.question(), args)
+        })
+        .collect();
+    in_chunks(&batches, budget, watch, |batch| independence_of_place(session, batch).map(|violation| (None, violation)))
+}
+
+/// Evenly spread queries about the first half of the vertices, in a scene that has no others. (Not
+/// where vertices are constructed, nor where there are two meshes: those scenes are no list of points.)
+fn later_vertices<B: Backend>(
+    backend: &B,
+    session: &dyn Predicates,
+    zeros: Zeros,
+    case: &SignCase,
+    budget: Budget,
+    watch: &Watch,
+) -> Result<Violations, Stop> {
+    let (scene, question) = (case.scene, case.queries.question());
+    let listed = scene.constructions().is_empty() && scene.second_mesh().is_none();
+    let half = scene.len().div_ceil(2);
+    let coordinates = scene.coordinates()[..half * scene.dimension().count()].to_vec();
+    let first = Scene::new(scene.dimension(), coordinates).ok();
+    let first = first.filter(|_| listed && zeros.of(question.kind()) != ZeroMeaning::Band);
+    let Some(first) = first else { return Ok(Violations::default()) };
+    let Ok(fewer) = backend.prepare(&first, Off) else { return Ok(Violations::default()) };
+    let within: Vec<&[Vertex]> = (0..case.queries.len())
+        .map(|query| case.queries.args(query))
+        .filter(|args| args.iter().all(|v| v.index() < half))
+        .collect();
+    let step = within.len().div_ceil(budget.relations.max(1)).max(1);
+    let sample: Vec<&[Vertex]> = within.into_iter().step_by(step).collect();
+    in_chunks(&sample, budget, watch, |args| {
+        independence_of_later_vertices(&fewer, session, question, args).map(|violation| (None, violation))
     })
 }
 

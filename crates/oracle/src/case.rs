@@ -10,7 +10,7 @@ use crate::contacts::ContactsCase;
 use crate::cubes::CubesCase;
 use crate::interval::IntervalCase;
 use crate::locate::LocateCase;
-use crate::signs::{self, Budget, SignCase, describe};
+use crate::signs::{self, Budget, SignCase};
 use crate::{Class, Contestant, Outcome, Stop, Watch};
 
 /// A scene with the truth about it.
@@ -97,7 +97,7 @@ impl<'a> Case<'a> {
         let &first = wrong.peek()?;
         let first = format!(
             "{} at query {first}: the data say {}, the judge {}",
-            describe(queries.question(), queries.args(first)),
+            queries.question().describe(queries.args(first)),
             expected[first],
             signs[first]
         );
@@ -130,7 +130,8 @@ impl<'a> Case<'a> {
     }
 }
 
-fn message(payload: &(dyn Any + Send)) -> String {
+/// What a panic said, in one line.
+pub(crate) fn message(payload: &(dyn Any + Send)) -> String {
     let text = payload.downcast_ref::<&str>().map(ToString::to_string);
     let text = text.or_else(|| payload.downcast_ref::<String>().cloned());
     text.unwrap_or_else(|| "no message".to_owned()).replace('\n', " ")

@@ -59,6 +59,15 @@ pub trait Contestant: Sync {
     /// [`Stop`] where the watch says so.
     fn run_contacts(&self, case: &ContactsCase, budget: Budget, watch: &Watch) -> Result<Outcome, Stop>;
 
+    /// Prepares a scene and hands the session over, where what is asked need not be fast.
+    ///
+    /// # Errors
+    /// The reason, where the backend declines; then nobody is handed anything.
+    fn with_session(&self, scene: &Scene, ask: &mut dyn FnMut(&dyn Predicates)) -> Result<(), String>;
+
+    /// The independent judge of how it breaks ties, if it does.
+    fn tie_judge(&self) -> Option<&TieJudge>;
+
     /// All answers to a query set, in order.
     ///
     /// # Errors
@@ -214,6 +223,16 @@ impl<B: Backend> Contestant for Entry<B> {
 
     fn run_contacts(&self, case: &ContactsCase, budget: Budget, watch: &Watch) -> Result<Outcome, Stop> {
         contacts::run(&self.backend, self.tie_judge.as_deref(), case, budget, watch)
+    }
+
+    fn with_session(&self, scene: &Scene, ask: &mut dyn FnMut(&dyn Predicates)) -> Result<(), String> {
+        let session = self.backend.prepare(scene, Off).map_err(|declined| declined.to_string())?;
+        ask(&session);
+        Ok(())
+    }
+
+    fn tie_judge(&self) -> Option<&TieJudge> {
+        self.tie_judge.as_deref()
     }
 
     fn answers(&self, scene: &Scene, queries: &QuerySet) -> Result<Vec<Sign>, String> {

@@ -4,7 +4,9 @@
 //! made of the real backends' own parts with one part wrong, claims the real
 //! contract, and has to be caught by `selftest` on the embedded corpora.
 
+mod colliding;
 mod contacts;
+mod ties;
 
 use predicament_arithmetic::{Fixed, Plan, units};
 use predicament_controls::Shewchuk;
@@ -14,7 +16,7 @@ use predicament_predicates::{
     Axis, Backend, Band, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally,
     Vertex, ZeroMeaning,
 };
-use predicament_sos::{Scheme, Sos, Term, infinitesimal, ties};
+use predicament_sos::{Scheme, Sos, infinitesimal};
 use predicament_tolerance::Tolerance;
 
 use crate::{Contestant, Entry};
@@ -29,8 +31,15 @@ pub enum Fault {
     SosDroppedParity,
     /// SoS that perturbs by the place in the argument list, not by identity.
     SosPlaceAsIdentity,
+    /// SoS that forgets that parity where the last term decides, which is a constant.
+    SosDroppedLastParity,
     /// SoS that gives up after the first-order terms and calls the rest zero.
     SosFirstOrderOnly,
+    /// SoS that gives up after the first-order terms and goes by the order of the vertices.
+    SosFirstOrderThenParity,
+    /// SoS that lifts points moved by ε^(2^i) again, where squares of infinitesimals collide
+    /// with others, and takes terms of equal power one after the other.
+    SosCollidingLift,
     /// Exact, with the bound of the floating-point filter halved.
     ExactHalvedFilter,
     /// Exact, with integers of one limb where differences need two.
@@ -63,11 +72,14 @@ pub enum Fault {
 
 impl Fault {
     /// All of them.
-    pub const ALL: [Fault; 18] = [
+    pub const ALL: [Fault; 21] = [
         Fault::SosSwappedTerm,
         Fault::SosDroppedParity,
         Fault::SosPlaceAsIdentity,
+        Fault::SosDroppedLastParity,
         Fault::SosFirstOrderOnly,
+        Fault::SosFirstOrderThenParity,
+        Fault::SosCollidingLift,
         Fault::ExactHalvedFilter,
         Fault::ExactOneLimb,
         Fault::ExactUnguarded,
@@ -91,7 +103,10 @@ impl Fault {
             Fault::SosSwappedTerm => "sos-swapped-term",
             Fault::SosDroppedParity => "sos-dropped-parity",
             Fault::SosPlaceAsIdentity => "sos-place-as-identity",
+            Fault::SosDroppedLastParity => "sos-dropped-last-parity",
             Fault::SosFirstOrderOnly => "sos-first-order-only",
+            Fault::SosFirstOrderThenParity => "sos-first-order-then-parity",
+            Fault::SosCollidingLift => "sos-colliding-lift",
             Fault::ExactHalvedFilter => "exact-halved-filter",
             Fault::ExactOneLimb => "exact-one-limb",
             Fault::ExactUnguarded => "exact-unguarded",
@@ -116,7 +131,10 @@ impl Fault {
             Fault::SosSwappedTerm => "the sign of the third term of every list swapped",
             Fault::SosDroppedParity => "ties sorted by vertex, the parity of sorting forgotten",
             Fault::SosPlaceAsIdentity => "perturbed by place in the argument list, not by identity",
+            Fault::SosDroppedLastParity => "the parity of sorting forgotten where the last term decides",
             Fault::SosFirstOrderOnly => "only terms that move one coordinate are looked at",
+            Fault::SosFirstOrderThenParity => "those, and what they leave open goes by the order of the vertices",
+            Fault::SosCollidingLift => "points moved by eps^(2^i) lifted again, terms of equal power in a row",
             Fault::ExactHalvedFilter => "the floating-point filter's bound halved",
             Fault::ExactOneLimb => "integers of one limb used where differences need two",
             Fault::ExactUnguarded => "adaptive floating point used where it underflows or overflows",
@@ -139,7 +157,10 @@ impl Fault {
             Fault::SosSwappedTerm
             | Fault::SosDroppedParity
             | Fault::SosPlaceAsIdentity
+            | Fault::SosDroppedLastParity
             | Fault::SosFirstOrderOnly
+            | Fault::SosFirstOrderThenParity
+            | Fault::SosCollidingLift
             | Fault::CompareGreaterOnTies => ZeroMeaning::Never,
             Fault::ExactHalvedFilter
             | Fault::ExactOneLimb
@@ -234,10 +255,13 @@ impl Session<'_> {
             Fault::SosSwappedTerm
             | Fault::SosDroppedParity
             | Fault::SosPlaceAsIdentity
+            | Fault::SosDroppedLastParity
             | Fault::SosFirstOrderOnly
+            | Fault::SosFirstOrderThenParity
+            | Fault::SosCollidingLift
             | Fault::CompareGreaterOnTies => {
                 if exact.is_zero() {
-                    self.break_tie(question, args)
+                    ties::break_tie(self.fault, &self.exact, question, args)
                 } else {
                     exact
                 }
@@ -267,30 +291,6 @@ impl Session<'_> {
             | Fault::ToleranceAsPrinted
             | Fault::ToleranceMirroredWeight => exact,
         }
-    }
-
-    fn break_tie<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
-        let Some(sorted) = ties::Sorted::new(args) else { return Sign::Zero };
-        let terms = Scheme::PerCoordinate.terms(question.kind());
-        let decide = |terms: &[Term], rows: &[Vertex]| ties::decide(&self.exact, question, terms, rows);
-        let decided = match self.fault {
-            Fault::SosSwappedTerm => {
-                let mut terms = terms.to_vec();
-                if let Some(term) = terms.get_mut(2) {
-                    term.sign = -term.sign;
-                }
-                decide(&terms, &sorted.vertices).map(|(sign, _)| sign * sorted.parity)
-            }
-            Fault::SosDroppedParity => decide(terms, &sorted.vertices).map(|(sign, _)| sign),
-            Fault::SosPlaceAsIdentity => decide(terms, &args).map(|(sign, _)| sign),
-            Fault::SosFirstOrderOnly => {
-                // A term that moves one coordinate keeps all rows but one.
-                let first: Vec<Term> = terms.iter().filter(|term| term.rows.len() + 1 == N).copied().collect();
-                decide(&first, &sorted.vertices).map(|(sign, _)| sign * sorted.parity)
-            }
-            _ => decide(terms, &sorted.vertices).map(|(sign, _)| sign * sorted.parity),
-        };
-        decided.unwrap_or(Sign::Zero)
     }
 
     fn half_filtered(&self, question: Question, args: &[Vertex]) -> Option<Sign> {

@@ -6,6 +6,7 @@
 //! * [`classify`]: what becomes of an answer; [`expect`]: which findings are expected.
 //! * [`audit`]: the tolerance paper's algorithms at their thresholds, one by one.
 //! * [`parity`]: closed curves that cross an odd number of times, by search; [`shrink`]: the smallest of them.
+//! * [`laws`]: the laws of predicates on tuples by the million.
 //! * [`resolution`]: what tolerances cost in resolution.
 //! * [`roster`]: all backends by name; [`faults`]: wrong ones that have to be caught.
 
@@ -16,6 +17,7 @@ pub mod expect;
 pub mod faults;
 pub mod interval;
 pub mod judge;
+pub mod laws;
 pub mod locate;
 pub mod parity;
 pub mod resolution;

@@ -8,7 +8,7 @@ use rug::Rational;
 
 use crate::axioms;
 use crate::error::{distance_over_l, largest_edge};
-use crate::outcome::{Finding, Outcome, ids, symbol};
+use crate::outcome::{Finding, Outcome, symbol};
 use crate::{Class, ClassCounts, Stop, Watch, classify, judge, prepared};
 
 /// Queries to a chunk: small enough to stop soon, large enough to cost nothing.
@@ -37,16 +37,21 @@ pub struct Budget {
     pub permutations: usize,
     /// Tuples tried for relations between answers (Grassmann-Plücker, transitivity).
     pub relations: usize,
+    /// Whether all laws are tried that apply: the relations of circles and
+    /// spheres and the mixed ones too, in all planes, of single calls and
+    /// batches, of the scene and its first half.
+    pub thorough: bool,
     /// Broken ties held against explicit infinitesimals.
     pub ties: usize,
 }
 
 impl Budget {
     /// Seconds for all embedded corpora: samples only.
-    pub const QUICK: Budget = Budget { findings_per_class: 25, permutations: 5_000, relations: 500, ties: 50 };
+    pub const QUICK: Budget =
+        Budget { findings_per_class: 25, permutations: 5_000, relations: 500, thorough: false, ties: 50 };
     /// Every permutation of every query up to 24 million evaluations a scene.
     pub const FULL: Budget =
-        Budget { findings_per_class: 25, permutations: 24_000_000, relations: 50_000, ties: 2_000 };
+        Budget { findings_per_class: 25, permutations: 24_000_000, relations: 50_000, thorough: true, ties: 2_000 };
 }
 
 /// The sign of a perturbed scene, for backends that break ties: computed in
@@ -69,7 +74,7 @@ pub fn truth(scene: &Scene, queries: &QuerySet, watch: &Watch) -> Result<Vec<Sig
             *sign = judge::sign(scene, question, args);
             if query.is_multiple_of(TWICE) {
                 let again = judge::verdict(scene, question, args).sign();
-                assert_eq!(*sign, again, "the judge contradicts itself: {}", describe(question, args));
+                assert_eq!(*sign, again, "the judge contradicts itself: {}", question.describe(args));
             }
         }
         watch.done(signs.len() as u64)
@@ -132,7 +137,7 @@ pub fn run<B: Backend>(
         let describe = Describe::new(backend, case);
         findings.extend(raw.iter().map(|raw| describe.finding(raw)));
     }
-    let violations = axioms::check(&session, contract, case, budget, watch)?;
+    let violations = axioms::check(backend, &session, contract, case, budget, watch)?;
     for class in Class::ALL {
         counts_by_class.reclassify(class, Class::Inconsistent, violations.moved.get(class));
     }
@@ -255,7 +260,7 @@ impl<'a, B: Backend> Describe<'a, B> {
         Finding {
             class: raw.class,
             check: raw.check.to_owned(),
-            query: describe(question, args),
+            query: question.describe(args),
             got: symbol(raw.got),
             truth: symbol(raw.truth),
             log2_relative_det: judge::log2_relative(&verdict),
@@ -268,17 +273,6 @@ impl<'a, B: Backend> Describe<'a, B> {
 /// The nearest double or infinity: for display.
 fn nearest(x: &Rational) -> f64 {
     x.to_f64()
-}
-
-/// A query as text: `orient2d(xy; 0 1 2)`.
-#[must_use]
-pub fn describe(question: Question, args: &[Vertex]) -> String {
-    let detail = match question {
-        Question::Compare(axis) => format!("{axis:?}; ").to_lowercase(),
-        Question::Orient2d(plane) => format!("{plane:?}; ").to_lowercase(),
-        Question::Orient3d | Question::Incircle | Question::Insphere => String::new(),
-    };
-    format!("{}({detail}{})", question.kind(), ids(args))
 }
 
 /// The stage that settles a query, by asking it alone.

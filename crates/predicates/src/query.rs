@@ -119,6 +119,18 @@ impl Question {
             _ => panic!("{} takes {} vertices, not {}", self.kind(), self.kind().arity(), args.len()),
         }
     }
+
+    /// A query as text: `orient2d(xy; 0 1 2)`.
+    #[must_use]
+    pub fn describe(self, args: &[Vertex]) -> String {
+        let detail = match self {
+            Question::Compare(axis) => format!("{axis:?}; ").to_lowercase(),
+            Question::Orient2d(plane) => format!("{plane:?}; ").to_lowercase(),
+            Question::Orient3d | Question::Incircle | Question::Insphere => String::new(),
+        };
+        let ids: Vec<String> = args.iter().map(ToString::to_string).collect();
+        format!("{}({detail}{})", self.kind(), ids.join(" "))
+    }
 }
 
 /// Many queries of one kind, their vertices in one flat array.
@@ -189,7 +201,7 @@ impl QuerySet {
     ///
     /// # Panics
     /// If `out` is not as long as `range`, or `range` reaches past the end.
-    pub fn ask_batch<P: Predicates>(&self, session: &P, range: std::ops::Range<usize>, out: &mut [Sign]) {
+    pub fn ask_batch<P: Predicates + ?Sized>(&self, session: &P, range: std::ops::Range<usize>, out: &mut [Sign]) {
         assert_eq!(range.len(), out.len(), "one place for each answer");
         let arity = self.kind().arity();
         let args = &self.args[range.start * arity..range.end * arity];

@@ -6,6 +6,7 @@ pub mod bounds;
 pub mod corpus;
 pub mod doctor;
 pub mod gate;
+pub mod laws;
 pub mod map;
 pub mod parity;
 pub mod replay;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use predicament_corpus::{Level, LoadedScene, Task, hexfloat};
-use predicament_oracle::{Case, Contestant, Truth, Watch, judge, signs};
+use predicament_oracle::{Case, Contestant, Truth, Watch, judge};
 use predicament_predicates::{Axis, Plane, Question, Vertex};
 use predicament_report::{FindingRow, RunDir};
 
@@ -114,7 +114,7 @@ fn load(run: &RunDir, finding: &FindingRow, args: &Args) -> Result<LoadedScene, 
     Ok(loaded)
 }
 
-/// Reads a query as [`signs::describe`] writes it.
+/// Reads a query as [`Question::describe`](predicament_predicates::Question::describe) writes it.
 fn parse(query: &str) -> Result<(Question, Vec<Vertex>), Failure> {
     let bad = || Failure::usage(format!("`{query}` is no query; the run's findings.csv was changed"));
     let (kind, rest) = query.strip_suffix(')').and_then(|text| text.split_once('(')).ok_or_else(bad)?;
@@ -172,7 +172,7 @@ fn ask_sign(loaded: &LoadedScene, question: Question, ids: &[Vertex], backends: 
             Err(why) => println!("  {:<24} {why}", backend.name()),
         }
     }
-    println!("  query: {}", signs::describe(question, ids));
+    println!("  query: {}", question.describe(ids));
 }
 
 /// Works out the truth about the scene again.
@@ -240,7 +240,7 @@ mod tests {
             Question::Insphere,
         ] {
             let ids = &ids[..question.kind().arity()];
-            let (parsed, parsed_ids) = parse(&signs::describe(question, ids)).unwrap();
+            let (parsed, parsed_ids) = parse(&question.describe(ids)).unwrap();
             assert_eq!((parsed, parsed_ids.as_slice()), (question, ids));
         }
         for broken in [

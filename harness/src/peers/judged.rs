@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Once;
 
-use predicament_oracle::signs::{Budget, describe};
+use predicament_oracle::signs::Budget;
 use predicament_oracle::{Class, Finding, Outcome, Stopwatch, classify, digest_of, judge};
 use predicament_predicates::{Question, Scene, Sign, Vertex, ZeroMeaning};
 
@@ -71,7 +71,7 @@ impl Judged<'_> {
         Finding {
             class,
             check: "sign".to_owned(),
-            query: describe(self.question, args),
+            query: self.question.describe(args),
             got: got.map_or_else(|| "panic".to_owned(), |sign| sign.to_string()),
             truth: truth.to_string(),
             log2_relative_det: judge::log2_relative(&judge::verdict(self.scene, self.question, args)),

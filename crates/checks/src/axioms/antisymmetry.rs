@@ -13,7 +13,7 @@ use super::{Answer, Law, Violation, says_nothing};
 ///
 /// # Panics
 /// If `args` has not exactly as many vertices as the predicate takes.
-pub fn antisymmetry<P: Predicates>(
+pub fn antisymmetry<P: Predicates + ?Sized>(
     session: &P,
     question: Question,
     args: &[Vertex],
@@ -28,10 +28,10 @@ pub fn antisymmetry<P: Predicates>(
         }
         // Vectors are made for the first answer and for violations only.
         match &reference {
-            None => reference = Some((Answer { args: args.to_vec(), sign }, sign * parity)),
+            None => reference = Some((Answer { question, args: args.to_vec(), sign }, sign * parity)),
             Some((first, even)) if sign * parity != *even => {
-                let answers = vec![first.clone(), Answer { args: args.to_vec(), sign }];
-                violations.push(Violation { law: Law::Antisymmetry, question, answers });
+                let answers = vec![first.clone(), Answer { question, args: args.to_vec(), sign }];
+                violations.push(Violation { law: Law::Antisymmetry, answers });
             }
             Some(_) => {}
         }

@@ -6,6 +6,13 @@
 //! relations, the axioms of a chirotope. A session that breaks one of them
 //! answers about no point set at all.
 //!
+//! * [`antisymmetry`], [`transitivity`], [`never_zero`]: within one predicate.
+//! * [`Relation`]: Grassmann-Plücker relations, within one predicate or, through
+//!   points at infinity, between a predicate and those of fewer dimensions.
+//! * [`independence_of_place`], [`independence_of_later_vertices`]: an answer
+//!   belongs to its vertices, not to what else is asked or is in the scene.
+//! * [`equals_reference`]: the one law here that needs the truth.
+//!
 //! # What a zero counts for
 //! * [`ZeroMeaning::Exact`] and [`ZeroMeaning::Never`]: a zero is a sign like
 //!   the others, that of a determinant which vanishes. (A session that breaks
@@ -15,41 +22,101 @@
 //!   break no law, and a law is checked only between answers that are signs.
 
 mod antisymmetry;
-mod plucker;
+mod never_zero;
+mod place;
+mod reference;
+mod relation;
 mod transitivity;
 
 pub use antisymmetry::{antisymmetry, each_order};
-pub use plucker::{grassmann_plucker2, grassmann_plucker3};
+pub use never_zero::never_zero;
+pub use place::{independence_of_later_vertices, independence_of_place};
+pub use reference::equals_reference;
+pub use relation::{Direction, Relation, relations};
 pub use transitivity::transitivity;
 
-use predicament_predicates::{Question, Sign, Vertex, ZeroMeaning};
+use predicament_predicates::{Contract, PredicateKind, Question, Sign, Vertex, ZeroMeaning};
 
 /// Which law is broken.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Law {
+    /// A session that breaks ties answers zero for no distinct vertices.
+    NeverZero,
     /// A permutation of the arguments multiplies the sign by its parity.
     Antisymmetry,
-    /// The three-term Grassmann-Plücker relation.
-    GrassmannPlucker,
     /// The order along an axis is transitive.
     Transitivity,
+    /// The three-term Grassmann-Plücker relation of one predicate.
+    GrassmannPlucker,
+    /// The same with points at infinity, which ties a predicate to those of fewer dimensions.
+    MixedGrassmannPlucker,
+    /// An answer does not depend on what is asked beside it.
+    Place,
+    /// An answer does not depend on vertices that come after its own.
+    LaterVertices,
+    /// The exact sign, where that is not zero.
+    Reference,
 }
 
 impl Law {
+    /// All of them, in the order of reports.
+    pub const ALL: [Law; 8] = [
+        Law::NeverZero,
+        Law::Antisymmetry,
+        Law::Transitivity,
+        Law::GrassmannPlucker,
+        Law::MixedGrassmannPlucker,
+        Law::Place,
+        Law::LaterVertices,
+        Law::Reference,
+    ];
+
     /// The name used in CSV files and reports.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
+            Law::NeverZero => "never-zero",
             Law::Antisymmetry => "antisymmetry",
-            Law::GrassmannPlucker => "grassmann-plucker",
             Law::Transitivity => "transitivity",
+            Law::GrassmannPlucker => "grassmann-plucker",
+            Law::MixedGrassmannPlucker => "mixed-grassmann-plucker",
+            Law::Place => "independence-of-place",
+            Law::LaterVertices => "independence-of-later-vertices",
+            Law::Reference => "equals-exact",
         }
+    }
+}
+
+/// What a session means by zero, predicate by predicate.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Zeros([ZeroMeaning; PredicateKind::ALL.len()]);
+
+impl Zeros {
+    /// As the contracts of a backend say.
+    #[must_use]
+    pub fn promised(contract: impl Fn(PredicateKind) -> Contract) -> Zeros {
+        Zeros(PredicateKind::ALL.map(|kind| contract(kind).zero))
+    }
+
+    /// The meaning of a zero of this predicate.
+    #[must_use]
+    pub fn of(self, kind: PredicateKind) -> ZeroMeaning {
+        self.0[kind.index()]
+    }
+}
+
+/// The same for all predicates.
+impl From<ZeroMeaning> for Zeros {
+    fn from(zero: ZeroMeaning) -> Zeros {
+        Zeros([zero; PredicateKind::ALL.len()])
     }
 }
 
 /// One query with the answer it got.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Answer {
+    /// What was asked.
+    pub question: Question,
     /// The arguments, in the order in which they were given.
     pub args: Vec<Vertex>,
     /// What the session said.
@@ -61,8 +128,6 @@ pub struct Answer {
 pub struct Violation {
     /// The law they break.
     pub law: Law,
-    /// What was asked.
-    pub question: Question,
     /// The queries that can't all be right.
     pub answers: Vec<Answer>,
 }
@@ -70,10 +135,9 @@ pub struct Violation {
 impl std::fmt::Display for Violation {
     /// One line: the law, and each query with its answer.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} broken by {}", self.law.name(), self.question.kind())?;
-        for (at, Answer { args, sign }) in self.answers.iter().enumerate() {
-            let args: Vec<String> = args.iter().map(ToString::to_string).collect();
-            write!(f, "{} ({}) = {sign}", if at == 0 { ":" } else { "," }, args.join(" "))?;
+        write!(f, "{} broken", self.law.name())?;
+        for (at, Answer { question, args, sign }) in self.answers.iter().enumerate() {
+            write!(f, "{} {} = {sign}", if at == 0 { ":" } else { "," }, question.describe(args))?;
         }
         Ok(())
     }
@@ -82,4 +146,9 @@ impl std::fmt::Display for Violation {
 /// Whether a zero says nothing, so that no law can be read off it.
 fn says_nothing(sign: Sign, zero: ZeroMeaning) -> bool {
     zero == ZeroMeaning::Band && sign.is_zero()
+}
+
+/// Whether no vertex comes twice.
+fn are_distinct(args: &[Vertex]) -> bool {
+    args.iter().enumerate().all(|(at, v)| !args[..at].contains(v))
 }

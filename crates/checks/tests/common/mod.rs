@@ -32,6 +32,12 @@ pub enum Fault {
     TiesByParity,
     /// Everything within this distance of zero is zero, without a promise.
     Epsilon(f64),
+    /// The last answer of a batch of turns is the opposite of what it is alone.
+    LastOfBatch,
+    /// The first point beside a line is taken for on the other side.
+    FirstOfLine,
+    /// Ties are broken by the number of vertices that come after the first argument.
+    CountedFromTheEnd,
 }
 
 fn sorted<const N: usize>(args: [Vertex; N]) -> [usize; N] {
@@ -78,8 +84,25 @@ impl<P: Predicates> Predicates for Faulty<P> {
                 let sum = a.index() + b.index() + c.index();
                 if sum.is_multiple_of(2) { Sign::Positive } else { Sign::Negative }
             }
+            Fault::CountedFromTheEnd if self.plain(plane, [a, b, c]) == 0.0 => {
+                if (self.scene().len() - a.index()).is_multiple_of(3) { -sign } else { sign }
+            }
             Fault::Epsilon(eps) if self.plain(plane, [a, b, c]).abs() < eps => Sign::Zero,
             _ => self.break_tie(sign),
+        }
+    }
+
+    fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
+        self.inner.orient2d_batch(plane, queries, out);
+        if let (Fault::LastOfBatch, Some(last)) = (self.fault, out.last_mut()) {
+            *last = -*last;
+        }
+    }
+
+    fn orient2d_line(&self, plane: Plane, line: [Vertex; 2], points: &[Vertex], out: &mut [Sign]) {
+        self.inner.orient2d_line(plane, line, points, out);
+        if let (Fault::FirstOfLine, Some(first)) = (self.fault, out.first_mut()) {
+            *first = -*first;
         }
     }
 
@@ -97,6 +120,38 @@ impl<P: Predicates> Predicates for Faulty<P> {
 
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
         self.break_tie(self.inner.insphere(a, b, c, d, e))
+    }
+}
+
+/// Comparisons and orientations of one session, circles and spheres of another.
+pub struct Patched<'a, P, Q> {
+    pub sides: &'a P,
+    pub circles: &'a Q,
+}
+
+impl<P: Predicates, Q: Predicates> Predicates for Patched<'_, P, Q> {
+    fn scene(&self) -> &Scene {
+        self.sides.scene()
+    }
+
+    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        self.sides.compare(axis, a, b)
+    }
+
+    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        self.sides.orient2d(plane, a, b, c)
+    }
+
+    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.sides.orient3d(a, b, c, d)
+    }
+
+    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.circles.incircle(a, b, c, d)
+    }
+
+    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
+        self.circles.insphere(a, b, c, d, e)
     }
 }
 

@@ -136,7 +136,7 @@ fn rows(scene: &Scene, question: Question, args: &[Vertex]) -> Vec<Vec<Rational>
 }
 
 /// Laplace expansion along the first column: the definition, term by term.
-fn determinant(rows: &[Vec<Rational>]) -> Rational {
+pub(crate) fn determinant(rows: &[Vec<Rational>]) -> Rational {
     expand(rows, 0, &mut (0..rows.len()).collect::<Vec<_>>(), &|term, odd| if odd { -term } else { term })
 }
 

@@ -1,0 +1,25 @@
+//! Sessions that promise to break every tie.
+
+use predicament_predicates::{Predicates, Question, Vertex, ZeroMeaning};
+
+use super::{Answer, Law, Violation, are_distinct};
+
+/// A zero for distinct vertices, from a session that promises none.
+///
+/// `is_identity` is asked about zeros only: whether the determinant is zero
+/// however the input moves, as that of a vertex and the plane that it was
+/// constructed on is. Such a zero is no tie.
+pub fn never_zero<P: Predicates + ?Sized>(
+    session: &P,
+    question: Question,
+    args: &[Vertex],
+    zero: ZeroMeaning,
+    is_identity: impl FnOnce(&[Vertex]) -> bool,
+) -> Option<Violation> {
+    if zero != ZeroMeaning::Never || !are_distinct(args) {
+        return None;
+    }
+    let sign = question.ask(session, args);
+    let broken = sign.is_zero() && !is_identity(args);
+    broken.then(|| Violation { law: Law::NeverZero, answers: vec![Answer { question, args: args.to_vec(), sign }] })
+}

@@ -1,0 +1,391 @@
+//! The three-term Grassmann-Plücker relations, also through points at infinity.
+//!
+//! A predicate of r vertices is the determinant, the *bracket*, of r vectors:
+//! the rows (coordinates, lift, 1) of the vertices, with the columns that the
+//! predicate looks at. With x standing for r − 2 vectors that all six share,
+//!
+//! \[x a b\]\[x c d\] − \[x a c\]\[x b d\] + \[x a d\]\[x b c\] = 0.
+//!
+//! Three numbers that add up to zero are all zero, or two of them have opposite
+//! signs. That much can be said of signs alone.
+//!
+//! # Points at infinity
+//! A vector need not be a vertex. The unit vector of a column, the point at
+//! infinity in that direction, strikes its row and its column from a bracket,
+//! and what is left is the bracket of a predicate of fewer dimensions:
+//!
+//! | predicate | struck | left | sign |
+//! |---|---|---|---|
+//! | orient2d (x, y, 1) | ∞y in front | compare in x | − |
+//! | orient3d (x, y, z, 1) | ∞z in front | orient2d in xy | + |
+//! | incircle (x, y, lift, 1) | ∞lift in front | orient2d in xy | + |
+//! | insphere (x, y, z, lift, 1) | ∞lift in front | orient3d | − |
+//!
+//! So a relation with one, two or three such vectors ties predicates to each
+//! other. A perturbation of the coordinates moves no point at infinity, nor
+//! does one that moves the lift as one more coordinate, so the relations hold
+//! for every consistently perturbed scene. They don't where two predicates
+//! come from two perturbations: that is what they are for.
+//!
+//! A struck coordinate of a lifted predicate leaves no predicate (the lift is a
+//! sum over all coordinates), so only ∞lift occurs there. Points at infinity
+//! among the shared vectors give relations of the predicate that is left.
+
+use predicament_predicates::{Axis, Plane, Predicates, Question, Sign, Vertex};
+
+use super::{Answer, Law, Violation, Zeros, says_nothing};
+
+/// The direction of a point at infinity.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Direction {
+    /// Along an axis.
+    Axis(Axis),
+    /// Along the lift of `incircle` and `insphere`.
+    Lift,
+}
+
+impl std::fmt::Display for Direction {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Direction::Axis(Axis::X) => f.write_str("x"),
+            Direction::Axis(Axis::Y) => f.write_str("y"),
+            Direction::Axis(Axis::Z) => f.write_str("z"),
+            Direction::Lift => f.write_str("lift"),
+        }
+    }
+}
+
+/// The most vectors in a bracket.
+const ROWS: usize = 5;
+
+/// One relation, for any vertices.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Relation {
+    question: Question,
+    at_infinity: Vec<Direction>,
+    vertices: usize,
+    /// The factors of the three products, one after the other.
+    brackets: [Bracket; 6],
+}
+
+/// A bracket without its points at infinity.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+struct Bracket {
+    sign: Sign,
+    /// None where everything is struck but the 1.
+    question: Option<Question>,
+    /// Which of the relation's vertices are asked about; as many as the question takes.
+    places: [u8; ROWS],
+}
+
+/// A vector of a bracket: one of the relation's vertices, or a point at infinity.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Vector {
+    Vertex(u8),
+    AtInfinity(Direction),
+}
+
+/// Every relation that this predicate's brackets have part in, the one without points at infinity first.
+///
+/// None for a comparison: what its relations say is that the order is transitive.
+#[must_use]
+pub fn relations(question: Question) -> Vec<Relation> {
+    let directions = directions(question);
+    let subsets = (0_u32..1 << directions.len()).map(|subset| {
+        let bits = directions.iter().enumerate().filter(|(bit, _)| subset >> bit & 1 == 1);
+        bits.map(|(_, &direction)| direction).collect::<Vec<_>>()
+    });
+    let mut all: Vec<Relation> = subsets.filter_map(|at_infinity| Relation::new(question, &at_infinity)).collect();
+    all.sort_by_key(|relation| relation.at_infinity.len());
+    if let Question::Compare(_) = question { Vec::new() } else { all }
+}
+
+impl Relation {
+    /// The relation of brackets of this predicate in which a, b, … are points
+    /// at infinity in these directions, each at most once, and all other
+    /// vectors vertices. None if some bracket of it would not be a predicate.
+    #[must_use]
+    pub fn new(question: Question, at_infinity: &[Direction]) -> Option<Relation> {
+        let shared = question.kind().arity() - 2;
+        let twice = at_infinity.iter().enumerate().any(|(at, direction)| at_infinity[..at].contains(direction));
+        if at_infinity.len() > 4 || twice {
+            return None;
+        }
+        let mut vertices = (0_u8..).map(Vector::Vertex);
+        let common: Vec<Vector> = vertices.by_ref().take(shared).collect();
+        let others = at_infinity.iter().map(|&direction| Vector::AtInfinity(direction)).chain(vertices);
+        let others: Vec<Vector> = others.take(4).collect();
+        let pairs = [[0, 1], [2, 3], [0, 2], [1, 3], [0, 3], [1, 2]];
+        let mut brackets = Vec::new();
+        for pair in pairs {
+            let vectors = [common.as_slice(), &pair.map(|at: usize| others[at])].concat();
+            brackets.push(Bracket::new(question, vectors)?);
+        }
+        let vertices = shared + 4 - at_infinity.len();
+        let brackets = brackets.try_into().ok()?;
+        Some(Relation { question, at_infinity: at_infinity.to_vec(), vertices, brackets })
+    }
+
+    /// Which law it is a case of.
+    #[must_use]
+    pub fn law(&self) -> Law {
+        if self.at_infinity.is_empty() { Law::GrassmannPlucker } else { Law::MixedGrassmannPlucker }
+    }
+
+    /// The predicate that its brackets are of, before anything is struck.
+    #[must_use]
+    pub fn question(&self) -> Question {
+        self.question
+    }
+
+    /// The points at infinity.
+    #[must_use]
+    pub fn at_infinity(&self) -> &[Direction] {
+        &self.at_infinity
+    }
+
+    /// How many vertices it is about.
+    #[must_use]
+    pub fn vertices(&self) -> usize {
+        self.vertices
+    }
+
+    /// Every choice of so many vertices among the first n of a scene, and of
+    /// those among them that all brackets share. Other orders of the shared
+    /// ones or of the others give the same relation, if the session is antisymmetric.
+    pub fn tuples(&self, n: usize) -> impl Iterator<Item = Vec<Vertex>> + use<> {
+        let (vertices, shared) = (self.vertices, self.question.kind().arity() - 2);
+        choices(n, vertices).flat_map(move |chosen| {
+            choices(vertices, shared).map(move |first| {
+                let rest = (0..vertices).filter(|place| !first.contains(place));
+                first.iter().copied().chain(rest).map(|place| Vertex::input(chosen[place])).collect()
+            })
+        })
+    }
+
+    /// The predicates that it asks.
+    pub fn questions(&self) -> impl Iterator<Item = Question> {
+        let asked: Vec<Question> = self.brackets.iter().filter_map(|bracket| bracket.question).collect();
+        (0..asked.len())
+            .filter(|&at| !asked[..at].contains(&asked[at]))
+            .map(|at| asked[at])
+            .collect::<Vec<_>>()
+            .into_iter()
+    }
+
+    /// Asks all six brackets.
+    ///
+    /// # Panics
+    /// If there are fewer than [`Relation::vertices`] vertices.
+    pub fn check<P: Predicates + ?Sized>(&self, session: &P, vertices: &[Vertex], zeros: Zeros) -> Option<Violation> {
+        let mut signs = [Sign::Zero; 6];
+        for (sign, bracket) in signs.iter_mut().zip(&self.brackets) {
+            *sign = bracket.sign;
+            if let Some(question) = bracket.question {
+                let args = bracket.places.map(|place| vertices[usize::from(place)]);
+                let answer = question.ask(session, &args[..question.kind().arity()]);
+                if says_nothing(answer, zeros.of(question.kind())) {
+                    return None;
+                }
+                *sign = *sign * answer;
+            }
+        }
+        let terms = [signs[0] * signs[1], -(signs[2] * signs[3]), signs[4] * signs[5]];
+        let balanced = terms.contains(&Sign::Positive) == terms.contains(&Sign::Negative);
+        (!balanced).then(|| Violation { law: self.law(), answers: self.answers(session, vertices) })
+    }
+
+    #[cold]
+    fn answers<P: Predicates + ?Sized>(&self, session: &P, vertices: &[Vertex]) -> Vec<Answer> {
+        let asked = self.brackets.iter().filter_map(|bracket| {
+            let question = bracket.question?;
+            let places = &bracket.places[..question.kind().arity()];
+            let args: Vec<Vertex> = places.iter().map(|&place| vertices[usize::from(place)]).collect();
+            let sign = question.ask(session, &args);
+            Some(Answer { question, args, sign })
+        });
+        asked.collect()
+    }
+}
+
+/// Every choice of `size` numbers below `n`, ascending.
+fn choices(n: usize, size: usize) -> impl Iterator<Item = Vec<usize>> {
+    let mut next = (size <= n).then(|| (0..size).collect::<Vec<usize>>());
+    std::iter::from_fn(move || {
+        let choice = next.take()?;
+        // The last one that can still grow does, and those after it follow on its heels.
+        if let Some(at) = (0..size).rev().find(|&at| choice[at] < n - size + at) {
+            let mut following = choice.clone();
+            (at..size).for_each(|place| following[place] = choice[at] + 1 + place - at);
+            next = Some(following);
+        }
+        Some(choice)
+    })
+}
+
+impl Bracket {
+    /// Strikes rows and columns until only vertices are left. None if what is left is no predicate.
+    fn new(question: Question, mut vectors: Vec<Vector>) -> Option<Bracket> {
+        // The column of ones comes last and has no direction.
+        let mut columns = directions(question);
+        let mut sign = Sign::Positive;
+        while let Some((row, direction)) = vectors.iter().enumerate().find_map(|(row, vector)| match vector {
+            Vector::AtInfinity(direction) => Some((row, *direction)),
+            Vector::Vertex(_) => None,
+        }) {
+            let column = columns.iter().position(|&column| column == direction)?;
+            vectors.remove(row);
+            columns.remove(column);
+            if (row + column) % 2 == 1 {
+                sign = -sign;
+            }
+        }
+        let (left, orientation) = predicate(question, &columns)?;
+        let mut places = [0; ROWS];
+        for (place, vector) in places.iter_mut().zip(vectors) {
+            let Vector::Vertex(vertex) = vector else { return None };
+            *place = vertex;
+        }
+        Some(Bracket { sign: sign * orientation, question: left, places })
+    }
+}
+
+/// The columns of a predicate's matrix; a column of ones follows them.
+fn directions(question: Question) -> Vec<Direction> {
+    use Direction::Lift;
+    let axes: &[Axis] = match question {
+        Question::Compare(axis) => return vec![Direction::Axis(axis)],
+        Question::Orient2d(plane) => return plane.axes().map(Direction::Axis).into(),
+        Question::Incircle => &[Axis::X, Axis::Y],
+        Question::Orient3d | Question::Insphere => &[Axis::X, Axis::Y, Axis::Z],
+    };
+    let lift = matches!(question, Question::Incircle | Question::Insphere).then_some(Lift);
+    axes.iter().copied().map(Direction::Axis).chain(lift).collect()
+}
+
+/// The predicate with these columns, what is left of this one's: none for the
+/// 1 alone. The sign is that of bringing the columns into the predicate's order.
+fn predicate(of: Question, columns: &[Direction]) -> Option<(Option<Question>, Sign)> {
+    let left = match *columns {
+        _ if columns == directions(of) => of,
+        [] => return Some((None, Sign::Positive)),
+        [Direction::Axis(axis)] => Question::Compare(axis),
+        [Direction::Axis(x), Direction::Axis(y)] => {
+            let planes = [Plane::Xy, Plane::Yz, Plane::Zx];
+            let plane = planes.into_iter().find(|plane| plane.axes().contains(&x) && plane.axes().contains(&y))?;
+            let orientation = if plane.axes() == [x, y] { Sign::Positive } else { Sign::Negative };
+            return Some((Some(Question::Orient2d(plane)), orientation));
+        }
+        [Direction::Axis(_), Direction::Axis(_), Direction::Axis(_)] => Question::Orient3d,
+        _ => return None,
+    };
+    Some((Some(left), Sign::Positive))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use predicament_exact::Exact;
+    use predicament_predicates::{Backend, Dimension, Off, Scene};
+
+    const FLAT: [Question; 2] = [Question::Orient2d(Plane::Xy), Question::Incircle];
+    const SOLID: [Question; 5] = [
+        Question::Orient2d(Plane::Xy),
+        Question::Orient2d(Plane::Yz),
+        Question::Orient2d(Plane::Zx),
+        Question::Orient3d,
+        Question::Insphere,
+    ];
+
+    /// Ten points with small integer coordinates, some of them equal.
+    fn scene(dimension: Dimension) -> Scene {
+        let places = 0_u32..u32::try_from(10 * dimension.count()).unwrap();
+        let coordinates = places.map(|i| f64::from(i.wrapping_mul(2_654_435_761) >> 29) - 3.0).collect();
+        Scene::new(dimension, coordinates).unwrap()
+    }
+
+    /// The determinant of a bracket with its points at infinity, along the first row.
+    fn determinant(rows: &[Vec<i64>]) -> i64 {
+        let Some((first, rest)) = rows.split_first() else { return 1 };
+        let minor = |column: usize| {
+            let without = |row: &Vec<i64>| [&row[..column], &row[column + 1..]].concat();
+            determinant(&rest.iter().map(without).collect::<Vec<_>>())
+        };
+        let sign = |column: usize| if column.is_multiple_of(2) { 1 } else { -1 };
+        (0..first.len()).map(|column| sign(column) * first[column] * minor(column)).sum()
+    }
+
+    #[allow(clippy::cast_possible_truncation)] // small integers
+    fn row(scene: &Scene, question: Question, vector: Vector) -> Vec<i64> {
+        let columns = directions(question);
+        match vector {
+            Vector::AtInfinity(at) => columns.iter().map(|&column| i64::from(column == at)).chain([0]).collect(),
+            Vector::Vertex(v) => {
+                let point: Vec<i64> = scene.point(Vertex::input(v.into())).iter().map(|&x| x as i64).collect();
+                let entry = |column: &Direction| match column {
+                    Direction::Axis(axis) => point[axis.index()],
+                    Direction::Lift => point.iter().map(|x| x * x).sum(),
+                };
+                columns.iter().map(entry).chain([1]).collect()
+            }
+        }
+    }
+
+    /// Every bracket of every relation, as a predicate with a fixed sign and as the determinant of its vectors.
+    #[test]
+    fn brackets_have_the_sign_of_their_determinant() {
+        for (dimension, questions) in [(Dimension::Two, &FLAT[..]), (Dimension::Three, &SOLID[..])] {
+            let scene = scene(dimension);
+            let session = Exact.prepare(&scene, Off).unwrap();
+            for &question in questions {
+                let arity = question.kind().arity();
+                let infinite = directions(question).into_iter().map(Vector::AtInfinity);
+                let some: Vec<Vector> = infinite.chain((0..6).map(Vector::Vertex)).collect();
+                let mut asked = 0;
+                for word in 0..some.len().pow(u32::try_from(arity).unwrap()) {
+                    let digit = |place: u32| word / some.len().pow(place) % some.len();
+                    let vectors: Vec<Vector> = (0_u32..).take(arity).map(|place| some[digit(place)]).collect();
+                    let Some(bracket) = Bracket::new(question, vectors.clone()) else { continue };
+                    let rows: Vec<Vec<i64>> = vectors.iter().map(|&v| row(&scene, question, v)).collect();
+                    let answer = bracket.question.map_or(Sign::Positive, |question| {
+                        let args = bracket.places.map(|place| Vertex::input(place.into()));
+                        question.ask(&session, &args[..question.kind().arity()])
+                    });
+                    assert_eq!(bracket.sign * answer, Sign::from(determinant(&rows).cmp(&0)), "{vectors:?}");
+                    asked += 1;
+                }
+                assert!(asked > 100, "{asked} brackets of {question:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn relations_reach_down_to_the_predicates_that_can_be_left() {
+        let shape = |question| {
+            let all = relations(question);
+            all.iter().map(|r| (r.at_infinity.len(), r.vertices, r.questions().count())).collect::<Vec<_>>()
+        };
+        let turns = [(0, 5, 1), (1, 4, 2), (1, 4, 2), (2, 3, 3)];
+        assert_eq!(shape(Question::Orient2d(Plane::Zx)), turns);
+        let sides = [(0, 6, 1), (1, 5, 2), (1, 5, 2), (1, 5, 2), (2, 4, 4), (2, 4, 4), (2, 4, 4), (3, 3, 6)];
+        assert_eq!(shape(Question::Orient3d), sides);
+        assert_eq!(shape(Question::Incircle), [(0, 6, 1), (1, 5, 2)]);
+        assert_eq!(shape(Question::Insphere), [(0, 7, 1), (1, 6, 2)]);
+        assert_eq!(shape(Question::Compare(Axis::X)), []);
+        let up = Direction::Lift;
+        assert_eq!(Relation::new(Question::Incircle, &[up, up]), None, "two equal vectors");
+        assert_eq!(Relation::new(Question::Orient3d, &[up]), None, "no such column");
+    }
+
+    #[test]
+    fn tuples_are_all_there_and_different() {
+        for (relation, count) in [(0, 1260), (1, 840), (3, 360)] {
+            // C(10, 5) · 5, C(10, 4) · 4, C(10, 3) · 3
+            let relation = &relations(Question::Orient2d(Plane::Xy))[relation];
+            let tuples: std::collections::BTreeSet<Vec<Vertex>> = relation.tuples(10).collect();
+            assert_eq!((tuples.len(), relation.tuples(10).count()), (count, count));
+            assert!(tuples.iter().all(|tuple| super::super::are_distinct(tuple)));
+        }
+        assert_eq!(relations(Question::Insphere)[0].tuples(6).count(), 0);
+    }
+}

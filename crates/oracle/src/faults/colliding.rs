@@ -1,0 +1,75 @@
+//! The lift of moved points, as if its terms had powers of their own.
+//!
+//! Franklin and Magalhães move coordinate i by ε^(2^i), so that every product
+//! of different infinitesimals has a power of its own. A lifted determinant has
+//! squares as well, and (ε^(2^i))² is ε^(2^(i+1)), the next coordinate's. The
+//! fault takes such terms one after the other in the order of a list, those of
+//! first order first, as if one were larger.
+//!
+//! (To add them up instead would be right: points that have really moved by
+//! ε^(2^i) are points, and break no law. They are other points than those of
+//! the multilinear predicates' terms, no more.)
+
+use std::sync::OnceLock;
+
+use predicament_predicates::{Scene, Sign, Vertex};
+use rug::Rational;
+
+use crate::judge;
+
+/// One row's share of a monomial: its infinitesimal's coordinate and power.
+type Moves = Vec<Option<(usize, u32)>>;
+
+/// The sign of the first coefficient that is not zero.
+pub(super) fn decide(scene: &Scene, sorted: &[Vertex]) -> Option<Sign> {
+    static MONOMIALS: [OnceLock<Vec<Moves>>; 2] = [const { OnceLock::new() }; 2];
+    let axes = scene.dimension().count();
+    let points: Vec<Vec<Rational>> =
+        sorted.iter().map(|&v| scene.point(v).iter().map(|&x| judge::rational(x)).collect()).collect();
+    let monomials = MONOMIALS[axes - 2].get_or_init(|| monomials(axes));
+    let signs = monomials.iter().map(|moves| {
+        let rows: Vec<Vec<Rational>> = points.iter().zip(moves).map(|(point, &moved)| row(point, moved)).collect();
+        Sign::from(judge::determinant(&rows).cmp0())
+    });
+    signs.into_iter().find(|sign| !sign.is_zero())
+}
+
+/// All products of infinitesimals, by power, and those of equal power by degree.
+fn monomials(axes: usize) -> Vec<Moves> {
+    let mut all: Vec<Moves> = vec![Vec::new()];
+    for _ in 0..axes + 2 {
+        let moves = (0..axes).flat_map(|axis| [1, 2].map(|power| Some((axis, power))));
+        let moves: Vec<Option<(usize, u32)>> = std::iter::once(None).chain(moves).collect();
+        let longer = |shorter: &Moves| moves.iter().map(|&next| [shorter.as_slice(), &[next]].concat()).collect();
+        all = all.iter().flat_map::<Vec<Moves>, _>(longer).collect();
+    }
+    let degree = |moves: &Moves| moves.iter().flatten().map(|&(_, power)| power).sum::<u32>();
+    let exponent = |moves: &Moves| {
+        let of = |(row, moved): (usize, &Option<(usize, u32)>)| {
+            moved.map_or(0, |(axis, power)| u64::from(power) << (row * axes + axis))
+        };
+        moves.iter().enumerate().map(of).sum::<u64>()
+    };
+    all.sort_by_key(|moves| (exponent(moves), degree(moves)));
+    all
+}
+
+/// A row of the matrix (coordinates, lift, 1), or the factor of its infinitesimal's power in the moved row.
+fn row(point: &[Rational], moved: Option<(usize, u32)>) -> Vec<Rational> {
+    let mut row = vec![Rational::new(); point.len() + 2];
+    let lift = point.len();
+    match moved {
+        None => {
+            row[..lift].clone_from_slice(point);
+            row[lift] = point.iter().map(|x| Rational::from(x.square_ref())).sum();
+            row[lift + 1] = Rational::from(1);
+        }
+        // (x + e)² = x² + 2x·e + e²
+        Some((axis, 1)) => {
+            row[axis] = Rational::from(1);
+            row[lift] = Rational::from(&point[axis] * 2);
+        }
+        Some(_) => row[lift] = Rational::from(1),
+    }
+    row
+}

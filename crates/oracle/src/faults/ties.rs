@@ -1,0 +1,47 @@
+//! Ties broken by the right parts put together wrongly.
+
+use predicament_predicates::{Predicates, Question, Sign, Vertex};
+use predicament_sos::{Scheme, Term, ties};
+
+use super::{Fault, colliding};
+
+/// The sign for a query whose determinant is zero.
+pub(super) fn break_tie<P: Predicates, const N: usize>(
+    fault: Fault,
+    exact: &P,
+    question: Question,
+    args: [Vertex; N],
+) -> Sign {
+    let Some(sorted) = ties::Sorted::new(args) else { return Sign::Zero };
+    let terms = Scheme::PerCoordinate.terms(question.kind());
+    let decide = |terms: &[Term], rows: &[Vertex]| ties::decide(exact, question, terms, rows);
+    let decided = match fault {
+        Fault::SosSwappedTerm => {
+            let mut terms = terms.to_vec();
+            if let Some(term) = terms.get_mut(2) {
+                term.sign = -term.sign;
+            }
+            decide(&terms, &sorted.vertices).map(|(sign, _)| sign * sorted.parity)
+        }
+        Fault::SosDroppedParity => decide(terms, &sorted.vertices).map(|(sign, _)| sign),
+        Fault::SosDroppedLastParity => decide(terms, &sorted.vertices)
+            .map(|(sign, place)| if place + 1 == terms.len() { sign } else { sign * sorted.parity }),
+        Fault::SosPlaceAsIdentity => decide(terms, &args).map(|(sign, _)| sign),
+        Fault::SosFirstOrderOnly | Fault::SosFirstOrderThenParity => {
+            // A term that moves one coordinate keeps all rows but one.
+            let first: Vec<Term> = terms.iter().filter(|term| term.rows.len() + 1 == N).copied().collect();
+            let decided = decide(&first, &sorted.vertices).map(|(sign, _)| sign);
+            let last = (fault == Fault::SosFirstOrderThenParity).then_some(Sign::Positive);
+            decided.or(last).map(|sign| sign * sorted.parity)
+        }
+        Fault::SosCollidingLift => match question {
+            Question::Incircle | Question::Insphere => {
+                colliding::decide(exact.scene(), &sorted.vertices).map(|sign| sign * sorted.parity)
+            }
+            // Without a lift no two terms have the same power.
+            _ => decide(terms, &sorted.vertices).map(|(sign, _)| sign * sorted.parity),
+        },
+        _ => decide(terms, &sorted.vertices).map(|(sign, _)| sign * sorted.parity),
+    };
+    decided.unwrap_or(Sign::Zero)
+}
