@@ -45,8 +45,12 @@ impl Row {
         self.peak_kib as f64 * 1024.0 / self.cubes as f64
     }
 
-    fn gib(&self) -> f64 {
-        self.peak_kib as f64 / (1 << 20) as f64
+    fn mib(&self) -> f64 {
+        self.peak_kib as f64 / 1024.0
+    }
+
+    fn microseconds(&self) -> f64 {
+        self.cpu_seconds * 1e6
     }
 }
 
@@ -102,10 +106,13 @@ pub fn run(folder: &Path, largest: usize, threads: usize) -> Outcome<()> {
         points: rows.iter().filter(|row| row.density == density).map(|row| (row.cubes as f64, value(row))).collect(),
     };
     let time =
-        DENSITIES.map(|density| curve(format!("CPU seconds, density {density}"), density, |row| row.cpu_seconds));
-    let memory = DENSITIES.map(|density| curve(format!("peak memory in GiB, density {density}"), density, Row::gib));
-    let lines =
-        Curves { x: "cubes".into(), y: "CPU seconds, GiB".into(), curves: time.into_iter().chain(memory).collect() };
+        DENSITIES.map(|density| curve(format!("CPU microseconds, density {density}"), density, Row::microseconds));
+    let memory = DENSITIES.map(|density| curve(format!("peak memory in MiB, density {density}"), density, Row::mib));
+    let lines = Curves {
+        x: "cubes".into(),
+        y: "CPU microseconds, MiB".into(),
+        curves: time.into_iter().chain(memory).collect(),
+    };
     if let Some(svg) = curves(&lines)? {
         std::fs::write(folder.join("cubes.svg"), svg)?;
     }

@@ -7,20 +7,20 @@
 //! diagonal, in the order of their indices. Most of them need not be looked at:
 //!
 //! * *Hidden ones.* A type all of whose faces are lower ones, say x ≥ p and
-//!   y ≥ p, is a set that shrinks as p grows. It contains every cube that has
-//!   the same faces, and maybe others, and a larger p. The same goes for types of upper
-//!   faces, and smaller p. What is hidden has no vertices.
+//!   y ≥ p, is a set that shrinks as p grows. It contains every cube with a
+//!   larger p that has the same faces, and maybe others. The same goes for types
+//!   of upper faces, and smaller p. What is hidden has no vertices.
 //! * *Runs.* Cubes of a mixed type, say x ≥ p and y ≤ p, contain none of each
-//!   other. Let p₁ < … < pₖ be such cubes with no others left between them
-//!   in the order, and let a vertex be on some of their faces. For any other cube
-//!   all of them have the same order to its faces. So a member hides the vertex, or doesn't, by
-//!   where it is among the members whose faces meet there:
-//!   with one coordinate of the vertex from the run, or two or three that agree in
-//!   side, say all x ≥ p, the member with the smallest p (largest for ≤) hides those of all others;
-//!   with both x = pᵢ and y = pⱼ, the point is on both faces if i ≥ j, and in all members strictly between, so
-//!   i = j or i = j + 1. Whatever there is at one place of the run is at all
-//!   places, but for the ends: of vertices whose last member is the second one there
-//!   are as many for the third one and so on to the last but one.
+//!   other. Let p₁ < … < pₖ be such cubes with no others left between them in the
+//!   order, and let a vertex be on faces of some of them. Their faces have all the
+//!   same order to those of any other cube, so the rest of the scene does not tell
+//!   them apart. If all of the vertex's coordinates that come from the run are of
+//!   one side, say ≥, it is on a face of the one with the smallest p (of the
+//!   largest for ≤), or that one hides it. If x = pᵢ and y = pⱼ, it is on both
+//!   faces if i ≥ j, and inside of all members between: so i = j or i = j + 1. So
+//!   what there is at one place of the run is at all places, but for the ends: of
+//!   the vertices whose last member is the second one there are as many for the
+//!   third one, and so on to the last but one.
 //!
 //! So of a run only the first, the second and the last are kept, and what has
 //! the second one as its last member counts k − 2 times. n identical cubes
@@ -87,7 +87,7 @@ pub(super) fn add_crowd(cubes: &[Cube], edge: i64, cell: Range, mass: &mut Mass)
     });
 }
 
-/// The cubes that no other one contains, near the point.
+/// The cubes that no other one contains, near the point. (None covers it, or nobody would ask.)
 fn visible(cubes: &[Cube], edge: i64, cell: Range) -> Vec<Kept> {
     let kinds = || cubes.iter().map(|cube| Type::of(cube.lower, edge, cell));
     // Of each type without upper faces the first, of each without lower ones the last.
