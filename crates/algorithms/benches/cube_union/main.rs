@@ -11,7 +11,7 @@ fn bench(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("cube-union");
     group.sample_size(10);
     let by_count = [1_000, 10_000, 100_000, 1_000_000].map(|count| (count, 1.0));
-    let by_density = [0.1, 4.0, 16.0].map(|density| (100_000, density));
+    let by_density = [0.1, 4.0, 36.0, 1000.0].map(|density| (100_000, density));
     for (count, density) in by_count.into_iter().chain(by_density) {
         let (lowers, edge) = random::cubes(count, density, 2026);
         group.throughput(Throughput::Elements(count as u64));

@@ -1,10 +1,14 @@
 //! Cubes sorted into a uniform grid by their lower corners.
 //!
-//! A cube is stored once, in the cell of its lower corner, and no cell is
-//! smaller than a cube: what reaches a cell is stored there or in one of its
-//! seven lower neighbours, which are four runs of the sorted list. So memory is
-//! one entry for each cube and one number for each cell, of which there are at
-//! most [`PER_CUBE`] for each cube, however far apart the cubes are.
+//! A cube is stored once, in the cell of its lower corner. So memory is one
+//! entry for each cube and one number for each cell, of which there are at most
+//! [`PER_CUBE`] for each cube: where cubes are far apart a cell is larger than a
+//! cube, where they are dense it is a half, a quarter and so on of one.
+//!
+//! A cell's neighbours below, one along each axis or as many as a cube is long,
+//! hold all that reaches it, in runs of the sorted list. Some of them are so
+//! placed that whatever is stored there covers the cell: then a look at where
+//! runs start and end tells that it is covered, without a look at any cube.
 //!
 //! The list is sorted in two passes that both read and write in order: into
 //! blocks of consecutive cells, each part of the input into its own slice of
@@ -18,6 +22,10 @@ use super::coordinate::Coordinate;
 /// Cells per cube, at most (and [`MIN_CELLS`] in any case).
 const PER_CUBE: usize = 2;
 const MIN_CELLS: usize = 64;
+/// Cells that a cube is long, at most. Cells of half an edge are covered by an eighth of the cubes that touch them and
+/// cells of a quarter by nearly a half: with smaller ones it would be hardly more, while cubes that all are in few
+/// places would be gathered for more cells in vain.
+const FINEST: u64 = 4;
 /// Blocks of cells, at most.
 const BLOCKS: usize = 1024;
 /// Cubes that are sorted into blocks by one task.
@@ -37,7 +45,11 @@ pub(super) struct Bins<R> {
     /// The edge of a cell.
     pub(super) cell: u64,
     /// How many cells along each axis.
-    pub(super) counts: [usize; 3],
+    counts: [usize; 3],
+    /// What reaches a cell is stored so many cells below it, at most.
+    reach: usize,
+    /// Cubes that are stored from one to so many cells below it along every axis cover a cell.
+    covering: usize,
     /// Where the entries of each cell start, x fastest, and where the last one's end.
     starts: Vec<u32>,
     entries: Vec<Entry<R>>,
@@ -51,20 +63,36 @@ struct Layout {
 }
 
 impl Layout {
-    /// The smallest cells that are not too many, `edge` times a power of two.
+    /// The smallest cells that are not too many: `edge` times a power of two, or `edge` halved, rounded up, and so on.
     fn new(cubes: usize, extents: [u64; 3], edge: u64) -> Layout {
-        let most = MIN_CELLS.max(PER_CUBE.saturating_mul(cubes)) as u128;
+        let most = PER_CUBE.saturating_mul(cubes);
         let mut cell = edge;
-        loop {
-            let counts = extents.map(|extent| u128::from(extent / cell) + 1);
-            // Each is at most 2^62 + 1: two of them can't overflow, the third is looked at only then.
-            if counts[0] * counts[1] <= most && counts[0] * counts[1] * counts[2] <= most {
-                // (at most `most`)
-                let counts = counts.map(|count| usize::try_from(count).unwrap_or_else(|_| unreachable!("few cells")));
-                return Layout { cell, counts };
+        let mut layout = loop {
+            if let Some(layout) = Layout::with_cells(cell, extents, most.max(MIN_CELLS)) {
+                break layout;
             }
             cell *= 2;
+        };
+        while layout.cell <= edge && layout.cell > edge.div_ceil(FINEST) {
+            match Layout::with_cells(layout.cell.div_ceil(2), extents, most) {
+                Some(finer) => layout = finer,
+                None => break,
+            }
         }
+        layout
+    }
+
+    /// Unless there are more cells.
+    fn with_cells(cell: u64, extents: [u64; 3], most: usize) -> Option<Layout> {
+        let counts = extents.map(|extent| u128::from(extent / cell) + 1);
+        // Each is at most 2^62 + 1: two of them can't overflow, the third is looked at only then.
+        let is_few = |count: u128| count <= most as u128;
+        if !is_few(counts[0] * counts[1]) || !is_few(counts[0] * counts[1] * counts[2]) {
+            return None;
+        }
+        // (at most `most`)
+        let counts = counts.map(|count| usize::try_from(count).unwrap_or_else(|_| unreachable!("few cells")));
+        Some(Layout { cell, counts })
     }
 
     fn cells(self) -> usize {
@@ -167,7 +195,11 @@ impl<R: Copy + Default + Into<u64> + Send + Sync> Bins<R> {
         let last = starts.len() - 1;
         // (no more than there are indices)
         starts[last] = u32::try_from(lowers.len()).unwrap_or_else(|_| unreachable!("checked by the caller"));
-        Bins { cell: layout.cell, counts: layout.counts, starts, entries }
+        // A cube of cell q spans from q's coordinates to those plus its edge, both ends included. (The quotients are
+        // small: cells are halved only while they are no more than the cubes.)
+        let [reach, covering] = [(edge - 1) / layout.cell + 1, (edge / layout.cell).max(1) - 1]
+            .map(|cells| usize::try_from(cells).unwrap_or_else(|_| unreachable!("few cells")));
+        Bins { cell: layout.cell, counts: layout.counts, reach, covering, starts, entries }
     }
 
     /// How many cells there are.
@@ -181,25 +213,46 @@ impl<R: Copy + Default + Into<u64> + Send + Sync> Bins<R> {
         [id % x, id / x % y, id / (x * y)]
     }
 
-    /// Calls `take` with all cubes that reach the cell, some that don't among them.
+    /// Whether all that is stored near a cell reaches it.
+    pub(super) fn is_tight(&self, edge: u64) -> bool {
+        self.cell * self.reach as u64 == edge
+    }
+
+    /// Whether the grid knows a cube that covers the cell; if not, there may be one.
     #[inline]
-    pub(super) fn near(&self, id: usize, [x, y, z]: [usize; 3], mut take: impl FnMut(&Entry<R>)) {
+    pub(super) fn is_covered(&self, id: usize, place: [usize; 3]) -> bool {
+        if self.covering == 0 || place.contains(&0) {
+            return false;
+        }
+        self.rows(id, place, 1, self.covering).any(|row| row.start < row.end)
+    }
+
+    /// Calls `take` with all cubes that reach the cell, and some that don't unless the grid is [tight](Bins::is_tight).
+    #[inline]
+    pub(super) fn near(&self, id: usize, place: [usize; 3], mut take: impl FnMut(&Entry<R>)) {
+        for row in self.rows(id, place, 0, self.reach) {
+            self.entries[row].iter().for_each(&mut take);
+        }
+    }
+
+    /// The entries of the cells from `first` to `last` cells below this one along each axis, row by row. All of the
+    /// axes have `first` cells below it.
+    #[inline]
+    fn rows(
+        &self,
+        id: usize,
+        place: [usize; 3],
+        first: usize,
+        last: usize,
+    ) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
         let row = self.counts[0];
         let layer = row * self.counts[1];
-        let left = id - usize::from(x > 0);
-        let mut run = |back: usize| {
-            let run = self.starts[left - back] as usize..self.starts[id - back + 1] as usize;
-            self.entries[run].iter().for_each(&mut take);
-        };
-        run(0);
-        if y > 0 {
-            run(row);
-        }
-        if z > 0 {
-            run(layer);
-            if y > 0 {
-                run(layer + row);
-            }
-        }
+        let [x, y, z] = place.map(|at| at.min(last));
+        (first..=z).flat_map(move |z| {
+            (first..=y).map(move |y| {
+                let end = id - z * layer - y * row - first;
+                self.starts[end + first - x] as usize..self.starts[end + 1] as usize
+            })
+        })
     }
 }

@@ -7,9 +7,8 @@
 //! it fits in words of 64 bits, and a vertex is a triple of faces whose planes
 //! meet, all three together, exactly the faces' owners.
 
+use super::crowd::add_crowd;
 use super::mass::Mass;
-use super::order::{ByIndex, Face};
-use super::wide;
 
 /// A cell with more cubes than this is divided, but no further than to a
 /// quarter of a cube's edge.
@@ -45,6 +44,7 @@ pub(super) struct Scratch {
     /// For each cube those before it.
     before: Box<[u64; WORD]>,
     keys: Vec<u64>,
+    copy: Vec<Cube>,
     /// The cubes that own the x, y and z faces of the vertices found.
     vertices: Vec<[u8; 3]>,
 }
@@ -56,6 +56,7 @@ impl Scratch {
             along: Box::new([along.clone(), along.clone(), along]),
             before: Box::new([0; WORD]),
             keys: Vec::new(),
+            copy: Vec::new(),
             vertices: Vec::new(),
         }
     }
@@ -70,7 +71,7 @@ pub(super) fn reaches(lower: [i64; 3], edge: i64, cell: Range) -> bool {
 /// The face of a cube in a range: none, or whether it is the upper one. In a
 /// range no wider than the cube there is at most one.
 #[inline]
-fn face_in(lower: i64, edge: i64, [from, to]: [i64; 2]) -> Option<bool> {
+pub(super) fn face_in(lower: i64, edge: i64, [from, to]: [i64; 2]) -> Option<bool> {
     let is_in = |at: i64| from <= at && at < to;
     if is_in(lower) {
         Some(false)
@@ -81,12 +82,21 @@ fn face_in(lower: i64, edge: i64, [from, to]: [i64; 2]) -> Option<bool> {
     }
 }
 
+/// A cube that reaches a cell.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cube {
+    /// The lower corner, from the grid's.
+    pub(super) lower: [i64; 3],
+    /// The place in the input.
+    pub(super) index: u32,
+}
+
 /// Adds what the cell's vertices contribute.
 ///
-/// `cubes` from `first` on are all that reach the cell, the one with the
-/// smallest index last; the list is the same when the call returns.
+/// `cubes` from `first` on are all that reach the cell. They are put into
+/// another order.
 pub(super) fn add_cell(
-    cubes: &mut Vec<[i64; 3]>,
+    cubes: &mut Vec<Cube>,
     first: usize,
     edge: i64,
     cell: Range,
@@ -98,14 +108,10 @@ pub(super) fn add_cell(
         return;
     }
     let widest = cell.iter().map(|[from, to]| to - from).max().unwrap_or(0);
-    if widest > edge || count > WORD || (count > CROWD && 4 * widest > edge) {
-        if is_settled(&cubes[first..], edge, cell) {
-            return;
-        }
-        if widest > 1 {
-            return divide(cubes, first, edge, cell, scratch, mass);
-        }
+    if (widest > edge || count > WORD || (count > CROWD && 4 * widest > edge)) && widest > 1 {
+        return divide(cubes, first, edge, cell, scratch, mass);
     }
+    sort(&mut cubes[first..], &mut scratch.copy);
     if count > WORD {
         add_crowd(&cubes[first..], edge, cell, mass)
     } else {
@@ -113,42 +119,99 @@ pub(super) fn add_cell(
     }
 }
 
-/// Whether the cell has no vertices: it is covered, or has no faces of some axis.
-/// (A cube that reaches a cell wider than the cube has a face in it.)
-fn is_settled(cubes: &[[i64; 3]], edge: i64, cell: Range) -> bool {
-    let mut any = [false; 3];
-    for lower in cubes {
-        let has: [bool; 3] = std::array::from_fn(|axis| face_in(lower[axis], edge, cell[axis]).is_some());
-        if has == [false; 3] {
-            return true;
-        }
-        (0..3).for_each(|axis| any[axis] |= has[axis]);
+/// The smallest index last.
+#[inline]
+fn sort(cubes: &mut [Cube], copy: &mut Vec<Cube>) {
+    let count = cubes.len();
+    if count > WORD {
+        cubes.sort_unstable_by_key(|cube| !cube.index);
+        return;
     }
-    any != [true; 3]
+    // Each goes where the number of larger indices says: comparisons of random numbers, but no branches on them.
+    copy.clear();
+    copy.extend_from_slice(cubes);
+    let mut keys = [i32::MIN; WORD];
+    for (key, cube) in keys.iter_mut().zip(copy.iter()) {
+        *key = (cube.index ^ 1 << 31).cast_signed();
+    }
+    let (blocks, _) = keys.as_chunks::<8>();
+    let blocks = &blocks[..count.div_ceil(8)];
+    for (cube, &key) in copy.iter().zip(&keys) {
+        let mut larger = [0_u32; 8];
+        for block in blocks {
+            (0..8).for_each(|lane| larger[lane] += u32::from(block[lane] > key));
+        }
+        cubes[larger.iter().sum::<u32>() as usize] = *cube;
+    }
 }
 
-/// The halves of a range; a point is not divided.
-fn halves([from, to]: [i64; 2]) -> impl Iterator<Item = [i64; 2]> + Clone {
-    let middle = from + (to - from) / 2;
-    [[from, middle], [middle, to]].into_iter().filter(|[from, to]| from < to)
+/// Whether one of the cubes covers the cell.
+pub(super) fn is_covered(cubes: &[Cube], edge: i64, cell: Range) -> bool {
+    let covers = |lower: [i64; 3]| {
+        let along = |axis: usize| (lower[axis] < cell[axis][0]) & (lower[axis] + edge >= cell[axis][1]);
+        along(0) & along(1) & along(2)
+    };
+    cubes.iter().any(|cube| covers(cube.lower))
 }
 
-fn divide(cubes: &mut Vec<[i64; 3]>, first: usize, edge: i64, cell: Range, scratch: &mut Scratch, mass: &mut Mass) {
-    let end = cubes.len();
-    for x in halves(cell[0]) {
-        for y in halves(cell[1]) {
-            for z in halves(cell[2]) {
-                let part = [x, y, z];
-                for at in first..end {
-                    let lower = cubes[at];
-                    if reaches(lower, edge, part) {
-                        cubes.push(lower);
-                    }
+/// The box around the faces in the cell, which its vertices are in as well; none if it has no face of some axis.
+fn bounds(cubes: &[Cube], edge: i64, cell: Range) -> Option<Range> {
+    let mut bounds = [[i64::MAX, i64::MIN]; 3];
+    for cube in cubes {
+        for axis in 0..3 {
+            for at in [cube.lower[axis], cube.lower[axis] + edge] {
+                if cell[axis][0] <= at && at < cell[axis][1] {
+                    let [from, to] = bounds[axis];
+                    bounds[axis] = [from.min(at), to.max(at + 1)];
                 }
-                add_cell(cubes, end, edge, part, scratch, mass);
-                cubes.truncate(end);
             }
         }
+    }
+    bounds.iter().all(|[from, to]| from < to).then_some(bounds)
+}
+
+/// Adds the cell part by part: its halves along each axis where they are not covered.
+fn divide(cubes: &mut Vec<Cube>, first: usize, edge: i64, mut cell: Range, scratch: &mut Scratch, mass: &mut Mass) {
+    let end = cubes.len();
+    if end - first > WORD && cell.iter().all(|[from, to]| 4 * (to - from) < edge) {
+        // Of what lies in few places, most of the cell is without faces.
+        match bounds(&cubes[first..], edge, cell) {
+            Some(bounds) => cell = bounds,
+            None => return,
+        }
+    }
+    // A point has an empty second half.
+    let halves = cell.map(|[from, to]| {
+        let middle = to - (to - from) / 2;
+        [[from, middle], [middle, to]]
+    });
+    // Bit 4i + 2j + k: the half i along x, j along y and k along z.
+    let mut covered = 0_u8;
+    for cube in &cubes[first..] {
+        let along = |axis: usize, masks: [u8; 2]| {
+            let covers = |[from, to]: [i64; 2]| (cube.lower[axis] < from) & (cube.lower[axis] + edge >= to);
+            [0, 1].map(|half| masks[half] & u8::from(covers(halves[axis][half])).wrapping_neg())
+        };
+        let ([x, more_x], [y, more_y], [z, more_z]) =
+            (along(0, [0x0f, 0xf0]), along(1, [0x33, 0xcc]), along(2, [0x55, 0xaa]));
+        covered |= (x | more_x) & (y | more_y) & (z | more_z);
+        if covered == u8::MAX {
+            return;
+        }
+    }
+    for part in (0..8).filter(|part| covered >> part & 1 == 0) {
+        let part = [halves[0][part >> 2], halves[1][part >> 1 & 1], halves[2][part & 1]];
+        if part.iter().any(|[from, to]| from == to) {
+            continue;
+        }
+        for at in first..end {
+            let cube = cubes[at];
+            if reaches(cube.lower, edge, part) {
+                cubes.push(cube);
+            }
+        }
+        add_cell(cubes, end, edge, part, scratch, mass);
+        cubes.truncate(end);
     }
 }
 
@@ -160,7 +223,7 @@ impl Along {
     #[inline]
     fn look(
         &mut self,
-        cubes: &[[i64; 3]],
+        cubes: &[Cube],
         axis: usize,
         edge: i64,
         [from, to]: [i64; 2],
@@ -168,7 +231,7 @@ impl Along {
         keys: &mut Vec<u64>,
     ) -> bool {
         let (mut faces, mut upper) = (0, 0);
-        for (j, lower) in cubes.iter().enumerate() {
+        for (j, Cube { lower, .. }) in cubes.iter().enumerate() {
             // It reaches the cell: if its lower face is before it, its upper one isn't.
             let is_upper = lower[axis] < from;
             let at = lower[axis] + if is_upper { edge } else { 0 };
@@ -224,8 +287,8 @@ fn precede(at: &[i64], from: i64, before: &mut [u64; WORD], keys: &mut Vec<u64>)
 }
 
 /// [`add_cell`] for cubes that fit in a word.
-fn add_few(cubes: &[[i64; 3]], edge: i64, cell: Range, scratch: &mut Scratch, mass: &mut Mass) {
-    let Scratch { along, before, keys, vertices } = scratch;
+fn add_few(cubes: &[Cube], edge: i64, cell: Range, scratch: &mut Scratch, mass: &mut Mass) {
+    let Scratch { along, before, keys, vertices, .. } = scratch;
     let [x, y, z] = &mut **along;
     if !x.look(cubes, 0, edge, cell[0], before, keys)
         || !y.look(cubes, 1, edge, cell[1], before, keys)
@@ -269,23 +332,6 @@ fn add_few(cubes: &[[i64; 3]], edge: i64, cell: Range, scratch: &mut Scratch, ma
     for vertex in &vertices[..found] {
         let [a, b, c] = vertex.map(|owner| usize::from(owner) % WORD);
         let upper = [x.upper >> a & 1 == 1, y.upper >> b & 1 == 1, z.upper >> c & 1 == 1];
-        mass.add([a, b, c], [x.at[a], y.at[b], z.at[c]], upper);
+        mass.add([a, b, c], [x.at[a], y.at[b], z.at[c]], upper, 1);
     }
-}
-
-/// [`add_cell`] for cubes that don't, in a cell that is a point: all faces
-/// there coincide but for their perturbation.
-fn add_crowd(cubes: &[[i64; 3]], edge: i64, cell: Range, mass: &mut Mass) {
-    let lowers: Vec<[i64; 3]> = cubes.iter().rev().copied().collect();
-    let order = ByIndex { lowers: &lowers, edge };
-    let faces = [0, 1, 2].map(|axis| {
-        let face =
-            |(cube, lower): (u32, &[i64; 3])| Some(Face { cube, upper: face_in(lower[axis], edge, cell[axis])? });
-        (0..).zip(&lowers).filter_map(face).collect::<Vec<Face>>()
-    });
-    let count = u32::try_from(lowers.len()).unwrap_or_else(|_| unreachable!("no more than there are indices"));
-    wide::vertices(&order, count, [&faces[0], &faces[1], &faces[2]], |vertex| {
-        let owners = vertex.map(|face| face.cube as usize);
-        mass.add(owners, cell.map(|[from, _]| from), vertex.map(|face| face.upper));
-    });
 }

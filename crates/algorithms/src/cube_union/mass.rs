@@ -48,12 +48,12 @@ impl Vertices {
 }
 
 impl Mass {
-    /// Adds the vertex at `at`, where the x, y and z face of these owners meet.
+    /// Adds the vertex at `at`, where the x, y and z face of these owners meet, so many times.
     ///
     /// Sums wrap: what is added and taken away again may exceed 128 bits as
     /// long as the totals don't.
     #[inline]
-    pub(super) fn add(&mut self, [a, b, c]: [usize; 3], at: [i64; 3], upper: [bool; 3]) {
+    pub(super) fn add(&mut self, [a, b, c]: [usize; 3], at: [i64; 3], upper: [bool; 3], times: u64) {
         let signed = |positive: bool, value: i64| if positive { value } else { -value };
         let along: [i64; 3] = std::array::from_fn(|axis| signed(upper[axis], at[axis]));
         let [x, y, z] = along.map(i128::from);
@@ -64,11 +64,11 @@ impl Mass {
         let length: i128 = (0..3).map(|axis| i128::from(signed(convex[axis], along[axis]))).sum();
         let same = convex.map(u64::from).iter().sum::<u64>();
         let is_edge_face = same == 1;
-        let negated = |sum: i128| if is_edge_face { sum.wrapping_neg() } else { sum };
-        self.sum(negated(volume), negated(area), negated(length));
-        self.vertices.corners += u64::from(same == 3);
-        self.vertices.edge_faces += u64::from(is_edge_face);
-        self.vertices.three_faces += u64::from(same == 0);
+        let factor = if is_edge_face { -i128::from(times) } else { i128::from(times) };
+        self.sum(volume.wrapping_mul(factor), area.wrapping_mul(factor), length.wrapping_mul(factor));
+        self.vertices.corners += times * u64::from(same == 3);
+        self.vertices.edge_faces += times * u64::from(is_edge_face);
+        self.vertices.three_faces += times * u64::from(same == 0);
     }
 
     #[inline]

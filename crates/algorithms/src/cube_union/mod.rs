@@ -63,18 +63,22 @@
 //! face, κ is 1 along that edge and −1 along the other two axes.
 //!
 //! # Finding the vertices
-//! Cubes are sorted into a uniform grid by their lower corners (`bins`). Each cell
+//! Cubes are sorted into a uniform grid by their lower corners (`bins`), whose
+//! cells are the smaller the denser the cubes are. Each cell
 //! is looked at for itself, for the vertices in it. Franklin's covered cells are
-//! skipped: one that lies within a cube has no vertices. A crowded cell is divided
+//! skipped: one that lies within a cube has no vertices. Of most of them the grid
+//! knows without a look at any cube. A crowded cell is divided
 //! into eight, and those into eight again, where the same is done; so cells get
 //! smaller where cubes are dense and stay few where they are not. In what is
 //! left, triples of faces come from bit sets (`cell`). No cell needs another:
 //! they are mapped in parallel and the sums reduced.
 //!
-//! Time is linear for cubes spread evenly. Where n cubes share all their
-//! coordinates no grid tells them apart: pairs of them are looked at, with n
-//! bits each, so time grows with n³, slowly, and memory with n². A thousand of
-//! them take less than a second, ten thousand minutes.
+//! Time is linear for cubes spread evenly, and for any number of identical
+//! ones: of cubes that no grid tells apart, those that others hide and the
+//! inner ones of a run of equals are counted and not looked at (`crowd`). What is left at a
+//! point, n cubes that share a coordinate on each axis, in different corners and in an order
+//! that mixes them, is looked at by pairs, with n bits each: time grows with
+//! n³, slowly, and memory with n².
 //!
 //! # Who decides
 //! [`cube_union`] compares integers and breaks ties itself, which is all that
@@ -102,6 +106,7 @@
 mod bins;
 mod cell;
 mod coordinate;
+mod crowd;
 mod error;
 mod mass;
 mod order;
@@ -112,7 +117,7 @@ use predicament_predicates::{PredicateKind, Predicates};
 use rayon::prelude::*;
 
 use bins::{Bins, Entry};
-use cell::{Scratch, add_cell, reaches};
+use cell::{Cube, Scratch, add_cell, is_covered, reaches};
 pub use coordinate::Coordinate;
 pub use error::CubesError;
 pub use mass::{Mass, Vertices};
@@ -144,56 +149,40 @@ pub fn cube_union<C: Coordinate>(lowers: &[[C; 3]], edge: C) -> Result<Mass, Cub
     let (least, extents) = bounds(lowers, length)?;
     let bins = Bins::new(lowers, least, extents, length.cast_unsigned());
     let size = bins.cell.cast_signed();
+    let is_tight = bins.is_tight(length.cast_unsigned());
     let starts: Vec<usize> = (0..bins.cells()).step_by(CELLS).collect();
-    let scratch = || (Vec::new(), Vec::new(), Scratch::new());
-    let sums = starts.into_par_iter().map_init(scratch, |(near, cubes, scratch), first| {
-        let mut mass = Mass::default();
-        for id in first..bins.cells().min(first + CELLS) {
-            let place = bins.place(id);
-            let cell = place.map(|at| {
-                let from = at as i64 * size;
-                [from, from + size]
-            });
-            near.clear();
-            bins.near(id, place, |entry| near.push(*entry));
-            if size > length {
-                near.retain(|entry| reaches(corner(entry), length, cell));
+    let sums = starts.into_par_iter().map_init(
+        || (Vec::new(), Scratch::new()),
+        |(cubes, scratch), first| {
+            let mut mass = Mass::default();
+            for id in first..bins.cells().min(first + CELLS) {
+                let place = bins.place(id);
+                if bins.is_covered(id, place) {
+                    continue;
+                }
+                let cell = place.map(|at| {
+                    let from = at as i64 * size;
+                    [from, from + size]
+                });
+                cubes.clear();
+                bins.near(id, place, |entry| cubes.push(cube(entry)));
+                if !is_tight {
+                    cubes.retain(|cube| reaches(cube.lower, length, cell));
+                }
+                if size == length || !is_covered(cubes, length, cell) {
+                    add_cell(cubes, 0, length, cell, scratch, &mut mass);
+                }
             }
-            if near.is_empty() {
-                continue;
-            }
-            sort(near);
-            cubes.clear();
-            cubes.extend(near.iter().map(corner));
-            add_cell(cubes, 0, length, cell, scratch, &mut mass);
-        }
-        mass
-    });
+            mass
+        },
+    );
     Ok(sums.reduce(Mass::default, Mass::merge))
 }
 
-/// The lower corner, from the grid's. (Extents are below 2^62.)
+/// (Extents are below 2^62.)
 #[inline]
-fn corner<R: Copy + Into<u64>>(entry: &Entry<R>) -> [i64; 3] {
-    entry.lower.map(|c| c.into().cast_signed())
-}
-
-/// The smallest index last.
-#[inline]
-fn sort<R: Copy>(near: &mut [Entry<R>]) {
-    if near.len() > 20 {
-        near.sort_unstable_by_key(|entry| !entry.index);
-        return;
-    }
-    for end in 1..near.len() {
-        let entry = near[end];
-        let mut at = end;
-        while at > 0 && near[at - 1].index < entry.index {
-            near[at] = near[at - 1];
-            at -= 1;
-        }
-        near[at] = entry;
-    }
+fn cube<R: Copy + Into<u64>>(entry: &Entry<R>) -> Cube {
+    Cube { lower: entry.lower.map(|c| c.into().cast_signed()), index: entry.index }
 }
 
 #[allow(clippy::cast_precision_loss)] // for the message only
@@ -263,7 +252,7 @@ pub fn union_in_order<O: Order>(order: &O, lowers: &[[i64; 3]], edge: i64) -> Re
             let Face { cube, upper } = vertex[axis];
             lowers[cube as usize][axis] - least[axis] + if upper { edge } else { 0 }
         });
-        mass.add(vertex.map(|face| face.cube as usize), at, vertex.map(|face| face.upper));
+        mass.add(vertex.map(|face| face.cube as usize), at, vertex.map(|face| face.upper), 1);
     });
     Ok(mass)
 }

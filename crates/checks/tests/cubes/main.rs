@@ -1,6 +1,7 @@
 //! Unions of cubes: the vertices' sums against other ways to measure them.
 
 mod backends;
+mod crowds;
 mod dense;
 mod expected;
 mod lattices;
