@@ -30,6 +30,8 @@ mod contestant;
 mod error;
 mod outcome;
 mod watch;
+#[cfg(feature = "wild")]
+mod wild;
 
 pub use case::{Case, Dispute, Truth};
 pub use class::{ClassCounts, classify};
