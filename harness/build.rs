@@ -4,7 +4,8 @@
 use std::process::Command;
 
 /// The peers, as packages.
-const PEERS: [&str; 6] = ["geo", "geogram_predicates", "geometry-predicates", "robust", "rstar", "simplicity"];
+const PEERS: [&str; 8] =
+    ["delaunay", "geo", "geogram_predicates", "geometry-predicates", "rgeometry", "robust", "rstar", "simplicity"];
 
 fn main() {
     println!("cargo::rerun-if-changed=../Cargo.lock");

@@ -9,6 +9,8 @@
 //! * [`Shewchuk`]: the crate `robust` as it is, without a guard against
 //!   underflow and overflow.
 //!
+//! With the feature `wild`, `wild` has the Simulation of Simplicity of other crates.
+//!
 //! Constructed vertices are [computed](constructed) in doubles when a scene is
 //! prepared, and taken for points with those coordinates from then on: that is
 //! wrong before the first predicate is asked.
@@ -22,6 +24,8 @@ mod naive;
 mod rounded;
 mod session;
 mod shewchuk;
+#[cfg(feature = "wild")]
+pub mod wild;
 
 pub use determinant::Pivot;
 pub use epsilon::{BadEpsilon, Epsilon};

@@ -38,7 +38,7 @@ pub enum Fault {
     /// SoS that gives up after the first-order terms and goes by the order of the vertices.
     SosFirstOrderThenParity,
     /// SoS that lifts points moved by ε^(2^i) again, where squares of infinitesimals collide
-    /// with others, and takes terms of equal power one after the other.
+    /// with others, and keeps one term of each power.
     SosCollidingLift,
     /// Exact, with the bound of the floating-point filter halved.
     ExactHalvedFilter,
@@ -134,7 +134,7 @@ impl Fault {
             Fault::SosDroppedLastParity => "the parity of sorting forgotten where the last term decides",
             Fault::SosFirstOrderOnly => "only terms that move one coordinate are looked at",
             Fault::SosFirstOrderThenParity => "those, and what they leave open goes by the order of the vertices",
-            Fault::SosCollidingLift => "points moved by eps^(2^i) lifted again, terms of equal power in a row",
+            Fault::SosCollidingLift => "points moved by eps^(2^i) lifted again, one term kept of equal powers",
             Fault::ExactHalvedFilter => "the floating-point filter's bound halved",
             Fault::ExactOneLimb => "integers of one limb used where differences need two",
             Fault::ExactUnguarded => "adaptive floating point used where it underflows or overflows",

@@ -33,6 +33,8 @@ mod error;
 mod outcome;
 mod prepared;
 mod watch;
+#[cfg(feature = "wild")]
+mod wild;
 
 pub use case::{Case, Dispute, Truth};
 pub use class::{ClassCounts, classify};

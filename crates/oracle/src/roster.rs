@@ -22,7 +22,12 @@ tolerance:f32           the same in single precision, for scenes whose coordinat
 naive, naive:first      plain floating point, pivot at the last or the first argument
 epsilon:EPS             plain floating point, zero where |det| < EPS (1e-10 if left out)
 shewchuk                the crate `robust` as it is
-fault:NAME              a planted fault; `predicament selftest --list` names them";
+fault:NAME              a planted fault; `predicament selftest --list` names them
+Where the tool is built with --features peers, Simulation of Simplicity from crates.io:
+simplicity, geogram, rgeometry, delaunay, delaunay:sorted (by vertex, as the crate asks its kernel)";
+
+/// Backends that are crates from crates.io, with the feature `wild`.
+pub const WILD: &[&str] = &["simplicity", "geogram", "rgeometry", "delaunay", "delaunay:sorted"];
 
 /// The backend with this name.
 ///
@@ -50,6 +55,13 @@ pub fn backend(name: &str) -> Result<Box<dyn Contestant>, String> {
             if let Some(fault) = name.strip_prefix("fault:") {
                 return faults::backend(fault)
                     .ok_or_else(|| format!("no fault is called `{fault}`; `predicament selftest --list` names them"));
+            }
+            #[cfg(feature = "wild")]
+            if let Some(wild) = crate::wild::backend(name) {
+                return Ok(wild);
+            }
+            if WILD.contains(&name) {
+                return Err(format!("`{name}` is there where the tool is built with --features peers"));
             }
             let names = DEFAULT.join(", ");
             return Err(format!("no backend is called `{name}`; there are {names}, and fault:NAME"));

@@ -1,14 +1,15 @@
-//! The lift of moved points, as if its terms had powers of their own.
+//! The lift of moved points, in a table with a place for each power.
 //!
 //! Franklin and Magalhães move coordinate i by ε^(2^i), so that every product
 //! of different infinitesimals has a power of its own. A lifted determinant has
 //! squares as well, and (ε^(2^i))² is ε^(2^(i+1)), the next coordinate's. The
-//! fault takes such terms one after the other in the order of a list, those of
-//! first order first, as if one were larger.
+//! fault enters each term under its power, those of first order first; where two
+//! have the same, the later one overwrites the earlier.
 //!
-//! (To add them up instead would be right: points that have really moved by
-//! ε^(2^i) are points, and break no law. They are other points than those of
-//! the multilinear predicates' terms, no more.)
+//! (To add them up would be right: points that have really moved by ε^(2^i) are
+//! points, and break no law. To take them one after the other in any fixed
+//! order is right as well, by another perturbation whose infinitesimals are
+//! nearly in these proportions. Only what is lost makes answers contradict each other.)
 
 use std::sync::OnceLock;
 
@@ -34,7 +35,7 @@ pub(super) fn decide(scene: &Scene, sorted: &[Vertex]) -> Option<Sign> {
     signs.into_iter().find(|sign| !sign.is_zero())
 }
 
-/// All products of infinitesimals, by power, and those of equal power by degree.
+/// Products of infinitesimals by power, of those with equal power one of the highest degree.
 fn monomials(axes: usize) -> Vec<Moves> {
     let mut all: Vec<Moves> = vec![Vec::new()];
     for _ in 0..axes + 2 {
@@ -50,7 +51,8 @@ fn monomials(axes: usize) -> Vec<Moves> {
         };
         moves.iter().enumerate().map(of).sum::<u64>()
     };
-    all.sort_by_key(|moves| (exponent(moves), degree(moves)));
+    all.sort_by_key(|moves| (exponent(moves), std::cmp::Reverse(degree(moves))));
+    all.dedup_by_key(|moves| exponent(moves));
     all
 }
 

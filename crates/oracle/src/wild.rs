@@ -1,0 +1,41 @@
+//! Other people's Simulation of Simplicity, by name.
+
+use predicament_controls::wild::{Delaunay, Geogram, Rgeometry, Simplicity, Wild};
+use predicament_predicates::{Question, Scene, Sign, Vertex};
+
+use crate::{Contestant, Entry, judge};
+
+/// The crate with this name.
+#[must_use]
+pub fn backend(name: &str) -> Option<Box<dyn Contestant>> {
+    Some(match name {
+        "simplicity" => Box::new(Entry::new(Wild(Simplicity))),
+        "geogram" => Box::new(Entry::breaking_ties(Wild(Geogram), by_lifts)),
+        "delaunay" => Box::new(Entry::new(Wild(Delaunay { sorted: false }))),
+        "delaunay:sorted" => Box::new(Entry::new(Wild(Delaunay { sorted: true }))),
+        "rgeometry" => Box::new(Entry::new(Wild(Rgeometry))),
+        _ => return None,
+    })
+}
+
+/// How geogram breaks ties, by the signs of minors: each vertex' lift is lowered by an
+/// infinitesimal of its own, the larger the smaller its index. Points on one line, or
+/// in one plane, stay degenerate however they are lifted.
+fn by_lifts(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
+    let exact = judge::sign(scene, question, args);
+    let (base, column) = match question {
+        Question::Incircle => (Question::Orient2d(predicament_predicates::Plane::Xy), 2),
+        Question::Insphere => (Question::Orient3d, 3),
+        _ => return exact,
+    };
+    let mut rows: Vec<usize> = (0..args.len()).collect();
+    rows.sort_by_key(|&row| args[row]);
+    let repeated = rows.windows(2).any(|pair| args[pair[0]] == args[pair[1]]);
+    let cofactors = rows.into_iter().filter(|_| !repeated).map(|row| {
+        let others = [&args[..row], &args[row + 1..]].concat();
+        let minor = judge::sign(scene, base, &others);
+        // The derivative by the row's lift, which is lowered.
+        if (row + column) % 2 == 0 { -minor } else { minor }
+    });
+    std::iter::once(exact).chain(cofactors).find(|sign| !sign.is_zero()).unwrap_or(Sign::Zero)
+}
