@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use predicament_algorithms::cube_union::{CubesError, Mass, ScaledCubes, cube_union, cube_union_by};
 use predicament_checks::cubes::{Measures, measured};
-use predicament_predicates::{Backend, Counts, Off, PredicateKind, Predicates, Scene, Tally, ZeroMeaning};
+use predicament_predicates::{Backend, Counts, Off, PredicateKind, Predicates, Scene, ZeroMeaning};
 
 use crate::contestant::{Stopwatch, digest};
 use crate::outcome::{Finding, MassCounts, Outcome};
@@ -52,14 +52,6 @@ impl<'a> CubesCase<'a> {
     #[must_use]
     pub fn truth(&self) -> &Mass {
         &self.truth
-    }
-
-    fn session<'s, B: Backend, T: Tally + 's>(
-        &'s self,
-        backend: &'s B,
-        tally: T,
-    ) -> Result<B::Session<'s, T>, prepared::Refusal> {
-        prepared::session(backend, self.scene, tally, prepared::supports_all(&ASKED))
     }
 
     /// What each check has to say: its name, what was found, what is true.
@@ -123,7 +115,7 @@ fn measures(mass: &Mass) -> Measures {
 pub fn run<B: Backend>(backend: &B, case: &CubesCase, watch: &Watch) -> Result<Outcome, Stop> {
     let queries = case.cubes as u64;
     let counts = Counts::new();
-    let session = match case.session(backend, &counts) {
+    let session = match prepared::asking(backend, case.scene, &counts, &ASKED) {
         Ok(session) => session,
         Err(refusal) => return Ok(refusal.outcome(queries)),
     };
@@ -148,7 +140,7 @@ fn union<P: Predicates>(session: &P) -> Mass {
 
 /// The mass properties by a backend.
 pub(crate) fn found<B: Backend>(backend: &B, case: &CubesCase) -> Result<Mass, String> {
-    let session = case.session(backend, Off)?;
+    let session = prepared::asking(backend, case.scene, Off, &ASKED)?;
     Ok(union(&session))
 }
 
@@ -157,7 +149,7 @@ pub(crate) fn stopwatch<'a, B: Backend>(
     backend: &'a B,
     case: &'a CubesCase,
 ) -> Result<Box<dyn Stopwatch + 'a>, String> {
-    let session = case.session(backend, Off)?;
+    let session = prepared::asking(backend, case.scene, Off, &ASKED)?;
     Ok(Box::new(CubesWatch { session, out: Mass::default() }))
 }
 

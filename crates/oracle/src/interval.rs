@@ -5,9 +5,7 @@ use std::time::{Duration, Instant};
 
 use predicament_algorithms::interval::{Place, cells_at, place};
 use predicament_checks::partition::{exact_place, partition_fault, perturbed_place};
-use predicament_predicates::{
-    Axis, Backend, Counts, Off, PredicateKind, Predicates, Scene, Tally, Vertex, ZeroMeaning,
-};
+use predicament_predicates::{Axis, Backend, Counts, Off, PredicateKind, Predicates, Scene, Vertex, ZeroMeaning};
 use rayon::prelude::*;
 
 use crate::contestant::{Stopwatch, digest};
@@ -75,14 +73,6 @@ impl<'a> IntervalCase<'a> {
         Ok(chunks?.into_iter().flatten().collect())
     }
 
-    fn session<'s, B: Backend, T: Tally + 's>(
-        &'s self,
-        backend: &'s B,
-        tally: T,
-    ) -> Result<B::Session<'s, T>, prepared::Refusal> {
-        prepared::session(backend, self.scene, tally, prepared::supports_all(&ASKED))
-    }
-
     fn locate<P: Predicates>(&self, session: &P, probe: Vertex) -> Cells {
         cells_at(session, self.axis, self.cells, probe).collect()
     }
@@ -144,7 +134,7 @@ impl<'a> IntervalCase<'a> {
     /// # Errors
     /// The reason, where the backend declines.
     pub fn locate_one<B: Backend>(&self, backend: &B, probe: Vertex) -> Result<String, String> {
-        let session = self.session(backend, Off)?;
+        let session = prepared::asking(backend, self.scene, Off, &ASKED)?;
         Ok(IntervalCase::describe(&self.locate(&session, probe)))
     }
 }
@@ -156,7 +146,7 @@ impl<'a> IntervalCase<'a> {
 pub fn run<B: Backend>(backend: &B, case: &IntervalCase, budget: Budget, watch: &Watch) -> Result<Outcome, Stop> {
     let queries = case.probes.len() as u64;
     let counts = Counts::new();
-    let session = match case.session(backend, &counts) {
+    let session = match prepared::asking(backend, case.scene, &counts, &ASKED) {
         Ok(session) => session,
         Err(refusal) => return Ok(refusal.outcome(queries)),
     };
@@ -180,7 +170,7 @@ pub fn run<B: Backend>(backend: &B, case: &IntervalCase, budget: Budget, watch: 
 
 /// The cells of all probes, in order.
 pub(crate) fn found<B: Backend>(backend: &B, case: &IntervalCase) -> Result<Vec<Cells>, String> {
-    let session = case.session(backend, Off)?;
+    let session = prepared::asking(backend, case.scene, Off, &ASKED)?;
     Ok(case.probes.iter().map(|&probe| case.locate(&session, probe)).collect())
 }
 
@@ -189,7 +179,7 @@ pub(crate) fn stopwatch<'a, B: Backend>(
     backend: &'a B,
     case: &'a IntervalCase,
 ) -> Result<Box<dyn Stopwatch + 'a>, String> {
-    let session = case.session(backend, Off)?;
+    let session = prepared::asking(backend, case.scene, Off, &ASKED)?;
     Ok(Box::new(IntervalWatch { session, case, out: Vec::new() }))
 }
 

@@ -17,7 +17,7 @@ use predicament_algorithms::polygon_locate::{LocateIndex, Location, Locations, S
 use predicament_checks::tiling::{Fault, Flaws, Ground, Surroundings, map_flaws, surroundings, tiling_report};
 use predicament_exact::Exact;
 use predicament_mesh::PolygonMap;
-use predicament_predicates::{Backend, Counts, Off, PredicateKind, Predicates, Scene, Tally, Vertex, ZeroMeaning};
+use predicament_predicates::{Backend, Counts, Off, PredicateKind, Predicates, Scene, Vertex, ZeroMeaning};
 
 use crate::contestant::{Stopwatch, digest};
 use crate::outcome::{Finding, LocateCounts, Outcome};
@@ -113,14 +113,6 @@ impl<'a> LocateCase<'a> {
     pub fn exact(&self) -> &Locations {
         &self.exact
     }
-
-    fn session<'s, B: Backend, T: Tally + 's>(
-        &'s self,
-        backend: &'s B,
-        tally: T,
-    ) -> Result<B::Session<'s, T>, prepared::Refusal> {
-        prepared::session(backend, self.scene, tally, prepared::supports_all(&ASKED))
-    }
 }
 
 /// All locations, every edge asked about, in the pool's threads.
@@ -147,7 +139,7 @@ fn all<P: Predicates>(index: &LocateIndex, session: &P, probes: &[Vertex], watch
 pub fn run<B: Backend>(backend: &B, case: &LocateCase, budget: Budget, watch: &Watch) -> Result<Outcome, Stop> {
     let queries = case.probes.len() as u64;
     let counts = Counts::new();
-    let session = match case.session(backend, &counts) {
+    let session = match prepared::asking(backend, case.scene, &counts, &ASKED) {
         Ok(session) => session,
         Err(refusal) => return Ok(refusal.outcome(queries)),
     };
@@ -245,7 +237,7 @@ impl LocateCase<'_> {
     /// # Errors
     /// The reason, where the backend declines.
     pub fn locate_one<B: Backend>(&self, backend: &B, vertex: Vertex) -> Result<String, String> {
-        let session = self.session(backend, Off)?;
+        let session = prepared::asking(backend, self.scene, Off, &ASKED)?;
         let asked = self.describe(self.index.question(&session, vertex, &mut Scratch::new()));
         let by_shortcut = self.describe(self.index.locate(&session, vertex, &mut Scratch::new()));
         Ok(if asked == by_shortcut { asked } else { format!("{asked} (by the shortcut: {by_shortcut})") })
@@ -254,7 +246,7 @@ impl LocateCase<'_> {
 
 /// All answers of a backend by the shortcut, in order.
 pub(crate) fn locations<B: Backend>(backend: &B, case: &LocateCase) -> Result<Locations, String> {
-    let session = case.session(backend, Off)?;
+    let session = prepared::asking(backend, case.scene, Off, &ASKED)?;
     Ok(locate_all(&case.index, &session, &case.probes, &|_| true))
 }
 
@@ -263,7 +255,7 @@ pub(crate) fn stopwatch<'a, B: Backend>(
     backend: &'a B,
     case: &'a LocateCase,
 ) -> Result<Box<dyn Stopwatch + 'a>, String> {
-    let session = case.session(backend, Off)?;
+    let session = prepared::asking(backend, case.scene, Off, &ASKED)?;
     Ok(Box::new(LocateWatch { session, case, scratch: Scratch::new(), out: LocationSink::default() }))
 }
 

@@ -16,9 +16,14 @@ pub(crate) fn session<'s, B: Backend, T: Tally + 's>(
     Ok(session)
 }
 
-/// Whether the session answers all of these.
-pub(crate) fn supports_all<P: Predicates>(kinds: &[PredicateKind]) -> impl FnOnce(&P) -> Result<(), Declined> {
-    move |session| kinds.iter().try_for_each(|&kind| session.supports(kind))
+/// [`session`] for these predicates.
+pub(crate) fn asking<'s, B: Backend, T: Tally + 's>(
+    backend: &'s B,
+    scene: &'s Scene,
+    tally: T,
+    kinds: &[PredicateKind],
+) -> Result<B::Session<'s, T>, Refusal> {
+    session(backend, scene, tally, |session| kinds.iter().try_for_each(|&kind| session.supports(kind)))
 }
 
 /// A backend that says it can't.

@@ -45,16 +45,16 @@ impl Predicates for Session<'_> {
         (self.rule)([a, b].map(|v| self.scene.coordinate(axis, v)), [a.index(), b.index()])
     }
     fn orient2d(&self, _: Plane, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        unimplemented!("nobody asks")
+        unreachable!("nobody asks")
     }
     fn orient3d(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        unimplemented!("nobody asks")
+        unreachable!("nobody asks")
     }
     fn incircle(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        unimplemented!("nobody asks")
+        unreachable!("nobody asks")
     }
     fn insphere(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        unimplemented!("nobody asks")
+        unreachable!("nobody asks")
     }
 }
 
@@ -138,14 +138,13 @@ fn each_way_to_be_wrong_on_a_line_has_its_class() {
     assert!(checks(&by_rule("three-cells", ZeroMeaning::Never, up)).contains(&(Class::Topology, "double")));
     let down = |[a, b]: [f64; 2], _: [usize; 2]| if a > b { Sign::Positive } else { Sign::Negative };
     assert!(checks(&by_rule("three-cells", ZeroMeaning::Never, down)).contains(&(Class::Topology, "gap")));
-    // An order with a cycle: the first probe of all is right of what is right of it.
+    // An order with a cycle: a probe beyond the last end, and left of the one before.
     let cycle = |[a, b]: [f64; 2], [i, j]: [usize; 2]| match (i, j) {
-        (2, 10) => Sign::Positive,
-        (10, 2) => Sign::Negative,
+        (2, 10) | (9, 2) => Sign::Positive,
+        (10, 2) | (2, 9) => Sign::Negative,
         _ => smaller_is_further([a, b], [i, j]),
     };
-    let cycle = by_rule("three-cells", ZeroMeaning::Never, cycle);
-    assert!(checks(&cycle).contains(&(Class::Topology, "stray")) || checks(&cycle).contains(&(Class::Topology, "gap")));
+    assert_eq!(checks(&by_rule("three-cells", ZeroMeaning::Never, cycle)), [(Class::Topology, "stray")]);
 }
 
 #[test]
@@ -176,7 +175,7 @@ fn each_sum_over_a_union_can_be_found_wrong() {
     // Moved the other way two cubes part that should be one: the same volume, with other walls.
     let other = by_rule("common-face", ZeroMeaning::Never, larger_is_further);
     let found: Vec<&str> = checks(&other).iter().map(|(_, check)| *check).collect();
-    assert_eq!(found, ["area", "edge length", "vertices"]);
+    assert_eq!(found, ["area", "vertices"]);
     // Ties by place are no perturbation at all: some corners are in, others out.
     let up = |[a, b]: [f64; 2], _: [usize; 2]| if a >= b { Sign::Positive } else { Sign::Negative };
     let up = by_rule("slide", ZeroMeaning::Never, up);

@@ -159,6 +159,11 @@ pub enum Block {
 }
 
 impl Block {
+    /// A table, or, where it has no rows, a note that says so.
+    pub fn table_or(table: Table, nothing: &str) -> Block {
+        if table.is_empty() { Block::Note(nothing.to_owned(), Tone::Notable) } else { Block::Table(table) }
+    }
+
     fn value(&self) -> Value {
         match self {
             Block::Table(table) => table.value(),

@@ -18,7 +18,7 @@ const MOST_VOLUME: f64 = 126.0;
 
 /// The cubes of a scene, or where they are.
 pub(super) enum Cubes {
-    Written(Scene, Work),
+    Written(Box<(Scene, Work)>),
     Csv(PathBuf),
 }
 
@@ -26,8 +26,7 @@ pub(super) enum Cubes {
 pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Cubes, CorpusError> {
     let field = fields.required("cubes")?;
     if field.is_array() {
-        let (scene, work) = scene(fields.file(), &points::read_rows(&field, &CUBE)?)?;
-        return Ok(Cubes::Written(scene, work));
+        return Ok(Cubes::Written(Box::new(scene(fields.file(), &points::read_rows(&field, &CUBE)?)?)));
     }
     let table = field.fields(&tables::CUBES)?;
     let path = context.path(&table.required("path")?)?;

@@ -210,7 +210,7 @@ pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<Scen
         Task::Contacts2d | Task::Contacts3d => Some(read_contacts(context, &fields, task)?),
         Task::Interval => Some(Content::Inline(Arc::new(interval::read(&fields)?))),
         Task::CubeUnion => Some(match cubes::read(context, &fields)? {
-            Cubes::Written(scene, work) => Content::Inline(Arc::new((scene, work))),
+            Cubes::Written(written) => Content::Inline(Arc::new(*written)),
             Cubes::Csv(path) => Content::Cubes(path),
         }),
         _ => None,

@@ -1,4 +1,4 @@
-//! The lift of moved points, in a table with a place for each power.
+//! The lift of moved points of a circle, in a table with a place for each power.
 //!
 //! Franklin and Magalhães move coordinate i by ε^(2^i), so that every product
 //! of different infinitesimals has a power of its own. A lifted determinant has
@@ -21,13 +21,15 @@ use crate::judge;
 /// One row's share of a monomial: its infinitesimal's coordinate and power.
 type Moves = Vec<Option<(usize, u32)>>;
 
-/// The sign of the first coefficient that is not zero.
+/// The coordinates of a point.
+const AXES: usize = 2;
+
+/// The sign of the first coefficient of four points in the plane that is not zero.
 pub(super) fn decide(scene: &Scene, sorted: &[Vertex]) -> Option<Sign> {
-    static MONOMIALS: [OnceLock<Vec<Moves>>; 2] = [const { OnceLock::new() }; 2];
-    let axes = scene.dimension().count();
+    static MONOMIALS: OnceLock<Vec<Moves>> = OnceLock::new();
     let points: Vec<Vec<Rational>> =
         sorted.iter().map(|&v| scene.point(v).iter().map(|&x| judge::rational(x)).collect()).collect();
-    let monomials = MONOMIALS[axes - 2].get_or_init(|| monomials(axes));
+    let monomials = MONOMIALS.get_or_init(monomials);
     let signs = monomials.iter().map(|moves| {
         let rows: Vec<Vec<Rational>> = points.iter().zip(moves).map(|(point, &moved)| row(point, moved)).collect();
         Sign::from(judge::determinant(&rows).cmp0())
@@ -36,10 +38,10 @@ pub(super) fn decide(scene: &Scene, sorted: &[Vertex]) -> Option<Sign> {
 }
 
 /// Products of infinitesimals by power, of those with equal power one of the highest degree.
-fn monomials(axes: usize) -> Vec<Moves> {
+fn monomials() -> Vec<Moves> {
     let mut all: Vec<Moves> = vec![Vec::new()];
-    for _ in 0..axes + 2 {
-        let moves = (0..axes).flat_map(|axis| [1, 2].map(|power| Some((axis, power))));
+    for _ in 0..AXES + 2 {
+        let moves = (0..AXES).flat_map(|axis| [1, 2].map(|power| Some((axis, power))));
         let moves: Vec<Option<(usize, u32)>> = std::iter::once(None).chain(moves).collect();
         let longer = |shorter: &Moves| moves.iter().map(|&next| [shorter.as_slice(), &[next]].concat()).collect();
         all = all.iter().flat_map::<Vec<Moves>, _>(longer).collect();
@@ -47,7 +49,7 @@ fn monomials(axes: usize) -> Vec<Moves> {
     let degree = |moves: &Moves| moves.iter().flatten().map(|&(_, power)| power).sum::<u32>();
     let exponent = |moves: &Moves| {
         let of = |(row, moved): (usize, &Option<(usize, u32)>)| {
-            moved.map_or(0, |(axis, power)| u64::from(power) << (row * axes + axis))
+            moved.map_or(0, |(axis, power)| u64::from(power) << (row * AXES + axis))
         };
         moves.iter().enumerate().map(of).sum::<u64>()
     };

@@ -35,10 +35,8 @@ pub(super) fn break_tie<P: Predicates, const N: usize>(
             decided.or(last).map(|sign| sign * sorted.parity)
         }
         Fault::SosCollidingLift => match question {
-            Question::Incircle | Question::Insphere => {
-                colliding::decide(exact.scene(), &sorted.vertices).map(|sign| sign * sorted.parity)
-            }
-            // Without a lift no two terms have the same power.
+            Question::Incircle => colliding::decide(exact.scene(), &sorted.vertices).map(|sign| sign * sorted.parity),
+            // Without a lift no two terms have the same power; and of spheres there are too many to write out.
             _ => decide(terms, &sorted.vertices).map(|(sign, _)| sign * sorted.parity),
         },
         _ => decide(terms, &sorted.vertices).map(|(sign, _)| sign * sorted.parity),

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::{rank, run_head, run_label};
 use crate::format::percent;
 use crate::groups::backends;
-use crate::table::{Block, Cell, Section, Table, Tone};
+use crate::table::{Block, Cell, Section, Table};
 use crate::{ContactRow, RunDir};
 
 /// Levels are sums of two ranks: 0 for two vertices, the dimension for pairs in general position.
@@ -54,11 +54,7 @@ pub fn section(runs: &[RunDir]) -> Section {
             table.push(run_label(runs, index).into_iter().chain(cells).chain(levels).collect());
         }
     }
-    let block = if table.is_empty() {
-        Block::Note("No contacts between complexes were asked for.".to_owned(), Tone::Notable)
-    } else {
-        Block::Table(table)
-    };
+    let block = Block::table_or(table, "No contacts between complexes were asked for.");
     Section {
         id: "contacts",
         title: "Contacts",

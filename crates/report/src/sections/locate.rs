@@ -34,11 +34,7 @@ pub fn section(runs: &[RunDir]) -> Section {
             table.push(run_label(runs, index).into_iter().chain(cells).collect());
         }
     }
-    let block = if table.is_empty() {
-        Block::Note("No point was located in a map.".to_owned(), Tone::Notable)
-    } else {
-        Block::Table(table)
-    };
+    let block = Block::table_or(table, "No point was located in a map.");
     Section {
         id: "locate",
         title: "Points in a map",

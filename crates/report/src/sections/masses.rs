@@ -35,11 +35,7 @@ pub fn section(runs: &[RunDir]) -> Section {
             table.push(run_label(runs, index).into_iter().chain(cells).collect());
         }
     }
-    let block = if table.is_empty() {
-        Block::Note("No union of cubes was measured.".to_owned(), Tone::Notable)
-    } else {
-        Block::Table(table)
-    };
+    let block = Block::table_or(table, "No union of cubes was measured.");
     Section {
         id: "cubes",
         title: "Unions of cubes",

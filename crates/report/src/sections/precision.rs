@@ -42,11 +42,7 @@ pub fn section(runs: &[RunDir]) -> Section {
             table.push(run_label(runs, index).into_iter().chain(cells).chain(choices).collect());
         }
     }
-    let block = if table.is_empty() {
-        Block::Note("No precision plan was written down.".to_owned(), Tone::Notable)
-    } else {
-        Block::Table(table)
-    };
+    let block = Block::table_or(table, "No precision plan was written down.");
     Section {
         id: "precision",
         title: "Precision plans",

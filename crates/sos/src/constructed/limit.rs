@@ -42,7 +42,7 @@ pub fn limit(scene: &Scene, v: Vertex) -> Option<Limit> {
     let construction = scene.construction(v).expect("a constructed vertex of the scene");
     let inputs = inputs(scene, &[v]);
     let search = Search::new(scene, &inputs);
-    let leading = |part: Part| search.leading(&Share { v, part });
+    let leading = |part: Part| search.leading(&Polynomial { v, part });
     let weight = leading(Part::Weight)?;
     let axes: &[Axis] = match scene.dimension() {
         Dimension::Two => &[Axis::X, Axis::Y],
@@ -58,7 +58,7 @@ pub fn limit(scene: &Scene, v: Vertex) -> Option<Limit> {
     };
     let weights = (0..fractions).map(|at| {
         let whole = leading(Part::Whole(at)).expect("the lines and planes meet");
-        ratio(leading(Part::Part(at)).as_ref(), &whole)
+        ratio(leading(Part::Share(at)).as_ref(), &whole)
     });
     Some(Limit { position: position.collect(), weights: weights.collect() })
 }
@@ -88,7 +88,7 @@ fn size(a: &Leading, b: &Leading) -> Ordering {
     a.monomial.len().cmp(&b.monomial.len()).reverse()
 }
 
-/// A polynomial that a ratio is made of.
+/// What a ratio is made of.
 #[derive(Clone, Copy)]
 enum Part {
     /// The weight of the homogeneous row.
@@ -96,22 +96,22 @@ enum Part {
     /// Its entry along an axis.
     Along(Axis),
     /// The numerator of a weight, by its number.
-    Part(usize),
+    Share(usize),
     /// The denominator of a weight.
     Whole(usize),
 }
 
-struct Share {
+struct Polynomial {
     v: Vertex,
     part: Part,
 }
 
-impl Expression for Share {
+impl Expression for Polynomial {
     fn of<C: Coefficient>(&self, moved: &Moved<'_, C>) -> Series<C> {
         match self.part {
             Part::Weight => moved.weight(self.v),
             Part::Along(axis) => moved.row(self.v).swap_remove(axis.index()),
-            Part::Part(at) => moved.fraction(self.v, at)[0].clone(),
+            Part::Share(at) => moved.fraction(self.v, at)[0].clone(),
             Part::Whole(at) => moved.fraction(self.v, at)[1].clone(),
         }
     }
