@@ -8,7 +8,7 @@ use tempfile::tempdir;
 /// A part of the corpora that has signs, ties, findings and a map.
 const SOME: [&str; 4] = [
     "-f",
-    "kettner-[ab]|wide-scaled-orient2d|grid-incircle|tilings|contacts/(surfaces|polygons)-degen",
+    "kettner-[ab]|wide-scaled-orient2d|grid-incircle|tilings|contacts/(surfaces|polygons)-degen|cubes/slide",
     "-b",
     "exact,sos,naive,tolerance",
 ];
@@ -113,6 +113,7 @@ fn every_scene_has_one_precision_plan_whatever_the_backends() {
         "stages.csv",
         "locate.csv",
         "contacts.csv",
+        "masses.csv",
     ] {
         write(&folder, &format!("old/{file}"), &read(&one, file));
     }

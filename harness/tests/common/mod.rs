@@ -47,7 +47,7 @@ pub fn at(folder: &tempfile::TempDir, name: &str) -> String {
 
 /// The tables of a run that have to be the same whatever the threads.
 pub fn tables(run: &str) -> Vec<(&'static str, String)> {
-    ["summary.csv", "findings.csv", "stages.csv", "locate.csv", "contacts.csv", "precision.csv"]
+    ["summary.csv", "findings.csv", "stages.csv", "locate.csv", "contacts.csv", "masses.csv", "precision.csv"]
         .map(|file| (file, read(run, file)))
         .to_vec()
 }
