@@ -6,8 +6,8 @@ use minijinja::syntax::SyntaxConfig;
 use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value, context};
 
 use crate::sections::{headlines, sections};
-use crate::table::{Headline, Section};
-use crate::{Error, RunDir, scatter};
+use crate::table::{Block, Headline, Section};
+use crate::{Error, RunDir};
 
 const HTML: &str = "page.html";
 const MARKDOWN: &str = "page.md";
@@ -20,7 +20,7 @@ pub fn html(runs: &[RunDir]) -> Result<String, Error> {
     render(HTML, runs)
 }
 
-/// The same as Markdown. The plot is a file beside it, `scatter.svg`; pixel maps are left out.
+/// The same as Markdown. Plots are files beside it; pixel maps are left out.
 ///
 /// # Errors
 /// If the plot can't be drawn or the page can't be filled in.
@@ -28,8 +28,8 @@ pub fn markdown(runs: &[RunDir]) -> Result<String, Error> {
     render(MARKDOWN, runs)
 }
 
-/// Writes `report.html`, `report.md` and, where there is something to plot,
-/// `scatter.svg` into a folder, which is made if need be.
+/// Writes `report.html`, `report.md` and the plots, each where there is something to
+/// plot (`scatter.svg`, `ties.svg`), into a folder, which is made if need be.
 ///
 /// # Errors
 /// If a page can't be made or written.
@@ -37,8 +37,12 @@ pub fn write_pages(runs: &[RunDir], folder: impl AsRef<Path>) -> Result<(), Erro
     let folder = folder.as_ref();
     std::fs::create_dir_all(folder).map_err(Error::io(folder))?;
     let pages = [("report.html", html(runs)?), ("report.md", markdown(runs)?)];
-    let plot = scatter(runs)?.map(|svg| ("scatter.svg", svg));
-    for (name, text) in pages.into_iter().chain(plot) {
+    let blocks = sections(runs)?.into_iter().flat_map(|section| section.blocks);
+    let plots = blocks.filter_map(|block| match block {
+        Block::Plot { svg, file, .. } => Some((file, svg)),
+        _ => None,
+    });
+    for (name, text) in pages.into_iter().chain(plots) {
         let path = folder.join(name);
         std::fs::write(&path, text).map_err(Error::io(&path))?;
     }

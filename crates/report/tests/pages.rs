@@ -140,7 +140,10 @@ fn pages_are_written_beside_their_plot() {
     write_pages(&runs(), &out).unwrap();
     let plot = std::fs::read_to_string(out.join("scatter.svg")).unwrap();
     assert!(plot.starts_with("<svg") && plot.contains("shewchuk") && !plot.contains("#010203"));
-    assert!(std::fs::read_to_string(out.join("report.md")).unwrap().contains("(scatter.svg)"));
+    let ties = std::fs::read_to_string(out.join("ties.svg")).unwrap();
+    assert!(ties.starts_with("<svg") && ties.contains("sos"), "{ties}");
+    let page = std::fs::read_to_string(out.join("report.md")).unwrap();
+    assert!(page.contains("(scatter.svg)") && page.contains("(ties.svg)"));
     assert!(std::fs::read_to_string(out.join("report.html")).unwrap().contains("<svg class=\"scatter\""));
 }
 
