@@ -73,7 +73,7 @@ fn draw(svg: &mut String, bars: &Bars, top: f64) -> Drawn {
         let (x, y) = chart.backend_coord(&(number(place) + 0.5, ground));
         root.draw(&Text::new(name.clone(), (x, y + 6), small(FONT).pos(Pos::new(HPos::Center, VPos::Top))))?;
     }
-    chart.configure_series_labels().label_font(small(FONT)).draw()?;
+    chart.configure_series_labels().position(SeriesLabelPosition::UpperRight).label_font(small(FONT)).draw()?;
     root.present()
 }
 
