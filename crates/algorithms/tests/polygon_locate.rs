@@ -4,16 +4,15 @@
 mod common;
 #[path = "common/maps.rs"]
 mod maps;
-#[path = "common/one_flip.rs"]
-mod one_flip;
 #[path = "common/rings.rs"]
 mod rings;
+#[path = "common/turns.rs"]
+mod turns;
 
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use common::{Truth, brute_force, with};
 use maps::problem;
-use one_flip::OneFlip;
 use predicament_algorithms::polygon_locate::{CHUNK, LocateIndex, Locations, Scratch, locate_all, question_all};
 use predicament_controls::Naive;
 use predicament_exact::Exact;
@@ -22,6 +21,7 @@ use predicament_predicates::{Axis, Backend, Off, Plane, Predicates, Scene, Sign,
 use predicament_sos::Sos;
 use proptest::prelude::*;
 use rings::{grid_points, rings, ulp_points};
+use turns::{banded, one_flip};
 
 fn located<P: Predicates>(map: &PolygonMap, session: &P) -> Locations {
     let scene = session.scene();
@@ -197,10 +197,10 @@ fn one_wrong_sign_is_seen() {
     // by the shortcut, and with every edge asked about
     let planted = |points: &[[f64; 2]], flipped: [usize; 3]| {
         let (map, scene) = problem(points, &[vec![vec![0, 1, 2, 3]]]);
-        let session = OneFlip { exact: Exact.prepare(&scene, Off).unwrap(), flipped: flipped.map(Vertex::input) };
+        let session = one_flip(&scene, flipped.map(Vertex::input));
         let index = LocateIndex::new(&map, &scene);
         let queries: Vec<Vertex> = scene.vertices().collect();
-        [locate_all::<OneFlip>, question_all].map(|locate| {
+        [locate_all, question_all].map(|locate| {
             let answers = locate(&index, &session, &queries, &|_| true);
             let wrong = |&(at, q): &(usize, Vertex)| {
                 let truths = brute_force(&map, &scene, q);
@@ -232,38 +232,6 @@ fn shaken_board() -> impl Strategy<Value = (PolygonMap, Scene)> {
         };
         problem(&points, &(0..N * N).map(cell).collect::<Vec<_>>())
     })
-}
-
-/// Sees points on an edge that are no more than `reach` above or below it.
-struct Banded<'s> {
-    exact: <Exact as Backend>::Session<'s, Off>,
-    reach: f64,
-}
-
-impl Predicates for Banded<'_> {
-    fn scene(&self) -> &Scene {
-        self.exact.scene()
-    }
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.exact.compare(axis, a, b)
-    }
-    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        let [a, b, c] = [a, b, c].map(|v| self.scene().point2(plane, v));
-        let area = (a[0] - c[0]) * (b[1] - c[1]) - (a[1] - c[1]) * (b[0] - c[0]);
-        if area.abs() <= self.reach * (a[0] - b[0]).abs() { Sign::Zero } else { Sign::of(area) }
-    }
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.exact.orient3d(a, b, c, d)
-    }
-    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.exact.incircle(a, b, c, d)
-    }
-    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.exact.insphere(a, b, c, d, e)
-    }
-    fn reach(&self) -> f64 {
-        self.reach
-    }
 }
 
 /// The rule of 4.2, with every question put to the session about every edge.
@@ -314,7 +282,7 @@ fn check_against_asking_everything(map: &PolygonMap, scene: &Scene) {
     check(map, &Naive::default().prepare(scene, Off).unwrap());
     // within a row, across rows, and everything
     for reach in [1e-12, 0.25, 1.5, 1e300] {
-        check(map, &Banded { exact: exact(), reach });
+        check(map, &banded(scene, reach));
     }
 }
 

@@ -6,13 +6,12 @@ mod agreement;
 mod common;
 #[path = "common/maps.rs"]
 mod maps;
-#[path = "common/one_flip.rs"]
-mod one_flip;
 #[path = "common/rings.rs"]
 mod rings;
+#[path = "common/turns.rs"]
+mod turns;
 
 use agreement::{Probed, grid, sign_of_d};
-use one_flip::OneFlip;
 use predicament_algorithms::polygon_locate::special::{OnEdge, Point, crosses, locate};
 use predicament_algorithms::polygon_locate::{LocateIndex, Scratch, locate_all_specially};
 use predicament_exact::Exact;
@@ -20,6 +19,7 @@ use predicament_predicates::{Backend, Off, Plane, Predicates, Sign, Vertex};
 use predicament_sos::Sos;
 use proptest::prelude::*;
 use rings::{grid_points, rings, ulp_points};
+use turns::one_flip;
 
 const SQUARE: [[f64; 2]; 4] = [[0., 0.], [4., 0.], [4., 4.], [0., 4.]];
 const DIAMOND: [[f64; 2]; 4] = [[0., 2.], [2., 0.], [4., 2.], [2., 4.]];
@@ -118,7 +118,7 @@ fn a_wrong_sign_in_either_code_is_seen() {
     let place = places.iter().position(|place| *place == [1., 2.]).unwrap();
     let [first, left, top] = [probed.probes(place)[0].index(), places.len(), places.len() + 3];
     let flipped = [first, left, top].map(Vertex::input);
-    let wrong = OneFlip { exact: exact(), flipped };
+    let wrong = one_flip(&probed.scene, flipped);
     assert_eq!(wrong.orient2d(Plane::Xy, flipped[1], flipped[2], flipped[0]), Sign::Positive, "above, by mistake");
     assert_eq!(probed.disagreements(&wrong, &perturbed(), &sign_of_d), ["exact, at [1.0, 2.0]"]);
     let of_generic = probed.disagreements(&exact(), &wrong, &sign_of_d);

@@ -101,8 +101,7 @@ fn orders<P: Predicates>(
 ) -> Result<Violations, Stop> {
     let question = case.queries.question();
     let orders: usize = (1..=question.kind().arity()).product();
-    let step = (case.queries.len() * orders).div_ceil(budget.permutations.max(1)).max(1);
-    let sample: Vec<usize> = (0..case.queries.len()).step_by(step).collect();
+    let sample: Vec<usize> = affordable(case.queries.len(), orders, budget.permutations).collect();
     in_chunks(&sample, budget, watch, |&query| {
         let violation = antisymmetry(session, question, case.queries.args(query), contract.zero).into_iter().next()?;
         let class = class_of(session, contract, case, query);
@@ -164,8 +163,7 @@ const BATCH: usize = 61;
 
 /// Evenly spread queries alone and in batches.
 fn places(session: &dyn Predicates, case: &SignCase, budget: Budget, watch: &Watch) -> Result<Violations, Stop> {
-    let step = case.queries.len().div_ceil(budget.relations.max(1)).max(1);
-    let sample: Vec<usize> = (0..case.queries.len()).step_by(step).collect();
+    let sample: Vec<usize> = affordable(case.queries.len(), 1, budget.relations).collect();
     let batches: Vec<QuerySet> = sample
         .chunks(BATCH)
         .map(|queries| {
@@ -198,8 +196,7 @@ fn later_vertices<B: Backend>(
         .map(|query| case.queries.args(query))
         .filter(|args| args.iter().all(|v| v.index() < half))
         .collect();
-    let step = within.len().div_ceil(budget.relations.max(1)).max(1);
-    let sample: Vec<&[Vertex]> = within.into_iter().step_by(step).collect();
+    let sample: Vec<&[Vertex]> = affordable(within.len(), 1, budget.relations).map(|at| within[at]).collect();
     in_chunks(&sample, budget, watch, |args| {
         independence_of_later_vertices(&fewer, session, question, args).map(|violation| (None, violation))
     })
@@ -213,8 +210,7 @@ fn tuples(case: &SignCase, size: usize, wanted: usize) -> Vec<Vec<Vertex>> {
         return Vec::new();
     }
     let windows = flat.len() - size + 1;
-    let step = windows.div_ceil(wanted.div_ceil(2).max(1)).max(1);
-    let near = (0..windows).step_by(step).map(|at| flat[at..at + size].to_vec());
+    let near = affordable(windows, 1, wanted.div_ceil(2)).map(|at| flat[at..at + size].to_vec());
     // Weyl sequence: spreads indices evenly without a random source.
     let spread = (0..wanted / 2).map(|i| {
         let place = |j: usize| {
@@ -230,6 +226,11 @@ fn tuples(case: &SignCase, size: usize, wanted: usize) -> Vec<Vec<Vertex>> {
             sorted.windows(2).all(|pair| pair[0] != pair[1])
         })
         .collect()
+}
+
+/// Evenly spread numbers below n, as many as the budget pays for.
+fn affordable(n: usize, cost: usize, budget: usize) -> impl Iterator<Item = usize> {
+    (0..n).step_by((n * cost).div_ceil(budget.max(1)).max(1))
 }
 
 /// Looks at all items in parallel, notes what is found in order, and stops when the watch says so.
