@@ -102,6 +102,22 @@ fn a_line_and_a_plane_that_meet_or_will() {
     assert!(counts.iter().all(|&count| count > 4), "{counts:?}");
 }
 
+#[test]
+fn segments_with_a_common_end_meet_there() {
+    let mut random = Random(33);
+    for _ in 0..200 {
+        let scene = grid_scene(2, 2, &random.numbers(9, 3));
+        let [p, q, a] = std::array::from_fn(Vertex::input);
+        check(scene, Construction::Ssi([[p, q], [p, a]]));
+    }
+    // All on the y axis: the largest infinitesimal is in the weight, and squared in the row along x.
+    let mut upright = scene(2, vec![0., 0., 0., 1., 0., 2.]).unwrap();
+    let [p, q, a] = std::array::from_fn(Vertex::input);
+    let at = upright.construct(Construction::Ssi([[p, q], [p, a]])).unwrap();
+    let met = limit(&upright, at).unwrap();
+    assert_eq!((met.position, met.weights), (vec![ratio(0, 1); 2], vec![ratio(0, 1); 2]));
+}
+
 /// Two segments of the x axis: (0, 4) and (1, 3). Vertex 0 is lifted most, then turned by vertex 1 alone.
 #[test]
 fn overlapping_segments_meet_where_the_perturbation_lifts_the_first_vertex_least() {
