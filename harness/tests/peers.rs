@@ -74,3 +74,60 @@ fn peers_find_the_pairs_of_contacts_in_general_position() {
     let timed = column(&read(&out, "throughput.csv"), "backend");
     assert!(["geo:sweep", "rstar"].iter().all(|peer| timed.iter().any(|backend| backend == peer)), "{timed:?}");
 }
+
+/// The crates with Simulation of Simplicity break the laws that `docs/LAWS.md` says, and no others.
+#[test]
+fn the_committed_table_of_laws_is_the_one_that_comes_out() {
+    let crates = ["simplicity", "geogram", "rgeometry", "delaunay", "delaunay:sorted"];
+    let args = ["laws", "-b", &crates.join(","), "--tuples", "200000", "--seed", "1", "--format", "csv"];
+    let told = expect(100, &args).stdout;
+    let all = |name: &str| column(&told, name);
+    let number = |name: &str| -> Vec<u64> { all(name).iter().map(|n| n.parse().expect("a count")).collect() };
+    let (tuples, violations, panics) = (number("tuples"), number("violations"), number("panics"));
+    let (backends, laws, predicates) = (all("backend"), all("law"), all("predicates"));
+    let letters = |predicates: &str| -> String {
+        let letter = |name: &str| match name {
+            "compare" => 'c',
+            "orient2d" => '2',
+            "orient3d" => '3',
+            "incircle" => 'C',
+            "insphere" => 'S',
+            other => panic!("no letter for {other}"),
+        };
+        predicates.split('+').map(letter).collect()
+    };
+    let cell = |backend: &str, law: &str| -> String {
+        let rows = (0..tuples.len()).filter(|&row| backends[row] == backend && laws[row] == law && tuples[row] > 0);
+        let rows: Vec<usize> = rows.collect();
+        let broken =
+            rows.iter().filter(|&&row| violations[row] + panics[row] > 0).map(|&row| letters(&predicates[row]));
+        let mut broken: Vec<String> = broken.collect();
+        broken.sort();
+        match (rows.is_empty(), broken.is_empty()) {
+            (true, _) => "-".to_owned(),
+            (false, true) => "0".to_owned(),
+            (false, false) => broken.join(" "),
+        }
+    };
+    let page = include_str!("../../docs/LAWS.md");
+    let (_, table) = page.split_once("| law | exact, sos, ").expect("the table");
+    let (_, table) = table.split_once("|---|\n").expect("its rows");
+    let mut seen = 0;
+    for line in table.lines().take_while(|line| line.starts_with('|')) {
+        let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
+        let said = cells[4..].iter().map(|cell| cell.trim_end_matches(" (mixed)").to_owned());
+        let said: Vec<String> = said.collect();
+        let named: Vec<&str> = match cells[0] {
+            "independence-of-place, -of-later-vertices" => {
+                vec!["independence-of-place", "independence-of-later-vertices"]
+            }
+            law => vec![law],
+        };
+        for law in named {
+            assert_eq!(crates.map(|name| cell(name, law)).to_vec(), said, "{law}");
+            seen += 1;
+        }
+    }
+    let distinct: std::collections::BTreeSet<&String> = laws.iter().collect();
+    assert_eq!(seen, distinct.len(), "a row for each law");
+}
