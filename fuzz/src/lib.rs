@@ -20,7 +20,8 @@ mod judge_of_constructed;
 pub mod points;
 
 use predicament_exact::{Exact, raw};
-use predicament_oracle::{judge, signs};
+use predicament_judge as judge;
+use predicament_oracle::signs;
 use predicament_predicates::{
     Axis, Backend, Dimension, Off, Plane, PredicateKind, QuerySet, Question, Scene, Sign, Vertex,
 };

@@ -6,7 +6,7 @@
 use predicament_predicates::{Band, Class, Sign, ZeroMeaning};
 use rug::Rational;
 
-use crate::judge::{self, Verdict};
+use predicament_judge::{self as judge, Verdict};
 
 /// How many of each class.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]

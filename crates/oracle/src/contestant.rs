@@ -18,8 +18,9 @@ use crate::contacts::{self, ContactsCase};
 use crate::cubes::{self, CubesCase};
 use crate::interval::{self, Cells, IntervalCase};
 use crate::locate::{self, LocateCase};
-use crate::signs::{self, Budget, SignCase, TieJudge};
+use crate::signs::{self, Budget, SignCase};
 use crate::{Outcome, Stop, Watch};
+use predicament_judge::TieJudge;
 
 /// A backend that the command line can pick.
 pub trait Contestant: Sync {

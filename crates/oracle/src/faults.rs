@@ -277,7 +277,7 @@ impl Session<'_> {
             Fault::ExactUnguarded => question.ask(&self.adaptive, &args),
             Fault::ExactFlushed => {
                 let scene = self.exact.scene();
-                let determinant = crate::judge::verdict(scene, question, &args).determinant;
+                let determinant = predicament_judge::verdict(scene, question, &args).determinant;
                 if determinant.to_f64().is_normal() { exact } else { Sign::Zero }
             }
             Fault::ExactRoundedVertex => self.rounded(question, &args).unwrap_or(exact),

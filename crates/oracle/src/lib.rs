@@ -1,6 +1,5 @@
 //! The oracle: runs backends on scenes, classifies their answers, measures error.
 //!
-//! * [`judge`]: the truth, straight in rationals.
 //! * [`Case`]: a loaded scene with the truth about it; [`Case::run`] holds one
 //!   backend against it and gives an [`Outcome`].
 //! * [`classify`]: what becomes of an answer; [`expect`]: which findings are expected.
@@ -16,7 +15,6 @@ pub mod cubes;
 pub mod expect;
 pub mod faults;
 pub mod interval;
-pub mod judge;
 pub mod laws;
 pub mod locate;
 pub mod parity;

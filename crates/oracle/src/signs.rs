@@ -9,7 +9,8 @@ use rug::Rational;
 use crate::axioms;
 use crate::error::{distance_over_l, largest_edge};
 use crate::outcome::{Finding, Outcome, symbol};
-use crate::{Class, ClassCounts, Stop, Watch, classify, judge, prepared};
+use crate::{Class, ClassCounts, Stop, Watch, classify, prepared};
+use predicament_judge::{self as judge, TieJudge};
 
 /// Queries to a chunk: small enough to stop soon, large enough to cost nothing.
 const CHUNK: usize = 4096;
@@ -53,10 +54,6 @@ impl Budget {
     pub const FULL: Budget =
         Budget { findings_per_class: 25, permutations: 24_000_000, relations: 50_000, thorough: true, ties: 2_000 };
 }
-
-/// The sign of a perturbed scene, for backends that break ties: computed in
-/// another way than the backend does.
-pub type TieJudge = dyn Fn(&Scene, Question, &[Vertex]) -> Sign + Sync;
 
 /// The exact signs of all queries, those of an even sample found twice.
 ///

@@ -3,7 +3,9 @@
 use predicament_controls::wild::{Delaunay, Geogram, Rgeometry, Simplicity, Wild};
 use predicament_predicates::{Question, Scene, Sign, Vertex};
 
-use crate::{Contestant, Entry, judge};
+use predicament_judge as judge;
+
+use crate::{Contestant, Entry};
 
 /// The crate with this name.
 #[must_use]

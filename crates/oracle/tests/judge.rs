@@ -7,7 +7,8 @@
 
 use predicament_controls::Naive;
 use predicament_corpus::{Cache, Level, Library, Work, homogeneous};
-use predicament_oracle::{judge, signs};
+use predicament_judge as judge;
+use predicament_oracle::signs;
 use predicament_predicates::{Axis, Construction, Dimension, Plane, Question, Scene, Sign, Vertex};
 use proptest::prelude::*;
 use rug::{Integer, Rational};

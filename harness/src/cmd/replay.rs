@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use predicament_corpus::{Level, LoadedScene, Task, hexfloat};
-use predicament_oracle::{Case, Contestant, Truth, Watch, judge};
+use predicament_judge as judge;
+use predicament_oracle::{Case, Contestant, Truth, Watch};
 use predicament_predicates::{Axis, Plane, Question, Vertex};
 use predicament_report::{FindingRow, RunDir};
 

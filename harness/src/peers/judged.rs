@@ -4,8 +4,9 @@ use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Once;
 
+use predicament_judge as judge;
 use predicament_oracle::signs::Budget;
-use predicament_oracle::{Class, Finding, Outcome, Stopwatch, classify, digest_of, judge};
+use predicament_oracle::{Class, Finding, Outcome, Stopwatch, classify, digest_of};
 use predicament_predicates::{Question, Scene, Sign, Vertex, ZeroMeaning};
 
 use super::{Peer, Timed};

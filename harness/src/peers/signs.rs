@@ -14,7 +14,8 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use predicament_controls::constructed;
-use predicament_oracle::{Stopwatch, judge};
+use predicament_judge as judge;
+use predicament_oracle::Stopwatch;
 use predicament_predicates::{Axis, Plane, QuerySet, Question, Scene, Sign, Vertex};
 
 use super::Peer;

@@ -26,13 +26,13 @@ use predicament_mesh::{Complex, Faces, Simplex};
 use predicament_predicates::{Backend, Counts, Off, PredicateKind, Predicates, Scene, Vertex, ZeroMeaning};
 
 use crate::contestant::{Stopwatch, digest};
-use crate::judge::Judged;
 use crate::outcome::{Finding, Outcome};
-use crate::signs::{Budget, TieJudge};
+use crate::signs::Budget;
 use crate::{Class, Stop, Watch, prepared};
 use classes::Judgement;
 pub(crate) use pairs::Pair;
 use pairs::{Pairs, closure, name};
+use predicament_judge::{Judged, TieJudge};
 
 /// The predicates that contacts ask, unless the backend answers them itself.
 const ASKED: [PredicateKind; 3] = [PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d];

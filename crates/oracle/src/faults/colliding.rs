@@ -16,7 +16,7 @@ use std::sync::OnceLock;
 use predicament_predicates::{Scene, Sign, Vertex};
 use rug::Rational;
 
-use crate::judge;
+use predicament_judge as judge;
 
 /// One row's share of a monomial: its infinitesimal's coordinate and power.
 type Moves = Vec<Option<(usize, u32)>>;

@@ -2,8 +2,11 @@
 
 use predicament_predicates::{Axis, Plane, Predicates, Question, Scene, Sign, Vertex};
 
-use super::{sign, verdict};
-use crate::signs::TieJudge;
+use crate::{sign, verdict};
+
+/// The sign of a perturbed scene, for backends that break ties: computed in
+/// another way than the backend computes it.
+pub type TieJudge = dyn Fn(&Scene, Question, &[Vertex]) -> Sign + Sync;
 
 /// A session that answers with the judge's signs. It shares nothing with any
 /// backend; contacts go by the trait's own bodies.

@@ -7,19 +7,14 @@
 //!
 //! [`verdict`] computes in rationals, term by term. [`sign`] is for millions of
 //! queries: rationals over one common denominator, which are integers, unless a
-//! vertex is constructed. [`signs::truth`](crate::signs::truth) holds samples of the second against
+//! vertex is constructed. Runs hold samples of the second against
 //! the first; both are held against a third computation by another method, in
 //! the tests: the homogeneous matrix by fraction-free elimination.
-
-mod constructed;
-mod integers;
-mod session;
 
 use predicament_predicates::{Axis, Plane, Question, Scene, Sign, Vertex};
 use rug::Rational;
 
-pub use constructed::point;
-pub use session::Judged;
+use crate::{constructed::point, integers};
 
 /// An exact determinant and its permanent-like magnitude.
 #[derive(Clone, Debug)]
@@ -136,7 +131,8 @@ fn rows(scene: &Scene, question: Question, args: &[Vertex]) -> Vec<Vec<Rational>
 }
 
 /// Laplace expansion along the first column: the definition, term by term.
-pub(crate) fn determinant(rows: &[Vec<Rational>]) -> Rational {
+#[must_use]
+pub fn determinant(rows: &[Vec<Rational>]) -> Rational {
     expand(rows, 0, &mut (0..rows.len()).collect::<Vec<_>>(), &|term, odd| if odd { -term } else { term })
 }
 
@@ -180,7 +176,7 @@ pub fn log2_relative(verdict: &Verdict) -> Option<f64> {
 }
 
 /// log2 of a positive rational, also far outside the range of doubles.
-fn log2(x: &Rational) -> f64 {
+pub(crate) fn log2(x: &Rational) -> f64 {
     let part = |n: &rug::Integer| {
         let bits = n.significant_bits();
         let shift = bits.saturating_sub(60);
@@ -189,6 +185,3 @@ fn log2(x: &Rational) -> f64 {
     };
     part(x.numer()) - part(x.denom())
 }
-
-#[cfg(test)]
-mod tests;

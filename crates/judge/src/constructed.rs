@@ -8,7 +8,7 @@
 use predicament_predicates::{Construction, Scene, Vertex};
 use rug::Rational;
 
-use super::{determinant, rational};
+use crate::determinant::{determinant, rational};
 
 /// The exact coordinates of any vertex of the scene; none for a constructed
 /// vertex whose lines and planes don't meet in one point.

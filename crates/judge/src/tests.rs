@@ -1,8 +1,9 @@
 //! The judge against what is known. (`tests/judge.rs` has it against another computation.)
 
-use super::*;
+use crate::determinant::log2;
+use crate::*;
 use predicament_corpus::homogeneous;
-use predicament_predicates::{Construction, Dimension, Plane};
+use predicament_predicates::{Construction, Dimension, Plane, Question, Scene, Sign, Vertex};
 use proptest::prelude::*;
 
 fn finite() -> impl Strategy<Value = f64> {

@@ -1,0 +1,21 @@
+//! Truth: exact answers computed from definitions, with rationals only.
+//!
+//! Every backend is held against this crate, so it shares no code with any of
+//! them: it depends on the vocabulary ([`predicament_predicates`]) and on
+//! `rug`, and on nothing else of this workspace. It is slow and plain on
+//! purpose. What a disagreement *means* is decided in the crate `tasks`; how
+//! scenes are run is the crate `oracle`.
+//!
+//! * [`sign`], [`verdict`], [`point`]: determinants and constructed points.
+//! * [`Judged`]: the same as a session, for algorithms that need predicates.
+
+mod constructed;
+mod determinant;
+mod integers;
+mod session;
+#[cfg(test)]
+mod tests;
+
+pub use constructed::point;
+pub use determinant::{Verdict, determinant, log2_relative, rational, sign, verdict};
+pub use session::{Judged, TieJudge};
