@@ -4,11 +4,12 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use predicament_oracle::{Case, Truth};
+use predicament_corpus::LoadedScene;
+use predicament_mesh::Complex;
 use predicament_predicates::Dimension;
-use predicament_report::{Error, PlannedScene, RunDir, Spread};
-
-use crate::markdown::{in_order, markdown};
+use predicament_records::{Error, PlannedScene, RunDir, Spread};
+use predicament_report::text::{in_order, markdown};
+use predicament_tasks::contacts::{Complexes, ContactRow};
 
 /// The number of primitives of each scene: edges in the plane, triangles in space.
 #[derive(Default)]
@@ -16,14 +17,14 @@ pub struct Primitives(BTreeMap<String, u64>);
 
 impl Primitives {
     /// Learns a scene, if it is one of contacts.
-    pub fn learn(&mut self, scene: &PlannedScene, case: &Case) {
-        if let Truth::Contacts(case) = case.truth() {
-            let of = |complex: &predicament_mesh::Complex| match case.scene().dimension() {
+    pub fn learn(&mut self, loaded: &LoadedScene) {
+        if let Some(complexes) = loaded.content::<Complexes>() {
+            let of = |complex: &Complex| match loaded.scene.dimension() {
                 Dimension::Two => complex.edges().len(),
                 Dimension::Three => complex.triangles().len(),
             };
-            let count: usize = case.complexes().into_iter().map(of).sum();
-            self.0.insert(scene.scene_id.clone(), count as u64);
+            let count: usize = complexes.both().into_iter().map(of).sum();
+            self.0.insert(loaded.id.clone(), count as u64);
         }
     }
 
@@ -45,7 +46,7 @@ pub fn tables(folder: &Path, primitives: &Primitives, threads: &[usize]) -> Resu
     let run = RunDir::open(folder)?;
     let mut text = String::new();
     times(&mut text, &run, primitives, threads);
-    pairs(&mut text, &run, primitives);
+    pairs(&mut text, &run, &run.rows()?, primitives);
     Ok(text)
 }
 
@@ -107,11 +108,11 @@ struct Level {
 }
 
 #[allow(clippy::cast_precision_loss)] // as above
-fn pairs(text: &mut String, run: &RunDir, primitives: &Primitives) {
+fn pairs(text: &mut String, run: &RunDir, contacts: &[ContactRow], primitives: &Primitives) {
     let mut rows: Vec<Vec<String>> = Vec::new();
     for scene in &run.plan.scenes {
         let Some(count) = primitives.of(scene) else { continue };
-        let of_scene = || run.contacts.iter().filter(|row| row.scene_id == scene.scene_id);
+        let of_scene = || contacts.iter().filter(|row| row.scene_id == scene.scene_id);
         for backend in in_order(of_scene().map(|row| row.backend.as_str())) {
             let mut levels: BTreeMap<u8, Level> = BTreeMap::new();
             for row in of_scene().filter(|row| row.backend == backend) {

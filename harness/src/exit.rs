@@ -46,7 +46,13 @@ impl Failure {
 /// Prints a failure and turns an outcome into the process' exit code.
 pub fn code(outcome: Outcome) -> ExitCode {
     match outcome {
-        Ok(code) => ExitCode::from(code),
+        Ok(code) => match crate::out::lost() {
+            Some(why) => {
+                eprintln!("predicament: stdout: {why}; some of the output is lost");
+                ExitCode::from(if code == OK { USAGE } else { code })
+            }
+            None => ExitCode::from(code),
+        },
         Err(failure) => {
             eprintln!("predicament: {}", failure.message);
             ExitCode::from(failure.code)

@@ -18,7 +18,10 @@ mod special;
 #[cfg(feature = "peers")]
 mod tables;
 
-use predicament_oracle::{Case, Outcome, Stopwatch};
+use predicament_tasks::{AnyCase, Outcome, Stopwatch};
+
+/// Whether peers are linked in.
+pub const ANY: bool = cfg!(feature = "peers");
 
 /// A peer at its starting line.
 pub struct Peer<'a> {
@@ -61,26 +64,20 @@ pub const VERSIONS: &[(&str, &str)] = &[
 
 /// The peers that can answer the questions of a case.
 #[cfg(not(feature = "peers"))]
-pub fn runners<'a>(_: &'a Case<'a>) -> Vec<Peer<'a>> {
+pub fn runners(_: &dyn AnyCase) -> Vec<Peer<'_>> {
     Vec::new()
 }
 
 /// The peers that can answer the questions of a case.
 #[cfg(feature = "peers")]
-pub fn runners<'a>(case: &'a Case<'a>) -> Vec<Peer<'a>> {
-    match case.truth() {
-        predicament_oracle::Truth::Signs { queries, signs } => signs::peers(&case.loaded().scene, queries, signs),
-        predicament_oracle::Truth::Interval(_) | predicament_oracle::Truth::Cubes(_) => Vec::new(),
-        predicament_oracle::Truth::Locate(case) => {
-            special::peers(case).into_iter().chain(geo_locate::peers(case)).collect()
-        }
-        predicament_oracle::Truth::Contacts(case) => contacts::peers(case),
-    }
+pub fn runners(case: &dyn AnyCase) -> Vec<Peer<'_>> {
+    let signs = signs::peers(case).into_iter().chain(special::peers(case));
+    signs.chain(geo_locate::peers(case)).chain(contacts::peers(case)).collect()
 }
 
 /// What a bench folder says about peers, as Markdown tables.
 #[cfg(not(feature = "peers"))]
-pub fn tables(_: &std::path::Path) -> Result<String, predicament_report::Error> {
+pub fn tables(_: &std::path::Path) -> Result<String, predicament_records::Error> {
     Ok(String::new())
 }
 

@@ -1,16 +1,48 @@
 //! From the oracle's outcomes and the scenes' plans to the rows of a run folder.
 
-use predicament_algorithms::contacts::Level;
 use predicament_exact::Precision;
 use predicament_oracle::expect::Expectations;
-use predicament_oracle::{Class, Finding, MassCounts, Outcome, finding_id};
 use predicament_predicates::PredicateKind;
-use predicament_report::{
-    ContactRow, FindingRow, LocateRow, MassRow, PlannedScene, PrecisionRow, StageRow, SummaryRow,
-};
+use predicament_records::{Error, FindingRow, PlannedScene, PrecisionRow, RunWriter, StageRow, Status, SummaryRow};
+use predicament_tasks::{Class, ClassCounts, Finding, Outcome, finding_id};
+
+use crate::judged::JudgedRow;
+
+/// Writes everything about one scene and backend; gives the summary back.
+pub fn record(
+    writer: &mut RunWriter,
+    scene: &PlannedScene,
+    backend: &str,
+    outcome: &Outcome,
+    expectations: &Expectations,
+    level: &str,
+) -> Result<SummaryRow, Error> {
+    let summary = summary(scene, backend, outcome, expectations, level);
+    writer.write(std::slice::from_ref(&summary))?;
+    writer.write(&findings(scene, backend, outcome))?;
+    writer.write(&stages(scene, backend, outcome))?;
+    writer.append(&outcome.rows)?;
+    writer.write(&JudgedRow::of(scene, backend, outcome))?;
+    Ok(summary)
+}
+
+/// What the gate says of a row that another process wrote.
+pub fn status(
+    scene: &PlannedScene,
+    backend: &str,
+    row: &SummaryRow,
+    expectations: &Expectations,
+    level: &str,
+) -> Status {
+    let mut counts = ClassCounts::default();
+    for class in Class::ALL {
+        counts.add(class, row.count(class));
+    }
+    expectations.status(&scene.suite, &scene.scene, backend, level, &counts)
+}
 
 /// The row of one scene and backend.
-pub fn summary(
+fn summary(
     scene: &PlannedScene,
     backend: &str,
     outcome: &Outcome,
@@ -26,13 +58,14 @@ pub fn summary(
 }
 
 /// The rows of the kept findings.
-pub fn findings(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<FindingRow> {
-    outcome.findings.iter().map(|finding| row(scene, backend, finding)).collect()
+fn findings(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<FindingRow> {
+    outcome.findings.iter().map(|of| finding(scene, backend, of, finding_id(&scene.scene_id, backend, of))).collect()
 }
 
-fn row(scene: &PlannedScene, backend: &str, finding: &Finding) -> FindingRow {
+/// The row of a finding.
+pub fn finding(scene: &PlannedScene, backend: &str, finding: &Finding, finding_id: String) -> FindingRow {
     FindingRow {
-        finding_id: finding_id(&scene.scene_id, backend, finding),
+        finding_id,
         suite: scene.suite.clone(),
         scene: scene.scene.clone(),
         scene_id: scene.scene_id.clone(),
@@ -40,7 +73,7 @@ fn row(scene: &PlannedScene, backend: &str, finding: &Finding) -> FindingRow {
         backend: backend.to_owned(),
         class: finding.class,
         check: finding.check.clone(),
-        query: finding.query.clone(),
+        query: finding.query_text(),
         got: finding.got.clone(),
         truth: finding.truth.clone(),
         log2_relative_det: finding.log2_relative_det,
@@ -50,7 +83,7 @@ fn row(scene: &PlannedScene, backend: &str, finding: &Finding) -> FindingRow {
 }
 
 /// The rows of the stages that settled something.
-pub fn stages(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<StageRow> {
+fn stages(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<StageRow> {
     let row = |&(stage, settled): &(&str, u64)| StageRow {
         task: scene.task.clone(),
         family: scene.family.clone(),
@@ -59,67 +92,6 @@ pub fn stages(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<Sta
         settled,
     };
     outcome.stages.iter().map(row).collect()
-}
-
-/// The rows of a map.
-pub fn locate(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<LocateRow> {
-    let row = |counts: &predicament_oracle::LocateCounts| LocateRow {
-        suite: scene.suite.clone(),
-        scene: scene.scene.clone(),
-        scene_id: scene.scene_id.clone(),
-        backend: backend.to_owned(),
-        surroundings: counts.surroundings.clone(),
-        probes: counts.probes,
-        in_none: counts.in_none,
-        in_one: counts.in_one,
-        in_many: counts.in_many,
-        on_boundary: counts.on_boundary,
-        violations: counts.violations,
-    };
-    outcome.locate.iter().map(row).collect()
-}
-
-/// The rows of two complexes.
-pub fn contacts(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<ContactRow> {
-    let row = |level: &Level| ContactRow {
-        suite: scene.suite.clone(),
-        scene: scene.scene.clone(),
-        scene_id: scene.scene_id.clone(),
-        task: scene.task.clone(),
-        backend: backend.to_owned(),
-        rank_a: level.ranks[0],
-        rank_b: level.ranks[1],
-        candidates: level.candidates,
-        ended: level.ended,
-        asked: level.asked,
-        registered: level.registered,
-    };
-    outcome.contacts.iter().map(row).collect()
-}
-
-/// The row of a union of cubes.
-pub fn masses(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<MassRow> {
-    let row = |mass: MassCounts| {
-        let ([volume, area, edge_length], [true_volume, true_area, true_edge_length]) = (mass.found, mass.truth);
-        let [corners, edge_faces, three_faces] = mass.vertices;
-        MassRow {
-            suite: scene.suite.clone(),
-            scene: scene.scene.clone(),
-            scene_id: scene.scene_id.clone(),
-            backend: backend.to_owned(),
-            cubes: mass.cubes,
-            volume,
-            true_volume,
-            area,
-            true_area,
-            edge_length,
-            true_edge_length,
-            corners,
-            edge_faces,
-            three_faces,
-        }
-    };
-    outcome.mass.map(row).into_iter().collect()
 }
 
 /// The row of a scene's precision plan.

@@ -1,12 +1,15 @@
 //! Which scenes a command works on.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use predicament_corpus::{Cache, CorpusError, ErrorKind, Level, Library, LoadedScene, SceneDef, SeenIds, Suite};
-use predicament_report::{NotSelected, PlannedScene, Shard};
+use predicament_corpus::{Level, LoadedScene, SceneDef, SeenIds, Suite};
+use predicament_formats::{Cache, CorpusError, ErrorKind};
+use predicament_records::{NotSelected, PlannedScene, Shard};
 use regex::Regex;
 
 use crate::exit::{CORPUS, Failure, USAGE};
+use crate::tool::Tool;
 
 /// The part of a command line that selects scenes.
 #[derive(clap::Args, Clone)]
@@ -34,6 +37,8 @@ pub struct Selection {
     pub cache: Cache,
     pub not_selected: Vec<NotSelected>,
     filter: Option<Regex>,
+    /// Suites that were named by a file, with its absolute path.
+    paths: BTreeMap<String, String>,
 }
 
 impl From<CorpusError> for Failure {
@@ -47,15 +52,21 @@ impl From<CorpusError> for Failure {
 }
 
 impl Selector {
+    /// Everything that needs no download, at level quick.
+    pub fn everything() -> Selector {
+        Selector { suites: Vec::new(), filter: None, level: Level::Quick, cache: None }
+    }
+
     /// Finds the suites; scenes are loaded later, one at a time.
-    pub fn select(&self) -> Result<Selection, Failure> {
+    pub fn select(&self, tool: &Tool) -> Result<Selection, Failure> {
         let filter = self.filter.as_deref().map(Regex::new).transpose();
         let filter = filter.map_err(|error| {
             let error = error.to_string();
             let last = error.lines().last().unwrap_or_default().trim();
             Failure::usage(format!("--filter: {last}; give a regular expression such as `near.*orient`"))
         })?;
-        let library = Library::embedded()?;
+        let library = tool.library()?;
+        let own = tool.own_suites()?;
         let cache = self.cache()?;
         let mut not_selected = Vec::new();
         let suites = if self.suites.is_empty() {
@@ -68,10 +79,13 @@ impl Selector {
                 ),
                 suite: suite.name,
             }));
-            ready
+            own.into_iter().chain(ready).collect()
         } else {
-            let named: Result<Vec<Suite>, Failure> = self.suites.iter().map(|name| Ok(library.suite(name)?)).collect();
-            let named = named?;
+            let find = |name: &String| match own.iter().find(|suite| suite.name == *name) {
+                Some(suite) => Ok(suite.clone()),
+                None => library.suite(name),
+            };
+            let named: Vec<Suite> = self.suites.iter().map(find).collect::<Result<_, _>>()?;
             for (at, suite) in named.iter().enumerate() {
                 if named[..at].iter().any(|other| other.name == suite.name) {
                     return Err(Failure::usage(format!(
@@ -87,7 +101,15 @@ impl Selector {
             }));
             named
         };
-        Ok(Selection { level: self.level, suites, cache, not_selected, filter })
+        let named_by_file = |suite: &&Suite| {
+            let is_file = |name: &&String| name.ends_with(".toml") && **name == suite.file();
+            self.suites.iter().any(|name| is_file(&name))
+        };
+        let absolute =
+            |file: &str| std::path::absolute(file).map_or_else(|_| file.to_owned(), |path| path.display().to_string());
+        let paths =
+            suites.iter().filter(named_by_file).map(|suite| (suite.name.clone(), absolute(suite.file()))).collect();
+        Ok(Selection { level: self.level, suites, cache, not_selected, filter, paths })
     }
 
     /// The cache that the command line names, or the user's.
@@ -108,21 +130,36 @@ impl Selection {
         self.suites.iter().flat_map(|suite| &suite.scenes).filter(|def| passes(def)).collect()
     }
 
+    /// What to write on a command line for the suite of a scene: its name, or the file that was named.
+    pub fn argument(&self, def: &SceneDef) -> String {
+        self.paths.get(&def.suite).cloned().unwrap_or_else(|| def.suite.clone())
+    }
+
+    /// The files of the suites that were named by path.
+    pub fn paths(&self) -> BTreeMap<String, String> {
+        self.paths.clone()
+    }
+
     /// Loads one scene.
     pub fn load(&self, def: &SceneDef) -> Result<LoadedScene, Failure> {
         Ok(def.load(self.level, &self.cache)?)
     }
 
-    /// Loads every selected scene once, for its id and its size, and keeps those
-    /// of the shard. Refuses two scenes with the same contents.
-    pub fn plan(&self, shard: Shard) -> Result<Vec<(SceneDef, PlannedScene)>, Failure> {
+    /// Loads every selected scene, for its id and its size, and keeps those of
+    /// the shard. Refuses two scenes with the same contents.
+    pub fn plan(&self, shard: Shard) -> Result<Vec<Planned>, Failure> {
         let mut seen = SeenIds::new();
         let mut planned = Vec::new();
+        let mut room = KEPT;
         for def in self.defs() {
             let loaded = self.load(def)?;
             seen.insert(def, &loaded)?;
             if in_shard(&loaded.id, shard) {
-                planned.push((def.clone(), planned_scene(&loaded)));
+                let plan = planned_scene(&loaded);
+                let size = loaded.scene.coordinates().len() + 8 * loaded.count();
+                let kept = (size <= room).then_some(loaded);
+                room -= if kept.is_some() { size } else { 0 };
+                planned.push(Planned { def: def.clone(), plan, kept });
             }
         }
         if planned.is_empty() {
@@ -132,15 +169,38 @@ impl Selection {
     }
 }
 
+/// Numbers in the scenes that are kept in memory between planning and running: half a gigabyte.
+const KEPT: usize = 1 << 26;
+
+/// A scene of a plan.
+pub struct Planned {
+    /// Its definition.
+    pub def: SceneDef,
+    /// What the plan says of it.
+    pub plan: PlannedScene,
+    /// The scene itself, unless it is too large to be kept.
+    kept: Option<LoadedScene>,
+}
+
+impl Planned {
+    /// The scene: it is not loaded twice where it could be kept.
+    pub fn take(&mut self, selection: &Selection) -> Result<LoadedScene, Failure> {
+        match self.kept.take() {
+            Some(loaded) => Ok(loaded),
+            None => selection.load(&self.def),
+        }
+    }
+}
+
 /// What a plan says of a scene.
 pub fn planned_scene(loaded: &LoadedScene) -> PlannedScene {
     PlannedScene {
         suite: loaded.suite.clone(),
         scene: loaded.name.clone(),
         scene_id: loaded.id.clone(),
-        task: loaded.task.name().to_owned(),
+        task: loaded.task.to_owned(),
         family: loaded.family.clone(),
-        queries: loaded.work.len() as u64,
+        queries: loaded.count() as u64,
     }
 }
 

@@ -46,7 +46,7 @@ pub enum Place {
 ///
 /// No point is inside a cell whose right end is not right of the left one.
 #[inline]
-pub fn place<P: Predicates>(session: &P, axis: Axis, [left, right]: [Vertex; 2], point: Vertex) -> Place {
+pub fn place<P: Predicates + ?Sized>(session: &P, axis: Axis, [left, right]: [Vertex; 2], point: Vertex) -> Place {
     let from_left = session.compare(axis, point, left);
     if from_left == Sign::Negative {
         return Place::Outside;
@@ -67,7 +67,7 @@ pub fn half_open([left, right]: [f64; 2], point: f64) -> bool {
 }
 
 /// The cells that the point is not outside of, by their numbers.
-pub fn cells_at<P: Predicates>(
+pub fn cells_at<P: Predicates + ?Sized>(
     session: &P,
     axis: Axis,
     cells: &[[Vertex; 2]],

@@ -5,7 +5,7 @@ use predicament_predicates::{Axis, Dimension, Plane, PredicateKind, Predicates, 
 use crate::rounded;
 
 /// How a control computes: a determinant for each predicate, and what sign it makes of it.
-pub(crate) trait Float: Sync {
+pub(crate) trait Float: Send + Sync {
     fn orient2d(&self, points: [[f64; 2]; 3]) -> f64;
     fn orient3d(&self, points: [[f64; 3]; 4]) -> f64;
     fn incircle(&self, points: [[f64; 2]; 4]) -> f64;

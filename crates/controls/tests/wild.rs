@@ -36,8 +36,8 @@ fn agrees<L: Library>(library: L, dimension: Dimension, asked: &mut Vec<Predicat
                 let args: Vec<Vertex> =
                     (0..question.kind().arity()).map(|at| Vertex::input((start + at * step) % 12)).collect();
                 let expected = question.ask(&truth, &args);
-                assert!(!expected.is_zero(), "no tie: {}", question.describe(&args));
-                assert_eq!(question.ask(&session, &args), expected, "{} {}", library.name(), question.describe(&args));
+                assert!(!expected.is_zero(), "no tie: {}", question.query(&args));
+                assert_eq!(question.ask(&session, &args), expected, "{} {}", library.name(), question.query(&args));
             }
         }
     }

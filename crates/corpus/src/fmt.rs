@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
-use crate::coordinate::{self, CoordinateError};
-use crate::document::{Document, Field, Fields};
-use crate::{CorpusError, hexfloat, tables};
+use predicament_formats::{CoordinateError, CorpusError, Document, Field, Fields, exact_coordinate, hexfloat};
+
+use crate::Vocabulary;
+use crate::suite::SUITE;
 
 /// Rewrites the decimals of a suite that are not exactly doubles: each
 /// becomes the hex float of its nearest double, and a comment at the end of
@@ -14,26 +15,21 @@ use crate::{CorpusError, hexfloat, tables};
 /// # Errors
 /// [`CorpusError`] where the text is no TOML, or a coordinate is no number
 /// that a double could be near to.
-pub fn fmt(file: &str, text: &str) -> Result<String, CorpusError> {
+pub fn fmt(vocabulary: &Vocabulary, file: &str, text: &str) -> Result<String, CorpusError> {
     let document = Document { file, text };
     let root = document.parse()?;
-    let fields = Fields::new(&document, &tables::SUITE, root.get_ref(), 0);
+    let fields = Fields::new(&document, &SUITE, root.get_ref(), 0);
+    let mut keys: Vec<&'static str> =
+        vocabulary.tasks().iter().flat_map(|task| task.coordinate_keys()).copied().collect();
+    keys.sort_unstable();
+    keys.dedup();
     let mut edits = Vec::new();
-    for table in array(&fields, "scene")? {
-        let fields = table.fields(&tables::SCENE)?;
-        for rows in ["points", "cubes"].into_iter().filter_map(|key| fields.get(key)).filter(Field::is_array) {
-            for row in rows.items("rows of numbers")? {
-                collect(&row, &mut edits)?;
+    for (tables, kind) in [("scene", &vocabulary.scene), ("generate", &vocabulary.generator)] {
+        for table in array(&fields, tables)? {
+            let fields = table.fields(kind)?;
+            for field in keys.iter().filter(|key| kind.keys.contains(key)).filter_map(|key| fields.get(key)) {
+                collect(&field, &mut edits)?;
             }
-        }
-    }
-    for table in array(&fields, "generate")? {
-        let fields = table.fields(&tables::GENERATOR)?;
-        for point in ["p", "q", "r"].into_iter().filter_map(|key| fields.get(key)) {
-            collect(&point, &mut edits)?;
-        }
-        if let Some(step) = fields.get("step") {
-            edits.extend(edit(&step)?);
         }
     }
     edits.sort_by_key(|edit| edit.span.start);
@@ -55,16 +51,21 @@ fn array<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field
     fields.get(key).map_or(Ok(Vec::new()), |field| Ok(field.items("tables")?.collect()))
 }
 
-fn collect<'t>(point: &Field<'_, 't>, edits: &mut Vec<Edit<'t>>) -> Result<(), CorpusError> {
-    for coordinate in point.items("a point")? {
-        edits.extend(edit(&coordinate)?);
+/// The coordinates in a value: itself, or those of its items. Tables, such as `{ path = "…" }`, have none.
+fn collect<'t>(field: &Field<'_, 't>, edits: &mut Vec<Edit<'t>>) -> Result<(), CorpusError> {
+    if field.is_array() {
+        for item in field.items("coordinates")? {
+            collect(&item, edits)?;
+        }
+    } else if !field.is_table() {
+        edits.extend(edit(field)?);
     }
     Ok(())
 }
 
 fn edit<'t>(field: &Field<'_, 't>) -> Result<Option<Edit<'t>>, CorpusError> {
     let text = field.coordinate_text()?;
-    match coordinate::exact(text) {
+    match exact_coordinate(text) {
         Ok(_) => Ok(None),
         Err(CoordinateError::Inexact { nearest }) => Ok(Some(Edit {
             span: field.span(),

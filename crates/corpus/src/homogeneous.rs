@@ -10,7 +10,7 @@
 use predicament_predicates::{Construction, Scene, Vertex};
 use rug::Integer;
 
-use crate::bits::{biased_exponent, top_exponent};
+use predicament_formats::bits::{biased_exponent, top_exponent};
 
 /// The exact coordinates of a vertex times its weight, and the weight, which
 /// is positive; none for a construction that is no point.
@@ -25,8 +25,11 @@ pub fn homogeneous(scene: &Scene, v: Vertex) -> Option<Vec<Integer>> {
     }
 }
 
-/// [`homogeneous`] for a construction from vertices of the scene, or why it is no point.
-pub(crate) fn meet(scene: &Scene, construction: &Construction) -> Result<Vec<Integer>, &'static str> {
+/// [`homogeneous`] for a construction from vertices of the scene.
+///
+/// # Errors
+/// Why it is no point, in words.
+pub fn meet(scene: &Scene, construction: &Construction) -> Result<Vec<Integer>, &'static str> {
     let span = |flat: &[Vertex]| -> Vec<Vec<Integer>> { flat.iter().map(|&v| input(scene, v)).collect() };
     let line = |flat: &[Vertex]| hyperplane(&span(flat)).ok_or("the ends of a line coincide");
     let plane = |flat: &[Vertex]| hyperplane(&span(flat)).ok_or("the points of a plane are collinear");
@@ -59,7 +62,8 @@ fn input(scene: &Scene, v: Vertex) -> Vec<Integer> {
 }
 
 /// The exponent of the last place of any of these doubles; 0 where all are zero.
-pub(crate) fn lowest_exponent(values: impl Iterator<Item = f64>) -> i64 {
+#[must_use]
+pub fn lowest_exponent(values: impl Iterator<Item = f64>) -> i64 {
     values.filter(|&x| top_exponent(x).is_some()).map(low_exponent).min().unwrap_or(0)
 }
 
@@ -69,7 +73,11 @@ fn low_exponent(x: f64) -> i64 {
 }
 
 /// x·2^-lowest, for a double whose last place is not below 2^lowest.
-pub(crate) fn integer(x: f64, lowest: i64) -> Integer {
+///
+/// # Panics
+/// If the last place of x is below 2^lowest.
+#[must_use]
+pub fn integer(x: f64, lowest: i64) -> Integer {
     let fraction = x.abs().to_bits() & ((1 << 52) - 1);
     let mantissa = if biased_exponent(x) == 0 { fraction } else { fraction | (1 << 52) };
     let shift =

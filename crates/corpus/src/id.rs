@@ -2,22 +2,20 @@
 
 use std::collections::BTreeMap;
 
-use predicament_mesh::{Complex, PolygonMap};
-use predicament_predicates::{Axis, Construction, Plane, Question, Scene, Vertex};
+use predicament_formats::{CorpusError, hex};
+use predicament_predicates::{Construction, Scene, Vertex};
 use sha2::{Digest, Sha256};
 
-use crate::{CorpusError, LoadedScene, SceneDef, Work};
+use crate::{Content, LoadedScene, SceneDef};
 
 /// The first 16 hex digits of a SHA-256 over the canonical bytes of a scene:
-/// task, dimension, coordinate bits, constructions where there are any, and
-/// queries, or cells or rings with their probes, or the simplices of two complexes.
+/// dimension, coordinate bits, constructions where there are any, and content.
 ///
-/// Names, tags, sources and the names of regions are not part of it, so that
-/// expectations and baselines survive renames. Negative zeros are read as
-/// positive ones: the two are the same point, and every predicate is a
-/// function of points.
+/// Names, tags and sources are not part of it, so that expectations and
+/// baselines survive renames. Negative zeros are read as positive ones: the two
+/// are the same point, and every predicate is a function of points.
 #[must_use]
-pub fn content_id(scene: &Scene, work: &Work) -> String {
+pub fn content_id(scene: &Scene, content: &dyn Content) -> String {
     let mut canon = Canon(Sha256::new());
     canon.bytes(b"predicament scene 1\n");
     canon.count(scene.dimension().count());
@@ -33,72 +31,34 @@ pub fn content_id(scene: &Scene, work: &Work) -> String {
             canon.construction(construction);
         }
     }
-    match work {
-        Work::Signs(queries) => {
-            canon.text(&question_text(queries.question()));
-            canon.vertices(queries.flat());
-        }
-        Work::Interval { axis, cells, probes } => {
-            canon.text("interval");
-            canon.count(axis.index());
-            canon.vertices(cells.as_flattened());
-            canon.vertices(probes);
-        }
-        Work::Cubes { .. } => canon.text("cube-union"),
-        Work::Locate { map, probes } => {
-            canon.text("polygon-locate");
-            canon.map(map);
-            canon.count(probes.len());
-            for probe in probes {
-                canon.text(probe.kind.name());
-                canon.count(probe.vertex.index());
-            }
-        }
-        Work::Contacts { a, b } => {
-            canon.text("contacts");
-            canon.complex(a);
-            canon.complex(b);
-        }
-    }
+    content.canon(&mut canon);
     hex(&canon.0.finalize()[..8])
 }
 
-/// A digest as lower-case hex digits.
-pub(crate) fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
-fn question_text(question: Question) -> String {
-    let of = match question {
-        Question::Compare(Axis::X) => " x",
-        Question::Compare(Axis::Y) => " y",
-        Question::Compare(Axis::Z) => " z",
-        Question::Orient2d(Plane::Xy) => " xy",
-        Question::Orient2d(Plane::Yz) => " yz",
-        Question::Orient2d(Plane::Zx) => " zx",
-        Question::Orient3d | Question::Incircle | Question::Insphere => "",
-    };
-    format!("{}{of}", question.kind())
-}
-
 /// Feeds a digest with values whose bytes can't run into each other.
-struct Canon(Sha256);
+pub struct Canon(Sha256);
 
 impl Canon {
     fn bytes(&mut self, bytes: &[u8]) {
         self.0.update(bytes);
     }
 
-    fn count(&mut self, n: usize) {
+    /// A number.
+    ///
+    /// # Panics
+    /// If it has more than 64 bits.
+    pub fn count(&mut self, n: usize) {
         self.bytes(&u64::try_from(n).expect("no machine has more").to_le_bytes());
     }
 
-    fn text(&mut self, text: &str) {
+    /// A text, with its length before it.
+    pub fn text(&mut self, text: &str) {
         self.count(text.len());
         self.bytes(text.as_bytes());
     }
 
-    fn vertices(&mut self, vertices: &[Vertex]) {
+    /// Vertices, with their number before them.
+    pub fn vertices(&mut self, vertices: &[Vertex]) {
         self.count(vertices.len());
         for vertex in vertices {
             self.count(vertex.index());
@@ -113,23 +73,6 @@ impl Canon {
         });
         for flat in construction.flats() {
             self.vertices(flat);
-        }
-    }
-
-    fn complex(&mut self, complex: &Complex) {
-        self.vertices(complex.vertices());
-        self.vertices(complex.edges().as_flattened());
-        self.vertices(complex.triangles().as_flattened());
-        self.vertices(complex.tetrahedra().as_flattened());
-    }
-
-    fn map(&mut self, map: &PolygonMap) {
-        self.count(map.regions().len());
-        for region in map.regions() {
-            self.count(region.rings.len());
-            for ring in &region.rings {
-                self.vertices(ring.vertices());
-            }
         }
     }
 }

@@ -1,47 +1,34 @@
-//! Scenes: the format, lossless coordinates, content ids, generators,
-//! importers and the fetch manifest.
+//! The library of scenes: suites, what they define, and content ids.
 //!
 //! A [`Library`] holds [`Suite`]s, a suite holds [`SceneDef`]s, and
-//! [`SceneDef::load`] turns one into a [`LoadedScene`]: points, questions, and
-//! an id that depends on nothing else. This crate knows no backend; what the
-//! right answers are is not its business. `docs/FORMAT.md` describes the files.
+//! [`SceneDef::load`] makes one a [`LoadedScene`]: points, what is asked about
+//! them, and an id that depends on nothing else. What a task's keys mean comes
+//! from the task ([`SceneFormat`]); this crate names no task and no backend, and
+//! never says what is true. How files are read is the crate `formats`; the tasks
+//! are the crate `tasks`. `docs/FORMAT.md` describes the files.
 
-mod bits;
-mod cache;
-mod coordinate;
-mod degeneracy;
-mod document;
-mod error;
-mod fetch;
+mod content;
 mod fmt;
-mod generate;
-pub mod hexfloat;
+mod format;
 mod homogeneous;
 mod id;
-mod import;
+mod level;
 mod library;
 mod loaded;
-mod manifest;
-mod probes;
-mod sigma;
+mod numbering;
+mod random;
 mod suite;
-mod tables;
-mod task;
 mod thresholds;
 
-pub use cache::Cache;
-pub use coordinate::{CoordinateError, exact as exact_coordinate};
-pub use degeneracy::{Histogram, degeneracy};
-pub use error::{CorpusError, ErrorKind};
-pub use fetch::fetch;
+pub use content::{Content, Elsewhere, Parts, Source};
 pub use fmt::fmt;
-pub use generate::{FamilyInfo, Random, families};
-pub use homogeneous::homogeneous;
-pub use id::{SeenIds, content_id};
-pub use import::ImportNotes;
+pub use format::{Family, Making, Recipe, SceneFormat, Vocabulary};
+pub use homogeneous::{homogeneous, integer, lowest_exponent, meet};
+pub use id::{Canon, SeenIds, content_id};
+pub use level::Level;
 pub use library::Library;
-pub use loaded::{LoadedScene, Probe, ProbeKind, Work};
-pub use manifest::{Entry, Manager, Manifest};
-pub use suite::{SceneDef, Suite};
-pub use task::{Level, Task};
+pub use loaded::LoadedScene;
+pub use numbering::numbered;
+pub use random::Random;
+pub use suite::{Context, SceneDef, Suite};
 pub use thresholds::{ThresholdPairs, Thresholds};

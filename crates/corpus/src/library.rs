@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use include_dir::{Dir, include_dir};
 
-use crate::{Cache, CorpusError, Level, LoadedScene, Manifest, SeenIds, Suite};
+use predicament_formats::{Cache, CorpusError, Manifest};
+
+use crate::{Level, LoadedScene, SeenIds, Suite, Vocabulary};
 
 static EMBEDDED: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../../corpora");
 
@@ -18,6 +20,7 @@ pub struct Library {
     suites: Vec<Suite>,
     manifest: Manifest,
     folder: Option<PathBuf>,
+    vocabulary: Vocabulary,
 }
 
 impl Library {
@@ -25,21 +28,21 @@ impl Library {
     ///
     /// # Errors
     /// [`CorpusError`] where a suite is wrong.
-    pub fn embedded() -> Result<Library, CorpusError> {
+    pub fn embedded(vocabulary: &Vocabulary) -> Result<Library, CorpusError> {
         let mut files: Vec<(String, String)> = EMBEDDED
             .files()
             .filter_map(|file| Some((file.path().to_str()?.to_owned(), file.contents_utf8()?.to_owned())))
             .collect();
         files.sort();
         let named = files.iter().map(|(name, text)| (name.as_str(), format!("corpora/{name}"), text.as_str()));
-        Library::assemble(named.collect(), None)
+        Library::assemble(vocabulary, named.collect(), None)
     }
 
     /// The suites of a folder on disk.
     ///
     /// # Errors
     /// [`CorpusError`] where the folder can't be read or a suite is wrong.
-    pub fn from_dir(folder: &Path) -> Result<Library, CorpusError> {
+    pub fn from_dir(vocabulary: &Vocabulary, folder: &Path) -> Result<Library, CorpusError> {
         let unreadable = |path: &Path, error: std::io::Error| {
             CorpusError::usage(path.display().to_string(), error.to_string(), "name a readable folder of suites")
         };
@@ -54,11 +57,15 @@ impl Library {
         }
         files.sort();
         let named = files.iter().map(|(name, file, text)| (name.as_str(), file.clone(), text.as_str()));
-        Library::assemble(named.collect(), Some(folder))
+        Library::assemble(vocabulary, named.collect(), Some(folder))
     }
 
     /// Suites from (file name, name in errors, text), sorted.
-    fn assemble(files: Vec<(&str, String, &str)>, folder: Option<&Path>) -> Result<Library, CorpusError> {
+    fn assemble(
+        vocabulary: &Vocabulary,
+        files: Vec<(&str, String, &str)>,
+        folder: Option<&Path>,
+    ) -> Result<Library, CorpusError> {
         let manifest = match files.iter().find(|(name, ..)| *name == FETCH) {
             Some((_, file, text)) => Manifest::parse(file, text)?,
             None => Manifest::default(),
@@ -67,12 +74,18 @@ impl Library {
         let mut seen = SeenIds::new();
         for (name, file, text) in files {
             if !COMPANIONS.contains(&name) && name.ends_with(".toml") {
-                let suite = Suite::parse(&file, text, folder, &manifest)?;
+                let suite = Suite::parse(vocabulary, &file, text, folder, &manifest)?;
                 suite.check_ids(&mut seen)?;
                 suites.push(suite);
             }
         }
-        Ok(Library { suites, manifest, folder: folder.map(Path::to_path_buf) })
+        Ok(Library { suites, manifest, folder: folder.map(Path::to_path_buf), vocabulary: vocabulary.clone() })
+    }
+
+    /// The tasks that its suites can name.
+    #[must_use]
+    pub fn vocabulary(&self) -> &Vocabulary {
+        &self.vocabulary
     }
 
     /// The suites in the order of their names.
@@ -97,7 +110,7 @@ impl Library {
         }
         let path = Path::new(name);
         if path.extension().is_some_and(|extension| extension == "toml") {
-            return Suite::from_file(path, &self.manifest);
+            return Suite::from_file(&self.vocabulary, path, &self.manifest);
         }
         let known: Vec<_> = self.suites.iter().map(|suite| suite.name.as_str()).collect();
         Err(CorpusError::usage(

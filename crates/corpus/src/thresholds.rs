@@ -10,8 +10,9 @@
 //!
 //! Deterministic as all generators: ChaCha8, and + − · / √ only.
 
-use crate::bits::power_of_two;
-use crate::generate::Random;
+use predicament_formats::bits::power_of_two;
+
+use crate::Random;
 
 /// T₋, T and T₊ of each distance.
 #[derive(Clone, Copy, PartialEq, Debug)]

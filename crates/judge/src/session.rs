@@ -6,7 +6,7 @@ use crate::{sign, verdict};
 
 /// The sign of a perturbed scene, for backends that break ties: computed in
 /// another way than the backend computes it.
-pub type TieJudge = dyn Fn(&Scene, Question, &[Vertex]) -> Sign + Sync;
+pub type TieJudge = dyn Fn(&Scene, Question, &[Vertex]) -> Sign + Send + Sync;
 
 /// A session that answers with the judge's signs. It shares nothing with any
 /// backend; contacts go by the trait's own bodies.

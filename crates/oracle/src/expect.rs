@@ -9,7 +9,7 @@ use globset::{Glob, GlobSet, GlobSetBuilder};
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
-use crate::{Class, ClassCounts, Status};
+use predicament_tasks::{Class, ClassCounts, Status};
 
 /// One `[[expect]]` table.
 #[derive(Clone, Debug)]
@@ -121,6 +121,13 @@ impl Expectations {
             }
         }
         Ok(Expectations { entries })
+    }
+
+    /// These expectations and others.
+    #[must_use]
+    pub fn and(mut self, others: Expectations) -> Expectations {
+        self.entries.extend(others.entries);
+        self
     }
 
     /// The entries that speak about one row.

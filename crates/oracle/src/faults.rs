@@ -19,7 +19,9 @@ use predicament_predicates::{
 use predicament_sos::{Scheme, Sos, infinitesimal};
 use predicament_tolerance::Tolerance;
 
-use crate::{Contestant, Entry};
+use predicament_judge::TieJudge;
+
+use crate::roster::Visit;
 
 /// One way to be wrong.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -179,25 +181,24 @@ impl Fault {
     }
 }
 
-/// The faulty backend with this name.
-#[must_use]
-pub fn backend(name: &str) -> Option<Box<dyn Contestant>> {
-    let fault = Fault::ALL.into_iter().find(|fault| fault.name() == name)?;
-    match fault {
-        Fault::ContactsEndlessEdge | Fault::ContactsOneSided => {
-            return Some(Box::new(Entry::new(contacts::Faulty::exact(fault))));
-        }
+/// Finds the faulty backend with this name and hands it over; gives the visitor back where there is none.
+pub(crate) fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, V> {
+    let Some(fault) = Fault::ALL.into_iter().find(|fault| fault.name() == name) else { return Err(visitor) };
+    Ok(match fault {
+        Fault::ContactsEndlessEdge | Fault::ContactsOneSided => visitor.visit(contacts::Faulty::exact(fault), None),
         Fault::ToleranceNarrowContacts | Fault::ToleranceWideContacts | Fault::ToleranceMirroredWeight => {
-            return Some(Box::new(Entry::new(contacts::Faulty::tolerance(fault))));
+            visitor.visit(contacts::Faulty::tolerance(fault), None)
         }
-        Fault::ToleranceAsPrinted => return Some(Box::new(Entry::new(Tolerance::<f64>::as_printed()))),
-        _ => {}
-    }
-    Some(match fault.poses_as() {
-        ZeroMeaning::Never => Box::new(Entry::breaking_ties(Faulty(fault), |scene, question, args| {
-            infinitesimal::judge(Scheme::PerCoordinate, scene, question, args)
-        })),
-        ZeroMeaning::Exact | ZeroMeaning::Band => Box::new(Entry::new(Faulty(fault))),
+        Fault::ToleranceAsPrinted => visitor.visit(Tolerance::<f64>::as_printed(), None),
+        _ => match fault.poses_as() {
+            ZeroMeaning::Never => {
+                let judge: Box<TieJudge> = Box::new(|scene, question, args| {
+                    infinitesimal::judge(Scheme::PerCoordinate, scene, question, args)
+                });
+                visitor.visit(Faulty(fault), Some(judge))
+            }
+            ZeroMeaning::Exact | ZeroMeaning::Band => visitor.visit(Faulty(fault), None),
+        },
     })
 }
 
@@ -389,7 +390,7 @@ impl Predicates for Session<'_> {
 
     fn supports_contacts(&self) -> Result<(), Declined> {
         match &self.tolerance {
-            // Contacts by the signs of a band are nobody's scheme.
+            // No published scheme derives contacts from banded signs.
             Some(_) => Err(Declined::scene("the fault is in the signs; contacts go by distances")),
             None => self.exact.supports_contacts(),
         }

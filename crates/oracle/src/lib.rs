@@ -1,47 +1,21 @@
-//! The oracle: runs backends on scenes, classifies their answers, measures error.
+//! The oracle: runs backends on tasks and holds every answer against the truth.
 //!
-//! * [`Case`]: a loaded scene with the truth about it; [`Case::run`] holds one
-//!   backend against it and gives an [`Outcome`].
-//! * [`classify`]: what becomes of an answer; [`expect`]: which findings are expected.
-//! * [`audit`]: the tolerance paper's algorithms at their thresholds, one by one.
-//! * [`parity`]: closed curves that cross an odd number of times, by search; [`shrink`]: the smallest of them.
-//! * [`laws`]: the laws of predicates on tuples by the million.
-//! * [`resolution`]: what tolerances cost in resolution.
-//! * [`roster`]: all backends by name; [`faults`]: wrong ones that have to be caught.
+//! It says which answers are wrong, under which promise, and whether that was
+//! expected. It decides nothing about geometry itself: truth is the crate
+//! `judge`, what an answer means is the crate `tasks`, pages are the crate
+//! `report`, and questions across many scenes are the crate `studies`.
+//!
+//! * [`roster`]: all backends by name.
+//! * [`run`]: one backend on one scene, panics and refusals included.
+//! * [`expect`]: which findings are expected.
+//! * [`faults`]: wrong backends that have to be caught, and by which check.
 
-pub mod audit;
-pub mod contacts;
-pub mod cubes;
 pub mod expect;
 pub mod faults;
-pub mod interval;
-pub mod laws;
-pub mod locate;
-pub mod parity;
-pub mod resolution;
 pub mod roster;
-pub mod shrink;
-pub mod signs;
 
-mod axioms;
-mod case;
-mod class;
-mod contestant;
-mod error;
-mod outcome;
-mod prepared;
-mod watch;
+mod run;
 #[cfg(feature = "wild")]
 mod wild;
 
-pub use case::{Case, Dispute, Truth};
-pub use class::{ClassCounts, classify};
-pub use contestant::{Contestant, Entry, Explanation, Stopwatch, digest_of};
-pub use outcome::{Finding, LocateCounts, MassCounts, Outcome, finding_id};
-pub use predicament_predicates::{Class, Status};
-pub use watch::{Stop, Watch};
-
-/// The example in the documentation of backends has to compile.
-#[cfg(doctest)]
-#[doc = include_str!("../../../docs/BACKENDS.md")]
-struct Backends;
+pub use run::run;

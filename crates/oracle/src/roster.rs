@@ -1,11 +1,18 @@
-//! All backends by name. The only place that knows every one of them.
+//! All backends by name: the only place that knows every one of them.
+//!
+//! A name becomes a backend of some type, and whoever asks for it gets the type
+//! ([`Visit`]): so tasks of other crates can meet every backend of the house.
 
 use predicament_controls::{Epsilon, Naive, Pivot, Shewchuk};
 use predicament_exact::Exact;
 use predicament_sos::{PerMesh, Scheme, Sos, infinitesimal};
 use predicament_tolerance::Tolerance;
 
-use crate::{Contestant, Entry, faults};
+use predicament_judge::TieJudge;
+use predicament_predicates::Backend;
+use predicament_tasks::{Contestant, Entry, TaskList};
+
+use crate::faults;
 
 /// The backends that run when nobody chooses, in the order of reports.
 pub const DEFAULT: &[&str] =
@@ -29,36 +36,50 @@ simplicity, geogram, rgeometry, delaunay, delaunay:sorted (by vertex, as the cra
 /// Backends that are crates from crates.io, with the feature `wild`.
 pub const WILD: &[&str] = &["simplicity", "geogram", "rgeometry", "delaunay", "delaunay:sorted"];
 
-/// The backend with this name.
+/// Work for one backend, whatever its type.
+pub trait Visit {
+    /// What comes out.
+    type Out;
+
+    /// Does the work; `ties` is the independent judge of how the backend breaks ties, if it does.
+    fn visit<B: Backend + 'static>(self, backend: B, ties: Option<Box<TieJudge>>) -> Self::Out;
+}
+
+/// Finds the backend with this name and hands it over.
 ///
 /// # Errors
 /// One line with the names that there are.
-pub fn backend(name: &str) -> Result<Box<dyn Contestant>, String> {
+pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, String> {
+    let sos = |visitor: V, scheme: Scheme| {
+        let judge: Box<TieJudge> =
+            Box::new(move |scene, question, args| infinitesimal::judge(scheme, scene, question, args));
+        visitor.visit(Sos { scheme }, Some(judge))
+    };
     Ok(match name {
-        "exact" => Box::new(Entry::new(Exact)),
-        "sos" | "sos:per-coordinate" => sos(Scheme::PerCoordinate),
-        "sos:edelsbrunner-mucke" => sos(Scheme::EdelsbrunnerMucke),
-        "sos:per-mesh" => Box::new(Entry::breaking_ties(PerMesh, infinitesimal::judge_per_mesh)),
-        "tolerance" | "tolerance:f64" => Box::new(Entry::new(Tolerance::<f64>::new())),
-        "tolerance:f32" => Box::new(Entry::new(Tolerance::<f32>::new())),
-        "naive" | "naive:last" => Box::new(Entry::new(Naive { pivot: Pivot::Last })),
-        "naive:first" => Box::new(Entry::new(Naive { pivot: Pivot::First })),
-        "epsilon" => Box::new(Entry::new(Epsilon::default())),
-        "shewchuk" => Box::new(Entry::new(Shewchuk)),
+        "exact" => visitor.visit(Exact, None),
+        "sos" | "sos:per-coordinate" => sos(visitor, Scheme::PerCoordinate),
+        "sos:edelsbrunner-mucke" => sos(visitor, Scheme::EdelsbrunnerMucke),
+        "sos:per-mesh" => visitor.visit(PerMesh, Some(Box::new(infinitesimal::judge_per_mesh))),
+        "tolerance" | "tolerance:f64" => visitor.visit(Tolerance::<f64>::new(), None),
+        "tolerance:f32" => visitor.visit(Tolerance::<f32>::new(), None),
+        "naive" | "naive:last" => visitor.visit(Naive { pivot: Pivot::Last }, None),
+        "naive:first" => visitor.visit(Naive { pivot: Pivot::First }, None),
+        "epsilon" => visitor.visit(Epsilon::default(), None),
+        "shewchuk" => visitor.visit(Shewchuk, None),
         _ => {
             if let Some(eps) = name.strip_prefix("epsilon:") {
                 let eps: f64 =
                     eps.parse().map_err(|_| format!("`{name}`: `{eps}` is no number; write e.g. epsilon:1e-10"))?;
                 let epsilon = Epsilon::new(eps).map_err(|error| format!("`{name}`: {error}"))?;
-                return Ok(Box::new(Entry::new(epsilon)));
+                return Ok(visitor.visit(epsilon, None));
             }
             if let Some(fault) = name.strip_prefix("fault:") {
-                return faults::backend(fault)
-                    .ok_or_else(|| format!("no fault is called `{fault}`; `predicament selftest --list` names them"));
+                return faults::visit(fault, visitor)
+                    .map_err(|_| format!("no fault is called `{fault}`; `predicament selftest --list` names them"));
             }
             #[cfg(feature = "wild")]
-            if let Some(wild) = crate::wild::backend(name) {
-                return Ok(wild);
+            if WILD.contains(&name) {
+                return Ok(crate::wild::visit(name, visitor));
             }
             if WILD.contains(&name) {
                 return Err(format!("`{name}` is there where the tool is built with --features peers"));
@@ -69,10 +90,38 @@ pub fn backend(name: &str) -> Result<Box<dyn Contestant>, String> {
     })
 }
 
-fn sos(scheme: Scheme) -> Box<dyn Contestant> {
-    Box::new(Entry::breaking_ties(Sos { scheme }, move |scene, question, args| {
-        infinitesimal::judge(scheme, scene, question, args)
-    }))
+/// The backend with this name, on the tasks of the house.
+///
+/// # Errors
+/// One line with the names that there are.
+pub fn backend(name: &str) -> Result<Box<dyn Contestant>, String> {
+    struct Enter;
+    impl Visit for Enter {
+        type Out = Box<dyn Contestant>;
+
+        fn visit<B: Backend + 'static>(self, backend: B, ties: Option<Box<TieJudge>>) -> Box<dyn Contestant> {
+            Box::new(Entry::judged(backend, ties))
+        }
+    }
+    visit(name, Enter)
+}
+
+/// The backend with this name, on the tasks of the house and on these.
+///
+/// # Errors
+/// One line with the names that there are.
+pub fn backend_on<L: TaskList>(name: &str, tasks: &L) -> Result<Box<dyn Contestant>, String> {
+    struct More<'a, L>(&'a L);
+    impl<L: TaskList> Visit for More<'_, L> {
+        type Out = Vec<Box<dyn predicament_tasks::Solver>>;
+
+        fn visit<B: Backend + 'static>(self, backend: B, _: Option<Box<TieJudge>>) -> Self::Out {
+            self.0.solvers(&std::sync::Arc::new(backend))
+        }
+    }
+    let mut contestant = backend(name)?;
+    contestant.extend(visit(name, More(tasks))?);
+    Ok(contestant)
 }
 
 #[cfg(test)]

@@ -5,19 +5,18 @@ use predicament_predicates::{Question, Scene, Sign, Vertex};
 
 use predicament_judge as judge;
 
-use crate::{Contestant, Entry};
+use crate::roster::Visit;
 
-/// The crate with this name.
-#[must_use]
-pub fn backend(name: &str) -> Option<Box<dyn Contestant>> {
-    Some(match name {
-        "simplicity" => Box::new(Entry::new(Wild(Simplicity))),
-        "geogram" => Box::new(Entry::breaking_ties(Wild(Geogram), by_lifts)),
-        "delaunay" => Box::new(Entry::new(Wild(Delaunay { sorted: false }))),
-        "delaunay:sorted" => Box::new(Entry::new(Wild(Delaunay { sorted: true }))),
-        "rgeometry" => Box::new(Entry::new(Wild(Rgeometry))),
-        _ => return None,
-    })
+/// Hands over the crate with this name, one of [`WILD`](crate::roster::WILD).
+pub(crate) fn visit<V: Visit>(name: &str, visitor: V) -> V::Out {
+    match name {
+        "simplicity" => visitor.visit(Wild(Simplicity), None),
+        "geogram" => visitor.visit(Wild(Geogram), Some(Box::new(by_lifts))),
+        "delaunay" => visitor.visit(Wild(Delaunay { sorted: false }), None),
+        "delaunay:sorted" => visitor.visit(Wild(Delaunay { sorted: true }), None),
+        "rgeometry" => visitor.visit(Wild(Rgeometry), None),
+        other => unreachable!("{other} is no crate of the list"),
+    }
 }
 
 /// How geogram breaks ties, by the signs of minors: each vertex' lift is lowered by an

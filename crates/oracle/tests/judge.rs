@@ -71,7 +71,7 @@ fn bareiss(mut matrix: Vec<Vec<Integer>>) -> Sign {
 fn agreed(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
     let (sign, verdict) = (judge::sign(scene, question, args), judge::verdict(scene, question, args));
     let third = third(scene, question, args);
-    assert_eq!([sign, verdict.sign()], [third; 2], "{} of {scene:?}", question.describe(args));
+    assert_eq!([sign, verdict.sign()], [third; 2], "{} of {scene:?}", question.query(args));
     assert!(verdict.determinant.abs() <= verdict.permanent);
     sign
 }

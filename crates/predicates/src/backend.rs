@@ -16,7 +16,7 @@ use crate::{
 };
 
 /// A philosophy of robustness: it turns a scene into a session.
-pub trait Backend: Sync {
+pub trait Backend: Send + Sync {
     /// A backend prepared for one scene.
     type Session<'s, T: Tally + 's>: Predicates + 's
     where
@@ -44,7 +44,7 @@ pub trait Backend: Sync {
 /// Sessions are immutable: the same question has the same answer, from any
 /// thread, whatever was asked before. Asking a predicate that
 /// [`supports`](Predicates::supports) refuses panics; ask first, once a scene.
-pub trait Predicates: Sync {
+pub trait Predicates: Send + Sync {
     /// The scene that the session was prepared for.
     fn scene(&self) -> &Scene;
 

@@ -8,7 +8,7 @@
 //! * [`Construction`]: a vertex that is no input, by what defines it.
 //! * [`Backend`]: prepares a scene; [`Predicates`]: the session that answers.
 //! * [`Contract`]: what zero means; [`Band`]: how wide it is; [`Declined`]: "I can't".
-//! * [`QuerySet`]: many questions as data.
+//! * [`QuerySet`]: many questions as data; [`Query`]: one of them as text and back.
 //! * [`Class`]: what becomes of an answer; [`Status`]: of a scene.
 //! * [`Tally`]: which stage settled a query, at no cost when nobody asks.
 
@@ -18,6 +18,7 @@ mod construction;
 mod contact;
 mod contract;
 mod query;
+mod question;
 mod scene;
 mod sign;
 mod tally;
@@ -27,7 +28,8 @@ pub use backend::{Backend, Predicates};
 pub use class::{Class, Status};
 pub use construction::{Construction, ConstructionError};
 pub use contract::{Band, Contract, Declined, ZeroMeaning};
-pub use query::{PredicateKind, QuerySet, Question};
+pub use query::{ParseQueryError, Query};
+pub use question::{PredicateKind, QuerySet, Question};
 pub use scene::{Dimension, Scene, SceneError};
 pub use sign::Sign;
 pub use tally::{Counts, MAX_STAGES, Off, Tally};

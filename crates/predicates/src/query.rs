@@ -1,216 +1,188 @@
-//! Questions as data: one query, and a set of queries of one kind.
+//! One query as text and back: what findings are about, and what `replay` asks again.
 
-use crate::{Axis, Plane, Predicates, Sign, Vertex};
+use std::fmt;
+use std::str::FromStr;
 
-/// The five sign predicates.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum PredicateKind {
-    /// The order of two vertices along an axis.
-    Compare,
-    /// The turn of three vertices in a coordinate plane.
-    Orient2d,
-    /// The side of a fourth vertex on the plane of three.
-    Orient3d,
-    /// A fourth vertex in the circle through three.
-    Incircle,
-    /// A fifth vertex in the sphere through four.
-    Insphere,
+use crate::{Axis, Plane, Question, Vertex};
+
+/// A query by name: what is asked, how, and of which vertices.
+///
+/// As text: `orient2d(xy; 0 1 2)`, `polygon-locate(7)`, `contacts2d(0 1, 4 5)`:
+/// the name, a detail where there is one, and groups of vertices.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Query {
+    /// A predicate or a task.
+    pub what: String,
+    /// An axis, a plane, or what else the question needs; none for most.
+    pub detail: Option<String>,
+    /// The vertices, in groups: a simplex each for contacts, one group for most.
+    pub args: Vec<Vec<Vertex>>,
 }
 
-impl PredicateKind {
-    /// All five, in the order of their degrees.
-    pub const ALL: [PredicateKind; 5] = [
-        PredicateKind::Compare,
-        PredicateKind::Orient2d,
-        PredicateKind::Orient3d,
-        PredicateKind::Incircle,
-        PredicateKind::Insphere,
-    ];
-
-    /// The name used in suites, CSV files and on the command line.
+impl Query {
+    /// A query of a task about one group of vertices.
     #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            PredicateKind::Compare => "compare",
-            PredicateKind::Orient2d => "orient2d",
-            PredicateKind::Orient3d => "orient3d",
-            PredicateKind::Incircle => "incircle",
-            PredicateKind::Insphere => "insphere",
+    pub fn of_task(task: &str, args: &[Vertex]) -> Query {
+        Query { what: task.to_owned(), detail: None, args: vec![args.to_vec()] }
+    }
+
+    /// The predicate's question and its arguments; none where this asks something else.
+    #[must_use]
+    pub fn question(&self) -> Option<(Question, &[Vertex])> {
+        let detail = self.detail.as_deref();
+        let question = match (self.what.as_str(), detail) {
+            ("compare", Some(axis)) => Question::Compare(axis.parse().ok()?),
+            ("orient2d", Some(plane)) => Question::Orient2d(plane.parse().ok()?),
+            ("orient3d", None) => Question::Orient3d,
+            ("incircle", None) => Question::Incircle,
+            ("insphere", None) => Question::Insphere,
+            _ => return None,
+        };
+        let [args] = self.args.as_slice() else { return None };
+        (args.len() == question.kind().arity()).then_some((question, args))
+    }
+
+    /// All vertices, group after group.
+    pub fn vertices(&self) -> impl Iterator<Item = Vertex> {
+        self.args.iter().flatten().copied()
+    }
+}
+
+impl fmt::Display for Query {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}(", self.what)?;
+        if let Some(detail) = &self.detail {
+            write!(f, "{detail}; ")?;
         }
-    }
-
-    /// How many vertices a query takes.
-    #[must_use]
-    pub const fn arity(self) -> usize {
-        match self {
-            PredicateKind::Compare => 2,
-            PredicateKind::Orient2d => 3,
-            PredicateKind::Orient3d | PredicateKind::Incircle => 4,
-            PredicateKind::Insphere => 5,
+        for (at, group) in self.args.iter().enumerate() {
+            f.write_str(if at == 0 { "" } else { ", " })?;
+            for (at, vertex) in group.iter().enumerate() {
+                write!(f, "{}{vertex}", if at == 0 { "" } else { " " })?;
+            }
         }
-    }
-
-    /// The place in [`PredicateKind::ALL`].
-    #[inline]
-    #[must_use]
-    pub const fn index(self) -> usize {
-        self as usize
+        f.write_str(")")
     }
 }
 
-impl std::fmt::Display for PredicateKind {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.name())
+/// Why a text is no query.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ParseQueryError(String);
+
+impl fmt::Display for ParseQueryError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "`{}` is no query; write one such as `orient2d(xy; 0 1 2)` or `contacts2d(0 1, 4 5)`", self.0)
     }
 }
 
-impl std::str::FromStr for PredicateKind {
-    type Err = String;
+impl std::error::Error for ParseQueryError {}
 
-    fn from_str(name: &str) -> Result<PredicateKind, String> {
-        PredicateKind::ALL
-            .into_iter()
-            .find(|kind| kind.name() == name)
-            .ok_or_else(|| format!("no predicate is called `{name}`"))
+/// Reads what `Display` writes.
+impl FromStr for Query {
+    type Err = ParseQueryError;
+
+    fn from_str(text: &str) -> Result<Query, ParseQueryError> {
+        let bad = || ParseQueryError(text.to_owned());
+        let (what, rest) = text.strip_suffix(')').and_then(|text| text.split_once('(')).ok_or_else(bad)?;
+        let (detail, groups) = match rest.split_once("; ") {
+            Some((detail, groups)) => (Some(detail.to_owned()), groups),
+            None => (None, rest),
+        };
+        let group = |group: &str| group.split(' ').map(str::parse).collect::<Result<Vec<Vertex>, _>>();
+        let args = groups.split(", ").map(group).collect::<Result<Vec<_>, _>>().map_err(|_| bad())?;
+        let named = !what.is_empty() && detail.as_deref() != Some("");
+        if named { Ok(Query { what: what.to_owned(), detail, args }) } else { Err(bad()) }
     }
-}
-
-/// A predicate with all that it needs besides vertices.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Question {
-    /// [`Predicates::compare`] along an axis.
-    Compare(Axis),
-    /// [`Predicates::orient2d`] in a plane.
-    Orient2d(Plane),
-    /// [`Predicates::orient3d`].
-    Orient3d,
-    /// [`Predicates::incircle`].
-    Incircle,
-    /// [`Predicates::insphere`].
-    Insphere,
 }
 
 impl Question {
-    /// Which of the five predicates this is.
-    #[inline]
+    /// The query of this question about these vertices.
     #[must_use]
-    pub const fn kind(self) -> PredicateKind {
-        match self {
-            Question::Compare(_) => PredicateKind::Compare,
-            Question::Orient2d(_) => PredicateKind::Orient2d,
-            Question::Orient3d => PredicateKind::Orient3d,
-            Question::Incircle => PredicateKind::Incircle,
-            Question::Insphere => PredicateKind::Insphere,
-        }
-    }
-
-    /// Asks one query.
-    ///
-    /// # Panics
-    /// If `args` has not exactly as many vertices as the predicate takes.
-    #[inline]
-    pub fn ask<P: Predicates + ?Sized>(self, session: &P, args: &[Vertex]) -> Sign {
-        match (self, args) {
-            (Question::Compare(axis), &[a, b]) => session.compare(axis, a, b),
-            (Question::Orient2d(plane), &[a, b, c]) => session.orient2d(plane, a, b, c),
-            (Question::Orient3d, &[a, b, c, d]) => session.orient3d(a, b, c, d),
-            (Question::Incircle, &[a, b, c, d]) => session.incircle(a, b, c, d),
-            (Question::Insphere, &[a, b, c, d, e]) => session.insphere(a, b, c, d, e),
-            _ => panic!("{} takes {} vertices, not {}", self.kind(), self.kind().arity(), args.len()),
-        }
-    }
-
-    /// A query as text: `orient2d(xy; 0 1 2)`.
-    #[must_use]
-    pub fn describe(self, args: &[Vertex]) -> String {
+    pub fn query(self, args: &[Vertex]) -> Query {
         let detail = match self {
-            Question::Compare(axis) => format!("{axis:?}; ").to_lowercase(),
-            Question::Orient2d(plane) => format!("{plane:?}; ").to_lowercase(),
-            Question::Orient3d | Question::Incircle | Question::Insphere => String::new(),
+            Question::Compare(axis) => Some(axis.name().to_owned()),
+            Question::Orient2d(plane) => Some(plane.name().to_owned()),
+            Question::Orient3d | Question::Incircle | Question::Insphere => None,
         };
-        let ids: Vec<String> = args.iter().map(ToString::to_string).collect();
-        format!("{}({detail}{})", self.kind(), ids.join(" "))
+        Query { what: self.kind().name().to_owned(), detail, args: vec![args.to_vec()] }
     }
 }
 
-/// Many queries of one kind, their vertices in one flat array.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct QuerySet {
-    question: Question,
-    args: Vec<Vertex>,
+impl Axis {
+    /// `x`, `y` or `z`.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Axis::X => "x",
+            Axis::Y => "y",
+            Axis::Z => "z",
+        }
+    }
 }
 
-impl QuerySet {
-    /// A set from vertices, query after query.
-    ///
-    /// # Panics
-    /// If `args` does not divide into whole queries.
+impl FromStr for Axis {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Axis, String> {
+        let axes = [Axis::X, Axis::Y, Axis::Z];
+        axes.into_iter().find(|axis| axis.name() == name).ok_or_else(|| format!("no axis is called `{name}`"))
+    }
+}
+
+impl Plane {
+    /// `xy`, `yz` or `zx`.
     #[must_use]
-    pub fn new(question: Question, args: Vec<Vertex>) -> QuerySet {
-        let arity = question.kind().arity();
-        assert!(args.len().is_multiple_of(arity), "{} vertices don't divide into queries of {arity}", args.len());
-        QuerySet { question, args }
+    pub const fn name(self) -> &'static str {
+        match self {
+            Plane::Xy => "xy",
+            Plane::Yz => "yz",
+            Plane::Zx => "zx",
+        }
+    }
+}
+
+impl FromStr for Plane {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Plane, String> {
+        let planes = [Plane::Xy, Plane::Yz, Plane::Zx];
+        planes.into_iter().find(|plane| plane.name() == name).ok_or_else(|| format!("no plane is called `{name}`"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn queries_read_back_as_they_are_written() {
+        let [a, b, c, d] = [3, 1, 0, 5].map(Vertex::input);
+        let ids = [a, b, Vertex::constructed(4), c, d];
+        for question in [
+            Question::Compare(Axis::Z),
+            Question::Orient2d(Plane::Zx),
+            Question::Orient3d,
+            Question::Incircle,
+            Question::Insphere,
+        ] {
+            let ids = &ids[..question.kind().arity()];
+            let query = question.query(ids);
+            assert_eq!(query.to_string().parse(), Ok(query.clone()));
+            assert_eq!(query.question(), Some((question, ids)));
+        }
+        assert_eq!(Question::Orient2d(Plane::Xy).query(&ids[..3]).to_string(), "orient2d(xy; 3 1 c4)");
+        let pair = Query { what: "contacts2d".to_owned(), detail: None, args: vec![vec![a, b], vec![c, d]] };
+        assert_eq!(pair.to_string(), "contacts2d(3 1, 0 5)");
+        assert_eq!(pair.to_string().parse(), Ok(pair));
+        assert_eq!(Query::of_task("interval", &[a]).to_string(), "interval(3)");
     }
 
-    /// What is asked.
-    #[inline]
-    #[must_use]
-    pub fn question(&self) -> Question {
-        self.question
-    }
-
-    /// Which of the five predicates.
-    #[inline]
-    #[must_use]
-    pub fn kind(&self) -> PredicateKind {
-        self.question.kind()
-    }
-
-    /// The number of queries.
-    #[inline]
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.args.len() / self.kind().arity()
-    }
-
-    /// Whether there is nothing to ask.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.args.is_empty()
-    }
-
-    /// The vertices of one query.
-    ///
-    /// # Panics
-    /// If there is no such query.
-    #[inline]
-    #[must_use]
-    pub fn args(&self, query: usize) -> &[Vertex] {
-        let arity = self.kind().arity();
-        &self.args[query * arity..][..arity]
-    }
-
-    /// The vertices of all queries, one after another.
-    #[inline]
-    #[must_use]
-    pub fn flat(&self) -> &[Vertex] {
-        &self.args
-    }
-
-    /// Answers the queries of `range` in order through the session's batch calls.
-    ///
-    /// # Panics
-    /// If `out` is not as long as `range`, or `range` reaches past the end.
-    pub fn ask_batch<P: Predicates + ?Sized>(&self, session: &P, range: std::ops::Range<usize>, out: &mut [Sign]) {
-        assert_eq!(range.len(), out.len(), "one place for each answer");
-        let arity = self.kind().arity();
-        let args = &self.args[range.start * arity..range.end * arity];
-        match self.question {
-            Question::Compare(axis) => session.compare_batch(axis, args.as_chunks().0, out),
-            Question::Orient2d(plane) => session.orient2d_batch(plane, args.as_chunks().0, out),
-            Question::Orient3d => session.orient3d_batch(args.as_chunks().0, out),
-            Question::Incircle => session.incircle_batch(args.as_chunks().0, out),
-            Question::Insphere => session.insphere_batch(args.as_chunks().0, out),
+    #[test]
+    fn what_is_no_query_is_refused() {
+        for broken in ["", "orient2d", "(1 2)", "orient2d(xy; 1 2 d3)", "incircle(1 2 3 x)", "a(; 1)", "a()", "a(1,2)"] {
+            assert!(broken.parse::<Query>().unwrap_err().to_string().contains(broken), "{broken}");
+        }
+        for other in ["orient2d(xy; 1 2)", "orient3d(xy; 1 2 3 4)", "compare(w; 1 2)", "hull(1 2 3)"] {
+            assert_eq!(other.parse::<Query>().unwrap().question(), None, "{other}");
         }
     }
 }

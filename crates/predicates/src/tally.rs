@@ -17,7 +17,7 @@ pub const ROWS: usize = 64;
 const KINDS: usize = PredicateKind::ALL.len();
 
 /// A place to report which stage settled a query.
-pub trait Tally: Sync {
+pub trait Tally: Send + Sync {
     /// Whether anybody listens.
     const LISTENS: bool = true;
 

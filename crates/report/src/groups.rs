@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::stats::geometric_mean;
+use predicament_records::geometric_mean;
 use crate::{RunDir, Spread, SummaryRow};
 
 /// The control that every time is compared with: Shewchuk's adaptive
@@ -69,10 +69,8 @@ pub fn backends(runs: &[RunDir]) -> Vec<&str> {
         .flat_map(|run| {
             let checked = run.summary.iter().map(|row| &*row.backend);
             let timed = run.throughput.iter().map(|row| &*row.backend);
-            let located = run.locate.iter().map(|row| &*row.backend);
-            let touched = run.contacts.iter().map(|row| &*row.backend);
             let staged = run.stages.iter().map(|row| &*row.backend);
-            checked.chain(timed).chain(located).chain(touched).chain(staged)
+            checked.chain(timed).chain(staged)
         })
         .collect();
     let mut seen = BTreeSet::new();

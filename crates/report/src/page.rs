@@ -12,20 +12,21 @@ use crate::{Error, RunDir};
 const HTML: &str = "page.html";
 const MARKDOWN: &str = "page.md";
 
-/// One page that needs nothing else: style and pictures are inside, and there are no scripts.
+/// One HTML page that needs nothing else: style and pictures are inside, and there are no scripts.
+/// `of_tasks` are the sections of single tasks.
 ///
 /// # Errors
 /// If the plot can't be drawn or the page can't be filled in.
-pub fn html(runs: &[RunDir]) -> Result<String, Error> {
-    render(HTML, runs)
+pub fn html(runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> {
+    render(HTML, runs, of_tasks)
 }
 
 /// The same as Markdown. Plots are files beside it; pixel maps are left out.
 ///
 /// # Errors
 /// If the plot can't be drawn or the page can't be filled in.
-pub fn markdown(runs: &[RunDir]) -> Result<String, Error> {
-    render(MARKDOWN, runs)
+pub fn markdown(runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> {
+    render(MARKDOWN, runs, of_tasks)
 }
 
 /// Writes `report.html`, `report.md` and the plots, each where there is something to
@@ -33,11 +34,11 @@ pub fn markdown(runs: &[RunDir]) -> Result<String, Error> {
 ///
 /// # Errors
 /// If a page can't be made or written.
-pub fn write_pages(runs: &[RunDir], folder: impl AsRef<Path>) -> Result<(), Error> {
+pub fn write_pages(runs: &[RunDir], of_tasks: &[Section], folder: impl AsRef<Path>) -> Result<(), Error> {
     let folder = folder.as_ref();
     std::fs::create_dir_all(folder).map_err(Error::io(folder))?;
-    let pages = [("report.html", html(runs)?), ("report.md", markdown(runs)?)];
-    let blocks = sections(runs)?.into_iter().flat_map(|section| section.blocks);
+    let pages = [("report.html", html(runs, of_tasks)?), ("report.md", markdown(runs, of_tasks)?)];
+    let blocks = sections(runs, of_tasks)?.into_iter().flat_map(|section| section.blocks);
     let plots = blocks.filter_map(|block| match block {
         Block::Plot { svg, file, .. } => Some((file, svg)),
         _ => None,
@@ -49,8 +50,8 @@ pub fn write_pages(runs: &[RunDir], folder: impl AsRef<Path>) -> Result<(), Erro
     Ok(())
 }
 
-fn render(template: &str, runs: &[RunDir]) -> Result<String, Error> {
-    let sections: Vec<Value> = sections(runs)?.iter().map(Section::value).collect();
+fn render(template: &str, runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> {
+    let sections: Vec<Value> = sections(runs, of_tasks)?.iter().map(Section::value).collect();
     let headlines: Vec<Value> = headlines(runs).iter().map(Headline::value).collect();
     let page = context! { headlines => headlines, sections => sections };
     let filled = environment().and_then(|env| env.get_template(template)?.render(page));
@@ -114,7 +115,7 @@ mod tests {
 
     #[test]
     fn no_runs_make_a_page_too() {
-        for page in [html(&[]).unwrap(), markdown(&[]).unwrap()] {
+        for page in [html(&[], &[]).unwrap(), markdown(&[], &[]).unwrap()] {
             assert!(page.contains("No scene was checked."));
         }
     }

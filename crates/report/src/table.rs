@@ -5,7 +5,7 @@
 
 use minijinja::{Value, context};
 
-use crate::format::thousands;
+use predicament_records::format::thousands;
 
 /// What a reader's eye should do with a cell.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -56,10 +56,14 @@ impl Cell {
         Cell { code: true, ..Cell::from(text.into()) }
     }
 
+    /// The cell in another tone.
+    #[must_use]
     pub fn tone(self, tone: Tone) -> Cell {
         Cell { tone, ..self }
     }
 
+    /// The cell with a second, smaller line.
+    #[must_use]
     pub fn detail(self, detail: impl Into<String>) -> Cell {
         Cell { detail: detail.into(), ..self }
     }
@@ -110,11 +114,14 @@ impl Table {
         self
     }
 
+    /// Adds a row: a cell for each column.
     pub fn push(&mut self, row: Vec<Cell>) {
         debug_assert_eq!(row.len(), self.columns.len(), "a cell for each column");
         self.rows.push(row);
     }
 
+    /// Whether there are no rows.
+    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
@@ -193,7 +200,7 @@ pub struct Section {
 }
 
 impl Section {
-    pub fn value(&self) -> Value {
+    pub(crate) fn value(&self) -> Value {
         let blocks: Vec<Value> = self.blocks.iter().map(Block::value).collect();
         context! { id => self.id, title => self.title, lead => &self.lead, blocks => blocks }
     }
@@ -213,7 +220,7 @@ pub struct Headline {
 }
 
 impl Headline {
-    pub fn value(&self) -> Value {
+    pub(crate) fn value(&self) -> Value {
         context! { number => &self.number, label => self.label, detail => &self.detail, tone => self.tone.class() }
     }
 }

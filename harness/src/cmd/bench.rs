@@ -1,27 +1,36 @@
 //! `bench`: throughput, beside the errors of the very same answers.
 //!
-//! Every backend's answers are judged first, and that judgement is kept in the
-//! bench folder's `summary.csv`. Then the backends take turns, sample by
-//! sample, so that a noisy machine is noisy for all of them; each timed pass
-//! has to give the answers that were judged, or it is not a measurement.
+//! Every backend's answers are judged first, here or in an earlier run
+//! (`--judged`), and that judgement is kept in the bench folder's
+//! `summary.csv`. Then the backends take turns, sample by sample, so that a
+//! noisy machine is noisy for all of them; each timed pass has to give the
+//! answers that were judged, or it is not a measurement. A backend is done when
+//! its median is known well enough.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use predicament_oracle::{Case, Contestant, Stopwatch, Truth, Watch, digest_of};
-use predicament_oracle::{contacts, cubes, interval, locate};
-use predicament_report::{self as report, PlannedScene, RunWriter, Shard, ThroughputRow};
+use predicament_corpus::LoadedScene;
+use predicament_records::{
+    self as records, FindingRow, PlannedScene, RunDir, RunWriter, Shard, SummaryRow, ThroughputRow,
+};
+use predicament_tasks::contacts::Complexes;
+use predicament_tasks::{AnyCase, Contestant, Stop, Stopwatch, Watch};
 
-use crate::cmd::run::{budget, env, free_folder, plan};
+use crate::cmd::run::{budget, env, free_folder, plan, tables};
 use crate::contact_tables::{self, Primitives, on_threads};
 use crate::exit::{self, Failure};
+use crate::judged::JudgedRow;
 use crate::select::Selector;
-use crate::{expectations, interrupt, peers, progress, roster, rows};
+use crate::tool::Tool;
+use crate::{expectations, interrupt, peers, progress, rows};
 
 const EXAMPLES: &str = "\
 Examples:
   predicament bench                                     all embedded corpora
-  predicament bench families -f orient2d --samples 21
+  predicament bench --judged predicament-run-1          reuse what a run has judged
+  predicament bench families -f orient2d --samples 21 --precision 0.01
   predicament bench families -b exact,sos,naive         built with `--features peers`, other crates take part
   predicament bench maps -f 10m -b exact,sos,naive      the same with maps, against `geo`
   predicament bench contact-sizes --level full --samples 3 --threads 8 -b exact,sos,tolerance,tolerance:f32,naive";
@@ -37,16 +46,26 @@ pub struct Args {
     #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
     pub backends: Vec<String>,
 
-    /// Samples of each backend
+    /// Samples of each backend, at most
     #[arg(long, value_name = "N", default_value_t = 11)]
     pub samples: u64,
+
+    /// Stop sampling a backend when its median is known to this fraction (the
+    /// 95 % confidence interval of the median, by order statistics); 0 takes all samples
+    #[arg(long, value_name = "FRACTION", default_value_t = 0.05)]
+    pub precision: f64,
+
+    /// A run of the same scenes whose judgements are taken over: answers are not judged
+    /// again, only compared with those that were
+    #[arg(long, value_name = "RUN")]
+    pub judged: Option<PathBuf>,
 
     /// Time contacts on so many threads too; everything is timed on one
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: Option<u16>,
 
     /// Milliseconds that a sample takes at least, by repeating passes
-    #[arg(long, value_name = "MS", default_value_t = 4)]
+    #[arg(long, value_name = "MS", default_value_t = 2)]
     pub sample_ms: u64,
 
     /// A new folder; the first free predicament-bench-N if left out
@@ -63,127 +82,190 @@ struct Runner<'a> {
     judged: u64,
     queries: u64,
     passes: u32,
+    /// Nanoseconds per query of each sample.
+    samples: Vec<f64>,
 }
 
 /// Runs the command.
-pub fn run(args: Args) -> exit::Outcome {
+pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     if args.samples == 0 {
         return Err(Failure::usage("--samples: at least one sample is needed"));
     }
-    let expected = expectations::load(None)?;
-    let backends = roster::pick(&args.backends)?;
-    let selection = args.selector.select()?;
-    let scenes = selection.plan(Shard::WHOLE)?;
+    let expected = expectations::load(tool, None)?;
+    let backends = tool.pick(&args.backends)?;
+    let judged = Judged::read(args.judged.as_ref())?;
+    let selection = args.selector.select(tool)?;
+    let mut scenes = selection.plan(Shard::WHOLE)?;
     let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-bench"));
     let plan = plan(&selection, &scenes, &backends, Shard::WHOLE);
-    let mut writer = RunWriter::create(&folder, &plan, &env()).map_err(Failure::usage)?;
+    let mut writer = RunWriter::create(&folder, &plan, &env(), &tables(tool)).map_err(Failure::usage)?;
     interrupt::listen();
-    let bar = progress::bar(scenes.len() as u64 * args.samples, "rounds");
+    let bar = progress::bar(scenes.len() as u64, "scenes");
     let quiet = |_: u64| {};
     let watch = Watch::new(interrupt::flag(), None, &quiet);
-    let mut ended = report::Outcome::Complete;
+    let mut ended = records::Outcome::Complete;
     let mut remarks = Vec::new();
     let mut primitives = Primitives::default();
     let mut threads = vec![1];
     threads.extend(args.threads.map(usize::from).filter(|&threads| threads > 1));
-    'scenes: for (def, scene) in &scenes {
+    let timed = scenes.len();
+    'scenes: for planned in &mut scenes {
+        let scene = planned.plan.clone();
         bar.set_message(scene.scene.clone());
-        let loaded = selection.load(def)?;
-        let Ok(case) = Case::new(&loaded, &watch) else {
-            ended = report::Outcome::Interrupted;
-            break;
-        };
-        primitives.learn(scene, &case);
+        let loaded = planned.take(&selection)?;
+        primitives.learn(&loaded);
+        // The truth is worked out only where somebody's answers have not been judged.
+        let mut case: Option<Box<dyn AnyCase + '_>> = None;
         let mut runners = Vec::new();
+        let task = tool.task(loaded.task);
         for backend in &backends {
-            let Ok(outcome) = case.run(backend.as_ref(), budget(selection.level), &watch) else {
-                ended = report::Outcome::Interrupted;
-                break 'scenes;
+            let name = backend.name();
+            let digest = if let Some(before) = judged.of(&scene, &name) {
+                writer.write(std::slice::from_ref(before.summary)).map_err(Failure::usage)?;
+                writer.write(&before.findings).map_err(Failure::usage)?;
+                before.digest
+            } else {
+                if case.is_none() {
+                    case = task.case(&loaded, &watch).ok();
+                }
+                let Some(case) = &case else {
+                    ended = records::Outcome::Interrupted;
+                    break 'scenes;
+                };
+                let budget = budget(selection.level);
+                let outcome = match predicament_oracle::run(case.as_ref(), backend.as_ref(), budget, &watch) {
+                    Ok(outcome) => outcome,
+                    Err(Stop::Interrupted | Stop::Timeout) => {
+                        ended = records::Outcome::Interrupted;
+                        break 'scenes;
+                    }
+                };
+                let level = selection.level.name();
+                rows::record(&mut writer, &scene, &name, &outcome, &expected, level).map_err(Failure::usage)?;
+                outcome.digest
             };
-            let row = rows::summary(scene, &backend.name(), &outcome, &expected, selection.level.name());
-            writer.write(&[row]).map_err(Failure::usage)?;
-            writer.write(&rows::findings(scene, &backend.name(), &outcome)).map_err(Failure::usage)?;
-            writer.write(&rows::contacts(scene, &backend.name(), &outcome)).map_err(Failure::usage)?;
-            match start(&case, backend.as_ref(), scene, &threads) {
+            match start(&loaded, backend.as_ref(), &scene, digest, &threads) {
                 Ok(started) => runners.extend(started),
-                Err(why) => {
-                    remarks.push(format!("not timed: {}/{} on {}: {why}", scene.suite, scene.scene, backend.name()))
+                Err(why) => remarks.push(format!("not timed: {}/{} on {name}: {why}", scene.suite, scene.scene)),
+            }
+        }
+        if peers::ANY {
+            if case.is_none() {
+                case = task.case(&loaded, &watch).ok();
+            }
+            for peer in case.iter().flat_map(|case| peers::runners(case.as_ref())) {
+                let level = selection.level.name();
+                rows::record(&mut writer, &scene, &peer.name, &peer.outcome, &expected, level)
+                    .map_err(Failure::usage)?;
+                remarks.extend(peer.remarks.iter().map(|remark| format!("{}/{}: {remark}", scene.suite, scene.scene)));
+                if let Some(timed) = peer.timed {
+                    runners.push(Runner {
+                        name: peer.name,
+                        family: scene.family.clone(),
+                        version: peer.version,
+                        watch: timed.watch,
+                        judged: timed.judged,
+                        queries: peer.outcome.queries,
+                        passes: 1,
+                        samples: Vec::new(),
+                    });
                 }
             }
         }
-        for peer in peers::runners(&case) {
-            let row = rows::summary(scene, &peer.name, &peer.outcome, &expected, selection.level.name());
-            writer.write(&[row]).map_err(Failure::usage)?;
-            writer.write(&rows::findings(scene, &peer.name, &peer.outcome)).map_err(Failure::usage)?;
-            remarks.extend(peer.remarks.iter().map(|remark| format!("{}/{}: {remark}", scene.suite, scene.scene)));
-            if let Some(timed) = peer.timed {
-                let (queries, judged) = (peer.outcome.queries, timed.judged);
-                let (name, version, watch) = (peer.name, peer.version, timed.watch);
-                let family = scene.family.clone();
-                runners.push(Runner { name, family, version, watch, judged, queries, passes: 1 });
-            }
-        }
-        let samples = Samples { count: args.samples, least: Duration::from_millis(args.sample_ms) };
-        if !samples.take(scene, runners, &mut writer, &mut remarks, || bar.inc(1))? {
-            ended = report::Outcome::Interrupted;
+        let samples =
+            Samples { most: args.samples, least: Duration::from_millis(args.sample_ms), precision: args.precision };
+        if !samples.take(&scene, runners, &mut writer, &mut remarks)? {
+            ended = records::Outcome::Interrupted;
             break;
         }
         writer.commit().map_err(Failure::usage)?;
+        bar.inc(1);
     }
     bar.finish_and_clear();
     writer.finish(ended).map_err(Failure::usage)?;
-    println!("{}: {} scenes timed, {}", folder.display(), scenes.len(), ended.describe());
+    say!("{}: {timed} scenes timed, {}", folder.display(), ended.describe());
     for line in &remarks {
-        println!("  {line}");
+        say!("  {line}");
     }
-    print!("{}", contact_tables::tables(&folder, &primitives, &threads).map_err(Failure::usage)?);
-    print!("{}", peers::tables(&folder).map_err(Failure::usage)?);
-    Ok(if ended == report::Outcome::Complete { exit::OK } else { exit::INCOMPLETE })
+    say_text!("{}", contact_tables::tables(&folder, &primitives, &threads).map_err(Failure::usage)?);
+    say_text!("{}", peers::tables(&folder).map_err(Failure::usage)?);
+    Ok(if ended == records::Outcome::Complete { exit::OK } else { exit::INCOMPLETE })
 }
 
-/// Prepares one backend, with the digest of its judged answers: contacts for each number of threads.
+/// The judgements of an earlier run.
+#[derive(Default)]
+struct Judged {
+    run: Option<RunDir>,
+    digests: BTreeMap<(String, String), u64>,
+}
+
+/// The judgement of one scene on one backend.
+struct Before<'r> {
+    summary: &'r SummaryRow,
+    findings: Vec<FindingRow>,
+    digest: Option<u64>,
+}
+
+impl Judged {
+    fn read(folder: Option<&PathBuf>) -> Result<Judged, Failure> {
+        let Some(folder) = folder else { return Ok(Judged::default()) };
+        let run = RunDir::open(folder).map_err(Failure::usage)?;
+        let rows = run.rows::<JudgedRow>().map_err(Failure::usage)?;
+        let digest = |row: &JudgedRow| {
+            let digest = u64::from_str_radix(&row.digest, 16);
+            let digest = digest.map_err(|_| Failure::usage(format!("judged.csv: `{}` is no digest", row.digest)))?;
+            Ok(((row.scene_id.clone(), row.backend.clone()), digest))
+        };
+        let digests = rows.iter().map(digest).collect::<Result<_, Failure>>()?;
+        Ok(Judged { run: Some(run), digests })
+    }
+
+    /// What the run says about a scene on a backend; none where it says nothing.
+    fn of(&self, scene: &PlannedScene, backend: &str) -> Option<Before<'_>> {
+        let run = self.run.as_ref()?;
+        let summary = run.summary.iter().find(|row| row.scene_id == scene.scene_id && row.backend == backend)?;
+        let of_this = |row: &&FindingRow| row.scene_id == scene.scene_id && row.backend == backend;
+        let findings = run.findings.iter().filter(of_this).cloned().collect();
+        let digest = self.digests.get(&(scene.scene_id.clone(), backend.to_owned())).copied();
+        Some(Before { summary, findings, digest })
+    }
+}
+
+/// Prepares one backend: contacts for each number of threads, all else for one.
 fn start<'a>(
-    case: &'a Case<'a>,
+    loaded: &'a LoadedScene,
     backend: &'a dyn Contestant,
     scene: &PlannedScene,
+    judged: Option<u64>,
     threads: &[usize],
 ) -> Result<Vec<Runner<'a>>, String> {
-    let runner = |watch, judged, threads| Runner {
-        name: backend.name(),
-        family: on_threads(&scene.family, threads),
-        version: env!("CARGO_PKG_VERSION").to_owned(),
-        watch,
-        judged,
-        queries: scene.queries,
-        passes: 1,
+    let judged = judged.ok_or("there are no judged answers")?;
+    let solver = backend.solver(loaded.task).ok_or("the backend was not told of the task")?;
+    let threads = if loaded.content::<Complexes>().is_some() { threads } else { &threads[..1] };
+    let runner = |&threads: &usize| {
+        Ok(Runner {
+            name: backend.name(),
+            family: on_threads(&scene.family, threads),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            watch: solver.stopwatch(&loaded.scene, loaded.content.as_ref(), threads)?,
+            judged,
+            queries: scene.queries,
+            passes: 1,
+            samples: Vec::new(),
+        })
     };
-    Ok(match case.truth() {
-        Truth::Signs { queries, .. } => {
-            let scene = &case.loaded().scene;
-            let answers = backend.answers(scene, queries)?;
-            vec![runner(backend.time_signs(scene, queries)?, digest_of(&answers), 1)]
-        }
-        Truth::Contacts(case) => {
-            let judged = contacts::digest_of(&backend.contacts(case.scene(), case.complexes())?);
-            let start = |&threads: &usize| Ok(runner(backend.time_contacts(case, threads)?, judged, threads));
-            threads.iter().map(start).collect::<Result<_, String>>()?
-        }
-        Truth::Interval(case) => {
-            vec![runner(backend.time_interval(case)?, interval::digest_of(&backend.cells(case)?), 1)]
-        }
-        Truth::Cubes(case) => {
-            vec![runner(backend.time_cubes(case)?, cubes::digest_of(&backend.cube_union(case)?), 1)]
-        }
-        Truth::Locate(case) => {
-            vec![runner(backend.time_locate(case)?, locate::digest_of(&backend.locations(case)?), 1)]
-        }
-    })
+    threads.iter().map(runner).collect()
 }
 
 struct Samples {
-    count: u64,
+    most: u64,
     least: Duration,
+    precision: f64,
 }
+
+/// Samples before the first look at the confidence interval: the smallest and the
+/// largest of six enclose the median with 97 %.
+const FIRST_LOOK: usize = 6;
 
 impl Samples {
     /// Times the runners in turns. False if interrupted.
@@ -193,7 +275,6 @@ impl Samples {
         mut runners: Vec<Runner>,
         writer: &mut RunWriter,
         remarks: &mut Vec<String>,
-        tick: impl Fn(),
     ) -> Result<bool, Failure> {
         // A pass to warm up, to size the samples, and to see that the answers are the judged ones.
         runners.retain_mut(|runner| {
@@ -209,16 +290,18 @@ impl Samples {
             }
             same
         });
-        for sample in 0..self.count {
-            if interrupt::flag().load(std::sync::atomic::Ordering::Relaxed) {
-                return Ok(false);
-            }
+        for sample in 0..self.most {
             let mut rows = Vec::with_capacity(runners.len());
-            for runner in &mut runners {
+            for runner in runners.iter_mut().filter(|runner| !self.is_known(&runner.samples)) {
+                if interrupt::flag().load(std::sync::atomic::Ordering::Relaxed) {
+                    return Ok(false);
+                }
                 let total: Duration = (0..runner.passes).map(|_| runner.watch.pass()).sum();
                 // Counts of queries and passes are far below 2^53: no rounding.
                 #[allow(clippy::cast_precision_loss)]
                 let queries = runner.queries as f64 * f64::from(runner.passes);
+                let ns_per_query = total.as_secs_f64() * 1e9 / queries;
+                runner.samples.push(ns_per_query);
                 rows.push(ThroughputRow {
                     task: scene.task.clone(),
                     family: runner.family.clone(),
@@ -226,16 +309,71 @@ impl Samples {
                     engine_version: runner.version.clone(),
                     queries: runner.queries,
                     sample,
-                    ns_per_query: total.as_secs_f64() * 1e9 / queries,
+                    ns_per_query,
                 });
             }
             writer.write(&rows).map_err(Failure::usage)?;
-            tick();
         }
         if let Some(runner) = runners.iter().find(|runner| runner.watch.digest() != runner.judged) {
             let message = format!("{}/{} on {}: answers changed while timed", scene.suite, scene.scene, runner.name);
             return Err(Failure { message, code: exit::UNEXPECTED });
         }
         Ok(true)
+    }
+
+    /// Whether the median is known well enough.
+    fn is_known(&self, samples: &[f64]) -> bool {
+        interval(samples).is_some_and(|[low, high]| high - low <= self.precision * (low + high))
+    }
+}
+
+/// A confidence interval of the median, of at least 95 %: between two order
+/// statistics, so that it needs no distribution. None for fewer than six samples.
+fn interval(samples: &[f64]) -> Option<[f64; 2]> {
+    let n = samples.len();
+    if n < FIRST_LOOK {
+        return None;
+    }
+    let mut sorted = samples.to_vec();
+    sorted.sort_unstable_by(f64::total_cmp);
+    // The share of outcomes of n fair coins with at most `below` heads, doubled, is what the interval misses.
+    let mut below = 0;
+    let (mut term, mut tail) = (0.5_f64.powi(i32::try_from(n).unwrap_or(i32::MAX)), 0.0);
+    while below < n / 2 {
+        tail += term;
+        if 2.0 * tail > 0.05 {
+            break;
+        }
+        below += 1;
+        // Counts of samples: exact as doubles.
+        #[allow(clippy::cast_precision_loss)]
+        let next = (n - below + 1) as f64 / below as f64;
+        term *= next;
+    }
+    let at = below.checked_sub(1)?;
+    Some([sorted[at], sorted[n - 1 - at]])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_interval_is_that_of_the_binomial_distribution() {
+        let samples = |n: u32| (1..=n).rev().map(f64::from).collect::<Vec<_>>();
+        assert_eq!(interval(&samples(5)), None);
+        // The tables of order statistics: 1 and 6 of 6 (96.9 %), 2 and 10 of 11 (98.8 %), 6 and 15 of 20 (95.9 %).
+        assert_eq!(interval(&samples(6)), Some([1.0, 6.0]));
+        assert_eq!(interval(&samples(11)), Some([2.0, 10.0]));
+        assert_eq!(interval(&samples(20)), Some([6.0, 15.0]));
+    }
+
+    #[test]
+    fn sampling_stops_when_the_median_is_known() {
+        let samples = Samples { most: 11, least: Duration::ZERO, precision: 0.05 };
+        assert!(samples.is_known(&[1.0, 1.01, 0.99, 1.0, 1.02, 1.0]));
+        assert!(!samples.is_known(&[1.0, 1.01, 0.99, 1.0, 1.02]), "too few to know");
+        assert!(!samples.is_known(&[1.0, 1.2, 0.99, 1.0, 1.02, 1.0]), "too far apart");
+        assert!(!Samples { precision: 0.0, ..samples }.is_known(&[1.0, 1.0, 1.0, 1.0, 1.0, 1.01]));
     }
 }

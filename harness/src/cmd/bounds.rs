@@ -36,8 +36,8 @@ pub enum Format {
 /// Runs the command.
 pub fn run(args: &Args) -> exit::Outcome {
     match args.format {
-        Format::Csv => print!("{}", bounds::csv().map_err(Failure::usage)?),
-        Format::Md => print!("{}", bounds::page()),
+        Format::Csv => say_text!("{}", bounds::csv().map_err(Failure::usage)?),
+        Format::Md => say_text!("{}", bounds::page()),
     }
     Ok(exit::OK)
 }

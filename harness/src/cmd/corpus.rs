@@ -2,12 +2,15 @@
 
 use std::path::PathBuf;
 
-use predicament_corpus::{Level, Library, LoadedScene, Work, degeneracy, fetch, fmt};
-use predicament_oracle::{Case, Truth, Watch};
+use predicament_corpus::fmt;
+use predicament_formats::fetch;
+use predicament_records::Shard;
+use predicament_tasks::Watch;
 
 use crate::exit::{self, CORPUS, Failure};
 use crate::interrupt;
 use crate::select::Selector;
+use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -57,36 +60,36 @@ enum Command {
 }
 
 /// Runs the command.
-pub fn run(args: Args) -> exit::Outcome {
+pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     match args.command {
-        Command::List { scenes } => list(scenes),
-        Command::Fmt { files, check } => format(&files, check),
-        Command::Verify(selector) => verify(&selector),
-        Command::Gen(selector) => generate(&selector),
-        Command::Fetch { keys, cache } => fetch_all(&keys, cache),
+        Command::List { scenes } => list(tool, scenes),
+        Command::Fmt { files, check } => format(tool, &files, check),
+        Command::Verify(selector) => verify(tool, &selector),
+        Command::Gen(selector) => generate(tool, &selector),
+        Command::Fetch { keys, cache } => fetch_all(tool, &keys, cache),
     }
 }
 
-fn list(scenes: bool) -> exit::Outcome {
-    let library = Library::embedded()?;
-    for suite in library.suites() {
+fn list(tool: &Tool, scenes: bool) -> exit::Outcome {
+    let (library, own) = (tool.library()?, tool.own_suites()?);
+    for suite in own.iter().chain(library.suites()) {
         let fetched = if suite.needs_fetch { "  (needs `predicament corpus fetch`)" } else { "" };
-        println!("{:<14} {:>4} scenes  {}{fetched}", suite.name, suite.scenes.len(), suite.title);
+        say!("{:<14} {:>4} scenes  {}{fetched}", suite.name, suite.scenes.len(), suite.title);
         if scenes {
             for def in &suite.scenes {
-                println!("    {:<40} {:<16} {}", def.name, def.task.name(), def.family);
+                say!("    {:<40} {:<16} {}", def.name, def.task, def.family);
             }
         }
     }
     Ok(exit::OK)
 }
 
-fn format(files: &[PathBuf], check: bool) -> exit::Outcome {
+fn format(tool: &Tool, files: &[PathBuf], check: bool) -> exit::Outcome {
     let mut changed = 0;
     for file in files {
         let name = file.display().to_string();
         let text = std::fs::read_to_string(file).map_err(|error| Failure::usage(format!("{name}: {error}")))?;
-        let tidy = fmt(&name, &text)?;
+        let tidy = fmt(tool.vocabulary(), &name, &text)?;
         if tidy == text {
             continue;
         }
@@ -98,31 +101,31 @@ fn format(files: &[PathBuf], check: bool) -> exit::Outcome {
                 .and_then(|()| std::fs::rename(&next, file))
                 .map_err(|error| Failure::usage(format!("{name}: {error}")))?;
         }
-        println!("{}: {name}", if check { "would change" } else { "changed" });
+        say!("{}: {name}", if check { "would change" } else { "changed" });
     }
     Ok(if check && changed > 0 { CORPUS } else { exit::OK })
 }
 
-fn verify(selector: &Selector) -> exit::Outcome {
-    let selection = selector.select()?;
-    let planned = selection.plan(predicament_report::Shard::WHOLE)?;
-    let queries: u64 = planned.iter().map(|(_, scene)| scene.queries).sum();
-    println!("{} suites, {} scenes, {queries} queries: all valid", selection.suites.len(), planned.len());
+fn verify(tool: &Tool, selector: &Selector) -> exit::Outcome {
+    let selection = selector.select(tool)?;
+    let planned = selection.plan(Shard::WHOLE)?;
+    let queries: u64 = planned.iter().map(|scene| scene.plan.queries).sum();
+    say!("{} suites, {} scenes, {queries} queries: all valid", selection.suites.len(), planned.len());
     for left in &selection.not_selected {
-        println!("not verified: {}: {}", left.suite, left.reason);
+        say!("not verified: {}: {}", left.suite, left.reason);
     }
     Ok(exit::OK)
 }
 
-fn generate(selector: &Selector) -> exit::Outcome {
-    let selection = selector.select()?;
+fn generate(tool: &Tool, selector: &Selector) -> exit::Outcome {
+    let selection = selector.select(tool)?;
     let defs = selection.defs();
     if defs.is_empty() {
         return Err(Failure::nothing("no scene is selected; see `predicament corpus list --scenes`"));
     }
     for def in defs {
         let loaded = selection.load(def)?;
-        println!(
+        say!(
             "{}/{} ({}, {} vertices{}, id {})",
             loaded.suite,
             loaded.name,
@@ -134,65 +137,18 @@ fn generate(selector: &Selector) -> exit::Outcome {
             },
             loaded.id
         );
-        match &loaded.work {
-            Work::Signs(queries) => {
-                println!("  {} queries; log2(|det| / permanent):", queries.len());
-                print!("{}", degeneracy(&loaded));
-            }
-            Work::Contacts { a, b } => {
-                for (name, complex) in [("a", a), ("b", b)] {
-                    println!(
-                        "  {name}: {} vertices, {} edges, {} triangles, {} tetrahedra",
-                        complex.vertices().len(),
-                        complex.edges().len(),
-                        complex.triangles().len(),
-                        complex.tetrahedra().len()
-                    );
-                }
-                if !loaded.notes.is_clean() {
-                    println!("  import: {}", loaded.notes);
-                }
-            }
-            Work::Interval { cells, probes, .. } => println!("  {} cells, {} probes", cells.len(), probes.len()),
-            Work::Cubes { cubes } => println!("  {cubes} cubes"),
-            Work::Locate { map, probes } => {
-                let edges = map.edges().count();
-                println!(
-                    "  {} regions, {edges} edges (shared ones once for each side), {} probes",
-                    map.regions().len(),
-                    probes.len()
-                );
-                println!("  import: {}", loaded.notes);
-                flaws(&loaded)?;
-            }
+        let watch = Watch::new(interrupt::flag(), None, &|_| {});
+        let stopped = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
+        for line in tool.task(loaded.task).describe_scene(&loaded, &watch).map_err(stopped)?.lines() {
+            say!("  {line}");
         }
     }
     Ok(exit::OK)
 }
 
-/// The map's own gaps and overlaps, found exactly: they are nobody's errors but the map's.
-fn flaws(loaded: &LoadedScene) -> Result<(), Failure> {
-    let quiet = |_: u64| {};
-    let stopped = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
-    let case = Case::new(loaded, &Watch::new(interrupt::flag(), None, &quiet)).map_err(stopped)?;
-    if let Truth::Locate(case) = case.truth() {
-        let flaws = case.flaws();
-        println!(
-            "  the map's own flaws: {} duplicate points, {} T-junctions, {} crossings, {} overlapping edges",
-            flaws.duplicates.len(),
-            flaws.junctions.len(),
-            flaws.crossings.len(),
-            flaws.overlaps.len()
-        );
-        let grounds: Vec<String> = case.grounds().into_iter().map(|(name, count)| format!("{count} {name}")).collect();
-        println!("  probes by their surroundings: {}", grounds.join(", "));
-    }
-    Ok(())
-}
-
-fn fetch_all(keys: &[String], cache: Option<PathBuf>) -> exit::Outcome {
-    let library = Library::embedded()?;
-    let selector = Selector { suites: Vec::new(), filter: None, level: Level::Quick, cache };
+fn fetch_all(tool: &Tool, keys: &[String], cache: Option<PathBuf>) -> exit::Outcome {
+    let library = tool.library()?;
+    let selector = Selector { cache, ..Selector::everything() };
     let cache = selector.cache()?;
     let entries: Vec<_> =
         library.manifest().entries().filter(|entry| keys.is_empty() || keys.contains(&entry.key)).collect();
@@ -202,11 +158,11 @@ fn fetch_all(keys: &[String], cache: Option<PathBuf>) -> exit::Outcome {
     }
     for entry in entries {
         if cache.has(entry) {
-            println!("{:<20} present", entry.key);
+            say!("{:<20} present", entry.key);
             continue;
         }
         let path = fetch(entry, &cache, &mut |line| eprintln!("{line}"))?;
-        println!("{:<20} {}", entry.key, path.display());
+        say!("{:<20} {}", entry.key, path.display());
     }
     Ok(exit::OK)
 }

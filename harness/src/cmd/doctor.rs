@@ -3,13 +3,13 @@
 
 use std::path::PathBuf;
 
-use predicament_corpus::Library;
 use predicament_exact::Precision;
 
 use crate::cmd::run::env;
 use crate::exit::{self, Failure};
 use crate::precision;
 use crate::select::Selector;
+use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -40,12 +40,12 @@ pub struct Args {
 }
 
 /// Runs the command.
-pub fn run(args: &Args) -> exit::Outcome {
+pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     if let Some(scene) = &args.scene {
-        return scenes(args, scene);
+        return scenes(args, tool, scene);
     }
     let env = env();
-    let line = |key: &str, value: &str| println!("{key:<20} {value}");
+    let line = |key: &str, value: &str| say!("{key:<20} {value}");
     line("predicament", &env.package_version);
     line("compiler", env.rustc.as_deref().unwrap_or("unknown"));
     line("system", &env.os);
@@ -57,13 +57,8 @@ pub fn run(args: &Args) -> exit::Outcome {
         line(peer, version);
     }
     let sound = arithmetic(&line);
-    let library = Library::embedded()?;
-    let selector = Selector {
-        suites: Vec::new(),
-        filter: None,
-        level: predicament_corpus::Level::Quick,
-        cache: args.cache.clone(),
-    };
+    let library = tool.library()?;
+    let selector = Selector { cache: args.cache.clone(), ..Selector::everything() };
     let cache = selector.cache()?;
     line("cache", &cache.folder().display().to_string());
     for entry in library.manifest().entries() {
@@ -76,14 +71,14 @@ pub fn run(args: &Args) -> exit::Outcome {
 }
 
 /// The precision plans of all scenes that match.
-fn scenes(args: &Args, filter: &str) -> exit::Outcome {
+fn scenes(args: &Args, tool: &Tool, filter: &str) -> exit::Outcome {
     let selection = Selector {
         suites: args.suite.clone(),
         filter: Some(filter.to_owned()),
         level: args.level,
         cache: args.cache.clone(),
     }
-    .select()?;
+    .select(tool)?;
     let defs = selection.defs();
     if defs.is_empty() {
         return Err(Failure::nothing(format!(
@@ -94,9 +89,9 @@ fn scenes(args: &Args, filter: &str) -> exit::Outcome {
         let loaded = selection.load(def)?;
         let constructed = loaded.scene.constructions().len();
         let and = if constructed > 0 { format!(", {constructed} constructed vertices") } else { String::new() };
-        println!("{}/{}: {} points{and}", def.suite, def.name, loaded.scene.len());
+        say!("{}/{}: {} points{and}", def.suite, def.name, loaded.scene.len());
         for line in precision::lines(&Precision::of(&loaded.scene)) {
-            println!("  {line}");
+            say!("  {line}");
         }
     }
     Ok(exit::OK)

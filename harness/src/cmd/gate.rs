@@ -3,12 +3,13 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use predicament_oracle::ClassCounts;
-use predicament_report::{RunDir, Spread, Status, SummaryRow, junit};
+use predicament_records::{RunDir, Spread, Status, SummaryRow, junit};
+use predicament_tasks::{Class, ClassCounts};
 
 use crate::cmd::run::describe;
 use crate::exit::{self, Failure};
 use crate::expectations;
+use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -41,14 +42,14 @@ pub struct Args {
 }
 
 /// Runs the command.
-pub fn run(args: &Args) -> exit::Outcome {
-    let expected = expectations::load(args.expected.as_ref())?;
+pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
+    let expected = expectations::load(tool, args.expected.as_ref())?;
     let mut run = RunDir::open(&args.run).map_err(Failure::usage)?;
     let level = run.plan.level.to_string();
     // The file may have changed since the run: it is the gate's word that counts.
     for row in &mut run.summary {
         let mut counts = ClassCounts::default();
-        for class in predicament_oracle::Class::ALL {
+        for class in Class::ALL {
             counts.add(class, row.count(class));
         }
         row.status = expected.status(&row.suite, &row.scene, &row.backend, &level, &counts);
@@ -65,21 +66,21 @@ pub fn run(args: &Args) -> exit::Outcome {
         std::fs::write(path, text).map_err(|error| Failure::usage(format!("{}: {error}", path.display())))?;
     }
     for row in run.summary.iter().filter(|row| !row.status.passes()) {
-        println!("{}", describe(row));
+        say!("{}", describe(row));
     }
     for line in worse.findings.iter().chain(&worse.timings) {
-        println!("{line}");
+        say!("{line}");
     }
     let not_run = run.not_run();
     for missing in &not_run {
-        println!("not run: {}/{} on {}", missing.suite, missing.scene, missing.backend);
+        say!("not run: {}/{} on {}", missing.suite, missing.scene, missing.backend);
     }
     if args.suggest {
         suggest(&run.summary);
     }
     let count = |status: Status| run.summary.iter().filter(|row| row.status == status).count();
     let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
-    println!(
+    say!(
         "{}: {} rows: {} ok, {} expected, {unexpected} unexpected, {passes} unexpected pass, {} not run, {} worse than \
          the baseline; {}",
         args.run.display(),
@@ -116,7 +117,7 @@ fn more_findings(run: &RunDir, baseline: &RunDir) -> Vec<String> {
     let mut worse = Vec::new();
     for row in &run.summary {
         let Some(old) = before.get(&(row.scene_id.as_str(), row.backend.as_str())) else { continue };
-        for class in predicament_oracle::Class::ALL.into_iter().filter(|class| !class.is_legal()) {
+        for class in Class::ALL.into_iter().filter(|class| !class.is_legal()) {
             let (now, then) = (row.count(class), old.count(class));
             if now > then {
                 worse.push(format!(
@@ -159,12 +160,12 @@ fn timings(run: &RunDir) -> BTreeMap<(&str, &str, &str), Spread> {
 /// TOML that would turn the gate green, for a person to check and to give reasons.
 fn suggest(summary: &[SummaryRow]) {
     for row in summary.iter().filter(|row| row.status == Status::Unexpected) {
-        let classes: Vec<String> = predicament_oracle::Class::ALL
+        let classes: Vec<String> = Class::ALL
             .into_iter()
             .filter(|&class| !class.is_legal() && row.count(class) > 0)
             .map(|class| format!("\"{class}\""))
             .collect();
-        println!(
+        say!(
             "[[expect]]\nscene = \"{}/{}\"\nbackend = \"{}\"\nclass = [{}]\nreason = \"\"\n",
             row.suite,
             row.scene,

@@ -2,13 +2,15 @@
 
 use std::path::PathBuf;
 
-use predicament_oracle::{Case, Contestant, Truth, Watch};
 use predicament_predicates::Sign;
 use predicament_report::{PixelMap, side_by_side};
+use predicament_tasks::signs::{SignQueries, Signs};
+use predicament_tasks::{AnyCase, Contestant, Watch};
 
 use crate::exit::{self, Failure};
+use crate::interrupt;
 use crate::select::Selector;
-use crate::{interrupt, roster};
+use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -41,11 +43,9 @@ pub struct Args {
 }
 
 /// Runs the command.
-pub fn run(args: Args) -> exit::Outcome {
-    let backends = roster::pick(&args.backends)?;
-    let everything =
-        Selector { suites: Vec::new(), filter: None, level: predicament_corpus::Level::Quick, cache: None };
-    let selection = everything.select()?;
+pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
+    let backends = tool.pick(&args.backends)?;
+    let selection = Selector::everything().select(tool)?;
     let Some(def) = selection.defs().into_iter().find(|def| def.name == args.scene) else {
         return Err(Failure::nothing(format!(
             "no scene is called `{}`; `predicament corpus list --scenes` names them",
@@ -55,16 +55,16 @@ pub fn run(args: Args) -> exit::Outcome {
     let loaded = selection.load(def)?;
     let quiet = |_: u64| {};
     let stopped = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
-    let case = Case::new(&loaded, &Watch::new(interrupt::flag(), None, &quiet)).map_err(stopped)?;
+    let case = tool.task(loaded.task).case(&loaded, &Watch::new(interrupt::flag(), None, &quiet)).map_err(stopped)?;
     let mut maps = Vec::new();
     for backend in &backends {
-        let tile = tile(&case, backend.as_ref())?;
-        println!("{:<24} {}", backend.name(), tile.caption);
+        let tile = tile(case.as_ref(), backend.as_ref())?;
+        say!("{:<24} {}", backend.name(), tile.caption);
         maps.push(tile.map);
     }
     let png = side_by_side(&maps, args.zoom, 8).map_err(Failure::usage)?;
     std::fs::write(&args.out, png).map_err(|error| Failure::usage(format!("{}: {error}", args.out.display())))?;
-    println!("{}", args.out.display());
+    say!("{}", args.out.display());
     Ok(exit::OK)
 }
 
@@ -77,17 +77,21 @@ pub struct Tile {
 }
 
 /// Draws one backend's answers to a square of queries.
-pub fn tile(case: &Case, backend: &dyn Contestant) -> Result<Tile, Failure> {
+pub fn tile(case: &dyn AnyCase, backend: &dyn Contestant) -> Result<Tile, Failure> {
     let loaded = case.loaded();
-    let Truth::Signs { queries, signs: truth } = case.truth() else {
+    let asked = loaded.content::<SignQueries>().zip(case.truth().downcast_ref::<Vec<Sign>>());
+    let Some((content, truth)) = asked else {
         return Err(Failure::usage(format!("`{}` asks for no signs; only sign scenes can be drawn", loaded.name)));
     };
+    let queries = &content.queries;
     let side = queries.len().isqrt();
     if side == 0 || side * side != queries.len() {
         return Err(Failure::usage(format!("`{}` has {} queries, which is no square", loaded.name, queries.len())));
     }
-    let answers =
-        backend.answers(&loaded.scene, queries).map_err(|why| Failure::usage(format!("{}: {why}", backend.name())))?;
+    let answers = backend
+        .answer(&Signs::of(queries.kind()), &loaded.scene, content)
+        .map_err(|why| Failure::usage(format!("{}: {why}", backend.name())))?
+        .0;
     let wrong: Vec<bool> = answers.iter().zip(truth).map(|(got, truth)| got != truth).collect();
     let count = |sign: Sign| answers.iter().filter(|&&answer| answer == sign).count();
     let caption = format!(

@@ -2,9 +2,11 @@
 
 use std::path::PathBuf;
 
-use predicament_report::{RunDir, write_pages};
+use predicament_records::RunDir;
+use predicament_report::write_pages;
 
 use crate::exit::{self, Failure};
+use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -25,13 +27,13 @@ pub struct Args {
 }
 
 /// Runs the command.
-pub fn run(args: &Args) -> exit::Outcome {
+pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let runs: Result<Vec<RunDir>, _> = args.runs.iter().map(RunDir::open).collect();
     let runs = runs.map_err(Failure::usage)?;
     for warning in runs.iter().flat_map(|run| &run.warnings) {
         eprintln!("predicament: {warning}");
     }
-    write_pages(&runs, &args.out).map_err(Failure::usage)?;
-    println!("{}", args.out.join("report.html").display());
+    write_pages(&runs, &tool.sections(&runs).map_err(Failure::usage)?, &args.out).map_err(Failure::usage)?;
+    say!("{}", args.out.join("report.html").display());
     Ok(exit::OK)
 }

@@ -3,19 +3,24 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use predicament_corpus::{Level, SceneDef};
+use predicament_corpus::Level;
 use predicament_exact::{Exact, Precision};
-use predicament_oracle::signs::Budget;
-use predicament_oracle::{Case, Class, Contestant, Outcome, Stop, Watch, roster as backends};
+use predicament_oracle::expect::Expectations;
 use predicament_predicates::{Backend, Scene};
-use predicament_report::{self as report, Env, Plan, PlannedScene, PrecisionRow, RunWriter, Shard, Status, SummaryRow};
+use predicament_records::{
+    self as records, Env, Plan, PlannedScene, PrecisionRow, RunDir, RunWriter, Shard, Status, SummaryRow, TableSpec,
+};
+use predicament_tasks::{AnyCase, Budget, Class, Contestant, Outcome, Stop, Watch};
 
 use crate::cmd::map;
 use crate::exit::{self, Failure};
-use crate::select::{Selection, Selector};
-use crate::{expectations, interrupt, progress, roster, rows};
+use crate::judged::JudgedRow;
+use crate::select::{Planned, Selection, Selector};
+use crate::tool::Tool;
+use crate::worker::Worker;
+use crate::{expectations, interrupt, progress, rows};
 
-const EXAMPLES: &str = "\
+pub const EXAMPLES: &str = "\
 Examples:
   predicament run                                   all embedded corpora, all backends
   predicament run classics -b exact,sos,naive       one suite, three backends
@@ -26,7 +31,6 @@ Examples:
 
 /// Run scenes through backends and judge every answer
 #[derive(clap::Args)]
-#[command(after_help = format!("Backends:\n{}\n\n{EXAMPLES}", backends::HELP))]
 pub struct Args {
     #[command(flatten)]
     pub selector: Selector,
@@ -56,49 +60,70 @@ pub struct Args {
     pub expected: Option<PathBuf>,
 
     /// Evaluations that one backend spends on other orders of the arguments in
-    /// one scene; 5,000 for quick and 24 million for full if left out
+    /// one scene, 0 for none; 5,000 for quick and 24 million for full if left out
     #[arg(long, value_name = "N")]
     pub permutations: Option<usize>,
 
-    /// Seconds that one backend may take for one scene; it can stop only between queries
-    #[arg(long, value_name = "SECONDS")]
-    pub timeout: Option<u64>,
+    /// Seconds that one backend may take for one scene; algorithms on whole scenes run in a
+    /// process of their own then, which is ended
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub timeout: Option<Duration>,
+}
+
+/// A time limit: a positive number of seconds.
+fn seconds(text: &str) -> Result<Duration, String> {
+    let seconds = text.parse().ok().filter(|&seconds: &f64| seconds > 0.0);
+    let limit = seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+    limit.ok_or_else(|| format!("`{text}` is no time; write seconds such as 30 or 0.5"))
 }
 
 /// Runs the command.
-pub fn run(args: Args) -> exit::Outcome {
+pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     set_threads(args.threads)?;
-    let expected = expectations::load(args.expected.as_ref())?;
-    let Job { selection, scenes, backends, mut ledger } = match &args.resume {
-        None => Job::new(&args)?,
-        Some(folder) => Job::resume(&args, folder)?,
+    let expected = expectations::load(tool, args.expected.as_ref())?;
+    let Job { selection, mut scenes, backends, mut ledger } = match &args.resume {
+        None => Job::new(&args, tool)?,
+        Some(folder) => Job::resume(&args, tool, folder)?,
     };
     interrupt::listen();
-    let work: u64 = scenes.iter().map(|(_, scene)| scene.queries * (backends.len() as u64 + 1)).sum();
+    let work: u64 = scenes.iter().map(|scene| scene.plan.queries * (backends.len() as u64 + 1)).sum();
     let bar = progress::bar(work, "answers");
     let told = |done: u64| bar.inc(done);
-    let limit = args.timeout.map(Duration::from_secs);
     let by_level = budget(selection.level);
     let budget = Budget { permutations: args.permutations.unwrap_or(by_level.permutations), ..by_level };
-    let mut ended = report::Outcome::Complete;
-    // Whole-scene loop; each scene is loaded once and dropped before the next.
-    'scenes: for (def, scene) in &scenes {
+    let mut ended = records::Outcome::Complete;
+    // Each scene is dropped before the next.
+    'scenes: for planned in &mut scenes {
+        let scene = planned.plan.clone();
         let left: Vec<&dyn Contestant> =
-            backends.iter().map(AsRef::as_ref).filter(|backend| !ledger.is_done(scene, &backend.name())).collect();
-        if left.is_empty() && ledger.is_planned(scene) {
+            backends.iter().map(AsRef::as_ref).filter(|backend| !ledger.is_done(&scene, &backend.name())).collect();
+        if left.is_empty() && ledger.is_planned(&scene) {
             bar.inc(scene.queries * (backends.len() as u64 + 1));
             continue;
         }
         bar.set_message(scene.scene.clone());
-        let loaded = selection.load(def)?;
-        ledger.plan(scene, &loaded.scene)?;
+        let loaded = planned.take(&selection)?;
+        ledger.plan(&scene, &loaded.scene)?;
         if left.is_empty() {
             bar.inc(scene.queries * (backends.len() as u64 + 1));
             continue;
         }
+        let task = tool.task(loaded.task);
+        if let Some(limit) = args.timeout.filter(|_| !task.looks_at_the_watch()) {
+            let worker = Worker { args: &args, suite: selection.argument(&planned.def), scene: &scene, limit };
+            for backend in left {
+                let Some(found) = worker.run(tool, &backend.name())? else {
+                    ended = records::Outcome::Interrupted;
+                    break 'scenes;
+                };
+                ended = later(ended, &found.summary);
+                ledger.adopt(found, &scene, &backend.name(), &expected)?;
+            }
+            continue;
+        }
         let watch = Watch::new(interrupt::flag(), None, &told);
-        let Ok(case) = Case::new(&loaded, &watch) else {
-            ended = report::Outcome::Interrupted;
+        let Ok(case) = task.case(&loaded, &watch) else {
+            ended = records::Outcome::Interrupted;
             break 'scenes;
         };
         if let Some(dispute) = case.dispute() {
@@ -109,24 +134,28 @@ pub fn run(args: Args) -> exit::Outcome {
         for backend in left {
             // The pictures of pixel maps go with their rows; every other scene has none.
             if loaded.family == "pixel-map" {
-                ledger.draw(&case, backend)?;
+                ledger.draw(case.as_ref(), backend)?;
             }
-            match case.run(backend, budget, &watch.restarted(limit)) {
+            match predicament_oracle::run(case.as_ref(), backend, budget, &watch.restarted(args.timeout)) {
                 Err(Stop::Interrupted | Stop::Timeout) => {
-                    ended = report::Outcome::Interrupted;
+                    ended = records::Outcome::Interrupted;
                     break 'scenes;
                 }
                 Ok(outcome) => {
-                    if outcome.counts.get(Class::Timeout) > 0 && ended == report::Outcome::Complete {
-                        ended = report::Outcome::Timeout;
-                    }
-                    ledger.record(scene, &backend.name(), &outcome, &expected)?;
+                    let summary = ledger.record(&scene, &backend.name(), &outcome, &expected)?;
+                    ended = later(ended, std::slice::from_ref(&summary));
                 }
             }
         }
     }
     bar.finish_and_clear();
     ledger.finish(ended)
+}
+
+/// How the run has ended so far, with these rows.
+fn later(ended: records::Outcome, rows: &[SummaryRow]) -> records::Outcome {
+    let timed_out = rows.iter().any(|row| row.count(Class::Timeout) > 0);
+    if timed_out && ended == records::Outcome::Complete { records::Outcome::Timeout } else { ended }
 }
 
 /// Sizes the thread pool.
@@ -151,7 +180,7 @@ pub fn budget(level: Level) -> Budget {
 /// A run under way.
 struct Job {
     selection: Selection,
-    scenes: Vec<(SceneDef, PlannedScene)>,
+    scenes: Vec<Planned>,
     backends: Vec<Box<dyn Contestant>>,
     ledger: Ledger,
 }
@@ -166,13 +195,13 @@ struct Ledger {
 }
 
 impl Job {
-    fn new(args: &Args) -> Result<Job, Failure> {
-        let backends = roster::pick(&args.backends)?;
-        let selection = args.selector.select()?;
+    fn new(args: &Args, tool: &Tool) -> Result<Job, Failure> {
+        let backends = tool.pick(&args.backends)?;
+        let selection = args.selector.select(tool)?;
         let scenes = selection.plan(args.shard)?;
         let plan = plan(&selection, &scenes, &backends, args.shard);
         let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-run"));
-        let writer = RunWriter::create(&folder, &plan, &env()).map_err(Failure::usage)?;
+        let writer = RunWriter::create(&folder, &plan, &env(), &tables(tool)).map_err(Failure::usage)?;
         for left in &selection.not_selected {
             eprintln!("predicament: suite `{}` is not run: {}", left.suite, left.reason);
         }
@@ -180,22 +209,19 @@ impl Job {
         Ok(Job { selection, scenes, backends, ledger })
     }
 
-    fn resume(args: &Args, folder: &PathBuf) -> Result<Job, Failure> {
-        let before = report::RunDir::open(folder).map_err(Failure::usage)?;
+    fn resume(args: &Args, tool: &Tool, folder: &PathBuf) -> Result<Job, Failure> {
+        let before = RunDir::open(folder).map_err(Failure::usage)?;
         let plan = &before.plan;
         let level: Level = plan.level.to_string().parse().map_err(Failure::usage)?;
         let selector = Selector { level, ..args.selector.clone() };
         let selector =
-            if selector.suites.is_empty() { Selector { suites: plan.suites.clone(), ..selector } } else { selector };
-        let selection = selector.select()?;
-        let backends = roster::pick(&plan.backends)?;
+            if selector.suites.is_empty() { Selector { suites: plan.arguments(), ..selector } } else { selector };
+        let selection = selector.select(tool)?;
+        let backends = tool.pick(&plan.backends)?;
         // The filter of the first call isn't needed: the plan lists its scenes.
-        let scenes: Vec<_> = selection
-            .plan(plan.shard)?
-            .into_iter()
-            .filter(|(_, scene)| plan.scenes.iter().any(|planned| planned == scene))
-            .collect();
-        if let Some(lost) = plan.scenes.iter().find(|planned| scenes.iter().all(|(_, scene)| scene != *planned)) {
+        let mut scenes = selection.plan(plan.shard)?;
+        scenes.retain(|scene| plan.scenes.contains(&scene.plan));
+        if let Some(lost) = plan.scenes.iter().find(|planned| scenes.iter().all(|scene| scene.plan != **planned)) {
             return Err(Failure::usage(format!(
                 "{}: scene {}/{} has changed since the run was planned; start a new run",
                 folder.display(),
@@ -203,11 +229,18 @@ impl Job {
                 lost.scene
             )));
         }
-        let (writer, before) = RunWriter::resume(folder).map_err(Failure::usage)?;
+        let (writer, before) = RunWriter::resume(folder, &tables(tool)).map_err(Failure::usage)?;
         let ledger =
             Ledger { level, done: before.summary, precision: before.precision, folder: folder.clone(), writer };
         Ok(Job { selection, scenes, backends, ledger })
     }
+}
+
+/// The tables of a run folder besides those of every run.
+pub fn tables(tool: &Tool) -> Vec<TableSpec> {
+    let mut tables = tool.tables();
+    tables.push(TableSpec::of::<JudgedRow>());
+    tables
 }
 
 impl Ledger {
@@ -235,22 +268,39 @@ impl Ledger {
         scene: &PlannedScene,
         backend: &str,
         outcome: &Outcome,
-        expected: &predicament_oracle::expect::Expectations,
+        expected: &Expectations,
+    ) -> Result<SummaryRow, Failure> {
+        let level = self.level.name();
+        let summary =
+            rows::record(&mut self.writer, scene, backend, outcome, expected, level).map_err(Failure::usage)?;
+        self.writer.commit().map_err(Failure::usage)?;
+        self.done.push(summary.clone());
+        Ok(summary)
+    }
+
+    /// Takes the rows that a worker has left.
+    fn adopt(
+        &mut self,
+        found: crate::worker::Found,
+        scene: &PlannedScene,
+        backend: &str,
+        expected: &Expectations,
     ) -> Result<(), Failure> {
-        let summary = rows::summary(scene, backend, outcome, expected, self.level.name());
+        let mut summary = found.summary;
+        for row in &mut summary {
+            row.status = rows::status(scene, backend, row, expected, self.level.name());
+        }
         let writer = &mut self.writer;
-        writer.write(std::slice::from_ref(&summary)).map_err(Failure::usage)?;
-        writer.write(&rows::findings(scene, backend, outcome)).map_err(Failure::usage)?;
-        writer.write(&rows::stages(scene, backend, outcome)).map_err(Failure::usage)?;
-        writer.write(&rows::locate(scene, backend, outcome)).map_err(Failure::usage)?;
-        writer.write(&rows::contacts(scene, backend, outcome)).map_err(Failure::usage)?;
-        writer.write(&rows::masses(scene, backend, outcome)).map_err(Failure::usage)?;
+        writer.write(&summary).map_err(Failure::usage)?;
+        writer.write(&found.findings).map_err(Failure::usage)?;
+        writer.write(&found.stages).map_err(Failure::usage)?;
+        writer.append(&found.more).map_err(Failure::usage)?;
         writer.commit().map_err(Failure::usage)?;
-        self.done.push(summary);
+        self.done.extend(summary);
         Ok(())
     }
 
-    fn draw(&self, case: &Case, backend: &dyn Contestant) -> Result<(), Failure> {
+    fn draw(&self, case: &dyn AnyCase, backend: &dyn Contestant) -> Result<(), Failure> {
         // A backend that declines or panics has a row that says so, and no picture.
         let tile = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| map::tile(case, backend)));
         let Ok(Ok(tile)) = tile else { return Ok(()) };
@@ -259,12 +309,12 @@ impl Ledger {
         self.writer.add_map(&name, &png).map_err(Failure::usage)
     }
 
-    fn finish(self, ended: report::Outcome) -> exit::Outcome {
+    fn finish(self, ended: records::Outcome) -> exit::Outcome {
         self.writer.finish(ended).map_err(Failure::usage)?;
         let count = |status: Status| self.done.iter().filter(|row| row.status == status).count();
         let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
         let queries: u64 = self.done.iter().map(|row| row.queries).sum();
-        println!(
+        say!(
             "{}: {queries} answers judged; rows: {} ok, {} expected, {unexpected} unexpected, \
              {passes} unexpected pass; {}",
             self.folder.display(),
@@ -273,9 +323,9 @@ impl Ledger {
             ended.describe(),
         );
         for row in self.done.iter().filter(|row| !row.status.passes()) {
-            println!("  {}", describe(row));
+            say!("  {}", describe(row));
         }
-        Ok(if ended != report::Outcome::Complete {
+        Ok(if ended != records::Outcome::Complete {
             exit::INCOMPLETE
         } else if unexpected > 0 {
             exit::UNEXPECTED
@@ -289,7 +339,7 @@ impl Ledger {
 
 /// A summary row in words.
 pub fn describe(row: &SummaryRow) -> String {
-    let classes: Vec<String> = report::Class::ALL
+    let classes: Vec<String> = Class::ALL
         .into_iter()
         .filter(|&class| row.count(class) > 0)
         .map(|class| format!("{} {}", row.count(class), class.name()))
@@ -298,21 +348,17 @@ pub fn describe(row: &SummaryRow) -> String {
 }
 
 /// The plan of a run over these scenes.
-pub fn plan(
-    selection: &Selection,
-    scenes: &[(SceneDef, PlannedScene)],
-    backends: &[Box<dyn Contestant>],
-    shard: Shard,
-) -> Plan {
+pub fn plan(selection: &Selection, scenes: &[Planned], backends: &[Box<dyn Contestant>], shard: Shard) -> Plan {
     Plan {
-        format: report::FORMAT,
+        format: records::FORMAT,
         created_by: format!("predicament {}", env!("CARGO_PKG_VERSION")),
         level: match selection.level {
-            Level::Quick => report::Level::Quick,
-            Level::Full => report::Level::Full,
+            Level::Quick => records::Level::Quick,
+            Level::Full => records::Level::Full,
         },
         suites: selection.suites.iter().map(|suite| suite.name.clone()).collect(),
-        scenes: scenes.iter().map(|(_, scene)| scene.clone()).collect(),
+        paths: selection.paths(),
+        scenes: scenes.iter().map(|scene| scene.plan.clone()).collect(),
         backends: backends.iter().map(|backend| backend.name()).collect(),
         ladder: Exact.stages().iter().map(|&stage| stage.to_owned()).collect(),
         shard,

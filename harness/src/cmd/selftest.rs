@@ -9,11 +9,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_corpus::Level;
 use predicament_oracle::faults::Fault;
-use predicament_oracle::{Case, Class, Contestant, Watch, roster as backends};
-use predicament_report::Shard;
+use predicament_records::Shard;
+use predicament_tasks::{Class, Contestant, Watch};
 
 use crate::exit::{self, Failure};
 use crate::select::Selector;
+use crate::tool::Tool;
 use crate::{expectations, interrupt, progress};
 
 const EXAMPLES: &str = "\
@@ -43,39 +44,39 @@ pub struct Args {
 type Catches = BTreeMap<(Class, String), u64>;
 
 /// Runs the command.
-pub fn run(args: Args) -> exit::Outcome {
+pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     if args.list {
         for fault in Fault::ALL {
-            println!("fault:{:<24} {}", fault.name(), fault.what());
+            say!("fault:{:<24} {}", fault.name(), fault.what());
         }
         return Ok(exit::OK);
     }
-    let selector = Selector { suites: Vec::new(), filter: args.filter, level: Level::Quick, cache: None };
-    let selection = selector.select()?;
-    let scenes = selection.plan(Shard::WHOLE)?;
+    let selector = Selector { filter: args.filter, ..Selector::everything() };
+    let selection = selector.select(tool)?;
+    let mut scenes = selection.plan(Shard::WHOLE)?;
     let names = CLEAN.iter().map(ToString::to_string);
     let names: Vec<String> = names.chain(Fault::ALL.iter().map(|fault| format!("fault:{}", fault.name()))).collect();
-    let contestants: Result<Vec<Box<dyn Contestant>>, String> =
-        names.iter().map(|name| backends::backend(name)).collect();
+    let contestants: Result<Vec<Box<dyn Contestant>>, String> = names.iter().map(|name| tool.backend(name)).collect();
     let contestants = contestants.map_err(Failure::usage)?;
-    let expected = expectations::load(None)?;
+    let expected = expectations::load(tool, None)?;
     interrupt::listen();
     let bar = progress::bar(scenes.len() as u64, "scenes");
     let quiet = |_: u64| {};
     let mut caught: Vec<Catches> = vec![Catches::new(); contestants.len()];
     let interrupted = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
-    for (def, _) in &scenes {
-        let loaded = selection.load(def)?;
+    for scene in &mut scenes {
+        let loaded = scene.take(&selection)?;
         let watch = Watch::new(interrupt::flag(), None, &quiet);
-        let case = Case::new(&loaded, &watch).map_err(interrupted)?;
+        let case = tool.task(loaded.task).case(&loaded, &watch).map_err(interrupted)?;
         // What an honest backend is known to show catches no faulty one.
         let mut known: BTreeSet<(Class, String)> = BTreeSet::new();
         for (at, (contestant, caught)) in contestants.iter().zip(&mut caught).enumerate() {
+            let budget = super::run::budget(Level::Quick);
             let outcome =
-                case.run(contestant.as_ref(), super::run::budget(Level::Quick), &watch).map_err(interrupted)?;
+                predicament_oracle::run(case.as_ref(), contestant.as_ref(), budget, &watch).map_err(interrupted)?;
             let (level, name) = (Level::Quick.name(), contestant.name());
             let is_expected =
-                |class| expected.matching(&def.suite, &def.name, &name, level).any(|entry| entry.class == class);
+                |class| expected.matching(&loaded.suite, &loaded.name, &name, level).any(|entry| entry.class == class);
             for finding in outcome.findings.iter().filter(|finding| finding.class != Class::Declined) {
                 let catch = (finding.class, finding.check.clone());
                 if at < CLEAN.len() && is_expected(finding.class) {
@@ -104,8 +105,8 @@ fn scorecard(names: &[String], caught: &[Catches]) -> u8 {
             (false, false) => "NOT CLEAN",
         };
         let by: Vec<String> = caught.iter().map(|((class, check), _)| format!("{class} ({check})")).collect();
-        println!("{name:<30} {verdict:<11} {}", by.join(", "));
+        say!("{name:<30} {verdict:<11} {}", by.join(", "));
     }
-    println!("{} of {} as they should be", names.len() - holes, names.len());
+    say!("{} of {} as they should be", names.len() - holes, names.len());
     if holes == 0 { exit::OK } else { exit::UNEXPECTED }
 }

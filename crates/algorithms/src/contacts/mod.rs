@@ -89,7 +89,7 @@ pub fn levels(dimension: Dimension) -> &'static [&'static [[u8; 2]]] {
 /// # Panics
 /// If the session doesn't [support](Predicates::supports_contacts) contacts.
 #[must_use]
-pub fn contacts<S: Predicates>(session: &S, a: &Complex, b: &Complex) -> Contacts {
+pub fn contacts<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex) -> Contacts {
     if let Err(declined) = session.supports_contacts() {
         panic!("the session must support contacts: {declined}");
     }
@@ -104,7 +104,7 @@ pub fn contacts<S: Predicates>(session: &S, a: &Complex, b: &Complex) -> Contact
 /// # Panics
 /// As [`contacts`], and if the scene is in space.
 #[must_use]
-pub fn contacts2d<S: Predicates>(session: &S, a: &Complex, b: &Complex) -> Contacts {
+pub fn contacts2d<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex) -> Contacts {
     assert_eq!(session.scene().dimension(), Dimension::Two, "contacts2d needs a 2D scene; contacts3d takes this one");
     contacts(session, a, b)
 }
@@ -114,12 +114,12 @@ pub fn contacts2d<S: Predicates>(session: &S, a: &Complex, b: &Complex) -> Conta
 /// # Panics
 /// As [`contacts`], and if the scene is in the plane.
 #[must_use]
-pub fn contacts3d<S: Predicates>(session: &S, a: &Complex, b: &Complex) -> Contacts {
+pub fn contacts3d<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex) -> Contacts {
     assert_eq!(session.scene().dimension(), Dimension::Three, "contacts3d needs a 3D scene; contacts2d takes this one");
     contacts(session, a, b)
 }
 
-fn hierarchy<S: Predicates, const D: usize>(session: &S, complexes: [&Complex; 2]) -> Contacts {
+fn hierarchy<S: Predicates + ?Sized, const D: usize>(session: &S, complexes: [&Complex; 2]) -> Contacts {
     let near = Near::<D>::new(session.scene(), complexes, session.reach());
     let mut all = Contacts::default();
     let mut ended = Ended::default();
@@ -141,7 +141,7 @@ fn hierarchy<S: Predicates, const D: usize>(session: &S, complexes: [&Complex; 2
 }
 
 /// The pairs of two ranks, in ascending order.
-fn of_ranks<S: Predicates, const D: usize>(
+fn of_ranks<S: Predicates + ?Sized, const D: usize>(
     session: &S,
     [a, b]: [&Complex; 2],
     [rank_a, rank_b]: [u8; 2],

@@ -12,7 +12,7 @@ use super::{LocateIndex, Location, Scratch};
 pub const CHUNK: usize = 4096;
 
 /// The answers to many queries, in their order, in two flat arrays.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Locations {
     inside: Lists,
     boundary: Lists,
@@ -20,7 +20,7 @@ pub struct Locations {
 }
 
 /// Lists of regions, one after another.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
 struct Lists {
     /// The place where each list ends.
     ends: Vec<usize>,
@@ -110,7 +110,7 @@ impl Locations {
 ///
 /// # Panics
 /// As [`LocateIndex::locate`].
-pub fn locate_all<P: Predicates>(
+pub fn locate_all<P: Predicates + ?Sized>(
     index: &LocateIndex,
     session: &P,
     queries: &[Vertex],
@@ -124,7 +124,7 @@ pub fn locate_all<P: Predicates>(
 ///
 /// # Panics
 /// As [`LocateIndex::question`].
-pub fn question_all<P: Predicates>(
+pub fn question_all<P: Predicates + ?Sized>(
     index: &LocateIndex,
     session: &P,
     queries: &[Vertex],

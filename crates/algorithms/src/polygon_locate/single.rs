@@ -64,7 +64,7 @@ impl Meeting {
 
 /// A query with what raw coordinates say about it.
 #[derive(Clone, Copy)]
-struct Query<'s, P> {
+struct Query<'s, P: ?Sized> {
     session: &'s P,
     vertex: Vertex,
     x: f64,
@@ -87,7 +87,7 @@ impl LocateIndex {
     ///
     /// # Panics
     /// If the session's scene has no vertex `q`, or lacks vertices of the map.
-    pub fn locate<'a, P: Predicates>(&'a self, session: &P, q: Vertex, scratch: &'a mut Scratch) -> Location<'a> {
+    pub fn locate<'a, P: Predicates + ?Sized>(&'a self, session: &P, q: Vertex, scratch: &'a mut Scratch) -> Location<'a> {
         let [x, y] = session.scene().point2(Plane::Xy, q);
         let reach = session.reach();
         let band = if reach == 0.0 { [y, y] } else { [(y - reach).next_down(), (y + reach).next_up()] };
@@ -111,7 +111,7 @@ impl LocateIndex {
     ///
     /// # Panics
     /// If the session's scene has no vertex `q`, or lacks vertices of the map.
-    pub fn question<'a, P: Predicates>(&self, session: &P, q: Vertex, scratch: &'a mut Scratch) -> Location<'a> {
+    pub fn question<'a, P: Predicates + ?Sized>(&self, session: &P, q: Vertex, scratch: &'a mut Scratch) -> Location<'a> {
         let point = session.scene().point2(Plane::Xy, q);
         scratch.fit(self);
         for edge in self.columns().above(point, session.reach()) {
@@ -124,7 +124,7 @@ impl LocateIndex {
 
     /// What the segments near the point add to what is above their cell.
     #[inline]
-    fn look_around<P: Predicates>(&self, query: &Query<'_, P>, entries: &[Entry], owner_sets: &mut Marks) {
+    fn look_around<P: Predicates + ?Sized>(&self, query: &Query<'_, P>, entries: &[Entry], owner_sets: &mut Marks) {
         for entry in entries {
             let pivot_is_past = entry.pivot.is_some_and(|end| {
                 query.is_past(entry.ends[end as usize][0], || self.ends(entry.segment)[end as usize])
@@ -142,7 +142,7 @@ impl LocateIndex {
 
     /// All of it, edge by edge, for a band that no row holds.
     #[cold]
-    fn look_up<P: Predicates>(&self, query: &Query<'_, P>, point: [f64; 2], owner_sets: &mut Marks) {
+    fn look_up<P: Predicates + ?Sized>(&self, query: &Query<'_, P>, point: [f64; 2], owner_sets: &mut Marks) {
         let scene = query.session.scene();
         for edge in self.columns().above(point, query.session.reach()) {
             let ends = self.ends(edge);
@@ -153,7 +153,7 @@ impl LocateIndex {
     }
 }
 
-impl<P: Predicates> Query<'_, P> {
+impl<P: Predicates + ?Sized> Query<'_, P> {
     /// Whether the point is past an end, left or equal: the session is asked
     /// about ties only.
     #[inline]
@@ -199,7 +199,7 @@ impl<P: Predicates> Query<'_, P> {
 }
 
 /// The rule of 4.2 for one edge, all of it asked.
-fn meet<P: Predicates>(session: &P, [u, v]: [Vertex; 2], q: Vertex) -> Meeting {
+fn meet<P: Predicates + ?Sized>(session: &P, [u, v]: [Vertex; 2], q: Vertex) -> Meeting {
     let of_u = session.compare(Axis::X, u, q);
     let of_v = session.compare(Axis::X, v, q);
     if of_u == of_v {
@@ -214,7 +214,7 @@ fn meet<P: Predicates>(session: &P, [u, v]: [Vertex; 2], q: Vertex) -> Meeting {
 }
 
 /// A vertical edge in the ray's own line: never crossed, but maybe touched.
-fn meet_vertical<P: Predicates>(session: &P, [u, v]: [Vertex; 2], q: Vertex) -> Meeting {
+fn meet_vertical<P: Predicates + ?Sized>(session: &P, [u, v]: [Vertex; 2], q: Vertex) -> Meeting {
     match session.compare(Axis::Y, u, q) * session.compare(Axis::Y, v, q) {
         Sign::Positive => Meeting::Misses,
         Sign::Zero | Sign::Negative => Meeting::Touches,

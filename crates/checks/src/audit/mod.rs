@@ -120,7 +120,7 @@ impl Audit {
 /// # Panics
 /// If the complexes are not of the session's scene.
 #[must_use]
-pub fn audit<S: Predicates>(session: &S, a: &Complex, b: &Complex, contacts: &Contacts) -> Audit {
+pub fn audit<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex, contacts: &Contacts) -> Audit {
     let scene = session.scene();
     let bands = Bands::of(session);
     let registered: Registered = contacts.registered.iter().map(|contact| ([contact.a, contact.b], contact)).collect();
@@ -168,7 +168,7 @@ const PIECE: usize = 1 << 10;
 
 /// How near pairs have to be to be looked at. A session whose own reach is
 /// below its tolerances misses pairs, and has to be found out.
-fn reach<S: Predicates>(session: &S) -> f64 {
+fn reach<S: Predicates + ?Sized>(session: &S) -> f64 {
     let bands = PairKind::ALL.into_iter().filter_map(|kind| session.contact_band(kind.ranks()));
     bands.map(|band| band.upper).fold(session.reach(), f64::max)
 }

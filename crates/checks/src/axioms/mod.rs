@@ -137,7 +137,7 @@ impl std::fmt::Display for Violation {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} broken", self.law.name())?;
         for (at, Answer { question, args, sign }) in self.answers.iter().enumerate() {
-            write!(f, "{} {} = {sign}", if at == 0 { ":" } else { "," }, question.describe(args))?;
+            write!(f, "{} {} = {sign}", if at == 0 { ":" } else { "," }, question.query(args))?;
         }
         Ok(())
     }

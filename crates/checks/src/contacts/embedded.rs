@@ -8,7 +8,7 @@ use predicament_predicates::Predicates;
 /// with the square of the edges.
 ///
 /// `exact` must answer exact signs; with anything else the result means nothing.
-pub fn is_embedded<S: Predicates>(exact: &S, complex: &Complex) -> bool {
+pub fn is_embedded<S: Predicates + ?Sized>(exact: &S, complex: &Complex) -> bool {
     let (vertices, edges) = (complex.vertices(), complex.edges());
     let each_before = |i: usize| edges[..i].iter().map(move |&f| (edges[i], f));
     // The hierarchy's own order: what a question assumes was answered before it.

@@ -49,7 +49,7 @@ impl Piercings {
 /// # Errors
 /// [`NotOriented`] if the one is no closed curve or the other no closed
 /// surface that can be oriented.
-pub fn piercings<S: Predicates>(
+pub fn piercings<S: Predicates + ?Sized>(
     session: &S,
     complexes: [&Complex; 2],
     surface: Side,

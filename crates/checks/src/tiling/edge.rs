@@ -21,7 +21,7 @@ pub(super) enum Place {
 }
 
 /// Decides the place of `p`; right for sessions that answer exact signs.
-pub(super) fn place<P: Predicates>(session: &P, [u, v]: [Vertex; 2], p: Vertex) -> Place {
+pub(super) fn place<P: Predicates + ?Sized>(session: &P, [u, v]: [Vertex; 2], p: Vertex) -> Place {
     let of_u = session.compare(Axis::X, u, p);
     let of_v = session.compare(Axis::X, v, p);
     match (of_u, of_v) {

@@ -48,7 +48,7 @@ impl Flaws {
 /// # Panics
 /// If the session's scene is not the one that the index was made for.
 #[must_use]
-pub fn map_flaws<P: Predicates>(index: &LocateIndex, exact: &P) -> Flaws {
+pub fn map_flaws<P: Predicates + ?Sized>(index: &LocateIndex, exact: &P) -> Flaws {
     let vertices = used_vertices(index);
     let mut flaws = Flaws {
         duplicates: duplicates(exact.scene(), &vertices),
@@ -101,7 +101,7 @@ fn duplicates(scene: &Scene, vertices: &[Vertex]) -> Vec<[Vertex; 2]> {
     pairs
 }
 
-fn junctions<P: Predicates>(index: &LocateIndex, exact: &P, vertices: &[Vertex]) -> Vec<(Edge, Vertex)> {
+fn junctions<P: Predicates + ?Sized>(index: &LocateIndex, exact: &P, vertices: &[Vertex]) -> Vec<(Edge, Vertex)> {
     let mut found: Vec<(Edge, Vertex)> = vertices
         .par_iter()
         .flat_map_iter(|&vertex| {
@@ -119,7 +119,7 @@ enum Meeting {
     Overlap,
 }
 
-fn meeting<P: Predicates>(exact: &P, [[a, b], [c, d]]: [Edge; 2]) -> Option<Meeting> {
+fn meeting<P: Predicates + ?Sized>(exact: &P, [[a, b], [c, d]]: [Edge; 2]) -> Option<Meeting> {
     let side = |p, q, r| exact.orient2d(Plane::Xy, p, q, r);
     let (of_c, of_d) = (side(a, b, c), side(a, b, d));
     if of_c.is_zero() && of_d.is_zero() {

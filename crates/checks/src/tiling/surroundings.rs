@@ -119,7 +119,7 @@ impl Surroundings {
 /// # Panics
 /// If the session's scene is not the one that the index was made for.
 #[must_use]
-pub fn surroundings<P: Predicates>(index: &LocateIndex, exact: &P, probes: &[Vertex]) -> Surroundings {
+pub fn surroundings<P: Predicates + ?Sized>(index: &LocateIndex, exact: &P, probes: &[Vertex]) -> Surroundings {
     let around: Vec<Around> = probes.par_iter().map(|&probe| Around::of(index, exact, probe)).collect();
     let mut sets = BTreeMap::new();
     let mut intern = |set: Vec<u32>| {
@@ -162,7 +162,7 @@ struct Ray {
 }
 
 impl Around {
-    fn of<P: Predicates>(index: &LocateIndex, exact: &P, probe: Vertex) -> Around {
+    fn of<P: Predicates + ?Sized>(index: &LocateIndex, exact: &P, probe: Vertex) -> Around {
         // The first sector is the one just clockwise of straight up: a ray
         // upward from there crosses what is strictly above the probe, by the
         // half-open rule, and nothing that goes through the probe.
@@ -246,7 +246,7 @@ fn toggle(set: &mut Vec<u32>, regions: &[u32]) {
 
 /// The order of two directions by their clockwise angle from straight up, in
 /// (0°, 360°]: up itself comes last, as the first sector begins beyond it.
-fn clockwise_from_up<P: Predicates>(exact: &P, p: Vertex, a: Vertex, b: Vertex) -> Ordering {
+fn clockwise_from_up<P: Predicates + ?Sized>(exact: &P, p: Vertex, a: Vertex, b: Vertex) -> Ordering {
     let in_second_half = |v| match exact.compare(Axis::X, v, p) {
         Sign::Positive => false,
         Sign::Zero => exact.compare(Axis::Y, v, p) == Sign::Positive,

@@ -1,24 +1,18 @@
 //! Suites: named lists of scenes, each a few lines of TOML.
 
-mod constructed;
-mod contacts;
-mod cubes;
-mod generate;
-mod interval;
-mod load;
-mod points;
-mod queries;
+mod generator;
 mod scene;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-pub(crate) use contacts::{moved, shifted};
-pub(crate) use scene::Probing;
+use predicament_formats::{CorpusError, Document, Entry, Field, Fields, Manifest, TableKind};
+
+use crate::{SeenIds, Vocabulary};
 pub use scene::SceneDef;
 
-use crate::document::{Document, Field, Fields};
-use crate::{CorpusError, Manifest, SeenIds, tables};
+/// The keys of a suite.
+pub(crate) static SUITE: TableKind = TableKind::new("suite", &["title", "description", "scene", "generate"]);
 
 /// A suite: a TOML file's scenes in the order in which they are written.
 #[derive(Clone, Debug)]
@@ -49,20 +43,26 @@ impl Suite {
     ///
     /// # Errors
     /// [`CorpusError`] at the line that is wrong.
-    pub fn parse(file: &str, text: &str, base: Option<&Path>, manifest: &Manifest) -> Result<Suite, CorpusError> {
+    pub fn parse(
+        vocabulary: &Vocabulary,
+        file: &str,
+        text: &str,
+        base: Option<&Path>,
+        manifest: &Manifest,
+    ) -> Result<Suite, CorpusError> {
         let name = Path::new(file).file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
         let document = Document { file, text };
         let root = document.parse()?;
-        let fields = Fields::new(&document, &tables::SUITE, root.get_ref(), 0);
+        let fields = Fields::new(&document, &SUITE, root.get_ref(), 0);
         let title = fields.required("title")?.string()?;
         let description = fields.string_or_empty("description")?;
-        let context = Context { suite: name.clone(), base: base.map(Path::to_path_buf), manifest };
+        let context = Context { suite: name.clone(), base: base.map(Path::to_path_buf), manifest, vocabulary };
         let mut scenes = Vec::new();
         for table in array(&fields, "scene")? {
-            scenes.push(scene::read(&context, table.fields(&tables::SCENE)?)?);
+            scenes.push(scene::read(&context, table.fields(&vocabulary.scene)?)?);
         }
         for table in array(&fields, "generate")? {
-            scenes.push(generate::read(&context, table.fields(&tables::GENERATOR)?)?);
+            scenes.push(generator::read(&context, table.fields(&vocabulary.generator)?)?);
         }
         fields.finish()?;
         scenes.sort_by_key(|scene: &SceneDef| scene.line);
@@ -77,12 +77,12 @@ impl Suite {
     ///
     /// # Errors
     /// [`CorpusError`] where the file can't be read, or as [`Suite::parse`].
-    pub fn from_file(path: &Path, manifest: &Manifest) -> Result<Suite, CorpusError> {
+    pub fn from_file(vocabulary: &Vocabulary, path: &Path, manifest: &Manifest) -> Result<Suite, CorpusError> {
         let file = path.display().to_string();
         let text = std::fs::read_to_string(path).map_err(|error| {
             CorpusError::usage(&file, format!("the suite can't be read: {error}"), "give a suite's name or a TOML file")
         })?;
-        Suite::parse(&file, &text, path.parent(), manifest)
+        Suite::parse(vocabulary, &file, &text, path.parent(), manifest)
     }
 
     /// The file as error messages name it.
@@ -117,16 +117,20 @@ impl Suite {
     }
 }
 
-/// What a scene needs to know besides its own table.
-struct Context<'m> {
+/// What reading a scene needs besides the scene's own table.
+pub struct Context<'m> {
     suite: String,
     base: Option<PathBuf>,
     manifest: &'m Manifest,
+    vocabulary: &'m Vocabulary,
 }
 
 impl Context<'_> {
-    /// A data file's path beside the suite.
-    fn path(&self, field: &Field<'_, '_>) -> Result<PathBuf, CorpusError> {
+    /// The path of a data file that lies beside the suite.
+    ///
+    /// # Errors
+    /// Where the suite is embedded: it has no files beside it.
+    pub fn path(&self, field: &Field<'_, '_>) -> Result<PathBuf, CorpusError> {
         let name = field.str()?;
         match &self.base {
             Some(base) => Ok(base.join(name)),
@@ -135,6 +139,17 @@ impl Context<'_> {
                     .error("an embedded suite has no files beside it", "use `fetch`, or run the suite from a folder"))
             }
         }
+    }
+
+    /// The manifest's entry for a fetch key.
+    ///
+    /// # Errors
+    /// Where the manifest has no such key.
+    pub fn fetched(&self, key: &Field<'_, '_>) -> Result<Entry, CorpusError> {
+        let name = key.str()?;
+        self.manifest.entry(name).cloned().ok_or_else(|| {
+            key.error(format!("fetch.toml has no key `{name}`"), "use a key of fetch.toml or add an entry there")
+        })
     }
 }
 

@@ -7,7 +7,7 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::format::per_million;
+use predicament_records::format::per_million;
 use crate::groups::{Mark, backends, marks};
 use crate::{Error, RunDir};
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{rank, run_head, run_label};
-use crate::format::{length, per_million, significant, thousands};
+use predicament_records::format::{length, per_million, significant, thousands};
 use crate::groups::backends;
 use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Class, RunDir, Status, SummaryRow};

@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::format::{counted, factor, length, thousands};
+use predicament_records::format::{counted, factor, length, thousands};
 use crate::groups::{REFERENCE, backends, timings};
-use crate::stats::geometric_mean;
+use predicament_records::geometric_mean;
 use crate::table::{Headline, Tone};
 use crate::{Class, RunDir};
 

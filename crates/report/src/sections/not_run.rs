@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{rank, run_head, run_label, some_of};
-use crate::format::{length, thousands};
+use predicament_records::format::{length, thousands};
 use crate::groups::backends;
 use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Class, RunDir};

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::some_of;
-use crate::format::{length, thousands};
+use predicament_records::format::{length, thousands};
 use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Env, Outcome, RunDir};
 

@@ -1,7 +1,7 @@
 //! Speed beside error, as a plot and as the numbers behind it.
 
 use super::{run_head, run_label};
-use crate::format::{length, nanoseconds, per_million, significant, thousands};
+use predicament_records::format::{length, nanoseconds, per_million, significant, thousands};
 use crate::groups::marks;
 use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Error, RunDir, scatter};

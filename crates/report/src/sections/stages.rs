@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::{rank, run_head, run_label};
 use crate::RunDir;
-use crate::format::percent;
+use predicament_records::format::percent;
 use crate::groups::backends;
 use crate::rungs::{rung, rungs};
 use crate::table::{Block, Cell, Section, Table, Tone};

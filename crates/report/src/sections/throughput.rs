@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{run_head, run_label};
 use crate::RunDir;
-use crate::format::{factor, nanoseconds};
+use predicament_records::format::{factor, nanoseconds};
 use crate::groups::{REFERENCE, Timing, backends, timings};
 use crate::table::{Block, Cell, Section, Table, Tone};
 

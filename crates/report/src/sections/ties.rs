@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::{rank, run_head, run_label};
-use crate::format::{factor, percent};
+use predicament_records::format::{factor, percent};
 use crate::groups::{Timing, backends, timings};
 use crate::plot::{Bars, histogram};
 use crate::rungs::rung;
-use crate::stats::{approximately, geometric_mean};
+use predicament_records::{approximately, geometric_mean};
 use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Error, RunDir};
 

@@ -1,0 +1,210 @@
+//! What the library has to know of a task: its name, its keys, its generators.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use predicament_formats::{CorpusError, Field, Fields, TableKind};
+
+use crate::{Context, Level, Parts, Random, Source};
+
+/// How the scenes of one task are written in suites.
+pub trait SceneFormat: Send + Sync {
+    /// The name in suites, CSV files and on the command line.
+    fn name(&self) -> &'static str;
+
+    /// What is asked, in one line, with the source.
+    fn about(&self) -> &'static str;
+
+    /// The keys of its `[[scene]]` tables besides those of every scene (`name`,
+    /// `task`, `tags`, `source`, `analysis`).
+    fn keys(&self) -> &'static [&'static str];
+
+    /// Those of its keys, of scenes and generators, that hold coordinates:
+    /// numbers, or arrays of them. `corpus fmt` makes them lossless.
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &[]
+    }
+
+    /// Reads a `[[scene]]` table. Keys that it does not ask for are errors.
+    ///
+    /// # Errors
+    /// [`CorpusError`] at the line that is wrong.
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError>;
+
+    /// Its generator families.
+    fn families(&self) -> &'static [Family] {
+        &[]
+    }
+
+    /// The keys of its `[[generate]]` tables besides those of every generator
+    /// (`family`, `n`, `n_full`, `seed` and those of scenes) and of the families.
+    fn generator_keys(&self) -> &'static [&'static str] {
+        &[]
+    }
+
+    /// Those keys of generators that are part of a scene's default name.
+    fn naming_keys(&self) -> &'static [&'static str] {
+        &[]
+    }
+}
+
+/// A family of generated scenes: one way of being difficult.
+#[derive(Clone, Copy, Debug)]
+pub struct Family {
+    /// The name in `[[generate]]` tables.
+    pub name: &'static str,
+    /// The name in `throughput.csv`; none where each scene is a family of its own.
+    pub reported_as: Option<&'static str>,
+    /// The parameters that it takes besides the task's generator keys.
+    pub parameters: &'static [&'static str],
+    /// What it is, in one line.
+    pub about: &'static str,
+    /// Reads the parameters.
+    pub read: fn(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError>,
+}
+
+/// A family with its parameters: makes scenes.
+#[derive(Clone)]
+pub struct Recipe {
+    /// The number of queries, where the parameters fix it.
+    pub fixed_size: Option<usize>,
+    make: Arc<dyn Fn(&Making) -> Parts + Send + Sync>,
+}
+
+impl Recipe {
+    /// A recipe for any number of queries.
+    pub fn new(make: impl Fn(&Making) -> Parts + Send + Sync + 'static) -> Recipe {
+        Recipe { fixed_size: None, make: Arc::new(make) }
+    }
+
+    /// A recipe whose parameters fix the number of queries.
+    #[must_use]
+    pub fn of_size(self, size: usize) -> Recipe {
+        Recipe { fixed_size: Some(size), ..self }
+    }
+
+    /// Makes a scene.
+    #[must_use]
+    pub fn make(&self, making: &Making) -> Parts {
+        (self.make)(making)
+    }
+}
+
+/// What a recipe is asked to make.
+#[derive(Clone, Copy, Debug)]
+pub struct Making {
+    /// The family's name.
+    pub family: &'static str,
+    /// The task's name.
+    pub task: &'static str,
+    /// The seed of the suite.
+    pub seed: u64,
+    /// How many queries; families that make a whole take it as a size.
+    pub n: usize,
+    /// How much is run.
+    pub level: Level,
+}
+
+impl Making {
+    /// The stream of random numbers of this family, task and seed.
+    #[must_use]
+    pub fn random(&self) -> Random {
+        Random::new(self.family, self.task, self.seed)
+    }
+}
+
+/// All tasks whose scenes suites can hold.
+#[derive(Clone)]
+pub struct Vocabulary {
+    tasks: Arc<[&'static dyn SceneFormat]>,
+    pub(crate) scene: Arc<TableKind>,
+    pub(crate) generator: Arc<TableKind>,
+}
+
+impl std::fmt::Debug for Vocabulary {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_list().entries(self.names()).finish()
+    }
+}
+
+/// The keys of every `[[scene]]` table.
+const SCENE: [&str; 5] = ["name", "task", "tags", "source", "analysis"];
+/// The keys of every `[[generate]]` table besides those.
+const GENERATOR: [&str; 4] = ["family", "n", "n_full", "seed"];
+
+impl Vocabulary {
+    /// The tasks, in the order of messages and reports.
+    ///
+    /// # Panics
+    /// If two tasks have the same name.
+    #[must_use]
+    pub fn new(tasks: Vec<&'static dyn SceneFormat>) -> Vocabulary {
+        for (at, task) in tasks.iter().enumerate() {
+            let taken = tasks[..at].iter().any(|other| other.name() == task.name());
+            assert!(!taken, "two tasks are called `{}`", task.name());
+        }
+        let kind = |name: &'static str, keys: Vec<&'static str>| {
+            let mut all: Vec<&'static str> = SCENE.into_iter().chain(keys).collect();
+            all.sort_unstable();
+            all.dedup();
+            Arc::new(TableKind { name, keys: Cow::Owned(all) })
+        };
+        let scene = kind("scene", tasks.iter().flat_map(|task| task.keys()).copied().collect());
+        let of_families = tasks.iter().flat_map(|task| task.families()).flat_map(|family| family.parameters);
+        let of_tasks = tasks.iter().flat_map(|task| task.generator_keys());
+        let generator = kind("generator", GENERATOR.into_iter().chain(of_tasks.chain(of_families).copied()).collect());
+        Vocabulary { tasks: tasks.into(), scene, generator }
+    }
+
+    /// The tasks.
+    #[must_use]
+    pub fn tasks(&self) -> &[&'static dyn SceneFormat] {
+        &self.tasks
+    }
+
+    /// The names of the tasks.
+    pub fn names(&self) -> impl Iterator<Item = &'static str> {
+        self.tasks.iter().map(|task| task.name())
+    }
+
+    /// The task that a table names.
+    pub(crate) fn task(&self, field: &Field<'_, '_>) -> Result<&'static dyn SceneFormat, CorpusError> {
+        let name = field.str()?;
+        self.tasks.iter().copied().find(|task| task.name() == name).ok_or_else(|| {
+            let known: Vec<&str> = self.names().collect();
+            field.error(format!("no task is called `{name}`"), format!("use one of {}", known.join(", ")))
+        })
+    }
+
+    /// The family of a task that a table names.
+    pub(crate) fn family(
+        &self,
+        field: &Field<'_, '_>,
+        task: &'static dyn SceneFormat,
+    ) -> Result<&'static Family, CorpusError> {
+        let name = field.str()?;
+        if let Some(family) = task.families().iter().find(|family| family.name == name) {
+            return Ok(family);
+        }
+        let families = |task: &&'static dyn SceneFormat| task.families().iter().map(|family| family.name);
+        let others: Vec<&str> = self
+            .tasks
+            .iter()
+            .filter(|task| families(task).any(|family| family == name))
+            .map(|task| task.name())
+            .collect();
+        if others.is_empty() {
+            let mut known: Vec<&str> = Vec::new();
+            for family in self.tasks.iter().flat_map(families) {
+                if !known.contains(&family) {
+                    known.push(family);
+                }
+            }
+            return Err(
+                field.error(format!("no family is called `{name}`"), format!("use one of {}", known.join(", ")))
+            );
+        }
+        let message = format!("family {name} generates nothing for {}", task.name());
+        Err(field.error(message, format!("use it for {}", others.join(", "))))
+    }
+}

@@ -1,0 +1,64 @@
+//! How much of a suite is run.
+
+/// How much work a run does.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
+pub enum Level {
+    /// Seconds: what every change is tested with.
+    #[default]
+    Quick,
+    /// As much as the suite's author thought worth an hour.
+    Full,
+}
+
+impl Level {
+    /// The name on the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Level::Quick => "quick",
+            Level::Full => "full",
+        }
+    }
+}
+
+impl std::fmt::Display for Level {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl std::str::FromStr for Level {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Level, String> {
+        match name {
+            "quick" => Ok(Level::Quick),
+            "full" => Ok(Level::Full),
+            _ => Err(format!("no level is called `{name}`: it is quick or full")),
+        }
+    }
+}
+
+impl Level {
+    /// The first of two values for quick, the second for full.
+    #[must_use]
+    pub fn of<T>(self, [quick, full]: [T; 2]) -> T {
+        match self {
+            Level::Quick => quick,
+            Level::Full => full,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_round_trip() {
+        for level in [Level::Quick, Level::Full] {
+            assert_eq!(level.name().parse(), Ok(level));
+        }
+        assert!("slow".parse::<Level>().is_err());
+    }
+}

@@ -1,0 +1,102 @@
+//! Doubles by their bits: neighbours, exponents and exact scaling.
+
+/// The exponent of the lowest bit of the smallest subnormal.
+pub const LOWEST: i64 = -1074;
+/// The exponent of the highest bit of the largest double.
+pub const HIGHEST: i64 = 1023;
+
+/// The eleven exponent bits.
+pub fn biased_exponent(x: f64) -> i64 {
+    i64::try_from(x.abs().to_bits() >> 52).expect("eleven bits are left")
+}
+
+/// The exponent of the highest bit; none for zero.
+pub fn top_exponent(x: f64) -> Option<i64> {
+    let magnitude = x.abs().to_bits();
+    match biased_exponent(x) {
+        0 if magnitude == 0 => None,
+        0 => Some(LOWEST + i64::from(63 - magnitude.leading_zeros())),
+        biased => Some(biased - 1023),
+    }
+}
+
+/// The double that lies `k` places further up (down for negative `k`),
+/// counted through all doubles in their order; ±0 are one place.
+pub fn step(x: f64, k: i64) -> f64 {
+    let magnitude = i64::try_from(x.abs().to_bits()).expect("the sign bit is off");
+    let place = if x.is_sign_negative() { -magnitude } else { magnitude } + k;
+    let moved = f64::from_bits(place.unsigned_abs());
+    if place < 0 { -moved } else { moved }
+}
+
+/// The nearest double with at most so many significant bits (1 to 53), ties
+/// away from zero. Subnormals keep fewer.
+pub fn rounded(x: f64, bits: u32) -> f64 {
+    let dropped = 53 - bits;
+    let half = (1_u64 << dropped) >> 1;
+    f64::from_bits((x.to_bits() + half) >> dropped << dropped)
+}
+
+/// 2^k for an exponent of a normal double.
+///
+/// # Panics
+/// If 2^k is not a normal double.
+pub fn power_of_two(k: i64) -> f64 {
+    assert!((-1022..=HIGHEST).contains(&k), "2^{k} is no normal double");
+    f64::from_bits(u64::try_from(k + 1023).expect("not negative") << 52)
+}
+
+/// x·2^k for |k| ≤ 2044, rounded once where it becomes subnormal.
+pub fn scale(x: f64, k: i64) -> f64 {
+    if k < -1022 {
+        // What the first step could round is lost in the second anyway.
+        x * power_of_two(k + 1022) * power_of_two(-1022)
+    } else if k > HIGHEST {
+        x * power_of_two(HIGHEST) * power_of_two(k - HIGHEST)
+    } else {
+        x * power_of_two(k)
+    }
+}
+
+/// An integer below 2^53 in magnitude as the double that it is.
+pub fn integer(n: i64) -> f64 {
+    debug_assert!(n.unsigned_abs() <= 1 << 53, "{n} has more bits than a double");
+    #[allow(clippy::cast_precision_loss)] // at most 53 bits
+    let x = n as f64;
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_go_through_zero_and_agree_with_the_neighbours() {
+        for x in [1.0, -1.0, 0.5, 5e-324, -5e-324, 0.0, 1e300, f64::MIN_POSITIVE] {
+            assert_eq!(step(x, 1), x.next_up());
+            assert_eq!(step(x, -1), x.next_down());
+            assert_eq!(step(step(x, 7), -7), x);
+        }
+        assert_eq!(step(-5e-324, 2), 5e-324);
+    }
+
+    #[test]
+    fn exponents_of_the_highest_bit() {
+        for (x, top) in [(1.0, 0), (-3.0, 1), (0.75, -1), (5e-324, -1074), (f64::MAX, 1023), (1e-320, -1064)] {
+            assert_eq!(top_exponent(x), Some(top), "{x:e}");
+        }
+        assert_eq!(top_exponent(-0.0), None);
+    }
+
+    #[test]
+    fn scaling_is_exact_where_it_can_be() {
+        assert_eq!(scale(1.0, -1074), 5e-324);
+        assert_eq!(scale(0.75, 1023), 0.75 * power_of_two(1023));
+        assert_eq!(scale(scale(0.1, -900), 900), 0.1);
+        assert_eq!(scale(5e-324, 1074), 1.0);
+        assert_eq!(scale(f64::MAX, -2044), f64::MAX * power_of_two(-1022) * power_of_two(-1022));
+        // 1 + 2^-52 down to the subnormals: one rounding, to even.
+        assert_eq!(scale(1.0 + f64::EPSILON, -1074), 5e-324);
+        assert_eq!(scale(1.5, -1074), 1e-323);
+    }
+}

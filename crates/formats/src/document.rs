@@ -1,0 +1,322 @@
+//! A TOML file that knows its lines.
+//!
+//! Suites are read through these two types instead of derived structures: an
+//! error names the line of the very value that is wrong, a key that nobody
+//! asked for is an error, and numbers are seen as they were written, before
+//! anything rounds them.
+
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use predicament_predicates::Vertex;
+
+use crate::coordinate::{self, CoordinateError};
+use crate::tables::TableKind;
+use crate::CorpusError;
+
+/// The last index that a vertex can have.
+const MOST_INDEX: u64 = (1 << 31) - 1;
+
+/// The text of a file, its name, and where its lines start.
+pub struct Document<'t> {
+    /// The name in errors.
+    pub file: &'t str,
+    /// What is in the file.
+    pub text: &'t str,
+}
+
+impl<'t> Document<'t> {
+    /// Parses the whole file.
+    pub fn parse(&self) -> Result<Spanned<DeTable<'t>>, CorpusError> {
+        DeTable::parse(self.text).map_err(|error| {
+            let at = error.span().map_or(0, |span| span.start);
+            self.error(at, error.message(), "correct the TOML")
+        })
+    }
+
+    /// The line of a byte offset, counted from 1.
+    pub fn line(&self, at: usize) -> usize {
+        let before = &self.text.as_bytes()[..at.min(self.text.len())];
+        1 + before.iter().filter(|&&byte| byte == b'\n').count()
+    }
+
+    /// An error at a byte offset.
+    pub fn error(&self, at: usize, message: impl Into<String>, cure: impl Into<String>) -> CorpusError {
+        CorpusError::file(self.file, message, cure).at_line(self.line(at))
+    }
+}
+
+/// One value of the file.
+#[derive(Clone, Copy)]
+pub struct Field<'d, 't> {
+    document: &'d Document<'t>,
+    key: &'d str,
+    value: &'d DeValue<'t>,
+    span: (usize, usize),
+}
+
+impl<'d, 't> Field<'d, 't> {
+    fn new(document: &'d Document<'t>, key: &'d str, value: &'d Spanned<DeValue<'t>>) -> Field<'d, 't> {
+        let Range { start, end } = value.span();
+        Field { document, key, value: value.get_ref(), span: (start, end) }
+    }
+
+    /// The line of the value, from 1.
+    pub fn line(&self) -> usize {
+        self.document.line(self.span.0)
+    }
+
+    /// The bytes of the value in the file.
+    pub fn span(&self) -> Range<usize> {
+        self.span.0..self.span.1
+    }
+
+    /// An error at this value.
+    pub fn error(&self, message: impl Into<String>, cure: impl Into<String>) -> CorpusError {
+        self.document.error(self.span.0, message, cure)
+    }
+
+    fn wrong_type(&self, wanted: &str) -> CorpusError {
+        let found = self.value.type_str();
+        self.error(format!("`{}` is of type {found}", self.key), format!("write {wanted}"))
+    }
+
+    /// Whether the value is a table.
+    #[must_use]
+    pub fn is_table(&self) -> bool {
+        self.value.is_table()
+    }
+
+    /// Whether the value is an array.
+    #[must_use]
+    pub fn is_array(&self) -> bool {
+        self.value.is_array()
+    }
+
+    /// The value as a string.
+    pub fn str(&self) -> Result<&'d str, CorpusError> {
+        self.value.as_str().ok_or_else(|| self.wrong_type("a string"))
+    }
+
+    /// The value as a string of its own.
+    pub fn string(&self) -> Result<String, CorpusError> {
+        self.str().map(str::to_owned)
+    }
+
+    /// The value as an array of strings.
+    pub fn strings(&self) -> Result<Vec<String>, CorpusError> {
+        self.items("an array of strings")?.map(|item| item.string()).collect()
+    }
+
+    /// The members of an array; `wanted` says what it should hold.
+    pub fn items(
+        &self,
+        wanted: &str,
+    ) -> Result<impl ExactSizeIterator<Item = Field<'d, 't>> + use<'d, 't>, CorpusError> {
+        let array = self.value.as_array().ok_or_else(|| self.wrong_type(wanted))?;
+        let (document, key) = (self.document, self.key);
+        Ok(array.iter().map(move |item| Field::new(document, key, item)))
+    }
+
+    /// The value as a table of this kind.
+    pub fn fields(&self, kind: &'d TableKind) -> Result<Fields<'d, 't>, CorpusError> {
+        let table = self.value.as_table().ok_or_else(|| self.wrong_type("a table"))?;
+        Ok(Fields::new(self.document, kind, table, self.span.0))
+    }
+
+    /// An integer from `range`.
+    pub fn integer(&self, range: std::ops::RangeInclusive<u64>) -> Result<u64, CorpusError> {
+        let integer = self.value.as_integer().ok_or_else(|| self.wrong_type("an integer"))?;
+        let value = u64::from_str_radix(integer.as_str(), integer.radix()).ok().filter(|value| range.contains(value));
+        value.ok_or_else(|| {
+            let (low, high) = range.into_inner();
+            self.error(format!("`{}` is {}", self.key, integer), format!("choose an integer from {low} to {high}"))
+        })
+    }
+
+    /// An [`integer`](Field::integer) that counts things.
+    pub fn count(&self, range: std::ops::RangeInclusive<u64>) -> Result<usize, CorpusError> {
+        self.integer(range).map(|value| usize::try_from(value).unwrap_or(usize::MAX))
+    }
+
+    /// A positive number, read as its nearest double.
+    pub fn positive(&self) -> Result<f64, CorpusError> {
+        let number: Option<f64> = self.coordinate_text()?.parse().ok();
+        number.filter(|x| x.is_finite() && *x > 0.0).ok_or_else(|| {
+            self.error(format!("`{}` is {}", self.key, self.written()), "choose a positive number".to_owned())
+        })
+    }
+
+    /// What was written where a coordinate should be.
+    pub fn coordinate_text(&self) -> Result<&str, CorpusError> {
+        match self.value {
+            DeValue::String(text) => Ok(text),
+            DeValue::Integer(integer) if integer.radix() == 10 => Ok(integer.as_str()),
+            DeValue::Float(float) => Ok(float.as_str()),
+            _ => Err(self.wrong_type("a decimal that is exactly a double, or a hex float in quotes")),
+        }
+    }
+
+    /// The value as a coordinate: exactly a double, or an error.
+    pub fn coordinate(&self) -> Result<f64, CorpusError> {
+        let text = self.coordinate_text()?;
+        coordinate::exact(text).map_err(|error| self.coordinate_error(text, &error))
+    }
+
+    /// The error about a coordinate, with its cure.
+    pub fn coordinate_error(&self, text: &str, error: &CoordinateError) -> CorpusError {
+        let (message, cure) = explain(self.document.file, text, error);
+        self.error(message, cure)
+    }
+
+    /// The index of a point.
+    pub fn point(&self) -> Result<Vertex, CorpusError> {
+        self.count(0..=MOST_INDEX).map(Vertex::input)
+    }
+
+    /// A vertex: the index of a point, or `"c0"`, `"c1"`… for the vertices that are constructed.
+    pub fn vertex(&self) -> Result<Vertex, CorpusError> {
+        if !self.value.is_str() {
+            return self.point();
+        }
+        let text = self.str()?;
+        text.parse().ok().filter(|vertex: &Vertex| vertex.is_constructed()).ok_or_else(|| {
+            self.error(format!("`{text}` is no vertex"), "write a point's index, or \"c0\" for the first construction")
+        })
+    }
+
+    /// The literal in the file, quotes included.
+    pub fn written(&self) -> &'t str {
+        &self.document.text[self.span()]
+    }
+
+    /// A string or number as it was written, for names.
+    pub fn plain(&self) -> Result<&str, CorpusError> {
+        self.coordinate_text()
+    }
+}
+
+/// What is wrong with a coordinate, and the cure.
+pub fn explain(file: &str, text: &str, error: &CoordinateError) -> (String, String) {
+    match error {
+        CoordinateError::Malformed => {
+            (format!("`{text}` is not a number"), "write a decimal or a hex float such as 0x1.8p+1".into())
+        }
+        CoordinateError::NotFinite => (format!("coordinate `{text}` is not finite"), "remove the point".into()),
+        CoordinateError::Overflow => {
+            (format!("coordinate `{text}` is beyond the largest double"), "scale the scene by a power of two".into())
+        }
+        CoordinateError::Underflow => (
+            format!("coordinate `{text}` is not zero but below half the smallest double"),
+            "write 0 or scale the scene by a power of two".into(),
+        ),
+        CoordinateError::TooManyBits => (
+            format!("hex float `{text}` has more bits than a double"),
+            "keep 53 bits, the lowest not below 2^-1074".into(),
+        ),
+        CoordinateError::Inexact { .. } => {
+            (format!("decimal {text} is not exactly a double"), format!("run `predicament corpus fmt {file}`"))
+        }
+    }
+}
+
+/// The keys of a table, taken one by one; what is left over is an error.
+pub struct Fields<'d, 't> {
+    document: &'d Document<'t>,
+    kind: &'d TableKind,
+    table: &'d DeTable<'t>,
+    at: usize,
+    asked: RefCell<BTreeSet<&'static str>>,
+}
+
+impl<'d, 't> Fields<'d, 't> {
+    /// The keys of a table that starts at this byte.
+    pub fn new(
+        document: &'d Document<'t>,
+        kind: &'d TableKind,
+        table: &'d DeTable<'t>,
+        at: usize,
+    ) -> Fields<'d, 't> {
+        Fields { document, kind, table, at, asked: RefCell::default() }
+    }
+
+    /// The line where the table starts.
+    pub fn line(&self) -> usize {
+        self.document.line(self.at)
+    }
+
+    /// The name of the file in errors.
+    pub fn file(&self) -> &'t str {
+        self.document.file
+    }
+
+    /// An error about the table as a whole.
+    pub fn error(&self, message: impl Into<String>, cure: impl Into<String>) -> CorpusError {
+        self.document.error(self.at, message, cure)
+    }
+
+    /// The value of a key, if it is there.
+    pub fn get(&self, key: &'static str) -> Option<Field<'d, 't>> {
+        debug_assert!(self.kind.keys.contains(&key), "{:?} leaves out {key}", self.kind);
+        self.asked.borrow_mut().insert(key);
+        let (key, value) = self.table.get_key_value(key)?;
+        Some(Field::new(self.document, key.get_ref(), value))
+    }
+
+    /// A key that was asked for before; asking here does not make it a known one.
+    pub fn again(&self, key: &'static str) -> Option<Field<'d, 't>> {
+        if self.asked.borrow().contains(key) { self.get(key) } else { None }
+    }
+
+    /// The value of a key that has to be there.
+    pub fn required(&self, key: &'static str) -> Result<Field<'d, 't>, CorpusError> {
+        self.get(key).ok_or_else(|| {
+            let missing = self.error(format!("{} has no `{key}`", self.kind.name), format!("add `{key} = …`"));
+            self.lacking(&format!("`{key}`"), missing)
+        })
+    }
+
+    /// The error about something missing. A key that no table of the kind
+    /// knows comes first: it may well be what is missing, misspelled.
+    pub fn lacking(&self, what: &str, missing: CorpusError) -> CorpusError {
+        self.first_key_outside(|key| self.kind.keys.contains(&key)).map_or(missing, |(at, key)| {
+            let message = format!("a {} has no key `{key}`, and {what} is missing", self.kind.name);
+            self.document.error(at, message, format!("correct the key, or remove it and write {what}"))
+        })
+    }
+
+    /// The first key in the file that is not known, and where it is.
+    fn first_key_outside(&self, known: impl Fn(&str) -> bool) -> Option<(usize, &str)> {
+        let keys = self.table.keys().map(|key| (key.span().start, key.get_ref().as_ref()));
+        keys.filter(|&(_, key)| !known(key)).min()
+    }
+
+    /// A string, empty where the key is missing.
+    pub fn string_or_empty(&self, key: &'static str) -> Result<String, CorpusError> {
+        self.get(key).map_or(Ok(String::new()), |field| field.string())
+    }
+
+    /// An integer, or a default where the key is missing.
+    pub fn integer_or(
+        &self,
+        key: &'static str,
+        default: u64,
+        range: std::ops::RangeInclusive<u64>,
+    ) -> Result<u64, CorpusError> {
+        self.get(key).map_or(Ok(default), |field| field.integer(range))
+    }
+
+    /// Refuses the keys that nobody asked for.
+    pub fn finish(self) -> Result<(), CorpusError> {
+        let asked = self.asked.borrow();
+        self.first_key_outside(|key| asked.contains(key)).map_or(Ok(()), |(at, key)| {
+            let known: Vec<_> = asked.iter().copied().collect();
+            let cure = format!("remove it or use one of {}", known.join(", "));
+            Err(self.document.error(at, format!("a {} has no key `{key}`", self.kind.name), cure))
+        })
+    }
+}

@@ -1,0 +1,69 @@
+//! One backend on one scene.
+
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use predicament_predicates::{Counts, PredicateKind};
+use predicament_tasks::{
+    AnyCase, Asked, Budget, Class, Contestant, Halt, How, Outcome, Purpose, Stop, Watch,
+};
+
+/// Runs one backend on one scene and judges what it answers. A panic is a
+/// finding about the backend and stays here, as do refusals and timeouts.
+///
+/// # Errors
+/// [`Stop::Interrupted`]; a timeout is an outcome.
+pub fn run(
+    case: &dyn AnyCase,
+    contestant: &dyn Contestant,
+    budget: Budget,
+    watch: &Watch,
+) -> Result<Outcome, Stop> {
+    let queries = case.loaded().count() as u64;
+    let ran = catch_unwind(AssertUnwindSafe(|| judged(case, contestant, budget, watch, queries)));
+    match ran {
+        Ok(Ok(outcome)) => Ok(outcome),
+        Ok(Err(Halt::Refused(refusal))) => Ok(refusal.outcome(queries)),
+        Ok(Err(Halt::Stopped(Stop::Timeout))) => {
+            Ok(Outcome::of_scene(queries, Class::Timeout, "time limit", "took too long".to_owned()))
+        }
+        Ok(Err(Halt::Stopped(Stop::Interrupted))) => Err(Stop::Interrupted),
+        Err(payload) => Ok(Outcome::of_scene(queries, Class::Panic, "panic", message(payload.as_ref()))),
+    }
+}
+
+fn judged(
+    case: &dyn AnyCase,
+    contestant: &dyn Contestant,
+    budget: Budget,
+    watch: &Watch,
+    queries: u64,
+) -> Result<Outcome, Halt> {
+    let (loaded, task) = (case.loaded(), case.task());
+    let solver = contestant.solver(task.name());
+    let solver = solver.unwrap_or_else(|| panic!("{} was not told of the task {}", contestant.name(), task.name()));
+    let counts = Counts::new();
+    let kinds = task.kinds(&loaded.scene);
+    let mut outcome = Outcome { queries, ..Outcome::default() };
+    let how = How { purpose: Purpose::Judge, watch };
+    solver.solve(&loaded.scene, loaded.content.as_ref(), &counts, &how, &mut |session, answer| {
+        // Counted before the judge asks questions of its own.
+        outcome.stages = stages(contestant, &counts, &kinds);
+        case.judge(&Asked { backend: contestant, session, budget, watch }, answer, &mut outcome)
+    })?;
+    Ok(outcome)
+}
+
+/// How many queries of these kinds each stage has settled, without those that settled none.
+fn stages(contestant: &dyn Contestant, counts: &Counts, kinds: &[PredicateKind]) -> Vec<(&'static str, u64)> {
+    let settled = |stage| kinds.iter().map(|&kind| counts.get(kind, stage)).sum();
+    let stages = contestant.stages().iter().enumerate().map(|(stage, &name)| (name, settled(stage)));
+    stages.filter(|&(_, settled)| settled > 0).collect()
+}
+
+/// What a panic said, in one line.
+fn message(payload: &(dyn Any + Send)) -> String {
+    let text = payload.downcast_ref::<&str>().map(ToString::to_string);
+    let text = text.or_else(|| payload.downcast_ref::<String>().cloned());
+    text.unwrap_or_else(|| "no message".to_owned()).replace('\n', " ")
+}

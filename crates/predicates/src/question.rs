@@ -1,0 +1,204 @@
+//! Questions as data: a predicate, what it needs besides vertices, and sets of queries of one kind.
+
+use crate::{Axis, Plane, Predicates, Sign, Vertex};
+
+/// The five sign predicates.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum PredicateKind {
+    /// The order of two vertices along an axis.
+    Compare,
+    /// The turn of three vertices in a coordinate plane.
+    Orient2d,
+    /// The side of a fourth vertex on the plane of three.
+    Orient3d,
+    /// A fourth vertex in the circle through three.
+    Incircle,
+    /// A fifth vertex in the sphere through four.
+    Insphere,
+}
+
+impl PredicateKind {
+    /// All five, in the order of their degrees.
+    pub const ALL: [PredicateKind; 5] = [
+        PredicateKind::Compare,
+        PredicateKind::Orient2d,
+        PredicateKind::Orient3d,
+        PredicateKind::Incircle,
+        PredicateKind::Insphere,
+    ];
+
+    /// The name used in suites, CSV files and on the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            PredicateKind::Compare => "compare",
+            PredicateKind::Orient2d => "orient2d",
+            PredicateKind::Orient3d => "orient3d",
+            PredicateKind::Incircle => "incircle",
+            PredicateKind::Insphere => "insphere",
+        }
+    }
+
+    /// How many vertices a query takes.
+    #[must_use]
+    pub const fn arity(self) -> usize {
+        match self {
+            PredicateKind::Compare => 2,
+            PredicateKind::Orient2d => 3,
+            PredicateKind::Orient3d | PredicateKind::Incircle => 4,
+            PredicateKind::Insphere => 5,
+        }
+    }
+
+    /// The place in [`PredicateKind::ALL`].
+    #[inline]
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+}
+
+impl std::fmt::Display for PredicateKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl std::str::FromStr for PredicateKind {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<PredicateKind, String> {
+        PredicateKind::ALL
+            .into_iter()
+            .find(|kind| kind.name() == name)
+            .ok_or_else(|| format!("no predicate is called `{name}`"))
+    }
+}
+
+/// A predicate with all that it needs besides vertices.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Question {
+    /// [`Predicates::compare`] along an axis.
+    Compare(Axis),
+    /// [`Predicates::orient2d`] in a plane.
+    Orient2d(Plane),
+    /// [`Predicates::orient3d`].
+    Orient3d,
+    /// [`Predicates::incircle`].
+    Incircle,
+    /// [`Predicates::insphere`].
+    Insphere,
+}
+
+impl Question {
+    /// Which of the five predicates this is.
+    #[inline]
+    #[must_use]
+    pub const fn kind(self) -> PredicateKind {
+        match self {
+            Question::Compare(_) => PredicateKind::Compare,
+            Question::Orient2d(_) => PredicateKind::Orient2d,
+            Question::Orient3d => PredicateKind::Orient3d,
+            Question::Incircle => PredicateKind::Incircle,
+            Question::Insphere => PredicateKind::Insphere,
+        }
+    }
+
+    /// Asks one query.
+    ///
+    /// # Panics
+    /// If `args` has not exactly as many vertices as the predicate takes.
+    #[inline]
+    pub fn ask<P: Predicates + ?Sized>(self, session: &P, args: &[Vertex]) -> Sign {
+        match (self, args) {
+            (Question::Compare(axis), &[a, b]) => session.compare(axis, a, b),
+            (Question::Orient2d(plane), &[a, b, c]) => session.orient2d(plane, a, b, c),
+            (Question::Orient3d, &[a, b, c, d]) => session.orient3d(a, b, c, d),
+            (Question::Incircle, &[a, b, c, d]) => session.incircle(a, b, c, d),
+            (Question::Insphere, &[a, b, c, d, e]) => session.insphere(a, b, c, d, e),
+            _ => panic!("{} takes {} vertices, not {}", self.kind(), self.kind().arity(), args.len()),
+        }
+    }
+}
+
+/// Many queries of one kind, their vertices in one flat array.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct QuerySet {
+    question: Question,
+    args: Vec<Vertex>,
+}
+
+impl QuerySet {
+    /// A set from vertices, query after query.
+    ///
+    /// # Panics
+    /// If `args` does not divide into whole queries.
+    #[must_use]
+    pub fn new(question: Question, args: Vec<Vertex>) -> QuerySet {
+        let arity = question.kind().arity();
+        assert!(args.len().is_multiple_of(arity), "{} vertices don't divide into queries of {arity}", args.len());
+        QuerySet { question, args }
+    }
+
+    /// What is asked.
+    #[inline]
+    #[must_use]
+    pub fn question(&self) -> Question {
+        self.question
+    }
+
+    /// Which of the five predicates.
+    #[inline]
+    #[must_use]
+    pub fn kind(&self) -> PredicateKind {
+        self.question.kind()
+    }
+
+    /// The number of queries.
+    #[inline]
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.args.len() / self.kind().arity()
+    }
+
+    /// Whether there is nothing to ask.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.args.is_empty()
+    }
+
+    /// The vertices of one query.
+    ///
+    /// # Panics
+    /// If there is no such query.
+    #[inline]
+    #[must_use]
+    pub fn args(&self, query: usize) -> &[Vertex] {
+        let arity = self.kind().arity();
+        &self.args[query * arity..][..arity]
+    }
+
+    /// The vertices of all queries, one after another.
+    #[inline]
+    #[must_use]
+    pub fn flat(&self) -> &[Vertex] {
+        &self.args
+    }
+
+    /// Answers the queries of `range` in order through the session's batch calls.
+    ///
+    /// # Panics
+    /// If `out` is not as long as `range`, or `range` reaches past the end.
+    pub fn ask_batch<P: Predicates + ?Sized>(&self, session: &P, range: std::ops::Range<usize>, out: &mut [Sign]) {
+        assert_eq!(range.len(), out.len(), "one place for each answer");
+        let arity = self.kind().arity();
+        let args = &self.args[range.start * arity..range.end * arity];
+        match self.question {
+            Question::Compare(axis) => session.compare_batch(axis, args.as_chunks().0, out),
+            Question::Orient2d(plane) => session.orient2d_batch(plane, args.as_chunks().0, out),
+            Question::Orient3d => session.orient3d_batch(args.as_chunks().0, out),
+            Question::Incircle => session.incircle_batch(args.as_chunks().0, out),
+            Question::Insphere => session.insphere_batch(args.as_chunks().0, out),
+        }
+    }
+}

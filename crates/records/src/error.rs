@@ -1,0 +1,58 @@
+//! One kind of error: a file, a line, and what is wrong with it.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// What went wrong with which file.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Error {
+    /// The file or folder.
+    pub path: PathBuf,
+    /// The line in it, from 1, where there is one to blame.
+    pub line: Option<u64>,
+    /// What is wrong, in one line.
+    pub message: String,
+}
+
+impl Error {
+    /// One without a line.
+    #[must_use]
+    pub fn new(path: &Path, message: impl Into<String>) -> Error {
+        Error { path: path.to_owned(), line: None, message: message.into() }
+    }
+
+    /// One with a line.
+    #[must_use]
+    pub fn at(path: &Path, line: u64, message: impl Into<String>) -> Error {
+        Error { path: path.to_owned(), line: Some(line), message: message.into() }
+    }
+
+    /// Turns an operating system error into one about this file, for `map_err`.
+    pub fn io(path: &Path) -> impl FnOnce(std::io::Error) -> Error {
+        move |error| Error::new(path, error.to_string())
+    }
+
+    /// A JSON error with its line taken out of the message, for `map_err`.
+    pub fn json(path: &Path) -> impl FnOnce(serde_json::Error) -> Error {
+        move |error| {
+            let text = error.to_string();
+            let message = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
+            match u64::try_from(error.line()) {
+                Ok(line) if line > 0 => Error::at(path, line, message),
+                _ => Error::new(path, message),
+            }
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.path.display())?;
+        if let Some(line) = self.line {
+            write!(f, ":{line}")?;
+        }
+        write!(f, ": {}", self.message)
+    }
+}
+
+impl std::error::Error for Error {}

@@ -1,0 +1,32 @@
+//! Run folders: the files that a run leaves and that every later step reads.
+//!
+//! A run leaves CSV and JSON files; they are the interchange format, and every
+//! number of a report can be traced to one of their rows. This crate writes,
+//! checks and reads them. It knows no geometry and no backend: a backend is a
+//! name in a column, a truth is a symbol in a cell. It draws nothing; pages and
+//! plots are the crate `report`.
+//!
+//! * [`RunWriter`] makes a run folder and appends to it; a run that was killed
+//!   explains itself and can be resumed. [`RunDir`] reads one.
+//! * [`SummaryRow`], [`FindingRow`], [`ThroughputRow`], [`StageRow`] and [`PrecisionRow`]
+//!   are the rows that every run has; tasks add tables of their own through [`Row`].
+//! * [`Plan`] and [`Env`] say what was to be done, and where.
+//! * [`junit`] is what build servers read.
+
+mod env;
+mod error;
+pub mod format;
+mod junit;
+mod plan;
+mod rows;
+mod run_dir;
+mod stats;
+
+pub use env::Env;
+pub use error::Error;
+pub use junit::junit;
+pub use plan::{FORMAT, Level, NotSelected, Plan, PlannedScene, Shard};
+pub use predicament_predicates::{Class, Status};
+pub use rows::{FindingRow, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
+pub use run_dir::{NotRun, Outcome, Record, RunDir, RunWriter, TableSpec};
+pub use stats::{Spread, approximately, geometric_mean};

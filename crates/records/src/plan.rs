@@ -1,0 +1,188 @@
+//! `plan.json`: what a run is going to do, written before it does it.
+//!
+//! An interrupted run can be explained only by someone who knows what it was
+//! after, so this is the first file in a run folder.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+/// The version of the run folder's format that this crate writes, and the
+/// newest that it reads.
+pub const FORMAT: u32 = 1;
+
+/// How thorough a run is.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Level {
+    /// For every commit.
+    Quick,
+    /// Everything.
+    Full,
+}
+
+impl std::fmt::Display for Level {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(match self {
+            Level::Quick => "quick",
+            Level::Full => "full",
+        })
+    }
+}
+
+impl std::str::FromStr for Level {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Level, String> {
+        match name {
+            "quick" => Ok(Level::Quick),
+            "full" => Ok(Level::Full),
+            _ => Err(format!("`{name}` is neither `quick` nor `full`")),
+        }
+    }
+}
+
+/// The `index`-th of `count` parts of a run, from 1; written `index/count`.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
+pub struct Shard {
+    index: u32,
+    count: u32,
+}
+
+impl Shard {
+    /// All of it.
+    pub const WHOLE: Shard = Shard { index: 1, count: 1 };
+
+    /// Part `index` of `count`; none unless 1 ≤ `index` ≤ `count`.
+    #[must_use]
+    pub const fn new(index: u32, count: u32) -> Option<Shard> {
+        if 1 <= index && index <= count { Some(Shard { index, count }) } else { None }
+    }
+
+    /// Which part, from 1.
+    #[must_use]
+    pub const fn index(self) -> u32 {
+        self.index
+    }
+
+    /// How many parts there are.
+    #[must_use]
+    pub const fn count(self) -> u32 {
+        self.count
+    }
+}
+
+impl std::fmt::Display for Shard {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}/{}", self.index, self.count)
+    }
+}
+
+impl std::str::FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Shard, String> {
+        text.split_once('/')
+            .and_then(|(index, count)| Shard::new(index.parse().ok()?, count.parse().ok()?))
+            .ok_or_else(|| format!("`{text}` is not a shard like 2/3: from 1 up to the number of shards"))
+    }
+}
+
+impl TryFrom<String> for Shard {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Shard, String> {
+        text.parse()
+    }
+}
+
+impl From<Shard> for String {
+    fn from(shard: Shard) -> String {
+        shard.to_string()
+    }
+}
+
+/// A scene that is going to be run on every backend of the plan.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
+pub struct PlannedScene {
+    /// The suite's name.
+    pub suite: String,
+    /// The scene's name in its suite.
+    pub scene: String,
+    /// The scene's content id.
+    pub scene_id: String,
+    /// What will be asked.
+    pub task: String,
+    /// The family of inputs that timings and stage counts go by.
+    pub family: String,
+    /// How many queries there are.
+    pub queries: u64,
+}
+
+/// A suite that is not going to be run, and why.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
+pub struct NotSelected {
+    /// The suite's name.
+    pub suite: String,
+    /// Why, in one line.
+    pub reason: String,
+}
+
+/// What a run is going to do.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct Plan {
+    /// The version of the run folder's format: [`FORMAT`].
+    pub format: u32,
+    /// The version of the tool that made the folder.
+    pub created_by: String,
+    /// How thorough it is.
+    pub level: Level,
+    /// The suites that were selected.
+    pub suites: Vec<String>,
+    /// The files of suites that were named by path, by the suites' names.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub paths: BTreeMap<String, String>,
+    /// The scenes of this shard, in the order in which they will be run.
+    pub scenes: Vec<PlannedScene>,
+    /// The backends' names, with their parameters.
+    pub backends: Vec<String>,
+    /// The rungs of the exact backend's ladder, cheapest first: columns go by it.
+    /// Empty in folders made before it was written down.
+    #[serde(default)]
+    pub ladder: Vec<String>,
+    /// Which part of the selection this is.
+    pub shard: Shard,
+    /// What was left out on purpose.
+    pub not_selected: Vec<NotSelected>,
+    /// How many findings of each class are kept for each scene and backend.
+    pub findings_per_class: u64,
+}
+
+impl Plan {
+    /// What names the suites on a command line: the file where one was named, the suite's name where not.
+    #[must_use]
+    pub fn arguments(&self) -> Vec<String> {
+        self.suites.iter().map(|suite| self.paths.get(suite).unwrap_or(suite).clone()).collect()
+    }
+
+    /// The family of each scene, by suite, name, id and task: `summary.csv` has no such column.
+    #[must_use]
+    pub fn families(&self) -> BTreeMap<[&str; 4], &str> {
+        self.scenes.iter().map(|s| ([&*s.suite, &*s.scene, &*s.scene_id, &*s.task], &*s.family)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shards_are_one_based_and_written_as_on_the_command_line() {
+        assert_eq!("2/3".parse::<Shard>().unwrap().to_string(), "2/3");
+        assert_eq!(serde_json::to_string(&Shard::WHOLE).unwrap(), "\"1/1\"");
+        for bad in ["0/3", "4/3", "1", "a/b", "1/0", ""] {
+            assert!(bad.parse::<Shard>().is_err(), "{bad}");
+        }
+    }
+}

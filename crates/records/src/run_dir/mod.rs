@@ -1,0 +1,40 @@
+//! A run on disk: a folder of two JSON files, tables, and a state.
+//!
+//! ```text
+//! plan.json        what is going to be done; written first
+//! env.json         where
+//! state.json       how far it came: see `Outcome`
+//! summary.csv findings.csv throughput.csv stages.csv precision.csv
+//! *.csv            tables of single tasks, such as contacts.csv
+//! maps/*.png       pictures for the report, if any
+//! ```
+//! A table that `state.json` doesn't name and that isn't there is younger than the
+//! tool that made the folder: it is read as empty, and started when the run is resumed.
+//!
+//! The folder says that the run is incomplete until somebody says otherwise.
+
+mod csv_file;
+mod reader;
+mod state;
+mod tables;
+mod writer;
+
+pub use reader::{NotRun, RunDir};
+pub use state::Outcome;
+pub use tables::{Record, TableSpec};
+pub use writer::RunWriter;
+
+use crate::{FindingRow, PrecisionRow, StageRow, SummaryRow, ThroughputRow};
+
+const PLAN: &str = "plan.json";
+const ENV: &str = "env.json";
+const MAPS: &str = "maps";
+
+/// The tables that every run folder has.
+const TABLES: [TableSpec; 5] = [
+    TableSpec::of::<SummaryRow>(),
+    TableSpec::of::<FindingRow>(),
+    TableSpec::of::<ThroughputRow>(),
+    TableSpec::of::<StageRow>(),
+    TableSpec::of::<PrecisionRow>(),
+];

@@ -1,0 +1,193 @@
+//! Reading a run folder, whatever state it was left in.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::de::DeserializeOwned;
+
+use super::csv_file;
+use super::state::{Outcome, State};
+use super::tables::{Record, TableSpec};
+use super::{ENV, MAPS, PLAN, TABLES};
+use crate::{Env, Error, FORMAT, FindingRow, Plan, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
+
+/// A run that was read back. Rows stand in the order of their files.
+#[derive(Clone, PartialEq, Debug)]
+pub struct RunDir {
+    /// The folder, as it was named.
+    pub path: PathBuf,
+    /// What was going to be done.
+    pub plan: Plan,
+    /// Where.
+    pub env: Env,
+    /// How it ended.
+    pub outcome: Outcome,
+    /// `summary.csv`.
+    pub summary: Vec<SummaryRow>,
+    /// `findings.csv`.
+    pub findings: Vec<FindingRow>,
+    /// `throughput.csv`.
+    pub throughput: Vec<ThroughputRow>,
+    /// `stages.csv`.
+    pub stages: Vec<StageRow>,
+    /// `precision.csv`; empty if the folder was made before there was such a table.
+    pub precision: Vec<PrecisionRow>,
+    /// The PNG pictures in `maps/` with their names, sorted.
+    pub maps: Vec<(String, Vec<u8>)>,
+    /// The tables of single tasks, as text.
+    tables: BTreeMap<String, csv_file::Text>,
+    /// What was wrong with the files without making them unreadable.
+    pub warnings: Vec<String>,
+}
+
+/// A scene that was planned for a backend and of which there is no trace.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct NotRun {
+    /// The suite's name.
+    pub suite: String,
+    /// The scene's name in its suite.
+    pub scene: String,
+    /// The scene's content id.
+    pub scene_id: String,
+    /// What would have been asked.
+    pub task: String,
+    /// The backend's name.
+    pub backend: String,
+}
+
+impl RunDir {
+    /// Reads a run folder.
+    ///
+    /// A last line that was cut off is left out with a warning, unless the run
+    /// says that it is complete.
+    ///
+    /// # Errors
+    /// The file and line of the first thing that can't be read.
+    pub fn open(path: impl AsRef<Path>) -> Result<RunDir, Error> {
+        let path = path.as_ref();
+        let plan: Plan = read_json(&path.join(PLAN))?;
+        if plan.format > FORMAT {
+            let message = format!("the run has format {}, and this tool reads formats up to {FORMAT}", plan.format);
+            return Err(Error::new(path, message));
+        }
+        let state = State::read(path)?;
+        let mut warnings = Vec::new();
+        Ok(RunDir {
+            path: path.to_owned(),
+            plan,
+            env: read_json(&path.join(ENV))?,
+            outcome: state.outcome,
+            summary: read_table(path, &state, &mut warnings)?,
+            findings: read_table(path, &state, &mut warnings)?,
+            throughput: read_table(path, &state, &mut warnings)?,
+            stages: read_table(path, &state, &mut warnings)?,
+            precision: read_table(path, &state, &mut warnings)?,
+            tables: read_others(path, &state, &mut warnings)?,
+            maps: read_maps(&path.join(MAPS))?,
+            warnings,
+        })
+    }
+
+    /// The rows of a task's table; none where the folder has no such table.
+    ///
+    /// # Errors
+    /// The file and line of the first row that is not of this type.
+    pub fn rows<R: Row>(&self) -> Result<Vec<R>, Error> {
+        self.tables.get(R::FILE).map_or(Ok(Vec::new()), csv_file::Text::typed)
+    }
+
+    /// The rows of a task's table as text; none where the folder has no such table, or it has other columns.
+    #[must_use]
+    pub fn records(&self, table: TableSpec) -> Vec<Record> {
+        self.tables.get(table.file).map_or_else(Vec::new, |text| text.records(table))
+    }
+
+    /// Whether everything that was planned was done, and the run said so.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.outcome == Outcome::Complete && self.not_run().is_empty()
+    }
+
+    /// The planned pairs of scene and backend that left no summary row, and
+    /// whose task and family were not timed on that backend either; sorted.
+    #[must_use]
+    pub fn not_run(&self) -> Vec<NotRun> {
+        let checked: BTreeSet<[&str; 5]> =
+            self.summary.iter().map(|r| [&*r.suite, &*r.scene, &*r.scene_id, &*r.task, &*r.backend]).collect();
+        let timed: BTreeSet<[&str; 3]> = self.throughput.iter().map(|r| [&*r.task, &*r.family, &*r.backend]).collect();
+        let mut missing = Vec::new();
+        for scene in &self.plan.scenes {
+            for backend in &self.plan.backends {
+                let pair = [&*scene.suite, &*scene.scene, &*scene.scene_id, &*scene.task, &**backend];
+                if !checked.contains(&pair) && !timed.contains(&[&*scene.task, &*scene.family, &**backend]) {
+                    missing.push(NotRun {
+                        suite: scene.suite.clone(),
+                        scene: scene.scene.clone(),
+                        scene_id: scene.scene_id.clone(),
+                        task: scene.task.clone(),
+                        backend: backend.clone(),
+                    });
+                }
+            }
+        }
+        missing.sort_unstable();
+        missing.dedup();
+        missing
+    }
+}
+
+fn read_table<R: Row>(folder: &Path, state: &State, warnings: &mut Vec<String>) -> Result<Vec<R>, Error> {
+    let path = folder.join(R::FILE);
+    if !state.committed.contains_key(R::FILE) && !path.exists() {
+        return Ok(Vec::new());
+    }
+    let (text, warning) = csv_file::read(&path, state.outcome != Outcome::Complete)?;
+    warnings.extend(warning);
+    text.typed()
+}
+
+/// The tables beside those of every run.
+fn read_others(
+    folder: &Path,
+    state: &State,
+    warnings: &mut Vec<String>,
+) -> Result<BTreeMap<String, csv_file::Text>, Error> {
+    let mut tables = BTreeMap::new();
+    for entry in fs::read_dir(folder).map_err(Error::io(folder))? {
+        let path = entry.map_err(Error::io(folder))?.path();
+        let Some(file) = path.file_name().and_then(OsStr::to_str).filter(|file| file.ends_with(".csv")) else {
+            continue;
+        };
+        if TABLES.iter().all(|table| table.file != file) {
+            let (text, warning) = csv_file::read(&path, state.outcome != Outcome::Complete)?;
+            warnings.extend(warning);
+            tables.insert(file.to_owned(), text);
+        }
+    }
+    Ok(tables)
+}
+
+pub(super) fn read_json<T: DeserializeOwned>(path: &Path) -> Result<T, Error> {
+    let text = fs::read_to_string(path).map_err(Error::io(path))?;
+    serde_json::from_str(&text).map_err(Error::json(path))
+}
+
+fn read_maps(folder: &Path) -> Result<Vec<(String, Vec<u8>)>, Error> {
+    if !folder.exists() {
+        return Ok(Vec::new());
+    }
+    let mut maps = Vec::new();
+    for entry in fs::read_dir(folder).map_err(Error::io(folder))? {
+        let path = entry.map_err(Error::io(folder))?.path();
+        if path.extension() == Some(OsStr::new("png"))
+            && let Some(name) = path.file_stem()
+        {
+            let png = fs::read(&path).map_err(Error::io(&path))?;
+            maps.push((name.to_string_lossy().into_owned(), png));
+        }
+    }
+    maps.sort_unstable();
+    Ok(maps)
+}

@@ -1,0 +1,149 @@
+//! Making a run folder, scene by scene.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+
+use super::csv_file::CsvFile;
+use super::state::{Outcome, State};
+use super::tables::{Record, TableSpec};
+use super::{ENV, MAPS, PLAN, TABLES};
+use crate::{Env, Error, Plan, Row, RunDir};
+
+/// Writes a run folder.
+///
+/// [`write`](RunWriter::write) the rows of a scene to as many tables as it
+/// takes, then [`commit`](RunWriter::commit): that is the unit in which a run
+/// survives being killed. A folder whose writer was dropped without
+/// [`finish`](RunWriter::finish) says that it is incomplete.
+pub struct RunWriter {
+    folder: PathBuf,
+    tables: BTreeMap<&'static str, CsvFile>,
+    state: State,
+}
+
+impl RunWriter {
+    /// Makes the folder, writes the plan first, and starts the tables: those of
+    /// every run, and `more`.
+    ///
+    /// # Errors
+    /// If the folder exists and is not empty: a run never overwrites another.
+    pub fn create(folder: impl AsRef<Path>, plan: &Plan, env: &Env, more: &[TableSpec]) -> Result<RunWriter, Error> {
+        let folder = folder.as_ref();
+        fs::create_dir_all(folder).map_err(Error::io(folder))?;
+        if fs::read_dir(folder).map_err(Error::io(folder))?.next().is_some() {
+            let message = "the folder is not empty; name another, or resume the run in it";
+            return Err(Error::new(folder, message));
+        }
+        write_json(&folder.join(PLAN), plan)?;
+        write_json(&folder.join(ENV), env)?;
+        let mut tables = BTreeMap::new();
+        for TableSpec { file, columns } in TABLES.iter().chain(more).copied() {
+            tables.insert(file, CsvFile::create(folder.join(file), columns)?);
+        }
+        let state = State { outcome: Outcome::Unfinished, committed: BTreeMap::new() };
+        let mut writer = RunWriter { folder: folder.to_owned(), tables, state };
+        writer.commit()?;
+        Ok(writer)
+    }
+
+    /// Goes on with an incomplete run: drops what came after its last commit,
+    /// and returns what is left, so that the caller knows what to skip.
+    ///
+    /// # Errors
+    /// If the run is complete, or the folder is not a run or was tampered with.
+    pub fn resume(folder: impl AsRef<Path>, more: &[TableSpec]) -> Result<(RunWriter, RunDir), Error> {
+        let folder = folder.as_ref();
+        let mut state = State::read(folder)?;
+        if state.outcome == Outcome::Complete {
+            return Err(Error::new(folder, "the run is complete: there is nothing to resume"));
+        }
+        let mut tables = BTreeMap::new();
+        for TableSpec { file, columns } in TABLES.iter().chain(more).copied() {
+            let path = folder.join(file);
+            let table = match state.committed.get(file) {
+                Some(&length) => CsvFile::reopen(path, length)?,
+                None if path.exists() => {
+                    let message = format!("state.json doesn't say how much of {file} was written");
+                    return Err(Error::new(folder, message));
+                }
+                None => CsvFile::create(path, columns)?,
+            };
+            tables.insert(file, table);
+        }
+        state.outcome = Outcome::Unfinished;
+        let mut writer = RunWriter { folder: folder.to_owned(), tables, state };
+        // New tables get their header, and the state is told of them.
+        writer.commit()?;
+        let done = RunDir::open(folder)?;
+        Ok((writer, done))
+    }
+
+    /// Appends rows to their table.
+    ///
+    /// # Errors
+    /// If the disk refuses, or a row fails its [`check`](Row::check).
+    pub fn write<R: Row>(&mut self, rows: &[R]) -> Result<(), Error> {
+        let Some(table) = self.tables.get_mut(R::FILE) else {
+            return Err(Error::new(&self.folder.join(R::FILE), "a run folder has no such table"));
+        };
+        rows.iter().try_for_each(|row| table.append(row))
+    }
+
+    /// Appends rows of any tables that the folder was made with.
+    ///
+    /// # Errors
+    /// If the disk refuses, or the folder has no such table.
+    pub fn append(&mut self, records: &[Record]) -> Result<(), Error> {
+        for record in records {
+            let Some(table) = self.tables.get_mut(record.file) else {
+                return Err(Error::new(&self.folder.join(record.file), "a run folder has no such table"));
+            };
+            table.append_fields(&record.fields)?;
+        }
+        Ok(())
+    }
+
+    /// Makes what was written so far permanent.
+    ///
+    /// # Errors
+    /// If the disk refuses.
+    pub fn commit(&mut self) -> Result<(), Error> {
+        for (file, table) in &mut self.tables {
+            self.state.committed.insert((*file).to_owned(), table.flush()?);
+        }
+        self.state.write(&self.folder)
+    }
+
+    /// Keeps a PNG picture, such as a pixel map, for the HTML page.
+    ///
+    /// # Errors
+    /// If the disk refuses, or the name is not a plain file name.
+    pub fn add_map(&self, name: &str, png: &[u8]) -> Result<(), Error> {
+        let maps = self.folder.join(MAPS);
+        let plain = !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', ':', '\0']);
+        if !plain {
+            return Err(Error::new(&maps, format!("`{name}` can't be a file's name")));
+        }
+        fs::create_dir_all(&maps).map_err(Error::io(&maps))?;
+        let path = maps.join(format!("{name}.png"));
+        fs::write(&path, png).map_err(Error::io(&path))
+    }
+
+    /// Says how the run ended, once and for all.
+    ///
+    /// # Errors
+    /// If the disk refuses.
+    pub fn finish(mut self, outcome: Outcome) -> Result<(), Error> {
+        self.state.outcome = outcome;
+        self.commit()
+    }
+}
+
+pub(super) fn write_json(path: &Path, value: &impl Serialize) -> Result<(), Error> {
+    let mut json = serde_json::to_string_pretty(value).map_err(Error::json(path))?;
+    json.push('\n');
+    fs::write(path, json).map_err(Error::io(path))
+}

@@ -1,0 +1,373 @@
+//! Run folders: written, killed, resumed and read back.
+
+use std::fs::{self, OpenOptions};
+use std::io::Write;
+use std::path::Path;
+
+use predicament_records::{
+    Class, ContactRow, Env, FORMAT, FindingRow, Level, LocateRow, Outcome, Plan, PlannedScene, PrecisionRow, Row,
+    RunDir, RunWriter, Shard, StageRow, Status, SummaryRow, ThroughputRow,
+};
+
+fn scene(name: &str) -> PlannedScene {
+    PlannedScene {
+        suite: "near, or \"far\"".to_owned(),
+        scene: name.to_owned(),
+        scene_id: "0123abcd".to_owned(),
+        task: "orient2d".to_owned(),
+        family: "near".to_owned(),
+        queries: 3,
+    }
+}
+
+fn plan() -> Plan {
+    Plan {
+        format: FORMAT,
+        created_by: "0.1.0".to_owned(),
+        level: Level::Full,
+        suites: vec![scene("").suite],
+        scenes: vec![scene("one"), scene("two")],
+        backends: vec!["exact".to_owned()],
+        ladder: vec!["filter".to_owned(), "wide integer".to_owned()],
+        shard: Shard::new(2, 3).unwrap(),
+        not_selected: Vec::new(),
+        findings_per_class: 5,
+    }
+}
+
+fn summary(name: &str) -> SummaryRow {
+    let mut row = SummaryRow::new(&scene(name), "exact", 3, Status::Unexpected);
+    for (count, class) in (10..).zip(Class::ALL) {
+        *row.count_mut(class) = count;
+    }
+    row
+}
+
+fn finding() -> FindingRow {
+    FindingRow {
+        finding_id: "007".to_owned(),
+        suite: "near, or \"far\"".to_owned(),
+        scene: "one\ntwo".to_owned(),
+        scene_id: "0123abcd".to_owned(),
+        task: "orient2d".to_owned(),
+        backend: "exact".to_owned(),
+        class: Class::SignFlip,
+        check: String::new(),
+        query: "0 1 2".to_owned(),
+        got: "+".to_owned(),
+        truth: "-".to_owned(),
+        log2_relative_det: Some(f64::NEG_INFINITY),
+        distance_over_l: Some(5e-324),
+        stage: "filter".to_owned(),
+    }
+}
+
+fn throughput() -> ThroughputRow {
+    ThroughputRow {
+        task: "orient2d".to_owned(),
+        family: "near".to_owned(),
+        backend: "exact".to_owned(),
+        engine_version: "0.1.0".to_owned(),
+        queries: u64::MAX,
+        sample: 0,
+        ns_per_query: 0.1 + 0.2,
+    }
+}
+
+fn stage() -> StageRow {
+    StageRow {
+        task: "orient2d".to_owned(),
+        family: "near".to_owned(),
+        backend: "exact".to_owned(),
+        stage: "filter".to_owned(),
+        settled: 3,
+    }
+}
+
+fn locate() -> LocateRow {
+    LocateRow {
+        suite: "maps".to_owned(),
+        scene: "a".to_owned(),
+        scene_id: "b".to_owned(),
+        backend: "sos".to_owned(),
+        surroundings: "land".to_owned(),
+        probes: 1,
+        in_none: 2,
+        in_one: 3,
+        in_many: 4,
+        on_boundary: 5,
+        violations: 6,
+    }
+}
+
+fn contact() -> ContactRow {
+    ContactRow {
+        suite: "contacts".to_owned(),
+        scene: "a".to_owned(),
+        scene_id: "b".to_owned(),
+        task: "contacts3d".to_owned(),
+        backend: "sos".to_owned(),
+        rank_a: 1,
+        rank_b: 2,
+        candidates: 12,
+        ended: 5,
+        asked: 7,
+        registered: 6,
+    }
+}
+
+fn precision() -> PrecisionRow {
+    PrecisionRow {
+        suite: "near, or \"far\"".to_owned(),
+        scene: "one".to_owned(),
+        scene_id: "0123abcd".to_owned(),
+        lowest: -1074,
+        bits: 2098,
+        orient2d: "wide integer".to_owned(),
+        orient3d: String::new(),
+        incircle: "dyadic".to_owned(),
+        insphere: String::new(),
+    }
+}
+
+/// A run folder with one scene done and committed, its writer gone.
+fn killed(folder: &Path) {
+    let mut writer = RunWriter::create(folder, &plan(), &Env::collect("0.1.0")).unwrap();
+    writer.write(&[finding()]).unwrap();
+    writer.write(&[summary("one")]).unwrap();
+    writer.commit().unwrap();
+}
+
+fn append(folder: &Path, file: &str, text: &str) {
+    let mut file = OpenOptions::new().append(true).open(folder.join(file)).unwrap();
+    file.write_all(text.as_bytes()).unwrap();
+}
+
+#[test]
+fn every_table_survives_the_disk() {
+    let folder = tempfile::tempdir().unwrap();
+    let env = Env::collect("0.1.0");
+    let mut writer = RunWriter::create(folder.path(), &plan(), &env).unwrap();
+    writer.write(&[summary("one"), summary("two")]).unwrap();
+    writer.write(&[finding(), FindingRow { log2_relative_det: None, distance_over_l: None, ..finding() }]).unwrap();
+    writer.write(&[throughput()]).unwrap();
+    writer.write(&[stage()]).unwrap();
+    writer.write(&[locate()]).unwrap();
+    writer.write(&[contact()]).unwrap();
+    assert!(writer.write(&[ContactRow { registered: 8, ..contact() }]).is_err());
+    assert!(writer.write(&[ContactRow { ended: 4, ..contact() }]).is_err());
+    writer.write(&[precision()]).unwrap();
+    writer.add_map("a map", b"not really a PNG").unwrap();
+    assert!(writer.add_map("../escape", b"").is_err());
+    writer.finish(Outcome::Complete).unwrap();
+
+    let run = RunDir::open(folder.path()).unwrap();
+    assert!(run.is_complete());
+    assert_eq!((run.plan, run.env), (plan(), env));
+    assert_eq!(run.summary, [summary("one"), summary("two")]);
+    assert_eq!(run.findings[0], finding());
+    assert_eq!(run.findings[1].log2_relative_det, None);
+    assert_eq!((run.throughput, run.stages, run.locate), (vec![throughput()], vec![stage()], vec![locate()]));
+    assert_eq!((run.contacts, run.precision), (vec![contact()], vec![precision()]));
+    assert_eq!(run.maps, [("a map".to_owned(), b"not really a PNG".to_vec())]);
+    assert_eq!(run.warnings, Vec::<String>::new());
+}
+
+#[test]
+fn columns_are_the_fields_in_their_order() {
+    fn header<R: Row>(row: &R) -> Vec<String> {
+        let mut csv = csv::Writer::from_writer(Vec::new());
+        csv.serialize(row).unwrap();
+        let text = String::from_utf8(csv.into_inner().unwrap()).unwrap();
+        text.lines().next().unwrap().split(',').map(str::to_owned).collect()
+    }
+    assert_eq!(header(&summary("")), SummaryRow::COLUMNS);
+    assert_eq!(header(&finding()), FindingRow::COLUMNS);
+    assert_eq!(header(&throughput()), ThroughputRow::COLUMNS);
+    assert_eq!(header(&stage()), StageRow::COLUMNS);
+    assert_eq!(header(&locate()), LocateRow::COLUMNS);
+    assert_eq!(header(&contact()), ContactRow::COLUMNS);
+    assert_eq!(header(&precision()), PrecisionRow::COLUMNS);
+    // The class columns hold the counts of their classes.
+    let row = serde_json::to_value(summary("")).unwrap();
+    for class in Class::ALL {
+        assert_eq!(row[class.name()], summary("").count(class), "{class}");
+    }
+}
+
+#[test]
+fn a_folder_that_is_not_empty_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    killed(folder.path());
+    let before = fs::read(folder.path().join("summary.csv")).unwrap();
+    let error = RunWriter::create(folder.path(), &plan(), &Env::default()).err().unwrap();
+    assert!(error.to_string().contains("not empty"), "{error}");
+    assert_eq!(fs::read(folder.path().join("summary.csv")).unwrap(), before);
+}
+
+#[test]
+fn a_run_is_incomplete_until_it_says_otherwise() {
+    let folder = tempfile::tempdir().unwrap();
+    killed(folder.path());
+    let run = RunDir::open(folder.path()).unwrap();
+    assert_eq!(run.outcome, Outcome::Unfinished);
+    assert!(!run.is_complete());
+    let missing = run.not_run();
+    assert_eq!((missing.len(), &*missing[0].scene, &*missing[0].backend), (1, "two", "exact"));
+
+    let (writer, _) = RunWriter::resume(folder.path()).unwrap();
+    writer.finish(Outcome::Complete).unwrap();
+    assert!(!RunDir::open(folder.path()).unwrap().is_complete(), "a planned scene is still missing");
+}
+
+#[test]
+fn a_line_that_was_cut_off_is_left_out_and_reported() {
+    // Also in the middle of a character, and within quotes after a line break.
+    for rest in [&b"near,two,01"[..], "near,tw\u{f6}".as_bytes().split_last().unwrap().1, b"007,\"a\nb\nc"] {
+        let folder = tempfile::tempdir().unwrap();
+        killed(folder.path());
+        let path = folder.path().join("findings.csv");
+        let mut file = OpenOptions::new().append(true).open(path).unwrap();
+        file.write_all(rest).unwrap();
+        let run = RunDir::open(folder.path()).unwrap();
+        assert_eq!(run.findings, [finding()]);
+        // The finding before it takes two lines.
+        assert!(run.warnings[0].contains("findings.csv:4: the last line is cut off"), "{:?}", run.warnings);
+    }
+}
+
+#[test]
+fn a_line_that_parses_but_lacks_its_end_is_not_trusted() {
+    let folder = tempfile::tempdir().unwrap();
+    killed(folder.path());
+    append(folder.path(), "stages.csv", "orient2d,near,exact,filter,12");
+    let run = RunDir::open(folder.path()).unwrap();
+    assert_eq!(run.stages, []);
+    assert_eq!(run.warnings.len(), 1);
+}
+
+#[test]
+fn a_complete_run_has_no_cut_lines() {
+    let folder = tempfile::tempdir().unwrap();
+    RunWriter::create(folder.path(), &plan(), &Env::default()).unwrap().finish(Outcome::Complete).unwrap();
+    append(folder.path(), "stages.csv", "orient2d,near,exact,filter,1");
+    let error = RunDir::open(folder.path()).unwrap_err();
+    assert_eq!(error.line, Some(2));
+    assert!(error.to_string().contains("stages.csv:2: the last line is cut off"), "{error}");
+}
+
+#[test]
+fn errors_name_file_and_line() {
+    let bad = [
+        ("stages.csv", "a,b,c,d,1\na,b,c,d,-1\na,b,c,d,1\n", "stages.csv:3: "),
+        ("stages.csv", "a,b,c,d\na,b,c,d,1\n", "stages.csv:2: there are 4 fields, and there should be 5"),
+        ("throughput.csv", "t,f,b,v,1,0,NaN\n", "throughput.csv:2: ns_per_query is NaN, which is not a time"),
+        ("throughput.csv", "t,f,b,v,1,0,0\n", "which is not a time"),
+        ("precision.csv", "s,n,i,0,-1,double,,,\n", "precision.csv:2: bits is -1, which is not a number of bits"),
+        ("summary.csv", "s,n,i,t,b,1,1,0,0,0,0,0,0,0,0,0,0,0,fine\n", "summary.csv:3: "),
+    ];
+    for (file, lines, message) in bad {
+        let folder = tempfile::tempdir().unwrap();
+        killed(folder.path());
+        append(folder.path(), file, lines);
+        let error = RunDir::open(folder.path()).unwrap_err().to_string();
+        assert!(error.contains(message), "{error}");
+    }
+
+    let folder = tempfile::tempdir().unwrap();
+    killed(folder.path());
+    fs::write(folder.path().join("locate.csv"), "suite,scene\n").unwrap();
+    let error = RunDir::open(folder.path()).unwrap_err().to_string();
+    assert!(error.contains("locate.csv:1: the columns must be suite,scene,scene_id"), "{error}");
+    fs::remove_file(folder.path().join("locate.csv")).unwrap();
+    assert!(RunDir::open(folder.path()).is_err(), "a missing table is no empty table");
+
+    fs::write(folder.path().join("plan.json"), "{\n \"format\": 1,\n \"level\": \"slow\"\n}\n").unwrap();
+    let error = RunDir::open(folder.path()).unwrap_err().to_string();
+    assert!(error.contains("plan.json:3: unknown variant `slow`"), "{error}");
+}
+
+#[test]
+fn newer_formats_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let plan = Plan { format: FORMAT + 1, ..plan() };
+    drop(RunWriter::create(folder.path(), &plan, &Env::default()).unwrap());
+    let error = RunDir::open(folder.path()).unwrap_err();
+    assert!(error.message.contains("format 2"), "{error}");
+}
+
+#[test]
+fn a_resumed_run_forgets_the_scene_that_was_not_committed() {
+    let folder = tempfile::tempdir().unwrap();
+    killed(folder.path());
+    // The second scene: a whole finding, half a stage row, and no summary.
+    append(folder.path(), "findings.csv", "008,s,n,i,t,b,nan,c,q,+,-,,,\n");
+    append(folder.path(), "stages.csv", "orient2d,near,ex");
+    assert_eq!(RunDir::open(folder.path()).unwrap().findings.len(), 2);
+
+    let (mut writer, done) = RunWriter::resume(folder.path()).unwrap();
+    assert_eq!((done.findings, done.summary), (vec![finding()], vec![summary("one")]));
+    assert_eq!(done.warnings, Vec::<String>::new());
+    writer.write(&[summary("two")]).unwrap();
+    writer.finish(Outcome::Complete).unwrap();
+
+    let run = RunDir::open(folder.path()).unwrap();
+    assert!(run.is_complete());
+    assert_eq!(run.summary, [summary("one"), summary("two")]);
+    let error = RunWriter::resume(folder.path()).err().unwrap();
+    assert!(error.to_string().contains("complete"), "{error}");
+}
+
+/// Takes a table away, and with `forgotten` the state's word for it, as if the
+/// folder had been made before there was such a table.
+fn take_away(folder: &Path, file: &str, forgotten: bool) {
+    fs::remove_file(folder.join(file)).unwrap();
+    if forgotten {
+        let path = folder.join("state.json");
+        let mut state: serde_json::Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+        assert!(state["committed"].as_object_mut().unwrap().remove(file).is_some(), "{file} was known");
+        fs::write(&path, state.to_string()).unwrap();
+    }
+}
+
+#[test]
+fn a_table_younger_than_the_folder_is_empty_and_started_when_resumed() {
+    let folder = tempfile::tempdir().unwrap();
+    killed(folder.path());
+    take_away(folder.path(), PrecisionRow::FILE, true);
+    assert_eq!(RunDir::open(folder.path()).unwrap().precision, []);
+
+    let (mut writer, done) = RunWriter::resume(folder.path()).unwrap();
+    assert_eq!((done.precision, done.summary), (vec![], vec![summary("one")]));
+    writer.write(&[precision()]).unwrap();
+    drop(writer); // killed once more, before a commit
+    let (mut writer, done) = RunWriter::resume(folder.path()).unwrap();
+    assert_eq!(done.precision, []);
+    writer.write(&[precision()]).unwrap();
+    writer.finish(Outcome::Interrupted).unwrap();
+    assert_eq!(RunWriter::resume(folder.path()).unwrap().1.precision, [precision()]);
+
+    take_away(folder.path(), PrecisionRow::FILE, false);
+    assert!(RunDir::open(folder.path()).is_err(), "the run had written it");
+    assert!(RunWriter::resume(folder.path()).is_err(), "the run had written it");
+}
+
+#[test]
+fn a_run_that_lost_rows_can_t_be_resumed() {
+    let folder = tempfile::tempdir().unwrap();
+    killed(folder.path());
+    let path = folder.path().join("summary.csv");
+    let text = fs::read_to_string(&path).unwrap();
+    fs::write(&path, &text[..text.len() - 1]).unwrap();
+    let error = RunWriter::resume(folder.path()).err().unwrap();
+    assert!(error.to_string().contains("bytes are left"), "{error}");
+}
+
+#[test]
+fn rows_that_make_no_sense_are_not_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut writer = RunWriter::create(folder.path(), &plan(), &Env::default()).unwrap();
+    assert!(writer.write(&[ThroughputRow { ns_per_query: f64::INFINITY, ..throughput() }]).is_err());
+    assert!(writer.write(&[FindingRow { distance_over_l: Some(-1.0), ..finding() }]).is_err());
+    assert!(writer.write(&[PrecisionRow { bits: -1, ..precision() }]).is_err());
+}

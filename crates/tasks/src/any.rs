@@ -1,0 +1,164 @@
+//! Tasks without their types: what every other crate sees.
+
+use std::any::Any;
+use std::path::{Path, PathBuf};
+
+use predicament_corpus::{LoadedScene, SceneFormat};
+use predicament_predicates::{PredicateKind, Query, Scene};
+use predicament_records::{RunDir, TableSpec};
+use predicament_report::Section;
+
+use crate::{Answer, Asked, Case, Contestant, Dispute, Explanation, Outcome, Stop, Task, Watch};
+
+/// A [`Task`] whose types are hidden. Every task is one.
+pub trait AnyTask: SceneFormat {
+    /// [`Task::asks`].
+    fn kinds(&self, scene: &Scene) -> Vec<PredicateKind>;
+
+    /// [`Task::looks_at_watch`].
+    fn looks_at_the_watch(&self) -> bool;
+
+    /// A loaded scene of this task with the truth about it.
+    ///
+    /// # Errors
+    /// [`Stop`] where the watch says so.
+    fn case<'a>(&'a self, loaded: &'a LoadedScene, watch: &Watch) -> Result<Box<dyn AnyCase + 'a>, Stop>;
+
+    /// [`Task::describe`].
+    ///
+    /// # Errors
+    /// [`Stop`] where the watch says so.
+    fn describe_scene(&self, loaded: &LoadedScene, watch: &Watch) -> Result<String, Stop>;
+
+    /// [`Task::explain`].
+    ///
+    /// # Errors
+    /// One line, where the query is not one of this task or the scene.
+    fn explain_query(
+        &self,
+        loaded: &LoadedScene,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String>;
+
+    /// [`Task::write`].
+    ///
+    /// # Errors
+    /// That of the file system.
+    fn write_answer(&self, loaded: &LoadedScene, answer: &dyn Any, folder: &Path) -> std::io::Result<Vec<PathBuf>>;
+
+    /// [`Task::tables`].
+    fn own_tables(&self) -> Vec<TableSpec>;
+
+    /// [`Task::section`].
+    ///
+    /// # Errors
+    /// Where a table of a run cannot be read.
+    fn own_section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error>;
+}
+
+/// A [`Case`] whose types are hidden.
+pub trait AnyCase: Send + Sync {
+    /// The scene.
+    fn loaded(&self) -> &LoadedScene;
+
+    /// Its task.
+    fn task(&self) -> &dyn AnyTask;
+
+    /// [`Task::dispute`].
+    fn dispute(&self) -> Option<Dispute>;
+
+    /// [`Task::judge`], of an answer of the task's type.
+    ///
+    /// # Errors
+    /// [`Stop`] where the watch says so.
+    fn judge(&self, asked: &Asked<'_>, answer: &dyn Any, outcome: &mut Outcome) -> Result<(), Stop>;
+
+    /// The truth, a [`Task::Truth`].
+    fn truth(&self) -> &dyn Any;
+}
+
+fn content<'a, T: Task>(task: &T, loaded: &'a LoadedScene) -> &'a T::Content {
+    loaded.content().unwrap_or_else(|| panic!("{}/{} is no scene of {}", loaded.suite, loaded.name, task.name()))
+}
+
+fn typed<T: Task>(answer: &dyn Any) -> &T::Answer {
+    answer.downcast_ref().expect("an answer of the task that is asked")
+}
+
+impl<T: Task> AnyTask for T {
+    fn kinds(&self, scene: &Scene) -> Vec<PredicateKind> {
+        self.asks(scene)
+    }
+
+    fn looks_at_the_watch(&self) -> bool {
+        self.looks_at_watch()
+    }
+
+    fn case<'a>(&'a self, loaded: &'a LoadedScene, watch: &Watch) -> Result<Box<dyn AnyCase + 'a>, Stop> {
+        let content = content(self, loaded);
+        let truth = self.truth(&loaded.scene, content, watch)?;
+        Ok(Box::new(CaseOf { task: self, case: Case { loaded, content, truth } }))
+    }
+
+    fn describe_scene(&self, loaded: &LoadedScene, watch: &Watch) -> Result<String, Stop> {
+        self.describe(loaded, content(self, loaded), watch)
+    }
+
+    fn explain_query(
+        &self,
+        loaded: &LoadedScene,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let exists = |v| match predicament_predicates::Vertex::construction(v) {
+            None => v.index() < loaded.scene.len(),
+            Some(index) => index < loaded.scene.constructions().len(),
+        };
+        match query.vertices().find(|&v| !exists(v)) {
+            Some(missing) => Err(format!("{query}: the scene has no vertex {missing}")),
+            None => self.explain(&loaded.scene, content(self, loaded), query, backends),
+        }
+    }
+
+    fn write_answer(&self, loaded: &LoadedScene, answer: &dyn Any, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+        self.write(&loaded.scene, content(self, loaded), typed::<T>(answer), folder)
+    }
+
+    fn own_tables(&self) -> Vec<TableSpec> {
+        self.tables()
+    }
+
+    fn own_section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error> {
+        self.section(runs)
+    }
+}
+
+struct CaseOf<'a, T: Task> {
+    task: &'a T,
+    case: Case<'a, T>,
+}
+
+impl<T: Task> AnyCase for CaseOf<'_, T> {
+    fn loaded(&self) -> &LoadedScene {
+        self.case.loaded
+    }
+
+    fn task(&self) -> &dyn AnyTask {
+        self.task
+    }
+
+    fn dispute(&self) -> Option<Dispute> {
+        self.task.dispute(&self.case)
+    }
+
+    fn judge(&self, asked: &Asked<'_>, answer: &dyn Any, outcome: &mut Outcome) -> Result<(), Stop> {
+        let answer = typed::<T>(answer);
+        outcome.digest = Some(answer.digest());
+        self.task.judge(&self.case, asked, answer, outcome)
+    }
+
+    fn truth(&self) -> &dyn Any {
+        &self.case.truth
+    }
+}

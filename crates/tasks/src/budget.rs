@@ -1,0 +1,50 @@
+//! How much is asked beyond the queries themselves.
+
+/// How much is sampled when answers are judged. All samples are spread evenly
+/// and by index only, so they are the same in every run.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Budget {
+    /// Findings kept per class; all are counted.
+    pub findings_per_class: usize,
+    /// Evaluations spent on argument permutations; none where it is zero.
+    pub permutations: usize,
+    /// Tuples tried for relations between answers (Grassmann-Plücker, transitivity).
+    pub relations: usize,
+    /// Whether all laws are tried that apply: the relations of circles and
+    /// spheres and the mixed ones too, in all planes, of single calls and
+    /// batches, of the scene and its first half.
+    pub thorough: bool,
+    /// Broken ties held against explicit infinitesimals.
+    pub ties: usize,
+}
+
+impl Budget {
+    /// Seconds for all embedded corpora: samples only.
+    pub const QUICK: Budget =
+        Budget { findings_per_class: 25, permutations: 5_000, relations: 500, thorough: false, ties: 50 };
+    /// Every permutation of every query up to 24 million evaluations a scene.
+    pub const FULL: Budget =
+        Budget { findings_per_class: 25, permutations: 24_000_000, relations: 50_000, thorough: true, ties: 2_000 };
+
+    /// Numbers below `n`, spread evenly, as many as `budget` pays for at this
+    /// cost each; none without a budget.
+    pub fn spread(n: usize, cost: usize, budget: usize) -> impl Iterator<Item = usize> {
+        let step = (n * cost).div_ceil(budget.max(1)).max(1);
+        (0..if budget == 0 { 0 } else { n }).step_by(step)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_are_spread_over_everything_and_cost_no_more_than_the_budget() {
+        let sample = |n, cost, budget| Budget::spread(n, cost, budget).collect::<Vec<_>>();
+        assert_eq!(sample(10, 1, 100), (0..10).collect::<Vec<_>>());
+        assert_eq!(sample(10, 2, 10), [0, 2, 4, 6, 8]);
+        assert_eq!(sample(1_000_000, 1, 3), [0, 333_334, 666_668]);
+        assert_eq!(sample(10, 24, 0), [] as [usize; 0], "no budget buys nothing");
+        assert_eq!(sample(0, 24, 10), [] as [usize; 0]);
+    }
+}

@@ -1,0 +1,164 @@
+//! Two complexes that touch: curves in the plane, surfaces in space.
+//!
+//! The sizes are those of things that meet everywhere: every edge is short and
+//! has a few of the other complex' edges around it, so that a scene of n
+//! primitives has about n pairs worth looking at, whatever n.
+
+mod polygons;
+mod surfaces;
+
+use predicament_corpus::{Family, Parts, Random, Recipe};
+use predicament_formats::bits::rounded;
+use predicament_formats::{CorpusError, Fields};
+use predicament_mesh::{Complex, Simplices};
+use predicament_predicates::{Dimension, Scene, Vertex};
+
+use super::content::{Complexes, moved, shifted};
+use super::sigma::sigma;
+
+/// Reads `shift`, in units of σ.
+fn shift(fields: &Fields<'_, '_>) -> Result<f64, CorpusError> {
+    fields.required("shift")?.positive()
+}
+
+/// Reads `bits`, the significant bits of coordinates.
+fn bits(fields: &Fields<'_, '_>) -> Result<u32, CorpusError> {
+    fields.integer_or("bits", 53, 24..=53).map(|bits| u32::try_from(bits).unwrap_or(53))
+}
+
+type Read = fn(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError>;
+
+/// What contacts cost depends on the scene's size and on how near things are: each scene is a family of its own.
+const fn family(name: &'static str, parameters: &'static [&'static str], about: &'static str, read: Read) -> Family {
+    Family { name, reported_as: None, parameters, about, read }
+}
+
+/// The families of complexes in the plane.
+pub(super) static PLANE: [Family; 4] = [
+    family(
+        "polygons-uniform",
+        &["bits"],
+        "two simple polygons that cross all the way round, in general position",
+        |_, fields| Ok(Pair::PolygonsUniform(bits(fields)?).recipe()),
+    ),
+    family(
+        "polygons-near",
+        &[],
+        "a polygon with its vertices within a few sigma of another's vertices and edges",
+        |_, _| Ok(Pair::PolygonsNear.recipe()),
+    ),
+    family(
+        "polygons-degen",
+        &[],
+        "skylines on integers: shared vertices, vertices on edges, overlapping edges",
+        |_, _| Ok(Pair::PolygonsDegen.recipe()),
+    ),
+    family("copy-shifted", &["shift"], "a polygon against a copy moved by so many sigma", |_, fields| {
+        Ok(Pair::CopyShifted(shift(fields)?).recipe())
+    }),
+];
+
+/// The families of complexes in space.
+pub(super) static SPACE: [Family; 3] = [
+    family(
+        "surfaces-uniform",
+        &["bits"],
+        "two closed surfaces that cross everywhere, in general position",
+        |_, fields| Ok(Pair::SurfacesUniform(bits(fields)?).recipe()),
+    ),
+    family("surfaces-degen", &[], "boxes on integers that share corners, edges and parts of faces", |_, _| {
+        Ok(Pair::SurfacesDegen.recipe())
+    }),
+    family("surfaces-shifted", &["shift"], "a closed surface against a copy moved by so many sigma", |_, fields| {
+        Ok(Pair::SurfacesShifted(shift(fields)?).recipe())
+    }),
+];
+
+/// A way to make two complexes.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Pair {
+    /// With coordinates of so many significant bits.
+    PolygonsUniform(u32),
+    PolygonsNear,
+    PolygonsDegen,
+    /// Moved by so many σ.
+    CopyShifted(f64),
+    /// With coordinates of so many significant bits.
+    SurfacesUniform(u32),
+    SurfacesDegen,
+    /// Moved by so many σ.
+    SurfacesShifted(f64),
+}
+
+/// A complex with the coordinates of its own points, numbered from 0.
+struct Shape {
+    coordinates: Vec<f64>,
+    simplices: Simplices,
+}
+
+impl Shape {
+    /// With every coordinate at the nearest number of so many significant bits.
+    fn rounded(mut self, bits: u32) -> Shape {
+        self.coordinates.iter_mut().for_each(|x| *x = rounded(*x, bits));
+        self
+    }
+}
+
+impl Pair {
+    fn recipe(self) -> Recipe {
+        Recipe::new(move |making| self.make(making.n, &mut making.random()))
+    }
+
+    fn dimension(self) -> Dimension {
+        match self {
+            Pair::PolygonsUniform(_) | Pair::PolygonsNear | Pair::PolygonsDegen | Pair::CopyShifted(_) => {
+                Dimension::Two
+            }
+            Pair::SurfacesUniform(_) | Pair::SurfacesDegen | Pair::SurfacesShifted(_) => Dimension::Three,
+        }
+    }
+
+    /// Two complexes with about `n` edges (in space, triangles) together; the
+    /// points of the first come first.
+    fn make(self, n: usize, rng: &mut Random) -> Parts {
+        let n = n / 2;
+        let [a, b] = match self {
+            Pair::PolygonsUniform(bits) => [(); 2].map(|()| polygons::wavy(n, rng).rounded(bits)),
+            Pair::PolygonsNear => {
+                let a = polygons::wavy(n, rng);
+                let b = polygons::near(&a, self.sigma_of(&a), rng);
+                [a, b]
+            }
+            Pair::PolygonsDegen => [polygons::skyline(n, true, rng), polygons::skyline(n, false, rng)],
+            Pair::CopyShifted(by) => self.with_copy(polygons::wavy(n, rng), by),
+            Pair::SurfacesUniform(bits) => [(); 2].map(|()| surfaces::lumpy(n, rng).rounded(bits)),
+            Pair::SurfacesDegen => [surfaces::boxes(n, rng), surfaces::boxes(n, rng)],
+            Pair::SurfacesShifted(by) => self.with_copy(surfaces::lumpy(n, rng), by),
+        };
+        let start = a.coordinates.len() / self.dimension().count();
+        let scene = self.scene([a.coordinates, b.coordinates].concat());
+        let complex = |given: &Simplices| Complex::new(&scene, given).expect("simplices of the scene's points");
+        let [a, b] = [complex(&a.simplices), complex(&shifted(&b.simplices, |v| Vertex::input(v.index() + start)))];
+        let (scene, complexes) = Complexes { a, b }.in_scene(scene);
+        Parts::new(scene, complexes)
+    }
+
+    fn scene(self, coordinates: Vec<f64>) -> Scene {
+        Scene::new(self.dimension(), coordinates).expect("generators make finite points")
+    }
+
+    /// σ between a shape and another whose primitives are as large.
+    fn sigma_of(self, shape: &Shape) -> f64 {
+        let scene = self.scene(shape.coordinates.clone());
+        let complex = Complex::new(&scene, &shape.simplices).expect("simplices of the scene's points");
+        sigma(self.dimension(), [complex.primitive_length(&scene); 2])
+    }
+
+    fn with_copy(self, shape: Shape, by: f64) -> [Shape; 2] {
+        let by = by * self.sigma_of(&shape);
+        let scene = self.scene(shape.coordinates.clone());
+        let vertices: Vec<Vertex> = scene.vertices().collect();
+        let copy = Shape { coordinates: moved(&scene, &vertices, by).collect(), simplices: shape.simplices.clone() };
+        [shape, copy]
+    }
+}

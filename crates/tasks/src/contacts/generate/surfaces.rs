@@ -1,0 +1,100 @@
+//! Closed triangulated surfaces.
+
+use std::collections::BTreeMap;
+
+use predicament_mesh::Simplices;
+use predicament_predicates::Vertex;
+
+use super::Shape;
+use predicament_corpus::Random;
+use predicament_formats::bits::integer;
+
+fn count(n: usize) -> i64 {
+    i64::try_from(n).expect("scenes are smaller than memory")
+}
+
+/// A sphere around (1/2, 1/2, 1/2), turned at random, whose vertices lie a
+/// random bit inside or outside it, by as much as its edges are long: two of
+/// them cross each other everywhere. It is star-shaped, hence embedded.
+///
+/// An octahedron with its faces divided, pushed out to the sphere: square
+/// roots and divisions only, which round the same everywhere.
+pub(super) fn lumpy(n: usize, rng: &mut Random) -> Shape {
+    let parts = count((n / 8).isqrt()).max(2);
+    let depth = (0.5 / integer(parts)).min(0.2);
+    let turn = rotation(rng);
+    let mut numbers: BTreeMap<[i64; 3], Vertex> = BTreeMap::new();
+    let mut coordinates = Vec::new();
+    let mut triangles = Vec::new();
+    for octant in 0..8 {
+        let signs: [i64; 3] = std::array::from_fn(|axis| if octant >> axis & 1 == 0 { 1 } else { -1 });
+        let mut vertex = |i: i64, j: i64| {
+            let place = [i * signs[0], j * signs[1], (parts - i - j) * signs[2]];
+            *numbers.entry(place).or_insert_with(|| {
+                let radius = 0.375 + depth * (rng.unit() - 0.5);
+                let [x, y, z] = place.map(integer);
+                let length = (x * x + y * y + z * z).sqrt();
+                coordinates.extend(turn.map(|[a, b, c]| 0.5 + radius * ((a * x + b * y + c * z) / length)));
+                Vertex::input(coordinates.len() / 3 - 1)
+            })
+        };
+        for i in 0..parts {
+            for j in 0..parts - i {
+                triangles.push([vertex(i, j), vertex(i + 1, j), vertex(i, j + 1)]);
+                if i + j + 1 < parts {
+                    triangles.push([vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)]);
+                }
+            }
+        }
+    }
+    Shape { coordinates, simplices: Simplices { triangles, ..Simplices::default() } }
+}
+
+/// The rows of a random rotation, up to rounding.
+fn rotation(rng: &mut Random) -> [[f64; 3]; 3] {
+    loop {
+        let [a, b, c, d] = std::array::from_fn(|_| rng.between(-1.0, 1.0));
+        let square = a * a + b * b + c * c + d * d;
+        if (0.0625..=1.0).contains(&square) {
+            let rows = [
+                [a * a + b * b - c * c - d * d, 2.0 * (b * c - a * d), 2.0 * (b * d + a * c)],
+                [2.0 * (b * c + a * d), a * a - b * b + c * c - d * d, 2.0 * (c * d - a * b)],
+                [2.0 * (b * d - a * c), 2.0 * (c * d + a * b), a * a - b * b - c * c + d * d],
+            ];
+            return rows.map(|row| row.map(|x| x / square));
+        }
+    }
+}
+
+/// Boxes on integer coordinates, one in each cell of a lattice: a corner
+/// anywhere from 0 to 2, edges of 1 or 2. Two such sets have, cell by cell,
+/// boxes that share corners, edges, parts of faces, or all of it, or cross.
+pub(super) fn boxes(n: usize, rng: &mut Random) -> Shape {
+    const TRIANGLES: usize = 12;
+    const PITCH: i64 = 5;
+    let cells = count(n / TRIANGLES).max(1);
+    let mut side = 1;
+    while side * side * side < cells {
+        side += 1;
+    }
+    let mut coordinates = Vec::new();
+    let mut triangles = Vec::new();
+    for cell in 0..cells {
+        let first = coordinates.len() / 3;
+        let lattice = [cell % side, cell / side % side, cell / side / side];
+        let low = lattice.map(|place| place * PITCH + rng.integer(0, 2));
+        let size = [0; 3].map(|_: i64| rng.integer(1, 2));
+        for corner in 0..8 {
+            coordinates.extend((0..3).map(|axis| integer(low[axis] + (corner >> axis & 1) * size[axis])));
+        }
+        for (axis, high) in [(0, 0), (0, 1), (1, 0), (1, 1), (2, 0), (2, 1)] {
+            // The corners around a face; either diagonal may divide it.
+            let (u, v) = (1 << ((axis + 1) % 3), 1 << ((axis + 2) % 3));
+            let around = [0, u, u | v, v].map(|corner| Vertex::input(first + (corner | high << axis)));
+            let start = usize::from(rng.one_in(2));
+            let at = |k: usize| around[(start + k) % 4];
+            triangles.extend([[at(0), at(1), at(2)], [at(0), at(2), at(3)]]);
+        }
+    }
+    Shape { coordinates, simplices: Simplices { triangles, ..Simplices::default() } }
+}

@@ -1,0 +1,124 @@
+//! `contacts.csv` and what a report makes of it: on which level of the hierarchy
+//! pairs were registered, and how many had ended.
+
+use std::collections::BTreeMap;
+
+use predicament_records::format::percent;
+use predicament_records::{Error, Row, RunDir};
+use predicament_report::layout::{backends, rank, run_head, run_label};
+use predicament_report::{Block, Cell, Section, Table};
+use serde::{Deserialize, Serialize};
+
+/// `contacts.csv`: the pairs of two complexes by their ranks.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct ContactRow {
+    /// The suite's name.
+    pub suite: String,
+    /// The scene's name in its suite.
+    pub scene: String,
+    /// The scene's content id.
+    pub scene_id: String,
+    /// `contacts2d` or `contacts3d`.
+    pub task: String,
+    /// The backend's name, with its parameters.
+    pub backend: String,
+    /// The rank of the first complex' simplices: 0 for vertices, 3 for tetrahedra.
+    pub rank_a: u8,
+    /// The rank of the second complex' simplices.
+    pub rank_b: u8,
+    /// Pairs whose boxes are within the backend's reach of each other.
+    pub candidates: u64,
+    /// Of these, pairs that had ended: a pair of their faces was registered before.
+    pub ended: u64,
+    /// Pairs that the backend was asked about.
+    pub asked: u64,
+    /// Pairs that it registered.
+    pub registered: u64,
+}
+
+impl Row for ContactRow {
+    const FILE: &'static str = "contacts.csv";
+    const COLUMNS: &'static [&'static str] = &[
+        "suite",
+        "scene",
+        "scene_id",
+        "task",
+        "backend",
+        "rank_a",
+        "rank_b",
+        "candidates",
+        "ended",
+        "asked",
+        "registered",
+    ];
+
+    fn check(&self) -> Result<(), String> {
+        if self.registered > self.asked {
+            return Err("more pairs are registered than were asked about".to_owned());
+        }
+        if self.ended.checked_add(self.asked) != Some(self.candidates) {
+            return Err("the candidates are not those that had ended and those that were asked about".to_owned());
+        }
+        Ok(())
+    }
+}
+
+/// Levels are sums of two ranks: 0 for two vertices, the dimension for pairs in general position.
+const LEVELS: usize = 4;
+
+/// All kinds of pairs of one level.
+#[derive(Clone, Copy, Default)]
+struct Level {
+    registered: u64,
+    candidates: u64,
+    ended: u64,
+}
+
+impl Level {
+    fn add(&mut self, row: &ContactRow) {
+        self.registered += row.registered;
+        self.candidates += row.candidates;
+        self.ended += row.ended;
+    }
+
+    fn cell(self) -> Cell {
+        let cell = Cell::count(self.registered);
+        if self.candidates == 0 { cell } else { cell.detail(format!("{} ended", percent(self.ended, self.candidates))) }
+    }
+}
+
+/// The section of a report.
+pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
+    let order = backends(runs);
+    let mut table = Table::new("Registered pairs, and the share of the candidates that had ended before")
+        .words(run_head(runs))
+        .words(["scene", "task", "backend"])
+        .numbers((0..LEVELS).map(|level| format!("level {level}")));
+    for (index, run) in runs.iter().enumerate() {
+        let mut rows: BTreeMap<_, [Option<Level>; LEVELS]> = BTreeMap::new();
+        let rows_of_run = run.rows::<ContactRow>()?;
+        for row in &rows_of_run {
+            let key = ([&*row.suite, &*row.scene, &*row.scene_id, &*row.task], rank(&order, &row.backend));
+            let levels = rows.entry(key).or_default();
+            if let Some(level) = levels.get_mut(usize::from(row.rank_a) + usize::from(row.rank_b)) {
+                level.get_or_insert_default().add(row);
+            }
+        }
+        for (([suite, scene, _, task], backend), levels) in rows {
+            let backend = order.get(backend).copied().unwrap_or_default();
+            let cells = [Cell::from(scene).detail(suite), task.into(), backend.into()].into_iter();
+            let levels = levels.map(|level| level.map_or_else(|| Cell::from(""), Level::cell));
+            table.push(run_label(runs, index).into_iter().chain(cells).chain(levels).collect());
+        }
+    }
+    let block = Block::table_or(table, "No contacts between complexes were asked for.");
+    Ok(Some(Section {
+        id: "contacts",
+        title: "Contacts",
+        lead: "Pairs of simplices of two complexes by their level, the sum of their ranks: two vertices are level 0; \
+               the last level holds the pairs that meet in general position. Candidates have boxes near each other; \
+               one has ended where a pair of its faces was registered before, and is not asked about."
+            .to_owned(),
+        blocks: vec![block],
+    }))
+}

@@ -1,0 +1,188 @@
+//! Backends picked by name at run time.
+
+use std::any::Any;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use predicament_corpus::Content;
+use predicament_judge::TieJudge;
+use predicament_predicates::{
+    Backend, Contract, Counts, Declined, Off, PredicateKind, Predicates, Question, Scene, Sign, Vertex,
+};
+
+use crate::{Halt, How, Purpose, Solver, Task, Watch, solvers};
+
+/// A backend that the command line can pick.
+pub trait Contestant: Send + Sync {
+    /// The full name, with parameters.
+    fn name(&self) -> String;
+
+    /// What it promises.
+    fn contract(&self, kind: PredicateKind) -> Contract;
+
+    /// The names of its stages, cheapest first.
+    fn stages(&self) -> &'static [&'static str];
+
+    /// Prepares a scene and hands the session over, where what is asked need not be fast.
+    ///
+    /// # Errors
+    /// [`Declined`]; then nobody is handed anything.
+    fn with_session(&self, scene: &Scene, ask: &mut dyn FnMut(&dyn Predicates)) -> Result<(), Declined>;
+
+    /// The same, and counts which stage settled what.
+    ///
+    /// # Errors
+    /// [`Declined`]; then nobody is handed anything.
+    fn with_counted_session(
+        &self,
+        scene: &Scene,
+        counts: &Counts,
+        ask: &mut dyn FnMut(&dyn Predicates),
+    ) -> Result<(), Declined>;
+
+    /// The independent judge of how it breaks ties, if it does.
+    fn tie_judge(&self) -> Option<&TieJudge>;
+
+    /// Itself on the task with this name.
+    fn solver(&self, task: &str) -> Option<&dyn Solver>;
+
+    /// Learns to solve more tasks.
+    fn extend(&mut self, solvers: Vec<Box<dyn Solver>>);
+}
+
+impl dyn Contestant + '_ {
+    /// The answer to a scene of a task.
+    ///
+    /// # Errors
+    /// The reason, where the backend declines or has never heard of the task.
+    pub fn answer<T: Task>(&self, task: &T, scene: &Scene, content: &T::Content) -> Result<T::Answer, String> {
+        let mut found = None;
+        self.answer_any(task.name(), scene, content, &mut |answer| {
+            found = answer.downcast_ref::<T::Answer>().cloned()
+        })?;
+        found.ok_or_else(|| format!("two tasks are called `{}`", task.name()))
+    }
+
+    /// The answer to a scene of the task with this name, of the task's type, handed to `then`.
+    ///
+    /// # Errors
+    /// The reason, where the backend declines or has never heard of the task.
+    pub fn answer_any(
+        &self,
+        task: &str,
+        scene: &Scene,
+        content: &dyn Content,
+        then: &mut dyn FnMut(&dyn Any),
+    ) -> Result<(), String> {
+        let solver = self.solver(task).ok_or_else(|| format!("{} knows no task `{task}`", self.name()))?;
+        let (never, quiet) = (AtomicBool::new(false), |_: u64| {});
+        let watch = Watch::new(&never, None, &quiet);
+        let how = How { purpose: Purpose::Use, watch: &watch };
+        let solved = solver.solve(scene, content, &Counts::new(), &how, &mut |_, answer| {
+            then(answer);
+            Ok(())
+        });
+        solved.map_err(|halt| match halt {
+            Halt::Refused(refusal) => refusal.to_string(),
+            Halt::Stopped(_) => "stopped".to_owned(),
+        })
+    }
+
+    /// Asks one query alone in a scene: the sign, and the stage that settled it.
+    ///
+    /// # Errors
+    /// [`Declined`].
+    pub fn ask(
+        &self,
+        scene: &Scene,
+        question: Question,
+        args: &[Vertex],
+    ) -> Result<(Sign, Option<&'static str>), Declined> {
+        let counts = Counts::new();
+        let mut asked = Err(Declined::scene("the backend asked for no session"));
+        self.with_counted_session(scene, &counts, &mut |session| {
+            asked = session.supports(question.kind()).map(|()| question.ask(session, args));
+        })?;
+        Ok((asked?, stage(self.stages(), &counts, question.kind())))
+    }
+}
+
+/// The first stage that has settled a query of this kind.
+pub(crate) fn stage(stages: &[&'static str], counts: &Counts, kind: PredicateKind) -> Option<&'static str> {
+    stages.iter().enumerate().find(|&(stage, _)| counts.get(kind, stage) > 0).map(|(_, &name)| name)
+}
+
+/// A backend with what judging needs to know about it.
+pub struct Entry<B> {
+    backend: Arc<B>,
+    tie_judge: Option<Box<TieJudge>>,
+    solvers: Vec<Box<dyn Solver>>,
+}
+
+impl<B: Backend + 'static> Entry<B> {
+    /// A backend as it is.
+    pub fn new(backend: B) -> Entry<B> {
+        Entry::judged(backend, None)
+    }
+
+    /// A backend that breaks ties, with an independent judge of how it should.
+    pub fn breaking_ties(
+        backend: B,
+        judge: impl Fn(&Scene, Question, &[Vertex]) -> Sign + Send + Sync + 'static,
+    ) -> Entry<B> {
+        Entry::judged(backend, Some(Box::new(judge)))
+    }
+
+    /// A backend with a judge of how it breaks ties, if it does.
+    pub fn judged(backend: B, tie_judge: Option<Box<TieJudge>>) -> Entry<B> {
+        Entry::shared(Arc::new(backend), tie_judge)
+    }
+
+    /// A backend that somebody else keeps as well.
+    pub fn shared(backend: Arc<B>, tie_judge: Option<Box<TieJudge>>) -> Entry<B> {
+        Entry { solvers: solvers(&backend), backend, tie_judge }
+    }
+}
+
+impl<B: Backend + 'static> Contestant for Entry<B> {
+    fn name(&self) -> String {
+        self.backend.name()
+    }
+
+    fn contract(&self, kind: PredicateKind) -> Contract {
+        self.backend.contract(kind)
+    }
+
+    fn stages(&self) -> &'static [&'static str] {
+        self.backend.stages()
+    }
+
+    fn with_session(&self, scene: &Scene, ask: &mut dyn FnMut(&dyn Predicates)) -> Result<(), Declined> {
+        let session = self.backend.prepare(scene, Off)?;
+        ask(&session);
+        Ok(())
+    }
+
+    fn with_counted_session(
+        &self,
+        scene: &Scene,
+        counts: &Counts,
+        ask: &mut dyn FnMut(&dyn Predicates),
+    ) -> Result<(), Declined> {
+        let session = self.backend.prepare(scene, counts)?;
+        ask(&session);
+        Ok(())
+    }
+
+    fn tie_judge(&self) -> Option<&TieJudge> {
+        self.tie_judge.as_deref()
+    }
+
+    fn solver(&self, task: &str) -> Option<&dyn Solver> {
+        self.solvers.iter().map(AsRef::as_ref).find(|solver| solver.task().name() == task)
+    }
+
+    fn extend(&mut self, solvers: Vec<Box<dyn Solver>>) {
+        self.solvers.extend(solvers);
+    }
+}

@@ -1,0 +1,143 @@
+//! `cubes`: congruent axis-parallel cubes by their lower corners.
+
+use std::path::{Path, PathBuf};
+
+use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, Source};
+use predicament_formats::bits::{LOWEST, biased_exponent, integer, top_exponent};
+use predicament_formats::{Cache, CorpusError, Fields, RowKind, Rows, TableKind, read_csv_rows, read_rows};
+use predicament_predicates::{Dimension, Scene};
+
+static CUBES: TableKind = TableKind::new("reference to cubes", &["path"]);
+
+const CUBE: RowKind = RowKind {
+    name: "cube",
+    widths: 4..=4,
+    numbers: "numbers",
+    cure: "give every cube x, y and z of its lower corner and the length of its edges",
+};
+
+/// Congruent cubes: vertex 2i of the scene is the lower corner of cube i and
+/// vertex 2i + 1 the upper one.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Cubes {
+    /// How many.
+    pub cubes: usize,
+}
+
+impl Content for Cubes {
+    fn count(&self) -> usize {
+        self.cubes
+    }
+
+    fn canon(&self, canon: &mut Canon) {
+        canon.text("cube-union");
+    }
+}
+
+/// The most bits that all coordinates may span: sums of two are integers of 62 bits.
+const MOST_BITS: i64 = 61;
+
+/// The logarithm of the largest volume: sums over the union are exact below 2^127.
+const MOST_VOLUME: f64 = 126.0;
+
+/// Cubes in a CSV file: x, y, z and the edge length in each line.
+struct Csv(PathBuf);
+
+impl Elsewhere for Csv {
+    fn load(&self, _: Level, _: &Cache) -> Result<Parts, CorpusError> {
+        read_csv(&self.0)
+    }
+}
+
+/// Reads `cubes`.
+pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+    let field = fields.required("cubes")?;
+    if field.is_array() {
+        return Ok(Source::Written(scene(fields.file(), &read_rows(&field, &CUBE)?)?));
+    }
+    let table = field.fields(&CUBES)?;
+    let path = context.path(&table.required("path")?)?;
+    table.finish()?;
+    Ok(Source::elsewhere(Csv(path)))
+}
+
+fn read_csv(path: &Path) -> Result<Parts, CorpusError> {
+    scene(&path.display().to_string(), &read_csv_rows(path, &CUBE)?)
+}
+
+/// Both corners of every cube.
+fn scene(file: &str, rows: &Rows) -> Result<Parts, CorpusError> {
+    let cubes: &[[f64; 4]] = rows.numbers.as_chunks().0;
+    let error = |at: usize, message: String, cure: &str| {
+        CorpusError::file(file, format!("cube {at}: {message}"), cure).at_line(rows.lines[at])
+    };
+    let mut corners = Vec::with_capacity(6 * cubes.len());
+    let mut span: Option<([i64; 2], [usize; 2])> = None;
+    for (at, &[x, y, z, edge]) in cubes.iter().enumerate() {
+        if edge <= 0.0 {
+            return Err(error(at, format!("the edge length is {edge}"), "give a positive length"));
+        }
+        if edge != cubes[0][3] {
+            let message = format!("the edge length is {edge}, that of cube 0 {}", cubes[0][3]);
+            return Err(error(at, message, "all cubes must be of one size: divide the scene"));
+        }
+        let lower = [x, y, z];
+        for number in [x, y, z, edge].into_iter().filter(|&number| number != 0.0) {
+            let (low, high) = (lowest_bit(number), top_exponent(number).unwrap_or(LOWEST));
+            let ([least, most], [finest, largest]) = span.get_or_insert(([low, high], [at; 2]));
+            if low < *least {
+                (*least, *finest) = (low, at);
+            }
+            if high > *most {
+                (*most, *largest) = (high, at);
+            }
+        }
+        let upper = lower.map(|c| c + edge);
+        if let Some(axis) = (0..3).find(|&axis| !is_exact(lower[axis], edge, upper[axis])) {
+            let message = format!("{:?} + {edge:?} along axis {axis} is no double", lower[axis]);
+            return Err(error(at, message, "give coordinates with fewer bits"));
+        }
+        corners.extend(lower);
+        corners.extend(upper);
+    }
+    if let Some(([least, most], [finest, largest])) = span {
+        if most - least + 1 > MOST_BITS {
+            let message = format!("with cube {largest} the coordinates span {} bits", most - least + 1);
+            return Err(error(finest, message, &format!("give coordinates on one grid of {MOST_BITS} bits")));
+        }
+        let bits = volume_bits(&corners, least);
+        if bits > MOST_VOLUME {
+            let message = format!("the box around all cubes has a volume of 2^{bits:.1} in units of 2^{least}");
+            let cure = format!("give coarser coordinates: up to 2^{MOST_VOLUME}, sums are exact");
+            return Err(CorpusError::file(file, message, cure));
+        }
+    }
+    let scene = Scene::new(Dimension::Three, corners)
+        .map_err(|why| CorpusError::file(file, why.to_string(), "scale the cubes by a power of two"))?;
+    Ok(Parts::new(scene, Cubes { cubes: cubes.len() }))
+}
+
+/// The binary logarithm of the volume of the box around all corners, in units of 2^`unit`.
+fn volume_bits(corners: &[f64], unit: i64) -> f64 {
+    let extent = |axis: usize| {
+        let along = corners.iter().skip(axis).step_by(3);
+        let [low, high] = along.fold([f64::MAX, f64::MIN], |[low, high], &c| [low.min(c), high.max(c)]);
+        high - low
+    };
+    // A logarithm of a rounded difference: the margin to 2^127 is far larger.
+    (0..3).map(|axis| extent(axis).log2() - integer(unit)).sum()
+}
+
+/// The exponent of the lowest bit that is set; not for zero.
+fn lowest_bit(x: f64) -> i64 {
+    let biased = biased_exponent(x);
+    let fraction = x.to_bits() & ((1 << 52) - 1);
+    let mantissa = if biased == 0 { fraction } else { fraction | (1 << 52) };
+    biased.max(1) - 1075 + i64::from(mantissa.trailing_zeros())
+}
+
+/// Whether the sum is a + b without rounding: Knuth's error term is zero.
+fn is_exact(a: f64, b: f64, sum: f64) -> bool {
+    let b_seen = sum - a;
+    sum.is_finite() && (a - (sum - b_seen)) + (b - b_seen) == 0.0
+}

@@ -1,0 +1,154 @@
+//! `cube-union`: volume, area and edge length of a union of congruent cubes.
+//!
+//! Franklin and Magalhães, section 4.3. Every face coincides with others in the
+//! scenes that matter, so an algorithm that knows no degenerate case shows what
+//! its comparisons make of ties.
+
+mod content;
+mod generate;
+mod judge;
+mod section;
+
+use std::path::{Path, PathBuf};
+
+use predicament_algorithms::cube_union::{Mass, cube_union_by};
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
+use predicament_records::{RunDir, TableSpec};
+use predicament_report::Section;
+
+pub use content::Cubes;
+pub use judge::Truth;
+pub use section::MassRow;
+
+use crate::{Answer, Asked, Case, Contestant, Explanation, How, Outcome, Stop, Task, Watch, digest};
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct CubeUnion;
+
+/// The mass properties of a union, and the exponent of their unit.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Union {
+    /// In units of a power of two.
+    pub mass: Mass,
+    /// Lengths are multiples of 2 to this.
+    pub exponent: i32,
+}
+
+impl Answer for Union {
+    fn digest(&self) -> u64 {
+        let (mass, of) = (&self.mass, self.mass.vertices);
+        let sums = [mass.volume, mass.area, mass.edge_length].map(i128::to_le_bytes);
+        let counts = [of.corners, of.edge_faces, of.three_faces].map(u64::to_le_bytes);
+        digest(sums.into_iter().flatten().chain(counts.into_iter().flatten()))
+    }
+}
+
+impl SceneFormat for CubeUnion {
+    fn name(&self) -> &'static str {
+        "cube-union"
+    }
+
+    fn about(&self) -> &'static str {
+        "volume, area and edge length of a union of congruent cubes (Franklin and Magalhães, 4.3)"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["cubes"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["cubes"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        content::read(context, fields)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &generate::FAMILIES
+    }
+}
+
+impl Task for CubeUnion {
+    type Content = Cubes;
+    type Truth = Truth;
+    type Answer = Union;
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare]
+    }
+
+    fn truth(&self, scene: &Scene, _: &Cubes, watch: &Watch) -> Result<Truth, Stop> {
+        Truth::new(scene, watch)
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &Cubes,
+        how: &How<'_>,
+        answer: &mut Union,
+    ) -> Result<(), Stop> {
+        how.watch.done(0)?;
+        let (mass, exponent) = cube_union_by(&*session).expect("readers of scenes refuse cubes that sums can't hold");
+        *answer = Union { mass, exponent };
+        how.watch.done(content.cubes as u64)
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, CubeUnion>,
+        asked: &Asked<'_>,
+        answer: &Union,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        judge::judge(case, asked, &answer.mass, outcome);
+        Ok(())
+    }
+
+    fn describe(&self, _: &LoadedScene, content: &Cubes, _: &Watch) -> Result<String, Stop> {
+        Ok(format!("{} cubes\n", content.cubes))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &Cubes,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let _ = query;
+        let ask =
+            |backend: &dyn Contestant| backend.answer(self, scene, content).map(|union| format!("{:?}", union.mass));
+        Ok(Explanation::default().with_answers(backends, ask))
+    }
+
+    fn write(&self, _: &Scene, _: &Cubes, answer: &Union, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+        let Union { mass, exponent } = answer;
+        let of = mass.vertices;
+        // Exact: integers times powers of two. Beyond 2^53 a JSON number would round, so sums are strings.
+        let json = serde_json::json!({
+            "unit_exponent": exponent,
+            "volume": mass.volume.to_string(),
+            "area": mass.area.to_string(),
+            "edge_length": mass.edge_length.to_string(),
+            "corners": of.corners,
+            "edge_faces": of.edge_faces,
+            "three_faces": of.three_faces,
+        });
+        let path = folder.join("union.json");
+        std::fs::write(&path, format!("{json:#}\n"))?;
+        Ok(vec![path])
+    }
+
+    fn tables(&self) -> Vec<TableSpec> {
+        vec![TableSpec::of::<MassRow>()]
+    }
+
+    fn section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error> {
+        section::section(runs)
+    }
+}

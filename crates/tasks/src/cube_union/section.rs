@@ -1,0 +1,120 @@
+//! `masses.csv` and what a report makes of it.
+
+use predicament_records::format::significant;
+use predicament_records::{Error, Row, RunDir};
+use predicament_report::layout::{backends, rank, run_head, run_label};
+use predicament_report::{Block, Cell, Section, Table, Tone};
+use serde::{Deserialize, Serialize};
+
+/// `masses.csv`: what a union of cubes measures.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct MassRow {
+    /// The suite's name.
+    pub suite: String,
+    /// The scene's name in its suite.
+    pub scene: String,
+    /// The scene's content id.
+    pub scene_id: String,
+    /// The backend's name, with its parameters.
+    pub backend: String,
+    /// How many cubes.
+    pub cubes: u64,
+    /// The volume that was found, in the scene's units, like all that follow rounded once.
+    pub volume: f64,
+    /// The true one.
+    pub true_volume: f64,
+    /// The area of the boundary that was found.
+    pub area: f64,
+    /// The true one, in the limit for perturbations that go to zero.
+    pub true_area: f64,
+    /// The length of the boundary's edges that was found.
+    pub edge_length: f64,
+    /// The true one, in that limit.
+    pub true_edge_length: f64,
+    /// Corners of cubes that were found on the boundary.
+    pub corners: u64,
+    /// Points where an edge of one cube meets a face of another.
+    pub edge_faces: u64,
+    /// Points where the faces of three cubes meet.
+    pub three_faces: u64,
+}
+
+impl Row for MassRow {
+    const FILE: &'static str = "masses.csv";
+    const COLUMNS: &'static [&'static str] = &[
+        "suite",
+        "scene",
+        "scene_id",
+        "backend",
+        "cubes",
+        "volume",
+        "true_volume",
+        "area",
+        "true_area",
+        "edge_length",
+        "true_edge_length",
+        "corners",
+        "edge_faces",
+        "three_faces",
+    ];
+
+    fn check(&self) -> Result<(), String> {
+        if [self.true_volume, self.true_area, self.true_edge_length].iter().all(|&x| x > 0.0 && x.is_finite()) {
+            Ok(())
+        } else {
+            Err("a true measure is not positive".to_owned())
+        }
+    }
+}
+
+/// The section of a report.
+pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
+    let order = backends(runs);
+    let mut table = Table::new("").words(run_head(runs)).words(["scene", "backend"]).numbers([
+        "cubes",
+        "volume",
+        "area",
+        "edge length",
+        "corners",
+        "edge-face",
+        "three-face",
+    ]);
+    for (index, run) in runs.iter().enumerate() {
+        let mut rows = run.rows::<MassRow>()?;
+        rows.sort_by_cached_key(|r| ([r.suite.clone(), r.scene.clone(), r.scene_id.clone()], rank(&order, &r.backend)));
+        for row in &rows {
+            let cells = [
+                Cell::from(row.scene.as_str()).detail(&*row.suite),
+                row.backend.as_str().into(),
+                Cell::count(row.cubes),
+                against(row.volume, row.true_volume),
+                against(row.area, row.true_area),
+                against(row.edge_length, row.true_edge_length),
+                Cell::count(row.corners),
+                Cell::count(row.edge_faces),
+                Cell::count(row.three_faces),
+            ];
+            table.push(run_label(runs, index).into_iter().chain(cells).collect());
+        }
+    }
+    let block = Block::table_or(table, "No union of cubes was measured.");
+    Ok(Some(Section {
+        id: "cubes",
+        title: "Unions of cubes",
+        lead: "Volume, area and edge length as sums over the vertices of the union, and the vertices by kind. Where a \
+               sum is not the true one, both are shown. Area and edge length are those of the perturbed cubes, in the \
+               limit."
+            .to_owned(),
+        blocks: vec![block],
+    }))
+}
+
+/// A measure, with the true one where it is another.
+fn against(found: f64, truth: f64) -> Cell {
+    #[allow(clippy::float_cmp)] // equal sums are rounded to equal doubles
+    if found == truth {
+        return Cell::from(significant(found, 6));
+    }
+    let found = if found < 0.0 { format!("−{}", significant(-found, 6)) } else { significant(found, 6) };
+    Cell::from(found).detail(format!("true: {}", significant(truth, 6))).tone(Tone::Bad)
+}

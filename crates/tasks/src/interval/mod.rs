@@ -1,0 +1,169 @@
+//! `interval`: the cell of a partition of a line in which each probe lies.
+//!
+//! Franklin and Magalhães, section 4.1. The smallest algorithm in which a tie
+//! matters: a probe at an end is in both cells, in one or in none.
+
+mod content;
+mod generate;
+mod judge;
+
+use std::path::{Path, PathBuf};
+
+use predicament_algorithms::interval::{Place, cells_at};
+use predicament_corpus::{Context, Family, LoadedScene, Parts, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
+use rayon::prelude::*;
+
+pub use content::Cells;
+
+use crate::{Answer, Asked, Case, Contestant, Explanation, How, Outcome, Stop, Task, Watch, digest};
+
+/// Probes between two looks at the watch.
+const CHUNK: usize = 1024;
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Interval;
+
+/// The cells that a probe is not outside of, ascending.
+pub type Found = Vec<(usize, Place)>;
+
+/// The cells of all probes, in order.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct CellsFound(pub Vec<Found>);
+
+impl Answer for CellsFound {
+    fn digest(&self) -> u64 {
+        let end = (usize::MAX, Place::Outside);
+        let places = self.0.iter().flat_map(|cells| cells.iter().copied().chain([end]));
+        digest(places.flat_map(|(cell, place)| {
+            let [a, b, c, d, e, f, g, h] = (cell as u64).to_le_bytes();
+            [a, b, c, d, e, f, g, h, u8::from(place == Place::AtEnd)]
+        }))
+    }
+}
+
+impl SceneFormat for Interval {
+    fn name(&self) -> &'static str {
+        "interval"
+    }
+
+    fn about(&self) -> &'static str {
+        "the cell of a partition of a line in which a point lies (Franklin and Magalhães, 4.1)"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["points", "axis", "cells"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points"]
+    }
+
+    fn read(&self, _: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        let (scene, cells) = content::read(fields)?;
+        Ok(Source::Written(Parts::new(scene, cells)))
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &generate::FAMILIES
+    }
+
+    fn generator_keys(&self) -> &'static [&'static str] {
+        &["dimension", "axis"]
+    }
+
+    fn naming_keys(&self) -> &'static [&'static str] {
+        &["dimension", "axis"]
+    }
+}
+
+impl Task for Interval {
+    type Content = Cells;
+    type Truth = Vec<Found>;
+    type Answer = CellsFound;
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare]
+    }
+
+    fn looks_at_watch(&self) -> bool {
+        true
+    }
+
+    fn truth(&self, scene: &Scene, content: &Cells, watch: &Watch) -> Result<Vec<Found>, Stop> {
+        judge::truth(scene, content, watch)
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &Cells,
+        how: &How<'_>,
+        answer: &mut CellsFound,
+    ) -> Result<(), Stop> {
+        let session = &*session;
+        answer.0.resize(content.probes.len(), Vec::new());
+        answer.0.par_chunks_mut(CHUNK).zip(content.probes.par_chunks(CHUNK)).try_for_each(|(found, probes)| {
+            for (found, &probe) in found.iter_mut().zip(probes) {
+                found.clear();
+                found.extend(cells_at(session, content.axis, &content.cells, probe));
+            }
+            how.watch.done(probes.len() as u64)
+        })
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, Interval>,
+        asked: &Asked<'_>,
+        answer: &CellsFound,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        judge::judge(case, asked, &answer.0, outcome)
+    }
+
+    fn describe(&self, _: &LoadedScene, content: &Cells, _: &Watch) -> Result<String, Stop> {
+        Ok(format!("{} cells, {} probes\n", content.cells.len(), content.probes.len()))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &Cells,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let probe = query.vertices().next().ok_or_else(|| format!("`{query}` names no probe"))?;
+        let ask = |backend: &dyn Contestant| {
+            let one = Cells { probes: vec![probe], ..content.clone() };
+            backend.answer(self, scene, &one).map(|found| describe(&found.0[0]))
+        };
+        let about = Explanation { vertices: vec![probe], ..Explanation::default() };
+        Ok(about.with_answers(backends, ask))
+    }
+
+    fn write(&self, _: &Scene, content: &Cells, answer: &CellsFound, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+        let path = folder.join("cells.csv");
+        let lines =
+            content.probes.iter().zip(&answer.0).map(|(probe, cells)| format!("{probe},\"{}\"\n", describe(cells)));
+        std::fs::write(&path, "probe,cells\n".to_owned() + &lines.collect::<String>())?;
+        Ok(vec![path])
+    }
+}
+
+/// Cells in words: `in 3`, `at the end of 3, 4`.
+#[must_use]
+pub fn describe(cells: &Found) -> String {
+    let of = |wanted: Place| {
+        let cells = cells.iter().filter(|&&(_, place)| place == wanted);
+        cells.map(|(cell, _)| cell.to_string()).collect::<Vec<_>>().join(", ")
+    };
+    match (of(Place::Inside), of(Place::AtEnd)) {
+        (inside, ends) if inside.is_empty() && ends.is_empty() => "in none".to_owned(),
+        (inside, ends) if ends.is_empty() => format!("in {inside}"),
+        (inside, ends) if inside.is_empty() => format!("at the end of {ends}"),
+        (inside, ends) => format!("in {inside}; at the end of {ends}"),
+    }
+}

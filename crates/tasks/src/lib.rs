@@ -1,0 +1,48 @@
+//! Tasks: what can be asked of a scene, one folder each.
+//!
+//! A [`Task`] is everything about one question: its keys in suites, its
+//! generators, its truth, how it is solved by any backend, how answers are
+//! judged and explained, and its section of a report. The other crates see a
+//! task only as [`AnyTask`]; none of them names one. A new task is a new folder
+//! here (or in anybody's crate) and one line in a list: `docs/TASKS.md` walks
+//! through one.
+//!
+//! This crate never names a backend. What runs tasks on backends, with time
+//! limits and expectations, is the crate `oracle`.
+//!
+//! * [`Task`], [`Case`], [`Asked`]: what a task implements and is handed.
+//! * [`Contestant`], [`Entry`], [`Solver`]: a backend picked at run time. [`built_in`] is the
+//!   one list where backends and tasks meet.
+//! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
+//! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`]: the tasks.
+
+mod any;
+mod budget;
+mod case;
+mod contestant;
+mod counts;
+mod digest;
+mod list;
+mod outcome;
+mod solver;
+mod task;
+mod watch;
+
+pub mod contacts;
+pub mod cube_union;
+pub mod interval;
+pub mod polygon_locate;
+pub mod signs;
+
+pub use any::{AnyCase, AnyTask};
+pub use budget::Budget;
+pub use case::{Asked, Case, Dispute};
+pub use contestant::{Contestant, Entry};
+pub use counts::ClassCounts;
+pub use digest::digest;
+pub use list::{TaskList, built_in, solvers, vocabulary};
+pub use outcome::{Finding, Outcome, finding_id, ids, symbol};
+pub use predicament_predicates::{Class, Status};
+pub use solver::{Halt, How, OnTask, Purpose, Refusal, Solver, Stopwatch};
+pub use task::{Answer, Explanation, Task};
+pub use watch::{Stop, Watch};

@@ -1,0 +1,95 @@
+//! The one list where backends and tasks meet.
+
+use std::sync::{Arc, OnceLock};
+
+use predicament_corpus::{SceneFormat, Vocabulary};
+use predicament_predicates::Backend;
+
+use crate::contacts::Contacts;
+use crate::cube_union::CubeUnion;
+use crate::interval::Interval;
+use crate::polygon_locate::PolygonLocate;
+use crate::signs::Signs;
+use crate::{AnyTask, OnTask, Solver, Task};
+
+/// All tasks of the house, in the order of reports and messages. A new task is a line here.
+macro_rules! each_task {
+    ($do:ident) => {
+        vec![
+            $do!(Signs::COMPARE),
+            $do!(Signs::ORIENT2D),
+            $do!(Signs::ORIENT3D),
+            $do!(Signs::INCIRCLE),
+            $do!(Signs::INSPHERE),
+            $do!(Interval),
+            $do!(PolygonLocate),
+            $do!(CubeUnion),
+            $do!(Contacts::IN_PLANE),
+            $do!(Contacts::IN_SPACE),
+        ]
+    };
+}
+
+/// The tasks of the house.
+#[must_use]
+pub fn built_in() -> Vec<&'static dyn AnyTask> {
+    macro_rules! any {
+        ($task:expr) => {
+            &$task as &'static dyn AnyTask
+        };
+    }
+    each_task!(any)
+}
+
+/// A backend on each task of the house.
+pub fn solvers<B: Backend + 'static>(backend: &Arc<B>) -> Vec<Box<dyn Solver>> {
+    macro_rules! on {
+        ($task:expr) => {
+            Box::new(OnTask::new(backend, $task)) as Box<dyn Solver>
+        };
+    }
+    each_task!(on)
+}
+
+/// The tasks of the house as suites know them.
+#[must_use]
+pub fn vocabulary() -> &'static Vocabulary {
+    static VOCABULARY: OnceLock<Vocabulary> = OnceLock::new();
+    VOCABULARY
+        .get_or_init(|| Vocabulary::new(built_in().into_iter().map(|task| task as &'static dyn SceneFormat).collect()))
+}
+
+/// Tasks of other crates: `()`, or a task and more of them.
+pub trait TaskList: Clone + Send + Sync + 'static {
+    /// The tasks, for good.
+    fn tasks(&self) -> Vec<&'static dyn AnyTask>;
+
+    /// A backend on each of them.
+    fn solvers<B: Backend + 'static>(&self, backend: &Arc<B>) -> Vec<Box<dyn Solver>>;
+}
+
+impl TaskList for () {
+    fn tasks(&self) -> Vec<&'static dyn AnyTask> {
+        Vec::new()
+    }
+
+    fn solvers<B: Backend + 'static>(&self, _: &Arc<B>) -> Vec<Box<dyn Solver>> {
+        Vec::new()
+    }
+}
+
+impl<T: Task + Clone, Rest: TaskList> TaskList for (T, Rest) {
+    fn tasks(&self) -> Vec<&'static dyn AnyTask> {
+        // A task lives as long as the program that it is part of.
+        let task: &'static T = Box::leak(Box::new(self.0.clone()));
+        let mut tasks = self.1.tasks();
+        tasks.push(task);
+        tasks
+    }
+
+    fn solvers<B: Backend + 'static>(&self, backend: &Arc<B>) -> Vec<Box<dyn Solver>> {
+        let mut solvers = self.1.solvers(backend);
+        solvers.push(Box::new(OnTask::new(backend, self.0.clone())));
+        solvers
+    }
+}

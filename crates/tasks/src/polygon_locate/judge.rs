@@ -1,0 +1,129 @@
+//! Every probe against the plane around it.
+//!
+//! The map's own flaws and the surroundings of each probe are found first, so
+//! that what is wrong with the data is never counted against a backend.
+//!
+//! A backend is judged by what it says about every edge in the way, whether or
+//! not raw coordinates decide about it. What users run, and what is timed, is
+//! the shortcut that leaves those edges out; a backend whose signs are proved
+//! has to give the same answers by it.
+
+use predicament_algorithms::polygon_locate::{Location, Locations, locate_all, question_all};
+use predicament_checks::tiling::{Fault, Flaws, Ground, Surroundings, map_flaws, surroundings, tiling_report};
+use predicament_judge::Judged;
+use predicament_predicates::{PredicateKind, Query, Scene, Vertex, ZeroMeaning};
+
+use super::section::LocateRow;
+use super::{Located, MapWithProbes, PolygonLocate, describe, watched};
+use crate::{Answer, Asked, Case, Class, Finding, Outcome, Stop, Watch};
+
+/// What is true about a map and its probes.
+pub struct Truth {
+    /// The map's own flaws.
+    pub flaws: Flaws,
+    /// What is around each probe.
+    pub surroundings: Surroundings,
+    /// Where each probe is.
+    pub exact: Locations,
+}
+
+impl Truth {
+    /// Finds the map's flaws and the truth about the probes.
+    pub(super) fn new(scene: &Scene, content: &MapWithProbes, watch: &Watch) -> Result<Truth, Stop> {
+        let (index, probes) = (content.index(scene), content.vertices());
+        let session = Judged::exact(scene);
+        let flaws = map_flaws(index, &session);
+        watch.done(0)?;
+        let surroundings = surroundings(index, &session, &probes);
+        watch.done(0)?;
+        let exact = watched(watch, |go_on| question_all(index, &session, &probes, go_on))?;
+        Ok(Truth { flaws, surroundings, exact })
+    }
+
+    /// How many probes stand on each kind of ground.
+    #[must_use]
+    pub fn grounds(&self, probes: usize) -> Vec<(&'static str, usize)> {
+        let count = |ground| (0..probes).filter(|&at| self.surroundings.ground(at) == ground).count();
+        Ground::ALL.into_iter().map(|ground| (ground.name(), count(ground))).filter(|&(_, n)| n > 0).collect()
+    }
+}
+
+/// Judges the locations of all probes.
+pub(super) fn judge(
+    case: &Case<'_, PolygonLocate>,
+    asked: &Asked<'_>,
+    answers: &Locations,
+    outcome: &mut Outcome,
+) -> Result<(), Stop> {
+    let (content, truth) = (case.content, &case.truth);
+    let contract = asked.contract(PredicateKind::Orient2d);
+    let zero = contract.zero;
+    let probes: Vec<Vertex> = content.vertices();
+    let short = Located(locate_all(content.index(case.scene()), asked.session, &probes, &|_| true));
+    outcome.digest = Some(short.digest());
+    // Proved signs are exact ones, or those of one perturbed scene.
+    let shortcut = (contract.proved && zero != ZeroMeaning::Band).then_some(&short.0);
+    asked.watch.done(0)?;
+    let report = tiling_report(&truth.surroundings, answers, zero);
+    let mut violations = report.violations().iter().peekable();
+    for (at, answer) in answers.iter().enumerate() {
+        let violation = violations.next_if(|violation| violation.probe == at);
+        let exact = location(&truth.exact, at);
+        let class = match violation {
+            Some(violation) => class_of_fault(violation.fault),
+            None if answer == exact => Class::Agree,
+            None => match zero {
+                ZeroMeaning::Never => Class::TieBroken,
+                ZeroMeaning::Band => Class::InBand,
+                ZeroMeaning::Exact if answer.boundary.len() < exact.boundary.len() => Class::MissedZero,
+                ZeroMeaning::Exact => Class::Overreach,
+            },
+        };
+        let by_shortcut = shortcut.map(|all| location(all, at)).filter(|&other| other != answer);
+        let class = if class.is_legal() && by_shortcut.is_some() { Class::Topology } else { class };
+        outcome.note(class, asked.budget.findings_per_class, || {
+            let (check, got, truth) = match (violation, by_shortcut) {
+                (Some(violation), _) => (violation.fault.name(), answer, exact),
+                (None, Some(other)) => ("shortcut", other, answer),
+                (None, None) => ("exact location", answer, exact),
+            };
+            let query = Query::of_task("polygon-locate", &[probes[at]]);
+            let [got, truth] = [got, truth].map(|location| describe(&content.map, location));
+            Finding::plain(class, check, vec![query], got, truth)
+        });
+    }
+    for ground in Ground::ALL {
+        let counts = report.counts(ground);
+        if counts.probes() > 0 {
+            outcome.row(&LocateRow {
+                suite: case.loaded.suite.clone(),
+                scene: case.loaded.name.clone(),
+                scene_id: case.loaded.id.clone(),
+                backend: asked.backend.name(),
+                surroundings: ground.name().to_owned(),
+                probes: counts.probes() as u64,
+                in_none: counts.none as u64,
+                in_one: counts.one as u64,
+                in_many: counts.more as u64,
+                on_boundary: counts.boundary as u64,
+                violations: report.violations().iter().filter(|violation| violation.ground == ground).count() as u64,
+            });
+        }
+    }
+    Ok(())
+}
+
+fn location(all: &Locations, at: usize) -> Location<'_> {
+    Location { inside: all.inside(at), boundary: all.boundary(at) }
+}
+
+/// Where an answer fits no sector, topology is broken; the other faults are
+/// broken promises about zeros.
+fn class_of_fault(fault: Fault) -> Class {
+    match fault {
+        Fault::Gap | Fault::Double | Fault::Misplaced => Class::Topology,
+        Fault::FalseBoundary => Class::Overreach,
+        Fault::MissedBoundary => Class::MissedZero,
+        Fault::UnbrokenTie => Class::Inconsistent,
+    }
+}

@@ -1,0 +1,236 @@
+//! `polygon-locate`: the region of a map in which each probe lies.
+//!
+//! Franklin and Magalhães, section 4.2. Each point of the plane should be in
+//! exactly one face of a tiling, also on borders and corners.
+
+pub(crate) mod content;
+mod generate;
+mod judge;
+mod probes;
+mod section;
+
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use predicament_algorithms::polygon_locate::{Location, Locations, Scratch, locate_all, question_all};
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_mesh::PolygonMap;
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
+use predicament_records::{RunDir, TableSpec};
+use predicament_report::Section;
+
+pub use content::{MapWithProbes, Probe, ProbeKind};
+pub use judge::Truth;
+pub use section::LocateRow;
+
+use crate::{Answer, Asked, Case, Contestant, Explanation, How, Outcome, Purpose, Stop, Task, Watch, digest};
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct PolygonLocate;
+
+/// The locations of all probes.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Located(pub Locations);
+
+impl Answer for Located {
+    /// For each probe how many regions it is inside of, how many boundaries it is on, then the regions.
+    fn digest(&self) -> u64 {
+        digest(self.0.iter().flat_map(|location| {
+            // A map has far fewer than 2^32 regions, so both lengths fit.
+            #[allow(clippy::cast_possible_truncation)]
+            let lengths = [location.inside.len() as u32, location.boundary.len() as u32];
+            let regions = location.inside.iter().chain(location.boundary).copied();
+            lengths.into_iter().chain(regions).flat_map(u32::to_le_bytes)
+        }))
+    }
+}
+
+impl SceneFormat for PolygonLocate {
+    fn name(&self) -> &'static str {
+        "polygon-locate"
+    }
+
+    fn about(&self) -> &'static str {
+        "the region of a map in which a point lies (Franklin and Magalhães, 4.2)"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["map", "random", "random_full", "seed", "quick_stride", "full_stride"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        Ok(Source::elsewhere(content::MapSource::read(context, fields)?))
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &generate::FAMILIES
+    }
+
+    fn generator_keys(&self) -> &'static [&'static str] {
+        &["random", "random_full", "quick_stride", "full_stride"]
+    }
+}
+
+impl Task for PolygonLocate {
+    type Content = MapWithProbes;
+    type Truth = Truth;
+    type Answer = Located;
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare, PredicateKind::Orient2d]
+    }
+
+    fn looks_at_watch(&self) -> bool {
+        true
+    }
+
+    fn truth(&self, scene: &Scene, content: &MapWithProbes, watch: &Watch) -> Result<Truth, Stop> {
+        Truth::new(scene, content, watch)
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &MapWithProbes,
+        how: &How<'_>,
+        answer: &mut Located,
+    ) -> Result<(), Stop> {
+        let (session, index) = (&*session, content.index(session.scene()));
+        let probes = content.vertices();
+        answer.0 = match how.purpose {
+            Purpose::Judge => watched(how.watch, |go_on| question_all(index, session, &probes, go_on))?,
+            Purpose::Use => watched(how.watch, |go_on| locate_all(index, session, &probes, go_on))?,
+        };
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, PolygonLocate>,
+        asked: &Asked<'_>,
+        answer: &Located,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        judge::judge(case, asked, &answer.0, outcome)
+    }
+
+    fn describe(&self, loaded: &LoadedScene, content: &MapWithProbes, watch: &Watch) -> Result<String, Stop> {
+        let truth = Truth::new(&loaded.scene, content, watch)?;
+        let flaws = &truth.flaws;
+        let grounds = truth.grounds(content.probes.len());
+        let grounds: Vec<String> = grounds.into_iter().map(|(name, count)| format!("{count} {name}")).collect();
+        Ok(format!(
+            "{} regions, {} edges (shared ones once for each side), {} probes\nimport: {}\n\
+             the map's own flaws: {} duplicate points, {} T-junctions, {} crossings, {} overlapping edges\n\
+             probes by their surroundings: {}\n",
+            content.map.regions().len(),
+            content.map.edges().count(),
+            content.probes.len(),
+            loaded.notes,
+            flaws.duplicates.len(),
+            flaws.junctions.len(),
+            flaws.crossings.len(),
+            flaws.overlaps.len(),
+            grounds.join(", ")
+        ))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &MapWithProbes,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let probe = query.vertices().next().ok_or_else(|| format!("`{query}` names no probe"))?;
+        let index = content.index(scene);
+        let ask = |backend: &dyn Contestant| {
+            let mut told = Err(format!("{} was not asked", backend.name()));
+            let prepared = backend.with_session(scene, &mut |session| {
+                told = self.supported(session).map_err(|why| why.to_string()).map(|()| {
+                    let asked = describe(&content.map, index.question(session, probe, &mut Scratch::new()));
+                    let by_shortcut = describe(&content.map, index.locate(session, probe, &mut Scratch::new()));
+                    if asked == by_shortcut { asked } else { format!("{asked} (by the shortcut: {by_shortcut})") }
+                });
+            });
+            prepared.map_err(|why| why.to_string()).and_then(|()| told)
+        };
+        let about = Explanation { vertices: vec![probe], ..Explanation::default() };
+        Ok(about.with_answers(backends, ask))
+    }
+
+    /// GeoJSON: each probe a point with the regions that it is in and on.
+    fn write(
+        &self,
+        scene: &Scene,
+        content: &MapWithProbes,
+        answer: &Located,
+        folder: &Path,
+    ) -> std::io::Result<Vec<PathBuf>> {
+        let name = |&region: &u32| content.map.regions()[region as usize].name.as_str();
+        let names = |regions: &[u32]| regions.iter().map(name).map(str::to_owned).collect::<Vec<String>>();
+        let features: Vec<serde_json::Value> = content
+            .probes
+            .iter()
+            .zip(answer.0.iter())
+            .map(|(probe, location)| {
+                serde_json::json!({
+                    "type": "Feature",
+                    "geometry": { "type": "Point", "coordinates": scene.point(probe.vertex) },
+                    "properties": {
+                        "vertex": probe.vertex.to_string(),
+                        "inside": names(location.inside),
+                        "on": names(location.boundary),
+                    },
+                })
+            })
+            .collect();
+        let json = serde_json::json!({ "type": "FeatureCollection", "features": features });
+        let path = folder.join("probes.geojson");
+        std::fs::write(&path, format!("{json}\n"))?;
+        Ok(vec![path])
+    }
+
+    fn tables(&self) -> Vec<TableSpec> {
+        vec![TableSpec::of::<LocateRow>()]
+    }
+
+    fn section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error> {
+        section::section(runs)
+    }
+}
+
+/// Runs something that says how many probes it has done, as long as the watch lets it.
+fn watched(watch: &Watch, all: impl FnOnce(&(dyn Fn(usize) -> bool + Sync)) -> Locations) -> Result<Locations, Stop> {
+    let before = AtomicUsize::new(0);
+    let stop = OnceLock::new();
+    let locations = all(&|done| {
+        let news = done.saturating_sub(before.fetch_max(done, Ordering::Relaxed));
+        match watch.done(news as u64) {
+            Ok(()) => true,
+            Err(why) => {
+                let _ = stop.set(why);
+                false
+            }
+        }
+    });
+    stop.get().map_or(Ok(locations), |&why| Err(why))
+}
+
+/// A location in words: `in France; on Spain, Andorra`.
+#[must_use]
+pub fn describe(map: &PolygonMap, location: Location<'_>) -> String {
+    let names = |regions: &[u32]| {
+        let names = regions.iter().map(|&region| map.regions()[region as usize].name.as_str());
+        names.collect::<Vec<_>>().join(", ")
+    };
+    match (location.inside, location.boundary) {
+        ([], []) => "in none".to_owned(),
+        (inside, []) => format!("in {}", names(inside)),
+        ([], boundary) => format!("on {}", names(boundary)),
+        (inside, boundary) => format!("in {}; on {}", names(inside), names(boundary)),
+    }
+}

@@ -1,0 +1,93 @@
+//! `locate.csv` and what a report makes of it.
+
+use predicament_records::{Error, Row, RunDir};
+use predicament_report::layout::{backends, rank, run_head, run_label};
+use predicament_report::{Block, Cell, Section, Table, Tone};
+use serde::{Deserialize, Serialize};
+
+/// `locate.csv`: in how many regions of a tiling the probes were found.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct LocateRow {
+    /// The suite's name.
+    pub suite: String,
+    /// The scene's name in its suite.
+    pub scene: String,
+    /// The scene's content id.
+    pub scene_id: String,
+    /// The backend's name, with its parameters.
+    pub backend: String,
+    /// What the map is like around these probes: `land`, `coast`, `sea`, …
+    pub surroundings: String,
+    /// How many probes there were.
+    pub probes: u64,
+    /// Probes found in no region.
+    pub in_none: u64,
+    /// Probes found in exactly one.
+    pub in_one: u64,
+    /// Probes found in two or more.
+    pub in_many: u64,
+    /// Probes reported to be on a boundary.
+    pub on_boundary: u64,
+    /// Probes whose answer no tiling of the plane allows.
+    pub violations: u64,
+}
+
+impl Row for LocateRow {
+    const FILE: &'static str = "locate.csv";
+    const COLUMNS: &'static [&'static str] = &[
+        "suite",
+        "scene",
+        "scene_id",
+        "backend",
+        "surroundings",
+        "probes",
+        "in_none",
+        "in_one",
+        "in_many",
+        "on_boundary",
+        "violations",
+    ];
+}
+
+/// The section of a report.
+pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
+    let order = backends(runs);
+    let mut table = Table::new("").words(run_head(runs)).words(["scene", "surroundings", "backend"]).numbers([
+        "probes",
+        "in none",
+        "in one",
+        "in many",
+        "on boundary",
+        "violations",
+    ]);
+    for (index, run) in runs.iter().enumerate() {
+        let mut rows = run.rows::<LocateRow>()?;
+        rows.sort_by_cached_key(|r| {
+            ([&r.suite, &r.scene, &r.scene_id, &r.surroundings].map(String::clone), rank(&order, &r.backend))
+        });
+        for row in &rows {
+            let violated = if row.violations == 0 { Tone::Muted } else { Tone::Bad };
+            let cells = [
+                Cell::from(row.scene.as_str()).detail(&*row.suite),
+                row.surroundings.as_str().into(),
+                row.backend.as_str().into(),
+                Cell::count(row.probes),
+                Cell::count(row.in_none),
+                Cell::count(row.in_one),
+                Cell::count(row.in_many),
+                Cell::count(row.on_boundary),
+                Cell::count(row.violations).tone(violated),
+            ];
+            table.push(run_label(runs, index).into_iter().chain(cells).collect());
+        }
+    }
+    let block = Block::table_or(table, "No point was located in a map.");
+    Ok(Some(Section {
+        id: "locate",
+        title: "Points in a map",
+        lead: "Probes by what the map is like around them, and in how many regions each backend found them. A \
+               violation is an answer that no consistent reading of the map allows."
+            .to_owned(),
+        blocks: vec![block],
+    }))
+}

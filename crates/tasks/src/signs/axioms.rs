@@ -1,0 +1,224 @@
+//! Samples of answers held against each other: argument orders and relations.
+//!
+//! The laws themselves are in the crate `checks`; this file picks which tuples
+//! of a scene are asked. The choice depends on indices only, never on chance
+//! or time, so a finding comes back in every run.
+//!
+//! That ties are broken at all, and no sign changed, is seen when every query
+//! is held against the truth, so those two laws are not asked again.
+
+use predicament_checks::axioms::{
+    Law, Relation, Violation, Zeros, antisymmetry, independence_of_later_vertices, independence_of_place, relations,
+    transitivity,
+};
+use predicament_predicates::{Axis, Dimension, Plane, QuerySet, Question, Scene, Vertex, ZeroMeaning};
+use rayon::prelude::*;
+
+use super::judge::Given;
+use crate::{Asked, Budget, Class, ClassCounts, Finding, Stop, Watch};
+
+/// What the laws found: all is counted, the first violations are kept. There can be millions.
+#[derive(Default)]
+pub(super) struct Violations {
+    /// Queries whose own answer was legal, but contradicted by another order
+    /// of the arguments: they leave these classes.
+    pub moved: ClassCounts,
+    /// Relations between different queries that don't hold.
+    pub relations: u64,
+    first: Vec<Violation>,
+}
+
+/// Queries or tuples to a chunk of the sample.
+const CHUNK: usize = 256;
+
+pub(super) fn check(given: &Given<'_>, asked: &Asked<'_>) -> Result<Violations, Stop> {
+    let (budget, watch) = (asked.budget, asked.watch);
+    let mut found = orders(given, budget, watch)?;
+    let zeros = Zeros::promised(|kind| asked.contract(kind));
+    found.merge(related(given, zeros, budget, watch)?, budget);
+    if budget.thorough {
+        found.merge(places(given, budget, watch)?, budget);
+        found.merge(later_vertices(given, asked, zeros)?, budget);
+    }
+    Ok(found)
+}
+
+impl Violations {
+    /// Notes one, of a query that leaves its class or of a relation between queries.
+    fn note(&mut self, leaves: Option<Class>, violation: Violation, budget: Budget) {
+        match leaves {
+            Some(class) => self.moved.add(class, 1),
+            None => self.relations += 1,
+        }
+        if self.first.len() < budget.findings_per_class {
+            self.first.push(violation);
+        }
+    }
+
+    /// Adds what came after.
+    fn merge(&mut self, later: Violations, budget: Budget) {
+        self.moved.merge(&later.moved);
+        self.relations += later.relations;
+        self.first.extend(later.first);
+        self.first.truncate(budget.findings_per_class);
+    }
+
+    /// The first ones, in words.
+    pub fn findings(&self) -> impl Iterator<Item = Finding> {
+        self.first.iter().map(|violation| {
+            let answers = &violation.answers;
+            let queries = answers.iter().map(|answer| answer.question.query(&answer.args)).collect();
+            let got = answers.iter().map(|answer| answer.sign.symbol()).collect();
+            Finding::plain(Class::Inconsistent, violation.law.name(), queries, got, String::new())
+        })
+    }
+}
+
+/// All orders of the arguments of evenly spread queries, as many as the budget pays for.
+fn orders(given: &Given<'_>, budget: Budget, watch: &Watch) -> Result<Violations, Stop> {
+    let question = given.queries.question();
+    let orders: usize = (1..=question.kind().arity()).product();
+    let sample: Vec<usize> = Budget::spread(given.queries.len(), orders, budget.permutations).collect();
+    let zero = given.contract.zero;
+    in_chunks(&sample, budget, watch, |&query| {
+        let args = given.queries.args(query);
+        let violation = antisymmetry(given.session, question, args, zero).into_iter().next()?;
+        let class = given.class(query);
+        class.is_legal().then_some((Some(class), violation))
+    })
+}
+
+/// Transitivity and the three-term relations on evenly spread tuples of vertices; in
+/// a hurry only those of comparisons and orientations by themselves.
+fn related(given: &Given<'_>, zeros: Zeros, budget: Budget, watch: &Watch) -> Result<Violations, Stop> {
+    let session = given.session;
+    let mut found = Violations::default();
+    let asked = asked(given, budget.thorough);
+    for question in asked {
+        if let Question::Compare(axis) = question {
+            let sample = tuples(given, 3, budget.relations);
+            found.merge(
+                in_chunks(&sample, budget, watch, |tuple| {
+                    let &[a, b, c] = tuple.as_slice() else { return None };
+                    transitivity(session, axis, [a, b, c], zeros.of(question.kind())).map(|violation| (None, violation))
+                })?,
+                budget,
+            );
+        }
+        let lifted = matches!(question, Question::Incircle | Question::Insphere);
+        let wanted = |relation: &Relation| budget.thorough || (!lifted && relation.law() == Law::GrassmannPlucker);
+        for relation in relations(question).into_iter().filter(wanted) {
+            let supported = relation.questions().all(|question| session.supports(question.kind()).is_ok());
+            let sample = if supported { tuples(given, relation.vertices(), budget.relations) } else { Vec::new() };
+            let look = |tuple: &Vec<Vertex>| relation.check(session, tuple, zeros).map(|violation| (None, violation));
+            found.merge(in_chunks(&sample, budget, watch, look)?, budget);
+        }
+    }
+    Ok(found)
+}
+
+/// The scene's own question; with plenty of time also the same along the other axes and in the other planes.
+fn asked(given: &Given<'_>, thorough: bool) -> Vec<Question> {
+    let own = given.queries.question();
+    let axes = [Axis::X, Axis::Y, Axis::Z];
+    match (own, given.scene.dimension()) {
+        (Question::Compare(_), dimension) if thorough => {
+            axes.into_iter().take(dimension.count()).map(Question::Compare).collect()
+        }
+        (Question::Orient2d(_), Dimension::Three) if thorough => {
+            [Plane::Xy, Plane::Yz, Plane::Zx].map(Question::Orient2d).into()
+        }
+        _ => vec![own],
+    }
+}
+
+/// Queries to a batch in which each is asked: not a multiple of what any batch takes at a time.
+const BATCH: usize = 61;
+
+/// Evenly spread queries alone and in batches.
+fn places(given: &Given<'_>, budget: Budget, watch: &Watch) -> Result<Violations, Stop> {
+    let sample: Vec<usize> = Budget::spread(given.queries.len(), 1, budget.relations).collect();
+    let batches: Vec<QuerySet> = sample
+        .chunks(BATCH)
+        .map(|queries| {
+            let args = queries.iter().flat_map(|&query| given.queries.args(query)).copied().collect();
+            QuerySet::new(given.queries.question(), args)
+        })
+        .collect();
+    in_chunks(&batches, budget, watch, |batch| {
+        independence_of_place(given.session, batch).map(|violation| (None, violation))
+    })
+}
+
+/// Evenly spread queries about the first half of the vertices, in a scene that has no others. (Not
+/// where vertices are constructed, nor where there are two meshes: those scenes are no list of points.)
+fn later_vertices(given: &Given<'_>, asked: &Asked<'_>, zeros: Zeros) -> Result<Violations, Stop> {
+    let (scene, question, budget) = (given.scene, given.queries.question(), asked.budget);
+    let listed = scene.constructions().is_empty() && scene.second_mesh().is_none();
+    let half = scene.len().div_ceil(2);
+    let coordinates = scene.coordinates()[..half * scene.dimension().count()].to_vec();
+    let first = Scene::new(scene.dimension(), coordinates).ok();
+    let first = first.filter(|_| listed && zeros.of(question.kind()) != ZeroMeaning::Band);
+    let Some(first) = first else { return Ok(Violations::default()) };
+    let within: Vec<&[Vertex]> = (0..given.queries.len())
+        .map(|query| given.queries.args(query))
+        .filter(|args| args.iter().all(|v| v.index() < half))
+        .collect();
+    let sample: Vec<&[Vertex]> = Budget::spread(within.len(), 1, budget.relations).map(|at| within[at]).collect();
+    let mut found = Ok(Violations::default());
+    let prepared = asked.backend.with_session(&first, &mut |fewer| {
+        found = in_chunks(&sample, budget, asked.watch, |args| {
+            independence_of_later_vertices(fewer, given.session, question, args).map(|violation| (None, violation))
+        });
+    });
+    // A backend that declines the smaller scene has answered nothing about it.
+    prepared.map_or_else(|_| Ok(Violations::default()), |()| found)
+}
+
+/// Distinct vertices: half of the tuples are neighbours in the query list (they
+/// share a degeneracy), half are spread over the scene.
+fn tuples(given: &Given<'_>, size: usize, wanted: usize) -> Vec<Vec<Vertex>> {
+    let flat = given.queries.flat();
+    if flat.len() < size {
+        return Vec::new();
+    }
+    let windows = flat.len() - size + 1;
+    let near = Budget::spread(windows, 1, wanted.div_ceil(2)).map(|at| flat[at..at + size].to_vec());
+    // Weyl sequence: spreads indices evenly without a random source.
+    let spread = (0..wanted / 2).map(|i| {
+        let place = |j: usize| {
+            let weyl = ((i * size + j) as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) % flat.len() as u64;
+            usize::try_from(weyl).unwrap_or_default()
+        };
+        (0..size).map(|j| flat[place(j)]).collect()
+    });
+    near.chain(spread)
+        .filter(|tuple: &Vec<Vertex>| {
+            let mut sorted = tuple.clone();
+            sorted.sort_unstable();
+            sorted.windows(2).all(|pair| pair[0] != pair[1])
+        })
+        .collect()
+}
+
+/// Looks at all items in parallel, notes what is found in order, and stops when the watch says so.
+fn in_chunks<T: Sync>(
+    items: &[T],
+    budget: Budget,
+    watch: &Watch,
+    look: impl Fn(&T) -> Option<(Option<Class>, Violation)> + Sync,
+) -> Result<Violations, Stop> {
+    let chunks: Result<Vec<Violations>, Stop> = items
+        .par_chunks(CHUNK)
+        .map(|chunk| {
+            let mut found = Violations::default();
+            for (leaves, violation) in chunk.iter().filter_map(&look) {
+                found.note(leaves, violation, budget);
+            }
+            watch.done(0).map(|()| found)
+        })
+        .collect();
+    let mut all = Violations::default();
+    chunks?.into_iter().for_each(|found| all.merge(found, budget));
+    Ok(all)
+}

@@ -1,0 +1,242 @@
+//! The families by name, and the predicates that they can make queries for.
+
+use std::sync::OnceLock;
+
+use predicament_corpus::{Family, Recipe};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::PredicateKind;
+
+use super::constructed::{self, Kind};
+use super::{band, by_query, degenerate, far, kettner, near, pixels, plain, wide};
+
+const ALL: &[PredicateKind] = &PredicateKind::ALL;
+const FLAT: &[PredicateKind] = &[PredicateKind::Compare, PredicateKind::Orient2d];
+const SOLID: &[PredicateKind] = &[PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d];
+
+/// The families that make queries for a predicate.
+pub(in crate::signs) fn of(kind: PredicateKind) -> &'static [Family] {
+    static FAMILIES: [OnceLock<Vec<Family>>; PredicateKind::ALL.len()] = [const { OnceLock::new() }; 5];
+    FAMILIES[kind.index()].get_or_init(|| {
+        let all = families().into_iter();
+        all.filter(|(kinds, _)| kinds.contains(&kind)).map(|(_, family)| family).collect()
+    })
+}
+
+type Read = fn(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError>;
+
+fn family(
+    name: &'static str,
+    reported_as: &'static str,
+    kinds: &'static [PredicateKind],
+    parameters: &'static [&'static str],
+    about: &'static str,
+    read: Read,
+) -> (&'static [PredicateKind], Family) {
+    (kinds, Family { name, reported_as: Some(reported_as), parameters, about, read })
+}
+
+fn families() -> Vec<(&'static [PredicateKind], Family)> {
+    vec![
+        family("uniform", "uniform", ALL, &[], "multiples of 2^-53, uniform in [0, 1)", |task, fields| {
+            by_query(task, fields, plain::uniform)
+        }),
+        family("grid", "grid", ALL, &[], "integers from 0 to 15: many ties, all arithmetic short", |task, fields| {
+            by_query(task, fields, plain::grid)
+        }),
+        family(
+            "near",
+            "near",
+            ALL,
+            &["ulps"],
+            "moved by at most so many ulps off a line, plane, circle or sphere",
+            near::read,
+        ),
+        family(
+            "kettner",
+            "kettner",
+            ALL,
+            &[],
+            "0.5 + k·2^-53, k < 256, against a line, plane, circle or sphere through 0.5",
+            |task, fields| by_query(task, fields, kettner::kettner),
+        ),
+        family(
+            "degen",
+            "degen",
+            ALL,
+            &[],
+            "exactly degenerate in general position: every answer is 0",
+            |task, fields| by_query(task, fields, degenerate::scaled),
+        ),
+        family(
+            "decimal-collinear",
+            "decimal-collinear",
+            &[PredicateKind::Orient2d],
+            &["digits"],
+            "collinear decimals, rounded to doubles",
+            degenerate::read_decimal,
+        ),
+        family(
+            "decimal-coplanar",
+            "decimal-coplanar",
+            &[PredicateKind::Orient3d],
+            &["digits"],
+            "coplanar decimals, rounded to doubles",
+            degenerate::read_decimal,
+        ),
+        family(
+            "decimal-cocircular",
+            "decimal-cocircular",
+            &[PredicateKind::Incircle],
+            &["digits"],
+            "cocircular decimals, rounded to doubles",
+            degenerate::read_decimal,
+        ),
+        family(
+            "decimal-cospherical",
+            "decimal-cospherical",
+            &[PredicateKind::Insphere],
+            &["digits"],
+            "cospherical decimals, rounded to doubles",
+            degenerate::read_decimal,
+        ),
+        family(
+            "midpoint-collinear",
+            "midpoint-collinear",
+            &[PredicateKind::Orient2d, PredicateKind::Orient3d],
+            &[],
+            "two points and their rounded midpoint; in 3D with any fourth",
+            |task, fields| by_query(task, fields, near::midpoint),
+        ),
+        family(
+            "wide-scaled",
+            "wide",
+            ALL,
+            &[],
+            "uniform, near and degen queries scaled by 2^k, subnormal to 2^1023",
+            |task, fields| by_query(task, fields, wide::scaled),
+        ),
+        family(
+            "wide-mixed",
+            "wide",
+            ALL,
+            &[],
+            "every coordinate with its own exponent, subnormal to 2^1023",
+            |task, fields| by_query(task, fields, wide::mixed),
+        ),
+        family("far", "far", ALL, &[], "unit clusters 2^20 to 2^45 away from the origin", |task, fields| {
+            by_query(task, fields, far::far)
+        }),
+        family(
+            "band",
+            "band",
+            &[PredicateKind::Orient2d, PredicateKind::Orient3d],
+            &[],
+            "determinants around the tolerance scheme's thresholds",
+            band::read,
+        ),
+        family(
+            "pixel-map",
+            "pixel-map",
+            &[PredicateKind::Orient2d],
+            &["p", "q", "r", "side", "step"],
+            "a square of neighbours of p against fixed q and r (Kettner et al.)",
+            pixels::read,
+        ),
+        family(
+            "ssi-uniform",
+            "ssi-uniform",
+            FLAT,
+            &[],
+            "two lines' meeting points and input points, all uniform in [0, 1)",
+            |task, fields| constructed::uniform(task, fields, &[Kind::Ssi]),
+        ),
+        family(
+            "ssi-near",
+            "ssi-near",
+            FLAT,
+            &["ulps"],
+            "two lines' meeting points at most so many ulps beside a tie",
+            |task, fields| constructed::near(task, fields, &[Kind::Ssi]),
+        ),
+        family(
+            "ssi-degen",
+            "ssi-degen",
+            FLAT,
+            &[],
+            "two lines' meeting points in exact ties: every answer is 0",
+            |task, fields| constructed::degenerate(task, fields, &[Kind::Ssi]),
+        ),
+        family(
+            "lpi-uniform",
+            "lpi-uniform",
+            SOLID,
+            &[],
+            "meeting points of lines and planes and input points, all uniform in [0, 1)",
+            |task, fields| constructed::uniform(task, fields, &[Kind::Lpi]),
+        ),
+        family(
+            "lpi-near",
+            "lpi-near",
+            SOLID,
+            &["ulps"],
+            "meeting points of lines and planes at most so many ulps beside a tie",
+            |task, fields| constructed::near(task, fields, &[Kind::Lpi]),
+        ),
+        family(
+            "lpi-degen",
+            "lpi-degen",
+            SOLID,
+            &[],
+            "meeting points of lines and planes in exact ties: every answer is 0",
+            |task, fields| constructed::degenerate(task, fields, &[Kind::Lpi]),
+        ),
+        family(
+            "tpi-uniform",
+            "tpi-uniform",
+            SOLID,
+            &[],
+            "three planes' meeting points and input points, all uniform in [0, 1)",
+            |task, fields| constructed::uniform(task, fields, &[Kind::Tpi]),
+        ),
+        family(
+            "tpi-near",
+            "tpi-near",
+            SOLID,
+            &["ulps"],
+            "three planes' meeting points at most so many ulps beside a tie",
+            |task, fields| constructed::near(task, fields, &[Kind::Tpi]),
+        ),
+        family(
+            "tpi-degen",
+            "tpi-degen",
+            SOLID,
+            &[],
+            "three planes' meeting points in exact ties: every answer is 0",
+            |task, fields| constructed::degenerate(task, fields, &[Kind::Tpi]),
+        ),
+        family(
+            "lpi-tpi-uniform",
+            "lpi-tpi-uniform",
+            SOLID,
+            &[],
+            "both kinds of meeting points in space and input points, all uniform in [0, 1)",
+            |task, fields| constructed::uniform(task, fields, &[Kind::Lpi, Kind::Tpi]),
+        ),
+        family(
+            "lpi-tpi-near",
+            "lpi-tpi-near",
+            SOLID,
+            &["ulps"],
+            "both kinds of meeting points in space at most so many ulps beside a tie",
+            |task, fields| constructed::near(task, fields, &[Kind::Lpi, Kind::Tpi]),
+        ),
+        family(
+            "lpi-tpi-degen",
+            "lpi-tpi-degen",
+            SOLID,
+            &[],
+            "both kinds of meeting points in space in exact ties: every answer is 0",
+            |task, fields| constructed::degenerate(task, fields, &[Kind::Lpi, Kind::Tpi]),
+        ),
+    ]
+}

@@ -1,0 +1,113 @@
+//! Families of sign scenes: ways of being difficult.
+//!
+//! The same family, predicate, parameters and seed give the same bits on every
+//! platform: ChaCha8 is seeded with a hash of them, and coordinates come from
+//! integer arithmetic, + − · / and square roots only, which IEEE 754 rounds the
+//! same everywhere.
+
+mod band;
+mod constructed;
+mod degenerate;
+mod far;
+mod kettner;
+mod list;
+mod near;
+mod pixels;
+mod plain;
+mod shape;
+mod wide;
+
+use predicament_corpus::{Making, Parts, Random, Recipe};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{Construction, Dimension, PredicateKind, QuerySet, Question, Scene, Vertex};
+
+pub(super) use list::of;
+
+use super::{SignQueries, queries};
+
+/// The number of coordinates in which a family thinks about a predicate.
+fn native(kind: PredicateKind) -> usize {
+    match kind {
+        PredicateKind::Compare | PredicateKind::Orient2d | PredicateKind::Incircle => 2,
+        PredicateKind::Orient3d | PredicateKind::Insphere => 3,
+    }
+}
+
+/// Points, what is constructed from them, and the queries where these are not
+/// simply one after the other.
+#[derive(Default)]
+struct Cloud {
+    coordinates: Vec<f64>,
+    args: Option<Vec<Vertex>>,
+    constructions: Vec<Construction>,
+}
+
+/// What a generator's table asks, whatever the family.
+#[derive(Clone, Copy)]
+struct Asked {
+    question: Question,
+    dimension: Dimension,
+}
+
+impl Asked {
+    /// Reads `axis`, `plane` and `dimension`; `fixed` is that of the family's points, where it is not
+    /// for the table to say.
+    fn read(task: &'static str, fields: &Fields<'_, '_>, fixed: Option<Dimension>) -> Result<Asked, CorpusError> {
+        let kind: PredicateKind = task.parse().unwrap_or_else(|error| panic!("{error}"));
+        let question = queries::question(fields, kind)?;
+        let fits = |dimension, cure: &str| {
+            queries::fits(question, dimension).map_err(|(message, _)| fields.error(message, cure))?;
+            Ok(Asked { question, dimension })
+        };
+        if let Some(dimension) = fixed {
+            return fits(dimension, "choose an axis or a plane that the family's points have");
+        }
+        let dimension = match (kind, fields.get("dimension")) {
+            (PredicateKind::Compare | PredicateKind::Orient2d, Some(field)) if field.integer(2..=3)? == 3 => {
+                Dimension::Three
+            }
+            (PredicateKind::Orient3d | PredicateKind::Insphere, _) => Dimension::Three,
+            (PredicateKind::Compare | PredicateKind::Orient2d | PredicateKind::Incircle, _) => Dimension::Two,
+        };
+        fits(dimension, "write `dimension = 3`")
+    }
+
+    fn kind(self) -> PredicateKind {
+        self.question.kind()
+    }
+
+    /// The scene of a cloud.
+    fn parts(self, cloud: Cloud) -> Parts {
+        let mut scene = Scene::new(self.dimension, cloud.coordinates).expect("generators make finite points");
+        for construction in cloud.constructions {
+            scene.construct(construction).expect("generators construct from the scene's points");
+        }
+        let args = cloud.args.unwrap_or_else(|| scene.vertices().collect());
+        Parts::new(scene, SignQueries::new(QuerySet::new(self.question, args)))
+    }
+
+    /// The scene of a cloud whose points are in the plane in which the family thinks.
+    fn placed(self, cloud: Cloud, making: &Making) -> Parts {
+        let mut rest = Random::new(making.family, "coordinates that nobody asks about", making.seed);
+        let coordinates = shape::place(cloud.coordinates, self.question, self.dimension, &mut rest);
+        self.parts(Cloud { coordinates, ..cloud })
+    }
+}
+
+/// A recipe that makes a scene query by query: the first queries of a larger
+/// amount are those of a smaller one.
+fn by_query(
+    task: &'static str,
+    fields: &Fields<'_, '_>,
+    query: impl Fn(PredicateKind, &mut Random, &mut Vec<f64>) + Send + Sync + 'static,
+) -> Result<Recipe, CorpusError> {
+    let asked = Asked::read(task, fields, None)?;
+    Ok(Recipe::new(move |making| {
+        let (kind, mut rng) = (asked.kind(), making.random());
+        let mut coordinates = Vec::with_capacity(making.n * kind.arity() * native(kind));
+        for _ in 0..making.n {
+            query(kind, &mut rng, &mut coordinates);
+        }
+        asked.placed(Cloud { coordinates, ..Cloud::default() }, making)
+    }))
+}

@@ -1,0 +1,40 @@
+//! The whole range of exponents, where products overflow and underflow.
+
+use predicament_predicates::PredicateKind;
+
+use super::{degenerate, native, near, plain};
+use predicament_corpus::Random;
+use predicament_formats::bits::{HIGHEST, LOWEST, scale, top_exponent};
+
+/// An ordinary query, scaled as a whole so that its largest coordinate gets
+/// any exponent that a double can have. Signs don't change where no bit is
+/// lost; near the bottom, bits are lost, and the rounded points are the query.
+pub(super) fn scaled(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
+    let start = out.len();
+    match rng.integer(0, 2) {
+        0 => plain::uniform(kind, rng, out),
+        1 => near::near(kind, 4, rng, out),
+        _ => degenerate::scaled(kind, rng, out),
+    }
+    let Some(top) = out[start..].iter().filter_map(|&x| top_exponent(x)).max() else {
+        return; // all zero: there is nothing to scale
+    };
+    let shift = rng.integer(LOWEST, HIGHEST) - top;
+    for x in &mut out[start..] {
+        *x = scale(*x, shift);
+    }
+}
+
+/// Every coordinate with its own exponent. One in four repeats the value
+/// that the point before it has on the same axis, so that differences vanish.
+pub(super) fn mixed(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
+    let (start, dimension) = (out.len(), native(kind));
+    for _ in 0..kind.arity() * dimension {
+        let before = out.len().checked_sub(dimension).filter(|&before| before >= start);
+        let x = match before {
+            Some(before) if rng.one_in(4) => out[before],
+            _ => scale(rng.mantissa(), rng.integer(LOWEST, HIGHEST)),
+        };
+        out.push(x);
+    }
+}

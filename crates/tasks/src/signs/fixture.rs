@@ -1,0 +1,93 @@
+//! `fixture`: published rows with expected signs.
+
+use predicament_corpus::{Context, Elsewhere, Level, Parts};
+use predicament_formats::{Cache, CorpusError, Entry, Field, TableKind, explain, nearest_coordinate, skipped};
+use predicament_predicates::{Dimension, Plane, PredicateKind, QuerySet, Question, Scene, Sign};
+
+use super::SignQueries;
+
+static FIXTURE: TableKind = TableKind::new("fixture", &["fetch"]);
+
+/// Rows of one predicate, fetched.
+pub(super) struct Fixture {
+    question: Question,
+    entry: Entry,
+}
+
+impl Fixture {
+    /// Reads `fixture = { fetch = "…" }`.
+    pub(super) fn read(
+        kind: PredicateKind,
+        context: &Context<'_>,
+        fixture: &Field<'_, '_>,
+    ) -> Result<Fixture, CorpusError> {
+        let question = match kind {
+            PredicateKind::Compare => {
+                let cure = "use orient2d, orient3d, incircle or insphere";
+                return Err(fixture.error(format!("no fixture has rows for {kind}"), cure));
+            }
+            PredicateKind::Orient2d => Question::Orient2d(Plane::Xy),
+            PredicateKind::Orient3d => Question::Orient3d,
+            PredicateKind::Incircle => Question::Incircle,
+            PredicateKind::Insphere => Question::Insphere,
+        };
+        let table = fixture.fields(&FIXTURE)?;
+        let entry = context.fetched(&table.required("fetch")?)?;
+        table.finish()?;
+        Ok(Fixture { question, entry })
+    }
+}
+
+impl Elsewhere for Fixture {
+    fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
+        let text = cache.read(&self.entry)?;
+        let file = cache.path(&self.entry).display().to_string();
+        let (scene, expected) = read_fixture(&file, &text, self.question.kind())?;
+        let queries = QuerySet::new(self.question, scene.vertices().collect());
+        Ok(Parts::new(scene, SignQueries { queries, expected: Some(expected) }))
+    }
+
+    fn fetch_entry(&self) -> Option<&Entry> {
+        Some(&self.entry)
+    }
+}
+
+/// A table of the crate `robust` (the fixtures of Shewchuk's predicates):
+/// a row is its number, the coordinates of one query's points, and the
+/// expected sign, separated by blanks.
+///
+/// The rows have 17 significant digits, which name one double each; the
+/// nearest is what their authors meant.
+fn read_fixture(file: &str, text: &str, kind: PredicateKind) -> Result<(Scene, Vec<Sign>), CorpusError> {
+    let dimension = match kind {
+        PredicateKind::Orient3d | PredicateKind::Insphere => Dimension::Three,
+        PredicateKind::Compare | PredicateKind::Orient2d | PredicateKind::Incircle => Dimension::Two,
+    };
+    let width = kind.arity() * dimension.count() + 2;
+    let mut coordinates = Vec::new();
+    let mut expected = Vec::new();
+    for (at, line) in text.lines().enumerate().filter(|(_, line)| !skipped(line)) {
+        let error = |message: String, cure: &str| CorpusError::file(file, message, cure).at_line(at + 1);
+        let cells: Vec<_> = line.split_ascii_whitespace().collect();
+        if cells.len() != width {
+            let message = format!("a row of {} cells; {kind} has {width}", cells.len());
+            return Err(error(message, "fetch the file that the manifest names"));
+        }
+        for cell in &cells[1..width - 1] {
+            let value = nearest_coordinate(cell).map_err(|why| {
+                let (message, cure) = explain(file, cell, &why);
+                error(message, &cure)
+            })?;
+            coordinates.push(value);
+        }
+        expected.push(match cells[width - 1] {
+            "-1" => Sign::Negative,
+            "0" => Sign::Zero,
+            "1" => Sign::Positive,
+            other => return Err(error(format!("`{other}` is no sign"), "a row ends in -1, 0 or 1")),
+        });
+    }
+    let scene = Scene::new(dimension, coordinates)
+        .map_err(|error| CorpusError::file(file, error.to_string(), "fetch the file that the manifest names"))?;
+    Ok((scene, expected))
+}

@@ -1,0 +1,200 @@
+//! `compare`, `orient2d`, `orient3d`, `incircle`, `insphere`: signs of one predicate.
+//!
+//! The task of Shewchuk's tests and of every degenerate scene that fits into a
+//! list of queries. Each answer is held against the exact sign, and samples of
+//! answers against each other (the laws of predicates).
+
+mod axioms;
+mod class;
+mod constructed;
+mod content;
+mod degeneracy;
+mod error;
+mod explain;
+pub mod families;
+mod fixture;
+mod judge;
+mod queries;
+pub(crate) use queries::axis;
+mod truth;
+mod write;
+
+use std::path::{Path, PathBuf};
+
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Sign};
+use rayon::prelude::*;
+
+pub use class::classify;
+pub use content::SignQueries;
+pub use degeneracy::{Histogram, degeneracy};
+pub use truth::truth;
+
+use crate::{Answer, Asked, Case, Contestant, Dispute, Explanation, How, Outcome, Stop, Task, Watch, digest};
+
+/// Queries to a chunk: small enough to stop soon, large enough to cost nothing.
+const CHUNK: usize = 4096;
+
+/// Signs of one predicate.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Signs {
+    kind: PredicateKind,
+}
+
+impl Signs {
+    /// The order of two vertices along an axis.
+    pub const COMPARE: Signs = Signs { kind: PredicateKind::Compare };
+    /// The turn of three vertices.
+    pub const ORIENT2D: Signs = Signs { kind: PredicateKind::Orient2d };
+    /// The side of a plane.
+    pub const ORIENT3D: Signs = Signs { kind: PredicateKind::Orient3d };
+    /// The inside of a circle.
+    pub const INCIRCLE: Signs = Signs { kind: PredicateKind::Incircle };
+    /// The inside of a sphere.
+    pub const INSPHERE: Signs = Signs { kind: PredicateKind::Insphere };
+
+    /// The task of a predicate.
+    #[must_use]
+    pub const fn of(kind: PredicateKind) -> Signs {
+        Signs { kind }
+    }
+
+    /// The predicate.
+    #[must_use]
+    pub const fn kind(self) -> PredicateKind {
+        self.kind
+    }
+}
+
+/// The answers to all queries, in order.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Answers(pub Vec<Sign>);
+
+impl Answer for Answers {
+    fn digest(&self) -> u64 {
+        digest(self.0.iter().map(|sign| sign.as_i8().cast_unsigned()))
+    }
+}
+
+impl SceneFormat for Signs {
+    fn name(&self) -> &'static str {
+        self.kind.name()
+    }
+
+    fn about(&self) -> &'static str {
+        match self.kind {
+            PredicateKind::Compare => "the order of two vertices along an axis",
+            PredicateKind::Orient2d => "the turn of three vertices in a coordinate plane",
+            PredicateKind::Orient3d => "the side of a plane through three vertices on which a fourth lies",
+            PredicateKind::Incircle => "whether a vertex is in the circle through three",
+            PredicateKind::Insphere => "whether a vertex is in the sphere through four",
+        }
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["points", "constructed", "queries", "axis", "plane", "fixture"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points", "p", "q", "r", "step"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        content::read(self.kind, context, fields)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        families::of(self.kind)
+    }
+
+    fn generator_keys(&self) -> &'static [&'static str] {
+        &["dimension", "axis", "plane"]
+    }
+
+    fn naming_keys(&self) -> &'static [&'static str] {
+        &["dimension", "plane", "axis"]
+    }
+}
+
+impl Task for Signs {
+    type Content = SignQueries;
+    type Truth = Vec<Sign>;
+    type Answer = Answers;
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![self.kind]
+    }
+
+    fn looks_at_watch(&self) -> bool {
+        true
+    }
+
+    fn truth(&self, scene: &Scene, content: &SignQueries, watch: &Watch) -> Result<Vec<Sign>, Stop> {
+        truth::truth(scene, &content.queries, watch)
+    }
+
+    fn dispute(&self, case: &Case<'_, Signs>) -> Option<Dispute> {
+        truth::dispute(&case.content.queries, &case.truth, case.content.expected.as_deref()?)
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &SignQueries,
+        how: &How<'_>,
+        answer: &mut Answers,
+    ) -> Result<(), Stop> {
+        // A call of a batch is dynamic; its queries are not.
+        signs(&*session, content, how.watch, &mut answer.0)
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, Signs>,
+        asked: &Asked<'_>,
+        answer: &Answers,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        judge::judge(case, asked, &answer.0, outcome)
+    }
+
+    fn describe(&self, loaded: &LoadedScene, content: &SignQueries, _: &Watch) -> Result<String, Stop> {
+        let histogram = degeneracy(&loaded.scene, &content.queries);
+        Ok(format!("{} queries; log2(|det| / permanent):\n{histogram}", content.queries.len()))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        _: &SignQueries,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        explain::explain(scene, query, backends)
+    }
+
+    fn write(
+        &self,
+        _: &Scene,
+        content: &SignQueries,
+        answer: &Answers,
+        folder: &Path,
+    ) -> std::io::Result<Vec<PathBuf>> {
+        write::csv(&content.queries, &answer.0, folder)
+    }
+}
+
+/// All answers of a session, in order, in the threads of the current pool.
+fn signs(session: &dyn Predicates, content: &SignQueries, watch: &Watch, out: &mut Vec<Sign>) -> Result<(), Stop> {
+    let queries = &content.queries;
+    out.resize(queries.len(), Sign::Zero);
+    let batch = |(chunk, out): (usize, &mut [Sign])| {
+        queries.ask_batch(session, chunk * CHUNK..chunk * CHUNK + out.len(), out);
+        watch.done(out.len() as u64)
+    };
+    if out.len() <= CHUNK || rayon::current_num_threads() == 1 {
+        return out.chunks_mut(CHUNK).enumerate().try_for_each(batch);
+    }
+    out.par_chunks_mut(CHUNK).enumerate().try_for_each(batch)
+}

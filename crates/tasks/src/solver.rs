@@ -1,0 +1,207 @@
+//! One backend on one task: where generic code is compiled.
+//!
+//! Hot loops are generic over the session, the command line is not. A
+//! [`Solver`] is where the two meet: one dynamic call per scene, none per query.
+
+use std::any::Any;
+use std::hint::black_box;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use predicament_corpus::Content;
+use predicament_predicates::{Backend, Counts, Declined, Off, Predicates, Scene};
+
+use crate::{Answer, AnyTask, Class, Outcome, Stop, Task, Watch};
+
+/// What an answer is for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Purpose {
+    /// To be judged: a task may ask every question that its shortcuts leave out.
+    Judge,
+    /// To be used: the fastest way, which is what is timed.
+    Use,
+}
+
+/// How a task is solved.
+#[derive(Clone, Copy)]
+pub struct How<'a> {
+    /// What the answer is for.
+    pub purpose: Purpose,
+    /// Whether to go on.
+    pub watch: &'a Watch<'a>,
+}
+
+/// Why there is no answer.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Halt {
+    /// The backend declined.
+    Refused(Refusal),
+    /// The watch said so.
+    Stopped(Stop),
+}
+
+/// A backend that declines a scene or a predicate.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Refusal {
+    /// `prepare` or `supports`.
+    pub check: &'static str,
+    /// Its reason.
+    pub why: Declined,
+}
+
+impl Refusal {
+    /// The outcome of a scene of so many queries.
+    #[must_use]
+    pub fn outcome(&self, queries: u64) -> Outcome {
+        Outcome::of_scene(queries, Class::Declined, self.check, self.why.to_string())
+    }
+}
+
+impl std::fmt::Display for Refusal {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.why.fmt(f)
+    }
+}
+
+/// One backend on one task.
+pub trait Solver: Send + Sync {
+    /// The task.
+    fn task(&self) -> &dyn AnyTask;
+
+    /// Prepares the backend for the scene, solves, and hands session and answer
+    /// (the task's [`Answer`](Task::Answer)) to `then`.
+    ///
+    /// # Errors
+    /// [`Halt`] where the backend declines or the watch says so.
+    fn solve(
+        &self,
+        scene: &Scene,
+        content: &dyn Content,
+        counts: &Counts,
+        how: &How<'_>,
+        then: &mut dyn FnMut(&dyn Predicates, &dyn Any) -> Result<(), Stop>,
+    ) -> Result<(), Halt>;
+
+    /// Prepares the backend for timed passes on so many threads.
+    ///
+    /// # Errors
+    /// The reason, where the backend declines.
+    fn stopwatch<'a>(
+        &'a self,
+        scene: &'a Scene,
+        content: &'a dyn Content,
+        threads: usize,
+    ) -> Result<Box<dyn Stopwatch + 'a>, String>;
+}
+
+/// A prepared session that can be timed again and again, so that backends can take turns.
+pub trait Stopwatch {
+    /// Answers everything once and says how long it took. Preparing the scene
+    /// is not in it.
+    fn pass(&mut self) -> Duration;
+
+    /// A digest of the last pass' answers: see [`Answer::digest`].
+    fn digest(&self) -> u64;
+}
+
+/// A backend on a task, as a [`Solver`].
+pub struct OnTask<B, T> {
+    backend: Arc<B>,
+    task: T,
+}
+
+impl<B: Backend, T: Task> OnTask<B, T> {
+    /// This backend on this task.
+    #[must_use]
+    pub fn new(backend: &Arc<B>, task: T) -> OnTask<B, T> {
+        OnTask { backend: Arc::clone(backend), task }
+    }
+
+    fn prepare<'s, K: predicament_predicates::Tally + 's>(
+        &'s self,
+        scene: &'s Scene,
+        tally: K,
+    ) -> Result<B::Session<'s, K>, Refusal> {
+        let session = self.backend.prepare(scene, tally).map_err(|why| Refusal { check: "prepare", why })?;
+        self.task.supported(&session).map_err(|why| Refusal { check: "supports", why })?;
+        Ok(session)
+    }
+
+    fn content<'a>(&self, content: &'a dyn Content) -> &'a T::Content {
+        let content: &dyn Any = content;
+        content.downcast_ref().expect("the content of a scene of this task")
+    }
+}
+
+impl<B: Backend + 'static, T: Task> Solver for OnTask<B, T> {
+    fn task(&self) -> &dyn AnyTask {
+        &self.task
+    }
+
+    fn solve(
+        &self,
+        scene: &Scene,
+        content: &dyn Content,
+        counts: &Counts,
+        how: &How<'_>,
+        then: &mut dyn FnMut(&dyn Predicates, &dyn Any) -> Result<(), Stop>,
+    ) -> Result<(), Halt> {
+        let mut session = self.prepare(scene, counts).map_err(Halt::Refused)?;
+        let mut answer = T::Answer::default();
+        self.task.solve(&mut session, self.content(content), how, &mut answer).map_err(Halt::Stopped)?;
+        then(&session, &answer).map_err(Halt::Stopped)
+    }
+
+    fn stopwatch<'a>(
+        &'a self,
+        scene: &'a Scene,
+        content: &'a dyn Content,
+        threads: usize,
+    ) -> Result<Box<dyn Stopwatch + 'a>, String> {
+        let session = Some(self.prepare(scene, Off).map_err(|refusal| refusal.to_string())?);
+        // Algorithms would use all threads that there are.
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| error.to_string())?;
+        Ok(Box::new(Passes { solver: self, session, scene, content, pool, answer: T::Answer::default() }))
+    }
+}
+
+struct Passes<'a, B: Backend + 'static, T: Task> {
+    solver: &'a OnTask<B, T>,
+    /// None where the last pass has constructed vertices in it.
+    session: Option<B::Session<'a, Off>>,
+    scene: &'a Scene,
+    content: &'a dyn Content,
+    pool: rayon::ThreadPool,
+    answer: T::Answer,
+}
+
+impl<B: Backend + 'static, T: Task> Stopwatch for Passes<'_, B, T> {
+    fn pass(&mut self) -> Duration {
+        let Passes { solver, session, scene, content, pool, answer } = self;
+        let content = solver.content(*content);
+        let session = session.get_or_insert_with(|| {
+            solver.prepare(scene, Off).unwrap_or_else(|refusal| panic!("prepared before, and declined now: {refusal}"))
+        });
+        let never = std::sync::atomic::AtomicBool::new(false);
+        let quiet = |_: u64| {};
+        let watch = Watch::new(&never, None, &quiet);
+        let how = How { purpose: Purpose::Use, watch: &watch };
+        let time = pool.install(|| {
+            let start = Instant::now();
+            let done = solver.task.solve(session, black_box(content), &how, answer);
+            black_box(&mut *answer);
+            let time = start.elapsed();
+            assert!(done.is_ok(), "nothing stops a timed pass");
+            time
+        });
+        if solver.task.constructs() {
+            // The next pass would find its vertices ready.
+            self.session = None;
+        }
+        time
+    }
+
+    fn digest(&self) -> u64 {
+        self.answer.digest()
+    }
+}

@@ -1,0 +1,164 @@
+//! What a task implements.
+
+use std::path::{Path, PathBuf};
+
+use predicament_corpus::{Content, LoadedScene, SceneFormat};
+use predicament_predicates::{Declined, PredicateKind, Predicates, Query, Scene, Vertex};
+use predicament_records::{RunDir, TableSpec};
+use predicament_report::Section;
+
+use crate::{Asked, Case, Contestant, Dispute, How, Outcome, Stop, Watch};
+
+/// An answer to everything that a scene asks. It is reused from pass to pass
+/// where time is measured, so that memory is not.
+pub trait Answer: Default + Clone + Send + Sync + 'static {
+    /// A digest of all that is judged: equal digests, equal answers (with the
+    /// usual odds for 64 bits).
+    fn digest(&self) -> u64;
+}
+
+/// One task: all that there is to know about one kind of question.
+///
+/// How its scenes are written in suites is [`SceneFormat`]; the rest is here.
+/// A value is a task with its parameters (`orient2d` and `orient3d` are values of
+/// one type), so every method takes `&self`.
+pub trait Task: SceneFormat + Sized + 'static {
+    /// What a scene asks beside its points.
+    type Content: Content;
+    /// What is true about it, from the crate `judge` and other computations that
+    /// share nothing with [`solve`](Task::solve).
+    type Truth: Send + Sync + 'static;
+    /// What a backend finds.
+    type Answer: Answer;
+
+    /// The predicates that it asks: a session that refuses one of them declines the
+    /// scene, and stages are counted for these.
+    fn asks(&self, scene: &Scene) -> Vec<PredicateKind>;
+
+    /// Whether a session can be asked at all.
+    ///
+    /// # Errors
+    /// [`Declined`] with the session's reason.
+    fn supported(&self, session: &dyn Predicates) -> Result<(), Declined> {
+        self.asks(session.scene()).into_iter().try_for_each(|kind| session.supports(kind))
+    }
+
+    /// Whether solving adds vertices to the session: timed passes then begin with a fresh one.
+    fn constructs(&self) -> bool {
+        false
+    }
+
+    /// Whether [`solve`](Task::solve) looks at its watch often enough to be stopped by it. What
+    /// does not runs in a process of its own under a time limit.
+    fn looks_at_watch(&self) -> bool {
+        false
+    }
+
+    /// Finds out what is true.
+    ///
+    /// # Errors
+    /// [`Stop`] where the watch says so.
+    fn truth(&self, scene: &Scene, content: &Self::Content, watch: &Watch) -> Result<Self::Truth, Stop>;
+
+    /// Holds what came with the data, if anything, against the truth.
+    fn dispute(&self, case: &Case<'_, Self>) -> Option<Dispute> {
+        let _ = case;
+        None
+    }
+
+    /// Answers everything. Run, bench, replay and pictures all come through here.
+    /// Where it needs no speed of its own it asks through `&dyn Predicates`.
+    ///
+    /// # Errors
+    /// [`Stop`] where the watch says so.
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &Self::Content,
+        how: &How<'_>,
+        answer: &mut Self::Answer,
+    ) -> Result<(), Stop>;
+
+    /// Classifies an answer and adds findings and rows to the outcome.
+    ///
+    /// # Errors
+    /// [`Stop`] where the watch says so.
+    fn judge(
+        &self,
+        case: &Case<'_, Self>,
+        asked: &Asked<'_>,
+        answer: &Self::Answer,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop>;
+
+    /// What `corpus gen` tells about a scene: lines of text.
+    ///
+    /// # Errors
+    /// [`Stop`] where the watch says so.
+    fn describe(&self, loaded: &LoadedScene, content: &Self::Content, watch: &Watch) -> Result<String, Stop>;
+
+    /// Asks one query of a finding again, alone, for `replay`.
+    ///
+    /// # Errors
+    /// One line, where the query is not one of this task or the scene.
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &Self::Content,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String>;
+
+    /// Writes an answer for other programs into a folder that exists; the files written.
+    ///
+    /// # Errors
+    /// That of the file system.
+    fn write(
+        &self,
+        scene: &Scene,
+        content: &Self::Content,
+        answer: &Self::Answer,
+        folder: &Path,
+    ) -> std::io::Result<Vec<PathBuf>>;
+
+    /// The tables that judging adds rows to, besides those of every run.
+    fn tables(&self) -> Vec<TableSpec> {
+        Vec::new()
+    }
+
+    /// Its section of a report.
+    ///
+    /// # Errors
+    /// Where a table of a run cannot be read.
+    fn section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error> {
+        let _ = runs;
+        Ok(None)
+    }
+}
+
+/// What can be told about one query.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Explanation {
+    /// The vertices that it is about, for their coordinates.
+    pub vertices: Vec<Vertex>,
+    /// What is true, in lines.
+    pub truth: Vec<String>,
+    /// The heads of the columns after the backend's name; none where one needs no head.
+    pub heads: Vec<String>,
+    /// For each backend its name and its cells.
+    pub rows: Vec<(String, Vec<String>)>,
+}
+
+impl Explanation {
+    /// One cell for each backend: what it answers, or why it declines.
+    #[must_use]
+    pub fn with_answers(
+        mut self,
+        backends: &[&dyn Contestant],
+        ask: impl Fn(&dyn Contestant) -> Result<String, String>,
+    ) -> Explanation {
+        let row = |&backend: &&dyn Contestant| (backend.name(), vec![ask(backend).unwrap_or_else(|why| why)]);
+        self.rows = backends.iter().map(row).collect();
+        self
+    }
+}

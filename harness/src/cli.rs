@@ -1,0 +1,177 @@
+//! The tool with backends and tasks of anybody's crate.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::Arc;
+
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use predicament_judge::TieJudge;
+use predicament_predicates::{Backend, Question, Scene, Sign, Vertex};
+use predicament_tasks::{Contestant, Entry, Task, TaskList};
+
+use crate::tool::Tool;
+use crate::{cmd, exit};
+
+/// A differential test harness for geometric predicates.
+///
+/// Runs degenerate scenes through backends of three philosophies (exact
+/// arithmetic, Simulation of Simplicity, tolerances) and several controls,
+/// and reports disagreements, topology errors and throughput.
+#[derive(Parser)]
+#[command(name = "predicament", version, after_help = exit::HELP, propagate_version = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Run(cmd::run::Args),
+    Bench(cmd::bench::Args),
+    Report(cmd::report::Args),
+    Gate(cmd::gate::Args),
+    Replay(cmd::replay::Args),
+    Solve(cmd::solve::Args),
+    Map(cmd::map::Args),
+    Selftest(cmd::selftest::Args),
+    Bounds(cmd::bounds::Args),
+    Corpus(cmd::corpus::Args),
+    Doctor(cmd::doctor::Args),
+}
+
+/// The tool, ready to learn backends and tasks.
+#[must_use]
+pub fn cli() -> Cli<(), ()> {
+    Cli { backends: (), tasks: (), suites: Vec::new(), expected: None }
+}
+
+/// The tool with backends and tasks of its own; see [`cli`].
+pub struct Cli<B, T> {
+    backends: B,
+    tasks: T,
+    suites: Vec<PathBuf>,
+    expected: Option<PathBuf>,
+}
+
+impl<B: BackendList, T: TaskList> Cli<B, T> {
+    /// Adds a backend; it runs by default, and `-b` knows it by its name.
+    #[must_use]
+    pub fn backend<N: Backend + 'static>(self, backend: N) -> Cli<(Own<N>, B), T> {
+        self.own(Own { backend: Arc::new(backend), ties: None })
+    }
+
+    /// Adds a backend that breaks ties, with an independent judge of how it should.
+    #[must_use]
+    pub fn breaking_ties<N: Backend + 'static>(
+        self,
+        backend: N,
+        judge: impl Fn(&Scene, Question, &[Vertex]) -> Sign + Send + Sync + 'static,
+    ) -> Cli<(Own<N>, B), T> {
+        self.own(Own { backend: Arc::new(backend), ties: Some(Arc::new(judge)) })
+    }
+
+    fn own<N: Backend + 'static>(self, own: Own<N>) -> Cli<(Own<N>, B), T> {
+        let Cli { backends, tasks, suites, expected } = self;
+        Cli { backends: (own, backends), tasks, suites, expected }
+    }
+
+    /// Adds a task: every backend is run on its scenes.
+    #[must_use]
+    pub fn task<N: Task + Clone>(self, task: N) -> Cli<B, (N, T)> {
+        let Cli { backends, tasks, suites, expected } = self;
+        Cli { backends, tasks: (task, tasks), suites, expected }
+    }
+
+    /// Adds a folder of suites of your own, known by their names and run by default.
+    #[must_use]
+    pub fn suites(mut self, folder: impl Into<PathBuf>) -> Cli<B, T> {
+        self.suites.push(folder.into());
+        self
+    }
+
+    /// Names the file of expected disagreements about your own suites and backends; it adds to the shipped one.
+    #[must_use]
+    pub fn expected(mut self, file: impl Into<PathBuf>) -> Cli<B, T> {
+        self.expected = Some(file.into());
+        self
+    }
+
+    /// The tool without a command line.
+    pub(crate) fn tool(self) -> Tool {
+        Tool::new(self.backends, &self.tasks, self.suites, self.expected)
+    }
+
+    /// Reads the command line, does what it says, and gives the exit code.
+    #[must_use]
+    pub fn main(self) -> ExitCode {
+        let tool = self.tool();
+        // Backends and tasks of other crates belong into the help.
+        let help = format!("Backends:\n{}", tool.backend_help());
+        let matches = Arguments::command()
+            .mut_subcommand("run", |run| run.after_help(format!("{help}\n\n{}", cmd::run::EXAMPLES)))
+            .get_matches();
+        let arguments = match Arguments::from_arg_matches(&matches) {
+            Ok(arguments) => arguments,
+            Err(error) => error.exit(),
+        };
+        exit::code(match arguments.command {
+            Command::Run(args) => cmd::run::run(args, &tool),
+            Command::Bench(args) => cmd::bench::run(args, &tool),
+            Command::Report(args) => cmd::report::run(&args, &tool),
+            Command::Gate(args) => cmd::gate::run(&args, &tool),
+            Command::Replay(args) => cmd::replay::run(&args, &tool),
+            Command::Solve(args) => cmd::solve::run(&args, &tool),
+            Command::Map(args) => cmd::map::run(args, &tool),
+            Command::Selftest(args) => cmd::selftest::run(args, &tool),
+            Command::Bounds(args) => cmd::bounds::run(&args),
+            Command::Corpus(args) => cmd::corpus::run(args, &tool),
+            Command::Doctor(args) => cmd::doctor::run(&args, &tool),
+        })
+    }
+}
+
+/// A backend of another crate.
+pub struct Own<B> {
+    backend: Arc<B>,
+    ties: Option<Arc<TieJudge>>,
+}
+
+/// Backends of other crates: `()`, or a backend and more of them.
+pub trait BackendList: Send + Sync + 'static {
+    /// Their names.
+    fn names(&self) -> Vec<String>;
+
+    /// The backend with this name, on the tasks of the house and on these.
+    fn find<T: TaskList>(&self, name: &str, tasks: &T) -> Option<Box<dyn Contestant>>;
+}
+
+impl BackendList for () {
+    fn names(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    fn find<T: TaskList>(&self, _: &str, _: &T) -> Option<Box<dyn Contestant>> {
+        None
+    }
+}
+
+impl<B: Backend + 'static, Rest: BackendList> BackendList for (Own<B>, Rest) {
+    fn names(&self) -> Vec<String> {
+        let mut names = self.1.names();
+        names.push(self.0.backend.name());
+        names
+    }
+
+    fn find<T: TaskList>(&self, name: &str, tasks: &T) -> Option<Box<dyn Contestant>> {
+        let Own { backend, ties } = &self.0;
+        if backend.name() != name {
+            return self.1.find(name, tasks);
+        }
+        let ties = ties
+            .clone()
+            .map(|judge| -> Box<TieJudge> { Box::new(move |scene, question, args| judge(scene, question, args)) });
+        let mut entry = Entry::shared(Arc::clone(backend), ties);
+        entry.extend(tasks.solvers(backend));
+        Some(Box::new(entry))
+    }
+}

@@ -1,0 +1,195 @@
+//! A backend held against the corpora from a test.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use predicament_corpus::Level;
+use predicament_judge::TieJudge;
+use predicament_oracle::expect::Expectations;
+use predicament_predicates::{Backend, Question, Scene, Sign, Vertex};
+use predicament_records::{RunWriter, Shard};
+use predicament_tasks::{Contestant, Entry, Watch};
+
+use crate::cmd::replay::point_lines;
+use crate::cmd::run::{budget, env, plan, tables};
+use crate::exit::Failure;
+use crate::select::Selector;
+use crate::tool::Tool;
+use crate::{cli, rows};
+
+/// Findings that are printed in full.
+const SHOWN: usize = 5;
+
+/// A conformance test of a backend: every embedded scene that needs no download.
+///
+/// ```no_run
+/// # use predicament::example::Mine;
+/// predicament::conformance(Mine).level(predicament::Level::Quick).assert();
+/// ```
+pub fn conformance<B: Backend + 'static>(backend: B) -> Conformance<B> {
+    Conformance {
+        backend: Arc::new(backend),
+        ties: None,
+        selector: Selector::everything(),
+        suites: Vec::new(),
+        expected: None,
+        folder: None,
+    }
+}
+
+/// See [`conformance`].
+pub struct Conformance<B> {
+    backend: Arc<B>,
+    ties: Option<Arc<TieJudge>>,
+    selector: Selector,
+    suites: Vec<PathBuf>,
+    expected: Option<PathBuf>,
+    folder: Option<PathBuf>,
+}
+
+impl<B: Backend + 'static> Conformance<B> {
+    /// How much is run; quick if not said.
+    #[must_use]
+    pub fn level(mut self, level: Level) -> Conformance<B> {
+        self.selector.level = level;
+        self
+    }
+
+    /// Only scenes whose `suite/scene` matches this regular expression.
+    #[must_use]
+    pub fn filter(mut self, regex: impl Into<String>) -> Conformance<B> {
+        self.selector.filter = Some(regex.into());
+        self
+    }
+
+    /// Only these suites, by name.
+    #[must_use]
+    pub fn only<S: Into<String>>(mut self, suites: impl IntoIterator<Item = S>) -> Conformance<B> {
+        self.selector.suites = suites.into_iter().map(Into::into).collect();
+        self
+    }
+
+    /// Adds a folder of suites of your own.
+    #[must_use]
+    pub fn suites(mut self, folder: impl Into<PathBuf>) -> Conformance<B> {
+        self.suites.push(folder.into());
+        self
+    }
+
+    /// Names a file of expected disagreements: what the backend is known to get wrong.
+    #[must_use]
+    pub fn expected(mut self, file: impl Into<PathBuf>) -> Conformance<B> {
+        self.expected = Some(file.into());
+        self
+    }
+
+    /// Names the independent judge of how the backend breaks ties.
+    #[must_use]
+    pub fn breaking_ties(
+        mut self,
+        judge: impl Fn(&Scene, Question, &[Vertex]) -> Sign + Send + Sync + 'static,
+    ) -> Conformance<B> {
+        self.ties = Some(Arc::new(judge));
+        self
+    }
+
+    /// Names the folder of the run; `target/predicament/NAME` if not said.
+    #[must_use]
+    pub fn folder(mut self, folder: impl Into<PathBuf>) -> Conformance<B> {
+        self.folder = Some(folder.into());
+        self
+    }
+
+    /// Runs everything. The run folder stays, for `replay` and `report`.
+    ///
+    /// # Errors
+    /// The first findings that nobody expected, each with its coordinates and a
+    /// line that replays it; or why the run could not be made.
+    pub fn check(&self) -> Result<String, String> {
+        self.run().map_err(|failure| failure.message)
+    }
+
+    /// Panics with what [`check`](Conformance::check) finds.
+    ///
+    /// # Panics
+    /// If there is a finding that nobody expected, or an expected one did not occur.
+    pub fn assert(&self) {
+        if let Err(message) = self.check() {
+            panic!("{message}");
+        }
+    }
+
+    fn contestant(&self) -> Entry<B> {
+        let ties = self
+            .ties
+            .clone()
+            .map(|judge| -> Box<TieJudge> { Box::new(move |scene, question, args| judge(scene, question, args)) });
+        Entry::shared(Arc::clone(&self.backend), ties)
+    }
+
+    fn run(&self) -> Result<String, Failure> {
+        let mut cli = cli();
+        for folder in &self.suites {
+            cli = cli.suites(folder);
+        }
+        let tool: Tool = cli.tool();
+        let expected = match &self.expected {
+            Some(file) => crate::expectations::load(&tool, Some(file))?,
+            None => Expectations::default(),
+        };
+        let selection = self.selector.select(&tool)?;
+        let mut scenes = selection.plan(Shard::WHOLE)?;
+        let backends: Vec<Box<dyn Contestant>> = vec![Box::new(self.contestant())];
+        let backend = backends[0].as_ref();
+        let name = backend.name();
+        let plain: String = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+        let folder = self.folder.clone().unwrap_or_else(|| PathBuf::from("target/predicament").join(plain));
+        if folder.exists() {
+            std::fs::remove_dir_all(&folder)
+                .map_err(|error| Failure::usage(format!("{}: {error}", folder.display())))?;
+        }
+        let plan = plan(&selection, &scenes, &backends, Shard::WHOLE);
+        let mut writer = RunWriter::create(&folder, &plan, &env(), &tables(&tool)).map_err(Failure::usage)?;
+        let never = AtomicBool::new(false);
+        let watch = Watch::new(&never, None, &|_| {});
+        let (mut answers, mut wrong, mut shown) = (0_u64, Vec::new(), String::new());
+        for scene in &mut scenes {
+            let planned = scene.plan.clone();
+            let loaded = scene.take(&selection)?;
+            let case = tool.task(loaded.task).case(&loaded, &watch);
+            let case = case.map_err(|_| Failure::usage("the run was stopped"))?;
+            let outcome = predicament_oracle::run(case.as_ref(), backend, budget(selection.level), &watch);
+            let outcome = outcome.map_err(|_| Failure::usage("the run was stopped"))?;
+            let level = selection.level.name();
+            let row = rows::record(&mut writer, &planned, &name, &outcome, &expected, level).map_err(Failure::usage)?;
+            writer.commit().map_err(Failure::usage)?;
+            answers += outcome.queries;
+            if row.status.passes() {
+                continue;
+            }
+            wrong.push(crate::cmd::run::describe(&row));
+            if let Some(finding) = outcome.findings.first().filter(|_| wrong.len() <= SHOWN) {
+                let id = predicament_tasks::finding_id(&planned.scene_id, &name, finding);
+                let _ = writeln!(shown, "\n{}: got {}, true is {}", finding.query_text(), finding.got, finding.truth);
+                let vertices: Vec<Vertex> = finding.queries.iter().flat_map(|query| query.vertices()).collect();
+                for line in point_lines(&loaded, &vertices) {
+                    let _ = writeln!(shown, "  {line}");
+                }
+                let _ = writeln!(shown, "  again: predicament replay {id} --run {}", folder.display());
+            }
+        }
+        writer.finish(predicament_records::Outcome::Complete).map_err(Failure::usage)?;
+        if wrong.is_empty() {
+            return Ok(format!("{name}: {answers} answers to {} scenes, none unexpected", scenes.len()));
+        }
+        let list: Vec<&str> = wrong.iter().map(String::as_str).take(20).collect();
+        Err(Failure::usage(format!(
+            "{name}: {} of {} scenes are not as expected\n{}\n{shown}",
+            wrong.len(),
+            scenes.len(),
+            list.join("\n")
+        )))
+    }
+}

@@ -1,0 +1,60 @@
+//! `predicament`: is my predicate right, when does it break, and what does
+//! being right cost?
+//!
+//! The tool is a library, so that a crate of your own can put its predicates
+//! under it. A binary with all commands, and your backend beside those of the
+//! house:
+//!
+//! ```no_run
+//! # use predicament::example::Mine;
+//! fn main() -> std::process::ExitCode {
+//!     predicament::cli().backend(Mine).main()
+//! }
+//! ```
+//!
+//! And a test that fails with the first findings, their coordinates and a line
+//! that replays them:
+//!
+//! ```no_run
+//! # use predicament::example::Mine;
+//! #[test]
+//! fn holds() {
+//!     predicament::conformance(Mine).level(predicament::Level::Quick).assert();
+//! }
+//! ```
+//!
+//! `docs/BACKENDS.md` walks through a backend, `docs/TASKS.md` through a task.
+//! This crate parses command lines and moves rows into folders; what is judged
+//! is decided in `tasks`, what is run in `oracle`, what is drawn in `report`.
+
+#[macro_use]
+mod out;
+
+mod bounds;
+mod cli;
+mod cmd;
+mod conformance;
+mod contact_tables;
+pub mod example;
+mod exit;
+mod expectations;
+mod interrupt;
+mod judged;
+mod peers;
+mod precision;
+mod progress;
+mod rows;
+mod select;
+mod tool;
+mod worker;
+
+pub use cli::{BackendList, Cli, cli};
+pub use conformance::{Conformance, conformance};
+pub use exit::{CORPUS, INCOMPLETE, NOTHING_SELECTED, OK, SLOWER, UNEXPECTED, UNEXPECTED_PASS, USAGE};
+pub use predicament_corpus::{self as corpus, Level};
+pub use predicament_formats as formats;
+pub use predicament_judge as judge;
+pub use predicament_predicates as predicates;
+pub use predicament_records as records;
+pub use predicament_report as report;
+pub use predicament_tasks as tasks;

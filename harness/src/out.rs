@@ -1,0 +1,38 @@
+//! Printing to stdout without losing the exit code.
+//!
+//! `println!` panics where stdout is a closed pipe or a full disk, and what a
+//! command was about to say with its exit code is lost. Here a failed write is
+//! noted, the command goes on, and its code stays.
+
+use std::fmt::Arguments;
+use std::io::{ErrorKind, Write};
+use std::sync::Mutex;
+
+static FAILED: Mutex<Option<std::io::Error>> = Mutex::new(None);
+
+/// Writes to stdout; after the first failure, nothing.
+pub fn print(text: Arguments<'_>) {
+    let mut failed = FAILED.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    if failed.is_none() {
+        let mut stdout = std::io::stdout().lock();
+        *failed = stdout.write_fmt(text).and_then(|()| stdout.flush()).err();
+    }
+}
+
+/// Why some of the output was lost, where that is an error: a reader that goes
+/// away (`predicament … | head`) has read what it wanted.
+pub fn lost() -> Option<String> {
+    let failed = FAILED.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    failed.as_ref().filter(|error| error.kind() != ErrorKind::BrokenPipe).map(ToString::to_string)
+}
+
+/// Prints a line to stdout.
+macro_rules! say {
+    () => { $crate::out::print(format_args!("\n")) };
+    ($($arg:tt)*) => { $crate::out::print(format_args!("{}\n", format_args!($($arg)*))) };
+}
+
+/// Prints to stdout, without the end of a line.
+macro_rules! say_text {
+    ($($arg:tt)*) => { $crate::out::print(format_args!($($arg)*)) };
+}

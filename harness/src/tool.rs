@@ -1,0 +1,140 @@
+//! What every command knows: tasks, backends, suites, expectations.
+
+use std::path::PathBuf;
+
+use predicament_corpus::{Library, SceneFormat, Suite, Vocabulary};
+use predicament_formats::CorpusError;
+use predicament_oracle::roster;
+use predicament_records::{RunDir, TableSpec};
+use predicament_report::Section;
+use predicament_tasks::{AnyTask, Contestant, TaskList, built_in, vocabulary};
+
+use crate::BackendList;
+use crate::exit::Failure;
+
+type Find = Box<dyn Fn(&str) -> Result<Box<dyn Contestant>, String> + Send + Sync>;
+
+/// The tool, whatever it was put together from.
+pub struct Tool {
+    tasks: Vec<&'static dyn AnyTask>,
+    vocabulary: Vocabulary,
+    own_backends: Vec<String>,
+    find: Find,
+    own_suites: Vec<PathBuf>,
+    /// The file of expectations that its maker named, if any.
+    pub expected: Option<PathBuf>,
+}
+
+impl Tool {
+    pub fn new<B: BackendList, T: TaskList>(
+        backends: B,
+        own: &T,
+        own_suites: Vec<PathBuf>,
+        expected: Option<PathBuf>,
+    ) -> Tool {
+        let more = own.tasks();
+        let vocabulary = if more.is_empty() {
+            vocabulary().clone()
+        } else {
+            let all = built_in().into_iter().chain(more.iter().copied());
+            Vocabulary::new(all.map(|task| task as &'static dyn SceneFormat).collect())
+        };
+        let has_more = !more.is_empty();
+        let tasks = built_in().into_iter().chain(more).collect();
+        let own_backends = backends.names();
+        let own = own.clone();
+        let find: Find = Box::new(move |name| match backends.find(name, &own) {
+            Some(contestant) => Ok(contestant),
+            None if has_more => roster::backend_on(name, &own),
+            None => roster::backend(name),
+        });
+        Tool { tasks, vocabulary, own_backends, find, own_suites, expected }
+    }
+
+    /// The task with this name.
+    ///
+    /// # Panics
+    /// If there is none: suites were read with this tool's vocabulary.
+    pub fn task(&self, name: &str) -> &'static dyn AnyTask {
+        let task = self.tasks.iter().copied().find(|task| task.name() == name);
+        task.unwrap_or_else(|| panic!("no task is called `{name}`"))
+    }
+
+    /// The tasks as suites know them.
+    pub fn vocabulary(&self) -> &Vocabulary {
+        &self.vocabulary
+    }
+
+    /// The tables of all tasks.
+    pub fn tables(&self) -> Vec<TableSpec> {
+        let mut tables: Vec<TableSpec> = Vec::new();
+        for table in self.tasks.iter().flat_map(|task| task.own_tables()) {
+            if !tables.contains(&table) {
+                tables.push(table);
+            }
+        }
+        tables
+    }
+
+    /// The sections of all tasks, each once.
+    pub fn sections(&self, runs: &[RunDir]) -> Result<Vec<Section>, predicament_records::Error> {
+        let mut sections: Vec<Section> = Vec::new();
+        for task in &self.tasks {
+            if let Some(section) = task.own_section(runs)?
+                && sections.iter().all(|other| other.id != section.id)
+            {
+                sections.push(section);
+            }
+        }
+        Ok(sections)
+    }
+
+    /// The backend with this name.
+    pub fn backend(&self, name: &str) -> Result<Box<dyn Contestant>, String> {
+        (self.find)(name).map_err(|why| match self.own_backends.as_slice() {
+            [] => why,
+            own => format!("{why}, and of this tool's own {}", own.join(", ")),
+        })
+    }
+
+    /// The backends named by `-b`, or all that run by default; each once.
+    pub fn pick(&self, names: &[String]) -> Result<Vec<Box<dyn Contestant>>, Failure> {
+        let default = || self.own_backends.iter().map(String::as_str).chain(roster::DEFAULT.iter().copied());
+        let names: Vec<&str> = if names.is_empty() {
+            default().collect()
+        } else {
+            names.iter().flat_map(|names| names.split(',')).filter(|name| !name.is_empty()).collect()
+        };
+        let mut picked: Vec<Box<dyn Contestant>> = Vec::new();
+        for name in names {
+            let backend = self.backend(name).map_err(Failure::usage)?;
+            if picked.iter().all(|other| other.name() != backend.name()) {
+                picked.push(backend);
+            }
+        }
+        if picked.is_empty() {
+            return Err(Failure::nothing("no backend is left; name one with -b"));
+        }
+        Ok(picked)
+    }
+
+    /// What can be written after `-b`.
+    pub fn backend_help(&self) -> String {
+        let own = self.own_backends.iter().map(|name| format!("{name:<23} of this tool\n"));
+        own.chain([roster::HELP.to_owned()]).collect()
+    }
+
+    /// The embedded library.
+    pub fn library(&self) -> Result<Library, CorpusError> {
+        Library::embedded(&self.vocabulary)
+    }
+
+    /// The suites of the folders that the tool's maker named, in the order of folders and names.
+    pub fn own_suites(&self) -> Result<Vec<Suite>, CorpusError> {
+        let mut suites = Vec::new();
+        for folder in &self.own_suites {
+            suites.extend(Library::from_dir(&self.vocabulary, folder)?.suites().iter().cloned());
+        }
+        Ok(suites)
+    }
+}
