@@ -4,7 +4,7 @@
 //! before their signs become doubtful. A [`Ball`] keeps a double beside an
 //! integer exponent and a bound on the distance to the real value, so its sign is
 //! either proved or admitted to be unknown. It stands before
-//! [`Dyadic`](crate::Dyadic) on wide input, where exact numbers are long and signs
+//! [dyadic numbers](crate::dyadic) on wide input, where exact numbers are long and signs
 //! are mostly plain.
 //!
 //! # The error bound
@@ -32,6 +32,8 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
+use crate::parts::{field, power_of_two};
+
 /// The unit roundoff u = 2^−53.
 const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
 /// 1 + 16u: for the roundings in the bound.
@@ -58,7 +60,7 @@ impl Ball {
     #[inline(always)]
     #[must_use]
     pub fn new(x: f64) -> Ball {
-        let field = field(x.abs());
+        let field = field(x);
         if field == 0 {
             return Ball::subnormal(x);
         }
@@ -164,20 +166,6 @@ impl Neg for Ball {
     fn neg(self) -> Ball {
         Ball { center: -self.center, ..self }
     }
-}
-
-/// The biased exponent of a positive double.
-#[inline(always)]
-#[allow(clippy::cast_possible_truncation)] // 11 bits
-fn field(x: f64) -> i32 {
-    (x.to_bits() >> 52) as i32
-}
-
-/// 2^k, for k in −1022 ..= 1023.
-#[inline(always)]
-#[allow(clippy::cast_sign_loss)] // never negative
-const fn power_of_two(k: i32) -> f64 {
-    f64::from_bits(((k + 1023) as u64) << 52)
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use rug::{Integer, Rational};
 
-use crate::{ExponentRange, range::decompose};
+use crate::{ExponentRange, Parts};
 
 /// The value of a double; none for NaN and infinity.
 #[must_use]
@@ -36,10 +36,10 @@ impl<const D: usize, const N: usize> Scaled<D, N> {
 
 /// x·2^−`exponent`, for an x that is a multiple of 2^`exponent`.
 fn multiple(x: f64, exponent: i32) -> Integer {
-    let (significand, own) = decompose(x);
+    let Parts { negative, significand, exponent: own } = Parts::of_any(x);
     // A shift to the right drops zeros only: x has no bit below 2^exponent.
     let magnitude = Integer::from(significand) << (own - exponent);
-    if x.is_sign_negative() { -magnitude } else { magnitude }
+    if negative { -magnitude } else { magnitude }
 }
 
 #[cfg(test)]

@@ -8,25 +8,27 @@
 //! * [`ExponentRange`]: the lowest bit and the highest exponent of a list.
 //! * [`Plan`]: what that range proves about a [`Form`]; the proof is in its docs.
 //! * [`bound`]: the constants of semi-static filters, and where they come from.
-//! * [`Fixed`]: integers of a fixed size; [`Dyadic`]: exact numbers with an exponent of
-//!   their own; [`Ball`]: doubles with a proved radius. All on the stack.
+//! * [`Parts`]: a double as an integer times a power of two.
+//! * [`Fixed`]: integers of a fixed size; [`dyadic`]: exact numbers, limbs times a
+//!   power of two; [`Ball`]: doubles with a proved radius. All on the stack.
 //! * [`rational`], [`Scaled`]: doubles as exact numbers.
 //! * [`difference_up`]: a length that bounds others.
 
 mod ball;
 pub mod bound;
-mod dyadic;
+pub mod dyadic;
 mod exact;
 mod fixed;
+mod parts;
 mod plan;
 mod range;
 mod short;
 mod up;
 
 pub use ball::Ball;
-pub use dyadic::Dyadic;
 pub use exact::{Scaled, rational};
 pub use fixed::Fixed;
+pub use parts::{Parts, power_of_two};
 pub use plan::{Arithmetic, Form, Plan, Span, exact_tail, units};
 pub use range::ExponentRange;
 pub use short::{exact_differences, short_rows};

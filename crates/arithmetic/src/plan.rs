@@ -40,7 +40,7 @@
 //! fits into how many limbs is counted where the determinants are; a [`Form`]
 //! carries the result.
 
-use crate::{ExponentRange, range::decompose};
+use crate::{ExponentRange, Parts, difference_up, power_of_two};
 
 /// The lowest exponent that a non-zero sum may have for its product with u to be normal.
 const LOWEST: i32 = -1022 + 53;
@@ -71,7 +71,7 @@ pub enum Arithmetic {
     Integer,
     /// Integers of a fixed size, differences of two limbs.
     WideInteger,
-    /// Numbers with an exponent of their own.
+    /// Exact dyadic numbers: limbs times a power of two.
     Dyadic,
 }
 
@@ -108,11 +108,8 @@ impl Span {
     /// coordinates; infinite where that is no double.
     #[must_use]
     pub fn extent(&self) -> f64 {
-        if self.max < self.min {
-            return 0.0; // no points at all
-        }
-        let extent = self.max - self.min;
-        if extent < f64::INFINITY && exact_tail(self.max, self.min, extent) > 0.0 { extent.next_up() } else { extent }
+        // (Of no points at all, it is the other way round.)
+        if self.max < self.min { 0.0 } else { difference_up(self.max, self.min) }
     }
 }
 
@@ -226,7 +223,7 @@ impl<const D: usize> Plan<D> {
         // processor's conversion of doubles does it; all values are integers, and none is rounded.
         let fits = |axis: &Span| axis.range.is_none_or(|range| range.highest - self.lowest <= 63);
         if self.axes.iter().all(fits) && (-1022..=1022).contains(&self.lowest) {
-            let scale = power(-self.lowest);
+            let scale = power_of_two(-self.lowest);
             #[allow(clippy::cast_possible_truncation)] // integers in range
             return points.iter().map(|point| point.map(|x| (x * scale) as i64)).collect();
         }
@@ -241,18 +238,14 @@ impl<const D: usize> Plan<D> {
 #[inline]
 #[must_use]
 pub fn units(x: f64, lowest: i32) -> i128 {
-    let (significand, exponent) = decompose(x);
-    // To the right nothing but zeros is shifted out.
-    let magnitude = match u32::try_from(exponent - lowest) {
-        Ok(shift) => u128::from(significand).checked_shl(shift).unwrap_or(0),
-        Err(_) => u128::from(significand >> (lowest - exponent)),
+    let Parts { negative, significand, exponent } = Parts::of_any(x);
+    // To the right nothing but zeros is shifted out; those of zero may be any number.
+    let shift = (exponent - lowest).unsigned_abs();
+    let magnitude = if exponent >= lowest {
+        u128::from(significand).checked_shl(shift).unwrap_or(0)
+    } else {
+        u128::from(significand.checked_shr(shift).unwrap_or(0))
     };
     let units = magnitude.cast_signed();
-    if x.is_sign_negative() { units.wrapping_neg() } else { units }
-}
-
-/// 2^`exponent`, a normal double.
-fn power(exponent: i32) -> f64 {
-    let biased = u64::try_from(exponent + 1023).expect("an exponent of normal doubles");
-    f64::from_bits(biased << 52)
+    if negative { units.wrapping_neg() } else { units }
 }

@@ -1,5 +1,7 @@
 //! The exponents that a list of doubles spans.
 
+use crate::Parts;
+
 /// Where the bits of some non-zero doubles lie.
 ///
 /// Every value x of the list is an integer multiple of 2^`lowest`, and
@@ -32,26 +34,10 @@ impl ExponentRange {
     }
 
     #[inline]
-    #[allow(clippy::cast_possible_wrap)] // counts up to 64
     fn of_one(x: f64) -> Option<ExponentRange> {
-        let (significand, exponent) = decompose(x);
-        (significand != 0).then(|| ExponentRange {
-            lowest: exponent + significand.trailing_zeros() as i32,
-            highest: exponent + 64 - significand.leading_zeros() as i32,
-        })
+        let parts = Parts::of_any(x);
+        Some(ExponentRange { lowest: parts.lowest()?, highest: parts.highest()? })
     }
-}
-
-/// The integers s < 2^53 and e with |x| = s·2^e, for a finite x.
-#[inline]
-#[allow(clippy::cast_possible_truncation)] // an 11-bit field
-pub(crate) fn decompose(x: f64) -> (u64, i32) {
-    let bits = x.to_bits();
-    let fraction = bits & ((1 << 52) - 1);
-    let field = ((bits >> 52) & 0x7ff) as i32;
-    // Subnormals have the exponent of field 1 and no hidden bit.
-    let significand = if field == 0 { fraction } else { fraction | 1 << 52 };
-    (significand, field.max(1) - 1075)
 }
 
 #[cfg(test)]

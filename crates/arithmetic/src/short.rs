@@ -8,7 +8,10 @@
 // Loops over indices stay in registers, where `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]
 
-use crate::Fixed;
+use crate::{
+    Fixed,
+    parts::{field, power_of_two},
+};
 
 /// The differences to the last point in units of some power of two, if they
 /// are doubles and span no more than 61 bits.
@@ -18,11 +21,11 @@ pub fn short_rows<const D: usize, const N: usize>(points: [[f64; D]; N]) -> Opti
     let differences = exact_differences(points)?;
     let largest = largest(&differences);
     // Of the biased exponent e, it is less than 2^(e - 1022); scaled it is less than 2^61.
-    let exponent = largest.to_bits() >> 52;
+    let exponent = field(largest);
     if !(60..2047).contains(&exponent) {
         return None;
     }
-    let unit = f64::from_bits((1022 + 61 + 1023 - exponent) << 52);
+    let unit = power_of_two(1022 + 61 - exponent);
     let mut whole = true;
     let mut rows = [[Fixed::ZERO; D]; N];
     for row in 0..N - 1 {

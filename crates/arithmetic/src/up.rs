@@ -1,17 +1,16 @@
 //! A difference that is rounded up: for lengths that have to bound others.
 
+use crate::exact_tail;
+
 /// |a − b|, rounded up; infinite where no double is large enough.
 ///
 /// What was rounded off a difference is a double, and Knuth's two-sum finds
 /// it; it is lost only if the difference itself overflows.
 #[must_use]
 pub fn difference_up(a: f64, b: f64) -> f64 {
-    let (high, low) = (a.max(b), a.min(b));
-    let difference = high - low;
-    let low_part = high - difference;
-    let high_part = difference + low_part;
-    let roundoff = (high - high_part) + (low_part - low);
-    if roundoff > 0.0 { difference.next_up() } else { difference }
+    let difference = (a - b).abs();
+    // (Where the difference overflows, the tail is no number.)
+    if exact_tail(a.max(b), a.min(b), difference) > 0.0 { difference.next_up() } else { difference }
 }
 
 #[cfg(test)]

@@ -2,13 +2,18 @@
 
 use std::cmp::Ordering;
 
-use predicament_arithmetic::{Ball, Dyadic, rational};
+use predicament_arithmetic::{
+    dyadic::{
+        Number, Space,
+        Take::{Minus, Plus},
+    },
+    rational,
+};
 use proptest::prelude::*;
-use rug::{Integer, Rational};
+use rug::{Integer, Rational, integer::Order};
 
-/// Enough for products of four sums of doubles.
-const CAP: usize = 4 * 34;
-type Number = Dyadic<CAP>;
+/// Enough for all numbers of a test that multiplies four sums of doubles.
+const ROOM: usize = 40 * 34;
 
 fn finite() -> impl Strategy<Value = f64> {
     prop_oneof![
@@ -18,6 +23,11 @@ fn finite() -> impl Strategy<Value = f64> {
         (-300i32..300).prop_map(f64::from),
         Just(-0.0),
     ]
+}
+
+fn value(number: Number) -> Rational {
+    let magnitude = Rational::from(Integer::from_digits(number.limbs, Order::Lsf)) << (64 * number.low);
+    if number.negative { -magnitude } else { magnitude }
 }
 
 /// How long a number must be: the limbs from its lowest to its highest set bit.
@@ -40,44 +50,49 @@ fn limbs_of(value: &Rational) -> usize {
 }
 
 /// That both are the same number, in its only form.
-fn same<const N: usize>(number: &Dyadic<N>, value: &Rational) -> Result<(), TestCaseError> {
-    prop_assert_eq!(&number.to_rational(), value);
-    prop_assert_eq!(number.cmp0(), value.cmp0());
-    prop_assert_eq!(number.is_zero(), value.is_zero());
-    prop_assert_eq!(number.limbs(), limbs_of(value), "{:?} is not trimmed", number);
+fn same(number: Number, expected: &Rational) -> Result<(), TestCaseError> {
+    prop_assert_eq!(&value(number), expected);
+    prop_assert_eq!(number.cmp0(), expected.cmp0());
+    prop_assert_eq!(number.is_zero(), expected.is_zero());
+    prop_assert!(!(number.is_zero() && number.negative), "zero has no sign");
+    prop_assert_eq!(number.limbs.len(), limbs_of(expected), "{:?} is not trimmed", number);
     Ok(())
 }
 
-fn both(x: f64) -> (Number, Rational) {
-    (Number::from_f64(x).unwrap(), rational(x).unwrap())
+fn sum<'a>(space: &mut Space<'a>, a: Number, b: Number) -> Number<'a> {
+    Number::sum(space, [(a, Number::ONE, Plus), (Number::ONE, b, Plus)])
+}
+
+fn difference<'a>(space: &mut Space<'a>, a: Number, b: Number) -> Number<'a> {
+    Number::sum(space, [(a, Number::ONE, Plus), (Number::ONE, b, Minus)])
+}
+
+fn product<'a>(space: &mut Space<'a>, a: Number, b: Number) -> Number<'a> {
+    Number::sum(space, [(a, b, Plus)])
 }
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(4000))]
 
     #[test]
-    fn doubles_are_themselves(x in finite(), exponent in -3000i32..3000) {
-        let (number, value) = both(x);
-        same(&number, &value)?;
-        same(&Dyadic::<2>::from_f64(x).unwrap(), &value)?;
-        same(&Number::from_f64_scaled(x, exponent), &(value.clone() >> exponent))?;
-        same(&-number, &-value)?;
-    }
-
-    #[test]
-    fn integers_with_exponents(negative: bool, significand: u64, exponent in -100_000i32..100_000) {
-        let magnitude = Rational::from(significand) << exponent;
-        same(&Dyadic::<2>::new(negative, significand, exponent), &if negative { -magnitude } else { magnitude })?;
+    fn doubles_are_themselves(x in finite(), shift in -3000i32..3000) {
+        let mut limbs = [0; 4];
+        let space = &mut Space::new(&mut limbs);
+        let expected = rational(x).unwrap();
+        same(Number::scaled(space, x, 0), &expected)?;
+        same(Number::scaled(space, x, shift), &(expected << shift))?;
     }
 
     #[test]
     fn sums_and_products(x in finite(), y in finite()) {
-        let ((a, p), (b, q)) = (both(x), both(y));
-        same(&Dyadic::<34>::sum(&a, &b), &Rational::from(&p + &q))?;
-        same(&Dyadic::<34>::difference(&a, &b), &Rational::from(&p - &q))?;
-        same(&Dyadic::<4>::product(&a, &b), &Rational::from(&p * &q))?;
-        same(&Dyadic::<4>::square(&a), &Rational::from(p.square_ref()))?;
-        prop_assert_eq!(a == b, p == q);
+        let mut limbs = [0; ROOM];
+        let space = &mut Space::new(&mut limbs);
+        let [a, b] = [x, y].map(|x| Number::scaled(space, x, 0));
+        let [p, q] = [x, y].map(|x| rational(x).unwrap());
+        same(sum(space, a, b), &Rational::from(&p + &q))?;
+        same(difference(space, a, b), &Rational::from(&p - &q))?;
+        same(product(space, a, b), &Rational::from(&p * &q))?;
+        same(product(space, a, a), &Rational::from(p.square_ref()))?;
     }
 
     /// Long numbers: products of sums, and sums of those.
@@ -87,97 +102,77 @@ proptest! {
         // Few bits and exponents: much cancels.
         prop::array::uniform8((-128i32..128, -9i32..9).prop_map(|(x, e)| f64::from(x) * 2f64.powi(e * 100))),
     ]) {
-        let n = x.map(|x| both(x).0);
-        let q = x.map(|x| both(x).1);
-        let pair = |i: usize| (Number::difference(&n[i], &n[i + 1]), Rational::from(&q[i] - &q[i + 1]));
-        let [(a, p), (b, q), (c, r), (d, s)] = [pair(0), pair(2), pair(4), pair(6)];
-        let (ab, pq) = (Number::product(&a, &b), Rational::from(&p * &q));
-        let (cd, rs) = (Number::product(&c, &d), Rational::from(&r * &s));
-        same(&ab, &pq)?;
-        same(&Number::sum(&ab, &cd), &Rational::from(&pq + &rs))?;
-        same(&Number::difference(&ab, &cd), &Rational::from(&pq - &rs))?;
-        same(&Number::product(&ab, &cd), &Rational::from(&pq * &rs))?;
+        let mut limbs = [0; ROOM];
+        let space = &mut Space::new(&mut limbs);
+        let n = x.map(|x| Number::scaled(space, x, 0));
+        let q = x.map(|x| rational(x).unwrap());
+        let [(a, p), (b, q), (c, r), (d, s)] =
+            [0, 2, 4, 6].map(|i| (difference(space, n[i], n[i + 1]), Rational::from(&q[i] - &q[i + 1])));
+        let (ab, pq) = (product(space, a, b), Rational::from(&p * &q));
+        let (cd, rs) = (product(space, c, d), Rational::from(&r * &s));
+        same(ab, &pq)?;
+        same(sum(space, ab, cd), &Rational::from(&pq + &rs))?;
+        same(difference(space, ab, cd), &Rational::from(&pq - &rs))?;
+        same(product(space, ab, cd), &Rational::from(&pq * &rs))?;
+        // In one go, as determinants do.
+        same(Number::sum(space, [(a, b, Minus), (c, d, Plus)]), &Rational::from(&rs - &pq))?;
         // (a + b)(a − b) = a² − b², to the last bit.
-        let left = Number::product(&Number::sum(&a, &b), &Number::difference(&a, &b));
-        let right = Number::difference(&Number::square(&a), &Number::square(&b));
-        prop_assert!(left == right);
-        same(&Number::difference(&left, &right), &Rational::new())?;
-    }
-
-    /// What a ball says is true, also about what little is left of a value
-    /// after its nearest double is taken away.
-    #[test]
-    fn balls_are_right_or_silent(x in proptest::collection::vec(finite(), 6)) {
-        let b: Vec<Ball> = x.iter().map(|&x| Ball::new(x)).collect();
-        let q: Vec<Rational> = x.iter().map(|&x| rational(x).unwrap()).collect();
-        let mut ball = (b[0] - b[1]) * (b[2] + b[3]) + b[4] * b[5];
-        let mut value = Rational::from(&q[0] - &q[1]) * Rational::from(&q[2] + &q[3]) + Rational::from(&q[4] * &q[5]);
-        for _ in 0..3 {
-            if let Some(order) = ball.cmp0() {
-                prop_assert_eq!(order, value.cmp0());
-            }
-            let nearest = value.to_f64();
-            prop_assume!(nearest.is_finite());
-            ball = ball - Ball::new(nearest);
-            value -= rational(nearest).unwrap();
-        }
-    }
-}
-
-#[test]
-fn what_is_not_finite_is_refused() {
-    for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        assert!(Number::from_f64(x).is_none());
+        let [both, apart] = [sum(space, a, b), difference(space, a, b)];
+        same(Number::sum(space, [(both, apart, Plus), (a, a, Minus), (b, b, Plus)]), &Rational::new())?;
     }
 }
 
 #[test]
 fn far_numbers_have_short_products_and_long_sums() {
-    let [small, large] = [5e-324, f64::MAX].map(|x| Number::from_f64(x).unwrap());
-    assert_eq!(Number::square(&small).limbs(), 1);
-    assert_eq!(Number::sum(&large, &small).limbs(), 33);
-    let back = Number::difference(&Number::sum(&large, &small), &large);
-    assert!(back == small && back.limbs() == 1);
+    let mut limbs = [0; ROOM];
+    let space = &mut Space::new(&mut limbs);
+    let [small, large] = [5e-324, f64::MAX].map(|x| Number::scaled(space, x, 0));
+    assert_eq!(product(space, small, small).limbs.len(), 1);
+    let both = sum(space, large, small);
+    assert_eq!(both.limbs.len(), 33);
+    let back = difference(space, both, large);
+    assert_eq!((value(back), back.limbs.len()), (value(small), 1));
     assert_eq!(Number::ZERO.cmp0(), Ordering::Equal);
-    assert_eq!(Number::difference(&large, &large).cmp0(), Ordering::Equal);
+    assert_eq!(difference(space, large, large).cmp0(), Ordering::Equal);
 }
 
 /// A full number of two limbs, 2^128 − 1.
-fn full() -> Dyadic<2> {
-    Dyadic::sum(&Dyadic::<1>::new(false, u64::MAX, 64), &Dyadic::<1>::new(false, u64::MAX, 0))
-}
+const FULL: Number = Number { limbs: &[u64::MAX; 2], low: 0, negative: false };
 
 #[test]
 fn what_fits_is_right_to_the_last_limb() {
-    let square = Dyadic::<4>::square(&full());
-    assert_eq!(square.to_rational(), Rational::from((Integer::from(1) << 128) - 1u32).square());
-    let one = Dyadic::<1>::new(false, 1, 0);
+    // A sign takes a bit beside the four limbs of the square.
+    let mut limbs = [0; 5];
+    let square = product(&mut Space::new(&mut limbs), FULL, FULL);
+    assert_eq!(value(square), Rational::from((Integer::from(1) << 128) - 1u32).square());
     // The carry leaves a single limb behind, but asks for a third one on its way.
-    assert_eq!(Dyadic::<3>::sum(&full(), &one).limbs(), 1);
+    let mut limbs = [0; 3];
+    assert_eq!(sum(&mut Space::new(&mut limbs), FULL, Number::ONE).limbs, [1]);
 }
 
 #[test]
-#[should_panic(expected = "exceeds the capacity")]
-fn a_carry_beyond_the_capacity_panics() {
-    let two = Dyadic::<1>::new(false, 2, 0);
-    let _ = Dyadic::<2>::sum(&full(), &two);
+#[should_panic(expected = "the space suffices")]
+fn a_carry_beyond_the_space_panics() {
+    let _ = sum(&mut Space::new(&mut [0; 2]), FULL, Number::ONE);
 }
 
 #[test]
-#[should_panic(expected = "exceeds the capacity")]
-fn a_product_beyond_the_capacity_panics() {
-    let _ = Dyadic::<3>::square(&full());
+#[should_panic(expected = "the space suffices")]
+fn a_product_beyond_the_space_panics() {
+    let _ = product(&mut Space::new(&mut [0; 4]), FULL, FULL);
 }
 
 #[test]
-#[should_panic(expected = "exceeds the capacity")]
-fn a_wide_sum_beyond_the_capacity_panics() {
-    let [small, large] = [5e-324, f64::MAX].map(|x| Number::from_f64(x).unwrap());
-    let _ = Dyadic::<32>::sum(&large, &small);
+#[should_panic(expected = "the space suffices")]
+fn a_wide_sum_beyond_the_space_panics() {
+    let mut limbs = [0; 4 + 32];
+    let space = &mut Space::new(&mut limbs);
+    let [small, large] = [5e-324, f64::MAX].map(|x| Number::scaled(space, x, 0));
+    let _ = sum(space, large, small);
 }
 
 #[test]
-#[should_panic(expected = "exceeds the capacity")]
-fn a_double_beyond_the_capacity_panics() {
-    let _ = Dyadic::<1>::from_f64(f64::from(1u32 << 31) + 2f64.powi(-21));
+#[should_panic(expected = "the space suffices")]
+fn a_double_beyond_the_space_panics() {
+    let _ = Number::scaled(&mut Space::new(&mut [0; 1]), 1.0, 0);
 }

@@ -83,6 +83,16 @@ fn units_reach_both_ends_of_the_range() {
     }
 }
 
+/// Its significand has no bit to lose, however far away the unit is.
+#[test]
+fn zero_is_zero_in_any_unit() {
+    for lowest in [-1074, -1011, -1010, -1000, 0, 971, 1023] {
+        for zero in [0.0, -0.0] {
+            assert_eq!(units(zero, lowest), 0, "in units of 2^{lowest}");
+        }
+    }
+}
+
 /// By the processor's conversion as by shifts, and far from the origin modulo 2^64.
 #[test]
 fn both_kinds_of_units_are_the_same() {

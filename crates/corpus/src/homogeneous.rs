@@ -7,10 +7,11 @@
 //! No formula here subtracts one point from another, so that this is a
 //! computation of its own beside everything that does.
 
+use predicament_arithmetic::Parts;
 use predicament_predicates::{Construction, Scene, Vertex};
 use rug::Integer;
 
-use predicament_formats::bits::{biased_exponent, top_exponent};
+use predicament_formats::bits::lowest_bit;
 
 /// The exact coordinates of a vertex times its weight, and the weight, which
 /// is positive; none for a construction that is no point.
@@ -61,29 +62,25 @@ fn input(scene: &Scene, v: Vertex) -> Vec<Integer> {
     point.iter().map(|&x| integer(x, lowest)).chain([weight]).collect()
 }
 
-/// The exponent of the last place of any of these doubles; 0 where all are zero.
+/// The exponent of the lowest bit of any of these doubles; 0 where all are zero.
 #[must_use]
 pub fn lowest_exponent(values: impl Iterator<Item = f64>) -> i64 {
-    values.filter(|&x| top_exponent(x).is_some()).map(low_exponent).min().unwrap_or(0)
+    values.filter_map(lowest_bit).min().unwrap_or(0)
 }
 
-/// The exponent of the last place of a double.
-fn low_exponent(x: f64) -> i64 {
-    biased_exponent(x).max(1) - 1075
-}
-
-/// x·2^-lowest, for a double whose last place is not below 2^lowest.
+/// x·2^-lowest, for a double without bits below 2^lowest.
 ///
 /// # Panics
-/// If the last place of x is below 2^lowest.
+/// If x has bits below 2^lowest.
 #[must_use]
 pub fn integer(x: f64, lowest: i64) -> Integer {
-    let fraction = x.abs().to_bits() & ((1 << 52) - 1);
-    let mantissa = if biased_exponent(x) == 0 { fraction } else { fraction | (1 << 52) };
-    let shift =
-        if mantissa == 0 { 0 } else { u32::try_from(low_exponent(x) - lowest).expect("the lowest is the least") };
-    let magnitude = Integer::from(mantissa) << shift;
-    if x < 0.0 { -magnitude } else { magnitude }
+    let Parts { negative, significand, exponent } = Parts::of(x).expect("coordinates are finite").odd();
+    if significand == 0 {
+        return Integer::new();
+    }
+    let shift = u32::try_from(i64::from(exponent) - lowest).expect("the lowest is the least");
+    let magnitude = Integer::from(significand) << shift;
+    if negative { -magnitude } else { magnitude }
 }
 
 /// The line through two points or the plane through three; none where they span none.

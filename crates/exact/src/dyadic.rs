@@ -3,7 +3,7 @@
 //! Where the coordinates of a query span at most 253 bits, integers of a fixed
 //! size ([`integer`]) answer. Where they span more, exact numbers are long, and
 //! most signs are plain: [`Ball`]s, floating point with proved errors and
-//! an exponent of its own, come first, and [`Dyadic`]s compute exactly what those
+//! an exponent of its own, come first, and dyadic [`Number`]s compute exactly what those
 //! leave open. None of them can overflow, underflow or run out of digits.
 //!
 //! For balls, the point nearest to the origin is made the one that is
@@ -12,26 +12,33 @@
 //! a far larger one it is lost in the rounding of the difference, and
 //! if this happens to all of them, so is the sign.
 //!
-//! # Capacity of the dyadic numbers
-//! All finite doubles are multiples of 2^−1074 below 2^1024. In units of the lowest
-//! bit of the query, its coordinates are integers below 2^2098, differences are below 2^2099, and
+//! # Space of the dyadic numbers
+//! In units of the lowest bit of the query, its coordinates are integers below 2^w,
+//! w ≤ 2098 as all finite doubles are multiples of 2^−1074 below 2^1024. A sum of N
+//! products takes their bits, the logarithm of N rounded up, and a sign:
 //!
-//! | | degree | products of differences | below 2^ | limbs | of 2^ |
-//! |---|---|---|---|---|---|
-//! | difference | 1 | 1 | 2099 | 33 | 2112 |
-//! | cross product | 2 | 2 | 4199 | 66 | 4224 |
-//! | squared length | 2 | 3 | 4200 | 66 | 4224 |
-//! | triple product, orient3d | 3 | 6 | 6300 | 99 | 6336 |
-//! | incircle | 4 | 12 | 8400 | 132 | 8448 |
-//! | insphere | 5 | 72 | 10502 | 165 | 10560 |
+//! | | degree | terms | below 2^ | bits of the sum |
+//! |---|---|---|---|---|
+//! | difference | 1 | 2, times one | w + 1 | w + 3 |
+//! | cross product | 2 | 2 | 2w + 3 | 2w + 4 |
+//! | squared length | 2 | 3 | 2w + 4 | 2w + 5 |
+//! | triple product, orient3d | 3 | 3 | 3w + 6 | 3w + 7 |
+//! | incircle | 4 | 3 | | 4w + 9 |
+//! | insphere | 5 | 4 | | 5w + 13 |
 //!
-//! so an integer of degree j has 33j limbs at most, and the limbs of two factors add
-//! up to those of their product.
+//! Each is at most j(w + 3) for degree j, so with n limbs for w + 3 bits a number of degree j
+//! takes jn limbs at most: n = 33 is enough for everything. Coordinates take two limbs each.
 //!
 //! Coordinates must be finite, as those of a scene are; others make the
 //! functions panic.
 
-use predicament_arithmetic::{Ball, Dyadic, ExponentRange, Fixed};
+use predicament_arithmetic::{
+    Ball, ExponentRange, Fixed, Parts,
+    dyadic::{
+        Number, Space,
+        Take::{Minus, Plus},
+    },
+};
 use predicament_predicates::Sign;
 
 use crate::integer;
@@ -105,10 +112,7 @@ fn fixed_width(x: f64, exponent: i32) -> Fixed<FIXED> {
     if x == 0.0 {
         return Fixed::ZERO;
     }
-    let bits = x.abs().to_bits();
-    let (field, fraction) = (bits >> 52, bits & ((1 << 52) - 1));
-    let significand = if field == 0 { fraction } else { fraction | 1 << 52 };
-    let own = i32::try_from(field.max(1)).expect("11 bits") - 1075;
+    let Parts { negative, significand, exponent: own } = Parts::of(x).expect("the coordinates of a scene are finite");
     // Nothing but zeros is shifted out.
     let (significand, shift) = match usize::try_from(own - exponent) {
         Ok(shift) => (significand, shift),
@@ -121,7 +125,7 @@ fn fixed_width(x: f64, exponent: i32) -> Fixed<FIXED> {
         *above = significand >> 1 >> (63 - shift % 64);
     }
     let magnitude = Fixed::from_limbs(limbs);
-    if x < 0.0 { Fixed::ZERO.minus(magnitude) } else { magnitude }
+    if negative { Fixed::ZERO.minus(magnitude) } else { magnitude }
 }
 
 /// The point whose largest coordinate is the smallest; of equals the last.
@@ -131,100 +135,82 @@ fn nearest_to_origin<const D: usize, const N: usize>(points: &[[f64; D]; N]) -> 
     (0..N - 1).rev().fold(N - 1, |least, i| if largest[i] < largest[least] { i } else { least })
 }
 
-/// A coordinate of a point less that of another: degree 1.
-type Difference = Dyadic<33>;
-/// Degree 2: a minor or a squared length.
-type Square = Dyadic<66>;
-/// Degree 3.
-type Cube = Dyadic<99>;
+/// Limbs for each degree.
+const DEGREE: usize = 33;
+const _: () = assert!(DEGREE * 64 >= 2098 + 3);
 
 #[inline(never)]
 fn orient2d_dyadic([a, b, c]: [[f64; 2]; 3], exponent: i32) -> Sign {
-    let [p, q] = &rows([a, b], c, exponent);
-    Sign::from(cross(p, q).cmp0())
+    // Differences, and the cross product.
+    let mut limbs = [0; 3 * 2 * 2 + (4 + 2) * DEGREE];
+    let space = &mut Space::new(&mut limbs);
+    let [p, q] = rows(space, [a, b], c, exponent);
+    Sign::from(cross(space, p, q).cmp0())
 }
 
 #[inline(never)]
 fn orient3d_dyadic([a, b, c, d]: [[f64; 3]; 4], exponent: i32) -> Sign {
-    let [p, q, r] = &rows([a, b, c], d, exponent);
-    let minors = [&cross(q, r), &cross(r, p), &cross(p, q)];
-    let determinant: Cube = combination(minors, [&p[2], &q[2], &r[2]], Dyadic::assign_sum);
-    Sign::from(determinant.cmp0())
+    // Differences, minors, and the determinant.
+    let mut limbs = [0; 4 * 3 * 2 + (9 + 3 * 2 + 3) * DEGREE];
+    let space = &mut Space::new(&mut limbs);
+    let [p, q, r] = rows(space, [a, b, c], d, exponent);
+    let minors = [cross(space, q, r), cross(space, r, p), cross(space, p, q)];
+    let [qr, rp, pq] = minors;
+    Sign::from(Number::sum(space, [(qr, p[2], Plus), (rp, q[2], Plus), (pq, r[2], Plus)]).cmp0())
 }
 
 #[inline(never)]
 fn incircle_dyadic([a, b, c, d]: [[f64; 2]; 4], exponent: i32) -> Sign {
-    let [p, q, r] = &rows([a, b, c], d, exponent);
-    let minors = [&cross(q, r), &cross(r, p), &cross(p, q)];
-    let determinant: Dyadic<132> = combination(minors, [&lift(p), &lift(q), &lift(r)], Dyadic::assign_sum);
-    Sign::from(determinant.cmp0())
+    // Differences, minors, squared lengths, and the determinant.
+    let mut limbs = [0; 4 * 2 * 2 + (6 + 3 * 2 + 3 * 2 + 4) * DEGREE];
+    let space = &mut Space::new(&mut limbs);
+    let [p, q, r] = rows(space, [a, b, c], d, exponent);
+    let [qr, rp, pq] = [cross(space, q, r), cross(space, r, p), cross(space, p, q)];
+    let [pp, qq, rr] = [p, q, r].map(|[x, y]| Number::sum(space, [(x, x, Plus), (y, y, Plus)]));
+    Sign::from(Number::sum(space, [(qr, pp, Plus), (rp, qq, Plus), (pq, rr, Plus)]).cmp0())
 }
 
 #[inline(never)]
 fn insphere_dyadic([a, b, c, d, e]: [[f64; 3]; 5], exponent: i32) -> Sign {
-    let [p, q, r, s] = &rows([a, b, c, d], e, exponent);
+    // Differences, minors, triple products, squared lengths, and the determinant.
+    let mut limbs = [0; 5 * 3 * 2 + (12 + 6 * 2 + 4 * 3 + 4 * 2 + 5) * DEGREE];
+    let space = &mut Space::new(&mut limbs);
+    let [p, q, r, s] = rows(space, [a, b, c, d], e, exponent);
     // Minors of x and y: each is part of two of the triple products.
-    let [pq, qr, rs] = [&cross(p, q), &cross(q, r), &cross(r, s)];
-    let [sp, rp, sq] = [&cross(s, p), &cross(r, p), &cross(s, q)];
-    let [pz, qz, rz, sz] = [&p[2], &q[2], &r[2], &s[2]];
-    let pqr: Cube = combination([qr, rp, pq], [pz, qz, rz], Dyadic::assign_sum);
-    let qrs: Cube = combination([rs, sq, qr], [qz, rz, sz], Dyadic::assign_sum);
-    let prs: Cube = combination([rs, sp, rp], [pz, rz, sz], Dyadic::assign_difference);
-    let pqs: Cube = combination([pq, sp, sq], [sz, qz, pz], Dyadic::assign_difference);
-    let three: Dyadic<165> = combination([&lift(s), &lift(q), &lift(r)], [&pqr, &prs, &pqs], Dyadic::assign_difference);
-    let last = Dyadic::<165>::product(&lift(p), &qrs);
-    Sign::from(Dyadic::<165>::difference(&three, &last).cmp0())
+    let [pq, qr, rs] = [cross(space, p, q), cross(space, q, r), cross(space, r, s)];
+    let [sp, rp, sq] = [cross(space, s, p), cross(space, r, p), cross(space, s, q)];
+    let [pz, qz, rz, sz] = [p[2], q[2], r[2], s[2]];
+    let pqr = Number::sum(space, [(qr, pz, Plus), (rp, qz, Plus), (pq, rz, Plus)]);
+    let qrs = Number::sum(space, [(rs, qz, Plus), (sq, rz, Plus), (qr, sz, Plus)]);
+    let prs = Number::sum(space, [(rs, pz, Plus), (sp, rz, Plus), (rp, sz, Minus)]);
+    let pqs = Number::sum(space, [(pq, sz, Plus), (sp, qz, Plus), (sq, pz, Minus)]);
+    let [pp, qq, rr, ss] = [p, q, r, s].map(|[x, y, z]| Number::sum(space, [(x, x, Plus), (y, y, Plus), (z, z, Plus)]));
+    let terms = [(ss, pqr, Plus), (qq, prs, Plus), (rr, pqs, Minus), (pp, qrs, Minus)];
+    Sign::from(Number::sum(space, terms).cmp0())
 }
 
-/// The points less the origin.
+/// The points less the origin, in units of 2^`exponent`.
 #[inline(always)]
-fn rows<const D: usize, const R: usize>(
+fn rows<'a, const D: usize, const R: usize>(
+    space: &mut Space<'a>,
     points: [[f64; D]; R],
     origin: [f64; D],
     exponent: i32,
-) -> [[Difference; D]; R] {
-    let double = |x| Dyadic::<2>::from_f64_scaled(x, exponent);
-    let mut rows = [const { [const { Dyadic::ZERO }; D] }; R];
-    for axis in 0..D {
-        let origin = double(origin[axis]);
-        for (row, point) in rows.iter_mut().zip(points) {
-            row[axis].assign_difference(&double(point[axis]), &origin);
+) -> [[Number<'a>; D]; R] {
+    let origin = origin.map(|x| Number::scaled(space, x, -exponent));
+    let mut rows = [[Number::ZERO; D]; R];
+    for (row, point) in rows.iter_mut().zip(points) {
+        for axis in 0..D {
+            let x = Number::scaled(space, point[axis], -exponent);
+            row[axis] = Number::sum(space, [(x, Number::ONE, Plus), (origin[axis], Number::ONE, Minus)]);
         }
     }
     rows
 }
 
 #[inline(always)]
-fn cross<const D: usize>(p: &[Difference; D], q: &[Difference; D]) -> Square {
-    Square::difference(&Square::product(&p[0], &q[1]), &Square::product(&p[1], &q[0]))
-}
-
-/// The squared length.
-#[inline(always)]
-fn lift<const D: usize>(p: &[Difference; D]) -> Square {
-    let [mut lift, mut square, mut longer] = [const { Square::ZERO }; 3];
-    for x in p {
-        square.assign_product(x, x);
-        longer.assign_sum(&lift, &square);
-        std::mem::swap(&mut lift, &mut longer);
-    }
-    lift
-}
-
-/// x₁y₁ + x₂y₂ ± x₃y₃.
-#[inline(always)]
-fn combination<const X: usize, const Y: usize, const N: usize>(
-    x: [&Dyadic<X>; 3],
-    y: [&Dyadic<Y>; 3],
-    assign_last: impl Fn(&mut Dyadic<N>, &Dyadic<N>, &Dyadic<N>),
-) -> Dyadic<N> {
-    let [mut first, mut second, mut sum] = [const { Dyadic::ZERO }; 3];
-    first.assign_product(x[0], y[0]);
-    second.assign_product(x[1], y[1]);
-    sum.assign_sum(&first, &second);
-    first.assign_product(x[2], y[2]);
-    assign_last(&mut second, &sum, &first);
-    second
+fn cross<'a, const D: usize>(space: &mut Space<'a>, p: [Number; D], q: [Number; D]) -> Number<'a> {
+    Number::sum(space, [(p[0], q[1], Plus), (p[1], q[0], Minus)])
 }
 
 #[inline(always)]

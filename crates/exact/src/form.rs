@@ -5,7 +5,7 @@
 //! and 4·6·3 M⁵ = 72M⁵ for insphere: `growth` is the next logarithm to base
 //! two. The bits for integers are counted in [`integer`].
 
-use predicament_arithmetic::{Form, bound};
+use predicament_arithmetic::{Form, Parts, bound};
 
 use crate::integer;
 
@@ -35,8 +35,7 @@ impl Determinant {
     #[must_use]
     pub const fn limbs_left_open(&self, bits: i32) -> usize {
         let share = 2.01 * self.bound;
-        #[allow(clippy::cast_possible_truncation)] // an exponent of 11 bits: the bound is positive
-        let exponent = (share.to_bits() >> 52).cast_signed() as i32 - 1022;
+        let exponent = Parts::of(share).expect("a bound is finite").highest().expect("and positive");
         limbs(self.form.degree * bits + self.form.growth + exponent)
     }
 }

@@ -14,7 +14,7 @@
 // Loops over indices stay in registers, where `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]
 
-use predicament_arithmetic::{ExponentRange, Fixed, Plan, units};
+use predicament_arithmetic::{ExponentRange, Fixed, Plan, power_of_two, units};
 use predicament_predicates::Vertex;
 
 use crate::integer::BITS;
@@ -102,7 +102,7 @@ impl<const D: usize> Integers<D> {
         if bits > BITS[0] || !(-1022..=1022).contains(&low) {
             return None;
         }
-        let scale = f64::from_bits(u64::from((1023 - low).cast_unsigned()) << 52);
+        let scale = power_of_two(-low);
         let mut rows = [[Fixed::ZERO; E]; N];
         for axis in 0..E {
             let last = to_integer(points[N - 1][axis] * scale);

@@ -3,7 +3,7 @@
 // Loops over indices stay in registers, where `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]
 
-use predicament_arithmetic::{Arithmetic, Fixed, Plan};
+use predicament_arithmetic::{Arithmetic, Fixed, Plan, power_of_two};
 use predicament_predicates::{Sign, Vertex};
 
 use crate::integers::{Integers, Rows};
@@ -111,7 +111,7 @@ impl Prepared {
     /// that has cancelled: those are some hundred times smaller than the bound.
     #[inline(always)]
     fn is_small(&self, determinant: f64) -> bool {
-        const FRACTION: f64 = power(-20);
+        const FRACTION: f64 = power_of_two(-20);
         (determinant.abs() < FRACTION * self.static_bound) & (determinant != 0.0)
     }
 }
@@ -142,13 +142,8 @@ pub(crate) fn alone<P: Predicate<D, N>, const D: usize, const N: usize>(points: 
 /// 5·201 + 7 ≤ 1023 (see [`Plan`]).
 #[inline(always)]
 fn is_ordinary<const D: usize>(points: &[[f64; D]]) -> bool {
-    const LOWEST: f64 = power(-141);
-    const HIGHEST: f64 = power(200);
+    const LOWEST: f64 = power_of_two(-141);
+    const HIGHEST: f64 = power_of_two(200);
     let ordinary = |x: f64| (x.abs() <= HIGHEST) & ((x.abs() >= LOWEST) | (x == 0.0));
     points.as_flattened().iter().fold(true, |all, &x| all & ordinary(x))
-}
-
-/// 2^`exponent`, a normal double.
-pub(crate) const fn power(exponent: i64) -> f64 {
-    f64::from_bits((exponent + 1023).cast_unsigned() << 52)
 }

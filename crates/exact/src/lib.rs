@@ -7,7 +7,7 @@
 //!    for the whole scene;
 //! 3. the semi-static filter, with a bound for the query;
 //! 4. [`integer`]s of a fixed size, over one power of two for the scene;
-//! 5. [`dyadic`]: exact numbers with an exponent of their own.
+//! 5. [`dyadic`]: exact dyadic numbers, limbs times a power of two.
 //!
 //! Which of them hold is not hoped for but proved, once per scene, by a
 //! [`Plan`](predicament_arithmetic::Plan), and for a scene whose exponents are

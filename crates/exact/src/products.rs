@@ -4,7 +4,7 @@
 //! l − r for two products of doubles, each of which has 106 bits and can be had
 //! exactly, whatever its exponent.
 
-use predicament_arithmetic::exact_differences;
+use predicament_arithmetic::{Parts, exact_differences};
 use predicament_predicates::Sign;
 
 /// The turn of three points, if their differences are doubles.
@@ -19,27 +19,27 @@ pub(crate) fn orient2d(points: [[f64; 2]; 3]) -> Option<Sign> {
 #[derive(Clone, Copy)]
 struct Product {
     significand: i128,
-    exponent: u64,
+    exponent: i32,
 }
+
+/// The highest bit of a normal double's significand.
+const HIDDEN: u64 = 1 << 52;
 
 impl Product {
     /// The exact product of two doubles that are zero or normal.
     #[inline(always)]
     fn new(x: f64, y: f64) -> Option<Product> {
-        const HIDDEN: u64 = 1 << 52;
-        let exponent = |x: f64| (x.to_bits() >> 52) & 0x7ff;
-        let significand = |x: f64| (x.to_bits() & (HIDDEN - 1)) | HIDDEN;
-        if (x == 0.0) | (y == 0.0) {
+        // (Infinite differences are not exact, so they don't come here.)
+        let (x, y) = (Parts::of(x)?, Parts::of(y)?);
+        if (x.significand == 0) | (y.significand == 0) {
             return Some(Product { significand: 0, exponent: 0 });
         }
-        let [ex, ey] = [exponent(x), exponent(y)];
-        // (Infinite differences are not exact, so they don't come here.)
-        if (ex == 0) | (ey == 0) {
+        if (x.significand < HIDDEN) | (y.significand < HIDDEN) {
             return None;
         }
-        let magnitude = (u128::from(significand(x)) * u128::from(significand(y))).cast_signed();
-        let negative = x.is_sign_negative() != y.is_sign_negative();
-        Some(Product { significand: if negative { -magnitude } else { magnitude }, exponent: ex + ey })
+        let magnitude = (u128::from(x.significand) * u128::from(y.significand)).cast_signed();
+        let significand = if x.negative == y.negative { magnitude } else { -magnitude };
+        Some(Product { significand, exponent: x.exponent + y.exponent })
     }
 
     /// The sign of self − other.
@@ -47,7 +47,7 @@ impl Product {
     fn compare(self, other: Product) -> Sign {
         // Significands have 105 or 106 bits: from 2^3 on the larger exponent decides, and shifts
         // by 3 keep that so.
-        let shift = |mine: u64, theirs: u64| mine.saturating_sub(theirs).min(3);
+        let shift = |mine: i32, theirs: i32| (mine - theirs).clamp(0, 3);
         let left = self.significand << shift(self.exponent, other.exponent);
         let right = other.significand << shift(other.exponent, self.exponent);
         Sign::from(left.cmp(&right))

@@ -21,10 +21,10 @@
 // Loops over indices stay in registers, where `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]
 
-use predicament_arithmetic::bound;
+use predicament_arithmetic::{bound, power_of_two};
 use predicament_predicates::Sign;
 
-use crate::ladder::{alone, power};
+use crate::ladder::alone;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 
 /// The sign of (a − c) × (b − c): positive if a, b, c turn counterclockwise.
@@ -80,8 +80,8 @@ fn insphere_bound([x, y, z]: [f64; 3]) -> f64 {
 /// Pays for the roundings of extents and of the bound, 13 of at most u each; the rest is for underflow.
 const MARGIN: f64 = 1.0 + 16.0 * f64::EPSILON;
 /// The extents for which the filter is proved.
-const LOWEST: f64 = power(-140);
-const HIGHEST: f64 = power(200);
+const LOWEST: f64 = power_of_two(-140);
+const HIGHEST: f64 = power_of_two(200);
 
 #[inline(always)]
 fn answer<P: Predicate<D, N>, const D: usize, const N: usize>(

@@ -12,7 +12,7 @@ pub const SEMI_STATIC: usize = 3;
 pub const INTEGER: usize = 4;
 /// Integers of a fixed size, differences of two limbs.
 pub const WIDE_INTEGER: usize = 5;
-/// Numbers with an exponent of their own.
+/// Exact dyadic numbers: limbs times a power of two.
 pub const DYADIC: usize = 6;
 /// Their names, in this order.
 pub const NAMES: [&str; 7] =

@@ -1,23 +1,24 @@
 //! Doubles by their bits: neighbours, exponents and exact scaling.
 
+use predicament_arithmetic::Parts;
+
 /// The exponent of the lowest bit of the smallest subnormal.
 pub const LOWEST: i64 = -1074;
 /// The exponent of the highest bit of the largest double.
 pub const HIGHEST: i64 = 1023;
 
-/// The eleven exponent bits.
-pub fn biased_exponent(x: f64) -> i64 {
-    i64::try_from(x.abs().to_bits() >> 52).expect("eleven bits are left")
-}
-
 /// The exponent of the highest bit; none for zero.
 pub fn top_exponent(x: f64) -> Option<i64> {
-    let magnitude = x.abs().to_bits();
-    match biased_exponent(x) {
-        0 if magnitude == 0 => None,
-        0 => Some(LOWEST + i64::from(63 - magnitude.leading_zeros())),
-        biased => Some(biased - 1023),
-    }
+    finite(x).highest().map(|highest| i64::from(highest) - 1)
+}
+
+/// The exponent of the lowest bit that is set; none for zero.
+pub fn lowest_bit(x: f64) -> Option<i64> {
+    finite(x).lowest().map(i64::from)
+}
+
+fn finite(x: f64) -> Parts {
+    Parts::of(x).expect("coordinates are finite")
 }
 
 /// The double that lies `k` places further up (down for negative `k`),
@@ -43,7 +44,7 @@ pub fn rounded(x: f64, bits: u32) -> f64 {
 /// If 2^k is not a normal double.
 pub fn power_of_two(k: i64) -> f64 {
     assert!((-1022..=HIGHEST).contains(&k), "2^{k} is no normal double");
-    f64::from_bits(u64::try_from(k + 1023).expect("not negative") << 52)
+    predicament_arithmetic::power_of_two(i32::try_from(k).expect("eleven bits"))
 }
 
 /// x·2^k for |k| ≤ 2044, rounded once where it becomes subnormal.
@@ -81,11 +82,14 @@ mod tests {
     }
 
     #[test]
-    fn exponents_of_the_highest_bit() {
+    fn exponents_of_the_highest_and_the_lowest_bit() {
         for (x, top) in [(1.0, 0), (-3.0, 1), (0.75, -1), (5e-324, -1074), (f64::MAX, 1023), (1e-320, -1064)] {
             assert_eq!(top_exponent(x), Some(top), "{x:e}");
         }
-        assert_eq!(top_exponent(-0.0), None);
+        for (x, low) in [(1.0, 0), (-12.0, 2), (0.75, -2), (5e-324, -1074), (f64::MAX, 971), (1e-320, -1071)] {
+            assert_eq!(lowest_bit(x), Some(low), "{x:e}");
+        }
+        assert_eq!([top_exponent(-0.0), lowest_bit(0.0)], [None; 2]);
     }
 
     #[test]

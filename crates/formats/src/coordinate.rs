@@ -4,7 +4,7 @@
 //! scene something else than what its file says, so only decimals that *are*
 //! doubles are read; [`fmt`](crate::fmt) turns the others into hex floats.
 
-use crate::bits::biased_exponent;
+use crate::bits::lowest_bit;
 use crate::hexfloat::{self, HexError};
 
 /// Why a text is not a coordinate.
@@ -94,12 +94,7 @@ impl Decimal {
     /// asked for, and a double whose lowest bit is 2^-k has k of them behind
     /// the point.
     fn of(x: f64) -> Decimal {
-        let bits = x.abs().to_bits();
-        let biased = biased_exponent(x);
-        let fraction = bits & ((1 << 52) - 1);
-        let mantissa = if biased == 0 { fraction } else { fraction | (1 << 52) };
-        let low = biased.max(1) - 1075 + i64::from(mantissa.trailing_zeros());
-        let places = usize::try_from(-low).unwrap_or(0).min(1074);
+        let places = usize::try_from(-lowest_bit(x).unwrap_or(0)).unwrap_or(0);
         let written = format!("{:.places$}", x.abs());
         let digits = written.replace('.', "");
         Decimal::normalised(&digits, -i64::try_from(places).expect("at most 1074"))

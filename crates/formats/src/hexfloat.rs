@@ -8,7 +8,9 @@
 
 use std::fmt::Write;
 
-use crate::bits::{HIGHEST, LOWEST, biased_exponent};
+use predicament_arithmetic::Parts;
+
+use crate::bits::HIGHEST;
 
 const FRACTION_BITS: u32 = 52;
 const FRACTION: u64 = (1 << FRACTION_BITS) - 1;
@@ -30,18 +32,13 @@ pub enum HexError {
 /// and `NaN`, which [`parse`] refuses.
 #[must_use]
 pub fn format(x: f64) -> String {
-    if !x.is_finite() {
+    let Some(Parts { negative, significand, exponent }) = Parts::of(x) else {
         return x.to_string();
-    }
-    let bits = x.to_bits();
-    let biased = biased_exponent(x);
-    let fraction = bits & FRACTION;
-    let (lead, exponent) = match (biased, fraction) {
-        (0, 0) => (0, 0),
-        (0, _) => (0, -1022),
-        _ => (1, biased - 1023),
     };
-    let mut text = String::from(if x.is_sign_negative() { "-0x" } else { "0x" });
+    // The significand as it lies in the double has 52 bits behind the point.
+    let (lead, fraction) = (significand >> FRACTION_BITS, significand & FRACTION);
+    let exponent = if significand == 0 { 0 } else { exponent + FRACTION_BITS.cast_signed() };
+    let mut text = String::from(if negative { "-0x" } else { "0x" });
     write!(text, "{lead}").expect("strings grow");
     if fraction != 0 {
         let digits = format!("{fraction:013x}");
@@ -108,14 +105,8 @@ fn compose(whole: &str, fraction: &str, exponent: i64) -> Result<f64, HexError> 
     if high > HIGHEST {
         return Err(HexError::Overflow);
     }
-    if low < LOWEST || width > i64::from(FRACTION_BITS) + 1 {
-        return Err(HexError::Inexact);
-    }
-    // The fraction field counts in units of its own lowest bit.
-    let field_low = (high - i64::from(FRACTION_BITS)).max(LOWEST);
-    let mantissa = odd << u32::try_from(low - field_low).expect("the lowest bit is in the field");
-    let biased = u64::try_from(high + 1023).unwrap_or(0);
-    Ok(f64::from_bits((biased << FRACTION_BITS) | (mantissa & FRACTION)))
+    let exponent = i32::try_from(low).map_err(|_| HexError::Inexact)?;
+    Parts { negative: false, significand: odd, exponent }.join().ok_or(HexError::Inexact)
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ const MOST: usize = 4;
 pub(super) fn sign<const D: usize, const N: usize>(points: [[f64; D]; N], lifted: bool) -> Sign {
     let columns = D + usize::from(lifted);
     assert!(columns == N - 1 && columns <= MOST, "as many rows as columns, and no more than there is room for");
-    let lowest = points.as_flattened().iter().filter(|&&x| x != 0.0).map(|&x| exponent(x)).min().unwrap_or(0);
+    let lowest = points.as_flattened().iter().filter(|&&x| x != 0.0).map(|&x| split(x).1).min().unwrap_or(0);
     let points = points.map(|point| point.map(|x| integer(x, lowest)));
     let mut rows: [[Integer; MOST]; MOST] = Default::default();
     for (row, point) in rows.iter_mut().zip(&points[..N - 1]) {
@@ -51,11 +51,19 @@ fn determinant(rows: &[[Integer; MOST]; MOST], size: usize) -> Integer {
     std::mem::take(&mut minors[(1 << size) - 1])
 }
 
-/// The exponent of the unit in the last place of a finite double: at least −1074.
-fn exponent(x: f64) -> i32 {
-    let biased = i32::try_from(x.to_bits() >> 52 & 0x7ff).expect("11 bits");
-    assert!(biased < 0x7ff, "scenes hold finite coordinates only");
-    biased.max(1) - 1075
+/// s and e with |x| = s·2^e, for a finite x: e is the exponent of the last place, −1074 at least.
+///
+/// The arithmetic under test reads doubles by `Parts` of `predicament-arithmetic`.
+/// The judge reads them by itself, on purpose: a fault in one of the two must not
+/// hide in both.
+fn split(x: f64) -> (u64, i32) {
+    let bits = x.to_bits();
+    let fraction = bits & ((1 << 52) - 1);
+    match i32::try_from(bits >> 52 & 0x7ff).expect("11 bits") {
+        0x7ff => panic!("scenes hold finite coordinates only"),
+        0 => (fraction, -1074),
+        biased => (fraction | 1 << 52, biased - 1075),
+    }
 }
 
 /// x / 2^`lowest`, which has to be an integer.
@@ -63,9 +71,47 @@ fn integer(x: f64, lowest: i32) -> Integer {
     if x == 0.0 {
         return Integer::new();
     }
-    let fraction = x.to_bits() & ((1 << 52) - 1);
-    let significand = if x.is_subnormal() { fraction } else { fraction | 1 << 52 };
-    let shift = u32::try_from(exponent(x) - lowest).expect("nothing is lower than the lowest");
+    let (significand, exponent) = split(x);
+    let shift = u32::try_from(exponent - lowest).expect("nothing is lower than the lowest");
     let magnitude = Integer::from(significand) << shift;
     if x < 0.0 { -magnitude } else { magnitude }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+    use rug::Rational;
+
+    use super::*;
+
+    /// That what is split is the number again.
+    fn splits(bits: u64) {
+        let x = f64::from_bits(bits);
+        if let Some(truth) = Rational::from_f64(x) {
+            let (significand, exponent) = split(x);
+            assert!(significand < 1 << 53 && exponent >= -1074, "{x:e}");
+            assert_eq!(Rational::from(significand) << exponent, truth.abs(), "{x:e}");
+        } else {
+            assert!(std::panic::catch_unwind(|| split(x)).is_err(), "{x} is refused");
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(5000))]
+
+        #[test]
+        fn doubles_are_split_exactly(bits: u64, field in prop_oneof![0..3_u64, 0x7fd..0x7ff_u64], negative: bool) {
+            prop_assume!(f64::from_bits(bits).is_finite());
+            splits(bits);
+            splits(u64::from(negative) << 63 | field << 52 | bits & ((1 << 52) - 1));
+        }
+    }
+
+    #[test]
+    fn the_ends_of_the_range() {
+        for x in [0.0, -0.0, 5e-324, f64::MIN_POSITIVE, f64::MIN_POSITIVE.next_down(), f64::MAX, f64::MIN] {
+            splits(x.to_bits());
+        }
+        [f64::INFINITY, f64::NEG_INFINITY, f64::NAN].map(|x| splits(x.to_bits()));
+    }
 }

@@ -27,21 +27,16 @@
 //! product by a lift, in three terms less than 2^-668 together. 2^-600 in the
 //! bound covers that, and what the permanent itself loses.
 
-use predicament_arithmetic::bound;
+use predicament_arithmetic::{bound, power_of_two};
 use predicament_exact::estimate::{self, Estimate};
 use predicament_predicates::Sign;
 
 /// 16u: what is left to the permanent.
-const BOUND: f64 = power(-49);
+const BOUND: f64 = power_of_two(-49);
 /// Far above all that underflow can do.
-const TINY: f64 = power(-600);
+const TINY: f64 = power_of_two(-600);
 /// The largest sum of lifts for which that has been proved.
-const LARGEST: f64 = power(400);
-
-/// 2^`exponent`, a normal double.
-const fn power(exponent: i64) -> f64 {
-    f64::from_bits((exponent + 1023).cast_unsigned() << 52)
-}
+const LARGEST: f64 = power_of_two(400);
 
 /// What the lift is about, in the column that is not among the minor's.
 #[derive(Clone, Copy, Debug)]

@@ -1,5 +1,6 @@
 //! Cubes in floating point as cubes in integers, without rounding.
 
+use predicament_arithmetic::Parts;
 use predicament_predicates::{Dimension, Scene, Vertex};
 
 use super::CubesError;
@@ -18,39 +19,19 @@ pub struct ScaledCubes {
     pub exponent: i32,
 }
 
-/// mantissa · 2^exponent, the mantissa odd, or zero.
-#[derive(Clone, Copy)]
-struct Dyadic {
-    negative: bool,
-    mantissa: u64,
-    exponent: i32,
+/// The parts of a finite value, the significand odd, or zero.
+fn parts(value: f64) -> Parts {
+    Parts::of(value).expect("checked to be finite").odd()
 }
 
-impl Dyadic {
-    /// The value must be finite.
-    fn of(value: f64) -> Dyadic {
-        let bits = value.to_bits();
-        // (11 bits)
-        let raw = i32::try_from((bits >> 52) & 0x7ff).unwrap_or_else(|_| unreachable!("eleven bits"));
-        let fraction = bits & ((1 << 52) - 1);
-        let (mantissa, exponent) = if raw == 0 { (fraction, -1074) } else { (fraction | (1 << 52), raw - 1075) };
-        let shift = if mantissa == 0 { 0 } else { mantissa.trailing_zeros() };
-        Dyadic { negative: value < 0.0, mantissa: mantissa >> shift, exponent: exponent + shift.cast_signed() }
+/// In units of 2^unit, which must be small enough for it and leave no more than [`BITS`].
+fn in_units(value: f64, unit: i32) -> i64 {
+    let Parts { negative, significand, exponent } = parts(value);
+    if significand == 0 {
+        return 0;
     }
-
-    /// One past the place of the highest bit.
-    fn top(self) -> i32 {
-        self.exponent + (u64::BITS - self.mantissa.leading_zeros()).cast_signed()
-    }
-
-    /// In units of 2^unit, which must be small enough for it and leave no more than [`BITS`].
-    fn in_units(self, unit: i32) -> i64 {
-        if self.mantissa == 0 {
-            return 0;
-        }
-        let magnitude = (self.mantissa << (self.exponent - unit)).cast_signed();
-        if self.negative { -magnitude } else { magnitude }
-    }
+    let magnitude = (significand << (exponent - unit)).cast_signed();
+    if negative { -magnitude } else { magnitude }
 }
 
 /// The span of the bits of several numbers, and who owns its ends.
@@ -61,15 +42,14 @@ struct Span {
 }
 
 impl Span {
-    fn take(&mut self, number: Dyadic, cube: Option<usize>) {
-        if number.mantissa == 0 {
-            return;
+    fn take(&mut self, value: f64, cube: Option<usize>) {
+        let parts = parts(value);
+        let (Some(lowest), Some(highest)) = (parts.lowest(), parts.highest()) else { return };
+        if self.finest.is_none_or(|(exponent, _)| lowest < exponent) {
+            self.finest = Some((lowest, cube));
         }
-        if self.finest.is_none_or(|(exponent, _)| number.exponent < exponent) {
-            self.finest = Some((number.exponent, cube));
-        }
-        if self.largest.is_none_or(|(top, _)| number.top() > top) {
-            self.largest = Some((number.top(), cube));
+        if self.largest.is_none_or(|(top, _)| highest > top) {
+            self.largest = Some((highest, cube));
         }
     }
 
@@ -81,10 +61,10 @@ impl Span {
     }
 }
 
-fn finite(point: [f64; 3], cube: usize) -> Result<[Dyadic; 3], CubesError> {
+fn finite(point: [f64; 3], cube: usize) -> Result<[f64; 3], CubesError> {
     match point.iter().position(|value| !value.is_finite()) {
         Some(axis) => Err(CubesError::NotFinite { cube, axis, value: point[axis] }),
-        None => Ok(point.map(Dyadic::of)),
+        None => Ok(point),
     }
 }
 
@@ -99,12 +79,12 @@ impl ScaledCubes {
             return Err(CubesError::Edge { edge });
         }
         let mut span = Span::default();
-        span.take(Dyadic::of(edge), None);
+        span.take(edge, None);
         for (cube, &lower) in lowers.iter().enumerate() {
             finite(lower, cube)?.into_iter().for_each(|number| span.take(number, Some(cube)));
         }
         let unit = span.unit()?;
-        let units = |value: f64| Dyadic::of(value).in_units(unit);
+        let units = |value: f64| in_units(value, unit);
         Ok(ScaledCubes {
             lowers: lowers.iter().map(|lower| lower.map(units)).collect(),
             edge: units(edge),
@@ -132,7 +112,7 @@ impl ScaledCubes {
             finite(point(at), at / 2)?.into_iter().for_each(|number| span.take(number, Some(at / 2)));
         }
         let unit = span.unit()?;
-        let units = |at: usize| point(at).map(|value| Dyadic::of(value).in_units(unit));
+        let units = |at: usize| point(at).map(|value| in_units(value, unit));
         let mut cubes = ScaledCubes { lowers: Vec::with_capacity(vertices / 2), edge: 1, exponent: unit };
         for cube in 0..vertices / 2 {
             let (lower, upper) = (units(2 * cube), units(2 * cube + 1));

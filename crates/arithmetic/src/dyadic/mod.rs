@@ -1,215 +1,241 @@
-//! Exact numbers with an exponent of their own, on the stack.
+//! Exact dyadic numbers, sign × limbs × 2^(64·k), on the stack.
 //!
 //! A double is an integer times a power of two, and so is every sum and every
-//! product of doubles. [`Dyadic`] holds such numbers without rounding and
-//! without allocating: as many 64-bit limbs as its capacity says, and the place
-//! of the lowest one. The place keeps products of far-away numbers short
-//! (2^−1000 · 2^−1000 is one limb), and since places count whole limbs, numbers
-//! are added without shifting bits.
+//! product of doubles. A [`Number`] holds such a value without rounding: 64-bit
+//! limbs, and the place of the lowest one. The place keeps products of far-away
+//! numbers short (2^−1000 · 2^−1000 is one limb), and since places count whole
+//! limbs, numbers are added without shifting bits.
 //!
-//! # Capacity
-//! is part of the type, because a number's size in memory is paid for whenever
-//! it is made or moved. Results have a capacity of their own: the difference
-//! of coordinates is small, a determinant is not. What fits is for the caller to
-//! prove; what does not fit panics, and never wraps.
+//! Determinants are nested sums of one to six products, so that is the one
+//! operation: [`Number::sum`] multiplies straight into one accumulator in two's
+//! complement and looks at the sign once, at the end. Lengths are those of the
+//! values: a coordinate of one limb costs one row of multiplications, whatever
+//! the longest intermediate needs. Limbs come from a [`Space`] on the caller's
+//! stack, so nothing is allocated and nothing moved.
 //!
-//! A number needs the limbs from its lowest to its highest set bit; a sum the
-//! limbs from the lower of the lowest to the higher of the highest, and one more
-//! only if a carry leaves them; a product as many as both factors together. So
-//! **if all inputs are integers below 2^(64n − 3), each in magnitude, an
-//! intermediate of degree j fits into j·n limbs**: differences are below
-//! 2^(64n − 2), products of j of them below 2^(64jn − 2j), and that leaves room
-//! to add up 2^(2j) of them. The lengths of factors add up the same way.
-//! Any one power of two may be taken out of the inputs beforehand
-//! ([`Dyadic::from_f64_scaled`]), as signs of homogeneous polynomials don't see it;
-//! all finite doubles are then integers below 2^2098, and n = 33 is enough for
-//! everything.
+//! # Space
+//! Callers prove that the space suffices; what does not fit panics, and never
+//! wraps. Let all products of a sum be multiples of 2^(64·l) and less than 2^h,
+//! in magnitude. The sum of N of them takes as many limbs as hold h − 64·l + b + 1
+//! bits, b the logarithm of N rounded up, or two limbs where that is less.
+//!
+//! So **if all inputs are integers below 2^(64n − 3)**, an intermediate of
+//! degree j takes j·n limbs, two at least: differences are below 2^(64n − 2), products of j
+//! of them below 2^(64jn − 2j), and that leaves room for a sign and for adding up
+//! 2^(2j − 1) of them. Any one power of two may be taken out of the inputs beforehand
+//! ([`Number::scaled`]), as signs of homogeneous polynomials don't see it.
 
 mod limbs;
 
 use std::cmp::Ordering;
-use std::ops::Neg;
 
-use limbs::{Header, View};
-use rug::{Integer, Rational, integer::Order};
+use crate::Parts;
 
-use crate::range::decompose;
+/// Limbs to compute in, handed out one after another.
+#[derive(Debug)]
+pub struct Space<'a>(&'a mut [u64]);
 
-/// ± magnitude · 2^exponent, with a magnitude of at most `CAP` limbs of 64 bits.
-///
-/// Its documentation in the source proves what fits. Numbers are large: the
-/// `assign_…` methods write into one that is already there.
-#[derive(Clone, Debug)]
-pub struct Dyadic<const CAP: usize> {
-    header: Header,
-    /// Beyond the header's length they mean nothing.
-    limbs: [u64; CAP],
+impl<'a> Space<'a> {
+    /// All of these limbs, which must be zero.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(zeros: &'a mut [u64]) -> Space<'a> {
+        Space(zeros)
+    }
+
+    /// # Panics
+    /// If there is less left: that is a wrong proof at the caller.
+    #[inline(always)]
+    fn take(&mut self, limbs: usize) -> &'a mut [u64] {
+        let (taken, rest) = std::mem::take(&mut self.0).split_at_mut_checked(limbs).expect("the space suffices");
+        self.0 = rest;
+        taken
+    }
 }
 
-impl<const CAP: usize> Dyadic<CAP> {
+/// sign · magnitude · 2^(64·`low`), the limbs of the magnitude least
+/// significant first, without zeros at either end. Zero has no limbs.
+#[derive(Clone, Copy, Debug)]
+pub struct Number<'a> {
+    /// The limbs of the magnitude, none of the outer ones zero.
+    pub limbs: &'a [u64],
+    /// The place of the first limb.
+    pub low: i32,
+    /// Whether the number is below zero, if it is not zero.
+    pub negative: bool,
+}
+
+/// A product, and what a sum does with it.
+pub type Term<'a> = (Number<'a>, Number<'a>, Take);
+
+/// What a sum does with a product.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Take {
+    /// Adds it.
+    Plus,
+    /// Subtracts it.
+    Minus,
+}
+
+impl<'a> Number<'a> {
     /// Zero.
-    pub const ZERO: Dyadic<CAP> = Dyadic { header: Header::ZERO, limbs: [0; CAP] };
+    pub const ZERO: Number<'static> = Number { limbs: &[], low: 0, negative: false };
+    /// One.
+    pub const ONE: Number<'static> = Number { limbs: &[1], low: 0, negative: false };
 
-    /// The value of a double; none for NaN and infinity.
+    /// x·2^`shift`, exactly, for a finite x, in two limbs. (Infinities and NaN count
+    /// as if they were some number of 2^1024 or more.)
     ///
     /// # Panics
-    /// If the capacity is exceeded: two limbs hold every double.
-    #[inline(always)]
+    /// If the space has too few limbs left: that is a wrong proof at the caller.
+    #[inline]
     #[must_use]
-    pub fn from_f64(x: f64) -> Option<Dyadic<CAP>> {
-        x.is_finite().then(|| Dyadic::from_f64_scaled(x, 0))
+    #[allow(clippy::cast_possible_truncation)] // halves of 128 bits
+    pub fn scaled(space: &mut Space<'a>, x: f64, shift: i32) -> Number<'a> {
+        let Parts { significand, exponent, .. } = Parts::of_any(x);
+        let exponent = exponent + shift;
+        let wide = u128::from(significand) << exponent.rem_euclid(64);
+        let limbs = space.take(2);
+        limbs[0] = wide as u64;
+        limbs[1] = (wide >> 64) as u64;
+        Number::trimmed(limbs, exponent.div_euclid(64), x < 0.0)
     }
 
-    /// x · 2^−`exponent`, of a finite x. (Others count as if they were some
-    /// number of 2^1024 or more, as in [`ExponentRange`](crate::ExponentRange).)
+    /// The sum of products, exactly, in as few limbs as its terms allow.
     ///
     /// # Panics
-    /// If the capacity is exceeded: two limbs hold every double, and one those
-    /// whose bits lie between two multiples of 2^(`exponent` + 64).
+    /// If the space has too few limbs left: that is a wrong proof at the caller.
     #[inline(always)]
     #[must_use]
-    pub fn from_f64_scaled(x: f64, exponent: i32) -> Dyadic<CAP> {
-        let (significand, own) = decompose(x);
-        Dyadic::new(x.is_sign_negative(), significand, own.checked_sub(exponent).expect("the exponent fits"))
+    pub fn sum<const N: usize>(space: &mut Space<'a>, terms: [Term; N]) -> Number<'a> {
+        let (mut low, mut high, mut short) = (i32::MAX, i32::MIN, true);
+        for (a, b, _) in &terms {
+            if !a.is_zero() && !b.is_zero() {
+                let place = a.low + b.low;
+                short &= a.limbs.len() == 1 && b.limbs.len() == 1 && (low == i32::MAX || low == place);
+                low = low.min(place);
+                high = high.max(a.high() + b.high());
+            }
+        }
+        if low == i32::MAX {
+            return Number::ZERO;
+        }
+        // N products below 2^high, and a sign.
+        let bits = high - 64 * low + N.next_power_of_two().ilog2().cast_signed() + 1;
+        if short && bits <= 128 {
+            return Number::short_sum(space, low, &terms);
+        }
+        #[allow(clippy::cast_sign_loss)] // high is above 64·low
+        let window = space.take((bits as usize).div_ceil(64));
+        for (a, b, take) in terms {
+            if !a.is_zero() && !b.is_zero() {
+                #[allow(clippy::cast_sign_loss)] // low is the least of these
+                let at = (a.low + b.low - low) as usize;
+                let minus = (a.negative != b.negative) != (take == Take::Minus);
+                limbs::accumulate(&mut window[at..], a.limbs, b.limbs, minus);
+            }
+        }
+        let negative = window.last().is_some_and(|top| top >> 63 == 1);
+        if negative {
+            limbs::negate(window);
+        }
+        Number::trimmed(window, low, negative)
     }
 
-    /// ± `significand` · 2^`exponent`.
-    ///
-    /// # Panics
-    /// If the capacity is exceeded: two limbs are always enough.
+    /// Products of one limb each, all at one place, whose sum has 128 bits with its sign.
     #[inline(always)]
-    #[must_use]
-    pub fn new(negative: bool, significand: u64, exponent: i32) -> Dyadic<CAP> {
-        let mut number = Dyadic::ZERO;
-        number.header = limbs::write(&mut number.limbs, negative, significand, exponent);
-        number
+    #[allow(clippy::cast_possible_truncation)] // halves of 128 bits
+    fn short_sum(space: &mut Space<'a>, low: i32, terms: &[Term]) -> Number<'a> {
+        let mut sum = 0_u128;
+        for (a, b, take) in terms {
+            if let ([x], [y]) = (a.limbs, b.limbs) {
+                let product = u128::from(*x) * u128::from(*y);
+                let minus = (a.negative != b.negative) != (*take == Take::Minus);
+                sum = if minus { sum.wrapping_sub(product) } else { sum.wrapping_add(product) };
+            }
+        }
+        let sum = sum.cast_signed();
+        let magnitude = sum.unsigned_abs();
+        let limbs = space.take(2);
+        limbs[0] = magnitude as u64;
+        limbs[1] = (magnitude >> 64) as u64;
+        Number::trimmed(limbs, low, sum < 0)
     }
 
-    /// a + b.
-    ///
-    /// # Panics
-    /// If the capacity is exceeded.
     #[inline(always)]
-    #[must_use]
-    pub fn sum<const A: usize, const B: usize>(a: &Dyadic<A>, b: &Dyadic<B>) -> Dyadic<CAP> {
-        let mut sum = Dyadic::ZERO;
-        sum.assign_sum(a, b);
-        sum
-    }
-
-    /// a − b.
-    ///
-    /// # Panics
-    /// If the capacity is exceeded.
-    #[inline(always)]
-    #[must_use]
-    pub fn difference<const A: usize, const B: usize>(a: &Dyadic<A>, b: &Dyadic<B>) -> Dyadic<CAP> {
-        let mut difference = Dyadic::ZERO;
-        difference.assign_difference(a, b);
-        difference
-    }
-
-    /// a · b.
-    ///
-    /// # Panics
-    /// If the capacity is exceeded: as many limbs are needed as both factors
-    /// have together.
-    #[inline(always)]
-    #[must_use]
-    pub fn product<const A: usize, const B: usize>(a: &Dyadic<A>, b: &Dyadic<B>) -> Dyadic<CAP> {
-        let mut product = Dyadic::ZERO;
-        product.assign_product(a, b);
-        product
-    }
-
-    /// a².
-    ///
-    /// # Panics
-    /// As [`Dyadic::product`].
-    #[inline(always)]
-    #[must_use]
-    pub fn square<const A: usize>(a: &Dyadic<A>) -> Dyadic<CAP> {
-        Dyadic::product(a, a)
-    }
-
-    /// Becomes a + b; see [`Dyadic::sum`].
-    #[inline(always)]
-    pub fn assign_sum<const A: usize, const B: usize>(&mut self, a: &Dyadic<A>, b: &Dyadic<B>) {
-        self.header = limbs::sum(&mut self.limbs, a.view(), b.view());
-    }
-
-    /// Becomes a − b; see [`Dyadic::difference`].
-    #[inline(always)]
-    pub fn assign_difference<const A: usize, const B: usize>(&mut self, a: &Dyadic<A>, b: &Dyadic<B>) {
-        let b = b.view();
-        self.header = limbs::sum(&mut self.limbs, a.view(), View { negative: !b.negative && !b.limbs.is_empty(), ..b });
-    }
-
-    /// Becomes a · b; see [`Dyadic::product`].
-    #[inline(always)]
-    pub fn assign_product<const A: usize, const B: usize>(&mut self, a: &Dyadic<A>, b: &Dyadic<B>) {
-        self.header = limbs::product(&mut self.limbs, a.view(), b.view());
+    fn trimmed(mut limbs: &'a [u64], mut low: i32, negative: bool) -> Number<'a> {
+        while let [rest @ .., 0] = limbs {
+            limbs = rest;
+        }
+        while let [0, rest @ ..] = limbs {
+            limbs = rest;
+            low += 1;
+        }
+        Number { limbs, low, negative }
     }
 
     /// Whether the number is zero.
     #[inline(always)]
     #[must_use]
-    pub fn is_zero(&self) -> bool {
-        self.header.len == 0
+    pub fn is_zero(self) -> bool {
+        self.limbs.is_empty()
+    }
+
+    /// Whether the number is one.
+    #[inline]
+    #[must_use]
+    pub fn is_one(self) -> bool {
+        self.limbs == [1] && self.low == 0 && !self.negative
     }
 
     /// How the number compares to zero.
     #[inline]
     #[must_use]
-    pub fn cmp0(&self) -> Ordering {
-        match (self.is_zero(), self.header.negative) {
+    pub fn cmp0(self) -> Ordering {
+        match (self.is_zero(), self.negative) {
             (true, _) => Ordering::Equal,
             (false, true) => Ordering::Less,
             (false, false) => Ordering::Greater,
         }
     }
 
-    /// How many limbs are in use: what the number costs, at most `CAP`.
+    /// The place above the highest limb: |x| < 2^(64·top).
     #[inline]
     #[must_use]
-    pub fn limbs(&self) -> usize {
-        self.header.len
+    #[allow(clippy::cast_possible_wrap, clippy::cast_possible_truncation)] // a thousand limbs at most
+    pub fn top(self) -> i32 {
+        self.low + self.limbs.len() as i32
     }
 
-    /// The value as a rational, for judges: it allocates.
-    ///
-    /// # Panics
-    /// If the exponent is beyond what rationals hold, some 2^31 bits.
+    /// The least exponent e with |x| < 2^e, for what is not zero.
+    #[inline]
     #[must_use]
-    pub fn to_rational(&self) -> Rational {
-        let View { negative, place, limbs } = self.view();
-        let magnitude = Rational::from(Integer::from_digits(limbs, Order::Lsf));
-        let shifted = magnitude << place.checked_mul(64).expect("the exponent fits");
-        if negative { -shifted } else { shifted }
+    pub fn high(self) -> i32 {
+        let empty = self.limbs.last().map_or(0, |top| top.leading_zeros());
+        64 * self.top() - empty.cast_signed()
     }
 
-    #[inline(always)]
-    fn view(&self) -> View<'_> {
-        let Header { negative, place, len } = self.header;
-        View { negative, place, limbs: &self.limbs[..len] }
+    /// m and e with |x/y| = m·2^e(1 + δ), |δ| ≤ u(1 + 2^-7), u = 2^-53, and m
+    /// between 2^63 and 2^65; none where x or y is zero.
+    #[must_use]
+    pub fn quotient(self, divisor: Number) -> Option<(f64, i32)> {
+        let (x, x_exponent) = self.leading()?;
+        let (y, y_exponent) = divisor.leading()?;
+        // Cut off: x by 2^-127, y by 2^-63, their quotient by 2^-63, in relation to
+        // themselves. One rounding follows.
+        let quotient = x / (y >> 64);
+        #[allow(clippy::cast_precision_loss)]
+        Some((quotient as f64, x_exponent - y_exponent - 64))
     }
-}
 
-impl<const CAP: usize> Neg for Dyadic<CAP> {
-    type Output = Dyadic<CAP>;
-
-    #[inline(always)]
-    fn neg(mut self) -> Dyadic<CAP> {
-        self.header.negative = !self.header.negative && !self.is_zero();
-        self
-    }
-}
-
-/// Equality of values, whatever the capacities.
-impl<const A: usize, const B: usize> PartialEq<Dyadic<B>> for Dyadic<A> {
-    fn eq(&self, other: &Dyadic<B>) -> bool {
-        self.header == other.header && self.view().limbs == other.view().limbs
+    /// The leading 128 bits, the first of them set, and the exponent of the last.
+    fn leading(self) -> Option<(u128, i32)> {
+        let mut limbs = self.limbs.iter().rev().map(|&limb| u128::from(limb));
+        let [top, next, last] = [limbs.next()?, limbs.next().unwrap_or(0), limbs.next().unwrap_or(0)];
+        let empty = 64 * self.top() - self.high();
+        Some(((top << 64 | next) << empty | last << empty >> 64, self.high() - 128))
     }
 }
 
-impl<const CAP: usize> Eq for Dyadic<CAP> {}
+#[cfg(test)]
+mod tests;

@@ -16,13 +16,12 @@
 //! as both rows, and take a bit each. Minors need less, as each row spans at
 //! least one limb.
 
-use predicament_predicates::Sign;
-
-use super::number::{
+use predicament_arithmetic::dyadic::{
     Number, Space, Take,
     Take::{Minus, Plus},
     Term,
 };
+use predicament_predicates::Sign;
 
 /// The sign of a/w_a − b/w_b for two rows of a coordinate and a weight.
 pub(super) fn compare(rows: &[[Number; 2]; 2]) -> Sign {
@@ -51,7 +50,7 @@ pub(super) fn orient3d(rows: &[[Number; 4]; 4]) -> Sign {
 #[inline(never)] // so that the stack frame is that of this capacity
 fn order<const CAP: usize>([a, b]: &[[Number; 2]; 2]) -> Sign {
     let mut limbs = [0; CAP];
-    Number::sum(&mut Space::new(&mut limbs), cross(*a, *b)).sign()
+    sign(Number::sum(&mut Space::new(&mut limbs), cross(*a, *b)))
 }
 
 #[inline(never)]
@@ -74,7 +73,7 @@ fn side<const CAP: usize>([a, b, c, d]: &[[Number; 4]; 4]) -> Sign {
         terms[5 - k].1 = Number::sum(space, cross([c[i], c[j]], [d[i], d[j]]));
         terms[k].2 = TAKES[k];
     }
-    Number::sum(space, terms).sign()
+    sign(Number::sum(space, terms))
 }
 
 /// The side seen from a row of weight 1: subtracting it from the others, times
@@ -107,13 +106,18 @@ fn expand<'a>(space: &mut Space<'a>, a: &[Number<'a>; 3], b: &[Number<'a>; 3], c
     for (k, [i, j]) in [[1, 2], [2, 0], [0, 1]].into_iter().enumerate() {
         terms[k] = (a[k], Number::sum(space, cross([b[i], b[j]], [c[i], c[j]])), Plus);
     }
-    Number::sum(space, terms).sign()
+    sign(Number::sum(space, terms))
 }
 
 /// The terms of a minor.
 #[inline(always)]
 fn cross<'a>(p: [Number<'a>; 2], q: [Number<'a>; 2]) -> [Term<'a>; 2] {
     [(p[0], q[1], Plus), (p[1], q[0], Minus)]
+}
+
+#[inline(always)]
+fn sign(number: Number) -> Sign {
+    Sign::from(number.cmp0())
 }
 
 /// The limbs that the determinant of these rows needs.

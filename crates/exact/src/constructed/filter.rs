@@ -22,7 +22,7 @@
 //! is false. It is false as well for a NaN, and for d = 0: a tie is never
 //! answered. No plan of the scene is needed.
 
-use predicament_arithmetic::bound::semi_static;
+use predicament_arithmetic::{bound::semi_static, power_of_two};
 use predicament_predicates::Sign;
 
 /// For a difference of coordinates.
@@ -33,7 +33,7 @@ pub const ORIENT2D: f64 = semi_static(3, 10);
 pub const ORIENT3D: f64 = semi_static(7, 17);
 
 /// The slack that every coordinate has, so that no permanent underflows: 2^-300.
-const FLOOR: f64 = f64::from_bits((1023 - 300) << 52);
+const FLOOR: f64 = power_of_two(-300);
 
 /// A number and what bounds its error, in units of u.
 #[derive(Clone, Copy, Debug)]

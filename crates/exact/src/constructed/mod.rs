@@ -20,17 +20,16 @@
 mod capacity;
 mod determinant;
 pub mod filter;
-mod number;
 mod points;
 mod rows;
 
+use predicament_arithmetic::dyadic::Space;
 #[cfg(doc)]
 use predicament_predicates::Construction;
 use predicament_predicates::{Axis, Declined, Plane, Scene, Sign, Vertex};
 
 use crate::stage;
 use filter::Approximate;
-use number::Space;
 use rows::Rows;
 
 /// The stage that settles a question which floating point can settle.

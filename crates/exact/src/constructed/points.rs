@@ -20,18 +20,16 @@
 //! that add up to 111: less than 16 capacities and 51 limbs. The other kinds,
 //! whose capacities are for degree 3 and 4, take 6 and 9 capacities and less beside.
 
+use predicament_arithmetic::dyadic::{
+    Number, Space,
+    Take::{Minus, Plus},
+};
 use predicament_predicates::{
     Axis::{X, Y, Z},
     Construction,
 };
 
-use super::{
-    number::{
-        Number, Space,
-        Take::{Minus, Plus},
-    },
-    rows::Rows,
-};
+use super::rows::Rows;
 
 type Point<'a, const D: usize> = [Number<'a>; D];
 

@@ -7,10 +7,11 @@
 //! bits are left for sums: a line and plane's point has entries below 2^240 and
 //! takes four limbs, that of three planes has entries below 2^421 and takes seven.
 
-use predicament_arithmetic::ExponentRange;
+use predicament_arithmetic::{
+    ExponentRange,
+    dyadic::{Number, Space},
+};
 use predicament_predicates::{Axis, Scene, Vertex};
-
-use super::number::{Number, Space};
 
 /// The bits of the scene's largest coordinate after scaling.
 const TOP: i32 = 58;

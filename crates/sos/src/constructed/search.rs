@@ -20,6 +20,7 @@
 //! computed in integers: if it is not that of the largest monomial, it still is
 //! one of the determinant's.
 
+use predicament_arithmetic::Parts;
 use predicament_predicates::{Scene, Sign, Vertex};
 use rug::Integer;
 
@@ -184,17 +185,9 @@ pub(super) fn integers(scene: &Scene, inputs: &[Vertex]) -> (i32, Vec<(i64, u32)
 
 /// m and e with x = m · 2^e; 0 · 2^0 for zero.
 fn significand(x: f64) -> (i64, i32) {
-    let bits = x.to_bits();
-    let (biased, fraction) = (bits >> 52 & 0x7ff, bits & ((1 << 52) - 1));
-    if x == 0.0 {
-        return (0, 0);
-    }
-    let (m, e) = if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased.cast_signed() - 1075) };
-    let low = m.trailing_zeros();
-    let m = (m >> low).cast_signed();
-    // An exponent has eleven bits, and a word 64.
-    let e = i32::try_from(e).expect("eleven bits") + low.cast_signed();
-    (if x < 0.0 { -m } else { m }, e)
+    let Parts { negative, significand, exponent } = Parts::of(x).expect("scenes are finite").odd();
+    let m = significand.cast_signed();
+    if m == 0 { (0, 0) } else { (if negative { -m } else { m }, exponent) }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, Source};
-use predicament_formats::bits::{LOWEST, biased_exponent, integer, top_exponent};
+use predicament_formats::bits::{integer, lowest_bit, top_exponent};
 use predicament_formats::{Cache, CorpusError, Fields, RowKind, Rows, TableKind, read_csv_rows, read_rows};
 use predicament_predicates::{Dimension, Scene};
 
@@ -82,8 +82,8 @@ fn scene(file: &str, rows: &Rows) -> Result<Parts, CorpusError> {
             return Err(error(at, message, "all cubes must be of one size: divide the scene"));
         }
         let lower = [x, y, z];
-        for number in [x, y, z, edge].into_iter().filter(|&number| number != 0.0) {
-            let (low, high) = (lowest_bit(number), top_exponent(number).unwrap_or(LOWEST));
+        for number in [x, y, z, edge] {
+            let (Some(low), Some(high)) = (lowest_bit(number), top_exponent(number)) else { continue };
             let ([least, most], [finest, largest]) = span.get_or_insert(([low, high], [at; 2]));
             if low < *least {
                 (*least, *finest) = (low, at);
@@ -126,14 +126,6 @@ fn volume_bits(corners: &[f64], unit: i64) -> f64 {
     };
     // A logarithm of a rounded difference: the margin to 2^127 is far larger.
     (0..3).map(|axis| extent(axis).log2() - integer(unit)).sum()
-}
-
-/// The exponent of the lowest bit that is set; not for zero.
-fn lowest_bit(x: f64) -> i64 {
-    let biased = biased_exponent(x);
-    let fraction = x.to_bits() & ((1 << 52) - 1);
-    let mantissa = if biased == 0 { fraction } else { fraction | (1 << 52) };
-    biased.max(1) - 1075 + i64::from(mantissa.trailing_zeros())
 }
 
 /// Whether the sum is a + b without rounding: Knuth's error term is zero.
