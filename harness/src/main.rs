@@ -10,7 +10,6 @@ mod contact_tables;
 mod exit;
 mod expectations;
 mod interrupt;
-mod markdown;
 mod peers;
 mod precision;
 mod progress;
@@ -21,6 +20,7 @@ mod select;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use predicament_studies::markdown;
 
 /// A differential test harness for geometric predicates.
 ///
@@ -45,10 +45,8 @@ enum Command {
     Selftest(cmd::selftest::Args),
     Bounds(cmd::bounds::Args),
     Corpus(cmd::corpus::Args),
-    Resolution(cmd::resolution::Args),
-    Parity(cmd::parity::Args),
-    Audit(cmd::audit::Args),
-    Laws(cmd::laws::Args),
+    #[command(flatten)]
+    Study(cmd::study::Args),
     Doctor(cmd::doctor::Args),
 }
 
@@ -72,10 +70,7 @@ fn main() -> ExitCode {
         Command::Selftest(args) => cmd::selftest::run(args),
         Command::Bounds(args) => cmd::bounds::run(&args),
         Command::Corpus(args) => cmd::corpus::run(args),
-        Command::Resolution(args) => cmd::resolution::run(&args),
-        Command::Parity(args) => cmd::parity::run(&args),
-        Command::Audit(args) => cmd::audit::run(&args),
-        Command::Laws(args) => cmd::laws::run(&args),
+        Command::Study(args) => cmd::study::run(&args),
         Command::Doctor(args) => cmd::doctor::run(&args),
     })
 }

@@ -1,0 +1,136 @@
+//! Every algorithm in both precisions at the edges of its guarantee.
+
+use std::sync::atomic::AtomicBool;
+
+use predicament_checks::audit::{Bands, Pair, PairKind, Verdict};
+use predicament_corpus::ThresholdPairs;
+use predicament_oracle::{Stop, Watch};
+use predicament_predicates::{Band, Dimension};
+use predicament_studies::audit::{Algorithm, Form, Row, Scheme, Tally, audit, rows};
+use rug::Rational;
+
+use crate::on;
+
+fn tally(row: Row, decisions: u64, seed: u64) -> Tally {
+    let (cancel, quiet) = (AtomicBool::new(false), |_: u64| {});
+    audit(row, decisions, seed, &Watch::new(&cancel, None, &quiet)).unwrap()
+}
+
+fn with(form: Form) -> impl Iterator<Item = Row> {
+    rows().into_iter().filter(move |row| row.form == form)
+}
+
+#[test]
+fn there_is_a_row_for_every_algorithm_of_the_paper() {
+    let numbers: Vec<u8> = Algorithm::all().map(Algorithm::number).collect();
+    assert_eq!(numbers, [2, 3, 4, 5, 7, 8, 9, 10, 11, 12]);
+    assert_eq!(with(Form::Corrected).count(), 20);
+    assert_eq!(with(Form::AsPrinted).count(), 16, "all but vertices with vertices");
+}
+
+#[test]
+fn the_guarantee_holds_at_every_threshold() {
+    let decisions = 9000;
+    for row in with(Form::Corrected) {
+        let tally = tally(row, decisions, 7);
+        let name = format!("{row:?}: {tally:?}");
+        assert_eq!((tally.decisions(), tally.violations()), (decisions, 0), "{name}");
+        assert_eq!(tally.first, None, "{name}");
+        assert!((decisions / 50..decisions - decisions / 50).contains(&tally.registered), "{name}");
+        let is_top = row.algorithm.kind.is_top(row.algorithm.dimension);
+        assert_eq!(tally.count(Verdict::InBand) > decisions / 50, !is_top, "{name}");
+        assert_eq!(tally.ended > 0, row.algorithm.has_edges(), "{name}");
+        assert!(tally.near > decisions / 50, "{name}");
+        assert!(tally.room.is_none_or(|room| room >= 1.0), "{name}");
+    }
+}
+
+#[test]
+fn as_printed_feet_are_on_the_wrong_side() {
+    for row in with(Form::AsPrinted) {
+        let tally = tally(row, if row.algorithm.kind == PairKind::EdgeEdge { 30_000 } else { 1000 }, 7);
+        let broken = [Verdict::Missed, Verdict::Overreach, Verdict::Unguarded].map(|verdict| tally.count(verdict) > 0);
+        match row.algorithm.kind {
+            PairKind::EdgeVertex => assert_eq!(broken, [true, true, false], "{row:?}: {tally:?}"),
+            // what rests on "no degeneracy was registered" falls with it
+            PairKind::EdgeEdge => assert_eq!(broken, [true, false, true], "{row:?}: {tally:?}"),
+            _ => {}
+        }
+        assert_eq!(tally.first.is_some(), tally.violations() > 0);
+    }
+}
+
+#[test]
+fn one_thread_counts_what_many_count_and_another_seed_does_not() {
+    let row = with(Form::AsPrinted).find(|row| row.algorithm.number() == 8).unwrap();
+    let one = on(1, || tally(row, 10_000, 3));
+    assert_eq!(one, on(5, || tally(row, 10_000, 3)));
+    assert_ne!(one, tally(row, 10_000, 4));
+    let chunks = [4096, 8192].map(|decisions| tally(row, decisions, 3));
+    assert_ne!(chunks[0].ended * 2, chunks[1].ended, "each chunk has pairs of its own");
+}
+
+#[test]
+fn an_interrupt_stops_a_row() {
+    let (cancel, quiet) = (AtomicBool::new(true), |_: u64| {});
+    let stopped = audit(rows()[0], 10_000, 1, &Watch::new(&cancel, None, &quiet));
+    assert_eq!(stopped, Err(Stop::Interrupted));
+}
+
+/// The violations of a row with what is promised changed to other bands.
+fn violations_with(kind: PairKind, promise: impl Fn(Band) -> Band) -> [u64; 7] {
+    let scheme = Scheme::<f64>::new(Dimension::Three, 1.0, false);
+    let bands = Bands::new(Dimension::Three, |ranks| scheme.tolerances.band(ranks).map(&promise));
+    let mut pairs = ThresholdPairs::new(5, scheme.thresholds(), |x| x);
+    let mut counts = [0; 7];
+    for _ in 0..3000 {
+        let [s, t] = pairs.space(kind.ranks());
+        if !scheme.has_registered_faces(&s, &t) {
+            let verdict = bands.judge(&Pair::new(&s, &t), scheme.ask(&s, &t).as_ref()).verdict;
+            counts[verdict as usize] += 1;
+        }
+    }
+    counts
+}
+
+#[test]
+fn promises_that_are_not_kept_are_told_apart() {
+    for kind in [PairKind::VertexVertex, PairKind::EdgeVertex, PairKind::EdgeEdge, PairKind::TriangleVertex] {
+        let count = |verdict: Verdict, promise: fn(Band) -> Band| violations_with(kind, promise)[verdict as usize];
+        assert_eq!(count(Verdict::Missed, |band| band) + count(Verdict::Overreach, |band| band), 0);
+        assert!(count(Verdict::Missed, |band| Band { lower: band.width * 1.05, ..band }) > 0, "{kind:?}");
+        assert!(count(Verdict::Overreach, |band| Band { upper: band.width * 0.95, ..band }) > 0, "{kind:?}");
+    }
+}
+
+/// How near distances are to a threshold, against plain rationals.
+#[test]
+fn closeness_is_that_of_exact_distances() {
+    let scheme = Scheme::<f64>::new(Dimension::Three, 1.0, false);
+    let bands = scheme.bands();
+    let mut pairs = ThresholdPairs::new(9, scheme.thresholds(), |x| x);
+    let mut compared = 0;
+    for kind in [PairKind::VertexVertex, PairKind::EdgeVertex, PairKind::EdgeEdge, PairKind::TriangleVertex] {
+        let band = scheme.tolerances.band(kind.ranks()).unwrap();
+        let limits = [band.lower, band.upper].map(|limit| Rational::from_f64(limit).unwrap());
+        for _ in 0..200 {
+            let [s, t] = pairs.space(kind.ranks());
+            let pair = Pair::new(&s, &t);
+            let Some(feet) = pair.feet() else {
+                assert_eq!(bands.from_threshold(&pair), None);
+                continue;
+            };
+            // |d − T| / T = |d² − T²| / (T² (d/T + 1))
+            let squared = feet.distance_squared.value();
+            let off = limits.each_ref().map(|limit| {
+                let quotient = &squared / limit.clone().square();
+                let root = quotient.to_f64().sqrt();
+                (quotient - 1_u32).abs().to_f64() / (root + 1.0)
+            });
+            let (expected, got) = (off[0].min(off[1]), bands.from_threshold(&pair).unwrap());
+            assert!((expected - got).abs() <= 1e-14 + 1e-9 * expected, "{kind:?}: {expected:e} and {got:e}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 400, "{compared}");
+}
