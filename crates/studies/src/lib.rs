@@ -23,7 +23,7 @@
 //!
 //! ```
 //! use predicament_oracle::{Contestant, roster};
-//! use predicament_predicates::{Axis, Scene, Vertex};
+//! use predicament_predicates::{Axis, Predicates, Scene, Sign, Vertex};
 //! use predicament_studies::{Entry, Error, File, Host, Quiet, Study};
 //!
 //! /// The arguments.
@@ -50,8 +50,8 @@
 //!         let [zero, one] = [0, 1].map(Vertex::input);
 //!         let ask = |backend: &&dyn Contestant| {
 //!             let mut smaller = false;
-//!             let mut look = |session: &dyn predicament_predicates::Predicates| {
-//!                 smaller = session.compare(Axis::X, zero, one).is_negative();
+//!             let mut look = |session: &dyn Predicates| {
+//!                 smaller = session.compare(Axis::X, zero, one) == Sign::Negative;
 //!             };
 //!             backend.with_session(&scene, &mut look).map_err(Error::unfit)?;
 //!             host.watch().done(1)?;
