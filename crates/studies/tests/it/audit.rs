@@ -30,7 +30,7 @@ fn there_is_a_row_for_every_algorithm_of_the_paper() {
 
 #[test]
 fn the_guarantee_holds_at_every_threshold() {
-    let decisions = 9000;
+    let decisions = 3000;
     for row in with(Form::Corrected) {
         let tally = tally(row, decisions, 7);
         let name = format!("{row:?}: {tally:?}");
