@@ -36,6 +36,8 @@ enum Command {
     Selftest(cmd::selftest::Args),
     Bounds(cmd::bounds::Args),
     Corpus(cmd::corpus::Args),
+    #[command(flatten)]
+    Study(cmd::study::Args),
     Doctor(cmd::doctor::Args),
 }
 
@@ -125,6 +127,7 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
             Command::Selftest(args) => cmd::selftest::run(args, &tool),
             Command::Bounds(args) => cmd::bounds::run(&args),
             Command::Corpus(args) => cmd::corpus::run(args, &tool),
+            Command::Study(args) => cmd::study::run(&args, &tool),
             Command::Doctor(args) => cmd::doctor::run(&args, &tool),
         })
     }

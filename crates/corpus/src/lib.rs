@@ -18,7 +18,6 @@ mod loaded;
 mod numbering;
 mod random;
 mod suite;
-mod thresholds;
 
 pub use content::{Content, Elsewhere, Parts, Source};
 pub use fmt::fmt;
@@ -31,4 +30,3 @@ pub use loaded::LoadedScene;
 pub use numbering::numbered;
 pub use random::Random;
 pub use suite::{Context, SceneDef, Suite};
-pub use thresholds::{ThresholdPairs, Thresholds};

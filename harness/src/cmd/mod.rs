@@ -1,4 +1,4 @@
-//! One file per command: its arguments, its help, its work.
+//! One file per command: its arguments, its help, its work. [`study`] runs several.
 
 pub mod bench;
 pub mod bounds;
@@ -11,3 +11,4 @@ pub mod report;
 pub mod run;
 pub mod selftest;
 pub mod solve;
+pub mod study;

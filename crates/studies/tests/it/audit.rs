@@ -3,11 +3,13 @@
 use std::sync::atomic::AtomicBool;
 
 use predicament_checks::audit::{Bands, Pair, PairKind, Verdict};
-use predicament_corpus::ThresholdPairs;
-use predicament_oracle::audit::{Algorithm, Form, Row, Scheme, Tally, audit, rows};
-use predicament_oracle::{Stop, Watch};
 use predicament_predicates::{Band, Dimension};
+use predicament_studies::audit::ThresholdPairs;
+use predicament_studies::audit::{Algorithm, Form, Row, Scheme, Tally, audit, rows};
+use predicament_tasks::{Stop, Watch};
 use rug::Rational;
+
+use crate::on;
 
 fn tally(row: Row, decisions: u64, seed: u64) -> Tally {
     let (cancel, quiet) = (AtomicBool::new(false), |_: u64| {});
@@ -28,7 +30,7 @@ fn there_is_a_row_for_every_algorithm_of_the_paper() {
 
 #[test]
 fn the_guarantee_holds_at_every_threshold() {
-    let decisions = 9000;
+    let decisions = 3000;
     for row in with(Form::Corrected) {
         let tally = tally(row, decisions, 7);
         let name = format!("{row:?}: {tally:?}");
@@ -61,12 +63,9 @@ fn as_printed_feet_are_on_the_wrong_side() {
 #[test]
 fn one_thread_counts_what_many_count_and_another_seed_does_not() {
     let row = with(Form::AsPrinted).find(|row| row.algorithm.number() == 8).unwrap();
-    let on = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| tally(row, 10_000, 3))
-    };
-    assert_eq!(on(1), on(5));
-    assert_ne!(on(2), tally(row, 10_000, 4));
+    let one = on(1, || tally(row, 10_000, 3));
+    assert_eq!(one, on(5, || tally(row, 10_000, 3)));
+    assert_ne!(one, tally(row, 10_000, 4));
     let chunks = [4096, 8192].map(|decisions| tally(row, decisions, 3));
     assert_ne!(chunks[0].ended * 2, chunks[1].ended, "each chunk has pairs of its own");
 }

@@ -2,14 +2,26 @@
 
 use predicament_algorithms::arrangement::Arrangement;
 use predicament_checks::contacts::Seat;
-use predicament_exact::Exact;
-use predicament_oracle::parity::{Census, PolygonPair, Recipe, examine, random_pair, search, shrink_odd, smallest};
-use predicament_oracle::resolution::Precision;
-use predicament_oracle::shrink::Shrink;
 use predicament_predicates::{Backend, Off};
-use predicament_sos::{Scheme, Sos};
+use predicament_studies::Precision;
+use predicament_studies::parity::{Census, PolygonPair, Recipe, examine, random_pair, shrink_odd, smallest};
+use predicament_studies::shrink::Shrink;
+use predicament_tasks::Contestant;
 use predicament_tolerance::{ContactTolerances, Float, Tolerance};
 use rug::Rational;
+
+use crate::{backend, on};
+
+fn search(precision: Precision, seed: u64, numbers: std::ops::Range<u64>) -> Census {
+    let backends = ["exact", "sos", precision.tolerance()].map(backend);
+    let backends = backends.each_ref().map(AsRef::as_ref);
+    predicament_studies::parity::search(&backends, precision, seed, numbers)
+}
+
+/// A tolerance, and what it is held against.
+fn tolerant(precision: Precision) -> [Box<dyn Contestant>; 2] {
+    [precision.tolerance(), "exact"].map(backend)
+}
 
 fn pair(a: &[[f64; 2]], b: &[[f64; 2]]) -> PolygonPair {
     PolygonPair { polygons: [a.to_vec(), b.to_vec()] }
@@ -38,8 +50,8 @@ fn everywhere() -> PolygonPair {
     pair(&[[-16.0, 0.0], [0.0, 0.0], [0.0, 8.0]], &[[0.0, 0.0], [-8.0, -1.0], [-FAR, 0.0]])
 }
 
-fn odd_under<B: Backend>(backend: &B, pair: &PolygonPair) -> Vec<Seat> {
-    let examined = examine(backend, pair).unwrap();
+fn odd_under(name: &str, pair: &PolygonPair) -> Vec<Seat> {
+    let examined = examine(backend(name).as_ref(), pair).unwrap();
     Seat::ALL.into_iter().filter(|&seat| examined.crossings(seat).is_odd()).collect()
 }
 
@@ -52,26 +64,27 @@ fn the_scenes_of_the_documentation_are_odd_with_tolerances_only() {
         (everywhere(), &Seat::ALL),
     ] {
         assert!(pair.is_simple());
-        assert_eq!(odd_under(&Tolerance, &pair), seats);
-        assert_eq!(odd_under(&Exact, &pair), []);
+        assert_eq!(odd_under("tolerance", &pair), seats);
+        assert_eq!(odd_under("exact", &pair), []);
         for seat in Seat::ALL {
-            assert_eq!(examine(&Exact, &pair).unwrap().crossings(seat).unfaithful, []);
+            assert_eq!(examine(backend("exact").as_ref(), &pair).unwrap().crossings(seat).unfaithful, []);
         }
-        for scheme in [Scheme::PerCoordinate, Scheme::EdelsbrunnerMucke] {
-            assert_eq!(odd_under(&Sos { scheme }, &pair), []);
+        for scheme in ["sos", "sos:edelsbrunner-mucke"] {
+            assert_eq!(odd_under(scheme, &pair), []);
         }
     }
 }
 
 #[test]
 fn the_scenes_of_the_documentation_are_minimal() {
+    let backends = tolerant(Precision::Double);
     for (pair, seats) in [
         (snap(), &Seat::ALL[..1]),
         (bend(), &Seat::ALL[..1]),
         (collapse(), &Seat::ALL[..1]),
         (everywhere(), &Seat::ALL),
     ] {
-        let shrunk = shrink_odd(&Tolerance, pair.clone(), seats, 20_000);
+        let shrunk = shrink_odd(backends.each_ref().map(AsRef::as_ref), pair.clone(), seats, 20_000);
         assert!(shrunk.minimal && shrunk.tried > 20, "{shrunk:?}");
         assert_eq!(shrunk.scene, pair);
     }
@@ -98,7 +111,7 @@ fn a_snap_takes_an_edge_across_a_vertex_that_was_out_of_reach() {
     let length = u[0].clone().square() + u[1].clone().square();
     assert!(area.square() / length > squared(tau.upper), "the vertex is out of reach of the edge");
 
-    let examined = examine(&Tolerance, &pair).unwrap();
+    let examined = examine(backend("tolerance").as_ref(), &pair).unwrap();
     let ranks: Vec<[u8; 2]> = examined.contacts.registered.iter().map(|c| [c.a.rank, c.b.rank]).collect();
     assert_eq!(ranks, [[0, 0], [1, 1], [1, 1]], "one snap, two crossings");
     let crossings = examined.crossings(Seat::A);
@@ -111,12 +124,8 @@ fn a_snap_takes_an_edge_across_a_vertex_that_was_out_of_reach() {
 #[test]
 fn the_search_counts_the_same_on_any_number_of_threads() {
     for (precision, name) in [(Precision::Double, "tolerance"), (Precision::Single, "tolerance:f32")] {
-        let on = |threads: usize| -> Census {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| search(precision, 3, 0..400))
-        };
-        let census = on(1);
-        assert_eq!(on(3), census);
+        let census = on(1, || search(precision, 3, 0..400));
+        assert_eq!(on(3, || search(precision, 3, 0..400)), census);
         assert_ne!(search(precision, 4, 0..400), census);
         assert_eq!(census.pairs, 1200);
         let [exact, sos, tolerance] = &census.rows[..] else { panic!("three backends") };
@@ -178,19 +187,18 @@ fn the_smallest_of_many_finds_show_what_they_are_kept_for() {
     for precision in [Precision::Double, Precision::Single] {
         let census = search(precision, 3, 0..100);
         let finds: Vec<_> = census.found.iter().take(6).collect();
-        let kept = smallest(precision, 3, &finds);
+        let backends = tolerant(precision);
+        let backends = backends.each_ref().map(AsRef::as_ref);
+        let kept = smallest(backends, precision, 3, &finds);
         assert!(!kept.is_empty() && kept.len() <= finds.len());
         for (kind, small) in &kept {
-            let odd = match precision {
-                Precision::Double => odd_under(&Tolerance::<f64>::new(), &small.pair),
-                Precision::Single => odd_under(&Tolerance::<f32>::new(), &small.pair),
-            };
+            let odd = odd_under(precision.tolerance(), &small.pair);
             assert_eq!(odd, kind.seats().collect::<Vec<_>>());
-            assert!(small.minimal && small.pair.is_simple() && odd_under(&Exact, &small.pair).is_empty());
+            assert!(small.minimal && small.pair.is_simple() && odd_under("exact", &small.pair).is_empty());
             assert!(small.pair.size() < random_pair(small.recipe, precision, 3, small.number).0.size());
         }
         // one more find can only make them smaller
-        let fewer = smallest(precision, 3, &finds[..3]);
+        let fewer = smallest(backends, precision, 3, &finds[..3]);
         assert!(fewer.iter().all(|(kind, small)| kept[kind].pair.size() <= small.pair.size()));
     }
 }
@@ -198,27 +206,28 @@ fn the_smallest_of_many_finds_show_what_they_are_kept_for() {
 /// The fault that the paper's print plants: mirrored segments.
 #[test]
 fn the_printed_edge_vertex_test_is_far_worse() {
-    let odd = |backend: &Tolerance| {
+    let odd = |name: &str| {
         let pairs = (0..400).map(|number| random_pair(Recipe::Copy, Precision::Double, 5, number).0);
-        pairs.filter(|pair| !odd_under(backend, pair).is_empty()).count()
+        pairs.filter(|pair| !odd_under(name, pair).is_empty()).count()
     };
-    let (right, printed) = (odd(&Tolerance), odd(&Tolerance::as_printed()));
+    let (right, printed) = (odd("tolerance"), odd("fault:tolerance-as-printed"));
     assert!(right > 0 && printed > 2 * right, "{right}, {printed}");
 }
 
 #[test]
 fn a_find_shrinks_to_two_triangles_with_short_coordinates() {
+    let backends = tolerant(Precision::Double);
     let find = search(Precision::Double, 3, 0..400)
         .found
         .into_iter()
         .find(|found| found.seats == Seat::ALL)
         .expect("there are some");
     let (pair, _) = random_pair(find.recipe, Precision::Double, 3, find.number);
-    let shrunk = shrink_odd(&Tolerance, pair.clone(), &Seat::ALL, 20_000);
+    let shrunk = shrink_odd(backends.each_ref().map(AsRef::as_ref), pair.clone(), &Seat::ALL, 20_000);
     assert!(shrunk.minimal && shrunk.taken > 0, "{shrunk:?}");
     assert!(shrunk.scene.is_simple());
-    assert_eq!(odd_under(&Tolerance, &shrunk.scene), Seat::ALL);
-    assert_eq!(odd_under(&Exact, &shrunk.scene), []);
+    assert_eq!(odd_under("tolerance", &shrunk.scene), Seat::ALL);
+    assert_eq!(odd_under("exact", &shrunk.scene), []);
     assert!(shrunk.scene.polygons.iter().map(Vec::len).sum::<usize>() <= 7, "{shrunk:?}");
-    assert_eq!(shrink_odd(&Tolerance, pair, &Seat::ALL, 20_000), shrunk);
+    assert_eq!(shrink_odd(backends.each_ref().map(AsRef::as_ref), pair, &Seat::ALL, 20_000), shrunk);
 }

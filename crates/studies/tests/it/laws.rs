@@ -4,20 +4,22 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 
 use predicament_checks::axioms::Law;
 use predicament_oracle::faults::Fault;
-use predicament_oracle::laws::{Row, Survey, survey};
-use predicament_oracle::{Stop, Watch, roster};
+use predicament_studies::laws::{Row, Survey, survey};
+use predicament_tasks::{Stop, Watch};
 
-fn rows(backend: &str, plan: Survey) -> Vec<Row> {
+use crate::{backend, on};
+
+fn rows(name: &str, plan: Survey) -> Vec<Row> {
     let (flag, told) = (AtomicBool::new(false), AtomicU64::new(0));
     let tell = |tuples: u64| {
         told.fetch_add(tuples, Relaxed);
     };
-    let rows = survey(roster::backend(backend).unwrap().as_ref(), plan, &Watch::new(&flag, None, &tell)).unwrap();
+    let rows = survey(backend(name).as_ref(), plan, &Watch::new(&flag, None, &tell)).unwrap();
     assert_eq!(told.into_inner(), plan.total(), "what progress was promised");
     rows
 }
 
-const SOME: Survey = Survey { tuples: 60_000, seed: 1 };
+const SOME: Survey = Survey { tuples: 15_000, seed: 1 };
 
 /// The laws without a reference that it breaks.
 fn broken(rows: &[Row]) -> Vec<Law> {
@@ -73,13 +75,9 @@ fn every_wrong_perturbation_is_condemned_by_the_laws_alone() {
 #[test]
 fn nothing_depends_on_the_number_of_threads() {
     let few = Survey { tuples: 20_000, seed: 3 };
-    let on = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| rows("naive", few))
-    };
-    let one = on(1);
+    let one = on(1, || rows("naive", few));
     assert!(one.iter().any(|row| row.violations > 0 && row.first.is_some()));
-    assert_eq!(one, on(3));
+    assert_eq!(one, on(3, || rows("naive", few)));
     assert_ne!(one, rows("naive", Survey { seed: 4, ..few }), "another seed, other scenes");
 }
 
@@ -97,6 +95,6 @@ fn a_violation_can_be_repeated_by_hand() {
 fn an_interrupt_is_heard() {
     let flag = AtomicBool::new(true);
     let quiet = |_: u64| {};
-    let stopped = survey(roster::backend("exact").unwrap().as_ref(), SOME, &Watch::new(&flag, None, &quiet));
+    let stopped = survey(backend("exact").as_ref(), SOME, &Watch::new(&flag, None, &quiet));
     assert_eq!(stopped, Err(Stop::Interrupted));
 }

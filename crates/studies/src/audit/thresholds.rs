@@ -12,7 +12,7 @@
 
 use predicament_formats::bits::power_of_two;
 
-use crate::Random;
+use predicament_corpus::Random;
 
 /// T₋, T and T₊ of each distance.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -1,0 +1,102 @@
+//! Pairs at the thresholds, one after the other, on all threads.
+//!
+//! A stream is cut into chunks of a fixed size, each with a seed and an L of
+//! its own, so what is counted does not depend on the number of threads.
+
+use crate::audit::ThresholdPairs;
+use predicament_checks::audit::Pair;
+use predicament_predicates::Dimension;
+use predicament_tasks::{Stop, Watch};
+use predicament_tolerance::Float;
+use rayon::prelude::*;
+use sha2::{Digest, Sha256};
+
+use super::tally::{NEAR, Tally, Violation};
+use super::{Form, Row, Scheme};
+use crate::Precision;
+
+/// Decisions to a chunk.
+const CHUNK: u64 = 1 << 12;
+
+/// The counts of so many decisions of a row, each judged.
+///
+/// # Errors
+/// [`Stop`] where the watch says so; it is told of decisions.
+pub fn audit(row: Row, decisions: u64, seed: u64, watch: &Watch) -> Result<Tally, Stop> {
+    let chunk = |at: u64| {
+        let count = CHUNK.min(decisions - at * CHUNK);
+        let tally = match row.precision {
+            Precision::Double => judge::<f64>(row, count, draw(row, seed, at), [-100, 100]),
+            // L⁶ has to be a normal number.
+            Precision::Single => judge::<f32>(row, count, draw(row, seed, at), [-12, 16]),
+        };
+        watch.done(count).map(|()| tally)
+    };
+    let chunks = (0..decisions.div_ceil(CHUNK)).into_par_iter().map(chunk);
+    chunks.try_reduce(Tally::default, |tally, later| Ok(tally.plus(later)))
+}
+
+/// The seed of a chunk, and a number that its L is made of.
+fn draw(row: Row, seed: u64, chunk: u64) -> [u64; 2] {
+    let name = format!("audit {} {} {} {seed} {chunk}", row.algorithm.number(), row.precision.name(), row.variant());
+    let digest: [u8; 32] = Sha256::digest(name).into();
+    [0, 8].map(|at| u64::from_le_bytes(std::array::from_fn(|i| digest[at + i])))
+}
+
+/// A length in [2^low, 2^high), each power of two as likely as the next.
+fn length([low, high]: [i32; 2], bits: u64) -> f64 {
+    #[allow(clippy::cast_precision_loss)] // 52 bits fit
+    let fraction = (bits >> 12) as f64 * 2.0_f64.powi(-52);
+    let span = u64::from(low.abs_diff(high));
+    let halvings = i32::try_from(bits % span).expect("less than the span");
+    (1.0 + fraction) * 2.0_f64.powi(low + halvings)
+}
+
+/// One chunk.
+fn judge<F: Float>(row: Row, decisions: u64, [seed, bits]: [u64; 2], lengths: [i32; 2]) -> Tally {
+    let dimension = row.algorithm.dimension;
+    let scheme = Scheme::<F>::new(dimension, length(lengths, bits), row.form == Form::AsPrinted);
+    let mut pairs = ThresholdPairs::new(seed, scheme.thresholds(), |x| F::nearest(x).wide());
+    let bands = scheme.bands();
+    let mut tally = Tally::default();
+    while tally.decisions() < decisions {
+        let ranks = row.algorithm.kind.ranks();
+        let [first, second] = match dimension {
+            Dimension::Two => pairs.plane(ranks).map(|simplex| simplex.into_iter().map(|[x, y]| [x, y, 0.0]).collect()),
+            Dimension::Three => pairs.space(ranks),
+        };
+        if scheme.has_registered_faces(&first, &second) {
+            tally.ended += 1;
+            continue;
+        }
+        let got = scheme.ask(&first, &second);
+        let pair = exactly(dimension, &first, &second);
+        let judgement = bands.judge(&pair, got.as_ref());
+        let is_near = |off: Option<f64>| off.is_some_and(|off| off <= NEAR);
+        let near = if pair.is_top() {
+            pair.facets().iter().any(|facet| is_near(bands.from_threshold(facet)))
+        } else {
+            is_near(judgement.from_threshold)
+        };
+        tally.note(&judgement, got.is_some(), near);
+        if !judgement.verdict.is_legal() && tally.first.is_none() {
+            tally.first = Some(Violation {
+                verdict: judgement.verdict,
+                length: scheme.tolerances.length().wide(),
+                pair: [first, second],
+                distance: pair.distance_squared().to_f64().sqrt(),
+            });
+        }
+    }
+    tally
+}
+
+fn exactly(dimension: Dimension, first: &[[f64; 3]], second: &[[f64; 3]]) -> Pair {
+    match dimension {
+        Dimension::Two => {
+            let flat = |simplex: &[[f64; 3]]| simplex.iter().map(|&[x, y, _]| [x, y]).collect::<Vec<_>>();
+            Pair::new(&flat(first), &flat(second))
+        }
+        Dimension::Three => Pair::new(first, second),
+    }
+}

@@ -1,0 +1,21 @@
+//! The contacts of two complexes, as a backend registers them.
+//!
+//! Parity and resolution are about contacts; how a backend is asked for them is
+//! written here only.
+
+use predicament_algorithms::contacts::Contacts;
+use predicament_mesh::Complex;
+use predicament_predicates::{Dimension, Scene};
+use predicament_tasks::{Contestant, contacts as task};
+
+/// All contacts of two complexes of a scene, which has to know the lengths of their primitives.
+///
+/// # Errors
+/// The reason, where the backend declines.
+pub(crate) fn contacts(backend: &dyn Contestant, scene: &Scene, [a, b]: [&Complex; 2]) -> Result<Contacts, String> {
+    let task = match scene.dimension() {
+        Dimension::Two => task::Contacts::IN_PLANE,
+        Dimension::Three => task::Contacts::IN_SPACE,
+    };
+    backend.answer(&task, scene, &task::Complexes { a: a.clone(), b: b.clone() })
+}

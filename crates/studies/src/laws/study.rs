@@ -1,0 +1,164 @@
+//! The command line of the study of laws, its survey and its rows.
+
+use std::panic::{PanicHookInfo, set_hook, take_hook};
+
+use clap::ValueEnum;
+use predicament_tasks::Contestant;
+use serde::Serialize;
+
+use super::{Row, Survey, survey, table};
+use crate::{Error, File, Host, Study};
+
+/// What is asked when nobody chooses: those whose promise is proved.
+const DEFAULT: &str = "exact,sos,sos:edelsbrunner-mucke,tolerance";
+
+/// The laws of predicates, tried on tuples full of ties.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Laws {
+    /// Backends, by commas or repeated
+    #[arg(short = 'b', long = "backend", value_name = "BACKEND", default_value = DEFAULT)]
+    pub backends: Vec<String>,
+
+    /// Random tuples of each backend, rounded up to whole scenes
+    #[arg(long, default_value_t = 1_000_000, value_name = "N")]
+    pub tuples: u64,
+
+    /// The seed of the scenes
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    pub seed: u64,
+
+    /// Threads; all cores if left out
+    #[arg(long, value_name = "N")]
+    pub threads: Option<usize>,
+
+    /// A table of violations with the first of each, or one CSV row for each backend and law
+    #[arg(long, value_enum, default_value_t = Format::Md)]
+    pub format: Format,
+}
+
+/// What to print.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub enum Format {
+    /// Backend, law, predicates, tuples, violations, panics, first.
+    Csv,
+    /// Tables as Markdown, aligned.
+    Md,
+}
+
+/// A backend and the counts of each law.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Surveyed {
+    /// The backend's name.
+    pub backend: String,
+    /// One row for each law and its predicates.
+    pub rows: Vec<Row>,
+}
+
+impl Study for Laws {
+    const NAME: &'static str = "laws";
+    const ASKS: &'static str =
+        "Hold backends to the laws of predicates: antisymmetry, transitivity, Grassmann-Plücker relations";
+    const HELP: &'static str = "\
+The scenes have about a dozen vertices: whole small grids with one point twice, of which every
+tuple is tried, and random ones (small grids, integers, lines, circles and spheres, far from the
+origin, mixed exponents), of which --tuples are drawn. The laws are in docs/LAWS.md; none of
+them needs a judge but `equals-exact`.
+
+A cell of the table counts violations; with a slash, of how many tuples, where a backend answers about
+fewer than others. A dash: declined, or not promised. `2p` are two panics.
+
+Exit code 100 if a backend breaks a law, or panics.
+
+Examples:
+  predicament laws
+  predicament laws -b sos,sos:edelsbrunner-mucke --tuples 10000000
+  predicament laws -b naive,shewchuk,fault:sos-colliding-lift --seed 2
+  predicament laws --format csv > laws.csv";
+
+    type Measured = Vec<Surveyed>;
+
+    fn backends(&self) -> Vec<String> {
+        self.backends.clone()
+    }
+
+    fn threads(&self) -> Option<usize> {
+        self.threads
+    }
+
+    fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Vec<Surveyed>, Error> {
+        let plan = Survey { tuples: self.tuples, seed: self.seed };
+        host.begin(plan.total() * backends.len() as u64, "tuples");
+        let _muted = Muted::new();
+        let one = |backend: &&dyn Contestant| {
+            let name = backend.name();
+            host.turn_to(&name);
+            Ok(Surveyed { rows: survey(*backend, plan, host.watch())?, backend: name })
+        };
+        backends.iter().map(one).collect()
+    }
+
+    fn rows(&self, measured: &Vec<Surveyed>) -> Result<Vec<File>, Error> {
+        let records = measured.iter().flat_map(|one| one.rows.iter().map(|row| Record::of(&one.backend, row)));
+        Ok(vec![File::csv("laws.csv", records)?])
+    }
+
+    fn page(&self, measured: &Vec<Surveyed>) -> String {
+        table::page(self, measured)
+    }
+
+    fn holds(&self, measured: &Vec<Surveyed>) -> bool {
+        measured.iter().flat_map(|one| &one.rows).all(Row::holds)
+    }
+
+    fn prints_rows(&self) -> bool {
+        self.format == Format::Csv
+    }
+}
+
+#[derive(Serialize)]
+struct Record<'a> {
+    backend: &'a str,
+    law: &'a str,
+    predicates: &'a str,
+    tuples: u64,
+    violations: u64,
+    panics: u64,
+    first: String,
+}
+
+impl Record<'_> {
+    fn of<'a>(backend: &'a str, row: &'a Row) -> Record<'a> {
+        Record {
+            backend,
+            law: row.law.name(),
+            predicates: &row.subject,
+            tuples: row.tuples,
+            violations: row.violations,
+            panics: row.panics,
+            first: row.first.as_ref().map(ToString::to_string).unwrap_or_default(),
+        }
+    }
+}
+
+/// No message for each panic, until it is dropped: panics are counted and the
+/// first is reported; a million need no million backtraces.
+struct Muted(Option<Hook>);
+
+type Hook = Box<dyn Fn(&PanicHookInfo<'_>) + Sync + Send>;
+
+impl Muted {
+    fn new() -> Muted {
+        let before = take_hook();
+        set_hook(Box::new(|_| {}));
+        Muted(Some(before))
+    }
+}
+
+impl Drop for Muted {
+    fn drop(&mut self) {
+        // A thread that panics cannot change the hook.
+        if let Some(before) = self.0.take().filter(|_| !std::thread::panicking()) {
+            set_hook(before);
+        }
+    }
+}

@@ -1,0 +1,220 @@
+//! A backend through all scenes, on all threads.
+//!
+//! Every scene has a random stream of its own, and results are put together in
+//! the order of the scenes, so nothing depends on the number of threads.
+
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use predicament_checks::axioms::{Law, Zeros};
+use predicament_corpus::Random;
+use predicament_exact::Exact;
+use predicament_predicates::{Backend, Dimension, Off, Predicates, Question, Scene, Vertex};
+use predicament_tasks::{Contestant, Stop, Watch};
+use rayon::prelude::*;
+
+use super::check::Sessions;
+use super::family::place;
+use super::{Check, Example, Family, Row, checks};
+
+/// The number of tuples and the seed of a survey.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Survey {
+    /// Random tuples of each backend that has all predicates; rounded up to whole scenes.
+    pub tuples: u64,
+    /// The seed of all scenes.
+    pub seed: u64,
+}
+
+/// Scenes that are exhausted, in the plane and in space: as many orders of the same points.
+const EXHAUSTED: [(Dimension, u64); 2] = [(Dimension::Two, 8), (Dimension::Three, 4)];
+/// Tuples to a law in a random scene.
+const SHARE: usize = 24;
+
+/// One scene with its tuples.
+#[derive(Clone, Copy)]
+struct Job {
+    family: Family,
+    dimension: Dimension,
+    number: u64,
+}
+
+impl Survey {
+    /// How many tuples a backend with all predicates is tried on, so that progress can be told.
+    #[must_use]
+    pub fn total(&self) -> u64 {
+        let exhausted = |(dimension, orders): (Dimension, u64)| {
+            let (scene, _) = Family::Exhaustive.scene(dimension, 0, self.seed);
+            let all = checks(dimension);
+            let tuples = all.iter().map(|check| check.tuples(reach(check, &scene)).len() as u64);
+            orders * tuples.sum::<u64>()
+        };
+        EXHAUSTED.into_iter().map(exhausted).sum::<u64>() + self.rounds() * per_round()
+    }
+
+    /// Every family once in each dimension.
+    fn rounds(&self) -> u64 {
+        self.tuples.div_ceil(per_round())
+    }
+
+    fn job(&self, at: u64) -> Job {
+        let mut at = at;
+        for (dimension, orders) in EXHAUSTED {
+            if at < orders {
+                return Job { family: Family::Exhaustive, dimension, number: at };
+            }
+            at -= orders;
+        }
+        let families = Family::RANDOM.len() as u64;
+        let dimension = if at.is_multiple_of(2) { Dimension::Two } else { Dimension::Three };
+        let family = Family::RANDOM[usize::try_from(at / 2 % families).unwrap_or_default()];
+        Job { family, dimension, number: at / 2 / families }
+    }
+
+    fn jobs(&self) -> u64 {
+        let exhausted: u64 = EXHAUSTED.iter().map(|(_, orders)| orders).sum();
+        exhausted + self.rounds() * 2 * Family::RANDOM.len() as u64
+    }
+}
+
+fn per_round() -> u64 {
+    let laws = checks(Dimension::Two).len() + checks(Dimension::Three).len();
+    (laws * SHARE * Family::RANDOM.len()) as u64
+}
+
+/// Tries every law on a backend: one row for each law and its predicates, by law.
+///
+/// # Errors
+/// [`Stop`] where the watch says so; it is told of tuples.
+pub fn survey(contestant: &dyn Contestant, survey: Survey, watch: &Watch) -> Result<Vec<Row>, Stop> {
+    let all = EXHAUSTED.map(|(dimension, _)| checks(dimension));
+    let empty = empty_rows(&all);
+    let jobs = (0..survey.jobs()).into_par_iter().map(|at| {
+        let job = survey.job(at);
+        let checks = &all[job.dimension.count() - 2];
+        let (rows, tuples) = try_scene(contestant, survey, job, checks);
+        watch.done(tuples).map(|()| rows)
+    });
+    jobs.try_fold(
+        || empty.clone(),
+        |mut sum, rows| {
+            add(&mut sum, rows?);
+            Ok(sum)
+        },
+    )
+    .try_reduce(
+        || empty.clone(),
+        |mut sum, later| {
+            add(&mut sum, later);
+            Ok(sum)
+        },
+    )
+}
+
+/// A row for each law and subject, by law.
+fn empty_rows(checks: &[Vec<Check>]) -> Vec<Row> {
+    let mut rows: Vec<Row> = Vec::new();
+    for check in checks.iter().flatten() {
+        let row = Row::empty(check.law(), check.subject());
+        if !rows.iter().any(|other| other.law == row.law && other.subject == row.subject) {
+            rows.push(row);
+        }
+    }
+    rows.sort_by_key(|row| row.law);
+    rows
+}
+
+fn add(sum: &mut [Row], rows: Vec<Row>) {
+    for row in rows {
+        if let Some(same) = sum.iter_mut().find(|other| other.law == row.law && other.subject == row.subject) {
+            same.add(row);
+        }
+    }
+}
+
+/// How many of a scene's vertices a law may be tried on: those of its first part, where that is what it is about.
+fn reach(check: &Check, scene: &Scene) -> usize {
+    if check.law() == Law::LaterVertices { first_part(scene) } else { scene.len() }
+}
+
+fn first_part(scene: &Scene) -> usize {
+    scene.len() * 2 / 3
+}
+
+/// The counts of one scene, and how many tuples were looked at or passed over.
+fn try_scene(contestant: &dyn Contestant, survey: Survey, job: Job, checks: &[Check]) -> (Vec<Row>, u64) {
+    let (scene, mut random) = job.family.scene(job.dimension, job.number, survey.seed);
+    // Drawn in any case, so that all backends have the same.
+    let drawn: Vec<Vec<Vec<Vertex>>> = checks.iter().map(|check| tuples(check, job, &scene, &mut random)).collect();
+    let all: usize = drawn.iter().map(Vec::len).sum();
+    let coordinates = scene.coordinates()[..first_part(&scene) * job.dimension.count()].to_vec();
+    let first = Scene::new(job.dimension, coordinates).expect("points of a scene");
+    let zeros = Zeros::promised(|kind| contestant.contract(kind));
+    let judge = contestant.tie_judge();
+    let is_identity = |question: Question, args: &[Vertex]| {
+        judge.is_some_and(|perturbed| perturbed(&scene, question, args).is_zero())
+    };
+    let Ok(reference) = Exact.prepare(&scene, Off) else { return (Vec::new(), all as u64) };
+    let mut rows = Vec::new();
+    let mut look = |session: &dyn Predicates, fewer: Option<&dyn Predicates>| {
+        let on = Sessions { session, fewer, reference: &reference, zeros, is_identity: &is_identity };
+        for (check, tuples) in checks.iter().zip(&drawn) {
+            let supported = check.kinds().into_iter().all(|kind| session.supports(kind).is_ok());
+            if supported && check.is_promised(zeros) {
+                rows.push(try_tuples(check, job, &scene, &on, tuples));
+            }
+        }
+    };
+    // A scene that is declined has no rows, and tuples say so.
+    let _ = contestant.with_session(&scene, &mut |session| {
+        if contestant.with_session(&first, &mut |fewer| look(session, Some(fewer))).is_err() {
+            look(session, None);
+        }
+    });
+    (rows, all as u64)
+}
+
+fn try_tuples(check: &Check, job: Job, scene: &Scene, on: &Sessions<'_>, tuples: &[Vec<Vertex>]) -> Row {
+    let mut row = Row::empty(check.law(), check.subject());
+    let batches: Vec<Vec<Vertex>> =
+        if check.in_batches() { tuples.chunks(SHARE).map(<[_]>::concat).collect() } else { Vec::new() };
+    row.tuples = tuples.len() as u64;
+    for tuple in if check.in_batches() { &batches } else { tuples } {
+        match catch_unwind(AssertUnwindSafe(|| check.look(on, tuple))) {
+            Ok(None) => {}
+            Ok(Some(violation)) => {
+                if row.violations == 0 {
+                    row.first = Some(Example::of_violation(job.family, scene, &violation));
+                }
+                row.violations += 1;
+            }
+            Err(payload) => {
+                row.panics += 1;
+                let example = || Example::of_panic(job.family, scene, tuple, message(payload.as_ref()));
+                row.first = row.first.take().or_else(|| Some(example()));
+            }
+        }
+    }
+    row
+}
+
+fn tuples(check: &Check, job: Job, scene: &Scene, random: &mut Random) -> Vec<Vec<Vertex>> {
+    let reach = reach(check, scene);
+    if job.family == Family::Exhaustive {
+        return check.tuples(reach);
+    }
+    let mut vertices: Vec<Vertex> = (0..reach).map(Vertex::input).collect();
+    let mut draw = || {
+        for at in 0..check.vertices() {
+            vertices.swap(at, at + place(random, reach - at));
+        }
+        vertices[..check.vertices()].to_vec()
+    };
+    (0..SHARE).map(|_| draw()).collect()
+}
+
+/// What a panic said.
+fn message(payload: &(dyn Any + Send)) -> &str {
+    let text = payload.downcast_ref::<&str>().copied();
+    text.or_else(|| payload.downcast_ref::<String>().map(String::as_str)).unwrap_or("no message")
+}

@@ -1,0 +1,104 @@
+//! Studies: what a philosophy of predicates is worth, measured across backends.
+//!
+//! A study answers one question about backends by measuring many random or
+//! exhausted cases, and shows the answer as rows, tables and plots. It never
+//! judges the scenes of a suite (that is the crate `oracle`), never decides
+//! what is true by itself (that is the crates `judge` and `checks`), and reads
+//! and writes no files: whoever starts it does. Go next to the trait [`Study`]
+//! for the common shape, to [`laws`] for the shortest example of it, and to
+//! `harness/src/cmd/study.rs` for how the tool runs one.
+//!
+//! * [`laws`]: do answers about the same vertices fit each other?
+//! * [`parity`]: how often do registrations make closed curves cross an odd number of times?
+//! * [`resolution`]: how small can a feature be before tolerances lose it?
+//! * [`audit`]: do the tolerance paper's algorithms keep their guarantee at their thresholds?
+//! * [`Study`]: the shape of all of them; [`STUDIES`]: the list.
+//! * [`shrink`]: the smallest scene that still shows a finding.
+//!
+//! # Adding a study
+//!
+//! A study is a folder of this crate and one line in `list.rs`; the tool and
+//! its help follow. This is a whole study: is zero smaller than one?
+//!
+//! ```
+//! use predicament_oracle::roster;
+//! use predicament_tasks::Contestant;
+//! use predicament_predicates::{Axis, Predicates, Scene, Sign, Vertex};
+//! use predicament_studies::{Entry, Error, File, Host, Quiet, Study};
+//!
+//! /// The arguments.
+//! #[derive(clap::Args)]
+//! struct Order {
+//!     /// Backends
+//!     #[arg(short = 'b', long = "backend", default_value = "exact,naive")]
+//!     backends: Vec<String>,
+//! }
+//!
+//! impl Study for Order {
+//!     const NAME: &'static str = "order";
+//!     const ASKS: &'static str = "Ask whether 0 is smaller than 1";
+//!     const HELP: &'static str = "Examples:\n  predicament order";
+//!     type Measured = Vec<(String, bool)>;
+//!
+//!     fn backends(&self) -> Vec<String> {
+//!         self.backends.clone()
+//!     }
+//!
+//!     fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Self::Measured, Error> {
+//!         host.begin(backends.len() as u64, "backends");
+//!         let scene = Scene::from_points2(&[[0.0, 0.0], [1.0, 0.0]]).expect("finite");
+//!         let [zero, one] = [0, 1].map(Vertex::input);
+//!         let ask = |backend: &&dyn Contestant| {
+//!             let mut smaller = false;
+//!             let mut look = |session: &dyn Predicates| {
+//!                 smaller = session.compare(Axis::X, zero, one) == Sign::Negative;
+//!             };
+//!             backend.with_session(&scene, &mut look).map_err(Error::unfit)?;
+//!             host.watch().done(1)?;
+//!             Ok((backend.name(), smaller))
+//!         };
+//!         backends.iter().map(ask).collect()
+//!     }
+//!
+//!     fn rows(&self, measured: &Self::Measured) -> Result<Vec<File>, Error> {
+//!         Ok(vec![File::csv("order.csv", measured)?])
+//!     }
+//!
+//!     fn page(&self, measured: &Self::Measured) -> String {
+//!         measured.iter().map(|(backend, smaller)| format!("* {backend}: {smaller}\n")).collect()
+//!     }
+//!
+//!     fn holds(&self, measured: &Self::Measured) -> bool {
+//!         measured.iter().all(|(_, smaller)| *smaller)
+//!     }
+//! }
+//!
+//! let entry = Entry::of::<Order>(); // the line in the list
+//! let matches = entry.command().get_matches_from(["order", "-b", "exact"]);
+//! let study = entry.parse(&matches).unwrap();
+//! let exact = roster::backend("exact").unwrap();
+//! let report = study.report(&[exact.as_ref()], &Quiet::new()).unwrap();
+//! assert_eq!(report.printed, "* exact: true\n");
+//! assert!(report.holds);
+//! ```
+
+pub mod audit;
+pub mod laws;
+pub mod parity;
+pub mod resolution;
+pub mod shrink;
+
+mod contacts;
+mod error;
+mod host;
+mod list;
+mod precision;
+mod report;
+mod study;
+
+pub use error::Error;
+pub use host::{Host, Quiet};
+pub use list::{Entry, Ready, STUDIES};
+pub use precision::Precision;
+pub use report::{File, Report};
+pub use study::Study;

@@ -1,0 +1,94 @@
+//! The list of studies: the one place where they are named.
+
+use std::path::Path;
+
+use clap::{ArgMatches, Command};
+use predicament_tasks::Contestant;
+
+use crate::audit::Audit;
+use crate::laws::Laws;
+use crate::parity::Parity;
+use crate::resolution::Resolution;
+use crate::{Error, Host, Report, Study};
+
+/// All studies, in the order of the help.
+pub const STUDIES: &[Entry] =
+    &[Entry::of::<Resolution>(), Entry::of::<Parity>(), Entry::of::<Audit>(), Entry::of::<Laws>()];
+
+/// A study as a command line needs it.
+#[derive(Clone, Copy)]
+pub struct Entry {
+    /// The name of its command.
+    pub name: &'static str,
+    /// What it asks, in one line.
+    pub asks: &'static str,
+    command: fn() -> Command,
+    parse: fn(&ArgMatches) -> Result<Box<dyn Ready>, clap::Error>,
+}
+
+impl Entry {
+    /// The entry of this study.
+    #[must_use]
+    pub const fn of<S: Study + 'static>() -> Entry {
+        Entry { name: S::NAME, asks: S::ASKS, command: command::<S>, parse: parse::<S> }
+    }
+
+    /// Its command, with arguments and help.
+    #[must_use]
+    pub fn command(&self) -> Command {
+        (self.command)()
+    }
+
+    /// The study with the arguments that its [command](Entry::command) matched.
+    ///
+    /// # Errors
+    /// Those of clap, for arguments that do not fit.
+    pub fn parse(&self, matches: &ArgMatches) -> Result<Box<dyn Ready>, clap::Error> {
+        (self.parse)(matches)
+    }
+}
+
+fn command<S: Study>() -> Command {
+    // Arguments come with the first line of their type's documentation, which is for readers of the code.
+    S::augment_args(Command::new(S::NAME)).about(S::ASKS).long_about(None).after_help(S::HELP)
+}
+
+fn parse<S: Study + 'static>(matches: &ArgMatches) -> Result<Box<dyn Ready>, clap::Error> {
+    Ok(Box::new(S::from_arg_matches(matches)?))
+}
+
+/// A study with its arguments, ready to be started. Every [`Study`] is one.
+pub trait Ready {
+    /// As [`Study::backends`].
+    fn backends(&self) -> Vec<String>;
+
+    /// As [`Study::threads`].
+    fn threads(&self) -> Option<usize>;
+
+    /// As [`Study::out`].
+    fn out(&self) -> Option<&Path>;
+
+    /// As [`Study::report`].
+    ///
+    /// # Errors
+    /// Those of [`Study::report`].
+    fn report(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Report, Error>;
+}
+
+impl<S: Study> Ready for S {
+    fn backends(&self) -> Vec<String> {
+        Study::backends(self)
+    }
+
+    fn threads(&self) -> Option<usize> {
+        Study::threads(self)
+    }
+
+    fn out(&self) -> Option<&Path> {
+        Study::out(self)
+    }
+
+    fn report(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Report, Error> {
+        Study::report(self, backends, host)
+    }
+}

@@ -1,0 +1,53 @@
+//! Two polygons merged by what a backend registers.
+
+use predicament_algorithms::arrangement::Arrangement;
+use predicament_algorithms::contacts::Contacts;
+use predicament_checks::contacts::{Cluster, Collapse, Crossings, Seat, clusters, collapses, crossings};
+use predicament_tasks::Contestant;
+
+use super::PolygonPair;
+use crate::contacts::contacts;
+
+/// Two polygons, merged.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Examined {
+    /// The registered pairs.
+    pub contacts: Contacts,
+    /// The crossings after merging, for each of [`Seat::ALL`].
+    pub crossings: [Crossings; 3],
+    /// Vertices of one polygon that became one.
+    pub clusters: Vec<Cluster>,
+    /// Edges that became a point.
+    pub collapses: Vec<Collapse>,
+}
+
+impl Examined {
+    /// The crossings under one rule.
+    #[must_use]
+    pub fn crossings(&self, seat: Seat) -> &Crossings {
+        let place = Seat::ALL.iter().position(|&other| other == seat).expect("all seats are listed");
+        &self.crossings[place]
+    }
+}
+
+/// Registers the contacts of two polygons with this backend, merges them, and
+/// counts.
+///
+/// # Errors
+/// The reason, where the backend declines.
+///
+/// # Panics
+/// Never: polygons are closed.
+pub fn examine(backend: &dyn Contestant, pair: &PolygonPair) -> Result<Examined, String> {
+    let (scene, complexes) = pair.scene();
+    let complexes = complexes.each_ref();
+    let contacts = contacts(backend, &scene, complexes)?;
+    let arrangement = Arrangement::new(complexes, &contacts);
+    let count = |seat| crossings(&scene, complexes, &contacts, &arrangement, seat).expect("polygons are closed");
+    Ok(Examined {
+        crossings: Seat::ALL.map(count),
+        clusters: clusters(&arrangement, &contacts),
+        collapses: collapses(&arrangement, complexes),
+        contacts,
+    })
+}

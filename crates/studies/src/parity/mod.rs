@@ -1,0 +1,33 @@
+//! How often do registrations make two closed curves cross an odd number of times?
+//!
+//! Closed curves can't, so where registrations say that they do, the registrations
+//! contradict each other. Perturbed signs never do, nor do exact ones. A
+//! tolerance scheme decides each pair within its tolerance of the truth, and
+//! no tolerance on single pairs keeps the sum even: registering two vertices
+//! as one moves edges by more than the distance within which an edge and a
+//! vertex are registered, so an edge can be moved across a vertex.
+//! `docs/TOLERANCE.md` explains it on the smallest scene found.
+//!
+//! * [`Parity`]: the study.
+//! * [`PolygonPair`]: two simple closed polygons; [`random_pair`]: nearly
+//!   degenerate ones.
+//! * [`examine`]: what a backend's registrations make of a pair.
+//! * [`search`]: many pairs, counted.
+//! * [`shrink_odd`]: the smallest pair that a find can be reduced to;
+//!   [`smallest`]: the smallest of many, by what they show.
+
+mod examine;
+mod pair;
+mod random;
+mod search;
+mod smallest;
+mod study;
+mod suite;
+mod table;
+
+pub use examine::{Examined, examine};
+pub use pair::{PolygonPair, shrink_odd};
+pub use random::{Recipe, random_pair};
+pub use search::{Census, Found, Row, SeatCounts, search};
+pub use smallest::{Kind, Small, smallest};
+pub use study::{Parity, Searched};

@@ -1,0 +1,51 @@
+//! How small can a feature be before tolerances lose it?
+//!
+//! A scheme that registers what is close as degenerate can't tell small
+//! features apart. How small is a matter of its tolerances on paper; here it is
+//! a matter of what the whole hierarchy answers about features of a known size,
+//! in any position. The size is in units of L, the length that all tolerances
+//! are proportional to.
+//!
+//! * [`Resolution`]: the study.
+//! * [`FEATURES`]: the features, each with one size.
+//! * [`survey`]: how many of each size survive.
+//! * [`location`]: how far from the crossing a shallow crossing is registered.
+
+mod features;
+mod location;
+mod plots;
+mod pose;
+mod study;
+mod survey;
+mod table;
+
+pub use features::{FEATURES, Feature};
+pub use location::{Location, location};
+pub use study::{Resolution, Resolved};
+pub use survey::{Survey, survey};
+
+use predicament_algorithms::contacts::Contacts;
+use predicament_mesh::Complex;
+use predicament_predicates::{Dimension, Scene};
+use predicament_tolerance::{Tolerances2d, Tolerances3d};
+
+/// Asks a backend for the contacts of two complexes; the reason where it declines.
+pub type Ask<'a> = dyn Fn(&Scene, &Complex, &Complex) -> Result<Contacts, String> + Sync + 'a;
+
+/// La and Lb of every scene here: L is hardly more than their sum, which is 1.
+/// (The primitives themselves are no larger, whatever way they are turned.)
+const LENGTHS: [f64; 2] = [0.5, 0.5];
+
+/// The L of a backend for these scenes: of the tolerances of the paper in its
+/// precision, and 1 for backends that have none.
+#[must_use]
+pub fn length(backend: &str, dimension: Dimension) -> f64 {
+    let [la, lb] = LENGTHS;
+    match (backend, dimension) {
+        ("tolerance", Dimension::Two) => Tolerances2d::from_lengths(la, lb).length,
+        ("tolerance", Dimension::Three) => Tolerances3d::from_lengths(la, lb).length,
+        ("tolerance:f32", Dimension::Two) => Tolerances2d::<f32>::from_lengths(0.5, 0.5).length.into(),
+        ("tolerance:f32", Dimension::Three) => Tolerances3d::<f32>::from_lengths(0.5, 0.5).length.into(),
+        _ => la + lb,
+    }
+}

@@ -1,0 +1,33 @@
+//! The plots: what survives by size, and how far off shallow crossings are.
+
+use predicament_report::{Bar, Curve, Curves, curves, ranges};
+
+use super::{Feature, Location, Resolved, Survey};
+use crate::{Error, File};
+
+/// `resolution.svg`, and `location.svg` where anything was registered.
+pub(super) fn all(measured: &Resolved) -> Result<Vec<File>, Error> {
+    let bars: Vec<Bar> = measured.features.iter().map(bar).collect();
+    let sizes = ranges(&bars, "size over L: from where none survives to where all do", [-9, 0]);
+    let mut files = vec![File::new("resolution.svg", sizes.map_err(Error::format)?)];
+    let errors = curves(&lines(&measured.crossings)).map_err(Error::format)?;
+    files.extend(errors.map(|svg| File::new("location.svg", svg)));
+    Ok(files)
+}
+
+fn bar((feature, backend, survey): &(&Feature, String, Survey)) -> Bar {
+    let name = format!("{}D {} ({})", feature.dimension.count(), feature.name, feature.tolerance);
+    Bar { name, backend: backend.clone(), from: survey.lost(), to: survey.safe() }
+}
+
+fn lines(crossings: &[(String, Vec<Location>)]) -> Curves {
+    let curve = |(backend, locations): &(String, Vec<Location>)| Curve {
+        name: backend.clone(),
+        points: locations.iter().filter(|at| at.registered > 0).map(|at| (at.angle, at.worst)).collect(),
+    };
+    Curves {
+        x: "angle between the edges, radians".into(),
+        y: "worst distance along the edge, over L".into(),
+        curves: crossings.iter().map(curve).collect(),
+    }
+}

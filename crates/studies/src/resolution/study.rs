@@ -1,0 +1,160 @@
+//! The command line of the study of resolution, its survey and its rows.
+
+use std::path::{Path, PathBuf};
+
+use predicament_predicates::Dimension;
+use predicament_tasks::Contestant;
+use serde::Serialize;
+
+use super::{Ask, FEATURES, Feature, Location, Survey, length, location, plots, survey, table};
+use crate::contacts::contacts;
+use crate::{Error, File, Host, Precision, Study};
+
+/// Features of every size and shallow crossings, as backends register them.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Resolution {
+    /// Backends
+    #[arg(short = 'b', long = "backend", value_name = "BACKEND", default_value = "tolerance,tolerance:f32,exact")]
+    pub backends: Vec<String>,
+
+    /// Positions to a size, and pairs of edges to an angle
+    #[arg(long, default_value_t = 200, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub trials: u32,
+
+    /// The seed of the positions
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    pub seed: u64,
+
+    /// The folder to write; made if missing
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+}
+
+/// Shares of features that survive, and errors of crossings.
+#[derive(Clone, Debug)]
+pub struct Resolved {
+    /// Each feature under each backend.
+    pub features: Vec<(&'static Feature, String, Survey)>,
+    /// The shallow crossings of each backend.
+    pub crossings: Vec<(String, Vec<Location>)>,
+}
+
+impl Study for Resolution {
+    const NAME: &'static str = "resolution";
+    const ASKS: &'static str = "Measure what tolerances cost: the smallest feature that survives, in units of L";
+    const HELP: &'static str = "\
+Each feature (a gap, a tooth through an edge, a cell around a vertex ...) is made in sizes from
+1e-9 to 0.4, in units of L, and put in random positions. It survives where it is registered as
+what it is, and nothing more degenerate beside it.
+
+Written to the folder: resolution.csv (share that survives, by size), location.csv (distance along
+the edge between a crossing and where it is registered, by angle), resolution.md (the tables that
+are printed), resolution.svg, location.svg.
+
+Examples:
+  predicament resolution --out target/resolution
+  predicament resolution -b tolerance,exact --trials 1000 --out target/resolution";
+
+    type Measured = Resolved;
+
+    fn backends(&self) -> Vec<String> {
+        self.backends.clone()
+    }
+
+    fn out(&self) -> Option<&Path> {
+        Some(&self.out)
+    }
+
+    fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Resolved, Error> {
+        host.begin((backends.len() * (FEATURES.len() + 1)) as u64, "features");
+        let mut resolved = Resolved { features: Vec::new(), crossings: Vec::new() };
+        for feature in FEATURES {
+            for &backend in backends {
+                let shares = Resolution::ask(
+                    backend,
+                    &format!("`{}`", feature.name),
+                    feature.dimension,
+                    |ask, length, precision| survey(feature, ask, length, precision, self.trials, self.seed),
+                );
+                resolved.features.push((feature, backend.name(), shares?));
+                host.watch().done(1)?;
+            }
+        }
+        for &backend in backends {
+            let errors = Resolution::ask(backend, "shallow crossings", Dimension::Two, |ask, length, precision| {
+                location(ask, length, precision, self.trials, self.seed)
+            });
+            resolved.crossings.push((backend.name(), errors?));
+            host.watch().done(1)?;
+        }
+        Ok(resolved)
+    }
+
+    fn rows(&self, measured: &Resolved) -> Result<Vec<File>, Error> {
+        let shares = measured.features.iter().flat_map(|(feature, backend, survey)| {
+            survey.shares.iter().map(|&(size_over_l, survived)| Share {
+                feature: feature.name,
+                dimension: feature.dimension.count(),
+                tolerance: feature.tolerance,
+                backend,
+                size_over_l,
+                survived,
+            })
+        });
+        let errors = measured.crossings.iter().flat_map(|(backend, locations)| {
+            locations.iter().map(|&Location { angle, crossed, registered, crossings, worst, mean }| Shallow {
+                backend,
+                angle,
+                crossed,
+                registered,
+                crossings,
+                worst_over_l: worst,
+                mean_over_l: mean,
+            })
+        });
+        Ok(vec![File::csv("resolution.csv", shares)?, File::csv("location.csv", errors)?])
+    }
+
+    fn page(&self, measured: &Resolved) -> String {
+        table::page(measured)
+    }
+
+    fn plots(&self, measured: &Resolved) -> Result<Vec<File>, Error> {
+        plots::all(measured)
+    }
+}
+
+impl Resolution {
+    /// Measures one thing with what a backend needs: its contacts, its L, its precision.
+    fn ask<T>(
+        backend: &dyn Contestant,
+        what: &str,
+        dimension: Dimension,
+        measure: impl FnOnce(&Ask, f64, Precision) -> Result<T, String>,
+    ) -> Result<T, Error> {
+        let name = backend.name();
+        measure(&|scene, a, b| contacts(backend, scene, [a, b]), length(&name, dimension), Precision::of_backend(&name))
+            .map_err(|why| Error::unfit(format!("{name} on {what}: {why}")))
+    }
+}
+
+#[derive(Serialize)]
+struct Share<'a> {
+    feature: &'a str,
+    dimension: usize,
+    tolerance: &'a str,
+    backend: &'a str,
+    size_over_l: f64,
+    survived: f64,
+}
+
+#[derive(Serialize)]
+struct Shallow<'a> {
+    backend: &'a str,
+    angle: f64,
+    crossed: u32,
+    registered: u32,
+    crossings: u32,
+    worst_over_l: f64,
+    mean_over_l: f64,
+}

@@ -1,0 +1,19 @@
+//! The studies, each held to what it must find, and the shape that they share.
+
+mod audit;
+mod laws;
+mod parity;
+mod shape;
+
+use predicament_oracle::roster;
+use predicament_tasks::Contestant;
+
+/// The backend with this name.
+fn backend(name: &str) -> Box<dyn Contestant> {
+    roster::backend(name).unwrap_or_else(|why| panic!("{why}"))
+}
+
+/// The same on this many threads.
+fn on<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads start").install(work)
+}

@@ -1,0 +1,179 @@
+//! What every study does, and what a new one gets for nothing.
+
+use std::cell::RefCell;
+use std::sync::atomic::AtomicBool;
+
+use predicament_exact::Exact;
+use predicament_predicates::{Backend, Contract, Declined, PredicateKind, Scene, Tally};
+use predicament_studies::{Entry, Error, File, Host, Quiet, Ready, Report, STUDIES, Study};
+use predicament_tasks::{Contestant, Stop, Watch};
+
+use crate::{backend, on};
+
+/// A study with these arguments.
+fn ready(line: &str) -> Box<dyn Ready> {
+    let name = line.split(' ').next().unwrap();
+    let entry = STUDIES.iter().find(|entry| entry.name == name).expect("it is in the list");
+    entry.parse(&entry.command().get_matches_from(line.split(' '))).unwrap()
+}
+
+fn report(study: &dyn Ready, host: &dyn Host) -> Result<Report, Error> {
+    let backends: Vec<_> = study.backends().iter().flat_map(|names| names.split(',')).map(backend).collect();
+    let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
+    study.report(&backends, host)
+}
+
+/// Each study on a small amount of work, and its files.
+const SMALL: [(&str, &[&str]); 4] = [
+    (
+        "resolution --trials 2 --out x",
+        &["resolution.csv", "location.csv", "resolution.md", "resolution.svg", "location.svg"],
+    ),
+    ("parity --pairs 20 --shrink 1 --out x", &["parity.csv", "parity.md", "smallest.toml"]),
+    ("audit --decisions 200", &["audit.csv", "audit.md"]),
+    ("laws -b exact,naive --tuples 2000", &["laws.csv", "laws.md"]),
+];
+
+#[test]
+fn every_study_is_tried_here() {
+    assert_eq!(
+        STUDIES.iter().map(|entry| entry.name).collect::<Vec<_>>(),
+        SMALL.map(|(line, _)| line.split(' ').next().unwrap())
+    );
+}
+
+#[test]
+fn the_report_does_not_depend_on_the_number_of_threads() {
+    for (line, files) in SMALL {
+        let made = |threads| on(threads, || report(ready(line).as_ref(), &Quiet::new()).unwrap());
+        let one = made(1);
+        assert!(one == made(3), "{line}");
+        assert_eq!(one.files.iter().map(|file| file.name.as_str()).collect::<Vec<_>>(), files, "{line}");
+        assert!(one.files.iter().all(|file| !file.text.is_empty()), "{line}");
+        assert_eq!(one.holds, !line.contains("naive"), "{line}");
+        let page = one.files.iter().find(|file| file.name.ends_with(".md")).unwrap();
+        assert_eq!(one.printed, page.text, "{line}");
+    }
+}
+
+#[test]
+fn rows_are_printed_where_the_arguments_ask_for_them() {
+    let rows = report(ready("laws -b exact --tuples 0 --format csv").as_ref(), &Quiet::new()).unwrap();
+    assert_eq!(rows.printed, rows.files[0].text);
+    assert!(rows.printed.starts_with("backend,law,predicates,tuples,violations,panics,first\n"), "{}", rows.printed);
+}
+
+/// Counts what it is told, and stops the study at the first chunk.
+struct Impatient<'a> {
+    watch: Watch<'a>,
+    told: RefCell<Vec<String>>,
+}
+
+impl Host for Impatient<'_> {
+    fn watch(&self) -> &Watch<'_> {
+        &self.watch
+    }
+
+    fn begin(&self, total: u64, unit: &str) {
+        assert!(total > 0);
+        self.told.borrow_mut().push(unit.to_owned());
+    }
+}
+
+#[test]
+fn every_study_says_what_it_begins_and_stops_where_it_is_told() {
+    for ((line, _), unit) in SMALL.into_iter().zip(["features", "pairs", "decisions", "tuples"]) {
+        let (cancel, quiet) = (AtomicBool::new(true), |_: u64| {});
+        let host = Impatient { watch: Watch::new(&cancel, None, &quiet), told: RefCell::default() };
+        assert_eq!(report(ready(line).as_ref(), &host), Err(Error::Stopped(Stop::Interrupted)), "{line}");
+        assert_eq!(host.told.into_inner(), [unit], "{line}");
+    }
+}
+
+/// Takes no scene.
+struct Never;
+
+impl Backend for Never {
+    type Session<'s, T: Tally + 's> = <Exact as Backend>::Session<'s, T>;
+
+    fn name(&self) -> String {
+        "never".to_owned()
+    }
+
+    fn contract(&self, kind: PredicateKind) -> Contract {
+        Exact.contract(kind)
+    }
+
+    fn stages(&self) -> &'static [&'static str] {
+        Exact.stages()
+    }
+
+    fn prepare<'s, T: Tally + 's>(&'s self, _: &'s Scene, _: T) -> Result<Self::Session<'s, T>, Declined> {
+        Err(Declined::scene("not today"))
+    }
+}
+
+#[test]
+fn a_backend_that_declines_is_named() {
+    let never = predicament_tasks::Entry::new(Never);
+    let never: [&dyn Contestant; 1] = [&never];
+    let refused = ready("resolution --trials 1 --out x").report(&never, &Quiet::new());
+    assert_eq!(refused.err(), Some(Error::unfit("never on `vertices apart`: scene declined: not today")));
+    let laws = ready("laws --tuples 0 --format csv").report(&never, &Quiet::new()).unwrap();
+    assert!(laws.holds && laws.printed.lines().skip(1).all(|row| row.ends_with(",0,0,0,")), "{}", laws.printed);
+}
+
+#[test]
+fn reports_are_written_file_by_file() {
+    let folder = std::env::temp_dir().join(format!("predicament-studies-{}", std::process::id()));
+    let report = Report {
+        printed: String::new(),
+        files: vec![File::csv("a.csv", [("x", 1), ("y", 2)]).unwrap(), File::new("b.md", "b\n")],
+        holds: true,
+    };
+    assert!(report.write(&folder).unwrap_err().contains("a.csv"), "the folder is missing");
+    std::fs::create_dir_all(&folder).unwrap();
+    report.write(&folder).unwrap();
+    let read = ["a.csv", "b.md"].map(|name| std::fs::read_to_string(folder.join(name)).unwrap());
+    std::fs::remove_dir_all(&folder).unwrap();
+    assert_eq!(read, ["x,1\ny,2\n", "b\n"]);
+}
+
+/// How many backends it is given: the least that a study has to say.
+#[derive(clap::Args)]
+struct Census {
+    #[arg(long)]
+    fails: bool,
+}
+
+impl Study for Census {
+    const NAME: &'static str = "census";
+    const ASKS: &'static str = "Count backends";
+    const HELP: &'static str = "Examples: none";
+    type Measured = usize;
+
+    fn survey(&self, backends: &[&dyn Contestant], _: &dyn Host) -> Result<usize, Error> {
+        if self.fails { Err(Error::unfit("as asked")) } else { Ok(backends.len()) }
+    }
+
+    fn rows(&self, measured: &usize) -> Result<Vec<File>, Error> {
+        Ok(vec![File::csv("census.csv", [(measured,)])?])
+    }
+
+    fn page(&self, measured: &usize) -> String {
+        format!("{measured} backends\n")
+    }
+}
+
+#[test]
+fn a_study_of_ones_own_needs_four_methods() {
+    let entry = Entry::of::<Census>();
+    let help = entry.command().render_long_help().to_string();
+    assert!(help.starts_with("Count backends\n") && help.ends_with("Examples: none\n"), "{help}");
+    let study = |line: &str| entry.parse(&entry.command().get_matches_from(line.split(' '))).unwrap();
+    let plain = study("census");
+    assert_eq!((plain.backends(), plain.threads(), plain.out()), (Vec::new(), None, None));
+    let told = plain.report(&[backend("exact").as_ref()], &Quiet::new()).unwrap();
+    assert_eq!((told.printed.as_str(), told.files.len(), told.holds), ("1 backends\n", 2, true));
+    assert_eq!(study("census --fails").report(&[], &Quiet::new()), Err(Error::unfit("as asked")));
+}

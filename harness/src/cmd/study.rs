@@ -1,0 +1,113 @@
+//! Runs the studies: `laws`, `parity`, `resolution`, `audit`, and whatever else
+//! the list in `predicament-studies` names.
+//!
+//! A study measures and formats. Here are threads, backends by name, Ctrl-C,
+//! the progress bar, the folder and the exit code, the same for all.
+
+use std::path::Path;
+use std::sync::{Mutex, PoisonError};
+
+use clap::{ArgMatches, Command, FromArgMatches, Subcommand};
+use indicatif::ProgressBar;
+use predicament_studies::{Error, Host, Ready, STUDIES};
+use predicament_tasks::{Contestant, Watch};
+
+use crate::exit::{self, Failure};
+use crate::tool::Tool;
+use crate::{interrupt, progress};
+
+/// One of the studies with its arguments.
+pub struct Args(Box<dyn Ready>);
+
+impl Subcommand for Args {
+    fn augment_subcommands(command: Command) -> Command {
+        command.subcommands(STUDIES.iter().map(|study| study.command()))
+    }
+
+    fn augment_subcommands_for_update(command: Command) -> Command {
+        Args::augment_subcommands(command)
+    }
+
+    fn has_subcommand(name: &str) -> bool {
+        STUDIES.iter().any(|study| study.name == name)
+    }
+}
+
+impl FromArgMatches for Args {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Args, clap::Error> {
+        let found = matches.subcommand().and_then(|(name, matches)| {
+            let study = STUDIES.iter().find(|study| study.name == name)?;
+            Some(study.parse(matches))
+        });
+        found.unwrap_or_else(|| Err(clap::Error::new(clap::error::ErrorKind::MissingSubcommand))).map(Args)
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Args::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+/// Runs the command.
+pub fn run(Args(study): &Args, tool: &Tool) -> exit::Outcome {
+    super::run::set_threads(study.threads())?;
+    let names = study.backends();
+    let backends = if names.is_empty() { Vec::new() } else { tool.pick(&names)? };
+    if let Some(folder) = study.out() {
+        std::fs::create_dir_all(folder).map_err(|error| Failure::usage(format!("{}: {error}", folder.display())))?;
+    }
+    interrupt::listen();
+    let bar = Mutex::new(ProgressBar::hidden());
+    let told = |work: u64| held(&bar).inc(work);
+    let host = Terminal { bar: &bar, watch: Watch::new(interrupt::flag(), None, &told) };
+    let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
+    let report = study.report(&backends, &host);
+    held(&bar).finish_and_clear();
+    let report = report.map_err(|error| failure(error, study.out()))?;
+    if let Some(folder) = study.out() {
+        report.write(folder).map_err(Failure::usage)?;
+    }
+    say_text!("{}", report.printed);
+    if let Some(folder) = study.out() {
+        say!("\n{}", folder.display());
+    }
+    Ok(if report.holds { exit::OK } else { exit::UNEXPECTED })
+}
+
+fn failure(error: Error, out: Option<&Path>) -> Failure {
+    match error {
+        Error::Stopped(_) => {
+            let done = if out.is_some() { "written" } else { "printed" };
+            Failure { message: format!("{error}; nothing was {done}"), code: exit::INCOMPLETE }
+        }
+        Error::Unfit(_) | Error::Format(_) => Failure::usage(error),
+    }
+}
+
+/// Shows a study's progress on stderr, and stops it at Ctrl-C.
+struct Terminal<'a> {
+    /// The bar of the part that the study is at.
+    bar: &'a Mutex<ProgressBar>,
+    watch: Watch<'a>,
+}
+
+impl Host for Terminal<'_> {
+    fn watch(&self) -> &Watch<'_> {
+        &self.watch
+    }
+
+    fn begin(&self, total: u64, unit: &str) {
+        let mut bar = held(self.bar);
+        bar.finish_and_clear();
+        *bar = progress::bar(total, unit);
+    }
+
+    fn turn_to(&self, what: &str) {
+        held(self.bar).set_message(what.to_owned());
+    }
+}
+
+/// The bar now: whatever panicked while it was held has left it whole. Cheap to clone.
+fn held(bar: &Mutex<ProgressBar>) -> std::sync::MutexGuard<'_, ProgressBar> {
+    bar.lock().unwrap_or_else(PoisonError::into_inner)
+}
