@@ -35,8 +35,10 @@
 //! be judged alone, and pairs in any order.
 //!
 //! # Cost
-//! All pairs of boxes are compared. A closed simplex lies in the box of its
-//! vertices; comparing doubles is exact, so nothing is lost where boxes are apart.
+//! All pairs of simplices are asked whose boxes have a common point. A closed
+//! simplex lies in the box of its vertices, and comparing doubles is exact, so nothing is
+//! lost where boxes are apart. The boxes of the second complex are sorted by their left ends,
+//! and those that end too early or start too late are left out; there is no other index.
 //! [`sample`] says which simplices of the first complex are looked at where
 //! all would take too long. A pair that a backend registers can always be judged, by
 //! [`contact`]: the sample limits the search for pairs that it has missed.
@@ -196,36 +198,67 @@ pub fn contacts_of<S: AsRef<[Vertex]>, T: AsRef<[Vertex]>>(
     assert_eq!(sample.of(), a.len(), "the sample is of the first list");
     let most = scene.dimension().count() + 2;
     let points = points(scene, scene.vertices());
-    let boxes: Vec<Bounds> = b.iter().map(|t| Bounds::of(scene, t.as_ref())).collect();
+    let boxes = Boxes::new(b.iter().map(|t| Bounds::of(scene, t.as_ref())).collect());
     let mut found = Vec::new();
     for first in sample.places() {
         let s = a[first].as_ref();
-        let around = Bounds::of(scene, s);
-        for (second, bounds) in boxes.iter().enumerate() {
-            if around.is_apart(bounds) {
-                continue;
-            }
+        let start = found.len();
+        boxes.near(&Bounds::of(scene, s), |second| {
             let t = b[second].as_ref();
             if s.len() + t.len() <= most
                 && let Some(weights) = meeting(&points, s, t)
             {
                 found.push(Contact { pair: [first, second], weights });
             }
-        }
+        });
+        found[start..].sort_by_key(|contact| contact.pair);
     }
     found
 }
 
 /// What a scene's contacts may cost, in comparisons of boxes.
-const BUDGET: u64 = 150_000_000;
-/// What the pairs of a simplex whose boxes meet cost besides, in comparisons of boxes.
-const NEAR: u64 = 50_000;
+const BUDGET: u64 = 1_000_000_000;
+/// What the pairs of a simplex whose boxes meet cost besides, in comparisons of
+/// boxes: they are more, and their equations larger, in space.
+const NEAR: [u64; 2] = [20_000, 200_000];
 
-/// Which simplices of the first of two lists are looked at: all as long as that
-/// takes a few tenths of a second, else every n-th.
+/// Which simplices of the first of two lists are looked at, by the numbers of
+/// simplices in both: all as long as that takes about a second at most, else every n-th.
 #[must_use]
-pub fn sample(a: usize, b: usize) -> Sample {
-    Sample::within(BUDGET, a, b as u64 + NEAR)
+pub fn sample(dimension: Dimension, [a, b]: [usize; 2]) -> Sample {
+    let near = NEAR[usize::from(dimension == Dimension::Three)];
+    Sample::within(BUDGET, a, b as u64 + near)
+}
+
+/// Boxes in the order of their left ends.
+struct Boxes {
+    sorted: Vec<(Bounds, usize)>,
+    /// The furthest right end of each box and those before it.
+    furthest: Vec<f64>,
+}
+
+impl Boxes {
+    fn new(boxes: Vec<Bounds>) -> Boxes {
+        let mut sorted: Vec<(Bounds, usize)> = boxes.into_iter().zip(0..).collect();
+        sorted.sort_by(|(a, _), (b, _)| a.low[0].total_cmp(&b.low[0]));
+        let furthest = sorted.iter().scan(f64::NEG_INFINITY, |furthest, (bounds, _)| {
+            *furthest = furthest.max(bounds.high[0]);
+            Some(*furthest)
+        });
+        Boxes { furthest: furthest.collect(), sorted }
+    }
+
+    /// Calls `take` with the place of every box that this one is not apart from.
+    fn near(&self, around: &Bounds, mut take: impl FnMut(usize)) {
+        // Before the first all end too early, from the last on all start too late.
+        let first = self.furthest.partition_point(|&furthest| furthest < around.low[0]);
+        let last = self.sorted.partition_point(|(bounds, _)| bounds.low[0] <= around.high[0]);
+        for (bounds, place) in &self.sorted[first.min(last)..last] {
+            if !around.is_apart(bounds) {
+                take(*place);
+            }
+        }
+    }
 }
 
 /// The box of some points; a third axis in the plane has zeros.

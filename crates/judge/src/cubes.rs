@@ -28,10 +28,11 @@
 //! common denominator.
 //!
 //! The algorithm that this is held against knows no cells: it sums up what the
-//! vertices contribute. For thousands of cubes the grid is too large;
+//! vertices contribute. For thousands of cubes this is too slow;
 //! [`Cubes::sample`] says which are measured then.
 
 use std::cmp::Reverse;
+use std::ops::RangeInclusive;
 
 use predicament_predicates::{Dimension, Scene, Vertex};
 use rug::{Integer, Rational};
@@ -100,16 +101,13 @@ pub struct Cubes {
 }
 
 /// Above so many cubes a sample is measured.
-const MOST: usize = 1000;
+const MOST: usize = 400;
 
 impl Cubes {
     /// The cubes of a scene.
     ///
     /// # Errors
     /// [`NotCubes`] if they are none, or not all exactly of the same size.
-    ///
-    /// # Panics
-    /// Never for a scene that holds no vertices; those have no extent to tell.
     pub fn of_scene(scene: &Scene) -> Result<Cubes, NotCubes> {
         if scene.dimension() != Dimension::Three || !scene.len().is_multiple_of(2) {
             return Err(NotCubes::NoPairs);
@@ -154,8 +152,8 @@ impl Cubes {
         self.lowers.is_empty()
     }
 
-    /// Which cubes are measured, ascending: all up to a thousand, else those of
-    /// a part of the box around them that holds 500 to 1000. The box is
+    /// Which cubes are measured, ascending: all up to 400, else those of a part
+    /// of the box around them that holds 200 to 400. The box is
     /// halved, with as many cubes on either side, across the axis along which their lower
     /// corners extend furthest, and the lower half is kept, until they are few enough.
     ///
@@ -165,7 +163,7 @@ impl Cubes {
         self.sample_of(MOST)
     }
 
-    /// [`Cubes::sample`] for another limit than a thousand.
+    /// [`Cubes::sample`] for another limit than 400.
     ///
     /// # Panics
     /// If the limit is zero.
@@ -294,39 +292,44 @@ impl<'f> Section<'f> {
         self.ends(face, word) ^ self.ends(face + 1, word)
     }
 
-    /// Adds to the sums, or takes away, what the strips of a cube and the faces around them have.
-    fn count(&mut self, [lower, upper]: [usize; 2], is_there: bool) {
+    /// The filled length of a strip, and its ends.
+    fn measure(&self, strip: usize) -> (Integer, u64) {
+        let (mut length, mut ends) = (Integer::new(), 0);
+        for word in 0..self.words {
+            for bit in ones(self.ends(strip, word)) {
+                let at = &self.w.at[64 * word + bit];
+                // A start, an end, a start, ...
+                if ends % 2 == 0 {
+                    length -= at
+                } else {
+                    length += at
+                }
+                ends += 1;
+            }
+        }
+        (length, ends)
+    }
+
+    /// The number of corners at these faces along v.
+    fn corners_at(&self, faces: RangeInclusive<usize>) -> u64 {
+        let of_face =
+            |face| (0..self.words).map(move |word| u64::from(self.corners(face, word).count_ones())).sum::<u64>();
+        faces.map(of_face).sum()
+    }
+
+    /// Brings the sums up to date, where the strips of one cube have been filled anew.
+    fn update(&mut self, before: &Section, [lower, upper]: [usize; 2]) {
         for strip in lower + 1..=upper {
             let width = self.v.width(strip - 1);
-            if width.is_zero() {
+            if width.is_zero() || self.row(strip) == before.row(strip) {
                 continue;
             }
-            let (mut length, mut ends, mut is_start) = (Integer::new(), 0_u64, true);
-            for word in 0..self.words {
-                for bit in ones(self.ends(strip, word)) {
-                    let at = &self.w.at[64 * word + bit];
-                    if is_start {
-                        length -= at
-                    } else {
-                        length += at
-                    }
-                    is_start = !is_start;
-                    ends += 1;
-                }
-            }
-            let (area, ends) = (length * &width, width * ends);
-            if is_there {
-                self.area += area;
-                self.ends += ends;
-            } else {
-                self.area -= area;
-                self.ends -= ends;
-            }
+            let [(length, ends), (length_before, ends_before)] = [self.measure(strip), before.measure(strip)];
+            self.area += (length - length_before) * &width;
+            self.ends += (Integer::from(ends) - ends_before) * width;
         }
-        for face in lower..=upper {
-            let corners: u64 = (0..self.words).map(|word| u64::from(self.corners(face, word).count_ones())).sum();
-            if is_there { self.corners += corners } else { self.corners -= corners }
-        }
+        self.corners += self.corners_at(lower..=upper);
+        self.corners -= before.corners_at(lower..=upper);
     }
 
     /// Fills the strips of a cube anew with what the present cubes cover.
@@ -393,9 +396,8 @@ impl Sweep {
             // Behind the face only the strips of its owner can look different.
             let strips = v.ranks[cube];
             let before = Section { rows: section.rows.clone(), area: Integer::new(), ends: Integer::new(), ..section };
-            section.count(strips, false);
             section.fill(strips, &present);
-            section.count(strips, true);
+            section.update(&before, strips);
             sweep.add_vertices(&before, &section, strips);
             let width = u.width(rank);
             sweep.volume += &width * &section.area;

@@ -213,7 +213,8 @@ fn a_sample_is_a_dense_part_of_the_whole() {
     let mut random = Random::new(8);
     let scene = cubes(&mut random, 1000, 100, 10.0, 1.0);
     let all = Cubes::of_scene(&scene).unwrap();
-    assert_eq!(all.sample(), (0..1000).collect::<Vec<_>>());
+    assert_eq!(all.sample_of(1000), (0..1000).collect::<Vec<_>>());
+    assert_eq!(all.sample().len(), 250);
     let part = all.sample_of(150);
     assert_eq!(part.len(), 125, "1000 halved until 150 are enough");
     assert!(part.is_sorted());
