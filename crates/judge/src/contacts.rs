@@ -85,23 +85,27 @@ pub fn contact(scene: &Scene, s: &[Vertex], t: &[Vertex]) -> Option<[Weights; 2]
 }
 
 fn meeting(points: &Points, s: &[Vertex], t: &[Vertex]) -> Option<[Weights; 2]> {
-    assert!(!s.is_empty() && !t.is_empty(), "a simplex has vertices");
-    // One row for each equation: the sum of the weights on s, that on t, then
-    // along each axis the point on s minus that on t; last what it equals.
-    let one = |is: bool| Integer::from(u8::from(is));
-    let sum = |of_s: bool| s.iter().map(|_| true).chain(t.iter().map(|_| false)).map(move |at| one(at == of_s));
-    let mut rows: Vec<Vec<Integer>> = [true, false].map(|of_s| sum(of_s).chain([one(true)]).collect()).to_vec();
-    let on_s = |axis: usize| s.iter().map(move |v| points[v][axis].clone());
-    let on_t = |axis: usize| t.iter().map(move |v| Integer::from(-&points[v][axis]));
-    let dimension = points[&s[0]].len();
-    rows.extend((0..dimension).map(|axis| on_s(axis).chain(on_t(axis)).chain([Integer::new()]).collect()));
-    let (mut numerators, denominator) = only_solution(rows)?;
-    if numerators.iter().any(|weight| weight.cmp0() != denominator.cmp0()) {
+    // The first weight on each simplex is one minus the others, so that an equation is left
+    // for each axis: with p and q the first vertices of s and t,
+    // Σ wᵢ (pᵢ − p) − Σ vⱼ (qⱼ − q) = q − p. Its right side comes last.
+    let ([p, others @ ..], [q, others_of_t @ ..]) = (s, t) else { panic!("a simplex has vertices") };
+    let [p, q] = [p, q].map(|v| &points[v]);
+    let row = |axis: usize| -> Vec<Integer> {
+        let on_s = others.iter().map(|v| Integer::from(&points[v][axis] - &p[axis]));
+        let on_t = others_of_t.iter().map(|v| Integer::from(&q[axis] - &points[v][axis]));
+        on_s.chain(on_t).chain([Integer::from(&q[axis] - &p[axis])]).collect()
+    };
+    let (mut on_s, denominator) = only_solution((0..p.len()).map(row).collect())?;
+    let mut on_t = on_s.split_off(others.len());
+    for of in [&mut on_s, &mut on_t] {
+        let first = of.iter().fold(denominator.clone(), |rest, weight| rest - weight);
+        of.insert(0, first);
+    }
+    if on_s.iter().chain(&on_t).any(|weight| weight.cmp0() != denominator.cmp0()) {
         return None;
     }
-    let on_t = numerators.split_off(s.len());
     let weights = |of: Vec<Integer>| of.into_iter().map(|weight| Rational::from((weight, &denominator))).collect();
-    Some([weights(numerators), weights(on_t)])
+    Some([weights(on_s), weights(on_t)])
 }
 
 /// The solution of linear equations, each with its right side last, if there is
