@@ -37,13 +37,14 @@
 //! # Cost
 //! All pairs of simplices are asked whose boxes have a common point. A closed
 //! simplex lies in the box of its vertices, and comparing doubles is exact, so nothing is
-//! lost where boxes are apart. The boxes of the second complex are sorted by their left ends,
-//! and those that end too early or start too late are left out; there is no other index.
+//! lost where boxes are apart. The boxes of the second complex are sorted by their lower ends,
+//! along the axis where most others end too early or start too late; there is no other index.
 //! [`sample`] says which simplices of the first complex are looked at where
 //! all would take too long. A pair that a backend registers can always be judged, by
 //! [`contact`]: the sample limits the search for pairs that it has missed.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
 use predicament_predicates::{Dimension, Scene, Vertex};
 use rug::{Integer, Rational};
@@ -202,12 +203,16 @@ pub fn contacts_of<S: AsRef<[Vertex]>, T: AsRef<[Vertex]>>(
     assert_eq!(sample.of(), a.len(), "the sample is of the first list");
     let most = scene.dimension().count() + 2;
     let points = points(scene, scene.vertices());
-    let boxes = Boxes::new(b.iter().map(|t| Bounds::of(scene, t.as_ref())).collect());
+    let around: Vec<Bounds> = sample.places().map(|first| Bounds::of(scene, a[first].as_ref())).collect();
+    let boxes = (0..scene.dimension().count())
+        .map(|axis| Boxes::new(axis, b.iter().map(|t| Bounds::of(scene, t.as_ref())).collect()))
+        .min_by_key(|boxes| around.iter().map(|around| boxes.window(around).len()).sum::<usize>())
+        .expect("two axes or three");
     let mut found = Vec::new();
-    for first in sample.places() {
+    for (first, around) in sample.places().zip(&around) {
         let s = a[first].as_ref();
         let start = found.len();
-        boxes.near(&Bounds::of(scene, s), |second| {
+        boxes.near(around, |second| {
             let t = b[second].as_ref();
             if s.len() + t.len() <= most
                 && let Some(weights) = meeting(&points, s, t)
@@ -234,30 +239,35 @@ pub fn sample(dimension: Dimension, [a, b]: [usize; 2]) -> Sample {
     Sample::within(BUDGET, a, b as u64 + near)
 }
 
-/// Boxes in the order of their left ends.
+/// Boxes in the order of their lower ends along an axis.
 struct Boxes {
+    axis: usize,
     sorted: Vec<(Bounds, usize)>,
-    /// The furthest right end of each box and those before it.
-    furthest: Vec<f64>,
+    /// The highest upper end of each box and those before it.
+    highest: Vec<f64>,
 }
 
 impl Boxes {
-    fn new(boxes: Vec<Bounds>) -> Boxes {
+    fn new(axis: usize, boxes: Vec<Bounds>) -> Boxes {
         let mut sorted: Vec<(Bounds, usize)> = boxes.into_iter().zip(0..).collect();
-        sorted.sort_by(|(a, _), (b, _)| a.low[0].total_cmp(&b.low[0]));
-        let furthest = sorted.iter().scan(f64::NEG_INFINITY, |furthest, (bounds, _)| {
-            *furthest = furthest.max(bounds.high[0]);
-            Some(*furthest)
+        sorted.sort_by(|(a, _), (b, _)| a.low[axis].total_cmp(&b.low[axis]));
+        let highest = sorted.iter().scan(f64::NEG_INFINITY, |highest, (bounds, _)| {
+            *highest = highest.max(bounds.high[axis]);
+            Some(*highest)
         });
-        Boxes { furthest: furthest.collect(), sorted }
+        Boxes { axis, highest: highest.collect(), sorted }
+    }
+
+    /// The boxes before the window all end too early, those behind it start too late.
+    fn window(&self, around: &Bounds) -> Range<usize> {
+        let first = self.highest.partition_point(|&highest| highest < around.low[self.axis]);
+        let last = self.sorted.partition_point(|(bounds, _)| bounds.low[self.axis] <= around.high[self.axis]);
+        first.min(last)..last
     }
 
     /// Calls `take` with the place of every box that this one is not apart from.
     fn near(&self, around: &Bounds, mut take: impl FnMut(usize)) {
-        // Before the first all end too early, from the last on all start too late.
-        let first = self.furthest.partition_point(|&furthest| furthest < around.low[0]);
-        let last = self.sorted.partition_point(|(bounds, _)| bounds.low[0] <= around.high[0]);
-        for (bounds, place) in &self.sorted[first.min(last)..last] {
+        for (bounds, place) in &self.sorted[self.window(around)] {
             if !around.is_apart(bounds) {
                 take(*place);
             }
