@@ -30,6 +30,8 @@
 
 use predicament_predicates::{Axis, Predicates, Sign, Vertex};
 
+use crate::planted::{Honest, Planted};
+
 /// Where a point is, seen from a cell.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Place {
@@ -46,7 +48,18 @@ pub enum Place {
 ///
 /// No point is inside a cell whose right end is not right of the left one.
 #[inline]
-pub fn place<P: Predicates + ?Sized>(session: &P, axis: Axis, [left, right]: [Vertex; 2], point: Vertex) -> Place {
+pub fn place<P: Predicates + ?Sized>(session: &P, axis: Axis, cell: [Vertex; 2], point: Vertex) -> Place {
+    place_planted::<Honest, P>(session, axis, cell, point)
+}
+
+/// [`place`] with a planted fault.
+#[inline]
+fn place_planted<F: Planted, P: Predicates + ?Sized>(
+    session: &P,
+    axis: Axis,
+    [left, right]: [Vertex; 2],
+    point: Vertex,
+) -> Place {
     let from_left = session.compare(axis, point, left);
     if from_left == Sign::Negative {
         return Place::Outside;
@@ -54,6 +67,7 @@ pub fn place<P: Predicates + ?Sized>(session: &P, axis: Axis, [left, right]: [Ve
     match session.compare(axis, right, point) {
         Sign::Negative => Place::Outside,
         Sign::Positive if from_left == Sign::Positive => Place::Inside,
+        _ if F::CLOSES_INTERVALS => Place::Inside,
         _ => Place::AtEnd,
     }
 }
@@ -73,6 +87,16 @@ pub fn cells_at<P: Predicates + ?Sized>(
     cells: &[[Vertex; 2]],
     point: Vertex,
 ) -> impl Iterator<Item = (usize, Place)> {
-    let places = cells.iter().map(move |&cell| place(session, axis, cell, point));
+    cells_at_planted::<Honest, P>(session, axis, cells, point)
+}
+
+/// [`cells_at`] with a planted fault.
+pub fn cells_at_planted<F: Planted, P: Predicates + ?Sized>(
+    session: &P,
+    axis: Axis,
+    cells: &[[Vertex; 2]],
+    point: Vertex,
+) -> impl Iterator<Item = (usize, Place)> {
+    let places = cells.iter().map(move |&cell| place_planted::<F, P>(session, axis, cell, point));
     places.enumerate().filter(|&(_, place)| place != Place::Outside)
 }

@@ -9,10 +9,12 @@
 //! * [`contacts`]: the pairs of simplices of two complexes that meet.
 //! * [`cube_union`]: volume, area and edge length of a union of cubes.
 //! * [`interval`]: the cell of a line in which a point lies.
+//! * [`planted`]: faults planted in these, to prove the judge.
 //! * [`polygon_locate`]: points in the regions of a map, by ray casting.
 
 pub mod arrangement;
 pub mod contacts;
 pub mod cube_union;
 pub mod interval;
+pub mod planted;
 pub mod polygon_locate;

@@ -8,14 +8,25 @@
 //!
 //! * [`sign`], [`verdict`], [`point`]: determinants and constructed points.
 //! * [`Judged`]: the same as a session, for algorithms that need predicates.
+//! * [`contacts`]: which simplices of two complexes meet.
+//! * [`cubes`]: what a union of cubes measures.
+//! * [`interval`]: the cells of a line that a point is in.
+//! * [`locate`]: the regions of a map that a point is in.
+//! * [`Sample`]: which part of a large input is judged.
 
 mod constructed;
+pub mod contacts;
+pub mod cubes;
 mod determinant;
 mod integers;
+pub mod interval;
+pub mod locate;
+mod sample;
 mod session;
 #[cfg(test)]
 mod tests;
 
 pub use constructed::point;
 pub use determinant::{Verdict, determinant, log2_relative, rational, sign, verdict};
+pub use sample::Sample;
 pub use session::{Judged, TieJudge};

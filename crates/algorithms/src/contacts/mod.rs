@@ -26,6 +26,8 @@ use ask::ask;
 use ended::Ended;
 use near::{Near, PIECE};
 
+use crate::planted::{Honest, Planted};
+
 /// Barycentric coordinates of a point in a simplex, one for each of its
 /// vertices in ascending order; those that the simplex lacks are zero.
 pub type Weights = [f64; 4];
@@ -90,12 +92,21 @@ pub fn levels(dimension: Dimension) -> &'static [&'static [[u8; 2]]] {
 /// If the session doesn't [support](Predicates::supports_contacts) contacts.
 #[must_use]
 pub fn contacts<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex) -> Contacts {
+    contacts_planted::<Honest, S>(session, a, b)
+}
+
+/// [`contacts`] with a planted fault.
+///
+/// # Panics
+/// As [`contacts`].
+#[must_use]
+pub fn contacts_planted<F: Planted, S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex) -> Contacts {
     if let Err(declined) = session.supports_contacts() {
         panic!("the session must support contacts: {declined}");
     }
     match session.scene().dimension() {
-        Dimension::Two => hierarchy::<S, 2>(session, [a, b]),
-        Dimension::Three => hierarchy::<S, 3>(session, [a, b]),
+        Dimension::Two => hierarchy::<F, S, 2>(session, [a, b]),
+        Dimension::Three => hierarchy::<F, S, 3>(session, [a, b]),
     }
 }
 
@@ -119,7 +130,7 @@ pub fn contacts3d<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex)
     contacts(session, a, b)
 }
 
-fn hierarchy<S: Predicates + ?Sized, const D: usize>(session: &S, complexes: [&Complex; 2]) -> Contacts {
+fn hierarchy<F: Planted, S: Predicates + ?Sized, const D: usize>(session: &S, complexes: [&Complex; 2]) -> Contacts {
     let near = Near::<D>::new(session.scene(), complexes, session.reach());
     let mut all = Contacts::default();
     let mut ended = Ended::default();
@@ -133,7 +144,10 @@ fn hierarchy<S: Predicates + ?Sized, const D: usize>(session: &S, complexes: [&C
             all.registered.extend(registered);
         }
         let is_last = level + 1 == levels.len();
-        if all.registered.len() > start && !is_last {
+        if F::LOSES_SUB_PAIRS && !is_last && all.registered.len() > start {
+            all.registered.pop();
+        }
+        if all.registered.len() > start && !is_last && !F::FORGETS_SUB_PAIRS {
             ended.learn(complexes, &all.registered);
         }
     }

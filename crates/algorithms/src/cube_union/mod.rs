@@ -124,6 +124,8 @@ pub use mass::{Mass, Vertices};
 pub use order::{ByIndex, BySession, Face, Order};
 pub use scaled::ScaledCubes;
 
+use crate::planted::{Honest, Planted};
+
 /// Cells that are looked at by one task.
 const CELLS: usize = 1 << 12;
 
@@ -139,6 +141,14 @@ const CELLS: usize = 1 << 12;
 /// [`CubesError`] if the edge length is not positive, or the cubes are more,
 /// or further apart, than exact sums can hold.
 pub fn cube_union<C: Coordinate>(lowers: &[[C; 3]], edge: C) -> Result<Mass, CubesError> {
+    cube_union_planted::<Honest, C>(lowers, edge)
+}
+
+/// [`cube_union`] with a planted fault.
+///
+/// # Errors
+/// As [`cube_union`].
+pub fn cube_union_planted<F: Planted, C: Coordinate>(lowers: &[[C; 3]], edge: C) -> Result<Mass, CubesError> {
     let length = positive(edge.into())?;
     if u32::try_from(lowers.len()).is_err() {
         return Err(CubesError::TooMany { cubes: lowers.len() });
@@ -166,11 +176,11 @@ pub fn cube_union<C: Coordinate>(lowers: &[[C; 3]], edge: C) -> Result<Mass, Cub
                 });
                 cubes.clear();
                 bins.near(id, place, |entry| cubes.push(cube(entry)));
-                if !is_tight {
-                    cubes.retain(|cube| reaches(cube.lower, length, cell));
+                if !is_tight || F::DROPS_BORDER_CUBES {
+                    cubes.retain(|cube| reaches::<F>(cube.lower, length, cell));
                 }
                 if size == length || !is_covered(cubes, length, cell) {
-                    add_cell(cubes, 0, length, cell, scratch, &mut mass);
+                    add_cell::<F>(cubes, 0, length, cell, scratch, &mut mass);
                 }
             }
             mass

@@ -87,7 +87,12 @@ impl LocateIndex {
     ///
     /// # Panics
     /// If the session's scene has no vertex `q`, or lacks vertices of the map.
-    pub fn locate<'a, P: Predicates + ?Sized>(&'a self, session: &P, q: Vertex, scratch: &'a mut Scratch) -> Location<'a> {
+    pub fn locate<'a, P: Predicates + ?Sized>(
+        &'a self,
+        session: &P,
+        q: Vertex,
+        scratch: &'a mut Scratch,
+    ) -> Location<'a> {
         let [x, y] = session.scene().point2(Plane::Xy, q);
         let reach = session.reach();
         let band = if reach == 0.0 { [y, y] } else { [(y - reach).next_down(), (y + reach).next_up()] };
@@ -111,7 +116,12 @@ impl LocateIndex {
     ///
     /// # Panics
     /// If the session's scene has no vertex `q`, or lacks vertices of the map.
-    pub fn question<'a, P: Predicates + ?Sized>(&self, session: &P, q: Vertex, scratch: &'a mut Scratch) -> Location<'a> {
+    pub fn question<'a, P: Predicates + ?Sized>(
+        &self,
+        session: &P,
+        q: Vertex,
+        scratch: &'a mut Scratch,
+    ) -> Location<'a> {
         let point = session.scene().point2(Plane::Xy, q);
         scratch.fit(self);
         for edge in self.columns().above(point, session.reach()) {

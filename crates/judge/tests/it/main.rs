@@ -1,0 +1,11 @@
+//! The truths of the judge: against what is known, against second
+//! computations, and against the algorithms that they are for.
+
+mod contacts;
+mod cubes;
+mod dependencies;
+mod interval;
+mod locate;
+mod planted;
+mod random;
+mod sample;
