@@ -242,10 +242,10 @@ impl<const D: usize> Plan<D> {
 #[must_use]
 pub fn units(x: f64, lowest: i32) -> i128 {
     let (significand, exponent) = decompose(x);
-    // To the right nothing but zeros is shifted out.
+    // To the right nothing but zeros is shifted out; by more than 63 bits only zero is, whatever is left of the shift.
     let magnitude = match u32::try_from(exponent - lowest) {
         Ok(shift) => u128::from(significand).checked_shl(shift).unwrap_or(0),
-        Err(_) => u128::from(significand >> (lowest - exponent)),
+        Err(_) => u128::from(significand.wrapping_shr(lowest.abs_diff(exponent))),
     };
     let units = magnitude.cast_signed();
     if x.is_sign_negative() { units.wrapping_neg() } else { units }

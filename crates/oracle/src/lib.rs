@@ -31,7 +31,7 @@ mod error;
 mod outcome;
 mod prepared;
 mod watch;
-#[cfg(feature = "wild")]
+#[cfg(feature = "peers")]
 mod wild;
 
 pub use case::{Case, Dispute, Truth};

@@ -26,7 +26,7 @@ fault:NAME              a planted fault; `predicament selftest --list` names the
 Where the tool is built with --features peers, Simulation of Simplicity from crates.io:
 simplicity, geogram, rgeometry, delaunay, delaunay:sorted (by vertex, as the crate asks its kernel)";
 
-/// Backends that are crates from crates.io, with the feature `wild`.
+/// Backends that are crates from crates.io, with the feature `peers`.
 pub const WILD: &[&str] = &["simplicity", "geogram", "rgeometry", "delaunay", "delaunay:sorted"];
 
 /// The backend with this name.
@@ -56,7 +56,7 @@ pub fn backend(name: &str) -> Result<Box<dyn Contestant>, String> {
                 return faults::backend(fault)
                     .ok_or_else(|| format!("no fault is called `{fault}`; `predicament selftest --list` names them"));
             }
-            #[cfg(feature = "wild")]
+            #[cfg(feature = "peers")]
             if let Some(wild) = crate::wild::backend(name) {
                 return Ok(wild);
             }

@@ -315,7 +315,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #![proptest_config(ProptestConfig::with_cases(predicament_effort::cases(2000)))]
 
         #[test]
         fn sums_of_products_are_those_of_gmp(parts in proptest::collection::vec(limbs(), 12), takes in any::<u8>()) {
