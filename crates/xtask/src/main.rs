@@ -7,6 +7,8 @@
 //! configure needs `m4`.
 
 mod cpu;
+#[cfg(test)]
+mod house;
 mod m4;
 mod steps;
 
