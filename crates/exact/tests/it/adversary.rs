@@ -98,8 +98,8 @@ const INSPHERE_NEAR: Recipe<3, 5> = Recipe {
 };
 
 /// Runs a recipe with these seeds: nothing errs beyond the constant, and something
-/// beyond this share of it, which is the planted fault. The first seed finds that;
-/// the others are run at whole effort.
+/// beyond this share of it, which is the planted fault. What is left of the seeds
+/// once that is found is run at whole effort.
 fn hunt<const D: usize, const N: usize>(
     recipe: &Recipe<D, N>,
     seeds: std::ops::Range<u64>,
@@ -109,7 +109,10 @@ fn hunt<const D: usize, const N: usize>(
     let mut worst = 0f64;
     let mut caught = false;
     let whole = predicament_effort::whole();
-    for seed in seeds.take(if whole { usize::MAX } else { 1 }) {
+    for seed in seeds {
+        if caught && !whole {
+            break;
+        }
         let points = recipe.climb(seed);
         let verdict = Verdict::new(recipe.formula, &points, &truth(&points));
         assert!(verdict.within(constant, recipe.price), "{points:?} errs more than the constant says");
