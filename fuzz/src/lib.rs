@@ -15,7 +15,7 @@
 #![forbid(unsafe_code)]
 
 pub mod constructed;
-#[path = "../../crates/exact/tests/constructed/judge.rs"]
+#[path = "../../crates/exact/tests/it/constructed/judge.rs"]
 mod judge_of_constructed;
 pub mod points;
 

@@ -200,7 +200,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(4000))]
+        #![proptest_config(ProptestConfig::with_cases(predicament_effort::cases(4000)))]
 
         /// Every intermediate of random straight-line programs is where its ball says.
         #[test]

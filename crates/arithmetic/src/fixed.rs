@@ -213,7 +213,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #![proptest_config(ProptestConfig::with_cases(predicament_effort::cases(2000)))]
 
         #[test]
         fn products_are_those_of_gmp(

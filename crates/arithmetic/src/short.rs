@@ -95,7 +95,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(20_000))]
+        #![proptest_config(ProptestConfig::with_cases(predicament_effort::cases(20_000)))]
 
         #[test]
         fn exact_means_exact(a in double(), b in double()) {

@@ -9,7 +9,7 @@
 //! * [`Shewchuk`]: the crate `robust` as it is, without a guard against
 //!   underflow and overflow.
 //!
-//! With the feature `wild`, `wild` has the Simulation of Simplicity of other crates.
+//! With the feature `peers`, `wild` has the Simulation of Simplicity of other crates.
 //!
 //! Constructed vertices are [computed](constructed) in doubles when a scene is
 //! prepared, and taken for points with those coordinates from then on: that is
@@ -24,7 +24,7 @@ mod naive;
 mod rounded;
 mod session;
 mod shewchuk;
-#[cfg(feature = "wild")]
+#[cfg(feature = "peers")]
 pub mod wild;
 
 pub use determinant::Pivot;

@@ -71,7 +71,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(20_000))]
+        #![proptest_config(ProptestConfig::with_cases(predicament_effort::cases(20_000)))]
 
         #[test]
         fn an_answer_is_a_right_answer(p in prop::array::uniform3(prop::array::uniform2(double()))) {

@@ -5,6 +5,8 @@
 //! counted, and GMP's, which go past Rust's allocator.
 #![allow(unsafe_code)] // an allocator is
 
+#[path = "it/common.rs"]
+#[allow(dead_code)] // what the tests need beside
 mod common;
 
 use std::alloc::{GlobalAlloc, Layout, System};

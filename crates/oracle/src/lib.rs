@@ -15,7 +15,7 @@ pub mod faults;
 pub mod roster;
 
 mod run;
-#[cfg(feature = "wild")]
+#[cfg(feature = "peers")]
 mod wild;
 
 pub use run::run;

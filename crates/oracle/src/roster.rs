@@ -33,7 +33,7 @@ fault:NAME              a planted fault; `predicament selftest --list` names the
 Where the tool is built with --features peers, Simulation of Simplicity from crates.io:
 simplicity, geogram, rgeometry, delaunay, delaunay:sorted (by vertex, as the crate asks its kernel)";
 
-/// Backends that are crates from crates.io, with the feature `wild`.
+/// Backends that are crates from crates.io, with the feature `peers`.
 pub const WILD: &[&str] = &["simplicity", "geogram", "rgeometry", "delaunay", "delaunay:sorted"];
 
 /// Work for one backend, whatever its type.
@@ -77,7 +77,7 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, String> {
                 return faults::visit(fault, visitor)
                     .map_err(|_| format!("no fault is called `{fault}`; `predicament selftest --list` names them"));
             }
-            #[cfg(feature = "wild")]
+            #[cfg(feature = "peers")]
             if WILD.contains(&name) {
                 return Ok(crate::wild::visit(name, visitor));
             }

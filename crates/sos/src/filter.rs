@@ -225,7 +225,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(20_000))]
+        #![proptest_config(ProptestConfig::with_cases(predicament_effort::cases(20_000)))]
 
         #[test]
         fn certain_is_right_near_ties(points in near_ties(), is_about: bool, column in 0..3_usize) {

@@ -1,5 +1,6 @@
 //! `m4`, a C compiler and make: what building GMP takes besides Rust.
 
+use std::io::{IsTerminal, Write};
 use std::process::{Command, Stdio};
 
 /// The package managers we know, with the command that installs m4.
@@ -10,7 +11,27 @@ const INSTALLERS: &[(&str, &[&[&str]])] = &[
     ("brew", &[&["brew", "install", "--quiet", "m4"]]),
 ];
 
-/// Makes sure that GMP can be built, installing m4 where that needs no question.
+/// What is done about a missing package.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Way {
+    /// Install it: root needs no leave, and in a container there is nobody to ask.
+    Install,
+    /// Ask whoever is at the terminal first.
+    Ask,
+    /// Say what to type.
+    Print,
+}
+
+/// Nothing is installed for a user who has not said yes.
+fn way(is_root: bool, is_terminal: bool) -> Way {
+    match (is_root, is_terminal) {
+        (true, _) => Way::Install,
+        (false, true) => Way::Ask,
+        (false, false) => Way::Print,
+    }
+}
+
+/// Makes sure that GMP can be built, and offers to install m4 where it is missing.
 pub fn ensure() -> Result<(), String> {
     for (tool, names) in [("a C compiler", &["cc", "gcc", "clang"][..]), ("make", &["make", "gmake"][..])] {
         if !names.iter().any(|name| on_path(name)) {
@@ -27,22 +48,22 @@ pub fn ensure() -> Result<(), String> {
                 .to_owned(),
         );
     };
-    // brew refuses to run as root and needs no help; the others need root.
-    let prefix: &[&str] = match (*manager, is_root()) {
-        ("brew", _) | (_, true) => &[],
-        _ if sudo_without_password() => &["sudo", "-n"],
-        _ => {
-            let last = commands.last().map(|words| words.join(" ")).unwrap_or_default();
-            return Err(format!("`m4` is missing; type `sudo {last}` and run this again"));
-        }
-    };
+    let is_root = is_root();
+    // brew refuses to run as root; the others need it.
+    let prefix: &[&str] = if is_root || *manager == "brew" { &[] } else { &["sudo"] };
+    let with_prefix = |words: &[&'static str]| -> Vec<&str> { prefix.iter().chain(words).copied().collect() };
+    let last = commands.last().map(|words| with_prefix(words).join(" ")).unwrap_or_default();
+    match way(is_root, std::io::stdin().is_terminal()) {
+        Way::Install => {}
+        Way::Ask if agrees(&last)? => {}
+        Way::Ask | Way::Print => return Err(format!("`m4` is missing; type `{last}` and run this again")),
+    }
     eprintln!("xtask: m4 is missing, GMP needs it to build; installing it with {manager}");
     for command in *commands {
-        let words: Vec<&str> = prefix.iter().chain(command.iter()).copied().collect();
+        let words = with_prefix(command);
         let ran = Command::new(words[0])
             .args(&words[1..])
             .env("DEBIAN_FRONTEND", "noninteractive")
-            .stdin(Stdio::null())
             .stdout(Stdio::null())
             .status();
         // A stale package list is no reason to stop: only the last command counts.
@@ -61,19 +82,42 @@ pub fn ensure() -> Result<(), String> {
     }
 }
 
+/// True if the user says yes to this command.
+fn agrees(command: &str) -> Result<bool, String> {
+    eprint!("xtask: m4 is missing, GMP needs it to build. Run `{command}` now? [y/N] ");
+    std::io::stderr().flush().map_err(|error| error.to_string())?;
+    let mut answer = String::new();
+    std::io::stdin().read_line(&mut answer).map_err(|error| error.to_string())?;
+    Ok(is_yes(&answer))
+}
+
+fn is_yes(answer: &str) -> bool {
+    matches!(answer.trim().to_ascii_lowercase().as_str(), "y" | "yes")
+}
+
 fn on_path(name: &str) -> bool {
     std::env::var_os("PATH").is_some_and(|path| std::env::split_paths(&path).any(|dir| dir.join(name).is_file()))
 }
 
 fn is_root() -> bool {
-    stdout_of("id", &["-u"]).is_some_and(|out| out.trim() == "0")
+    let output = Command::new("id").arg("-u").stdin(Stdio::null()).stderr(Stdio::null()).output();
+    output.is_ok_and(|output| output.status.success() && String::from_utf8_lossy(&output.stdout).trim() == "0")
 }
 
-fn sudo_without_password() -> bool {
-    on_path("sudo") && stdout_of("sudo", &["-n", "true"]).is_some()
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-fn stdout_of(program: &str, args: &[&str]) -> Option<String> {
-    let output = Command::new(program).args(args).stdin(Stdio::null()).stderr(Stdio::null()).output().ok()?;
-    output.status.success().then(|| String::from_utf8_lossy(&output.stdout).into_owned())
+    #[test]
+    fn nothing_is_installed_for_a_user_who_was_not_asked() {
+        assert_eq!(way(false, true), Way::Ask);
+        assert_eq!(way(false, false), Way::Print);
+        assert_eq!([way(true, false), way(true, true)], [Way::Install; 2]);
+    }
+
+    #[test]
+    fn only_yes_is_yes() {
+        assert!([" y\n", "Yes\n"].into_iter().all(is_yes));
+        assert!(["\n", "", "n\n", "no\n", "maybe\n"].into_iter().all(|answer| !is_yes(answer)));
+    }
 }

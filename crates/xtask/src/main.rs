@@ -1,10 +1,14 @@
 //! The chores: `cargo xtask demo` runs the main job and leaves a report to
-//! open, `cargo xtask test` is everything that CI runs.
+//! open, `cargo xtask test` is everything that CI runs, and `cargo xtask nightly`
+//! what takes longer than every change can wait for.
 //!
 //! No dependencies, so that it starts before anything else is built. It has to
 //! look after one thing that cargo can't: `rug` builds GMP, and GMP's
 //! configure needs `m4`.
 
+mod cpu;
+#[cfg(test)]
+mod house;
 mod m4;
 mod steps;
 
@@ -18,6 +22,8 @@ Usage: cargo xtask <command>
 Commands:
   demo   build the tool, run the embedded corpora, leave a report to open
   test   format, clippy, tests, doc tests, docs, and the embedded corpora through the gate
+  nightly
+         heavy tests whole, the peers, the benches, the oldest compiler, a minute of each fuzz target
   setup  only make sure that what the build needs is there (m4, a C compiler, make)
   help   this text
 
@@ -36,6 +42,7 @@ fn main() -> ExitCode {
     let done = match command.as_str() {
         "demo" => m4::ensure().and_then(|()| steps::demo()),
         "test" => m4::ensure().and_then(|()| steps::test()),
+        "nightly" => m4::ensure().and_then(|()| steps::nightly()),
         "setup" => m4::ensure(),
         "help" | "-h" | "--help" => {
             print!("{HELP}");

@@ -1,13 +1,20 @@
-//! The steps of each chore, shown as they start.
+//! The steps of each chore, shown as they start, with the time that each took.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 use std::time::Instant;
+
+use crate::cpu;
 
 /// Where `demo` leaves its work, beside the build.
 const DEMO: &str = "target/demo";
 /// Where `test` leaves its run.
 const GATE: &str = "target/gate";
+/// The variable that says how much of heavy tests is run, as the crate `effort` reads it.
+const EFFORT: (&str, &str) = ("PREDICAMENT_EFFORT", "whole");
+/// Seconds of each fuzz target.
+const FUZZ_SECONDS: u32 = 60;
 
 /// Builds the tool, runs and times the embedded corpora, writes the report.
 pub fn demo() -> Result<(), String> {
@@ -15,6 +22,10 @@ pub fn demo() -> Result<(), String> {
     let path = |name: &str| demo.join(name).display().to_string();
     let (run, bench, report) = (path("run"), path("bench"), path("report"));
     cargo("build the tool", &["build", "--release"])?;
+    let tool = |what: &str, args: &[&str]| {
+        let all = ["run", "--quiet", "--release", "--bin", "predicament", "--"];
+        cargo(what, &all.iter().chain(args).copied().collect::<Vec<_>>())
+    };
     tool("run the embedded corpora", &["run", "--out", &run])?;
     tool("time the backends", &["bench", "--out", &bench])?;
     tool("write the report", &["report", &run, &bench, "--out", &report])?;
@@ -23,17 +34,99 @@ pub fn demo() -> Result<(), String> {
 }
 
 /// Everything that has to pass before a change lands.
+///
+/// One profile for all of it, and one build of the tool: the binary that the tests have used is the one that
+/// runs the corpora.
 pub fn test() -> Result<(), String> {
-    let gate = fresh(GATE)?.join("run").display().to_string();
     cargo("format", &["fmt", "--all", "--check"])?;
-    cargo("clippy", &["clippy", "--release", "--workspace", "--all-targets", "--", "-D", "warnings"])?;
-    cargo("tests and doc tests", &["test", "--release", "--workspace", "--no-fail-fast"])?;
-    with_env("docs", "RUSTDOCFLAGS", "-D warnings", &["doc", "--release", "--workspace", "--no-deps"])?;
-    cargo("build the tool", &["build", "--release"])?;
+    cargo("clippy", &["clippy", "--profile", "ci", "--workspace", "--all-targets", "--", "-D", "warnings"])?;
+    run_tests(&[], &[])?;
+    let docs = ["doc", "--profile", "ci", "--workspace", "--no-deps"];
+    step("docs", &cargo_command(&docs), &[("RUSTDOCFLAGS", "-D warnings")])?;
+    gate()
+}
+
+/// The tests and doc tests, by nextest where it is installed: it starts the tests of all crates at once.
+fn run_tests(features: &[&str], env: &[(&str, &str)]) -> Result<(), String> {
+    let with = |args: &[&'static str]| {
+        let all: Vec<String> = args.iter().chain(features).map(|&word| word.to_owned()).collect();
+        cargo_command(&all)
+    };
+    if answers("cargo", &["nextest", "--version"]) {
+        let run = ["nextest", "run", "--cargo-profile", "ci", "--workspace", "--no-fail-fast"];
+        step("tests", &with(&run), env)?;
+        step("doc tests", &with(&["test", "--profile", "ci", "--workspace", "--doc"]), env)
+    } else {
+        step("tests and doc tests", &with(&["test", "--profile", "ci", "--workspace", "--no-fail-fast"]), env)
+    }
+}
+
+/// The corpora, the embedded run against its expectations and the planted faults, by the binary that was tested.
+fn gate() -> Result<(), String> {
+    let run = fresh(GATE)?.join("run").display().to_string();
+    let tool = target_directory()?.join("ci").join("predicament").display().to_string();
+    let tool = |what: &str, args: &[&str]| {
+        step(what, &[tool.as_str()].iter().chain(args).map(|&word| word.to_owned()).collect::<Vec<_>>(), &[])
+    };
     tool("verify the corpora", &["corpus", "verify"])?;
-    tool("run the embedded corpora", &["run", "--level", "quick", "--out", &gate])?;
-    tool("hold the run against its expectations", &["gate", &gate])?;
+    tool("run the embedded corpora", &["run", "--level", "quick", "--out", &run])?;
+    tool("hold the run against its expectations", &["gate", &run])?;
     tool("see that planted faults are caught", &["selftest"])
+}
+
+/// What takes too long for every change, or needs more than a Rust toolchain. Goes on after a failure, and fails if
+/// anything did, or was not there to be run.
+pub fn nightly() -> Result<(), String> {
+    let peers = ["--features", "peers"];
+    let lint = ["clippy", "--profile", "ci", "--workspace", "--all-targets", "--features", "peers"];
+    let lint = lint.into_iter().chain(["--", "-D", "warnings"]).collect::<Vec<_>>();
+    let done = [
+        cargo("clippy, with peers", &lint),
+        run_tests(&peers, &[EFFORT]),
+        cargo("build the benches", &["bench", "--profile", "ci", "--workspace", "--benches", "--no-run"]),
+        minimum_version(),
+        fuzz(),
+    ];
+    let failed: Vec<String> = done.into_iter().filter_map(Result::err).collect();
+    if failed.is_empty() { Ok(()) } else { Err(failed.join("\nxtask: ")) }
+}
+
+/// Checks the workspace by the oldest compiler that it promises to build with.
+fn minimum_version() -> Result<(), String> {
+    let version = env!("CARGO_PKG_RUST_VERSION");
+    if !answers("rustup", &["run", version, "cargo", "--version"]) {
+        return Err(format!(
+            "Rust {version} is not installed, so nothing was checked with it; type `rustup toolchain install {version}`"
+        ));
+    }
+    let check = ["run", version, "cargo", "check", "--workspace", "--all-targets", "--target-dir", "target/msrv"];
+    step(&format!("check with Rust {version}"), &words("rustup", &check), &[])
+}
+
+/// Every fuzz target for a while.
+fn fuzz() -> Result<(), String> {
+    if !answers("rustup", &["run", "nightly", "cargo", "fuzz", "--version"]) {
+        return Err("fuzzing needs a nightly toolchain and cargo-fuzz, so nothing was fuzzed; type `rustup toolchain \
+                    install nightly` and `cargo install cargo-fuzz`"
+            .to_owned());
+    }
+    let mut targets = Vec::new();
+    let folder = root().join("fuzz/fuzz_targets");
+    for entry in std::fs::read_dir(&folder).map_err(|error| format!("{}: {error}", folder.display()))? {
+        let path = entry.map_err(|error| format!("{}: {error}", folder.display()))?.path();
+        targets.extend(path.file_stem().and_then(OsStr::to_str).map(str::to_owned));
+    }
+    targets.sort();
+    let seconds = format!("-max_total_time={FUZZ_SECONDS}");
+    let mut failed = Vec::new();
+    for target in &targets {
+        let run = ["run", "nightly", "cargo", "fuzz", "run", "--fuzz-dir", "fuzz", target, "--", &seconds];
+        failed.extend(step(&format!("fuzz {target}"), &words("rustup", &run), &[]).err());
+    }
+    if targets.is_empty() {
+        return Err(format!("{} has no fuzz targets", folder.display()));
+    }
+    if failed.is_empty() { Ok(()) } else { Err(failed.join("; ")) }
 }
 
 fn root() -> PathBuf {
@@ -50,30 +143,77 @@ fn fresh(dir: &str) -> Result<PathBuf, String> {
     Ok(PathBuf::from(dir))
 }
 
+/// Where cargo builds: wherever the environment or a configuration file says.
+fn target_directory() -> Result<PathBuf, String> {
+    let output = Command::new(cargo_path())
+        .args(["metadata", "--format-version", "1", "--no-deps"])
+        .current_dir(root())
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|error| format!("cargo metadata did not start: {error}"))?;
+    target_of(&String::from_utf8_lossy(&output.stdout)).ok_or_else(|| "cargo metadata names no folder".to_owned())
+}
+
+/// The target directory in cargo's metadata.
+fn target_of(metadata: &str) -> Option<PathBuf> {
+    let (_, rest) = metadata.split_once("\"target_directory\":\"")?;
+    let (path, _) = rest.split_once('"')?;
+    Some(PathBuf::from(path.replace("\\\\", "\\")))
+}
+
+fn cargo_path() -> String {
+    std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned())
+}
+
+/// True if this can be run, and ends well.
+fn answers(program: &str, args: &[&str]) -> bool {
+    let program = if program == "cargo" { cargo_path() } else { program.to_owned() };
+    let ran =
+        Command::new(program).args(args).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status();
+    ran.is_ok_and(|status| status.success())
+}
+
+fn words(program: &str, args: &[&str]) -> Vec<String> {
+    [program].iter().chain(args).map(|&word| word.to_owned()).collect()
+}
+
+fn cargo_command<S: AsRef<str>>(args: &[S]) -> Vec<String> {
+    std::iter::once(cargo_path()).chain(args.iter().map(|word| word.as_ref().to_owned())).collect()
+}
+
 fn cargo(what: &str, args: &[&str]) -> Result<(), String> {
-    with_env(what, "CARGO_TERM_PROGRESS_WHEN", "auto", args)
+    step(what, &cargo_command(args), &[])
 }
 
-fn tool(what: &str, args: &[&str]) -> Result<(), String> {
-    let all: Vec<&str> =
-        ["run", "--quiet", "--release", "--bin", "predicament", "--"].into_iter().chain(args.iter().copied()).collect();
-    cargo(what, &all)
-}
-
-fn with_env(what: &str, key: &str, value: &str, args: &[&str]) -> Result<(), String> {
-    println!("\n== {what}: cargo {}", args.join(" "));
-    let start = Instant::now();
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let status = Command::new(cargo)
-        .args(args)
-        .env(key, value)
+fn step(what: &str, words: &[String], env: &[(&str, &str)]) -> Result<(), String> {
+    let name = Path::new(&words[0]).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    println!("\n== {what}: {name} {}", words[1..].join(" "));
+    let (start, cpu) = (Instant::now(), cpu::of_children());
+    let status = Command::new(&words[0])
+        .args(&words[1..])
+        .envs(env.iter().copied())
         .current_dir(root())
         .status()
-        .map_err(|error| format!("{what}: cargo did not start: {error}"))?;
+        .map_err(|error| format!("{what}: {name} did not start: {error}"))?;
+    let spent = cpu::of_children()
+        .zip(cpu)
+        .map_or(String::new(), |(after, before)| format!(" ({:.0} s of processor time)", after - before));
     if status.success() {
-        println!("== {what}: ok, {:.0} s", start.elapsed().as_secs_f64());
+        println!("== {what}: ok, {:.0} s{spent}", start.elapsed().as_secs_f64());
         Ok(())
     } else {
         Err(format!("{what} failed: {status}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_target_directory_is_read() {
+        let metadata = r#"{"packages":[],"target_directory":"C:\\a\\target","version":1}"#;
+        assert_eq!(target_of(metadata), Some(PathBuf::from(r"C:\a\target")));
+        assert_eq!(target_of("{}"), None);
     }
 }

@@ -23,7 +23,6 @@ use predicament_algorithms::cube_union::{Coordinate, Mass, cube_union};
 
 use process::{cpu_seconds, peak_kib};
 
-#[path = "../../benches/cube_union/random.rs"]
 mod random;
 
 /// Volume, surface area and edge length of the union of many cubes

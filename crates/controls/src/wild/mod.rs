@@ -1,6 +1,6 @@
 //! Simulation of Simplicity as crates from crates.io offer it.
 //!
-//! Behind the feature `wild`, as nothing here is needed but to be held against
+//! Behind the feature `peers`, as nothing here is needed but to be held against
 //! the laws. One file a crate says what its conventions are in ours: orientation,
 //! identity (a vertex' index is the key, the place in the list, the number), and what
 //! it does not have, which is declined. Nothing is repaired on the way.

@@ -1,0 +1,9 @@
+//! The integration tests, as one binary: each further one would link the crate and compile what they share again.
+
+mod common;
+mod contacts;
+mod contacts_by_signs;
+mod contacts_driver;
+mod polygon_locate;
+mod polygon_shapes;
+mod polygon_special;

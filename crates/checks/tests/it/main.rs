@@ -1,0 +1,9 @@
+//! The integration tests, as one binary: each further one would link the crate and compile what they share again.
+
+mod audit;
+mod axioms;
+mod common;
+mod contacts;
+mod cubes;
+mod partition;
+mod tiling;

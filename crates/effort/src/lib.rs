@@ -1,0 +1,75 @@
+//! How much of a heavy test is run: a tenth by default, all of it under `cargo xtask nightly`.
+//!
+//! A sweep over millions of inputs finds little on its hundredth run that it did
+//! not find on its first, so most runs make a tenth of it. What a test asserts is
+//! the same at either effort, and one variable decides for all tests: [`VARIABLE`].
+//! Nothing but tests depends on this crate.
+
+use std::sync::OnceLock;
+
+/// The environment variable: `whole`, or unset for a tenth.
+pub const VARIABLE: &str = "PREDICAMENT_EFFORT";
+
+/// The part of each heavy test that is left out by default: nine of ten inputs.
+const DIVISOR: usize = 10;
+
+/// 1 if heavy tests are run whole, else 10: one of so many inputs is tried.
+///
+/// # Panics
+///
+/// If [`VARIABLE`] is set to anything but `whole`: a misspelled word must not pass for the whole.
+#[must_use]
+pub fn divisor() -> usize {
+    static READ: OnceLock<usize> = OnceLock::new();
+    *READ.get_or_init(|| {
+        let set = std::env::var_os(VARIABLE);
+        let word = set.map(|word| word.to_string_lossy().into_owned());
+        parse(word.as_deref()).unwrap_or_else(|message| panic!("{message}"))
+    })
+}
+
+fn parse(word: Option<&str>) -> Result<usize, String> {
+    match word {
+        None => Ok(DIVISOR),
+        Some("whole") => Ok(1),
+        Some(other) => Err(format!("{VARIABLE} is `{other}`; only `whole` is known")),
+    }
+}
+
+/// True if heavy tests are run whole.
+#[must_use]
+pub fn whole() -> bool {
+    divisor() == 1
+}
+
+/// How many of this many inputs a heavy test tries: a tenth, rounded up, or all.
+#[must_use]
+pub fn scaled(all: usize) -> usize {
+    all.div_ceil(divisor())
+}
+
+/// As [`scaled`], for the cases of property tests.
+#[must_use]
+pub fn cases(all: u32) -> u32 {
+    u32::try_from(scaled(all as usize)).expect("at most as many as given")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_known_words_set_the_effort() {
+        assert_eq!(parse(None), Ok(10));
+        assert_eq!(parse(Some("whole")), Ok(1));
+        for word in ["", "Whole", "1", "full"] {
+            assert!(parse(Some(word)).unwrap_err().contains(VARIABLE), "`{word}` passes for an effort");
+        }
+    }
+
+    #[test]
+    fn something_is_left_of_everything() {
+        assert_eq!(scaled(1), 1);
+        assert_eq!(cases(4000), if whole() { 4000 } else { 400 });
+    }
+}

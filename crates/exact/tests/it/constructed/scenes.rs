@@ -1,0 +1,135 @@
+//! Scenes with constructed vertices, and questions about them, judged.
+
+use predicament_exact::constructed::{Constructed, FILTER};
+use predicament_predicates::{Axis, Construction, Dimension, Plane, Scene, Sign, Vertex};
+
+use rug::Rational;
+
+use super::judge::{Judge, PLANES};
+use crate::common::Random;
+
+/// What a check has seen: so that a test can say that it has seen something.
+#[derive(Clone, Copy, Default, Debug)]
+pub struct Seen {
+    /// Questions by their answer: negative, zero, positive.
+    pub signs: [usize; 3],
+    /// Questions that the filter settled.
+    pub filtered: usize,
+}
+
+impl Seen {
+    fn add(&mut self, truth: Sign, stage: usize) {
+        self.signs[usize::try_from(truth.as_i8() + 1).unwrap()] += 1;
+        self.filtered += usize::from(stage == FILTER);
+    }
+
+    pub fn all(&self) -> usize {
+        self.signs.iter().sum()
+    }
+}
+
+/// Distinct vertices below n.
+pub fn distinct<const N: usize>(random: &mut Random, n: usize) -> [Vertex; N] {
+    loop {
+        let mut picked: [usize; N] = std::array::from_fn(|_| random.below(n));
+        let vertices = picked.map(Vertex::input);
+        picked.sort_unstable();
+        if picked.windows(2).all(|pair| pair[0] < pair[1]) {
+            return vertices;
+        }
+    }
+}
+
+/// Any construction for scenes of this dimension.
+pub fn any(random: &mut Random, dimension: Dimension, n: usize) -> Construction {
+    match dimension {
+        Dimension::Two => Construction::Ssi([distinct(random, n), distinct(random, n)]),
+        Dimension::Three if random.below(2) == 0 => {
+            Construction::Lpi { line: distinct(random, n), plane: distinct(random, n) }
+        }
+        Dimension::Three => Construction::Tpi([distinct(random, n), distinct(random, n), distinct(random, n)]),
+    }
+}
+
+/// Adds up to `count` constructions that define a point. The others have to be declined.
+pub fn construct(random: &mut Random, scene: &mut Scene, count: usize) {
+    let judge = Judge::new(scene);
+    let inputs = scene.clone();
+    for _ in 0..count {
+        let construction = any(random, scene.dimension(), scene.len());
+        let mut alone = inputs.clone();
+        alone.construct(construction).expect("input vertices of the scene");
+        let is_point = judge.meet(&construction).is_some();
+        assert_eq!(Constructed::new(&alone).is_ok(), is_point, "{construction} of {inputs:?}");
+        if is_point {
+            scene.construct(construction).expect("as alone");
+        }
+    }
+}
+
+/// Asks about every axis and plane, with constructed vertices in some places
+/// and input vertices in the others; with and without the filter.
+pub fn check(random: &mut Random, scene: &Scene, rounds: usize) -> Seen {
+    let judge = Judge::new(scene);
+    let constructed = Constructed::new(scene).expect("every construction defines a point");
+    let mut seen = Seen::default();
+    check_approximations(scene, &judge, &constructed);
+    let (n, m) = (scene.len(), scene.constructions().len());
+    for _ in 0..rounds {
+        let any: [Vertex; 4] = std::array::from_fn(|_| match random.below(2) {
+            0 => Vertex::input(random.below(n)),
+            _ => Vertex::constructed(random.below(m)),
+        });
+        check_one(&judge, &constructed, scene, any, &mut seen);
+    }
+    seen
+}
+
+/// Approximate coordinates are as good as the filter supposes.
+fn check_approximations(scene: &Scene, judge: &Judge, ours: &Constructed) {
+    let power = |exponent: i32| Rational::from(1) << exponent;
+    for v in (0..scene.constructions().len()).map(Vertex::constructed) {
+        for (&x, truth) in ours.approximation(v).iter().zip(judge.point(v)) {
+            let Some(x) = Rational::from_f64(x) else {
+                assert!(truth.clone().abs() >= power(999), "{truth} is no reason for {x}");
+                continue;
+            };
+            let granted = x.clone().abs() * Rational::from((65, 64)) * power(-53) + power(-400);
+            assert!(Rational::from(&x - truth).abs() <= granted, "{x} for {truth}");
+        }
+    }
+}
+
+/// The same for vertices that are given.
+pub fn check_one(judge: &Judge, ours: &Constructed, scene: &Scene, [a, b, c, d]: [Vertex; 4], seen: &mut Seen) {
+    let (axes, planes): (&[Axis], &[Plane]) = match scene.dimension() {
+        Dimension::Two => (&[Axis::X, Axis::Y], &[Plane::Xy]),
+        Dimension::Three => (&[Axis::X, Axis::Y, Axis::Z], &PLANES),
+    };
+    for &axis in axes {
+        let truth = judge.compare(axis, [a, b]);
+        let (sign, stage) = ours.compare(axis, a, b);
+        assert_eq!(sign, truth, "{axis:?} {a} {b} {scene:?}");
+        assert_eq!(ours.compare_exactly(axis, [a, b]), truth, "{axis:?} {a} {b} exactly {scene:?}");
+        seen.add(truth, stage);
+    }
+    for &plane in planes {
+        let truth = judge.orient2d(plane, [a, b, c]);
+        let (sign, stage) = ours.orient2d(plane, a, b, c);
+        assert_eq!(sign, truth, "{plane:?} {a} {b} {c} {scene:?}");
+        assert_eq!(ours.orient2d_exactly(plane, [a, b, c]), truth, "{plane:?} {a} {b} {c} exactly {scene:?}");
+        seen.add(truth, stage);
+    }
+    if scene.dimension() == Dimension::Three {
+        let truth = judge.orient3d([a, b, c, d]);
+        let (sign, stage) = ours.orient3d(a, b, c, d);
+        assert_eq!(sign, truth, "{a} {b} {c} {d} {scene:?}");
+        assert_eq!(ours.orient3d_exactly([a, b, c, d]), truth, "{a} {b} {c} {d} exactly {scene:?}");
+        seen.add(truth, stage);
+    }
+}
+
+/// N random points of this dimension.
+pub fn scene(random: &mut Random, dimension: Dimension, n: usize, mut value: impl FnMut(&mut Random) -> f64) -> Scene {
+    Scene::new(dimension, (0..n * dimension.count()).map(|_| value(random)).collect()).expect("finite")
+}

@@ -1,0 +1,11 @@
+//! The integration tests, as one binary: each further one would link the crate and compile what they share again.
+
+mod batches;
+mod common;
+mod constructed;
+mod judged;
+mod laws;
+mod limits;
+mod per_mesh;
+mod substitution;
+mod tables;

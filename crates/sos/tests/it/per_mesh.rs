@@ -1,0 +1,86 @@
+//! One of two meshes moved as a whole: against whole polynomials in ε, and
+//! against a small number in ε's place.
+
+use crate::common::{self, Random, ask_antisymmetric, grid_scene, questions};
+use predicament_exact::Exact;
+use predicament_predicates::{Axis, Backend, Construction, Off, Plane, Question, Scene, Sign, Vertex};
+use predicament_sos::{PerMesh, infinitesimal::judge_per_mesh};
+
+fn scene(random: &mut Random, dimension: usize, points: usize) -> Scene {
+    let side = 3_usize;
+    let numbers = random.numbers(side.pow(u32::try_from(dimension).unwrap()), points);
+    let second: Vec<Vertex> = (0..points).filter(|_| random.below(2) == 0).map(Vertex::input).collect();
+    grid_scene(dimension, side, &numbers).with_second_mesh(second)
+}
+
+fn args(random: &mut Random, from: usize, arity: usize) -> Vec<Vertex> {
+    let mut all: Vec<usize> = (0..from).collect();
+    (0..arity).map(|_| Vertex::input(all.swap_remove(random.below(all.len())))).collect()
+}
+
+/// Moved by ε = 2⁻¹⁶, in doubles that hold it exactly, the scene has exact
+/// signs: those for small enough ε, as the coefficients are small integers.
+#[test]
+fn ties_between_meshes_are_broken_as_if_one_had_moved() {
+    let (mut random, mut ties, mut zeros) = (Random(21), 0, 0);
+    for _ in 0..300 {
+        for dimension in [2, 3] {
+            let scene = scene(&mut random, dimension, 6);
+            let second = scene.second_mesh().unwrap();
+            let epsilon = 2f64.powi(-16);
+            let by = |at: usize| {
+                if second[at / dimension] { epsilon.powi(1 + i32::try_from(at % dimension).unwrap()) } else { 0.0 }
+            };
+            let coordinates = scene.coordinates().iter().enumerate().map(|(at, x)| x + by(at)).collect();
+            let moved = common::scene(dimension, coordinates).unwrap();
+            let (here, there) = (Exact.prepare(&scene, Off).unwrap(), Exact.prepare(&moved, Off).unwrap());
+            let session = PerMesh.prepare(&scene, Off).unwrap();
+            for question in questions(dimension) {
+                let args = args(&mut random, 6, question.kind().arity());
+                let answer = ask_antisymmetric(&session, question, &args);
+                assert_eq!(answer, judge_per_mesh(&scene, question, &args), "{question:?} of {args:?} in {scene:?}");
+                assert_eq!(answer, question.ask(&there, &args), "{question:?} of {args:?} in {scene:?}");
+                ties += usize::from(question.ask(&here, &args).is_zero() && !answer.is_zero());
+                zeros += usize::from(answer.is_zero());
+            }
+        }
+    }
+    assert!(ties > 300 && zeros > 100, "{ties} {zeros}");
+}
+
+#[test]
+fn constructed_vertices_move_with_what_defines_them() {
+    let (mut random, mut ties) = (Random(22), 0);
+    for _ in 0..150 {
+        let mut scene = scene(&mut random, 3, 8);
+        let planes = args(&mut random, 8, 8);
+        let [a, b, c, d, e, f, g, h] = std::array::from_fn(|i| planes[i]);
+        let lpi = scene.construct(Construction::Lpi { line: [a, b], plane: [c, d, e] }).unwrap();
+        let tpi = scene.construct(Construction::Tpi([[a, b, c], [d, e, f], [g, h, a]])).unwrap();
+        let (Ok(exact), Ok(session)) = (Exact.prepare(&scene, Off), PerMesh.prepare(&scene, Off)) else { continue };
+        for (question, args) in [
+            (Question::Compare(Axis::Y), vec![lpi, f]),
+            (Question::Compare(Axis::X), vec![lpi, tpi]),
+            (Question::Orient2d(Plane::Xy), vec![tpi, f, lpi]),
+            (Question::Orient3d, vec![lpi, f, g, h]),
+        ] {
+            let answer = ask_antisymmetric(&session, question, &args);
+            assert_eq!(answer, judge_per_mesh(&scene, question, &args), "{question:?} of {args:?} in {scene:?}");
+            ties += usize::from(question.ask(&exact, &args).is_zero() && !answer.is_zero());
+        }
+    }
+    assert!(ties > 20, "{ties}");
+}
+
+#[test]
+fn a_mesh_keeps_its_own_ties_and_scenes_without_two_are_declined() {
+    let flat = grid_scene(2, 3, &[0, 4, 8, 1]);
+    assert!(PerMesh.prepare(&flat, Off).err().unwrap().reason.contains("no two meshes"));
+    let v = Vertex::input;
+    let scene = flat.with_second_mesh([v(3)]);
+    let session = PerMesh.prepare(&scene, Off).unwrap();
+    let ask = |question: Question, args: &[Vertex]| question.ask(&session, args);
+    assert_eq!(ask(Question::Orient2d(Plane::Xy), &[v(0), v(1), v(2)]), Sign::Zero, "three of one mesh on a line");
+    // (0, 0) and (1, 0) + (ε, ε²): the second is above.
+    assert_eq!(ask(Question::Compare(Axis::Y), &[v(0), v(3)]), Sign::Negative);
+}

@@ -1,0 +1,8 @@
+//! The integration tests, as one binary: each further one would link the crate and compile what they share again.
+
+mod backend;
+mod band;
+mod bounds;
+mod constraints;
+mod contacts;
+mod steps;
