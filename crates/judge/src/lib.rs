@@ -7,15 +7,18 @@
 //! scenes are run is the crate `oracle`.
 //!
 //! * [`sign`], [`verdict`], [`point`]: determinants and constructed points.
+//! * [`Points`]: the same for one scene, whose constructed points it keeps.
 //! * [`Judged`]: the same as a session, for algorithms that need predicates.
 
 mod constructed;
 mod determinant;
 mod integers;
+mod points;
 mod session;
 #[cfg(test)]
 mod tests;
 
 pub use constructed::point;
 pub use determinant::{Verdict, determinant, log2_relative, rational, sign, verdict};
+pub use points::Points;
 pub use session::{Judged, TieJudge};
