@@ -188,6 +188,9 @@ impl Free<'_> {
             let mut entry = self.cut.constant(Integer::new());
             for at in (0..all).filter(|at| set >> at & 1 == 1) {
                 let without = smaller.iter().position(|&other| other == set ^ 1 << at).expect("a set of that size");
+                if is_zero(&product[without]) || is_zero(&vector[at]) {
+                    continue;
+                }
                 let term = self.cut.times(&product[without], &vector[at]);
                 let above = (set >> at >> 1).count_ones();
                 entry = if above.is_multiple_of(2) { sum(entry, &term) } else { difference(entry, &term) };
@@ -202,7 +205,7 @@ impl Free<'_> {
         let all = self.dimension + 1;
         let pairs: SmallVec<[usize; 6]> = sets(all, 2).collect();
         let mut point: Blade = vec![self.cut.constant(Integer::new()); all];
-        for (pair, l) in pairs.iter().zip(line) {
+        for (pair, l) in pairs.iter().zip(line).filter(|(_, l)| !is_zero(l)) {
             let (i, j) = (pair.trailing_zeros() as usize, pair.ilog2() as usize);
             let [at_i, at_j] = [i, j].map(|at| self.cut.times(&plane[at], l));
             point[j] = sum(std::mem::take(&mut point[j]), &at_i);
@@ -215,7 +218,7 @@ impl Free<'_> {
     fn span(&self, blades: impl IntoIterator<Item = Blade>) -> Spanning {
         let mut spanning = Spanning::new();
         let mut rows: Vec<Vec<Integer>> = Vec::new();
-        for blade in blades {
+        for blade in blades.into_iter().filter(|blade| !blade.iter().all(is_zero)) {
             let len = blade.len();
             if !insert(&mut rows, blade.iter().flatten().cloned().collect()) {
                 continue;
@@ -231,6 +234,10 @@ impl Free<'_> {
         }
         spanning
     }
+}
+
+fn is_zero(x: &Series<Integer>) -> bool {
+    x.iter().all(Integer::is_zero)
 }
 
 /// All sets of so many of the first places, ascending as bit masks.
