@@ -6,14 +6,18 @@
 //! linear equations.
 //!
 //! [`verdict`] computes in rationals, term by term. [`sign`] is for millions of
-//! queries: rationals over one common denominator, which are integers, unless a
-//! vertex is constructed. Runs hold samples of the second against
+//! queries: rationals over common denominators, which are integers. Runs hold
+//! samples of the second against
 //! the first; both are held against a third computation by another method, in
 //! the tests: the homogeneous matrix by fraction-free elimination.
+//! [`Points`](crate::Points) does the same for a whole scene.
+
+use std::borrow::Cow;
 
 use predicament_predicates::{Axis, Plane, Question, Scene, Sign, Vertex};
 use rug::Rational;
 
+use crate::points::{self, Row};
 use crate::{constructed::point, integers};
 
 /// An exact determinant and its permanent-like magnitude.
@@ -54,11 +58,20 @@ pub fn rational(x: f64) -> Rational {
 /// or if it is about a construction that is no point, which scenes of suites don't have.
 #[must_use]
 pub fn sign(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
+    sign_of_rows(scene, question, args, |v| Cow::Owned(points::row(scene, v)))
+}
+
+/// The same, with the rows from `row` if a vertex is constructed.
+pub(crate) fn sign_of_rows<'r>(
+    scene: &Scene,
+    question: Question,
+    args: &[Vertex],
+    row: impl Fn(Vertex) -> Cow<'r, Row>,
+) -> Sign {
     if args.iter().any(|v| v.is_constructed()) {
-        return match (question, args) {
-            (Question::Compare(axis), &[a, b]) => sign_of(&(coordinate(scene, axis, a) - coordinate(scene, axis, b))),
-            _ => sign_of(&determinant(&rows(scene, question, args))),
-        };
+        assert_arity(question, args);
+        let lifted = matches!(question, Question::Incircle | Question::Insphere);
+        return integers::sign_of_rows(&args.iter().map(|&v| row(v)).collect::<Vec<_>>(), axes(&question), lifted);
     }
     let flat = |plane: Plane| move |v| scene.point2(plane, v);
     let solid = |v| scene.point3(v);
@@ -78,46 +91,49 @@ pub fn sign(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
 /// As [`sign`].
 #[must_use]
 pub fn verdict(scene: &Scene, question: Question, args: &[Vertex]) -> Verdict {
+    verdict_of(question, args, |v| Cow::Owned(point(scene, v).unwrap_or_else(|| panic!("{v} is no point"))))
+}
+
+/// The same, of the coordinates from `point`.
+pub(crate) fn verdict_of<'p>(
+    question: Question,
+    args: &[Vertex],
+    point: impl Fn(Vertex) -> Cow<'p, [Rational]>,
+) -> Verdict {
+    assert_arity(question, args);
     if let (Question::Compare(axis), &[a, b]) = (question, args) {
-        let (a, b) = (coordinate(scene, axis, a), coordinate(scene, axis, b));
+        let [a, b] = [a, b].map(|v| point(v)[axis.index()].clone());
         return Verdict { permanent: Rational::from(a.abs_ref()) + Rational::from(b.abs_ref()), determinant: a - b };
     }
-    let rows = rows(scene, question, args);
+    let rows = rows(question, args, point);
     let permanent = permanent(&rows);
     Verdict { determinant: determinant(&rows), permanent }
 }
 
-/// The exact coordinates of a vertex along these axes.
-///
-/// # Panics
-/// As [`sign`].
-fn coordinates(scene: &Scene, axes: &[Axis], v: Vertex) -> Vec<Rational> {
-    if !v.is_constructed() {
-        return axes.iter().map(|&axis| rational(scene.coordinate(axis, v))).collect();
-    }
-    let point = point(scene, v).unwrap_or_else(|| panic!("{v} is no point"));
-    axes.iter().map(|axis| point[axis.index()].clone()).collect()
+fn assert_arity(question: Question, args: &[Vertex]) {
+    let arity = question.kind().arity();
+    assert_eq!(args.len(), arity, "{} takes {arity} vertices", question.kind());
 }
 
-fn coordinate(scene: &Scene, axis: Axis, v: Vertex) -> Rational {
-    coordinates(scene, &[axis], v).swap_remove(0)
+/// The axes whose coordinates are columns of the matrix.
+fn axes(question: &Question) -> &[Axis] {
+    match question {
+        Question::Compare(axis) => std::slice::from_ref(axis),
+        Question::Orient2d(Plane::Xy) | Question::Incircle => &[Axis::X, Axis::Y],
+        Question::Orient2d(Plane::Yz) => &[Axis::Y, Axis::Z],
+        Question::Orient2d(Plane::Zx) => &[Axis::Z, Axis::X],
+        Question::Orient3d | Question::Insphere => &[Axis::X, Axis::Y, Axis::Z],
+    }
 }
 
 /// The matrix of differences to the last vertex, with the lifted column where there is one.
-fn rows(scene: &Scene, question: Question, args: &[Vertex]) -> Vec<Vec<Rational>> {
-    let arity = question.kind().arity();
-    assert_eq!(args.len(), arity, "{} takes {arity} vertices", question.kind());
+fn rows<'p>(question: Question, args: &[Vertex], point: impl Fn(Vertex) -> Cow<'p, [Rational]>) -> Vec<Vec<Rational>> {
     let (last, others) = args.split_last().expect("no predicate takes no vertex");
-    let plane;
-    let axes: &[Axis] = match question {
-        Question::Orient2d(of) => {
-            plane = of.axes();
-            &plane
-        }
-        Question::Incircle => &[Axis::X, Axis::Y],
-        _ => &[Axis::X, Axis::Y, Axis::Z],
+    let axes = axes(&question);
+    let exact = |&v: &Vertex| {
+        let point = point(v);
+        axes.iter().map(|axis| point[axis.index()].clone()).collect::<Vec<_>>()
     };
-    let exact = |v: &Vertex| coordinates(scene, axes, *v);
     let origin = exact(last);
     let lifted = matches!(question, Question::Incircle | Question::Insphere);
     let row = |v: &Vertex| {

@@ -4,8 +4,12 @@
 //! it they are integers, the determinant is an integer, and no fraction ever has
 //! to be reduced: that is where rationals spend nine tenths of their time.
 
-use predicament_predicates::Sign;
+use std::borrow::Cow;
+
+use predicament_predicates::{Axis, Sign};
 use rug::Integer;
+
+use crate::points::Row;
 
 /// Rows of a determinant at most: insphere has four, of three differences and a lift.
 const MOST: usize = 4;
@@ -28,6 +32,37 @@ pub(super) fn sign<const D: usize, const N: usize>(points: [[f64; D]; N], lifted
         }
     }
     determinant(&rows, columns).cmp0().into()
+}
+
+/// The same of points over one denominator each, along these axes. Rows are multiplied by the
+/// positive weights that stand below them.
+pub(super) fn sign_of_rows(points: &[Cow<'_, Row>], axes: &[Axis], lifted: bool) -> Sign {
+    let (last, others) = points.split_last().expect("no predicate takes no vertex");
+    let columns = axes.len() + usize::from(lifted);
+    assert!(columns == others.len() && columns <= MOST, "as many rows as columns, and no more than there is room for");
+    let mut rows: [[Integer; MOST]; MOST] = Default::default();
+    for (row, point) in rows.iter_mut().zip(others) {
+        for (entry, axis) in row.iter_mut().zip(axes) {
+            let axis = axis.index();
+            *entry = Integer::from(&point.coordinates[axis] * &last.weight);
+            *entry -= &last.coordinates[axis] * &point.weight;
+        }
+        if lifted {
+            let weight = Integer::from(&point.weight * &last.weight);
+            let (differences, lift) = row.split_at_mut(axes.len());
+            for difference in differences {
+                lift[0] += &*difference * &*difference;
+                *difference *= &weight;
+            }
+        }
+    }
+    determinant(&rows, columns).cmp0().into()
+}
+
+/// The coordinates of a point as integers, and the power of two that they are to be divided by.
+pub(super) fn over_one_denominator(point: &[f64]) -> (Vec<Integer>, Integer) {
+    let lowest = point.iter().filter(|&&x| x != 0.0).map(|&x| exponent(x)).min().unwrap_or(0).min(0);
+    (point.iter().map(|&x| integer(x, lowest)).collect(), Integer::from(1) << lowest.unsigned_abs())
 }
 
 /// Laplace's expansion, column by column: of each set of k rows the minor in the

@@ -7,6 +7,7 @@
 //! scenes are run is the crate `oracle`.
 //!
 //! * [`sign`], [`verdict`], [`point`]: determinants and constructed points.
+//! * [`Points`]: the same for one scene, whose constructed points it keeps.
 //! * [`Judged`]: the same as a session, for algorithms that need predicates.
 //! * [`contacts`]: which simplices of two complexes meet.
 //! * [`cubes`]: what a union of cubes measures.
@@ -22,6 +23,7 @@ mod integers;
 pub mod interval;
 pub mod locate;
 mod sample;
+mod points;
 mod session;
 #[cfg(test)]
 mod tests;
@@ -29,4 +31,5 @@ mod tests;
 pub use constructed::point;
 pub use determinant::{Verdict, determinant, log2_relative, rational, sign, verdict};
 pub use sample::Sample;
+pub use points::Points;
 pub use session::{Judged, TieJudge};

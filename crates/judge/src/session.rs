@@ -2,7 +2,7 @@
 
 use predicament_predicates::{Axis, Plane, Predicates, Question, Scene, Sign, Vertex};
 
-use crate::{sign, verdict};
+use crate::Points;
 
 /// The sign of a perturbed scene, for backends that break ties: computed in
 /// another way than the backend computes it.
@@ -11,7 +11,7 @@ pub type TieJudge = dyn Fn(&Scene, Question, &[Vertex]) -> Sign + Send + Sync;
 /// A session that answers with the judge's signs. It shares nothing with any
 /// backend; contacts go by the trait's own bodies.
 pub struct Judged<'s> {
-    scene: &'s Scene,
+    points: Points<'s>,
     way: Way<'s>,
 }
 
@@ -22,31 +22,31 @@ enum Way<'s> {
 }
 
 impl<'s> Judged<'s> {
-    /// Exact signs: [`judge::sign`](sign).
+    /// Exact signs: [`judge::sign`](crate::sign).
     #[must_use]
     pub fn exact(scene: &'s Scene) -> Judged<'s> {
-        Judged { scene, way: Way::Exact }
+        Judged { points: Points::of(scene), way: Way::Exact }
     }
 
-    /// Exact signs by the judge's other computation, which is slow: [`judge::verdict`](verdict).
+    /// Exact signs by the judge's other computation, which is slow: [`judge::verdict`](crate::verdict).
     #[must_use]
     pub fn again(scene: &'s Scene) -> Judged<'s> {
-        Judged { scene, way: Way::Again }
+        Judged { points: Points::of(scene), way: Way::Again }
     }
 
     /// The signs of a perturbed scene. A perturbation by infinitesimals
     /// changes no sign that is not zero, so only zeros are asked about.
     #[must_use]
     pub fn perturbed(scene: &'s Scene, ties: &'s TieJudge) -> Judged<'s> {
-        Judged { scene, way: Way::Perturbed(ties) }
+        Judged { points: Points::of(scene), way: Way::Perturbed(ties) }
     }
 
     fn sign(&self, question: Question, args: &[Vertex]) -> Sign {
         match self.way {
-            Way::Exact => sign(self.scene, question, args),
-            Way::Again => verdict(self.scene, question, args).sign(),
-            Way::Perturbed(ties) => match sign(self.scene, question, args) {
-                Sign::Zero => ties(self.scene, question, args),
+            Way::Exact => self.points.sign(question, args),
+            Way::Again => self.points.verdict(question, args).sign(),
+            Way::Perturbed(ties) => match self.points.sign(question, args) {
+                Sign::Zero => ties(self.points.scene(), question, args),
                 sign => sign,
             },
         }
@@ -55,7 +55,7 @@ impl<'s> Judged<'s> {
 
 impl Predicates for Judged<'_> {
     fn scene(&self) -> &Scene {
-        self.scene
+        self.points.scene()
     }
 
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {

@@ -14,10 +14,12 @@ use crate::{Scheme, constructed, stage, ties, ties::Sorted};
 ///
 /// Its promise is proved: the sign of the real determinant where that is not
 /// zero, and else the sign for all small enough ε > 0 of the determinant of
-/// the scene that the scheme has moved. The answer is zero only if a vertex
-/// comes twice in a query.
+/// the scene that the scheme has moved. Between input vertices the answer is zero only if a
+/// vertex comes twice in a query; about constructed vertices it is zero
+/// exactly if the determinant is zero wherever the input vertices are.
 ///
-/// A scene with constructed vertices is declined.
+/// [`Scheme::PerCoordinate`] moves constructed vertices with the vertices that define them. The
+/// other scheme declines scenes that have constructed vertices.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
 pub struct Sos {
     /// How the scene is moved.

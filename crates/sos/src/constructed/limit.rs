@@ -13,8 +13,11 @@ use std::cmp::Ordering;
 
 use predicament_predicates::{Axis, Construction, Dimension, Scene, Vertex};
 use rug::Rational;
+use smallvec::smallvec;
 
+use super::certain::Matrix;
 use super::moved::{Moved, inputs};
+use super::place::Place;
 use super::search::{Expression, Leading, Search};
 use super::series::{Coefficient, Series};
 
@@ -40,9 +43,10 @@ pub struct Limit {
 #[must_use]
 pub fn limit(scene: &Scene, v: Vertex) -> Option<Limit> {
     let construction = scene.construction(v).expect("a constructed vertex of the scene");
-    let inputs = inputs(scene, &[v]);
+    let place = Place::Meet(*construction);
+    let inputs = inputs(&[place]);
     let search = Search::new(scene, &inputs);
-    let leading = |part: Part| search.leading(&Polynomial { v, part });
+    let leading = |part: Part| search.leading(&Polynomial { dimension: scene.dimension().count(), place, part });
     let weight = leading(Part::Weight)?;
     let axes: &[Axis] = match scene.dimension() {
         Dimension::Two => &[Axis::X, Axis::Y],
@@ -102,17 +106,40 @@ enum Part {
 }
 
 struct Polynomial {
-    v: Vertex,
+    dimension: usize,
+    place: Place,
     part: Part,
 }
 
 impl Expression for Polynomial {
     fn of<C: Coefficient>(&self, moved: &Moved<'_, C>) -> Series<C> {
         match self.part {
-            Part::Weight => moved.weight(self.v),
-            Part::Along(axis) => moved.row(self.v).swap_remove(axis.index()),
-            Part::Share(at) => moved.fraction(self.v, at)[0].clone(),
-            Part::Whole(at) => moved.fraction(self.v, at)[1].clone(),
+            Part::Weight => moved.weight(&self.place),
+            Part::Along(axis) => moved.row(&self.place).swap_remove(axis.index()),
+            Part::Share(at) => moved.fraction(&self.place, at)[0].clone(),
+            Part::Whole(at) => moved.fraction(&self.place, at)[1].clone(),
+        }
+    }
+
+    fn matrix(&self) -> Matrix {
+        let entry = |column| Matrix { places: smallvec![self.place], columns: smallvec![column] };
+        let Place::Meet(construction) = self.place else { panic!("an input vertex has no parts") };
+        // On which side of a flat, or of a line that is spun around another one, something is.
+        let side = |vertices: &[Vertex]| Matrix {
+            places: vertices.iter().map(|&v| Place::Input(v)).collect(),
+            columns: (0..vertices.len()).collect(),
+        };
+        match (self.part, construction) {
+            (Part::Along(axis), _) => entry(axis.index()),
+            (Part::Weight | Part::Whole(_), _) => entry(self.dimension),
+            (Part::Share(0), Construction::Ssi([[p, _], [a, b]]))
+            | (Part::Share(1), Construction::Ssi([[a, b], [p, _]])) => side(&[a, b, p]),
+            (Part::Share(0), Construction::Lpi { line: [p, _], plane: [a, b, c] }) => side(&[a, b, c, p]),
+            (Part::Share(at), Construction::Lpi { line: [p, q], plane }) => {
+                // Of the three in a ring, the two that follow.
+                side(&[p, q, plane[at % 3], plane[(at + 1) % 3]])
+            }
+            (Part::Share(at), construction) => panic!("no weight {at} of {construction}"),
         }
     }
 }

@@ -6,6 +6,8 @@
 //! vertices would need one. So the polynomial stays a program: rows and
 //! determinants ([`moved`]) in numbers that carry a few infinitesimals
 //! ([`series`]), and a search for the one monomial that decides ([`search`]).
+//! Definitions are put in their simplest terms first ([`place`]), and what the
+//! search takes for zero is proved to be zero ([`certain`]).
 //!
 //! Infinitesimals are compared as in [`Scheme::PerCoordinate`](crate::Scheme):
 //! coordinate number n of the scene by the n-th, each smaller than any power
@@ -20,56 +22,77 @@
 //! geometry and no ties; the answer is zero. Between input vertices there are
 //! none but those of a vertex that is asked for twice.
 
+mod certain;
 mod limit;
 mod moved;
+mod place;
 mod residue;
 pub(crate) mod rigid;
 mod search;
 mod series;
 
-use predicament_predicates::{Question, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Question, Scene, Sign, Vertex};
 
+use certain::Matrix;
 pub use limit::{Limit, limit};
 use moved::{Moved, inputs};
+use place::{Place, depend};
 use search::{Expression, Search};
 use series::{Coefficient, Series};
+use smallvec::{SmallVec, smallvec};
 
 /// The side of a tie, and the degree of the monomial that decides; none if
-/// the determinant is zero wherever the input vertices are.
+/// the determinant is zero wherever the input vertices are. All constructed
+/// vertices are points of the scene as it is given.
 ///
 /// # Panics
 /// If the scene lacks a vertex, or the question is about circles or spheres.
 pub(crate) fn decide(scene: &Scene, question: Question, args: &[Vertex]) -> Option<(Sign, usize)> {
-    let inputs = inputs(scene, args);
-    let search = Search::new(scene, &inputs);
-    let leading = search.leading(&Determinant { question, args })?;
-    let weights = args.iter().filter(|v| v.is_constructed());
-    let sign = weights.fold(leading.sign(), |sign, &v| {
-        let weight = Weight(v);
-        match search.unmoved(&weight) {
-            // A weight that is always zero is that of lines or planes that never meet in a point.
-            Sign::Zero => sign * search.leading(&weight).map_or(Sign::Zero, |weight| weight.sign()),
-            unmoved => sign * unmoved,
-        }
-    });
+    let places: SmallVec<[Place; 4]> = args.iter().map(|&v| Place::simple(scene, v)).collect();
+    if depend(question, &places) {
+        return None;
+    }
+    let inputs = inputs(&places);
+    let (search, dimension) = (Search::new(scene, &inputs), scene.dimension().count());
+    let leading = search.leading(&Determinant { dimension, question, places: &places })?;
+    let meets = places.iter().filter(|place| matches!(place, Place::Meet(_)));
+    let sign = meets.fold(leading.sign(), |sign, place| sign * search.unmoved(&Weight(*place, dimension)));
+    assert!(!sign.is_zero(), "lines and planes that meet in no point");
     Some((sign, leading.degree()))
 }
 
 struct Determinant<'q> {
+    dimension: usize,
     question: Question,
-    args: &'q [Vertex],
+    places: &'q [Place],
 }
 
 impl Expression for Determinant<'_> {
     fn of<C: Coefficient>(&self, moved: &Moved<'_, C>) -> Series<C> {
-        moved.determinant(self.question, self.args)
+        moved.determinant(self.question, self.places)
+    }
+
+    fn matrix(&self) -> Matrix {
+        let axes: SmallVec<[Axis; 4]> = match self.question {
+            Question::Compare(axis) => SmallVec::from_slice(&[axis]),
+            Question::Orient2d(plane) => SmallVec::from_slice(&plane.axes()),
+            Question::Orient3d => SmallVec::from_slice(&[Axis::X, Axis::Y, Axis::Z]),
+            Question::Incircle | Question::Insphere => panic!("circles are about input vertices"),
+        };
+        let columns = axes.iter().map(|axis| axis.index()).chain([self.dimension]);
+        Matrix { places: SmallVec::from_slice(self.places), columns: columns.collect() }
     }
 }
 
-struct Weight(Vertex);
+/// The weight of a place in a scene of some dimension.
+struct Weight(Place, usize);
 
 impl Expression for Weight {
     fn of<C: Coefficient>(&self, moved: &Moved<'_, C>) -> Series<C> {
-        moved.weight(self.0)
+        moved.weight(&self.0)
+    }
+
+    fn matrix(&self) -> Matrix {
+        Matrix { places: smallvec![self.0], columns: smallvec![self.1] }
     }
 }

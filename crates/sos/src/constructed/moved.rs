@@ -4,21 +4,16 @@
 //! polynomial of them. A constructed vertex is a homogeneous row, its
 //! coordinates times its weight and the weight; an input vertex has weight one.
 
-use predicament_predicates::{Axis, Construction, Dimension, Question, Scene, Vertex};
+use predicament_predicates::{Axis, Construction, Dimension, Question, Vertex};
 
 use smallvec::{SmallVec, smallvec};
 
+use super::place::Place;
 use super::series::{Coefficient, Cut, Series, difference, sum};
 
-/// The input vertices that a question is about, each once, in ascending order.
-pub(super) fn inputs(scene: &Scene, args: &[Vertex]) -> Vec<Vertex> {
-    let mut inputs = Vec::new();
-    for v in args {
-        match v.construction() {
-            None => inputs.push(*v),
-            Some(index) => scene.constructions()[index].flats().for_each(|flat| inputs.extend_from_slice(flat)),
-        }
-    }
+/// The input vertices that places are defined by, each once, in ascending order.
+pub(super) fn inputs(places: &[Place]) -> Vec<Vertex> {
+    let mut inputs: Vec<Vertex> = places.iter().flat_map(Place::vertices).collect();
     inputs.sort_unstable();
     inputs.dedup();
     inputs
@@ -26,7 +21,7 @@ pub(super) fn inputs(scene: &Scene, args: &[Vertex]) -> Vec<Vertex> {
 
 /// Input vertices where they have been moved to.
 pub(super) struct Moved<'q, C> {
-    pub(super) scene: &'q Scene,
+    pub(super) dimension: Dimension,
     pub(super) cut: &'q Cut,
     /// Ascending.
     pub(super) inputs: &'q [Vertex],
@@ -39,10 +34,10 @@ type Row<C> = SmallVec<[Series<C>; 4]>;
 
 impl<C: Coefficient> Moved<'_, C> {
     /// The determinant behind a question, times the weights of all vertices.
-    pub(super) fn determinant(&self, question: Question, args: &[Vertex]) -> Series<C> {
+    pub(super) fn determinant(&self, question: Question, args: &[Place]) -> Series<C> {
         let rows = |axes: &[Axis]| -> SmallVec<[Row<C>; 4]> {
-            let row = |&v: &Vertex| {
-                let all = self.row(v);
+            let row = |place: &Place| {
+                let all = self.row(place);
                 let weight = all.last().cloned().expect("a row has a weight");
                 axes.iter().map(|axis| all[axis.index()].clone()).chain([weight]).collect()
             };
@@ -53,9 +48,13 @@ impl<C: Coefficient> Moved<'_, C> {
             Question::Orient2d(plane) => self.turn(&rows(&plane.axes())),
             Question::Orient3d => self.side(&rows(&[Axis::X, Axis::Y, Axis::Z])),
             Question::Incircle | Question::Insphere => {
+                let input = |place: &Place| match place {
+                    Place::Input(v) => *v,
+                    Place::Meet(construction) => panic!("no circle goes through {construction}"),
+                };
                 let (last, others) = args.split_last().expect("circles take vertices");
-                let row = |v: &Vertex| {
-                    let mut row = self.minus(*v, *last);
+                let row = |place: &Place| {
+                    let mut row = self.minus(input(place), input(last));
                     row.push(self.dot(&row, &row));
                     row
                 };
@@ -64,18 +63,21 @@ impl<C: Coefficient> Moved<'_, C> {
         }
     }
 
-    /// The weight of a constructed vertex.
-    pub(super) fn weight(&self, v: Vertex) -> Series<C> {
-        self.row(v).pop().expect("a row has a weight")
+    /// The weight of a place.
+    pub(super) fn weight(&self, place: &Place) -> Series<C> {
+        self.row(place).pop().expect("a row has a weight")
     }
 
     /// The homogeneous row.
-    pub(super) fn row(&self, v: Vertex) -> Row<C> {
-        let Some(index) = v.construction() else {
-            let one = self.cut.constant(C::one());
-            return self.point(v).iter().cloned().chain([one]).collect();
+    pub(super) fn row(&self, place: &Place) -> Row<C> {
+        let construction = match place {
+            Place::Input(v) => {
+                let one = self.cut.constant(C::one());
+                return self.point(*v).iter().cloned().chain([one]).collect();
+            }
+            Place::Meet(construction) => *construction,
         };
-        match self.scene.constructions()[index] {
+        match construction {
             Construction::Ssi([[p, q], [a, b]]) => {
                 let from = |p| self.perp(&self.minus(b, a), &self.minus(p, a));
                 self.between([p, q], [from(p), from(q)])
@@ -101,29 +103,29 @@ impl<C: Coefficient> Moved<'_, C> {
 
     /// Numerator and denominator of one of the weights of a constructed vertex,
     /// in the order of [`Limit::weights`](super::Limit::weights).
-    pub(super) fn fraction(&self, v: Vertex, at: usize) -> [Series<C>; 2] {
-        let index = v.construction().expect("a constructed vertex");
+    pub(super) fn fraction(&self, place: &Place, at: usize) -> [Series<C>; 2] {
         let zero = || self.cut.constant(C::zero());
         // The way from where f is f(p) to where it is f(q), up to f = 0.
         let way = |at_p: Series<C>, at_q: Series<C>| [difference(zero(), &at_p), difference(at_q, &at_p)];
-        match (self.scene.constructions()[index], at) {
-            (Construction::Ssi([[p, q], [a, b]]), 0) | (Construction::Ssi([[a, b], [p, q]]), 1) => {
+        match (*place, at) {
+            (Place::Meet(Construction::Ssi([[p, q], [a, b]])), 0)
+            | (Place::Meet(Construction::Ssi([[a, b], [p, q]])), 1) => {
                 let from = |p| self.perp(&self.minus(b, a), &self.minus(p, a));
                 way(from(p), from(q))
             }
-            (Construction::Lpi { line: [p, q], plane }, 0) => {
+            (Place::Meet(Construction::Lpi { line: [p, q], plane }), 0) => {
                 let normal = self.normal(plane);
                 let from = |p| self.dot(&normal, &self.minus(p, plane[0]));
                 way(from(p), from(q))
             }
-            (Construction::Lpi { line: [p, q], plane: [a, b, c] }, 1..=3) => {
+            (Place::Meet(Construction::Lpi { line: [p, q], plane: [a, b, c] }), 1..=3) => {
                 let along = self.minus(q, p);
                 let part = |b, c| self.dot(&self.cross(&along, &self.minus(b, p)), &self.minus(c, p));
                 let parts = [part(b, c), part(c, a), part(a, b)];
                 let whole = parts.iter().fold(zero(), sum);
                 [parts[at - 1].clone(), whole]
             }
-            _ => panic!("no weight {at} of {v}"),
+            _ => panic!("no weight {at} of {place:?}"),
         }
     }
 
@@ -138,7 +140,7 @@ impl<C: Coefficient> Moved<'_, C> {
 
     fn point(&self, v: Vertex) -> &[Series<C>] {
         let place = self.inputs.binary_search(&v).expect("a vertex of the question");
-        let stride = match self.scene.dimension() {
+        let stride = match self.dimension {
             Dimension::Two => 2,
             Dimension::Three => 3,
         };

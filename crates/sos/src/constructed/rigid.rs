@@ -8,6 +8,7 @@ use predicament_predicates::{Question, Scene, Sign, Vertex};
 use rug::Integer;
 
 use super::moved::{Moved, inputs};
+use super::place::Place;
 use super::search::{Expression, integers};
 use super::series::Cut;
 use super::{Determinant, Weight};
@@ -25,16 +26,19 @@ const POWERS: [usize; 3] = [3, 12, 84];
 /// If the scene lacks a vertex or has no two meshes.
 pub(crate) fn decide(scene: &Scene, question: Question, args: &[Vertex]) -> Option<(Sign, usize)> {
     let second = scene.second_mesh().expect("a scene with two meshes");
-    let inputs = inputs(scene, args);
+    let places: Vec<Place> = args.iter().map(|&v| Place::of(scene, v)).collect();
+    let inputs = inputs(&places);
     let moving = inputs.iter().filter(|v| second[v.index()]).count();
     if moving == 0 || moving == inputs.len() {
         return None;
     }
+    let dimension = scene.dimension().count();
     let constructed = args.iter().any(|v| v.is_constructed());
     let rigid = Rigid { scene, inputs: &inputs, second, constructed };
-    let (sign, power) = rigid.leading(&Determinant { question, args })?;
-    let weights = args.iter().filter(|v| v.is_constructed());
-    let sign = weights.fold(sign, |sign, &v| sign * rigid.leading(&Weight(v)).map_or(Sign::Zero, |(sign, _)| sign));
+    let (sign, power) = rigid.leading(&Determinant { dimension, question, places: &places })?;
+    let meets = places.iter().filter(|place| matches!(place, Place::Meet(_)));
+    let weight = |place: &Place| rigid.leading(&Weight(*place, dimension)).map_or(Sign::Zero, |(sign, _)| sign);
+    let sign = meets.fold(sign, |sign, place| sign * weight(place));
     Some((sign, power))
 }
 
@@ -68,6 +72,6 @@ impl Rigid<'_> {
         };
         let (_, coordinates) = integers(self.scene, self.inputs);
         let coordinates = coordinates.into_iter().enumerate().map(coordinate).collect();
-        expression.of(&Moved { scene: self.scene, cut: &cut, inputs: self.inputs, coordinates })
+        expression.of(&Moved { dimension: self.scene.dimension(), cut: &cut, inputs: self.inputs, coordinates })
     }
 }

@@ -11,19 +11,20 @@
 //! # What is certain
 //! A determinant about four constructed vertices has up to 108 infinitesimals,
 //! and nobody can write it out. Whether a coefficient, which is a polynomial in
-//! the larger infinitesimals, is zero is seen from its value at a fixed random
-//! place modulo 2^61 − 1. A value that is not zero proves that the polynomial isn't.
-//! One that is zero is found again modulo 2^31 − 1, at another place, before the
-//! polynomial is taken for zero. By the lemma of Schwartz and Zippel
-//! that is wrong in one of 2^(55 + 26) cases (degrees up to 64), of inputs
-//! that don't know the two places. The coefficient that decides in the end is
-//! computed in integers: if it is not that of the largest monomial, it still is
-//! one of the determinant's.
+//! the larger infinitesimals, is zero is guessed from its value at a fixed
+//! place modulo 2^61 − 1, and modulo 2^31 − 1 where that is zero. A value that is not zero
+//! proves that the polynomial isn't. One that is zero proves nothing, so once
+//! the search has found a monomial, those that it passed over are proved to
+//! have no coefficients: where nothing moves by one evaluation in integers, and
+//! else as [`certain`](super::certain) tells. Where the
+//! proof fails the search goes on there. So the answer is certain, whatever
+//! the coordinates are.
 
 use predicament_arithmetic::Parts;
 use predicament_predicates::{Scene, Sign, Vertex};
 use rug::Integer;
 
+use super::certain::{Free, Matrix};
 use super::moved::Moved;
 use super::residue::Residue;
 use super::series::{Coefficient, Cut, Series};
@@ -31,6 +32,9 @@ use super::series::{Coefficient, Cut, Series};
 /// A polynomial of the coordinates.
 pub(super) trait Expression {
     fn of<C: Coefficient>(&self, moved: &Moved<'_, C>) -> Series<C>;
+
+    /// What it is the determinant of, but for its sign.
+    fn matrix(&self) -> Matrix;
 }
 
 /// What decides about a moved polynomial.
@@ -110,7 +114,7 @@ impl<'q> Search<'q> {
             // Some degree has a coefficient: the polynomial of these infinitesimals is not zero.
             loop {
                 chosen.last_mut().expect("pushed above").1 += 1;
-                if self.is_there(expression, smallest, &chosen) {
+                if self.is_there(expression, smallest, &chosen) || !self.vanishes(expression, smallest, &chosen) {
                     break;
                 }
             }
@@ -121,6 +125,19 @@ impl<'q> Search<'q> {
 
     /// How many infinitesimals it takes for a coefficient not to be zero, up to `most`.
     fn fewest(&self, expression: &impl Expression, most: usize, chosen: &[(usize, usize)]) -> Option<usize> {
+        let mut with = match self.probably_fewest(expression, most, chosen) {
+            Some(with) => with,
+            None if self.vanishes(expression, most, chosen) => return None,
+            None => most,
+        };
+        while with > 0 && !self.vanishes(expression, with - 1, chosen) {
+            with -= 1;
+        }
+        Some(with)
+    }
+
+    /// A number of infinitesimals for which the coefficient is not zero, and probably the smallest.
+    fn probably_fewest(&self, expression: &impl Expression, most: usize, chosen: &[(usize, usize)]) -> Option<usize> {
         let is_there = |active: usize| self.is_there(expression, active, chosen);
         // Few are the rule: from none on in growing steps, then between the last two.
         let (mut without, mut with) = (0, 0);
@@ -137,6 +154,18 @@ impl<'q> Search<'q> {
         Some(with)
     }
 
+    /// Whether that coefficient is certainly zero, where those of lower powers of the last chosen infinitesimals are.
+    fn vanishes(&self, expression: &impl Expression, active: usize, chosen: &[(usize, usize)]) -> bool {
+        if active == 0 {
+            return self.coefficient(expression, chosen).is_zero();
+        }
+        let cut = Cut::new(chosen.iter().map(|&(_, degree)| degree));
+        let coordinates =
+            (0..self.coordinates.len()).map(|at| self.moved(&cut, at, self.integer(at), chosen)).collect();
+        let (dimension, matrix) = (self.scene.dimension().count(), expression.matrix());
+        Free { cut: &cut, dimension, matrix, inputs: self.inputs, coordinates, active }.is_zero()
+    }
+
     /// Whether the coefficient of the chosen powers is not zero, as a polynomial in the `active` largest infinitesimals.
     fn is_there(&self, expression: &impl Expression, active: usize, chosen: &[(usize, usize)]) -> bool {
         !self.evaluate(expression, |at| self.by_61[at][usize::from(at < active)], chosen).is_zero()
@@ -144,11 +173,12 @@ impl<'q> Search<'q> {
     }
 
     fn coefficient(&self, expression: &impl Expression, chosen: &[(usize, usize)]) -> Integer {
-        let place = |at: usize| {
-            let (m, k) = self.coordinates[at];
-            Integer::from(m) << k
-        };
-        self.evaluate(expression, place, chosen)
+        self.evaluate(expression, |at| self.integer(at), chosen)
+    }
+
+    fn integer(&self, at: usize) -> Integer {
+        let (m, k) = self.coordinates[at];
+        Integer::from(m) << k
     }
 
     /// The coefficient of the chosen powers where the other infinitesimals have values.
@@ -159,18 +189,20 @@ impl<'q> Search<'q> {
         chosen: &[(usize, usize)],
     ) -> C {
         let cut = Cut::new(chosen.iter().map(|&(_, degree)| degree));
-        let moved = |at: usize| {
-            let mut series = cut.constant(place(at));
-            if let Some(one) = chosen.iter().position(|&(infinitesimal, _)| infinitesimal == at)
-                && let Some(place) = cut.place(one, 1)
-            {
-                series[place] = C::one();
-            }
-            series
-        };
-        let coordinates = (0..self.coordinates.len()).map(moved).collect();
-        let moved = Moved { scene: self.scene, cut: &cut, inputs: self.inputs, coordinates };
+        let coordinates = (0..self.coordinates.len()).map(|at| self.moved(&cut, at, place(at), chosen)).collect();
+        let moved = Moved { dimension: self.scene.dimension(), cut: &cut, inputs: self.inputs, coordinates };
         expression.of(&moved).pop().expect("a series has a coefficient for its cut")
+    }
+
+    /// A coordinate from a place, by its infinitesimal if that is chosen.
+    fn moved<C: Coefficient>(&self, cut: &Cut, at: usize, place: C, chosen: &[(usize, usize)]) -> Series<C> {
+        let mut series = cut.constant(place);
+        if let Some(one) = chosen.iter().position(|&(infinitesimal, _)| infinitesimal == at)
+            && let Some(place) = cut.place(one, 1)
+        {
+            series[place] = C::one();
+        }
+        series
     }
 }
 

@@ -96,6 +96,20 @@ impl Cut {
         self.degrees.iter().map(|degree| degree + 1).product()
     }
 
+    /// Whether nothing but constants is kept.
+    pub(super) fn is_constant(&self) -> bool {
+        self.len() == 1
+    }
+
+    /// All monomials that are kept, the constant one first.
+    pub(super) fn monomials<C: Coefficient>(&self) -> impl Iterator<Item = Series<C>> + '_ {
+        (0..self.len()).map(|place| {
+            let mut monomial = self.constant(C::zero());
+            monomial[place] = C::one();
+            monomial
+        })
+    }
+
     /// The place of an infinitesimal's power, if it is kept.
     pub(super) fn place(&self, infinitesimal: usize, power: usize) -> Option<usize> {
         let stride: usize = self.degrees[..infinitesimal].iter().map(|degree| degree + 1).product();

@@ -4,24 +4,24 @@
 //! infinitesimal of its own, planes and lines get their coefficients as minors
 //! of the matrix of their points, constructed vertices are the minors of those,
 //! and all of it is multiplied out, monomial by monomial. First nothing moves,
-//! then the vertex with the smallest index, then one more vertex at a time: once
-//! the polynomial isn't zero, its largest monomial decides.
+//! then the first coordinate of the vertex with the smallest index, then one
+//! more coordinate at a time: once the polynomial isn't zero, its largest
+//! monomial decides, as all others have a smaller infinitesimal.
 //!
 //! What is zero wherever the vertices are would take all of them, and is seen at
 //! two places with large random coordinates instead, in integers of any size. In
 //! the same way a question about more than a few vertices is rid of those
 //! that the largest monomial does without.
 
-use std::collections::BTreeMap;
-
 use predicament_predicates::{Axis, Construction, Question, Scene, Sign, Vertex};
 use rug::{Integer, Rational};
 
-/// Degrees by infinitesimal, four bits each, the smallest infinitesimal's in the
-/// highest bits: the smallest key is the largest monomial.
-#[derive(Clone, Debug, Default)]
-struct Polynomial(BTreeMap<u128, Integer>);
+use super::polynomial::{Number, Polynomial, determinant, orthogonal};
 
+/// Bits for a degree. Degrees by infinitesimal make up a monomial's key, the smallest
+/// infinitesimal's in the highest bits: the smallest key is the largest monomial.
+/// Degrees stay below 16: four points of three planes each share a vertex
+/// twelve times at most.
 const BITS: usize = 4;
 
 /// Of so many vertices whole polynomials can be written out.
@@ -33,170 +33,28 @@ fn key(infinitesimal: usize) -> u128 {
     1 << (BITS * infinitesimal)
 }
 
-impl Polynomial {
-    fn constant(c: Integer) -> Polynomial {
-        let mut polynomial = Polynomial::default();
-        if !c.is_zero() {
-            polynomial.0.insert(0, c);
-        }
-        polynomial
-    }
-
-    /// Degrees stay below 16: four points of three planes each share a
-    /// vertex twelve times at most.
-    fn times(&self, other: &Polynomial) -> Polynomial {
-        let mut product: BTreeMap<u128, Integer> = BTreeMap::new();
-        for (a, x) in &self.0 {
-            for (b, y) in &other.0 {
-                *product.entry(a + b).or_default() += x * y;
-            }
-        }
-        product.retain(|_, c| !c.is_zero());
-        Polynomial(product)
-    }
-
-    fn add(&mut self, other: &Polynomial, negative: bool) {
-        for (&monomial, c) in &other.0 {
-            let sum = self.0.entry(monomial).or_default();
-            if negative {
-                *sum -= c
-            } else {
-                *sum += c
-            }
-            if sum.is_zero() {
-                self.0.remove(&monomial);
-            }
-        }
-    }
-
-    fn sign(&self) -> Sign {
-        self.0.values().next().map_or(Sign::Zero, |c| c.cmp0().into())
-    }
-}
-
-/// By Laplace along the first column.
-fn determinant(matrix: &[Vec<Polynomial>]) -> Polynomial {
-    let [first, ..] = matrix else { return Polynomial::default() };
-    if first.len() == 1 {
-        return first[0].clone();
-    }
-    let mut sum = Polynomial::default();
-    for (at, row) in matrix.iter().enumerate() {
-        let rest: Vec<Vec<Polynomial>> =
-            matrix.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, row)| row[1..].to_vec()).collect();
-        if !row[0].0.is_empty() {
-            sum.add(&row[0].times(&determinant(&rest)), at % 2 == 1);
-        }
-    }
-    sum
-}
-
-/// The maximal minors of n rows of n + 1 entries, with alternating signs: what
-/// all rows are orthogonal to.
-fn orthogonal(rows: &[Vec<Polynomial>]) -> Vec<Polynomial> {
-    let without = |column: usize| -> Vec<Vec<Polynomial>> {
-        rows.iter()
-            .map(|row| row.iter().enumerate().filter(|(i, _)| *i != column).map(|(_, x)| x.clone()).collect())
-            .collect()
-    };
-    let minor = |column: usize| {
-        let mut signed = Polynomial::default();
-        signed.add(&determinant(&without(column)), column % 2 == 1);
-        signed
-    };
-    (0..=rows.len()).map(minor).collect()
-}
-
-struct Moved {
-    /// Homogeneous.
-    points: BTreeMap<Vertex, Vec<Polynomial>>,
-}
-
-/// How the vertices of a question move.
+/// The polynomials behind a question.
 #[derive(Clone, Copy)]
-enum Move<'v> {
-    /// Some of them, by infinitesimals.
-    Slightly(&'v [Vertex]),
-    /// Some of them, by large random numbers: nothing is zero then but what always is.
-    Anywhere(&'v [Vertex], u64),
-    /// Some of them as a whole, by (ε, ε², ε³): a monomial is a power of ε.
-    Rigidly(&'v [bool]),
+enum Part {
+    /// The determinant times the weights of all constructed vertices.
+    Determinant,
+    /// The weight of an argument.
+    Weight(Vertex),
 }
 
-impl Moved {
-    fn new(scene: &Scene, vertices: &[Vertex], by: Move<'_>) -> Moved {
-        let dimension = scene.dimension().count();
-        let exact = |x: f64| Rational::from_f64(x).expect("a scene's coordinates are finite");
-        let coordinates = || vertices.iter().flat_map(|&v| scene.point(v)).map(|&x| exact(x));
-        let common = coordinates().map(|x| x.denom().clone()).max().unwrap_or_else(|| Integer::from(1));
-        let mut noise = Integer::from(1);
-        let mut coordinate = |v: Vertex, axis: usize, x: f64| {
-            let x = (exact(x) * &common).into_numer_denom().0;
-            match by {
-                Move::Slightly(active) => {
-                    let mut polynomial = Polynomial::constant(x);
-                    if let Some(rank) = active.iter().position(|&active| active == v) {
-                        polynomial.0.insert(key(rank * dimension + axis), Integer::from(1));
-                    }
-                    polynomial
-                }
-                Move::Rigidly(moving) => {
-                    let mut polynomial = Polynomial::constant(x);
-                    if moving[v.index()] {
-                        polynomial.0.insert(axis as u128 + 1, Integer::from(1));
-                    }
-                    polynomial
-                }
-                Move::Anywhere(active, factor) => {
-                    // Powers modulo the prime 2^89 − 1.
-                    noise = (noise.clone() * factor + 1) % ((Integer::from(1) << 89) - 1);
-                    Polynomial::constant(if active.contains(&v) { x + &noise } else { x })
-                }
-            }
-        };
-        let mut point = |&v: &Vertex| {
-            let mut point: Vec<Polynomial> =
-                scene.point(v).iter().enumerate().map(|(axis, &x)| coordinate(v, axis, x)).collect();
-            point.push(Polynomial::constant(Integer::from(1)));
-            (v, point)
-        };
-        Moved { points: vertices.iter().map(&mut point).collect() }
-    }
-
-    fn point(&self, scene: &Scene, v: Vertex) -> Vec<Polynomial> {
-        let Some(index) = v.construction() else { return self.points[&v].clone() };
-        let flat =
-            |vertices: &[Vertex]| orthogonal(&vertices.iter().map(|v| self.points[v].clone()).collect::<Vec<_>>());
-        match &scene.constructions()[index] {
-            Construction::Ssi(lines) => orthogonal(&lines.iter().map(|line| flat(line)).collect::<Vec<_>>()),
-            Construction::Tpi(planes) => orthogonal(&planes.iter().map(|plane| flat(plane)).collect::<Vec<_>>()),
-            Construction::Lpi { line, plane } => {
-                let plane = flat(plane);
-                let [p, q] = line.map(|v| &self.points[&v]);
-                let at = |point: &[Polynomial]| {
-                    let mut sum = Polynomial::default();
-                    plane.iter().zip(point).for_each(|(a, x)| sum.add(&a.times(x), false));
-                    sum
-                };
-                let (at_p, at_q) = (at(p), at(q));
-                let coordinate = |(p, q): (&Polynomial, &Polynomial)| {
-                    let mut x = p.times(&at_q);
-                    x.add(&q.times(&at_p), true);
-                    x
-                };
-                p.iter().zip(q).map(coordinate).collect()
-            }
-        }
-    }
-}
-
-/// What a question is about: its input vertices, and its matrix as a function of their move.
+/// What a question is about: its input vertices, and its polynomials as functions of their places.
 struct Asked<'q> {
     scene: &'q Scene,
     question: Question,
     args: &'q [Vertex],
+    /// Ascending.
     vertices: Vec<Vertex>,
+    /// Their coordinates times a common denominator.
+    places: Vec<Vec<Integer>>,
 }
+
+/// Homogeneous points of a question's input vertices.
+type Points<N> = Vec<Vec<N>>;
 
 impl<'q> Asked<'q> {
     fn new(scene: &'q Scene, question: Question, args: &'q [Vertex]) -> Asked<'q> {
@@ -208,50 +66,159 @@ impl<'q> Asked<'q> {
         let mut vertices: Vec<Vertex> = args.iter().flat_map(flats).collect();
         vertices.sort_unstable();
         vertices.dedup();
-        Asked { scene, question, args, vertices }
+        let exact = |&x: &f64| Rational::from_f64(x).expect("a scene's coordinates are finite");
+        let points: Vec<Vec<Rational>> = vertices.iter().map(|&v| scene.point(v).iter().map(exact).collect()).collect();
+        // Denominators of doubles are powers of two: the largest is common to all.
+        let common = points.iter().flatten().map(Rational::denom).max().cloned().unwrap_or_else(|| Integer::from(1));
+        let integer = |x: Rational| (x * &common).into_numer_denom().0;
+        let places = points.into_iter().map(|point| point.into_iter().map(integer).collect()).collect();
+        Asked { scene, question, args, vertices, places }
     }
 
-    fn moved(&self, by: Move<'_>) -> Moved {
-        Moved::new(self.scene, &self.vertices, by)
+    /// The points whose coordinates `moved` makes of a vertex' number, an axis and a place.
+    fn points<N: Number>(&self, mut moved: impl FnMut(usize, usize, &Integer) -> N) -> Points<N> {
+        let point = |(at, place): (usize, &Vec<Integer>)| {
+            let coordinates = place.iter().enumerate().map(|(axis, x)| moved(at, axis, x));
+            coordinates.chain([N::constant(Integer::from(1))]).collect()
+        };
+        self.places.iter().enumerate().map(point).collect()
     }
 
-    /// The determinant times the weights of all constructed vertices.
-    fn determinant(&self, moved: &Moved) -> Polynomial {
-        let planar;
+    fn in_place(&self) -> Points<Integer> {
+        self.points(|_, _, x| x.clone())
+    }
+
+    /// Some vertices moved by large random numbers: nothing is zero then but what always is.
+    fn anywhere(&self, active: &[Vertex], factor: u64) -> Points<Integer> {
+        let mut noise = Integer::from(1);
+        let prime = (Integer::from(1) << 89) - 1;
+        self.points(|at, _, x| {
+            // Powers modulo the prime.
+            noise *= factor;
+            noise += 1;
+            noise %= &prime;
+            if active.contains(&self.vertices[at]) { Integer::from(x + &noise) } else { x.clone() }
+        })
+    }
+
+    /// The first coordinates of some vertices moved by infinitesimals.
+    fn slightly(&self, active: &[Vertex], coordinates: usize) -> Points<Polynomial> {
+        let dimension = self.scene.dimension().count();
+        self.points(|at, axis, x| {
+            let mut moved = Polynomial::constant(x.clone());
+            let rank = active.iter().position(|&active| active == self.vertices[at]);
+            if let Some(infinitesimal) = rank.map(|rank| rank * dimension + axis)
+                && infinitesimal < coordinates
+            {
+                moved.push(key(infinitesimal));
+            }
+            moved
+        })
+    }
+
+    /// Some vertices moved as a whole, by (ε, ε², ε³): a monomial's key is its power of ε.
+    fn rigidly(&self, moving: &[bool]) -> Points<Polynomial> {
+        self.points(|at, axis, x| {
+            let mut moved = Polynomial::constant(x.clone());
+            if moving[self.vertices[at].index()] {
+                moved.push(axis as u128 + 1);
+            }
+            moved
+        })
+    }
+
+    /// A vertex' homogeneous coordinates.
+    fn row<N: Number>(&self, points: &Points<N>, v: Vertex) -> Vec<N> {
+        let point = |v: Vertex| &points[self.vertices.binary_search(&v).expect("a vertex of the question")];
+        let Some(index) = v.construction() else { return point(v).clone() };
+        let flat = |vertices: &[Vertex]| orthogonal(&vertices.iter().map(|&v| point(v).clone()).collect::<Vec<_>>());
+        match &self.scene.constructions()[index] {
+            Construction::Ssi(lines) => orthogonal(&lines.iter().map(|line| flat(line)).collect::<Vec<_>>()),
+            Construction::Tpi(planes) => orthogonal(&planes.iter().map(|plane| flat(plane)).collect::<Vec<_>>()),
+            Construction::Lpi { line, plane } => {
+                let plane = flat(plane);
+                let [p, q] = line.map(point);
+                let at = |point: &[N]| {
+                    let mut sum = N::default();
+                    plane.iter().zip(point).for_each(|(a, x)| sum.add_product(a, x, false));
+                    sum
+                };
+                let (at_p, at_q) = (at(p), at(q));
+                let coordinate = |(p, q): (&N, &N)| {
+                    let mut x = N::default();
+                    x.add_product(p, &at_q, false);
+                    x.add_product(q, &at_p, true);
+                    x
+                };
+                p.iter().zip(q).map(coordinate).collect()
+            }
+        }
+    }
+
+    fn value<N: Number>(&self, part: Part, points: &Points<N>) -> N {
+        if let Part::Weight(v) = part {
+            return self.row(points, v).pop().expect("a point has a weight");
+        }
         let axes: &[Axis] = match &self.question {
             Question::Compare(axis) => std::slice::from_ref(axis),
-            Question::Orient2d(plane) => {
-                planar = plane.axes();
-                &planar
-            }
+            Question::Orient2d(plane) => &plane.axes(),
             Question::Incircle => &[Axis::X, Axis::Y],
             _ => &[Axis::X, Axis::Y, Axis::Z],
         };
         let lifted = matches!(self.question, Question::Incircle | Question::Insphere);
         let row = |&v: &Vertex| {
-            let mut point = moved.point(self.scene, v);
+            let mut point = self.row(points, v);
             let weight = point.pop().expect("a point has a weight");
-            let mut row: Vec<Polynomial> = axes.iter().map(|axis| point[axis.index()].clone()).collect();
+            let mut row: Vec<N> = axes.iter().map(|axis| point[axis.index()].clone()).collect();
             if lifted {
                 // Of input vertices, whose weight is one.
-                let mut lift = Polynomial::default();
-                row.iter().for_each(|x| lift.add(&x.times(x), false));
+                let mut lift = N::default();
+                row.iter().for_each(|x| lift.add_product(x, x, false));
                 row.push(lift);
             }
             row.push(weight);
             row
         };
-        determinant(&self.args.iter().map(row).collect::<Vec<_>>())
+        let matrix: Vec<Vec<N>> = self.args.iter().map(row).collect();
+        determinant(&matrix, &(0..matrix.len()).collect::<Vec<_>>())
     }
 
-    fn weight(&self, moved: &Moved, v: Vertex) -> Polynomial {
-        moved.point(self.scene, v).pop().expect("a point has a weight")
+    /// The sign of the determinant, by the signs of polynomials.
+    fn sign(&self, of: impl Fn(Part) -> Sign) -> Sign {
+        let constructed = self.args.iter().filter(|v| v.is_constructed());
+        constructed.fold(of(Part::Determinant), |product, &v| match product {
+            Sign::Zero => Sign::Zero,
+            product => product * of(Part::Weight(v)),
+        })
     }
 
-    /// The sign of the determinant, by the signs of polynomials of the move.
-    fn sign(&self, of: impl Fn(&dyn Fn(&Moved) -> Polynomial) -> Sign) -> Sign {
-        let determinant = of(&|moved| self.determinant(moved));
-        self.args.iter().fold(determinant, |product, &v| product * of(&|moved| self.weight(moved, v)))
+    /// The sign of a polynomial that moves slightly.
+    fn slight_sign(&self, part: Part) -> Sign {
+        let still = Sign::from(self.value(part, &self.in_place()).cmp0());
+        if !still.is_zero() {
+            return still;
+        }
+        let is_zero = |active: &[Vertex]| {
+            [0x9e37_79b9_7f4a_7c15, 0xd1b5_4a32_d192_ed03]
+                .iter()
+                .all(|&factor| self.value(part, &self.anywhere(active, factor)).is_zero())
+        };
+        if is_zero(&self.vertices) {
+            return Sign::Zero;
+        }
+        let mut movable = self.vertices.clone();
+        if movable.len() > FEW {
+            // Smallest first: what is not zero without a vertex' move has a monomial without it, which is larger.
+            for v in self.vertices.iter().rev() {
+                let others: Vec<Vertex> = movable.iter().copied().filter(|other| other != v).collect();
+                if !is_zero(&others) {
+                    movable = others;
+                }
+            }
+        }
+        let coordinates = movable.len() * self.scene.dimension().count();
+        let mut signs = (1..=coordinates).map(|active| self.value(part, &self.slightly(&movable, active)).sign());
+        signs.find(|sign| !sign.is_zero()).expect("the determinant is zero for certain moves only")
     }
 }
 
@@ -259,29 +226,7 @@ impl<'q> Asked<'q> {
 /// its own; zero if it is zero wherever the input vertices are.
 pub(super) fn judge(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
     let asked = Asked::new(scene, question, args);
-    let vertices = &asked.vertices;
-    asked.sign(|of| {
-        let is_zero = |active: &[Vertex]| {
-            [0x9e37_79b9_7f4a_7c15, 0xd1b5_4a32_d192_ed03]
-                .iter()
-                .all(|&factor| of(&asked.moved(Move::Anywhere(active, factor))).sign().is_zero())
-        };
-        if is_zero(vertices) {
-            return Sign::Zero;
-        }
-        let mut movable = vertices.clone();
-        if movable.len() > FEW {
-            // Smallest first: what is not zero without a vertex' move has a monomial without it, which is larger.
-            for v in vertices.iter().rev() {
-                let others: Vec<Vertex> = movable.iter().copied().filter(|other| other != v).collect();
-                if !is_zero(&others) {
-                    movable = others;
-                }
-            }
-        }
-        let signs = (0..=movable.len()).map(|active| of(&asked.moved(Move::Slightly(&movable[..active]))).sign());
-        signs.into_iter().find(|sign| !sign.is_zero()).expect("the determinant is zero for certain moves only")
-    })
+    asked.sign(|part| asked.slight_sign(part))
 }
 
 /// The sign where the second of two meshes has moved by (ε, ε², ε³); zero if it is zero however far that moves.
@@ -291,6 +236,6 @@ pub(super) fn judge(scene: &Scene, question: Question, args: &[Vertex]) -> Sign 
 #[must_use]
 pub fn judge_per_mesh(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
     let asked = Asked::new(scene, question, args);
-    let moving = scene.second_mesh().expect("a scene with two meshes");
-    asked.sign(|of| of(&asked.moved(Move::Rigidly(moving))).sign())
+    let points = asked.rigidly(scene.second_mesh().expect("a scene with two meshes"));
+    asked.sign(|part| asked.value(part, &points).sign())
 }

@@ -21,6 +21,7 @@
 //! limit rises to let in the next vertex.
 
 mod constructed;
+mod polynomial;
 
 pub use constructed::judge_per_mesh;
 

@@ -1,6 +1,7 @@
 //! The integration tests, as one binary: each further one would link the crate and compile what they share again.
 
 mod batches;
+mod certain;
 mod common;
 mod constructed;
 mod judged;

@@ -20,12 +20,13 @@ const TWICE: usize = 1024;
 pub fn truth(scene: &Scene, queries: &QuerySet, watch: &Watch) -> Result<Vec<Sign>, Stop> {
     let mut signs = vec![Sign::Zero; queries.len()];
     let question = queries.question();
+    let judge = judge::Points::of(scene);
     signs.par_chunks_mut(CHUNK).enumerate().try_for_each(|(chunk, signs)| {
         for (query, sign) in (chunk * CHUNK..).zip(&mut *signs) {
             let args = queries.args(query);
-            *sign = judge::sign(scene, question, args);
+            *sign = judge.sign(question, args);
             if query.is_multiple_of(TWICE) {
-                let again = judge::verdict(scene, question, args).sign();
+                let again = judge.verdict(question, args).sign();
                 assert_eq!(*sign, again, "the judge contradicts itself: {}", question.query(args));
             }
         }

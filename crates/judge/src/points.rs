@@ -1,0 +1,110 @@
+//! The judge prepared for one scene: each constructed point is solved for once.
+//!
+//! A point of three planes takes four determinants of rationals, and a scene
+//! asks about the same points again and again. [`Points`] keeps them, as
+//! rationals and over one denominator.
+
+use std::borrow::Cow;
+use std::sync::OnceLock;
+
+use predicament_predicates::{Question, Scene, Sign, Vertex};
+use rug::{Integer, Rational};
+
+use crate::determinant::{Verdict, sign_of_rows, verdict_of};
+use crate::{constructed, integers};
+
+/// A point over one denominator: its coordinates are integers divided by the weight.
+#[derive(Clone, Debug)]
+pub(crate) struct Row {
+    pub(crate) coordinates: Vec<Integer>,
+    /// Positive.
+    pub(crate) weight: Integer,
+}
+
+impl Row {
+    fn of(point: &[Rational]) -> Row {
+        let weight = point.iter().fold(Integer::from(1), |weight, x| weight.lcm(x.denom()));
+        let over = |x: &Rational| Integer::from(weight.div_exact_ref(x.denom())) * x.numer();
+        Row { coordinates: point.iter().map(over).collect(), weight }
+    }
+}
+
+/// The row of any vertex, solved for anew if it is constructed.
+///
+/// # Panics
+/// If a constructed vertex is no point.
+pub(crate) fn row(scene: &Scene, v: Vertex) -> Row {
+    if v.is_constructed() {
+        return Row::of(&constructed::point(scene, v).unwrap_or_else(|| panic!("{v} is no point")));
+    }
+    let (coordinates, weight) = integers::over_one_denominator(scene.point(v));
+    Row { coordinates, weight }
+}
+
+/// A constructed vertex, as rationals and over one denominator.
+struct Solved {
+    point: Vec<Rational>,
+    row: Row,
+}
+
+/// Truth about one scene. Constructed points are computed when they are first
+/// asked for, by whichever thread that is, and kept.
+pub struct Points<'s> {
+    scene: &'s Scene,
+    constructed: Vec<OnceLock<Option<Solved>>>,
+}
+
+impl<'s> Points<'s> {
+    /// Nothing is computed yet.
+    #[must_use]
+    pub fn of(scene: &'s Scene) -> Points<'s> {
+        Points { scene, constructed: scene.constructions().iter().map(|_| OnceLock::new()).collect() }
+    }
+
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self) -> &'s Scene {
+        self.scene
+    }
+
+    /// The exact coordinates of a vertex, as by the function [`point`](crate::point).
+    ///
+    /// # Panics
+    /// If the scene has no such vertex.
+    #[must_use]
+    pub fn point(&self, v: Vertex) -> Option<Cow<'_, [Rational]>> {
+        match v.construction() {
+            None => constructed::point(self.scene, v).map(Cow::Owned),
+            Some(index) => self.solved(index, v).map(|solved| Cow::Borrowed(&*solved.point)),
+        }
+    }
+
+    /// The exact sign of a query, as by the function [`sign`](crate::sign).
+    ///
+    /// # Panics
+    /// If the query does not fit the scene, or is about a construction that is no point.
+    #[must_use]
+    pub fn sign(&self, question: Question, args: &[Vertex]) -> Sign {
+        sign_of_rows(self.scene, question, args, |v| match v.construction() {
+            None => Cow::Owned(row(self.scene, v)),
+            Some(index) => Cow::Borrowed(&self.solved(index, v).unwrap_or_else(|| panic!("{v} is no point")).row),
+        })
+    }
+
+    /// The exact determinant of a query with its permanent, as by the function [`verdict`](crate::verdict).
+    ///
+    /// # Panics
+    /// As [`sign`](Points::sign).
+    #[must_use]
+    pub fn verdict(&self, question: Question, args: &[Vertex]) -> Verdict {
+        verdict_of(question, args, |v| self.point(v).unwrap_or_else(|| panic!("{v} is no point")))
+    }
+
+    fn solved(&self, index: usize, v: Vertex) -> Option<&Solved> {
+        let solve = || {
+            let point = constructed::point(self.scene, v)?;
+            Some(Solved { row: Row::of(&point), point })
+        };
+        self.constructed[index].get_or_init(solve).as_ref()
+    }
+}

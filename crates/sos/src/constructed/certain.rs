@@ -1,0 +1,288 @@
+//! Whether a determinant is zero for certain, wherever some coordinates are.
+//!
+//! Its rows are the homogeneous coordinates of places, or some of those.
+//!
+//! Homogeneous coordinates make everything multilinear: a plane is linear in each of its
+//! vertices, a point of three planes in each plane, the determinant in each
+//! point. So nothing has to be written out. A vertex that is free to move and occurs
+//! once stands for the space that its homogeneous coordinates span; planes and points are
+//! then spaces too, each spanned by the images of what spans its parts, and the determinant
+//! is zero exactly if it is zero for all of these.
+//!
+//! Of a vertex that occurs k times the determinant is a polynomial of degree k. If
+//! it is zero even where each occurrence moves by itself, it is zero. If
+//! not, the vertex takes as many places as such a polynomial needs to be
+//! zero everywhere. This goes through all such vertices, and takes long where many occur often,
+//! but it ends, and it has proved the answer then. Where all vertices are free, some of
+//! them stand still: columns that are left out are as good as rows of unit vectors, and with
+//! these the determinant is zero or not in all projective frames alike.
+//!
+//! Coefficients of powers of infinitesimals are [`Series`]; spaces are modules over them.
+
+use predicament_predicates::{Construction, Vertex};
+use rug::Integer;
+use smallvec::SmallVec;
+
+use super::place::Place;
+use super::series::{Cut, Series, difference, sum};
+
+/// By sets of places of one size, ascending as bit masks: of one place each, a point or a plane.
+type Blade = Vec<Series<Integer>>;
+
+/// What spans a space.
+type Spanning = Vec<Blade>;
+
+/// As many homogeneous coordinates of each place as there are places.
+#[derive(Clone)]
+pub(super) struct Matrix {
+    pub(super) places: SmallVec<[Place; 4]>,
+    /// By axis; the last one is the weight.
+    pub(super) columns: SmallVec<[usize; 4]>,
+}
+
+/// A determinant, of which some coordinates are free.
+pub(super) struct Free<'q> {
+    pub(super) cut: &'q Cut,
+    pub(super) dimension: usize,
+    pub(super) matrix: Matrix,
+    /// Ascending.
+    pub(super) inputs: &'q [Vertex],
+    /// Vertex after vertex, where those that are not free are.
+    pub(super) coordinates: Vec<Series<Integer>>,
+    /// So many coordinates are free, from the first one on.
+    pub(super) active: usize,
+}
+
+impl Free<'_> {
+    /// Whether the determinant is zero wherever the free coordinates are.
+    pub(super) fn is_zero(&self) -> bool {
+        let mut occurring = vec![0; self.inputs.len()];
+        for v in self.matrix.places.iter().flat_map(Place::vertices) {
+            occurring[self.number(v)] += 1;
+        }
+        let mut fixed: Vec<Option<Blade>> = vec![None; self.inputs.len()];
+        let mut often: Vec<usize> =
+            (0..self.inputs.len()).filter(|&at| occurring[at] > 1 && self.free_axes(at) > 0).collect();
+        often.sort_by_key(|&at| std::cmp::Reverse(occurring[at]));
+        if self.active == self.coordinates.len() && self.cut.is_constant() {
+            let mut all: Vec<usize> = (0..self.inputs.len()).collect();
+            all.sort_by_key(|&at| std::cmp::Reverse(occurring[at]));
+            for (&at, point) in all.iter().zip(self.frame()) {
+                fixed[at] = Some(point);
+            }
+            often.retain(|&at| fixed[at].is_none());
+        }
+        self.is_zero_for_all(&often, &occurring, &mut fixed)
+    }
+
+    /// The same for vertices in all places that matter.
+    fn is_zero_for_all(&self, often: &[usize], occurring: &[usize], fixed: &mut Vec<Option<Blade>>) -> bool {
+        if self.is_zero_by_occurrence(fixed) {
+            return true;
+        }
+        let Some((&at, rest)) = often.split_first() else { return false };
+        for offsets in simplex(self.free_axes(at), occurring[at]) {
+            let mut point = self.point(at);
+            for (x, offset) in point.iter_mut().zip(offsets) {
+                *x = self.cut.constant(Integer::from(offset));
+            }
+            fixed[at] = Some(point);
+            if !self.is_zero_for_all(rest, occurring, fixed) {
+                return false;
+            }
+        }
+        fixed[at] = None;
+        true
+    }
+
+    /// Whether the determinant is zero where each occurrence of a free vertex moves by itself.
+    fn is_zero_by_occurrence(&self, fixed: &[Option<Blade>]) -> bool {
+        let Matrix { places, columns } = &self.matrix;
+        let row = |place: &Place| {
+            let chosen = |row: Blade| columns.iter().map(|&column| row[column].clone()).collect();
+            self.span(self.row(place, fixed).into_iter().map(chosen))
+        };
+        self.wedges(places.iter().map(row).collect(), columns.len()).is_empty()
+    }
+
+    fn number(&self, v: Vertex) -> usize {
+        self.inputs.binary_search(&v).expect("a vertex of the question")
+    }
+
+    /// How many axes of a vertex are free.
+    fn free_axes(&self, at: usize) -> usize {
+        self.active.saturating_sub(at * self.dimension).min(self.dimension)
+    }
+
+    /// The rest of the projective frame that has the columns left out for points: the other
+    /// unit vectors, and the sum of all.
+    fn frame(&self) -> impl Iterator<Item = Blade> + '_ {
+        let ones = vec![self.cut.constant(Integer::from(1)); self.dimension + 1];
+        self.matrix.columns.iter().map(|&column| self.unit(column, self.dimension + 1)).chain([ones])
+    }
+
+    /// A unit vector.
+    fn unit(&self, at: usize, len: usize) -> Blade {
+        (0..len).map(|i| self.cut.constant(Integer::from(i32::from(i == at)))).collect()
+    }
+
+    /// The homogeneous coordinates of an input vertex.
+    fn point(&self, at: usize) -> Blade {
+        let mut point = self.coordinates[at * self.dimension..][..self.dimension].to_vec();
+        point.push(self.cut.constant(Integer::from(1)));
+        point
+    }
+
+    /// What an input vertex spans.
+    fn vertex(&self, v: Vertex, fixed: &[Option<Blade>]) -> Spanning {
+        let at = self.number(v);
+        if let Some(point) = &fixed[at] {
+            return vec![point.clone()];
+        }
+        let free = self.free_axes(at);
+        let mut point = self.point(at);
+        point[..free].fill(self.cut.constant(Integer::new()));
+        let mut spanning: Spanning = (0..free).map(|axis| self.unit(axis, self.dimension + 1)).collect();
+        spanning.push(point);
+        spanning
+    }
+
+    /// What the homogeneous coordinates of a place span.
+    fn row(&self, place: &Place, fixed: &[Option<Blade>]) -> Spanning {
+        let all = self.dimension + 1;
+        let flat = |vertices: &[Vertex]| {
+            let points = vertices.iter().map(|&v| self.vertex(v, fixed)).collect();
+            self.wedges(points, all).into_iter().map(dual).collect::<Spanning>()
+        };
+        match place {
+            Place::Input(v) => self.vertex(*v, fixed),
+            Place::Meet(Construction::Ssi(lines)) => {
+                self.wedges(lines.iter().map(|line| flat(line)).collect(), all).into_iter().map(dual).collect()
+            }
+            Place::Meet(Construction::Tpi(planes)) => {
+                self.wedges(planes.iter().map(|plane| flat(plane)).collect(), all).into_iter().map(dual).collect()
+            }
+            Place::Meet(Construction::Lpi { line, plane }) => {
+                let line = self.wedges(line.iter().map(|&v| self.vertex(v, fixed)).collect(), all);
+                let plane = flat(plane);
+                let pairs = line.iter().flat_map(|line| plane.iter().map(move |plane| (line, plane)));
+                self.span(pairs.map(|(line, plane)| self.cross(line, plane)))
+            }
+        }
+    }
+
+    /// What the products of spaces span.
+    fn wedges(&self, factors: Vec<Spanning>, all: usize) -> Spanning {
+        let mut factors = factors.into_iter().enumerate();
+        let (_, first) = factors.next().expect("a product has factors");
+        factors.fold(first, |product, (size, factor)| {
+            let pairs = product.iter().flat_map(|a| factor.iter().map(move |b| (a, b)));
+            self.span(pairs.map(|(a, b)| self.wedge(a, b, all, size)))
+        })
+    }
+
+    /// The exterior product of a product of `size` vectors and one more.
+    fn wedge(&self, product: &Blade, vector: &Blade, all: usize, size: usize) -> Blade {
+        let smaller: SmallVec<[usize; 6]> = sets(all, size).collect();
+        let entry = |set: usize| {
+            let mut entry = self.cut.constant(Integer::new());
+            for at in (0..all).filter(|at| set >> at & 1 == 1) {
+                let without = smaller.iter().position(|&other| other == set ^ 1 << at).expect("a set of that size");
+                if is_zero(&product[without]) || is_zero(&vector[at]) {
+                    continue;
+                }
+                let term = self.cut.times(&product[without], &vector[at]);
+                let above = (set >> at >> 1).count_ones();
+                entry = if above.is_multiple_of(2) { sum(entry, &term) } else { difference(entry, &term) };
+            }
+            entry
+        };
+        sets(all, size + 1).map(entry).collect()
+    }
+
+    /// The point of a line, which is a product of two, on a plane.
+    fn cross(&self, line: &Blade, plane: &Blade) -> Blade {
+        let all = self.dimension + 1;
+        let pairs: SmallVec<[usize; 6]> = sets(all, 2).collect();
+        let mut point: Blade = vec![self.cut.constant(Integer::new()); all];
+        for (pair, l) in pairs.iter().zip(line).filter(|(_, l)| !is_zero(l)) {
+            let (i, j) = (pair.trailing_zeros() as usize, pair.ilog2() as usize);
+            let [at_i, at_j] = [i, j].map(|at| self.cut.times(&plane[at], l));
+            point[j] = sum(std::mem::take(&mut point[j]), &at_i);
+            point[i] = difference(std::mem::take(&mut point[i]), &at_j);
+        }
+        point
+    }
+
+    /// Fewer that span the same.
+    fn span(&self, blades: impl IntoIterator<Item = Blade>) -> Spanning {
+        let mut spanning = Spanning::new();
+        let mut rows: Vec<Vec<Integer>> = Vec::new();
+        for blade in blades.into_iter().filter(|blade| !blade.iter().all(is_zero)) {
+            let len = blade.len();
+            if !insert(&mut rows, blade.iter().flatten().cloned().collect()) {
+                continue;
+            }
+            for monomial in self.cut.monomials().skip(1) {
+                insert(&mut rows, blade.iter().flat_map(|x| self.cut.times(x, &monomial)).collect());
+            }
+            spanning.push(blade);
+            if rows.len() == rows[0].len() {
+                // All there is.
+                return (0..len).map(|at| self.unit(at, len)).collect();
+            }
+        }
+        spanning
+    }
+}
+
+fn is_zero(x: &Series<Integer>) -> bool {
+    x.iter().all(Integer::is_zero)
+}
+
+/// All sets of so many of the first places, ascending as bit masks.
+fn sets(all: usize, size: usize) -> impl Iterator<Item = usize> {
+    (0..1_usize << all).filter(move |set| set.count_ones() as usize == size)
+}
+
+/// What is orthogonal to a product of one vector less than there are places.
+fn dual(product: Blade) -> Blade {
+    // In descending order of the place that is left out.
+    let negative = |x: Series<Integer>| x.into_iter().map(|x| -x).collect();
+    product.into_iter().rev().enumerate().map(|(at, x)| if at % 2 == 1 { negative(x) } else { x }).collect()
+}
+
+/// All non-negative integers, as many as axes, with sum up to `most`.
+fn simplex(axes: usize, most: usize) -> Vec<Vec<u32>> {
+    let mut points = vec![Vec::new()];
+    for _ in 0..axes {
+        let longer = |point: Vec<u32>| {
+            let left = u32::try_from(most).expect("a degree") - point.iter().sum::<u32>();
+            (0..=left).map(move |last| [point.as_slice(), &[last]].concat())
+        };
+        points = points.into_iter().flat_map(longer).collect();
+    }
+    points
+}
+
+/// Adds a row to rows in echelon form, if it does not depend on them.
+fn insert(rows: &mut Vec<Vec<Integer>>, mut row: Vec<Integer>) -> bool {
+    for other in rows.iter() {
+        let pivot = other.iter().position(|x| !x.is_zero()).expect("no row is zero");
+        if row[pivot].is_zero() {
+            continue;
+        }
+        let factor = row[pivot].clone();
+        for (x, y) in row.iter_mut().zip(other) {
+            *x *= &other[pivot];
+            *x -= &factor * y;
+        }
+    }
+    let common = row.iter().fold(Integer::new(), |common, x| common.gcd(x));
+    if common.is_zero() {
+        return false;
+    }
+    row.iter_mut().for_each(|x| x.div_exact_mut(&common));
+    rows.push(row);
+    true
+}

@@ -1,0 +1,162 @@
+//! What defines a point of a question, in the simplest terms.
+//!
+//! Two lines through one vertex meet in that vertex, and two planes through
+//! two vertices meet in their line. Where the point is there at all, its row
+//! is that of the simpler definition times a factor, which the weight has as
+//! well; so signs can be asked of the simpler one. Many determinants that are
+//! zero wherever the vertices are can be told from the definitions alone then.
+
+use predicament_predicates::{Construction, Question, Scene, Vertex};
+use smallvec::SmallVec;
+
+/// A point of a question: an input vertex, or where lines and planes meet.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Place {
+    Input(Vertex),
+    /// Canonical, if the place is [`simple`](Place::simple).
+    Meet(Construction),
+}
+
+impl Place {
+    pub(super) fn of(scene: &Scene, v: Vertex) -> Place {
+        v.construction().map_or(Place::Input(v), |index| Place::Meet(scene.constructions()[index]))
+    }
+
+    /// The simplest definition of a vertex that is a point of the scene as it is given.
+    pub(super) fn simple(scene: &Scene, v: Vertex) -> Place {
+        match Place::of(scene, v) {
+            Place::Input(v) => Place::Input(v),
+            Place::Meet(construction) => simplified(construction.canonical()),
+        }
+    }
+
+    /// The input vertices behind it, as often as they occur.
+    pub(super) fn vertices(&self) -> SmallVec<[Vertex; 9]> {
+        match self {
+            Place::Input(v) => SmallVec::from_slice(&[*v]),
+            Place::Meet(construction) => construction.flats().flatten().copied().collect(),
+        }
+    }
+
+    /// Whether it is on the plane of three vertices by definition.
+    fn on_plane(&self, on: &[Vertex; 3]) -> bool {
+        match self {
+            Place::Input(v) => on.contains(v),
+            Place::Meet(Construction::Lpi { line, plane }) => plane == on || common(line, on).len() == 2,
+            Place::Meet(Construction::Tpi(planes)) => planes.contains(on),
+            Place::Meet(Construction::Ssi(_)) => false,
+        }
+    }
+
+    /// Whether it is on the line of two vertices by definition.
+    fn on_line(&self, on: &[Vertex; 2]) -> bool {
+        match self {
+            Place::Input(v) => on.contains(v),
+            Place::Meet(Construction::Ssi(lines)) => lines.contains(on),
+            Place::Meet(Construction::Lpi { line, .. }) => line == on,
+            Place::Meet(Construction::Tpi(_)) => false,
+        }
+    }
+}
+
+fn common(a: &[Vertex], b: &[Vertex]) -> SmallVec<[Vertex; 3]> {
+    a.iter().copied().filter(|v| b.contains(v)).collect()
+}
+
+/// A canonical construction in simpler terms. One that is no point however the vertices move stays as it is.
+fn simplified(construction: Construction) -> Place {
+    match construction {
+        Construction::Ssi([first, second]) => {
+            if let [v] = *common(&first, &second) {
+                return Place::Input(v);
+            }
+        }
+        Construction::Lpi { line, plane } => {
+            if let [v] = *common(&line, &plane) {
+                return Place::Input(v);
+            }
+        }
+        Construction::Tpi([first, second, third]) => {
+            match *common(&common(&first, &second), &third) {
+                [] => {}
+                [v] => return Place::Input(v),
+                _ => return Place::Meet(construction),
+            }
+            for (a, b, plane) in [(first, second, third), (second, third, first), (third, first, second)] {
+                if let [p, q] = *common(&a, &b) {
+                    return simplified(Construction::Lpi { line: [p, q], plane }.canonical());
+                }
+            }
+        }
+    }
+    Place::Meet(construction)
+}
+
+/// Whether the determinant of simple places is zero, wherever the input
+/// vertices are, by two names of one point or by places on a common line or
+/// plane. There may be other reasons.
+pub(super) fn depend(question: Question, places: &[Place]) -> bool {
+    let twice = (1..places.len()).any(|at| places[..at].contains(&places[at]));
+    twice
+        || match question {
+            Question::Orient2d(_) => collinear(places),
+            Question::Orient3d => {
+                let triples = (0..places.len()).any(|without| {
+                    let three: SmallVec<[Place; 4]> =
+                        places.iter().enumerate().filter(|(at, _)| *at != without).map(|(_, place)| *place).collect();
+                    collinear(&three)
+                });
+                triples || coplanar(places)
+            }
+            Question::Compare(_) | Question::Incircle | Question::Insphere => false,
+        }
+}
+
+/// Whether all are on one line of two vertices, or of two planes.
+fn collinear(places: &[Place]) -> bool {
+    let on_all = |line: &[Vertex; 2]| places.iter().all(|place| place.on_line(line));
+    // Input vertices alone are on no line, so one of the others has it.
+    let on_one = places.iter().any(|place| match place {
+        Place::Meet(Construction::Ssi(lines)) => lines.iter().any(on_all),
+        Place::Meet(Construction::Lpi { line, .. }) => on_all(line),
+        Place::Meet(Construction::Tpi(_)) | Place::Input(_) => false,
+    });
+    on_one || planes_of_all(places).len() > 1
+}
+
+/// Whether all are on one plane of three vertices.
+fn coplanar(places: &[Place]) -> bool {
+    !planes_of_all(places).is_empty()
+}
+
+/// The planes of three vertices that all places are on.
+fn planes_of_all(places: &[Place]) -> SmallVec<[[Vertex; 3]; 4]> {
+    let mut planes: SmallVec<[[Vertex; 3]; 12]> = SmallVec::new();
+    let mut spanning: SmallVec<[Vertex; 8]> = SmallVec::new();
+    for place in places {
+        match place {
+            Place::Input(v) => spanning.push(*v),
+            Place::Meet(Construction::Lpi { line, plane }) => {
+                spanning.extend_from_slice(line);
+                planes.push(*plane);
+            }
+            Place::Meet(Construction::Tpi(of)) => planes.extend_from_slice(of),
+            Place::Meet(Construction::Ssi(_)) => {}
+        }
+    }
+    // A plane that nothing names is spanned by vertices and lines that do.
+    spanning.sort_unstable();
+    spanning.dedup();
+    for (i, &a) in spanning.iter().enumerate() {
+        for (j, &b) in spanning.iter().enumerate().skip(i + 1) {
+            planes.extend(spanning[j + 1..].iter().map(|&c| [a, b, c]));
+        }
+    }
+    let mut of_all: SmallVec<[[Vertex; 3]; 4]> = SmallVec::new();
+    for plane in planes {
+        if !of_all.contains(&plane) && places.iter().all(|place| place.on_plane(&plane)) {
+            of_all.push(plane);
+        }
+    }
+    of_all
+}
