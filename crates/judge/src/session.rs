@@ -1,8 +1,8 @@
 //! The judge as a session: what algorithms make of true signs.
 
-use predicament_predicates::{Axis, Plane, Predicates, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Construction, Plane, Predicates, Question, Refused, Scene, Sign, Vertex};
 
-use crate::{sign, verdict};
+use crate::{point, sign, verdict};
 
 /// The sign of a perturbed scene, for backends that break ties: computed in
 /// another way than the backend computes it.
@@ -11,7 +11,8 @@ pub type TieJudge = dyn Fn(&Scene, Question, &[Vertex]) -> Sign + Sync;
 /// A session that answers with the judge's signs. It shares nothing with any
 /// backend; contacts go by the trait's own bodies.
 pub struct Judged<'s> {
-    scene: &'s Scene,
+    /// With the vertices that were constructed since.
+    scene: Scene,
     way: Way<'s>,
 }
 
@@ -24,29 +25,29 @@ enum Way<'s> {
 impl<'s> Judged<'s> {
     /// Exact signs: [`judge::sign`](sign).
     #[must_use]
-    pub fn exact(scene: &'s Scene) -> Judged<'s> {
-        Judged { scene, way: Way::Exact }
+    pub fn exact(scene: &Scene) -> Judged<'s> {
+        Judged { scene: scene.clone(), way: Way::Exact }
     }
 
     /// Exact signs by the judge's other computation, which is slow: [`judge::verdict`](verdict).
     #[must_use]
-    pub fn again(scene: &'s Scene) -> Judged<'s> {
-        Judged { scene, way: Way::Again }
+    pub fn again(scene: &Scene) -> Judged<'s> {
+        Judged { scene: scene.clone(), way: Way::Again }
     }
 
     /// The signs of a perturbed scene. A perturbation by infinitesimals
     /// changes no sign that is not zero, so only zeros are asked about.
     #[must_use]
-    pub fn perturbed(scene: &'s Scene, ties: &'s TieJudge) -> Judged<'s> {
-        Judged { scene, way: Way::Perturbed(ties) }
+    pub fn perturbed(scene: &Scene, ties: &'s TieJudge) -> Judged<'s> {
+        Judged { scene: scene.clone(), way: Way::Perturbed(ties) }
     }
 
     fn sign(&self, question: Question, args: &[Vertex]) -> Sign {
         match self.way {
-            Way::Exact => sign(self.scene, question, args),
-            Way::Again => verdict(self.scene, question, args).sign(),
-            Way::Perturbed(ties) => match sign(self.scene, question, args) {
-                Sign::Zero => ties(self.scene, question, args),
+            Way::Exact => sign(&self.scene, question, args),
+            Way::Again => verdict(&self.scene, question, args).sign(),
+            Way::Perturbed(ties) => match sign(&self.scene, question, args) {
+                Sign::Zero => ties(&self.scene, question, args),
                 sign => sign,
             },
         }
@@ -55,7 +56,14 @@ impl<'s> Judged<'s> {
 
 impl Predicates for Judged<'_> {
     fn scene(&self) -> &Scene {
-        self.scene
+        &self.scene
+    }
+
+    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        self.scene.construct_all(definitions, |scene, vertex| match point(scene, vertex) {
+            Some(_) => Ok(()),
+            None => Err("its lines and planes meet in no single point".to_owned()),
+        })
     }
 
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {

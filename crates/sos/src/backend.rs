@@ -3,8 +3,8 @@
 use predicament_exact::Exact;
 use predicament_exact::stage::COMPARE;
 use predicament_predicates::{
-    Axis, Backend, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally, Vertex,
-    ZeroMeaning,
+    Axis, Backend, Construction, Constructs, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question,
+    Refused, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 
 use crate::leading::{self, EDELSBRUNNER_MUCKE, PER_COORDINATE, Points};
@@ -15,9 +15,12 @@ use crate::{Scheme, constructed, stage, ties, ties::Sorted};
 /// Its promise is proved: the sign of the real determinant where that is not
 /// zero, and else the sign for all small enough ε > 0 of the determinant of
 /// the scene that the scheme has moved. The answer is zero only if a vertex
-/// comes twice in a query.
+/// comes twice in a query, or where geometry makes it so: a vertex constructed
+/// on a plane is on that plane however the input moves.
 ///
-/// A scene with constructed vertices is declined.
+/// The scheme [`Scheme::PerCoordinate`] moves constructed vertices as well, if
+/// input vertices define them. The other scheme declines all, as it has
+/// terms for input vertices only.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
 pub struct Sos {
     /// How the scene is moved.
@@ -45,13 +48,18 @@ impl Backend for Sos {
         stage::names(self.scheme)
     }
 
+    fn constructs(&self) -> Constructs {
+        match self.scheme {
+            Scheme::PerCoordinate => Constructs::KeepsFirst,
+            Scheme::EdelsbrunnerMucke => Constructs::Declines,
+        }
+    }
+
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {
         if self.scheme != Scheme::PerCoordinate && !scene.constructions().is_empty() {
-            return Err(Declined::scene(format!(
-                "constructed vertices are moved by the scheme `{}` only",
-                Scheme::PerCoordinate
-            )));
+            return Err(Declined::scene(constructed::others_only()));
         }
+        constructed::are_of_inputs(scene)?;
         let exact = Exact.prepare(scene, Off)?;
         Ok(Session { scheme: self.scheme, exact, points: Points::of(scene), tally })
     }
@@ -214,6 +222,13 @@ impl<T: Tally> Predicates for Session<'_, T> {
     #[inline]
     fn scene(&self) -> &Scene {
         self.exact.scene()
+    }
+
+    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        match self.scheme {
+            Scheme::PerCoordinate => self.exact.construct_where(definitions, constructed::is_of_inputs),
+            Scheme::EdelsbrunnerMucke => Err(Refused::session(constructed::others_only())),
+        }
     }
 
     #[inline]
