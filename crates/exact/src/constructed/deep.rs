@@ -97,7 +97,7 @@ fn minors([p, q, r]: &[Row<4>; 3]) -> Row<4> {
     let without = |column: usize| {
         let [i, j, k] = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]][column];
         let sum = minor(q, r, j, k) * &p[i] - minor(q, r, i, k) * &p[j] + minor(q, r, i, j) * &p[k];
-        if column % 2 == 0 { sum } else { -sum }
+        if column.is_multiple_of(2) { sum } else { -sum }
     };
     std::array::from_fn(without)
 }

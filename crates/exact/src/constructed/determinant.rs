@@ -58,7 +58,7 @@ pub(super) fn orient3d(rows: &[[Number; 4]; 4]) -> Sign {
         return whole::sign(rows);
     }
     let sign = with_capacity!(needed, CAP => side_of::<CAP>([a, b, c], d));
-    if pivot % 2 == 0 { -sign } else { sign }
+    if pivot.is_multiple_of(2) { -sign } else { sign }
 }
 
 #[inline(never)] // so that the stack frame is that of this capacity

@@ -37,7 +37,7 @@ fn minor<const N: usize>(rows: &[[Integer; N]], column: usize) -> Integer {
             continue;
         }
         let term = minor(&[&rows[..at], &rows[at + 1..]].concat(), column + 1) * &rows[at][column];
-        if at % 2 == 0 {
+        if at.is_multiple_of(2) {
             sum += term;
         } else {
             sum -= term;

@@ -1,5 +1,6 @@
 //! Constructed vertices against the judge: ordinary, degenerate and wild.
 
+mod cascades;
 #[path = "../common/mod.rs"]
 mod common;
 mod faults;
