@@ -1,6 +1,6 @@
 //! Plain floating point with a fixed epsilon.
 
-use predicament_predicates::{Backend, Contract, Declined, PredicateKind, Scene, Sign, Tally, ZeroMeaning};
+use predicament_predicates::{Backend, Constructs, Contract, Declined, PredicateKind, Scene, Sign, Tally, ZeroMeaning};
 
 use crate::{
     Naive,
@@ -98,6 +98,10 @@ impl Backend for Epsilon {
 
     fn stages(&self) -> &'static [&'static str] {
         &["float"]
+    }
+
+    fn constructs(&self) -> Constructs {
+        Constructs::Rounds
     }
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Self::Session<'s, T>, Declined> {

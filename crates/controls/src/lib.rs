@@ -12,8 +12,10 @@
 //! With the feature `peers`, `wild` has the Simulation of Simplicity of other crates.
 //!
 //! Constructed vertices are [computed](constructed) in doubles when a scene is
-//! prepared, and taken for points with those coordinates from then on: that is
-//! wrong before the first predicate is asked.
+//! prepared or a session constructs them, and taken for points with those
+//! coordinates from then on: that is wrong before the first predicate is asked.
+//! Others may be constructed from those; a definition of no point, such as
+//! parallel lines, is not refused: its coordinates are infinite or NaN.
 //!
 //! Each keeps the determinant it computed for
 //! [`estimate`](predicament_predicates::Predicates::estimate).

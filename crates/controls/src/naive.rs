@@ -1,6 +1,6 @@
 //! Plain floating point.
 
-use predicament_predicates::{Backend, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
+use predicament_predicates::{Backend, Constructs, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
 
 use crate::{
     determinant::{self, Pivot},
@@ -54,6 +54,10 @@ impl Backend for Naive {
 
     fn stages(&self) -> &'static [&'static str] {
         &["float"]
+    }
+
+    fn constructs(&self) -> Constructs {
+        Constructs::Rounds
     }
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Self::Session<'s, T>, Declined> {

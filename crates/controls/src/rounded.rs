@@ -4,30 +4,46 @@
 //! Every operation rounds, nothing bounds by how much, and what is asked later
 //! is asked about another point than the one that lines and planes define.
 //! Where they are parallel in floating point, the vertex is infinite or NaN.
+//! Lines and planes through constructed vertices go through the rounded ones.
 
 use predicament_predicates::{Construction, Scene, Vertex};
 
 /// The vertices of the scene's constructions, coordinate after coordinate.
 #[must_use]
 pub fn constructed(scene: &Scene) -> Vec<f64> {
-    let mut coordinates = Vec::with_capacity(scene.constructions().len() * scene.dimension().count());
-    for construction in scene.constructions() {
-        match *construction {
-            Construction::Ssi(lines) => coordinates.extend(segments(lines.map(|line| line.map(|v| point(scene, v))))),
-            Construction::Lpi { line, plane } => {
-                coordinates.extend(line_plane(line.map(|v| scene.point3(v)), plane.map(|v| scene.point3(v))));
-            }
-            Construction::Tpi(planes) => {
-                coordinates.extend(three_planes(planes.map(|plane| plane.map(|v| scene.point3(v)))));
-            }
-        }
-    }
-    coordinates
+    all(scene).split_off(scene.coordinates().len())
 }
 
-fn point(scene: &Scene, v: Vertex) -> [f64; 2] {
-    let point = scene.point(v);
-    [point[0], point[1]]
+/// The same after the coordinates of the input vertices.
+pub(crate) fn all(scene: &Scene) -> Vec<f64> {
+    let constructed = scene.constructions().len() * scene.dimension().count();
+    let mut all = Vec::with_capacity(scene.coordinates().len() + constructed);
+    all.extend_from_slice(scene.coordinates());
+    scene.constructions().iter().for_each(|construction| push(&mut all, scene.len(), construction));
+    all
+}
+
+/// Computes the next vertex from the input vertices, of which there are so
+/// many, and from those constructed before.
+pub(crate) fn push(all: &mut Vec<f64>, inputs: usize, construction: &Construction) {
+    match *construction {
+        Construction::Ssi(lines) => {
+            let point = segments(lines.map(|line| line.map(|v| point(all, inputs, v))));
+            all.extend(point);
+        }
+        Construction::Lpi { line, plane } => {
+            let point = line_plane(line.map(|v| point(all, inputs, v)), plane.map(|v| point(all, inputs, v)));
+            all.extend(point);
+        }
+        Construction::Tpi(planes) => {
+            let point = three_planes(planes.map(|plane| plane.map(|v| point(all, inputs, v))));
+            all.extend(point);
+        }
+    }
+}
+
+fn point<const D: usize>(all: &[f64], inputs: usize, v: Vertex) -> [f64; D] {
+    all.as_chunks().0[v.construction().map_or(v.index(), |index| inputs + index)]
 }
 
 /// a + t(b − a) with t = (c − a) × (d − c) / (b − a) × (d − c).

@@ -1,6 +1,8 @@
 //! One session for all controls: a scene, and a way to compute determinants.
 
-use predicament_predicates::{Axis, Dimension, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally, Vertex};
+use predicament_predicates::{
+    Axis, Construction, Dimension, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sign, Tally, Vertex,
+};
 
 use crate::rounded;
 
@@ -20,7 +22,8 @@ pub(crate) trait Float: Send + Sync {
 
 /// A control, prepared for one scene.
 pub struct Session<'s, F, T> {
-    scene: &'s Scene,
+    /// With the vertices that were constructed since.
+    scene: Scene,
     /// The scene's points, in the view of its dimension; the other one is empty.
     points2: &'s [[f64; 2]],
     points3: &'s [[f64; 3]],
@@ -37,9 +40,8 @@ impl<'s, F, T> Session<'s, F, T> {
             Dimension::Two => (scene.coordinates().as_chunks().0, &[]),
             Dimension::Three => (&[], scene.coordinates().as_chunks().0),
         };
-        let constructed = rounded::constructed(scene);
-        let all = if constructed.is_empty() { constructed } else { [scene.coordinates(), &constructed].concat() };
-        Session { scene, points2, points3, all, float, tally }
+        let all = if scene.constructions().is_empty() { Vec::new() } else { rounded::all(scene) };
+        Session { scene: scene.clone(), points2, points3, all, float, tally }
     }
 }
 
@@ -177,7 +179,24 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
 impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
     #[inline]
     fn scene(&self) -> &Scene {
-        self.scene
+        &self.scene
+    }
+
+    /// Whatever comes out is a vertex, if not a finite one.
+    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        if self.all.is_empty() {
+            self.all.extend_from_slice(self.scene.coordinates());
+        }
+        let (all, inputs) = (&mut self.all, self.scene.len());
+        let before = all.len();
+        let vertices = self.scene.construct_all(definitions, |scene, vertex| {
+            rounded::push(all, inputs, scene.construction(vertex).expect("just constructed"));
+            Ok(())
+        });
+        if vertices.is_err() {
+            all.truncate(before);
+        }
+        vertices
     }
 
     #[inline]

@@ -1,6 +1,6 @@
 //! Shewchuk's adaptive predicates, as published.
 
-use predicament_predicates::{Backend, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
+use predicament_predicates::{Backend, Constructs, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
 use robust::{Coord, Coord3D};
 
 use crate::session::{Float, Session};
@@ -58,6 +58,10 @@ impl Backend for Shewchuk {
 
     fn stages(&self) -> &'static [&'static str] {
         &["adaptive"]
+    }
+
+    fn constructs(&self) -> Constructs {
+        Constructs::Rounds
     }
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Self::Session<'s, T>, Declined> {

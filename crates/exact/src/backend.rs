@@ -1,6 +1,6 @@
 //! The backend: a name, a promise, a list of stages.
 
-use predicament_predicates::{Backend, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
+use predicament_predicates::{Backend, Constructs, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
 
 use crate::{Session, stage};
 
@@ -21,6 +21,10 @@ impl Backend for Exact {
 
     fn stages(&self) -> &'static [&'static str] {
         &stage::NAMES
+    }
+
+    fn constructs(&self) -> Constructs {
+        Constructs::Keeps
     }
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {

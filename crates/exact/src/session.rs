@@ -1,7 +1,9 @@
 //! A scene, prepared: which arithmetic its exponents allow, predicate by predicate.
 
 use predicament_arithmetic::Plan;
-use predicament_predicates::{Axis, Declined, Dimension, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex};
+use predicament_predicates::{
+    Axis, Construction, Declined, Dimension, Plane, PredicateKind, Predicates, Refused, Scene, Sign, Tally, Vertex,
+};
 
 use crate::batch::{self, Along, Batch, Sweep, View, Whole, Xy, Yz, Zx};
 use crate::constructed::Constructed;
@@ -13,7 +15,8 @@ use crate::stage;
 
 /// The exact backend, prepared for one scene.
 pub struct Session<'s, T> {
-    scene: &'s Scene,
+    /// With the vertices that were constructed since.
+    scene: Scene,
     tally: T,
     /// The scene's points, in the view of its dimension; the other one is empty.
     points2: &'s [[f64; 2]],
@@ -50,7 +53,7 @@ impl<'s, T: Tally> Session<'s, T> {
         let integers2 = if incircle.is_double() { Integers::NONE } else { Integers::new(&flat, points2) };
         let integers3 = if insphere.is_double() { Integers::NONE } else { Integers::new(&solid, points3) };
         Ok(Session {
-            scene,
+            scene: scene.clone(),
             tally,
             constructed: Constructed::new(scene)?,
             points2,
@@ -64,6 +67,29 @@ impl<'s, T: Tally> Session<'s, T> {
             extent2: flat.axes().map(|axis| axis.extent()),
             extent3: solid.axes().map(|axis| axis.extent()),
         })
+    }
+
+    /// [`Predicates::construct`], where a session that stands on this one has
+    /// conditions of its own: each definition that is new, in canonical form,
+    /// has to be one that it `accepts`.
+    ///
+    /// # Errors
+    /// As [`Predicates::construct`], with what `accepts` says for a reason.
+    pub fn construct_where(
+        &mut self,
+        definitions: &[Construction],
+        accepts: impl Fn(&Construction) -> Result<(), String>,
+    ) -> Result<Vec<Vertex>, Refused> {
+        let (constructed, before) = (&mut self.constructed, self.scene.constructions().len());
+        let vertices = self.scene.construct_all(definitions, |scene, vertex| {
+            let construction = scene.construction(vertex).expect("just constructed");
+            accepts(construction)?;
+            constructed.push(construction).map_err(str::to_owned)
+        });
+        if vertices.is_err() {
+            constructed.truncate(before);
+        }
+        vertices
     }
 
     /// The scene's constructed vertices.
@@ -362,7 +388,11 @@ impl<'s, T: Tally> Session<'s, T> {
 impl<T: Tally> Predicates for Session<'_, T> {
     #[inline]
     fn scene(&self) -> &Scene {
-        self.scene
+        &self.scene
+    }
+
+    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        self.construct_where(definitions, |_| Ok(()))
     }
 
     #[inline]

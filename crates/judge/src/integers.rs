@@ -61,7 +61,7 @@ pub(super) fn sign_of_rows(points: &[Cow<'_, Row>], axes: &[Axis], lifted: bool)
 
 /// The coordinates of a point as integers, and the power of two that they are to be divided by.
 pub(super) fn over_one_denominator(point: &[f64]) -> (Vec<Integer>, Integer) {
-    let lowest = point.iter().filter(|&&x| x != 0.0).map(|&x| exponent(x)).min().unwrap_or(0).min(0);
+    let lowest = point.iter().filter(|&&x| x != 0.0).map(|&x| split(x).1).min().unwrap_or(0).min(0);
     (point.iter().map(|&x| integer(x, lowest)).collect(), Integer::from(1) << lowest.unsigned_abs())
 }
 

@@ -7,7 +7,7 @@
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
-use predicament_predicates::{Question, Scene, Sign, Vertex};
+use predicament_predicates::{Construction, Question, Refused, Scene, Sign, Vertex};
 use rug::{Integer, Rational};
 
 use crate::determinant::{Verdict, sign_of_rows, verdict_of};
@@ -49,22 +49,35 @@ struct Solved {
 
 /// Truth about one scene. Constructed points are computed when they are first
 /// asked for, by whichever thread that is, and kept.
-pub struct Points<'s> {
-    scene: &'s Scene,
+pub struct Points {
+    scene: Scene,
     constructed: Vec<OnceLock<Option<Solved>>>,
 }
 
-impl<'s> Points<'s> {
+impl Points {
     /// Nothing is computed yet.
     #[must_use]
-    pub fn of(scene: &'s Scene) -> Points<'s> {
-        Points { scene, constructed: scene.constructions().iter().map(|_| OnceLock::new()).collect() }
+    pub fn of(scene: &Scene) -> Points {
+        Points { scene: scene.clone(), constructed: scene.constructions().iter().map(|_| OnceLock::new()).collect() }
     }
 
     /// The scene.
     #[must_use]
-    pub fn scene(&self) -> &'s Scene {
-        self.scene
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// Adds the vertices that these definitions define.
+    ///
+    /// # Errors
+    /// [`Refused`] with the first definition whose lines and planes meet in no single point.
+    pub fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        let vertices = self.scene.construct_all(definitions, |scene, vertex| match constructed::point(scene, vertex) {
+            Some(_) => Ok(()),
+            None => Err("its lines and planes meet in no single point".to_owned()),
+        })?;
+        self.constructed.resize_with(self.scene.constructions().len(), OnceLock::new);
+        Ok(vertices)
     }
 
     /// The exact coordinates of a vertex, as by the function [`point`](crate::point).
@@ -74,7 +87,7 @@ impl<'s> Points<'s> {
     #[must_use]
     pub fn point(&self, v: Vertex) -> Option<Cow<'_, [Rational]>> {
         match v.construction() {
-            None => constructed::point(self.scene, v).map(Cow::Owned),
+            None => constructed::point(&self.scene, v).map(Cow::Owned),
             Some(index) => self.solved(index, v).map(|solved| Cow::Borrowed(&*solved.point)),
         }
     }
@@ -85,8 +98,8 @@ impl<'s> Points<'s> {
     /// If the query does not fit the scene, or is about a construction that is no point.
     #[must_use]
     pub fn sign(&self, question: Question, args: &[Vertex]) -> Sign {
-        sign_of_rows(self.scene, question, args, |v| match v.construction() {
-            None => Cow::Owned(row(self.scene, v)),
+        sign_of_rows(&self.scene, question, args, |v| match v.construction() {
+            None => Cow::Owned(row(&self.scene, v)),
             Some(index) => Cow::Borrowed(&self.solved(index, v).unwrap_or_else(|| panic!("{v} is no point")).row),
         })
     }
@@ -102,7 +115,7 @@ impl<'s> Points<'s> {
 
     fn solved(&self, index: usize, v: Vertex) -> Option<&Solved> {
         let solve = || {
-            let point = constructed::point(self.scene, v)?;
+            let point = constructed::point(&self.scene, v)?;
             Some(Solved { row: Row::of(&point), point })
         };
         self.constructed[index].get_or_init(solve).as_ref()

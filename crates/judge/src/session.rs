@@ -1,6 +1,6 @@
 //! The judge as a session: what algorithms make of true signs.
 
-use predicament_predicates::{Axis, Plane, Predicates, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Construction, Plane, Predicates, Question, Refused, Scene, Sign, Vertex};
 
 use crate::Points;
 
@@ -11,7 +11,8 @@ pub type TieJudge = dyn Fn(&Scene, Question, &[Vertex]) -> Sign + Send + Sync;
 /// A session that answers with the judge's signs. It shares nothing with any
 /// backend; contacts go by the trait's own bodies.
 pub struct Judged<'s> {
-    points: Points<'s>,
+    /// With the vertices that were constructed since.
+    points: Points,
     way: Way<'s>,
 }
 
@@ -24,20 +25,20 @@ enum Way<'s> {
 impl<'s> Judged<'s> {
     /// Exact signs: [`judge::sign`](crate::sign).
     #[must_use]
-    pub fn exact(scene: &'s Scene) -> Judged<'s> {
+    pub fn exact(scene: &Scene) -> Judged<'s> {
         Judged { points: Points::of(scene), way: Way::Exact }
     }
 
     /// Exact signs by the judge's other computation, which is slow: [`judge::verdict`](crate::verdict).
     #[must_use]
-    pub fn again(scene: &'s Scene) -> Judged<'s> {
+    pub fn again(scene: &Scene) -> Judged<'s> {
         Judged { points: Points::of(scene), way: Way::Again }
     }
 
     /// The signs of a perturbed scene. A perturbation by infinitesimals
     /// changes no sign that is not zero, so only zeros are asked about.
     #[must_use]
-    pub fn perturbed(scene: &'s Scene, ties: &'s TieJudge) -> Judged<'s> {
+    pub fn perturbed(scene: &Scene, ties: &'s TieJudge) -> Judged<'s> {
         Judged { points: Points::of(scene), way: Way::Perturbed(ties) }
     }
 
@@ -56,6 +57,10 @@ impl<'s> Judged<'s> {
 impl Predicates for Judged<'_> {
     fn scene(&self) -> &Scene {
         self.points.scene()
+    }
+
+    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        self.points.construct(definitions)
     }
 
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {

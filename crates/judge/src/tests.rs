@@ -3,7 +3,7 @@
 use crate::determinant::log2;
 use crate::*;
 use predicament_corpus::homogeneous;
-use predicament_predicates::{Construction, Dimension, Plane, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Construction, Dimension, Plane, Predicates, Question, Scene, Sign, Vertex};
 use proptest::prelude::*;
 
 fn finite() -> impl Strategy<Value = f64> {
@@ -109,6 +109,40 @@ proptest! {
             }
         }
     }
+}
+
+/// Level upon level: a vertex is on the lines through constructed vertices that define it, and
+/// one whose definition goes through no point is none.
+#[test]
+fn cascades_lie_on_what_defines_them() {
+    let mut scene =
+        Scene::from_points2(&[[0.0, 0.0], [7.0, 1.0], [1.0, 5.0], [6.0, 4.0], [3.0, -2.0], [-1.0, 2.0]]).unwrap();
+    let (v, c) = (Vertex::input, Vertex::constructed);
+    for lines in [
+        [[v(0), v(3)], [v(1), v(2)]],
+        [[v(0), v(1)], [v(4), v(2)]],
+        [[c(0), c(1)], [v(5), v(4)]],
+        [[c(2), v(0)], [c(1), v(3)]],
+        [[c(3), c(0)], [c(2), v(1)]],
+    ] {
+        let x = scene.construct(Construction::Ssi(lines)).unwrap();
+        let found = point(&scene, x).expect("general position");
+        assert!(found.iter().any(|x| *x.denom() != 1), "{found:?}");
+        for [p, q] in lines {
+            assert_eq!(sign(&scene, Question::Orient2d(Plane::Xy), &[p, x, q]), Sign::Zero);
+            assert_ne!(point(&scene, p), point(&scene, q));
+        }
+    }
+    let parallel = scene.construct(Construction::Ssi([[v(0), c(1)], [v(1), v(0)]])).unwrap();
+    let beyond = scene.construct(Construction::Ssi([[parallel, v(2)], [v(3), v(4)]])).unwrap();
+    assert_eq!([point(&scene, parallel), point(&scene, beyond)], [None, None]);
+
+    let mut session = Judged::exact(&scene);
+    let definitions = [[[c(0), c(4)], [v(5), v(1)]], [[v(0), v(1)], [c(1), v(1)]]].map(Construction::Ssi);
+    assert_eq!(session.construct(&definitions).unwrap_err().index(), Some(1));
+    assert_eq!(session.scene(), &scene);
+    let x = session.construct(&definitions[..1]).unwrap()[0];
+    assert_eq!(session.orient2d(Plane::Xy, v(5), x, v(1)), Sign::Zero);
 }
 
 #[test]

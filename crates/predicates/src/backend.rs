@@ -12,7 +12,8 @@
 //!   a, b, c, d with a positive `orient3d`.
 
 use crate::{
-    Axis, Band, Contract, Declined, Dimension, Plane, PredicateKind, Question, Scene, Sign, Tally, Vertex, contact,
+    Axis, Band, Construction, Constructs, Contract, Declined, Dimension, Plane, PredicateKind, Question, Refused,
+    Scene, Sign, Tally, Vertex, contact,
 };
 
 /// A philosophy of robustness: it turns a scene into a session.
@@ -32,6 +33,12 @@ pub trait Backend: Send + Sync {
     /// most [`MAX_STAGES`](crate::MAX_STAGES).
     fn stages(&self) -> &'static [&'static str];
 
+    /// What its sessions do when they are asked to
+    /// [construct](Predicates::construct) vertices; if not said otherwise, they decline.
+    fn constructs(&self) -> Constructs {
+        Constructs::Declines
+    }
+
     /// Learns what the scene needs.
     ///
     /// # Errors
@@ -41,12 +48,36 @@ pub trait Backend: Send + Sync {
 
 /// Geometric questions about the vertices of one prepared scene.
 ///
-/// Sessions are immutable: the same question has the same answer, from any
-/// thread, whatever was asked before. Asking a predicate that
-/// [`supports`](Predicates::supports) refuses panics; ask first, once a scene.
+/// The same question has the same answer, from any thread, whatever was asked
+/// or constructed before: [`construct`](Predicates::construct) adds vertices and
+/// changes none. Asking a predicate that [`supports`](Predicates::supports)
+/// refuses panics; ask first, once a scene.
 pub trait Predicates: Send + Sync {
-    /// The scene that the session was prepared for.
+    /// The scene that the session was prepared for, with the vertices that it
+    /// has constructed since.
     fn scene(&self) -> &Scene;
+
+    /// Constructs the vertices that these definitions define, and returns them
+    /// in the same order.
+    ///
+    /// Algorithms call it between their parallel phases, with all vertices that
+    /// one phase has found: it takes the session for itself. Ids depend on the
+    /// definitions and their order alone. A definition gets the vertex that it
+    /// has already, from the scene or an earlier call, also if it names the
+    /// same lines and planes in another order. It may name constructed
+    /// vertices, those of this call included. The cost is that of the
+    /// definitions, not of the scene.
+    ///
+    /// If not said otherwise, the session declines;
+    /// [`Backend::constructs`] tells in advance.
+    ///
+    /// # Errors
+    /// [`Refused`] with the first definition that the session does not take,
+    /// such as one of parallel lines. Then none of them has been constructed.
+    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        let _ = definitions;
+        Err(Refused::session("the backend answers about the vertices that a scene is prepared with"))
+    }
 
     /// Whether the session answers this predicate: if not said otherwise,
     /// where the scene has the dimension for it.

@@ -1,19 +1,22 @@
-//! Vertices that are no input: where lines and planes through input vertices meet.
+//! Vertices that are no input: where lines and planes through other vertices meet.
 //!
 //! Overlays, slices and unions make such vertices, and round them if they store
 //! coordinates. A [`Construction`] stores what defines the vertex instead, so
 //! that a backend can answer about the very point (*indirect predicates*,
 //! Attene 2020). Equality is of definitions: two constructions of one point
 //! are two vertices, and it takes a predicate to find that out.
+//!
+//! A definition names vertices that exist already, input vertices or constructed
+//! ones, so definitions never go in circles.
 
 use crate::{Dimension, Vertex};
 
-/// What defines a constructed vertex: input vertices, by identity.
+/// What defines a constructed vertex: other vertices, by identity.
 ///
 /// [`Construction::canonical`] lists the vertices of a line or a plane, and the
 /// lines or planes of a kind, in the order of their ids: the point does not
 /// depend on it. Whether there is such a point, and only one, is a question
-/// for arithmetic: a backend declines the scene if not.
+/// for arithmetic: a backend that computes the point refuses the definition if not.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Construction {
     /// 2D: the point where two lines meet, each given by a segment of it.
@@ -51,6 +54,12 @@ impl Construction {
         }
     }
 
+    /// Whether only input vertices define it. Others are constructed from constructed vertices.
+    #[must_use]
+    pub fn is_of_inputs(&self) -> bool {
+        self.flats().flatten().all(|vertex| !vertex.is_constructed())
+    }
+
     /// The lines and planes, each as the vertices that span it.
     pub fn flats(&self) -> impl Iterator<Item = &[Vertex]> {
         let (line, plane, rest): (&[Vertex], &[Vertex], &[[Vertex; 3]]) = match self {
@@ -86,8 +95,8 @@ pub enum ConstructionError {
         /// That of the construction.
         construction: Dimension,
     },
-    /// A defining vertex is not an input vertex of the scene.
-    NotInput {
+    /// A defining vertex is neither an input vertex of the scene nor constructed before.
+    Missing {
         /// The vertex.
         vertex: Vertex,
     },
@@ -107,7 +116,10 @@ impl std::fmt::Display for ConstructionError {
                 let [scene, construction] = [scene, construction].map(|dimension| dimension.count());
                 write!(f, "the scene is {scene}D and the construction {construction}D")
             }
-            ConstructionError::NotInput { vertex } => write!(f, "{vertex} is no input vertex of the scene"),
+            ConstructionError::Missing { vertex } if vertex.is_constructed() => {
+                write!(f, "{vertex} is not constructed before")
+            }
+            ConstructionError::Missing { vertex } => write!(f, "{vertex} is no input vertex of the scene"),
             ConstructionError::Repeated { vertex } => write!(f, "vertex {vertex} stands twice in one line or plane"),
             ConstructionError::TooMany => write!(f, "a scene holds at most 2^31 constructed vertices"),
         }

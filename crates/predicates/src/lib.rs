@@ -5,7 +5,9 @@
 //! rest of the house talks about.
 //!
 //! * [`Scene`]: finite points by index; [`Vertex`]: one of them, by identity.
-//! * [`Construction`]: a vertex that is no input, by what defines it.
+//! * [`Construction`]: a vertex that is no input, by what defines it;
+//!   [`Constructs`]: what a backend does with those that come up while it runs,
+//!   [`Refused`]: why it did not construct one.
 //! * [`Backend`]: prepares a scene; [`Predicates`]: the session that answers.
 //! * [`Contract`]: what zero means; [`Band`]: how wide it is; [`Declined`]: "I can't".
 //! * [`QuerySet`]: many questions as data; [`Query`]: one of them as text and back.
@@ -15,8 +17,10 @@
 mod backend;
 mod class;
 mod construction;
+mod constructs;
 mod contact;
 mod contract;
+mod interned;
 mod query;
 mod question;
 mod scene;
@@ -27,6 +31,7 @@ mod vertex;
 pub use backend::{Backend, Predicates};
 pub use class::{Class, Status};
 pub use construction::{Construction, ConstructionError};
+pub use constructs::{Constructs, Refused};
 pub use contract::{Band, Contract, Declined, ZeroMeaning};
 pub use query::{ParseQueryError, Query};
 pub use question::{PredicateKind, QuerySet, Question};

@@ -3,10 +3,16 @@
 //! A scene is only numbers: finite doubles, two or three to a vertex. What is
 //! asked of it (tasks, queries, polygons) lives elsewhere. NaN and infinity
 //! are refused here, once, so that no backend needs to.
+//!
+//! A session constructs vertices while it runs, in a scene of its own that
+//! begins as a copy of the one it was prepared for. So a copy shares all its
+//! lists with the original: it costs the same for every scene. Input vertices
+//! never change; the list of constructions is copied when the first is added.
 
-use std::collections::BTreeMap;
+use std::sync::Arc;
 
-use crate::{Axis, Construction, ConstructionError, Declined, Plane, PredicateKind, Vertex};
+use crate::interned::Interned;
+use crate::{Axis, Construction, ConstructionError, Declined, Plane, PredicateKind, Refused, Vertex};
 
 /// How many coordinates a point has.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -78,16 +84,17 @@ impl std::error::Error for SceneError {}
 /// The scene's own vertices are its input vertices: [`Scene::len`],
 /// [`Scene::vertices`] and [`Scene::point`] are about those. Vertices
 /// [constructed](Scene::construct) from them are known by definition only.
+///
+/// A clone shares coordinates and constructions with the original; what is
+/// constructed in one of them is not in the other.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Scene {
     dimension: Dimension,
-    coordinates: Vec<f64>,
-    constructions: Vec<Construction>,
-    /// The vertex of each construction: the inverse of `constructions`.
-    interned: BTreeMap<Construction, Vertex>,
+    coordinates: Arc<[f64]>,
+    constructions: Arc<Interned>,
     primitive_lengths: Option<[f64; 2]>,
     /// Whether each vertex is of the second of two meshes; empty where there are no two.
-    second_mesh: Vec<bool>,
+    second_mesh: Arc<[bool]>,
 }
 
 impl Scene {
@@ -110,11 +117,10 @@ impl Scene {
         }
         Ok(Scene {
             dimension,
-            coordinates,
-            constructions: Vec::new(),
-            interned: BTreeMap::new(),
+            coordinates: coordinates.into(),
+            constructions: Arc::default(),
             primitive_lengths: None,
-            second_mesh: Vec::new(),
+            second_mesh: Arc::default(),
         })
     }
 
@@ -154,8 +160,9 @@ impl Scene {
     /// If one of them is no input vertex of the scene.
     #[must_use]
     pub fn with_second_mesh(mut self, vertices: impl IntoIterator<Item = Vertex>) -> Scene {
-        self.second_mesh = vec![false; self.len()];
-        vertices.into_iter().for_each(|v| self.second_mesh[v.index()] = true);
+        let mut second = vec![false; self.len()];
+        vertices.into_iter().for_each(|v| second[v.index()] = true);
+        self.second_mesh = second.into();
         self
     }
 
@@ -177,49 +184,94 @@ impl Scene {
     /// it got when it, or the same in another order, was first asked for.
     ///
     /// # Errors
-    /// [`ConstructionError`] if the construction is for another dimension, uses
-    /// what is not an input vertex of this scene, or names a vertex twice in
-    /// one line or plane; or if there are too many already.
+    /// [`ConstructionError`] if the construction is for another dimension,
+    /// names a vertex that the scene lacks, or names a vertex twice in one line
+    /// or plane; or if there are too many already.
     pub fn construct(&mut self, construction: Construction) -> Result<Vertex, ConstructionError> {
+        let construction = self.checked(construction)?;
+        match self.constructions.vertex(&construction) {
+            Some(vertex) => Ok(vertex),
+            None if self.constructions.list().len() == Vertex::MAX_CONSTRUCTED => Err(ConstructionError::TooMany),
+            None => Ok(Arc::make_mut(&mut self.constructions).push(construction)),
+        }
+    }
+
+    /// [`Scene::construct`] for many, in order: all of them, or none.
+    ///
+    /// Each vertex that is new is shown to `admit`, in a scene that ends with
+    /// it: that is where a session computes the point, or says why there is
+    /// none. Definitions may name vertices that others before them define.
+    ///
+    /// # Errors
+    /// [`Refused::Definition`] for the first definition that the scene or
+    /// `admit` does not take. The scene is then as it was; what `admit` has
+    /// stored for vertices before that one is the caller's to remove.
+    pub fn construct_all(
+        &mut self,
+        definitions: &[Construction],
+        mut admit: impl FnMut(&Scene, Vertex) -> Result<(), String>,
+    ) -> Result<Vec<Vertex>, Refused> {
+        let before = self.constructions.list().len();
+        let mut vertices = Vec::with_capacity(definitions.len());
+        for (index, &definition) in definitions.iter().enumerate() {
+            let known = self.constructions.list().len();
+            let constructed = self.construct(definition).map_err(|why| why.to_string()).and_then(|vertex| {
+                let is_new = self.constructions.list().len() > known;
+                if is_new { admit(self, vertex).map(|()| vertex) } else { Ok(vertex) }
+            });
+            match constructed {
+                Ok(vertex) => vertices.push(vertex),
+                Err(reason) => {
+                    if self.constructions.list().len() > before {
+                        Arc::make_mut(&mut self.constructions).truncate(before);
+                    }
+                    return Err(Refused::Definition { index, definition, reason });
+                }
+            }
+        }
+        Ok(vertices)
+    }
+
+    /// The canonical form of a construction that this scene can take.
+    fn checked(&self, construction: Construction) -> Result<Construction, ConstructionError> {
         if construction.dimension() != self.dimension {
             let (scene, construction) = (self.dimension, construction.dimension());
             return Err(ConstructionError::Dimension { scene, construction });
         }
         let construction = construction.canonical();
         for flat in construction.flats() {
-            if let Some(&vertex) = flat.iter().find(|vertex| vertex.index() >= self.len()) {
-                return Err(ConstructionError::NotInput { vertex });
+            if let Some(&vertex) = flat.iter().find(|&&vertex| !self.has(vertex)) {
+                return Err(ConstructionError::Missing { vertex });
             }
             // Sorted: what stands twice stands side by side.
             if let Some(pair) = flat.windows(2).find(|pair| pair[0] == pair[1]) {
                 return Err(ConstructionError::Repeated { vertex: pair[0] });
             }
         }
-        if let Some(&vertex) = self.interned.get(&construction) {
-            return Ok(vertex);
+        Ok(construction)
+    }
+
+    /// Whether this is a vertex of the scene, input or constructed.
+    #[must_use]
+    pub fn has(&self, v: Vertex) -> bool {
+        match v.construction() {
+            None => v.index() < self.len(),
+            Some(index) => index < self.constructions.list().len(),
         }
-        let index = self.constructions.len();
-        if index == Vertex::MAX_CONSTRUCTED {
-            return Err(ConstructionError::TooMany);
-        }
-        let vertex = Vertex::constructed(index);
-        self.constructions.push(construction);
-        self.interned.insert(construction, vertex);
-        Ok(vertex)
     }
 
     /// What defines this vertex, in canonical form; none for an input vertex
     /// and for one that is not of this scene.
     #[must_use]
     pub fn construction(&self, v: Vertex) -> Option<&Construction> {
-        self.constructions.get(v.construction()?)
+        self.constructions.list().get(v.construction()?)
     }
 
     /// What defines each constructed vertex, in the order of their ids.
     #[inline]
     #[must_use]
     pub fn constructions(&self) -> &[Construction] {
-        &self.constructions
+        self.constructions.list()
     }
 
     /// Two or three.
@@ -353,15 +405,64 @@ mod tests {
         let outside = Vertex::input(6);
         assert_eq!(scene.construct(lpi([a, a], [b, c, d])), Err(ConstructionError::Repeated { vertex: a }));
         assert_eq!(scene.construct(lpi([a, b], [d, c, d])), Err(ConstructionError::Repeated { vertex: d }));
-        assert_eq!(scene.construct(lpi([a, outside], [b, c, d])), Err(ConstructionError::NotInput { vertex: outside }));
+        assert_eq!(scene.construct(lpi([a, outside], [b, c, d])), Err(ConstructionError::Missing { vertex: outside }));
+        let later = Vertex::constructed(0);
+        assert_eq!(scene.construct(lpi([a, later], [b, c, d])), Err(ConstructionError::Missing { vertex: later }));
         assert!(matches!(
             scene.construct(Construction::Ssi([[a, b], [c, d]])),
             Err(ConstructionError::Dimension { .. })
         ));
         let x = scene.construct(lpi([a, b], [c, d, e])).expect("whether they meet is not the scene's business");
-        let nested = Construction::Tpi([[a, b, c], [a, b, d], [c, d, x]]);
-        assert_eq!(scene.construct(nested), Err(ConstructionError::NotInput { vertex: x }));
+        assert_eq!(x, later);
+        let on_itself = lpi([a, Vertex::constructed(1)], [b, c, d]);
+        let missing = scene.construct(on_itself).unwrap_err();
+        assert_eq!(missing.to_string(), "c1 is not constructed before");
         assert_eq!(scene.constructions().len(), 1);
+    }
+
+    #[test]
+    fn constructions_stand_on_earlier_ones() {
+        let mut scene = Scene::from_points3(&[[0.0; 3]; 6]).unwrap();
+        let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(Vertex::input);
+        let x = scene.construct(Construction::Lpi { line: [a, b], plane: [c, d, e] }).unwrap();
+        let y = scene.construct(Construction::Tpi([[x, b, a], [a, b, d], [c, d, x]])).unwrap();
+        assert_eq!([x, y], [0, 1].map(Vertex::constructed));
+        assert_eq!(scene.constructions().iter().map(Construction::is_of_inputs).collect::<Vec<_>>(), [true, false]);
+        assert_eq!(scene.constructions()[1].to_string(), "TPI(0 1 3, 0 1 c0, 2 3 c0)");
+        assert!(scene.has(y) && scene.has(e) && !scene.has(Vertex::constructed(2)) && !scene.has(Vertex::input(6)));
+    }
+
+    #[test]
+    fn many_are_constructed_in_order_or_none_of_them() {
+        let mut scene = Scene::from_points2(&[[0.0, 0.0], [2.0, 2.0], [0.0, 2.0], [2.0, 0.0], [1.0, 1.0]]).unwrap();
+        let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(Vertex::input);
+        let [x, y, z] = [0, 1, 2].map(Vertex::constructed);
+        let ssi = |p, q| Construction::Ssi([p, q]);
+        assert_eq!(scene.construct(ssi([a, b], [c, d])), Ok(x));
+        let copy = scene.clone();
+        let definitions = [ssi([a, e], [c, d]), ssi([c, d], [b, a]), ssi([x, e], [y, a]), ssi([e, a], [d, c])];
+        let mut admitted = Vec::new();
+        let vertices = scene.construct_all(&definitions, |scene, vertex| {
+            assert_eq!(scene.constructions().len(), vertex.construction().unwrap() + 1, "it is the last one");
+            admitted.push(vertex);
+            Ok(())
+        });
+        assert_eq!((vertices, admitted), (Ok(vec![y, x, z, y]), vec![y, z]));
+        assert_eq!(copy.constructions().len(), 1, "a clone keeps its own");
+
+        let mut again = copy.clone();
+        let refused = again.construct_all(
+            &definitions,
+            |_, vertex| {
+                if vertex == z { Err("parallel".to_owned()) } else { Ok(()) }
+            },
+        );
+        let refused = refused.unwrap_err();
+        assert_eq!(refused, Refused::Definition { index: 2, definition: definitions[2], reason: "parallel".into() });
+        assert_eq!(again, copy);
+        assert_eq!(again.construct_all(&definitions[2..], |_, _| Ok(())).unwrap_err().index(), Some(0), "c1 is gone");
+        assert_eq!(again.construct(ssi([x, b], [c, d])), Ok(y), "its id is free");
+        assert_eq!(again.construct_all(&definitions[..2], |_, _| Ok(())), Ok(vec![z, x]), "so is its definition");
     }
 
     #[test]

@@ -3,8 +3,8 @@
 use predicament_exact::Exact;
 use predicament_exact::stage::COMPARE;
 use predicament_predicates::{
-    Axis, Backend, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally, Vertex,
-    ZeroMeaning,
+    Axis, Backend, Construction, Constructs, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question,
+    Refused, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 
 use crate::leading::{self, EDELSBRUNNER_MUCKE, PER_COORDINATE, Points};
@@ -19,7 +19,8 @@ use crate::{Scheme, constructed, stage, ties, ties::Sorted};
 /// exactly if the determinant is zero wherever the input vertices are.
 ///
 /// [`Scheme::PerCoordinate`] moves constructed vertices with the vertices that define them. The
-/// other scheme declines scenes that have constructed vertices.
+/// other scheme declines scenes that have constructed vertices, and this one those whose
+/// definitions name constructed vertices.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
 pub struct Sos {
     /// How the scene is moved.
@@ -47,13 +48,18 @@ impl Backend for Sos {
         stage::names(self.scheme)
     }
 
+    fn constructs(&self) -> Constructs {
+        match self.scheme {
+            Scheme::PerCoordinate => Constructs::KeepsFirst,
+            Scheme::EdelsbrunnerMucke => Constructs::Declines,
+        }
+    }
+
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {
         if self.scheme != Scheme::PerCoordinate && !scene.constructions().is_empty() {
-            return Err(Declined::scene(format!(
-                "constructed vertices are moved by the scheme `{}` only",
-                Scheme::PerCoordinate
-            )));
+            return Err(Declined::scene(constructed::others_only()));
         }
+        constructed::are_of_inputs(scene)?;
         let exact = Exact.prepare(scene, Off)?;
         Ok(Session { scheme: self.scheme, exact, points: Points::of(scene), tally })
     }
@@ -216,6 +222,13 @@ impl<T: Tally> Predicates for Session<'_, T> {
     #[inline]
     fn scene(&self) -> &Scene {
         self.exact.scene()
+    }
+
+    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        match self.scheme {
+            Scheme::PerCoordinate => self.exact.construct_where(definitions, constructed::is_of_inputs),
+            Scheme::EdelsbrunnerMucke => Err(Refused::session(constructed::others_only())),
+        }
     }
 
     #[inline]

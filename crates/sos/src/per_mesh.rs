@@ -10,11 +10,11 @@
 
 use predicament_exact::Exact;
 use predicament_predicates::{
-    Axis, Backend, Contract, Declined, MAX_STAGES, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally,
-    Vertex, ZeroMeaning,
+    Axis, Backend, Construction, Constructs, Contract, Declined, MAX_STAGES, Off, Plane, PredicateKind, Predicates,
+    Question, Refused, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 
-use crate::constructed::rigid;
+use crate::constructed::{self, rigid};
 
 /// Simulation of Simplicity between two meshes: the second has moved by (ε, ε², ε³).
 ///
@@ -54,10 +54,15 @@ impl Backend for PerMesh {
         &STAGES
     }
 
+    fn constructs(&self) -> Constructs {
+        Constructs::KeepsFirst
+    }
+
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {
         if scene.second_mesh().is_none() {
             return Err(Declined::scene("the scene has no two meshes, one of which could be moved as a whole"));
         }
+        constructed::are_of_inputs(scene)?;
         Ok(Session { exact: Exact.prepare(scene, Off)?, tally })
     }
 }
@@ -93,6 +98,10 @@ impl<T: Tally> Session<'_, T> {
 impl<T: Tally> Predicates for Session<'_, T> {
     fn scene(&self) -> &Scene {
         self.exact.scene()
+    }
+
+    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        self.exact.construct_where(definitions, constructed::is_of_inputs)
     }
 
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {

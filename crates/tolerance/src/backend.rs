@@ -3,8 +3,8 @@
 use std::marker::PhantomData;
 
 use predicament_predicates::{
-    Axis, Backend, Band, Contract, Declined, Dimension, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally,
-    Vertex, ZeroMeaning,
+    Axis, Backend, Band, Construction, Contract, Declined, Dimension, Plane, PredicateKind, Predicates, Question,
+    Refused, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 
 use crate::band::is_sound;
@@ -16,6 +16,7 @@ use crate::{ContactTolerances, Float, Tolerances2d, Tolerances3d, circles};
 
 const PLANES: [Plane; 3] = [Plane::Xy, Plane::Yz, Plane::Zx];
 const STAGES: [&str; 1] = ["float"];
+const INPUT_ONLY: &str = "the tolerances are for input vertices, not for constructed ones";
 
 /// The tolerance backend: `orient2d` is zero within κ, `orient3d` within ξ.
 ///
@@ -34,8 +35,9 @@ const STAGES: [&str; 1] = ["float"];
 /// declined. They have an L of their own, [`Session::contact_tolerances`].
 ///
 /// Everything is computed in `F`: `f64`, or `f32` for scenes whose coordinates
-/// are numbers of it; other scenes are declined, as are those with constructed
-/// vertices.
+/// are numbers of it; other scenes are declined. So are those with constructed
+/// vertices, and sessions construct none: κ and ξ bound the rounding of
+/// determinants of input vertices, not that of a computed vertex beside it.
 ///
 /// A scene where L, a product of coordinate differences or a tolerance leaves
 /// the range of normal numbers of `F` is declined, as the paper assumes "no
@@ -116,7 +118,7 @@ impl<F: Float> Backend for Tolerance<F> {
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s, T, F>, Declined> {
         check_precision::<F>()?;
         if !scene.constructions().is_empty() {
-            return Err(Declined::scene("the tolerances are for input vertices, not for constructed ones"));
+            return Err(Declined::scene(INPUT_ONLY));
         }
         check_coordinates::<F>(scene)?;
         let planes = match scene.dimension() {
@@ -281,6 +283,10 @@ impl<T, F: Float> Session<'_, T, F> {
 impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
     fn scene(&self) -> &Scene {
         self.scene
+    }
+
+    fn construct(&mut self, _: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        Err(Refused::session(INPUT_ONLY))
     }
 
     fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {

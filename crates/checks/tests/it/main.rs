@@ -3,6 +3,7 @@
 mod audit;
 mod axioms;
 mod common;
+mod constructs;
 mod contacts;
 mod cubes;
 mod partition;

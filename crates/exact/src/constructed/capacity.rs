@@ -3,7 +3,8 @@
 //! Accumulators are arrays on the stack, zeroed before use: a few limbs for
 //! ordinary coordinates, a thousand where exponents span all that doubles have.
 
-/// The largest capacity: it holds everything there is.
+/// The largest capacity: it holds everything that vertices can be whose lines
+/// and planes go through input vertices.
 ///
 /// Coordinates of one scene span 2098 bits, so with the alignment of
 /// [`Rows`](super::rows::Rows) they are multiples of 2^(64·l) with l ≥ −32 and span

@@ -14,7 +14,8 @@
 //! for rounding the number of terms up to powers of two and for the signs fit
 //! one limb more than all rows span. Differences from a pivot row span as much
 //! as both rows, and take a bit each. Minors need less, as each row spans at
-//! least one limb.
+//! least one limb. Rows that input vertices define always fit; others may not,
+//! and are then [`whole`] integers.
 
 use predicament_arithmetic::dyadic::{
     Number, Space, Take,
@@ -23,28 +24,41 @@ use predicament_arithmetic::dyadic::{
 };
 use predicament_predicates::Sign;
 
+use super::capacity::LARGEST;
+use super::whole;
+
 /// The sign of a/w_a − b/w_b for two rows of a coordinate and a weight.
 pub(super) fn compare(rows: &[[Number; 2]; 2]) -> Sign {
-    with_capacity!(limbs(rows), CAP => order::<CAP>(rows))
+    match limbs(rows) {
+        needed if needed > LARGEST => whole::sign(rows),
+        needed => with_capacity!(needed, CAP => order::<CAP>(rows)),
+    }
 }
 
 /// The turn of three points of a plane.
 pub(super) fn orient2d(rows: &[[Number; 3]; 3]) -> Sign {
-    with_capacity!(limbs(rows), CAP => turn::<CAP>(rows))
+    match limbs(rows) {
+        needed if needed > LARGEST => whole::sign(rows),
+        needed => with_capacity!(needed, CAP => turn::<CAP>(rows)),
+    }
 }
 
 /// The side of the last point on the plane of the others.
 pub(super) fn orient3d(rows: &[[Number; 4]; 4]) -> Sign {
-    match rows.iter().position(|row| row[3].is_one()) {
-        Some(pivot) => {
-            // A cyclic change of four places is odd.
-            let [d, a, b, c] = std::array::from_fn(|i| &rows[(pivot + i) % 4]);
-            let limbs = span(a) + span(b) + span(c) + 3 * span(d) + 1;
-            let sign = with_capacity!(limbs, CAP => side_of::<CAP>([a, b, c], d));
-            if pivot % 2 == 0 { -sign } else { sign }
-        }
-        None => with_capacity!(limbs(rows), CAP => side::<CAP>(rows)),
+    let Some(pivot) = rows.iter().position(|row| row[3].is_one()) else {
+        return match limbs(rows) {
+            needed if needed > LARGEST => whole::sign(rows),
+            needed => with_capacity!(needed, CAP => side::<CAP>(rows)),
+        };
+    };
+    // A cyclic change of four places is odd.
+    let [d, a, b, c] = std::array::from_fn(|i| &rows[(pivot + i) % 4]);
+    let needed = span(a) + span(b) + span(c) + 3 * span(d) + 1;
+    if needed > LARGEST {
+        return whole::sign(rows);
     }
+    let sign = with_capacity!(needed, CAP => side_of::<CAP>([a, b, c], d));
+    if pivot.is_multiple_of(2) { -sign } else { sign }
 }
 
 #[inline(never)] // so that the stack frame is that of this capacity

@@ -12,21 +12,26 @@
 //!   capacity suffices for every finite input: no rational, no allocation, and
 //!   no condition on exponents.
 //!
+//! Lines and planes may go through constructed vertices in turn. Such [`deep`]
+//! vertices have a row like the others, in lowest terms, and the same filter;
+//! only where their rows are longer than any that input vertices define,
+//! determinants are [`whole`] integers on the heap.
+//!
 //! Compare, orient2d in all projections and orient3d take constructed vertices
 //! in any place and input vertices in the others. Incircle and insphere take
 //! input vertices only.
 
 #[macro_use]
 mod capacity;
+mod deep;
 mod determinant;
 pub mod filter;
 mod points;
 mod rows;
+mod whole;
 
 use predicament_arithmetic::dyadic::Space;
-#[cfg(doc)]
-use predicament_predicates::Construction;
-use predicament_predicates::{Axis, Declined, Plane, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Construction, Declined, Plane, Scene, Sign, Vertex};
 
 use crate::stage;
 use filter::Approximate;
@@ -40,6 +45,7 @@ pub const EXACT: usize = stage::DYADIC;
 /// The constructed vertices of one scene.
 #[derive(Clone, Debug)]
 pub struct Constructed<'s> {
+    /// Asked for its input vertices only.
     scene: &'s Scene,
     /// Coordinates, vertex after vertex, for the filter.
     approximations: Vec<f64>,
@@ -55,17 +61,36 @@ impl<'s> Constructed<'s> {
     /// parallel lines, a plane of collinear vertices, and the like.
     pub fn new(scene: &'s Scene) -> Result<Constructed<'s>, Declined> {
         let constructions = scene.constructions();
-        let mut rows = Rows::new(scene);
+        let mut constructed = Constructed { scene, approximations: Vec::new(), rows: Rows::new(scene) };
+        constructed.approximations.reserve(constructions.len() * scene.dimension().count());
         for (index, construction) in constructions.iter().enumerate() {
-            points::push(&mut rows, construction).map_err(|why| {
+            constructed.push(construction).map_err(|why| {
                 let vertex = Vertex::constructed(index);
                 Declined::scene(format!("{vertex}, constructed as {construction}, is no point: {why}"))
             })?;
         }
-        let dimension = scene.dimension().count();
-        let approximations =
-            (0..constructions.len() * dimension).map(|at| rows.approximation(at / dimension, at % dimension)).collect();
-        Ok(Constructed { scene, approximations, rows })
+        Ok(constructed)
+    }
+
+    /// Adds the next vertex, or says why it is no point.
+    pub(crate) fn push(&mut self, construction: &Construction) -> Result<(), &'static str> {
+        self.rows.align();
+        let index = self.len();
+        points::push(&mut self.rows, construction)?;
+        let axes = 0..self.scene.dimension().count();
+        self.approximations.extend(axes.map(|axis| self.rows.approximation(index, axis)));
+        Ok(())
+    }
+
+    /// Removes all vertices but the first so many.
+    pub(crate) fn truncate(&mut self, count: usize) {
+        self.rows.truncate(count);
+        self.approximations.truncate(count * self.scene.dimension().count());
+    }
+
+    /// How many vertices there are.
+    pub(crate) fn len(&self) -> usize {
+        self.approximations.len() / self.scene.dimension().count()
     }
 
     /// The approximate coordinates of a vertex, for output and broad phases: an

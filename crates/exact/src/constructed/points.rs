@@ -1,5 +1,8 @@
 //! Where lines and planes meet: the exact homogeneous row of a construction.
 //!
+//! This is for lines and planes through input vertices; those through
+//! constructed ones are in [`deep`].
+//!
 //! Each point is a vertex plus a multiple of a direction, P = p + (n/w)·u, by
 //! Cramer's rule on differences; then (w·p + n·u, w) is its row.
 //!
@@ -29,7 +32,7 @@ use predicament_predicates::{
     Construction,
 };
 
-use super::rows::Rows;
+use super::{deep, rows::Rows};
 
 type Point<'a, const D: usize> = [Number<'a>; D];
 
@@ -38,6 +41,9 @@ const NUMBERS: usize = 16 + 6;
 
 /// Adds the construction's row, or says why it defines no point.
 pub(super) fn push(rows: &mut Rows, construction: &Construction) -> Result<(), &'static str> {
+    if !construction.is_of_inputs() {
+        return deep::push(rows, construction);
+    }
     let mut held = [[0; 2]; 3 * 9];
     let space = &mut Space::new(held.as_flattened_mut());
     match *construction {

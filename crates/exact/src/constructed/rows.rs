@@ -6,6 +6,9 @@
 //! bit is no more than 58 bits below the scene's top is then one limb, and six
 //! bits are left for sums: a line and plane's point has entries below 2^240 and
 //! takes four limbs, that of three planes has entries below 2^421 and takes seven.
+//!
+//! Rows of vertices that constructed vertices define have no such limit. They
+//! are in lowest terms instead: see [`deep`](super::deep).
 
 use predicament_arithmetic::{
     ExponentRange,
@@ -33,8 +36,10 @@ struct Entry {
 /// from the scene, those of constructed ones are stored, with w > 0.
 #[derive(Clone, Debug)]
 pub(super) struct Rows<'s> {
+    /// Asked for its input vertices only.
     scene: &'s Scene,
-    shift: i32,
+    /// The exponent of the scale, once it is needed.
+    shift: Option<i32>,
     /// Coordinates and weight, vertex after vertex.
     entries: Vec<Entry>,
     limbs: Vec<u64>,
@@ -43,10 +48,20 @@ pub(super) struct Rows<'s> {
 impl<'s> Rows<'s> {
     /// No constructed vertex yet.
     pub fn new(scene: &'s Scene) -> Rows<'s> {
-        let wanted = !scene.constructions().is_empty();
-        let range = wanted.then(|| ExponentRange::of(scene.coordinates())).flatten();
-        let shift = range.map_or(0, |range| TOP - range.highest);
-        Rows { scene, shift, entries: Vec::new(), limbs: Vec::new() }
+        Rows { scene, shift: None, entries: Vec::new(), limbs: Vec::new() }
+    }
+
+    /// Finds the scale, for the first vertex that is constructed: one look at all coordinates.
+    pub fn align(&mut self) {
+        if self.shift.is_none() {
+            self.shift = Some(ExponentRange::of(self.scene.coordinates()).map_or(0, |range| TOP - range.highest));
+        }
+    }
+
+    /// No scale is as good as any before something is constructed.
+    #[inline(always)]
+    fn shift(&self) -> i32 {
+        self.shift.unwrap_or(0)
     }
 
     /// The next constructed vertex. Weights that are negative turn the row's signs.
@@ -58,13 +73,22 @@ impl<'s> Rows<'s> {
         }
     }
 
+    /// Removes all constructed vertices but the first so many.
+    pub fn truncate(&mut self, count: usize) {
+        let entries = count * (self.scene.dimension().count() + 1);
+        if let Some(first) = self.entries.get(entries) {
+            self.limbs.truncate(first.start);
+            self.entries.truncate(entries);
+        }
+    }
+
     /// The coordinates of an input vertex, scaled; two limbs each.
     #[inline]
     pub fn input<'a, const K: usize>(&self, space: &mut Space<'a>, v: Vertex, axes: [Axis; K]) -> [Number<'a>; K] {
         let point = self.scene.point(v);
         let mut numbers = [Number::ZERO; K];
         for (number, axis) in numbers.iter_mut().zip(axes) {
-            *number = Number::scaled(space, point[axis.index()], self.shift);
+            *number = Number::scaled(space, point[axis.index()], self.shift());
         }
         numbers
     }
@@ -102,7 +126,7 @@ impl<'s> Rows<'s> {
         let Some((quotient, exponent)) = x.quotient(w) else {
             return 0.0;
         };
-        let exponent = exponent - self.shift;
+        let exponent = exponent - self.shift();
         // A number of 65 bits at this exponent: no double here is subnormal, none infinite.
         let magnitude = match exponent {
             ..-465 => 0.0,

@@ -1,5 +1,6 @@
 //! Constructed vertices against the judge: ordinary, degenerate and wild.
 
+mod cascades;
 mod faults;
 mod judge;
 mod scenes;

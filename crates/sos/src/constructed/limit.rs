@@ -39,7 +39,7 @@ pub struct Limit {
 /// planes meet in no single point however they are moved.
 ///
 /// # Panics
-/// If `v` is no constructed vertex of the scene.
+/// If `v` is no constructed vertex of the scene, or one that others define than input vertices.
 #[must_use]
 pub fn limit(scene: &Scene, v: Vertex) -> Option<Limit> {
     let construction = scene.construction(v).expect("a constructed vertex of the scene");

@@ -21,6 +21,14 @@
 //! point (two lines through a common vertex meet there). Those are identities of
 //! geometry and no ties; the answer is zero. Between input vertices there are
 //! none but those of a vertex that is asked for twice.
+//!
+//! # One level
+//! Only input vertices may define a vertex here. Each further level multiplies
+//! the degree, by four for lines and by nine for three planes, and the number
+//! of input vertices behind one question: a determinant of four vertices of
+//! three planes has degree 28 in 36 vertices, and of four such vertices of the
+//! second level up to degree 252 in 324. The search for the deciding monomial
+//! is proved and affordable for the first, not for the second.
 
 mod certain;
 mod limit;
@@ -31,7 +39,7 @@ pub(crate) mod rigid;
 mod search;
 mod series;
 
-use predicament_predicates::{Axis, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Construction, Declined, Question, Scene, Sign, Vertex};
 
 use certain::Matrix;
 pub use limit::{Limit, limit};
@@ -40,6 +48,30 @@ use place::{Place, depend};
 use search::{Expression, Search};
 use series::{Coefficient, Series};
 use smallvec::{SmallVec, smallvec};
+
+use crate::Scheme;
+
+/// Why the schemes but one decline constructed vertices.
+pub(crate) fn others_only() -> String {
+    format!("constructed vertices are moved by the scheme `{}` only", Scheme::PerCoordinate)
+}
+
+/// Whether only input vertices define it, and why that has to be.
+pub(crate) fn is_of_inputs(construction: &Construction) -> Result<(), String> {
+    if construction.is_of_inputs() {
+        return Ok(());
+    }
+    Err("a perturbation moves vertices that input vertices define, not those that constructed ones do".to_owned())
+}
+
+/// The same for all constructions of a scene.
+pub(crate) fn are_of_inputs(scene: &Scene) -> Result<(), Declined> {
+    let checked = scene.constructions().iter().enumerate().try_for_each(|(index, construction)| {
+        is_of_inputs(construction)
+            .map_err(|why| format!("{}, constructed as {construction}: {why}", Vertex::constructed(index)))
+    });
+    checked.map_err(Declined::scene)
+}
 
 /// The side of a tie, and the degree of the monomial that decides; none if
 /// the determinant is zero wherever the input vertices are. All constructed

@@ -46,7 +46,7 @@ impl Constructions {
 fn cure(why: ConstructionError) -> &'static str {
     match why {
         ConstructionError::Dimension { .. } => "write ssi in 2D, and lpi or tpi in 3D",
-        ConstructionError::NotInput { .. } => "indices count from 0",
+        ConstructionError::Missing { .. } => "indices count from 0",
         ConstructionError::Repeated { .. } => "name different points",
         ConstructionError::TooMany => "divide the scene",
     }

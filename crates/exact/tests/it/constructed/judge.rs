@@ -20,9 +20,16 @@ impl Judge {
     pub fn new(scene: &Scene) -> Judge {
         let input = scene.vertices().map(|v| rational(scene.point(v))).collect();
         let mut judge = Judge { input, constructed: Vec::new() };
-        let points = scene.constructions().iter().map(|construction| judge.meet(construction).expect("a point"));
-        judge.constructed = points.collect();
+        for construction in scene.constructions() {
+            let point = judge.meet(construction).expect("a point");
+            judge.add(point);
+        }
         judge
+    }
+
+    /// The next constructed vertex.
+    pub fn add(&mut self, point: Point) {
+        self.constructed.push(point);
     }
 
     /// The point that the construction defines, if it does; proved.

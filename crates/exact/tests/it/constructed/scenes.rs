@@ -86,7 +86,7 @@ pub fn check(random: &mut Random, scene: &Scene, rounds: usize) -> Seen {
 }
 
 /// Approximate coordinates are as good as the filter supposes.
-fn check_approximations(scene: &Scene, judge: &Judge, ours: &Constructed) {
+pub fn check_approximations(scene: &Scene, judge: &Judge, ours: &Constructed) {
     let power = |exponent: i32| Rational::from(1) << exponent;
     for v in (0..scene.constructions().len()).map(Vertex::constructed) {
         for (&x, truth) in ours.approximation(v).iter().zip(judge.point(v)) {

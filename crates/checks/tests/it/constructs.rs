@@ -1,0 +1,56 @@
+//! Constructing while running: each backend does what it declares, faults that
+//! are planted do not, and the number of threads changes no id.
+
+mod cases;
+mod complaints;
+mod faults;
+mod threads;
+
+use complaints::complaints;
+use faults::{Fault, Faulty};
+use predicament_controls::{Epsilon, Naive, Pivot, Shewchuk};
+use predicament_exact::Exact;
+use predicament_predicates::{Backend, Constructs};
+use predicament_sos::{PerMesh, Scheme, Sos};
+use predicament_tolerance::Tolerance;
+
+fn holds<B: Backend>(backend: &B, declared: Constructs) {
+    assert_eq!(backend.constructs(), declared, "{}", backend.name());
+    let complaints = complaints(backend);
+    assert!(complaints.is_empty(), "{}: {complaints:#?}", backend.name());
+}
+
+/// The table that the backends' pages show.
+#[test]
+fn every_backend_does_what_it_declares() {
+    holds(&Exact, Constructs::Keeps);
+    holds(&Sos::default(), Constructs::KeepsFirst);
+    holds(&Sos { scheme: Scheme::EdelsbrunnerMucke }, Constructs::Declines);
+    holds(&PerMesh, Constructs::KeepsFirst);
+    holds(&Tolerance, Constructs::Declines);
+    holds(&Tolerance::<f32>::new(), Constructs::Declines);
+    holds(&Naive::default(), Constructs::Rounds);
+    holds(&Naive { pivot: Pivot::First }, Constructs::Rounds);
+    holds(&Epsilon::default(), Constructs::Rounds);
+    holds(&Shewchuk, Constructs::Rounds);
+}
+
+/// Each planted fault is found by the check that is there for it.
+#[test]
+fn planted_faults_are_found() {
+    assert!(complaints(&Faulty(Fault::None)).is_empty(), "the wrapper alone is no fault");
+    for (fault, check) in [
+        (Fault::ForgetsToIntern, "interned"),
+        (Fault::Sorts, "ids"),
+        (Fault::KeepsThePrefix, "all or nothing"),
+        (Fault::RoundsTheSecondLevel, "truth"),
+        (Fault::RoundsWhatIsNew, "prepared"),
+        (Fault::RoundsInBatches, "batches"),
+        (Fault::DeclinesInstead, "declared"),
+        (Fault::ConstructsInSecret, "declared"),
+        (Fault::TakesParallels, "degenerate"),
+    ] {
+        let found = complaints(&Faulty(fault));
+        assert!(found.iter().any(|complaint| complaint.starts_with(check)), "{fault:?} by `{check}`: {found:#?}");
+    }
+}

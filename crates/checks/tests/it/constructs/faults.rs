@@ -1,0 +1,153 @@
+//! A backend that constructs wrongly: exact answers, and one fault.
+
+use predicament_controls::Shewchuk;
+use predicament_exact::Exact;
+use predicament_predicates::{
+    Axis, Backend, Construction, Constructs, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question,
+    Refused, Scene, Sign, Tally, Vertex,
+};
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Fault {
+    None,
+    /// A definition in another order than before is a new vertex.
+    ForgetsToIntern,
+    /// Ids are in the order of definitions, whatever the order they come in.
+    Sorts,
+    /// What stands before a refused definition stays.
+    KeepsThePrefix,
+    /// Vertices that constructed ones define are rounded.
+    RoundsTheSecondLevel,
+    /// Vertices are rounded if the scene was not prepared with them.
+    RoundsWhatIsNew,
+    /// The same, in batches only.
+    RoundsInBatches,
+    /// It declares to keep vertices and declines.
+    DeclinesInstead,
+    /// It declares to decline and constructs.
+    ConstructsInSecret,
+    /// Parallel lines get the vertex of the definition before them.
+    TakesParallels,
+}
+
+pub struct Faulty(pub Fault);
+
+pub struct Session<'s> {
+    exact: <Exact as Backend>::Session<'s, Off>,
+    /// The same scene, with rounded vertices and exact signs about those.
+    rounded: <Shewchuk as Backend>::Session<'s, Off>,
+    prepared: usize,
+    fault: Fault,
+}
+
+impl Backend for Faulty {
+    type Session<'s, T: Tally + 's> = Session<'s>;
+
+    fn name(&self) -> String {
+        format!("{:?}", self.0)
+    }
+
+    fn contract(&self, kind: PredicateKind) -> Contract {
+        Exact.contract(kind)
+    }
+
+    fn stages(&self) -> &'static [&'static str] {
+        Exact.stages()
+    }
+
+    fn constructs(&self) -> Constructs {
+        if self.0 == Fault::ConstructsInSecret { Constructs::Declines } else { Constructs::Keeps }
+    }
+
+    fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, _: T) -> Result<Session<'s>, Declined> {
+        let (exact, rounded) = (Exact.prepare(scene, Off)?, Shewchuk.prepare(scene, Off)?);
+        Ok(Session { exact, rounded, prepared: scene.constructions().len(), fault: self.0 })
+    }
+}
+
+impl Session<'_> {
+    fn both(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        let vertices = self.exact.construct(definitions)?;
+        self.rounded.construct(definitions)?;
+        Ok(vertices)
+    }
+
+    fn ask(&self, question: Question, args: &[Vertex]) -> Sign {
+        let rounds = |v: &Vertex| match self.fault {
+            Fault::RoundsTheSecondLevel => self.scene().construction(*v).is_some_and(|by| !by.is_of_inputs()),
+            Fault::RoundsWhatIsNew => self.is_new(*v),
+            _ => false,
+        };
+        if args.iter().any(rounds) { question.ask(&self.rounded, args) } else { question.ask(&self.exact, args) }
+    }
+
+    fn is_new(&self, v: Vertex) -> bool {
+        v.construction().is_some_and(|index| index >= self.prepared)
+    }
+}
+
+impl Predicates for Session<'_> {
+    fn scene(&self) -> &Scene {
+        self.exact.scene()
+    }
+
+    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        let known = self.scene().constructions().len();
+        match self.fault {
+            Fault::DeclinesInstead => return Err(Refused::session("not today")),
+            Fault::Sorts => {
+                let mut sorted = definitions.to_vec();
+                sorted.sort_unstable();
+                self.both(&sorted)?;
+            }
+            _ => {}
+        }
+        let mut constructed = self.both(definitions);
+        if let Err(Refused::Definition { index, reason, .. }) = &constructed {
+            let (prefix, rest) = definitions.split_at(*index);
+            match self.fault {
+                Fault::KeepsThePrefix => drop(self.both(prefix)),
+                Fault::TakesParallels if reason.contains("parallel") => {
+                    constructed = self.both(&[prefix, &rest[1..]].concat())
+                }
+                _ => {}
+            }
+        }
+        if let (Fault::ForgetsToIntern, Ok(vertices)) = (self.fault, &mut constructed) {
+            for (vertex, definition) in vertices.iter_mut().zip(definitions) {
+                let known_by_order = *definition == definition.canonical();
+                if vertex.construction().is_some_and(|index| index < known) && !known_by_order {
+                    *vertex = Vertex::constructed(known);
+                }
+            }
+        }
+        constructed
+    }
+
+    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        self.ask(Question::Compare(axis), &[a, b])
+    }
+
+    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        self.ask(Question::Orient2d(plane), &[a, b, c])
+    }
+
+    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.ask(Question::Orient3d, &[a, b, c, d])
+    }
+
+    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.ask(Question::Incircle, &[a, b, c, d])
+    }
+
+    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
+        self.ask(Question::Insphere, &[a, b, c, d, e])
+    }
+
+    fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
+        for (&[a, b, c], out) in queries.iter().zip(out) {
+            let rounds = self.fault == Fault::RoundsInBatches && [a, b, c].iter().any(|&v| self.is_new(v));
+            *out = if rounds { self.rounded.orient2d(plane, a, b, c) } else { self.orient2d(plane, a, b, c) };
+        }
+    }
+}

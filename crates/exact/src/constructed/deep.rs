@@ -1,0 +1,119 @@
+//! Vertices that constructed vertices define, at any depth.
+//!
+//! Each level multiplies the degree of a row: by four for lines, by nine for
+//! three planes. Most cascades do not need such numbers, as lines and planes
+//! come back (the line through two vertices of one line is that line), and
+//! common factors with them. So rows are integers of any length in lowest
+//! terms: the rational point, kept whole.
+//!
+//! Joins and meets of homogeneous rows need no case for weights: the line
+//! through two points and the plane through three are the cross products of
+//! their rows, and so is the point of two lines or three planes; the line p, q
+//! meets the plane f where f(q)·p − f(p)·q is.
+
+use predicament_predicates::{
+    Axis::{X, Y, Z},
+    Construction, Vertex,
+};
+use rug::{Integer, integer::Order};
+
+use predicament_arithmetic::dyadic::{Number, Space};
+
+use super::{rows::Rows, whole};
+
+/// Coordinates and weight.
+type Row<const N: usize> = [Integer; N];
+
+/// Adds the construction's row, or says why it defines no point.
+pub(super) fn push(rows: &mut Rows, construction: &Construction) -> Result<(), &'static str> {
+    match *construction {
+        Construction::Ssi(lines) => {
+            let [first, second] = lines.map(|line| line.map(|v| flat(rows, v)));
+            store(rows, meet(join(&first)?, join(&second)?)?);
+        }
+        Construction::Lpi { line, plane } => {
+            let (line, plane) = (line.map(|v| solid(rows, v)), plane.map(|v| solid(rows, v)));
+            store(rows, pierce(&line, &span(&plane)?)?);
+        }
+        Construction::Tpi(planes) => {
+            let [l, m, n] = planes.map(|plane| plane.map(|v| solid(rows, v)));
+            let planes = [span(&l)?, span(&m)?, span(&n)?];
+            let point = minors(&planes);
+            if point[3].is_zero() {
+                return Err("the planes share no point, or more than one");
+            }
+            store(rows, point);
+        }
+    }
+    Ok(())
+}
+
+fn flat(rows: &Rows, v: Vertex) -> Row<3> {
+    whole::integers(&rows.of(&mut Space::new(&mut [0; 2 * 2]), v, [X, Y]))
+}
+
+fn solid(rows: &Rows, v: Vertex) -> Row<4> {
+    whole::integers(&rows.of(&mut Space::new(&mut [0; 2 * 3]), v, [X, Y, Z]))
+}
+
+/// The line through two points of the plane.
+fn join([p, q]: &[Row<3>; 2]) -> Result<Row<3>, &'static str> {
+    let line = cross(p, q);
+    // Two points with weights have a line through them unless they are one point.
+    if line.iter().all(Integer::is_zero) { Err("the ends of a segment coincide") } else { Ok(line) }
+}
+
+/// The point of two lines.
+fn meet(first: Row<3>, second: Row<3>) -> Result<Row<3>, &'static str> {
+    let point = cross(&first, &second);
+    if point[2].is_zero() { Err("the lines are parallel") } else { Ok(point) }
+}
+
+/// The plane through three points.
+fn span(points: &[Row<4>; 3]) -> Result<Row<4>, &'static str> {
+    let plane = minors(points);
+    if plane.iter().all(Integer::is_zero) { Err("the three vertices of a plane are collinear") } else { Ok(plane) }
+}
+
+/// The point of a line and a plane.
+fn pierce([p, q]: &[Row<4>; 2], plane: &Row<4>) -> Result<Row<4>, &'static str> {
+    if (0..3).all(|i| minor(p, q, i, 3).is_zero()) {
+        return Err("the two vertices of the line coincide");
+    }
+    let at = |point: &Row<4>| plane.iter().zip(point).map(|(f, x)| Integer::from(f * x)).sum::<Integer>();
+    let (at_p, at_q) = (at(p), at(q));
+    let point: Row<4> = std::array::from_fn(|i| Integer::from(&at_q * &p[i]) - Integer::from(&at_p * &q[i]));
+    if point[3].is_zero() { Err("the line is parallel to the plane") } else { Ok(point) }
+}
+
+fn minor<const N: usize>(p: &Row<N>, q: &Row<N>, i: usize, j: usize) -> Integer {
+    Integer::from(&p[i] * &q[j]) - Integer::from(&p[j] * &q[i])
+}
+
+fn cross(p: &Row<3>, q: &Row<3>) -> Row<3> {
+    [minor(p, q, 1, 2), minor(p, q, 2, 0), minor(p, q, 0, 1)]
+}
+
+/// The 3 × 3 minors with their signs: what is orthogonal to all three rows.
+fn minors([p, q, r]: &[Row<4>; 3]) -> Row<4> {
+    let without = |column: usize| {
+        let [i, j, k] = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]][column];
+        let sum = minor(q, r, j, k) * &p[i] - minor(q, r, i, k) * &p[j] + minor(q, r, i, j) * &p[k];
+        if column.is_multiple_of(2) { sum } else { -sum }
+    };
+    std::array::from_fn(without)
+}
+
+/// Stores a row in lowest terms.
+fn store<const N: usize>(rows: &mut Rows, row: Row<N>) {
+    let mut divisor = Integer::new();
+    row.iter().for_each(|x| divisor.gcd_mut(x));
+    let limbs = row.each_ref().map(|x| Integer::from(x.div_exact_ref(&divisor)).to_digits::<u64>(Order::Lsf));
+    let number = |i: usize| {
+        let zeros = limbs[i].iter().take_while(|&&limb| limb == 0).count();
+        let low = i32::try_from(zeros).expect("fewer than 2^31 limbs");
+        Number { limbs: &limbs[i][zeros..], low, negative: row[i].is_negative() }
+    };
+    let coordinates: Vec<Number> = (0..N - 1).map(number).collect();
+    rows.push(&coordinates, number(N - 1));
+}

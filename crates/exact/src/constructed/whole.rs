@@ -1,0 +1,47 @@
+//! Determinants of rows in integers of any length, for rows that are longer
+//! than what fits the stack.
+
+use predicament_predicates::Sign;
+use rug::{Integer, integer::Order};
+
+use predicament_arithmetic::dyadic::Number;
+
+/// A row as integers: times a power of two, which changes no point.
+pub(super) fn integers<const N: usize>(row: &[Number; N]) -> [Integer; N] {
+    let lowest = row.iter().filter(|x| !x.is_zero()).map(|x| x.low).min().unwrap_or(0);
+    row.map(|x| {
+        let mut integer = Integer::from_digits(x.limbs, Order::Lsf);
+        if !x.is_zero() {
+            integer <<= 64 * (x.low - lowest).unsigned_abs();
+        }
+        if x.negative { -integer } else { integer }
+    })
+}
+
+/// The sign of the determinant.
+#[cold]
+#[inline(never)]
+pub(super) fn sign<const N: usize>(rows: &[[Number; N]; N]) -> Sign {
+    let rows: Vec<[Integer; N]> = rows.iter().map(integers).collect();
+    minor(&rows, 0).cmp0().into()
+}
+
+/// By Laplace: of these rows and the columns from `column` on.
+fn minor<const N: usize>(rows: &[[Integer; N]], column: usize) -> Integer {
+    if let [row] = rows {
+        return row[column].clone();
+    }
+    let mut sum = Integer::new();
+    for at in 0..rows.len() {
+        if rows[at][column].is_zero() {
+            continue;
+        }
+        let term = minor(&[&rows[..at], &rows[at + 1..]].concat(), column + 1) * &rows[at][column];
+        if at.is_multiple_of(2) {
+            sum += term;
+        } else {
+            sum -= term;
+        }
+    }
+    sum
+}
