@@ -12,7 +12,8 @@
 //! printed with their times in relation to `from scratch`. On a machine that
 //! does other things as well, believe that line.
 
-#[path = "../tests/common/mod.rs"]
+#[path = "../../exact/tests/it/common.rs"]
+#[allow(dead_code)] // what the tests need beside
 mod common;
 
 use std::hint::black_box;

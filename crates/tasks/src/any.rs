@@ -65,6 +65,9 @@ pub trait AnyCase: Send + Sync {
     /// Its task.
     fn task(&self) -> &dyn AnyTask;
 
+    /// [`Task::sampled`].
+    fn sampled(&self) -> Option<String>;
+
     /// [`Task::dispute`].
     fn dispute(&self) -> Option<Dispute>;
 
@@ -146,6 +149,10 @@ impl<T: Task> AnyCase for CaseOf<'_, T> {
 
     fn task(&self) -> &dyn AnyTask {
         self.task
+    }
+
+    fn sampled(&self) -> Option<String> {
+        self.task.sampled(&self.case.truth)
     }
 
     fn dispute(&self) -> Option<Dispute> {

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use predicament_corpus::Content;
-use predicament_predicates::{Backend, Counts, Declined, Off, Predicates, Scene};
+use predicament_predicates::{Backend, Counts, Declined, Off, Predicates, Refused, Scene};
 
 use crate::{Answer, AnyTask, Class, Outcome, Stop, Task, Watch};
 
@@ -40,10 +40,22 @@ pub enum Halt {
     Stopped(Stop),
 }
 
-/// A backend that declines a scene or a predicate.
+impl From<Stop> for Halt {
+    fn from(stop: Stop) -> Halt {
+        Halt::Stopped(stop)
+    }
+}
+
+impl From<Refused> for Halt {
+    fn from(refused: Refused) -> Halt {
+        Halt::Refused(Refusal { check: "construct", why: refused.into() })
+    }
+}
+
+/// A backend that declines a scene, a predicate or a construction.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Refusal {
-    /// `prepare` or `supports`.
+    /// `prepare`, `supports` or `construct`.
     pub check: &'static str,
     /// Its reason.
     pub why: Declined,
@@ -148,7 +160,7 @@ impl<B: Backend + 'static, T: Task> Solver for OnTask<B, T> {
     ) -> Result<(), Halt> {
         let mut session = self.prepare(scene, counts).map_err(Halt::Refused)?;
         let mut answer = T::Answer::default();
-        self.task.solve(&mut session, self.content(content), how, &mut answer).map_err(Halt::Stopped)?;
+        self.task.solve(&mut session, self.content(content), how, &mut answer)?;
         then(&session, &answer).map_err(Halt::Stopped)
     }
 

@@ -7,7 +7,7 @@ use predicament_predicates::{Declined, PredicateKind, Predicates, Query, Scene, 
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 
-use crate::{Asked, Case, Contestant, Dispute, How, Outcome, Stop, Watch};
+use crate::{Asked, Case, Contestant, Dispute, Halt, How, Outcome, Stop, Watch};
 
 /// An answer to everything that a scene asks. It is reused from pass to pass
 /// where time is measured, so that memory is not.
@@ -60,6 +60,12 @@ pub trait Task: SceneFormat + Sized + 'static {
     /// [`Stop`] where the watch says so.
     fn truth(&self, scene: &Scene, content: &Self::Content, watch: &Watch) -> Result<Self::Truth, Stop>;
 
+    /// How much of the scene the truth is about, where that is not all of it.
+    fn sampled(&self, truth: &Self::Truth) -> Option<String> {
+        let _ = truth;
+        None
+    }
+
     /// Holds what came with the data, if anything, against the truth.
     fn dispute(&self, case: &Case<'_, Self>) -> Option<Dispute> {
         let _ = case;
@@ -70,14 +76,14 @@ pub trait Task: SceneFormat + Sized + 'static {
     /// Where it needs no speed of its own it asks through `&dyn Predicates`.
     ///
     /// # Errors
-    /// [`Stop`] where the watch says so.
+    /// [`Halt`] where the watch says so, or the session refuses to construct a vertex.
     fn solve<P: Predicates>(
         &self,
         session: &mut P,
         content: &Self::Content,
         how: &How<'_>,
         answer: &mut Self::Answer,
-    ) -> Result<(), Stop>;
+    ) -> Result<(), Halt>;
 
     /// Classifies an answer and adds findings and rows to the outcome.
     ///

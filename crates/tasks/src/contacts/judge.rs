@@ -1,20 +1,24 @@
 //! Every registered pair of two complexes against the truth.
 //!
-//! What is judged are the pairs that the truth or the backend registers; that a
-//! pair is registered by neither is not counted as an answer, there are too many
-//! of those. For backends that break ties the truth is, besides, what the
-//! hierarchy registers with the signs of the perturbed scene.
+//! The truth is found by linear equations in rationals, all pairs whose boxes
+//! meet; where that is too much, for every n-th simplex of the first complex. A
+//! pair that a backend registers is judged in any case: the sample limits the
+//! search for pairs that it has missed. What is judged are the pairs that the
+//! truth or the backend registers; that a pair is registered by neither is not
+//! counted as an answer, there are too many of those. For backends that break
+//! ties the truth is, besides, what the hierarchy registers with the signs of the
+//! perturbed scene.
 //!
 //! Whether a pair is registered depends on its faces alone. So one pair can be
-//! asked about again by itself, and a sample of the truth is found twice, the
-//! second time pair by pair and by the judge's other computation.
+//! asked about again by itself, and some pairs of the truth are found twice, the
+//! second time by the hierarchy on the judge's signs.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_algorithms::contacts::{Contacts as Registered, Weights, contacts};
-use predicament_judge::Judged;
-use predicament_mesh::Faces;
-use predicament_predicates::{PredicateKind, Scene, ZeroMeaning};
+use predicament_judge::{Judged, Sample, contacts as judge};
+use predicament_mesh::{Complex, Faces, Simplex};
+use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 
 use super::classes::{self, Judgement};
 use super::pairs::{Pair, Pairs};
@@ -29,9 +33,25 @@ const ORDERS: usize = 24;
 
 /// The pairs that meet, exactly.
 pub struct Truth {
-    /// All of them.
-    pub registered: Registered,
+    /// Those of the sampled simplices of the first complex.
+    registered: BTreeSet<Pair>,
+    /// Which simplices of the first complex were looked at, by their place in [`simplices`].
+    sample: Sample,
+    /// Those simplices.
+    sampled: BTreeSet<Simplex>,
     faces: [Faces; 2],
+}
+
+/// All simplices of a complex by rank, with their vertices.
+fn simplices(complex: &Complex) -> Vec<(Simplex, &[Vertex])> {
+    let counts =
+        [complex.vertices().len(), complex.edges().len(), complex.triangles().len(), complex.tetrahedra().len()];
+    let of_rank = |(rank, count): (u8, usize)| {
+        let count = u32::try_from(count).expect("a complex has fewer than 2^32 simplices");
+        (0..count).map(move |index| Simplex { rank, index })
+    };
+    let all = (0..4).zip(counts).flat_map(of_rank);
+    all.map(|simplex| (simplex, complex.vertices_of(simplex))).collect()
 }
 
 impl Truth {
@@ -40,20 +60,45 @@ impl Truth {
     /// # Panics
     /// If the judge contradicts itself.
     pub(super) fn new(scene: &Scene, content: &Complexes, watch: &Watch) -> Result<Truth, Stop> {
-        let registered = contacts(&Judged::exact(scene), &content.a, &content.b);
-        watch.done((content.a.len() + content.b.len()) as u64)?;
-        for contact in registered.registered.iter().step_by(TWICE) {
-            let pair = [contact.a, contact.b];
+        let [a, b] = content.both().map(simplices);
+        let [of_a, of_b]: [Vec<&[Vertex]>; 2] = [&a, &b].map(|all| all.iter().map(|&(_, vertices)| vertices).collect());
+        let sample = judge::sample(scene.dimension(), [a.len(), b.len()]);
+        let found = judge::contacts_of(scene, &of_a, &of_b, sample);
+        let registered: BTreeSet<Pair> =
+            found.iter().map(|contact| [a[contact.pair[0]].0, b[contact.pair[1]].0]).collect();
+        watch.done((a.len() + b.len()) as u64)?;
+        for &pair in registered.iter().step_by(TWICE) {
             let again = alone(scene, content, &Judged::again(scene), pair);
             let same = again.registered.iter().any(|again| [again.a, again.b] == pair);
             assert!(same, "the judge contradicts itself about {}", query(scene, content, pair));
         }
         watch.done(0)?;
-        Ok(Truth { registered, faces: content.both().map(Faces::new) })
+        let sampled = sample.places().map(|place| a[place].0).collect();
+        Ok(Truth { registered, sample, sampled, faces: content.both().map(Faces::new) })
+    }
+
+    /// How many simplices of the first complex were looked at, if not all.
+    pub(super) fn sampled(&self) -> Option<String> {
+        (!self.sample.is_all())
+            .then(|| format!("pairs of {} simplices of the first complex, and all registered pairs", self.sample))
     }
 
     fn pairs<'p>(&'p self, content: &'p Complexes, contacts: &Registered) -> Pairs<'p> {
-        Pairs::new(content.both(), &self.faces, contacts)
+        let pairs = contacts.registered.iter().map(|contact| [contact.a, contact.b]);
+        Pairs::new(content.both(), &self.faces, pairs.collect())
+    }
+
+    /// The truth with everything that it takes to judge these pairs too, and their faces.
+    fn about<'p>(&'p self, scene: &Scene, content: &'p Complexes, pairs: impl Iterator<Item = Pair>) -> Pairs<'p> {
+        let mut registered = self.registered.clone();
+        let [of_a, of_b] = &self.faces;
+        let faces = pairs.flat_map(|[s, t]| of_a.of(s).flat_map(move |s| of_b.of(t).map(move |t| [s, t])));
+        let unknown: BTreeSet<Pair> = faces.filter(|[s, _]| !self.sampled.contains(s)).collect();
+        registered.extend(unknown.into_iter().filter(|&pair| {
+            let [s, t] = vertices_of(content, pair);
+            judge::contact(scene, s, t).is_some()
+        }));
+        Pairs::new(content.both(), &self.faces, registered)
     }
 }
 
@@ -72,7 +117,7 @@ pub(super) fn judge(
         _ => None,
     };
     watch.done(0)?;
-    let [got, truth] = [found, &case.truth.registered].map(|contacts| case.truth.pairs(content, contacts));
+    let got = case.truth.pairs(content, found);
     let perturbed = perturbed.as_ref().map(|contacts| case.truth.pairs(content, contacts));
     let audited = match zero {
         ZeroMeaning::Band => band::broken(session, content.both(), found, &got),
@@ -80,6 +125,8 @@ pub(super) fn judge(
     };
     watch.done(0)?;
     let perturbed = perturbed.as_ref();
+    let said = got.iter().chain(perturbed.into_iter().flat_map(Pairs::iter)).chain(audited.keys().copied());
+    let truth = case.truth.about(scene, content, said);
     let judge = classes::Judge { dimension, zero, got: &got, truth: &truth, perturbed, audited: &audited };
     let weights: BTreeMap<Pair, [Weights; 2]> =
         found.registered.iter().map(|contact| ([contact.a, contact.b], [contact.on_a, contact.on_b])).collect();

@@ -30,7 +30,7 @@ pub use content::Complexes;
 pub use judge::Truth;
 pub use section::ContactRow;
 
-use crate::{Answer, Asked, Case, Contestant, Explanation, How, Outcome, Stop, Task, Watch, digest};
+use crate::{Answer, Asked, Case, Contestant, Explanation, Halt, How, Outcome, Stop, Task, Watch, digest};
 use pairs::{Pair, closure};
 
 /// The task, in the plane or in space.
@@ -106,16 +106,21 @@ impl Task for Contacts {
         Truth::new(scene, content, watch)
     }
 
+    fn sampled(&self, truth: &Truth) -> Option<String> {
+        truth.sampled()
+    }
+
     fn solve<P: Predicates>(
         &self,
         session: &mut P,
         content: &Complexes,
         how: &How<'_>,
         answer: &mut Registered,
-    ) -> Result<(), Stop> {
+    ) -> Result<(), Halt> {
         how.watch.done(0)?;
         *answer = contacts(&*session, &content.a, &content.b);
-        how.watch.done((content.a.len() + content.b.len()) as u64)
+        how.watch.done((content.a.len() + content.b.len()) as u64)?;
+        Ok(())
     }
 
     fn judge(

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use predicament_algorithms::contacts::Contacts;
 use predicament_mesh::{Complex, Faces, Simplex, Simplices};
 use predicament_predicates::{Dimension, Scene, Vertex};
 
@@ -19,8 +18,8 @@ pub(crate) struct Pairs<'a> {
 }
 
 impl<'a> Pairs<'a> {
-    pub fn new(complexes: [&'a Complex; 2], faces: &'a [Faces; 2], contacts: &Contacts) -> Pairs<'a> {
-        Pairs { complexes, faces, set: contacts.registered.iter().map(|contact| [contact.a, contact.b]).collect() }
+    pub fn new(complexes: [&'a Complex; 2], faces: &'a [Faces; 2], set: BTreeSet<Pair>) -> Pairs<'a> {
+        Pairs { complexes, faces, set }
     }
 
     pub fn contains(&self, pair: Pair) -> bool {

@@ -22,7 +22,7 @@ pub use content::Cubes;
 pub use judge::Truth;
 pub use section::MassRow;
 
-use crate::{Answer, Asked, Case, Contestant, Explanation, How, Outcome, Stop, Task, Watch, digest};
+use crate::{Answer, Asked, Case, Contestant, Explanation, Halt, How, Outcome, Stop, Task, Watch, digest};
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -85,17 +85,22 @@ impl Task for CubeUnion {
         Truth::new(scene, watch)
     }
 
+    fn sampled(&self, truth: &Truth) -> Option<String> {
+        truth.sampled()
+    }
+
     fn solve<P: Predicates>(
         &self,
         session: &mut P,
         content: &Cubes,
         how: &How<'_>,
         answer: &mut Union,
-    ) -> Result<(), Stop> {
+    ) -> Result<(), Halt> {
         how.watch.done(0)?;
         let (mass, exponent) = cube_union_by(&*session).expect("readers of scenes refuse cubes that sums can't hold");
         *answer = Union { mass, exponent };
-        how.watch.done(content.cubes as u64)
+        how.watch.done(content.cubes as u64)?;
+        Ok(())
     }
 
     fn judge(
@@ -105,7 +110,7 @@ impl Task for CubeUnion {
         answer: &Union,
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
-        judge::judge(case, asked, &answer.mass, outcome);
+        judge::judge(case, asked, answer, outcome);
         Ok(())
     }
 

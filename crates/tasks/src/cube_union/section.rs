@@ -25,12 +25,13 @@ pub struct MassRow {
     pub true_volume: f64,
     /// The area of the boundary that was found.
     pub area: f64,
-    /// The true one, in the limit for perturbations that go to zero.
-    pub true_area: f64,
+    /// That of the perturbed union, in the limit for perturbations that go to zero: where
+    /// faces coincide it is not the area of the union itself.
+    pub limit_area: f64,
     /// The length of the boundary's edges that was found.
     pub edge_length: f64,
-    /// The true one, in that limit.
-    pub true_edge_length: f64,
+    /// That of the perturbed union, in that limit.
+    pub limit_edge_length: f64,
     /// Corners of cubes that were found on the boundary.
     pub corners: u64,
     /// Points where an edge of one cube meets a face of another.
@@ -50,19 +51,19 @@ impl Row for MassRow {
         "volume",
         "true_volume",
         "area",
-        "true_area",
+        "limit_area",
         "edge_length",
-        "true_edge_length",
+        "limit_edge_length",
         "corners",
         "edge_faces",
         "three_faces",
     ];
 
     fn check(&self) -> Result<(), String> {
-        if [self.true_volume, self.true_area, self.true_edge_length].iter().all(|&x| x > 0.0 && x.is_finite()) {
+        if [self.true_volume, self.limit_area, self.limit_edge_length].iter().all(|&x| x > 0.0 && x.is_finite()) {
             Ok(())
         } else {
-            Err("a true measure is not positive".to_owned())
+            Err("an expected measure is not positive".to_owned())
         }
     }
 }
@@ -88,8 +89,8 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
                 row.backend.as_str().into(),
                 Cell::count(row.cubes),
                 against(row.volume, row.true_volume),
-                against(row.area, row.true_area),
-                against(row.edge_length, row.true_edge_length),
+                against(row.area, row.limit_area),
+                against(row.edge_length, row.limit_edge_length),
                 Cell::count(row.corners),
                 Cell::count(row.edge_faces),
                 Cell::count(row.three_faces),
@@ -102,19 +103,19 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
         id: "cubes",
         title: "Unions of cubes",
         lead: "Volume, area and edge length as sums over the vertices of the union, and the vertices by kind. Where a \
-               sum is not the true one, both are shown. Area and edge length are those of the perturbed cubes, in the \
+               sum is not the expected one, both are shown. Area and edge length are those of the perturbed cubes, in the \
                limit."
             .to_owned(),
         blocks: vec![block],
     }))
 }
 
-/// A measure, with the true one where it is another.
+/// A measure, with the expected one where it is another.
 fn against(found: f64, truth: f64) -> Cell {
     #[allow(clippy::float_cmp)] // equal sums are rounded to equal doubles
     if found == truth {
         return Cell::from(significant(found, 6));
     }
     let found = if found < 0.0 { format!("−{}", significant(-found, 6)) } else { significant(found, 6) };
-    Cell::from(found).detail(format!("true: {}", significant(truth, 6))).tone(Tone::Bad)
+    Cell::from(found).detail(format!("expected: {}", significant(truth, 6))).tone(Tone::Bad)
 }

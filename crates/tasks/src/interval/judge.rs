@@ -1,7 +1,8 @@
 //! Every probe against the rule without infinitesimals, and the cells against each other.
 
 use predicament_algorithms::interval::{Place, place};
-use predicament_checks::partition::{exact_place, partition_fault, perturbed_place};
+use predicament_checks::partition::partition_fault;
+use predicament_judge::interval as judge;
 use predicament_predicates::{Axis, PredicateKind, Predicates, Query, Scene, Vertex, ZeroMeaning};
 use rayon::prelude::*;
 
@@ -14,21 +15,26 @@ pub(super) fn truth(scene: &Scene, content: &Cells, watch: &Watch) -> Result<Vec
         .probes
         .par_chunks(CHUNK)
         .map(|probes| {
-            let found = probes.iter().map(|&probe| by_rule(scene, content, exact_place, probe)).collect();
+            let found = probes.iter().map(|&probe| by_rule(scene, content, judge::place, probe)).collect();
             watch.done(probes.len() as u64).map(|()| found)
         })
         .collect();
     Ok(chunks?.into_iter().flatten().collect())
 }
 
-/// The answer by a rule about coordinates and numbers.
+/// The answer by a rule of the judge, about coordinates and numbers.
 fn by_rule(
     scene: &Scene,
     content: &Cells,
-    rule: impl Fn(&Scene, Axis, [Vertex; 2], Vertex) -> Place,
+    rule: impl Fn(&Scene, Axis, [Vertex; 2], Vertex) -> judge::Place,
     probe: Vertex,
 ) -> Found {
-    let places = content.cells.iter().map(|&cell| rule(scene, content.axis, cell, probe));
+    let place = |cell| match rule(scene, content.axis, cell, probe) {
+        judge::Place::Outside => Place::Outside,
+        judge::Place::AtEnd => Place::AtEnd,
+        judge::Place::Inside => Place::Inside,
+    };
+    let places = content.cells.iter().map(|&cell| place(cell));
     places.enumerate().filter(|&(_, place)| place != Place::Outside).collect()
 }
 
@@ -48,7 +54,7 @@ pub(super) fn judge(
     outcome: &mut Outcome,
 ) -> Result<(), Stop> {
     let zero = asked.contract(PredicateKind::Compare).zero;
-    let perturbed = |probe| by_rule(case.scene(), case.content, perturbed_place, probe);
+    let perturbed = |probe| by_rule(case.scene(), case.content, judge::perturbed_place, probe);
     for (at, (cells, &probe)) in found.iter().zip(&case.content.probes).enumerate() {
         let exact = &case.truth[at];
         let whole = whole(asked.session, case.content, probe);

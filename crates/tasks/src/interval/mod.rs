@@ -17,7 +17,7 @@ use rayon::prelude::*;
 
 pub use content::Cells;
 
-use crate::{Answer, Asked, Case, Contestant, Explanation, How, Outcome, Stop, Task, Watch, digest};
+use crate::{Answer, Asked, Case, Contestant, Explanation, Halt, How, Outcome, Stop, Task, Watch, digest};
 
 /// Probes between two looks at the watch.
 const CHUNK: usize = 1024;
@@ -102,7 +102,7 @@ impl Task for Interval {
         content: &Cells,
         how: &How<'_>,
         answer: &mut CellsFound,
-    ) -> Result<(), Stop> {
+    ) -> Result<(), Halt> {
         let session = &*session;
         answer.0.resize(content.probes.len(), Vec::new());
         answer.0.par_chunks_mut(CHUNK).zip(content.probes.par_chunks(CHUNK)).try_for_each(|(found, probes)| {
@@ -111,7 +111,8 @@ impl Task for Interval {
                 found.extend(cells_at(session, content.axis, &content.cells, probe));
             }
             how.watch.done(probes.len() as u64)
-        })
+        })?;
+        Ok(())
     }
 
     fn judge(

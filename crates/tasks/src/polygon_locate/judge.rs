@@ -10,8 +10,9 @@
 
 use predicament_algorithms::polygon_locate::{Location, Locations, locate_all, question_all};
 use predicament_checks::tiling::{Fault, Flaws, Ground, Surroundings, map_flaws, surroundings, tiling_report};
-use predicament_judge::Judged;
+use predicament_judge::{Judged, Sample, locate as judge};
 use predicament_predicates::{PredicateKind, Query, Scene, Vertex, ZeroMeaning};
+use rayon::prelude::*;
 
 use super::section::LocateRow;
 use super::{Located, MapWithProbes, PolygonLocate, describe, watched};
@@ -23,8 +24,11 @@ pub struct Truth {
     pub flaws: Flaws,
     /// What is around each probe.
     pub surroundings: Surroundings,
-    /// Where each probe is.
-    pub exact: Locations,
+    /// Where the probes of a sample are: by all edges of the map, without an index.
+    exact: Vec<judge::Location>,
+    sample: Sample,
+    /// Where all probes are, by the driver on the judge's signs: it tells ties of other probes, no right from wrong.
+    by_signs: Locations,
 }
 
 impl Truth {
@@ -36,8 +40,30 @@ impl Truth {
         watch.done(0)?;
         let surroundings = surroundings(index, &session, &probes);
         watch.done(0)?;
-        let exact = watched(watch, |go_on| question_all(index, &session, &probes, go_on))?;
-        Ok(Truth { flaws, surroundings, exact })
+        let regions = content.map.regions().iter();
+        let rings = regions.map(|region| region.rings.iter().map(|ring| ring.vertices().to_vec()).collect());
+        let borders = judge::Borders::new(scene, &rings.collect::<Vec<Vec<Vec<Vertex>>>>());
+        let sample = judge::sample(probes.len(), borders.len());
+        let places: Vec<usize> = sample.places().collect();
+        let exact = places.par_iter().map(|&place| borders.locate(probes[place])).collect();
+        let by_signs = watched(watch, |go_on| question_all(index, &session, &probes, go_on))?;
+        Ok(Truth { flaws, surroundings, exact, sample, by_signs })
+    }
+
+    /// How many probes were located without an index, if not all.
+    pub(super) fn sampled(&self) -> Option<String> {
+        (!self.sample.is_all())
+            .then(|| format!("{} probes by all edges, the others by their surroundings", self.sample))
+    }
+
+    /// Where a probe is.
+    fn location(&self, at: usize) -> Location<'_> {
+        if self.sample.has(at) {
+            let exact = &self.exact[at / self.sample.step()];
+            Location { inside: &exact.inside, boundary: &exact.boundary }
+        } else {
+            location(&self.by_signs, at)
+        }
     }
 
     /// How many probes stand on each kind of ground.
@@ -68,11 +94,13 @@ pub(super) fn judge(
     let mut violations = report.violations().iter().peekable();
     for (at, answer) in answers.iter().enumerate() {
         let violation = violations.next_if(|violation| violation.probe == at);
-        let exact = location(&truth.exact, at);
+        let exact = truth.location(at);
         let class = match violation {
             Some(violation) => class_of_fault(violation.fault),
             None if answer == exact => Class::Agree,
             None => match zero {
+                // Where the probe touches nothing there is no tie.
+                ZeroMeaning::Never if exact.boundary.is_empty() => Class::SignFlip,
                 ZeroMeaning::Never => Class::TieBroken,
                 ZeroMeaning::Band => Class::InBand,
                 ZeroMeaning::Exact if answer.boundary.len() < exact.boundary.len() => Class::MissedZero,

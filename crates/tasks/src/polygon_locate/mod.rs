@@ -25,7 +25,7 @@ pub use content::{MapWithProbes, Probe, ProbeKind};
 pub use judge::Truth;
 pub use section::LocateRow;
 
-use crate::{Answer, Asked, Case, Contestant, Explanation, How, Outcome, Purpose, Stop, Task, Watch, digest};
+use crate::{Answer, Asked, Case, Contestant, Explanation, Halt, How, Outcome, Purpose, Stop, Task, Watch, digest};
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -91,13 +91,17 @@ impl Task for PolygonLocate {
         Truth::new(scene, content, watch)
     }
 
+    fn sampled(&self, truth: &Truth) -> Option<String> {
+        truth.sampled()
+    }
+
     fn solve<P: Predicates>(
         &self,
         session: &mut P,
         content: &MapWithProbes,
         how: &How<'_>,
         answer: &mut Located,
-    ) -> Result<(), Stop> {
+    ) -> Result<(), Halt> {
         let (session, index) = (&*session, content.index(session.scene()));
         let probes = content.vertices();
         answer.0 = match how.purpose {

@@ -31,7 +31,7 @@ pub use content::SignQueries;
 pub use degeneracy::{Histogram, degeneracy};
 pub use truth::truth;
 
-use crate::{Answer, Asked, Case, Contestant, Dispute, Explanation, How, Outcome, Stop, Task, Watch, digest};
+use crate::{Answer, Asked, Case, Contestant, Dispute, Explanation, Halt, How, Outcome, Stop, Task, Watch, digest};
 
 /// Queries to a chunk: small enough to stop soon, large enough to cost nothing.
 const CHUNK: usize = 4096;
@@ -144,9 +144,10 @@ impl Task for Signs {
         content: &SignQueries,
         how: &How<'_>,
         answer: &mut Answers,
-    ) -> Result<(), Stop> {
+    ) -> Result<(), Halt> {
         // A call of a batch is dynamic; its queries are not.
-        signs(&*session, content, how.watch, &mut answer.0)
+        signs(&*session, content, how.watch, &mut answer.0)?;
+        Ok(())
     }
 
     fn judge(
