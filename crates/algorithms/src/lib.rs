@@ -7,6 +7,7 @@
 //!
 //! * [`arrangement`]: two complexes merged where they are in contact.
 //! * [`contacts`]: the pairs of simplices of two complexes that meet.
+//! * [`crossings`]: all crossings of segments, constructed while it runs.
 //! * [`cube_union`]: volume, area and edge length of a union of cubes.
 //! * [`interval`]: the cell of a line in which a point lies.
 //! * [`planted`]: faults planted in these, to prove the judge.
@@ -14,6 +15,7 @@
 
 pub mod arrangement;
 pub mod contacts;
+pub mod crossings;
 pub mod cube_union;
 pub mod interval;
 pub mod planted;

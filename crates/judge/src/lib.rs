@@ -22,14 +22,14 @@ mod determinant;
 mod integers;
 pub mod interval;
 pub mod locate;
-mod sample;
 mod points;
+mod sample;
 mod session;
 #[cfg(test)]
 mod tests;
 
 pub use constructed::point;
 pub use determinant::{Verdict, determinant, log2_relative, rational, sign, verdict};
-pub use sample::Sample;
 pub use points::Points;
+pub use sample::Sample;
 pub use session::{Judged, TieJudge};

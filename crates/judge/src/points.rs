@@ -72,10 +72,11 @@ impl Points {
     /// # Errors
     /// [`Refused`] with the first definition whose lines and planes meet in no single point.
     pub fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
-        let vertices = self.scene.construct_all(definitions, |scene, vertex| match constructed::point(scene, vertex) {
-            Some(_) => Ok(()),
-            None => Err("its lines and planes meet in no single point".to_owned()),
-        })?;
+        let vertices =
+            self.scene.construct_all(definitions, |scene, vertex| match constructed::point(scene, vertex) {
+                Some(_) => Ok(()),
+                None => Err("its lines and planes meet in no single point".to_owned()),
+            })?;
         self.constructed.resize_with(self.scene.constructions().len(), OnceLock::new);
         Ok(vertices)
     }

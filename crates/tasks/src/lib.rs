@@ -14,7 +14,8 @@
 //! * [`Contestant`], [`Entry`], [`Solver`]: a backend picked at run time. [`built_in`] is the
 //!   one list where backends and tasks meet.
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
-//! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`]: the tasks.
+//! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
+//!   [`crossings`]: the tasks.
 
 mod any;
 mod budget;
@@ -29,6 +30,7 @@ mod task;
 mod watch;
 
 pub mod contacts;
+pub mod crossings;
 pub mod cube_union;
 pub mod interval;
 pub mod polygon_locate;

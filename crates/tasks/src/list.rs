@@ -6,6 +6,7 @@ use predicament_corpus::{SceneFormat, Vocabulary};
 use predicament_predicates::Backend;
 
 use crate::contacts::Contacts;
+use crate::crossings::Crossings;
 use crate::cube_union::CubeUnion;
 use crate::interval::Interval;
 use crate::polygon_locate::PolygonLocate;
@@ -26,6 +27,7 @@ macro_rules! each_task {
             $do!(CubeUnion),
             $do!(Contacts::IN_PLANE),
             $do!(Contacts::IN_SPACE),
+            $do!(Crossings),
         ]
     };
 }

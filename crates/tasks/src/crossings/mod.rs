@@ -1,0 +1,153 @@
+//! `crossings`: all crossings of a set of segments, sorted along each.
+//!
+//! The smallest algorithm that constructs vertices while it runs: what overlays,
+//! slices and unions do many times over. Exact arithmetic and Simulation of
+//! Simplicity keep the points where segments cross; controls round them, and
+//! sort rounded points.
+
+mod content;
+mod judge;
+mod truth;
+
+use std::path::{Path, PathBuf};
+
+use predicament_algorithms::crossings::{Along, crossings};
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
+
+pub use content::Segments;
+
+use crate::{Answer, Asked, Case, Contestant, Explanation, Halt, How, Outcome, Stop, Task, Watch, digest};
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Crossings;
+
+/// The crossings along each segment, in the order of the segments.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Crossed(pub Vec<Along>);
+
+impl Answer for Crossed {
+    fn digest(&self) -> u64 {
+        let groups = self.0.iter().flat_map(|along| along.iter().map(Vec::as_slice).chain([&[u32::MAX][..]]));
+        digest(groups.flat_map(|group| group.iter().chain([&(u32::MAX - 1)])).flat_map(|other| other.to_le_bytes()))
+    }
+}
+
+impl SceneFormat for Crossings {
+    fn name(&self) -> &'static str {
+        "crossings"
+    }
+
+    fn about(&self) -> &'static str {
+        "all crossings of a set of segments, sorted along each"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["points", "segments"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points"]
+    }
+
+    fn read(&self, _: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        content::read(fields).map(Source::Written)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &content::FAMILIES
+    }
+}
+
+impl Task for Crossings {
+    type Content = Segments;
+    type Truth = Vec<Along>;
+    type Answer = Crossed;
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare, PredicateKind::Orient2d]
+    }
+
+    fn constructs(&self) -> bool {
+        true
+    }
+
+    fn truth(&self, scene: &Scene, content: &Segments, watch: &Watch) -> Result<Vec<Along>, Stop> {
+        truth::truth(scene, content, watch)
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &Segments,
+        how: &How<'_>,
+        answer: &mut Crossed,
+    ) -> Result<(), Halt> {
+        how.watch.done(0)?;
+        answer.0 = crossings(session, &content.0)?;
+        how.watch.done(content.0.len() as u64)?;
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, Crossings>,
+        asked: &Asked<'_>,
+        answer: &Crossed,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        judge::judge(case, asked, &answer.0, outcome)
+    }
+
+    fn describe(&self, loaded: &LoadedScene, content: &Segments, watch: &Watch) -> Result<String, Stop> {
+        let truth = truth::truth(&loaded.scene, content, watch)?;
+        let crossings: usize = truth.iter().flatten().map(Vec::len).sum();
+        Ok(format!("{} segments, {} crossings\n", content.0.len(), crossings / 2))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &Segments,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let ends: Vec<_> = query.vertices().collect();
+        let at = content.0.iter().position(|segment| *segment == *ends);
+        let at = at.ok_or_else(|| format!("`{query}`: the scene has no such segment"))?;
+        let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|found| describe(&found.0[at]));
+        let about = Explanation { vertices: ends, ..Explanation::default() };
+        Ok(about.with_answers(backends, ask))
+    }
+
+    fn write(
+        &self,
+        scene: &Scene,
+        content: &Segments,
+        answer: &Crossed,
+        folder: &Path,
+    ) -> std::io::Result<Vec<PathBuf>> {
+        let point = |v| scene.point(v).to_vec();
+        let segments: Vec<serde_json::Value> = content
+            .0
+            .iter()
+            .zip(&answer.0)
+            .map(|(ends, along)| serde_json::json!({ "ends": ends.map(point), "crossed_by": along }))
+            .collect();
+        let path = folder.join("crossings.json");
+        std::fs::write(&path, format!("{}\n", serde_json::Value::Array(segments)))?;
+        Ok(vec![path])
+    }
+}
+
+/// The crossings along a segment in words: `3, 5 and 7, 2`.
+#[must_use]
+pub fn describe(along: &Along) -> String {
+    if along.is_empty() {
+        return "none".to_owned();
+    }
+    let group = |group: &Vec<u32>| group.iter().map(u32::to_string).collect::<Vec<_>>().join(" and ");
+    along.iter().map(group).collect::<Vec<_>>().join(", ")
+}
