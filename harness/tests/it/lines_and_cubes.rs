@@ -1,8 +1,6 @@
 //! Cells of a line and unions of cubes, from end to end.
 
-mod common;
-
-use common::{at, column, expect, read, write};
+use crate::common::{at, column, expect, read, write};
 use tempfile::tempdir;
 
 #[test]
