@@ -219,7 +219,8 @@ mod tests {
     fn a_scene_is_loaded_once() {
         let folder = tempfile::tempdir().unwrap();
         let [suite, points] = ["mine.toml", "points.csv"].map(|name| folder.path().join(name));
-        let scene = "title = \"Mine\"\n[[scene]]\nname = \"a\"\ntask = \"orient2d\"\npoints = { path = \"points.csv\" }\n";
+        let scene =
+            "title = \"Mine\"\n[[scene]]\nname = \"a\"\ntask = \"orient2d\"\npoints = { path = \"points.csv\" }\n";
         std::fs::write(&suite, scene).unwrap();
         std::fs::write(&points, "0, 0\n1, 0\n0, 1\n").unwrap();
         let selector = Selector { suites: vec![suite.display().to_string()], ..Selector::everything() };
@@ -227,7 +228,11 @@ mod tests {
         let mut planned = selection.plan(Shard::WHOLE).unwrap();
         std::fs::remove_file(&points).unwrap();
         assert_eq!(planned[0].take(&selection).unwrap().count(), 1);
-        assert_eq!(planned[0].take(&selection).err().map(|failure| failure.code), Some(CORPUS), "it is given away once");
+        assert_eq!(
+            planned[0].take(&selection).err().map(|failure| failure.code),
+            Some(CORPUS),
+            "it is given away once"
+        );
     }
 
     #[test]

@@ -141,7 +141,9 @@ impl Fault {
         match self {
             Fault::SosSwappedTerm => "the sign of the third term of every list swapped",
             Fault::SosBatchFlipped => "ties of orientations have the opposite sign in batches, not in single calls",
-            Fault::SosLateSwappedTerm => "the sign of the first term of every list swapped for the second half of the vertices",
+            Fault::SosLateSwappedTerm => {
+                "the sign of the first term of every list swapped for the second half of the vertices"
+            }
             Fault::SosDroppedParity => "ties sorted by vertex, the parity of sorting forgotten",
             Fault::SosPlaceAsIdentity => "perturbed by place in the argument list, not by identity",
             Fault::SosDroppedLastParity => "the parity of sorting forgotten where the last term decides",

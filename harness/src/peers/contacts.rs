@@ -6,15 +6,17 @@
 //! have none, where all that meets are pairs of the hierarchy's last level.
 
 use std::hint::black_box;
+use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use geo::sweep::{Cross, Intersections};
 use geo::{Coord, Line};
-use predicament_algorithms::contacts::Contact;
+use predicament_algorithms::contacts::{Contact, contacts};
 use predicament_exact::Exact;
+use predicament_judge::Judged;
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Axis, Backend, Dimension, Off, Plane, Predicates, Scene, Vertex};
-use predicament_tasks::contacts::{Complexes, Truth};
+use predicament_tasks::contacts::Complexes;
 use predicament_tasks::{AnyCase, Class, Outcome, Stopwatch, digest};
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, Point, RTree};
@@ -24,46 +26,45 @@ use super::{Peer, Timed};
 /// A simplex of each complex.
 type Pair = [Simplex; 2];
 
-/// Two complexes, and the pairs of them that meet.
-#[derive(Clone, Copy)]
+/// Two complexes, and the pairs of them that meet by the judge's signs.
+#[derive(Clone)]
 struct Case<'a> {
     scene: &'a Scene,
     complexes: [&'a Complex; 2],
-    truth: &'a [Contact],
+    truth: Rc<[Contact]>,
 }
 
 /// Those that can answer about a scene in general position, where the case is one of contacts.
 pub fn peers(case: &dyn AnyCase) -> Vec<Peer<'_>> {
-    let content = case.loaded().content::<Complexes>();
-    let both = content.zip(case.truth().downcast_ref::<Truth>());
-    let case = both.map(|(content, truth)| Case {
-        scene: &case.loaded().scene,
-        complexes: content.both(),
-        truth: &truth.registered.registered,
+    let scene = &case.loaded().scene;
+    let case = case.loaded().content::<Complexes>().map(|content| {
+        let truth = contacts(&Judged::exact(scene), &content.a, &content.b).registered.into();
+        Case { scene, complexes: content.both(), truth }
     });
     case.map(of).unwrap_or_default()
 }
 
 fn of(case: Case<'_>) -> Vec<Peer<'_>> {
     let dimension = case.scene.dimension();
-    let degenerate =
-        case.truth.iter().any(|contact| usize::from(contact.a.rank + contact.b.rank) < dimension.count());
+    let degenerate = case.truth.iter().any(|contact| usize::from(contact.a.rank + contact.b.rank) < dimension.count());
     let session = || Exact.prepare(case.scene, Off).expect("the truth is known");
-    let sweep = move |pairs: &mut Vec<Pair>| sweep(case, pairs);
+    let swept = case.clone();
+    let sweep = move |pairs: &mut Vec<Pair>| sweep(&swept, pairs);
+    let asked = case.clone();
     let tree_version = env!("PREDICAMENT_RSTAR");
     match dimension {
         Dimension::Two => {
             let session = session();
-            let tree = move |pairs: &mut Vec<Pair>| by_tree::<_, [f64; 2]>(&session, case, pairs);
+            let tree = move |pairs: &mut Vec<Pair>| by_tree::<_, [f64; 2]>(&session, &asked, pairs);
             vec![
-                peer("geo:sweep", env!("PREDICAMENT_GEO"), case, degenerate, sweep),
-                peer("rstar", tree_version, case, degenerate, tree),
+                peer("geo:sweep", env!("PREDICAMENT_GEO"), &case, degenerate, sweep),
+                peer("rstar", tree_version, &case, degenerate, tree),
             ]
         }
         Dimension::Three => {
             let session = session();
-            let tree = move |pairs: &mut Vec<Pair>| by_tree::<_, [f64; 3]>(&session, case, pairs);
-            vec![peer("rstar", tree_version, case, degenerate, tree)]
+            let tree = move |pairs: &mut Vec<Pair>| by_tree::<_, [f64; 3]>(&session, &asked, pairs);
+            vec![peer("rstar", tree_version, &case, degenerate, tree)]
         }
     }
 }
@@ -71,7 +72,7 @@ fn of(case: Case<'_>) -> Vec<Peer<'_>> {
 fn peer<'a>(
     name: &str,
     version: &str,
-    case: Case<'a>,
+    case: &Case<'a>,
     degenerate: bool,
     find: impl FnMut(&mut Vec<Pair>) + 'a,
 ) -> Peer<'a> {
@@ -141,7 +142,7 @@ impl Cross for Edge {
 }
 
 /// Meeting edges among all of both; those of one complex are dropped.
-fn sweep(case: Case<'_>, pairs: &mut Vec<Pair>) {
+fn sweep(case: &Case<'_>, pairs: &mut Vec<Pair>) {
     let [a, b] = case.complexes.map(Complex::edges);
     let at = |v: Vertex| {
         let [x, y] = case.scene.point2(Plane::Xy, v);
@@ -182,7 +183,7 @@ fn bounds<P: Place>(scene: &Scene, vertices: &[Vertex]) -> AABB<P> {
 }
 
 /// For each pair of ranks of the last level, a tree of the second complex' boxes.
-fn by_tree<S: Predicates, P: Place>(session: &S, case: Case<'_>, pairs: &mut Vec<Pair>) {
+fn by_tree<S: Predicates, P: Place>(session: &S, case: &Case<'_>, pairs: &mut Vec<Pair>) {
     let (scene, [a, b]) = (case.scene, case.complexes);
     let ranks: &[[u8; 2]] = match scene.dimension() {
         Dimension::Two => &[[1, 1]],

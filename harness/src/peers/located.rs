@@ -1,10 +1,13 @@
-//! A map with its probes and the truth about them, as peers ask for it.
+//! A map with its probes, and where they are by the judge's signs, as peers ask for it.
 
-use predicament_algorithms::polygon_locate::{LocateIndex, Locations};
+use std::rc::Rc;
+
+use predicament_algorithms::polygon_locate::{LocateIndex, Locations, question_all};
+use predicament_judge::Judged;
 use predicament_mesh::PolygonMap;
 use predicament_predicates::{Scene, Vertex};
 use predicament_tasks::AnyCase;
-use predicament_tasks::polygon_locate::{MapWithProbes, Truth};
+use predicament_tasks::polygon_locate::MapWithProbes;
 
 /// A map with its probes, and where they are.
 #[derive(Clone)]
@@ -18,16 +21,16 @@ pub struct Case<'a> {
     /// What is located.
     pub probes: Vec<Vertex>,
     /// The exact answers.
-    pub exact: &'a Locations,
+    pub exact: Rc<Locations>,
 }
 
 impl<'a> Case<'a> {
     /// The map of a case; none where it is about something else.
     pub fn of(case: &'a dyn AnyCase) -> Option<Case<'a>> {
         let content = case.loaded().content::<MapWithProbes>()?;
-        let truth = case.truth().downcast_ref::<Truth>()?;
         let scene = &case.loaded().scene;
         let (index, probes) = (content.index(scene), content.vertices());
-        Some(Case { scene, map: &content.map, index, probes, exact: &truth.exact })
+        let exact = Rc::new(question_all(index, &Judged::exact(scene), &probes, &|_| true));
+        Some(Case { scene, map: &content.map, index, probes, exact })
     }
 }

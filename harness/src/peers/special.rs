@@ -5,6 +5,7 @@
 //! needs is had from `robust`, and from our `exact` without a scene.
 
 use std::hint::black_box;
+use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use predicament_algorithms::polygon_locate::special::Point;
@@ -68,7 +69,7 @@ impl<D: Fn(Point, Point, Point) -> Sign> Watch<'_, D> {
     /// Whether an answer is the exact one, as far as the test promises: it
     /// sees only points that are on a boundary there, and of those not all.
     fn is_right(&mut self, probe: usize) -> bool {
-        let exact = self.case.exact;
+        let exact = Rc::clone(&self.case.exact);
         let truth = Location { inside: exact.inside(probe), boundary: exact.boundary(probe) };
         let point = self.case.scene.point2(Plane::Xy, self.case.probes[probe]);
         let answer = self.case.index.locate_specially(point, &self.sign_of_d, &mut self.scratch);

@@ -56,8 +56,17 @@ fn no_permutation_is_asked_where_none_is_paid_for() {
     let folder = tempdir().unwrap();
     let permuted = |permutations: &str| {
         let out = at(&folder, &format!("run{permutations}"));
-        run(&["run", "-f", "kettner-[ab]|contacts/polygons-degen", "-b", "naive,fault:sos-dropped-parity",
-            "--permutations", permutations, "--out", &out]);
+        run(&[
+            "run",
+            "-f",
+            "kettner-[ab]|contacts/polygons-degen",
+            "-b",
+            "naive,fault:sos-dropped-parity",
+            "--permutations",
+            permutations,
+            "--out",
+            &out,
+        ]);
         let checks = column(&read(&out, "findings.csv"), "check");
         ["antisymmetry", "argument order"].map(|name| checks.iter().any(|check| check == name))
     };

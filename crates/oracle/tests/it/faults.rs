@@ -48,7 +48,10 @@ fn ties(scene: &str, backend: &str) -> Vec<Tie> {
 fn batches_that_break_ties_the_other_way_are_caught() {
     for scene in ["grid-4x4-orient2d", "grid-orient3d"] {
         let ties = ties(scene, "fault:sos-batch-flipped");
-        assert!(!ties.is_empty() && ties.iter().all(|tie| tie.alone == tie.right && tie.given == -tie.right), "{scene}");
+        assert!(
+            !ties.is_empty() && ties.iter().all(|tie| tie.alone == tie.right && tie.given == -tie.right),
+            "{scene}"
+        );
         let outcome = judged_by_name(&load(scene), "fault:sos-batch-flipped");
         assert!(checks(&outcome).contains(&(Class::SignFlip, "perturbed sign")), "{scene}: {:?}", checks(&outcome));
     }
@@ -61,7 +64,10 @@ const CHUNK: usize = 4096;
 fn a_term_that_is_wrong_about_late_ties_only_is_caught() {
     for scene in ["degen-insphere", "degen-orient2d-dimension-3-plane-yz"] {
         let ties = ties(scene, "fault:sos-late-swapped-term");
-        let first = |tie: &&Tie| ties.iter().filter(|t| t.query < tie.query && t.query / CHUNK == tie.query / CHUNK).count() < Budget::QUICK.ties;
+        let first = |tie: &&Tie| {
+            ties.iter().filter(|t| t.query < tie.query && t.query / CHUNK == tie.query / CHUNK).count()
+                < Budget::QUICK.ties
+        };
         assert!(ties.iter().filter(first).all(|tie| tie.given == tie.right), "{scene}: the first ties are right");
         assert!(ties.iter().any(|tie| tie.given != tie.right), "{scene}: others are not");
         let outcome = judged_by_name(&load(scene), "fault:sos-late-swapped-term");
