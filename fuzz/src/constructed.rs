@@ -1,7 +1,6 @@
 //! Constructed vertices: bytes become points, constructions and queries about them.
 
 use predicament_exact::{Exact, constructed::Constructed};
-use predicament_oracle::signs;
 use predicament_predicates::{
     Axis, Backend, Construction, Dimension, Off, Plane, Predicates, QuerySet, Question, Scene, Sign, Vertex,
 };
@@ -23,7 +22,7 @@ const QUERIES: usize = 6;
 /// do not agree on whether there is such a vertex: the message has the scene.
 pub fn check(bytes: &[u8]) {
     for (question, args, truth, answers) in answered(bytes).1 {
-        let asked = signs::describe(question, &args);
+        let asked = question.query(&args);
         assert_eq!(answers, [truth; 2], "{asked}, alone and in a batch, for bytes {bytes:?}");
     }
 }

@@ -21,7 +21,6 @@ pub mod points;
 
 use predicament_exact::{Exact, raw};
 use predicament_judge as judge;
-use predicament_oracle::signs;
 use predicament_predicates::{
     Axis, Backend, Dimension, Off, Plane, PredicateKind, QuerySet, Question, Scene, Sign, Vertex,
 };
@@ -40,7 +39,7 @@ pub fn check(kind: PredicateKind, bytes: &[u8]) {
         for args in vertices.windows(kind.arity()) {
             let truth = judge::sign(&scene, question, args);
             if let Some(answer) = ask_raw(&scene, question, args) {
-                let asked = signs::describe(question, args);
+                let asked = question.query(args);
                 assert_eq!(answer, truth, "raw {asked}; all coordinates: {}", bits(&scene));
             }
         }
@@ -80,7 +79,7 @@ pub fn first_wrong<B: Backend>(backend: &B, kind: PredicateKind, bytes: &[u8]) -
             let args = queries.args(query);
             let (alone, truth) = (question.ask(&session, args), judge::sign(&scene, question, args));
             ([alone, in_batch] != [truth, truth]).then(|| {
-                let asked = signs::describe(question, args);
+                let asked = question.query(args);
                 let bits = bits(&scene);
                 format!("{asked} is {truth}; alone {alone}, in a batch {in_batch}; all coordinates: {bits}")
             })

@@ -10,6 +10,8 @@ mod judged;
 #[cfg(feature = "peers")]
 mod libraries;
 #[cfg(feature = "peers")]
+mod located;
+#[cfg(feature = "peers")]
 mod predicate;
 #[cfg(feature = "peers")]
 mod signs;

@@ -214,6 +214,27 @@ fn in_shard(id: &str, shard: Shard) -> bool {
 mod tests {
     use super::*;
 
+    /// Its data file is gone once the plan is made.
+    #[test]
+    fn a_scene_is_loaded_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let [suite, points] = ["mine.toml", "points.csv"].map(|name| folder.path().join(name));
+        let scene =
+            "title = \"Mine\"\n[[scene]]\nname = \"a\"\ntask = \"orient2d\"\npoints = { path = \"points.csv\" }\n";
+        std::fs::write(&suite, scene).unwrap();
+        std::fs::write(&points, "0, 0\n1, 0\n0, 1\n").unwrap();
+        let selector = Selector { suites: vec![suite.display().to_string()], ..Selector::everything() };
+        let selection = selector.select(&crate::cli().tool()).unwrap();
+        let mut planned = selection.plan(Shard::WHOLE).unwrap();
+        std::fs::remove_file(&points).unwrap();
+        assert_eq!(planned[0].take(&selection).unwrap().count(), 1);
+        assert_eq!(
+            planned[0].take(&selection).err().map(|failure| failure.code),
+            Some(CORPUS),
+            "it is given away once"
+        );
+    }
+
     #[test]
     fn every_id_is_in_exactly_one_shard() {
         for n in 1..6 {

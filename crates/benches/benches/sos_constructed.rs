@@ -9,10 +9,12 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use predicament_corpus::{Cache, Level, LoadedScene, Manifest, Suite, Work};
+use predicament_corpus::{Level, LoadedScene, Suite};
 use predicament_exact::Exact;
+use predicament_formats::{Cache, Manifest};
 use predicament_predicates::{Backend, Off, Predicates, QuerySet, Sign};
 use predicament_sos::Sos;
+use predicament_tasks::{signs::SignQueries, vocabulary};
 
 const QUERIES: usize = 2000;
 const ROUNDS: usize = 5;
@@ -22,7 +24,7 @@ fn load(family: &str, task: &str) -> LoadedScene {
         "title = \"ties\"\n[[generate]]\nfamily = \"{family}\"\ntask = \"{task}\"\nn = {QUERIES}\nseed = 5\n\
          source = \"generated\"\nanalysis = \"What ties cost.\"\n"
     );
-    let suite = Suite::parse("ties.toml", &text, None, &Manifest::default()).expect("a suite");
+    let suite = Suite::parse(vocabulary(), "ties.toml", &text, None, &Manifest::default()).expect("a suite");
     suite.scenes[0].load(Level::Quick, &Cache::new("")).expect("generated")
 }
 
@@ -49,7 +51,7 @@ fn ties(criterion: &mut Criterion) {
         ("tpi-degen", "orient3d"),
     ] {
         let loaded = load(family, task);
-        let Work::Signs(queries) = &loaded.work else { panic!("a family of signs") };
+        let queries = &loaded.content::<SignQueries>().expect("a family of signs").queries;
         let sos = Sos::default();
         let exact = Exact.prepare(&loaded.scene, Off).expect("prepared");
         let session = sos.prepare(&loaded.scene, Off).expect("prepared");

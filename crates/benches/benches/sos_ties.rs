@@ -18,10 +18,12 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use predicament_corpus::{Cache, Level, Manifest, Suite, Work};
+use predicament_corpus::{Level, Suite};
 use predicament_exact::Exact;
+use predicament_formats::{Cache, Manifest};
 use predicament_predicates::{Axis, Backend, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex};
 use predicament_sos::{Scheme, Session, Sos};
+use predicament_tasks::{signs::SignQueries, vocabulary};
 
 /// Queries of a family, and of a pass.
 const QUERIES: usize = 1 << 17;
@@ -36,9 +38,9 @@ fn queries<const N: usize>(kind: PredicateKind, family: &str) -> (Scene, Vec<[Ve
          source = \"generated\"\nanalysis = \"What ties cost.\"\n"
     );
     let manifest = Manifest::default();
-    let suite = Suite::parse("ties.toml", &text, None, &manifest).expect("a suite");
+    let suite = Suite::parse(vocabulary(), "ties.toml", &text, None, &manifest).expect("a suite");
     let loaded = suite.scenes[0].load(Level::Quick, &Cache::new("")).expect("generated");
-    let Work::Signs(queries) = loaded.work else { panic!("a family of signs") };
+    let queries = &loaded.content::<SignQueries>().expect("a family of signs").queries;
     let mut random = Random(41);
     let queries = queries.flat().as_chunks::<N>().0.iter().map(|query| {
         let mut query = *query;

@@ -29,6 +29,11 @@ pub enum Fault {
     /// SoS with the sign of one term of one list swapped: still antisymmetric,
     /// still never zero.
     SosSwappedTerm,
+    /// SoS whose batches of orientations give every tie the opposite sign; single calls are right.
+    SosBatchFlipped,
+    /// SoS with the sign of the first term of one list swapped, for vertices of the scene's second
+    /// half only: the first ties of a scene are broken as they should be.
+    SosLateSwappedTerm,
     /// SoS that sorts the vertices and forgets the parity of doing so.
     SosDroppedParity,
     /// SoS that perturbs by the place in the argument list, not by identity.
@@ -74,8 +79,10 @@ pub enum Fault {
 
 impl Fault {
     /// All of them.
-    pub const ALL: [Fault; 21] = [
+    pub const ALL: [Fault; 23] = [
         Fault::SosSwappedTerm,
+        Fault::SosBatchFlipped,
+        Fault::SosLateSwappedTerm,
         Fault::SosDroppedParity,
         Fault::SosPlaceAsIdentity,
         Fault::SosDroppedLastParity,
@@ -103,6 +110,8 @@ impl Fault {
     pub const fn name(self) -> &'static str {
         match self {
             Fault::SosSwappedTerm => "sos-swapped-term",
+            Fault::SosBatchFlipped => "sos-batch-flipped",
+            Fault::SosLateSwappedTerm => "sos-late-swapped-term",
             Fault::SosDroppedParity => "sos-dropped-parity",
             Fault::SosPlaceAsIdentity => "sos-place-as-identity",
             Fault::SosDroppedLastParity => "sos-dropped-last-parity",
@@ -131,6 +140,10 @@ impl Fault {
     pub const fn what(self) -> &'static str {
         match self {
             Fault::SosSwappedTerm => "the sign of the third term of every list swapped",
+            Fault::SosBatchFlipped => "ties of orientations have the opposite sign in batches, not in single calls",
+            Fault::SosLateSwappedTerm => {
+                "the sign of the first term of every list swapped for the second half of the vertices"
+            }
             Fault::SosDroppedParity => "ties sorted by vertex, the parity of sorting forgotten",
             Fault::SosPlaceAsIdentity => "perturbed by place in the argument list, not by identity",
             Fault::SosDroppedLastParity => "the parity of sorting forgotten where the last term decides",
@@ -157,6 +170,8 @@ impl Fault {
     const fn poses_as(self) -> ZeroMeaning {
         match self {
             Fault::SosSwappedTerm
+            | Fault::SosBatchFlipped
+            | Fault::SosLateSwappedTerm
             | Fault::SosDroppedParity
             | Fault::SosPlaceAsIdentity
             | Fault::SosDroppedLastParity
@@ -254,6 +269,8 @@ impl Session<'_> {
                 }
             }
             Fault::SosSwappedTerm
+            | Fault::SosBatchFlipped
+            | Fault::SosLateSwappedTerm
             | Fault::SosDroppedParity
             | Fault::SosPlaceAsIdentity
             | Fault::SosDroppedLastParity
@@ -292,6 +309,13 @@ impl Session<'_> {
             | Fault::ToleranceAsPrinted
             | Fault::ToleranceMirroredWeight => exact,
         }
+    }
+
+    /// The answer as one of a batch.
+    fn in_batch<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
+        let answer = self.answer(question, args);
+        let flips = self.fault == Fault::SosBatchFlipped && question.ask(&self.exact, &args).is_zero();
+        if flips { -answer } else { answer }
     }
 
     fn half_filtered(&self, question: Question, args: &[Vertex]) -> Option<Sign> {
@@ -414,6 +438,18 @@ impl Predicates for Session<'_> {
 
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
         self.answer(Question::Insphere, [a, b, c, d, e])
+    }
+
+    fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
+        for (&args, out) in queries.iter().zip(out) {
+            *out = self.in_batch(Question::Orient2d(plane), args);
+        }
+    }
+
+    fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        for (&args, out) in queries.iter().zip(out) {
+            *out = self.in_batch(Question::Orient3d, args);
+        }
     }
 
     fn band(&self, question: Question) -> Option<Band> {

@@ -6,15 +6,18 @@
 //! have none, where all that meets are pairs of the hierarchy's last level.
 
 use std::hint::black_box;
+use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use geo::sweep::{Cross, Intersections};
 use geo::{Coord, Line};
+use predicament_algorithms::contacts::{Contact, contacts};
 use predicament_exact::Exact;
-use predicament_mesh::Simplex;
-use predicament_oracle::contacts::ContactsCase;
-use predicament_oracle::{Class, Outcome, Stopwatch};
+use predicament_judge::Judged;
+use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Axis, Backend, Dimension, Off, Plane, Predicates, Scene, Vertex};
+use predicament_tasks::contacts::Complexes;
+use predicament_tasks::{AnyCase, Class, Outcome, Stopwatch, digest};
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, Point, RTree};
 
@@ -23,27 +26,45 @@ use super::{Peer, Timed};
 /// A simplex of each complex.
 type Pair = [Simplex; 2];
 
-/// Those that can answer about a scene in general position.
-pub fn peers<'a>(case: &'a ContactsCase<'a>) -> Vec<Peer<'a>> {
-    let dimension = case.scene().dimension();
-    let degenerate =
-        case.truth().registered.iter().any(|contact| usize::from(contact.a.rank + contact.b.rank) < dimension.count());
-    let session = || Exact.prepare(case.scene(), Off).expect("the truth is known");
-    let sweep = |pairs: &mut Vec<Pair>| sweep(case, pairs);
+/// Two complexes, and the pairs of them that meet by the judge's signs.
+#[derive(Clone)]
+struct Case<'a> {
+    scene: &'a Scene,
+    complexes: [&'a Complex; 2],
+    truth: Rc<[Contact]>,
+}
+
+/// Those that can answer about a scene in general position, where the case is one of contacts.
+pub fn peers(case: &dyn AnyCase) -> Vec<Peer<'_>> {
+    let scene = &case.loaded().scene;
+    let case = case.loaded().content::<Complexes>().map(|content| {
+        let truth = contacts(&Judged::exact(scene), &content.a, &content.b).registered.into();
+        Case { scene, complexes: content.both(), truth }
+    });
+    case.map(of).unwrap_or_default()
+}
+
+fn of(case: Case<'_>) -> Vec<Peer<'_>> {
+    let dimension = case.scene.dimension();
+    let degenerate = case.truth.iter().any(|contact| usize::from(contact.a.rank + contact.b.rank) < dimension.count());
+    let session = || Exact.prepare(case.scene, Off).expect("the truth is known");
+    let swept = case.clone();
+    let sweep = move |pairs: &mut Vec<Pair>| sweep(&swept, pairs);
+    let asked = case.clone();
     let tree_version = env!("PREDICAMENT_RSTAR");
     match dimension {
         Dimension::Two => {
             let session = session();
-            let tree = move |pairs: &mut Vec<Pair>| by_tree::<_, [f64; 2]>(&session, case, pairs);
+            let tree = move |pairs: &mut Vec<Pair>| by_tree::<_, [f64; 2]>(&session, &asked, pairs);
             vec![
-                peer("geo:sweep", env!("PREDICAMENT_GEO"), case, degenerate, sweep),
-                peer("rstar", tree_version, case, degenerate, tree),
+                peer("geo:sweep", env!("PREDICAMENT_GEO"), &case, degenerate, sweep),
+                peer("rstar", tree_version, &case, degenerate, tree),
             ]
         }
         Dimension::Three => {
             let session = session();
-            let tree = move |pairs: &mut Vec<Pair>| by_tree::<_, [f64; 3]>(&session, case, pairs);
-            vec![peer("rstar", tree_version, case, degenerate, tree)]
+            let tree = move |pairs: &mut Vec<Pair>| by_tree::<_, [f64; 3]>(&session, &asked, pairs);
+            vec![peer("rstar", tree_version, &case, degenerate, tree)]
         }
     }
 }
@@ -51,11 +72,11 @@ pub fn peers<'a>(case: &'a ContactsCase<'a>) -> Vec<Peer<'a>> {
 fn peer<'a>(
     name: &str,
     version: &str,
-    case: &'a ContactsCase<'a>,
+    case: &Case<'a>,
     degenerate: bool,
     find: impl FnMut(&mut Vec<Pair>) + 'a,
 ) -> Peer<'a> {
-    let [a, b] = case.complexes();
+    let [a, b] = case.complexes;
     let queries = (a.len() + b.len()) as u64;
     let (name, version) = (name.to_owned(), version.to_owned());
     if degenerate {
@@ -68,7 +89,7 @@ fn peer<'a>(
     let judged = watch.digest();
     let mut found = watch.pairs.clone();
     found.sort_unstable();
-    let mut truth: Vec<Pair> = case.truth().registered.iter().map(|contact| [contact.a, contact.b]).collect();
+    let mut truth: Vec<Pair> = case.truth.iter().map(|contact| [contact.a, contact.b]).collect();
     truth.sort_unstable();
     let mut outcome = Outcome { queries, ..Outcome::default() };
     let repeated = found.len();
@@ -99,12 +120,8 @@ impl<F: FnMut(&mut Vec<Pair>)> Stopwatch for Watch<F> {
     }
 
     fn digest(&self) -> u64 {
-        // FNV-1a, as the oracle's own digests.
         let simplices = self.pairs.as_flattened().iter();
-        simplices
-            .flat_map(|simplex| [u32::from(simplex.rank), simplex.index])
-            .flat_map(u32::to_le_bytes)
-            .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+        digest(simplices.flat_map(|simplex| [u32::from(simplex.rank), simplex.index]).flat_map(u32::to_le_bytes))
     }
 }
 
@@ -125,10 +142,10 @@ impl Cross for Edge {
 }
 
 /// Meeting edges among all of both; those of one complex are dropped.
-fn sweep(case: &ContactsCase, pairs: &mut Vec<Pair>) {
-    let [a, b] = case.complexes().map(predicament_mesh::Complex::edges);
+fn sweep(case: &Case<'_>, pairs: &mut Vec<Pair>) {
+    let [a, b] = case.complexes.map(Complex::edges);
     let at = |v: Vertex| {
-        let [x, y] = case.scene().point2(Plane::Xy, v);
+        let [x, y] = case.scene.point2(Plane::Xy, v);
         Coord { x, y }
     };
     let edges = |of: &[[Vertex; 2]], of_b: bool| -> Vec<Edge> {
@@ -166,13 +183,13 @@ fn bounds<P: Place>(scene: &Scene, vertices: &[Vertex]) -> AABB<P> {
 }
 
 /// For each pair of ranks of the last level, a tree of the second complex' boxes.
-fn by_tree<S: Predicates, P: Place>(session: &S, case: &ContactsCase, pairs: &mut Vec<Pair>) {
-    let (scene, [a, b]) = (case.scene(), case.complexes());
+fn by_tree<S: Predicates, P: Place>(session: &S, case: &Case<'_>, pairs: &mut Vec<Pair>) {
+    let (scene, [a, b]) = (case.scene, case.complexes);
     let ranks: &[[u8; 2]] = match scene.dimension() {
         Dimension::Two => &[[1, 1]],
         Dimension::Three => &[[1, 2], [2, 1]],
     };
-    let all = |complex: &predicament_mesh::Complex, rank: u8| {
+    let all = |complex: &Complex, rank: u8| {
         let count = if rank == 1 { complex.edges().len() } else { complex.triangles().len() };
         (0..u32::try_from(count).expect("few")).map(move |index| Simplex { rank, index })
     };

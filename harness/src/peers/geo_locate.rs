@@ -13,17 +13,21 @@ use std::time::{Duration, Instant};
 use geo::indexed::IntervalTreeMultiPolygon;
 use geo::{BoundingRect, Contains, CoordinatePosition, LineString, MultiPolygon, Point, Polygon, Rect};
 use predicament_mesh::{PolygonMap, Ring};
-use predicament_oracle::locate::LocateCase;
-use predicament_oracle::{Class, Outcome, Stopwatch};
 use predicament_predicates::{Plane, Scene};
+use predicament_tasks::{AnyCase, Class, Outcome, Stopwatch, digest};
 use rstar::RTree;
 use rstar::primitives::{GeomWithData, Rectangle};
 
+use super::located::Case;
 use super::{Peer, Timed};
 
-/// All ways, judged and ready to be timed.
-pub fn peers<'a>(case: &'a LocateCase<'a>) -> Vec<Peer<'a>> {
-    let regions = regions(case.map(), case.scene());
+/// All ways, judged and ready to be timed, where the case is a map.
+pub fn peers(case: &dyn AnyCase) -> Vec<Peer<'_>> {
+    Case::of(case).map(of).unwrap_or_default()
+}
+
+fn of(case: Case<'_>) -> Vec<Peer<'_>> {
+    let regions = regions(case.map, case.scene);
     let tree = |region: &MultiPolygon| IntervalTreeMultiPolygon::new(region);
     let trees: Vec<_> = regions.iter().map(|(region, rect)| (tree(region), *rect)).collect();
     let whole = Boxed::new((0..).zip(&regions).map(|(at, (region, rect))| (at, tree(region), *rect)).collect());
@@ -33,14 +37,14 @@ pub fn peers<'a>(case: &'a LocateCase<'a>) -> Vec<Peer<'a>> {
     });
     let parts = Boxed::new(parts.collect());
     vec![
-        if pairs(case) > MOST_PAIRS {
-            not_asked(case, "geo:contains")
+        if pairs(&case) > MOST_PAIRS {
+            not_asked(&case, "geo:contains")
         } else {
-            peer(case, "geo:contains", Flat(regions))
+            peer(case.clone(), "geo:contains", Flat(regions))
         },
-        peer(case, "geo:interval-tree", Flat(trees)),
-        peer(case, "geo:r-tree", whole),
-        peer(case, "geo:r-tree:parts", parts),
+        peer(case.clone(), "geo:interval-tree", Flat(trees)),
+        peer(case.clone(), "geo:r-tree", whole),
+        peer(case.clone(), "geo:r-tree:parts", parts),
     ]
 }
 
@@ -48,17 +52,17 @@ pub fn peers<'a>(case: &'a LocateCase<'a>) -> Vec<Peer<'a>> {
 /// this of the two, minutes pass for nothing that fewer probes don't tell.
 const MOST_PAIRS: usize = 100_000_000_000;
 
-fn pairs(case: &LocateCase) -> usize {
-    case.index().len().saturating_mul(case.probes().len())
+fn pairs(case: &Case<'_>) -> usize {
+    case.index.len().saturating_mul(case.probes.len())
 }
 
-fn not_asked<'a>(case: &LocateCase, name: &str) -> Peer<'a> {
+fn not_asked<'a>(case: &Case<'_>, name: &str) -> Peer<'a> {
     let why = format!("more than {MOST_PAIRS} pairs of an edge and a probe; ask it at level quick");
     Peer {
         name: name.to_owned(),
         version: env!("PREDICAMENT_GEO").to_owned(),
         remarks: vec![format!("{name} is not asked: {why}")],
-        outcome: Outcome::of_scene(case.probes().len() as u64, Class::Declined, "pairs", why),
+        outcome: Outcome::of_scene(case.probes.len() as u64, Class::Declined, "pairs", why),
         timed: None,
     }
 }
@@ -121,20 +125,20 @@ impl<R: Contains<Point>> Find for Boxed<R> {
     }
 }
 
-fn peer<'a, R: Find + 'a>(case: &'a LocateCase<'a>, name: &str, regions: R) -> Peer<'a> {
+fn peer<'a, R: Find + 'a>(case: Case<'a>, name: &str, regions: R) -> Peer<'a> {
     let mut watch = Watch { case, regions, out: Vec::new() };
     watch.pass();
     let wrong = watch.wrong();
     let first_wrong = wrong.first().map(|&(probe, theirs)| {
         let names = |regions: &[u32]| {
-            let names = regions.iter().map(|&at| watch.case.map().regions()[at as usize].name.as_str());
+            let names = regions.iter().map(|&at| watch.case.map.regions()[at as usize].name.as_str());
             let names = names.collect::<Vec<_>>().join(", ");
             if names.is_empty() { "none".to_owned() } else { names }
         };
-        let exact = watch.case.exact().inside(probe);
+        let exact = watch.case.exact.inside(probe);
         format!("probe {probe}: {name} has it in {}, the exact answer is in {}", names(theirs), names(exact))
     });
-    let (wrong, queries, judged) = (wrong.len() as u64, watch.case.exact().len() as u64, watch.digest());
+    let (wrong, queries, judged) = (wrong.len() as u64, watch.case.exact.len() as u64, watch.digest());
     let mut outcome = Outcome { queries, ..Outcome::default() };
     outcome.counts.add(Class::Agree, queries - wrong);
     outcome.counts.add(Class::Topology, wrong);
@@ -196,15 +200,8 @@ fn holds(outer: &Polygon, inner: &Polygon) -> bool {
     box_holds && place() == Some(CoordPos::Inside)
 }
 
-fn digest(regions: impl Iterator<Item = u32>) -> u64 {
-    // FNV-1a, as the oracle's own digests.
-    regions
-        .flat_map(u32::to_le_bytes)
-        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
-}
-
 struct Watch<'a, R> {
-    case: &'a LocateCase<'a>,
+    case: Case<'a>,
     regions: R,
     /// The regions of each probe, then `u32::MAX`.
     out: Vec<u32>,
@@ -214,8 +211,8 @@ impl<R> Watch<'_, R> {
     /// The probes whose regions are not the exact ones, and what was answered.
     /// A point on a region's boundary is not contained, in `geo` and here.
     fn wrong(&self) -> Vec<(usize, &[u32])> {
-        let theirs = self.out.split(|&region| region == u32::MAX).enumerate().take(self.case.exact().len());
-        theirs.filter(|&(probe, theirs)| theirs != self.case.exact().inside(probe)).collect()
+        let theirs = self.out.split(|&region| region == u32::MAX).enumerate().take(self.case.exact.len());
+        theirs.filter(|&(probe, theirs)| theirs != self.case.exact.inside(probe)).collect()
     }
 }
 
@@ -223,8 +220,8 @@ impl<R: Find> Stopwatch for Watch<'_, R> {
     fn pass(&mut self) -> Duration {
         self.out.clear();
         let start = Instant::now();
-        for &probe in self.case.probes() {
-            let [x, y] = self.case.scene().point2(Plane::Xy, probe);
+        for &probe in &self.case.probes {
+            let [x, y] = self.case.scene.point2(Plane::Xy, probe);
             self.regions.find(Point::new(x, y), &mut self.out);
             self.out.push(u32::MAX);
         }
@@ -233,6 +230,6 @@ impl<R: Find> Stopwatch for Watch<'_, R> {
     }
 
     fn digest(&self) -> u64 {
-        digest(self.out.iter().copied())
+        digest(self.out.iter().copied().flat_map(u32::to_le_bytes))
     }
 }

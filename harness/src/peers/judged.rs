@@ -5,9 +5,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Once;
 
 use predicament_judge as judge;
-use predicament_oracle::signs::Budget;
-use predicament_oracle::{Class, Finding, Outcome, Stopwatch, classify, digest_of};
 use predicament_predicates::{Question, Scene, Sign, Vertex, ZeroMeaning};
+use predicament_tasks::signs::{Answers, classify};
+use predicament_tasks::{Answer, Budget, Class, Finding, Outcome, Stopwatch};
 
 use super::{Peer, Timed};
 
@@ -30,7 +30,7 @@ pub struct Verdict {
     name: String,
     version: &'static str,
     outcome: Outcome,
-    answers: Vec<Sign>,
+    answers: Answers,
     remarks: Vec<String>,
 }
 
@@ -41,7 +41,7 @@ impl Judged<'_> {
     pub fn judge(self, args: &[Vertex], truth: &[Sign], ask: &dyn Fn(usize) -> (Sign, bool)) -> Verdict {
         let arity = self.question.kind().arity();
         let mut outcome = Outcome { queries: truth.len() as u64, ..Outcome::default() };
-        let mut answers = Vec::with_capacity(truth.len());
+        let mut answers = Answers(Vec::with_capacity(truth.len()));
         let mut first = None;
         let asked = quietly(|| {
             let ask = |query| catch_unwind(AssertUnwindSafe(|| ask(query))).ok();
@@ -61,7 +61,7 @@ impl Judged<'_> {
                 first.get_or_insert_with(|| self.in_words(&finding, args));
                 outcome.findings.push(finding);
             }
-            answers.extend(answer.map(|(sign, _)| sign));
+            answers.0.extend(answer.map(|(sign, _)| sign));
         }
         let wrong = outcome.counts.findings();
         let remark = first.map(|first| format!("{}: {wrong} of {} wrong; first, {first}", self.name, outcome.queries));
@@ -72,7 +72,7 @@ impl Judged<'_> {
         Finding {
             class,
             check: "sign".to_owned(),
-            query: self.question.describe(args),
+            queries: vec![self.question.query(args)],
             got: got.map_or_else(|| "panic".to_owned(), |sign| sign.to_string()),
             truth: truth.to_string(),
             log2_relative_det: judge::log2_relative(&judge::verdict(self.scene, self.question, args)),
@@ -90,7 +90,7 @@ impl Judged<'_> {
         let points: Vec<String> = args.iter().map(point).collect();
         format!(
             "{} is {} and {} says {} ({}): {}",
-            finding.query,
+            finding.query_text(),
             finding.truth,
             self.name,
             finding.got,
@@ -105,7 +105,7 @@ impl Verdict {
     pub fn timed<'a>(self, watch: impl Stopwatch + 'a) -> Peer<'a> {
         let Verdict { name, version, outcome, answers, mut remarks } = self;
         let panics = outcome.counts.get(Class::Panic);
-        let timed = (panics == 0).then(|| Timed { watch: Box::new(watch), judged: digest_of(&answers) });
+        let timed = (panics == 0).then(|| Timed { watch: Box::new(watch), judged: answers.digest() });
         if panics > 0 {
             remarks.push(format!("{name}: not timed, {panics} queries made it panic"));
         }

@@ -15,8 +15,9 @@ use std::time::{Duration, Instant};
 
 use predicament_controls::constructed;
 use predicament_judge as judge;
-use predicament_oracle::Stopwatch;
 use predicament_predicates::{Axis, Plane, QuerySet, Question, Scene, Sign, Vertex};
+use predicament_tasks::signs::{Answers, SignQueries};
+use predicament_tasks::{Answer, AnyCase, Stopwatch};
 
 use super::Peer;
 use super::judged::Judged;
@@ -24,9 +25,16 @@ use super::libraries::{Exact, Geogram, GeometryPredicates, Robust, Simplicity};
 use super::predicate::{Library, Predicate};
 use super::tables::RAW;
 
+/// All crates, in both ways, where the case is one of signs.
+pub fn peers(case: &dyn AnyCase) -> Vec<Peer<'_>> {
+    let content = case.loaded().content::<SignQueries>();
+    let both = content.zip(case.truth().downcast_ref::<Vec<Sign>>());
+    both.map(|(content, truth)| asked(&case.loaded().scene, &content.queries, truth)).unwrap_or_default()
+}
+
 /// All crates, in both ways. None of them has a comparison to offer that would
 /// be worth its name.
-pub fn peers<'a>(scene: &'a Scene, queries: &'a QuerySet, truth: &'a [Sign]) -> Vec<Peer<'a>> {
+fn asked<'a>(scene: &'a Scene, queries: &QuerySet, truth: &[Sign]) -> Vec<Peer<'a>> {
     let points2 = |plane: Plane| points(scene, plane.axes());
     let points3 = || points(scene, [Axis::X, Axis::Y, Axis::Z]);
     let asked = Asked { scene, question: queries.question() };
@@ -174,12 +182,12 @@ impl<'a> Asked<'a> {
 struct Watch<Q, F> {
     queries: Vec<Q>,
     ask: F,
-    out: Vec<Sign>,
+    out: Answers,
 }
 
 impl<Q, F: Fn(&Q) -> Sign> Watch<Q, F> {
     fn new(queries: Vec<Q>, ask: F) -> Watch<Q, F> {
-        let out = vec![Sign::Zero; queries.len()];
+        let out = Answers(vec![Sign::Zero; queries.len()]);
         Watch { queries, ask, out }
     }
 }
@@ -187,7 +195,7 @@ impl<Q, F: Fn(&Q) -> Sign> Watch<Q, F> {
 impl<Q, F: Fn(&Q) -> Sign> Stopwatch for Watch<Q, F> {
     fn pass(&mut self) -> Duration {
         let start = Instant::now();
-        for (query, out) in black_box(&self.queries).iter().zip(&mut self.out) {
+        for (query, out) in black_box(&self.queries).iter().zip(&mut self.out.0) {
             *out = (self.ask)(query);
         }
         black_box(&mut self.out);
@@ -195,15 +203,15 @@ impl<Q, F: Fn(&Q) -> Sign> Stopwatch for Watch<Q, F> {
     }
 
     fn digest(&self) -> u64 {
-        predicament_oracle::digest_of(&self.out)
+        self.out.digest()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use predicament_oracle::Class;
     use predicament_predicates::{Construction, PredicateKind};
+    use predicament_tasks::Class;
 
     const QUESTIONS: [Question; 4] =
         [Question::Orient2d(Plane::Xy), Question::Orient3d, Question::Incircle, Question::Insphere];

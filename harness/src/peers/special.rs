@@ -5,39 +5,45 @@
 //! needs is had from `robust`, and from our `exact` without a scene.
 
 use std::hint::black_box;
+use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use predicament_algorithms::polygon_locate::special::Point;
 use predicament_algorithms::polygon_locate::{Location, Scratch};
 use predicament_exact::raw;
-use predicament_oracle::locate::{LocateCase, LocationSink};
-use predicament_oracle::{Class, Outcome, Stopwatch};
 use predicament_predicates::{Plane, Sign};
+use predicament_tasks::{AnyCase, Class, Outcome, Stopwatch, digest};
 use robust::Coord;
 
+use super::located::Case;
 use super::{Peer, Timed};
 
-/// Both sources of the sign, judged and ready to be timed.
-pub fn peers<'a>(case: &'a LocateCase<'a>) -> Vec<Peer<'a>> {
+/// Both sources of the sign, judged and ready to be timed, where the case is a map.
+pub fn peers(case: &dyn AnyCase) -> Vec<Peer<'_>> {
+    Case::of(case).map(of).unwrap_or_default()
+}
+
+fn of(case: Case<'_>) -> Vec<Peer<'_>> {
     let coord = |[x, y]: Point| Coord { x, y };
     let by_robust = move |l, r, p| Sign::of(robust::orient2d(coord(l), coord(r), coord(p)));
     let by_exact = |l, r, p| raw::orient2d([l, r, p]);
     vec![
-        peer(case, "special", env!("PREDICAMENT_ROBUST"), by_robust),
+        peer(case.clone(), "special", env!("PREDICAMENT_ROBUST"), by_robust),
         peer(case, "special:exact", env!("CARGO_PKG_VERSION"), by_exact),
     ]
 }
 
 fn peer<'a>(
-    case: &'a LocateCase<'a>,
+    case: Case<'a>,
     name: &str,
     version: &str,
     sign_of_d: impl Fn(Point, Point, Point) -> Sign + 'a,
 ) -> Peer<'a> {
-    let mut watch = Watch { case, sign_of_d, scratch: Scratch::new(), out: LocationSink::default() };
-    let wrong: Vec<usize> = (0..case.probes().len()).filter(|&probe| !watch.is_right(probe)).collect();
+    let probes = case.probes.len();
+    let mut watch = Watch { case, sign_of_d, scratch: Scratch::new(), out: Vec::new() };
+    let wrong: Vec<usize> = (0..probes).filter(|&probe| !watch.is_right(probe)).collect();
     watch.pass();
-    let (wrongs, queries, judged) = (wrong.len() as u64, case.probes().len() as u64, watch.digest());
+    let (wrongs, queries, judged) = (wrong.len() as u64, probes as u64, watch.digest());
     let mut outcome = Outcome { queries, ..Outcome::default() };
     outcome.counts.add(Class::Agree, queries - wrongs);
     outcome.counts.add(Class::Topology, wrongs);
@@ -52,20 +58,21 @@ fn peer<'a>(
 }
 
 struct Watch<'a, D> {
-    case: &'a LocateCase<'a>,
+    case: Case<'a>,
     sign_of_d: D,
     scratch: Scratch,
-    out: LocationSink,
+    /// For each probe how many regions it is inside of and on, then the regions.
+    out: Vec<u32>,
 }
 
 impl<D: Fn(Point, Point, Point) -> Sign> Watch<'_, D> {
     /// Whether an answer is the exact one, as far as the test promises: it
     /// sees only points that are on a boundary there, and of those not all.
     fn is_right(&mut self, probe: usize) -> bool {
-        let exact = self.case.exact();
+        let exact = Rc::clone(&self.case.exact);
         let truth = Location { inside: exact.inside(probe), boundary: exact.boundary(probe) };
-        let point = self.case.scene().point2(Plane::Xy, self.case.probes()[probe]);
-        let answer = self.case.index().locate_specially(point, &self.sign_of_d, &mut self.scratch);
+        let point = self.case.scene.point2(Plane::Xy, self.case.probes[probe]);
+        let answer = self.case.index.locate_specially(point, &self.sign_of_d, &mut self.scratch);
         let off = answer.inside.iter().filter(|region| !truth.boundary.contains(region));
         off.eq(truth.inside) && answer.boundary.iter().all(|region| truth.boundary.contains(region))
     }
@@ -75,15 +82,20 @@ impl<D: Fn(Point, Point, Point) -> Sign> Stopwatch for Watch<'_, D> {
     fn pass(&mut self) -> Duration {
         self.out.clear();
         let start = Instant::now();
-        for &probe in self.case.probes() {
-            let point = self.case.scene().point2(Plane::Xy, probe);
-            self.out.push(self.case.index().locate_specially(point, &self.sign_of_d, &mut self.scratch));
+        for &probe in &self.case.probes {
+            let point = self.case.scene.point2(Plane::Xy, probe);
+            let location = self.case.index.locate_specially(point, &self.sign_of_d, &mut self.scratch);
+            // A map has far fewer than 2^32 regions, so both lengths fit.
+            #[allow(clippy::cast_possible_truncation)]
+            self.out.extend([location.inside.len() as u32, location.boundary.len() as u32]);
+            self.out.extend(location.inside);
+            self.out.extend(location.boundary);
         }
         black_box(&mut self.out);
         start.elapsed()
     }
 
     fn digest(&self) -> u64 {
-        self.out.digest()
+        digest(self.out.iter().copied().flat_map(u32::to_le_bytes))
     }
 }

@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use predicament_report::{Class, Error, RunDir, Spread, SummaryRow, ThroughputRow};
-
-use crate::markdown::{in_order, markdown};
+use predicament_records::{Error, RunDir, Spread, SummaryRow, ThroughputRow};
+use predicament_report::text::{in_order, markdown};
+use predicament_tasks::Class;
 
 /// The peer whose time is one.
 const ONE: &str = "robust";

@@ -17,10 +17,11 @@ pub(super) fn break_tie<P: Predicates, const N: usize>(
     let decide = |terms: &[Term], rows: &[Vertex]| ties::decide(exact, question, terms, rows);
     let decided = match fault {
         Fault::SosSwappedTerm => {
-            let mut terms = terms.to_vec();
-            if let Some(term) = terms.get_mut(2) {
-                term.sign = -term.sign;
-            }
+            decide(&with_swapped(terms, 2), &sorted.vertices).map(|(sign, _)| sign * sorted.parity)
+        }
+        Fault::SosLateSwappedTerm => {
+            let late = sorted.vertices.iter().all(|v| 2 * v.index() >= exact.scene().len());
+            let terms = if late { with_swapped(terms, 0) } else { terms.to_vec() };
             decide(&terms, &sorted.vertices).map(|(sign, _)| sign * sorted.parity)
         }
         Fault::SosDroppedParity => decide(terms, &sorted.vertices).map(|(sign, _)| sign),
@@ -42,4 +43,13 @@ pub(super) fn break_tie<P: Predicates, const N: usize>(
         _ => decide(terms, &sorted.vertices).map(|(sign, _)| sign * sorted.parity),
     };
     decided.unwrap_or(Sign::Zero)
+}
+
+/// The terms with the sign of one changed, if there are so many.
+fn with_swapped(terms: &[Term], place: usize) -> Vec<Term> {
+    let mut terms = terms.to_vec();
+    if let Some(term) = terms.get_mut(place) {
+        term.sign = -term.sign;
+    }
+    terms
 }

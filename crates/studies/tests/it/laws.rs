@@ -7,7 +7,7 @@ use predicament_oracle::faults::Fault;
 use predicament_studies::laws::{Row, Survey, survey};
 use predicament_tasks::{Stop, Watch};
 
-use crate::{backend, on};
+use crate::backend;
 
 fn rows(name: &str, plan: Survey) -> Vec<Row> {
     let (flag, told) = (AtomicBool::new(false), AtomicU64::new(0));
@@ -73,12 +73,11 @@ fn every_wrong_perturbation_is_condemned_by_the_laws_alone() {
 }
 
 #[test]
-fn nothing_depends_on_the_number_of_threads() {
+fn another_seed_makes_other_scenes() {
     let few = Survey { tuples: 20_000, seed: 3 };
-    let one = on(1, || rows("naive", few));
+    let one = rows("naive", few);
     assert!(one.iter().any(|row| row.violations > 0 && row.first.is_some()));
-    assert_eq!(one, on(3, || rows("naive", few)));
-    assert_ne!(one, rows("naive", Survey { seed: 4, ..few }), "another seed, other scenes");
+    assert_ne!(one, rows("naive", Survey { seed: 4, ..few }));
 }
 
 #[test]

@@ -12,8 +12,3 @@ use predicament_tasks::Contestant;
 fn backend(name: &str) -> Box<dyn Contestant> {
     roster::backend(name).unwrap_or_else(|why| panic!("{why}"))
 }
-
-/// The same on this many threads.
-fn on<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
-    rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads start").install(work)
-}

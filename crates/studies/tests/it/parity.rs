@@ -10,7 +10,7 @@ use predicament_tasks::Contestant;
 use predicament_tolerance::{ContactTolerances, Float, Tolerance};
 use rug::Rational;
 
-use crate::{backend, on};
+use crate::backend;
 
 fn search(precision: Precision, seed: u64, numbers: std::ops::Range<u64>) -> Census {
     let backends = ["exact", "sos", precision.tolerance()].map(backend);
@@ -122,10 +122,9 @@ fn a_snap_takes_an_edge_across_a_vertex_that_was_out_of_reach() {
 }
 
 #[test]
-fn the_search_counts_the_same_on_any_number_of_threads() {
+fn the_search_counts_what_is_odd() {
     for (precision, name) in [(Precision::Double, "tolerance"), (Precision::Single, "tolerance:f32")] {
-        let census = on(1, || search(precision, 3, 0..400));
-        assert_eq!(on(3, || search(precision, 3, 0..400)), census);
+        let census = search(precision, 3, 0..400);
         assert_ne!(search(precision, 4, 0..400), census);
         assert_eq!(census.pairs, 1200);
         let [exact, sos, tolerance] = &census.rows[..] else { panic!("three backends") };

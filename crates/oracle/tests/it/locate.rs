@@ -1,16 +1,19 @@
 //! Locating is judged with every edge asked about, and the shortcut that users
 //! run is held against it.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::Arc;
 
+use predicament_corpus::LoadedScene;
+use predicament_formats::ImportNotes;
 use predicament_mesh::PolygonMap;
-use predicament_oracle::locate::LocateCase;
-use predicament_oracle::signs::Budget;
-use predicament_oracle::{Class, Contestant, Entry, Outcome, Watch};
 use predicament_predicates::{
     Axis, Backend, Contract, Declined, Off, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 use predicament_sos::{Scheme, Sos};
+use predicament_tasks::polygon_locate::{MapWithProbes, Probe, ProbeKind};
+use predicament_tasks::{Class, Entry, Outcome};
+
+use crate::common;
 
 /// SoS that says one turn of every probe the wrong way round: that of the
 /// square's top edge, which lies above all probes.
@@ -66,14 +69,24 @@ impl Predicates for Session<'_> {
     }
 }
 
-fn judged(backend: impl Backend, probes: usize) -> Outcome {
-    let scene = Scene::from_points2(&POINTS).unwrap();
+fn judged(backend: impl Backend + 'static, probes: usize) -> Outcome {
     let mut map = PolygonMap::new();
     map.push("square", vec![(3..7).map(Vertex::input).collect()]).unwrap();
-    let (cancel, silent) = (AtomicBool::new(false), |_| {});
-    let watch = Watch::new(&cancel, None, &silent);
-    let case = LocateCase::new(&scene, &map, (0..probes).map(Vertex::input).collect(), &watch).unwrap();
-    Entry::new(backend).run_locate(&case, Budget::QUICK, &watch).unwrap()
+    let probe = |at| Probe { vertex: Vertex::input(at), kind: ProbeKind::Random };
+    let loaded = LoadedScene {
+        suite: "mine".to_owned(),
+        name: "square".to_owned(),
+        id: String::new(),
+        task: "polygon-locate",
+        family: "square".to_owned(),
+        tags: Vec::new(),
+        source: String::new(),
+        analysis: String::new(),
+        scene: Scene::from_points2(&POINTS).unwrap(),
+        content: Arc::new(MapWithProbes::new(map, (0..probes).map(probe).collect())),
+        notes: ImportNotes::default(),
+    };
+    common::judged(&loaded, &Entry::new(backend))
 }
 
 #[test]

@@ -1,12 +1,10 @@
 //! `predicament bounds`, and the page that is made of it.
 
-mod common;
-
-use common::{column, expect};
+use crate::common::{column, expect};
 
 #[test]
 fn the_committed_page_is_what_the_command_prints() {
-    let page = include_str!("../../docs/BOUNDS.md");
+    let page = include_str!("../../../docs/BOUNDS.md");
     assert_eq!(expect(0, &["bounds"]).stdout, page, "renew it: predicament bounds > docs/BOUNDS.md");
     assert_eq!(expect(0, &["bounds", "--format", "md"]).stdout, page);
 }

@@ -1,9 +1,6 @@
 //! The table of `docs/PEERS.md` is what the tool prints today.
-#![cfg(feature = "peers")]
 
-mod common;
-
-use common::{at, column, expect, read};
+use crate::common::{at, column, expect, read};
 
 #[test]
 fn the_committed_table_of_wrong_answers_is_the_one_that_comes_out() {
@@ -28,7 +25,7 @@ fn the_committed_table_of_wrong_answers_is_the_one_that_comes_out() {
     );
     let (_, table) = told.stdout.split_once("Wrong answers\n").expect("peers go wrong on the wide families");
     assert!(table.lines().count() > 10, "{table}");
-    let page = include_str!("../../docs/PEERS.md");
+    let page = include_str!("../../../docs/PEERS.md");
     assert!(page.contains(table.trim()), "docs/PEERS.md has another table than this one:\n{table}");
     // What is timed by vertex id is timed by coordinates too, and `exact` makes no error at all.
     let backends = column(&read(&out, "throughput.csv"), "backend");
@@ -109,7 +106,7 @@ fn the_committed_table_of_laws_is_the_one_that_comes_out() {
             (false, false) => broken.join(" "),
         }
     };
-    let page = include_str!("../../docs/LAWS.md");
+    let page = include_str!("../../../docs/LAWS.md");
     let (_, table) = page.split_once("| law | exact, sos, ").expect("the table");
     let (_, table) = table.split_once("|---|\n").expect("its rows");
     let mut seen = 0;

@@ -4,20 +4,19 @@
 
 use predicament_algorithms::polygon_locate::{LocateIndex, locate_all, locate_all_specially};
 use predicament_checks::tiling::{surroundings, tiling_report};
-use predicament_corpus::{Cache, Level, Library, Work};
 use predicament_exact::{Exact, raw};
-use predicament_predicates::{Backend, Off, Vertex, ZeroMeaning};
+use predicament_predicates::{Backend, Off, ZeroMeaning};
 use predicament_sos::Sos;
+use predicament_tasks::polygon_locate::MapWithProbes;
+
+use crate::common::suite;
 
 #[test]
 fn the_papers_test_answers_as_a_perturbed_session_does() {
-    let suite = Library::embedded().unwrap().suite("tilings").unwrap();
-    let cache = Cache::new("no data is needed");
     let sos = Sos::default();
-    for scene in &suite.scenes {
-        let loaded = scene.load(Level::Quick, &cache).unwrap();
-        let Work::Locate { map, probes } = &loaded.work else { panic!("{} is no map", loaded.name) };
-        let probes: Vec<Vertex> = probes.iter().map(|probe| probe.vertex).collect();
+    for loaded in suite("tilings") {
+        let content: &MapWithProbes = loaded.content().unwrap_or_else(|| panic!("{} is no map", loaded.name));
+        let (map, probes) = (&content.map, content.vertices());
         let first_of_map = map.edges().flat_map(|(_, ends)| ends).min().unwrap();
         let index = LocateIndex::new(map, &loaded.scene);
         let exact = Exact.prepare(&loaded.scene, Off).unwrap();

@@ -1,13 +1,13 @@
 //! Cells of a line and unions of cubes: what a backend gets wrong is found, and classed by its promise.
 
-use std::sync::atomic::AtomicBool;
-
-use predicament_corpus::{Cache, Level, Library, LoadedScene};
-use predicament_oracle::signs::Budget;
-use predicament_oracle::{Case, Class, Contestant, Entry, Outcome, Watch, roster};
 use predicament_predicates::{
     Axis, Backend, Contract, Declined, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
+use predicament_records::Row;
+use predicament_tasks::cube_union::MassRow;
+use predicament_tasks::{Class, Entry, Outcome};
+
+use crate::common::{checks, judged, judged_by_name, load};
 
 /// Compares by coordinates, then as it is told: by what is left of the tie, the two numbers.
 struct ByRule {
@@ -70,36 +70,24 @@ fn larger_is_further([a, b]: [f64; 2], [i, j]: [usize; 2]) -> Sign {
     Sign::from(a.total_cmp(&b).then(i.cmp(&j)))
 }
 
-fn load(name: &str) -> LoadedScene {
-    let library = Library::embedded().unwrap();
-    let scene = library.suites().iter().flat_map(|suite| &suite.scenes).find(|scene| scene.name == name);
-    scene.expect("a scene of the corpora").load(Level::Quick, &Cache::new("nowhere")).unwrap()
-}
-
-fn judged(name: &str, contestant: &dyn Contestant) -> Outcome {
-    let (cancel, silent) = (AtomicBool::new(false), |_| {});
-    let watch = Watch::new(&cancel, None, &silent);
-    let loaded = load(name);
-    Case::new(&loaded, &watch).unwrap().run(contestant, Budget::QUICK, &watch).unwrap()
-}
-
 fn by_rule(name: &str, zero: ZeroMeaning, rule: fn([f64; 2], [usize; 2]) -> Sign) -> Outcome {
-    judged(name, &Entry::new(ByRule { zero, rule }))
+    judged(&load(name), &Entry::new(ByRule { zero, rule }))
 }
 
-/// Classes that occur, with their checks.
-fn checks(outcome: &Outcome) -> Vec<(Class, &str)> {
-    let mut checks: Vec<_> = outcome.findings.iter().map(|finding| (finding.class, finding.check.as_str())).collect();
-    checks.sort_unstable_by_key(|(class, check)| (*class as usize, *check));
-    checks.dedup();
-    checks
+/// What a backend measured of a union, by the columns of its row.
+fn mass(outcome: &Outcome) -> impl Fn(&str) -> f64 + use<> {
+    let fields = outcome.rows[0].fields.clone();
+    move |column| {
+        let place = MassRow::COLUMNS.iter().position(|name| *name == column).unwrap();
+        fields[place].parse().unwrap()
+    }
 }
 
 #[test]
 fn honest_backends_are_clean_on_lines() {
     for name in ["three-cells", "no-length", "neighbours", "cells-uniform-interval", "cells-degen-interval"] {
         for backend in ["exact", "sos", "sos:edelsbrunner-mucke", "naive", "shewchuk"] {
-            let outcome = judged(name, roster::backend(backend).unwrap().as_ref());
+            let outcome = judged_by_name(&load(name), backend);
             assert_eq!(checks(&outcome), [], "{backend} on {name}");
             let ties = outcome.counts.get(Class::TieBroken);
             assert_eq!(ties > 0, backend.starts_with("sos"), "{backend} on {name}");
@@ -151,27 +139,28 @@ fn each_way_to_be_wrong_on_a_line_has_its_class() {
 fn unions_are_measured_as_their_ties_are_broken() {
     for name in ["one", "corner-in-corner", "common-face", "twins", "slide", "cubes-degen-cube-union"] {
         for backend in ["sos", "sos:edelsbrunner-mucke"] {
-            let outcome = judged(name, roster::backend(backend).unwrap().as_ref());
+            let outcome = judged_by_name(&load(name), backend);
             assert_eq!((checks(&outcome), outcome.counts.get(Class::Agree)), (vec![], outcome.queries), "{name}");
         }
         assert_eq!(checks(&by_rule(name, ZeroMeaning::Never, smaller_is_further)), []);
     }
-    let mass = judged("corner-in-corner", roster::backend("exact").unwrap().as_ref()).mass.unwrap();
-    assert_eq!((mass.found, mass.truth), ([15., 42., 48.], [15., 42., 48.]));
-    assert_eq!((mass.cubes, mass.vertices), (2, [14, 6, 0]));
-    let off_grid = judged("off-grid", roster::backend("exact").unwrap().as_ref());
+    let two = mass(&judged_by_name(&load("corner-in-corner"), "exact"));
+    assert_eq!(["volume", "area", "edge_length"].map(&two), [15., 42., 48.]);
+    assert_eq!(two("true_volume"), 15.);
+    assert_eq!(["cubes", "corners", "edge_faces", "three_faces"].map(&two), [2., 14., 6., 0.]);
+    let off_grid = judged_by_name(&load("off-grid"), "exact");
     assert_eq!(checks(&off_grid), []);
-    let mass = off_grid.mass.unwrap();
-    assert!((mass.found[0] - 0.125).abs() < 1e-9 && mass.found[0] > 0.125, "in the scene's units: {mass:?}");
+    let volume = mass(&off_grid)("volume");
+    assert!((volume - 0.125).abs() < 1e-9 && volume > 0.125, "in the scene's units: {volume}");
 }
 
 #[test]
 fn each_sum_over_a_union_can_be_found_wrong() {
     // Closed twins cover each other's corners.
-    let exact = judged("twins", roster::backend("exact").unwrap().as_ref());
+    let exact = judged_by_name(&load("twins"), "exact");
     let found: Vec<&str> = checks(&exact).iter().map(|(_, check)| *check).collect();
     assert_eq!(found, ["area", "edge length", "volume"]);
-    assert_eq!(exact.mass.unwrap().vertices[0], 0, "every corner is in another cube");
+    assert_eq!(mass(&exact)("corners"), 0., "every corner is in another cube");
     // Moved the other way two cubes part that should be one: the same volume, with other walls.
     let other = by_rule("common-face", ZeroMeaning::Never, larger_is_further);
     let found: Vec<&str> = checks(&other).iter().map(|(_, check)| *check).collect();

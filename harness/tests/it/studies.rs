@@ -1,8 +1,6 @@
 //! The studies from end to end: exit codes, files, and the suite that `parity` writes.
 
-mod common;
-
-use common::{at, column, expect, read, run};
+use crate::common::{at, column, expect, read, run, write};
 use tempfile::tempdir;
 
 #[test]
@@ -79,7 +77,7 @@ fn no_pairs_and_no_folder_are_refused() {
     assert!(expect(2, &["parity", "--pairs", "0", "--out", "x"]).stderr.contains("--pairs"));
     assert!(expect(2, &["parity"]).stderr.contains("--out"));
     let folder = tempdir().unwrap();
-    let file = common::write(&folder, "file", "");
+    let file = write(&folder, "file", "");
     assert!(expect(2, &["parity", "--pairs", "1", "--out", &file]).stderr.contains(&file));
 }
 

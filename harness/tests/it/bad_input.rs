@@ -1,8 +1,6 @@
 //! Bad input: one line with a place and a cure, the right exit code, nothing half-written.
 
-mod common;
-
-use common::{SUITE, at, expect, run, tool, write};
+use crate::common::{SUITE, at, expect, run, tool, write};
 use tempfile::tempdir;
 
 /// A failure is one line on stderr that holds these words; the rest is quiet.

@@ -1,8 +1,5 @@
 //! Runs the tool as a user would.
 
-// Each test binary uses a part of this.
-#![allow(dead_code)]
-
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
@@ -45,11 +42,22 @@ pub fn at(folder: &tempfile::TempDir, name: &str) -> String {
     folder.path().join(name).display().to_string()
 }
 
-/// The tables of a run that have to be the same whatever the threads.
-pub fn tables(run: &str) -> Vec<(&'static str, String)> {
-    ["summary.csv", "findings.csv", "stages.csv", "locate.csv", "contacts.csv", "masses.csv", "precision.csv"]
-        .map(|file| (file, read(run, file)))
-        .to_vec()
+/// The tables of a folder by name, but for times: they are the same whatever the threads.
+pub fn tables(folder: &str) -> Vec<(String, String)> {
+    let names = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let mut names: Vec<String> = names.filter(|name| name.ends_with(".csv") && name != "throughput.csv").collect();
+    names.sort();
+    names.into_iter().map(|name| (name.clone(), read(folder, &name))).collect()
+}
+
+/// Asserts that two folders have the same tables, those of times apart.
+pub fn assert_same_tables(one: &str, other: &str, why: &str) {
+    let (one, other) = (tables(one), tables(other));
+    let names = |tables: &[(String, String)]| tables.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
+    assert_eq!(names(&one), names(&other), "{why}");
+    for ((name, one), (_, other)) in one.iter().zip(&other) {
+        assert!(one == other, "{name}: {why}");
+    }
 }
 
 pub fn read(folder: &str, file: &str) -> String {

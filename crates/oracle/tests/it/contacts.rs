@@ -1,37 +1,23 @@
-//! Contacts: the truth by another method, honest backends, and faulty ones.
+//! Contacts: what meets by its definition, honest backends, and faulty ones.
 
 use std::collections::BTreeSet;
-use std::sync::atomic::AtomicBool;
 
-use predicament_corpus::{Cache, Level, Library, LoadedScene, Work};
+use predicament_corpus::LoadedScene;
 use predicament_mesh::{Complex, Simplex};
-use predicament_oracle::contacts::ContactsCase;
-use predicament_oracle::signs::Budget;
-use predicament_oracle::{Class, Outcome, Watch, roster};
-use predicament_predicates::{Scene, Vertex};
+use predicament_oracle::roster;
+use predicament_predicates::{Query, Scene, Vertex};
+use predicament_tasks::contacts::{Complexes, Contacts};
+use predicament_tasks::{Class, Outcome};
 use rug::Rational;
 
-fn scenes() -> Vec<LoadedScene> {
-    let library = Library::embedded().unwrap();
-    let suite = library.suite("contacts").unwrap();
-    suite.scenes.iter().map(|scene| scene.load(Level::Quick, &Cache::new("nowhere")).unwrap()).collect()
+use crate::common::{judged_by_name, load, suite, task};
+
+fn complexes(loaded: &LoadedScene) -> &Complexes {
+    loaded.content().unwrap_or_else(|| panic!("{} asks for no contacts", loaded.name))
 }
 
-fn scene(name: &str) -> LoadedScene {
-    scenes().into_iter().find(|scene| scene.name == name).unwrap_or_else(|| panic!("no scene {name}"))
-}
-
-/// Both complexes and the case about them.
-fn with_case<R>(loaded: &LoadedScene, then: impl FnOnce([&Complex; 2], &ContactsCase, &Watch) -> R) -> R {
-    let Work::Contacts { a, b } = &loaded.work else { panic!("{} asks for no contacts", loaded.name) };
-    let (cancel, progress) = (AtomicBool::new(false), |_: u64| {});
-    let watch = Watch::new(&cancel, None, &progress);
-    then([a, b], &ContactsCase::new(&loaded.scene, a, b, &watch).unwrap(), &watch)
-}
-
-fn run(loaded: &LoadedScene, backend: &str) -> Outcome {
-    let contestant = roster::backend(backend).unwrap();
-    with_case(loaded, |_, case, watch| contestant.run_contacts(case, Budget::QUICK, watch).unwrap())
+fn run(name: &str, backend: &str) -> Outcome {
+    judged_by_name(&load(name), backend)
 }
 
 /// A linear form: coefficients, and the constant last.
@@ -136,14 +122,16 @@ fn by_carriers(scene: &Scene, [a, b]: [&Complex; 2]) -> BTreeSet<[Simplex; 2]> {
 }
 
 #[test]
-fn the_truth_is_what_meets_by_definition() {
+fn what_meets_by_definition_is_registered() {
     let mut kinds = BTreeSet::new();
-    for loaded in scenes() {
-        with_case(&loaded, |complexes, case, _| {
-            let truth: BTreeSet<_> = case.truth().registered.iter().map(|contact| [contact.a, contact.b]).collect();
-            assert_eq!(truth, by_carriers(&loaded.scene, complexes), "{}", loaded.name);
-            kinds.extend(truth.iter().map(|[s, t]| (loaded.task, s.rank.max(t.rank), s.rank.min(t.rank))));
-        });
+    let exact = roster::backend("exact").unwrap();
+    for loaded in suite("contacts") {
+        let content = complexes(&loaded);
+        let task = if loaded.task == "contacts2d" { Contacts::IN_PLANE } else { Contacts::IN_SPACE };
+        let found = exact.answer(&task, &loaded.scene, content).unwrap();
+        let found: BTreeSet<_> = found.registered.iter().map(|contact| [contact.a, contact.b]).collect();
+        assert_eq!(found, by_carriers(&loaded.scene, content.both()), "{}", loaded.name);
+        kinds.extend(found.iter().map(|[s, t]| (loaded.task, s.rank.max(t.rank), s.rank.min(t.rank))));
     }
     // Of every kind of pair there is one that meets.
     assert_eq!(kinds.len(), 4 + 6, "{kinds:?}");
@@ -151,9 +139,9 @@ fn the_truth_is_what_meets_by_definition() {
 
 #[test]
 fn honest_backends_have_no_findings() {
-    for loaded in scenes() {
+    for loaded in suite("contacts") {
         for backend in ["exact", "sos", "sos:edelsbrunner-mucke", "sos:per-mesh", "tolerance"] {
-            let mut outcome = run(&loaded, backend);
+            let mut outcome = judged_by_name(&loaded, backend);
             // Contacts that keep their promise and make curves cross an odd number of times.
             if backend == "tolerance" && (loaded.name == "kettner-zigzag" || loaded.name.starts_with("odd-")) {
                 let of_class = outcome.counts.get(Class::Topology);
@@ -161,7 +149,7 @@ fn honest_backends_have_no_findings() {
                 assert_eq!(of_class > 0, loaded.name != "odd-everywhere-f32", "{}", loaded.name);
             }
             assert_eq!(outcome.findings, [], "{backend} on {}", loaded.name);
-            assert_eq!(outcome.queries, loaded.work.len() as u64);
+            assert_eq!(outcome.queries, loaded.count() as u64);
         }
     }
 }
@@ -178,7 +166,7 @@ fn ties_are_broken_and_bands_are_used() {
         ("polygons-degen", "tolerance", Class::Agree),
         ("surfaces-degen", "exact", Class::Agree),
     ] {
-        assert!(run(&scene(name), backend).counts.get(class) > 0, "{class} of {backend} on {name}");
+        assert!(run(name, backend).counts.get(class) > 0, "{class} of {backend} on {name}");
     }
 }
 
@@ -202,7 +190,7 @@ fn faults_are_caught_for_what_they_are() {
         ("epsilon:1e-10", "polygons-near", Class::SignFlip, "contact"),
         ("naive", "kettner-zigzag", Class::Topology, "crossing parity"),
     ] {
-        let outcome = run(&scene(name), fault);
+        let outcome = run(name, fault);
         let caught = outcome.findings.iter().any(|finding| finding.class == class && finding.check == check);
         let all: BTreeSet<_> = outcome.findings.iter().map(|finding| (finding.class, &finding.check)).collect();
         assert!(caught, "{fault} on {name}: {class} ({check}) is not among {all:?}");
@@ -211,15 +199,22 @@ fn faults_are_caught_for_what_they_are() {
 
 #[test]
 fn a_pair_alone_is_what_it_is_among_all_others() {
-    for (name, backend) in [("polygons-near", "tolerance"), ("surfaces-degen", "exact"), ("touching-squares", "sos")] {
-        let contestant = roster::backend(backend).unwrap();
-        with_case(&scene(name), |_, case, _| {
-            let all = contestant.contacts(case.scene(), case.complexes()).unwrap();
-            assert!(!all.registered.is_empty());
-            for contact in &all.registered {
-                let told = contestant.contact(case, [contact.a, contact.b]).unwrap();
-                assert!(told.starts_with("registered at ") && !told.contains(", "), "{backend} on {name}: {told}");
-            }
-        });
+    for (name, backend, task_of) in [
+        ("polygons-near", "tolerance", Contacts::IN_PLANE),
+        ("surfaces-degen", "exact", Contacts::IN_SPACE),
+        ("touching-squares", "sos", Contacts::IN_PLANE),
+    ] {
+        let (loaded, contestant) = (load(name), roster::backend(backend).unwrap());
+        let content = complexes(&loaded);
+        let all = contestant.answer(&task_of, &loaded.scene, content).unwrap();
+        assert!(!all.registered.is_empty());
+        for contact in &all.registered {
+            let args = [content.a.vertices_of(contact.a), content.b.vertices_of(contact.b)];
+            let query =
+                Query { what: loaded.task.to_owned(), detail: None, args: args.map(<[Vertex]>::to_vec).to_vec() };
+            let told = task(&loaded).explain_query(&loaded, &query, &[contestant.as_ref()]).unwrap();
+            let told = &told.rows[0].1[0];
+            assert!(told.starts_with("registered at ") && !told.contains(", "), "{backend} on {name}: {told}");
+        }
     }
 }

@@ -5,13 +5,15 @@
 //! column of ones, lifts of coordinates and not of differences) and eliminates
 //! without fractions (Bareiss).
 
-use predicament_controls::Naive;
-use predicament_corpus::{Cache, Level, Library, Work, homogeneous};
+use predicament_corpus::homogeneous;
 use predicament_judge as judge;
-use predicament_oracle::signs;
+use predicament_oracle::roster;
 use predicament_predicates::{Axis, Construction, Dimension, Plane, Question, Scene, Sign, Vertex};
+use predicament_tasks::signs::{SignQueries, Signs};
 use proptest::prelude::*;
 use rug::{Integer, Rational};
+
+use crate::common::{definitions, loaded};
 
 /// Queries of a scene, at most.
 const SAMPLE: usize = 1000;
@@ -81,17 +83,17 @@ fn agreed(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
 #[test]
 fn three_computations_agree_on_every_family() {
     let (mut scenes, mut zeros, mut rounded) = (0, 0, 0);
-    for suite in Library::embedded().unwrap().suites() {
-        for definition in suite.scenes.iter().filter(|definition| !definition.needs_fetch()) {
-            let loaded = definition.load(Level::Quick, &Cache::new("/nonexistent")).unwrap();
-            let Work::Signs(queries) = &loaded.work else { continue };
-            let naive = signs::answers(&Naive::default(), &loaded.scene, queries).unwrap();
-            scenes += 1;
-            for query in (0..queries.len()).step_by(queries.len().div_ceil(SAMPLE).max(1)) {
-                let truth = agreed(&loaded.scene, queries.question(), queries.args(query));
-                zeros += usize::from(truth.is_zero());
-                rounded += usize::from(naive[query] != truth);
-            }
+    let naive = roster::backend("naive").unwrap();
+    for definition in definitions() {
+        let loaded = loaded(&definition);
+        let Some(content) = loaded.content::<SignQueries>() else { continue };
+        let queries = &content.queries;
+        let naive = naive.answer(&Signs::of(queries.kind()), &loaded.scene, content).unwrap().0;
+        scenes += 1;
+        for query in (0..queries.len()).step_by(queries.len().div_ceil(SAMPLE).max(1)) {
+            let truth = agreed(&loaded.scene, queries.question(), queries.args(query));
+            zeros += usize::from(truth.is_zero());
+            rounded += usize::from(naive[query] != truth);
         }
     }
     println!("{scenes} scenes, {zeros} ties, {rounded} that floating point gets wrong");

@@ -1,0 +1,59 @@
+//! Scenes of the embedded corpora, and backends run on them.
+
+use std::sync::atomic::AtomicBool;
+
+use predicament_corpus::{Level, Library, LoadedScene, SceneDef};
+use predicament_formats::Cache;
+use predicament_oracle::{roster, run};
+use predicament_tasks::{AnyCase, AnyTask, Budget, Class, Contestant, Outcome, Watch, built_in, vocabulary};
+
+/// The embedded scenes that need no download.
+pub fn definitions() -> Vec<SceneDef> {
+    let library = Library::embedded(vocabulary()).unwrap();
+    let scenes = library.suites().iter().flat_map(|suite| &suite.scenes);
+    scenes.filter(|definition| !definition.needs_fetch()).cloned().collect()
+}
+
+pub fn loaded(definition: &SceneDef) -> LoadedScene {
+    definition.load(Level::Quick, &Cache::new("nowhere")).unwrap()
+}
+
+/// The scene with this name, whatever its suite.
+pub fn load(name: &str) -> LoadedScene {
+    let found = definitions().into_iter().find(|definition| definition.name == name);
+    loaded(&found.unwrap_or_else(|| panic!("no scene {name}")))
+}
+
+/// All scenes of a suite.
+pub fn suite(name: &str) -> Vec<LoadedScene> {
+    definitions().iter().filter(|definition| definition.suite == name).map(loaded).collect()
+}
+
+pub fn task(loaded: &LoadedScene) -> &'static dyn AnyTask {
+    built_in().into_iter().find(|task| task.name() == loaded.task).expect("a task of the house")
+}
+
+/// The scene with the truth about it.
+pub fn with_case<R>(loaded: &LoadedScene, then: impl FnOnce(&dyn AnyCase, &Watch) -> R) -> R {
+    let (cancel, silent) = (AtomicBool::new(false), |_: u64| {});
+    let watch = Watch::new(&cancel, None, &silent);
+    then(task(loaded).case(loaded, &watch).unwrap().as_ref(), &watch)
+}
+
+/// A backend on a scene, at level quick.
+pub fn judged(loaded: &LoadedScene, contestant: &dyn Contestant) -> Outcome {
+    with_case(loaded, |case, watch| run(case, contestant, Budget::QUICK, watch).unwrap())
+}
+
+/// A backend by name on a scene, at level quick.
+pub fn judged_by_name(loaded: &LoadedScene, backend: &str) -> Outcome {
+    judged(loaded, roster::backend(backend).unwrap().as_ref())
+}
+
+/// Classes that occur, with their checks.
+pub fn checks(outcome: &Outcome) -> Vec<(Class, &str)> {
+    let mut checks: Vec<_> = outcome.findings.iter().map(|finding| (finding.class, finding.check.as_str())).collect();
+    checks.sort_unstable_by_key(|(class, check)| (*class as usize, *check));
+    checks.dedup();
+    checks
+}

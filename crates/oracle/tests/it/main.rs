@@ -1,0 +1,11 @@
+//! The oracle from outside: backends on scenes of the corpora, and what is found about them.
+
+mod common;
+mod constructed;
+mod contacts;
+mod faults;
+mod judge;
+mod lines_and_cubes;
+mod locate;
+mod locate_special;
+mod run;

@@ -1,0 +1,40 @@
+//! The number of threads changes no byte of a table.
+
+use tempfile::tempdir;
+
+use crate::common::{assert_same_tables, at, run, tables};
+
+/// A part of the corpora that has signs, ties, findings and a row for every table, and each study.
+const SOME: [&[&str]; 5] = [
+    &[
+        "run",
+        "-f",
+        "kettner-[ab]|wide-scaled-orient2d|grid-incircle|tilings|contacts/(surfaces|polygons)-degen|cubes/slide",
+        "-b",
+        "exact,sos,naive,tolerance",
+    ],
+    &["laws", "-b", "exact,naive", "--tuples", "5000"],
+    &["parity", "--pairs", "60", "--shrink", "1"],
+    &["audit", "--decisions", "5000"],
+    &["resolution", "-b", "tolerance", "--trials", "2"],
+];
+
+#[test]
+fn the_bytes_do_not_depend_on_the_number_of_threads() {
+    let folder = tempdir().unwrap();
+    for args in SOME {
+        let [one, many] = ["1", "5"].map(|threads| {
+            let out = at(&folder, &format!("{}{threads}", args[0]));
+            let told = run(&[args, &["--threads", threads, "--out", &out]].concat());
+            assert!([0, 100].contains(&told.code), "{args:?}: {}", told.stderr);
+            out
+        });
+        for (name, text) in tables(&one) {
+            assert!(text.lines().count() > 1, "{name} has rows");
+        }
+        if args[0] == "run" {
+            assert!(tables(&one).iter().any(|(name, _)| name == "judged.csv"));
+        }
+        assert_same_tables(&one, &many, "five threads instead of one");
+    }
+}
