@@ -1,4 +1,4 @@
-//! The tool with backends and tasks of anybody's crate.
+//! The command line, with backends and tasks of other crates.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -144,7 +144,7 @@ pub trait BackendList: Send + Sync + 'static {
     /// Their names.
     fn names(&self) -> Vec<String>;
 
-    /// The backend with this name, on the tasks of the house and on these.
+    /// The backend with this name, on the built-in tasks and on these.
     fn find<T: TaskList>(&self, name: &str, tasks: &T) -> Option<Box<dyn Contestant>>;
 }
 

@@ -1,4 +1,4 @@
-//! A backend held against the corpora from a test.
+//! Conformance tests: a backend against the corpora, from a test of its own crate.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;

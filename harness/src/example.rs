@@ -1,4 +1,4 @@
-//! A backend for examples: plain floating point, as most programs begin.
+//! A backend for examples: comparisons and turns in plain floating point.
 
 use predicament_predicates::{
     Axis, Backend, Contract, Declined, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, ZeroMeaning,

@@ -8,7 +8,7 @@ pub const OK: u8 = 0;
 pub const USAGE: u8 = 2;
 /// The selection is empty: nothing was run.
 pub const NOTHING_SELECTED: u8 = 4;
-/// A finding that nobody expected.
+/// A finding that no expectation lists.
 pub const UNEXPECTED: u8 = 100;
 /// An expected finding that did not occur.
 pub const UNEXPECTED_PASS: u8 = 101;

@@ -58,3 +58,8 @@ pub use predicament_predicates as predicates;
 pub use predicament_records as records;
 pub use predicament_report as report;
 pub use predicament_tasks as tasks;
+
+/// The code blocks of `docs/BACKENDS.md`, compiled as doc tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/BACKENDS.md")]
+struct Backends;

@@ -1,4 +1,4 @@
-//! The tool as it comes: the backends and tasks of the house.
+//! The tool with the built-in backends and tasks.
 
 use std::process::ExitCode;
 

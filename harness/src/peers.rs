@@ -1,4 +1,4 @@
-//! Peers from crates.io, timed beside our own where the tool is built with
+//! Other crates, timed beside our own where the tool is built with
 //! `--features peers`. Their answers are judged like everybody's.
 
 #[cfg(feature = "peers")]

@@ -1,4 +1,4 @@
-//! What every command knows: tasks, backends, suites, expectations.
+//! The tasks, backends, suites and expectations that every command works with.
 
 use std::path::PathBuf;
 
@@ -14,14 +14,14 @@ use crate::exit::Failure;
 
 type Find = Box<dyn Fn(&str) -> Result<Box<dyn Contestant>, String> + Send + Sync>;
 
-/// The tool, whatever it was put together from.
+/// The tasks, backends and suites that the tool was put together from.
 pub struct Tool {
     tasks: Vec<&'static dyn AnyTask>,
     vocabulary: Vocabulary,
     own_backends: Vec<String>,
     find: Find,
     own_suites: Vec<PathBuf>,
-    /// The file of expectations that its maker named, if any.
+    /// The file of expectations given to [`Cli::expected`](crate::Cli::expected), if any.
     pub expected: Option<PathBuf>,
 }
 

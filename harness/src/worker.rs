@@ -1,4 +1,4 @@
-//! A scene on a backend in a process of its own, which can be ended.
+//! Runs a scene on a backend in a process of its own, which a time limit can end.
 //!
 //! An algorithm that runs on a whole scene looks at no clock. Under a time limit
 //! it runs where it can be ended: in another process of the same program, whose
@@ -18,7 +18,7 @@ use crate::exit::{Failure, OK, UNEXPECTED, UNEXPECTED_PASS};
 use crate::interrupt;
 use crate::tool::Tool;
 
-/// What a worker is told.
+/// The scene, suite and time limit of a worker.
 pub struct Worker<'a> {
     pub args: &'a Args,
     /// The suite, by name or file.

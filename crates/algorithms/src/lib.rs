@@ -2,8 +2,8 @@
 //! [`Predicates`](predicament_predicates::Predicates).
 //!
 //! An algorithm never names a backend and never looks at a contract: it is
-//! written once, as a user would write it, and what goes wrong in it is the
-//! backend's doing. Raw coordinates serve broad phases only.
+//! written once, as a user would write it, so that differences between answers are
+//! the backends'. Raw coordinates serve broad phases only.
 //!
 //! * [`arrangement`]: two complexes merged where they are in contact.
 //! * [`contacts`]: the pairs of simplices of two complexes that meet.

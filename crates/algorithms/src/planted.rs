@@ -1,4 +1,4 @@
-//! Faults planted in algorithms, to prove that what judges their answers can fail.
+//! Faults planted in algorithms, to prove that the checks of their answers can fail.
 //!
 //! A backend with a planted fault answers questions wrongly; these are
 //! algorithms that go wrong by themselves, whatever the session says. Each

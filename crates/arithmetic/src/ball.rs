@@ -1,4 +1,4 @@
-//! Floating point that knows its error and has no limits to its exponent.
+//! Floating point with a proved error bound and an unlimited exponent.
 //!
 //! Where coordinates span all exponents, products underflow or overflow long
 //! before their signs become doubtful. A [`Ball`] keeps a double beside an

@@ -1,4 +1,4 @@
-//! Doubles as exact numbers.
+//! Doubles as rationals, and points over one common denominator.
 
 use rug::{Integer, Rational};
 

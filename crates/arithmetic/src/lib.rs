@@ -1,8 +1,8 @@
-//! What exactness is made of: exponent ranges, filters, rationals.
+//! Exact arithmetic on doubles: exponent ranges, filter constants, integers, rationals.
 //!
 //! This crate knows numbers and not geometry: it says which computations on a
-//! given list of doubles can be trusted, and holds the arithmetic for those
-//! that can't. Geometry comes in as a [`Form`]: the degree of a polynomial in
+//! given list of doubles make no error, and holds exact arithmetic for the
+//! others. Geometry comes in as a [`Form`]: the degree of a polynomial in
 //! differences of coordinates, and how far its intermediates grow.
 //!
 //! * [`ExponentRange`]: the lowest bit and the highest exponent of a list.

@@ -122,7 +122,7 @@ pub fn exact_tail(a: f64, b: f64, difference: f64) -> f64 {
     (a - virtual_a) + (virtual_b - b)
 }
 
-/// Some points, reduced to what can be proved about them.
+/// What the exponents of some points prove about arithmetic on them.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Plan<const D: usize> {
     axes: [Span; D],
@@ -167,7 +167,7 @@ impl<const D: usize> Plan<D> {
         &self.axes
     }
 
-    /// Every coordinate is a multiple of two to this.
+    /// The exponent of the lowest bit: every coordinate is a multiple of 2 to this power.
     #[must_use]
     pub fn lowest(&self) -> i32 {
         self.lowest
@@ -191,8 +191,8 @@ impl<const D: usize> Plan<D> {
         self.span <= HIGHEST
     }
 
-    /// Whether floating-point filters can be trusted: nothing overflows,
-    /// nothing underflows.
+    /// Whether floating-point filters are valid: nothing overflows, nothing
+    /// underflows.
     #[must_use]
     pub fn allows_filters(&self, form: Form) -> bool {
         form.degree * self.lowest >= LOWEST && (form.degree * self.span).max(0) + form.growth <= HIGHEST

@@ -1,4 +1,4 @@
-//! Numbers that are shorter than where they come from.
+//! Differences of coordinates that need fewer bits than the coordinates.
 //!
 //! A scene may span more bits than a limb holds while each of its queries
 //! spans few: clusters far from each other, figures of many sizes. Nothing is

@@ -1,4 +1,4 @@
-//! What must be true of an answer, whatever it is, decided exactly.
+//! Laws that answers must satisfy, whatever the truth is, decided exactly.
 //!
 //! A sign can be judged by the exact sign. Whole families of signs can also be
 //! judged by one another, and the output of an algorithm by the geometry

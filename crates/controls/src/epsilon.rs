@@ -50,7 +50,7 @@ impl Epsilon {
 }
 
 impl Default for Epsilon {
-    /// 1e-10, as people write it.
+    /// 1e-10, a constant often met in programs.
     fn default() -> Epsilon {
         Epsilon { eps: 1e-10 }
     }

@@ -1,8 +1,8 @@
-//! Backends to compare with: what people use, as they use it.
+//! Backends to compare with: predicates in common use, as they are used.
 //!
-//! Controls are ordinary backends. They promise what the real thing promises,
-//! that zero means zero, and don't keep it: nothing is proved, and a harness
-//! that doesn't find them out finds nothing.
+//! Controls are ordinary backends. They declare the same contract as `exact`, that
+//! zero means zero, without guaranteeing it: a harness that finds no errors in them
+//! finds none at all.
 //!
 //! * [`Naive`]: plain f64 determinants, the pivot a parameter.
 //! * [`Epsilon`]: the same, with |determinant| < ε taken for zero.

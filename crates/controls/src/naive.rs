@@ -1,4 +1,4 @@
-//! Plain floating point.
+//! Predicates in plain floating point.
 
 use predicament_predicates::{Backend, Constructs, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
 
@@ -7,7 +7,7 @@ use crate::{
     session::{Float, Session},
 };
 
-/// Plain f64 determinants: the sign of what they come to.
+/// The signs of plain f64 determinants.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub struct Naive {
     /// The point that is subtracted first.

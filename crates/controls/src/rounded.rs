@@ -1,5 +1,5 @@
-//! Constructed vertices as people compute them: in doubles, once, and from then
-//! on a vertex like the others.
+//! Constructed vertices computed in doubles, once, and taken for input vertices from
+//! then on, as most programs do.
 //!
 //! Every operation rounds, nothing bounds by how much, and what is asked later
 //! is asked about another point than the one that lines and planes define.

@@ -12,7 +12,7 @@ use predicament_predicates::Scene;
 
 use crate::{Canon, Level};
 
-/// What one task asks about a scene's points.
+/// What one task asks about a scene's points: queries, cells, a map with probes.
 pub trait Content: Any + Debug + Send + Sync {
     /// The number of questions: queries, probes, simplices. Progress and times per query go by it.
     fn count(&self) -> usize;

@@ -1,4 +1,4 @@
-//! Makes a suite lossless without changing anything else in it.
+//! Rewrites inexact decimals of a suite to hex floats; all other bytes stay.
 
 use std::ops::Range;
 

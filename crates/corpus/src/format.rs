@@ -1,4 +1,4 @@
-//! What the library has to know of a task: its name, its keys, its generators.
+//! How scenes of a task are written in suites: its name, its keys, its generators.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -48,7 +48,7 @@ pub trait SceneFormat: Send + Sync {
     }
 }
 
-/// A family of generated scenes: one way of being difficult.
+/// A family of generated scenes: one kind of difficulty.
 #[derive(Clone, Copy, Debug)]
 pub struct Family {
     /// The name in `[[generate]]` tables.

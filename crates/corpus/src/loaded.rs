@@ -1,4 +1,4 @@
-//! A scene that is ready to be asked.
+//! A loaded scene: points, content, and what its suite says about it.
 
 use std::any::Any;
 use std::sync::Arc;
@@ -8,7 +8,7 @@ use predicament_predicates::Scene;
 
 use crate::Content;
 
-/// A scene with its content, and all that its suite says about it.
+/// A scene with its content, ready for a task, and all that its suite says about it.
 #[derive(Clone, Debug)]
 pub struct LoadedScene {
     /// The suite it is from.

@@ -1,4 +1,4 @@
-//! Numbers for points that are located among others.
+//! Vertex numbers for probes, alternately before and after the points that they are located among.
 //!
 //! Under Simulation of Simplicity a vertex moves further the smaller its number
 //! is. Were all probes numbered after what they are located in, each would move

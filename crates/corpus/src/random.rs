@@ -1,4 +1,4 @@
-//! Random numbers that are the same everywhere.
+//! Streams of random numbers that are the same on every platform.
 
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};

@@ -1,4 +1,4 @@
-//! What generic code may do with a number.
+//! The operations of numbers that generic code is written over.
 //!
 //! Three traits, by what rationals can follow: they are a [`Field`], and have
 //! no square root. Nothing compares: a formula that branches is not one

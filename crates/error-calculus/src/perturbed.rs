@@ -1,8 +1,8 @@
-//! An adversary's arithmetic: every operation may be off by ε, either way.
+//! Arithmetic with chosen errors: every operation may be off by ε, either way.
 //!
-//! The bounds of the calculus hold for any arithmetic of that kind. Floating
-//! point rounds far too kindly to come near them; this comes as near as a draw
-//! of lots can, and knows the exact value beside.
+//! The bounds of the calculus hold for any arithmetic of that kind. Errors of real
+//! floating point stay far below them; errors chosen at random come nearer. The
+//! exact value is kept beside.
 
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -12,7 +12,7 @@ use rug::Rational;
 
 use crate::{Enclosure, Field, Ring, Root};
 
-/// A value and what the adversary has made of it.
+/// An exact value beside the value with errors.
 #[derive(Clone)]
 pub struct Perturbed {
     /// The exact value; its roots are enclosed to 2⁻¹⁹².

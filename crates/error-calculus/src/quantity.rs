@@ -1,4 +1,4 @@
-//! A number that knows how wrong it is, instead of what it is.
+//! Quantities: the bound of a number and of its error, in place of its value.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::Arc;

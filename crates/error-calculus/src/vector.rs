@@ -1,5 +1,5 @@
-//! Vectors as arrays, with the order of every sum written down: an error bound
-//! is one of an order of evaluation, and a library's is its own business.
+//! Vectors as arrays, with a fixed order of every sum: an error bound holds for one
+//! order of evaluation.
 //!
 //! Sums run from the first coordinate to the last, without a zero to start from.
 

@@ -1,4 +1,4 @@
-//! The backend: a name, a promise, a list of stages.
+//! The exact backend: its name, its contract and its stages.
 
 use predicament_predicates::{Backend, Constructs, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
 

@@ -1,4 +1,4 @@
-//! What happens to a query that the scene's static filter leaves open.
+//! The rungs of the ladder above the scene's static filter.
 
 // Loops over indices stay in registers, where `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]

@@ -9,16 +9,16 @@
 //! 4. [`integer`]s of a fixed size, over one power of two for the scene;
 //! 5. [`dyadic`]: exact dyadic numbers, limbs times a power of two.
 //!
-//! Which of them hold is not hoped for but proved, once per scene, by a
+//! Which of them apply is proved, once per scene, by a
 //! [`Plan`](predicament_arithmetic::Plan), and for a scene whose exponents are
-//! too wide for integers, again for each query alone. [`Precision`] tells what
-//! was chosen. What a scene doesn't need it doesn't pay: short numbers get no
+//! too wide for integers, again for each query alone. [`Precision`] says what
+//! was chosen. A scene pays only for the rungs that it needs: short numbers get no
 //! filter, and long ones climb straight to the integers that they fit. No
 //! rung allocates. `docs/EXACT.md` has the conditions and the bits of each.
 //!
 //! [`constructed`] vertices have a ladder of their own, of two rungs. [`raw`]
-//! predicates take coordinates and no scene. [`rational`] is no rung: it gives
-//! values, to those who want more of a determinant than its sign.
+//! predicates take coordinates and no scene. [`rational`] is not on the ladder: it
+//! returns the exact values of determinants.
 //!
 //! [`Session`] also decides without tallying (`decide_…`), for backends that
 //! stand on this one and count their own stages.

@@ -1,5 +1,5 @@
-//! The precision plan of a scene, to be read: what `prepare` found out and
-//! what it chose.
+//! The precision plan of a scene, for reports: what its coordinates need, and the
+//! arithmetic chosen for each predicate.
 
 use predicament_arithmetic::{Arithmetic, Plan, Span};
 use predicament_predicates::{Dimension, PredicateKind, Scene};
@@ -26,7 +26,7 @@ pub struct Precision {
 pub struct Choice {
     /// The predicate.
     pub predicate: PredicateKind,
-    /// From where on plain floating point is trusted, in units of the
+    /// The magnitude from which on plain floating point has the right sign, in units of the
     /// determinant; none where filters are not allowed, zero where doubles make no error.
     pub static_bound: Option<f64>,
     /// The cheapest arithmetic that makes no error.

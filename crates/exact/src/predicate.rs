@@ -30,7 +30,7 @@ pub(crate) trait Predicate<const D: usize, const N: usize> {
     /// In integers, differences of two limbs.
     fn wide_integer(rows: [[Fixed<2>; D]; N], limbs: usize) -> Sign;
 
-    /// Whether it pays to try the semi-static filter before integers of one limb.
+    /// Whether the semi-static filter is tried before integers of one limb: whether it is faster.
     const FILTERS_PAY: bool = true;
 
     /// For points whose differences span few bits; none if they don't.

@@ -1,4 +1,4 @@
-//! Short turns: which of two products is larger.
+//! Turns of few bits: which of two products is larger.
 //!
 //! Where differences are doubles, the turn of three points is the sign of
 //! l − r for two products of doubles, each of which has 106 bits and can be had

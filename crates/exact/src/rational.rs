@@ -1,9 +1,8 @@
-//! Exact values of the determinants, for those who ask for them: no rung of the
-//! ladder, which needs signs only.
+//! Exact values of the determinants. Not on the ladder, which needs signs only.
 //!
 //! The coordinates of a query are integers times one power of two; the
-//! determinant is computed in those integers, and scaled back only for those
-//! who ask for its value. No exponent is too wide: doubles span 2100 bits.
+//! determinant is computed in those integers, and scaled back only where its
+//! value is asked for. No exponent is too wide: doubles span 2100 bits.
 //!
 //! Coordinates must be finite, as those of a scene are; others make the
 //! functions panic.

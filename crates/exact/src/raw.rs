@@ -1,6 +1,6 @@
-//! Predicates on bare coordinates: nothing is prepared, nothing is assumed.
+//! Predicates on bare coordinates, without a scene that was prepared.
 //!
-//! For callers who have points and no scene. What a session knows in advance
+//! For callers that have points and no scene. What a session knows in advance
 //! has to be found out here, query by query: that nothing overflows or
 //! underflows, and how large rounding errors can be. Both come from the
 //! largest difference of the query along each axis.

@@ -1,4 +1,4 @@
-//! One line or plane, many points: what all the queries have in common is
+//! Many points against one line or plane: what all the queries have in common is
 //! computed once.
 //!
 //! With rows relative to the first point of the line or plane instead of the

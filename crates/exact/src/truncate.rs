@@ -1,4 +1,4 @@
-//! Doubles that are integers, as integers.
+//! Conversion of doubles with integer values to integers.
 //!
 //! A cast has to do the right thing beyond the range too, which takes it
 //! several times as long as the conversion itself.

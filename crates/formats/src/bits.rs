@@ -59,7 +59,7 @@ pub fn scale(x: f64, k: i64) -> f64 {
     }
 }
 
-/// An integer below 2^53 in magnitude as the double that it is.
+/// An integer below 2^53 in magnitude as a double, exactly.
 pub fn integer(n: i64) -> f64 {
     debug_assert!(n.unsigned_abs() <= 1 << 53, "{n} has more bits than a double");
     #[allow(clippy::cast_precision_loss)] // at most 53 bits

@@ -1,4 +1,4 @@
-//! Reading a coordinate is lossless or an error.
+//! Coordinates as text: read without loss, or an error.
 //!
 //! A decimal such as `0.1` is no double. Rounding it in silence would make a
 //! scene something else than what its file says, so only decimals that *are*

@@ -1,4 +1,4 @@
-//! A TOML file that knows its lines.
+//! TOML files whose values know their lines, for error messages.
 //!
 //! Suites are read through these two types instead of derived structures: an
 //! error names the line of the very value that is wrong, a key that nobody
@@ -305,7 +305,7 @@ impl<'d, 't> Fields<'d, 't> {
         self.get(key).map_or(Ok(default), |field| field.integer(range))
     }
 
-    /// Refuses the keys that nobody asked for.
+    /// Refuses the keys that were not asked for.
     pub fn finish(self) -> Result<(), CorpusError> {
         let asked = self.asked.borrow();
         self.first_key_outside(|key| asked.contains(key)).map_or(Ok(()), |(at, key)| {

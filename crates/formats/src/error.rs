@@ -1,4 +1,4 @@
-//! What is wrong, where, and what to do about it: always on one line.
+//! Errors about files, on one line: the place, what is wrong, and the cure.
 
 use std::fmt;
 

@@ -1,5 +1,5 @@
-//! Fetching with the ordinary clients: `npm` and `cargo` know proxies,
-//! mirrors and credentials; this tool needs to know none of it.
+//! Downloads by the ordinary clients, `npm` and `cargo`, which know proxies, mirrors
+//! and credentials.
 
 use std::ffi::OsStr;
 use std::io::Read;

@@ -10,7 +10,7 @@ use crate::{CorpusError, tables};
 pub enum Manager {
     /// `npm`, from the npm registry.
     Npm,
-    /// `cargo`, from crates.io.
+    /// `cargo`, from its default registry.
     Cargo,
 }
 

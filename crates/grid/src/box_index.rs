@@ -1,4 +1,4 @@
-//! Boxes near a box, by a grid within a grid.
+//! An index of boxes by a two-level grid: which boxes are near a box.
 //!
 //! A uniform grid is hard to beat where boxes are alike and evenly spread, and
 //! useless where they are not. Two remedies keep it good:

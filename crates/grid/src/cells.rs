@@ -1,4 +1,4 @@
-//! Cells that know what is above them.
+//! Cells of the plane with the segments near them and the sum of the labels above them.
 //!
 //! The segments bound things: each has a label, a set, and at every vertex
 //! every member is in the labels of an even number of segments, as it must be

@@ -1,4 +1,4 @@
-//! Strips of the plane for vertical rays.
+//! Vertical strips of the plane, to find the segments that a vertical ray can meet.
 //!
 //! A ray upward from a point meets only segments whose x-range holds the
 //! point's x, and of those only the ones that reach up to the point. So the
@@ -15,7 +15,7 @@
 
 use crate::steps::{Steps, extent};
 
-/// A segment as one column sees it.
+/// The part of a segment that is in one column.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
     low: f64,

@@ -1,5 +1,5 @@
-//! Broad phases: which features can matter to a question, from raw
-//! coordinates alone, so that the predicates are asked about few.
+//! Broad phases: from raw coordinates alone, the few features that predicates have to be
+//! asked about.
 //!
 //! A broad phase may keep too much and must never drop what matters. The ones
 //! here go further: what their users conclude is stated in terms of the raw

@@ -1,4 +1,4 @@
-//! One axis, cut into equal steps.
+//! Equal steps along one axis of a grid.
 //!
 //! # Why nothing is missed
 //! One function maps coordinates to steps. It is a subtraction, a

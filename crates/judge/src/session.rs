@@ -1,4 +1,4 @@
-//! The judge as a session: what algorithms make of true signs.
+//! The judge's signs as a session, for algorithms that need predicates.
 
 use predicament_predicates::{Axis, Construction, Plane, Predicates, Question, Refused, Scene, Sign, Vertex};
 

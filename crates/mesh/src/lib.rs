@@ -1,5 +1,5 @@
-//! Shapes made of a scene's vertices. They hold connectivity only: a shape
-//! says *which* vertices, the [`Scene`](predicament_predicates::Scene) says where.
+//! Connectivity: complexes and polygonal maps over a scene's vertices. Coordinates stay in
+//! the [`Scene`](predicament_predicates::Scene).
 
 mod complex;
 mod faces;

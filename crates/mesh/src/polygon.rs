@@ -50,7 +50,7 @@ impl Ring {
 /// (outer boundaries, islands and holes alike).
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Region {
-    /// What people call it.
+    /// Its name.
     pub name: String,
     /// Its boundary.
     pub rings: Vec<Ring>,
@@ -63,7 +63,7 @@ pub enum MapError {
     ShortRing {
         /// The region's place in the map.
         region: usize,
-        /// What people call it.
+        /// Its name.
         name: String,
         /// The ring's place in the region.
         ring: usize,
@@ -74,7 +74,7 @@ pub enum MapError {
     LoopEdge {
         /// The region's place in the map.
         region: usize,
-        /// What people call it.
+        /// Its name.
         name: String,
         /// The ring's place in the region.
         ring: usize,

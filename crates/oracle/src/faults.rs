@@ -1,4 +1,4 @@
-//! Planted faults: backends that are wrong in one known way.
+//! Planted faults: backends with one known error each, to prove that checks can fail.
 //!
 //! A harness that has never caught anything proves nothing. Each of these is
 //! made of the real backends' own parts with one part wrong, claims the real

@@ -14,7 +14,7 @@ use predicament_tasks::{Contestant, Entry, TaskList};
 
 use crate::faults;
 
-/// The backends that run when nobody chooses, in the order of reports.
+/// The backends that run by default, in the order of reports.
 pub const DEFAULT: &[&str] =
     &["exact", "sos", "sos:edelsbrunner-mucke", "tolerance", "naive", "naive:first", "epsilon:1e-10", "shewchuk"];
 
@@ -30,10 +30,10 @@ naive, naive:first      plain floating point, pivot at the last or the first arg
 epsilon:EPS             plain floating point, zero where |det| < EPS (1e-10 if left out)
 shewchuk                the crate `robust` as it is
 fault:NAME              a planted fault; `predicament selftest --list` names them
-Where the tool is built with --features peers, Simulation of Simplicity from crates.io:
+Where the tool is built with --features peers, Simulation of Simplicity of other crates:
 simplicity, geogram, rgeometry, delaunay, delaunay:sorted (by vertex, as the crate asks its kernel)";
 
-/// Backends that are crates from crates.io, with the feature `peers`.
+/// Backends that are other crates, with the feature `peers`.
 pub const WILD: &[&str] = &["simplicity", "geogram", "rgeometry", "delaunay", "delaunay:sorted"];
 
 /// Work for one backend, whatever its type.
@@ -90,7 +90,7 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, String> {
     })
 }
 
-/// The backend with this name, on the tasks of the house.
+/// The backend with this name, on the built-in tasks.
 ///
 /// # Errors
 /// One line with the names that there are.
@@ -106,7 +106,7 @@ pub fn backend(name: &str) -> Result<Box<dyn Contestant>, String> {
     visit(name, Enter)
 }
 
-/// The backend with this name, on the tasks of the house and on these.
+/// The backend with this name, on the built-in tasks and on these.
 ///
 /// # Errors
 /// One line with the names that there are.

@@ -1,4 +1,4 @@
-//! One backend on one scene.
+//! Runs one backend on one scene: refusals, panics and timeouts become outcomes.
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};

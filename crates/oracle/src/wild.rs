@@ -1,4 +1,4 @@
-//! Other people's Simulation of Simplicity, by name.
+//! Simulation of Simplicity of other crates, by name, with the feature `peers`.
 
 use predicament_controls::wild::{Delaunay, Geogram, Rgeometry, Simplicity, Wild};
 use predicament_predicates::{Question, Scene, Sign, Vertex};

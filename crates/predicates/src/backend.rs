@@ -1,4 +1,4 @@
-//! The trait that everything meets at.
+//! The interface between backends and algorithms.
 //!
 //! # Orientation
 //! One convention, stated here and tested against the crate `robust`:
@@ -16,7 +16,7 @@ use crate::{
     Scene, Sign, Tally, Vertex, contact,
 };
 
-/// A philosophy of robustness: it turns a scene into a session.
+/// A way to answer predicates: exact, perturbed, by tolerances. It prepares a session for a scene.
 pub trait Backend: Send + Sync {
     /// A backend prepared for one scene.
     type Session<'s, T: Tally + 's>: Predicates + 's
@@ -26,7 +26,7 @@ pub trait Backend: Send + Sync {
     /// The name on the command line and in every file, with its parameters.
     fn name(&self) -> String;
 
-    /// What it promises about this predicate.
+    /// What it promises about the answers to this predicate.
     fn contract(&self, kind: PredicateKind) -> Contract;
 
     /// The names of the stages that can settle a query, cheapest first; at
@@ -39,7 +39,7 @@ pub trait Backend: Send + Sync {
         Constructs::Declines
     }
 
-    /// Learns what the scene needs.
+    /// Prepares a session: the place to look at the scene's coordinates.
     ///
     /// # Errors
     /// [`Declined`] where the backend can't take the scene at all.

@@ -1,4 +1,4 @@
-//! The twelve ways in which an answer can turn out, and what the gate says to it.
+//! The twelve classes of answers, and the status that the gate gives a scene.
 //!
 //! They live here, below everything, because the oracle decides on them, the
 //! report prints them, and neither needs the other.
@@ -31,7 +31,7 @@ pub enum Class {
     Panic,
     /// The backend took too long.
     Timeout,
-    /// The backend said that it can't.
+    /// The backend declined the scene or the predicate.
     Declined,
 }
 
@@ -79,14 +79,14 @@ impl Class {
         matches!(self, Class::Agree | Class::TieBroken | Class::InBand)
     }
 
-    /// Whether the class is a wrong answer to a single query, whoever gave it:
+    /// Whether the class is a wrong answer to a single query, for any backend:
     /// what is counted per million queries and plotted against time.
     #[must_use]
     pub const fn is_wrong_answer(self) -> bool {
         matches!(self, Class::Overreach | Class::MissedZero | Class::SignFlip | Class::Inconsistent | Class::Nan)
     }
 
-    /// Whether the class is an answer to a query at all, and not the fate of a scene.
+    /// Whether the class is of single answers, and not of a whole scene.
     #[must_use]
     pub const fn is_answer(self) -> bool {
         !matches!(self, Class::Topology | Class::Panic | Class::Timeout | Class::Declined)
@@ -118,7 +118,7 @@ pub enum Status {
     Ok,
     /// Findings, and all of them are listed in `expected.toml`.
     Expected,
-    /// A finding that nobody expected.
+    /// A finding that no expectation lists.
     Unexpected,
     /// An expected finding did not occur.
     UnexpectedPass,

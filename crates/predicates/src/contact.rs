@@ -1,4 +1,4 @@
-//! Contacts by signs: what the trait's contact questions mean for a session
+//! Contacts by signs: the default bodies of the contact questions, for sessions
 //! whose zero is no band.
 //!
 //! Each question comes after those about its sub-pairs, and is asked only where

@@ -1,4 +1,4 @@
-//! What a backend promises, so that it is held to its own word.
+//! What a backend promises about its answers, and how it declines.
 
 use crate::PredicateKind;
 
@@ -18,8 +18,8 @@ pub enum ZeroMeaning {
 pub struct Contract {
     /// What zero means.
     pub zero: ZeroMeaning,
-    /// Whether the promise is proved for every finite input. Controls promise
-    /// the same as the real thing and don't keep it; they say `false`.
+    /// Whether the promise is proved for every finite input. Controls declare the
+    /// same contract without guaranteeing it; they say `false`.
     pub proved: bool,
 }
 
@@ -38,23 +38,23 @@ pub struct Band {
     pub upper: f64,
 }
 
-/// A backend says that it can't.
+/// Why a backend declines a scene or a predicate.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Declined {
-    /// The predicate it can't answer, or none where it can't take the scene at all.
+    /// The predicate that is declined; none where the whole scene is.
     pub predicate: Option<PredicateKind>,
     /// Why, in one line.
     pub reason: String,
 }
 
 impl Declined {
-    /// The whole scene is declined.
+    /// Declines the whole scene.
     #[must_use]
     pub fn scene(reason: impl Into<String>) -> Declined {
         Declined { predicate: None, reason: reason.into() }
     }
 
-    /// One predicate is declined.
+    /// Declines one predicate.
     #[must_use]
     pub fn predicate(kind: PredicateKind, reason: impl Into<String>) -> Declined {
         Declined { predicate: Some(kind), reason: reason.into() }

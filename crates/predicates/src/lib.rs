@@ -1,18 +1,17 @@
 //! The vocabulary of predicament: signs, vertices, scenes, contracts, and the
 //! two traits that every backend implements and every algorithm is generic over.
 //!
-//! Nothing here computes: a newcomer can read this crate and know what the
-//! rest of the house talks about.
+//! Nothing here computes. Read this crate first: all others use its terms.
 //!
 //! * [`Scene`]: finite points by index; [`Vertex`]: one of them, by identity.
 //! * [`Construction`]: a vertex that is no input, by what defines it;
 //!   [`Constructs`]: what a backend does with those that come up while it runs,
 //!   [`Refused`]: why it did not construct one.
 //! * [`Backend`]: prepares a scene; [`Predicates`]: the session that answers.
-//! * [`Contract`]: what zero means; [`Band`]: how wide it is; [`Declined`]: "I can't".
+//! * [`Contract`]: what zero means; [`Band`]: how wide it is; [`Declined`]: why it refuses.
 //! * [`QuerySet`]: many questions as data; [`Query`]: one of them as text and back.
-//! * [`Class`]: what becomes of an answer; [`Status`]: of a scene.
-//! * [`Tally`]: which stage settled a query, at no cost when nobody asks.
+//! * [`Class`]: how an answer compares with the truth; [`Status`]: how the gate sees a scene.
+//! * [`Tally`]: which stage settled a query; free of cost where it is off.
 
 mod backend;
 mod class;

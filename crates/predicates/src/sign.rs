@@ -1,4 +1,4 @@
-//! The answer to a geometric question.
+//! Signs: the answers to predicates.
 //!
 //! Three values and no fourth: a backend whose arithmetic produced a NaN still
 //! has to answer, as real code does, and the oracle finds the NaN through

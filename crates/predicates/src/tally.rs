@@ -1,4 +1,4 @@
-//! Who settled how many: stage counts that cost nothing unless asked for.
+//! Counts of the queries that each stage settled, at no cost where they are off.
 //!
 //! A session is generic over a [`Tally`]. [`Off`] is a zero-sized type whose
 //! calls vanish; a `&Counts` counts. Each thread counts in its own row, with
@@ -18,7 +18,7 @@ const KINDS: usize = PredicateKind::ALL.len();
 
 /// A place to report which stage settled a query.
 pub trait Tally: Send + Sync {
-    /// Whether anybody listens.
+    /// Whether the counts are kept: stages are counted only when a tally listens.
     const LISTENS: bool = true;
 
     /// One query of this kind was settled by the stage with this index in
@@ -28,7 +28,7 @@ pub trait Tally: Send + Sync {
         self.settled_many(kind, stage, 1);
     }
 
-    /// So many queries of this kind were settled by this stage.
+    /// `n` queries of this kind were settled by this stage.
     fn settled_many(&self, kind: PredicateKind, stage: usize, count: u64);
 }
 

@@ -1,4 +1,4 @@
-//! Who is asked about: vertices by identity, axes and projections.
+//! What predicates are asked about: vertices by identity, axes and projections.
 
 /// A vertex of a scene, by identity.
 ///

@@ -1,4 +1,4 @@
-//! `env.json`: where a run took place.
+//! `env.json`: the machine, compiler and versions of a run.
 //!
 //! Timings mean nothing without the machine, and floating-point answers may
 //! depend on what the compiler was allowed to use.

@@ -1,4 +1,4 @@
-//! One kind of error: a file, a line, and what is wrong with it.
+//! Errors about the files of a run folder: the file, the line, what is wrong.
 
 use std::fmt;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! Numbers for people: separated thousands, and no digit that means nothing.
+//! Numbers as text for reports: separated thousands, significant digits.
 
 use crate::stats::approximately;
 

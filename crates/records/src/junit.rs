@@ -1,4 +1,4 @@
-//! JUnit: what a build server understands.
+//! JUnit files, for build servers.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! The little statistics that timings need.
+//! Medians, spreads and geometric means of timings.
 
 /// The middle and the ends of some samples.
 #[derive(Clone, Copy, PartialEq, Debug)]

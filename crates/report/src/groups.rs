@@ -1,4 +1,4 @@
-//! Rows brought together: errors and timings by task, family and backend.
+//! Errors and timings grouped by task, family and backend.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! Pages, plots and pixel maps: what people look at after a run.
+//! Pages, plots and pixel maps of runs.
 //!
 //! Everything here is made from run folders (the crate `records`), so every
 //! number can be traced to a row. The crate knows no geometry, no backend and

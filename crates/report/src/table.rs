@@ -7,19 +7,19 @@ use minijinja::{Value, context};
 
 use predicament_records::format::thousands;
 
-/// What a reader's eye should do with a cell.
+/// How much a cell is emphasised.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Tone {
     /// Nothing special.
     #[default]
     Plain,
-    /// Pass over it.
+    /// Of no interest: printed pale.
     Muted,
-    /// Be content.
+    /// As it should be.
     Good,
-    /// Look, though it was expected.
+    /// Expected, but worth a look.
     Notable,
-    /// Stop.
+    /// Wrong.
     Bad,
 }
 
@@ -46,12 +46,12 @@ pub struct Cell {
 }
 
 impl Cell {
-    /// A count; zero is passed over.
+    /// A count; zero is printed pale.
     pub fn count(n: u64) -> Cell {
         Cell::from(thousands(n)).tone(if n == 0 { Tone::Muted } else { Tone::Plain })
     }
 
-    /// Something to be typed or searched for.
+    /// Text in a fixed-width font: names and ids.
     pub fn code(text: impl Into<String>) -> Cell {
         Cell { code: true, ..Cell::from(text.into()) }
     }
@@ -213,7 +213,7 @@ pub struct Headline {
     pub number: String,
     /// What it counts.
     pub label: &'static str,
-    /// Out of how many, for whom, or why there is none.
+    /// The total, the backend it is about, or why there is no number.
     pub detail: String,
     /// How to look at it.
     pub tone: Tone,

@@ -1,4 +1,4 @@
-//! Derives the term lists, so that nobody has to type them from a paper.
+//! Derives the term lists from the schemes; none is copied from a paper.
 //!
 //! For each scheme and predicate: expand the determinant of the perturbed
 //! points into monomials of infinitesimals, order them by size, and keep the

@@ -1,4 +1,4 @@
-//! The terms that break almost every tie, without sorting.
+//! The first terms of each list, which break almost every tie, evaluated without sorting.
 //!
 //! A list begins with the terms in which nothing but the vertex with the
 //! smallest index moves: minors of all other rows. They are the same, up to

@@ -9,7 +9,7 @@
 //! those of one and the same moved scene, so they can't contradict each other.
 //!
 //! * [`Scheme`]: which infinitesimal moves which coordinate.
-//! * [`Sos`], [`Session`]: the backend; [`PerMesh`]: its relative that moves one of two meshes as a whole.
+//! * [`Sos`], [`Session`]: the backend; [`PerMesh`]: a backend that moves one of two meshes as a whole.
 //! * [`mod@derive`]: the program that finds the terms; its output is what
 //!   [`Scheme::terms`] returns. [`Term`]: one of them, as data.
 //! * [`ties`]: sorting and evaluating, open for experiments and planted faults.

@@ -1,4 +1,4 @@
-//! What a study is told by its surroundings, and what it tells them.
+//! The host of a study: where it reports progress and is told to stop.
 //!
 //! A study knows neither terminals nor signals: whoever starts it watches it.
 //! The tool draws a progress bar and listens to Ctrl-C; a test does neither.

@@ -1,4 +1,4 @@
-//! Studies: what a philosophy of predicates is worth, measured across backends.
+//! Studies: one question about predicates each, measured across backends.
 //!
 //! A study answers one question about backends by measuring many random or
 //! exhausted cases, and shows the answer as rows, tables and plots. It never

@@ -1,4 +1,4 @@
-//! The binary formats that tolerances exist in.
+//! The binary formats that the tolerance backend exists in.
 
 /// The format of coordinates.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -54,7 +54,7 @@ pub trait Study: clap::Args {
     /// [`Error::Format`].
     fn rows(&self, measured: &Self::Measured) -> Result<Vec<File>, Error>;
 
-    /// Tables for people, as Markdown.
+    /// The tables, as Markdown.
     fn page(&self, measured: &Self::Measured) -> String;
 
     /// Plots, as SVG.

@@ -1,4 +1,4 @@
-//! Tasks without their types: what every other crate sees.
+//! Tasks with their types hidden, for crates that handle all of them alike.
 
 use std::any::Any;
 use std::path::{Path, PathBuf};

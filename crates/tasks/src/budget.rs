@@ -1,4 +1,4 @@
-//! How much is asked beyond the queries themselves.
+//! Budgets: how much a judge samples beyond the queries themselves.
 
 /// How much is sampled when answers are judged. All samples are spread evenly
 /// and by index only, so they are the same in every run.
@@ -19,10 +19,10 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// Seconds for all embedded corpora: samples only.
+    /// The budget of level quick: samples only, seconds for all embedded corpora.
     pub const QUICK: Budget =
         Budget { findings_per_class: 25, permutations: 5_000, relations: 500, thorough: false, ties: 50 };
-    /// Every permutation of every query up to 24 million evaluations a scene.
+    /// The budget of level full: every permutation of every query, up to 24 million evaluations a scene.
     pub const FULL: Budget =
         Budget { findings_per_class: 25, permutations: 24_000_000, relations: 50_000, thorough: true, ties: 2_000 };
 

@@ -23,7 +23,7 @@ impl<'a, T: Task> Case<'a, T> {
     }
 }
 
-/// Who is judged, and how thoroughly.
+/// The backend that is judged, its session, and how thoroughly it is judged.
 #[derive(Clone, Copy)]
 pub struct Asked<'a> {
     /// The backend.

@@ -26,13 +26,13 @@ pub trait Contestant: Send + Sync {
     /// Prepares a scene and hands the session over, where what is asked need not be fast.
     ///
     /// # Errors
-    /// [`Declined`]; then nobody is handed anything.
+    /// [`Declined`]; then `ask` is not called.
     fn with_session(&self, scene: &Scene, ask: &mut dyn FnMut(&dyn Predicates)) -> Result<(), Declined>;
 
     /// The same, and counts which stage settled what.
     ///
     /// # Errors
-    /// [`Declined`]; then nobody is handed anything.
+    /// [`Declined`]; then `ask` is not called.
     fn with_counted_session(
         &self,
         scene: &Scene,
@@ -46,7 +46,7 @@ pub trait Contestant: Send + Sync {
     /// Itself on the task with this name.
     fn solver(&self, task: &str) -> Option<&dyn Solver>;
 
-    /// Learns to solve more tasks.
+    /// Adds solvers for more tasks.
     fn extend(&mut self, solvers: Vec<Box<dyn Solver>>);
 }
 
@@ -54,7 +54,7 @@ impl dyn Contestant + '_ {
     /// The answer to a scene of a task.
     ///
     /// # Errors
-    /// The reason, where the backend declines or has never heard of the task.
+    /// The reason, where the backend declines or does not know the task.
     pub fn answer<T: Task>(&self, task: &T, scene: &Scene, content: &T::Content) -> Result<T::Answer, String> {
         let mut found = None;
         self.answer_any(task.name(), scene, content, &mut |answer| {
@@ -66,7 +66,7 @@ impl dyn Contestant + '_ {
     /// The answer to a scene of the task with this name, of the task's type, handed to `then`.
     ///
     /// # Errors
-    /// The reason, where the backend declines or has never heard of the task.
+    /// The reason, where the backend declines or does not know the task.
     pub fn answer_any(
         &self,
         task: &str,
@@ -138,7 +138,7 @@ impl<B: Backend + 'static> Entry<B> {
         Entry::shared(Arc::new(backend), tie_judge)
     }
 
-    /// A backend that somebody else keeps as well.
+    /// A backend that is shared with its other owners.
     pub fn shared(backend: Arc<B>, tie_judge: Option<Box<TieJudge>>) -> Entry<B> {
         Entry { solvers: solvers(&backend), backend, tie_judge }
     }

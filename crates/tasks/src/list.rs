@@ -13,7 +13,7 @@ use crate::polygon_locate::PolygonLocate;
 use crate::signs::Signs;
 use crate::{AnyTask, OnTask, Solver, Task};
 
-/// All tasks of the house, in the order of reports and messages. A new task is a line here.
+/// All built-in tasks, in the order of reports and messages. A new task is a line here.
 macro_rules! each_task {
     ($do:ident) => {
         vec![
@@ -32,7 +32,7 @@ macro_rules! each_task {
     };
 }
 
-/// The tasks of the house.
+/// The built-in tasks.
 #[must_use]
 pub fn built_in() -> Vec<&'static dyn AnyTask> {
     macro_rules! any {
@@ -43,7 +43,7 @@ pub fn built_in() -> Vec<&'static dyn AnyTask> {
     each_task!(any)
 }
 
-/// A backend on each task of the house.
+/// A backend on each built-in task.
 pub fn solvers<B: Backend + 'static>(backend: &Arc<B>) -> Vec<Box<dyn Solver>> {
     macro_rules! on {
         ($task:expr) => {
@@ -53,7 +53,7 @@ pub fn solvers<B: Backend + 'static>(backend: &Arc<B>) -> Vec<Box<dyn Solver>> {
     each_task!(on)
 }
 
-/// The tasks of the house as suites know them.
+/// The vocabulary of the built-in tasks, for reading suites.
 #[must_use]
 pub fn vocabulary() -> &'static Vocabulary {
     static VOCABULARY: OnceLock<Vocabulary> = OnceLock::new();
@@ -63,7 +63,7 @@ pub fn vocabulary() -> &'static Vocabulary {
 
 /// Tasks of other crates: `()`, or a task and more of them.
 pub trait TaskList: Clone + Send + Sync + 'static {
-    /// The tasks, for good.
+    /// The tasks, which live as long as the program.
     fn tasks(&self) -> Vec<&'static dyn AnyTask>;
 
     /// A backend on each of them.

@@ -36,7 +36,7 @@ pub struct How<'a> {
 pub enum Halt {
     /// The backend declined.
     Refused(Refusal),
-    /// The watch said so.
+    /// The watch stopped it.
     Stopped(Stop),
 }
 

@@ -1,4 +1,4 @@
-//! What a task implements.
+//! The trait that a task implements.
 
 use std::path::{Path, PathBuf};
 
@@ -17,18 +17,18 @@ pub trait Answer: Default + Clone + Send + Sync + 'static {
     fn digest(&self) -> u64;
 }
 
-/// One task: all that there is to know about one kind of question.
+/// One task: keys, truth, solving, judging, explaining, output and report of one kind of question.
 ///
 /// How its scenes are written in suites is [`SceneFormat`]; the rest is here.
 /// A value is a task with its parameters (`orient2d` and `orient3d` are values of
 /// one type), so every method takes `&self`.
 pub trait Task: SceneFormat + Sized + 'static {
-    /// What a scene asks beside its points.
+    /// What a scene asks besides its points.
     type Content: Content;
-    /// What is true about it, from the crate `judge` and other computations that
-    /// share nothing with [`solve`](Task::solve).
+    /// The right answers, from the crate `judge` or another computation that shares nothing with
+    /// [`solve`](Task::solve).
     type Truth: Send + Sync + 'static;
-    /// What a backend finds.
+    /// The answers of a backend to one scene.
     type Answer: Answer;
 
     /// The predicates that it asks: a session that refuses one of them declines the
@@ -54,7 +54,7 @@ pub trait Task: SceneFormat + Sized + 'static {
         false
     }
 
-    /// Finds out what is true.
+    /// Computes the truth about a scene, once for all backends.
     ///
     /// # Errors
     /// [`Stop`] where the watch says so.
@@ -97,7 +97,7 @@ pub trait Task: SceneFormat + Sized + 'static {
         outcome: &mut Outcome,
     ) -> Result<(), Stop>;
 
-    /// What `corpus gen` tells about a scene: lines of text.
+    /// A scene in a few lines of text, for `corpus gen`.
     ///
     /// # Errors
     /// [`Stop`] where the watch says so.
@@ -142,7 +142,7 @@ pub trait Task: SceneFormat + Sized + 'static {
     }
 }
 
-/// What can be told about one query.
+/// The truth about one query and each backend's answer to it, for `replay`.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Explanation {
     /// The vertices that it is about, for their coordinates.

@@ -1,4 +1,4 @@
-//! How long work listens to the outside: interrupts, deadlines, progress.
+//! Interrupts, deadlines and progress of long work.
 
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::time::{Duration, Instant};
@@ -6,13 +6,13 @@ use std::time::{Duration, Instant};
 /// Why work stopped early.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Stop {
-    /// Somebody asked.
+    /// The user interrupted.
     Interrupted,
     /// The deadline passed.
     Timeout,
 }
 
-/// Looked at between chunks of work, from any thread.
+/// A flag, a deadline and a progress hook, looked at between chunks of work from any thread.
 pub struct Watch<'a> {
     cancel: &'a AtomicBool,
     deadline: Option<Instant>,

@@ -1,4 +1,4 @@
-//! L for bare points: the largest edge of their bounding box.
+//! The length L of bare points: the largest edge of their bounding box.
 
 use predicament_arithmetic::difference_up;
 use predicament_predicates::{Axis, Scene};

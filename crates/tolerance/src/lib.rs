@@ -1,7 +1,7 @@
 //! The tolerance backend (Wang, Jiang, Schroeder & Teran, *Robust Intersections
 //! under Floating Point*).
 //!
-//! Its philosophy: don't decide what floating point can't see. A determinant
+//! Floating point decides only what it can. A determinant
 //! within a tolerance T of zero is registered as degenerate; beyond it the
 //! computed sign is right. Each T comes with T₋ < T < T₊ such that everything
 //! up to T₋ *is* registered and nothing beyond T₊ ever is; that is the promise

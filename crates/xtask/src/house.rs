@@ -1,4 +1,4 @@
-//! Rules of the house that no compiler holds, as tests.
+//! House rules that the compiler does not check, as tests.
 
 use std::path::{Path, PathBuf};
 
@@ -31,6 +31,34 @@ fn whoever_names_rug_names_the_feature_of_gmp() {
         let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         assert_eq!(without_feature(&text), [""; 0], "add gmp-mpfr-sys beside rug in {}", path.display());
     }
+}
+
+/// The blocks of Rust of a page.
+fn rust_blocks(page: &str) -> Vec<&str> {
+    let blocks = page.split("```rust\n").skip(1);
+    blocks.map(|rest| rest.split("\n```").next().unwrap_or_default()).collect()
+}
+
+/// The blocks of a page that are in none of these files.
+fn unknown<'p>(page: &'p str, files: &[String]) -> Vec<&'p str> {
+    rust_blocks(page).into_iter().filter(|block| !files.iter().any(|file| file.contains(block))).collect()
+}
+
+#[test]
+fn the_page_about_tasks_shows_the_example_as_it_is() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let read = |path: &Path| std::fs::read_to_string(path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
+    let sources = std::fs::read_dir(root.join("examples/leftmost/src")).expect("the example");
+    let sources: Vec<String> = sources.map(|entry| read(&entry.expect("a file").path())).collect();
+    let page = read(&root.join("docs/TASKS.md"));
+    assert!(rust_blocks(&page).len() >= 8, "the page shows code");
+    assert_eq!(unknown(&page, &sources), [""; 0], "copy these from examples/leftmost/src");
+}
+
+#[test]
+fn a_block_that_is_in_no_file_is_seen() {
+    let page = "One:\n```rust\nfn a() {}\n```\nand\n```rust\nfn b() {}\n```\n";
+    assert_eq!(unknown(page, &["fn a() {}\n".to_owned()]), ["fn b() {}"]);
 }
 
 #[test]

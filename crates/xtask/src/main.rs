@@ -21,7 +21,7 @@ Usage: cargo xtask <command>
 
 Commands:
   demo   build the tool, run the embedded corpora, leave a report to open
-  test   format, clippy, tests, doc tests, docs, and the embedded corpora through the gate
+  test   format, clippy, tests, doc tests, docs, the embedded corpora through the gate, the example crate
   nightly
          heavy tests whole, the peers, the benches, the oldest compiler, a minute of each fuzz target
   setup  only make sure that what the build needs is there (m4, a C compiler, make)

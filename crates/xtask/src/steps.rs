@@ -11,6 +11,8 @@ use crate::cpu;
 const DEMO: &str = "target/demo";
 /// Where `test` leaves its run.
 const GATE: &str = "target/gate";
+/// The crate outside of the workspace that uses the tool as a library.
+const EXAMPLE: &str = "examples/leftmost";
 /// The variable that says how much of heavy tests is run, as the crate `effort` reads it.
 const EFFORT: (&str, &str) = ("PREDICAMENT_EFFORT", "whole");
 /// Seconds of each fuzz target.
@@ -43,7 +45,43 @@ pub fn test() -> Result<(), String> {
     run_tests(&[], &[])?;
     let docs = ["doc", "--profile", "ci", "--workspace", "--no-deps"];
     step("docs", &cargo_command(&docs), &[("RUSTDOCFLAGS", "-D warnings")])?;
-    gate()
+    gate()?;
+    example()
+}
+
+/// A task and a backend of a crate of their own: its tests, then its tool on its own suite, and the gate.
+///
+/// It shares the target folder. Cargo tells the crates of this workspace apart from the same crates as dependencies of
+/// another one, so they are compiled again, without optimisation; everything else is there.
+fn example() -> Result<(), String> {
+    let target = target_directory()?;
+    let run = fresh(&format!("{GATE}-example"))?.join("run").display().to_string();
+    let manifest = format!("{EXAMPLE}/Cargo.toml");
+    cargo("format of the example", &["fmt", "--manifest-path", &manifest, "--check"])?;
+    let mut test: Vec<String> =
+        ["test", "--profile", "ci", "--locked", "--manifest-path", &manifest].map(str::to_owned).into();
+    for package in packages()? {
+        test.extend(["--config".to_owned(), format!("profile.ci.package.{package}.opt-level=0")]);
+    }
+    step("tests of the example", &cargo_command(&test), &[("CARGO_TARGET_DIR", &target.display().to_string())])?;
+    let tool = target.join("ci").join("leftmost").display().to_string();
+    let tool = |what: &str, args: &[&str]| step(what, &words(&tool, args), &[]);
+    tool("run the example's suite", &["run", "leftmost-suite", "--out", &run])?;
+    tool("hold the example's run against its expectations", &["gate", &run])
+}
+
+/// The packages that the example depends on by path: the tool and the crates under it.
+fn packages() -> Result<Vec<String>, String> {
+    let path = root().join(EXAMPLE).join("Cargo.lock");
+    let lock = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+    Ok(local_packages(&lock).into_iter().filter(|name| name != "leftmost").collect())
+}
+
+/// The packages of a lock file that come from no registry.
+fn local_packages(lock: &str) -> Vec<String> {
+    let packages = lock.split("[[package]]").skip(1).filter(|package| !package.contains("\nsource = "));
+    let names = packages.filter_map(|package| package.split_once("name = \"")?.1.split_once('"'));
+    names.map(|(name, _)| name.to_owned()).collect()
 }
 
 /// The tests and doc tests, by nextest where it is installed: it starts the tests of all crates at once.
@@ -209,6 +247,14 @@ fn step(what: &str, words: &[String], env: &[(&str, &str)]) -> Result<(), String
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn packages_of_no_registry_are_read_from_a_lock_file() {
+        let lock = "version = 4\n\n[[package]]\nname = \"a\"\nversion = \"1\"\nsource = \"registry\"\n\n[[package]]\n\
+                    name = \"b\"\nversion = \"1\"\ndependencies = [\n \"a\",\n]\n";
+        assert_eq!(local_packages(lock), ["b"]);
+        assert!(packages().unwrap().contains(&"predicament-tasks".to_owned()));
+    }
 
     #[test]
     fn the_target_directory_is_read() {

@@ -1,4 +1,4 @@
-//! The same as a page, `docs/BOUNDS.md`.
+//! The derived bounds as a page, `docs/BOUNDS.md`.
 
 use std::fmt::Write as _;
 

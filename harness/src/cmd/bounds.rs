@@ -1,5 +1,5 @@
-//! `bounds`: the error calculus of the tolerance scheme, and what it makes of the
-//! paper's figures.
+//! `bounds`: error bounds and constraints of the tolerance scheme, derived and beside the
+//! published ones.
 
 use clap::ValueEnum;
 

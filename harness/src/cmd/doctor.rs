@@ -1,5 +1,4 @@
-//! `doctor`: what this machine and this build are, what data are missing, and
-//! what a scene needs.
+//! `doctor`: this machine, this build, missing data, and the precision plan of a scene.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! `replay`: one finding again, asked alone, with all that can be told about it.
+//! `replay`: asks the query of one finding again, alone, and explains the answers.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! The crate `geo`: which regions contain each probe, its way.
+//! The regions that contain each probe, by the crate `geo`.
 //!
 //! `geo` answers one polygon at a time and has no notion of a map, so each
 //! region gets a bounding-box test in front: what a user of `geo` would write.

@@ -1,4 +1,4 @@
-//! The crates, each behind [`Predicate`]: whose conventions are which.
+//! The crates, each behind [`Predicate`], with their conventions.
 //!
 //! `robust` and `geometry-predicates` are ports of Shewchuk's C, whose
 //! conventions are ours. What the others need is said beside them, and that it
@@ -11,7 +11,7 @@ use simplicity::nalgebra::{Vector2, Vector3};
 
 use super::predicate::{Base, Library, Predicate};
 
-/// Our own `exact`, without a scene: a peer among peers where nobody prepares anything.
+/// Our own `exact` on bare coordinates, without a prepared scene, as the other crates are asked.
 pub enum Exact {}
 
 impl Library for Exact {

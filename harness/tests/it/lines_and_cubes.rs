@@ -36,8 +36,7 @@ fn unions_are_measured_timed_and_reported() {
     expect(0, &[&["bench"][..], &scenes, &["--samples", "1", "--sample-ms", "0", "--out", &bench]].concat());
     expect(0, &["report", &out, &bench, "--out", &report]);
     let markdown = read(&report, "report.md");
-    for needle in ["## Unions of cubes", "corner-in-corner (cubes) | sos | 2 | 15.0000 |", ": 1.00000)", "## Ties"]
-    {
+    for needle in ["## Unions of cubes", "corner-in-corner (cubes) | sos | 2 | 15.0000 |", ": 1.00000)", "## Ties"] {
         assert!(markdown.contains(needle), "{needle}: {markdown}");
     }
     // Comparisons have one term.

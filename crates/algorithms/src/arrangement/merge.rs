@@ -1,4 +1,4 @@
-//! Identifying what was registered: union-find, then the paths of the edges.
+//! Merges registered points by union-find, then orders the points along each edge.
 
 use predicament_mesh::{Complex, Simplex};
 

@@ -1,4 +1,4 @@
-//! What registrations mean: two complexes merged where they are in contact.
+//! Arrangements: two complexes merged where they are in contact.
 //!
 //! A registered pair is an instruction to whoever cuts one mesh with the
 //! other. *Vertex with vertex*: both are one point from now on. *Vertex with

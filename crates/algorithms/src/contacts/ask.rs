@@ -1,4 +1,4 @@
-//! One pair, one question.
+//! Asks a session whether one pair of simplices is in contact.
 
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::Predicates;

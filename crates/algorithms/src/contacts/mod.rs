@@ -45,7 +45,7 @@ pub struct Contact {
     pub on_b: Weights,
 }
 
-/// What became of the pairs of two ranks.
+/// Counts of the pairs of two ranks: candidates, ended, asked, registered.
 ///
 /// Every candidate either had ended or was asked about.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -67,7 +67,7 @@ pub struct Level {
 pub struct Contacts {
     /// The registered pairs, by level (the sum of the ranks), then by simplices.
     pub registered: Vec<Contact>,
-    /// What became of the pairs, in the order of [`levels`].
+    /// Counts of the pairs, in the order of [`levels`].
     pub levels: Vec<Level>,
 }
 

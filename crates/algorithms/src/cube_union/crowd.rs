@@ -87,7 +87,7 @@ pub(super) fn add_crowd(cubes: &[Cube], edge: i64, cell: Range, mass: &mut Mass)
     });
 }
 
-/// The cubes that no other one contains, near the point. (None covers it, or nobody would ask.)
+/// The cubes that no other one contains, near the point. (No cube covers the point.)
 fn visible(cubes: &[Cube], edge: i64, cell: Range) -> Vec<Kept> {
     let kinds = || cubes.iter().map(|cube| Type::of(cube.lower, edge, cell));
     // Of each type without upper faces the first, of each without lower ones the last.

@@ -1,4 +1,4 @@
-//! The one question that the union asks: which of two parallel faces is further.
+//! The order of parallel faces, which is all that a union of cubes asks about.
 
 use std::cmp::Ordering;
 
@@ -19,7 +19,7 @@ pub trait Order: Sync {
     fn compare(&self, axis: Axis, a: Face, b: Face) -> Sign;
 
     /// Whether the face's plane meets the cube, ends included. A cube's own
-    /// faces do, whatever the order says; nobody asks it.
+    /// faces do, whatever the order says; they are not asked about.
     fn reaches(&self, axis: Axis, face: Face, cube: u32) -> bool {
         face.cube == cube
             || (self.compare(axis, face, Face { cube, upper: false }) != Sign::Negative

@@ -60,7 +60,7 @@ fn extremes(words: &[u64]) -> [Option<usize>; 2] {
     ]
 }
 
-/// Who reaches whom along one axis.
+/// Which cubes and faces meet along one axis.
 struct Reach {
     /// For each face the cubes that its plane meets.
     cubes: Rows,

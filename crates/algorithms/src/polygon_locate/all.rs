@@ -1,4 +1,4 @@
-//! Many queries, in parallel, with the same bytes whatever the thread count.
+//! Locates many points in parallel, with the same answers for any number of threads.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 

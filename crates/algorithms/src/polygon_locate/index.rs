@@ -8,8 +8,7 @@ use predicament_predicates::{Plane, Scene, Vertex};
 
 use crate::planted::{Honest, Planted};
 
-/// A map made ready for queries; it depends on coordinates only through its
-/// broad phase, and on no backend.
+/// The edges of a map with a broad phase over them. It depends on raw coordinates, and on no backend.
 #[derive(Clone, Debug)]
 pub struct LocateIndex {
     edges: Vec<Edge>,

@@ -1,4 +1,4 @@
-//! One query: what each edge above the point says, summed up per region.
+//! Locates one point: the crossings with the edges above it, summed up per region.
 
 use predicament_grid::Entry;
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
@@ -11,7 +11,7 @@ use super::LocateIndex;
 pub struct Location<'a> {
     /// Regions with an odd crossing number.
     pub inside: &'a [u32],
-    /// Regions that own an edge on which the session sees the point.
+    /// Regions that own an edge which the point is on, by the session's answers.
     pub boundary: &'a [u32],
 }
 

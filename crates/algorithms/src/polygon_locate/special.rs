@@ -1,5 +1,5 @@
-//! The paper's own test (Franklin & Magalhães, 4.2, steps 1 to 6): the
-//! perturbation is worked out on paper, and the code has none.
+//! The paper's own test (Franklin & Magalhães, 4.2, steps 1 to 6), which has the
+//! perturbation built into its comparisons.
 //!
 //! It is here to be held against the generic code, which asks a session and
 //! knows no coordinates. This one knows coordinates and no session: all that

@@ -1,4 +1,4 @@
-//! One answer held to its guarantee.
+//! Judges one answer by the guarantee of its tolerance.
 
 use std::cmp::Ordering;
 
@@ -9,7 +9,7 @@ use rug::Rational;
 use super::pair::{Feet, Pair, PairKind};
 use super::quantity::Quantity;
 
-/// What an answer is worth.
+/// Whether an answer keeps the guarantee, and if not, how it fails.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Verdict {
     /// Registered up to T₋ and not beyond T₊; of pairs of full dimension, if
@@ -63,7 +63,7 @@ impl Verdict {
     }
 }
 
-/// A verdict, and how close a call it was.
+/// A verdict, and how near its distance is to the threshold.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Judgement {
     /// The verdict.

@@ -1,4 +1,4 @@
-//! All orders of the arguments.
+//! The law of antisymmetry: an odd permutation of the arguments changes the sign.
 
 use predicament_predicates::{Predicates, Question, Sign, Vertex, ZeroMeaning};
 

@@ -1,4 +1,4 @@
-//! Sessions that promise to break every tie.
+//! The law of broken ties: a session that promises so never answers zero for distinct vertices.
 
 use predicament_predicates::{Predicates, Question, Vertex, ZeroMeaning};
 

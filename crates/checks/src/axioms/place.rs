@@ -1,4 +1,4 @@
-//! An answer belongs to its vertices and to nothing else.
+//! The law of place: an answer depends on its vertices, not on its place in a batch or on other vertices.
 //!
 //! Batches go through other code than single calls do, four queries at a time
 //! with a rest at the end; and a perturbation that depends on how many vertices

@@ -1,4 +1,4 @@
-//! The law with a reference.
+//! The law of the reference: where a reference is not zero, the answer is the same.
 //!
 //! All other laws hold answers against each other. This one needs somebody who
 //! knows the truth, and says what a perturbation must not do: change a sign

@@ -1,4 +1,4 @@
-//! The order along an axis.
+//! The law of transitivity: comparisons along an axis are an order.
 
 use predicament_predicates::{Axis, Predicates, Question, Sign, Vertex, ZeroMeaning};
 

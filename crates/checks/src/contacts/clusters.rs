@@ -1,4 +1,4 @@
-//! What merging does to the features themselves.
+//! Vertices of one complex that merge into one point, and edges that collapse.
 
 use std::collections::BTreeMap;
 

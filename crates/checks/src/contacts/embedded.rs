@@ -1,4 +1,4 @@
-//! Curves that don't meet themselves.
+//! Whether a complex of the plane is embedded: its edges meet in common vertices only.
 
 use predicament_mesh::Complex;
 use predicament_predicates::Predicates;

@@ -1,4 +1,4 @@
-//! Unions of congruent cubes, measured another way.
+//! Unions of congruent cubes measured from their sections, and the measures of random cubes.
 //!
 //! `predicament_algorithms::cube_union` adds up what vertices contribute. Here
 //! nothing knows what a vertex of the union is:

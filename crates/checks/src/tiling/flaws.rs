@@ -1,4 +1,4 @@
-//! Where a map is no tiling, whatever anyone answers.
+//! The flaws of a map: where it is no tiling.
 
 use predicament_algorithms::polygon_locate::LocateIndex;
 use predicament_predicates::{Plane, Predicates, Scene, Sign, Vertex};

@@ -1,4 +1,4 @@
-//! Points in the regions of a map, judged by the plane around them.
+//! Points in the regions of a map, judged by the sectors of the plane around them.
 //!
 //! A map that tiles the plane puts every point in exactly one region. Real
 //! maps have coasts, seas and mistakes, and a probe may lie exactly on a

@@ -1,4 +1,4 @@
-//! What is around a point of a map, exactly.
+//! The sectors of a map around a point, decided exactly.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;

@@ -1,4 +1,4 @@
-//! Simulation of Simplicity as crates from crates.io offer it.
+//! Simulation of Simplicity as other crates offer it.
 //!
 //! Behind the feature `peers`, as nothing here is needed but to be held against
 //! the laws. One file a crate says what its conventions are in ours: orientation,
@@ -19,7 +19,7 @@ use predicament_predicates::{
     Axis, Backend, Contract, Declined, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 
-/// A vertex as a crate gets to see it.
+/// A vertex as it is handed to a crate.
 #[derive(Clone, Copy, Debug)]
 pub struct Point<const D: usize> {
     /// Where it is.
@@ -96,7 +96,7 @@ impl<L: Library> Backend for Wild<L> {
     }
 }
 
-/// A crate, prepared for one scene, which amounts to nothing.
+/// A crate's session for a scene; nothing is prepared.
 pub struct Session<'s, L, T> {
     library: L,
     scene: &'s Scene,

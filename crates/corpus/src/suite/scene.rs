@@ -1,4 +1,4 @@
-//! `[[scene]]` tables and what becomes of them.
+//! Scene definitions, from `[[scene]]` tables to loaded scenes.
 
 use std::fmt;
 use std::sync::Arc;

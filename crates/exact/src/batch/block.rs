@@ -13,7 +13,7 @@ use predicament_predicates::Vertex;
 /// The queries of a block: a bit each in a mask.
 pub(super) const BLOCK: usize = 64;
 
-/// What a predicate on `D` coordinates sees of a point of `E`.
+/// The `D` coordinates that a predicate takes from a point of `E`.
 pub(crate) trait View<const E: usize, const D: usize> {
     /// The coordinates that it sees, in its order.
     fn see<T: Copy>(point: [T; E]) -> [T; D];

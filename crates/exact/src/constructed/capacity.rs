@@ -1,4 +1,4 @@
-//! As many limbs as a computation needs, and not many more.
+//! Upper bounds on the limbs that computations about constructed vertices need.
 //!
 //! Accumulators are arrays on the stack, zeroed before use: a few limbs for
 //! ordinary coordinates, a thousand where exponents span all that doubles have.

@@ -1,9 +1,9 @@
-//! Meshes of other people: OFF and OBJ, in ASCII, and PLY; all of them also
+//! Mesh importers: OFF and OBJ, in ASCII, and PLY; all of them also
 //! compressed by gzip.
 //!
 //! Only points and faces are read. Faces with more than three corners are
 //! divided into triangles by a fan around their first corner. Coordinates are
-//! decimals that somebody rounded when writing them; each is read as the
+//! decimals that were rounded when they were written; each is read as the
 //! double that is nearest to it.
 
 use std::io::Read;

@@ -1,4 +1,4 @@
-//! Readers of other people's formats.
+//! Importers of meshes and maps.
 
 pub mod mesh;
 mod ply;

@@ -1,4 +1,4 @@
-//! TopoJSON maps.
+//! The importer of TopoJSON maps.
 //!
 //! TopoJSON stores borders as arcs that neighbours share, which is what an
 //! exact tiling needs. Vertices with equal decoded coordinates become *one*
@@ -168,7 +168,7 @@ impl Importer<'_> {
         serde_json::from_value(arcs).map_err(|error| self.error(format!("a geometry's arcs are malformed: {error}")))
     }
 
-    /// The name that people use, else the id, else the place.
+    /// The region's name property, else its id, else its place.
     fn name(&self, geometry: &Geometry) -> String {
         let name = geometry.properties.as_ref().and_then(|properties| properties.get("name"));
         match name.or(geometry.id.as_ref()) {

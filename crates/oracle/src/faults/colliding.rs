@@ -1,4 +1,4 @@
-//! The lift of moved points of a circle, in a table with a place for each power.
+//! A fault of lifting: points moved by ε^(2^i) are lifted again, where squares collide.
 //!
 //! Franklin and Magalhães move coordinate i by ε^(2^i), so that every product
 //! of different infinitesimals has a power of its own. A lifted determinant has

@@ -1,4 +1,4 @@
-//! Ties broken by the right parts put together wrongly.
+//! Faults in breaking ties: right terms put together wrongly.
 
 use predicament_predicates::{Predicates, Question, Sign, Vertex};
 use predicament_sos::{Scheme, Term, ties};

@@ -1,4 +1,4 @@
-//! One table on disk.
+//! One CSV table of a run folder, appended to and cut back to a valid length.
 
 use std::fs::{File, OpenOptions};
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! `state.json`: whether a run is complete, and how much of it can be trusted.
+//! `state.json`: whether a run is complete, and the valid length of each table.
 
 use std::collections::BTreeMap;
 use std::path::Path;

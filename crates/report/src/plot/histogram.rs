@@ -1,4 +1,4 @@
-//! How often something was found in each of several places: bars side by side on a logarithmic axis.
+//! Histograms: counts as bars side by side, on a logarithmic axis.
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};

@@ -1,4 +1,4 @@
-//! Pictures, as SVG that can stand alone or inside a page.
+//! Plots as SVG, for files and for pages.
 //!
 //! * [`scatter`]: speed against error.
 //! * [`ranges`]: from where something is lost to where it is safe.

@@ -1,5 +1,5 @@
-//! From where something is lost to where it is safe: one bar for each thing
-//! and backend, on a logarithmic axis.
+//! Bars from the size at which features are lost to the size from which on all survive, on
+//! a logarithmic axis.
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};

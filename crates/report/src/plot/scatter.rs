@@ -1,4 +1,4 @@
-//! Speed against error: what a backend's answers cost, and what they are worth.
+//! The scatter plot of time per query against wrong answers, a panel for each task.
 //!
 //! One panel for each task, on common logarithmic axes, because a task's times
 //! are comparable with each other only. Zero has no logarithm: backends

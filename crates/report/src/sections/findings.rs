@@ -1,4 +1,4 @@
-//! A few findings of each class, to be replayed.
+//! The section of findings: a few of each class, with their ids.
 
 use std::collections::BTreeMap;
 

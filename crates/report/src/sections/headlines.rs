@@ -1,4 +1,4 @@
-//! The two numbers on top: is anything wrong, and what does being right cost?
+//! The two numbers on top of a report: unexpected findings, and the cost of exact answers.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! The pictures that a run left.
+//! The section of pixel maps.
 
 use crate::table::{Block, Section};
 use crate::{RunDir, data_uri};

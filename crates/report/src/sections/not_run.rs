@@ -1,4 +1,4 @@
-//! What was not run: silence must not look like success.
+//! The section about what was not run, so that it is not taken for a success.
 
 use std::collections::{BTreeMap, BTreeSet};
 

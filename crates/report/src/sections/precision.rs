@@ -1,4 +1,4 @@
-//! What scenes asked of exact arithmetic, and which one they got.
+//! The section about precision: the bits of each scene, and the arithmetic chosen for each exact predicate.
 
 use std::collections::{BTreeMap, BTreeSet};
 

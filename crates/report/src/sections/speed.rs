@@ -1,4 +1,4 @@
-//! Speed beside error, as a plot and as the numbers behind it.
+//! The section about speed and error: the scatter plot and its numbers.
 
 use super::{run_head, run_label};
 use crate::groups::marks;

@@ -1,4 +1,4 @@
-//! What a query costs, beside what it costs the reference.
+//! The section about times per query, as ratios to the reference in the same run.
 
 use std::collections::BTreeSet;
 

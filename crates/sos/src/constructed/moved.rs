@@ -1,4 +1,4 @@
-//! Determinants of a scene whose vertices have been moved somehow.
+//! Determinants of a scene whose vertices are moved by infinitesimals.
 //!
 //! Nothing here knows how: coordinates are [`Series`], and everything is a
 //! polynomial of them. A constructed vertex is a homogeneous row, its

@@ -1,5 +1,5 @@
-//! Integers modulo a Mersenne prime, 2^61 − 1 or 2^31 − 1: what a polynomial's
-//! values are computed in where only the question is whether it is zero.
+//! Integers modulo a Mersenne prime, 2^61 − 1 or 2^31 − 1, for tests whether a
+//! polynomial is zero.
 
 /// An integer modulo 2^E − 1, from 0 on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

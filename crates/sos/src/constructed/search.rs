@@ -1,4 +1,4 @@
-//! The largest infinitesimal of a polynomial that is not written out.
+//! The largest infinitesimal of a polynomial that is known by its values only.
 //!
 //! Each coordinate of each input vertex has an infinitesimal δ of its own, and
 //! the next one is smaller than any power of the last: δ₁ ≫ δ₂ ≫ …. Of two

@@ -1,4 +1,4 @@
-//! The judge: perturbed determinants with infinitesimals written out.
+//! The judge of ties: perturbed determinants as polynomials in the infinitesimals.
 //!
 //! Nothing here knows a term list. The coordinates of a query's vertices become
 //! polynomials in one positive infinitesimal ε, the textbook determinant of

@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::{Row, Survey, survey, table};
 use crate::{Error, File, Host, Study};
 
-/// What is asked when nobody chooses: those whose promise is proved.
+/// The default backends: those whose promise is proved.
 const DEFAULT: &str = "exact,sos,sos:edelsbrunner-mucke,tolerance";
 
 /// The laws of predicates, tried on tuples full of ties.

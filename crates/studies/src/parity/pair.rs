@@ -1,4 +1,4 @@
-//! Two polygons, and how they become smaller.
+//! A pair of polygons, and how it is shrunk.
 
 use predicament_checks::contacts::{Seat, is_embedded};
 use predicament_exact::Exact;

@@ -1,4 +1,4 @@
-//! The smallest of many finds, one of each kind.
+//! The smallest odd pair of each kind.
 
 use std::collections::BTreeMap;
 

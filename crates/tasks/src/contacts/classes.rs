@@ -1,4 +1,4 @@
-//! What becomes of one pair.
+//! The class of a pair of simplices.
 //!
 //! A pair is degenerate if its ranks add up to less than the dimension. A pair
 //! that one side registers and the other doesn't is the class of the first
@@ -53,7 +53,7 @@ impl Judge<'_> {
         self.got.iter().chain(self.truth.iter()).chain(perturbed).chain(self.audited.keys().copied()).collect()
     }
 
-    /// The class of a pair that somebody registers.
+    /// The class of a pair that the truth or the backend registers.
     pub fn class(&self, pair: Pair) -> Judgement {
         let [got, truth] = [self.got, self.truth].map(|pairs| pairs.contains(pair));
         let (class, check) = match self.zero {

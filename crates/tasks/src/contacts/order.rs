@@ -1,4 +1,4 @@
-//! Whether a pair is the same pair however it is written down.
+//! Whether a session answers about a pair the same in every order of its vertices.
 
 use predicament_checks::axioms::each_order;
 use predicament_predicates::{Predicates, Vertex};

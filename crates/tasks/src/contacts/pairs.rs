@@ -37,7 +37,7 @@ impl<'a> Pairs<'a> {
         pairs.find(|&pair| pair != [s, t] && self.contains(pair))
     }
 
-    /// What became of a pair, in words.
+    /// A pair's state in words: registered, ended by another, or neither.
     pub fn say(&self, pair: Pair) -> String {
         match self.ended_by(pair) {
             _ if self.contains(pair) => "registered".to_owned(),

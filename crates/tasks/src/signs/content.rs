@@ -20,7 +20,7 @@ pub struct SignQueries {
 }
 
 impl SignQueries {
-    /// Queries whose answers nobody has written down.
+    /// Queries without published signs.
     #[must_use]
     pub fn new(queries: QuerySet) -> SignQueries {
         SignQueries { queries, expected: None }

@@ -1,4 +1,4 @@
-//! How close to degenerate a scene's queries are, decided exactly.
+//! How near to degenerate a scene's queries are, decided exactly.
 //!
 //! The measure is |det| / permanent: the determinant over what it would be if
 //! no two of its terms cancelled. It is 1 for a query that any arithmetic gets

@@ -1,4 +1,4 @@
-//! One query again: its exact value, and what each backend says about it and why.
+//! Explains one query: its exact value, and the answer and stage of each backend.
 
 use predicament_judge as judge;
 use predicament_predicates::{Query, Scene};

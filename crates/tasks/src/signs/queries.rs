@@ -1,4 +1,4 @@
-//! Which vertices are asked about.
+//! The key `queries`: which vertices are asked about.
 
 use predicament_formats::{CorpusError, Field, Fields};
 use predicament_predicates::{Axis, Dimension, Plane, PredicateKind, QuerySet, Question, Scene, Vertex};

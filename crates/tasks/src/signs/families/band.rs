@@ -1,4 +1,4 @@
-//! Around the edges of a tolerance band.
+//! Queries whose determinants are at the edges of a tolerance band.
 //!
 //! The tolerance scheme of Wang, Jiang, Schroeder and Teran registers
 //! determinants within thresholds that are multiples of ε·L² in 2D (κ: 10, 21,

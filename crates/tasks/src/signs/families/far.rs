@@ -1,4 +1,4 @@
-//! Small things far from the origin.
+//! Small clusters of points far from the origin.
 
 use predicament_predicates::PredicateKind;
 

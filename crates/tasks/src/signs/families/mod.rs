@@ -1,4 +1,4 @@
-//! Families of sign scenes: ways of being difficult.
+//! Families of generated sign scenes.
 //!
 //! The same family, predicate, parameters and seed give the same bits on every
 //! platform: ChaCha8 is seeded with a hash of them, and coordinates come from

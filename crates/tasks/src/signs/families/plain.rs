@@ -1,4 +1,4 @@
-//! Points without malice.
+//! Ordinary points: uniform, and on a grid of integers.
 
 use predicament_predicates::PredicateKind;
 

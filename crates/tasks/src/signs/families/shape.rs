@@ -1,4 +1,4 @@
-//! From the plane in which a family thinks to the question that is asked.
+//! Maps a family's coordinates to the axis or plane that the question is about.
 
 use predicament_predicates::{Axis, Dimension, Plane, Question};
 

@@ -1,0 +1,115 @@
+//! The task: the vertices with the smallest x, whatever backend compares.
+
+use std::path::{Path, PathBuf};
+
+use predicament::corpus::LoadedScene;
+use predicament::predicates::{Axis, PredicateKind, Predicates, Query, Scene, Sign, Vertex};
+use predicament::records::{self, RunDir, TableSpec};
+use predicament::report::Section;
+use predicament::tasks::{Answer, Asked, Case, Contestant, Explanation, How, Outcome, Stop, Task, Watch, digest};
+
+use crate::{Among, LeftmostRow, judge, section};
+
+/// Vertices between two looks at the watch.
+const CHUNK: usize = 4096;
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Leftmost;
+
+/// The vertices that a backend finds no other left of, ascending.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Found(pub Vec<Vertex>);
+
+impl Answer for Found {
+    fn digest(&self) -> u64 {
+        digest(self.0.iter().flat_map(|vertex| vertex.index().to_le_bytes()))
+    }
+}
+
+impl Task for Leftmost {
+    type Content = Among;
+    type Truth = Vec<Vertex>;
+    type Answer = Found;
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare]
+    }
+
+    fn looks_at_watch(&self) -> bool {
+        true
+    }
+
+    fn truth(&self, scene: &Scene, content: &Among, watch: &Watch) -> Result<Vec<Vertex>, Stop> {
+        judge::truth(scene, content, watch)
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &Among,
+        how: &How<'_>,
+        answer: &mut Found,
+    ) -> Result<(), Stop> {
+        let found = &mut answer.0;
+        found.clear();
+        for chunk in content.0.chunks(CHUNK) {
+            for &vertex in chunk {
+                match found.first().map_or(Sign::Negative, |&best| session.compare(Axis::X, vertex, best)) {
+                    Sign::Negative => {
+                        found.clear();
+                        found.push(vertex);
+                    }
+                    Sign::Zero => found.push(vertex),
+                    Sign::Positive => {}
+                }
+            }
+            how.watch.done(chunk.len() as u64)?;
+        }
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, Leftmost>,
+        asked: &Asked<'_>,
+        answer: &Found,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        judge::judge(case, asked, &answer.0, outcome);
+        Ok(())
+    }
+
+    fn describe(&self, _: &LoadedScene, content: &Among, _: &Watch) -> Result<String, Stop> {
+        Ok(format!("{} vertices to choose from\n", content.0.len()))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &Among,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let vertex = query.vertices().next().ok_or_else(|| format!("`{query}` names no vertex"))?;
+        let says = |leftmost: &[Vertex]| judge::says(leftmost.contains(&vertex)).to_owned();
+        let truth = judge::exactly(scene, content);
+        let about = Explanation { vertices: vec![vertex], truth: vec![says(&truth)], ..Explanation::default() };
+        Ok(about.with_answers(backends, |backend| backend.answer(self, scene, content).map(|found| says(&found.0))))
+    }
+
+    fn write(&self, scene: &Scene, _: &Among, answer: &Found, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+        let path = folder.join("leftmost.csv");
+        let lines = answer.0.iter().map(|&vertex| format!("{vertex},{:e}\n", scene.coordinate(Axis::X, vertex)));
+        std::fs::write(&path, "vertex,x\n".to_owned() + &lines.collect::<String>())?;
+        Ok(vec![path])
+    }
+
+    fn tables(&self) -> Vec<TableSpec> {
+        vec![TableSpec::of::<LeftmostRow>()]
+    }
+
+    fn section(&self, runs: &[RunDir]) -> Result<Option<Section>, records::Error> {
+        section::section(runs)
+    }
+}
