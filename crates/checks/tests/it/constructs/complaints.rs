@@ -136,7 +136,7 @@ fn truth(
         let sign = question.ask(session, args);
         // Backends that break ties are held to what is none.
         if sign != truth && (declared != Constructs::KeepsFirst || !truth.is_zero()) {
-            wrong.push(format!("truth: {} is {truth:?}, not {sign:?}", question.describe(args)));
+            wrong.push(format!("truth: {} is {truth:?}, not {sign:?}", question.query(args)));
         }
     }
     match declared {
@@ -155,7 +155,7 @@ fn prepared<B: Backend>(case: &Case, backend: &B, session: &dyn Predicates, comp
             for (question, args, _) in case.asked(case.known(session)) {
                 let [now, later] = [question.ask(&prepared, args), question.ask(session, args)];
                 if now != later {
-                    complaints.push(format!("prepared: {} is {now:?}, later {later:?}", question.describe(args)));
+                    complaints.push(format!("prepared: {} is {now:?}, later {later:?}", question.query(args)));
                 }
             }
         }
@@ -175,7 +175,7 @@ fn batches(case: &Case, session: &dyn Predicates, complaints: &mut Vec<String>) 
             _ => {}
         }
         if batch != [single; 3] || swept != [single] {
-            complaints.push(format!("batches: {} is {single:?}: {batch:?} {swept:?}", question.describe(args)));
+            complaints.push(format!("batches: {} is {single:?}: {batch:?} {swept:?}", question.query(args)));
         }
     }
 }
