@@ -108,7 +108,7 @@ fn explain(tool: &Tool, loaded: &LoadedScene, query: &Query, backends: &[&dyn Co
     let told = tool.task(loaded.task).explain_query(loaded, query, backends).map_err(Failure::usage)?;
     print_points(loaded, &told.vertices);
     for line in &told.truth {
-        say!("  {line}");
+        say!("  {:<24} {line}", "truth");
     }
     let heads = (!told.heads.is_empty()).then(|| ("backend".to_owned(), told.heads.clone()));
     let rows: Vec<(String, Vec<String>)> = heads.into_iter().chain(told.rows).collect();
