@@ -49,7 +49,8 @@ fn queries<const N: usize>(kind: PredicateKind, family: &str) -> (Scene, Vec<[Ve
         }
         query
     });
-    (loaded.scene, queries.collect())
+    let queries = queries.collect();
+    (loaded.scene, queries)
 }
 
 /// A reproducible stream of random numbers (splitmix64).
