@@ -29,12 +29,12 @@ use super::tables::RAW;
 pub fn peers(case: &dyn AnyCase) -> Vec<Peer<'_>> {
     let content = case.loaded().content::<SignQueries>();
     let both = content.zip(case.truth().downcast_ref::<Vec<Sign>>());
-    both.map(|(content, truth)| asked(&case.loaded().scene, &content.queries, truth)).unwrap_or_default()
+    both.map(|(content, truth)| of_scene(&case.loaded().scene, &content.queries, truth)).unwrap_or_default()
 }
 
 /// All crates, in both ways. None of them has a comparison to offer that would
 /// be worth its name.
-fn asked<'a>(scene: &'a Scene, queries: &QuerySet, truth: &[Sign]) -> Vec<Peer<'a>> {
+fn of_scene<'a>(scene: &'a Scene, queries: &QuerySet, truth: &[Sign]) -> Vec<Peer<'a>> {
     let points2 = |plane: Plane| points(scene, plane.axes());
     let points3 = || points(scene, [Axis::X, Axis::Y, Axis::Z]);
     let asked = Asked { scene, question: queries.question() };
@@ -254,7 +254,7 @@ mod tests {
             let (queries, truth) = asked(&scene, question);
             let ties = truth.iter().filter(|sign| sign.is_zero()).count() as u64;
             assert!(0 < ties && ties < 600, "{question:?}: {ties} ties");
-            let peers = peers(&scene, &queries, &truth);
+            let peers = of_scene(&scene, &queries, &truth);
             assert_eq!(peers.len(), 9);
             for peer in peers {
                 let counts = &peer.outcome.counts;
@@ -272,7 +272,7 @@ mod tests {
             let scene = scene_for(question, 100);
             let (queries, truth) = asked(&scene, question);
             let turned: Vec<Sign> = truth.iter().map(|&sign| -sign).collect();
-            for peer in peers(&scene, &queries, &turned) {
+            for peer in of_scene(&scene, &queries, &turned) {
                 let (flipped, zeros) = (peer.outcome.counts.get(Class::SignFlip), peer.outcome.queries);
                 assert!(flipped > 80 && flipped <= zeros, "{question:?}: {}", peer.name);
                 assert!(peer.name.starts_with("raw:") || peer.remarks[0].contains("wrong; first"));
@@ -285,7 +285,7 @@ mod tests {
         for question in QUESTIONS {
             let scene = scene_for(question, 200);
             let (queries, truth) = asked(&scene, question);
-            for peer in peers(&scene, &queries, &truth) {
+            for peer in of_scene(&scene, &queries, &truth) {
                 let mut timed = peer.timed.expect("nobody panics over small integers");
                 assert_ne!(timed.watch.digest(), timed.judged, "{}: before the first pass all is zero", peer.name);
                 timed.watch.pass();
@@ -357,7 +357,7 @@ mod tests {
         let queries = QuerySet::new(QUESTIONS[0], args);
         let truth: Vec<Sign> = (0..4).map(|i| judge::sign(&scene, QUESTIONS[0], queries.args(i))).collect();
         assert_eq!(truth, [Sign::Positive, Sign::Zero, Sign::Zero, Sign::Zero]);
-        for peer in peers(&scene, &queries, &truth) {
+        for peer in of_scene(&scene, &queries, &truth) {
             assert_eq!(peer.outcome.queries, 4);
             if !peer.name.ends_with("simplicity") {
                 assert!(peer.outcome.counts.get(Class::Agree) >= 3, "{}: {:?}", peer.name, peer.remarks);
@@ -371,7 +371,7 @@ mod tests {
         let scene = Scene::from_points2(&[[0.0, 0.0], [1e-200, 0.0], [0.0, 1e-200]]).unwrap();
         let (queries, truth) = asked(&scene, QUESTIONS[0]);
         assert_eq!(truth, [Sign::Positive]);
-        let peers = peers(&scene, &queries, &truth);
+        let peers = of_scene(&scene, &queries, &truth);
         let robust = peers.iter().find(|peer| peer.name == "robust").unwrap();
         assert_eq!(robust.outcome.counts.get(Class::Overreach), 1);
         let told = "robust: 1 of 1 wrong; first, orient2d(xy; 0 1 2) is + and robust says 0 (overreach): \
