@@ -94,7 +94,11 @@ impl Task for Leftmost {
         let vertex = query.vertices().next().ok_or_else(|| format!("`{query}` names no vertex"))?;
         let says = |leftmost: &[Vertex]| judge::says(leftmost.contains(&vertex)).to_owned();
         let truth = judge::exactly(scene, content);
-        let about = Explanation { vertices: vec![vertex], truth: vec![says(&truth)], ..Explanation::default() };
+        let about = Explanation {
+            vertices: vec![vertex],
+            truth: vec![format!("exactly: {}", says(&truth))],
+            ..Explanation::default()
+        };
         Ok(about.with_answers(backends, |backend| backend.answer(self, scene, content).map(|found| says(&found.0))))
     }
 
