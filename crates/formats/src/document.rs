@@ -14,9 +14,9 @@ use toml::de::{DeTable, DeValue};
 
 use predicament_predicates::Vertex;
 
+use crate::CorpusError;
 use crate::coordinate::{self, CoordinateError};
 use crate::tables::TableKind;
-use crate::CorpusError;
 
 /// The last index that a vertex can have.
 const MOST_INDEX: u64 = (1 << 31) - 1;
@@ -235,12 +235,7 @@ pub struct Fields<'d, 't> {
 
 impl<'d, 't> Fields<'d, 't> {
     /// The keys of a table that starts at this byte.
-    pub fn new(
-        document: &'d Document<'t>,
-        kind: &'d TableKind,
-        table: &'d DeTable<'t>,
-        at: usize,
-    ) -> Fields<'d, 't> {
+    pub fn new(document: &'d Document<'t>, kind: &'d TableKind, table: &'d DeTable<'t>, at: usize) -> Fields<'d, 't> {
         Fields { document, kind, table, at, asked: RefCell::default() }
     }
 

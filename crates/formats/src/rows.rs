@@ -4,9 +4,9 @@ use std::path::Path;
 
 use predicament_predicates::Dimension;
 
+use crate::CorpusError;
 use crate::coordinate;
 use crate::document::{Field, explain};
-use crate::CorpusError;
 
 /// What the rows of a list of numbers are.
 pub struct RowKind {

@@ -4,21 +4,14 @@ use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use predicament_predicates::{Counts, PredicateKind};
-use predicament_tasks::{
-    AnyCase, Asked, Budget, Class, Contestant, Halt, How, Outcome, Purpose, Stop, Watch,
-};
+use predicament_tasks::{AnyCase, Asked, Budget, Class, Contestant, Halt, How, Outcome, Purpose, Stop, Watch};
 
 /// Runs one backend on one scene and judges what it answers. A panic is a
 /// finding about the backend and stays here, as do refusals and timeouts.
 ///
 /// # Errors
 /// [`Stop::Interrupted`]; a timeout is an outcome.
-pub fn run(
-    case: &dyn AnyCase,
-    contestant: &dyn Contestant,
-    budget: Budget,
-    watch: &Watch,
-) -> Result<Outcome, Stop> {
+pub fn run(case: &dyn AnyCase, contestant: &dyn Contestant, budget: Budget, watch: &Watch) -> Result<Outcome, Stop> {
     let queries = case.loaded().count() as u64;
     let ran = catch_unwind(AssertUnwindSafe(|| judged(case, contestant, budget, watch, queries)));
     match ran {

@@ -178,7 +178,8 @@ mod tests {
 
     #[test]
     fn what_is_no_query_is_refused() {
-        for broken in ["", "orient2d", "(1 2)", "orient2d(xy; 1 2 d3)", "incircle(1 2 3 x)", "a(; 1)", "a()", "a(1,2)"] {
+        for broken in ["", "orient2d", "(1 2)", "orient2d(xy; 1 2 d3)", "incircle(1 2 3 x)", "a(; 1)", "a()", "a(1,2)"]
+        {
             assert!(broken.parse::<Query>().unwrap_err().to_string().contains(broken), "{broken}");
         }
         for other in ["orient2d(xy; 1 2)", "orient3d(xy; 1 2 3 4)", "compare(w; 1 2)", "hull(1 2 3)"] {

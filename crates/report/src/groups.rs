@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use predicament_records::geometric_mean;
 use crate::{RunDir, Spread, SummaryRow};
+use predicament_records::geometric_mean;
 
 /// The control that every time is compared with: Shewchuk's adaptive
 /// predicates, as most programs that care already use them.

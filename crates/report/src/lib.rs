@@ -28,6 +28,4 @@ pub use pixel_map::{PixelMap, PixelMapError, data_uri, side_by_side};
 pub use plot::{Bar, Bars, Curve, Curves, curves, histogram, ranges, scatter};
 pub use table::{Block, Cell, Headline, Section, Table, Tone};
 
-use predicament_records::{
-    Class, Env, Error, FindingRow, Outcome, PrecisionRow, RunDir, Spread, Status, SummaryRow,
-};
+use predicament_records::{Class, Env, Error, FindingRow, Outcome, PrecisionRow, RunDir, Spread, Status, SummaryRow};

@@ -7,9 +7,9 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use predicament_records::format::per_million;
 use crate::groups::{Mark, backends, marks};
 use crate::{Error, RunDir};
+use predicament_records::format::per_million;
 
 use super::{Area, COLOURS, Chart, Decades, Drawn, INK, failed, page, power_of_ten, quiet};
 

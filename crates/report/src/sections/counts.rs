@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::{rank, run_head, run_label};
-use predicament_records::format::{length, per_million, significant, thousands};
 use crate::groups::backends;
 use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Class, RunDir, Status, SummaryRow};
+use predicament_records::format::{length, per_million, significant, thousands};
 
 /// How many unexpected scenes are listed.
 const MANY: usize = 50;

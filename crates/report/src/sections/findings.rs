@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::{rank, run_head, run_label};
-use predicament_records::format::{counted, length, significant, thousands};
 use crate::groups::backends;
 use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Class, FindingRow, RunDir};
+use predicament_records::format::{counted, length, significant, thousands};
 
 /// How many findings of a class are shown for each backend.
 const FEW: usize = 3;

@@ -2,11 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use predicament_records::format::{counted, factor, length, thousands};
 use crate::groups::{REFERENCE, backends, timings};
-use predicament_records::geometric_mean;
 use crate::table::{Headline, Tone};
 use crate::{Class, RunDir};
+use predicament_records::format::{counted, factor, length, thousands};
+use predicament_records::geometric_mean;
 
 pub fn headlines(runs: &[RunDir]) -> [Headline; 2] {
     [unexpected(runs), price(runs)]

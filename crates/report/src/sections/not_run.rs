@@ -3,10 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{rank, run_head, run_label, some_of};
-use predicament_records::format::{length, thousands};
 use crate::groups::backends;
 use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Class, RunDir};
+use predicament_records::format::{length, thousands};
 
 /// How many scenes are named.
 const FEW: usize = 5;

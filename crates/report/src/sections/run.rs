@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use super::some_of;
-use predicament_records::format::{length, thousands};
 use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Env, Outcome, RunDir};
+use predicament_records::format::{length, thousands};
 
 pub fn section(runs: &[RunDir]) -> Section {
     let heads = (1..=runs.len()).map(|i| if runs.len() > 1 { format!("run {i}") } else { "run".to_owned() });

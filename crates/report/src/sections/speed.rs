@@ -1,10 +1,10 @@
 //! Speed beside error, as a plot and as the numbers behind it.
 
 use super::{run_head, run_label};
-use predicament_records::format::{length, nanoseconds, per_million, significant, thousands};
 use crate::groups::marks;
 use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Error, RunDir, scatter};
+use predicament_records::format::{length, nanoseconds, per_million, significant, thousands};
 
 pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
     let mut blocks = Vec::new();

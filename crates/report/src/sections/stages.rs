@@ -4,10 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::{rank, run_head, run_label};
 use crate::RunDir;
-use predicament_records::format::percent;
 use crate::groups::backends;
 use crate::rungs::{rung, rungs};
 use crate::table::{Block, Cell, Section, Table, Tone};
+use predicament_records::format::percent;
 
 /// What a rung settled, and the deepest of its stages where they have numbers.
 #[derive(Clone, Copy, Default)]

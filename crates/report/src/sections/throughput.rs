@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use super::{run_head, run_label};
 use crate::RunDir;
-use predicament_records::format::{factor, nanoseconds};
 use crate::groups::{REFERENCE, Timing, backends, timings};
 use crate::table::{Block, Cell, Section, Table, Tone};
+use predicament_records::format::{factor, nanoseconds};
 
 pub fn section(runs: &[RunDir]) -> Section {
     let timings: Vec<_> = runs.iter().map(timings).collect();

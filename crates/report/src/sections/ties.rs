@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 
 use super::{rank, run_head, run_label};
-use predicament_records::format::{factor, percent};
 use crate::groups::{Timing, backends, timings};
 use crate::plot::{Bars, histogram};
 use crate::rungs::rung;
-use predicament_records::{approximately, geometric_mean};
 use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Error, RunDir};
+use predicament_records::format::{factor, percent};
+use predicament_records::{approximately, geometric_mean};
 
 /// What breaking ties is compared with.
 const UNPERTURBED: &str = "exact";

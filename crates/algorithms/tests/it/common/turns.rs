@@ -29,7 +29,7 @@ pub fn banded(scene: &Scene, reach: f64) -> Turns<'_, impl Fn(Sign, &Scene, Plan
     Turns { exact: Exact.prepare(scene, Off).unwrap(), reach, turn }
 }
 
-impl<F: Fn(Sign, &Scene, Plane, [Vertex; 3]) -> Sign + Sync> Predicates for Turns<'_, F> {
+impl<F: Fn(Sign, &Scene, Plane, [Vertex; 3]) -> Sign + Send + Sync> Predicates for Turns<'_, F> {
     fn scene(&self) -> &Scene {
         self.exact.scene()
     }
