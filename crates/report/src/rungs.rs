@@ -28,7 +28,7 @@ pub fn rungs(runs: &[RunDir]) -> Vec<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::StageRow;
+    use predicament_records::StageRow;
 
     #[test]
     fn only_a_number_after_a_space_is_one() {
@@ -40,7 +40,7 @@ mod tests {
 
     #[test]
     fn a_rung_that_is_seen_late_still_finds_its_place() {
-        let mut run = RunDir::open("tests/data/timed").unwrap();
+        let mut run = RunDir::open("../tasks/tests/data/timed").unwrap();
         let row = |stage: &str| StageRow {
             task: "orient2d".to_owned(),
             family: "near".to_owned(),

@@ -154,17 +154,17 @@ fn read_others(
     state: &State,
     warnings: &mut Vec<String>,
 ) -> Result<BTreeMap<String, csv_file::Text>, Error> {
-    let mut tables = BTreeMap::new();
+    // Those that were written, even where they are gone, and those that are there.
+    let mut files: BTreeSet<String> = state.committed.keys().cloned().collect();
     for entry in fs::read_dir(folder).map_err(Error::io(folder))? {
-        let path = entry.map_err(Error::io(folder))?.path();
-        let Some(file) = path.file_name().and_then(OsStr::to_str).filter(|file| file.ends_with(".csv")) else {
-            continue;
-        };
-        if TABLES.iter().all(|table| table.file != file) {
-            let (text, warning) = csv_file::read(&path, state.outcome != Outcome::Complete)?;
-            warnings.extend(warning);
-            tables.insert(file.to_owned(), text);
-        }
+        let name = entry.map_err(Error::io(folder))?.file_name();
+        files.extend(name.to_str().filter(|file| file.ends_with(".csv")).map(str::to_owned));
+    }
+    let mut tables = BTreeMap::new();
+    for file in files.into_iter().filter(|file| TABLES.iter().all(|table| table.file != file)) {
+        let (text, warning) = csv_file::read(&folder.join(&file), state.outcome != Outcome::Complete)?;
+        warnings.extend(warning);
+        tables.insert(file, text);
     }
     Ok(tables)
 }

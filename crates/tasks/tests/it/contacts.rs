@@ -3,27 +3,30 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use predicament_corpus::{Cache, Level, Library, LoadedScene, Manifest, Suite, Work};
+use predicament_corpus::{Level, Library, LoadedScene, Suite};
+use predicament_formats::{Cache, Manifest};
 use predicament_mesh::Complex;
 use predicament_predicates::{Scene, Vertex};
+use predicament_tasks::contacts::Complexes;
+use predicament_tasks::vocabulary;
 use rug::Rational;
 
 fn generated(name: &str) -> LoadedScene {
-    let library = Library::embedded().unwrap();
+    let library = Library::embedded(vocabulary()).unwrap();
     let suite = library.suite("contacts").unwrap();
     let scene = suite.scenes.iter().find(|scene| scene.name == name).unwrap_or_else(|| panic!("no scene {name}"));
     scene.load(Level::Quick, &Cache::new("nowhere")).unwrap()
 }
 
 fn complexes(loaded: &LoadedScene) -> [&Complex; 2] {
-    let Work::Contacts { a, b } = &loaded.work else { panic!("{} asks for no contacts", loaded.name) };
-    [a, b]
+    let complexes: Option<&Complexes> = loaded.content();
+    complexes.unwrap_or_else(|| panic!("{} asks for no contacts", loaded.name)).both()
 }
 
 /// One scene from a suite in a folder.
 fn load(folder: &Path, scene: &str) -> LoadedScene {
     let text = format!("title = \"t\"\n[[scene]]\nname = \"x\"\n{scene}");
-    let suite = Suite::parse("s.toml", &text, Some(folder), &Manifest::default()).unwrap();
+    let suite = Suite::parse(vocabulary(), "s.toml", &text, Some(folder), &Manifest::default()).unwrap();
     suite.scenes[0].load(Level::Quick, &Cache::new("nowhere")).unwrap()
 }
 

@@ -1,15 +1,14 @@
 //! An independent judge: textbook determinants over rationals.
 
-use predicament_corpus::{LoadedScene, Work};
+use predicament_corpus::LoadedScene;
 use predicament_predicates::{QuerySet, Question, Sign, Vertex};
+use predicament_tasks::signs::SignQueries;
 use rug::Rational;
 
 /// The queries of a sign scene.
 pub fn queries(loaded: &LoadedScene) -> &QuerySet {
-    match &loaded.work {
-        Work::Signs(queries) => queries,
-        _ => panic!("{} asks for no signs", loaded.name),
-    }
+    let content: Option<&SignQueries> = loaded.content();
+    &content.unwrap_or_else(|| panic!("{} asks for no signs", loaded.name)).queries
 }
 
 /// The exact determinant of one query: the homogeneous one, with a column of

@@ -2,9 +2,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use predicament_corpus::{Cache, Level, Library, LoadedScene, Manifest, Suite, Work, degeneracy, homogeneous};
-use predicament_predicates::{Construction, QuerySet, Vertex};
+use predicament_corpus::{Level, Library, LoadedScene, Suite, homogeneous};
+use predicament_formats::{Cache, Manifest};
+use predicament_predicates::{Construction, Vertex};
+use predicament_tasks::signs::degeneracy;
+use predicament_tasks::vocabulary;
 use rug::Rational;
+
+use crate::common::queries;
 
 const SUITE: &str = r#"
 title = "t"
@@ -17,20 +22,13 @@ queries = [["c1", 4, "c0"], [0, 1, 2]]
 "#;
 
 fn parse(text: &str) -> LoadedScene {
-    let suite = Suite::parse("s.toml", text, None, &Manifest::default()).unwrap();
+    let suite = Suite::parse(vocabulary(), "s.toml", text, None, &Manifest::default()).unwrap();
     suite.scenes[0].load(Level::Quick, &Cache::new("nowhere")).unwrap()
-}
-
-fn queries(loaded: &LoadedScene) -> &QuerySet {
-    match &loaded.work {
-        Work::Signs(queries) => queries,
-        _ => panic!("{} asks for no signs", loaded.name),
-    }
 }
 
 /// The scenes of the suite, loaded.
 fn suite() -> Vec<LoadedScene> {
-    let suite = Library::embedded().unwrap().suite("constructed").unwrap();
+    let suite = Library::embedded(vocabulary()).unwrap().suite("constructed").unwrap();
     suite.scenes.iter().map(|scene| scene.load(Level::Quick, &Cache::new("nowhere")).unwrap()).collect()
 }
 
@@ -58,7 +56,7 @@ fn constructions_are_read_as_they_are_written() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("p.csv"), "0,0\n2,2\n0,2\n2,0\n1,1\n").unwrap();
     let text = SUITE.replace("[[0, 0], [2, 2], [0, 2], [2, 0], [1, 1]]", "{ path = \"p.csv\" }");
-    let suite = Suite::parse("s.toml", &text, Some(folder.path()), &Manifest::default()).unwrap();
+    let suite = Suite::parse(vocabulary(), "s.toml", &text, Some(folder.path()), &Manifest::default()).unwrap();
     let from_file = suite.scenes[0].load(Level::Quick, &Cache::new("nowhere")).unwrap();
     assert_eq!((&from_file.scene, &from_file.id), (&loaded.scene, &loaded.id));
 
@@ -114,7 +112,7 @@ fn every_place_has_its_turn() {
 fn families_are_as_degenerate_as_they_say() {
     let mut seen = 0;
     for loaded in suite().iter().filter(|loaded| loaded.source == "generated") {
-        let histogram = degeneracy(loaded);
+        let histogram = degeneracy(&loaded.scene, queries(loaded));
         let (zeros, total) = (histogram.zeros, histogram.total());
         let below = |exponent| zeros + histogram.buckets.range(..exponent).map(|(_, count)| count).sum::<usize>();
         match loaded.family.rsplit_once('-').unwrap().1 {

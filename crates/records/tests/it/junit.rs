@@ -5,7 +5,7 @@ use quick_junit::{NonSuccessKind, Report, TestCaseStatus};
 
 #[test]
 fn every_pair_of_scene_and_backend_is_a_case() {
-    let run = RunDir::open("../report/tests/data/checked").unwrap();
+    let run = RunDir::open("../tasks/tests/data/checked").unwrap();
     let xml = junit("predicament", &run.summary, &run.not_run()).unwrap();
     let report = Report::deserialize_from_str(&xml).unwrap();
     assert_eq!(report.tests, 20, "4 scenes on 5 backends");
@@ -31,7 +31,7 @@ fn every_pair_of_scene_and_backend_is_a_case() {
 
 #[test]
 fn the_order_of_rows_changes_nothing() {
-    let mut run = RunDir::open("../report/tests/data/checked").unwrap();
+    let mut run = RunDir::open("../tasks/tests/data/checked").unwrap();
     let forward = junit("predicament", &run.summary, &[]).unwrap();
     run.summary.reverse();
     assert_eq!(junit("predicament", &run.summary, &[]).unwrap(), forward);
@@ -39,7 +39,7 @@ fn the_order_of_rows_changes_nothing() {
 
 #[test]
 fn names_with_markup_stay_names() {
-    let mut run = RunDir::open("../report/tests/data/checked").unwrap();
+    let mut run = RunDir::open("../tasks/tests/data/checked").unwrap();
     run.summary.truncate(1);
     run.summary[0].scene = "<a & \"b\">".to_owned();
     let xml = junit("predicament", &run.summary, &[]).unwrap();

@@ -5,9 +5,39 @@ use std::io::Write;
 use std::path::Path;
 
 use predicament_records::{
-    Class, ContactRow, Env, FORMAT, FindingRow, Level, LocateRow, Outcome, Plan, PlannedScene, PrecisionRow, Row,
-    RunDir, RunWriter, Shard, StageRow, Status, SummaryRow, ThroughputRow,
+    Class, Env, FORMAT, FindingRow, Level, Outcome, Plan, PlannedScene, PrecisionRow, Record, Row, RunDir, RunWriter,
+    Shard, StageRow, Status, SummaryRow, TableSpec, ThroughputRow,
 };
+use serde::{Deserialize, Serialize};
+
+/// A row of a task's own table.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+struct PairRow {
+    scene: String,
+    backend: String,
+    ended: u64,
+    asked: Option<u64>,
+}
+
+impl Row for PairRow {
+    const FILE: &'static str = "pairs.csv";
+    const COLUMNS: &'static [&'static str] = &["scene", "backend", "ended", "asked"];
+
+    fn check(&self) -> Result<(), String> {
+        if self.asked.is_some_and(|asked| asked < self.ended) { Err("more have ended".to_owned()) } else { Ok(()) }
+    }
+}
+
+/// The tables beside those of every run.
+const MORE: [TableSpec; 1] = [TableSpec::of::<PairRow>()];
+
+fn create(folder: &Path, plan: &Plan, env: &Env) -> Result<RunWriter, predicament_records::Error> {
+    RunWriter::create(folder, plan, env, &MORE)
+}
+
+fn resume(folder: &Path) -> Result<(RunWriter, RunDir), predicament_records::Error> {
+    RunWriter::resume(folder, &MORE)
+}
 
 fn scene(name: &str) -> PlannedScene {
     PlannedScene {
@@ -26,6 +56,7 @@ fn plan() -> Plan {
         created_by: "0.1.0".to_owned(),
         level: Level::Full,
         suites: vec![scene("").suite],
+        paths: [(scene("").suite, "far/near.toml".to_owned())].into(),
         scenes: vec![scene("one"), scene("two")],
         backends: vec!["exact".to_owned()],
         ladder: vec!["filter".to_owned(), "wide integer".to_owned()],
@@ -84,36 +115,8 @@ fn stage() -> StageRow {
     }
 }
 
-fn locate() -> LocateRow {
-    LocateRow {
-        suite: "maps".to_owned(),
-        scene: "a".to_owned(),
-        scene_id: "b".to_owned(),
-        backend: "sos".to_owned(),
-        surroundings: "land".to_owned(),
-        probes: 1,
-        in_none: 2,
-        in_one: 3,
-        in_many: 4,
-        on_boundary: 5,
-        violations: 6,
-    }
-}
-
-fn contact() -> ContactRow {
-    ContactRow {
-        suite: "contacts".to_owned(),
-        scene: "a".to_owned(),
-        scene_id: "b".to_owned(),
-        task: "contacts3d".to_owned(),
-        backend: "sos".to_owned(),
-        rank_a: 1,
-        rank_b: 2,
-        candidates: 12,
-        ended: 5,
-        asked: 7,
-        registered: 6,
-    }
+fn pair() -> PairRow {
+    PairRow { scene: "a, \"b\"\nc".to_owned(), backend: "sos".to_owned(), ended: 5, asked: Some(7) }
 }
 
 fn precision() -> PrecisionRow {
@@ -132,7 +135,7 @@ fn precision() -> PrecisionRow {
 
 /// A run folder with one scene done and committed, its writer gone.
 fn killed(folder: &Path) {
-    let mut writer = RunWriter::create(folder, &plan(), &Env::collect("0.1.0")).unwrap();
+    let mut writer = create(folder, &plan(), &Env::collect("0.1.0")).unwrap();
     writer.write(&[finding()]).unwrap();
     writer.write(&[summary("one")]).unwrap();
     writer.commit().unwrap();
@@ -147,15 +150,15 @@ fn append(folder: &Path, file: &str, text: &str) {
 fn every_table_survives_the_disk() {
     let folder = tempfile::tempdir().unwrap();
     let env = Env::collect("0.1.0");
-    let mut writer = RunWriter::create(folder.path(), &plan(), &env).unwrap();
+    let mut writer = create(folder.path(), &plan(), &env).unwrap();
     writer.write(&[summary("one"), summary("two")]).unwrap();
     writer.write(&[finding(), FindingRow { log2_relative_det: None, distance_over_l: None, ..finding() }]).unwrap();
     writer.write(&[throughput()]).unwrap();
     writer.write(&[stage()]).unwrap();
-    writer.write(&[locate()]).unwrap();
-    writer.write(&[contact()]).unwrap();
-    assert!(writer.write(&[ContactRow { registered: 8, ..contact() }]).is_err());
-    assert!(writer.write(&[ContactRow { ended: 4, ..contact() }]).is_err());
+    writer.write(&[pair()]).unwrap();
+    assert!(writer.write(&[PairRow { ended: 8, ..pair() }]).is_err());
+    writer.append(&[Record::of(&PairRow { asked: None, ..pair() }).unwrap()]).unwrap();
+    assert!(Record::of(&PairRow { ended: 8, ..pair() }).is_err());
     writer.write(&[precision()]).unwrap();
     writer.add_map("a map", b"not really a PNG").unwrap();
     assert!(writer.add_map("../escape", b"").is_err());
@@ -163,12 +166,15 @@ fn every_table_survives_the_disk() {
 
     let run = RunDir::open(folder.path()).unwrap();
     assert!(run.is_complete());
-    assert_eq!((run.plan, run.env), (plan(), env));
+    assert_eq!((&run.plan, &run.env), (&plan(), &env));
+    assert_eq!(run.plan.arguments(), ["far/near.toml"]);
     assert_eq!(run.summary, [summary("one"), summary("two")]);
     assert_eq!(run.findings[0], finding());
     assert_eq!(run.findings[1].log2_relative_det, None);
-    assert_eq!((run.throughput, run.stages, run.locate), (vec![throughput()], vec![stage()], vec![locate()]));
-    assert_eq!((run.contacts, run.precision), (vec![contact()], vec![precision()]));
+    let pairs = vec![pair(), PairRow { asked: None, ..pair() }];
+    assert_eq!(run.records(MORE[0]), pairs.iter().map(|row| Record::of(row).unwrap()).collect::<Vec<_>>());
+    assert_eq!(run.rows(), Ok(pairs));
+    assert_eq!((run.throughput, run.stages, run.precision), (vec![throughput()], vec![stage()], vec![precision()]));
     assert_eq!(run.maps, [("a map".to_owned(), b"not really a PNG".to_vec())]);
     assert_eq!(run.warnings, Vec::<String>::new());
 }
@@ -185,8 +191,6 @@ fn columns_are_the_fields_in_their_order() {
     assert_eq!(header(&finding()), FindingRow::COLUMNS);
     assert_eq!(header(&throughput()), ThroughputRow::COLUMNS);
     assert_eq!(header(&stage()), StageRow::COLUMNS);
-    assert_eq!(header(&locate()), LocateRow::COLUMNS);
-    assert_eq!(header(&contact()), ContactRow::COLUMNS);
     assert_eq!(header(&precision()), PrecisionRow::COLUMNS);
     // The class columns hold the counts of their classes.
     let row = serde_json::to_value(summary("")).unwrap();
@@ -200,7 +204,7 @@ fn a_folder_that_is_not_empty_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     killed(folder.path());
     let before = fs::read(folder.path().join("summary.csv")).unwrap();
-    let error = RunWriter::create(folder.path(), &plan(), &Env::default()).err().unwrap();
+    let error = create(folder.path(), &plan(), &Env::default()).err().unwrap();
     assert!(error.to_string().contains("not empty"), "{error}");
     assert_eq!(fs::read(folder.path().join("summary.csv")).unwrap(), before);
 }
@@ -215,7 +219,7 @@ fn a_run_is_incomplete_until_it_says_otherwise() {
     let missing = run.not_run();
     assert_eq!((missing.len(), &*missing[0].scene, &*missing[0].backend), (1, "two", "exact"));
 
-    let (writer, _) = RunWriter::resume(folder.path()).unwrap();
+    let (writer, _) = resume(folder.path()).unwrap();
     writer.finish(Outcome::Complete).unwrap();
     assert!(!RunDir::open(folder.path()).unwrap().is_complete(), "a planned scene is still missing");
 }
@@ -249,7 +253,7 @@ fn a_line_that_parses_but_lacks_its_end_is_not_trusted() {
 #[test]
 fn a_complete_run_has_no_cut_lines() {
     let folder = tempfile::tempdir().unwrap();
-    RunWriter::create(folder.path(), &plan(), &Env::default()).unwrap().finish(Outcome::Complete).unwrap();
+    create(folder.path(), &plan(), &Env::default()).unwrap().finish(Outcome::Complete).unwrap();
     append(folder.path(), "stages.csv", "orient2d,near,exact,filter,1");
     let error = RunDir::open(folder.path()).unwrap_err();
     assert_eq!(error.line, Some(2));
@@ -276,11 +280,26 @@ fn errors_name_file_and_line() {
 
     let folder = tempfile::tempdir().unwrap();
     killed(folder.path());
-    fs::write(folder.path().join("locate.csv"), "suite,scene\n").unwrap();
+    append(folder.path(), "pairs.csv", "a,b,3,4\na,b,5,4\n");
+    let error = RunDir::open(folder.path()).unwrap().rows::<PairRow>().unwrap_err().to_string();
+    assert!(error.contains("pairs.csv:3: more have ended"), "{error}");
+    fs::write(folder.path().join("pairs.csv"), "scene,asked\n").unwrap();
+    let run = RunDir::open(folder.path()).unwrap();
+    let error = run.rows::<PairRow>().unwrap_err().to_string();
+    assert!(error.contains("pairs.csv:1: the columns must be scene,backend,ended,asked"), "{error}");
+    assert_eq!(run.records(MORE[0]), [], "it has other columns");
+    fs::write(folder.path().join("stages.csv"), "task,family\n").unwrap();
     let error = RunDir::open(folder.path()).unwrap_err().to_string();
-    assert!(error.contains("locate.csv:1: the columns must be suite,scene,scene_id"), "{error}");
-    fs::remove_file(folder.path().join("locate.csv")).unwrap();
-    assert!(RunDir::open(folder.path()).is_err(), "a missing table is no empty table");
+    assert!(error.contains("stages.csv:1: the columns must be task,family,backend"), "{error}");
+
+    for file in ["stages.csv", "pairs.csv"] {
+        let folder = tempfile::tempdir().unwrap();
+        killed(folder.path());
+        fs::remove_file(folder.path().join(file)).unwrap();
+        let error =
+            RunDir::open(folder.path()).err().unwrap_or_else(|| panic!("{file}: a missing table is no empty table"));
+        assert!(error.to_string().contains(file), "{error}");
+    }
 
     fs::write(folder.path().join("plan.json"), "{\n \"format\": 1,\n \"level\": \"slow\"\n}\n").unwrap();
     let error = RunDir::open(folder.path()).unwrap_err().to_string();
@@ -291,7 +310,7 @@ fn errors_name_file_and_line() {
 fn newer_formats_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let plan = Plan { format: FORMAT + 1, ..plan() };
-    drop(RunWriter::create(folder.path(), &plan, &Env::default()).unwrap());
+    drop(create(folder.path(), &plan, &Env::default()).unwrap());
     let error = RunDir::open(folder.path()).unwrap_err();
     assert!(error.message.contains("format 2"), "{error}");
 }
@@ -305,7 +324,7 @@ fn a_resumed_run_forgets_the_scene_that_was_not_committed() {
     append(folder.path(), "stages.csv", "orient2d,near,ex");
     assert_eq!(RunDir::open(folder.path()).unwrap().findings.len(), 2);
 
-    let (mut writer, done) = RunWriter::resume(folder.path()).unwrap();
+    let (mut writer, done) = resume(folder.path()).unwrap();
     assert_eq!((done.findings, done.summary), (vec![finding()], vec![summary("one")]));
     assert_eq!(done.warnings, Vec::<String>::new());
     writer.write(&[summary("two")]).unwrap();
@@ -314,7 +333,7 @@ fn a_resumed_run_forgets_the_scene_that_was_not_committed() {
     let run = RunDir::open(folder.path()).unwrap();
     assert!(run.is_complete());
     assert_eq!(run.summary, [summary("one"), summary("two")]);
-    let error = RunWriter::resume(folder.path()).err().unwrap();
+    let error = resume(folder.path()).err().unwrap();
     assert!(error.to_string().contains("complete"), "{error}");
 }
 
@@ -337,19 +356,44 @@ fn a_table_younger_than_the_folder_is_empty_and_started_when_resumed() {
     take_away(folder.path(), PrecisionRow::FILE, true);
     assert_eq!(RunDir::open(folder.path()).unwrap().precision, []);
 
-    let (mut writer, done) = RunWriter::resume(folder.path()).unwrap();
+    let (mut writer, done) = resume(folder.path()).unwrap();
     assert_eq!((done.precision, done.summary), (vec![], vec![summary("one")]));
     writer.write(&[precision()]).unwrap();
     drop(writer); // killed once more, before a commit
-    let (mut writer, done) = RunWriter::resume(folder.path()).unwrap();
+    let (mut writer, done) = resume(folder.path()).unwrap();
     assert_eq!(done.precision, []);
     writer.write(&[precision()]).unwrap();
     writer.finish(Outcome::Interrupted).unwrap();
-    assert_eq!(RunWriter::resume(folder.path()).unwrap().1.precision, [precision()]);
+    assert_eq!(resume(folder.path()).unwrap().1.precision, [precision()]);
 
     take_away(folder.path(), PrecisionRow::FILE, false);
     assert!(RunDir::open(folder.path()).is_err(), "the run had written it");
-    assert!(RunWriter::resume(folder.path()).is_err(), "the run had written it");
+    assert!(resume(folder.path()).is_err(), "the run had written it");
+}
+
+#[test]
+fn tables_of_tasks_grow_and_shrink_with_the_others() {
+    let folder = tempfile::tempdir().unwrap();
+    drop(RunWriter::create(folder.path(), &plan(), &Env::default(), &[]).unwrap());
+    assert_eq!(RunDir::open(folder.path()).unwrap().rows::<PairRow>(), Ok(vec![]), "there is no such table");
+    let (mut writer, _) = RunWriter::resume(folder.path(), &[]).unwrap();
+    let error = writer.write(&[pair()]).unwrap_err().to_string();
+    assert!(error.contains("pairs.csv: a run folder has no such table"), "{error}");
+    assert!(writer.append(&[Record::of(&pair()).unwrap()]).is_err());
+    drop(writer);
+
+    // Resumed with a table that is younger than the folder: started, committed, and cut back like the others.
+    let (mut writer, _) = resume(folder.path()).unwrap();
+    writer.write(&[pair()]).unwrap();
+    writer.commit().unwrap();
+    writer.write(&[PairRow { ended: 1, ..pair() }]).unwrap();
+    drop(writer);
+    assert_eq!(RunDir::open(folder.path()).unwrap().rows::<PairRow>().unwrap().len(), 2);
+    let (writer, done) = resume(folder.path()).unwrap();
+    assert_eq!(done.rows(), Ok(vec![pair()]));
+    writer.finish(Outcome::Complete).unwrap();
+    append(folder.path(), PairRow::FILE, "half,a");
+    assert!(RunDir::open(folder.path()).unwrap_err().to_string().contains("the last line is cut off"));
 }
 
 #[test]
@@ -359,14 +403,14 @@ fn a_run_that_lost_rows_can_t_be_resumed() {
     let path = folder.path().join("summary.csv");
     let text = fs::read_to_string(&path).unwrap();
     fs::write(&path, &text[..text.len() - 1]).unwrap();
-    let error = RunWriter::resume(folder.path()).err().unwrap();
+    let error = resume(folder.path()).err().unwrap();
     assert!(error.to_string().contains("bytes are left"), "{error}");
 }
 
 #[test]
 fn rows_that_make_no_sense_are_not_written() {
     let folder = tempfile::tempdir().unwrap();
-    let mut writer = RunWriter::create(folder.path(), &plan(), &Env::default()).unwrap();
+    let mut writer = create(folder.path(), &plan(), &Env::default()).unwrap();
     assert!(writer.write(&[ThroughputRow { ns_per_query: f64::INFINITY, ..throughput() }]).is_err());
     assert!(writer.write(&[FindingRow { distance_over_l: Some(-1.0), ..finding() }]).is_err());
     assert!(writer.write(&[PrecisionRow { bits: -1, ..precision() }]).is_err());

@@ -1,23 +1,23 @@
 //! The embedded suites are what they say they are.
 
-mod common;
-
 use std::collections::{BTreeMap, BTreeSet};
 
-use common::{determinant, queries, sign};
-use predicament_corpus::{
-    Cache, FamilyInfo, Level, Library, LoadedScene, ProbeKind, SceneDef, Task, Work, content_id, degeneracy, families,
-    fmt,
-};
+use predicament_corpus::{Family, Level, Library, LoadedScene, SceneDef, Suite, content_id, fmt};
+use predicament_formats::Cache;
 use predicament_predicates::{Sign, Vertex};
+use predicament_tasks::polygon_locate::{MapWithProbes, ProbeKind};
+use predicament_tasks::signs::{SignQueries, degeneracy};
+use predicament_tasks::vocabulary;
 use rug::Rational;
+
+use crate::common::{determinant, queries, sign};
 
 fn cache() -> Cache {
     Cache::new("/nonexistent/predicament-cache")
 }
 
 fn library() -> Library {
-    Library::embedded().unwrap()
+    Library::embedded(vocabulary()).unwrap()
 }
 
 fn definition(name: &str) -> SceneDef {
@@ -51,7 +51,7 @@ fn ids_are_pinned_on_every_platform() {
 #[test]
 fn the_folder_and_the_embedded_copy_are_the_same() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../corpora");
-    let library = Library::from_dir(&folder).unwrap();
+    let library = Library::from_dir(vocabulary(), &folder).unwrap();
     let names = |library: &Library| -> Vec<(String, usize)> {
         library.suites().iter().map(|suite| (suite.name.clone(), suite.scenes.len())).collect()
     };
@@ -59,7 +59,7 @@ fn the_folder_and_the_embedded_copy_are_the_same() {
     assert_eq!(library.manifest(), self::library().manifest());
     for suite in library.suites() {
         let text = std::fs::read_to_string(suite.file()).unwrap();
-        assert_eq!(fmt(suite.file(), &text).unwrap(), text, "{} is not formatted", suite.file());
+        assert_eq!(fmt(vocabulary(), suite.file(), &text).unwrap(), text, "{} is not formatted", suite.file());
         assert!(!suite.description.is_empty() && suite.scenes.iter().all(|scene| !scene.analysis.is_empty()));
         assert!(suite.scenes.iter().all(|scene| !scene.source.is_empty()), "{}", suite.name);
     }
@@ -67,28 +67,26 @@ fn the_folder_and_the_embedded_copy_are_the_same() {
 
 #[test]
 fn every_family_is_in_a_suite_for_every_task() {
-    let mut used: BTreeSet<(String, Task)> = BTreeSet::new();
-    for loaded in offline() {
-        used.insert((loaded.family, loaded.task));
-    }
-    for &FamilyInfo { reported_as, tasks, .. } in families() {
-        for &task in tasks {
-            // a scene of contacts is a family of its own, here named after the generator's
-            let is_it = |family: &str| match task {
-                Task::Contacts2d | Task::Contacts3d => family.starts_with(reported_as),
-                _ => family == reported_as,
-            };
-            assert!(used.iter().any(|(family, of)| *of == task && is_it(family)), "{reported_as} for {task}");
+    let used: BTreeSet<(String, &str)> = offline().into_iter().map(|loaded| (loaded.family, loaded.task)).collect();
+    let mut families = 0;
+    for task in vocabulary().tasks() {
+        for &Family { name, reported_as, .. } in task.families() {
+            // Where a scene is a family of its own, it is named after the generator here.
+            let is_it =
+                |family: &str| reported_as.map_or(family.starts_with(name), |reported_as| family == reported_as);
+            assert!(used.iter().any(|(family, of)| *of == task.name() && is_it(family)), "{name} for {}", task.name());
+            families += 1;
         }
     }
+    assert!(families > 60, "{families} pairs of family and task");
 }
 
 #[test]
 fn a_rename_keeps_the_id_and_a_change_does_not() {
     let loaded = load("near-orient2d-ulps-4");
-    assert_eq!(content_id(&loaded.scene, &loaded.work), loaded.id);
+    assert_eq!(content_id(&loaded.scene, loaded.content.as_ref()), loaded.id);
     let parse = |text: &str| {
-        let suite = predicament_corpus::Suite::parse("s.toml", text, None, library().manifest()).unwrap();
+        let suite = Suite::parse(vocabulary(), "s.toml", text, None, library().manifest()).unwrap();
         suite.scenes[0].load(Level::Quick, &cache()).unwrap().id
     };
     let text = "title = \"t\"\n[[scene]]\nname = \"a\"\ntask = \"orient2d\"\npoints = [[0, 0], [1, 0], [0, 2]]\n";
@@ -125,10 +123,10 @@ fn the_first_queries_of_a_larger_amount_are_those_of_a_smaller_one() {
         let suite = library.suite(&small.suite).unwrap();
         let text = library.companion(&format!("{}.toml", suite.name)).unwrap().unwrap().1;
         let larger = text.replace("\nn = ", "\nn = 1");
-        let suite = predicament_corpus::Suite::parse("larger.toml", &larger, None, library.manifest()).unwrap();
+        let suite = Suite::parse(vocabulary(), "larger.toml", &larger, None, library.manifest()).unwrap();
         let scene = suite.scenes.iter().find(|scene| scene.name == name).unwrap();
         let large = scene.load(Level::Quick, &cache()).unwrap();
-        assert!(large.work.len() > small.work.len());
+        assert!(large.count() > small.count());
         assert!(large.scene.coordinates().starts_with(small.scene.coordinates()), "{name}");
         assert!(queries(&large).flat().starts_with(queries(&small).flat()), "{name}");
         assert!(large.scene.constructions().starts_with(small.scene.constructions()), "{name}");
@@ -139,9 +137,9 @@ fn the_first_queries_of_a_larger_amount_are_those_of_a_smaller_one() {
 fn degenerate_families_are_degenerate() {
     let mut seen = 0;
     for loaded in offline().iter().filter(|loaded| loaded.family == "degen") {
-        let histogram = degeneracy(loaded);
-        assert_eq!((histogram.zeros, histogram.total()), (loaded.work.len(), loaded.work.len()), "{}", loaded.name);
-        for query in (0..loaded.work.len()).step_by(10) {
+        let histogram = degeneracy(&loaded.scene, queries(loaded));
+        assert_eq!((histogram.zeros, histogram.total()), (loaded.count(), loaded.count()), "{}", loaded.name);
+        for query in (0..loaded.count()).step_by(10) {
             assert_eq!(sign(loaded, query), Sign::Zero, "{} {query}", loaded.name);
         }
         // Not because points coincide.
@@ -162,15 +160,16 @@ fn the_histogram_counts_zeros_as_the_judge_does() {
         ["grid-incircle", "kettner-orient2d", "wide-mixed-orient3d", "wide-scaled-insphere", "near-compare-ulps-4"]
     {
         let loaded = load(name);
-        let zeros = (0..loaded.work.len()).filter(|&query| sign(&loaded, query).is_zero()).count();
-        assert_eq!(degeneracy(&loaded).zeros, zeros, "{name}");
+        let zeros = (0..loaded.count()).filter(|&query| sign(&loaded, query).is_zero()).count();
+        assert_eq!(degeneracy(&loaded.scene, queries(&loaded)).zeros, zeros, "{name}");
     }
 }
 
 #[test]
 fn near_families_are_near_and_uniform_ones_are_not() {
     let median = |name: &str| {
-        let histogram = degeneracy(&load(name));
+        let loaded = load(name);
+        let histogram = degeneracy(&loaded.scene, queries(&loaded));
         let half = histogram.buckets.values().sum::<usize>() / 2;
         let mut sum = 0;
         histogram.buckets.into_iter().find(|(_, count)| {
@@ -193,7 +192,7 @@ fn bands_are_met_at_both_edges_from_both_sides() {
         let loaded = load(name);
         let unit = Rational::from(1) << exponent;
         let mut met: BTreeMap<(usize, bool, bool), usize> = BTreeMap::new();
-        for query in 0..loaded.work.len() {
+        for query in 0..loaded.count() {
             let det: Rational = determinant(&loaded, query) / &unit;
             let (size, positive) = (det.clone().abs(), det.cmp0().is_gt());
             let nearest = (0..3).find(|&at| {
@@ -269,7 +268,7 @@ fn pixel_maps_are_squares_of_neighbours_that_naive_arithmetic_gets_wrong() {
     for name in ["kettner-pixels-a", "kettner-pixels-b", "kettner-pixels-c"] {
         let loaded = load(name);
         let side = 256;
-        assert_eq!((loaded.scene.len(), loaded.work.len()), (side * side + 2, side * side));
+        assert_eq!((loaded.scene.len(), loaded.count()), (side * side + 2, side * side));
         let pixel = |i: usize, j: usize| loaded.scene.point(Vertex::input(j * side + i));
         let corner = pixel(0, 0);
         let mut wrong = 0;
@@ -294,6 +293,10 @@ fn pixel_maps_are_squares_of_neighbours_that_naive_arithmetic_gets_wrong() {
         }
         assert!(wrong > 500, "{name}: only {wrong} wrong signs");
     }
+}
+
+fn content_of_map(loaded: &LoadedScene) -> &MapWithProbes {
+    loaded.content().unwrap_or_else(|| panic!("{} is no map", loaded.name))
 }
 
 /// Whether p is strictly inside the rings by crossing parity, exactly, or on them.
@@ -322,7 +325,7 @@ fn inside(rings: &[Vec<[f64; 2]>], p: [f64; 2]) -> Option<bool> {
 fn tilings_tile() {
     for name in ["tiling", "bricks"] {
         let loaded = load(name);
-        let Work::Locate { map, probes } = &loaded.work else { panic!("{name} is no map") };
+        let MapWithProbes { map, probes, .. } = content_of_map(&loaded);
         // A border between two regions is walked once in each direction.
         let mut directed = BTreeSet::new();
         for (_, edge) in map.edges() {
@@ -353,7 +356,7 @@ fn tilings_tile() {
 fn probes_are_vertices_of_their_own_where_they_should_be() {
     for name in ["tiling", "bricks"] {
         let loaded = load(name);
-        let Work::Locate { map, probes } = &loaded.work else { panic!("{name} is no map") };
+        let MapWithProbes { map, probes, .. } = content_of_map(&loaded);
         let leading = probes.iter().step_by(2).count();
         let corners = loaded.scene.len() - probes.len();
         let of_map = leading..leading + corners;
@@ -410,13 +413,13 @@ fn fetched_suites_load_and_the_fixtures_signs_are_right() {
         for scene in &suite.scenes {
             let loaded = scene.load(Level::Quick, &cache).unwrap();
             scenes += 1;
-            if let Some(expected) = &loaded.expected {
-                assert_eq!((expected.len(), loaded.work.len()), (1000, 1000));
+            if let Some(SignQueries { expected: Some(expected), .. }) = loaded.content() {
+                assert_eq!((expected.len(), loaded.count()), (1000, 1000));
                 for (query, &expected) in expected.iter().enumerate() {
                     assert_eq!(sign(&loaded, query), expected, "{} {query}", loaded.name);
                 }
             }
-            if let Work::Locate { map, .. } = &loaded.work {
+            if let Some(MapWithProbes { map, .. }) = loaded.content() {
                 assert!(map.regions().len() > 170, "{}: {} regions", loaded.name, map.regions().len());
             }
         }

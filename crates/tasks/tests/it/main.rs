@@ -1,0 +1,10 @@
+//! The integration tests, as one binary: each further one would link the crate and compile what they share again.
+
+mod bad_files;
+mod common;
+mod constructed;
+mod contacts;
+mod corpora;
+mod fmt;
+mod pages;
+mod tables;

@@ -1,0 +1,116 @@
+//! The tables of tasks: columns, checks, and the way to the disk and back.
+
+use predicament_records::{Env, Outcome, Plan, Record, Row, RunDir, RunWriter, TableSpec};
+use predicament_tasks::built_in;
+use predicament_tasks::contacts::ContactRow;
+use predicament_tasks::cube_union::MassRow;
+use predicament_tasks::polygon_locate::LocateRow;
+
+fn locate() -> LocateRow {
+    LocateRow {
+        suite: "maps".to_owned(),
+        scene: "a".to_owned(),
+        scene_id: "b".to_owned(),
+        backend: "sos".to_owned(),
+        surroundings: "land".to_owned(),
+        probes: 1,
+        in_none: 2,
+        in_one: 3,
+        in_many: 4,
+        on_boundary: 5,
+        violations: 6,
+    }
+}
+
+fn contact() -> ContactRow {
+    ContactRow {
+        suite: "contacts".to_owned(),
+        scene: "a".to_owned(),
+        scene_id: "b".to_owned(),
+        task: "contacts3d".to_owned(),
+        backend: "sos".to_owned(),
+        rank_a: 1,
+        rank_b: 2,
+        candidates: 12,
+        ended: 5,
+        asked: 7,
+        registered: 6,
+    }
+}
+
+fn mass() -> MassRow {
+    MassRow {
+        suite: "cubes".to_owned(),
+        scene: "a".to_owned(),
+        scene_id: "b".to_owned(),
+        backend: "sos".to_owned(),
+        cubes: 1,
+        volume: -0.1,
+        true_volume: 0.1 + 0.2,
+        area: f64::INFINITY,
+        true_area: 5e-324,
+        edge_length: 0.0,
+        true_edge_length: f64::MAX,
+        corners: 2,
+        edge_faces: 3,
+        three_faces: 4,
+    }
+}
+
+/// The tables of all tasks, each once.
+fn tables() -> Vec<TableSpec> {
+    let mut tables: Vec<TableSpec> = built_in().iter().flat_map(|task| task.own_tables()).collect();
+    tables.dedup();
+    tables
+}
+
+#[test]
+fn columns_are_the_fields_in_their_order() {
+    fn header<R: Row>(row: &R) -> Vec<String> {
+        let value = serde_json::to_string(row).unwrap();
+        let mut names: Vec<(usize, String)> = serde_json::from_str::<serde_json::Map<_, _>>(&value)
+            .unwrap()
+            .keys()
+            .map(|name| (value.find(&format!("\"{name}\":")).unwrap(), name.clone()))
+            .collect();
+        names.sort();
+        names.into_iter().map(|(_, name)| name).collect()
+    }
+    assert_eq!(header(&locate()), LocateRow::COLUMNS);
+    assert_eq!(header(&contact()), ContactRow::COLUMNS);
+    assert_eq!(header(&mass()), MassRow::COLUMNS);
+    let all = [TableSpec::of::<LocateRow>(), TableSpec::of::<MassRow>(), TableSpec::of::<ContactRow>()];
+    assert_eq!(tables(), all);
+}
+
+#[test]
+fn every_table_survives_the_disk() {
+    let folder = tempfile::tempdir().unwrap();
+    let plan = RunDir::open("tests/data/checked").unwrap().plan;
+    let plan = Plan { scenes: Vec::new(), ..plan };
+    let mut writer = RunWriter::create(folder.path(), &plan, &Env::default(), &tables()).unwrap();
+    writer.write(&[locate()]).unwrap();
+    let records = [Record::of(&contact()).unwrap(), Record::of(&mass()).unwrap(), Record::of(&locate()).unwrap()];
+    writer.append(&records).unwrap();
+    writer.finish(Outcome::Complete).unwrap();
+    let run = RunDir::open(folder.path()).unwrap();
+    assert_eq!(run.rows(), Ok(vec![locate(), locate()]));
+    assert_eq!(run.rows(), Ok(vec![contact()]));
+    assert_eq!(run.rows(), Ok(vec![mass()]));
+}
+
+#[test]
+fn rows_that_make_no_sense_are_not_written() {
+    for contact in [ContactRow { registered: 8, ..contact() }, ContactRow { ended: 4, ..contact() }] {
+        assert!(Record::of(&contact).is_err());
+    }
+    let masses = [
+        MassRow { true_volume: 0.0, ..mass() },
+        MassRow { true_area: -1.0, ..mass() },
+        MassRow { true_edge_length: f64::NAN, ..mass() },
+        MassRow { true_edge_length: f64::INFINITY, ..mass() },
+    ];
+    for mass in masses {
+        assert!(Record::of(&mass).is_err(), "{mass:?}");
+    }
+}
