@@ -6,5 +6,6 @@ mod constructed;
 mod contacts;
 mod corpora;
 mod fmt;
+mod outside;
 mod pages;
 mod tables;
