@@ -48,9 +48,9 @@ fn mass() -> MassRow {
         volume: -0.1,
         true_volume: 0.1 + 0.2,
         area: f64::INFINITY,
-        true_area: 5e-324,
+        limit_area: 5e-324,
         edge_length: 0.0,
-        true_edge_length: f64::MAX,
+        limit_edge_length: f64::MAX,
         corners: 2,
         edge_faces: 3,
         three_faces: 4,
@@ -106,9 +106,9 @@ fn rows_that_make_no_sense_are_not_written() {
     }
     let masses = [
         MassRow { true_volume: 0.0, ..mass() },
-        MassRow { true_area: -1.0, ..mass() },
-        MassRow { true_edge_length: f64::NAN, ..mass() },
-        MassRow { true_edge_length: f64::INFINITY, ..mass() },
+        MassRow { limit_area: -1.0, ..mass() },
+        MassRow { limit_edge_length: f64::NAN, ..mass() },
+        MassRow { limit_edge_length: f64::INFINITY, ..mass() },
     ];
     for mass in masses {
         assert!(Record::of(&mass).is_err(), "{mass:?}");
