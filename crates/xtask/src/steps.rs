@@ -29,7 +29,7 @@ pub fn demo() -> Result<(), String> {
         cargo(what, &all.iter().chain(args).copied().collect::<Vec<_>>())
     };
     tool("run the embedded corpora", &["run", "--out", &run])?;
-    tool("time the backends", &["bench", "--out", &bench])?;
+    tool("time the backends", &["bench", "--judged", &run, "--out", &bench])?;
     tool("write the report", &["report", &run, &bench, "--out", &report])?;
     println!("\nOpen {report}/report.html");
     Ok(())

@@ -6,7 +6,7 @@ use predicament::corpus::LoadedScene;
 use predicament::predicates::{Axis, PredicateKind, Predicates, Query, Scene, Sign, Vertex};
 use predicament::records::{self, RunDir, TableSpec};
 use predicament::report::Section;
-use predicament::tasks::{Answer, Asked, Case, Contestant, Explanation, How, Outcome, Stop, Task, Watch, digest};
+use predicament::tasks::{Answer, Asked, Case, Contestant, Explanation, Halt, How, Outcome, Stop, Task, Watch, digest};
 
 use crate::{Among, LeftmostRow, judge, section};
 
@@ -50,7 +50,7 @@ impl Task for Leftmost {
         content: &Among,
         how: &How<'_>,
         answer: &mut Found,
-    ) -> Result<(), Stop> {
+    ) -> Result<(), Halt> {
         let found = &mut answer.0;
         found.clear();
         for chunk in content.0.chunks(CHUNK) {

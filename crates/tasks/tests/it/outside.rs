@@ -15,8 +15,8 @@ use predicament_predicates::{Dimension, Plane, PredicateKind, Predicates, Query,
 use predicament_records::{Env, Outcome as Ended, Plan, Row, RunDir, RunWriter, TableSpec};
 use predicament_report::{Block, Cell, Section, Table, html, markdown};
 use predicament_tasks::{
-    Answer, AnyCase, AnyTask, Asked, Budget, Case, Class, Contestant, Explanation, Finding, How, Outcome, Stop, Task,
-    TaskList, Watch, built_in, digest,
+    Answer, AnyCase, AnyTask, Asked, Budget, Case, Class, Contestant, Explanation, Finding, Halt, How, Outcome, Stop,
+    Task, TaskList, Watch, built_in, digest,
 };
 use serde::{Deserialize, Serialize};
 
@@ -139,10 +139,10 @@ impl Task for LeftTurns {
         content: &Stride,
         how: &How<'_>,
         answer: &mut Count,
-    ) -> Result<(), Stop> {
+    ) -> Result<(), Halt> {
         let left = |&&[a, b, c]: &&[Vertex; 3]| session.orient2d(Plane::Xy, a, b, c) == Sign::Positive;
         answer.0 = content.turns(session.scene()).iter().filter(left).count() as u64;
-        how.watch.done(1)
+        Ok(how.watch.done(1)?)
     }
 
     fn judge(
