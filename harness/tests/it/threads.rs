@@ -4,8 +4,8 @@ use tempfile::tempdir;
 
 use crate::common::{assert_same_tables, at, run, tables};
 
-/// A part of the corpora that has signs, ties, findings and a row for every table, and the studies with folders.
-const SOME: [&[&str]; 4] = [
+/// A part of the corpora that has signs, ties, findings and a row for every table. And the study with a folder that works in parallel.
+const SOME: [&[&str]; 2] = [
     &[
         "run",
         "-f",
@@ -14,8 +14,6 @@ const SOME: [&[&str]; 4] = [
         "exact,sos,naive,tolerance",
     ],
     &["parity", "--pairs", "60", "--shrink", "1"],
-    &["audit", "--decisions", "5000"],
-    &["resolution", "-b", "tolerance", "--trials", "2"],
 ];
 
 #[test]

@@ -150,7 +150,7 @@ fn what_no_task_knows_is_refused() {
         ),
         (
             "[[scene]]\nname = \"a\"\ntask = \"first\"\npoints = [[0, 0]]\nheigth = 1\n",
-            "s.toml:6: the scene key `heigth` is unknown; did you mean `height`?",
+            "s.toml:6: a scene has no key `heigth`; remove it or use one of analysis, height, ",
         ),
         (
             "[[generate]]\nfamily = \"column\"\ntask = \"first\"\nn = 1\n",
