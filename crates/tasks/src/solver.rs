@@ -40,6 +40,9 @@ pub enum Halt {
     Stopped(Stop),
 }
 
+/// What takes a session and the answer that it gave.
+type Then<'t> = dyn FnMut(&dyn Predicates, &dyn Any) -> Result<(), Stop> + 't;
+
 impl From<Stop> for Halt {
     fn from(stop: Stop) -> Halt {
         Halt::Stopped(stop)
@@ -91,7 +94,7 @@ pub trait Solver: Send + Sync {
         content: &dyn Content,
         counts: &Counts,
         how: &How<'_>,
-        then: &mut dyn FnMut(&dyn Predicates, &dyn Any) -> Result<(), Stop>,
+        then: &mut Then<'_>,
     ) -> Result<(), Halt>;
 
     /// Prepares the backend for timed passes on so many threads.
@@ -156,7 +159,7 @@ impl<B: Backend + 'static, T: Task> Solver for OnTask<B, T> {
         content: &dyn Content,
         counts: &Counts,
         how: &How<'_>,
-        then: &mut dyn FnMut(&dyn Predicates, &dyn Any) -> Result<(), Stop>,
+        then: &mut Then<'_>,
     ) -> Result<(), Halt> {
         let mut session = self.prepare(scene, counts).map_err(Halt::Refused)?;
         let mut answer = T::Answer::default();

@@ -29,7 +29,7 @@ impl<'a> Case<'a> {
     pub fn of(case: &'a dyn AnyCase) -> Option<Case<'a>> {
         let content = case.loaded().content::<MapWithProbes>()?;
         let scene = &case.loaded().scene;
-        let (index, probes) = (content.index(scene), content.vertices());
+        let (index, probes) = (content.locate_index(scene), content.vertices());
         let exact = Rc::new(question_all(index, &Judged::exact(scene), &probes, &|_| true));
         Some(Case { scene, map: &content.map, index, probes, exact })
     }

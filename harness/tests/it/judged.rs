@@ -26,7 +26,7 @@ fn judgements_are_taken_over_and_answers_compared() {
     // Were it judged again, the row would be as it was.
     let path = folder.path().join("run/summary.csv");
     let rows = read(&out, "summary.csv");
-    let changed = rows.replacen(",exact,", ",exact,", 1).replacen(",ok", ",expected", 1);
+    let changed = rows.replacen(",ok", ",expected", 1);
     assert_ne!(changed, rows);
     std::fs::write(&path, &changed).unwrap();
     let (_, _, summary) = bench("second");

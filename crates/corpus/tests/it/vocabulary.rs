@@ -88,7 +88,7 @@ static FAMILIES: [Family; 2] = [
             let place = fields.required("place")?.integer(0..=9)?;
             let x = f64::from(u32::try_from(place).unwrap());
             Ok(Recipe::new(move |making| {
-                let coordinates = [x, making.seed as f64].into();
+                let coordinates = [x, f64::from(u32::try_from(making.seed).unwrap())].into();
                 Parts::new(Scene::new(Dimension::Two, coordinates).unwrap(), Height(place))
             })
             .of_size(1))

@@ -37,7 +37,9 @@ fn edges_through_a_flat_face() {
         let edges: Vec<[usize; 2]> = (0..4).map(|i| if shared { [i, i + 1] } else { [2 * i, 2 * i + 1] }).collect();
         let ends = if shared { 5 } else { 8 };
         points.extend(
-            (0..ends).map(|i: u32| [f64::from(i * i % 7), f64::from(3 * i % 5), if i % 2 == 0 { -1.0 } else { 2.0 }]),
+            (0..ends).map(|i: u32| {
+                [f64::from(i * i % 7), f64::from(3 * i % 5), if i.is_multiple_of(2) { -1.0 } else { 2.0 }]
+            }),
         );
         for triangle in 0..4 {
             let x = 8.0 * f64::from(triangle);

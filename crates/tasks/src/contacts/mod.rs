@@ -161,7 +161,7 @@ impl Task for Contacts {
                 let supported = session.supports_contacts().map_err(|why| why.to_string());
                 told = supported.map(|()| tell(scene, content, pair, &alone(scene, content, session, pair)));
             });
-            prepared.map_err(|why| why.to_string()).and_then(|()| told)
+            prepared.map_err(|why| why.to_string()).and(told)
         };
         let about = Explanation { vertices: query.vertices().collect(), truth: vec![truth], ..Explanation::default() };
         Ok(about.with_answers(backends, ask))

@@ -36,7 +36,7 @@ impl MapWithProbes {
     }
 
     /// The map's edges, ready for queries. Built once: it asks no predicate, so all backends share it.
-    pub fn index(&self, scene: &Scene) -> &LocateIndex {
+    pub fn locate_index(&self, scene: &Scene) -> &LocateIndex {
         self.index.get_or_init(|| LocateIndex::new(&self.map, scene))
     }
 

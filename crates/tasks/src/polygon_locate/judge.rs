@@ -34,7 +34,7 @@ pub struct Truth {
 impl Truth {
     /// Finds the map's flaws and the truth about the probes.
     pub(super) fn new(scene: &Scene, content: &MapWithProbes, watch: &Watch) -> Result<Truth, Stop> {
-        let (index, probes) = (content.index(scene), content.vertices());
+        let (index, probes) = (content.locate_index(scene), content.vertices());
         let session = Judged::exact(scene);
         let flaws = map_flaws(index, &session);
         watch.done(0)?;
@@ -85,7 +85,7 @@ pub(super) fn judge(
     let contract = asked.contract(PredicateKind::Orient2d);
     let zero = contract.zero;
     let probes: Vec<Vertex> = content.vertices();
-    let short = Located(locate_all(content.index(case.scene()), asked.session, &probes, &|_| true));
+    let short = Located(locate_all(content.locate_index(case.scene()), asked.session, &probes, &|_| true));
     outcome.digest = Some(short.digest());
     // Proved signs are exact ones, or those of one perturbed scene.
     let shortcut = (contract.proved && zero != ZeroMeaning::Band).then_some(&short.0);

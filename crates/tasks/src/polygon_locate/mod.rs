@@ -102,7 +102,7 @@ impl Task for PolygonLocate {
         how: &How<'_>,
         answer: &mut Located,
     ) -> Result<(), Halt> {
-        let (session, index) = (&*session, content.index(session.scene()));
+        let (session, index) = (&*session, content.locate_index(session.scene()));
         let probes = content.vertices();
         answer.0 = match how.purpose {
             Purpose::Judge => watched(how.watch, |go_on| question_all(index, session, &probes, go_on))?,
@@ -150,7 +150,7 @@ impl Task for PolygonLocate {
         backends: &[&dyn Contestant],
     ) -> Result<Explanation, String> {
         let probe = query.vertices().next().ok_or_else(|| format!("`{query}` names no probe"))?;
-        let index = content.index(scene);
+        let index = content.locate_index(scene);
         let ask = |backend: &dyn Contestant| {
             let mut told = Err(format!("{} was not asked", backend.name()));
             let prepared = backend.with_session(scene, &mut |session| {
@@ -160,7 +160,7 @@ impl Task for PolygonLocate {
                     if asked == by_shortcut { asked } else { format!("{asked} (by the shortcut: {by_shortcut})") }
                 });
             });
-            prepared.map_err(|why| why.to_string()).and_then(|()| told)
+            prepared.map_err(|why| why.to_string()).and(told)
         };
         let about = Explanation { vertices: vec![probe], ..Explanation::default() };
         Ok(about.with_answers(backends, ask))

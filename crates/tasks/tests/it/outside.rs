@@ -31,7 +31,7 @@ struct Stride(usize);
 impl Stride {
     fn turns(&self, scene: &Scene) -> Vec<[Vertex; 3]> {
         let path: Vec<Vertex> = scene.vertices().step_by(self.0).collect();
-        path.array_windows().copied().collect()
+        path.windows(3).map(|turn| [turn[0], turn[1], turn[2]]).collect()
     }
 }
 
@@ -202,7 +202,7 @@ impl Task for LeftTurns {
         }
         let some = !table.is_empty();
         let (lead, blocks) = ("Turns to the left.".to_owned(), vec![Block::Table(table)]);
-        Ok(some.then(|| Section { id: "left-turns", title: "Left turns", lead, blocks }))
+        Ok(some.then_some(Section { id: "left-turns", title: "Left turns", lead, blocks }))
     }
 }
 
@@ -264,7 +264,7 @@ fn its_scenes_are_read_from_suites() {
         ("\"to-and-fro\"", "\"to-and-fr\"", "s.toml:9: no family is called `to-and-fr`; use one of "),
         ("n = 256", "n = 256\nheight = 1", "s.toml:12: "),
         ("task = \"left-turns\"\nn", "task = \"compare\"\nn", "use it for left-turns"),
-        ("task = \"left-turns\"\ns", "task = \"compare\"\ns", "s.toml:6: "),
+        ("task = \"left-turns\"\ns", "task = \"compare\"\ns", "s.toml:3: 9 points don't divide into queries of 2"),
     ] {
         assert!(SUITE.contains(from), "{from}");
         let error = parse(&SUITE.replace(from, to)).map(drop).unwrap_err().to_string();

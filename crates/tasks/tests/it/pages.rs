@@ -48,7 +48,7 @@ fn numbers_trace_to_rows() {
     let page = page(&runs());
     // A union that came out right, and one that came out negative.
     assert!(page.contains("| 1 | corner-in-corner (cubes) | sos | 2 | 15.0000 | 42.0000 | 48.0000 | 14 | 6 | 0 |"));
-    assert!(page.contains("| 1 | twins (cubes) | exact | 3 | −2.00000 (true: 1.00000) |"), "{page}");
+    assert!(page.contains("| 1 | twins (cubes) | exact | 3 | −2.00000 (expected: 1.00000) |"), "{page}");
     // exact, edges with vertices: 1 of 4 and 3 of 4 had ended; then 2 of 9, 1 of 3 and none of none.
     let contacts = "| 1 | two-triangles (contacts) | contacts2d | exact | 1 (0 % ended) | 1 (50.0 % ended) | 2 (25.0 % ended) |  |";
     assert!(page.contains(contacts), "{page}");
@@ -127,7 +127,7 @@ fn rows_that_make_no_sense_are_errors_that_name_their_line() {
     let bad = [
         ("contacts.csv", "s,n,i,t,b,0,0,9,1,7,6\n", "contacts.csv:9: the candidates are not those that had ended"),
         ("contacts.csv", "s,n,i,t,b,0,0,9,2,7,8\n", "contacts.csv:9: more pairs are registered than were asked about"),
-        ("masses.csv", "s,n,i,b,1,1,1,6,6,12,0,8,0,0\n", "masses.csv:4: a true measure is not positive"),
+        ("masses.csv", "s,n,i,b,1,1,1,6,6,12,0,8,0,0\n", "masses.csv:4: an expected measure is not positive"),
         ("locate.csv", "s,n,i,b,land,1,2,3,4,5,x\n", "locate.csv:8: "),
     ];
     for (table, row, message) in bad {
