@@ -12,10 +12,10 @@
 //!   capacity suffices for every finite input: no rational, no allocation, and
 //!   no condition on exponents.
 //!
-//! Lines and planes may go through constructed vertices in turn. Such [`deep`]
+//! Lines and planes may go through constructed vertices in turn. Such `deep`
 //! vertices have a row like the others, in lowest terms, and the same filter;
 //! only where their rows are longer than any that input vertices define,
-//! determinants are [`whole`] integers on the heap.
+//! determinants are `whole` integers on the heap.
 //!
 //! Compare, orient2d in all projections and orient3d take constructed vertices
 //! in any place and input vertices in the others. Incircle and insphere take

@@ -2,7 +2,7 @@
 //!
 //! What a scheme of tolerances promises it promises at distances that random
 //! scenes never have. So pairs are made at the thresholds
-//! ([`ThresholdPairs`](crate::audit::ThresholdPairs)), each is asked about
+//! ([`ThresholdPairs`]), each is asked about
 //! as the hierarchy would, its sub-pairs first, and each answer is judged by
 //! exact distances ([`Bands::judge`](predicament_checks::audit::Bands::judge)).
 //!
