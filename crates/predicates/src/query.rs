@@ -7,15 +7,15 @@ use crate::{Axis, Plane, Question, Vertex};
 
 /// A query by name: what is asked, how, and of which vertices.
 ///
-/// As text: `orient2d(xy; 0 1 2)`, `polygon-locate(7)`, `contacts2d(0 1, 4 5)`:
-/// the name, a detail where there is one, and groups of vertices.
+/// As text: `orient2d(xy; 0 1 2)`, `NAME(7)`, `NAME(0 1, 4 5)`: the name of a predicate
+/// or task, a detail where there is one, and groups of vertices.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Query {
     /// A predicate or a task.
     pub what: String,
     /// An axis, a plane, or what else the question needs; none for most.
     pub detail: Option<String>,
-    /// The vertices, in groups: a simplex each for contacts, one group for most.
+    /// The vertices, in groups: one for most, more where a task asks about several simplices.
     pub args: Vec<Vec<Vertex>>,
 }
 
@@ -70,7 +70,7 @@ pub struct ParseQueryError(String);
 
 impl fmt::Display for ParseQueryError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}` is no query; write one such as `orient2d(xy; 0 1 2)` or `contacts2d(0 1, 4 5)`", self.0)
+        write!(f, "`{}` is no query; write a name and vertices, such as `orient2d(xy; 0 1 2)`", self.0)
     }
 }
 
@@ -170,10 +170,10 @@ mod tests {
             assert_eq!(query.question(), Some((question, ids)));
         }
         assert_eq!(Question::Orient2d(Plane::Xy).query(&ids[..3]).to_string(), "orient2d(xy; 3 1 c4)");
-        let pair = Query { what: "contacts2d".to_owned(), detail: None, args: vec![vec![a, b], vec![c, d]] };
-        assert_eq!(pair.to_string(), "contacts2d(3 1, 0 5)");
+        let pair = Query { what: "of-pairs".to_owned(), detail: None, args: vec![vec![a, b], vec![c, d]] };
+        assert_eq!(pair.to_string(), "of-pairs(3 1, 0 5)");
         assert_eq!(pair.to_string().parse(), Ok(pair));
-        assert_eq!(Query::of_task("interval", &[a]).to_string(), "interval(3)");
+        assert_eq!(Query::of_task("of-points", &[a]).to_string(), "of-points(3)");
     }
 
     #[test]
