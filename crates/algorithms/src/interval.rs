@@ -28,9 +28,12 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod planted;
+
 use predicament_predicates::{Axis, Predicates, Sign, Vertex};
 
-use crate::planted::{Honest, Planted};
+use self::planted::Planted;
+use crate::planted::Honest;
 
 /// Where a point is, seen from a cell.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]

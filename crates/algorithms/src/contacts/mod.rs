@@ -17,6 +17,7 @@
 mod ask;
 mod ended;
 mod near;
+pub mod planted;
 
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Dimension, Predicates};
@@ -26,7 +27,8 @@ use ask::ask;
 use ended::Ended;
 use near::{Near, PIECE};
 
-use crate::planted::{Honest, Planted};
+use self::planted::Planted;
+use crate::planted::Honest;
 
 /// Barycentric coordinates of a point in a simplex, one for each of its
 /// vertices in ascending order; those that the simplex lacks are zero.

@@ -9,7 +9,7 @@
 
 use super::crowd::add_crowd;
 use super::mass::Mass;
-use crate::planted::Planted;
+use super::planted::Planted;
 
 /// A cell with more cubes than this is divided, but no further than to a
 /// quarter of a cube's edge.

@@ -110,6 +110,7 @@ mod crowd;
 mod error;
 mod mass;
 mod order;
+pub mod planted;
 mod scaled;
 mod wide;
 
@@ -124,7 +125,8 @@ pub use mass::{Mass, Vertices};
 pub use order::{ByIndex, BySession, Face, Order};
 pub use scaled::ScaledCubes;
 
-use crate::planted::{Honest, Planted};
+use self::planted::Planted;
+use crate::planted::Honest;
 
 /// Cells that are looked at by one task.
 const CELLS: usize = 1 << 12;

@@ -6,7 +6,8 @@ use predicament_grid::{Cells, Columns, Labels};
 use predicament_mesh::PolygonMap;
 use predicament_predicates::{Plane, Scene, Vertex};
 
-use crate::planted::{Honest, Planted};
+use super::planted::Planted;
+use crate::planted::Honest;
 
 /// The edges of a map with a broad phase over them. It depends on raw coordinates, and on no backend.
 #[derive(Clone, Debug)]

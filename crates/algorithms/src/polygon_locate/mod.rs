@@ -41,6 +41,7 @@
 
 mod all;
 mod index;
+pub mod planted;
 mod single;
 pub mod special;
 

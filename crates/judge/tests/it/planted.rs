@@ -4,11 +4,13 @@
 use std::collections::BTreeSet;
 
 use predicament_algorithms::contacts::contacts_planted;
+use predicament_algorithms::contacts::planted::{self as of_contacts, ForgottenSubPairs, LostSubPair};
+use predicament_algorithms::cube_union::planted::{self as of_cubes, DroppedBorderCube};
 use predicament_algorithms::cube_union::{ScaledCubes, cube_union_planted};
+use predicament_algorithms::interval::planted::{self as of_cells, ClosedInterval};
 use predicament_algorithms::interval::{Place, cells_at_planted};
-use predicament_algorithms::planted::{
-    ClosedInterval, DroppedBorderCube, ForgottenSubPairs, Honest, LostSubPair, Planted, SkippedEdge,
-};
+use predicament_algorithms::planted::Honest;
+use predicament_algorithms::polygon_locate::planted::{self as of_maps, SkippedEdge};
 use predicament_algorithms::polygon_locate::{LocateIndex, Scratch};
 use predicament_exact::Exact;
 use predicament_judge::contacts::registered_twice;
@@ -28,14 +30,14 @@ fn caught(scenes: usize, mut is_caught: impl FnMut(&mut Random) -> bool) -> usiz
     (0..scenes).filter(|_| is_caught(&mut random)).count()
 }
 
-fn contacts_of<F: Planted, S: Predicates>(session: &S, [a, b]: [&Complex; 2]) -> Vec<[Vec<Vertex>; 2]> {
+fn contacts_of<F: of_contacts::Planted, S: Predicates>(session: &S, [a, b]: [&Complex; 2]) -> Vec<[Vec<Vertex>; 2]> {
     let of = contacts_planted::<F, S>(session, a, b);
     of.registered.iter().map(|c| [a.vertices_of(c.a).to_vec(), b.vertices_of(c.b).to_vec()]).collect()
 }
 
 #[test]
 fn a_lost_sub_pair_is_caught() {
-    fn is_caught<F: Planted>(random: &mut Random) -> bool {
+    fn is_caught<F: of_contacts::Planted>(random: &mut Random) -> bool {
         let (scene, [a, b]) = complexes(random, Dimension::Three, Grid::Whole);
         let session = Exact.prepare(&scene, Off).unwrap();
         let found: BTreeSet<_> = contacts_of::<F, _>(&session, [&a, &b]).into_iter().collect();
@@ -86,7 +88,7 @@ impl<S: Predicates> Predicates for Banded<S> {
 
 #[test]
 fn forgotten_sub_pairs_are_caught_under_a_band() {
-    fn is_caught<F: Planted>(random: &mut Random) -> bool {
+    fn is_caught<F: of_contacts::Planted>(random: &mut Random) -> bool {
         let (scene, [a, b]) = complexes(random, Dimension::Two, Grid::Whole);
         let session = Banded(Exact.prepare(&scene, Off).unwrap());
         !registered_twice(&contacts_of::<F, _>(&session, [&a, &b])).is_empty()
@@ -97,7 +99,7 @@ fn forgotten_sub_pairs_are_caught_under_a_band() {
 
 #[test]
 fn a_closed_interval_is_caught() {
-    fn is_caught<F: Planted>(random: &mut Random) -> bool {
+    fn is_caught<F: of_cells::Planted>(random: &mut Random) -> bool {
         let scene = Scene::new(Dimension::Two, Grid::Whole.coordinates(random, 12, 6)).unwrap();
         let session = Exact.prepare(&scene, Off).unwrap();
         let mut ends: Vec<Vertex> = scene.vertices().take(5).collect();
@@ -118,7 +120,7 @@ fn a_closed_interval_is_caught() {
 
 #[test]
 fn an_edge_that_the_grid_skips_is_caught() {
-    fn is_caught<F: Planted>(random: &mut Random) -> bool {
+    fn is_caught<F: of_maps::Planted>(random: &mut Random) -> bool {
         let (scene, regions, map) = map(random, Grid::Whole);
         let (index, session) = (LocateIndex::planted::<F>(&map, &scene), Exact.prepare(&scene, Off).unwrap());
         let borders = Borders::new(&scene, &regions);
@@ -134,7 +136,7 @@ fn an_edge_that_the_grid_skips_is_caught() {
 
 #[test]
 fn a_cube_dropped_at_the_border_of_a_cell_is_caught() {
-    fn is_caught<F: Planted>(random: &mut Random) -> bool {
+    fn is_caught<F: of_cubes::Planted>(random: &mut Random) -> bool {
         let scene = cubes(random, 40, 6, 2.0, 1.0);
         let of = ScaledCubes::of_scene(&scene).unwrap();
         let found = cube_union_planted::<F, i64>(&of.lowers, of.edge).unwrap();
