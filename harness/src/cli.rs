@@ -98,15 +98,10 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
         self
     }
 
-    /// The tool without a command line.
-    pub(crate) fn tool(self) -> Tool {
-        Tool::new(self.backends, &self.tasks, self.suites, self.expected)
-    }
-
     /// Reads the command line, does what it says, and gives the exit code.
     #[must_use]
     pub fn main(self) -> ExitCode {
-        let tool = self.tool();
+        let tool = Tool::new(self.backends, &self.tasks, self.suites, self.expected);
         // Backends and tasks of other crates belong into the help.
         let help = format!("Backends:\n{}", tool.backend_help());
         let matches = Arguments::command()

@@ -10,14 +10,14 @@ use predicament_judge::TieJudge;
 use predicament_oracle::expect::Expectations;
 use predicament_predicates::{Backend, Question, Scene, Sign, Vertex};
 use predicament_records::{RunWriter, Shard};
-use predicament_tasks::{Contestant, Entry, Watch};
+use predicament_tasks::{Contestant, Entry, Task, TaskList, Watch};
 
 use crate::cmd::replay::point_lines;
 use crate::cmd::run::{budget, env, plan, tables};
 use crate::exit::Failure;
+use crate::rows;
 use crate::select::Selector;
 use crate::tool::Tool;
-use crate::{cli, rows};
 
 /// Findings that are printed in full.
 const SHOWN: usize = 5;
@@ -31,6 +31,7 @@ const SHOWN: usize = 5;
 pub fn conformance<B: Backend + 'static>(backend: B) -> Conformance<B> {
     Conformance {
         backend: Arc::new(backend),
+        tasks: (),
         ties: None,
         selector: Selector::everything(),
         suites: Vec::new(),
@@ -40,8 +41,9 @@ pub fn conformance<B: Backend + 'static>(backend: B) -> Conformance<B> {
 }
 
 /// See [`conformance`].
-pub struct Conformance<B> {
+pub struct Conformance<B, T = ()> {
     backend: Arc<B>,
+    tasks: T,
     ties: Option<Arc<TieJudge>>,
     selector: Selector,
     suites: Vec<PathBuf>,
@@ -49,38 +51,45 @@ pub struct Conformance<B> {
     folder: Option<PathBuf>,
 }
 
-impl<B: Backend + 'static> Conformance<B> {
+impl<B: Backend + 'static, T: TaskList> Conformance<B, T> {
     /// How much is run; quick if not said.
     #[must_use]
-    pub fn level(mut self, level: Level) -> Conformance<B> {
+    pub fn level(mut self, level: Level) -> Conformance<B, T> {
         self.selector.level = level;
         self
     }
 
     /// Only scenes whose `suite/scene` matches this regular expression.
     #[must_use]
-    pub fn filter(mut self, regex: impl Into<String>) -> Conformance<B> {
+    pub fn filter(mut self, regex: impl Into<String>) -> Conformance<B, T> {
         self.selector.filter = Some(regex.into());
         self
     }
 
     /// Only these suites, by name.
     #[must_use]
-    pub fn only<S: Into<String>>(mut self, suites: impl IntoIterator<Item = S>) -> Conformance<B> {
+    pub fn only<S: Into<String>>(mut self, suites: impl IntoIterator<Item = S>) -> Conformance<B, T> {
         self.selector.suites = suites.into_iter().map(Into::into).collect();
         self
     }
 
+    /// Adds a task of your own, which suites of your own ask for.
+    #[must_use]
+    pub fn task<N: Task + Clone>(self, task: N) -> Conformance<B, (N, T)> {
+        let Conformance { backend, tasks, ties, selector, suites, expected, folder } = self;
+        Conformance { backend, tasks: (task, tasks), ties, selector, suites, expected, folder }
+    }
+
     /// Adds a folder of suites of your own.
     #[must_use]
-    pub fn suites(mut self, folder: impl Into<PathBuf>) -> Conformance<B> {
+    pub fn suites(mut self, folder: impl Into<PathBuf>) -> Conformance<B, T> {
         self.suites.push(folder.into());
         self
     }
 
     /// Names a file of expected disagreements: what the backend is known to get wrong.
     #[must_use]
-    pub fn expected(mut self, file: impl Into<PathBuf>) -> Conformance<B> {
+    pub fn expected(mut self, file: impl Into<PathBuf>) -> Conformance<B, T> {
         self.expected = Some(file.into());
         self
     }
@@ -90,14 +99,14 @@ impl<B: Backend + 'static> Conformance<B> {
     pub fn breaking_ties(
         mut self,
         judge: impl Fn(&Scene, Question, &[Vertex]) -> Sign + Send + Sync + 'static,
-    ) -> Conformance<B> {
+    ) -> Conformance<B, T> {
         self.ties = Some(Arc::new(judge));
         self
     }
 
     /// Names the folder of the run; `target/predicament/NAME` if not said.
     #[must_use]
-    pub fn folder(mut self, folder: impl Into<PathBuf>) -> Conformance<B> {
+    pub fn folder(mut self, folder: impl Into<PathBuf>) -> Conformance<B, T> {
         self.folder = Some(folder.into());
         self
     }
@@ -126,15 +135,13 @@ impl<B: Backend + 'static> Conformance<B> {
             .ties
             .clone()
             .map(|judge| -> Box<TieJudge> { Box::new(move |scene, question, args| judge(scene, question, args)) });
-        Entry::shared(Arc::clone(&self.backend), ties)
+        let mut entry = Entry::shared(Arc::clone(&self.backend), ties);
+        entry.extend(self.tasks.solvers(&self.backend));
+        entry
     }
 
     fn run(&self) -> Result<String, Failure> {
-        let mut cli = cli();
-        for folder in &self.suites {
-            cli = cli.suites(folder);
-        }
-        let tool: Tool = cli.tool();
+        let tool = Tool::new((), &self.tasks, self.suites.clone(), None);
         let expected = match &self.expected {
             Some(file) => crate::expectations::load(&tool, Some(file))?,
             None => Expectations::default(),

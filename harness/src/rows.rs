@@ -3,7 +3,9 @@
 use predicament_exact::Precision;
 use predicament_oracle::expect::Expectations;
 use predicament_predicates::PredicateKind;
-use predicament_records::{Error, FindingRow, PlannedScene, PrecisionRow, RunWriter, StageRow, Status, SummaryRow};
+use predicament_records::{
+    Error, FindingRow, PlannedScene, PrecisionRow, RunWriter, SampledRow, StageRow, Status, SummaryRow,
+};
 use predicament_tasks::{Class, ClassCounts, Finding, Outcome, finding_id};
 
 use crate::judged::JudgedRow;
@@ -23,6 +25,8 @@ pub fn record(
     writer.write(&stages(scene, backend, outcome))?;
     writer.append(&outcome.rows)?;
     writer.write(&JudgedRow::of(scene, backend, outcome))?;
+    let sampled = outcome.sampled.iter().map(|truth_of| SampledRow::new(scene, backend, truth_of));
+    writer.write(&sampled.collect::<Vec<_>>())?;
     Ok(summary)
 }
 

@@ -6,8 +6,12 @@
 //! depend on threads; then the crossings of each segment are sorted along it, by
 //! comparing constructed points. Nothing is rounded unless the session rounds.
 
-use predicament_predicates::{Axis, Construction, Plane, Predicates, Refused, Sign, Vertex};
-use rayon::prelude::*;
+pub mod planted;
+
+use self::planted::Planted;
+use crate::parallel;
+use crate::planted::Honest;
+use predicament_predicates::{Axis, Construction, Plane, Predicates, Refused, Scene, Sign, Vertex};
 
 /// The crossings of one segment from its first end to its second: groups of
 /// segments that cross it in one point, ascending.
@@ -20,8 +24,22 @@ pub type Along = Vec<Vec<u32>>;
 ///
 /// # Panics
 /// If there are 2^32 segments.
-pub fn crossings<P: Predicates>(session: &mut P, segments: &[[Vertex; 2]]) -> Result<Vec<Along>, Refused> {
-    let pairs = crossing_pairs(&*session, segments);
+pub fn crossings<P: Predicates + ?Sized>(session: &mut P, segments: &[[Vertex; 2]]) -> Result<Vec<Along>, Refused> {
+    crossings_planted::<Honest, P>(session, segments)
+}
+
+/// [`crossings`] with a planted fault.
+///
+/// # Errors
+/// As [`crossings`].
+///
+/// # Panics
+/// As [`crossings`].
+pub fn crossings_planted<F: Planted, P: Predicates + ?Sized>(
+    session: &mut P,
+    segments: &[[Vertex; 2]],
+) -> Result<Vec<Along>, Refused> {
+    let pairs = crossing_pairs::<F, P>(&*session, segments);
     let definitions: Vec<Construction> =
         pairs.iter().map(|&[i, j]| Construction::Ssi([segments[i as usize], segments[j as usize]])).collect();
     let points = session.construct(&definitions)?;
@@ -31,41 +49,58 @@ pub fn crossings<P: Predicates>(session: &mut P, segments: &[[Vertex; 2]]) -> Re
         of[j as usize].push((point, i));
     }
     let session = &*session;
-    Ok(of.into_par_iter().zip(segments).map(|(found, &segment)| sorted(session, segment, found)).collect())
+    Ok(parallel::each(segments.len(), &|at| sorted::<F, P>(session, segments[at], of[at].clone())))
 }
 
 /// The pairs of segments that cross, each by its places, ascending.
-fn crossing_pairs<P: Predicates>(session: &P, segments: &[[Vertex; 2]]) -> Vec<[u32; 2]> {
+fn crossing_pairs<F: Planted, P: Predicates + ?Sized>(session: &P, segments: &[[Vertex; 2]]) -> Vec<[u32; 2]> {
     let scene = session.scene();
-    let reach = |[a, b]: [Vertex; 2]| {
-        let [x, y] = [a, b].map(|v| scene.coordinate(Axis::X, v));
-        [x.min(y), x.max(y)]
-    };
+    let reach = |segment| reach(scene, segment);
     // By left ends: what starts right of a segment's right end is past it. A
     // perturbation can cross only what touches, so equal coordinates are kept.
-    let mut order: Vec<usize> = (0..segments.len()).collect();
-    order.sort_by(|&i, &j| reach(segments[i])[0].total_cmp(&reach(segments[j])[0]).then(i.cmp(&j)));
-    let of = |(place, &i): (usize, &usize)| -> Vec<[u32; 2]> {
+    let order = by_left_ends(scene, segments);
+    let of = |place: usize| -> Vec<[u32; 2]> {
+        let i = order[place];
         let right = reach(segments[i])[1];
-        let near = order[place + 1..].iter().take_while(|&&j| reach(segments[j])[0] <= right);
+        let near = order[place + 1..].iter().take_while(|&&j| {
+            let left = reach(segments[j])[0];
+            if F::STOPS_EARLY { left < right } else { left <= right }
+        });
         let crossing = near.filter(|&&j| cross(session, segments[i], segments[j]));
         let number = |i: usize| u32::try_from(i).expect("fewer than 2^32 segments");
         crossing.map(|&j| [number(i.min(j)), number(i.max(j))]).collect()
     };
-    let mut pairs: Vec<[u32; 2]> = order.par_iter().enumerate().flat_map_iter(|at| of((at.0, at.1))).collect();
+    let mut pairs: Vec<[u32; 2]> = parallel::each(order.len(), &of).concat();
     pairs.sort_unstable();
     pairs
 }
 
+/// The interval of a segment along the x axis.
+fn reach(scene: &Scene, ends: [Vertex; 2]) -> [f64; 2] {
+    let [x, y] = ends.map(|v| scene.coordinate(Axis::X, v));
+    [x.min(y), x.max(y)]
+}
+
+fn by_left_ends(scene: &Scene, segments: &[[Vertex; 2]]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..segments.len()).collect();
+    let left = |i: usize| reach(scene, segments[i])[0];
+    order.sort_by(|&i, &j| left(i).total_cmp(&left(j)).then(i.cmp(&j)));
+    order
+}
+
 /// Whether each segment's ends are strictly on both sides of the other.
-fn cross<P: Predicates>(session: &P, [a, b]: [Vertex; 2], [p, q]: [Vertex; 2]) -> bool {
+fn cross<P: Predicates + ?Sized>(session: &P, [a, b]: [Vertex; 2], [p, q]: [Vertex; 2]) -> bool {
     let side = |[u, v]: [Vertex; 2], w| session.orient2d(Plane::Xy, u, v, w);
     let opposite = |one: Sign, other: Sign| one != Sign::Zero && one == -other;
     opposite(side([a, b], p), side([a, b], q)) && opposite(side([p, q], a), side([p, q], b))
 }
 
 /// The crossings in their order along a segment, those in one point together.
-fn sorted<P: Predicates>(session: &P, [a, b]: [Vertex; 2], mut found: Vec<(Vertex, u32)>) -> Along {
+fn sorted<F: Planted, P: Predicates + ?Sized>(
+    session: &P,
+    [a, b]: [Vertex; 2],
+    mut found: Vec<(Vertex, u32)>,
+) -> Along {
     let axes = [Axis::X, Axis::Y];
     let forward = axes.map(|axis| session.compare(axis, b, a));
     let order = |u: Vertex, v: Vertex| {
@@ -78,7 +113,9 @@ fn sorted<P: Predicates>(session: &P, [a, b]: [Vertex; 2], mut found: Vec<(Verte
         signs.into_iter().find(|sign| *sign != Sign::Zero).unwrap_or(Sign::Zero)
     };
     // Signs of a session that contradicts itself are no order, which sorting has to survive.
-    insertion_sort(&mut found, |u, v| order(u.0, v.0) == Sign::Negative);
+    if !F::LEAVES_UNSORTED {
+        insertion_sort(&mut found, |u, v| order(u.0, v.0) == Sign::Negative);
+    }
     let mut along: Along = Vec::new();
     for (at, &(point, other)) in found.iter().enumerate() {
         match along.last_mut() {

@@ -18,5 +18,6 @@ pub mod contacts;
 pub mod crossings;
 pub mod cube_union;
 pub mod interval;
+mod parallel;
 pub mod planted;
 pub mod polygon_locate;

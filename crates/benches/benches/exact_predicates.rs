@@ -25,16 +25,18 @@
 #[path = "../../exact/tests/it/common.rs"]
 #[allow(dead_code)] // what the tests need beside
 mod common;
+mod turns;
 
 use std::cell::Cell;
 use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use common::{Random, nudge};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use predicament_exact::{Exact, raw, stage};
 use predicament_predicates::{Backend, Counts, Dimension, Off, Plane, PredicateKind, Predicates, Scene, Sign, Vertex};
 use robust::{Coord, Coord3D};
+use turns::{Engine, Turns};
 
 /// Queries of a family, and of a pass.
 const QUERIES: usize = 1 << 15;
@@ -224,38 +226,19 @@ impl<S, T, B, R, C> Contest<S, T, B, R, C> {
     }
 }
 
-/// A way to answer a pass of queries, from this one on.
-type Engine<'a> = (&'a str, &'a dyn Fn(usize, &mut [Sign]));
-
-/// Compares answers, and times: pass by pass the engines take turns, so that
-/// whatever else the machine does is shared by all. Prints the median of the
-/// first engine, and those of the others in relation to it.
+/// Compares answers, and times. Prints the median of the first engine, and those of the others in relation to it.
 fn compare(engines: &[Engine; 5]) {
-    let mut times = [const { Vec::new() }; 5];
-    let mut signs = [(); 5].map(|()| vec![Sign::Zero; PASS]);
-    let mut zeros = 0;
-    for pass in 0..4 * QUERIES / PASS {
-        for turn in 0..5 {
-            let at = (pass + turn) % 5;
-            let start = Instant::now();
-            engines[at].1(pass * PASS % QUERIES, &mut signs[at]);
-            // (The first time memory is new to the processor, and lists are not equally so.)
-            if pass >= QUERIES / PASS {
-                times[at].push(start.elapsed());
-            }
-        }
+    let turns = Turns { queries: QUERIES, pass: PASS, rounds: 3, warm_up: 1 };
+    let (mut zeros, mut all) = (0, 0);
+    let medians = turns.medians(engines, |signs| {
         for (signs_of_one, (name, _)) in signs.iter().zip(engines) {
             assert_eq!(*signs_of_one, signs[0], "{name}");
         }
         zeros += signs[0].iter().filter(|sign| sign.is_zero()).count();
-    }
-    let median = |mut times: Vec<Duration>| {
-        times.sort_unstable();
-        times[times.len() / 2].as_secs_f64()
-    };
-    let medians = times.map(median);
+        all += PASS;
+    });
     #[allow(clippy::cast_precision_loss)] // small numbers
-    let (nanoseconds, zeros) = (medians[0] * 1e9 / PASS as f64, zeros as f64 * 25.0 / QUERIES as f64);
+    let (nanoseconds, zeros) = (medians[0] * 1e9 / PASS as f64, zeros as f64 * 100.0 / all as f64);
     print!(" {} {nanoseconds:.1} ns;", engines[0].0);
     for ((name, _), median) in engines.iter().zip(medians).skip(1) {
         print!(" {name} {:.2},", median / medians[0]);

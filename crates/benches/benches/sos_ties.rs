@@ -13,10 +13,16 @@
 //! with their times in relation to the exact backend's. On a machine that does
 //! other things as well, believe that line.
 
+#[path = "../../exact/tests/it/common.rs"]
+#[allow(dead_code)] // what the tests need beside
+mod common;
+mod turns;
+
 use std::cell::Cell;
 use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
+use common::Random;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use predicament_corpus::{Level, Suite};
 use predicament_exact::Exact;
@@ -24,6 +30,7 @@ use predicament_formats::{Cache, Manifest};
 use predicament_predicates::{Axis, Backend, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex};
 use predicament_sos::{Scheme, Session, Sos};
 use predicament_tasks::{signs::SignQueries, vocabulary};
+use turns::{Engine, Turns};
 
 /// Queries of a family, and of a pass.
 const QUERIES: usize = 1 << 17;
@@ -51,20 +58,6 @@ fn queries<const N: usize>(kind: PredicateKind, family: &str) -> (Scene, Vec<[Ve
     });
     let queries = queries.collect();
     (loaded.scene, queries)
-}
-
-/// A reproducible stream of random numbers (splitmix64).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut x = self.0;
-        x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        x ^= x >> 31;
-        usize::try_from(x % u64::try_from(n).expect("64 bits")).expect("less than n")
-    }
 }
 
 /// A predicate asked singly and by batch, of either backend.
@@ -147,42 +140,25 @@ impl<E, S, F, T> Contest<E, S, F, T> {
     }
 }
 
-/// A way to answer a pass of queries, from this one on.
-type Engine<'a> = (&'a str, &'a dyn Fn(usize, &mut [Sign]));
-
-/// Compares answers, and times: pass by pass the engines take turns, so that
-/// whatever else the machine does is shared by all. Prints the median of the
-/// first engine, those of the others in relation to it, and the share of ties.
+/// Compares answers, and times. Prints the median of the first engine, those of the others in relation to it, and the
+/// share of ties.
 fn compare(engines: &[Engine; 3]) {
-    let mut times = [const { Vec::new() }; 3];
-    let mut signs = [(); 3].map(|()| vec![Sign::Zero; PASS]);
+    let turns = Turns { queries: QUERIES, pass: PASS, rounds: ROUNDS, warm_up: 0 };
     let mut ties = 0;
-    for pass in 0..ROUNDS * QUERIES / PASS {
-        for turn in 0..3 {
-            let at = (pass + turn) % 3;
-            let start = Instant::now();
-            engines[at].1(pass * PASS % QUERIES, &mut signs[at]);
-            times[at].push(start.elapsed());
-        }
+    let medians = turns.medians(engines, |signs| {
         for (at, &truth) in signs[0].iter().enumerate() {
             for (sos, (name, _)) in signs.iter().zip(engines).skip(1) {
                 assert!(!sos[at].is_zero() && (truth.is_zero() || sos[at] == truth), "{name}");
             }
             ties += usize::from(truth.is_zero());
         }
-    }
-    let medians = times.map(median);
+    });
     #[allow(clippy::cast_precision_loss)] // small numbers
     let (nanoseconds, ties) = (medians[0] * 1e9 / PASS as f64, ties as f64 * 100.0 / (ROUNDS * QUERIES) as f64);
     print!(" {} {nanoseconds:.1} ns, {ties:.0} % ties", engines[0].0);
     for ((name, _), median) in engines.iter().zip(medians).skip(1) {
         print!(", {name} {:.2}", median / medians[0]);
     }
-}
-
-fn median(mut times: Vec<Duration>) -> f64 {
-    times.sort_unstable();
-    times[times.len() / 2].as_secs_f64()
 }
 
 fn ties(criterion: &mut Criterion) {

@@ -176,6 +176,17 @@ impl Vocabulary {
         })
     }
 
+    /// Message and cure for a key of a scene that only one or two other tasks know: the scene was meant for them.
+    pub(crate) fn foreign(&self, key: &str, task: &'static dyn SceneFormat) -> Option<(String, String)> {
+        if SCENE.contains(&key) || task.keys().contains(&key) {
+            return None;
+        }
+        let others: Vec<&str> =
+            self.tasks.iter().filter(|other| other.keys().contains(&key)).map(|other| other.name()).collect();
+        let message = format!("`{key}` is a key of {}, not of {}", others.join(" and "), task.name());
+        (1..=2).contains(&others.len()).then(|| (message, format!("remove it, or write `task = \"{}\"`", others[0])))
+    }
+
     /// The family of a task that a table names.
     pub(crate) fn family(
         &self,

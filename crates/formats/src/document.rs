@@ -290,6 +290,12 @@ impl<'d, 't> Fields<'d, 't> {
         keys.filter(|&(_, key)| !known(key)).min()
     }
 
+    /// Looks at all keys, in the order of the file; `wrong` gives the message and the cure for one that does not belong.
+    pub fn check_keys(&self, wrong: impl Fn(&str) -> Option<(String, String)>) -> Result<(), CorpusError> {
+        let Some((at, key)) = self.first_key_outside(|key| wrong(key).is_none()) else { return Ok(()) };
+        wrong(key).map_or(Ok(()), |(message, cure)| Err(self.document.error(at, message, cure)))
+    }
+
     /// A string, empty where the key is missing.
     pub fn string_or_empty(&self, key: &'static str) -> Result<String, CorpusError> {
         self.get(key).map_or(Ok(String::new()), |field| field.string())

@@ -1,6 +1,6 @@
 //! The judge's signs as a session, for algorithms that need predicates.
 
-use predicament_predicates::{Axis, Construction, Plane, Predicates, Question, Refused, Scene, Sign, Vertex};
+use predicament_predicates::{Construction, Predicates, Question, Refused, Scene, Sign, Vertex, answer_by};
 
 use crate::Points;
 
@@ -42,12 +42,12 @@ impl<'s> Judged<'s> {
         Judged { points: Points::of(scene), way: Way::Perturbed(ties) }
     }
 
-    fn sign(&self, question: Question, args: &[Vertex]) -> Sign {
+    fn sign<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
         match self.way {
-            Way::Exact => self.points.sign(question, args),
-            Way::Again => self.points.verdict(question, args).sign(),
-            Way::Perturbed(ties) => match self.points.sign(question, args) {
-                Sign::Zero => ties(self.points.scene(), question, args),
+            Way::Exact => self.points.sign(question, &args),
+            Way::Again => self.points.verdict(question, &args).sign(),
+            Way::Perturbed(ties) => match self.points.sign(question, &args) {
+                Sign::Zero => ties(self.points.scene(), question, &args),
                 sign => sign,
             },
         }
@@ -63,23 +63,5 @@ impl Predicates for Judged<'_> {
         self.points.construct(definitions)
     }
 
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.sign(Question::Compare(axis), &[a, b])
-    }
-
-    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        self.sign(Question::Orient2d(plane), &[a, b, c])
-    }
-
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.sign(Question::Orient3d, &[a, b, c, d])
-    }
-
-    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.sign(Question::Incircle, &[a, b, c, d])
-    }
-
-    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.sign(Question::Insphere, &[a, b, c, d, e])
-    }
+    answer_by!(sign);
 }

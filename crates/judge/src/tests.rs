@@ -1,40 +1,8 @@
-//! The judge against what is known. (`tests/judge.rs` has it against another computation.)
+//! The judge against what is known. (The tests of the oracle have it against another computation.)
 
 use crate::determinant::log2;
 use crate::*;
-use predicament_corpus::homogeneous;
-use predicament_predicates::{Construction, Dimension, Plane, Predicates, Question, Scene, Sign, Vertex};
-use proptest::prelude::*;
-
-fn finite() -> impl Strategy<Value = f64> {
-    any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite())
-}
-
-/// Constructions by these ids, those that are points.
-fn construct(scene: &mut Scene, ids: &[usize]) {
-    let v = |i: usize| Vertex::input(ids[i]);
-    let candidates: Vec<Construction> = match scene.dimension() {
-        Dimension::Two => {
-            (0..10).map(|i| 4 * i).map(|i| Construction::Ssi([[v(i), v(i + 1)], [v(i + 2), v(i + 3)]])).collect()
-        }
-        Dimension::Three => {
-            let triple = |i| [v(i), v(i + 1), v(i + 2)];
-            let lpi = (0..4).map(|i| 5 * i).map(|i| Construction::Lpi { line: [v(i), v(i + 1)], plane: triple(i + 2) });
-            let tpi = [20, 30].map(|i| Construction::Tpi([triple(i), triple(i + 3), triple(i + 6)]));
-            lpi.chain(tpi).collect()
-        }
-    };
-    for candidate in candidates {
-        let mut trial = scene.clone();
-        if let Ok(vertex) = trial.construct(candidate) {
-            let found = point(&trial, vertex).is_some();
-            assert_eq!(found, homogeneous(&trial, vertex).is_some(), "{candidate} {scene:?}");
-            if found {
-                *scene = trial;
-            }
-        }
-    }
-}
+use predicament_predicates::{Construction, Plane, Predicates, Question, Scene, Sign, Vertex};
 
 /// Lines and planes that are laid through a known point, in all directions of a small grid:
 /// they meet there, and nowhere else, where the directions are independent.
@@ -82,33 +50,6 @@ fn constructed_vertices_are_where_they_are_known_to_be() {
         }
     }
     assert!((1000..27 * 27 * 6).contains(&found), "{found} points");
-}
-
-proptest! {
-    #[test]
-    fn constructed_vertices_lie_on_what_defines_them(
-        coordinates in prop::collection::vec(finite(), 36),
-        ids in prop::collection::vec(0_usize..12, 40),
-    ) {
-        for dimension in [Dimension::Two, Dimension::Three] {
-            let mut scene = Scene::new(dimension, coordinates[..12 * dimension.count()].to_vec()).unwrap();
-            construct(&mut scene, &ids);
-            for (index, construction) in scene.constructions().iter().enumerate() {
-                for flat in construction.flats() {
-                    let args = [flat, &[Vertex::constructed(index)]].concat();
-                    let planes: &[Plane] =
-                        if dimension == Dimension::Two { &[Plane::Xy] } else { &[Plane::Xy, Plane::Yz, Plane::Zx] };
-                    if flat.len() == 3 {
-                        prop_assert_eq!(sign(&scene, Question::Orient3d, &args), Sign::Zero);
-                    } else {
-                        for &plane in planes {
-                            prop_assert_eq!(sign(&scene, Question::Orient2d(plane), &args), Sign::Zero);
-                        }
-                    }
-                }
-            }
-        }
-    }
 }
 
 /// Level upon level: a vertex is on the lines through constructed vertices that define it, and

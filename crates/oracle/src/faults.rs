@@ -4,6 +4,7 @@
 //! made of the real backends' own parts with one part wrong, claims the real
 //! contract, and has to be caught by `selftest` on the embedded corpora.
 
+mod catches;
 mod colliding;
 mod contacts;
 mod ties;
@@ -13,8 +14,8 @@ use predicament_controls::Shewchuk;
 use predicament_exact::form::{self, Determinant};
 use predicament_exact::{Exact, filter, integer, raw};
 use predicament_predicates::{
-    Axis, Backend, Band, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally,
-    Vertex, ZeroMeaning,
+    Backend, Band, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally, Vertex,
+    ZeroMeaning, answer_by,
 };
 use predicament_sos::{Scheme, Sos, infinitesimal};
 use predicament_tolerance::Tolerance;
@@ -420,25 +421,7 @@ impl Predicates for Session<'_> {
         }
     }
 
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.answer(Question::Compare(axis), [a, b])
-    }
-
-    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        self.answer(Question::Orient2d(plane), [a, b, c])
-    }
-
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.answer(Question::Orient3d, [a, b, c, d])
-    }
-
-    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.answer(Question::Incircle, [a, b, c, d])
-    }
-
-    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.answer(Question::Insphere, [a, b, c, d, e])
-    }
+    answer_by!(answer);
 
     fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
         for (&args, out) in queries.iter().zip(out) {

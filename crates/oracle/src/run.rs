@@ -4,7 +4,9 @@ use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use predicament_predicates::{Counts, PredicateKind};
-use predicament_tasks::{AnyCase, Asked, Budget, Class, Contestant, Halt, How, Outcome, Purpose, Stop, Watch};
+use predicament_tasks::{
+    AnyCase, AnyPlanted, Asked, Budget, Class, Contestant, Halt, How, Outcome, Purpose, Refusal, Stop, Watch,
+};
 
 /// Runs one backend on one scene and judges what it answers. A panic is a
 /// finding about the backend and stays here, as do refusals and timeouts.
@@ -13,8 +15,38 @@ use predicament_tasks::{AnyCase, Asked, Budget, Class, Contestant, Halt, How, Ou
 /// [`Stop::Interrupted`]; a timeout is an outcome.
 pub fn run(case: &dyn AnyCase, contestant: &dyn Contestant, budget: Budget, watch: &Watch) -> Result<Outcome, Stop> {
     let queries = case.loaded().count() as u64;
-    let ran = catch_unwind(AssertUnwindSafe(|| judged(case, contestant, budget, watch, queries)));
-    match ran {
+    guarded(queries, || judged(case, contestant, budget, watch, queries))
+}
+
+/// Judges what an algorithm with a planted fault answers on a backend.
+///
+/// # Errors
+/// [`Stop::Interrupted`]; a timeout is an outcome.
+pub fn run_planted(
+    case: &dyn AnyCase,
+    fault: &dyn AnyPlanted,
+    contestant: &dyn Contestant,
+    budget: Budget,
+    watch: &Watch,
+) -> Result<Outcome, Stop> {
+    let (loaded, queries) = (case.loaded(), case.loaded().count() as u64);
+    guarded(queries, || {
+        let mut judged = Ok(Outcome { queries, ..Outcome::default() });
+        let prepared = contestant.with_session(&loaded.scene, &mut |session| {
+            judged = fault.solve(session, loaded.content.as_ref()).and_then(|answer| {
+                let mut outcome = Outcome { queries, ..Outcome::default() };
+                let asked = Asked { backend: contestant, session: &*session, budget, watch };
+                case.judge(&asked, answer.as_ref(), &mut outcome)?;
+                Ok(outcome)
+            });
+        });
+        prepared.map_err(|why| Halt::Refused(Refusal { check: "prepare", why }))?;
+        judged
+    })
+}
+
+fn guarded(queries: u64, judged: impl FnOnce() -> Result<Outcome, Halt>) -> Result<Outcome, Stop> {
+    match catch_unwind(AssertUnwindSafe(judged)) {
         Ok(Ok(outcome)) => Ok(outcome),
         Ok(Err(Halt::Refused(refusal))) => Ok(refusal.outcome(queries)),
         Ok(Err(Halt::Stopped(Stop::Timeout))) => {

@@ -12,6 +12,7 @@
 //! * [`QuerySet`]: many questions as data; [`Query`]: one of them as text and back.
 //! * [`Class`]: how an answer compares with the truth; [`Status`]: how the gate sees a scene.
 //! * [`Tally`]: which stage settled a query; free of cost where it is off.
+//! * [`answer_by!`], [`forward_to!`]: the methods of a session that wraps another one.
 
 mod backend;
 mod class;
@@ -26,6 +27,7 @@ mod scene;
 mod sign;
 mod tally;
 mod vertex;
+mod wrap;
 
 pub use backend::{Backend, Predicates};
 pub use class::{Class, Status};

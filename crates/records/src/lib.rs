@@ -20,6 +20,7 @@ mod junit;
 mod plan;
 mod rows;
 mod run_dir;
+mod sampled;
 mod stats;
 
 pub use env::Env;
@@ -29,6 +30,7 @@ pub use plan::{FORMAT, Level, NotSelected, Plan, PlannedScene, Shard};
 pub use predicament_predicates::{Class, Status};
 pub use rows::{FindingRow, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
 pub use run_dir::{NotRun, Outcome, Record, RunDir, RunWriter, TableSpec};
+pub use sampled::SampledRow;
 /// For deriving a [`Row`] in a crate that does not depend on `serde` itself.
 pub use serde;
 pub use stats::{Spread, approximately, geometric_mean};

@@ -7,8 +7,9 @@ use predicament_predicates::{
     Refused, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 
+use crate::constructed::{self, Memo};
 use crate::leading::{self, EDELSBRUNNER_MUCKE, PER_COORDINATE, Points};
-use crate::{Scheme, constructed, stage, ties, ties::Sorted};
+use crate::{Scheme, stage, ties, ties::Sorted};
 
 /// The Simulation of Simplicity backend.
 ///
@@ -61,7 +62,7 @@ impl Backend for Sos {
         }
         constructed::are_of_inputs(scene)?;
         let exact = Exact.prepare(scene, Off)?;
-        Ok(Session { scheme: self.scheme, exact, points: Points::of(scene), tally })
+        Ok(Session { scheme: self.scheme, exact, points: Points::of(scene), memo: Memo::default(), tally })
     }
 }
 
@@ -70,6 +71,7 @@ pub struct Session<'s, T> {
     scheme: Scheme,
     exact: predicament_exact::Session<'s, Off>,
     points: Points<'s>,
+    memo: Memo,
     tally: T,
 }
 
@@ -98,7 +100,7 @@ impl<T: Tally> Session<'_, T> {
         args: [Vertex; N],
         exact_stage: impl FnOnce() -> usize,
     ) -> Sign {
-        match constructed::decide(self.exact.scene(), question, &args) {
+        match self.memo.decide(self.exact.scene(), question, args) {
             Some((sign, degree)) => self.tallied(question.kind(), sign, stage::of_degree(degree)),
             None => self.tallied(question.kind(), Sign::Zero, exact_stage()),
         }

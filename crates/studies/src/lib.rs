@@ -50,7 +50,7 @@
 //!         let [zero, one] = [0, 1].map(Vertex::input);
 //!         let ask = |backend: &&dyn Contestant| {
 //!             let mut smaller = false;
-//!             let mut look = |session: &dyn Predicates| {
+//!             let mut look = |session: &mut dyn Predicates| {
 //!                 smaller = session.compare(Axis::X, zero, one) == Sign::Negative;
 //!             };
 //!             backend.with_session(&scene, &mut look).map_err(Error::unfit)?;

@@ -8,7 +8,7 @@ use predicament_predicates::{PredicateKind, Query, Scene};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 
-use crate::{Answer, Asked, Case, Contestant, Dispute, Explanation, Outcome, Stop, Task, Watch};
+use crate::{Answer, AnyPlanted, Asked, Case, Contestant, Dispute, Explanation, Outcome, Stop, Task, Watch};
 
 /// A [`Task`] whose types are hidden. Every task is one.
 pub trait AnyTask: SceneFormat {
@@ -46,6 +46,9 @@ pub trait AnyTask: SceneFormat {
     /// # Errors
     /// That of the file system.
     fn write_answer(&self, loaded: &LoadedScene, answer: &dyn Any, folder: &Path) -> std::io::Result<Vec<PathBuf>>;
+
+    /// [`Task::planted`].
+    fn planted_faults(&self) -> Vec<Box<dyn AnyPlanted>>;
 
     /// [`Task::tables`].
     fn own_tables(&self) -> Vec<TableSpec>;
@@ -128,6 +131,10 @@ impl<T: Task> AnyTask for T {
         self.write(&loaded.scene, content(self, loaded), typed::<T>(answer), folder)
     }
 
+    fn planted_faults(&self) -> Vec<Box<dyn AnyPlanted>> {
+        self.planted().into_iter().map(|planted| Box::new(planted) as Box<dyn AnyPlanted>).collect()
+    }
+
     fn own_tables(&self) -> Vec<TableSpec> {
         self.tables()
     }
@@ -162,6 +169,7 @@ impl<T: Task> AnyCase for CaseOf<'_, T> {
     fn judge(&self, asked: &Asked<'_>, answer: &dyn Any, outcome: &mut Outcome) -> Result<(), Stop> {
         let answer = typed::<T>(answer);
         outcome.digest = Some(answer.digest());
+        outcome.sampled = self.sampled();
         self.task.judge(&self.case, asked, answer, outcome)
     }
 

@@ -27,7 +27,7 @@ pub trait Contestant: Send + Sync {
     ///
     /// # Errors
     /// [`Declined`]; then `ask` is not called.
-    fn with_session(&self, scene: &Scene, ask: &mut dyn FnMut(&dyn Predicates)) -> Result<(), Declined>;
+    fn with_session(&self, scene: &Scene, ask: &mut dyn FnMut(&mut dyn Predicates)) -> Result<(), Declined>;
 
     /// The same, and counts which stage settled what.
     ///
@@ -37,7 +37,7 @@ pub trait Contestant: Send + Sync {
         &self,
         scene: &Scene,
         counts: &Counts,
-        ask: &mut dyn FnMut(&dyn Predicates),
+        ask: &mut dyn FnMut(&mut dyn Predicates),
     ) -> Result<(), Declined>;
 
     /// The independent judge of how it breaks ties, if it does.
@@ -157,9 +157,9 @@ impl<B: Backend + 'static> Contestant for Entry<B> {
         self.backend.stages()
     }
 
-    fn with_session(&self, scene: &Scene, ask: &mut dyn FnMut(&dyn Predicates)) -> Result<(), Declined> {
-        let session = self.backend.prepare(scene, Off)?;
-        ask(&session);
+    fn with_session(&self, scene: &Scene, ask: &mut dyn FnMut(&mut dyn Predicates)) -> Result<(), Declined> {
+        let mut session = self.backend.prepare(scene, Off)?;
+        ask(&mut session);
         Ok(())
     }
 
@@ -167,10 +167,10 @@ impl<B: Backend + 'static> Contestant for Entry<B> {
         &self,
         scene: &Scene,
         counts: &Counts,
-        ask: &mut dyn FnMut(&dyn Predicates),
+        ask: &mut dyn FnMut(&mut dyn Predicates),
     ) -> Result<(), Declined> {
-        let session = self.backend.prepare(scene, counts)?;
-        ask(&session);
+        let mut session = self.backend.prepare(scene, counts)?;
+        ask(&mut session);
         Ok(())
     }
 

@@ -65,6 +65,8 @@ pub struct Outcome {
     pub stages: Vec<(&'static str, u64)>,
     /// A digest of the answers as users get them (for [`Purpose::Use`](crate::Purpose)); none where there are none.
     pub digest: Option<u64>,
+    /// What the truth is about, where that is not the whole scene.
+    pub sampled: Option<String>,
     /// Rows of the task's own tables.
     pub rows: Vec<Record>,
 }

@@ -180,6 +180,17 @@ impl<B: Backend + 'static, T: Task> Solver for OnTask<B, T> {
     }
 }
 
+/// How long this takes in a pool of threads. It is behind a pointer, so that the pool's part is compiled once.
+fn timed(pool: &rayon::ThreadPool, solve: &mut (dyn FnMut() -> bool + Send)) -> Duration {
+    pool.install(|| {
+        let start = Instant::now();
+        let done = solve();
+        let time = start.elapsed();
+        assert!(done, "nothing stops a timed pass");
+        time
+    })
+}
+
 struct Passes<'a, B: Backend + 'static, T: Task> {
     solver: &'a OnTask<B, T>,
     /// None where the last pass has constructed vertices in it.
@@ -201,13 +212,10 @@ impl<B: Backend + 'static, T: Task> Stopwatch for Passes<'_, B, T> {
         let quiet = |_: u64| {};
         let watch = Watch::new(&never, None, &quiet);
         let how = How { purpose: Purpose::Use, watch: &watch };
-        let time = pool.install(|| {
-            let start = Instant::now();
+        let time = timed(pool, &mut || {
             let done = solver.task.solve(session, black_box(content), &how, answer);
             black_box(&mut *answer);
-            let time = start.elapsed();
-            assert!(done.is_ok(), "nothing stops a timed pass");
-            time
+            done.is_ok()
         });
         if solver.task.constructs() {
             // The next pass would find its vertices ready.

@@ -7,7 +7,7 @@ use predicament_predicates::{Declined, PredicateKind, Predicates, Query, Scene, 
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 
-use crate::{Asked, Case, Contestant, Dispute, Halt, How, Outcome, Stop, Watch};
+use crate::{Asked, Case, Contestant, Dispute, Halt, How, Outcome, Planted, Stop, Watch};
 
 /// An answer to everything that a scene asks. It is reused from pass to pass
 /// where time is measured, so that memory is not.
@@ -126,6 +126,11 @@ pub trait Task: SceneFormat + Sized + 'static {
         answer: &Self::Answer,
         folder: &Path,
     ) -> std::io::Result<Vec<PathBuf>>;
+
+    /// Its algorithm with faults planted in it, each of which its judge has to find.
+    fn planted(&self) -> Vec<Planted<Self>> {
+        Vec::new()
+    }
 
     /// The tables that judging adds rows to, besides those of every run.
     fn tables(&self) -> Vec<TableSpec> {

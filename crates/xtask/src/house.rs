@@ -33,6 +33,82 @@ fn whoever_names_rug_names_the_feature_of_gmp() {
     }
 }
 
+/// The Rust files in a folder, and in those in it.
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).unwrap_or_else(|why| panic!("{}: {why}", folder.display()));
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    let of = |path: PathBuf| if path.is_dir() { sources(&path) } else { vec![path] };
+    paths.flat_map(of).filter(|path| path.extension().is_some_and(|end| end == "rs")).collect()
+}
+
+/// True for a file of a library with tests that are never compiled.
+fn has_lost_tests(manifest: &str, source: &str) -> bool {
+    let library = manifest.split("\n[").find(|section| section.starts_with("lib]"));
+    let is_not_tested = library.is_some_and(|section| section.lines().any(|line| line == "test = false"));
+    is_not_tested && (source.contains("#[test]") || source.contains("proptest!"))
+}
+
+#[test]
+fn no_test_is_in_a_library_that_is_not_tested() {
+    for manifest in manifests() {
+        let text = std::fs::read_to_string(&manifest).expect("a manifest");
+        let folder = manifest.with_file_name("src");
+        for path in if folder.is_dir() { sources(&folder) } else { Vec::new() } {
+            let source = std::fs::read_to_string(&path).expect("a file");
+            assert!(!has_lost_tests(&text, &source), "move the tests of {} into `tests`", path.display());
+        }
+    }
+}
+
+#[test]
+fn a_lost_test_is_seen() {
+    let [tested, not] = ["[package]\n\n[lib]\nname = \"a\"\n", "[package]\n\n[lib]\ntest = false\n\n[features]\n"];
+    let [with, without] = ["#[test]\nfn a() {}\n", "fn a() {}\n"];
+    assert!(has_lost_tests(not, with));
+    assert!(!has_lost_tests(not, without) && !has_lost_tests(tested, with));
+}
+
+/// What tells where a page was written, or where its packages came from.
+fn names_a_host(line: &str) -> bool {
+    // In pieces, so that this file passes.
+    let marks =
+        [["/ho", "me/"], ["/ro", "ot/"], ["/Us", "ers/"], ["crates", ".io"], ["do", "cs.rs"], ["local", "host"]];
+    marks.iter().any(|mark| line.contains(&mark.concat()))
+}
+
+/// The tracked files are those outside of what is built: pages, sources, corpora, manifests.
+#[test]
+fn no_file_names_a_host_or_somebodys_folders() {
+    fn check(path: &Path, seen: &mut usize) {
+        if path.is_dir() {
+            if ["target", ".git", "fuzz/corpus"].iter().any(|name| path.ends_with(name)) {
+                return;
+            }
+            let entries = std::fs::read_dir(path).expect("a folder");
+            entries.for_each(|entry| check(&entry.expect("an entry").path(), seen));
+        } else if path
+            .extension()
+            .is_some_and(|end| ["rs", "md", "toml", "html", "txt", "sh"].iter().any(|of| end == *of))
+        {
+            let text = std::fs::read_to_string(path).unwrap_or_default();
+            *seen += 1;
+            for (at, line) in text.lines().enumerate() {
+                assert!(!names_a_host(line), "{}:{}: {line}", path.display(), at + 1);
+            }
+        }
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut seen = 0;
+    for name in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "Cargo.toml"] {
+        check(&root.join(name), &mut seen);
+    }
+    for name in ["docs", "crates", "harness", "corpora", "examples", "fuzz", "reports"] {
+        check(&root.join(name), &mut seen);
+    }
+    assert!(seen > 300, "{seen} files");
+    assert!(names_a_host(&["see ", "do", "cs.rs/rug"].concat()));
+}
+
 /// The blocks of Rust of a page.
 fn rust_blocks(page: &str) -> Vec<&str> {
     let blocks = page.split("```rust\n").skip(1);

@@ -8,7 +8,8 @@ use predicament_exact::{Exact, Precision};
 use predicament_oracle::expect::Expectations;
 use predicament_predicates::{Backend, Scene};
 use predicament_records::{
-    self as records, Env, Plan, PlannedScene, PrecisionRow, RunDir, RunWriter, Shard, Status, SummaryRow, TableSpec,
+    self as records, Env, Plan, PlannedScene, PrecisionRow, RunDir, RunWriter, SampledRow, Shard, Status, SummaryRow,
+    TableSpec,
 };
 use predicament_tasks::{AnyCase, Budget, Class, Contestant, Outcome, Stop, Watch};
 
@@ -239,7 +240,7 @@ impl Job {
 /// The tables of a run folder besides those of every run.
 pub fn tables(tool: &Tool) -> Vec<TableSpec> {
     let mut tables = tool.tables();
-    tables.push(TableSpec::of::<JudgedRow>());
+    tables.extend([TableSpec::of::<JudgedRow>(), TableSpec::of::<SampledRow>()]);
     tables
 }
 

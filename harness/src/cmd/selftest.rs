@@ -1,16 +1,18 @@
 //! `selftest`: plants faults and sees whether they are caught.
 //!
 //! Each faulty backend claims a real contract and runs through the embedded
-//! corpora like any other. A fault that produces no finding means that the
-//! corpora or the checks have a hole. The real backends of proved contracts
-//! run beside them and must come out clean, or the score would mean nothing.
+//! corpora like any other; each faulty algorithm runs on an honest backend. A
+//! fault names the checks that have to find it: one that finds nothing means that
+//! the corpora have a hole or that the check does not work, whatever else finds
+//! the fault. The real backends of proved contracts run beside them and must
+//! come out clean, or the score would mean nothing.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_corpus::Level;
 use predicament_oracle::faults::Fault;
 use predicament_records::Shard;
-use predicament_tasks::{Class, Contestant, Watch};
+use predicament_tasks::{AnyCase, Catch, Class, Contestant, Outcome, Watch, built_in};
 
 use crate::exit::{self, Failure};
 use crate::select::Selector;
@@ -20,93 +22,172 @@ use crate::{expectations, interrupt, progress};
 const EXAMPLES: &str = "\
 Examples:
   predicament selftest
-  predicament selftest --list
+  predicament selftest --list                      the faults, and the checks that have to find them
   predicament selftest -f kettner                  which faults does one part of the corpora catch?
   predicament run -b fault:sos-swapped-term        a planted fault in a run of its own; `gate` turns red";
 
 /// Backends that must have no finding but the expected ones.
 const CLEAN: [&str; 4] = ["exact", "sos", "sos:edelsbrunner-mucke", "tolerance"];
 
-/// Plant faulty backends; each must be caught
+/// Plant faults in backends and algorithms; each must be caught by its checks
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// Only scenes whose `suite/scene` matches this regular expression
+    /// Only scenes whose `suite/scene` matches this regular expression; a fault is then
+    /// caught by any finding
     #[arg(short = 'f', long = "filter", value_name = "RE")]
     pub filter: Option<String>,
 
-    /// Name the faults and stop
+    /// Name the faults and the checks that have to find them, and stop
     #[arg(long)]
     pub list: bool,
 }
 
-/// What caught a fault: class and check, and how often.
-type Catches = BTreeMap<(Class, String), u64>;
+/// What is planted, or nothing in an honest backend, and what was found.
+struct Entry {
+    name: String,
+    what: &'static str,
+    /// None for an honest backend.
+    caught_by: Option<&'static [Catch]>,
+    caught: BTreeMap<(Class, String), u64>,
+}
+
+impl Entry {
+    fn new(name: String, what: &'static str, caught_by: Option<&'static [Catch]>) -> Entry {
+        Entry { name, what, caught_by, caught: BTreeMap::new() }
+    }
+
+    fn note(&mut self, outcome: &Outcome, known: &BTreeSet<(Class, String)>) {
+        for catch in catches(outcome).filter(|catch| !known.contains(catch)) {
+            *self.caught.entry(catch).or_default() += 1;
+        }
+    }
+
+    /// The checks that should have found it and did not.
+    fn missed(&self) -> Vec<String> {
+        let caught_by = self.caught_by.unwrap_or_default();
+        let missed =
+            caught_by.iter().filter(|(class, check)| !self.caught.contains_key(&(*class, (*check).to_owned())));
+        missed.map(|(class, check)| format!("{class} ({check})")).collect()
+    }
+}
+
+/// Honest backends, faulty backends, faulty algorithms, in this order.
+fn entries() -> Vec<Entry> {
+    let honest = CLEAN.iter().map(|name| Entry::new((*name).to_owned(), "nothing is wrong", None));
+    let backends = Fault::ALL
+        .into_iter()
+        .map(|fault| Entry::new(format!("fault:{}", fault.name()), fault.what(), Some(fault.caught_by())));
+    let mut entries: Vec<Entry> = honest.chain(backends).collect();
+    for planted in built_in().iter().flat_map(|task| task.planted_faults()) {
+        let name = algorithm(planted.name());
+        // Tasks of one family share their algorithm and so its faults.
+        if entries.iter().all(|entry| entry.name != name) {
+            entries.push(Entry::new(name, planted.what(), Some(planted.caught_by())));
+        }
+    }
+    entries
+}
+
+fn algorithm(fault: &str) -> String {
+    format!("algorithm:{fault}")
+}
+
+/// Class and check of all findings but refusals.
+fn catches(outcome: &Outcome) -> impl Iterator<Item = (Class, String)> {
+    let findings = outcome.findings.iter().filter(|finding| finding.class != Class::Declined);
+    findings.map(|finding| (finding.class, finding.check.clone()))
+}
 
 /// Runs the command.
 pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
+    let mut entries = entries();
     if args.list {
-        for fault in Fault::ALL {
-            say!("fault:{:<24} {}", fault.name(), fault.what());
+        for entry in entries.iter().filter(|entry| entry.caught_by.is_some()) {
+            say!("{:<31} {}", entry.name, entry.what);
+            say!("{:<31} caught by {}", "", entry.missed().join(", "));
         }
         return Ok(exit::OK);
     }
+    let is_whole = args.filter.is_none();
     let selector = Selector { filter: args.filter, ..Selector::everything() };
     let selection = selector.select(tool)?;
     let mut scenes = selection.plan(Shard::WHOLE)?;
-    let names = CLEAN.iter().map(ToString::to_string);
-    let names: Vec<String> = names.chain(Fault::ALL.iter().map(|fault| format!("fault:{}", fault.name()))).collect();
-    let contestants: Result<Vec<Box<dyn Contestant>>, String> = names.iter().map(|name| tool.backend(name)).collect();
+    let backends = entries.iter().filter(|entry| !entry.name.starts_with("algorithm:"));
+    let contestants: Result<Vec<Box<dyn Contestant>>, String> =
+        backends.map(|entry| tool.backend(&entry.name)).collect();
     let contestants = contestants.map_err(Failure::usage)?;
     let expected = expectations::load(tool, None)?;
     interrupt::listen();
     let bar = progress::bar(scenes.len() as u64, "scenes");
     let quiet = |_: u64| {};
-    let mut caught: Vec<Catches> = vec![Catches::new(); contestants.len()];
     let interrupted = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
     for scene in &mut scenes {
         let loaded = scene.take(&selection)?;
         let watch = Watch::new(interrupt::flag(), None, &quiet);
         let case = tool.task(loaded.task).case(&loaded, &watch).map_err(interrupted)?;
-        // What an honest backend is known to show catches no faulty one.
+        let budget = super::run::budget(Level::Quick);
+        // What an honest backend is known to show catches no fault.
         let mut known: BTreeSet<(Class, String)> = BTreeSet::new();
-        for (at, (contestant, caught)) in contestants.iter().zip(&mut caught).enumerate() {
-            let budget = super::run::budget(Level::Quick);
+        for (contestant, entry) in contestants.iter().zip(&mut entries) {
             let outcome =
                 predicament_oracle::run(case.as_ref(), contestant.as_ref(), budget, &watch).map_err(interrupted)?;
-            let (level, name) = (Level::Quick.name(), contestant.name());
-            let is_expected =
-                |class| expected.matching(&loaded.suite, &loaded.name, &name, level).any(|entry| entry.class == class);
-            for finding in outcome.findings.iter().filter(|finding| finding.class != Class::Declined) {
-                let catch = (finding.class, finding.check.clone());
-                if at < CLEAN.len() && is_expected(finding.class) {
-                    known.insert(catch);
-                } else if !known.contains(&catch) {
-                    *caught.entry(catch).or_default() += 1;
-                }
+            if entry.caught_by.is_none() {
+                let of = |class| {
+                    let mut of = expected.matching(&loaded.suite, &loaded.name, &entry.name, Level::Quick.name());
+                    of.any(|entry| entry.class == class)
+                };
+                let expected: BTreeSet<_> = catches(&outcome).filter(|&(class, _)| of(class)).collect();
+                entry.note(&outcome, &expected);
+                known.extend(expected);
+            } else {
+                entry.note(&outcome, &known);
             }
         }
+        algorithms(case.as_ref(), &contestants, &known, &watch, &mut entries).map_err(interrupted)?;
         bar.inc(1);
     }
     bar.finish_and_clear();
-    Ok(scorecard(&names, &caught))
+    Ok(scorecard(&entries, is_whole))
 }
 
-fn scorecard(names: &[String], caught: &[Catches]) -> u8 {
-    let mut holes = 0;
-    for (name, caught) in names.iter().zip(caught) {
-        let planted = name.starts_with("fault:");
-        let good = planted != caught.is_empty();
-        holes += usize::from(!good);
-        let verdict = match (planted, good) {
-            (true, true) => "caught",
-            (true, false) => "NOT CAUGHT",
-            (false, true) => "clean",
-            (false, false) => "NOT CLEAN",
-        };
-        let by: Vec<String> = caught.iter().map(|((class, check), _)| format!("{class} ({check})")).collect();
-        say!("{name:<30} {verdict:<11} {}", by.join(", "));
+/// The algorithm of a scene's task with each of its faults.
+fn algorithms(
+    case: &dyn AnyCase,
+    contestants: &[Box<dyn Contestant>],
+    known: &BTreeSet<(Class, String)>,
+    watch: &Watch,
+    entries: &mut [Entry],
+) -> Result<(), predicament_tasks::Stop> {
+    for planted in case.task().planted_faults() {
+        let honest = contestants.iter().find(|contestant| contestant.name() == planted.backend());
+        let honest = honest.unwrap_or_else(|| panic!("{} runs on no honest backend", planted.name()));
+        let budget = super::run::budget(Level::Quick);
+        let outcome = predicament_oracle::run_planted(case, planted.as_ref(), honest.as_ref(), budget, watch)?;
+        let name = algorithm(planted.name());
+        entries.iter_mut().filter(|entry| entry.name == name).for_each(|entry| entry.note(&outcome, known));
     }
-    say!("{} of {} as they should be", names.len() - holes, names.len());
+    Ok(())
+}
+
+fn scorecard(entries: &[Entry], is_whole: bool) -> u8 {
+    let mut holes = 0;
+    for entry in entries {
+        let missed = if is_whole { entry.missed() } else { Vec::new() };
+        let (good, verdict) = match (entry.caught_by, entry.caught.is_empty()) {
+            (None, true) => (true, "clean"),
+            (None, false) => (false, "NOT CLEAN"),
+            (Some(_), true) => (false, "NOT CAUGHT"),
+            (Some(_), false) if missed.is_empty() => (true, "caught"),
+            (Some(_), false) => (false, "MISSED BY"),
+        };
+        holes += usize::from(!good);
+        let by: Vec<String> = match verdict {
+            "MISSED BY" => missed,
+            _ => entry.caught.keys().map(|(class, check)| format!("{class} ({check})")).collect(),
+        };
+        say!("{:<31} {verdict:<11} {}", entry.name, by.join(", "));
+    }
+    say!("{} of {} as they should be", entries.len() - holes, entries.len());
     if holes == 0 { exit::OK } else { exit::UNEXPECTED }
 }

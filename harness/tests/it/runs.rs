@@ -99,6 +99,7 @@ fn every_scene_has_one_precision_plan_whatever_the_backends() {
         "contacts.csv",
         "masses.csv",
         "judged.csv",
+        "sampled.csv",
     ] {
         write(&folder, &format!("old/{file}"), &read(&one, file));
     }

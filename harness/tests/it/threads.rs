@@ -27,7 +27,8 @@ fn the_bytes_do_not_depend_on_the_number_of_threads() {
             out
         });
         for (name, text) in tables(&one) {
-            assert!(text.lines().count() > 1, "{name} has rows");
+            // No scene of level quick is so large that its truth is about a part of it.
+            assert!(text.lines().count() > 1 || name == "sampled.csv", "{name} has rows");
         }
         if args[0] == "run" {
             assert!(tables(&one).iter().any(|(name, _)| name == "judged.csv"));

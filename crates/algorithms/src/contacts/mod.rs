@@ -21,13 +21,13 @@ pub mod planted;
 
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Dimension, Predicates};
-use rayon::prelude::*;
 
 use ask::ask;
 use ended::Ended;
 use near::{Near, PIECE};
 
 use self::planted::Planted;
+use crate::parallel;
 use crate::planted::Honest;
 
 /// Barycentric coordinates of a point in a simplex, one for each of its
@@ -187,7 +187,7 @@ fn of_ranks<S: Predicates + ?Sized, const D: usize>(
         level.registered = registered.len() as u64;
         (level, registered)
     };
-    let pieces: Vec<(Level, Vec<Contact>)> = near.firsts(rank_a).par_chunks(PIECE).map(piece).collect();
+    let pieces: Vec<(Level, Vec<Contact>)> = parallel::pieces(near.firsts(rank_a), PIECE, &piece);
     let mut all = (none, Vec::with_capacity(pieces.iter().map(|(_, registered)| registered.len()).sum()));
     for (level, registered) in pieces {
         all.0.candidates += level.candidates;

@@ -150,6 +150,9 @@ pub fn locate_all_specially(
     })
 }
 
+/// The locations of a chunk of queries, unless it is too late for them.
+type PartOf<'a> = dyn Fn(&mut Scratch, &[Vertex]) -> Option<Locations> + Sync + 'a;
+
 fn gather(
     index: &LocateIndex,
     queries: &[Vertex],
@@ -158,27 +161,26 @@ fn gather(
 ) -> Locations {
     let stopped = AtomicBool::new(false);
     let done = AtomicUsize::new(0);
-    let parts: Vec<Option<Locations>> = queries
-        .par_chunks(CHUNK)
-        .map_init(Scratch::new, |scratch, chunk| {
-            if stopped.load(Relaxed) {
-                return None;
-            }
-            let mut part = Locations::none(chunk.len());
-            part.inside.ends.reserve_exact(chunk.len());
-            part.boundary.ends.reserve_exact(chunk.len());
-            for &q in chunk {
-                let location = locate(index, q, scratch);
-                part.inside.push(location.inside);
-                part.boundary.push(location.boundary);
-            }
-            let so_far = done.fetch_add(chunk.len(), Relaxed) + chunk.len();
-            if !progress(so_far) {
-                stopped.store(true, Relaxed);
-            }
-            Some(part)
-        })
-        .collect();
+    // Behind a pointer, so that the parallel loop is compiled once: see `crate::parallel`.
+    let part: &PartOf<'_> = &|scratch, chunk| {
+        if stopped.load(Relaxed) {
+            return None;
+        }
+        let mut part = Locations::none(chunk.len());
+        part.inside.ends.reserve_exact(chunk.len());
+        part.boundary.ends.reserve_exact(chunk.len());
+        for &q in chunk {
+            let location = locate(index, q, scratch);
+            part.inside.push(location.inside);
+            part.boundary.push(location.boundary);
+        }
+        let so_far = done.fetch_add(chunk.len(), Relaxed) + chunk.len();
+        if !progress(so_far) {
+            stopped.store(true, Relaxed);
+        }
+        Some(part)
+    };
+    let parts: Vec<Option<Locations>> = queries.par_chunks(CHUNK).map_init(Scratch::new, part).collect();
 
     let mut all = Locations::none(queries.len());
     all.inside.reserve(parts.iter().map_while(Option::as_ref).map(|part| &part.inside));

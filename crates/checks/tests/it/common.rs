@@ -1,7 +1,7 @@
 //! Sessions with planted faults, and maps to try them on.
 
 use predicament_mesh::PolygonMap;
-use predicament_predicates::{Axis, Plane, Predicates, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Plane, Predicates, Scene, Sign, Vertex, forward_to};
 
 /// A session that answers through `inner`, but for what the fault changes.
 pub struct Faulty<P> {
@@ -129,21 +129,7 @@ pub struct Patched<'a, P, Q> {
 }
 
 impl<P: Predicates, Q: Predicates> Predicates for Patched<'_, P, Q> {
-    fn scene(&self) -> &Scene {
-        self.sides.scene()
-    }
-
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.sides.compare(axis, a, b)
-    }
-
-    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        self.sides.orient2d(plane, a, b, c)
-    }
-
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.sides.orient3d(a, b, c, d)
-    }
+    forward_to!(sides: scene, compare, orient2d, orient3d);
 
     fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
         self.circles.incircle(a, b, c, d)

@@ -126,6 +126,7 @@ pub(super) fn define(
 pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<SceneDef, CorpusError> {
     let name = fields.required("name")?.string()?;
     let task = context.vocabulary.task(&fields.required("task")?)?;
+    fields.check_keys(|key| context.vocabulary.foreign(key, task))?;
     let source = task.read(context, &fields)?;
     let family = name.clone();
     define(context, fields, name, task.name(), &family, source)

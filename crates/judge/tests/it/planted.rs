@@ -18,7 +18,7 @@ use predicament_judge::cubes::Cubes;
 use predicament_judge::interval;
 use predicament_judge::locate::Borders;
 use predicament_mesh::{Complex, Simplices};
-use predicament_predicates::{Axis, Backend, Dimension, Off, Plane, Predicates, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Backend, Dimension, Off, Plane, Predicates, Scene, Vertex, forward_to};
 
 use crate::contacts::of_judge;
 use crate::cubes::in_scene_units;
@@ -52,24 +52,8 @@ fn a_lost_sub_pair_is_caught() {
 struct Banded<S>(S);
 
 impl<S: Predicates> Predicates for Banded<S> {
-    fn scene(&self) -> &Scene {
-        self.0.scene()
-    }
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.0.compare(axis, a, b)
-    }
-    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        self.0.orient2d(plane, a, b, c)
-    }
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.0.orient3d(a, b, c, d)
-    }
-    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.0.incircle(a, b, c, d)
-    }
-    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.0.insphere(a, b, c, d, e)
-    }
+    forward_to!(0: scene, compare, orient2d, orient3d, incircle, insphere);
+
     fn reach(&self) -> f64 {
         1.0
     }

@@ -2,7 +2,7 @@
 
 use predicament_exact::Exact;
 use predicament_predicates::{
-    Axis, Backend, Band, Contract, Declined, Off, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex,
+    Backend, Band, Contract, Declined, Off, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, forward_to,
 };
 use predicament_tolerance::Tolerance;
 
@@ -68,32 +68,10 @@ impl<P: Predicates> Session<P> {
 }
 
 impl<P: Predicates> Predicates for Session<P> {
-    fn scene(&self) -> &Scene {
-        self.honest.scene()
-    }
+    forward_to!(honest: scene, compare, orient2d, orient3d, incircle, insphere);
 
     fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
         self.honest.supports(kind)
-    }
-
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.honest.compare(axis, a, b)
-    }
-
-    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        self.honest.orient2d(plane, a, b, c)
-    }
-
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.honest.orient3d(a, b, c, d)
-    }
-
-    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.honest.incircle(a, b, c, d)
-    }
-
-    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.honest.insphere(a, b, c, d, e)
     }
 
     fn band(&self, question: predicament_predicates::Question) -> Option<Band> {

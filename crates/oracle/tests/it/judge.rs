@@ -193,4 +193,29 @@ proptest! {
             }
         }
     }
+
+    #[test]
+    fn constructed_vertices_lie_on_what_defines_them(
+        coordinates in prop::collection::vec(finite(), 36),
+        ids in prop::collection::vec(0_usize..12, 40),
+    ) {
+        for dimension in [Dimension::Two, Dimension::Three] {
+            let mut scene = Scene::new(dimension, coordinates[..12 * dimension.count()].to_vec()).unwrap();
+            construct(&mut scene, &ids);
+            for (index, construction) in scene.constructions().iter().enumerate() {
+                for flat in construction.flats() {
+                    let args = [flat, &[Vertex::constructed(index)]].concat();
+                    let planes: &[Plane] =
+                        if dimension == Dimension::Two { &[Plane::Xy] } else { &[Plane::Xy, Plane::Yz, Plane::Zx] };
+                    if flat.len() == 3 {
+                        prop_assert_eq!(judge::sign(&scene, Question::Orient3d, &args), Sign::Zero);
+                    } else {
+                        for &plane in planes {
+                            prop_assert_eq!(judge::sign(&scene, Question::Orient2d(plane), &args), Sign::Zero);
+                        }
+                    }
+                }
+            }
+        }
+    }
 }

@@ -7,7 +7,8 @@ use predicament_corpus::LoadedScene;
 use predicament_formats::ImportNotes;
 use predicament_mesh::PolygonMap;
 use predicament_predicates::{
-    Axis, Backend, Contract, Declined, Off, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, ZeroMeaning,
+    Backend, Contract, Declined, Off, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, ZeroMeaning,
+    forward_to,
 };
 use predicament_sos::{Scheme, Sos};
 use predicament_tasks::polygon_locate::{MapWithProbes, Probe, ProbeKind};
@@ -47,25 +48,12 @@ impl Backend for WrongAboutTheTop {
 }
 
 impl Predicates for Session<'_> {
-    fn scene(&self) -> &Scene {
-        self.0.scene()
-    }
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.0.compare(axis, a, b)
-    }
+    forward_to!(0: scene, compare, orient3d, incircle, insphere);
+
     fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
         let sign = self.0.orient2d(plane, a, b, c);
         let is_top = TOP.iter().all(|&v| [a, b, c].contains(&Vertex::input(v)));
         if is_top { -sign } else { sign }
-    }
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.0.orient3d(a, b, c, d)
-    }
-    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.0.incircle(a, b, c, d)
-    }
-    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.0.insphere(a, b, c, d, e)
     }
 }
 

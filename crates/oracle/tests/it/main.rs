@@ -3,9 +3,12 @@
 mod common;
 mod constructed;
 mod contacts;
+mod crossings;
+mod expect;
 mod faults;
 mod judge;
 mod lines_and_cubes;
 mod locate;
 mod locate_special;
+mod roster;
 mod run;

@@ -31,7 +31,7 @@ pub fn sections(runs: &[RunDir], of_tasks: &[Section]) -> Result<Vec<Section>, E
         ties::section(runs)?,
     ];
     sections.extend_from_slice(of_tasks);
-    sections.push(not_run::section(runs));
+    sections.push(not_run::section(runs)?);
     sections.extend(maps::section(runs));
     Ok(sections)
 }

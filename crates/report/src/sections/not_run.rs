@@ -5,13 +5,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{rank, run_head, run_label, some_of};
 use crate::groups::backends;
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Class, RunDir};
+use crate::{Class, Error, RunDir};
+use predicament_records::SampledRow;
 use predicament_records::format::{length, thousands};
 
 /// How many scenes are named.
 const FEW: usize = 5;
 
-pub fn section(runs: &[RunDir]) -> Section {
+pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
     let mut blocks = Vec::new();
     let skipped = not_selected(runs);
     let scenes_of_class = |class: Class, caption: &str| {
@@ -35,7 +36,27 @@ pub fn section(runs: &[RunDir]) -> Section {
             "Nothing: every suite was selected, every scene was run, and no backend declined or ran out of time.";
         blocks.push(Block::Note(note.to_owned(), Tone::Good));
     }
-    Section { id: "not-run", title: "What was not run", lead: String::new(), blocks }
+    // Scenes that were run, and judged by a part: neither a success nor a failure of the rest.
+    let sampled = sampled(runs)?;
+    if !sampled.is_empty() {
+        blocks.push(Block::Table(sampled));
+    }
+    Ok(Section { id: "not-run", title: "What was not run", lead: String::new(), blocks })
+}
+
+/// Scenes that are too large for the whole truth, once for all backends.
+fn sampled(runs: &[RunDir]) -> Result<Table, Error> {
+    let mut table =
+        Table::new("Held against the truth of a part").words(run_head(runs)).words(["suite", "scene", "task", "part"]);
+    for (index, run) in runs.iter().enumerate() {
+        let rows = run.rows::<SampledRow>()?;
+        let scenes: BTreeSet<_> = rows.iter().map(|row| [&row.suite, &row.scene, &row.task, &row.truth_of]).collect();
+        for scene in scenes {
+            let cells = scene.map(|cell| Cell::from(cell.as_str()));
+            table.push(run_label(runs, index).into_iter().chain(cells).collect());
+        }
+    }
+    Ok(table)
 }
 
 fn not_selected(runs: &[RunDir]) -> Table {

@@ -3,7 +3,7 @@
 //! approved page lie with the tasks, whose sections are part of it; the sections
 //! here are made by hand.
 
-use predicament_records::RunDir;
+use predicament_records::{Env, Outcome, RunDir, RunWriter, SampledRow, TableSpec};
 use predicament_report::{Block, Cell, PixelMap, Section, Table, Tone, data_uri, html, markdown, scatter, write_pages};
 
 fn runs() -> Vec<RunDir> {
@@ -117,6 +117,25 @@ fn names_can_t_smuggle_markup_into_a_page() {
     // Commands are typed and code is printed as it stands: neither is markup in Markdown.
     let page = markdown(&runs, &sections).unwrap().replace(&format!("`{}`", evil.replace('|', "\\|")), "");
     assert!(!page.replace("\\<", "").contains("<script"));
+}
+
+/// Scenes that were judged in part are named once, however many backends they ran on.
+#[test]
+fn a_scene_that_was_judged_in_part_is_named() {
+    let plan = &runs()[0].plan;
+    let rows = ["exact", "sos"].map(|backend| SampledRow::new(&plan.scenes[0], backend, "9 of 1,000 probes"));
+    let row = format!("| {} | {} | {} | 9 of 1,000 probes |", rows[0].suite, rows[0].scene, rows[0].task);
+    let page = |rows: &[SampledRow]| {
+        let folder = tempfile::tempdir().unwrap();
+        let mut writer =
+            RunWriter::create(folder.path(), plan, &Env::default(), &[TableSpec::of::<SampledRow>()]).unwrap();
+        writer.write(rows).unwrap();
+        writer.finish(Outcome::Complete).unwrap();
+        markdown(&[RunDir::open(folder.path()).unwrap()], &[]).unwrap().replace("\\-", "-")
+    };
+    let (with, without) = (page(&rows), page(&[]));
+    assert_eq!(with.matches(&row).count(), 1, "{with}");
+    assert!(with.contains("Held against the truth of a part") && !without.contains("Held against"), "{without}");
 }
 
 #[test]

@@ -32,6 +32,7 @@
 
 mod certain;
 mod limit;
+mod memo;
 mod moved;
 mod place;
 mod residue;
@@ -43,6 +44,7 @@ use predicament_predicates::{Axis, Construction, Declined, Question, Scene, Sign
 
 use certain::Matrix;
 pub use limit::{Limit, limit};
+pub(crate) use memo::Memo;
 use moved::{Moved, inputs};
 use place::{Place, depend};
 use search::{Expression, Search};
@@ -79,7 +81,7 @@ pub(crate) fn are_of_inputs(scene: &Scene) -> Result<(), Declined> {
 ///
 /// # Panics
 /// If the scene lacks a vertex, or the question is about circles or spheres.
-pub(crate) fn decide(scene: &Scene, question: Question, args: &[Vertex]) -> Option<(Sign, usize)> {
+fn decide(scene: &Scene, question: Question, args: &[Vertex]) -> Option<(Sign, usize)> {
     let places: SmallVec<[Place; 4]> = args.iter().map(|&v| Place::simple(scene, v)).collect();
     if depend(question, &places) {
         return None;

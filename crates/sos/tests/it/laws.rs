@@ -16,7 +16,7 @@
 use crate::common::{self, Random, ask_antisymmetric, first, grid_scene, questions};
 use predicament_exact::Exact;
 use predicament_predicates::{
-    Axis, Backend, Construction, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex,
+    Axis, Backend, Construction, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex, answer_by,
 };
 use predicament_sos::{Scheme, Sos, Term, ties};
 
@@ -166,21 +166,7 @@ impl Predicates for Faulty<'_> {
     fn scene(&self) -> &Scene {
         self.exact.scene()
     }
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.answer(Question::Compare(axis), [a, b])
-    }
-    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        self.answer(Question::Orient2d(plane), [a, b, c])
-    }
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.answer(Question::Orient3d, [a, b, c, d])
-    }
-    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.answer(Question::Incircle, [a, b, c, d])
-    }
-    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.answer(Question::Insphere, [a, b, c, d, e])
-    }
+    answer_by!(answer);
 }
 
 fn violations(scheme: Scheme, scene: &Scene, lifted: bool, rows: &[Row]) -> usize {

@@ -17,7 +17,8 @@ mod topology;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::contacts::{Contact, Contacts as Registered, Weights, contacts};
+use predicament_algorithms::contacts::planted::{ForgottenSubPairs, LostSubPair};
+use predicament_algorithms::contacts::{Contact, Contacts as Registered, Weights, contacts, contacts_planted};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_judge::Judged;
@@ -30,8 +31,15 @@ pub use content::Complexes;
 pub use judge::Truth;
 pub use section::ContactRow;
 
-use crate::{Answer, Asked, Case, Contestant, Explanation, Halt, How, Outcome, Stop, Task, Watch, digest};
+use crate::{
+    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+};
 use pairs::{Pair, closure};
+
+/// What has to see that a pair is missing.
+const LOST_CHECKS: &[Catch] = &[(Class::MissedZero, "contact"), (Class::Topology, "crossing parity")];
+/// What has to see pairs that were not to be asked about.
+const FORGOTTEN_CHECKS: &[Catch] = &[(Class::Inconsistent, "unasked"), (Class::Topology, "loose ends")];
 
 /// The task, in the plane or in space.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -131,6 +139,17 @@ impl Task for Contacts {
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
         judge::judge(case, asked, answer, outcome)
+    }
+
+    fn planted(&self) -> Vec<Planted<Contacts>> {
+        vec![
+            Planted::new::<LostSubPair>("exact", LOST_CHECKS, |session, content: &Complexes| {
+                Ok(contacts_planted::<LostSubPair, _>(&*session, &content.a, &content.b))
+            }),
+            Planted::new::<ForgottenSubPairs>("tolerance", FORGOTTEN_CHECKS, |session, content: &Complexes| {
+                Ok(contacts_planted::<ForgottenSubPairs, _>(&*session, &content.a, &content.b))
+            }),
+        ]
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &Complexes, _: &Watch) -> Result<String, Stop> {

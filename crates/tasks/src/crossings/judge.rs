@@ -2,11 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use predicament_algorithms::crossings::{Along, crossings};
-use predicament_judge::{Judged, sign};
-use predicament_predicates::{Plane, PredicateKind, Query, Question, Scene, Vertex, ZeroMeaning};
+use predicament_algorithms::crossings::Along;
+use predicament_predicates::{PredicateKind, Query, Scene, ZeroMeaning};
 
-use super::{Crossings, Segments, describe};
+use super::{Crossings, Segments, describe, truth};
 use crate::{Asked, Case, Class, Finding, Outcome, Stop};
 
 /// Judges the crossings of all segments.
@@ -18,9 +17,9 @@ pub(super) fn judge(
 ) -> Result<(), Stop> {
     let (scene, content) = (case.scene(), case.content);
     let zero = asked.contract(PredicateKind::Orient2d).zero;
-    // What a backend that breaks ties has to find: the same on the signs of the perturbed scene.
+    // What a backend that breaks ties has to find: the crossings of the perturbed scene.
     let perturbed = match (zero, asked.backend.tie_judge()) {
-        (ZeroMeaning::Never, Some(ties)) => crossings(&mut Judged::perturbed(scene, ties), &content.0).ok(),
+        (ZeroMeaning::Never, Some(ties)) => truth::perturbed(scene, ties, content, asked.watch)?,
         _ => None,
     };
     for (at, (got, truth)) in found.iter().zip(&case.truth).enumerate() {
@@ -55,7 +54,7 @@ fn class(
     let set = |along: &Along| -> BTreeSet<u32> { along.iter().flatten().copied().collect() };
     let (has, wanted) = (set(got), set(truth));
     if let Some(&other) = has.symmetric_difference(&wanted).next() {
-        let touch = touches(scene, content.0[at], content.0[other as usize]);
+        let touch = truth::touches(scene, content.0[at], content.0[other as usize]);
         return match (touch, has.contains(&other)) {
             (true, true) => (Class::MissedZero, "crossings"),
             _ => (Class::SignFlip, "crossings"),
@@ -69,10 +68,4 @@ fn class(
         _ if flat(got) == flat(truth) => (Class::MissedZero, "order"),
         _ => (Class::SignFlip, "order"),
     }
-}
-
-/// Whether an end of one segment is on the line of the other.
-fn touches(scene: &Scene, [a, b]: [Vertex; 2], [p, q]: [Vertex; 2]) -> bool {
-    let on = |u, v, w| sign(scene, Question::Orient2d(Plane::Xy), &[u, v, w]).is_zero();
-    on(a, b, p) || on(a, b, q) || on(p, q, a) || on(p, q, b)
 }

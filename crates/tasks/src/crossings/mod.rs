@@ -11,14 +11,22 @@ mod truth;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::crossings::{Along, crossings};
+use predicament_algorithms::crossings::planted::{StrictSweep, UnsortedCrossings};
+use predicament_algorithms::crossings::{Along, crossings, crossings_planted};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
 
 pub use content::Segments;
 
-use crate::{Answer, Asked, Case, Contestant, Explanation, Halt, How, Outcome, Stop, Task, Watch, digest};
+use crate::{
+    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+};
+
+/// What has to see crossings that are there after a perturbation only.
+const STRICT_CHECKS: &[Catch] = &[(Class::SignFlip, "perturbed crossings")];
+/// What has to see crossings in the wrong order.
+const UNSORTED_CHECKS: &[Catch] = &[(Class::MissedZero, "order"), (Class::SignFlip, "order")];
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -99,6 +107,17 @@ impl Task for Crossings {
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
         judge::judge(case, asked, &answer.0, outcome)
+    }
+
+    fn planted(&self) -> Vec<Planted<Crossings>> {
+        vec![
+            Planted::new::<StrictSweep>("sos", STRICT_CHECKS, |session, content: &Segments| {
+                Ok(Crossed(crossings_planted::<StrictSweep, _>(session, &content.0)?))
+            }),
+            Planted::new::<UnsortedCrossings>("exact", UNSORTED_CHECKS, |session, content: &Segments| {
+                Ok(Crossed(crossings_planted::<UnsortedCrossings, _>(session, &content.0)?))
+            }),
+        ]
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &Segments, watch: &Watch) -> Result<String, Stop> {

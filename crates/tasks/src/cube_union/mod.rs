@@ -11,7 +11,8 @@ mod section;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::cube_union::{Mass, cube_union_by};
+use predicament_algorithms::cube_union::planted::DroppedBorderCube;
+use predicament_algorithms::cube_union::{Mass, ScaledCubes, cube_union_by, cube_union_planted};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
@@ -22,7 +23,18 @@ pub use content::Cubes;
 pub use judge::Truth;
 pub use section::MassRow;
 
-use crate::{Answer, Asked, Case, Contestant, Explanation, Halt, How, Outcome, Stop, Task, Watch, digest};
+use crate::{
+    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+};
+
+/// What has to see a cube that is missing at the border of a cell.
+const BORDER_CHECKS: &[Catch] = &[
+    (Class::Topology, "area"),
+    (Class::Topology, "edge length"),
+    (Class::Topology, "euler characteristic"),
+    (Class::Topology, "vertices"),
+    (Class::Topology, "volume"),
+];
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -112,6 +124,14 @@ impl Task for CubeUnion {
     ) -> Result<(), Stop> {
         judge::judge(case, asked, answer, outcome);
         Ok(())
+    }
+
+    fn planted(&self) -> Vec<Planted<CubeUnion>> {
+        vec![Planted::new::<DroppedBorderCube>("sos", BORDER_CHECKS, |session, _| {
+            let cubes = ScaledCubes::of_scene(session.scene()).expect("read as cubes");
+            let mass = cube_union_planted::<DroppedBorderCube, _>(&cubes.lowers, cubes.edge).expect("sums that fit");
+            Ok(Union { mass, exponent: cubes.exponent })
+        })]
     }
 
     fn describe(&self, _: &LoadedScene, content: &Cubes, _: &Watch) -> Result<String, Stop> {

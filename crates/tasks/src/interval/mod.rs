@@ -9,18 +9,24 @@ mod judge;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::interval::{Place, cells_at};
+use predicament_algorithms::interval::planted::ClosedInterval;
+use predicament_algorithms::interval::{Place, cells_at, cells_at_planted};
 use predicament_corpus::{Context, Family, LoadedScene, Parts, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
-use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
 use rayon::prelude::*;
 
 pub use content::Cells;
 
-use crate::{Answer, Asked, Case, Contestant, Explanation, Halt, How, Outcome, Stop, Task, Watch, digest};
+use crate::{
+    Answer, Asked, Case, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+};
 
 /// Probes between two looks at the watch.
 const CHUNK: usize = 1024;
+
+/// Finds the cells of some probes, in the places for them.
+type FindAll<'a> = dyn Fn((&mut [Found], &[Vertex])) -> Result<(), Stop> + Sync + 'a;
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -105,13 +111,15 @@ impl Task for Interval {
     ) -> Result<(), Halt> {
         let session = &*session;
         answer.0.resize(content.probes.len(), Vec::new());
-        answer.0.par_chunks_mut(CHUNK).zip(content.probes.par_chunks(CHUNK)).try_for_each(|(found, probes)| {
+        // Behind a pointer, so that the parallel loop is compiled once and not for each backend.
+        let chunk: &FindAll<'_> = &|(found, probes)| {
             for (found, &probe) in found.iter_mut().zip(probes) {
                 found.clear();
                 found.extend(cells_at(session, content.axis, &content.cells, probe));
             }
             how.watch.done(probes.len() as u64)
-        })?;
+        };
+        answer.0.par_chunks_mut(CHUNK).zip(content.probes.par_chunks(CHUNK)).try_for_each(chunk)?;
         Ok(())
     }
 
@@ -123,6 +131,13 @@ impl Task for Interval {
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
         judge::judge(case, asked, &answer.0, outcome)
+    }
+
+    fn planted(&self) -> Vec<Planted<Interval>> {
+        vec![Planted::new::<ClosedInterval>("exact", &[(Class::Topology, "double")], |session, content: &Cells| {
+            let found = |&probe| cells_at_planted::<ClosedInterval, _>(&*session, content.axis, &content.cells, probe);
+            Ok(CellsFound(content.probes.iter().map(|probe| found(probe).collect()).collect()))
+        })]
     }
 
     fn describe(&self, _: &LoadedScene, content: &Cells, _: &Watch) -> Result<String, Stop> {

@@ -13,7 +13,8 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use predicament_algorithms::polygon_locate::{Location, Locations, Scratch, locate_all, question_all};
+use predicament_algorithms::polygon_locate::planted::SkippedEdge;
+use predicament_algorithms::polygon_locate::{LocateIndex, Location, Locations, Scratch, locate_all, question_all};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_mesh::PolygonMap;
@@ -25,7 +26,14 @@ pub use content::{MapWithProbes, Probe, ProbeKind};
 pub use judge::Truth;
 pub use section::LocateRow;
 
-use crate::{Answer, Asked, Case, Contestant, Explanation, Halt, How, Outcome, Purpose, Stop, Task, Watch, digest};
+use crate::{
+    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Purpose, Stop, Task,
+    Watch, digest,
+};
+
+/// What has to see an edge that is not in the grid.
+const SKIPPED_CHECKS: &[Catch] =
+    &[(Class::MissedZero, "missed-boundary"), (Class::Topology, "double"), (Class::Topology, "misplaced")];
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -119,6 +127,13 @@ impl Task for PolygonLocate {
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
         judge::judge(case, asked, &answer.0, outcome)
+    }
+
+    fn planted(&self) -> Vec<Planted<PolygonLocate>> {
+        vec![Planted::new::<SkippedEdge>("exact", SKIPPED_CHECKS, |session, content: &MapWithProbes| {
+            let index = LocateIndex::planted::<SkippedEdge>(&content.map, session.scene());
+            Ok(Located(locate_all(&index, &*session, &content.vertices(), &|_| true)))
+        })]
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &MapWithProbes, watch: &Watch) -> Result<String, Stop> {

@@ -264,7 +264,11 @@ fn its_scenes_are_read_from_suites() {
         ("\"to-and-fro\"", "\"to-and-fr\"", "s.toml:9: no family is called `to-and-fr`; use one of "),
         ("n = 256", "n = 256\nheight = 1", "s.toml:12: "),
         ("task = \"left-turns\"\nn", "task = \"compare\"\nn", "use it for left-turns"),
-        ("task = \"left-turns\"\ns", "task = \"compare\"\ns", "s.toml:3: 9 points don't divide into queries of 2"),
+        (
+            "task = \"left-turns\"\ns",
+            "task = \"compare\"\ns",
+            "s.toml:6: `stride` is a key of left-turns, not of compare",
+        ),
     ] {
         assert!(SUITE.contains(from), "{from}");
         let error = parse(&SUITE.replace(from, to)).map(drop).unwrap_err().to_string();
@@ -317,7 +321,7 @@ fn a_bad_answer_is_judged_wrong() {
             let case = LeftTurns.case(&zigzag, watch).unwrap();
             assert_eq!(case.truth().downcast_ref(), Some(&2_u64));
             let mut outcome = Outcome::default();
-            let judge = &mut |session: &dyn Predicates| {
+            let judge = &mut |session: &mut dyn Predicates| {
                 let asked = Asked { backend: exact.as_ref(), session, budget: Budget::QUICK, watch };
                 AnyCase::judge(case.as_ref(), &asked, answer, &mut outcome).unwrap();
             };

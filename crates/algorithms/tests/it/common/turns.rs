@@ -1,7 +1,7 @@
 //! Sessions that are exact but for their turns.
 
 use predicament_exact::Exact;
-use predicament_predicates::{Axis, Backend, Off, Plane, Predicates, Scene, Sign, Vertex};
+use predicament_predicates::{Backend, Off, Plane, Predicates, Scene, Sign, Vertex, forward_to};
 
 /// Answers exactly, but turns as it is told.
 pub struct Turns<'s, F> {
@@ -30,23 +30,10 @@ pub fn banded(scene: &Scene, reach: f64) -> Turns<'_, impl Fn(Sign, &Scene, Plan
 }
 
 impl<F: Fn(Sign, &Scene, Plane, [Vertex; 3]) -> Sign + Send + Sync> Predicates for Turns<'_, F> {
-    fn scene(&self) -> &Scene {
-        self.exact.scene()
-    }
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.exact.compare(axis, a, b)
-    }
+    forward_to!(exact: scene, compare, orient3d, incircle, insphere);
+
     fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
         (self.turn)(self.exact.orient2d(plane, a, b, c), self.exact.scene(), plane, [a, b, c])
-    }
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.exact.orient3d(a, b, c, d)
-    }
-    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.exact.incircle(a, b, c, d)
-    }
-    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.exact.insphere(a, b, c, d, e)
     }
     fn reach(&self) -> f64 {
         self.reach

@@ -3,8 +3,8 @@
 use predicament_controls::Shewchuk;
 use predicament_exact::Exact;
 use predicament_predicates::{
-    Axis, Backend, Construction, Constructs, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question,
-    Refused, Scene, Sign, Tally, Vertex,
+    Backend, Construction, Constructs, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question, Refused,
+    Scene, Sign, Tally, Vertex, answer_by,
 };
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -72,13 +72,13 @@ impl Session<'_> {
         Ok(vertices)
     }
 
-    fn ask(&self, question: Question, args: &[Vertex]) -> Sign {
+    fn ask<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
         let rounds = |v: &Vertex| match self.fault {
             Fault::RoundsTheSecondLevel => self.scene().construction(*v).is_some_and(|by| !by.is_of_inputs()),
             Fault::RoundsWhatIsNew => self.is_new(*v),
             _ => false,
         };
-        if args.iter().any(rounds) { question.ask(&self.rounded, args) } else { question.ask(&self.exact, args) }
+        if args.iter().any(rounds) { question.ask(&self.rounded, &args) } else { question.ask(&self.exact, &args) }
     }
 
     fn is_new(&self, v: Vertex) -> bool {
@@ -124,25 +124,7 @@ impl Predicates for Session<'_> {
         constructed
     }
 
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.ask(Question::Compare(axis), &[a, b])
-    }
-
-    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        self.ask(Question::Orient2d(plane), &[a, b, c])
-    }
-
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.ask(Question::Orient3d, &[a, b, c, d])
-    }
-
-    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.ask(Question::Incircle, &[a, b, c, d])
-    }
-
-    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.ask(Question::Insphere, &[a, b, c, d, e])
-    }
+    answer_by!(ask);
 
     fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
         for (&[a, b, c], out) in queries.iter().zip(out) {

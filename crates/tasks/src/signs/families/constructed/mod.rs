@@ -25,7 +25,7 @@ use flats::{Flat, Point, Source, meet};
 use predicament_corpus::{Random, Recipe};
 use predicament_formats::CorpusError;
 use predicament_formats::Fields;
-use predicament_formats::bits::step;
+use predicament_formats::bits::{scale, step};
 
 /// Constructions in a patch: as many as a query can have arguments.
 const CONSTRUCTIONS: usize = 4;
@@ -38,7 +38,7 @@ pub(super) fn uniform(
     fields: &Fields<'_, '_>,
     kinds: &'static [Kind],
 ) -> Result<Recipe, CorpusError> {
-    Arrangement { kinds, trouble: Trouble::Uniform }.recipe(task, fields)
+    Arrangement { kinds, trouble: Trouble::Uniform, halvings: halvings(fields)? }.recipe(task, fields)
 }
 
 /// Constructions in exact ties.
@@ -47,13 +47,18 @@ pub(super) fn degenerate(
     fields: &Fields<'_, '_>,
     kinds: &'static [Kind],
 ) -> Result<Recipe, CorpusError> {
-    Arrangement { kinds, trouble: Trouble::Degenerate }.recipe(task, fields)
+    Arrangement { kinds, trouble: Trouble::Degenerate, halvings: halvings(fields)? }.recipe(task, fields)
+}
+
+/// Reads `halvings`: so often all coordinates are halved. None of them loses a bit; their products do.
+fn halvings(fields: &Fields<'_, '_>) -> Result<i64, CorpusError> {
+    fields.integer_or("halvings", 0, 0..=900).map(u64::cast_signed)
 }
 
 /// Constructions beside ties; reads `ulps`.
 pub(super) fn near(task: &'static str, fields: &Fields<'_, '_>, kinds: &'static [Kind]) -> Result<Recipe, CorpusError> {
     let ulps = fields.integer_or("ulps", 1, 1..=1 << 20)?.cast_signed();
-    Arrangement { kinds, trouble: Trouble::Near { ulps } }.recipe(task, fields)
+    Arrangement { kinds, trouble: Trouble::Near { ulps }, halvings: halvings(fields)? }.recipe(task, fields)
 }
 
 /// What is constructed and how it is asked about.
@@ -61,6 +66,8 @@ pub(super) fn near(task: &'static str, fields: &Fields<'_, '_>, kinds: &'static 
 struct Arrangement {
     kinds: &'static [Kind],
     trouble: Trouble,
+    /// All coordinates are halved so often.
+    halvings: i64,
 }
 
 /// A kind of construction.
@@ -109,6 +116,7 @@ impl Arrangement {
             }
         }
         args.truncate(n * arity);
+        scene.coordinates.iter_mut().for_each(|x| *x = scale(*x, -self.halvings));
         Cloud { coordinates: scene.coordinates, args: Some(args), constructions: scene.constructions }
     }
 }

@@ -1,0 +1,140 @@
+//! Macros for sessions that answer through one method, or through another session.
+//!
+//! Both write methods inside of an `impl Predicates`. Batches keep their defaults, which ask the single predicates.
+
+/// Writes the five predicates of a session that answers all of them by one method:
+/// `fn ask<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign`.
+///
+/// ```
+/// use predicament_predicates::{Predicates, Question, Scene, Sign, Vertex, answer_by};
+///
+/// struct Undecided<'s>(&'s Scene);
+///
+/// impl Undecided<'_> {
+///     fn ask<const N: usize>(&self, _: Question, _: [Vertex; N]) -> Sign {
+///         Sign::Zero
+///     }
+/// }
+///
+/// impl Predicates for Undecided<'_> {
+///     fn scene(&self) -> &Scene {
+///         self.0
+///     }
+///     answer_by!(ask);
+/// }
+/// ```
+#[macro_export]
+macro_rules! answer_by {
+    ($ask:ident) => {
+        fn compare(&self, axis: $crate::Axis, a: $crate::Vertex, b: $crate::Vertex) -> $crate::Sign {
+            self.$ask($crate::Question::Compare(axis), [a, b])
+        }
+
+        fn orient2d(
+            &self,
+            plane: $crate::Plane,
+            a: $crate::Vertex,
+            b: $crate::Vertex,
+            c: $crate::Vertex,
+        ) -> $crate::Sign {
+            self.$ask($crate::Question::Orient2d(plane), [a, b, c])
+        }
+
+        fn orient3d(&self, a: $crate::Vertex, b: $crate::Vertex, c: $crate::Vertex, d: $crate::Vertex) -> $crate::Sign {
+            self.$ask($crate::Question::Orient3d, [a, b, c, d])
+        }
+
+        fn incircle(&self, a: $crate::Vertex, b: $crate::Vertex, c: $crate::Vertex, d: $crate::Vertex) -> $crate::Sign {
+            self.$ask($crate::Question::Incircle, [a, b, c, d])
+        }
+
+        fn insphere(
+            &self,
+            a: $crate::Vertex,
+            b: $crate::Vertex,
+            c: $crate::Vertex,
+            d: $crate::Vertex,
+            e: $crate::Vertex,
+        ) -> $crate::Sign {
+            self.$ask($crate::Question::Insphere, [a, b, c, d, e])
+        }
+    };
+}
+
+/// Writes the named predicates of a session that holds another session and has that one answer.
+///
+/// ```
+/// use predicament_predicates::{Predicates, Plane, Scene, Sign, Vertex, forward_to};
+///
+/// struct Mirrored<P> {
+///     inner: P,
+/// }
+///
+/// impl<P: Predicates> Predicates for Mirrored<P> {
+///     fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+///         -self.inner.orient2d(plane, a, b, c)
+///     }
+///     forward_to!(inner: scene, compare, orient3d, incircle, insphere);
+/// }
+/// ```
+#[macro_export]
+macro_rules! forward_to {
+    ($inner:tt: $($method:ident),+ $(,)?) => {
+        $($crate::forward_to!(@ $inner $method);)+
+    };
+    (@ $inner:tt scene) => {
+        fn scene(&self) -> &$crate::Scene {
+            self.$inner.scene()
+        }
+    };
+    (@ $inner:tt compare) => {
+        fn compare(&self, axis: $crate::Axis, a: $crate::Vertex, b: $crate::Vertex) -> $crate::Sign {
+            self.$inner.compare(axis, a, b)
+        }
+    };
+    (@ $inner:tt orient2d) => {
+        fn orient2d(
+            &self,
+            plane: $crate::Plane,
+            a: $crate::Vertex,
+            b: $crate::Vertex,
+            c: $crate::Vertex,
+        ) -> $crate::Sign {
+            self.$inner.orient2d(plane, a, b, c)
+        }
+    };
+    (@ $inner:tt orient3d) => {
+        fn orient3d(
+            &self,
+            a: $crate::Vertex,
+            b: $crate::Vertex,
+            c: $crate::Vertex,
+            d: $crate::Vertex,
+        ) -> $crate::Sign {
+            self.$inner.orient3d(a, b, c, d)
+        }
+    };
+    (@ $inner:tt incircle) => {
+        fn incircle(
+            &self,
+            a: $crate::Vertex,
+            b: $crate::Vertex,
+            c: $crate::Vertex,
+            d: $crate::Vertex,
+        ) -> $crate::Sign {
+            self.$inner.incircle(a, b, c, d)
+        }
+    };
+    (@ $inner:tt insphere) => {
+        fn insphere(
+            &self,
+            a: $crate::Vertex,
+            b: $crate::Vertex,
+            c: $crate::Vertex,
+            d: $crate::Vertex,
+            e: $crate::Vertex,
+        ) -> $crate::Sign {
+            self.$inner.insphere(a, b, c, d, e)
+        }
+    };
+}

@@ -1,0 +1,133 @@
+//! The latest ties about constructed vertices, with what was decided.
+//!
+//! Such a tie costs a hundred times what it takes to find it, and algorithms ask
+//! about the same vertices again in another order soon: around a triangle, from both
+//! sides of an edge. A tie is decided with its vertices in ascending order; the parity of
+//! the order in which they were asked for is put on top. So the answer is the same with and
+//! without a memo, and so is the tally of stages.
+
+use std::sync::Mutex;
+
+use predicament_predicates::{Question, Scene, Sign, Vertex};
+
+use super::decide;
+use crate::ties::Sorted;
+
+/// Ties that are kept: enough for the threads of a machine to keep out of each other's way, too few for a list of
+/// queries to be learnt by heart.
+const SLOTS: usize = 16;
+
+/// The largest number of vertices in a question about constructed ones.
+const MOST: usize = 4;
+
+struct Tie {
+    question: Question,
+    /// Ascending; the last one fills what is left.
+    vertices: [Vertex; MOST],
+    decided: Option<(Sign, usize)>,
+}
+
+/// The latest ties of one session. Ids of vertices never change, so what is known stays true when vertices are added.
+#[derive(Default)]
+pub(crate) struct Memo {
+    slots: [Mutex<Option<Tie>>; SLOTS],
+}
+
+impl Memo {
+    /// As [`decide`].
+    ///
+    /// # Panics
+    /// As [`decide`].
+    pub(crate) fn decide<const N: usize>(
+        &self,
+        scene: &Scene,
+        question: Question,
+        args: [Vertex; N],
+    ) -> Option<(Sign, usize)> {
+        // A vertex that comes twice makes no tie that is worth keeping.
+        let Some(Sorted { vertices: sorted, parity }) = Sorted::new(args) else {
+            return decide(scene, question, &args);
+        };
+        let vertices = std::array::from_fn(|at| sorted[at.min(N - 1)]);
+        let slot = &self.slots[place(question, &vertices)];
+        let known = slot.try_lock().ok().and_then(|slot| {
+            let tie = slot.as_ref().filter(|tie| tie.question == question && tie.vertices == vertices)?;
+            Some(tie.decided)
+        });
+        let decided = known.unwrap_or_else(|| {
+            let decided = decide(scene, question, &sorted);
+            // Nobody waits: what another thread is busy with is not kept.
+            if let Ok(mut slot) = slot.try_lock() {
+                *slot = Some(Tie { question, vertices, decided });
+            }
+            decided
+        });
+        decided.map(|(sign, degree)| (sign * parity, degree))
+    }
+}
+
+/// The slot of a tie.
+fn place(question: Question, vertices: &[Vertex; MOST]) -> usize {
+    let kind = question.kind() as usize;
+    let mixed = vertices.iter().fold(kind, |sum, v| {
+        // (The multiplier is an odd number near 2^64 divided by the golden ratio; any other would do.)
+        let number = 2 * v.construction().unwrap_or_else(|| v.index()) + usize::from(v.is_constructed());
+        (sum ^ number).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29)
+    });
+    mixed % SLOTS
+}
+
+#[cfg(test)]
+mod tests {
+    use predicament_predicates::{Axis, Construction, Plane};
+
+    use super::*;
+
+    /// The four sides of a square and its diagonals: ties everywhere.
+    fn scene() -> (Scene, Vec<Vertex>) {
+        let corners = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [2.0, 0.0], [2.0, 4.0], [0.0, 2.0], [4.0, 2.0]];
+        let mut scene = Scene::from_points2(&corners).unwrap();
+        let v = Vertex::input;
+        for lines in [[[v(0), v(2)], [v(1), v(3)]], [[v(4), v(5)], [v(6), v(7)]], [[v(0), v(2)], [v(4), v(5)]]] {
+            scene.construct(Construction::Ssi(lines)).unwrap();
+        }
+        let all = scene.vertices().chain((0..3).map(Vertex::constructed)).collect();
+        (scene, all)
+    }
+
+    #[test]
+    fn a_memo_changes_no_answer_whatever_it_has_seen_before() {
+        let (scene, all) = scene();
+        let memo = Memo::default();
+        let mut asked = 0;
+        for rounds in 0..2 {
+            for &a in &all {
+                for &b in &all {
+                    for axis in [Axis::X, Axis::Y] {
+                        let question = Question::Compare(axis);
+                        assert_eq!(memo.decide(&scene, question, [a, b]), decide(&scene, question, &[a, b]));
+                    }
+                    for &c in all.iter().skip(rounds) {
+                        let question = Question::Orient2d(Plane::Xy);
+                        let args = [a, b, c];
+                        assert_eq!(memo.decide(&scene, question, args), decide(&scene, question, &args), "{args:?}");
+                        asked += 1;
+                    }
+                }
+            }
+        }
+        assert!(asked > 2000);
+    }
+
+    #[test]
+    fn a_tie_in_another_order_is_not_decided_again() {
+        let (scene, _) = scene();
+        let memo = Memo::default();
+        let [a, b, c] = [0, 1, 2].map(Vertex::constructed);
+        let first = memo.decide(&scene, Question::Orient2d(Plane::Xy), [a, b, c]).unwrap();
+        // Whoever decides anew would miss the vertices of this scene.
+        let empty = Scene::from_points2(&[]).unwrap();
+        let again = memo.decide(&empty, Question::Orient2d(Plane::Xy), [b, a, c]);
+        assert_eq!(again, Some((-first.0, first.1)));
+    }
+}
