@@ -5,7 +5,7 @@
 //! that is its virtue. Constructed vertices become rational points first, by
 //! linear equations.
 //!
-//! [`verdict`] computes in rationals, term by term. [`sign`] is for millions of
+//! [`verdict`] computes in rationals, term by term. [`sign`] and [`is_within`] are for millions of
 //! queries: rationals over common denominators, which are integers. Runs hold
 //! samples of the second against
 //! the first; both are held against a third computation by another method, in
@@ -15,7 +15,7 @@
 use std::borrow::Cow;
 
 use predicament_predicates::{Axis, Plane, Question, Scene, Sign, Vertex};
-use rug::Rational;
+use rug::{Integer, Rational};
 
 use crate::points::{self, Row};
 use crate::{constructed::point, integers};
@@ -73,16 +73,35 @@ pub(crate) fn sign_of_rows<'r>(
         let lifted = matches!(question, Question::Incircle | Question::Insphere);
         return integers::sign_of_rows(&args.iter().map(|&v| row(v)).collect::<Vec<_>>(), axes(&question), lifted);
     }
+    scaled(scene, question, args).0.cmp0().into()
+}
+
+/// The exact determinant of a query about input vertices: an integer, and the exponent of the power of two that it is
+/// to be multiplied by.
+fn scaled(scene: &Scene, question: Question, args: &[Vertex]) -> (Integer, i32) {
     let flat = |plane: Plane| move |v| scene.point2(plane, v);
     let solid = |v| scene.point3(v);
     match (question, args) {
-        (Question::Compare(axis), &[a, b]) => integers::sign([a, b].map(|v| [scene.coordinate(axis, v)]), false),
-        (Question::Orient2d(plane), &[a, b, c]) => integers::sign([a, b, c].map(flat(plane)), false),
-        (Question::Orient3d, &[a, b, c, d]) => integers::sign([a, b, c, d].map(solid), false),
-        (Question::Incircle, &[a, b, c, d]) => integers::sign([a, b, c, d].map(flat(Plane::Xy)), true),
-        (Question::Insphere, &[a, b, c, d, e]) => integers::sign([a, b, c, d, e].map(solid), true),
+        (Question::Compare(axis), &[a, b]) => integers::scaled([a, b].map(|v| [scene.coordinate(axis, v)]), false),
+        (Question::Orient2d(plane), &[a, b, c]) => integers::scaled([a, b, c].map(flat(plane)), false),
+        (Question::Orient3d, &[a, b, c, d]) => integers::scaled([a, b, c, d].map(solid), false),
+        (Question::Incircle, &[a, b, c, d]) => integers::scaled([a, b, c, d].map(flat(Plane::Xy)), true),
+        (Question::Insphere, &[a, b, c, d, e]) => integers::scaled([a, b, c, d, e].map(solid), true),
         _ => panic!("{} takes {} vertices", question.kind(), question.kind().arity()),
     }
+}
+
+/// Whether the magnitude of the exact determinant of a query is at most `limit`.
+///
+/// # Panics
+/// As [`sign`], or if `limit` is not finite.
+#[must_use]
+pub fn is_within(scene: &Scene, question: Question, args: &[Vertex], limit: f64) -> bool {
+    if args.iter().any(|v| v.is_constructed()) {
+        return verdict(scene, question, args).determinant.abs() <= rational(limit);
+    }
+    let (determinant, exponent) = scaled(scene, question, args);
+    integers::is_at_most(determinant, exponent, limit)
 }
 
 /// The exact determinant of a query with its permanent.

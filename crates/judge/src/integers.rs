@@ -14,9 +14,9 @@ use crate::points::Row;
 /// Rows of a determinant at most: insphere has four, of three differences and a lift.
 const MOST: usize = 4;
 
-/// The sign of the determinant of the differences to the last point, with
-/// their squared lengths for a last column if `lifted`.
-pub(super) fn sign<const D: usize, const N: usize>(points: [[f64; D]; N], lifted: bool) -> Sign {
+/// The determinant of the differences to the last point, with their squared lengths for a last column if `lifted`: an
+/// integer, and the exponent of the power of two that it is to be multiplied by.
+pub(super) fn scaled<const D: usize, const N: usize>(points: [[f64; D]; N], lifted: bool) -> (Integer, i32) {
     let columns = D + usize::from(lifted);
     assert!(columns == N - 1 && columns <= MOST, "as many rows as columns, and no more than there is room for");
     let lowest = points.as_flattened().iter().filter(|&&x| x != 0.0).map(|&x| split(x).1).min().unwrap_or(0);
@@ -31,10 +31,26 @@ pub(super) fn sign<const D: usize, const N: usize>(points: [[f64; D]; N], lifted
             row[axis] = difference;
         }
     }
-    determinant(&rows, columns).cmp0().into()
+    // One unit in each column, and one more in that of the squares.
+    let degree = i32::try_from(columns + usize::from(lifted)).expect("five at most");
+    (determinant(&rows, columns), lowest * degree)
 }
 
-/// The same of points over one denominator each, along these axes. Rows are multiplied by the
+/// Whether |integer|·2^exponent is at most `limit`.
+///
+/// # Panics
+/// If `limit` is not finite.
+pub(super) fn is_at_most(integer: Integer, exponent: i32, limit: f64) -> bool {
+    let (significand, of_limit) = split(limit);
+    if limit < 0.0 {
+        return false;
+    }
+    // Both over the lower power of two.
+    let [left, right] = [exponent, of_limit].map(|own| (own - exponent.min(of_limit)).unsigned_abs());
+    integer.abs() << left <= Integer::from(significand) << right
+}
+
+/// The sign of the same determinant of points over one denominator each, along these axes. Rows are multiplied by the
 /// positive weights that stand below them.
 pub(super) fn sign_of_rows(points: &[Cow<'_, Row>], axes: &[Axis], lifted: bool) -> Sign {
     let (last, others) = points.split_last().expect("no predicate takes no vertex");

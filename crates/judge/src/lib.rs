@@ -6,7 +6,7 @@
 //! purpose. What a disagreement *means* is decided in the crate `tasks`; how
 //! scenes are run is the crate `oracle`.
 //!
-//! * [`sign`], [`verdict`], [`point`]: determinants and constructed points.
+//! * [`sign`], [`is_within`], [`verdict`], [`point`]: determinants and constructed points.
 //! * [`Points`]: the same for one scene, whose constructed points it keeps.
 //! * [`Judged`]: the same as a session, for algorithms that need predicates.
 //! * [`contacts`]: which simplices of two complexes meet.
@@ -29,7 +29,7 @@ mod session;
 mod tests;
 
 pub use constructed::point;
-pub use determinant::{Verdict, determinant, log2_relative, rational, sign, verdict};
+pub use determinant::{Verdict, determinant, is_within, log2_relative, rational, sign, verdict};
 pub use points::Points;
 pub use sample::Sample;
 pub use session::{Judged, TieJudge};

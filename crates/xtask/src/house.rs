@@ -68,6 +68,35 @@ fn a_lost_test_is_seen() {
     assert!(!has_lost_tests(not, without) && !has_lost_tests(tested, with));
 }
 
+/// The lines of the sections of a manifest about a profile, but for those about packages of this workspace.
+fn profile<'m>(manifest: &'m str, profile: &str) -> Vec<&'m str> {
+    let start = format!("[profile.{profile}");
+    let mut is_inside = false;
+    let mut lines = Vec::new();
+    for line in manifest.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')) {
+        if line.starts_with('[') {
+            is_inside = line.strip_prefix(&start).is_some_and(|rest| rest.starts_with(['.', ']']));
+        }
+        let is_ours = line.starts_with("predicament") || line.starts_with("xtask");
+        if is_inside && !is_ours {
+            lines.push(line);
+        }
+    }
+    lines
+}
+
+/// Both are built into one folder. Where a flag differs, everything is compiled twice, GMP too.
+#[test]
+fn the_example_is_built_with_the_profile_of_the_workspace() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let read = |path: &str| std::fs::read_to_string(root.join(path)).expect("a manifest");
+    let (ours, theirs) = (read("Cargo.toml"), read("examples/leftmost/Cargo.toml"));
+    assert!(profile(&ours, "ci").len() > 5);
+    assert_eq!(profile(&ours, "ci"), profile(&theirs, "ci"));
+    let other = ours.replace("codegen-units = 4", "codegen-units = 5");
+    assert_ne!(profile(&other, "ci"), profile(&theirs, "ci"), "a difference is seen");
+}
+
 /// What tells where a page was written, or where its packages came from.
 fn names_a_host(line: &str) -> bool {
     // In pieces, so that this file passes.

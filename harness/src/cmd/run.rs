@@ -12,6 +12,7 @@ use predicament_records::{
     TableSpec,
 };
 use predicament_tasks::{AnyCase, Budget, Class, Contestant, Outcome, Stop, Watch};
+use rayon::prelude::*;
 
 use crate::cmd::map;
 use crate::exit::{self, Failure};
@@ -132,12 +133,23 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
                 format!("{}/{}: {dispute}; fix the data before anything is compared", scene.suite, scene.scene);
             return Err(Failure { message, code: exit::CORPUS });
         }
+        let judge = |backend: &&dyn Contestant| {
+            predicament_oracle::run(case.as_ref(), *backend, budget, &watch.restarted(args.timeout))
+        };
+        // Small scenes leave threads idle, so backends share them; what a crash can lose is one such scene. Time limits
+        // are for a backend by itself.
+        let mut side_by_side = (selection.level == Level::Quick && args.timeout.is_none())
+            .then(|| left.par_iter().map(judge).collect::<Vec<_>>().into_iter());
         for backend in left {
             // The pictures of pixel maps go with their rows; every other scene has none.
             if loaded.family == "pixel-map" {
                 ledger.draw(case.as_ref(), backend)?;
             }
-            match predicament_oracle::run(case.as_ref(), backend, budget, &watch.restarted(args.timeout)) {
+            let outcome = match &mut side_by_side {
+                Some(outcomes) => outcomes.next().expect("one for each backend"),
+                None => judge(&backend),
+            };
+            match outcome {
                 Err(Stop::Interrupted | Stop::Timeout) => {
                     ended = records::Outcome::Interrupted;
                     break 'scenes;

@@ -12,7 +12,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use predicament_corpus::Level;
 use predicament_oracle::faults::Fault;
 use predicament_records::Shard;
-use predicament_tasks::{AnyCase, Catch, Class, Contestant, Outcome, Watch, built_in};
+use predicament_tasks::{AnyCase, Catch, Class, Contestant, Outcome, Stop, Watch, built_in};
+use rayon::prelude::*;
 
 use crate::exit::{self, Failure};
 use crate::select::Selector;
@@ -129,9 +130,11 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         let budget = super::run::budget(Level::Quick);
         // What an honest backend is known to show catches no fault.
         let mut known: BTreeSet<(Class, String)> = BTreeSet::new();
-        for (contestant, entry) in contestants.iter().zip(&mut entries) {
-            let outcome =
-                predicament_oracle::run(case.as_ref(), contestant.as_ref(), budget, &watch).map_err(interrupted)?;
+        let outcomes: Result<Vec<Outcome>, Stop> = contestants
+            .par_iter()
+            .map(|contestant| predicament_oracle::run(case.as_ref(), contestant.as_ref(), budget, &watch))
+            .collect();
+        for (outcome, entry) in outcomes.map_err(interrupted)?.into_iter().zip(&mut entries) {
             if entry.caught_by.is_none() {
                 let of = |class| {
                     let mut of = expected.matching(&loaded.suite, &loaded.name, &entry.name, Level::Quick.name());
@@ -158,7 +161,7 @@ fn algorithms(
     known: &BTreeSet<(Class, String)>,
     watch: &Watch,
     entries: &mut [Entry],
-) -> Result<(), predicament_tasks::Stop> {
+) -> Result<(), Stop> {
     for planted in case.task().planted_faults() {
         let honest = contestants.iter().find(|contestant| contestant.name() == planted.backend());
         let honest = honest.unwrap_or_else(|| panic!("{} runs on no honest backend", planted.name()));

@@ -51,9 +51,9 @@ impl Judged<'_> {
             let class = match answer {
                 None => Class::Panic,
                 Some((_, true)) => Class::Nan,
-                Some((sign, false)) => {
-                    classify(self.zero, None, sign, truth, || judge::verdict(self.scene, self.question, args))
-                }
+                Some((sign, false)) => classify(self.zero, None, sign, truth, |limit| {
+                    judge::is_within(self.scene, self.question, args, limit)
+                }),
             };
             outcome.counts.add(class, 1);
             if !class.is_legal() && outcome.counts.get(class) <= Budget::QUICK.findings_per_class as u64 {

@@ -189,7 +189,10 @@ fn edges_and_edges_of_space() {
 #[test]
 fn triangles_and_edges_of_space() {
     assert_eq!(check(&[2, 2, 2], [3, 2])[0], 120 * 36);
-    assert_eq!(check(&[3, 3, 2], [2, 3])[0], 171 * 1140);
+    assert_eq!(check(&[3, 2, 2], [2, 3])[0], 78 * 364);
+    if predicament_effort::whole() {
+        assert_eq!(check(&[3, 3, 2], [2, 3])[0], 171 * 1140);
+    }
 }
 
 #[test]
@@ -199,7 +202,10 @@ fn triangles_and_triangles_of_space() {
 
 #[test]
 fn tetrahedra_and_all_others() {
-    assert_eq!(check(&[3, 3, 2], [4, 1])[0], 5985 * 18);
+    assert_eq!(check(&[3, 2, 2], [4, 1])[0], 1365 * 12);
+    if predicament_effort::whole() {
+        assert_eq!(check(&[3, 3, 2], [4, 1])[0], 5985 * 18);
+    }
     assert_eq!(check(&[2, 2, 2], [1, 4])[0], 8 * 330);
     assert_eq!(check(&[2, 2, 2], [4, 2])[0], 330 * 36);
     assert_eq!(check(&[2, 2, 2], [3, 4])[0], 120 * 330);

@@ -3,11 +3,9 @@
 use predicament_mesh::{Complex, PolygonMap, Simplices};
 use predicament_predicates::{Dimension, Scene, Vertex};
 
-/// How many times as many random scenes as by default: the environment
-/// variable `PREDICAMENT_EFFORT`, a number.
+/// How many times as many random scenes as by default.
 pub fn effort() -> usize {
-    let set = std::env::var("PREDICAMENT_EFFORT").ok();
-    set.map_or(1, |effort| effort.parse().expect("PREDICAMENT_EFFORT is a number"))
+    if predicament_effort::whole() { 10 } else { 1 }
 }
 
 /// SplitMix64.

@@ -16,7 +16,9 @@ use rug::{Integer, Rational};
 use crate::common::{definitions, loaded};
 
 /// Queries of a scene, at most.
-const SAMPLE: usize = 1000;
+fn most() -> usize {
+    predicament_effort::scaled(3000)
+}
 
 /// The sign of the homogeneous determinant. Constructed vertices have a positive
 /// weight instead of the one, by joins and meets of integer vectors.
@@ -74,7 +76,13 @@ fn agreed(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
     let (sign, verdict) = (judge::sign(scene, question, args), judge::verdict(scene, question, args));
     let third = third(scene, question, args);
     assert_eq!([sign, verdict.sign()], [third; 2], "{} of {scene:?}", question.query(args));
-    assert!(verdict.determinant.abs() <= verdict.permanent);
+    let size = Rational::from(verdict.determinant.abs_ref());
+    assert!(size <= verdict.permanent);
+    let near = size.to_f64();
+    for limit in [0.0, near.next_down(), near, near.next_up(), 2.0 * near, -1.0].into_iter().filter(|x| x.is_finite()) {
+        let is_within = judge::is_within(scene, question, args, limit);
+        assert_eq!(is_within, size <= judge::rational(limit), "{} of {scene:?} and {limit:e}", question.query(args));
+    }
     sign
 }
 
@@ -90,14 +98,17 @@ fn three_computations_agree_on_every_family() {
         let queries = &content.queries;
         let naive = naive.answer(&Signs::of(queries.kind()), &loaded.scene, content).unwrap().0;
         scenes += 1;
-        for query in (0..queries.len()).step_by(queries.len().div_ceil(SAMPLE).max(1)) {
+        for query in (0..queries.len()).step_by(queries.len().div_ceil(most()).max(1)) {
             let truth = agreed(&loaded.scene, queries.question(), queries.args(query));
             zeros += usize::from(truth.is_zero());
             rounded += usize::from(naive[query] != truth);
         }
     }
     println!("{scenes} scenes, {zeros} ties, {rounded} that floating point gets wrong");
-    assert!(scenes >= 80 && zeros > 10_000 && rounded > 5_000, "{scenes} scenes, {zeros} ties, {rounded} rounded");
+    assert!(
+        scenes >= 80 && zeros > 10 * most() && rounded > 5 * most(),
+        "{scenes} scenes, {zeros} ties, {rounded} rounded"
+    );
 }
 
 fn questions(dimension: Dimension) -> Vec<Question> {

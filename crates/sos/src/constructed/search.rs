@@ -12,7 +12,7 @@
 //! A determinant about four constructed vertices has up to 108 infinitesimals,
 //! and nobody can write it out. Whether a coefficient, which is a polynomial in
 //! the larger infinitesimals, is zero is guessed from its value at a fixed
-//! place modulo 2^61 − 1, and modulo 2^31 − 1 where that is zero. A value that is not zero
+//! place modulo 2^61 − 1. A value that is not zero
 //! proves that the polynomial isn't. One that is zero proves nothing, so once
 //! the search has found a monomial, those that it passed over are proved to
 //! have no coefficients: where nothing moves by one evaluation in integers, and
@@ -65,24 +65,23 @@ pub(super) struct Search<'q> {
     unit: i32,
     /// Integers over a common power of two, which changes no sign: significand and exponent.
     coordinates: Vec<(i64, u32)>,
-    /// The same modulo both primes, in place and moved.
-    by_61: Vec<[Residue<61>; 2]>,
-    by_31: Vec<[Residue<31>; 2]>,
+    /// The same modulo the prime, in place and moved.
+    residues: Vec<[Residue; 2]>,
 }
 
-/// One value of each kind of residue, at a place that is always the same.
-fn noise(infinitesimal: usize, seed: u64) -> u64 {
+/// The value of an infinitesimal at a place that is always the same.
+fn noise(infinitesimal: usize) -> u64 {
     // splitmix64
-    let mut z = (infinitesimal as u64).wrapping_add(seed).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    let mut z = (infinitesimal as u64 + 61).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
     z ^ z >> 31
 }
 
-fn residues<const E: u32>(coordinates: &[(i64, u32)]) -> Vec<[Residue<E>; 2]> {
+fn residues(coordinates: &[(i64, u32)]) -> Vec<[Residue; 2]> {
     let residue = |(at, &(m, k)): (usize, &(i64, u32))| {
         let coordinate = Residue::scaled(m, k);
-        [coordinate, coordinate.plus(Residue::new(noise(at, E.into())))]
+        [coordinate, coordinate.plus(Residue::new(noise(at)))]
     };
     coordinates.iter().enumerate().map(residue).collect()
 }
@@ -90,8 +89,8 @@ fn residues<const E: u32>(coordinates: &[(i64, u32)]) -> Vec<[Residue<E>; 2]> {
 impl<'q> Search<'q> {
     pub(super) fn new(scene: &'q Scene, inputs: &'q [Vertex]) -> Search<'q> {
         let (unit, coordinates) = integers(scene, inputs);
-        let (by_61, by_31) = (residues(&coordinates), residues(&coordinates));
-        Search { scene, inputs, unit, coordinates, by_61, by_31 }
+        let residues = residues(&coordinates);
+        Search { scene, inputs, unit, coordinates, residues }
     }
 
     /// Coordinates are multiples of 2 to this.
@@ -168,8 +167,7 @@ impl<'q> Search<'q> {
 
     /// Whether the coefficient of the chosen powers is not zero, as a polynomial in the `active` largest infinitesimals.
     fn is_there(&self, expression: &impl Expression, active: usize, chosen: &[(usize, usize)]) -> bool {
-        !self.evaluate(expression, |at| self.by_61[at][usize::from(at < active)], chosen).is_zero()
-            || !self.evaluate(expression, |at| self.by_31[at][usize::from(at < active)], chosen).is_zero()
+        !self.evaluate(expression, |at| self.residues[at][usize::from(at < active)], chosen).is_zero()
     }
 
     fn coefficient(&self, expression: &impl Expression, chosen: &[(usize, usize)]) -> Integer {

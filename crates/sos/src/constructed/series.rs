@@ -19,7 +19,7 @@ pub(super) trait Coefficient: Clone {
     fn add_product(&mut self, a: &Self, b: &Self);
 }
 
-impl<const E: u32> Coefficient for super::residue::Residue<E> {
+impl Coefficient for super::residue::Residue {
     #[inline]
     fn one() -> Self {
         Self::ONE

@@ -4,28 +4,24 @@
 //! promise. Every query is in exactly one class.
 
 use predicament_predicates::{Band, Class, Sign, ZeroMeaning};
-use rug::Rational;
 
-use predicament_judge::{self as judge, Verdict};
-
-/// Classifies one answer. `verdict` is asked for only where the size of the
-/// determinant matters (backends with a band).
+/// Classifies one answer. `is_within` tells whether the determinant is at most so large in magnitude; it is asked only
+/// where that matters (backends with a band).
 #[must_use]
 pub fn classify(
     zero: ZeroMeaning,
     band: Option<Band>,
     answer: Sign,
     truth: Sign,
-    verdict: impl FnOnce() -> Verdict,
+    is_within: impl FnOnce(f64) -> bool,
 ) -> Class {
-    let within = |limit: f64, verdict: Verdict| Rational::from(verdict.determinant.abs_ref()) <= judge::rational(limit);
     match (answer, truth) {
         (Sign::Zero, Sign::Zero) => match zero {
             ZeroMeaning::Never => Class::Inconsistent,
             ZeroMeaning::Exact | ZeroMeaning::Band => Class::Agree,
         },
         (Sign::Zero, _) => match band {
-            Some(band) if within(band.upper, verdict()) => Class::InBand,
+            Some(band) if is_within(band.upper) => Class::InBand,
             _ => Class::Overreach,
         },
         (_, Sign::Zero) => match zero {
@@ -34,7 +30,7 @@ pub fn classify(
         },
         (answer, truth) if answer != truth => Class::SignFlip,
         _ => match band {
-            Some(band) if within(band.lower, verdict()) => Class::MissedZero,
+            Some(band) if is_within(band.lower) => Class::MissedZero,
             _ => Class::Agree,
         },
     }
@@ -48,8 +44,7 @@ mod tests {
     const BAND: Option<Band> = Some(Band { lower: 1.0, width: 2.0, upper: 3.0 });
 
     fn of(zero: ZeroMeaning, band: Option<Band>, answer: Sign, determinant: f64) -> Class {
-        let verdict = Verdict { determinant: judge::rational(determinant), permanent: judge::rational(10.0) };
-        classify(zero, band, answer, Sign::of(determinant), || verdict)
+        classify(zero, band, answer, Sign::of(determinant), |limit| determinant.abs() <= limit)
     }
 
     #[test]

@@ -95,7 +95,7 @@ impl Given<'_> {
             return Class::Nan;
         }
         let band = self.session.band(question);
-        classify(self.contract.zero, band, got, truth, || judge::verdict(self.scene, question, args))
+        classify(self.contract.zero, band, got, truth, |limit| judge::is_within(self.scene, question, args, limit))
     }
 }
 

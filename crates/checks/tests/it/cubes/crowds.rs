@@ -37,7 +37,7 @@ fn identical_cubes_are_a_flight_of_steps() {
 
 #[test]
 fn identical_cubes_may_be_many() {
-    let n = 200_000;
+    let n = predicament_effort::cases(200_000);
     let mass = cube_union(&vec![[-3, 0, 1 << 20]; n as usize], 1_i32 << 28).unwrap();
     assert_eq!((measures(&mass), mass.vertices), identical(n, 1 << 28));
 }
