@@ -10,8 +10,8 @@ use std::sync::OnceLock;
 use predicament_predicates::{Construction, Question, Refused, Scene, Sign, Vertex};
 use rug::{Integer, Rational};
 
+use crate::constructed;
 use crate::determinant::{Verdict, sign_of_rows, verdict_of};
-use crate::{constructed, integers};
 
 /// A point over one denominator: its coordinates are integers divided by the weight.
 #[derive(Clone, Debug)]
@@ -22,10 +22,17 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    fn of(point: &[Rational]) -> Row {
-        let weight = point.iter().fold(Integer::from(1), |weight, x| weight.lcm(x.denom()));
-        let over = |x: &Rational| Integer::from(weight.div_exact_ref(x.denom())) * x.numer();
-        Row { coordinates: point.iter().map(over).collect(), weight }
+    /// The coordinates as fractions.
+    pub(crate) fn point(&self) -> Vec<Rational> {
+        self.coordinates.iter().map(|x| Rational::from((x, &self.weight))).collect()
+    }
+
+    /// The same over the least denominator.
+    pub(crate) fn reduced(mut self) -> Row {
+        let common = self.coordinates.iter().fold(self.weight.clone(), |common, x| common.gcd(x));
+        self.coordinates.iter_mut().for_each(|x| x.div_exact_mut(&common));
+        self.weight.div_exact_mut(&common);
+        self
     }
 }
 
@@ -34,17 +41,13 @@ impl Row {
 /// # Panics
 /// If a constructed vertex is no point.
 pub(crate) fn row(scene: &Scene, v: Vertex) -> Row {
-    if v.is_constructed() {
-        return Row::of(&constructed::point(scene, v).unwrap_or_else(|| panic!("{v} is no point")));
-    }
-    let (coordinates, weight) = integers::over_one_denominator(scene.point(v));
-    Row { coordinates, weight }
+    constructed::row(scene, v).unwrap_or_else(|| panic!("{v} is no point"))
 }
 
-/// A constructed vertex, as rationals and over one denominator.
+/// A constructed vertex over one denominator, and as rationals if anybody asks for them.
 struct Solved {
-    point: Vec<Rational>,
     row: Row,
+    point: OnceLock<Vec<Rational>>,
 }
 
 /// Truth about one scene. Constructed points are computed when they are first
@@ -73,7 +76,7 @@ impl Points {
     /// [`Refused`] with the first definition whose lines and planes meet in no single point.
     pub fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
         let vertices =
-            self.scene.construct_all(definitions, |scene, vertex| match constructed::point(scene, vertex) {
+            self.scene.construct_all(definitions, |scene, vertex| match constructed::row(scene, vertex) {
                 Some(_) => Ok(()),
                 None => Err("its lines and planes meet in no single point".to_owned()),
             })?;
@@ -89,7 +92,10 @@ impl Points {
     pub fn point(&self, v: Vertex) -> Option<Cow<'_, [Rational]>> {
         match v.construction() {
             None => constructed::point(&self.scene, v).map(Cow::Owned),
-            Some(index) => self.solved(index, v).map(|solved| Cow::Borrowed(&*solved.point)),
+            Some(index) => {
+                let solved = self.solved(index, v)?;
+                Some(Cow::Borrowed(&**solved.point.get_or_init(|| solved.row.point())))
+            }
         }
     }
 
@@ -115,10 +121,7 @@ impl Points {
     }
 
     fn solved(&self, index: usize, v: Vertex) -> Option<&Solved> {
-        let solve = || {
-            let point = constructed::point(&self.scene, v)?;
-            Some(Solved { row: Row::of(&point), point })
-        };
+        let solve = || Some(Solved { row: constructed::row(&self.scene, v)?, point: OnceLock::new() });
         self.constructed[index].get_or_init(solve).as_ref()
     }
 }

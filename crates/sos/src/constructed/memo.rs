@@ -79,7 +79,8 @@ fn place(question: Question, vertices: &[Vertex; MOST]) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use predicament_predicates::{Axis, Construction, Plane};
+    use predicament_exact::Exact;
+    use predicament_predicates::{Axis, Backend, Construction, Off, Plane, Predicates};
 
     use super::*;
 
@@ -98,16 +99,17 @@ mod tests {
     #[test]
     fn a_memo_changes_no_answer_whatever_it_has_seen_before() {
         let (scene, all) = scene();
+        let exact = Exact.prepare(&scene, Off).unwrap();
         let memo = Memo::default();
         let mut asked = 0;
         for rounds in 0..2 {
             for &a in &all {
                 for &b in &all {
-                    for axis in [Axis::X, Axis::Y] {
+                    for axis in [Axis::X, Axis::Y].into_iter().filter(|&axis| exact.compare(axis, a, b).is_zero()) {
                         let question = Question::Compare(axis);
                         assert_eq!(memo.decide(&scene, question, [a, b]), decide(&scene, question, &[a, b]));
                     }
-                    for &c in all.iter().skip(rounds) {
+                    for &c in all.iter().skip(rounds).filter(|&&c| exact.orient2d(Plane::Xy, a, b, c).is_zero()) {
                         let question = Question::Orient2d(Plane::Xy);
                         let args = [a, b, c];
                         assert_eq!(memo.decide(&scene, question, args), decide(&scene, question, &args), "{args:?}");
@@ -116,7 +118,7 @@ mod tests {
                 }
             }
         }
-        assert!(asked > 2000);
+        assert!(asked > 500, "{asked}");
     }
 
     #[test]

@@ -75,7 +75,7 @@ pub(crate) fn are_of_inputs(scene: &Scene) -> Result<(), Declined> {
     checked.map_err(Declined::scene)
 }
 
-/// The side of a tie, and the degree of the monomial that decides; none if
+/// The side of a tie (the determinant is zero where nothing moves), and the degree of the monomial that decides; none if
 /// the determinant is zero wherever the input vertices are. All constructed
 /// vertices are points of the scene as it is given.
 ///
@@ -88,7 +88,7 @@ fn decide(scene: &Scene, question: Question, args: &[Vertex]) -> Option<(Sign, u
     }
     let inputs = inputs(&places);
     let (search, dimension) = (Search::new(scene, &inputs), scene.dimension().count());
-    let leading = search.leading(&Determinant { dimension, question, places: &places })?;
+    let leading = search.leading_of_tie(&Determinant { dimension, question, places: &places })?;
     let meets = places.iter().filter(|place| matches!(place, Place::Meet(_)));
     let sign = meets.fold(leading.sign(), |sign, place| sign * search.unmoved(&Weight(*place, dimension)));
     assert!(!sign.is_zero(), "lines and planes that meet in no point");

@@ -26,7 +26,7 @@ pub(super) struct Moved<'q, C> {
     /// Ascending.
     pub(super) inputs: &'q [Vertex],
     /// Vertex after vertex.
-    pub(super) coordinates: Vec<Series<C>>,
+    pub(super) coordinates: &'q [Series<C>],
 }
 
 /// Coordinates times the weight, then the weight.

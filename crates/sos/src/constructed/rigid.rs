@@ -71,7 +71,12 @@ impl Rigid<'_> {
             series
         };
         let (_, coordinates) = integers(self.scene, self.inputs);
-        let coordinates = coordinates.into_iter().enumerate().map(coordinate).collect();
-        expression.of(&Moved { dimension: self.scene.dimension(), cut: &cut, inputs: self.inputs, coordinates })
+        let coordinates: Vec<_> = coordinates.into_iter().enumerate().map(coordinate).collect();
+        expression.of(&Moved {
+            dimension: self.scene.dimension(),
+            cut: &cut,
+            inputs: self.inputs,
+            coordinates: &coordinates,
+        })
     }
 }

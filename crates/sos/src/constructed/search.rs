@@ -20,6 +20,8 @@
 //! proof fails the search goes on there. So the answer is certain, whatever
 //! the coordinates are.
 
+use std::cell::OnceCell;
+
 use predicament_arithmetic::Parts;
 use predicament_predicates::{Scene, Sign, Vertex};
 use rug::Integer;
@@ -67,6 +69,8 @@ pub(super) struct Search<'q> {
     coordinates: Vec<(i64, u32)>,
     /// The same modulo the prime, in place and moved.
     residues: Vec<[Residue; 2]>,
+    /// The same as whole integers where nothing moves.
+    still: OnceCell<Vec<Series<Integer>>>,
 }
 
 /// The value of an infinitesimal at a place that is always the same.
@@ -90,7 +94,7 @@ impl<'q> Search<'q> {
     pub(super) fn new(scene: &'q Scene, inputs: &'q [Vertex]) -> Search<'q> {
         let (unit, coordinates) = integers(scene, inputs);
         let residues = residues(&coordinates);
-        Search { scene, inputs, unit, coordinates, residues }
+        Search { scene, inputs, unit, coordinates, residues, still: OnceCell::new() }
     }
 
     /// Coordinates are multiples of 2 to this.
@@ -100,14 +104,26 @@ impl<'q> Search<'q> {
 
     /// The sign where nothing moves.
     pub(super) fn unmoved(&self, expression: &impl Expression) -> Sign {
-        self.coefficient(expression, &[]).cmp0().into()
+        let cut = Cut::default();
+        let still = self.still.get_or_init(|| self.coordinates(&cut, |at| self.integer(at), &[]));
+        self.value(expression, &cut, still)[0].cmp0().into()
     }
 
     /// The largest monomial, or none if the polynomial is zero however the vertices move.
     pub(super) fn leading(&self, expression: &impl Expression) -> Option<Leading> {
+        self.leading_of(expression, 0)
+    }
+
+    /// The same of a polynomial that is known to be zero where nothing moves.
+    pub(super) fn leading_of_tie(&self, expression: &impl Expression) -> Option<Leading> {
+        self.leading_of(expression, 1)
+    }
+
+    /// The same of a polynomial that is zero if fewer than `least` infinitesimals are not.
+    fn leading_of(&self, expression: &impl Expression, least: usize) -> Option<Leading> {
         let all = self.coordinates.len();
         let mut chosen: Vec<(usize, usize)> = Vec::new();
-        let mut active = self.fewest(expression, all, &chosen)?;
+        let mut active = self.fewest(expression, least, all, &chosen)?;
         while let Some(smallest) = active.checked_sub(1) {
             chosen.push((smallest, 0));
             // Some degree has a coefficient: the polynomial of these infinitesimals is not zero.
@@ -117,29 +133,41 @@ impl<'q> Search<'q> {
                     break;
                 }
             }
-            active = self.fewest(expression, smallest, &chosen).expect("found above");
+            active = self.fewest(expression, 0, smallest, &chosen).expect("found above");
         }
         Some(Leading { coefficient: self.coefficient(expression, &chosen), monomial: chosen })
     }
 
-    /// How many infinitesimals it takes for a coefficient not to be zero, up to `most`.
-    fn fewest(&self, expression: &impl Expression, most: usize, chosen: &[(usize, usize)]) -> Option<usize> {
-        let mut with = match self.probably_fewest(expression, most, chosen) {
+    /// How many infinitesimals it takes for a coefficient not to be zero, from `least` up to `most`.
+    fn fewest(
+        &self,
+        expression: &impl Expression,
+        least: usize,
+        most: usize,
+        chosen: &[(usize, usize)],
+    ) -> Option<usize> {
+        let mut with = match self.probably_fewest(expression, least, most, chosen) {
             Some(with) => with,
             None if self.vanishes(expression, most, chosen) => return None,
             None => most,
         };
-        while with > 0 && !self.vanishes(expression, with - 1, chosen) {
+        while with > least && !self.vanishes(expression, with - 1, chosen) {
             with -= 1;
         }
         Some(with)
     }
 
     /// A number of infinitesimals for which the coefficient is not zero, and probably the smallest.
-    fn probably_fewest(&self, expression: &impl Expression, most: usize, chosen: &[(usize, usize)]) -> Option<usize> {
+    fn probably_fewest(
+        &self,
+        expression: &impl Expression,
+        least: usize,
+        most: usize,
+        chosen: &[(usize, usize)],
+    ) -> Option<usize> {
         let is_there = |active: usize| self.is_there(expression, active, chosen);
         // Few are the rule: from none on in growing steps, then between the last two.
-        let (mut without, mut with) = (0, 0);
+        let (mut without, mut with) = (least, least);
         while !is_there(with) {
             if with == most {
                 return None;
@@ -159,8 +187,7 @@ impl<'q> Search<'q> {
             return self.coefficient(expression, chosen).is_zero();
         }
         let cut = Cut::new(chosen.iter().map(|&(_, degree)| degree));
-        let coordinates =
-            (0..self.coordinates.len()).map(|at| self.moved(&cut, at, self.integer(at), chosen)).collect();
+        let coordinates = self.coordinates(&cut, |at| self.integer(at), chosen);
         let (dimension, matrix) = (self.scene.dimension().count(), expression.matrix());
         Free { cut: &cut, dimension, matrix, inputs: self.inputs, coordinates, active }.is_zero()
     }
@@ -187,9 +214,21 @@ impl<'q> Search<'q> {
         chosen: &[(usize, usize)],
     ) -> C {
         let cut = Cut::new(chosen.iter().map(|&(_, degree)| degree));
-        let coordinates = (0..self.coordinates.len()).map(|at| self.moved(&cut, at, place(at), chosen)).collect();
-        let moved = Moved { dimension: self.scene.dimension(), cut: &cut, inputs: self.inputs, coordinates };
-        expression.of(&moved).pop().expect("a series has a coefficient for its cut")
+        let coordinates = self.coordinates(&cut, place, chosen);
+        self.value(expression, &cut, &coordinates).pop().expect("a series has a coefficient for its cut")
+    }
+
+    fn coordinates<C: Coefficient>(
+        &self,
+        cut: &Cut,
+        place: impl Fn(usize) -> C,
+        chosen: &[(usize, usize)],
+    ) -> Vec<Series<C>> {
+        (0..self.coordinates.len()).map(|at| self.moved(cut, at, place(at), chosen)).collect()
+    }
+
+    fn value<C: Coefficient>(&self, expression: &impl Expression, cut: &Cut, coordinates: &[Series<C>]) -> Series<C> {
+        expression.of(&Moved { dimension: self.scene.dimension(), cut, inputs: self.inputs, coordinates })
     }
 
     /// A coordinate from a place, by its infinitesimal if that is chosen.
