@@ -184,7 +184,11 @@ impl<B: Backend + 'static, T: TaskList> Conformance<B, T> {
                 for line in point_lines(&loaded, &vertices) {
                     let _ = writeln!(shown, "  {line}");
                 }
-                let _ = writeln!(shown, "  again: predicament replay {id} --run {}", folder.display());
+                let _ = writeln!(
+                    shown,
+                    "  again, with a tool that has this backend: replay {id} --run {}",
+                    folder.display()
+                );
             }
         }
         writer.finish(predicament_records::Outcome::Complete).map_err(Failure::usage)?;

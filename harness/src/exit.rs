@@ -2,6 +2,8 @@
 
 use std::process::ExitCode;
 
+use crate::out::program;
+
 /// All as it should be.
 pub const OK: u8 = 0;
 /// Usage, or input that is bad outside of the corpora.
@@ -48,13 +50,13 @@ pub fn code(outcome: Outcome) -> ExitCode {
     match outcome {
         Ok(code) => match crate::out::lost() {
             Some(why) => {
-                eprintln!("predicament: stdout: {why}; some of the output is lost");
+                eprintln!("{}: stdout: {why}; some of the output is lost", program());
                 ExitCode::from(if code == OK { USAGE } else { code })
             }
             None => ExitCode::from(code),
         },
         Err(failure) => {
-            eprintln!("predicament: {}", failure.message);
+            eprintln!("{}: {}", program(), failure.message);
             ExitCode::from(failure.code)
         }
     }

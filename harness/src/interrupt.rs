@@ -14,7 +14,7 @@ pub fn listen() {
         eprintln!("\npredicament: stopping; what is done is kept (again to stop at once)");
     });
     if let Err(error) = installed {
-        eprintln!("predicament: Ctrl-C will not be caught: {error}");
+        eprintln!("{}: Ctrl-C will not be caught: {error}", crate::out::program());
     }
 }
 

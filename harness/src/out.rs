@@ -4,6 +4,8 @@
 //! command was about to say with its exit code is lost. Here a failed write is
 //! noted, the command goes on, and its code stays.
 
+use std::path::Path;
+
 use std::fmt::Arguments;
 use std::io::{ErrorKind, Write};
 use std::sync::Mutex;
@@ -35,4 +37,11 @@ macro_rules! say {
 /// Prints to stdout, without the end of a line.
 macro_rules! say_text {
     ($($arg:tt)*) => { $crate::out::print(format_args!($($arg)*)) };
+}
+
+/// The name by which the tool was called, for lines that say what to type next.
+pub fn program() -> String {
+    let called = std::env::args_os().next();
+    let name = called.as_ref().and_then(|path| Path::new(path).file_stem());
+    name.map_or_else(|| "predicament".to_owned(), |name| name.to_string_lossy().into_owned())
 }

@@ -9,7 +9,11 @@ use predicament_records::{NotSelected, PlannedScene, Shard};
 use regex::Regex;
 
 use crate::exit::{CORPUS, Failure, USAGE};
+use crate::out::program;
 use crate::tool::Tool;
+
+/// Why a suite is left out that nobody asked for, where others were asked for.
+pub const NOT_NAMED: &str = "not named on the command line";
 
 /// The part of a command line that selects scenes.
 #[derive(clap::Args, Clone)]
@@ -74,7 +78,8 @@ impl Selector {
                 library.suites().iter().cloned().partition(|suite| suite.needs_fetch);
             not_selected.extend(fetched.into_iter().map(|suite| NotSelected {
                 reason: format!(
-                    "needs fetched data and was not named; `predicament corpus fetch`, then name `{}`",
+                    "needs fetched data and was not named; `{} corpus fetch`, then name `{}`",
+                    program(),
                     suite.name
                 ),
                 suite: suite.name,
@@ -95,10 +100,8 @@ impl Selector {
                 }
             }
             let rest = library.suites().iter().filter(|suite| named.iter().all(|other| other.name != suite.name));
-            not_selected.extend(rest.map(|suite| NotSelected {
-                suite: suite.name.clone(),
-                reason: "not named on the command line".to_owned(),
-            }));
+            not_selected
+                .extend(rest.map(|suite| NotSelected { suite: suite.name.clone(), reason: NOT_NAMED.to_owned() }));
             named
         };
         let named_by_file = |suite: &&Suite| {
@@ -163,7 +166,10 @@ impl Selection {
             }
         }
         if planned.is_empty() {
-            return Err(Failure::nothing("no scene is selected; see `predicament corpus list` for what there is"));
+            return Err(Failure::nothing(format!(
+                "no scene is selected; see `{} corpus list` for what there is",
+                program()
+            )));
         }
         Ok(planned)
     }

@@ -51,6 +51,11 @@ impl Tool {
         Tool { tasks, vocabulary, own_backends, find, own_suites, expected }
     }
 
+    /// All tasks: those of the house, then the tool's own.
+    pub fn tasks(&self) -> &[&'static dyn AnyTask] {
+        &self.tasks
+    }
+
     /// The task with this name.
     ///
     /// # Panics

@@ -25,7 +25,8 @@ pub struct Planted<T: Task> {
     pub name: &'static str,
     /// What is wrong, in one line.
     pub what: &'static str,
-    /// The backend on which the fault shows.
+    /// The backend on which the fault shows: one of those that `selftest` takes for honest,
+    /// `exact`, `sos`, `sos:edelsbrunner-mucke` and `tolerance`.
     pub backend: &'static str,
     /// The checks that have to find it.
     pub caught_by: &'static [Catch],

@@ -67,7 +67,9 @@ fn example() -> Result<(), String> {
     let tool = target.join("ci").join("leftmost").display().to_string();
     let tool = |what: &str, args: &[&str]| step(what, &words(&tool, args), &[]);
     tool("run the example's suite", &["run", "leftmost-suite", "--out", &run])?;
-    tool("hold the example's run against its expectations", &["gate", &run])
+    tool("hold the example's run against its expectations", &["gate", &run])?;
+    let faults = ["selftest", "--only", "algorithm:leftmost-first-only", "-f", "^leftmost-suite/"];
+    tool("see that the example's planted fault is caught", &faults)
 }
 
 /// The packages that the example depends on by path: the tool and the crates under it.

@@ -6,7 +6,9 @@ use predicament::corpus::LoadedScene;
 use predicament::predicates::{Axis, PredicateKind, Predicates, Query, Scene, Sign, Vertex};
 use predicament::records::{self, RunDir, TableSpec};
 use predicament::report::Section;
-use predicament::tasks::{Answer, Asked, Case, Contestant, Explanation, Halt, How, Outcome, Stop, Task, Watch, digest};
+use predicament::tasks::{
+    Answer, Asked, Case, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+};
 
 use crate::{Among, LeftmostRow, judge, section};
 
@@ -107,6 +109,22 @@ impl Task for Leftmost {
         let lines = answer.0.iter().map(|&vertex| format!("{vertex},{:e}\n", scene.coordinate(Axis::X, vertex)));
         std::fs::write(&path, "vertex,x\n".to_owned() + &lines.collect::<String>())?;
         Ok(vec![path])
+    }
+
+    fn planted(&self) -> Vec<Planted<Leftmost>> {
+        vec![Planted {
+            name: "leftmost-first-only",
+            what: "of several leftmost vertices only the first is found",
+            backend: "exact",
+            caught_by: &[(Class::MissedZero, "smallest x")],
+            solve: |session, content| {
+                let left = |best, vertex| match session.compare(Axis::X, vertex, best) {
+                    Sign::Negative => vertex,
+                    _ => best,
+                };
+                Ok(Found(content.0.iter().copied().reduce(left).into_iter().collect()))
+            },
+        }]
     }
 
     fn tables(&self) -> Vec<TableSpec> {

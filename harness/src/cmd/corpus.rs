@@ -9,6 +9,7 @@ use predicament_tasks::Watch;
 
 use crate::exit::{self, CORPUS, Failure};
 use crate::interrupt;
+use crate::out::program;
 use crate::select::Selector;
 use crate::tool::Tool;
 
@@ -73,7 +74,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
 fn list(tool: &Tool, scenes: bool) -> exit::Outcome {
     let (library, own) = (tool.library()?, tool.own_suites()?);
     for suite in own.iter().chain(library.suites()) {
-        let fetched = if suite.needs_fetch { "  (needs `predicament corpus fetch`)" } else { "" };
+        let fetched = if suite.needs_fetch { format!("  (needs `{} corpus fetch`)", program()) } else { String::new() };
         say!("{:<14} {:>4} scenes  {}{fetched}", suite.name, suite.scenes.len(), suite.title);
         if scenes {
             for def in &suite.scenes {
@@ -121,7 +122,7 @@ fn generate(tool: &Tool, selector: &Selector) -> exit::Outcome {
     let selection = selector.select(tool)?;
     let defs = selection.defs();
     if defs.is_empty() {
-        return Err(Failure::nothing("no scene is selected; see `predicament corpus list --scenes`"));
+        return Err(Failure::nothing(format!("no scene is selected; see `{} corpus list --scenes`", program())));
     }
     for def in defs {
         let loaded = selection.load(def)?;

@@ -6,6 +6,7 @@ use predicament_exact::Precision;
 
 use crate::cmd::run::env;
 use crate::exit::{self, Failure};
+use crate::out::program;
 use crate::precision;
 use crate::select::Selector;
 use crate::tool::Tool;
@@ -61,8 +62,9 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let cache = selector.cache()?;
     line("cache", &cache.folder().display().to_string());
     for entry in library.manifest().entries() {
-        let state = if cache.has(entry) { "present" } else { "missing; `predicament corpus fetch`" };
-        line(&format!("  {}", entry.key), state);
+        let missing = || format!("missing; `{} corpus fetch`", program());
+        let state = if cache.has(entry) { "present".to_owned() } else { missing() };
+        line(&format!("  {}", entry.key), &state);
     }
     let scenes: usize = library.suites().iter().map(|suite| suite.scenes.len()).sum();
     line("suites", &format!("{} with {scenes} scenes", library.suites().len()));
@@ -81,7 +83,8 @@ fn scenes(args: &Args, tool: &Tool, filter: &str) -> exit::Outcome {
     let defs = selection.defs();
     if defs.is_empty() {
         return Err(Failure::nothing(format!(
-            "no scene matches `{filter}`; `predicament corpus list --scenes` names them"
+            "no scene matches `{filter}`; `{} corpus list --scenes` names them",
+            program()
         )));
     }
     for def in defs {

@@ -9,6 +9,7 @@ use predicament_tasks::{AnyCase, Contestant, Watch};
 
 use crate::exit::{self, Failure};
 use crate::interrupt;
+use crate::out::program;
 use crate::select::Selector;
 use crate::tool::Tool;
 
@@ -48,8 +49,9 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let selection = Selector::everything().select(tool)?;
     let Some(def) = selection.defs().into_iter().find(|def| def.name == args.scene) else {
         return Err(Failure::nothing(format!(
-            "no scene is called `{}`; `predicament corpus list --scenes` names them",
-            args.scene
+            "no scene is called `{}`; `{} corpus list --scenes` names them",
+            args.scene,
+            program()
         )));
     };
     let loaded = selection.load(def)?;

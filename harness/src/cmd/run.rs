@@ -8,8 +8,8 @@ use predicament_exact::{Exact, Precision};
 use predicament_oracle::expect::Expectations;
 use predicament_predicates::{Backend, Scene};
 use predicament_records::{
-    self as records, Env, Plan, PlannedScene, PrecisionRow, RunDir, RunWriter, SampledRow, Shard, Status, SummaryRow,
-    TableSpec,
+    self as records, Env, NotSelected, Plan, PlannedScene, PrecisionRow, RunDir, RunWriter, SampledRow, Shard, Status,
+    SummaryRow, TableSpec,
 };
 use predicament_tasks::{AnyCase, Budget, Class, Contestant, Outcome, Stop, Watch};
 use rayon::prelude::*;
@@ -17,7 +17,8 @@ use rayon::prelude::*;
 use crate::cmd::map;
 use crate::exit::{self, Failure};
 use crate::judged::JudgedRow;
-use crate::select::{Planned, Selection, Selector};
+use crate::out::program;
+use crate::select::{NOT_NAMED, Planned, Selection, Selector};
 use crate::tool::Tool;
 use crate::worker::Worker;
 use crate::{expectations, interrupt, progress, rows};
@@ -215,9 +216,7 @@ impl Job {
         let plan = plan(&selection, &scenes, &backends, args.shard);
         let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-run"));
         let writer = RunWriter::create(&folder, &plan, &env(), &tables(tool)).map_err(Failure::usage)?;
-        for left in &selection.not_selected {
-            eprintln!("predicament: suite `{}` is not run: {}", left.suite, left.reason);
-        }
+        tell_not_selected(&selection.not_selected);
         let ledger = Ledger { level: selection.level, done: Vec::new(), precision: Vec::new(), folder, writer };
         Ok(Job { selection, scenes, backends, ledger })
     }
@@ -246,6 +245,18 @@ impl Job {
         let ledger =
             Ledger { level, done: before.summary, precision: before.precision, folder: folder.clone(), writer };
         Ok(Job { selection, scenes, backends, ledger })
+    }
+}
+
+/// Names the suites that are not run: those that were not asked for in one line.
+fn tell_not_selected(suites: &[NotSelected]) {
+    let (unnamed, others): (Vec<_>, Vec<_>) = suites.iter().partition(|suite| suite.reason == NOT_NAMED);
+    for left in others {
+        eprintln!("{}: suite `{}` is not run: {}", program(), left.suite, left.reason);
+    }
+    if !unnamed.is_empty() {
+        let names: Vec<&str> = unnamed.iter().map(|suite| suite.suite.as_str()).collect();
+        eprintln!("{}: not run, as {NOT_NAMED}: {}", program(), names.join(", "));
     }
 }
 

@@ -12,10 +12,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use predicament_corpus::Level;
 use predicament_oracle::faults::Fault;
 use predicament_records::Shard;
-use predicament_tasks::{AnyCase, Catch, Class, Contestant, Outcome, Stop, Watch, built_in};
+use predicament_tasks::{AnyCase, Catch, Class, Contestant, Outcome, Stop, Watch};
 use rayon::prelude::*;
 
 use crate::exit::{self, Failure};
+use crate::out::program;
 use crate::select::Selector;
 use crate::tool::Tool;
 use crate::{expectations, interrupt, progress};
@@ -24,6 +25,7 @@ const EXAMPLES: &str = "\
 Examples:
   predicament selftest
   predicament selftest --list                      the faults, and the checks that have to find them
+  predicament selftest --only algorithm:closed-interval,fault:contacts-one-sided
   predicament selftest -f kettner                  which faults does one part of the corpora catch?
   predicament run -b fault:sos-swapped-term        a planted fault in a run of its own; `gate` turns red";
 
@@ -38,6 +40,10 @@ pub struct Args {
     /// caught by any finding
     #[arg(short = 'f', long = "filter", value_name = "RE")]
     pub filter: Option<String>,
+
+    /// Only these faults by name, several with commas; honest backends run in any case
+    #[arg(long, value_name = "FAULT", value_delimiter = ',')]
+    pub only: Vec<String>,
 
     /// Name the faults and the checks that have to find them, and stop
     #[arg(long)]
@@ -74,13 +80,13 @@ impl Entry {
 }
 
 /// Honest backends, faulty backends, faulty algorithms, in this order.
-fn entries() -> Vec<Entry> {
+fn entries(tool: &Tool) -> Vec<Entry> {
     let honest = CLEAN.iter().map(|name| Entry::new((*name).to_owned(), "nothing is wrong", None));
     let backends = Fault::ALL
         .into_iter()
         .map(|fault| Entry::new(format!("fault:{}", fault.name()), fault.what(), Some(fault.caught_by())));
     let mut entries: Vec<Entry> = honest.chain(backends).collect();
-    for planted in built_in().iter().flat_map(|task| task.planted_faults()) {
+    for planted in tool.tasks().iter().flat_map(|task| task.planted_faults()) {
         let name = algorithm(planted.name());
         // Tasks of one family share their algorithm and so its faults.
         if entries.iter().all(|entry| entry.name != name) {
@@ -102,7 +108,14 @@ fn catches(outcome: &Outcome) -> impl Iterator<Item = (Class, String)> {
 
 /// Runs the command.
 pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
-    let mut entries = entries();
+    let mut entries = entries(tool);
+    if !args.only.is_empty() {
+        if let Some(unknown) = args.only.iter().find(|name| entries.iter().all(|entry| entry.name != **name)) {
+            let message = format!("no fault is called `{unknown}`; `{} selftest --list` names them", program());
+            return Err(Failure::usage(message));
+        }
+        entries.retain(|entry| entry.caught_by.is_none() || args.only.contains(&entry.name));
+    }
     if args.list {
         for entry in entries.iter().filter(|entry| entry.caught_by.is_some()) {
             say!("{:<31} {}", entry.name, entry.what);
@@ -163,11 +176,14 @@ fn algorithms(
     entries: &mut [Entry],
 ) -> Result<(), Stop> {
     for planted in case.task().planted_faults() {
+        let name = algorithm(planted.name());
+        if entries.iter().all(|entry| entry.name != name) {
+            continue;
+        }
         let honest = contestants.iter().find(|contestant| contestant.name() == planted.backend());
         let honest = honest.unwrap_or_else(|| panic!("{} runs on no honest backend", planted.name()));
         let budget = super::run::budget(Level::Quick);
         let outcome = predicament_oracle::run_planted(case, planted.as_ref(), honest.as_ref(), budget, watch)?;
-        let name = algorithm(planted.name());
         entries.iter_mut().filter(|entry| entry.name == name).for_each(|entry| entry.note(&outcome, known));
     }
     Ok(())

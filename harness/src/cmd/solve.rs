@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::exit::{self, Failure};
+use crate::out::program;
 use crate::select::Selector;
 use crate::tool::Tool;
 
@@ -34,7 +35,10 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let defs = selection.defs();
     let def = match defs.as_slice() {
         [def] => *def,
-        [] => return Err(Failure::nothing("no scene is selected; `predicament corpus list --scenes` names them")),
+        [] => {
+            let message = format!("no scene is selected; `{} corpus list --scenes` names them", program());
+            return Err(Failure::nothing(message));
+        }
         [first, second, ..] => {
             let message = format!("{}/{} and {}/{} are selected", first.suite, first.name, second.suite, second.name);
             return Err(Failure::usage(format!("{message}; choose one scene with -f")));

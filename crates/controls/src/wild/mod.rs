@@ -29,7 +29,7 @@ pub struct Point<const D: usize> {
 }
 
 /// A crate's predicates in our conventions. Those that it lacks are never asked.
-pub trait Library: Copy + Sync {
+pub trait Library: Copy + Send + Sync {
     /// The name on the command line.
     fn name(&self) -> &'static str;
 
