@@ -1,7 +1,6 @@
 //! Cells of a line: every point is in exactly one of them (Franklin & Magalhães, 4.1).
 
 use predicament_algorithms::interval::Place;
-use predicament_predicates::{Axis, Scene, Vertex};
 
 /// How cells fail to be a partition.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -49,32 +48,4 @@ pub fn partition_fault(whole: Place, found: impl IntoIterator<Item = Place>) -> 
         (Place::AtEnd | Place::Inside, 0, 0) => Some(PartitionFault::Gap),
         (Place::AtEnd | Place::Inside, _, _) => Some(PartitionFault::Double),
     }
-}
-
-/// Where the point is, seen from the cell as a set of numbers: coordinates are
-/// doubles, and comparing those is exact.
-#[must_use]
-pub fn exact_place(scene: &Scene, axis: Axis, cell: [Vertex; 2], point: Vertex) -> Place {
-    let [left, right] = cell.map(|end| scene.coordinate(axis, end));
-    let at = scene.coordinate(axis, point);
-    if at < left || at > right {
-        Place::Outside
-    } else if at > left && at < right {
-        Place::Inside
-    } else {
-        Place::AtEnd
-    }
-}
-
-/// Where the point is by the paper's rule, which has no infinitesimals in it:
-/// of two equal coordinates that of the vertex with the smaller number is larger.
-/// For a point that is numbered before both ends this is l ≤ p < r, behind
-/// both l < p ≤ r.
-#[must_use]
-pub fn perturbed_place(scene: &Scene, axis: Axis, [left, right]: [Vertex; 2], point: Vertex) -> Place {
-    let beyond = |end: Vertex| {
-        let [at, end_at] = [point, end].map(|vertex| scene.coordinate(axis, vertex));
-        if point < end { end_at <= at } else { end_at < at }
-    };
-    if beyond(left) && !beyond(right) { Place::Inside } else { Place::Outside }
 }

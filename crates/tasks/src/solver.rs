@@ -115,6 +115,11 @@ pub trait Stopwatch {
     /// is not in it.
     fn pass(&mut self) -> Duration;
 
+    /// The time of so many passes. Small scenes take less than it takes to reach the threads, which is then done once.
+    fn passes(&mut self, count: u32) -> Duration {
+        (0..count).map(|_| self.pass()).sum()
+    }
+
     /// A digest of the last pass' answers: see [`Answer::digest`].
     fn digest(&self) -> u64;
 }
@@ -180,14 +185,18 @@ impl<B: Backend + 'static, T: Task> Solver for OnTask<B, T> {
     }
 }
 
-/// How long this takes in a pool of threads. It is behind a pointer, so that the pool's part is compiled once.
-fn timed(pool: &rayon::ThreadPool, solve: &mut (dyn FnMut() -> bool + Send)) -> Duration {
+/// How long this takes so many times in a pool of threads. It is behind a pointer, so that the pool's part is compiled
+/// once.
+fn timed(pool: &rayon::ThreadPool, count: u32, solve: &mut (dyn FnMut() -> bool + Send)) -> Duration {
     pool.install(|| {
-        let start = Instant::now();
-        let done = solve();
-        let time = start.elapsed();
-        assert!(done, "nothing stops a timed pass");
-        time
+        let mut total = Duration::ZERO;
+        for _ in 0..count {
+            let start = Instant::now();
+            let done = solve();
+            total += start.elapsed();
+            assert!(done, "nothing stops a timed pass");
+        }
+        total
     })
 }
 
@@ -203,6 +212,30 @@ struct Passes<'a, B: Backend + 'static, T: Task> {
 
 impl<B: Backend + 'static, T: Task> Stopwatch for Passes<'_, B, T> {
     fn pass(&mut self) -> Duration {
+        self.passes(1)
+    }
+
+    fn passes(&mut self, count: u32) -> Duration {
+        if self.solver.task.constructs() {
+            // The next pass would find the vertices of the last one ready.
+            return (0..count)
+                .map(|_| {
+                    let time = self.on_one_session(1);
+                    self.session = None;
+                    time
+                })
+                .sum();
+        }
+        self.on_one_session(count)
+    }
+
+    fn digest(&self) -> u64 {
+        self.answer.digest()
+    }
+}
+
+impl<B: Backend + 'static, T: Task> Passes<'_, B, T> {
+    fn on_one_session(&mut self, count: u32) -> Duration {
         let Passes { solver, session, scene, content, pool, answer } = self;
         let content = solver.content(*content);
         let session = session.get_or_insert_with(|| {
@@ -212,19 +245,10 @@ impl<B: Backend + 'static, T: Task> Stopwatch for Passes<'_, B, T> {
         let quiet = |_: u64| {};
         let watch = Watch::new(&never, None, &quiet);
         let how = How { purpose: Purpose::Use, watch: &watch };
-        let time = timed(pool, &mut || {
+        timed(pool, count, &mut || {
             let done = solver.task.solve(session, black_box(content), &how, answer);
             black_box(&mut *answer);
             done.is_ok()
-        });
-        if solver.task.constructs() {
-            // The next pass would find its vertices ready.
-            self.session = None;
-        }
-        time
-    }
-
-    fn digest(&self) -> u64 {
-        self.answer.digest()
+        })
     }
 }

@@ -296,7 +296,7 @@ impl Samples {
                 if interrupt::flag().load(std::sync::atomic::Ordering::Relaxed) {
                     return Ok(false);
                 }
-                let total: Duration = (0..runner.passes).map(|_| runner.watch.pass()).sum();
+                let total = runner.watch.passes(runner.passes);
                 // Counts of queries and passes are far below 2^53: no rounding.
                 #[allow(clippy::cast_precision_loss)]
                 let queries = runner.queries as f64 * f64::from(runner.passes);

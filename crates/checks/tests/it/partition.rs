@@ -1,8 +1,9 @@
 //! Cells of a line: the check without a judge, and the rule without infinitesimals.
 
 use predicament_algorithms::interval::{Place, cells_at, half_open, place};
-use predicament_checks::partition::{PartitionFault, exact_place, partition_fault, perturbed_place};
+use predicament_checks::partition::{PartitionFault, partition_fault};
 use predicament_exact::Exact;
+use predicament_judge::interval as judge;
 use predicament_predicates::{Axis, Backend, Off, Scene, Vertex};
 use predicament_sos::{Scheme, Sos};
 
@@ -38,6 +39,15 @@ fn a_partition_has_each_point_once() {
     }
 }
 
+/// What the judge calls a place.
+fn judged(place: judge::Place) -> Place {
+    match place {
+        judge::Place::Outside => Outside,
+        judge::Place::AtEnd => AtEnd,
+        judge::Place::Inside => Inside,
+    }
+}
+
 /// Every choice of three coordinates out of 0, 1 and 2, for a point and the
 /// two ends of a cell in every order of their numbers.
 fn each_triple(mut visit: impl FnMut(&Scene, [Vertex; 2], Vertex)) {
@@ -57,11 +67,12 @@ fn the_rule_is_what_simulation_of_simplicity_answers() {
         for scheme in [Scheme::PerCoordinate, Scheme::EdelsbrunnerMucke] {
             let sos = Sos { scheme };
             let session = sos.prepare(scene, Off).unwrap();
-            let (found, rule) = (place(&session, Axis::Y, cell, point), perturbed_place(scene, Axis::Y, cell, point));
+            let rule = judged(judge::perturbed_place(scene, Axis::Y, cell, point));
+            let found = place(&session, Axis::Y, cell, point);
             assert_eq!(found, rule, "{:?}: {point} in {cell:?}", scene.coordinates());
         }
         let exact = Exact.prepare(scene, Off).unwrap();
-        let truth = exact_place(scene, Axis::Y, cell, point);
+        let truth = judged(judge::place(scene, Axis::Y, cell, point));
         assert_eq!(place(&exact, Axis::Y, cell, point), truth);
         ties += usize::from(truth == AtEnd);
     });
@@ -72,7 +83,7 @@ fn the_rule_is_what_simulation_of_simplicity_answers() {
 fn a_point_that_is_moved_further_obeys_the_rule_of_the_paper() {
     each_triple(|scene, cell, point| {
         let along = |vertex| scene.coordinate(Axis::Y, vertex);
-        let rule = perturbed_place(scene, Axis::Y, cell, point) == Inside;
+        let rule = judge::perturbed_place(scene, Axis::Y, cell, point) == judge::Place::Inside;
         if cell.iter().all(|&end| point < end) {
             assert_eq!(rule, half_open(cell.map(along), along(point)));
         } else if cell.iter().all(|&end| point > end) {
