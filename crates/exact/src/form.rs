@@ -32,6 +32,7 @@ impl Determinant {
     /// of second order in u is paid for by the hundredth. Both filters are meant:
     /// B·p, for M larger than the differences of the query, and the static bound,
     /// for M larger than those of the scene.
+    #[inline(always)] // most of it is known when it is compiled
     #[must_use]
     pub const fn limbs_left_open(&self, bits: i32) -> usize {
         let share = 2.01 * self.bound;
@@ -41,6 +42,7 @@ impl Determinant {
 }
 
 /// The limbs of integers less than 2^`bits`, and their signs.
+#[inline(always)]
 const fn limbs(bits: i32) -> usize {
     if bits < 0 { 1 } else { (bits.cast_unsigned() + 1).div_ceil(64) as usize }
 }

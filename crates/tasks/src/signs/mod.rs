@@ -31,7 +31,9 @@ pub use content::SignQueries;
 pub use degeneracy::{Histogram, degeneracy};
 pub use truth::truth;
 
-use crate::{Answer, Asked, Case, Contestant, Dispute, Explanation, Halt, How, Outcome, Stop, Task, Watch, digest};
+use crate::{
+    Answer, Asked, Case, Contestant, Dispute, Explanation, Halt, How, Outcome, Purpose, Stop, Task, Watch, digest,
+};
 
 /// Queries to a chunk: small enough to stop soon, large enough to cost nothing.
 const CHUNK: usize = 4096;
@@ -146,7 +148,7 @@ impl Task for Signs {
         answer: &mut Answers,
     ) -> Result<(), Halt> {
         // A call of a batch is dynamic; its queries are not.
-        signs(&*session, content, how.watch, &mut answer.0)?;
+        signs(&*session, content, how, &mut answer.0)?;
         Ok(())
     }
 
@@ -187,15 +189,20 @@ impl Task for Signs {
 }
 
 /// All answers of a session, in order, in the threads of the current pool.
-fn signs(session: &dyn Predicates, content: &SignQueries, watch: &Watch, out: &mut Vec<Sign>) -> Result<(), Stop> {
+fn signs(session: &dyn Predicates, content: &SignQueries, how: &How<'_>, out: &mut Vec<Sign>) -> Result<(), Stop> {
     let queries = &content.queries;
     out.resize(queries.len(), Sign::Zero);
-    let batch = |(chunk, out): (usize, &mut [Sign])| {
-        queries.ask_batch(session, chunk * CHUNK..chunk * CHUNK + out.len(), out);
-        watch.done(out.len() as u64)
+    // What is timed is one batch where it can be, as users ask it.
+    let size = match how.purpose {
+        Purpose::Use if rayon::current_num_threads() == 1 => 256 * CHUNK,
+        Purpose::Use | Purpose::Judge => CHUNK,
     };
-    if out.len() <= CHUNK || rayon::current_num_threads() == 1 {
-        return out.chunks_mut(CHUNK).enumerate().try_for_each(batch);
+    let batch = |(chunk, out): (usize, &mut [Sign])| {
+        queries.ask_batch(session, chunk * size..chunk * size + out.len(), out);
+        how.watch.done(out.len() as u64)
+    };
+    if out.len() <= size || rayon::current_num_threads() == 1 {
+        return out.chunks_mut(size).enumerate().try_for_each(batch);
     }
-    out.par_chunks_mut(CHUNK).enumerate().try_for_each(batch)
+    out.par_chunks_mut(size).enumerate().try_for_each(batch)
 }
