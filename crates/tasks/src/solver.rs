@@ -115,7 +115,8 @@ pub trait Stopwatch {
     /// is not in it.
     fn pass(&mut self) -> Duration;
 
-    /// The time of so many passes. Small scenes take less than it takes to reach the threads, which is then done once.
+    /// The time of so many passes together. The pool of threads is entered once, which takes longer than a pass over a
+    /// small scene.
     fn passes(&mut self, count: u32) -> Duration {
         (0..count).map(|_| self.pass()).sum()
     }

@@ -122,6 +122,8 @@ pub fn nightly() -> Result<(), String> {
     let lint = lint.into_iter().chain(["--", "-D", "warnings"]).collect::<Vec<_>>();
     let done = [
         cargo("clippy, with peers", &lint),
+        // The table about other crates is held against the published fixtures.
+        cargo("fetch data", &["run", "--quiet", "--profile", "ci", "--features", "peers", "--", "corpus", "fetch"]),
         run_tests(&peers, &[EFFORT]),
         cargo("build the benches", &["bench", "--profile", "ci", "--workspace", "--benches", "--no-run"]),
         minimum_version(),

@@ -6,8 +6,7 @@
 //! search for pairs that it has missed. What is judged are the pairs that the
 //! truth or the backend registers; that a pair is registered by neither is not
 //! counted as an answer, there are too many of those. For backends that break
-//! ties the truth is, besides, what the hierarchy registers with the signs of the
-//! perturbed scene.
+//! ties the truth is, besides, what crosses in the perturbed scene.
 //!
 //! Whether a pair is registered depends on its faces alone. So one pair can be
 //! asked about again by itself, and some pairs of the truth are found twice, the
@@ -15,7 +14,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use predicament_algorithms::contacts::{Contacts as Registered, Weights, contacts};
+use predicament_algorithms::contacts::{Contacts as Registered, Weights};
 use predicament_judge::{Judged, Sample, contacts as judge};
 use predicament_mesh::{Complex, Faces, Simplex};
 use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
@@ -23,7 +22,7 @@ use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 use super::classes::{self, Judgement};
 use super::pairs::{Pair, Pairs};
 use super::section::ContactRow;
-use super::{Complexes, Contacts, alone, band, order, query, topology, vertices_of};
+use super::{Complexes, Contacts, alone, band, order, perturbed, query, topology, vertices_of};
 use crate::{Asked, Case, Class, Finding, Outcome, Stop, Watch};
 
 /// One registered pair in so many is found again, in another way.
@@ -43,7 +42,7 @@ pub struct Truth {
 }
 
 /// All simplices of a complex by rank, with their vertices.
-fn simplices(complex: &Complex) -> Vec<(Simplex, &[Vertex])> {
+pub(super) fn simplices(complex: &Complex) -> Vec<(Simplex, &[Vertex])> {
     let counts =
         [complex.vertices().len(), complex.edges().len(), complex.triangles().len(), complex.tetrahedra().len()];
     let of_rank = |(rank, count): (u8, usize)| {
@@ -112,13 +111,14 @@ pub(super) fn judge(
     let (scene, content, session, watch) = (case.scene(), case.content, asked.session, asked.watch);
     let dimension = scene.dimension();
     let zero = asked.contract(PredicateKind::Orient2d).zero;
+    let got = case.truth.pairs(content, found);
     let perturbed = match (zero, asked.backend.tie_judge()) {
-        (ZeroMeaning::Never, Some(ties)) => Some(contacts(&Judged::perturbed(scene, ties), &content.a, &content.b)),
+        (ZeroMeaning::Never, Some(ties)) => {
+            let registered = perturbed::registered(scene, ties, content, &case.truth.sampled, got.iter(), watch)?;
+            Some(Pairs::new(content.both(), &case.truth.faces, registered))
+        }
         _ => None,
     };
-    watch.done(0)?;
-    let got = case.truth.pairs(content, found);
-    let perturbed = perturbed.as_ref().map(|contacts| case.truth.pairs(content, contacts));
     let audited = match zero {
         ZeroMeaning::Band => band::broken(session, content.both(), found, &got),
         ZeroMeaning::Exact | ZeroMeaning::Never => BTreeMap::new(),

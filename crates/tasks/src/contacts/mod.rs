@@ -11,6 +11,7 @@ mod generate;
 mod judge;
 mod order;
 mod pairs;
+mod perturbed;
 mod section;
 mod sigma;
 mod topology;
@@ -36,9 +37,9 @@ use crate::{
 };
 use pairs::{Pair, closure};
 
-/// What has to see that a pair is missing.
+/// The checks that have to find a missing pair.
 const LOST_CHECKS: &[Catch] = &[(Class::MissedZero, "contact"), (Class::Topology, "crossing parity")];
-/// What has to see pairs that were not to be asked about.
+/// The checks that have to find a pair that was not to be asked about.
 const FORGOTTEN_CHECKS: &[Catch] = &[(Class::Inconsistent, "unasked"), (Class::Topology, "loose ends")];
 
 /// The task, in the plane or in space.

@@ -23,9 +23,9 @@ use crate::{
     Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
 };
 
-/// What has to see crossings that are there after a perturbation only.
+/// The checks that have to find a missing crossing which only the perturbation makes.
 const STRICT_CHECKS: &[Catch] = &[(Class::SignFlip, "perturbed crossings")];
-/// What has to see crossings in the wrong order.
+/// The checks that have to find crossings in the wrong order.
 const UNSORTED_CHECKS: &[Catch] = &[(Class::MissedZero, "order"), (Class::SignFlip, "order")];
 
 /// The task.

@@ -27,7 +27,7 @@ use crate::{
     Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
 };
 
-/// What has to see a cube that is missing at the border of a cell.
+/// The checks that have to find a cube missing at the border of a cell.
 const BORDER_CHECKS: &[Catch] = &[
     (Class::Topology, "area"),
     (Class::Topology, "edge length"),

@@ -31,7 +31,7 @@ use crate::{
     Watch, digest,
 };
 
-/// What has to see an edge that is not in the grid.
+/// The checks that have to find an edge missing in the grid.
 const SKIPPED_CHECKS: &[Catch] =
     &[(Class::MissedZero, "missed-boundary"), (Class::Topology, "double"), (Class::Topology, "misplaced")];
 

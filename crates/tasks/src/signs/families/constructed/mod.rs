@@ -50,7 +50,7 @@ pub(super) fn degenerate(
     Arrangement { kinds, trouble: Trouble::Degenerate, halvings: halvings(fields)? }.recipe(task, fields)
 }
 
-/// Reads `halvings`: so often all coordinates are halved. None of them loses a bit; their products do.
+/// Reads `halvings`: how often all coordinates are halved. Coordinates lose no bit by it, but their products underflow.
 fn halvings(fields: &Fields<'_, '_>) -> Result<i64, CorpusError> {
     fields.integer_or("halvings", 0, 0..=900).map(u64::cast_signed)
 }
