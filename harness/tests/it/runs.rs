@@ -108,6 +108,36 @@ fn every_scene_has_one_precision_plan_whatever_the_backends() {
     assert_same_tables(&one, &old, "after resuming");
 }
 
+/// A scene too large for the whole truth says so, and a small one does not.
+#[test]
+fn what_is_held_against_a_part_of_the_truth_is_written_down() {
+    let folder = tempdir().unwrap();
+    for (scene, rows) in [("polygons-1e5", 1), ("polygons-1e3", 0)] {
+        let out = at(&folder, scene);
+        let filter = format!("/{scene}$");
+        expect(
+            0,
+            &[
+                "run",
+                "contact-sizes",
+                "-f",
+                &filter,
+                "--level",
+                "full",
+                "-b",
+                "naive",
+                "--permutations",
+                "0",
+                "--out",
+                &out,
+            ],
+        );
+        let sampled = read(&out, "sampled.csv");
+        assert_eq!(column(&sampled, "scene"), vec![scene; rows], "{sampled}");
+        assert_eq!(sampled.contains("simplices of the first complex"), rows > 0, "{sampled}");
+    }
+}
+
 #[test]
 fn expectations_turn_the_gate_both_ways() {
     let folder = tempdir().unwrap();

@@ -79,7 +79,7 @@ impl Truth {
     /// How many simplices of the first complex were looked at, if not all.
     pub(super) fn sampled(&self) -> Option<String> {
         (!self.sample.is_all())
-            .then(|| format!("pairs of {} simplices of the first complex, and all registered pairs", self.sample))
+            .then(|| format!("simplices of the first complex: {}; and all registered pairs", self.sample))
     }
 
     fn pairs<'p>(&'p self, content: &'p Complexes, contacts: &Registered) -> Pairs<'p> {

@@ -53,7 +53,7 @@ impl Truth {
     /// How many probes were located without an index, if not all.
     pub(super) fn sampled(&self) -> Option<String> {
         (!self.sample.is_all())
-            .then(|| format!("{} probes by all edges, the others by their surroundings", self.sample))
+            .then(|| format!("probes by all edges: {}; the others by their surroundings", self.sample))
     }
 
     /// Where a probe is.
