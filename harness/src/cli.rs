@@ -38,6 +38,7 @@ enum Command {
     Corpus(cmd::corpus::Args),
     #[command(flatten)]
     Study(cmd::study::Args),
+    Engines(cmd::engines::Args),
     Doctor(cmd::doctor::Args),
 }
 
@@ -111,7 +112,8 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
             Ok(arguments) => arguments,
             Err(error) => error.exit(),
         };
-        exit::code(match arguments.command {
+        // A panic of the tool must not leave with the code that says `unexpected pass`.
+        let done = predicament_oracle::caught(|| match arguments.command {
             Command::Run(args) => cmd::run::run(args, &tool),
             Command::Bench(args) => cmd::bench::run(args, &tool),
             Command::Report(args) => cmd::report::run(&args, &tool),
@@ -123,8 +125,10 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
             Command::Bounds(args) => cmd::bounds::run(&args),
             Command::Corpus(args) => cmd::corpus::run(args, &tool),
             Command::Study(args) => cmd::study::run(&args, &tool),
+            Command::Engines(args) => cmd::engines::run(&args),
             Command::Doctor(args) => cmd::doctor::run(&args, &tool),
-        })
+        });
+        exit::code(done.unwrap_or_else(|broken| Err(exit::Failure::usage(broken))))
     }
 }
 

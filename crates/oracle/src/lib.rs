@@ -18,4 +18,4 @@ mod run;
 #[cfg(feature = "peers")]
 mod wild;
 
-pub use run::{run, run_planted};
+pub use run::{caught, run, run_planted};

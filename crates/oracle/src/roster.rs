@@ -4,6 +4,7 @@
 //! ([`Visit`]): so tasks of other crates can meet every backend of the house.
 
 use predicament_controls::{Epsilon, Naive, Pivot, Shewchuk};
+use predicament_engines::Engine;
 use predicament_exact::Exact;
 use predicament_sos::{PerMesh, Scheme, Sos, infinitesimal};
 use predicament_tolerance::Tolerance;
@@ -30,6 +31,7 @@ naive, naive:first      plain floating point, pivot at the last or the first arg
 epsilon:EPS             plain floating point, zero where |det| < EPS (1e-10 if left out)
 shewchuk                the crate `robust` as it is
 fault:NAME              a planted fault; `predicament selftest --list` names them
+engine:NAME             a program of another language: engines/NAME/engine.toml, or a path to such a file
 Where the tool is built with --features peers, Simulation of Simplicity of other crates:
 simplicity, geogram, rgeometry, delaunay, delaunay:sorted (by vertex, as the crate asks its kernel)";
 
@@ -67,6 +69,9 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, String> {
         "epsilon" => visitor.visit(Epsilon::default(), None),
         "shewchuk" => visitor.visit(Shewchuk, None),
         _ => {
+            if let Some(engine) = name.strip_prefix(predicament_engines::PREFIX) {
+                return Ok(visitor.visit(Engine::find(engine)?, None));
+            }
             if let Some(eps) = name.strip_prefix("epsilon:") {
                 let eps: f64 =
                     eps.parse().map_err(|_| format!("`{name}`: `{eps}` is no number; write e.g. epsilon:1e-10"))?;
@@ -85,7 +90,7 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, String> {
                 return Err(format!("`{name}` is there where the tool is built with --features peers"));
             }
             let names = DEFAULT.join(", ");
-            return Err(format!("no backend is called `{name}`; there are {names}, and fault:NAME"));
+            return Err(format!("no backend is called `{name}`; there are {names}, engine:NAME and fault:NAME"));
         }
     })
 }

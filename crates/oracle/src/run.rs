@@ -3,7 +3,7 @@
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use predicament_predicates::{Counts, PredicateKind};
+use predicament_predicates::{Broken, Counts, PredicateKind};
 use predicament_tasks::{
     AnyCase, AnyPlanted, Asked, Budget, Class, Contestant, Halt, How, Outcome, Purpose, Refusal, Stop, Watch,
 };
@@ -45,15 +45,26 @@ pub fn run_planted(
     })
 }
 
+/// What this gives, or how a backend broke off in it: by a panic, or because what is behind it has gone.
+///
+/// # Errors
+/// [`Broken`], of class [`Class::Panic`] and check `panic` for a panic of its own.
+pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, Broken> {
+    catch_unwind(AssertUnwindSafe(work)).map_err(|payload| match payload.downcast::<Broken>() {
+        Ok(broken) => *broken,
+        Err(payload) => Broken { class: Class::Panic, check: "panic", message: message(payload.as_ref()) },
+    })
+}
+
 fn guarded(queries: u64, judged: impl FnOnce() -> Result<Outcome, Halt>) -> Result<Outcome, Stop> {
-    match catch_unwind(AssertUnwindSafe(judged)) {
+    match caught(judged) {
         Ok(Ok(outcome)) => Ok(outcome),
         Ok(Err(Halt::Refused(refusal))) => Ok(refusal.outcome(queries)),
         Ok(Err(Halt::Stopped(Stop::Timeout))) => {
             Ok(Outcome::of_scene(queries, Class::Timeout, "time limit", "took too long".to_owned()))
         }
         Ok(Err(Halt::Stopped(Stop::Interrupted))) => Err(Stop::Interrupted),
-        Err(payload) => Ok(Outcome::of_scene(queries, Class::Panic, "panic", message(payload.as_ref()))),
+        Err(broken) => Ok(Outcome::of_scene(queries, broken.class, broken.check, broken.message)),
     }
 }
 

@@ -39,6 +39,20 @@ pub trait Backend: Send + Sync {
         Constructs::Declines
     }
 
+    /// The version of the library behind it, where that is another one's.
+    fn version(&self) -> Option<String> {
+        None
+    }
+
+    /// The same backend with predicates that return zero at once, where the way to them costs
+    /// something: what the binding of a library of another language takes.
+    fn binding(&self) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
+
     /// Prepares a session: the place to look at the scene's coordinates.
     ///
     /// # Errors
@@ -109,6 +123,12 @@ pub trait Predicates: Send + Sync {
     /// one: what error measures look at, and how a NaN is found.
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {
         let _ = (question, args);
+        None
+    }
+
+    /// The time that all predicates so far have taken by the session's own clock, in nanoseconds; none where the
+    /// caller's clock sees nothing else.
+    fn own_nanoseconds(&self) -> Option<u64> {
         None
     }
 

@@ -23,6 +23,12 @@ pub trait Contestant: Send + Sync {
     /// The names of its stages, cheapest first.
     fn stages(&self) -> &'static [&'static str];
 
+    /// The version of the library behind it, where that is another one's.
+    fn version(&self) -> Option<String>;
+
+    /// The same backend with predicates that return at once, where the way to them costs something.
+    fn binding(&self) -> Option<Box<dyn Contestant>>;
+
     /// Prepares a scene and hands the session over, where what is asked need not be fast.
     ///
     /// # Errors
@@ -155,6 +161,14 @@ impl<B: Backend + 'static> Contestant for Entry<B> {
 
     fn stages(&self) -> &'static [&'static str] {
         self.backend.stages()
+    }
+
+    fn version(&self) -> Option<String> {
+        self.backend.version()
+    }
+
+    fn binding(&self) -> Option<Box<dyn Contestant>> {
+        self.backend.binding().map(|binding| Box::new(Entry::new(binding)) as Box<dyn Contestant>)
     }
 
     fn with_session(&self, scene: &Scene, ask: &mut dyn FnMut(&mut dyn Predicates)) -> Result<(), Declined> {

@@ -9,9 +9,10 @@
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use predicament_corpus::LoadedScene;
+use predicament_oracle::caught;
 use predicament_records::{
     self as records, FindingRow, PlannedScene, RunDir, RunWriter, Shard, SummaryRow, ThroughputRow,
 };
@@ -109,6 +110,8 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let mut threads = vec![1];
     threads.extend(args.threads.map(usize::from).filter(|&threads| threads > 1));
     let timed = scenes.len();
+    let bindings: Vec<(String, Box<dyn Contestant>)> =
+        backends.iter().filter_map(|backend| Some((backend.name(), backend.binding()?))).collect();
     'scenes: for planned in &mut scenes {
         let scene = planned.plan.clone();
         bar.set_message(scene.scene.clone());
@@ -147,6 +150,22 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
             match start(&loaded, backend.as_ref(), &scene, digest, &threads) {
                 Ok(started) => runners.extend(started),
                 Err(why) => remarks.push(format!("not timed: {}/{} on {name}: {why}", scene.suite, scene.scene)),
+            }
+            // What it costs to reach a predicate of another language, as a row of its own.
+            if let Some(binding) = bindings.iter().find(|(of, _)| *of == name).map(|(_, binding)| binding)
+                && digest.is_some()
+            {
+                match empty(&loaded, binding.as_ref(), &scene, &threads[..1]) {
+                    Ok(started) => runners.extend(started),
+                    Err(why) => {
+                        remarks.push(format!(
+                            "not timed: {}/{} on {}: {why}",
+                            scene.suite,
+                            scene.scene,
+                            binding.name()
+                        ));
+                    }
+                }
             }
         }
         if peers::ANY {
@@ -246,8 +265,10 @@ fn start<'a>(
         Ok(Runner {
             name: backend.name(),
             family: on_threads(&scene.family, threads),
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-            watch: solver.stopwatch(&loaded.scene, loaded.content.as_ref(), threads)?,
+            version: backend.version().unwrap_or_else(|| env!("CARGO_PKG_VERSION").to_owned()),
+            watch: caught(|| solver.stopwatch(&loaded.scene, loaded.content.as_ref(), threads))
+                .map_err(|broken| broken.to_string())
+                .flatten()?,
             judged,
             queries: scene.queries,
             passes: 1,
@@ -257,11 +278,29 @@ fn start<'a>(
     threads.iter().map(runner).collect()
 }
 
+/// Prepares predicates that return at once: what they answer is not judged, only that it stays the same.
+fn empty<'a>(
+    loaded: &'a LoadedScene,
+    binding: &'a dyn Contestant,
+    scene: &PlannedScene,
+    threads: &[usize],
+) -> Result<Vec<Runner<'a>>, String> {
+    let mut runners = start(loaded, binding, scene, Some(0), threads)?;
+    for runner in &mut runners {
+        caught(|| runner.watch.pass()).map_err(|broken| broken.to_string())?;
+        runner.judged = runner.watch.digest();
+    }
+    Ok(runners)
+}
+
 struct Samples {
     most: u64,
     least: Duration,
     precision: f64,
 }
+
+/// How many times longer than it lasts a sample may take.
+const PATIENCE: u128 = 10;
 
 /// Samples before the first look at the confidence interval: the smallest and the
 /// largest of six enclose the median with 97 %.
@@ -278,9 +317,23 @@ impl Samples {
     ) -> Result<bool, Failure> {
         // A pass to warm up, to size the samples, and to see that the answers are the judged ones.
         runners.retain_mut(|runner| {
-            runner.watch.pass();
-            let pass = runner.watch.pass().max(Duration::from_nanos(1));
-            runner.passes = u32::try_from(self.least.as_nanos() / pass.as_nanos() + 1).unwrap_or(u32::MAX);
+            let warm = caught(|| {
+                runner.watch.pass();
+                let start = Instant::now();
+                let pass = runner.watch.pass().max(Duration::from_nanos(1));
+                (pass, start.elapsed().max(Duration::from_nanos(1)))
+            });
+            let (pass, wall) = match warm {
+                Ok(warm) => warm,
+                Err(broken) => {
+                    remarks.push(format!("not timed: {}/{} on {}: {broken}", scene.suite, scene.scene, runner.name));
+                    return false;
+                }
+            };
+            // By a clock of its own a pass can be much shorter than we wait for it.
+            let passes =
+                (self.least.as_nanos() / pass.as_nanos()).min(PATIENCE * self.least.as_nanos() / wall.as_nanos());
+            runner.passes = u32::try_from(passes + 1).unwrap_or(u32::MAX);
             let same = runner.watch.digest() == runner.judged;
             if !same {
                 remarks.push(format!(
@@ -292,15 +345,25 @@ impl Samples {
         });
         for sample in 0..self.most {
             let mut rows = Vec::with_capacity(runners.len());
-            for runner in runners.iter_mut().filter(|runner| !self.is_known(&runner.samples)) {
+            let mut broken = Vec::new();
+            for (at, runner) in runners.iter_mut().enumerate().filter(|(_, runner)| !self.is_known(&runner.samples)) {
                 if interrupt::flag().load(std::sync::atomic::Ordering::Relaxed) {
                     return Ok(false);
                 }
-                let total = runner.watch.passes(runner.passes);
+                let total = match caught(|| runner.watch.passes(runner.passes)) {
+                    Ok(total) => total,
+                    Err(why) => {
+                        let (suite, scene, name) = (&scene.suite, &scene.scene, &runner.name);
+                        remarks.push(format!("timed {sample} times only: {suite}/{scene} on {name}: {why}"));
+                        broken.push(at);
+                        continue;
+                    }
+                };
                 // Counts of queries and passes are far below 2^53: no rounding.
                 #[allow(clippy::cast_precision_loss)]
                 let queries = runner.queries as f64 * f64::from(runner.passes);
-                let ns_per_query = total.as_secs_f64() * 1e9 / queries;
+                // A clock that has not moved says that it was less than its step.
+                let ns_per_query = total.max(Duration::from_nanos(1)).as_secs_f64() * 1e9 / queries;
                 runner.samples.push(ns_per_query);
                 rows.push(ThroughputRow {
                     task: scene.task.clone(),
@@ -313,6 +376,9 @@ impl Samples {
                 });
             }
             writer.write(&rows).map_err(Failure::usage)?;
+            for at in broken.into_iter().rev() {
+                runners.remove(at);
+            }
         }
         if let Some(runner) = runners.iter().find(|runner| runner.watch.digest() != runner.judged) {
             let message = format!("{}/{} on {}: answers changed while timed", scene.suite, scene.scene, runner.name);

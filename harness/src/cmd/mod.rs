@@ -4,6 +4,7 @@ pub mod bench;
 pub mod bounds;
 pub mod corpus;
 pub mod doctor;
+pub mod engines;
 pub mod gate;
 pub mod map;
 pub mod replay;

@@ -9,7 +9,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use predicament_checks::axioms::{Law, Zeros};
 use predicament_corpus::Random;
 use predicament_exact::Exact;
-use predicament_predicates::{Backend, Dimension, Off, Predicates, Question, Scene, Vertex};
+use predicament_predicates::{Backend, Broken, Dimension, Off, Predicates, Question, Scene, Vertex};
 use predicament_tasks::{Contestant, Stop, Watch};
 use rayon::prelude::*;
 
@@ -166,11 +166,20 @@ fn try_scene(contestant: &dyn Contestant, survey: Survey, job: Job, checks: &[Ch
         }
     };
     // A scene that is declined has no rows, and tuples say so.
-    let _ = contestant.with_session(&scene, &mut |session| {
-        if contestant.with_session(&first, &mut |fewer| look(session, Some(fewer))).is_err() {
-            look(session, None);
-        }
-    });
+    let prepared = catch_unwind(AssertUnwindSafe(|| {
+        let _ = contestant.with_session(&scene, &mut |session| {
+            if contestant.with_session(&first, &mut |fewer| look(session, Some(fewer))).is_err() {
+                look(session, None);
+            }
+        });
+    }));
+    if let Err(payload) = prepared {
+        rows.push(Row {
+            panics: 1,
+            first: Some(Example::of_panic(job.family, &scene, &[], &message(payload.as_ref()))),
+            ..Row::empty(checks[0].law(), checks[0].subject())
+        });
+    }
     (rows, all as u64)
 }
 
@@ -190,7 +199,7 @@ fn try_tuples(check: &Check, job: Job, scene: &Scene, on: &Sessions<'_>, tuples:
             }
             Err(payload) => {
                 row.panics += 1;
-                let example = || Example::of_panic(job.family, scene, tuple, message(payload.as_ref()));
+                let example = || Example::of_panic(job.family, scene, tuple, &message(payload.as_ref()));
                 row.first = row.first.take().or_else(|| Some(example()));
             }
         }
@@ -213,8 +222,10 @@ fn tuples(check: &Check, job: Job, scene: &Scene, random: &mut Random) -> Vec<Ve
     (0..SHARE).map(|_| draw()).collect()
 }
 
-/// What a panic said.
-fn message(payload: &(dyn Any + Send)) -> &str {
-    let text = payload.downcast_ref::<&str>().copied();
-    text.or_else(|| payload.downcast_ref::<String>().map(String::as_str)).unwrap_or("no message")
+/// What a panic said, or why a session broke off.
+fn message(payload: &(dyn Any + Send)) -> String {
+    let text = payload.downcast_ref::<&str>().map(ToString::to_string);
+    let text = text.or_else(|| payload.downcast_ref::<String>().cloned());
+    let text = text.or_else(|| payload.downcast_ref::<Broken>().map(ToString::to_string));
+    text.unwrap_or_else(|| "no message".to_owned())
 }

@@ -1,0 +1,25 @@
+//! Engines: predicates that another program answers, over its stdin and stdout.
+//!
+//! This crate reads an engine's configuration, starts its process, speaks the
+//! protocol with it, and makes it a [`Backend`](predicament_predicates::Backend).
+//! It never judges an answer and never ends the run: what an engine does wrong
+//! is handed on as [`Broken`](predicament_predicates::Broken), and becomes a row of
+//! the engine. `docs/ENGINES.md` describes the configuration and the protocol;
+//! `engines/` has engines.
+//!
+//! * [`Config`]: `engine.toml`; [`find`]: from what follows `engine:` to one.
+//! * [`Message`]: one message of the protocol, as bytes and back.
+//! * [`Engine`]: the backend.
+
+mod backend;
+mod command;
+mod config;
+mod message;
+mod pool;
+mod process;
+mod session;
+
+pub use backend::{Engine, PREFIX};
+pub use command::{Step, chore};
+pub use config::{Config, all, find};
+pub use message::{MOST_BYTES, Message};

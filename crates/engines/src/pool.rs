@@ -1,0 +1,118 @@
+//! The processes of an engine: one, as long as one scene is asked about at a time.
+//!
+//! Studies ask about many small scenes from many threads. To send its scene again
+//! before each query would cost each thread more than the query, so a scene that
+//! finds all processes busy with others gets one of its own.
+
+use std::sync::{Condvar, Mutex, PoisonError};
+
+use predicament_predicates::{Broken, Class};
+
+use crate::Message;
+use crate::process::Process;
+
+/// Processes by the scene that they have.
+pub struct Pool {
+    state: Mutex<State>,
+    changed: Condvar,
+    most: usize,
+}
+
+#[derive(Default)]
+struct State {
+    idle: Vec<Live>,
+    /// The scenes of the processes that are being asked; none for one that is about to get its scene.
+    busy: Vec<u64>,
+}
+
+/// A process, its scene, and why it declined that scene, if it did.
+struct Live {
+    process: Process,
+    scene: Option<u64>,
+    declined: Option<String>,
+}
+
+impl Live {
+    fn new(process: Process) -> Live {
+        Live { process, scene: None, declined: None }
+    }
+
+    /// Sends the scene, where the process has another one.
+    fn turn_to(&mut self, message: &Message, scene: u64) -> Result<(), Broken> {
+        if self.scene == Some(scene) {
+            return Ok(());
+        }
+        let answer = self.process.ask(message)?;
+        self.declined = match answer.kind().as_str() {
+            "ready" => None,
+            "declined" => Some(answer.text("reason").unwrap_or_else(|| "no reason given".to_owned())),
+            other => {
+                let message = format!("a scene was answered by `{other}`");
+                return Err(self.process.broken(Class::Panic, "protocol", message));
+            }
+        };
+        self.scene = Some(scene);
+        Ok(())
+    }
+}
+
+impl Pool {
+    /// A pool with its first process.
+    pub fn with(process: Process) -> Pool {
+        let state = State { idle: vec![Live::new(process)], ..State::default() };
+        let most = std::thread::available_parallelism().map_or(1, usize::from);
+        Pool { state: Mutex::new(state), changed: Condvar::new(), most }
+    }
+
+    /// Asks a process about a scene, by its number; two questions about one scene wait for each other. The inner
+    /// error is the reason for which the scene is declined. A process that breaks is dropped, and another one
+    /// started for the next question.
+    pub fn ask<R>(
+        &self,
+        (message, scene): (&Message, u64),
+        start: impl FnOnce() -> Result<Process, Broken>,
+        ask: impl FnOnce(&mut Process) -> Result<R, Broken>,
+    ) -> Result<Result<R, String>, Broken> {
+        let taken = self.take(scene);
+        let asked = || {
+            let mut live = match taken {
+                Some(live) => live,
+                None => Live::new(start()?),
+            };
+            live.turn_to(message, scene)?;
+            let answer = match &live.declined {
+                Some(reason) => Err(reason.clone()),
+                None => Ok(ask(&mut live.process)?),
+            };
+            Ok((live, answer))
+        };
+        let asked = asked();
+        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(at) = state.busy.iter().position(|&busy| busy == scene) {
+            state.busy.swap_remove(at);
+        }
+        let answer = asked.map(|(live, answer)| {
+            state.idle.push(live);
+            answer
+        });
+        drop(state);
+        self.changed.notify_all();
+        answer
+    }
+
+    /// A process for the scene: the one that has it, else one that is idle; none where one has to be started.
+    fn take(&self, scene: u64) -> Option<Live> {
+        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        loop {
+            if !state.busy.contains(&scene) {
+                let has_it = state.idle.iter().position(|live| live.scene == Some(scene));
+                let idle = has_it.or_else(|| state.idle.len().checked_sub(1));
+                if idle.is_some() || state.busy.len() < self.most {
+                    state.busy.push(scene);
+                    return idle.map(|at| state.idle.swap_remove(at));
+                }
+            }
+            state = self.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
+        }
+    }
+}

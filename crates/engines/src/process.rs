@@ -1,0 +1,176 @@
+//! The process of an engine: one question, one answer, or what went wrong.
+//!
+//! Threads write, read and listen to stderr, so that an engine that neither
+//! reads nor answers cannot hold up the tool for longer than its silence lasts.
+
+use std::collections::VecDeque;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::process::{Child, ChildStderr, ExitStatus, Stdio};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+use predicament_predicates::{Broken, Class};
+
+use crate::command::command;
+use crate::{Config, Message};
+
+/// Lines of stderr that are kept.
+const LAST_LINES: usize = 6;
+/// Bytes that are kept of a line.
+const LINE_BYTES: u64 = 400;
+/// How long a process that has closed its stdout may take to end.
+const FAREWELL: Duration = Duration::from_secs(2);
+
+/// The process of an engine.
+pub struct Process {
+    child: Child,
+    to: Sender<Vec<u8>>,
+    from: Receiver<Result<Message, String>>,
+    said: Arc<Mutex<VecDeque<String>>>,
+    listener: Option<JoinHandle<()>>,
+    silence: Duration,
+}
+
+impl Process {
+    /// Starts the engine.
+    pub fn start(config: &Config) -> Result<Process, Broken> {
+        let shown = config.run.join(" ");
+        let broken = |message: String| Broken { class: Class::Panic, check: "start", message };
+        let mut command = command(config, &config.run).map_err(broken)?;
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().map_err(|error| {
+            let build = if config.build.is_empty() { "" } else { "; is it built? `engines build` builds it" };
+            broken(format!("`{shown}` in {} did not start: {error}{build}", config.folder.display()))
+        })?;
+        let (to, outgoing) = channel::<Vec<u8>>();
+        let (incoming, from) = channel();
+        let said = Arc::new(Mutex::new(VecDeque::new()));
+        let pipes = (child.stdin.take(), child.stdout.take(), child.stderr.take());
+        let (Some(mut stdin), Some(stdout), Some(stderr)) = pipes else {
+            return Err(broken(format!("`{shown}`: no pipes to the process")));
+        };
+        std::thread::spawn(move || {
+            // Where the engine has gone, the reader sees it too, and says how.
+            while outgoing.recv().is_ok_and(|bytes| stdin.write_all(&bytes).and_then(|()| stdin.flush()).is_ok()) {}
+        });
+        std::thread::spawn(move || {
+            let mut stdout = BufReader::new(stdout);
+            loop {
+                let (message, last) = match Message::read(&mut stdout) {
+                    Ok(Some(message)) => (Ok(message), false),
+                    Ok(None) => return,
+                    Err(error) => (Err(error.to_string()), true),
+                };
+                if incoming.send(message).is_err() || last {
+                    return;
+                }
+            }
+        });
+        let heard = Arc::clone(&said);
+        let listener = Some(std::thread::spawn(move || listen(stderr, &heard)));
+        Ok(Process { child, to, from, said, listener, silence: config.silence() })
+    }
+
+    /// Sends a message and waits for the answer. After an error the process is gone.
+    pub fn ask(&mut self, message: &Message) -> Result<Message, Broken> {
+        let bytes = message.encode().map_err(|message| Broken { class: Class::Panic, check: "protocol", message })?;
+        // A writer that has stopped shows as an end of the answers.
+        let _ = self.to.send(bytes);
+        let error = match self.from.recv_timeout(self.silence) {
+            Ok(Ok(answer)) if answer.kind() == "error" => {
+                let message = answer.text("message").unwrap_or_else(|| "an error without a message".to_owned());
+                (Class::Panic, "engine error", message)
+            }
+            Ok(Ok(answer)) => return Ok(answer),
+            Ok(Err(garbage)) => (Class::Panic, "protocol", garbage),
+            Err(RecvTimeoutError::Timeout) => {
+                (Class::Timeout, "silence", format!("no answer to `{}` within {:?}", message.kind(), self.silence))
+            }
+            Err(RecvTimeoutError::Disconnected) => {
+                let status = self.ended();
+                (Class::Panic, "crashed", status.map_or_else(|| "stdout was closed".to_owned(), fate))
+            }
+        };
+        Err(self.broken(error.0, error.1, error.2))
+    }
+
+    /// What went wrong, with the last words on stderr. The process is ended.
+    pub fn broken(&mut self, class: Class, check: &'static str, message: String) -> Broken {
+        self.end();
+        let said = self.said.lock().unwrap_or_else(PoisonError::into_inner);
+        let said: Vec<&str> = said.iter().map(String::as_str).collect();
+        let message = if said.is_empty() { message } else { format!("{message}; stderr: {}", said.join(" / ")) };
+        Broken { class, check, message }
+    }
+
+    fn ended(&mut self) -> Option<ExitStatus> {
+        let start = Instant::now();
+        while start.elapsed() < FAREWELL {
+            if let Ok(Some(status)) = self.child.try_wait() {
+                return Some(status);
+            }
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        None
+    }
+
+    fn end(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+        // All of stderr is heard once the process is gone, unless a child of its own holds on to it.
+        let start = Instant::now();
+        while self.listener.as_ref().is_some_and(|listener| !listener.is_finished()) && start.elapsed() < FAREWELL {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        self.listener = None;
+    }
+}
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        self.end();
+    }
+}
+
+/// Keeps the last lines of stderr.
+fn listen(stderr: ChildStderr, said: &Mutex<VecDeque<String>>) {
+    let mut stderr = BufReader::new(stderr);
+    let mut line = Vec::new();
+    loop {
+        line.clear();
+        // A long line comes in pieces.
+        match (&mut stderr).take(LINE_BYTES).read_until(b'\n', &mut line) {
+            Ok(0) | Err(_) => return,
+            Ok(_) => {
+                let text = String::from_utf8_lossy(&line).trim().to_owned();
+                let mut said = said.lock().unwrap_or_else(PoisonError::into_inner);
+                said.extend((!text.is_empty()).then_some(text));
+                while said.len() > LAST_LINES {
+                    said.pop_front();
+                }
+            }
+        }
+    }
+}
+
+/// How a process has ended, in words.
+fn fate(status: ExitStatus) -> String {
+    #[cfg(unix)]
+    if let Some(signal) = std::os::unix::process::ExitStatusExt::signal(&status) {
+        let name = match signal {
+            4 => " (illegal instruction)",
+            6 => " (abort)",
+            8 => " (arithmetic)",
+            9 => " (kill)",
+            11 => " (segmentation fault)",
+            _ => "",
+        };
+        return format!("the process was ended by signal {signal}{name}");
+    }
+    match status.code() {
+        Some(code) => format!("the process ended with code {code}"),
+        None => "the process ended".to_owned(),
+    }
+}

@@ -1,0 +1,227 @@
+//! An engine prepared for a scene.
+
+use std::collections::HashSet;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use predicament_predicates::{
+    Axis, Broken, Class, Declined, Dimension, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally, Vertex,
+    answer_by,
+};
+
+use crate::backend::Shared;
+use crate::process::Process;
+use crate::{Engine, Message};
+
+/// The byte of a query that is declined.
+const DECLINED: u8 = 2;
+/// The byte of an answer that is a NaN.
+const NAN: u8 = 3;
+
+/// Counts queries, whatever the tally's type: algorithms are compiled for one type of session.
+trait Counted: Send + Sync {
+    fn settled(&self, kind: PredicateKind, count: u64);
+}
+
+impl<T: Tally> Counted for T {
+    fn settled(&self, kind: PredicateKind, count: u64) {
+        self.settled_many(kind, 0, count);
+    }
+}
+
+/// An engine prepared for one scene. The scene is sent again where another session has sent its own since.
+pub struct Session<'s> {
+    shared: Arc<Shared>,
+    scene: &'s Scene,
+    /// The message `scene`, and a hash of it.
+    message: Message,
+    number: u64,
+    empty: bool,
+    tally: Box<dyn Counted + 's>,
+    /// Queries that were answered by a NaN.
+    nans: Mutex<HashSet<(Question, Vec<Vertex>)>>,
+}
+
+impl<'s> Session<'s> {
+    pub(crate) fn prepare<T: Tally + 's>(engine: &Engine, scene: &'s Scene, tally: T) -> Result<Session<'s>, Declined> {
+        if !scene.constructions().is_empty() {
+            return Err(Declined::scene("the protocol has no constructed vertices"));
+        }
+        let shared = Arc::clone(&engine.shared);
+        // Whether a coordinate survives is what is asked.
+        #[allow(clippy::cast_possible_truncation)]
+        let single = |x: &f64| f64::from(*x as f32) == *x;
+        if shared.hello.single && !scene.coordinates().iter().all(single) {
+            return Err(Declined::scene("coordinates that no singles are"));
+        }
+        let points: Vec<u8> = scene.coordinates().iter().flat_map(|x| x.to_le_bytes()).collect();
+        let dimension = match scene.dimension() {
+            Dimension::Two => "2",
+            Dimension::Three => "3",
+        };
+        let message = Message::new("scene").with("dimension", dimension).with("points", points);
+        let mut hasher = DefaultHasher::new();
+        message.hash(&mut hasher);
+        let number = hasher.finish();
+        let session = Session {
+            scene,
+            message,
+            number,
+            empty: engine.empty,
+            tally: Box::new(tally),
+            nans: Mutex::default(),
+            shared,
+        };
+        match session.ask(|_| Ok(())) {
+            Ok(Ok(())) => Ok(session),
+            Ok(Err(declined)) => Err(Declined::scene(declined)),
+            Err(broken) => broken.throw(),
+        }
+    }
+
+    /// Asks a process that has the scene.
+    fn ask<R>(&self, ask: impl FnOnce(&mut Process) -> Result<R, Broken>) -> Result<Result<R, String>, Broken> {
+        self.shared.processes.ask((&self.message, self.number), || self.shared.start(), ask)
+    }
+
+    /// The answers to queries, given by the ids of all their vertices.
+    fn signs(&self, question: Question, ids: &[u8], queries: usize) -> Vec<u8> {
+        let kind = question.kind();
+        let mut batch = Message::new("batch").with("predicate", kind.name());
+        match question {
+            Question::Compare(axis) => batch = batch.with("axis", axis.name()),
+            Question::Orient2d(plane) => batch = batch.with("plane", plane.name()),
+            Question::Orient3d | Question::Incircle | Question::Insphere => {}
+        }
+        if self.empty {
+            batch = batch.with("empty", "1");
+        }
+        let batch = batch.with("ids", ids);
+        let asked = self.ask(|process| {
+            let answer = process.ask(&batch)?;
+            let wrong = |message: String| Broken { class: Class::Panic, check: "protocol", message };
+            match answer.kind().as_str() {
+                "declined" => Ok(Err(answer.required("reason").map_err(wrong)?)),
+                "signs" => {
+                    let signs =
+                        answer.bytes("signs").ok_or_else(|| wrong("a message `signs` without `signs`".into()))?;
+                    if signs.len() != queries {
+                        return Err(wrong(format!("{} signs came back for {queries} queries", signs.len())));
+                    }
+                    Ok(Ok((signs.to_vec(), answer.number("ns").map_err(wrong)?)))
+                }
+                other => Err(wrong(format!("a batch was answered by `{other}`"))),
+            }
+        });
+        let answered = match asked {
+            Ok(Ok(answered)) => answered,
+            Ok(Err(scene_declined)) => {
+                Broken { class: Class::Declined, check: "prepare", message: scene_declined }.throw()
+            }
+            Err(broken) => broken.throw(),
+        };
+        match answered {
+            Ok((signs, nanoseconds)) => {
+                self.shared.spent(nanoseconds);
+                self.tally.settled(kind, queries as u64);
+                signs
+            }
+            Err(reason) => Broken { class: Class::Declined, check: "batch", message: reason }.throw(),
+        }
+    }
+
+    fn batch<const N: usize>(&self, question: Question, queries: &[[Vertex; N]], out: &mut [Sign]) {
+        if queries.is_empty() {
+            return;
+        }
+        // Vertices of a scene have ids below 2^31.
+        let id = |v: &Vertex| u32::try_from(v.index()).expect("ids of input vertices").to_le_bytes();
+        let ids: Vec<u8> = queries.iter().flatten().flat_map(id).collect();
+        let signs = self.signs(question, &ids, queries.len());
+        for ((query, &byte), out) in queries.iter().zip(&signs).zip(out) {
+            *out = match byte {
+                255 => Sign::Negative,
+                0 => Sign::Zero,
+                1 => Sign::Positive,
+                NAN => {
+                    let mut nans = self.nans.lock().unwrap_or_else(PoisonError::into_inner);
+                    nans.insert((question, query.to_vec()));
+                    Sign::Zero
+                }
+                DECLINED => {
+                    let count = signs.iter().filter(|&&byte| byte == DECLINED).count();
+                    let message = format!("{count} queries of a batch, the first {}", question.query(query));
+                    Broken { class: Class::Declined, check: "query", message }.throw()
+                }
+                other => {
+                    let message = format!("{} was answered by the byte {other}", question.query(query));
+                    Broken { class: Class::Panic, check: "protocol", message }.throw()
+                }
+            };
+        }
+    }
+
+    fn one<const N: usize>(&self, question: Question, query: [Vertex; N]) -> Sign {
+        let mut out = [Sign::Zero];
+        self.batch(question, &[query], &mut out);
+        out[0]
+    }
+}
+
+impl Predicates for Session<'_> {
+    fn scene(&self) -> &Scene {
+        self.scene
+    }
+
+    fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
+        self.scene.has_dimension_for(kind)?;
+        if self.shared.hello.predicates.contains(&kind) {
+            Ok(())
+        } else {
+            Err(Declined::predicate(kind, "the engine does not offer it"))
+        }
+    }
+
+    answer_by!(one);
+
+    /// NaN where the engine has answered this query by one.
+    fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {
+        let nans = self.nans.lock().unwrap_or_else(PoisonError::into_inner);
+        (!nans.is_empty() && nans.contains(&(question, args.to_vec()))).then_some(f64::NAN)
+    }
+
+    /// The engine's own time for all batches so far.
+    fn own_nanoseconds(&self) -> Option<u64> {
+        Some(self.shared.nanoseconds())
+    }
+
+    fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {
+        self.batch(Question::Compare(axis), queries, out);
+    }
+
+    fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
+        self.batch(Question::Orient2d(plane), queries, out);
+    }
+
+    fn orient2d_line(&self, plane: Plane, [a, b]: [Vertex; 2], points: &[Vertex], out: &mut [Sign]) {
+        let queries: Vec<[Vertex; 3]> = points.iter().map(|&c| [a, b, c]).collect();
+        self.batch(Question::Orient2d(plane), &queries, out);
+    }
+
+    fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        self.batch(Question::Orient3d, queries, out);
+    }
+
+    fn orient3d_plane(&self, [a, b, c]: [Vertex; 3], points: &[Vertex], out: &mut [Sign]) {
+        let queries: Vec<[Vertex; 4]> = points.iter().map(|&d| [a, b, c, d]).collect();
+        self.batch(Question::Orient3d, &queries, out);
+    }
+
+    fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        self.batch(Question::Incircle, queries, out);
+    }
+
+    fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
+        self.batch(Question::Insphere, queries, out);
+    }
+}

@@ -1,0 +1,194 @@
+//! The backend against an engine that behaves, and against one that misbehaves in every way.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+
+use predicament_engines::{Config, Engine, Step, chore};
+use predicament_predicates::{
+    Axis, Backend, Broken, Class, Construction, Counts, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign,
+    Vertex,
+};
+
+/// The engine of tests, going wrong in this way. It runs where the tests run: the folder is there when it starts again.
+fn engine(way: &str) -> Result<Engine, String> {
+    let folder = tempfile::tempdir().unwrap();
+    let mut config = config(folder.path(), way)?;
+    config.folder = Path::new(env!("CARGO_MANIFEST_DIR")).to_owned();
+    Engine::start(config)
+}
+
+fn config(folder: &Path, way: &str) -> Result<Config, String> {
+    let program = env!("CARGO_BIN_EXE_engine-of-tests").replace('\\', "/");
+    let text = format!(
+        "name = \"tests\"\nversion = [\"{program}\", \"version\"]\nrun = [\"{program}\", \"{way}\"]\ntimeout = 1\n\
+         build = [[\"{program}\", \"version\"], [\"{program}\", \"none\"]]\nclean = [[\"./no-such-program\"]]\n"
+    );
+    let file = folder.join("engine.toml");
+    std::fs::write(&file, text).unwrap();
+    Config::read(&file)
+}
+
+fn scene() -> Scene {
+    Scene::from_points2(&[[0.0, 0.0], [4.0, 0.0], [1.0, 2.0], [2.0, 0.0], [0.1, 0.1]]).unwrap()
+}
+
+fn v<const N: usize>(ids: [usize; N]) -> [Vertex; N] {
+    ids.map(Vertex::input)
+}
+
+const QUERIES: [[usize; 3]; 4] = [[0, 1, 2], [1, 0, 2], [0, 1, 3], [0, 4, 2]];
+
+fn ask(session: &dyn Predicates) -> Vec<Sign> {
+    let mut out = vec![Sign::Zero; QUERIES.len()];
+    session.orient2d_batch(Plane::Xy, &QUERIES.map(v), &mut out);
+    out
+}
+
+const SIGNS: [Sign; 4] = [Sign::Positive, Sign::Negative, Sign::Zero, Sign::Positive];
+
+#[test]
+fn signs_times_and_counts_come_back() {
+    let engine = engine("").unwrap();
+    assert_eq!(engine.name(), "engine:tests");
+    assert_eq!(engine.version().as_deref(), Some("library 7.1"), "by its command");
+    let (scene, counts) = (scene(), Counts::new());
+    let session = engine.prepare(&scene, &counts).unwrap();
+    assert_eq!(session.own_nanoseconds(), Some(0));
+    assert_eq!(ask(&session), SIGNS);
+    assert_eq!(session.own_nanoseconds(), Some(1000));
+    assert_eq!(counts.get(PredicateKind::Orient2d, 0), 4);
+    let [a, b, c] = v([0, 1, 2]);
+    assert_eq!(session.orient2d(Plane::Xy, a, b, c), Sign::Positive);
+    assert_eq!(session.compare(Axis::X, a, b), Sign::Negative);
+    assert!(session.supports(PredicateKind::Incircle).unwrap_err().reason.contains("does not offer"));
+    assert_eq!(session.estimate(Question::Orient2d(Plane::Xy), &[a, b, c]), None);
+}
+
+#[test]
+fn sessions_take_turns_with_their_scenes() {
+    let engine = engine("").unwrap();
+    let scenes =
+        [scene(), Scene::from_points2(&[[0.0, 0.0], [4.0, 0.0], [1.0, -2.0], [2.0, 1.0], [0.0, 1.0]]).unwrap()];
+    let sessions = scenes.each_ref().map(|scene| engine.prepare(scene, Off).unwrap());
+    let other = [Sign::Negative, Sign::Positive, Sign::Positive, Sign::Negative];
+    for _ in 0..3 {
+        assert_eq!(ask(&sessions[0]), SIGNS);
+        assert_eq!(ask(&sessions[1]), other);
+    }
+}
+
+#[test]
+fn scenes_are_asked_about_from_many_threads() {
+    let engine = engine("").unwrap();
+    let scenes: Vec<Scene> = (0..6)
+        .map(|k| {
+            Scene::from_points2(&[[0.0, 0.0], [4.0, 0.0], [f64::from(k), 2.0 - f64::from(k)], [2.0, 0.0], [0.1, 0.1]])
+        })
+        .collect::<Result<_, _>>()
+        .unwrap();
+    let signs = |k: usize| [Sign::Positive, Sign::Zero, Sign::Negative][k.saturating_sub(1).min(2)];
+    std::thread::scope(|scope| {
+        for (k, scene) in scenes.iter().enumerate() {
+            let engine = &engine;
+            scope.spawn(move || {
+                let session = engine.prepare(scene, Off).unwrap();
+                for _ in 0..50 {
+                    assert_eq!(ask(&session)[0], signs(k), "{k}");
+                }
+            });
+        }
+    });
+}
+
+#[test]
+fn the_empty_predicate_costs_what_the_binding_costs() {
+    let engine = engine("").unwrap();
+    let (binding, scene) = (engine.binding().unwrap(), scene());
+    assert_eq!(binding.name(), "engine:tests/empty");
+    assert!(binding.binding().is_none());
+    let session = binding.prepare(&scene, Off).unwrap();
+    assert_eq!(ask(&session), [Sign::Zero; 4]);
+    assert_eq!(session.own_nanoseconds(), Some(10));
+}
+
+#[test]
+fn what_an_engine_declines_is_declined() {
+    let scene = scene();
+    let declined = |way: &str| engine(way).unwrap().prepare(&scene, Off).map(|_| ()).unwrap_err().to_string();
+    assert_eq!(declined("decline scene"), "scene declined: not today");
+    assert_eq!(declined("single"), "scene declined: coordinates that no singles are");
+    let mut constructed = scene.clone();
+    constructed.construct(Construction::Ssi([v([0, 1]), v([2, 3])])).unwrap();
+    assert!(engine("").unwrap().prepare(&constructed, Off).is_err());
+    let engine = engine("single").unwrap();
+    let singles = Scene::from_points2(&[[0.5, 0.25]]).unwrap();
+    assert!(engine.prepare(&singles, Off).is_ok());
+}
+
+#[test]
+fn an_engine_that_goes_wrong_breaks_its_session_and_is_started_again() {
+    let scene = scene();
+    for (way, class, check, said) in [
+        (
+            "crash on batch",
+            Class::Panic,
+            "crashed",
+            "the process ended with code 3; stderr: about to end / this is the reason",
+        ),
+        ("abort on batch", Class::Panic, "crashed", "the process was ended by signal 6 (abort)"),
+        ("silent on batch", Class::Timeout, "silence", "no answer to `batch` within 1s"),
+        ("garbage on batch", Class::Panic, "protocol", "no message: it begins with the bytes `orie`"),
+        ("error on batch", Class::Panic, "engine error", "out of triangles"),
+        ("short", Class::Panic, "protocol", "3 signs came back for 4 queries"),
+        ("odd byte", Class::Panic, "protocol", "orient2d(xy; 0 1 2) was answered by the byte 9"),
+        ("decline batch", Class::Declined, "batch", "not today"),
+        ("declines a query", Class::Declined, "query", "1 queries of a batch, the first orient2d(xy; 0 1 2)"),
+    ] {
+        let engine = engine(way).unwrap();
+        for _ in 0..2 {
+            let session = engine.prepare(&scene, Off).unwrap();
+            let thrown = catch_unwind(AssertUnwindSafe(|| ask(&session))).unwrap_err();
+            let broken = thrown.downcast::<Broken>().unwrap_or_else(|_| panic!("{way}: another panic"));
+            assert_eq!((broken.class, broken.check, broken.message.as_str()), (class, check, said), "{way}");
+        }
+    }
+}
+
+#[test]
+fn a_nan_is_a_zero_that_says_so() {
+    let (engine, scene) = (engine("nan").unwrap(), scene());
+    let session = engine.prepare(&scene, Off).unwrap();
+    assert_eq!(ask(&session), [Sign::Zero, Sign::Negative, Sign::Zero, Sign::Positive]);
+    let question = Question::Orient2d(Plane::Xy);
+    assert!(session.estimate(question, &v([0, 1, 2])).is_some_and(f64::is_nan));
+    assert_eq!(session.estimate(question, &v([0, 1, 3])), None, "a zero that is one");
+}
+
+#[test]
+fn an_engine_that_does_not_greet_is_refused_at_once() {
+    for (way, said) in [
+        ("old", "engine:tests: protocol: it speaks protocol 0, and the tool 1; rebuild the engine"),
+        ("odd", "engine:tests: protocol: it offers `sidedness`, which is no predicate of the protocol"),
+        ("silent on hello", "engine:tests: silence: no answer to `hello` within 1s"),
+        (
+            "crash on hello",
+            "engine:tests: crashed: the process ended with code 3; stderr: about to end / this is the reason",
+        ),
+        ("decline hello", "engine:tests: protocol: not today"),
+    ] {
+        assert_eq!(engine(way).map(|_| ()).unwrap_err(), said);
+    }
+}
+
+#[test]
+fn chores_run_in_turn_and_say_what_failed() {
+    let folder = tempfile::tempdir().unwrap();
+    let config = config(folder.path(), "").unwrap();
+    let mut told = Vec::new();
+    chore(&config, Step::Build, |line| told.push(line.to_owned())).unwrap();
+    assert_eq!(told.len(), 2);
+    assert!(told[0].ends_with(" version") && told[1].ends_with(" none"));
+    let error = chore(&config, Step::Clean, |_| ()).unwrap_err();
+    assert!(error.starts_with("`./no-such-program` did not start: "), "{error}");
+    chore(&config, Step::Install, |_| panic!("there is nothing to install")).unwrap();
+}
