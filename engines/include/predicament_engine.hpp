@@ -1,0 +1,544 @@
+// predicament_engine.hpp: predicates in C++ for the tool predicament.
+//
+// Write a type with the predicates that you have, and a `main` of one line:
+//
+//     #include "predicament_engine.hpp"
+//
+//     struct Mine {
+//         static constexpr const char* name = "mine";
+//         static constexpr predicament::Zero zero = predicament::Zero::exact;
+//         static std::string version() { return "1.0"; }
+//         static double orient2d(const double* a, const double* b, const double* c) { … }
+//     };
+//
+//     int main(int argc, char** argv) { return predicament::serve<Mine>(argc, argv); }
+//
+// Predicates, static or not; those that the type lacks are declined:
+//
+//     compare(int axis, a, b)   orient2d(a, b, c)   orient3d(a, b, c, d)
+//     incircle(a, b, c, d)      insphere(a, b, c, d, e)
+//
+// A parameter is a `const double*` (the coordinates) or a `predicament::Vertex` (coordinates and id). `axis` is 0, 1 or 2.
+// A result is a number, whose sign counts and which may be a NaN; an enumeration with values below, at and above 0; or a
+// `predicament::Answer`. Signs are those of docs/ENGINES.md.
+//
+// Optional members:
+//
+//     void prepare(const double* points, std::size_t count, int dimension)
+//         called before the first batch of a scene, and again where the points change that predicates see: orient2d
+//         about a plane of a scene in space sees `dimension` 2 and the projected points. Ids stay the same. It is not
+//         in the time of a batch. It may throw `predicament::Declined`.
+//     static constexpr const char* precision = "f32"
+//         for predicates that round coordinates to singles.
+//
+// C++17 and POSIX, nothing else. Compile with -ffp-contract=off, and without -ffast-math.
+
+#ifndef PREDICAMENT_ENGINE_HPP
+#define PREDICAMENT_ENGINE_HPP
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#if defined(__FAST_MATH__)
+#error "predicates need IEEE arithmetic: compile without -ffast-math"
+#endif
+
+namespace predicament {
+
+/// What a zero of the engine means: zero, never given (ties are broken), or within a tolerance.
+enum class Zero { exact, never, band };
+
+/// An answer as the protocol has it, for predicates that decline single queries.
+enum class Answer : int { negative = -1, zero = 0, positive = 1, declined = 2, nan = 3 };
+
+/// Thrown by `prepare` or a predicate: this scene or batch is not for this engine. The text is the reason.
+struct Declined : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// A vertex of the scene: its id, and where its coordinates are.
+struct Vertex {
+    const double* at;
+    std::uint32_t id;
+    operator const double*() const { return at; }
+};
+
+namespace detail {
+
+/// Longest body of a message, in bytes.
+constexpr std::uint32_t longest = std::uint32_t{1} << 30;
+
+/// Ends the program because of input that is not the protocol. Exit code 2.
+[[noreturn]] inline void malformed(const std::string& what) {
+    std::fprintf(stderr, "engine: %s\n", what.c_str());
+    std::exit(2);
+}
+
+/// The engine's own end of stdout. Whatever a library prints goes to stderr instead.
+inline int claim_stdout() {
+    std::fflush(stdout);
+    const int own = dup(STDOUT_FILENO);
+    if (own < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) malformed("stdout can't be duplicated");
+    return own;
+}
+
+/// The little-endian integer at `bytes`.
+inline std::uint32_t read_u32(const unsigned char* bytes) {
+    return std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 |
+           std::uint32_t{bytes[3]} << 24;
+}
+
+/// The little-endian double at `bytes`.
+inline double read_f64(const unsigned char* bytes) {
+    const std::uint64_t bits = std::uint64_t{read_u32(bytes)} | std::uint64_t{read_u32(bytes + 4)} << 32;
+    double value;
+    std::memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/// Reads up to `count` bytes of stdin; fewer only at its end.
+inline std::size_t read_bytes(unsigned char* to, std::size_t count) {
+    std::size_t done = 0;
+    while (done < count) {
+        const ssize_t more = ::read(STDIN_FILENO, to + done, count - done);
+        if (more < 0 && errno == EINTR) continue;
+        if (more < 0) malformed("stdin can't be read");
+        if (more == 0) break;
+        done += static_cast<std::size_t>(more);
+    }
+    return done;
+}
+
+/// A part of a message's body.
+struct Bytes {
+    const unsigned char* at = nullptr;
+    std::size_t size = 0;
+    bool given = false;
+    std::string text() const { return std::string(reinterpret_cast<const char*>(at), size); }
+};
+
+/// A message that was read: its body, and where the values are.
+class Message {
+public:
+    /// Reads the next message. False where stdin ends before its first byte.
+    bool read() {
+        unsigned char length[4];
+        const std::size_t got = read_bytes(length, 4);
+        if (got == 0) return false;
+        if (got < 4) malformed("stdin ends within the length of a message");
+        const std::uint32_t size = read_u32(length);
+        if (size > longest) malformed("a message of " + std::to_string(size) + " bytes; the longest has 2^30");
+        constexpr std::size_t piece = std::size_t{1} << 20;  // memory is taken as bytes arrive
+        body_.clear();
+        while (body_.size() < size) {
+            const std::size_t before = body_.size();
+            const std::size_t wanted = before + piece < size ? piece : size - before;
+            body_.resize(before + wanted);
+            if (read_bytes(body_.data() + before, wanted) < wanted) malformed("stdin ends within a message");
+        }
+        split();
+        return true;
+    }
+
+    /// The value of `key`. It is not `given` where the message lacks it.
+    Bytes value(const char* key) const {
+        for (const auto& entry : entries_)
+            if (entry.first == key) return entry.second;
+        return {};
+    }
+
+    /// The value of a key that the message must have.
+    Bytes need(const char* key) const {
+        const Bytes found = value(key);
+        if (!found.given) malformed("a message `" + type() + "` without `" + key + "`");
+        return found;
+    }
+
+    /// The kind of message.
+    std::string type() const { return entries_.front().second.text(); }
+
+private:
+    void split() {
+        entries_.clear();
+        std::size_t at = 0;
+        while (at < body_.size()) {
+            const std::size_t key = body_[at];
+            if (body_.size() - at < 1 + key + 4) malformed("a key runs over the end of its message");
+            const std::string name(reinterpret_cast<const char*>(body_.data() + at + 1), key);
+            const std::size_t size = read_u32(body_.data() + at + 1 + key);
+            at += 1 + key + 4;
+            if (body_.size() - at < size) malformed("a value runs over the end of its message");
+            entries_.push_back({name, Bytes{body_.data() + at, size, true}});
+            at += size;
+        }
+        if (entries_.empty() || entries_.front().first != "type") malformed("a message whose first key is not `type`");
+    }
+
+    std::vector<unsigned char> body_;
+    std::vector<std::pair<std::string, Bytes>> entries_;
+};
+
+/// A message to send.
+class Reply {
+public:
+    explicit Reply(const std::string& type) { text("type", type); }
+
+    /// Adds a key and its value.
+    Reply& text(const std::string& key, const std::string& value) { return bytes(key, value.data(), value.size()); }
+
+    /// Adds a key and its value.
+    Reply& bytes(const std::string& key, const void* value, std::size_t size) {
+        body_.push_back(static_cast<char>(key.size()));
+        body_ += key;
+        append_u32(body_, static_cast<std::uint32_t>(size));
+        body_.append(static_cast<const char*>(value), size);
+        return *this;
+    }
+
+    /// Writes the message to `file`.
+    void send(int file) const {
+        std::string whole;
+        append_u32(whole, static_cast<std::uint32_t>(body_.size()));
+        whole += body_;
+        for (std::size_t done = 0; done < whole.size();) {
+            const ssize_t more = ::write(file, whole.data() + done, whole.size() - done);
+            if (more < 0 && errno == EINTR) continue;
+            if (more < 0) malformed("stdout can't be written");
+            done += static_cast<std::size_t>(more);
+        }
+    }
+
+private:
+    static void append_u32(std::string& to, std::uint32_t value) {
+        for (int shift = 0; shift < 32; shift += 8) to.push_back(static_cast<char>(value >> shift & 255));
+    }
+
+    std::string body_;
+};
+
+/// The byte of an answer: that of the protocol.
+template <class T>
+inline std::uint8_t encode(T value) {
+    static_assert(!std::is_same_v<T, bool>, "a predicate returns a sign, not a bool");
+    if constexpr (std::is_same_v<T, Answer>) {
+        return static_cast<std::uint8_t>(static_cast<int>(value));
+    } else if constexpr (std::is_enum_v<T>) {
+        return encode(static_cast<long long>(value));
+    } else {
+        static_assert(std::is_arithmetic_v<T>, "a predicate returns a number, an enumeration or an Answer");
+        return static_cast<std::uint8_t>((value > 0) - (value < 0) + 3 * (value != value));  // no branch to mispredict
+    }
+}
+
+// The predicates: their names, how many vertices they take, and a call of the engine's.
+struct Compare {
+    static constexpr const char* name = "compare";
+    static constexpr std::size_t arity = 2;
+    template <class E>
+    static auto call(E& e, int axis, Vertex a, Vertex b) -> decltype(e.compare(axis, a, b)) {
+        return e.compare(axis, a, b);
+    }
+};
+struct Orient2d {
+    static constexpr const char* name = "orient2d";
+    static constexpr std::size_t arity = 3;
+    template <class E>
+    static auto call(E& e, int, Vertex a, Vertex b, Vertex c) -> decltype(e.orient2d(a, b, c)) {
+        return e.orient2d(a, b, c);
+    }
+};
+struct Orient3d {
+    static constexpr const char* name = "orient3d";
+    static constexpr std::size_t arity = 4;
+    template <class E>
+    static auto call(E& e, int, Vertex a, Vertex b, Vertex c, Vertex d) -> decltype(e.orient3d(a, b, c, d)) {
+        return e.orient3d(a, b, c, d);
+    }
+};
+struct Incircle {
+    static constexpr const char* name = "incircle";
+    static constexpr std::size_t arity = 4;
+    template <class E>
+    static auto call(E& e, int, Vertex a, Vertex b, Vertex c, Vertex d) -> decltype(e.incircle(a, b, c, d)) {
+        return e.incircle(a, b, c, d);
+    }
+};
+struct Insphere {
+    static constexpr const char* name = "insphere";
+    static constexpr std::size_t arity = 5;
+    template <class E>
+    static auto call(E& e, int, Vertex a, Vertex b, Vertex c, Vertex d, Vertex f) -> decltype(e.insphere(a, b, c, d, f)) {
+        return e.insphere(a, b, c, d, f);
+    }
+};
+
+template <std::size_t>
+using VertexAt = Vertex;
+
+/// Whether the engine `E` has the predicate `P`.
+template <class P, class E, class Indices = std::make_index_sequence<P::arity>, class = void>
+struct Offers : std::false_type {};
+template <class P, class E, std::size_t... I>
+struct Offers<P, E, std::index_sequence<I...>,
+              std::void_t<decltype(P::call(std::declval<E&>(), 0, std::declval<VertexAt<I>>()...))>> : std::true_type {};
+
+template <class E, class = void>
+struct Prepares : std::false_type {};
+template <class E>
+struct Prepares<E, std::void_t<decltype(std::declval<E&>().prepare(static_cast<const double*>(nullptr), std::size_t{0}, 0))>>
+    : std::true_type {};
+
+template <class E>
+auto precision_of(int) -> decltype(std::string(E::precision)) {
+    return E::precision;
+}
+template <class E>
+std::string precision_of(long) {
+    return "f64";
+}
+
+/// Makes the compiler compute `vertex` though nobody uses it.
+inline void use(Vertex vertex) {
+#if defined(__GNUC__)
+    __asm__ volatile("" : : "r"(vertex.at), "r"(vertex.id));
+#else
+    static const double* volatile used;
+    used = vertex.at;
+#endif
+}
+
+/// A predicate that returns 0 at once; the compiler doesn't know that.
+template <class... V>
+inline int empty(V... vertices) {
+    (use(vertices), ...);
+    int zero = 0;
+#if defined(__GNUC__)
+    __asm__ volatile("" : "+r"(zero));
+#endif
+    return zero;
+}
+
+/// Points as predicates see them: `stride` doubles each.
+struct Points {
+    std::vector<double> coordinates;
+    std::size_t stride = 0;
+    std::size_t count() const { return stride == 0 ? 0 : coordinates.size() / stride; }
+};
+
+/// Calls `f` for each query and writes a byte for each. This loop is what is timed.
+template <class F, std::size_t... I>
+inline void each(const F& f, const Points& points, const std::vector<std::uint32_t>& ids, std::uint8_t* signs,
+                 std::index_sequence<I...>) {
+    const double* const first = points.coordinates.data();
+    const std::size_t stride = points.stride;
+    const std::size_t queries = ids.size() / sizeof...(I);
+    const std::uint32_t* id = ids.data();
+    for (std::size_t query = 0; query < queries; ++query, id += sizeof...(I))
+        signs[query] = encode(f(Vertex{first + stride * id[I], id[I]}...));
+}
+
+/// The engine `E` and the scene that it was given.
+template <class E>
+class Server {
+public:
+    explicit Server(int out) : out_(out) {}
+
+    /// Answers messages until stdin ends.
+    void run() {
+        static_assert(offers<Compare>() || offers<Orient2d>() || offers<Orient3d>() || offers<Incircle>() || offers<Insphere>(),
+                      "the engine has no predicate with the parameters that predicament_engine.hpp expects");
+        Message message;
+        while (message.read()) {
+            try {
+                answer(message).send(out_);
+            } catch (const Declined& reason) {
+                Reply("declined").text("reason", reason.what()).send(out_);
+            } catch (const std::exception& problem) {
+                Reply("error").text("message", problem.what()).send(out_);
+            }
+        }
+    }
+
+private:
+    enum class View { none, scene, xy, yz, zx };
+
+    template <class P>
+    static constexpr bool offers() {
+        return Offers<P, E>::value;
+    }
+
+    Reply answer(const Message& message) {
+        const std::string type = message.type();
+        if (type == "hello") return hello(message);
+        if (type == "scene") return scene(message);
+        if (type == "batch") return batch(message);
+        return Reply("error").text("message", "unknown message `" + type + "`");
+    }
+
+    Reply hello(const Message& message) {
+        const std::string protocol = message.need("protocol").text();
+        if (protocol != "1") return Reply("declined").text("reason", "this engine speaks protocol 1, not " + protocol);
+        std::string predicates;
+        list<Compare>(predicates), list<Orient2d>(predicates), list<Orient3d>(predicates), list<Incircle>(predicates),
+            list<Insphere>(predicates);
+        const char* const zero = E::zero == Zero::exact ? "exact" : E::zero == Zero::never ? "never" : "band";
+        return Reply("hello")
+            .text("protocol", "1")
+            .text("name", E::name)
+            .text("version", E::version())
+            .text("predicates", predicates)
+            .text("zero", zero)
+            .text("precision", precision_of<E>(0));
+    }
+
+    template <class P>
+    static void list(std::string& to) {
+        if (offers<P>()) to += (to.empty() ? "" : " ") + std::string(P::name);
+    }
+
+    Reply scene(const Message& message) {
+        const std::string dimension = message.need("dimension").text();
+        if (dimension != "2" && dimension != "3") malformed("dimension `" + dimension + "` is neither 2 nor 3");
+        const Bytes points = message.need("points");
+        scene_.stride = dimension == "2" ? 2 : 3;
+        if (points.size % (8 * scene_.stride) != 0)
+            malformed("points of " + std::to_string(points.size) + " bytes are no whole points");
+        scene_.coordinates.resize(points.size / 8);
+        for (std::size_t i = 0; i < scene_.coordinates.size(); ++i) scene_.coordinates[i] = read_f64(points.at + 8 * i);
+        view_ = View::none;
+        const auto start = std::chrono::steady_clock::now();
+        look(View::scene);
+        return Reply("ready").text("ns", nanoseconds_since(start));
+    }
+
+    Reply batch(const Message& message) {
+        const std::string predicate = message.need("predicate").text();
+        const Bytes empty = message.value("empty");
+        const bool is_empty = empty.given && empty.text() == "1";
+        if (scene_.stride == 0) malformed("a batch before any scene");
+        if (predicate == "compare") return ask<Compare>(message, is_empty, View::scene, axis(message));
+        if (predicate == "orient2d") return ask<Orient2d>(message, is_empty, plane(message), 0);
+        if (predicate == "orient3d") return ask<Orient3d>(message, is_empty, in_dimension(3, predicate), 0);
+        if (predicate == "incircle") return ask<Incircle>(message, is_empty, in_dimension(2, predicate), 0);
+        if (predicate == "insphere") return ask<Insphere>(message, is_empty, in_dimension(3, predicate), 0);
+        throw Declined("this engine has no `" + predicate + "`");
+    }
+
+    int axis(const Message& message) const {
+        const std::string name = message.need("axis").text();
+        const int axis = name == "x" ? 0 : name == "y" ? 1 : name == "z" ? 2 : 3;
+        if (static_cast<std::size_t>(axis) >= scene_.stride) malformed("`" + name + "` is no axis of the scene");
+        return axis;
+    }
+
+    View plane(const Message& message) const {
+        const Bytes given = message.value("plane");
+        const std::string name = given.given ? given.text() : "xy";
+        if (scene_.stride == 2 && name == "xy") return View::scene;
+        if (scene_.stride == 3 && name == "xy") return View::xy;
+        if (scene_.stride == 3 && name == "yz") return View::yz;
+        if (scene_.stride == 3 && name == "zx") return View::zx;
+        malformed("`" + name + "` is no plane of the scene");
+    }
+
+    View in_dimension(std::size_t dimension, const std::string& predicate) const {
+        if (scene_.stride != dimension)
+            throw Declined(predicate + " is about points of dimension " + std::to_string(dimension));
+        return View::scene;
+    }
+
+    /// Makes the points of `view` those that predicates see.
+    void look(View view) {
+        if (view == view_) return;
+        view_ = View::none;
+        if (view != View::scene) {
+            const std::size_t u = view == View::xy ? 0 : view == View::yz ? 1 : 2;
+            const std::size_t v = (u + 1) % 3;
+            projected_.stride = 2;
+            projected_.coordinates.resize(2 * scene_.count());
+            for (std::size_t i = 0; i < scene_.count(); ++i) {
+                projected_.coordinates[2 * i] = scene_.coordinates[3 * i + u];
+                projected_.coordinates[2 * i + 1] = scene_.coordinates[3 * i + v];
+            }
+        }
+        const Points& points = view == View::scene ? scene_ : projected_;
+        if constexpr (Prepares<E>::value)
+            engine_.prepare(points.coordinates.data(), points.count(), static_cast<int>(points.stride));
+        view_ = view;
+    }
+
+    template <class P>
+    Reply ask(const Message& message, bool is_empty, View view, int axis) {
+        if constexpr (!Offers<P, E>::value) {
+            throw Declined(std::string("this engine has no `") + P::name + "`");
+        } else {
+            const Bytes bytes = message.need("ids");
+            if (bytes.size % (4 * P::arity) != 0)
+                malformed("ids of " + std::to_string(bytes.size) + " bytes are no whole queries of " + P::name);
+            std::vector<std::uint32_t> ids(bytes.size / 4);
+            for (std::size_t i = 0; i < ids.size(); ++i) {
+                ids[i] = read_u32(bytes.at + 4 * i);
+                if (ids[i] >= scene_.count())
+                    malformed("vertex " + std::to_string(ids[i]) + " of a scene of " + std::to_string(scene_.count()));
+            }
+            std::vector<std::uint8_t> signs(ids.size() / P::arity);
+            look(view);
+            const Points& points = view == View::scene ? scene_ : projected_;
+            const auto indices = std::make_index_sequence<P::arity>();
+            const auto start = std::chrono::steady_clock::now();
+            if (is_empty)
+                each([](auto... v) { return empty(v...); }, points, ids, signs.data(), indices);
+            else
+                each([&](auto... v) { return P::call(engine_, axis, v...); }, points, ids, signs.data(), indices);
+            const std::string ns = nanoseconds_since(start);
+            return Reply("signs").text("ns", ns).bytes("signs", signs.data(), signs.size());
+        }
+    }
+
+    static std::string nanoseconds_since(std::chrono::steady_clock::time_point start) {
+        const auto passed = std::chrono::steady_clock::now() - start;
+        return std::to_string(std::chrono::duration_cast<std::chrono::nanoseconds>(passed).count());
+    }
+
+    int out_;
+    E engine_{};
+    Points scene_;
+    Points projected_;
+    View view_ = View::none;
+};
+
+}  // namespace detail
+
+/// Answers the tool as the engine `E` until stdin ends; with `--version`, prints its version. Returns the exit code.
+template <class E>
+int serve(int argc, char** argv) {
+    if (argc == 2 && std::strcmp(argv[1], "--version") == 0) {
+        const int out = detail::claim_stdout();
+        const std::string line = std::string(E::version()) + "\n";
+        return ::write(out, line.data(), line.size()) == static_cast<ssize_t>(line.size()) ? 0 : 2;
+    }
+    if (argc != 1) {
+        std::fprintf(stderr, "usage: %s [--version]; without it, an engine on stdin and stdout\n", argv[0]);
+        return 2;
+    }
+    const int out = detail::claim_stdout();
+    detail::Server<E>(out).run();
+    return 0;
+}
+
+}  // namespace predicament
+
+#endif

@@ -1,0 +1,263 @@
+// Predicates in JavaScript for the tool predicament. One file, nothing but Node.
+//
+// Write an object with the predicates that you have, and call `serve`:
+//
+//     import { serve } from "../node/predicament_engine.mjs";
+//
+//     serve({
+//         name: "mine",
+//         version: "1.0",
+//         zero: "exact",              // or "never" (ties are broken) or "band" (zero is a tolerance)
+//         orient2d: (a, b, c) => …    // a number: its sign counts, and it may be a NaN. undefined declines the query
+//     });
+//
+// Predicates: compare(axis, a, b) (axis 0, 1 or 2), orient2d(a, b, c), orient3d(a, b, c, d), incircle(a, b, c, d),
+// insphere(a, b, c, d, e). Those that the object lacks are declined. a, b, … are arrays of coordinates, or what `prepare` made
+// of the points. Signs are those of docs/ENGINES.md.
+//
+// Optional: prepare(points, dimension), called before the first batch of a scene, and again where the points change that
+// predicates see (orient2d about a plane of a scene in space sees projected points); it may return an array with one object for
+// each point, which predicates get instead. precision: "f32" for predicates that round coordinates to singles. Throw `Declined`
+// where a scene is not for this engine.
+
+import fs from "node:fs";
+
+const ARITY = { compare: 2, orient2d: 3, orient3d: 4, incircle: 4, insphere: 5 };
+const DIMENSION = { orient3d: 3, incircle: 2, insphere: 3 };
+const PLANES = { xy: [0, 1], yz: [1, 2], zx: [2, 0] };
+const LONGEST = 2 ** 30;
+
+/** This scene or batch is not for this engine. The message is the reason. */
+export class Declined extends Error {}
+
+/** The input is not the protocol. */
+class Malformed extends Error {}
+
+/** Answers the tool as `engine` until stdin ends; with --version, prints its version. Ends the program. */
+export function serve(engine) {
+    const args = process.argv.slice(2);
+    if (args.length === 1 && args[0] === "--version") {
+        write(Buffer.from(`${engine.version}\n`));
+        process.exit(0);
+    }
+    if (args.length > 0) {
+        console.error(`usage: ${process.argv[1]} [--version]; without it, an engine on stdin and stdout`);
+        process.exit(2);
+    }
+    // Whatever a library prints goes to stderr.
+    console.log = console.info = console.debug = console.error;
+    const server = new Server(engine);
+    try {
+        for (let message = read(); message !== null; message = read()) write(server.answer(message));
+    } catch (problem) {
+        if (!(problem instanceof Malformed) && problem.syscall === undefined) throw problem;
+        console.error(`engine: ${problem.message}`);
+        process.exit(2);
+    }
+    process.exit(0);
+}
+
+/** Does `call` again while the pipe is not ready. */
+function patiently(call) {
+    for (;;) {
+        try {
+            return call();
+        } catch (problem) {
+            if (problem.code === "EOF") return 0;
+            if (problem.code !== "EAGAIN") throw problem;
+            Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, 1);
+        }
+    }
+}
+
+function write(bytes) {
+    for (let done = 0; done < bytes.length; ) done += patiently(() => fs.writeSync(1, bytes, done));
+}
+
+/** Up to `count` bytes of stdin; fewer only at its end. Memory is taken as bytes arrive. */
+function readBytes(count) {
+    const pieces = [];
+    for (let missing = count; missing > 0; ) {
+        const piece = Buffer.alloc(Math.min(missing, 1 << 20));
+        const got = patiently(() => fs.readSync(0, piece, 0, piece.length, null));
+        if (got === 0) break;
+        pieces.push(piece.subarray(0, got));
+        missing -= got;
+    }
+    return Buffer.concat(pieces);
+}
+
+/** The next message as a map of buffers; null where stdin ends before its first byte. */
+function read() {
+    const length = readBytes(4);
+    if (length.length === 0) return null;
+    if (length.length < 4) throw new Malformed("stdin ends within the length of a message");
+    const size = length.readUInt32LE(0);
+    if (size > LONGEST) throw new Malformed(`a message of ${size} bytes; the longest has 2^30`);
+    const body = readBytes(size);
+    if (body.length < size) throw new Malformed("stdin ends within a message");
+    const entries = new Map();
+    for (let at = 0; at < size; ) {
+        const keyEnd = at + 1 + body[at];
+        if (size < keyEnd + 4) throw new Malformed("a key runs over the end of its message");
+        const key = body.toString("latin1", at + 1, keyEnd);
+        at = keyEnd + 4 + body.readUInt32LE(keyEnd);
+        if (size < at) throw new Malformed("a value runs over the end of its message");
+        if (entries.size === 0 && key !== "type") break;
+        if (!entries.has(key)) entries.set(key, body.subarray(keyEnd + 4, at));
+    }
+    if (entries.size === 0) throw new Malformed("a message whose first key is not `type`");
+    return entries;
+}
+
+/** The bytes of a message. */
+function message(entries) {
+    const pieces = [Buffer.alloc(4)];
+    for (const [key, value] of Object.entries(entries)) {
+        const bytes = Buffer.isBuffer(value) ? value : Buffer.from(String(value));
+        const head = Buffer.alloc(1 + key.length + 4);
+        head[0] = key.length;
+        head.write(key, 1, "latin1");
+        head.writeUInt32LE(bytes.length, 1 + key.length);
+        pieces.push(head, bytes);
+    }
+    const whole = Buffer.concat(pieces);
+    whole.writeUInt32LE(whole.length - 4, 0);
+    return whole;
+}
+
+/** The value of a key that a message must have. */
+function need(entries, key) {
+    if (!entries.has(key)) throw new Malformed(`a message \`${entries.get("type")}\` without \`${key}\``);
+    return entries.get(key);
+}
+
+/** The byte of an answer. */
+function encode(value) {
+    return value > 0 ? 1 : value < 0 ? 255 : value === undefined ? 2 : value === value ? 0 : 3;
+}
+
+/** Calls `f` for each query and writes a byte for each, for each number of vertices. These loops are what is timed. */
+const EACH = {
+    2(f, o, ids, signs) {
+        for (let q = 0, i = 0; q < signs.length; q += 1, i += 2) signs[q] = encode(f(o[ids[i]], o[ids[i + 1]]));
+    },
+    3(f, o, ids, signs) {
+        for (let q = 0, i = 0; q < signs.length; q += 1, i += 3)
+            signs[q] = encode(f(o[ids[i]], o[ids[i + 1]], o[ids[i + 2]]));
+    },
+    4(f, o, ids, signs) {
+        for (let q = 0, i = 0; q < signs.length; q += 1, i += 4)
+            signs[q] = encode(f(o[ids[i]], o[ids[i + 1]], o[ids[i + 2]], o[ids[i + 3]]));
+    },
+    5(f, o, ids, signs) {
+        for (let q = 0, i = 0; q < signs.length; q += 1, i += 5)
+            signs[q] = encode(f(o[ids[i]], o[ids[i + 1]], o[ids[i + 2]], o[ids[i + 3]], o[ids[i + 4]]));
+    },
+};
+
+/** An engine and the scene that it was given. */
+class Server {
+    constructor(engine) {
+        this.engine = engine;
+        this.names = Object.keys(ARITY).filter((name) => typeof engine[name] === "function");
+        if (this.names.length === 0) throw new Error(`the engine has none of ${Object.keys(ARITY).join(", ")}`);
+        this.dimension = 0;
+        this.points = [];
+        this.view = null;
+        this.objects = [];
+    }
+
+    /** The bytes of the answer. */
+    answer(entries) {
+        const type = String(entries.get("type"));
+        try {
+            if (type === "hello") return this.hello(entries);
+            if (type === "scene") return this.scene(entries);
+            if (type === "batch") return this.batch(entries);
+            return message({ type: "error", message: `unknown message \`${type}\`` });
+        } catch (problem) {
+            if (problem instanceof Malformed) throw problem;
+            if (problem instanceof Declined) return message({ type: "declined", reason: problem.message });
+            console.error(problem);
+            return message({ type: "error", message: String(problem) });
+        }
+    }
+
+    hello(entries) {
+        const protocol = String(need(entries, "protocol"));
+        if (protocol !== "1") throw new Declined(`this engine speaks protocol 1, not ${protocol}`);
+        const { name, version, zero, precision = "f64" } = this.engine;
+        return message({ type: "hello", protocol: 1, name, version, predicates: this.names.join(" "), zero, precision });
+    }
+
+    scene(entries) {
+        const dimension = String(need(entries, "dimension"));
+        if (dimension !== "2" && dimension !== "3") throw new Malformed(`dimension \`${dimension}\` is neither 2 nor 3`);
+        const bytes = need(entries, "points");
+        this.dimension = Number(dimension);
+        const stride = 8 * this.dimension;
+        if (bytes.length % stride !== 0) throw new Malformed(`points of ${bytes.length} bytes are no whole points`);
+        this.points = [];
+        for (let at = 0; at < bytes.length; at += stride) {
+            const point = [bytes.readDoubleLE(at), bytes.readDoubleLE(at + 8)];
+            if (this.dimension === 3) point.push(bytes.readDoubleLE(at + 16));
+            this.points.push(point);
+        }
+        this.view = null;
+        const start = process.hrtime.bigint();
+        this.look("scene");
+        return message({ type: "ready", ns: process.hrtime.bigint() - start });
+    }
+
+    /** Makes the points of `view`, the scene or a plane of it, those that predicates see. */
+    look(view) {
+        if (this.view === view) return;
+        this.view = null;
+        const axes = PLANES[view];
+        const points = axes === undefined ? this.points : this.points.map((p) => [p[axes[0]], p[axes[1]]]);
+        const made = this.engine.prepare?.(points, axes === undefined ? this.dimension : 2);
+        this.objects = made ?? points;
+        this.view = view;
+    }
+
+    batch(entries) {
+        if (this.dimension === 0) throw new Malformed("a batch before any scene");
+        const name = String(need(entries, "predicate"));
+        if (!this.names.includes(name)) throw new Declined(`this engine has no \`${name}\``);
+        if ((DIMENSION[name] ?? this.dimension) !== this.dimension)
+            throw new Declined(`${name} is about points of dimension ${DIMENSION[name]}`);
+        let view = "scene";
+        let ask = this.engine[name].bind(this.engine);
+        if (name === "compare") {
+            const axis = ["x", "y", "z"].slice(0, this.dimension).indexOf(String(need(entries, "axis")));
+            if (axis < 0) throw new Malformed(`\`${need(entries, "axis")}\` is no axis of the scene`);
+            ask = (a, b) => this.engine.compare(axis, a, b);
+        }
+        if (name === "orient2d") {
+            const plane = String(entries.get("plane") ?? "xy");
+            if (!Object.hasOwn(PLANES, plane) || (this.dimension === 2 && plane !== "xy"))
+                throw new Malformed(`\`${plane}\` is no plane of the scene`);
+            if (this.dimension === 3) view = plane;
+        }
+        if (String(entries.get("empty")) === "1") ask = () => 0;
+        const ids = this.ids(need(entries, "ids"), name);
+        this.look(view);
+        const signs = Buffer.alloc(ids.length / ARITY[name]);
+        const start = process.hrtime.bigint();
+        EACH[ARITY[name]](ask, this.objects, ids, signs);
+        const ns = process.hrtime.bigint() - start;
+        return message({ type: "signs", ns, signs });
+    }
+
+    ids(bytes, name) {
+        if (bytes.length % (4 * ARITY[name]) !== 0)
+            throw new Malformed(`ids of ${bytes.length} bytes are no whole queries of ${name}`);
+        const ids = new Uint32Array(bytes.length / 4);
+        for (let i = 0; i < ids.length; i += 1) {
+            ids[i] = bytes.readUInt32LE(4 * i);
+            if (ids[i] >= this.points.length) throw new Malformed(`vertex ${ids[i]} of a scene of ${this.points.length}`);
+        }
+        return ids;
+    }
+}
