@@ -3,6 +3,7 @@
 mod bad_input;
 mod bounds;
 mod common;
+mod engines;
 mod judged;
 mod limits;
 mod lines_and_cubes;
