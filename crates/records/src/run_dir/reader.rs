@@ -7,11 +7,11 @@ use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
 
-use super::csv_file;
+use super::csv_file::{self, Extent};
 use super::state::{Outcome, State};
 use super::tables::{Record, TableSpec};
 use super::{ENV, MAPS, PLAN, TABLES};
-use crate::{Env, Error, FORMAT, FindingRow, Plan, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
+use crate::{Env, Error, FORMAT, FindingRow, Plan, PrecisionRow, Row, SampledRow, StageRow, SummaryRow, ThroughputRow};
 
 /// A run that was read back. Rows stand in the order of their files.
 #[derive(Clone, PartialEq, Debug)]
@@ -60,8 +60,8 @@ pub struct NotRun {
 impl RunDir {
     /// Reads a run folder.
     ///
-    /// A last line that was cut off is left out with a warning, unless the run
-    /// says that it is complete.
+    /// What a run that is not complete has written after its last finished scene is left out,
+    /// with a warning. Rows that are there twice, and tables of other sizes than the run has written, are refused.
     ///
     /// # Errors
     /// The file and line of the first thing that can't be read.
@@ -74,7 +74,7 @@ impl RunDir {
         }
         let state = State::read(path)?;
         let mut warnings = Vec::new();
-        Ok(RunDir {
+        let run = RunDir {
             path: path.to_owned(),
             plan,
             env: read_json(&path.join(ENV))?,
@@ -87,6 +87,19 @@ impl RunDir {
             tables: read_others(path, &state, &mut warnings)?,
             maps: read_maps(&path.join(MAPS))?,
             warnings,
+        };
+        run.check_planned()?;
+        Ok(run)
+    }
+
+    /// Refuses rows about scenes that the plan does not have.
+    fn check_planned(&self) -> Result<(), Error> {
+        let planned = self.plan.families();
+        let stranger =
+            self.summary.iter().find(|r| !planned.contains_key(&[&*r.suite, &*r.scene, &*r.scene_id, &*r.task]));
+        stranger.map_or(Ok(()), |row| {
+            let message = format!("a row about {}/{}, which the plan does not have", row.suite, row.scene);
+            Err(Error::new(&self.path.join(SummaryRow::FILE), message))
         })
     }
 
@@ -139,14 +152,33 @@ impl RunDir {
 }
 
 fn read_table<R: Row>(folder: &Path, state: &State, warnings: &mut Vec<String>) -> Result<Vec<R>, Error> {
-    let path = folder.join(R::FILE);
-    if !state.committed.contains_key(R::FILE) && !path.exists() {
+    if !state.committed.contains_key(R::FILE) && !folder.join(R::FILE).exists() {
         return Ok(Vec::new());
     }
-    let (text, warning) = csv_file::read(&path, state.outcome != Outcome::Complete)?;
-    warnings.extend(warning);
-    text.typed()
+    read_text(folder, R::FILE, state, warnings)?.typed()
 }
+
+/// Reads as much of a table as the run has written, and refuses rows that are there twice.
+fn read_text(folder: &Path, file: &str, state: &State, warnings: &mut Vec<String>) -> Result<csv_file::Text, Error> {
+    let extent = match state.committed.get(file) {
+        Some(&length) if state.outcome == Outcome::Complete => Extent::All(length),
+        Some(&length) => Extent::First(length),
+        None => Extent::Lines,
+    };
+    let (text, warning) = csv_file::read(&folder.join(file), extent)?;
+    warnings.extend(warning);
+    if let Some((_, key)) = UNIQUE.iter().find(|(of, _)| *of == file) {
+        text.check_unique(key)?;
+    }
+    Ok(text)
+}
+
+/// The tables in which a scene and backend, or a scene, has at most one row.
+const UNIQUE: [(&str, &[&str]); 3] = [
+    (SummaryRow::FILE, &["suite", "scene", "scene_id", "task", "backend"]),
+    (SampledRow::FILE, &["suite", "scene", "scene_id", "task", "backend"]),
+    (PrecisionRow::FILE, &["suite", "scene", "scene_id"]),
+];
 
 /// The tables beside those of every run.
 fn read_others(
@@ -162,8 +194,7 @@ fn read_others(
     }
     let mut tables = BTreeMap::new();
     for file in files.into_iter().filter(|file| TABLES.iter().all(|table| table.file != file)) {
-        let (text, warning) = csv_file::read(&folder.join(&file), state.outcome != Outcome::Complete)?;
-        warnings.extend(warning);
+        let text = read_text(folder, &file, state, warnings)?;
         tables.insert(file, text);
     }
     Ok(tables)
