@@ -10,7 +10,7 @@ use predicament_predicates::{Backend, Question, Scene, Sign, Vertex};
 use predicament_tasks::{Contestant, Entry, Task, TaskList};
 
 use crate::tool::Tool;
-use crate::{cmd, exit};
+use crate::{cmd, exit, out};
 
 /// A differential test harness for geometric predicates.
 ///
@@ -20,6 +20,10 @@ use crate::{cmd, exit};
 #[derive(Parser)]
 #[command(name = "predicament", version, after_help = exit::HELP, propagate_version = true)]
 struct Arguments {
+    /// No notes and no progress on stderr: only errors
+    #[arg(short = 'q', long, global = true)]
+    quiet: bool,
+
     #[command(subcommand)]
     command: Command,
 }
@@ -112,6 +116,9 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
             Ok(arguments) => arguments,
             Err(error) => error.exit(),
         };
+        if arguments.quiet {
+            out::be_quiet();
+        }
         // A panic of the tool must not leave with the code that says `unexpected pass`.
         let done = predicament_oracle::caught(|| match arguments.command {
             Command::Run(args) => cmd::run::run(args, &tool),

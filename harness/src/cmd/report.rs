@@ -31,7 +31,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let runs: Result<Vec<RunDir>, _> = args.runs.iter().map(RunDir::open).collect();
     let runs = runs.map_err(Failure::usage)?;
     for warning in runs.iter().flat_map(|run| &run.warnings) {
-        eprintln!("{}: {warning}", crate::out::program());
+        note!("{warning}");
     }
     write_pages(&runs, &tool.sections(&runs).map_err(Failure::usage)?, &args.out).map_err(Failure::usage)?;
     say!("{}", args.out.join("report.html").display());

@@ -11,13 +11,12 @@ use predicament_records::{
     self as records, Env, NotSelected, Plan, PlannedScene, PrecisionRow, RunDir, RunWriter, SampledRow, Shard, Status,
     SummaryRow, TableSpec,
 };
-use predicament_tasks::{AnyCase, Budget, Class, Contestant, Outcome, Stop, Watch};
+use predicament_tasks::{AnyCase, AnyTask, Budget, Class, Contestant, Outcome, Stop, Watch};
 use rayon::prelude::*;
 
 use crate::cmd::map;
 use crate::exit::{self, Failure};
 use crate::judged::JudgedRow;
-use crate::out::program;
 use crate::select::{NOT_NAMED, Planned, Selection, Selector};
 use crate::tool::Tool;
 use crate::worker::Worker;
@@ -30,7 +29,8 @@ Examples:
   predicament run families -f 'near.*orient3d' --level full
   predicament run mine.toml --expected mine-expected.toml --out out/mine
   predicament run --shard 2/4 --out out/part2       a quarter of the work
-  predicament run --resume out/part2                go on where it stopped";
+  predicament run --resume out/part2                go on where it stopped
+  predicament run -b mine,exact --isolate --timeout 30    a backend that may crash, in a tool that has it";
 
 /// Run scenes through backends and judge every answer
 #[derive(clap::Args)]
@@ -67,10 +67,46 @@ pub struct Args {
     #[arg(long, value_name = "N")]
     pub permutations: Option<usize>,
 
-    /// Seconds that one backend may take for one scene; algorithms on whole scenes run in a
-    /// process of their own then, which is ended
+    /// Seconds that one backend may take for one scene, such as 30 or 0.5; in a process of its own
+    /// it is ended then (10 minutes at level quick if left out)
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub timeout: Option<Duration>,
+
+    /// Run each scene and backend in a process of its own, so that a loop, a crash or a lack of memory costs
+    /// one row; `auto` does so for backends that are not built in, and for algorithms on whole scenes under --timeout
+    #[arg(long, value_name = "WHEN", value_enum, default_value_t = Isolate::Auto, num_args = 0..=1,
+          default_missing_value = "always", require_equals = false)]
+    pub isolate: Isolate,
+}
+
+/// Which scenes and backends run in a process of their own.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
+pub enum Isolate {
+    /// Backends that are not built in, and algorithms on whole scenes under a time limit.
+    Auto,
+    /// All.
+    Always,
+    /// None.
+    Never,
+}
+
+/// The time limit of a scene in a process of its own at level quick, where none is given.
+const PATIENCE: Duration = Duration::from_secs(600);
+
+impl Args {
+    /// Whether this backend runs a scene of this task in a process of its own. (An engine is one already.)
+    fn isolates(&self, tool: &Tool, backend: &str, task: &dyn AnyTask) -> bool {
+        match self.isolate {
+            Isolate::Auto => tool.is_own(backend) || (self.timeout.is_some() && !task.looks_at_the_watch()),
+            Isolate::Always => true,
+            Isolate::Never => false,
+        }
+    }
+
+    /// The time limit of a process.
+    fn limit(&self, level: Level) -> Option<Duration> {
+        self.timeout.or((level == Level::Quick).then_some(PATIENCE))
+    }
 }
 
 /// A time limit: a positive number of seconds.
@@ -112,43 +148,49 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
             continue;
         }
         let task = tool.task(loaded.task);
-        if let Some(limit) = args.timeout.filter(|_| !task.looks_at_the_watch()) {
-            let worker = Worker { args: &args, suite: selection.argument(&planned.def), scene: &scene, limit };
-            for backend in left {
+        let limit = args.limit(selection.level);
+        let worker = Worker { args: &args, suite: selection.argument(&planned.def), scene: &scene, limit };
+        let (apart, here): (Vec<&dyn Contestant>, Vec<_>) =
+            left.iter().partition(|backend| args.isolates(tool, &backend.name(), task));
+        let watch = Watch::new(interrupt::flag(), None, &told);
+        let case = (!here.is_empty()).then(|| task.case(&loaded, &watch)).transpose();
+        let Ok(case) = case else {
+            ended = records::Outcome::Interrupted;
+            break 'scenes;
+        };
+        if let Some(dispute) = case.as_ref().and_then(|case| case.dispute()) {
+            let message =
+                format!("{}/{}: {dispute}; fix the data before anything is compared", scene.suite, scene.scene);
+            return Err(Failure { message, code: exit::CORPUS });
+        }
+        let judge = |case: &dyn AnyCase, backend: &dyn Contestant| {
+            predicament_oracle::run(case, backend, budget, &watch.restarted(args.timeout))
+        };
+        // Small scenes leave threads idle, so backends share them; what a crash can lose is one such scene. Time limits
+        // are for a backend by itself.
+        let mut side_by_side = case
+            .as_deref()
+            .filter(|_| selection.level == Level::Quick && args.timeout.is_none())
+            .map(|case| here.par_iter().map(|backend| judge(case, *backend)).collect::<Vec<_>>().into_iter());
+        for backend in left {
+            let Some(case) = case.as_deref().filter(|_| apart.iter().all(|other| other.name() != backend.name()))
+            else {
                 let Some(found) = worker.run(tool, &backend.name())? else {
                     ended = records::Outcome::Interrupted;
                     break 'scenes;
                 };
                 ended = later(ended, &found.summary);
                 ledger.adopt(found, &scene, &backend.name(), &expected)?;
-            }
-            continue;
-        }
-        let watch = Watch::new(interrupt::flag(), None, &told);
-        let Ok(case) = task.case(&loaded, &watch) else {
-            ended = records::Outcome::Interrupted;
-            break 'scenes;
-        };
-        if let Some(dispute) = case.dispute() {
-            let message =
-                format!("{}/{}: {dispute}; fix the data before anything is compared", scene.suite, scene.scene);
-            return Err(Failure { message, code: exit::CORPUS });
-        }
-        let judge = |backend: &&dyn Contestant| {
-            predicament_oracle::run(case.as_ref(), *backend, budget, &watch.restarted(args.timeout))
-        };
-        // Small scenes leave threads idle, so backends share them; what a crash can lose is one such scene. Time limits
-        // are for a backend by itself.
-        let mut side_by_side = (selection.level == Level::Quick && args.timeout.is_none())
-            .then(|| left.par_iter().map(judge).collect::<Vec<_>>().into_iter());
-        for backend in left {
+                bar.inc(scene.queries);
+                continue;
+            };
             // The pictures of pixel maps go with their rows; every other scene has none.
             if loaded.family == "pixel-map" {
-                ledger.draw(case.as_ref(), backend)?;
+                ledger.draw(case, backend)?;
             }
             let outcome = match &mut side_by_side {
                 Some(outcomes) => outcomes.next().expect("one for each backend"),
-                None => judge(&backend),
+                None => judge(case, backend),
             };
             match outcome {
                 Err(Stop::Interrupted | Stop::Timeout) => {
@@ -172,10 +214,13 @@ fn later(ended: records::Outcome, rows: &[SummaryRow]) -> records::Outcome {
     if timed_out && ended == records::Outcome::Complete { records::Outcome::Timeout } else { ended }
 }
 
+/// More threads than any machine has cores.
+const MOST_THREADS: usize = 4096;
+
 /// Sizes the thread pool.
 pub fn set_threads(threads: Option<usize>) -> Result<(), Failure> {
-    if threads == Some(0) {
-        return Err(Failure::usage("--threads: at least one thread is needed"));
+    if let Some(threads) = threads.filter(|threads| !(1..=MOST_THREADS).contains(threads)) {
+        return Err(Failure::usage(format!("--threads: {threads} threads; choose from 1 to {MOST_THREADS}")));
     }
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads.unwrap_or(0))
@@ -252,11 +297,11 @@ impl Job {
 fn tell_not_selected(suites: &[NotSelected]) {
     let (unnamed, others): (Vec<_>, Vec<_>) = suites.iter().partition(|suite| suite.reason == NOT_NAMED);
     for left in others {
-        eprintln!("{}: suite `{}` is not run: {}", program(), left.suite, left.reason);
+        note!("suite `{}` is not run: {}", left.suite, left.reason);
     }
     if !unnamed.is_empty() {
         let names: Vec<&str> = unnamed.iter().map(|suite| suite.suite.as_str()).collect();
-        eprintln!("{}: not run, as {NOT_NAMED}: {}", program(), names.join(", "));
+        note!("not run, as {NOT_NAMED}: {}", names.join(", "));
     }
 }
 
@@ -319,6 +364,9 @@ impl Ledger {
         writer.write(&found.findings).map_err(Failure::usage)?;
         writer.write(&found.stages).map_err(Failure::usage)?;
         writer.append(&found.more).map_err(Failure::usage)?;
+        for (name, png) in &found.maps {
+            writer.add_map(name, png).map_err(Failure::usage)?;
+        }
         writer.commit().map_err(Failure::usage)?;
         self.done.extend(summary);
         Ok(())
@@ -337,7 +385,8 @@ impl Ledger {
         self.writer.finish(ended).map_err(Failure::usage)?;
         let count = |status: Status| self.done.iter().filter(|row| row.status == status).count();
         let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
-        let queries: u64 = self.done.iter().map(|row| row.queries).sum();
+        // What was declined, or ran out of time, was not answered.
+        let queries: u64 = self.done.iter().filter(|row| row.has_answers()).map(|row| row.queries).sum();
         say!(
             "{}: {queries} answers judged; rows: {} ok, {} expected, {unexpected} unexpected, \
              {passes} unexpected pass; {}",

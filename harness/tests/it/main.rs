@@ -4,6 +4,7 @@ mod bad_input;
 mod bounds;
 mod common;
 mod engines;
+mod isolation;
 mod judged;
 mod limits;
 mod lines_and_cubes;

@@ -158,10 +158,69 @@ fn expectations_turn_the_gate_both_ways() {
     expect(100, &["gate", &out, "--expected", &expectation("sign_flip", "wrong-*")]);
     expect(101, &["gate", &out, "--expected", &expectation("overreach", "*")]);
 
-    let suggested = expect(100, &["gate", &out, "--expected", &empty, "--suggest"]).stdout;
-    let table = suggested.split("[[expect]]").nth(1).and_then(|text| text.split("\n\n").next()).unwrap();
-    let filled = format!("[[expect]]{}", table.replace("reason = \"\"", "reason = \"rounding\""));
-    expect(0, &["gate", &out, "--expected", &write(&folder, "suggested.toml", &filled)]);
+    // Suggestions are TOML, and refused until the reasons are there.
+    let suggested = at(&folder, "suggested.toml");
+    expect(100, &["gate", &out, "--expected", &empty, "--suggest", &suggested]);
+    let refused = expect(104, &["gate", &out, "--expected", &suggested]);
+    assert!(refused.stderr.contains("suggested.toml:1: the reason is empty; say why"), "{}", refused.stderr);
+    let text = std::fs::read_to_string(&suggested).unwrap();
+    assert!(text.contains("level = \"quick\""), "{text}");
+    let filled = write(&folder, "filled.toml", &text.replace("reason = \"\"", "reason = \"rounding\""));
+    expect(0, &["gate", &out, "--expected", &filled]);
+    let there = expect(2, &["gate", &out, "--expected", &empty, "--suggest", &suggested]);
+    assert!(there.stderr.contains("the file is there"), "{}", there.stderr);
+    let printed = expect(100, &["gate", &out, "--expected", &empty, "--suggest"]).stdout;
+    assert!(printed.contains(&text), "{printed}");
+}
+
+#[test]
+fn an_expectation_that_nothing_can_meet_is_red_and_one_that_was_left_out_is_listed() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let out = at(&folder, "run");
+    let empty = write(&folder, "empty.toml", "");
+    expect(100, &["run", &suite, "--expected", &empty, "-b", "naive,exact", "--out", &out]);
+    let gate = |code: i32, more: &str| {
+        let text = format!(
+            "[[expect]]\nscene = \"wrong-*\"\nbackend = \"naive\"\nclass = \"overreach\"\nreason = \"rounding\"\n{more}"
+        );
+        expect(code, &["gate", &out, "--expected", &write(&folder, "more.toml", &text)]).stdout
+    };
+    let more = |scene: &str, backend: &str, level: &str| {
+        format!("[[expect]]\nscene = \"{scene}\"\nbackend = \"{backend}\"\nclass = \"nan\"\nreason = \"no\"\n{level}")
+    };
+    gate(0, "");
+    let told = gate(101, &more("mine/rong-*", "naive", ""));
+    assert!(told.contains("more.toml:6: no scene is called `mine/rong-*`; correct or drop it"), "{told}");
+    assert!(told.contains(" 1 never true, "), "{told}");
+    let told = gate(101, &more("plain", "nave", ""));
+    assert!(told.contains("never true: ") && told.contains("no backend is called `nave`"), "{told}");
+    let told = gate(101, &more("plain", "engine:no-such-engine", ""));
+    assert!(told.contains("no backend is called `engine:no-such-engine`"), "{told}");
+    // Scenes, backends and a level that the selection has left out.
+    let left_out = [
+        more("families/near-*", "naive", ""),
+        more("plain", "shewchuk", ""),
+        more("plain", "naive", "level = \"full\""),
+    ];
+    let told = gate(0, &left_out.concat());
+    assert!(told.contains("3 expectations are not about this run's scenes, backends and level"), "{told}");
+    let level = expect(
+        104,
+        &["gate", &out, "--expected", &write(&folder, "class.toml", &more("plain", "naive", "").replace("nan", "nam"))],
+    );
+    assert!(level.stderr.contains("class.toml:1: "), "{}", level.stderr);
+}
+
+#[test]
+fn a_baseline_without_a_scene_in_common_is_an_error() {
+    let folder = tempdir().unwrap();
+    let (one, other) = (at(&folder, "one"), at(&folder, "other"));
+    run(&["run", "-f", "kettner-a1$", "-b", "exact", "--out", &one]);
+    run(&["run", "-f", "kettner-b1$", "-b", "exact", "--out", &other]);
+    expect(0, &["gate", &one, "--baseline", &one]);
+    let told = expect(2, &["gate", &one, "--baseline", &other]);
+    assert!(told.stderr.contains("the baseline has no scene of this run"), "{}", told.stderr);
 }
 
 #[test]
