@@ -1,5 +1,6 @@
 //! The command line, with backends and tasks of other crates.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -30,6 +31,8 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
+    Ask(cmd::ask::Args),
+    New(cmd::new::Args),
     Run(cmd::run::Args),
     Bench(cmd::bench::Args),
     Report(cmd::report::Args),
@@ -111,7 +114,7 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
         let help = format!("Backends:\n{}", tool.backend_help());
         let matches = Arguments::command()
             .mut_subcommand("run", |run| run.after_help(format!("{help}\n\n{}", cmd::run::EXAMPLES)))
-            .get_matches();
+            .get_matches_from(std::env::args_os().map(point));
         let arguments = match Arguments::from_arg_matches(&matches) {
             Ok(arguments) => arguments,
             Err(error) => error.exit(),
@@ -121,6 +124,8 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
         }
         // A panic of the tool must not leave with the code that says `unexpected pass`.
         let done = predicament_oracle::caught(|| match arguments.command {
+            Command::Ask(args) => cmd::ask::run(&args, &tool),
+            Command::New(args) => cmd::new::run(&args),
             Command::Run(args) => cmd::run::run(args, &tool),
             Command::Bench(args) => cmd::bench::run(args, &tool),
             Command::Report(args) => cmd::report::run(&args, &tool),
@@ -136,6 +141,18 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
             Command::Doctor(args) => cmd::doctor::run(&args, &tool),
         });
         exit::code(done.unwrap_or_else(|broken| Err(exit::Failure::usage(broken))))
+    }
+}
+
+/// A point such as `-1,0` begins like an option and is none: with a bracket it is taken for what it is.
+fn point(word: OsString) -> OsString {
+    let is_point = |text: &str| {
+        let rest = text.strip_prefix('-').unwrap_or_default();
+        rest.starts_with(|c: char| c.is_ascii_digit() || c == '.') && rest.contains(',')
+    };
+    match word.to_str() {
+        Some(text) if is_point(text) => OsString::from(format!("({text})")),
+        _ => word,
     }
 }
 

@@ -11,12 +11,13 @@ use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
+use predicament_corpus::Level;
 use predicament_records::{FindingRow, PlannedScene, Record, RunDir, StageRow, Status, SummaryRow};
 use predicament_tasks::{Class, Finding, finding_id};
 
-use crate::cmd::run::{Args, tables};
 use crate::exit::{Failure, OK, UNEXPECTED, UNEXPECTED_PASS};
 use crate::interrupt;
+use crate::planning::tables_with;
 use crate::tool::Tool;
 
 /// The codes of a worker that has done its work.
@@ -24,12 +25,17 @@ const FINE: [u8; 3] = [OK, UNEXPECTED, UNEXPECTED_PASS];
 
 /// The scene, suite and time limit of a worker.
 pub struct Worker<'a> {
-    pub args: &'a Args,
+    pub permutations: Option<usize>,
+    pub threads: Option<usize>,
+    pub cache: Option<&'a Path>,
     /// The suite, by name or file.
     pub suite: String,
     pub scene: &'a PlannedScene,
     /// None where nothing but Ctrl-C ends it.
     pub limit: Option<Duration>,
+    pub level: Level,
+    /// Whether every answer is written.
+    pub answers: bool,
 }
 
 /// The rows that a worker has left.
@@ -68,7 +74,7 @@ impl Worker<'_> {
             End::Exit(_) if interrupt::flag().load(Ordering::Relaxed) => None,
             End::Exit(Some(status)) if FINE.map(|code| Some(i32::from(code))).contains(&status.code()) => {
                 let dir = RunDir::open(&run).map_err(Failure::usage)?;
-                let more = tables(tool).into_iter().flat_map(|table| dir.records(table)).collect();
+                let more = tables_with(tool, self.answers).into_iter().flat_map(|table| dir.records(table)).collect();
                 let RunDir { summary, findings, stages, maps, .. } = dir;
                 Some(Found { summary, findings, stages, more, maps })
             }
@@ -87,14 +93,17 @@ impl Worker<'_> {
         let mut command = Command::new(program);
         let filter = format!("^{}$", regex::escape(&format!("{}/{}", self.scene.suite, self.scene.scene)));
         command.args(["--quiet", "run", &self.suite, "-f", &filter, "-b", backend]);
-        command.args(["--level", self.args.selector.level.name(), "--isolate", "never"]).arg("--out").arg(run);
-        if let Some(permutations) = self.args.permutations {
+        command.args(["--level", self.level.name(), "--isolate", "never"]).arg("--out").arg(run);
+        if self.answers {
+            command.arg("--answers");
+        }
+        if let Some(permutations) = self.permutations {
             command.args(["--permutations", &permutations.to_string()]);
         }
-        if let Some(threads) = self.args.threads {
+        if let Some(threads) = self.threads {
             command.args(["--threads", &threads.to_string()]);
         }
-        if let Some(cache) = &self.args.selector.cache {
+        if let Some(cache) = self.cache {
             command.arg("--cache").arg(cache);
         }
         command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(stderr);

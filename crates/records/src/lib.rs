@@ -13,6 +13,7 @@
 //! * [`Plan`] and [`Env`] say what was to be done, and where.
 //! * [`junit`] is what build servers read.
 
+mod answers;
 mod env;
 mod error;
 pub mod format;
@@ -24,6 +25,7 @@ mod run_dir;
 mod sampled;
 mod stats;
 
+pub use answers::AnswerRow;
 pub use env::Env;
 pub use error::Error;
 pub use junit::junit;

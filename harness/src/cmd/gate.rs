@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use predicament_records::{self as records, RunDir, Spread, Status, SummaryRow, junit};
 use predicament_tasks::{Class, ClassCounts};
 
-use crate::cmd::run::describe;
 use crate::exit::{self, Failure};
 use crate::expectations;
+use crate::ledger::describe;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use predicament_predicates::Sign;
+use predicament_records::replace;
 use predicament_report::{PixelMap, side_by_side};
 use predicament_tasks::signs::{SignQueries, Signs};
 use predicament_tasks::{AnyCase, Contestant, Watch};
@@ -16,7 +17,8 @@ use crate::tool::Tool;
 const EXAMPLES: &str = "\
 Examples:
   predicament map kettner-map-1 --out map.png
-  predicament map kettner-map-1 -b naive,naive:first,exact,tolerance --zoom 2 --out map.png";
+  predicament map kettner-map-1 -b naive,naive:first,exact,tolerance --zoom 2 --out map.png
+  predicament map neighbours --suite mine.toml --out map.png";
 
 /// Draw a square grid of queries: one pixel a query, blue/yellow/red for -/0/+, wrong ones dark
 #[derive(clap::Args)]
@@ -24,6 +26,10 @@ Examples:
 pub struct Args {
     /// The scene's name; its number of queries has to be a square
     pub scene: String,
+
+    /// The suite, by name or as a TOML file of your own; all that need no download if left out
+    #[arg(long, value_name = "SUITE")]
+    pub suite: Option<String>,
 
     /// Backends from left to right
     #[arg(
@@ -46,7 +52,8 @@ pub struct Args {
 /// Runs the command.
 pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let backends = tool.pick(&args.backends)?;
-    let selection = Selector::everything().select(tool)?;
+    let suites = args.suite.iter().cloned().collect();
+    let selection = Selector { suites, ..Selector::everything() }.select(tool)?;
     let Some(def) = selection.defs().into_iter().find(|def| def.name == args.scene) else {
         return Err(Failure::nothing(format!(
             "no scene is called `{}`; `{} corpus list --scenes` names them",
@@ -65,7 +72,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         maps.push(tile.map);
     }
     let png = side_by_side(&maps, args.zoom, 8).map_err(Failure::usage)?;
-    std::fs::write(&args.out, png).map_err(|error| Failure::usage(format!("{}: {error}", args.out.display())))?;
+    replace(&args.out, &png).map_err(Failure::usage)?;
     say!("{}", args.out.display());
     Ok(exit::OK)
 }

@@ -1,26 +1,21 @@
 //! `run`: every selected scene through every backend, each answer judged.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::time::Duration;
 
 use predicament_corpus::Level;
-use predicament_exact::{Exact, Precision};
-use predicament_oracle::expect::Expectations;
-use predicament_predicates::{Backend, Scene};
-use predicament_records::{
-    self as records, Env, NotSelected, Plan, PlannedScene, PrecisionRow, RunDir, RunWriter, SampledRow, Shard, Status,
-    SummaryRow, TableSpec,
-};
-use predicament_tasks::{AnyCase, AnyTask, Budget, Class, Contestant, Outcome, Stop, Watch};
+use predicament_records::{self as records, NotSelected, Plan, RunDir, RunWriter, Shard, SummaryRow};
+use predicament_tasks::{AnyCase, AnyTask, Budget, Class, Contestant, Stop, Watch};
 use rayon::prelude::*;
 
-use crate::cmd::map;
 use crate::exit::{self, Failure};
-use crate::judged::JudgedRow;
+use crate::ledger::Ledger;
+use crate::planning::{budget, env, free_folder, plan, tables_with};
 use crate::select::{NOT_NAMED, Planned, Selection, Selector};
 use crate::tool::Tool;
 use crate::worker::Worker;
-use crate::{expectations, interrupt, progress, rows};
+use crate::{expectations, interrupt, progress};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -29,6 +24,7 @@ Examples:
   predicament run families -f 'near.*orient3d' --level full
   predicament run mine.toml --expected mine-expected.toml --out out/mine
   predicament run --shard 2/4 --out out/part2       a quarter of the work
+  predicament run mine.toml --answers               every answer of every backend, as CSV
   predicament run --resume out/part2                go on where it stopped
   predicament run -b mine,exact --isolate --timeout 30    a backend that may crash, in a tool that has it";
 
@@ -55,7 +51,7 @@ pub struct Args {
     pub out: Option<PathBuf>,
 
     /// Go on with an incomplete run; takes its selection from that run's plan
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "shard", "backends"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "shard", "backends", "answers"])]
     pub resume: Option<PathBuf>,
 
     /// Expected disagreements; those of the embedded corpora if left out
@@ -66,6 +62,10 @@ pub struct Args {
     /// one scene, 0 for none; 5,000 for quick and 24 million for full if left out
     #[arg(long, value_name = "N")]
     pub permutations: Option<usize>,
+
+    /// Write every answer to answers.csv; what has no answer to each query is counted
+    #[arg(long)]
+    pub answers: bool,
 
     /// Seconds that one backend may take for one scene, such as 30 or 0.5; in a process of its own
     /// it is ended then (10 minutes at level quick if left out)
@@ -110,7 +110,7 @@ impl Args {
 }
 
 /// A time limit: a positive number of seconds.
-fn seconds(text: &str) -> Result<Duration, String> {
+pub fn seconds(text: &str) -> Result<Duration, String> {
     let seconds = text.parse().ok().filter(|&seconds: &f64| seconds > 0.0);
     let limit = seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
     limit.ok_or_else(|| format!("`{text}` is no time; write seconds such as 30 or 0.5"))
@@ -129,7 +129,8 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let bar = progress::bar(work, "answers");
     let told = |done: u64| bar.inc(done);
     let by_level = budget(selection.level);
-    let budget = Budget { permutations: args.permutations.unwrap_or(by_level.permutations), ..by_level };
+    let permutations = args.permutations.unwrap_or(by_level.permutations);
+    let budget = Budget { permutations, answers: ledger.answers, ..by_level };
     let mut ended = records::Outcome::Complete;
     // Each scene is dropped before the next.
     'scenes: for planned in &mut scenes {
@@ -149,7 +150,16 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         }
         let task = tool.task(loaded.task);
         let limit = args.limit(selection.level);
-        let worker = Worker { args: &args, suite: selection.argument(&planned.def), scene: &scene, limit };
+        let worker = Worker {
+            permutations: args.permutations,
+            threads: args.threads,
+            cache: args.selector.cache.as_deref(),
+            suite: selection.argument(&planned.def),
+            scene: &scene,
+            limit,
+            level: selection.level,
+            answers: ledger.answers,
+        };
         let (apart, here): (Vec<&dyn Contestant>, Vec<_>) =
             left.iter().partition(|backend| args.isolates(tool, &backend.name(), task));
         let watch = Watch::new(interrupt::flag(), None, &told);
@@ -228,14 +238,6 @@ pub fn set_threads(threads: Option<usize>) -> Result<(), Failure> {
         .map_err(|error| Failure::usage(format!("--threads: {error}")))
 }
 
-/// How much is sampled at a level.
-pub fn budget(level: Level) -> Budget {
-    match level {
-        Level::Quick => Budget::QUICK,
-        Level::Full => Budget::FULL,
-    }
-}
-
 /// A run under way.
 struct Job {
     selection: Selection,
@@ -244,25 +246,19 @@ struct Job {
     ledger: Ledger,
 }
 
-/// What is done, in memory and on disk.
-struct Ledger {
-    level: Level,
-    done: Vec<SummaryRow>,
-    precision: Vec<PrecisionRow>,
-    folder: PathBuf,
-    writer: RunWriter,
-}
-
 impl Job {
     fn new(args: &Args, tool: &Tool) -> Result<Job, Failure> {
         let backends = tool.pick(&args.backends)?;
         let selection = args.selector.select(tool)?;
         let scenes = selection.plan(args.shard)?;
-        let plan = plan(&selection, &scenes, &backends, args.shard);
+        let plan = Plan { answers: args.answers, ..plan(&selection, &scenes, &backends, args.shard) };
         let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-run"));
-        let writer = RunWriter::create(&folder, &plan, &env(), &tables(tool)).map_err(Failure::usage)?;
+        let writer =
+            RunWriter::create(&folder, &plan, &env(), &tables_with(tool, args.answers)).map_err(Failure::usage)?;
         tell_not_selected(&selection.not_selected);
-        let ledger = Ledger { level: selection.level, done: Vec::new(), precision: Vec::new(), folder, writer };
+        let (level, answers) = (selection.level, args.answers);
+        let (done, precision, wholes) = (Vec::new(), Vec::new(), BTreeMap::new());
+        let ledger = Ledger { level, answers, wholes, done, precision, folder, writer };
         Ok(Job { selection, scenes, backends, ledger })
     }
 
@@ -286,9 +282,11 @@ impl Job {
                 lost.scene
             )));
         }
-        let (writer, before) = RunWriter::resume(folder, &tables(tool)).map_err(Failure::usage)?;
-        let ledger =
-            Ledger { level, done: before.summary, precision: before.precision, folder: folder.clone(), writer };
+        let answers = plan.answers;
+        let (writer, before) = RunWriter::resume(folder, &tables_with(tool, answers)).map_err(Failure::usage)?;
+        let RunDir { summary: done, precision, .. } = before;
+        let (folder, wholes) = (folder.clone(), BTreeMap::new());
+        let ledger = Ledger { level, answers, wholes, done, precision, folder, writer };
         Ok(Job { selection, scenes, backends, ledger })
     }
 }
@@ -303,154 +301,4 @@ fn tell_not_selected(suites: &[NotSelected]) {
         let names: Vec<&str> = unnamed.iter().map(|suite| suite.suite.as_str()).collect();
         note!("not run, as {NOT_NAMED}: {}", names.join(", "));
     }
-}
-
-/// The tables of a run folder besides those of every run.
-pub fn tables(tool: &Tool) -> Vec<TableSpec> {
-    let mut tables = tool.tables();
-    tables.extend([TableSpec::of::<JudgedRow>(), TableSpec::of::<SampledRow>()]);
-    tables
-}
-
-impl Ledger {
-    fn is_done(&self, scene: &PlannedScene, backend: &str) -> bool {
-        self.done.iter().any(|row| row.suite == scene.suite && row.scene == scene.scene && row.backend == backend)
-    }
-
-    /// Whether the scene's precision plan is written down: a run folder may be older than that table.
-    fn is_planned(&self, scene: &PlannedScene) -> bool {
-        self.precision.iter().any(|row| row.suite == scene.suite && row.scene == scene.scene)
-    }
-
-    /// Writes the scene's precision plan, once; the next commit makes it permanent.
-    fn plan(&mut self, scene: &PlannedScene, points: &Scene) -> Result<(), Failure> {
-        if !self.is_planned(scene) {
-            let row = rows::precision(scene, &Precision::of(points));
-            self.writer.write(std::slice::from_ref(&row)).map_err(Failure::usage)?;
-            self.precision.push(row);
-        }
-        Ok(())
-    }
-
-    fn record(
-        &mut self,
-        scene: &PlannedScene,
-        backend: &str,
-        outcome: &Outcome,
-        expected: &Expectations,
-    ) -> Result<SummaryRow, Failure> {
-        let level = self.level.name();
-        let summary =
-            rows::record(&mut self.writer, scene, backend, outcome, expected, level).map_err(Failure::usage)?;
-        self.writer.commit().map_err(Failure::usage)?;
-        self.done.push(summary.clone());
-        Ok(summary)
-    }
-
-    /// Takes the rows that a worker has left.
-    fn adopt(
-        &mut self,
-        found: crate::worker::Found,
-        scene: &PlannedScene,
-        backend: &str,
-        expected: &Expectations,
-    ) -> Result<(), Failure> {
-        let mut summary = found.summary;
-        for row in &mut summary {
-            row.status = rows::status(scene, backend, row, expected, self.level.name());
-        }
-        let writer = &mut self.writer;
-        writer.write(&summary).map_err(Failure::usage)?;
-        writer.write(&found.findings).map_err(Failure::usage)?;
-        writer.write(&found.stages).map_err(Failure::usage)?;
-        writer.append(&found.more).map_err(Failure::usage)?;
-        for (name, png) in &found.maps {
-            writer.add_map(name, png).map_err(Failure::usage)?;
-        }
-        writer.commit().map_err(Failure::usage)?;
-        self.done.extend(summary);
-        Ok(())
-    }
-
-    fn draw(&self, case: &dyn AnyCase, backend: &dyn Contestant) -> Result<(), Failure> {
-        // A backend that declines or panics has a row that says so, and no picture.
-        let tile = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| map::tile(case, backend)));
-        let Ok(Ok(tile)) = tile else { return Ok(()) };
-        let png = tile.map.to_png(1).map_err(Failure::usage)?;
-        let name = format!("{} {}", case.loaded().name, backend.name()).replace(':', "-");
-        self.writer.add_map(&name, &png).map_err(Failure::usage)
-    }
-
-    fn finish(self, ended: records::Outcome) -> exit::Outcome {
-        self.writer.finish(ended).map_err(Failure::usage)?;
-        let count = |status: Status| self.done.iter().filter(|row| row.status == status).count();
-        let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
-        // What was declined, or ran out of time, was not answered.
-        let queries: u64 = self.done.iter().filter(|row| row.has_answers()).map(|row| row.queries).sum();
-        say!(
-            "{}: {queries} answers judged; rows: {} ok, {} expected, {unexpected} unexpected, \
-             {passes} unexpected pass; {}",
-            self.folder.display(),
-            count(Status::Ok),
-            count(Status::Expected),
-            ended.describe(),
-        );
-        for row in self.done.iter().filter(|row| !row.status.passes()) {
-            say!("  {}", describe(row));
-        }
-        Ok(if ended != records::Outcome::Complete {
-            exit::INCOMPLETE
-        } else if unexpected > 0 {
-            exit::UNEXPECTED
-        } else if passes > 0 {
-            exit::UNEXPECTED_PASS
-        } else {
-            exit::OK
-        })
-    }
-}
-
-/// A summary row in words.
-pub fn describe(row: &SummaryRow) -> String {
-    let classes: Vec<String> = Class::ALL
-        .into_iter()
-        .filter(|&class| row.count(class) > 0)
-        .map(|class| format!("{} {}", row.count(class), class.name()))
-        .collect();
-    format!("{}: {}/{} on {}: {}", row.status.name(), row.suite, row.scene, row.backend, classes.join(", "))
-}
-
-/// The plan of a run over these scenes.
-pub fn plan(selection: &Selection, scenes: &[Planned], backends: &[Box<dyn Contestant>], shard: Shard) -> Plan {
-    Plan {
-        format: records::FORMAT,
-        created_by: format!("predicament {}", env!("CARGO_PKG_VERSION")),
-        level: match selection.level {
-            Level::Quick => records::Level::Quick,
-            Level::Full => records::Level::Full,
-        },
-        suites: selection.suites.iter().map(|suite| suite.name.clone()).collect(),
-        paths: selection.paths(),
-        scenes: scenes.iter().map(|scene| scene.plan.clone()).collect(),
-        backends: backends.iter().map(|backend| backend.name()).collect(),
-        ladder: Exact.stages().iter().map(|&stage| stage.to_owned()).collect(),
-        shard,
-        not_selected: selection.not_selected.clone(),
-        findings_per_class: budget(selection.level).findings_per_class as u64,
-    }
-}
-
-/// The machine, the compiler and the peers.
-pub fn env() -> Env {
-    let mut env = Env::collect(env!("CARGO_PKG_VERSION"));
-    env.rustc = Some(env!("PREDICAMENT_RUSTC").to_owned());
-    env.peers.insert("robust".to_owned(), env!("PREDICAMENT_ROBUST").to_owned());
-    env.peers.extend(crate::peers::VERSIONS.iter().map(|&(peer, version)| (peer.to_owned(), version.to_owned())));
-    env
-}
-
-/// `stem-1`, or the first number that is free.
-pub fn free_folder(stem: &str) -> PathBuf {
-    let mut names = (1..).map(|n| PathBuf::from(format!("{stem}-{n}")));
-    names.find(|path| !path.exists()).expect("some number is free")
 }

@@ -56,6 +56,8 @@ fn plan() -> Plan {
         created_by: "0.1.0".to_owned(),
         level: Level::Full,
         suites: vec![scene("").suite],
+        hashes: BTreeMap::new(),
+        answers: false,
         paths: [(scene("").suite, "far/near.toml".to_owned())].into(),
         scenes: vec![scene("one"), scene("two")],
         backends: vec!["exact".to_owned()],

@@ -4,6 +4,7 @@
 //! list of queries. Each answer is held against the exact sign, and samples of
 //! answers against each other (the laws of predicates).
 
+mod answers;
 mod axioms;
 mod class;
 mod constructed;
