@@ -10,6 +10,7 @@ mod output;
 mod paths;
 #[cfg(feature = "peers")]
 mod peers;
+mod pictures;
 mod runs;
 mod studies;
 mod threads;

@@ -238,6 +238,26 @@ fn a_finding_is_replayed_from_its_id() {
     expect(2, &["replay", "zzz", "--run", &at(&folder, "nowhere")]);
 }
 
+/// What the tool was built from stands beside every run, as far as git is there to tell.
+#[test]
+fn a_run_says_what_the_tool_was_built_from() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let out = at(&folder, "run");
+    expect(0, &["run", &suite, "-b", "exact", "--out", &out]);
+    let env = read(&out, "env.json");
+    assert!(env.contains("\"opt_flags\": \"profile ") && env.contains("; RUSTFLAGS: "), "{env}");
+    let git = std::process::Command::new("git").args(["rev-parse", "HEAD"]).output();
+    match git.ok().filter(|output| output.status.success()) {
+        Some(output) => {
+            let commit = String::from_utf8(output.stdout).unwrap();
+            assert!(env.contains(&format!("\"commit\": \"{}\"", commit.trim_end())), "{env}");
+            assert!(env.contains("\"dirty\": true") || env.contains("\"dirty\": false"), "{env}");
+        }
+        None => assert!(env.contains("\"commit\": null") && env.contains("\"dirty\": null"), "{env}"),
+    }
+}
+
 #[test]
 fn a_report_has_errors_and_timings_on_one_page() {
     let folder = tempdir().unwrap();
@@ -260,18 +280,6 @@ fn a_report_has_errors_and_timings_on_one_page() {
         }
     }
     assert!(html.contains("<svg") && !html.contains("src=\"http"));
-}
-
-#[test]
-fn a_pixel_map_is_a_picture_and_a_count() {
-    let folder = tempdir().unwrap();
-    let out = at(&folder, "map.png");
-    let told = expect(0, &["map", "kettner-pixels-a", "-b", "naive,exact,tolerance", "--out", &out]);
-    let exact = told.stdout.lines().find(|line| line.starts_with("exact")).unwrap();
-    assert!(exact.contains(" 0 differ"), "{exact}");
-    let tolerance = told.stdout.lines().find(|line| line.starts_with("tolerance")).unwrap();
-    assert!(tolerance.contains("65536 0"), "all of the map is in the band: {tolerance}");
-    assert_eq!(std::fs::read(out).unwrap()[..8], *b"\x89PNG\r\n\x1a\n");
 }
 
 #[test]

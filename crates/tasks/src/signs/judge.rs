@@ -102,10 +102,7 @@ impl Given<'_> {
 fn judge_chunk(given: &Given<'_>, ties: Option<&TieJudge>, budget: Budget, range: std::ops::Range<usize>) -> Chunk {
     let mut chunk = Chunk { counts: ClassCounts::default(), raw: Vec::new(), ties: Vec::new() };
     for query in range {
-        let mut class = given.class(query);
-        if class == Class::Inconsistent && is_identity(given, ties, query) {
-            class = Class::Agree;
-        }
+        let class = class(given, ties, query);
         chunk.counts.add(class, 1);
         if class == Class::TieBroken && ties.is_some() {
             chunk.ties.push(u32::try_from(query).expect("a scene has fewer than 2^32 queries"));
@@ -116,6 +113,14 @@ fn judge_chunk(given: &Given<'_>, ties: Option<&TieJudge>, budget: Budget, range
         }
     }
     chunk
+}
+
+/// The class of the answer to a query. Where ties are broken, zero agrees with an identity.
+pub(super) fn class(given: &Given<'_>, ties: Option<&TieJudge>, query: usize) -> Class {
+    match given.class(query) {
+        Class::Inconsistent if is_identity(given, ties, query) => Class::Agree,
+        class => class,
+    }
 }
 
 /// Whether a determinant is zero however the scene moves: no tie, but a vertex

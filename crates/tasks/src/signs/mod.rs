@@ -6,6 +6,7 @@
 
 mod axioms;
 mod class;
+mod classes;
 mod constructed;
 mod content;
 mod degeneracy;
@@ -27,6 +28,7 @@ use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Sign};
 use rayon::prelude::*;
 
 pub use class::classify;
+pub use classes::classes;
 pub use content::SignQueries;
 pub use degeneracy::{Histogram, degeneracy};
 pub use truth::truth;
