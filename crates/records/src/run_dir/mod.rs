@@ -14,6 +14,7 @@
 //! The folder says that the run is incomplete until somebody says otherwise.
 
 mod csv_file;
+mod once;
 mod reader;
 mod state;
 mod tables;
