@@ -20,6 +20,18 @@ pub struct Panel<'r> {
     /// How many families any backend was.
     pub of: usize,
     pub marks: Vec<Mark<'r>>,
+    /// What each partial backend did, for all backends that did the same.
+    pub partial: Vec<Partial<'r>>,
+}
+
+/// What a partial backend did, and what it took whom.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Partial<'r> {
+    pub backend: &'r str,
+    /// How many families it did.
+    pub families: usize,
+    /// The geometric means of the times over these very families, in nanoseconds per query, of the backends that did them all.
+    pub ns: BTreeMap<&'r str, f64>,
 }
 
 /// A backend on a task: its speed beside its errors.
@@ -54,34 +66,32 @@ pub fn panels(runs: &[RunDir]) -> Vec<Panel<'_>> {
                 pairs.filter(|pair| errors.get(pair).is_some_and(|of| of.contains_key(backend))).collect()
             };
             let comparison = Comparison::of(order.iter().map(|&backend| (backend, did(backend))).collect());
+            let mean = |backend: &str, pairs: &BTreeSet<Pair>| {
+                let times: Option<Vec<f64>> = pairs.iter().map(|pair| value(&times, pair, backend)).collect();
+                geometric_mean(times?)
+            };
             let mut marks: Vec<Mark> = comparison
                 .each()
                 .filter_map(|(backend, pairs, is_partial)| {
-                    let mean = |backend: &str| {
-                        let times: Option<Vec<f64>> = pairs.iter().map(|pair| value(&times, pair, backend)).collect();
-                        geometric_mean(times?)
-                    };
                     let errors = pairs.iter().filter_map(|pair| value(&errors, pair, backend));
                     let (families, errors) = (pairs.len(), Errors::sum(errors));
-                    let reference = mean(REFERENCE);
-                    Some(Mark {
-                        backend,
-                        is_partial,
-                        families,
-                        errors,
-                        ns: mean(backend)?,
-                        reference,
-                        on_frontier: false,
-                    })
+                    let (ns, reference) = (mean(backend, pairs)?, mean(REFERENCE, pairs));
+                    Some(Mark { backend, is_partial, families, errors, ns, reference, on_frontier: false })
                 })
                 .collect();
+            let partial = comparison.partial.iter().map(|(backend, pairs)| Partial {
+                backend,
+                families: pairs.len(),
+                ns: order.iter().filter_map(|&other| Some((other, mean(other, pairs)?))).collect(),
+            });
+            let partial = partial.collect();
             marks.sort_by_key(|mark| order.iter().position(|backend| *backend == mark.backend));
             for at in 0..marks.len() {
                 let is_beaten = marks.iter().any(|other| !other.is_partial && dominates(other, &marks[at]));
                 marks[at].on_frontier = !marks[at].is_partial && !is_beaten;
             }
             if !marks.is_empty() {
-                panels.push(Panel { run, task, families: comparison.common.len(), of: comparison.of, marks });
+                panels.push(Panel { run, task, families: comparison.common.len(), of: comparison.of, marks, partial });
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::{run_head, run_label};
 use crate::figures::{Mark, panels};
-use crate::groups::REFERENCE;
+use crate::groups::{REFERENCE, backends};
 use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Error, RunDir, scatter};
 use predicament_records::format::{factor, nanoseconds, per_million, significant};
@@ -18,6 +18,10 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
             let alt = "Nanoseconds per query against wrong answers per million queries, a panel for each task";
             blocks.push(Block::Plot { svg, file: "scatter.svg", alt });
             blocks.push(Block::Table(table(runs)));
+            let partial = partial(runs);
+            if !partial.is_empty() {
+                blocks.push(Block::Table(partial));
+            }
         }
     }
     Ok(Section {
@@ -27,8 +31,8 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
             "One mark for each backend and task: the geometric mean of the families' times, and wrong answers per million \
              of their queries, over the families that all compared backends of the panel were checked and timed on; the \
              title says how many of how many these are. Beside it stands {REFERENCE} on the very same families. A \
-             backend that did too few of them is partial: a hollow mark over its own families, to be compared with \
-             {REFERENCE} on these only. The dashed line is the Pareto frontier: of the compared backends, what is above or \
+             backend that did too few of them is partial: a hollow mark over its own families; a table of its own \
+             has all that did the same. The dashed line is the Pareto frontier: of the compared backends, what is above or \
              to the right of it is beaten by one on it. figures.csv, beside this page, has the same figures in full."
         ),
         blocks,
@@ -64,6 +68,30 @@ fn table(runs: &[RunDir]) -> Table {
                 },
             ];
             table.push(run_label(runs, panel.run).into_iter().chain(cells).collect());
+        }
+    }
+    table
+}
+
+/// What each partial backend did, and what that took the others.
+fn partial(runs: &[RunDir]) -> Table {
+    let panels = panels(runs);
+    let does = |backend: &str| panels.iter().flat_map(|panel| &panel.partial).any(|of| of.ns.contains_key(backend));
+    let columns: Vec<&str> = backends(runs).into_iter().filter(|backend| does(backend)).collect();
+    let mut table = Table::new("Partial backends: ns per query over the families that each of them did")
+        .words(run_head(runs))
+        .words(["task", "partial"])
+        .numbers(["families"])
+        .numbers(columns.iter().copied());
+    for panel in &panels {
+        for of in &panel.partial {
+            let families = format!("{} of {}", of.families, panel.of);
+            let cells = [panel.task.into(), of.backend.into(), families.into()].into_iter();
+            let times = columns.iter().map(|backend| match of.ns.get(backend) {
+                None => Cell::from("—").tone(Tone::Muted),
+                Some(&ns) => nanoseconds(ns).into(),
+            });
+            table.push(run_label(runs, panel.run).into_iter().chain(cells).chain(times).collect());
         }
     }
     table

@@ -56,6 +56,8 @@ fn a_backend_that_did_little_is_partial_and_takes_nothing_from_the_others() {
     assert!(page.contains("| exact | 5 of 5 | 1,103,000 | 0 | 0 | 7.53 | 26.2 | 0.29× | yes |"), "{page}");
     // sos over its own two, beside shewchuk over these two: as without the others.
     assert!(page.contains("| sos | 2 of 5 | 1,100,000 | 0 | 0 | 8.83 | 19.4 | 0.45× | partial |"), "{page}");
+    // And beside all others on these two.
+    assert!(page.contains("| 2 | orient2d | sos | 2 of 5 | 6.87 | 8.83 | 1.12 | 19.4 |"), "{page}");
     assert!(page.contains("1,103,012 | 2,000 |  |  |  |  |  |  | 0.45× (partial: 2 pairs) |"), "{page}");
     assert!(
         page.contains("over 5 pairs of task and family that all 3 compared backends did; sos did too few"),
