@@ -10,6 +10,8 @@ mod cpu;
 #[cfg(test)]
 mod house;
 mod m4;
+#[cfg(test)]
+mod sample;
 mod steps;
 
 use std::process::ExitCode;

@@ -13,6 +13,7 @@ mod own_data;
 mod paths;
 #[cfg(feature = "peers")]
 mod peers;
+mod pictures;
 mod runs;
 mod studies;
 mod threads;

@@ -93,8 +93,9 @@ fn a_new_suite_runs_as_it_is() {
 fn every_answer_of_a_run_is_written_where_it_was_asked_for() {
     let folder = tempdir().unwrap();
     let [plain, full, apart] = ["plain", "full", "apart"].map(|name| at(&folder, name));
-    let scenes =
-        ["run", "-f", "kettner-a1$|three-cells|tilings/bricks-3|cubes/twins", "-b", "exact,sos,naive", "--out"];
+    let filter = "kettner-a1$|three-cells|tilings/bricks-3|cubes/twins";
+    // Contradictions between answers would move them to another class in the summary.
+    let scenes = ["run", "-f", filter, "--permutations", "0", "-b", "exact,sos,naive", "--out"];
     run(&[&scenes[..], &[&plain]].concat());
     let told = run(&[&scenes[..], &[&full, "--answers"]].concat());
     assert!(told.stderr.contains("answers.csv has no lines of 1 scenes of cube-union"), "{}", told.stderr);

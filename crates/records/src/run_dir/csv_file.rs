@@ -62,9 +62,9 @@ impl CsvFile {
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Text {
     path: PathBuf,
-    header: StringRecord,
+    pub header: StringRecord,
     /// Each row with its line.
-    rows: Vec<(u64, StringRecord)>,
+    pub rows: Vec<(u64, StringRecord)>,
 }
 
 impl Text {

@@ -16,6 +16,7 @@
 
 mod csv_file;
 mod lock;
+mod once;
 mod reader;
 mod state;
 mod tables;

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use serde::de::DeserializeOwned;
 
 use super::csv_file::{self, Extent};
+use super::once::Pair;
 use super::state::{Outcome, State};
 use super::tables::{Record, TableSpec};
 use super::{ENV, MAPS, PLAN, TABLES};
@@ -37,7 +38,9 @@ pub struct RunDir {
     /// The PNG pictures in `maps/` with their names, sorted.
     pub maps: Vec<(String, Vec<u8>)>,
     /// The tables of single tasks, as text.
-    tables: BTreeMap<String, csv_file::Text>,
+    pub(super) tables: BTreeMap<String, csv_file::Text>,
+    /// Planned pairs of which other folders tell, where folders are read together.
+    pub(super) elsewhere: BTreeSet<Pair>,
     /// What was wrong with the files without making them unreadable.
     pub warnings: Vec<String>,
 }
@@ -85,6 +88,7 @@ impl RunDir {
             stages: read_table(path, &state, &mut warnings)?,
             precision: read_table(path, &state, &mut warnings)?,
             tables: read_others(path, &state, &mut warnings)?,
+            elsewhere: BTreeSet::new(),
             maps: read_maps(&path.join(MAPS))?,
             warnings,
         };
@@ -124,17 +128,21 @@ impl RunDir {
     }
 
     /// The planned pairs of scene and backend that left no summary row, and
-    /// whose task and family were not timed on that backend either; sorted.
+    /// whose task and family were not timed on that backend either; sorted. Of folders that
+    /// were read together, each pair is named at most once, and only if none of them has it.
     #[must_use]
     pub fn not_run(&self) -> Vec<NotRun> {
         let checked: BTreeSet<[&str; 5]> =
             self.summary.iter().map(|r| [&*r.suite, &*r.scene, &*r.scene_id, &*r.task, &*r.backend]).collect();
         let timed: BTreeSet<[&str; 3]> = self.throughput.iter().map(|r| [&*r.task, &*r.family, &*r.backend]).collect();
+        let elsewhere: BTreeSet<[&str; 5]> =
+            self.elsewhere.iter().map(|pair| pair.each_ref().map(String::as_str)).collect();
         let mut missing = Vec::new();
         for scene in &self.plan.scenes {
             for backend in &self.plan.backends {
                 let pair = [&*scene.suite, &*scene.scene, &*scene.scene_id, &*scene.task, &**backend];
-                if !checked.contains(&pair) && !timed.contains(&[&*scene.task, &*scene.family, &**backend]) {
+                let is_told = checked.contains(&pair) || elsewhere.contains(&pair);
+                if !is_told && !timed.contains(&[&*scene.task, &*scene.family, &**backend]) {
                     missing.push(NotRun {
                         suite: scene.suite.clone(),
                         scene: scene.scene.clone(),

@@ -4,13 +4,12 @@ use predicament_judge::TieJudge;
 use predicament_predicates::{Class, Counts};
 use rayon::prelude::*;
 
-use super::judge::{Given, class_by_itself};
+use super::judge::{Given, class};
 use crate::{AnswerLine, Contestant, symbol};
 
 /// The lines of all answers, in query order.
 pub(super) fn lines(given: &Given<'_>, ties: Option<&TieJudge>, backend: &dyn Contestant) -> Vec<AnswerLine> {
-    let classes: Vec<Class> =
-        (0..given.queries.len()).into_par_iter().map(|query| class_by_itself(given, ties, query)).collect();
+    let classes: Vec<Class> = (0..given.queries.len()).into_par_iter().map(|query| class(given, ties, query)).collect();
     let stages = stages(given, backend);
     let line = |(query, (class, stage)): (usize, (Class, &'static str))| AnswerLine {
         query,

@@ -105,7 +105,7 @@ impl Given<'_> {
 fn judge_chunk(given: &Given<'_>, ties: Option<&TieJudge>, budget: Budget, range: std::ops::Range<usize>) -> Chunk {
     let mut chunk = Chunk { counts: ClassCounts::default(), raw: Vec::new(), ties: Vec::new() };
     for query in range {
-        let class = class_by_itself(given, ties, query);
+        let class = class(given, ties, query);
         chunk.counts.add(class, 1);
         if class == Class::TieBroken && ties.is_some() {
             chunk.ties.push(u32::try_from(query).expect("a scene has fewer than 2^32 queries"));
@@ -118,8 +118,8 @@ fn judge_chunk(given: &Given<'_>, ties: Option<&TieJudge>, budget: Budget, range
     chunk
 }
 
-/// The class of an answer without a look at any other.
-pub(super) fn class_by_itself(given: &Given<'_>, ties: Option<&TieJudge>, query: usize) -> Class {
+/// The class of the answer to a query. Where ties are broken, zero agrees with an identity.
+pub(super) fn class(given: &Given<'_>, ties: Option<&TieJudge>, query: usize) -> Class {
     match given.class(query) {
         Class::Inconsistent if is_identity(given, ties, query) => Class::Agree,
         class => class,

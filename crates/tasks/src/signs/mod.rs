@@ -7,6 +7,7 @@
 mod answers;
 mod axioms;
 mod class;
+mod classes;
 mod constructed;
 mod content;
 mod degeneracy;
@@ -28,6 +29,7 @@ use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Sign};
 use rayon::prelude::*;
 
 pub use class::classify;
+pub use classes::classes;
 pub use content::SignQueries;
 pub use degeneracy::{Histogram, degeneracy};
 pub use truth::truth;
