@@ -145,7 +145,8 @@ pub(super) fn read(path: &Path, extent: Extent) -> Result<(Text, Option<String>)
         Extent::Lines => {
             let whole = bytes.iter().rposition(|&b| b == b'\n').map_or(0, |last| last + 1);
             if whole < bytes.len() {
-                warning = Some(Error::new(path, "the last line is cut off and was left out").to_string());
+                let lines = bytes[..whole].iter().filter(|&&b| b == b'\n').count() as u64;
+                warning = Some(Error::at(path, lines + 1, "the last line is cut off and was left out").to_string());
             }
             bytes.truncate(whole);
         }
