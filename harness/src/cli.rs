@@ -1,5 +1,6 @@
 //! The command line, with backends and tasks of other crates.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -10,7 +11,7 @@ use predicament_predicates::{Backend, Question, Scene, Sign, Vertex};
 use predicament_tasks::{Contestant, Entry, Task, TaskList};
 
 use crate::tool::Tool;
-use crate::{cmd, exit};
+use crate::{cmd, exit, out};
 
 /// A differential test harness for geometric predicates.
 ///
@@ -20,12 +21,18 @@ use crate::{cmd, exit};
 #[derive(Parser)]
 #[command(name = "predicament", version, after_help = exit::HELP, propagate_version = true)]
 struct Arguments {
+    /// No notes and no progress on stderr: only errors
+    #[arg(short = 'q', long, global = true)]
+    quiet: bool,
+
     #[command(subcommand)]
     command: Command,
 }
 
 #[derive(Subcommand)]
 enum Command {
+    Ask(cmd::ask::Args),
+    New(cmd::new::Args),
     Run(cmd::run::Args),
     Bench(cmd::bench::Args),
     Report(cmd::report::Args),
@@ -107,13 +114,18 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
         let help = format!("Backends:\n{}", tool.backend_help());
         let matches = Arguments::command()
             .mut_subcommand("run", |run| run.after_help(format!("{help}\n\n{}", cmd::run::EXAMPLES)))
-            .get_matches();
+            .get_matches_from(std::env::args_os().map(point));
         let arguments = match Arguments::from_arg_matches(&matches) {
             Ok(arguments) => arguments,
             Err(error) => error.exit(),
         };
+        if arguments.quiet {
+            out::be_quiet();
+        }
         // A panic of the tool must not leave with the code that says `unexpected pass`.
         let done = predicament_oracle::caught(|| match arguments.command {
+            Command::Ask(args) => cmd::ask::run(&args, &tool),
+            Command::New(args) => cmd::new::run(&args),
             Command::Run(args) => cmd::run::run(args, &tool),
             Command::Bench(args) => cmd::bench::run(args, &tool),
             Command::Report(args) => cmd::report::run(&args, &tool),
@@ -129,6 +141,18 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
             Command::Doctor(args) => cmd::doctor::run(&args, &tool),
         });
         exit::code(done.unwrap_or_else(|broken| Err(exit::Failure::usage(broken))))
+    }
+}
+
+/// A point such as `-1,0` begins like an option and is none: with a bracket it is taken for what it is.
+fn point(word: OsString) -> OsString {
+    let is_point = |text: &str| {
+        let rest = text.strip_prefix('-').unwrap_or_default();
+        rest.starts_with(|c: char| c.is_ascii_digit() || c == '.') && rest.contains(',')
+    };
+    match word.to_str() {
+        Some(text) if is_point(text) => OsString::from(format!("({text})")),
+        _ => word,
     }
 }
 

@@ -13,8 +13,8 @@ use predicament_records::{RunWriter, Shard};
 use predicament_tasks::{Contestant, Entry, Task, TaskList, Watch};
 
 use crate::cmd::replay::point_lines;
-use crate::cmd::run::{budget, env, plan, tables};
 use crate::exit::Failure;
+use crate::planning::{budget, env, plan, tables};
 use crate::rows;
 use crate::select::Selector;
 use crate::tool::Tool;
@@ -176,7 +176,7 @@ impl<B: Backend + 'static, T: TaskList> Conformance<B, T> {
             if row.status.passes() {
                 continue;
             }
-            wrong.push(crate::cmd::run::describe(&row));
+            wrong.push(crate::ledger::describe(&row));
             if let Some(finding) = outcome.findings.first().filter(|_| wrong.len() <= SHOWN) {
                 let id = predicament_tasks::finding_id(&planned.scene_id, &name, finding);
                 let _ = writeln!(shown, "\n{}: got {}, true is {}", finding.query_text(), finding.got, finding.truth);

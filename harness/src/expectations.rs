@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use predicament_oracle::expect::Expectations;
+use predicament_corpus::Suite;
+use predicament_oracle::expect::{Expectations, Known, Unused};
+use predicament_records::Plan;
 
 use crate::exit::{CORPUS, Failure};
 use crate::tool::Tool;
@@ -28,4 +30,29 @@ fn read(file: &Path) -> Result<Expectations, Failure> {
         Failure::usage(format!("{}: {error}; give a readable TOML file with --expected", file.display()))
     })?;
     Expectations::parse(file, &text).map_err(|message| Failure { message, code: CORPUS })
+}
+
+/// The expectations that the run of this plan has not put to the test.
+pub fn unused(expected: &Expectations, tool: &Tool, plan: &Plan) -> Result<Unused, Failure> {
+    let library = tool.library()?;
+    let mut scenes: Vec<(String, String)> = Vec::new();
+    let mut add = |suite: &Suite| {
+        scenes.extend(suite.scenes.iter().map(|def| (def.suite.clone(), def.name.clone())));
+    };
+    library.suites().iter().chain(&tool.own_suites()?).for_each(&mut add);
+    // All scenes of a suite that was named by file, also those that a filter left out.
+    for file in plan.paths.values().filter(|file| Path::new(file).exists()) {
+        add(&library.suite(file)?);
+    }
+    let planned: Vec<(String, String)> =
+        plan.scenes.iter().map(|scene| (scene.suite.clone(), scene.scene.clone())).collect();
+    scenes.extend(planned.iter().cloned());
+    let known = Known {
+        scenes: &scenes,
+        planned: &planned,
+        backend: &|name| plan.backends.iter().any(|planned| planned == name) || tool.knows_backend(name),
+        backends: &plan.backends,
+        level: &plan.level.to_string(),
+    };
+    Ok(expected.unused(&known))
 }

@@ -11,7 +11,7 @@ pub fn listen() {
         if STOP.swap(true, Ordering::SeqCst) {
             std::process::exit(i32::from(crate::exit::INCOMPLETE));
         }
-        eprintln!("\npredicament: stopping; what is done is kept (again to stop at once)");
+        eprintln!("\n{}: stopping; what is done is kept (again to stop at once)", crate::out::program());
     });
     if let Err(error) = installed {
         eprintln!("{}: Ctrl-C will not be caught: {error}", crate::out::program());

@@ -9,6 +9,7 @@ use std::path::Path;
 use std::fmt::Arguments;
 use std::io::{ErrorKind, Write};
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 static FAILED: Mutex<Option<std::io::Error>> = Mutex::new(None);
 
@@ -37,6 +38,27 @@ macro_rules! say {
 /// Prints to stdout, without the end of a line.
 macro_rules! say_text {
     ($($arg:tt)*) => { $crate::out::print(format_args!($($arg)*)) };
+}
+
+static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// From now on no notes and no progress: only what was asked for, and errors.
+pub fn be_quiet() {
+    QUIET.store(true, Ordering::Relaxed);
+}
+
+/// Whether notes and progress are unwanted.
+pub fn is_quiet() -> bool {
+    QUIET.load(Ordering::Relaxed)
+}
+
+/// Prints a note to stderr, unless notes are unwanted.
+macro_rules! note {
+    ($($arg:tt)*) => {
+        if !$crate::out::is_quiet() {
+            eprintln!("{}: {}", $crate::out::program(), format_args!($($arg)*));
+        }
+    };
 }
 
 /// The name by which the tool was called, for lines that say what to type next.

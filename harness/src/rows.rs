@@ -4,9 +4,9 @@ use predicament_exact::Precision;
 use predicament_oracle::expect::Expectations;
 use predicament_predicates::PredicateKind;
 use predicament_records::{
-    Error, FindingRow, PlannedScene, PrecisionRow, RunWriter, SampledRow, StageRow, Status, SummaryRow,
+    AnswerRow, Error, FindingRow, PlannedScene, PrecisionRow, RunWriter, SampledRow, StageRow, Status, SummaryRow,
 };
-use predicament_tasks::{Class, ClassCounts, Finding, Outcome, finding_id};
+use predicament_tasks::{AnswerLine, Class, ClassCounts, Finding, Outcome, finding_id, ids};
 
 use crate::judged::JudgedRow;
 
@@ -25,6 +25,9 @@ pub fn record(
     writer.write(&stages(scene, backend, outcome))?;
     writer.append(&outcome.rows)?;
     writer.write(&JudgedRow::of(scene, backend, outcome))?;
+    if !outcome.answers.is_empty() {
+        writer.write(&answers(scene, backend, outcome))?;
+    }
     let sampled = outcome.sampled.iter().map(|truth_of| SampledRow::new(scene, backend, truth_of));
     writer.write(&sampled.collect::<Vec<_>>())?;
     Ok(summary)
@@ -84,6 +87,24 @@ pub fn finding(scene: &PlannedScene, backend: &str, finding: &Finding, finding_i
         distance_over_l: finding.distance_over_l,
         stage: finding.stage.unwrap_or_default().to_owned(),
     }
+}
+
+/// The rows of all answers.
+fn answers(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<AnswerRow> {
+    let row = |line: &AnswerLine| AnswerRow {
+        suite: scene.suite.clone(),
+        scene: scene.scene.clone(),
+        scene_id: scene.scene_id.clone(),
+        task: scene.task.clone(),
+        query: line.query as u64,
+        args: ids(&line.args),
+        backend: backend.to_owned(),
+        answer: line.answer.clone(),
+        exact: line.exact.clone(),
+        class: line.class,
+        stage: line.stage.to_owned(),
+    };
+    outcome.answers.iter().map(row).collect()
 }
 
 /// The rows of the stages that settled something.

@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use predicament_corpus::{Level, LoadedScene, SceneDef, SeenIds, Suite};
-use predicament_formats::{Cache, CorpusError, ErrorKind};
+use predicament_formats::{Cache, CorpusError, ErrorKind, hex};
 use predicament_records::{NotSelected, PlannedScene, Shard};
 use regex::Regex;
+use sha2::{Digest, Sha256};
 
 use crate::exit::{CORPUS, Failure, USAGE};
 use crate::out::program;
@@ -141,6 +142,12 @@ impl Selection {
     /// The files of the suites that were named by path.
     pub fn paths(&self) -> BTreeMap<String, String> {
         self.paths.clone()
+    }
+
+    /// The SHA-256 of these files. One that has gone since it was read has none.
+    pub fn hashes(&self) -> BTreeMap<String, String> {
+        let hash = |path: &String| std::fs::read(path).ok().map(|bytes| hex(&Sha256::digest(bytes)));
+        self.paths.iter().filter_map(|(suite, path)| Some((suite.clone(), hash(path)?))).collect()
     }
 
     /// Loads one scene.

@@ -102,6 +102,16 @@ impl Tool {
         })
     }
 
+    /// Whether there is a backend with this name. None is started.
+    pub fn knows_backend(&self, name: &str) -> bool {
+        self.own_backends.iter().any(|own| own == name) || roster::knows(name)
+    }
+
+    /// Whether a backend is one that the tool's maker has added.
+    pub fn is_own(&self, name: &str) -> bool {
+        self.own_backends.iter().any(|own| own == name)
+    }
+
     /// The backends named by `-b`, or all that run by default; each once.
     pub fn pick(&self, names: &[String]) -> Result<Vec<Box<dyn Contestant>>, Failure> {
         let default = || self.own_backends.iter().map(String::as_str).chain(roster::DEFAULT.iter().copied());

@@ -1,30 +1,41 @@
-//! Runs a scene on a backend in a process of its own, which a time limit can end.
+//! Runs a scene on a backend in a process of its own, which a time limit, or its own end, cannot take the run with.
 //!
-//! An algorithm that runs on a whole scene looks at no clock. Under a time limit
-//! it runs where it can be ended: in another process of the same program, whose
+//! A backend of somebody else may loop for ever, overflow its stack, abort or ask
+//! for all memory; an algorithm that runs on a whole scene looks at no clock. Both
+//! run where they can be ended: in another process of the same program, whose
 //! run folder is read back.
 
 use std::fs::File;
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
+use predicament_corpus::Level;
 use predicament_records::{FindingRow, PlannedScene, Record, RunDir, StageRow, Status, SummaryRow};
 use predicament_tasks::{Class, Finding, finding_id};
 
-use crate::cmd::run::{Args, tables};
 use crate::exit::{Failure, OK, UNEXPECTED, UNEXPECTED_PASS};
 use crate::interrupt;
+use crate::planning::tables_with;
 use crate::tool::Tool;
+
+/// The codes of a worker that has done its work.
+const FINE: [u8; 3] = [OK, UNEXPECTED, UNEXPECTED_PASS];
 
 /// The scene, suite and time limit of a worker.
 pub struct Worker<'a> {
-    pub args: &'a Args,
+    pub permutations: Option<usize>,
+    pub threads: Option<usize>,
+    pub cache: Option<&'a Path>,
     /// The suite, by name or file.
     pub suite: String,
     pub scene: &'a PlannedScene,
-    pub limit: Duration,
+    /// None where nothing but Ctrl-C ends it.
+    pub limit: Option<Duration>,
+    pub level: Level,
+    /// Whether every answer is written.
+    pub answers: bool,
 }
 
 /// The rows that a worker has left.
@@ -33,12 +44,14 @@ pub struct Found {
     pub findings: Vec<FindingRow>,
     pub stages: Vec<StageRow>,
     pub more: Vec<Record>,
+    /// Pictures with their names.
+    pub maps: Vec<(String, Vec<u8>)>,
 }
 
 /// How a worker came to its end.
 enum End {
-    Exit(Option<i32>),
-    Limit,
+    Exit(Option<ExitStatus>),
+    Limit(Duration),
     Interrupt,
 }
 
@@ -54,20 +67,21 @@ impl Worker<'_> {
         let mut child = self.command(backend, &run, stderr)?;
         let found = match self.wait(&mut child) {
             End::Interrupt => None,
-            End::Limit => {
-                let said = format!("took longer than {:?}", self.limit);
-                Some(self.fate(backend, Class::Timeout, "time limit", said))
+            End::Limit(limit) => {
+                Some(self.fate(backend, Class::Timeout, "time limit", format!("took longer than {limit:?}")))
             }
-            End::Exit(Some(code)) if [OK, UNEXPECTED, UNEXPECTED_PASS].map(i32::from).contains(&code) => {
+            // Ctrl-C reaches both processes; the other one may have ended before this one looked.
+            End::Exit(_) if interrupt::flag().load(Ordering::Relaxed) => None,
+            End::Exit(Some(status)) if FINE.map(|code| Some(i32::from(code))).contains(&status.code()) => {
                 let dir = RunDir::open(&run).map_err(Failure::usage)?;
-                let more = tables(tool).into_iter().flat_map(|table| dir.records(table)).collect();
-                Some(Found { summary: dir.summary, findings: dir.findings, stages: dir.stages, more })
+                let more = tables_with(tool, self.answers).into_iter().flat_map(|table| dir.records(table)).collect();
+                let RunDir { summary, findings, stages, maps, .. } = dir;
+                Some(Found { summary, findings, stages, more, maps })
             }
-            End::Exit(code) => {
-                let said = std::fs::read_to_string(&errors).unwrap_or_default();
-                let last = said.lines().last().unwrap_or("without a word").to_owned();
-                let code = code.map_or_else(|| "a signal".to_owned(), |code| format!("code {code}"));
-                Some(self.fate(backend, Class::Panic, "process", format!("ended with {code}: {last}")))
+            End::Exit(status) => {
+                let said = std::fs::read(&errors).unwrap_or_default();
+                let (check, message) = death(status, &String::from_utf8_lossy(&said));
+                Some(self.fate(backend, Class::Panic, check, message))
             }
         };
         let _ = std::fs::remove_dir_all(&folder);
@@ -78,19 +92,25 @@ impl Worker<'_> {
         let program = std::env::current_exe().map_err(|error| Failure::usage(format!("this program: {error}")))?;
         let mut command = Command::new(program);
         let filter = format!("^{}$", regex::escape(&format!("{}/{}", self.scene.suite, self.scene.scene)));
-        command.args(["run", &self.suite, "-f", &filter, "-b", backend]);
-        command.args(["--level", self.args.selector.level.name()]).arg("--out").arg(run);
-        if let Some(permutations) = self.args.permutations {
+        command.args(["--quiet", "run", &self.suite, "-f", &filter, "-b", backend]);
+        command.args(["--level", self.level.name(), "--isolate", "never"]).arg("--out").arg(run);
+        if self.answers {
+            command.arg("--answers");
+        }
+        if let Some(permutations) = self.permutations {
             command.args(["--permutations", &permutations.to_string()]);
         }
-        if let Some(threads) = self.args.threads {
+        if let Some(threads) = self.threads {
             command.args(["--threads", &threads.to_string()]);
         }
-        if let Some(cache) = &self.args.selector.cache {
+        if let Some(cache) = self.cache {
             command.arg("--cache").arg(cache);
         }
         command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(stderr);
-        command.spawn().map_err(|error| Failure::usage(format!("a worker did not start: {error}")))
+        let child = command.spawn().map_err(|error| Failure::usage(format!("a worker did not start: {error}")))?;
+        // Where memory runs out, Linux ends this process first. Elsewhere there is no such file.
+        let _ = std::fs::write(format!("/proc/{}/oom_score_adj", child.id()), "1000");
+        Ok(child)
     }
 
     /// Waits for the end, and makes one where the time is over.
@@ -98,13 +118,15 @@ impl Worker<'_> {
         let start = Instant::now();
         loop {
             let end = match child.try_wait() {
-                Ok(Some(status)) => return End::Exit(status.code()),
+                Ok(Some(status)) => return End::Exit(Some(status)),
                 Ok(None) if interrupt::flag().load(Ordering::Relaxed) => End::Interrupt,
-                Ok(None) if start.elapsed() > self.limit => End::Limit,
-                Ok(None) => {
-                    std::thread::sleep(Duration::from_millis(2));
-                    continue;
-                }
+                Ok(None) => match self.limit.filter(|limit| start.elapsed() > *limit) {
+                    Some(limit) => End::Limit(limit),
+                    None => {
+                        std::thread::sleep(Duration::from_millis(2));
+                        continue;
+                    }
+                },
                 Err(_) => End::Exit(None),
             };
             let _ = child.kill();
@@ -120,6 +142,40 @@ impl Worker<'_> {
         let mut summary = SummaryRow::new(scene, backend, scene.queries, Status::Unexpected);
         *summary.count_mut(class) = 1;
         let finding = crate::rows::finding(scene, backend, &finding, finding_id(&scene.scene_id, backend, &finding));
-        Found { summary: vec![summary], findings: vec![finding], stages: Vec::new(), more: Vec::new() }
+        Found {
+            summary: vec![summary],
+            findings: vec![finding],
+            stages: Vec::new(),
+            more: Vec::new(),
+            maps: Vec::new(),
+        }
     }
+}
+
+/// What a worker died of: the name of the check, and what is known.
+fn death(status: Option<ExitStatus>, said: &str) -> (&'static str, String) {
+    let lines: Vec<&str> = said.lines().filter(|line| !line.trim().is_empty()).collect();
+    if let Some(line) = lines.iter().find(|line| line.starts_with("memory allocation of ")) {
+        return ("out of memory", (*line).to_owned());
+    }
+    if let Some(line) = lines.iter().find(|line| line.contains("has overflowed its stack")) {
+        return ("crashed", line.trim().to_owned());
+    }
+    let last = lines.last().copied().unwrap_or("without a word");
+    #[cfg(unix)]
+    if let Some(signal) = status.and_then(|status| std::os::unix::process::ExitStatusExt::signal(&status)) {
+        // Nobody but the system sends this one, where memory runs out.
+        let (check, name) = match signal {
+            9 => ("out of memory", "killed by the system"),
+            6 => ("crashed", "abort"),
+            11 => ("crashed", "segmentation fault"),
+            _ => ("crashed", "signal"),
+        };
+        return (check, format!("{name} (signal {signal}): {last}"));
+    }
+    let code = status.and_then(|status| status.code());
+    (
+        "crashed",
+        format!("ended with code {}: {last}", code.map_or_else(|| "unknown".to_owned(), |code| code.to_string())),
+    )
 }

@@ -5,7 +5,7 @@
 
 use std::path::Path;
 
-use globset::{Glob, GlobSet, GlobSetBuilder};
+use globset::{Glob, GlobMatcher, GlobSet, GlobSetBuilder};
 use serde::Deserialize;
 use serde_spanned::Spanned;
 
@@ -30,6 +30,40 @@ pub struct Expectation {
 #[derive(Clone, Default, Debug)]
 pub struct Expectations {
     entries: Vec<Expectation>,
+    tables: Vec<Written>,
+}
+
+/// A table as it was written, to be held against what there is.
+#[derive(Clone, Debug)]
+struct Written {
+    /// `file:line`.
+    place: String,
+    scenes: Vec<(String, GlobMatcher)>,
+    backends: Vec<String>,
+    level: Option<String>,
+}
+
+/// What a tool and a run have that expectations can be about.
+pub struct Known<'a> {
+    /// Every scene that the tool knows, by suite and name.
+    pub scenes: &'a [(String, String)],
+    /// The scenes that were planned.
+    pub planned: &'a [(String, String)],
+    /// Whether there is a backend with this name.
+    pub backend: &'a dyn Fn(&str) -> bool,
+    /// The backends that were planned.
+    pub backends: &'a [String],
+    /// The level of the run.
+    pub level: &'a str,
+}
+
+/// Expectations that a run has not put to the test.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Unused {
+    /// Those that no run of this tool can: they name a scene or backend that is not there. One line each.
+    pub never: Vec<String>,
+    /// Those that this run's selection leaves out, by place.
+    pub here: Vec<String>,
 }
 
 #[derive(Deserialize)]
@@ -66,14 +100,16 @@ impl Names {
     }
 }
 
-fn globs(patterns: &[String]) -> Result<GlobSet, String> {
+fn globs(patterns: &[String]) -> Result<(GlobSet, Vec<(String, GlobMatcher)>), String> {
     let mut set = GlobSetBuilder::new();
+    let mut each = Vec::new();
     for pattern in patterns {
         // globset's own message repeats the pattern.
         let glob = Glob::new(pattern).map_err(|error| format!("{error}; write e.g. `near-*`"))?;
+        each.push((pattern.clone(), glob.compile_matcher()));
         set.add(glob);
     }
-    set.build().map_err(|error| format!("the globs of `scene`: {error}"))
+    Ok((set.build().map_err(|error| format!("the globs of `scene`: {error}"))?, each))
 }
 
 impl Expectations {
@@ -91,12 +127,18 @@ impl Expectations {
                 error.message().replace('\n', " ")
             )
         })?;
-        let mut entries = Vec::new();
+        let (mut entries, mut tables) = (Vec::new(), Vec::new());
         for table in parsed.expect {
             let line = line_of(table.span().start);
             let table = table.into_inner();
             let fail = |message: String| format!("{}:{line}: {message}", file.display());
-            let scenes = globs(table.scene.list()).map_err(fail)?;
+            let (scenes, each) = globs(table.scene.list()).map_err(fail)?;
+            tables.push(Written {
+                place: format!("{}:{line}", file.display()),
+                scenes: each,
+                backends: table.backend.list().to_vec(),
+                level: table.level.clone(),
+            });
             if table.reason.trim().is_empty() {
                 return Err(fail("the reason is empty; say why this is expected".to_owned()));
             }
@@ -120,14 +162,46 @@ impl Expectations {
                 }
             }
         }
-        Ok(Expectations { entries })
+        Ok(Expectations { entries, tables })
     }
 
     /// These expectations and others.
     #[must_use]
     pub fn and(mut self, others: Expectations) -> Expectations {
         self.entries.extend(others.entries);
+        self.tables.extend(others.tables);
         self
+    }
+
+    /// The expectations that a run has not put to the test: because what they name is not there, or
+    /// because of what was selected.
+    #[must_use]
+    pub fn unused(&self, known: &Known<'_>) -> Unused {
+        let mut unused = Unused::default();
+        for table in &self.tables {
+            let matches = |glob: &GlobMatcher, (suite, scene): &(String, String)| {
+                glob.is_match(scene) || glob.is_match(format!("{suite}/{scene}"))
+            };
+            let before = unused.never.len();
+            for name in table.backends.iter().filter(|name| !(known.backend)(name)) {
+                unused.never.push(format!("{}: no backend is called `{name}`; correct or drop it", table.place));
+            }
+            for (pattern, glob) in &table.scenes {
+                if !known.scenes.iter().any(|scene| matches(glob, scene)) {
+                    unused.never.push(format!(
+                        "{}: no scene is called `{pattern}`; correct or drop it, or name its suite in the run",
+                        table.place
+                    ));
+                }
+            }
+            let level = table.level.as_deref().is_none_or(|level| level == known.level);
+            let backend = table.backends.iter().any(|name| known.backends.contains(name));
+            let scene = || known.planned.iter().any(|scene| table.scenes.iter().any(|(_, glob)| matches(glob, scene)));
+            if unused.never.len() == before && !(level && backend && scene()) {
+                unused.here.push(table.place.clone());
+            }
+        }
+        unused
     }
 
     /// The entries that speak about one row.

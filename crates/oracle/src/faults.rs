@@ -7,6 +7,7 @@
 mod catches;
 mod colliding;
 mod contacts;
+mod deadly;
 mod ties;
 
 use predicament_arithmetic::{Fixed, Plan, units};
@@ -23,6 +24,8 @@ use predicament_tolerance::Tolerance;
 use predicament_judge::TieJudge;
 
 use crate::roster::Visit;
+
+pub use deadly::Deadly;
 
 /// One way to be wrong.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -199,6 +202,10 @@ impl Fault {
 
 /// Finds the faulty backend with this name and hands it over; gives the visitor back where there is none.
 pub(crate) fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, V> {
+    if let Some(deadly) = Deadly::ALL.into_iter().find(|deadly| deadly.name() == name) {
+        // Until it strikes, it is as right as exact.
+        return Ok(visitor.visit(Faulty { fault: Fault::ContactsOneSided, deadly: Some(deadly) }, None));
+    }
     let Some(fault) = Fault::ALL.into_iter().find(|fault| fault.name() == name) else { return Err(visitor) };
     Ok(match fault {
         Fault::ContactsEndlessEdge | Fault::ContactsOneSided => visitor.visit(contacts::Faulty::exact(fault), None),
@@ -211,24 +218,27 @@ pub(crate) fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, V> {
                 let judge: Box<TieJudge> = Box::new(|scene, question, args| {
                     infinitesimal::judge(Scheme::PerCoordinate, scene, question, args)
                 });
-                visitor.visit(Faulty(fault), Some(judge))
+                visitor.visit(Faulty { fault, deadly: None }, Some(judge))
             }
-            ZeroMeaning::Exact | ZeroMeaning::Band => visitor.visit(Faulty(fault), None),
+            ZeroMeaning::Exact | ZeroMeaning::Band => visitor.visit(Faulty { fault, deadly: None }, None),
         },
     })
 }
 
-struct Faulty(Fault);
+struct Faulty {
+    fault: Fault,
+    deadly: Option<Deadly>,
+}
 
 impl Backend for Faulty {
     type Session<'s, T: Tally + 's> = Session<'s>;
 
     fn name(&self) -> String {
-        format!("fault:{}", self.0.name())
+        format!("fault:{}", self.deadly.map_or(self.fault.name(), Deadly::name))
     }
 
     fn contract(&self, kind: PredicateKind) -> Contract {
-        match self.0.poses_as() {
+        match self.fault.poses_as() {
             ZeroMeaning::Band => Tolerance.contract(kind),
             zero => Contract { zero, proved: false },
         }
@@ -240,19 +250,20 @@ impl Backend for Faulty {
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, _: T) -> Result<Session<'s>, Declined> {
         // Nobody is better at declining than what it poses as.
-        let tolerance = match self.0.poses_as() {
+        let tolerance = match self.fault.poses_as() {
             ZeroMeaning::Band => Some(Tolerance.prepare(scene, Off)?),
             // The terms that are tampered with are those of input vertices.
             ZeroMeaning::Never => Sos { scheme: Scheme::EdelsbrunnerMucke }.prepare(scene, Off).map(|_| None)?,
             ZeroMeaning::Exact => None,
         };
         let adaptive = Shewchuk.prepare(scene, Off)?;
-        Ok(Session { fault: self.0, adaptive, exact: Exact.prepare(scene, Off)?, tolerance })
+        Ok(Session { fault: self.fault, deadly: self.deadly, adaptive, exact: Exact.prepare(scene, Off)?, tolerance })
     }
 }
 
 struct Session<'s> {
     fault: Fault,
+    deadly: Option<Deadly>,
     adaptive: <Shewchuk as Backend>::Session<'s, Off>,
     exact: predicament_exact::Session<'s, Off>,
     tolerance: Option<predicament_tolerance::Session<'s, Off>>,
@@ -260,6 +271,9 @@ struct Session<'s> {
 
 impl Session<'_> {
     fn answer<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
+        if let Some(deadly) = self.deadly {
+            deadly.strike(question);
+        }
         let exact = question.ask(&self.exact, &args);
         match self.fault {
             Fault::CompareGreaterOnTies if question.kind() == PredicateKind::Compare => {

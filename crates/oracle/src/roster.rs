@@ -95,6 +95,22 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, String> {
     })
 }
 
+/// Whether there is a backend with this name. Crates of the feature `peers` count whether they are built in or not;
+/// an engine is there if its configuration is, and is not started.
+#[must_use]
+pub fn knows(name: &str) -> bool {
+    struct Nothing;
+    impl Visit for Nothing {
+        type Out = ();
+
+        fn visit<B: Backend + 'static>(self, _: B, _: Option<Box<TieJudge>>) {}
+    }
+    match name.strip_prefix(predicament_engines::PREFIX) {
+        Some(engine) => predicament_engines::find(engine).is_ok(),
+        None => WILD.contains(&name) || visit(name, Nothing).is_ok(),
+    }
+}
+
 /// The backend with this name, on the built-in tasks.
 ///
 /// # Errors

@@ -22,8 +22,19 @@ pub struct Env {
     pub compiled_features: Vec<String>,
     /// The features that the processor has, of those that matter here.
     pub detected_features: Vec<String>,
-    /// Compiler flags beyond the release profile; none where unknown.
+    /// The profile that the tool was built with and the flags given to the compiler; none where unknown.
     pub opt_flags: Option<String>,
+    /// The commit that the tool was built from; none where it was built outside of its repository, and in folders made
+    /// before it was written down.
+    #[serde(default)]
+    pub commit: Option<String>,
+    /// Whether the files that the tool was built from differed from that commit; none where that is none.
+    #[serde(default)]
+    pub dirty: Option<bool>,
+    /// How the system chose the frequency of the first core when the run began, such as `performance`; none where it
+    /// doesn't tell.
+    #[serde(default)]
+    pub governor: Option<String>,
     /// Whether debug assertions were compiled in: such timings are worthless.
     pub debug_assertions: bool,
     /// The version of the tool.
@@ -36,7 +47,7 @@ pub struct Env {
 
 impl Env {
     /// What can be found out from inside the process. What it can't know is
-    /// left empty, to be filled in: the compiler, its flags, and the peers.
+    /// left empty, to be filled in: the compiler, its flags, the commit, and the peers.
     #[must_use]
     pub fn collect(package_version: &str) -> Env {
         Env {
@@ -47,12 +58,24 @@ impl Env {
             compiled_features: names(&compiled()),
             detected_features: names(&detected()),
             opt_flags: None,
+            commit: None,
+            dirty: None,
+            governor: std::fs::read_to_string(GOVERNOR).ok().and_then(|text| trimmed(&text)),
             debug_assertions: cfg!(debug_assertions),
             package_version: package_version.to_owned(),
             command_line: std::env::args_os().map(|arg| arg.to_string_lossy().into_owned()).collect(),
             peers: BTreeMap::new(),
         }
     }
+}
+
+/// Where Linux says how it chooses the frequency of the first core.
+const GOVERNOR: &str = "/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor";
+
+/// A line without its end; none if nothing is left.
+fn trimmed(line: &str) -> Option<String> {
+    let line = line.trim();
+    (!line.is_empty()).then(|| line.to_owned())
 }
 
 /// The first `model name` of a Linux `/proc/cpuinfo`.
@@ -111,6 +134,20 @@ mod tests {
         let env = Env { rustc: Some("rustc 1.89.0".to_owned()), ..Env::collect("0.1.0") };
         let json = serde_json::to_string(&env).unwrap();
         assert_eq!(serde_json::from_str::<Env>(&json).unwrap(), env);
+        let built =
+            Env { commit: Some("abc".to_owned()), dirty: Some(true), governor: trimmed("powersave\n"), ..env.clone() };
+        let json = serde_json::to_string(&built).unwrap();
+        assert!(json.contains(r#""commit":"abc","dirty":true,"governor":"powersave""#), "{json}");
+        assert_eq!(serde_json::from_str::<Env>(&json).unwrap(), built);
         assert!(env.compiled_features.iter().all(|f| env.detected_features.contains(f)));
+    }
+
+    #[test]
+    fn folders_made_before_the_commit_was_written_down_are_read() {
+        let old = std::fs::read_to_string("../tasks/tests/data/checked/env.json").unwrap();
+        assert!(!old.contains("commit"));
+        let env: Env = serde_json::from_str(&old).unwrap();
+        assert_eq!((env.commit, env.dirty, env.governor), (None, None, None));
+        assert_eq!(trimmed(" \n"), None);
     }
 }

@@ -13,21 +13,25 @@
 //! * [`Plan`] and [`Env`] say what was to be done, and where.
 //! * [`junit`] is what build servers read.
 
+mod answers;
 mod env;
 mod error;
 pub mod format;
 mod junit;
 mod plan;
+mod replace;
 mod rows;
 mod run_dir;
 mod sampled;
 mod stats;
 
+pub use answers::AnswerRow;
 pub use env::Env;
 pub use error::Error;
 pub use junit::junit;
 pub use plan::{FORMAT, Level, NotSelected, Plan, PlannedScene, Shard};
 pub use predicament_predicates::{Class, Status};
+pub use replace::replace;
 pub use rows::{FindingRow, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
 pub use run_dir::{NotRun, Outcome, Record, RunDir, RunWriter, TableSpec};
 pub use sampled::SampledRow;

@@ -143,6 +143,12 @@ pub struct Plan {
     /// The files of suites that were named by path, by the suites' names.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub paths: BTreeMap<String, String>,
+    /// The SHA-256 of those files, in hex digits.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub hashes: BTreeMap<String, String>,
+    /// Whether every answer is written to `answers.csv`.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub answers: bool,
     /// The scenes of this shard, in the order in which they will be run.
     pub scenes: Vec<PlannedScene>,
     /// The backends' names, with their parameters.

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::{RunDir, Spread, SummaryRow};
+use crate::{Class, RunDir, Spread, SummaryRow};
 use predicament_records::geometric_mean;
 
 /// The control that every time is compared with: Shewchuk's adaptive
@@ -12,53 +12,123 @@ pub const REFERENCE: &str = "shewchuk";
 /// Task, family, backend.
 pub type Key<'r> = [&'r str; 3];
 
-/// Questions and wrong answers.
+/// Task and family: the least that backends are compared on.
+pub type Pair<'r> = [&'r str; 2];
+
+/// What is known of each backend, by task and family.
+pub type ByPair<'r, T> = BTreeMap<Pair<'r>, BTreeMap<&'r str, T>>;
+
+/// Questions, wrong answers and failed checks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Errors {
     pub queries: u64,
     pub wrong: u64,
+    /// Failed checks of whole scenes, panics and timeouts.
+    pub failed: u64,
 }
 
 impl Errors {
+    /// Adds what one row counts.
     pub fn add(&mut self, row: &SummaryRow) {
         self.queries += row.queries;
         self.wrong += row.wrong();
+        self.failed +=
+            [Class::Topology, Class::Panic, Class::Timeout].map(|class| row.count(class)).iter().sum::<u64>();
+    }
+
+    /// The sum of several.
+    pub fn sum(all: impl IntoIterator<Item = Errors>) -> Errors {
+        all.into_iter().fold(Errors::default(), |a, b| Errors {
+            queries: a.queries + b.queries,
+            wrong: a.wrong + b.wrong,
+            failed: a.failed + b.failed,
+        })
+    }
+
+    /// Whether there was no mistake.
+    pub fn is_right(&self) -> bool {
+        self.wrong == 0 && self.failed == 0
     }
 }
 
-/// The errors of all runs together. Scenes without a family in the plan are left out.
-pub fn errors(runs: &[RunDir]) -> BTreeMap<Key<'_>, Errors> {
-    let mut errors: BTreeMap<Key, Errors> = BTreeMap::new();
-    for run in runs {
-        let families = run.plan.families();
-        for row in run.summary.iter().filter(|row| row.has_answers()) {
-            if let Some(family) = families.get(&[&*row.suite, &*row.scene, &*row.scene_id, &*row.task]) {
-                errors.entry([&row.task, family, &row.backend]).or_default().add(row);
-            }
+/// The errors of the answers to the scenes that these runs have planned, wherever they were judged: of each family, of the
+/// backends that answered every scene of it that any backend answered.
+pub fn answered<'r>(runs: &'r [RunDir], planned: &[&'r RunDir]) -> ByPair<'r, Errors> {
+    let families: BTreeMap<_, _> = planned.iter().flat_map(|run| run.plan.families()).collect();
+    let mut found: ByPair<(BTreeSet<[&str; 3]>, Errors)> = BTreeMap::new();
+    for row in runs.iter().flat_map(|run| &run.summary).filter(|row| row.has_answers()) {
+        if let Some(family) = families.get(&[&*row.suite, &*row.scene, &*row.scene_id, &*row.task]) {
+            let (scenes, errors) = found.entry([&row.task, family]).or_default().entry(&row.backend).or_default();
+            scenes.insert([&*row.suite, &*row.scene, &*row.scene_id]);
+            errors.add(row);
         }
     }
-    errors
+    let whole = |backends: BTreeMap<&'r str, (BTreeSet<[&str; 3]>, Errors)>| {
+        let all = backends.values().flat_map(|(scenes, _)| scenes).collect::<BTreeSet<_>>().len();
+        let whole = backends.iter().filter(|(_, (scenes, _))| scenes.len() == all);
+        whole.map(|(&backend, &(_, errors))| (backend, errors)).collect()
+    };
+    found.into_iter().map(|(pair, backends)| (pair, whole(backends))).collect()
 }
 
 /// The time of one query on one backend.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Timing<'r> {
-    /// Nanoseconds per query.
+    /// Nanoseconds per query: the ends over all samples; in the middle the median of a scene's samples, or
+    /// of several scenes the geometric mean of their medians.
     pub spread: Spread,
+    /// How many scenes were timed.
+    pub scenes: usize,
     /// The engine's version, or versions.
     pub versions: BTreeSet<&'r str>,
 }
 
-/// The timings of one run.
-pub fn timings(run: &RunDir) -> BTreeMap<Key<'_>, Timing<'_>> {
-    let mut samples: BTreeMap<Key, (Vec<f64>, BTreeSet<&str>)> = BTreeMap::new();
-    for row in &run.throughput {
-        let (times, versions) = samples.entry([&row.task, &row.family, &row.backend]).or_default();
-        times.push(row.ns_per_query);
-        versions.insert(&row.engine_version);
+/// Samples of one backend on one family.
+#[derive(Default)]
+struct Samples<'r> {
+    scenes: Vec<Vec<f64>>,
+    last: Option<u64>,
+    versions: BTreeSet<&'r str>,
+}
+
+impl<'r> Samples<'r> {
+    fn timing(self) -> Option<Timing<'r>> {
+        let all = Spread::of(self.scenes.iter().flatten().copied())?;
+        let medians = self.scenes.iter().filter_map(|samples| Some(Spread::of(samples.iter().copied())?.median));
+        let median = if self.scenes.len() == 1 { all.median } else { geometric_mean(medians)? };
+        Some(Timing { spread: Spread { median, ..all }, scenes: self.scenes.len(), versions: self.versions })
     }
-    let timing = |(key, (times, versions))| Some((key, Timing { spread: Spread::of(times)?, versions }));
-    samples.into_iter().filter_map(timing).collect()
+}
+
+/// The timings of one run. Its rows stand in the order in which they were measured: where the number of the sample starts
+/// again, a family has another scene. Scenes take different times and numbers of samples, so that a
+/// median over all of them would be of one scene here and of another there.
+pub fn timings(run: &RunDir) -> BTreeMap<Key<'_>, Timing<'_>> {
+    let mut samples: BTreeMap<Key, Samples> = BTreeMap::new();
+    for row in &run.throughput {
+        let of = samples.entry([&row.task, &row.family, &row.backend]).or_default();
+        if of.last.is_none_or(|last| row.sample <= last) {
+            of.scenes.push(Vec::new());
+        }
+        of.last = Some(row.sample);
+        of.scenes.last_mut().into_iter().for_each(|scene| scene.push(row.ns_per_query));
+        of.versions.insert(&row.engine_version);
+    }
+    samples.into_iter().filter_map(|(key, of)| Some((key, of.timing()?))).collect()
+}
+
+/// The nanoseconds per query of one run: of each family, of the backends that were timed on as many scenes as any.
+pub fn timed(run: &RunDir) -> ByPair<'_, f64> {
+    let mut found: ByPair<Timing> = BTreeMap::new();
+    for ([task, family, backend], timing) in timings(run) {
+        found.entry([task, family]).or_default().insert(backend, timing);
+    }
+    let whole = |backends: BTreeMap<_, Timing<'_>>| {
+        let all = backends.values().map(|timing| timing.scenes).max();
+        let whole = backends.into_iter().filter(|(_, timing)| Some(timing.scenes) == all);
+        whole.map(|(backend, timing)| (backend, timing.spread.median)).collect()
+    };
+    found.into_iter().map(|(pair, backends)| (pair, whole(backends))).collect()
 }
 
 /// The backends of all runs: in the order of the plans, then the others by name.
@@ -75,69 +145,4 @@ pub fn backends(runs: &[RunDir]) -> Vec<&str> {
         .collect();
     let mut seen = BTreeSet::new();
     planned.chain(rows).filter(|backend| seen.insert(*backend)).collect()
-}
-
-/// A backend on a task: its speed beside its errors, over the families for
-/// which both are known.
-#[derive(Clone, PartialEq, Debug)]
-pub struct Mark<'r> {
-    /// The place of the run with the timings in the list of runs.
-    pub run: usize,
-    pub task: &'r str,
-    pub backend: &'r str,
-    /// How many families are behind the mark.
-    pub families: usize,
-    /// Summed over the families.
-    pub errors: Errors,
-    /// The geometric mean of the families' medians, in nanoseconds per query.
-    pub ns: f64,
-    /// Whether no other backend is at least as good in both and better in one.
-    pub on_frontier: bool,
-}
-
-/// What is known of a backend on one task and family.
-struct Known<'r> {
-    key: Key<'r>,
-    errors: Errors,
-    ns: f64,
-}
-
-/// All marks, by run, then task, then backend.
-pub fn marks(runs: &[RunDir]) -> Vec<Mark<'_>> {
-    let errors = errors(runs);
-    let order = backends(runs);
-    let rank = |backend: &str| order.iter().position(|b| *b == backend);
-    let mut marks = Vec::new();
-    for (run, timings) in runs.iter().map(timings).enumerate() {
-        let mut groups: BTreeMap<(&str, Option<usize>), Vec<Known>> = BTreeMap::new();
-        for (key, timing) in timings {
-            if let Some(&errors) = errors.get(&key) {
-                let known = Known { key, errors, ns: timing.spread.median };
-                groups.entry((key[0], rank(key[2]))).or_default().push(known);
-            }
-        }
-        for families in groups.values() {
-            let (Some(first), Some(ns)) = (families.first(), geometric_mean(families.iter().map(|known| known.ns)))
-            else {
-                continue;
-            };
-            let [task, _, backend] = first.key;
-            let errors = Errors {
-                queries: families.iter().map(|known| known.errors.queries).sum(),
-                wrong: families.iter().map(|known| known.errors.wrong).sum(),
-            };
-            marks.push(Mark { run, task, backend, families: families.len(), errors, ns, on_frontier: false });
-        }
-    }
-    for i in 0..marks.len() {
-        marks[i].on_frontier = !marks.iter().any(|other| dominates(other, &marks[i]));
-    }
-    marks
-}
-
-fn dominates(a: &Mark, b: &Mark) -> bool {
-    // Rates as products, so that equal rates are equal whatever their denominators.
-    let left = u128::from(a.errors.wrong) * u128::from(b.errors.queries);
-    let right = u128::from(b.errors.wrong) * u128::from(a.errors.queries);
-    (a.run, a.task) == (b.run, b.task) && left <= right && a.ns <= b.ns && (left < right || a.ns < b.ns)
 }

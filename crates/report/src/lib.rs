@@ -10,9 +10,14 @@
 //! * [`scatter`], [`curves`], [`histogram`] and [`ranges`] are plots as SVG.
 //! * [`PixelMap`] shows the signs of a predicate over a raster.
 //!
+//! Runs are read together by [`RunDir::open_all`](predicament_records::RunDir::open_all), so that each scene on each
+//! backend counts once. Every mean compares only what all its backends did: the module `comparison` has the rule.
+//!
 //! The same folder gives the same bytes: rows are sorted before they are
 //! printed, and nothing asks for the time.
 
+mod comparison;
+mod figures;
 mod groups;
 pub mod layout;
 mod page;

@@ -1,5 +1,7 @@
 //! The two pages: one for browsers and printers, one for terminals and forges.
 
+use std::fs::File;
+use std::io::Write as _;
 use std::path::Path;
 
 use minijinja::syntax::SyntaxConfig;
@@ -7,7 +9,7 @@ use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value, context};
 
 use crate::sections::{headlines, sections};
 use crate::table::{Block, Headline, Section};
-use crate::{Error, RunDir};
+use crate::{Error, RunDir, figures};
 
 const HTML: &str = "page.html";
 const MARKDOWN: &str = "page.md";
@@ -29,25 +31,45 @@ pub fn markdown(runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> 
     render(MARKDOWN, runs, of_tasks)
 }
 
-/// Writes `report.html`, `report.md` and the plots, each where there is something to
-/// plot (`scatter.svg`, `ties.svg`), into a folder, which is made if need be.
+/// Writes `report.html`, `report.md`, `figures.csv` and the plots, each where there is something to
+/// plot (`scatter.svg`, `ties.svg`), into a folder, which is made if need be. All are written beside their place first
+/// and then renamed: what fails leaves the files of an earlier report as they were.
 ///
 /// # Errors
 /// If a page can't be made or written.
 pub fn write_pages(runs: &[RunDir], of_tasks: &[Section], folder: impl AsRef<Path>) -> Result<(), Error> {
     let folder = folder.as_ref();
     std::fs::create_dir_all(folder).map_err(Error::io(folder))?;
-    let pages = [("report.html", html(runs, of_tasks)?), ("report.md", markdown(runs, of_tasks)?)];
+    let mut files = vec![
+        ("report.html", html(runs, of_tasks)?),
+        ("report.md", markdown(runs, of_tasks)?),
+        (figures::FILE, figures::csv(runs)?),
+    ];
     let blocks = sections(runs, of_tasks)?.into_iter().flat_map(|section| section.blocks);
-    let plots = blocks.filter_map(|block| match block {
+    files.extend(blocks.filter_map(|block| match block {
         Block::Plot { svg, file, .. } => Some((file, svg)),
         _ => None,
-    });
-    for (name, text) in pages.into_iter().chain(plots) {
-        let path = folder.join(name);
-        std::fs::write(&path, text).map_err(Error::io(&path))?;
+    }));
+    let next = |name: &str| folder.join(format!("{name}.next"));
+    for (at, (name, text)) in files.iter().enumerate() {
+        if let Err(error) = write_whole(&next(name), text.as_bytes()) {
+            // What is left over is of no use; that it can't be removed is not what went wrong.
+            for (name, _) in &files[..=at] {
+                let _ = std::fs::remove_file(next(name));
+            }
+            return Err(error);
+        }
+    }
+    for (name, _) in &files {
+        std::fs::rename(next(name), folder.join(name)).map_err(Error::io(&folder.join(name)))?;
     }
     Ok(())
+}
+
+/// Writes a file to the end; a full disk may say so only when asked to keep what it was given.
+fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    let mut file = File::create(path).map_err(Error::io(path))?;
+    file.write_all(bytes).and_then(|()| file.sync_all()).map_err(Error::io(path))
 }
 
 fn render(template: &str, runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> {

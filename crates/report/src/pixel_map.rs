@@ -2,9 +2,9 @@
 //!
 //! Kettner, Mehlhorn, Pion, Schirra and Yap made these pictures famous: one
 //! point of an orientation walks over neighbouring doubles, and what should be
-//! a line between two half planes is a coastline. Red, yellow and blue are
-//! theirs, in shades that stay apart for every kind of colour vision; wrong
-//! answers are darker, so that they stand out even in grey.
+//! a line between two half planes is a coastline. Red for negative, yellow for
+//! zero and blue for positive are theirs, in shades that stay apart for every kind
+//! of colour vision; wrong answers are darker, so that they stand out even in grey.
 
 use std::fmt;
 
@@ -51,7 +51,7 @@ impl std::error::Error for PixelMapError {}
 
 impl PixelMap {
     /// A map from `width` × `height` signs (-1, 0 or 1), row by row from the
-    /// top, and a mark for each that is wrong.
+    /// top, and a mark for each that is wrong: not what the backend's promise allows.
     ///
     /// # Errors
     /// If the lengths don't fit or a value is no sign.
@@ -167,6 +167,16 @@ mod tests {
 
     fn colour(sign: i8, wrong: bool) -> [u8; 3] {
         PALETTE[usize::try_from(sign + 2).unwrap() + if wrong { 3 } else { 0 }]
+    }
+
+    /// What README, `map --help` and the report's section say.
+    #[test]
+    fn red_is_negative_yellow_zero_and_blue_positive_and_wrong_is_dark() {
+        let map = PixelMap::new(3, 2, &[-1, 0, 1, -1, 0, 1], &[false, false, false, true, true, true]).unwrap();
+        let (_, pixels) = decode(&map.to_png(1).unwrap());
+        let [red, yellow, blue] = [[230, 120, 90], [250, 225, 110], [110, 165, 225]];
+        let [dark_red, dark_yellow, dark_blue] = [[120, 20, 10], [130, 95, 0], [10, 40, 110]];
+        assert_eq!(pixels, [red, yellow, blue, dark_red, dark_yellow, dark_blue]);
     }
 
     #[test]

@@ -16,15 +16,29 @@ pub struct Budget {
     pub thorough: bool,
     /// Broken ties held against explicit infinitesimals.
     pub ties: usize,
+    /// Whether every answer is written down: see [`Outcome::answers`](crate::Outcome::answers).
+    pub answers: bool,
 }
 
 impl Budget {
     /// The budget of level quick: samples only, seconds for all embedded corpora.
-    pub const QUICK: Budget =
-        Budget { findings_per_class: 25, permutations: 5_000, relations: 500, thorough: false, ties: 50 };
+    pub const QUICK: Budget = Budget {
+        findings_per_class: 25,
+        permutations: 5_000,
+        relations: 500,
+        thorough: false,
+        ties: 50,
+        answers: false,
+    };
     /// The budget of level full: every permutation of every query, up to 24 million evaluations a scene.
-    pub const FULL: Budget =
-        Budget { findings_per_class: 25, permutations: 24_000_000, relations: 50_000, thorough: true, ties: 2_000 };
+    pub const FULL: Budget = Budget {
+        findings_per_class: 25,
+        permutations: 24_000_000,
+        relations: 50_000,
+        thorough: true,
+        ties: 2_000,
+        answers: false,
+    };
 
     /// Numbers below `n`, spread evenly, as many as `budget` pays for at this
     /// cost each; none without a budget.

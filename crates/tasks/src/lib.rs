@@ -44,7 +44,7 @@ pub use contestant::{Contestant, Entry};
 pub use counts::ClassCounts;
 pub use digest::digest;
 pub use list::{TaskList, built_in, solvers, vocabulary};
-pub use outcome::{Finding, Outcome, finding_id, ids, symbol};
+pub use outcome::{AnswerLine, Finding, Outcome, finding_id, ids, symbol};
 pub use planted::{AnyPlanted, Catch, Planted};
 pub use predicament_predicates::{Class, Status};
 pub use solver::{Halt, How, OnTask, Purpose, Refusal, Solver, Stopwatch};

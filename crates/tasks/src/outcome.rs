@@ -51,6 +51,23 @@ impl Finding {
     }
 }
 
+/// One answer, whatever its class.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct AnswerLine {
+    /// The number of the query in its scene, from 0.
+    pub query: usize,
+    /// The vertices that it is about.
+    pub args: Vec<Vertex>,
+    /// What the backend answered.
+    pub answer: String,
+    /// What is true without a perturbation or a band.
+    pub exact: String,
+    /// The class of the answer by itself: what contradicts another answer is a finding.
+    pub class: Class,
+    /// The stage that settled it, where it was asked alone; empty where there is none.
+    pub stage: &'static str,
+}
+
 /// The result of one backend on one scene.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Outcome {
@@ -69,6 +86,9 @@ pub struct Outcome {
     pub sampled: Option<String>,
     /// Rows of the task's own tables.
     pub rows: Vec<Record>,
+    /// Every answer, in query order, where the [`Budget`](crate::Budget) asks for them and the task has an answer to each
+    /// query; empty for tasks whose answer is a whole.
+    pub answers: Vec<AnswerLine>,
 }
 
 impl Outcome {

@@ -10,6 +10,8 @@ mod cpu;
 #[cfg(test)]
 mod house;
 mod m4;
+#[cfg(test)]
+mod sample;
 mod steps;
 
 use std::process::ExitCode;
@@ -24,18 +26,23 @@ Commands:
   test   format, clippy, tests, doc tests, docs, the embedded corpora through the gate, the example crate
   nightly
          heavy tests whole, the peers, the benches, the oldest compiler, a minute of each fuzz target
+  engines [NAME...]
+         install and build engines of other languages (CGAL, GEOS, libigl, ...) for `run -b engine:NAME`: by apt,
+         pip and npm, into their folders where the client can
   setup  only make sure that what the build needs is there (m4, a C compiler, make)
   help   this text
 
 Examples:
   cargo xtask demo
   cargo xtask test
+  cargo xtask engines cgal-epick robust-predicates
 ";
 
 fn main() -> ExitCode {
     let mut args = std::env::args().skip(1);
     let command = args.next().unwrap_or_else(|| "help".to_owned());
-    if let Some(extra) = args.next() {
+    let rest: Vec<String> = args.collect();
+    if let Some(extra) = rest.first().filter(|_| command != "engines") {
         eprintln!("xtask: unexpected argument `{extra}`; see `cargo xtask help`");
         return ExitCode::from(2);
     }
@@ -43,6 +50,7 @@ fn main() -> ExitCode {
         "demo" => m4::ensure().and_then(|()| steps::demo()),
         "test" => m4::ensure().and_then(|()| steps::test()),
         "nightly" => m4::ensure().and_then(|()| steps::nightly()),
+        "engines" => m4::ensure().and_then(|()| steps::engines(&rest)),
         "setup" => m4::ensure(),
         "help" | "-h" | "--help" => {
             print!("{HELP}");

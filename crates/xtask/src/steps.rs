@@ -43,10 +43,41 @@ pub fn test() -> Result<(), String> {
     cargo("format", &["fmt", "--all", "--check"])?;
     cargo("clippy", &["clippy", "--profile", "ci", "--workspace", "--all-targets", "--", "-D", "warnings"])?;
     run_tests(&[], &[])?;
+    engine_examples()?;
     let docs = ["doc", "--profile", "ci", "--workspace", "--no-deps"];
     step("docs", &cargo_command(&docs), &[("RUSTDOCFLAGS", "-D warnings")])?;
     gate()?;
     example()
+}
+
+/// The engines that are examples, each where what it needs is there; says which are not run.
+fn engine_examples() -> Result<(), String> {
+    for (language, program, test) in [
+        ("C++", "c++", "the_example_in_cpp_is_built_and_judged"),
+        ("Python", "python3", "the_example_in_python_is_judged"),
+    ] {
+        if !answers(program, &["--version"]) {
+            println!("\n== engine in {language}: NOT RUN: there is no `{program}` here");
+            continue;
+        }
+        let test = format!("engines::{test}");
+        let run = ["test", "--profile", "ci", "-p", "predicament", "--test", "it", "--", "--ignored", "--exact", &test];
+        cargo(&format!("engine in {language}"), &run)?;
+    }
+    Ok(())
+}
+
+/// Installs and builds the engines that come with the project, by the clients of their registries; those that are
+/// named, or all.
+pub fn engines(names: &[String]) -> Result<(), String> {
+    cargo("build the tool", &["build", "--release"])?;
+    let mut failed = Vec::new();
+    for chore in ["install", "build", "check"] {
+        let run = ["run", "--quiet", "--release", "--bin", "predicament", "--", "engines", chore];
+        let words: Vec<&str> = run.into_iter().chain(names.iter().map(String::as_str)).collect();
+        failed.extend(cargo(&format!("{chore} engines"), &words).err());
+    }
+    if failed.is_empty() { Ok(()) } else { Err(failed.join("; ")) }
 }
 
 /// A task and a backend of a crate of their own: its tests, then its tool on its own suite, and the gate.

@@ -19,10 +19,10 @@ use predicament_records::{
 use predicament_tasks::contacts::Complexes;
 use predicament_tasks::{AnyCase, Contestant, Stop, Stopwatch, Watch};
 
-use crate::cmd::run::{budget, env, free_folder, plan, tables};
 use crate::contact_tables::{self, Primitives, on_threads};
 use crate::exit::{self, Failure};
 use crate::judged::JudgedRow;
+use crate::planning::{budget, env, free_folder, plan, tables};
 use crate::select::Selector;
 use crate::tool::Tool;
 use crate::{expectations, interrupt, peers, progress, rows};

@@ -4,9 +4,9 @@ use std::path::PathBuf;
 
 use predicament_exact::Precision;
 
-use crate::cmd::run::env;
 use crate::exit::{self, Failure};
 use crate::out::program;
+use crate::planning::env;
 use crate::precision;
 use crate::select::Selector;
 use crate::tool::Tool;

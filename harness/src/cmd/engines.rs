@@ -4,7 +4,6 @@ use predicament_engines::{Config, Engine, PREFIX, Step, all, chore, find};
 use predicament_predicates::{Backend, PredicateKind, ZeroMeaning};
 
 use crate::exit::{self, Failure};
-use crate::out::program;
 
 const EXAMPLES: &str = "\
 Engines are folders with an engine.toml in $PREDICAMENT_ENGINES, or in ./engines; docs/ENGINES.md describes them.
@@ -111,7 +110,7 @@ fn each(names: &[String], work: impl Fn(&Config) -> Result<String, String>) -> e
 }
 
 fn step(config: &Config, step: Step) -> Result<String, String> {
-    chore(config, step, |line| eprintln!("{}: {}: {line}", program(), config.name))?;
+    chore(config, step, |line| note!("{}: {line}", config.name))?;
     Ok(match step {
         Step::Install => "installed",
         Step::Build => "built",

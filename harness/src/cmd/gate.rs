@@ -1,21 +1,21 @@
 //! `gate`: holds a run against its expectations, and against an earlier run.
 
-use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
 
-use predicament_records::{RunDir, Spread, Status, SummaryRow, junit};
+use predicament_records::{self as records, RunDir, Spread, Status, SummaryRow, junit};
 use predicament_tasks::{Class, ClassCounts};
 
-use crate::cmd::run::describe;
 use crate::exit::{self, Failure};
 use crate::expectations;
+use crate::ledger::describe;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
 Examples:
   predicament gate out/run
   predicament gate out/run --baseline out/main --junit out/junit.xml
-  predicament gate out/run --expected mine-expected.toml --suggest";
+  predicament gate out/run --expected mine-expected.toml --suggest more.toml";
 
 /// Hold a run against expectations and a baseline
 #[derive(clap::Args)]
@@ -36,9 +36,10 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub junit: Option<PathBuf>,
 
-    /// Print the expectations that would make every unexpected finding expected
-    #[arg(long)]
-    pub suggest: bool,
+    /// Write the expectations that would make every unexpected finding expected, as TOML with reasons to
+    /// be filled in; to stdout if no file is named
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
+    pub suggest: Option<PathBuf>,
 }
 
 /// Runs the command.
@@ -58,12 +59,13 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         None => Worse::default(),
         Some(baseline) => {
             let baseline = RunDir::open(baseline).map_err(Failure::usage)?;
+            comparable(&run, &baseline)?;
             Worse { findings: more_findings(&run, &baseline), timings: slower(&run, &baseline) }
         }
     };
     if let Some(path) = &args.junit {
         let text = junit("predicament", &run.summary, &run.not_run()).map_err(Failure::usage)?;
-        std::fs::write(path, text).map_err(|error| Failure::usage(format!("{}: {error}", path.display())))?;
+        records::replace(path, text.as_bytes()).map_err(Failure::usage)?;
     }
     for row in run.summary.iter().filter(|row| !row.status.passes()) {
         say!("{}", describe(row));
@@ -75,25 +77,33 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     for missing in &not_run {
         say!("not run: {}/{} on {}", missing.suite, missing.scene, missing.backend);
     }
-    if args.suggest {
-        suggest(&run.summary);
+    let unused = expectations::unused(&expected, tool, &run.plan)?;
+    for line in &unused.never {
+        say!("never true: {line}");
+    }
+    if !unused.here.is_empty() {
+        say!("{} expectations are not about this run's scenes, backends and level", unused.here.len());
+    }
+    if let Some(file) = &args.suggest {
+        suggest(&run, file)?;
     }
     let count = |status: Status| run.summary.iter().filter(|row| row.status == status).count();
     let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
     say!(
-        "{}: {} rows: {} ok, {} expected, {unexpected} unexpected, {passes} unexpected pass, {} not run, {} worse than \
-         the baseline; {}",
+        "{}: {} rows: {} ok, {} expected, {unexpected} unexpected, {passes} unexpected pass, {} never true, {} not run, \
+         {} worse than the baseline; {}",
         args.run.display(),
         run.summary.len(),
         count(Status::Ok),
         count(Status::Expected),
+        unused.never.len(),
         not_run.len(),
         worse.findings.len() + worse.timings.len(),
         run.outcome.describe(),
     );
     Ok(if unexpected > 0 || !worse.findings.is_empty() {
         exit::UNEXPECTED
-    } else if passes > 0 {
+    } else if passes > 0 || !unused.never.is_empty() {
         exit::UNEXPECTED_PASS
     } else if !run.is_complete() || !not_run.is_empty() {
         exit::INCOMPLETE
@@ -157,20 +167,49 @@ fn timings(run: &RunDir) -> BTreeMap<(&str, &str, &str), Spread> {
     samples.into_iter().filter_map(|(key, samples)| Some((key, Spread::of(samples)?))).collect()
 }
 
-/// TOML that would turn the gate green, for a person to check and to give reasons.
-fn suggest(summary: &[SummaryRow]) {
-    for row in summary.iter().filter(|row| row.status == Status::Unexpected) {
-        let classes: Vec<String> = Class::ALL
-            .into_iter()
-            .filter(|&class| !class.is_legal() && row.count(class) > 0)
-            .map(|class| format!("\"{class}\""))
-            .collect();
-        say!(
-            "[[expect]]\nscene = \"{}/{}\"\nbackend = \"{}\"\nclass = [{}]\nreason = \"\"\n",
-            row.suite,
-            row.scene,
-            row.backend,
-            classes.join(", ")
+/// Refuses a baseline that says nothing about this run.
+fn comparable(run: &RunDir, baseline: &RunDir) -> Result<(), Failure> {
+    let before: BTreeSet<&str> = baseline.plan.scenes.iter().map(|scene| scene.scene_id.as_str()).collect();
+    let timed = || {
+        let then = timings(baseline);
+        timings(run).keys().any(|key| then.contains_key(key))
+    };
+    if run.plan.scenes.iter().any(|scene| before.contains(scene.scene_id.as_str())) || timed() {
+        return Ok(());
+    }
+    Err(Failure::usage(format!(
+        "{}: the baseline has no scene of this run, so nothing can be compared; name a run of the same suites",
+        baseline.path.display()
+    )))
+}
+
+/// Writes TOML that would turn the gate green once a person has given the reasons: an empty reason is refused.
+fn suggest(run: &RunDir, file: &Path) -> Result<(), Failure> {
+    let mut alike: BTreeMap<(&str, Vec<&str>), Vec<String>> = BTreeMap::new();
+    for row in run.summary.iter().filter(|row| row.status == Status::Unexpected) {
+        let found = |class: &Class| !class.is_legal() && row.count(*class) > 0;
+        let classes = Class::ALL.into_iter().filter(found).map(Class::name).collect();
+        let scene = globset::escape(&format!("{}/{}", row.suite, row.scene));
+        alike.entry((&row.backend, classes)).or_default().push(scene);
+    }
+    let quoted = |text: &str| toml::Value::String(text.to_owned()).to_string();
+    let list = |items: Vec<String>| format!("[{}]", items.join(", "));
+    let mut text = String::new();
+    for ((backend, classes), scenes) in alike {
+        let classes = list(classes.into_iter().map(quoted).collect());
+        let scenes: String = scenes.iter().map(|scene| format!("    {},\n", quoted(scene))).collect();
+        let (backend, level) = (quoted(backend), &run.plan.level);
+        text += &format!(
+            "[[expect]]\nbackend = {backend}\nclass = {classes}\nscene = [\n{scenes}]\nlevel = \"{level}\"\n\
+             reason = \"\" # say why\n\n"
         );
     }
+    if file == Path::new("-") {
+        say_text!("{text}");
+        return Ok(());
+    }
+    if file.exists() {
+        return Err(Failure::usage(format!("{}: the file is there; name another for --suggest", file.display())));
+    }
+    records::replace(file, text.as_bytes()).map_err(Failure::usage)
 }

@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use predicament_predicates::Sign;
+use predicament_records::replace;
 use predicament_report::{PixelMap, side_by_side};
-use predicament_tasks::signs::{SignQueries, Signs};
-use predicament_tasks::{AnyCase, Contestant, Watch};
+use predicament_tasks::signs::{SignQueries, classes};
+use predicament_tasks::{AnyCase, Class, Contestant, Watch};
 
 use crate::exit::{self, Failure};
 use crate::interrupt;
@@ -15,15 +16,24 @@ use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
 Examples:
-  predicament map kettner-map-1 --out map.png
-  predicament map kettner-map-1 -b naive,naive:first,exact,tolerance --zoom 2 --out map.png";
+  predicament map kettner-pixels-a --out map.png
+  predicament map kettner-pixels-a -b naive,naive:first,exact,tolerance --zoom 2 --out map.png
+  predicament map neighbours --suite mine.toml --out map.png";
 
-/// Draw a square grid of queries: one pixel a query, blue/yellow/red for -/0/+, wrong ones dark
+/// Draw a square grid of queries, one pixel a query: red/yellow/blue for -/0/+, dark where it is wrong
+///
+/// The first queries are the lowest row. Wrong is what the backend's promise does not allow. Ties that are broken by
+/// a backend that promises to break them, and zeros within the band of one that has a band, are drawn as they are
+/// answered.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
     /// The scene's name; its number of queries has to be a square
     pub scene: String,
+
+    /// The suite, by name or as a TOML file of your own; all that need no download if left out
+    #[arg(long, value_name = "SUITE")]
+    pub suite: Option<String>,
 
     /// Backends from left to right
     #[arg(
@@ -46,7 +56,8 @@ pub struct Args {
 /// Runs the command.
 pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let backends = tool.pick(&args.backends)?;
-    let selection = Selector::everything().select(tool)?;
+    let suites = args.suite.iter().cloned().collect();
+    let selection = Selector { suites, ..Selector::everything() }.select(tool)?;
     let Some(def) = selection.defs().into_iter().find(|def| def.name == args.scene) else {
         return Err(Failure::nothing(format!(
             "no scene is called `{}`; `{} corpus list --scenes` names them",
@@ -65,7 +76,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         maps.push(tile.map);
     }
     let png = side_by_side(&maps, args.zoom, 8).map_err(Failure::usage)?;
-    std::fs::write(&args.out, png).map_err(|error| Failure::usage(format!("{}: {error}", args.out.display())))?;
+    replace(&args.out, &png).map_err(Failure::usage)?;
     say!("{}", args.out.display());
     Ok(exit::OK)
 }
@@ -74,7 +85,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
 pub struct Tile {
     /// The pixels.
     pub map: PixelMap,
-    /// How many of each sign, and how many wrong.
+    /// How many of each sign, how many that differ from the exact one, and how many that are wrong.
     pub caption: String,
 }
 
@@ -90,19 +101,21 @@ pub fn tile(case: &dyn AnyCase, backend: &dyn Contestant) -> Result<Tile, Failur
     if side == 0 || side * side != queries.len() {
         return Err(Failure::usage(format!("`{}` has {} queries, which is no square", loaded.name, queries.len())));
     }
-    let answers = backend
-        .answer(&Signs::of(queries.kind()), &loaded.scene, content)
-        .map_err(|why| Failure::usage(format!("{}: {why}", backend.name())))?
-        .0;
-    let wrong: Vec<bool> = answers.iter().zip(truth).map(|(got, truth)| got != truth).collect();
-    let count = |sign: Sign| answers.iter().filter(|&&answer| answer == sign).count();
+    let answers = classes(backend, &loaded.scene, content, truth)
+        .map_err(|why| Failure::usage(format!("{}: {why}", backend.name())))?;
+    let count = |sign: Sign| answers.iter().filter(|(answer, _)| *answer == sign).count();
+    let differ = answers.iter().zip(truth).filter(|((answer, _), truth)| answer != *truth).count();
+    // The first queries are those of the lowest row: y grows upwards, as in every plot.
+    let answers: Vec<(Sign, Class)> = answers.chunks(side).rev().flatten().copied().collect();
+    let wrong: Vec<bool> = answers.iter().map(|(_, class)| !class.is_legal()).collect();
     let caption = format!(
-        "{:>8} -  {:>8} 0  {:>8} +  {:>8} differ from the exact sign",
+        "{:>8} -  {:>8} 0  {:>8} +  {:>8} differ from the exact sign, {} wrong",
         count(Sign::Negative),
         count(Sign::Zero),
         count(Sign::Positive),
+        differ,
         wrong.iter().filter(|&&wrong| wrong).count()
     );
-    let signs: Vec<i8> = answers.iter().map(|sign| sign.as_i8()).collect();
+    let signs: Vec<i8> = answers.iter().map(|(sign, _)| sign.as_i8()).collect();
     Ok(Tile { map: PixelMap::new(side, side, &signs, &wrong).map_err(Failure::usage)?, caption })
 }

@@ -1,5 +1,6 @@
 //! One file per command: its arguments, its help, its work. [`study`] runs several.
 
+pub mod ask;
 pub mod bench;
 pub mod bounds;
 pub mod corpus;
@@ -7,6 +8,7 @@ pub mod doctor;
 pub mod engines;
 pub mod gate;
 pub mod map;
+pub mod new;
 pub mod replay;
 pub mod report;
 pub mod run;

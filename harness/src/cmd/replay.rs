@@ -1,16 +1,20 @@
 //! `replay`: asks the query of one finding again, alone, and explains the answers.
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use predicament_corpus::{Level, LoadedScene};
-use predicament_formats::hexfloat;
-use predicament_predicates::{Query, Vertex};
-use predicament_records::{FindingRow, RunDir};
+use predicament_formats::{hex, hexfloat};
+use predicament_predicates::{Class, Query, Vertex};
+use predicament_records::{FindingRow, Plan, RunDir};
 use predicament_tasks::Contestant;
+use sha2::{Digest, Sha256};
 
 use crate::exit::{self, Failure};
+use crate::interrupt;
 use crate::select::Selector;
 use crate::tool::Tool;
+use crate::worker::Worker;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -35,6 +39,10 @@ pub struct Args {
     /// Where fetched data lie; $PREDICAMENT_CACHE or the user's cache if left out
     #[arg(long, value_name = "DIR")]
     pub cache: Option<PathBuf>,
+
+    /// Seconds after which a scene that is run again as a whole is ended
+    #[arg(long, value_name = "SECONDS", value_parser = super::run::seconds, default_value = "600")]
+    pub timeout: Duration,
 }
 
 /// Runs the command.
@@ -56,8 +64,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         say!("truth     {}", finding.truth);
     }
     if finding.query.is_empty() {
-        say!("\nThis finding is about the whole scene; run it again with -f '{}'.", finding.scene);
-        return Ok(exit::OK);
+        return whole(&run, finding, args, tool);
     }
     let mut names = vec![finding.backend.clone()];
     names.extend(tool.pick(&args.backends)?.iter().map(|backend| backend.name()));
@@ -69,6 +76,47 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             query.parse().map_err(|error| Failure::usage(format!("findings.csv was changed: {error}")))?;
         explain(tool, &loaded, &query, &backends)?;
     }
+    Ok(exit::OK)
+}
+
+/// A finding about a whole scene: the scene is run again, in a process of its own, as it may loop or crash.
+fn whole(run: &RunDir, finding: &FindingRow, args: &Args, tool: &Tool) -> exit::Outcome {
+    let scene = run.plan.scenes.iter().find(|scene| scene.scene_id == finding.scene_id && scene.suite == finding.suite);
+    let scene = scene.ok_or_else(|| Failure::usage(format!("{}: its plan has no such scene", args.run.display())))?;
+    let level: Level = run.plan.level.to_string().parse().map_err(Failure::usage)?;
+    interrupt::listen();
+    let worker = Worker {
+        permutations: None,
+        threads: None,
+        cache: args.cache.as_deref(),
+        suite: run.plan.paths.get(&finding.suite).unwrap_or(&finding.suite).clone(),
+        scene,
+        limit: Some(args.timeout),
+        level,
+        answers: false,
+    };
+    say!("\nThe whole scene again:");
+    let mut names = vec![finding.backend.clone()];
+    names.extend(args.backends.iter().flat_map(|names| names.split(',')).map(str::to_owned));
+    let mut seen = false;
+    for backend in names {
+        let Some(found) = worker.run(tool, &backend)? else {
+            return Err(Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE });
+        };
+        for row in &found.summary {
+            let classes: Vec<String> = Class::ALL
+                .into_iter()
+                .filter(|&class| row.count(class) > 0)
+                .map(|class| format!("{} {class}", row.count(class)))
+                .collect();
+            say!("  {:<24} {}", row.backend, classes.join(", "));
+        }
+        for row in &found.findings {
+            seen |= row.finding_id == finding.finding_id;
+            say!("  {:<24} {}: {}", "", row.check, row.got);
+        }
+    }
+    say!("{}", if seen { "The finding is there again." } else { "The finding is not there any more." });
     Ok(exit::OK)
 }
 
@@ -95,12 +143,20 @@ fn load(run: &RunDir, finding: &FindingRow, args: &Args, tool: &Tool) -> Result<
     };
     let loaded = selection.load(def)?;
     if loaded.id != finding.scene_id {
+        let file = run.plan.paths.get(&finding.suite).filter(|_| changed(&run.plan, &finding.suite));
+        let file = file.map_or_else(String::new, |file| format!(", as has {file}"));
         return Err(Failure::usage(format!(
-            "scene {}/{} has changed since the run ({} then, {} now); run it again",
+            "scene {}/{} has changed since the run ({} then, {} now){file}; run it again",
             finding.suite, finding.scene, finding.scene_id, loaded.id
         )));
     }
     Ok(loaded)
+}
+
+/// Whether the file of a suite that was named by path is another one than it was.
+fn changed(plan: &Plan, suite: &str) -> bool {
+    let now = plan.paths.get(suite).and_then(|file| std::fs::read(file).ok());
+    now.is_none_or(|bytes| plan.hashes.get(suite).is_some_and(|then| *then != hex(&Sha256::digest(bytes))))
 }
 
 /// Asks one query of all backends.

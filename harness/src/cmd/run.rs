@@ -1,27 +1,21 @@
 //! `run`: every selected scene through every backend, each answer judged.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::time::Duration;
 
 use predicament_corpus::Level;
-use predicament_exact::{Exact, Precision};
-use predicament_oracle::expect::Expectations;
-use predicament_predicates::{Backend, Scene};
-use predicament_records::{
-    self as records, Env, NotSelected, Plan, PlannedScene, PrecisionRow, RunDir, RunWriter, SampledRow, Shard, Status,
-    SummaryRow, TableSpec,
-};
-use predicament_tasks::{AnyCase, Budget, Class, Contestant, Outcome, Stop, Watch};
+use predicament_records::{self as records, NotSelected, Plan, RunDir, RunWriter, Shard, SummaryRow};
+use predicament_tasks::{AnyCase, AnyTask, Budget, Class, Contestant, Stop, Watch};
 use rayon::prelude::*;
 
-use crate::cmd::map;
 use crate::exit::{self, Failure};
-use crate::judged::JudgedRow;
-use crate::out::program;
+use crate::ledger::Ledger;
+use crate::planning::{budget, env, free_folder, plan, tables_with};
 use crate::select::{NOT_NAMED, Planned, Selection, Selector};
 use crate::tool::Tool;
 use crate::worker::Worker;
-use crate::{expectations, interrupt, progress, rows};
+use crate::{expectations, interrupt, progress};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -30,7 +24,9 @@ Examples:
   predicament run families -f 'near.*orient3d' --level full
   predicament run mine.toml --expected mine-expected.toml --out out/mine
   predicament run --shard 2/4 --out out/part2       a quarter of the work
-  predicament run --resume out/part2                go on where it stopped";
+  predicament run mine.toml --answers               every answer of every backend, as CSV
+  predicament run --resume out/part2                go on where it stopped
+  predicament run -b mine,exact --isolate --timeout 30    a backend that may crash, in a tool that has it";
 
 /// Run scenes through backends and judge every answer
 #[derive(clap::Args)]
@@ -55,7 +51,7 @@ pub struct Args {
     pub out: Option<PathBuf>,
 
     /// Go on with an incomplete run; takes its selection from that run's plan
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "shard", "backends"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "shard", "backends", "answers"])]
     pub resume: Option<PathBuf>,
 
     /// Expected disagreements; those of the embedded corpora if left out
@@ -67,14 +63,54 @@ pub struct Args {
     #[arg(long, value_name = "N")]
     pub permutations: Option<usize>,
 
-    /// Seconds that one backend may take for one scene; algorithms on whole scenes run in a
-    /// process of their own then, which is ended
+    /// Write every answer to answers.csv; what has no answer to each query is counted
+    #[arg(long)]
+    pub answers: bool,
+
+    /// Seconds that one backend may take for one scene, such as 30 or 0.5; in a process of its own
+    /// it is ended then (10 minutes at level quick if left out)
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub timeout: Option<Duration>,
+
+    /// Run each scene and backend in a process of its own, so that a loop, a crash or a lack of memory costs
+    /// one row; `auto` does so for backends that are not built in, and for algorithms on whole scenes under --timeout
+    #[arg(long, value_name = "WHEN", value_enum, default_value_t = Isolate::Auto, num_args = 0..=1,
+          default_missing_value = "always", require_equals = false)]
+    pub isolate: Isolate,
+}
+
+/// Which scenes and backends run in a process of their own.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
+pub enum Isolate {
+    /// Backends that are not built in, and algorithms on whole scenes under a time limit.
+    Auto,
+    /// All.
+    Always,
+    /// None.
+    Never,
+}
+
+/// The time limit of a scene in a process of its own at level quick, where none is given.
+const PATIENCE: Duration = Duration::from_secs(600);
+
+impl Args {
+    /// Whether this backend runs a scene of this task in a process of its own. (An engine is one already.)
+    fn isolates(&self, tool: &Tool, backend: &str, task: &dyn AnyTask) -> bool {
+        match self.isolate {
+            Isolate::Auto => tool.is_own(backend) || (self.timeout.is_some() && !task.looks_at_the_watch()),
+            Isolate::Always => true,
+            Isolate::Never => false,
+        }
+    }
+
+    /// The time limit of a process.
+    fn limit(&self, level: Level) -> Option<Duration> {
+        self.timeout.or((level == Level::Quick).then_some(PATIENCE))
+    }
 }
 
 /// A time limit: a positive number of seconds.
-fn seconds(text: &str) -> Result<Duration, String> {
+pub fn seconds(text: &str) -> Result<Duration, String> {
     let seconds = text.parse().ok().filter(|&seconds: &f64| seconds > 0.0);
     let limit = seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
     limit.ok_or_else(|| format!("`{text}` is no time; write seconds such as 30 or 0.5"))
@@ -93,7 +129,8 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let bar = progress::bar(work, "answers");
     let told = |done: u64| bar.inc(done);
     let by_level = budget(selection.level);
-    let budget = Budget { permutations: args.permutations.unwrap_or(by_level.permutations), ..by_level };
+    let permutations = args.permutations.unwrap_or(by_level.permutations);
+    let budget = Budget { permutations, answers: ledger.answers, ..by_level };
     let mut ended = records::Outcome::Complete;
     // Each scene is dropped before the next.
     'scenes: for planned in &mut scenes {
@@ -112,43 +149,58 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
             continue;
         }
         let task = tool.task(loaded.task);
-        if let Some(limit) = args.timeout.filter(|_| !task.looks_at_the_watch()) {
-            let worker = Worker { args: &args, suite: selection.argument(&planned.def), scene: &scene, limit };
-            for backend in left {
+        let limit = args.limit(selection.level);
+        let worker = Worker {
+            permutations: args.permutations,
+            threads: args.threads,
+            cache: args.selector.cache.as_deref(),
+            suite: selection.argument(&planned.def),
+            scene: &scene,
+            limit,
+            level: selection.level,
+            answers: ledger.answers,
+        };
+        let (apart, here): (Vec<&dyn Contestant>, Vec<_>) =
+            left.iter().partition(|backend| args.isolates(tool, &backend.name(), task));
+        let watch = Watch::new(interrupt::flag(), None, &told);
+        let case = (!here.is_empty()).then(|| task.case(&loaded, &watch)).transpose();
+        let Ok(case) = case else {
+            ended = records::Outcome::Interrupted;
+            break 'scenes;
+        };
+        if let Some(dispute) = case.as_ref().and_then(|case| case.dispute()) {
+            let message =
+                format!("{}/{}: {dispute}; fix the data before anything is compared", scene.suite, scene.scene);
+            return Err(Failure { message, code: exit::CORPUS });
+        }
+        let judge = |case: &dyn AnyCase, backend: &dyn Contestant| {
+            predicament_oracle::run(case, backend, budget, &watch.restarted(args.timeout))
+        };
+        // Small scenes leave threads idle, so backends share them; what a crash can lose is one such scene. Time limits
+        // are for a backend by itself.
+        let mut side_by_side = case
+            .as_deref()
+            .filter(|_| selection.level == Level::Quick && args.timeout.is_none())
+            .map(|case| here.par_iter().map(|backend| judge(case, *backend)).collect::<Vec<_>>().into_iter());
+        for backend in left {
+            let Some(case) = case.as_deref().filter(|_| apart.iter().all(|other| other.name() != backend.name()))
+            else {
                 let Some(found) = worker.run(tool, &backend.name())? else {
                     ended = records::Outcome::Interrupted;
                     break 'scenes;
                 };
                 ended = later(ended, &found.summary);
                 ledger.adopt(found, &scene, &backend.name(), &expected)?;
-            }
-            continue;
-        }
-        let watch = Watch::new(interrupt::flag(), None, &told);
-        let Ok(case) = task.case(&loaded, &watch) else {
-            ended = records::Outcome::Interrupted;
-            break 'scenes;
-        };
-        if let Some(dispute) = case.dispute() {
-            let message =
-                format!("{}/{}: {dispute}; fix the data before anything is compared", scene.suite, scene.scene);
-            return Err(Failure { message, code: exit::CORPUS });
-        }
-        let judge = |backend: &&dyn Contestant| {
-            predicament_oracle::run(case.as_ref(), *backend, budget, &watch.restarted(args.timeout))
-        };
-        // Small scenes leave threads idle, so backends share them; what a crash can lose is one such scene. Time limits
-        // are for a backend by itself.
-        let mut side_by_side = (selection.level == Level::Quick && args.timeout.is_none())
-            .then(|| left.par_iter().map(judge).collect::<Vec<_>>().into_iter());
-        for backend in left {
+                bar.inc(scene.queries);
+                continue;
+            };
             // The pictures of pixel maps go with their rows; every other scene has none.
             if loaded.family == "pixel-map" {
-                ledger.draw(case.as_ref(), backend)?;
+                ledger.draw(case, backend)?;
             }
             let outcome = match &mut side_by_side {
                 Some(outcomes) => outcomes.next().expect("one for each backend"),
-                None => judge(&backend),
+                None => judge(case, backend),
             };
             match outcome {
                 Err(Stop::Interrupted | Stop::Timeout) => {
@@ -172,23 +224,18 @@ fn later(ended: records::Outcome, rows: &[SummaryRow]) -> records::Outcome {
     if timed_out && ended == records::Outcome::Complete { records::Outcome::Timeout } else { ended }
 }
 
+/// More threads than any machine has cores.
+const MOST_THREADS: usize = 4096;
+
 /// Sizes the thread pool.
 pub fn set_threads(threads: Option<usize>) -> Result<(), Failure> {
-    if threads == Some(0) {
-        return Err(Failure::usage("--threads: at least one thread is needed"));
+    if let Some(threads) = threads.filter(|threads| !(1..=MOST_THREADS).contains(threads)) {
+        return Err(Failure::usage(format!("--threads: {threads} threads; choose from 1 to {MOST_THREADS}")));
     }
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads.unwrap_or(0))
         .build_global()
         .map_err(|error| Failure::usage(format!("--threads: {error}")))
-}
-
-/// How much is sampled at a level.
-pub fn budget(level: Level) -> Budget {
-    match level {
-        Level::Quick => Budget::QUICK,
-        Level::Full => Budget::FULL,
-    }
 }
 
 /// A run under way.
@@ -199,25 +246,19 @@ struct Job {
     ledger: Ledger,
 }
 
-/// What is done, in memory and on disk.
-struct Ledger {
-    level: Level,
-    done: Vec<SummaryRow>,
-    precision: Vec<PrecisionRow>,
-    folder: PathBuf,
-    writer: RunWriter,
-}
-
 impl Job {
     fn new(args: &Args, tool: &Tool) -> Result<Job, Failure> {
         let backends = tool.pick(&args.backends)?;
         let selection = args.selector.select(tool)?;
         let scenes = selection.plan(args.shard)?;
-        let plan = plan(&selection, &scenes, &backends, args.shard);
+        let plan = Plan { answers: args.answers, ..plan(&selection, &scenes, &backends, args.shard) };
         let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-run"));
-        let writer = RunWriter::create(&folder, &plan, &env(), &tables(tool)).map_err(Failure::usage)?;
+        let writer =
+            RunWriter::create(&folder, &plan, &env(), &tables_with(tool, args.answers)).map_err(Failure::usage)?;
         tell_not_selected(&selection.not_selected);
-        let ledger = Ledger { level: selection.level, done: Vec::new(), precision: Vec::new(), folder, writer };
+        let (level, answers) = (selection.level, args.answers);
+        let (done, precision, wholes) = (Vec::new(), Vec::new(), BTreeMap::new());
+        let ledger = Ledger { level, answers, wholes, done, precision, folder, writer };
         Ok(Job { selection, scenes, backends, ledger })
     }
 
@@ -241,9 +282,11 @@ impl Job {
                 lost.scene
             )));
         }
-        let (writer, before) = RunWriter::resume(folder, &tables(tool)).map_err(Failure::usage)?;
-        let ledger =
-            Ledger { level, done: before.summary, precision: before.precision, folder: folder.clone(), writer };
+        let answers = plan.answers;
+        let (writer, before) = RunWriter::resume(folder, &tables_with(tool, answers)).map_err(Failure::usage)?;
+        let RunDir { summary: done, precision, .. } = before;
+        let (folder, wholes) = (folder.clone(), BTreeMap::new());
+        let ledger = Ledger { level, answers, wholes, done, precision, folder, writer };
         Ok(Job { selection, scenes, backends, ledger })
     }
 }
@@ -252,156 +295,10 @@ impl Job {
 fn tell_not_selected(suites: &[NotSelected]) {
     let (unnamed, others): (Vec<_>, Vec<_>) = suites.iter().partition(|suite| suite.reason == NOT_NAMED);
     for left in others {
-        eprintln!("{}: suite `{}` is not run: {}", program(), left.suite, left.reason);
+        note!("suite `{}` is not run: {}", left.suite, left.reason);
     }
     if !unnamed.is_empty() {
         let names: Vec<&str> = unnamed.iter().map(|suite| suite.suite.as_str()).collect();
-        eprintln!("{}: not run, as {NOT_NAMED}: {}", program(), names.join(", "));
+        note!("not run, as {NOT_NAMED}: {}", names.join(", "));
     }
-}
-
-/// The tables of a run folder besides those of every run.
-pub fn tables(tool: &Tool) -> Vec<TableSpec> {
-    let mut tables = tool.tables();
-    tables.extend([TableSpec::of::<JudgedRow>(), TableSpec::of::<SampledRow>()]);
-    tables
-}
-
-impl Ledger {
-    fn is_done(&self, scene: &PlannedScene, backend: &str) -> bool {
-        self.done.iter().any(|row| row.suite == scene.suite && row.scene == scene.scene && row.backend == backend)
-    }
-
-    /// Whether the scene's precision plan is written down: a run folder may be older than that table.
-    fn is_planned(&self, scene: &PlannedScene) -> bool {
-        self.precision.iter().any(|row| row.suite == scene.suite && row.scene == scene.scene)
-    }
-
-    /// Writes the scene's precision plan, once; the next commit makes it permanent.
-    fn plan(&mut self, scene: &PlannedScene, points: &Scene) -> Result<(), Failure> {
-        if !self.is_planned(scene) {
-            let row = rows::precision(scene, &Precision::of(points));
-            self.writer.write(std::slice::from_ref(&row)).map_err(Failure::usage)?;
-            self.precision.push(row);
-        }
-        Ok(())
-    }
-
-    fn record(
-        &mut self,
-        scene: &PlannedScene,
-        backend: &str,
-        outcome: &Outcome,
-        expected: &Expectations,
-    ) -> Result<SummaryRow, Failure> {
-        let level = self.level.name();
-        let summary =
-            rows::record(&mut self.writer, scene, backend, outcome, expected, level).map_err(Failure::usage)?;
-        self.writer.commit().map_err(Failure::usage)?;
-        self.done.push(summary.clone());
-        Ok(summary)
-    }
-
-    /// Takes the rows that a worker has left.
-    fn adopt(
-        &mut self,
-        found: crate::worker::Found,
-        scene: &PlannedScene,
-        backend: &str,
-        expected: &Expectations,
-    ) -> Result<(), Failure> {
-        let mut summary = found.summary;
-        for row in &mut summary {
-            row.status = rows::status(scene, backend, row, expected, self.level.name());
-        }
-        let writer = &mut self.writer;
-        writer.write(&summary).map_err(Failure::usage)?;
-        writer.write(&found.findings).map_err(Failure::usage)?;
-        writer.write(&found.stages).map_err(Failure::usage)?;
-        writer.append(&found.more).map_err(Failure::usage)?;
-        writer.commit().map_err(Failure::usage)?;
-        self.done.extend(summary);
-        Ok(())
-    }
-
-    fn draw(&self, case: &dyn AnyCase, backend: &dyn Contestant) -> Result<(), Failure> {
-        // A backend that declines or panics has a row that says so, and no picture.
-        let tile = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| map::tile(case, backend)));
-        let Ok(Ok(tile)) = tile else { return Ok(()) };
-        let png = tile.map.to_png(1).map_err(Failure::usage)?;
-        let name = format!("{} {}", case.loaded().name, backend.name()).replace(':', "-");
-        self.writer.add_map(&name, &png).map_err(Failure::usage)
-    }
-
-    fn finish(self, ended: records::Outcome) -> exit::Outcome {
-        self.writer.finish(ended).map_err(Failure::usage)?;
-        let count = |status: Status| self.done.iter().filter(|row| row.status == status).count();
-        let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
-        let queries: u64 = self.done.iter().map(|row| row.queries).sum();
-        say!(
-            "{}: {queries} answers judged; rows: {} ok, {} expected, {unexpected} unexpected, \
-             {passes} unexpected pass; {}",
-            self.folder.display(),
-            count(Status::Ok),
-            count(Status::Expected),
-            ended.describe(),
-        );
-        for row in self.done.iter().filter(|row| !row.status.passes()) {
-            say!("  {}", describe(row));
-        }
-        Ok(if ended != records::Outcome::Complete {
-            exit::INCOMPLETE
-        } else if unexpected > 0 {
-            exit::UNEXPECTED
-        } else if passes > 0 {
-            exit::UNEXPECTED_PASS
-        } else {
-            exit::OK
-        })
-    }
-}
-
-/// A summary row in words.
-pub fn describe(row: &SummaryRow) -> String {
-    let classes: Vec<String> = Class::ALL
-        .into_iter()
-        .filter(|&class| row.count(class) > 0)
-        .map(|class| format!("{} {}", row.count(class), class.name()))
-        .collect();
-    format!("{}: {}/{} on {}: {}", row.status.name(), row.suite, row.scene, row.backend, classes.join(", "))
-}
-
-/// The plan of a run over these scenes.
-pub fn plan(selection: &Selection, scenes: &[Planned], backends: &[Box<dyn Contestant>], shard: Shard) -> Plan {
-    Plan {
-        format: records::FORMAT,
-        created_by: format!("predicament {}", env!("CARGO_PKG_VERSION")),
-        level: match selection.level {
-            Level::Quick => records::Level::Quick,
-            Level::Full => records::Level::Full,
-        },
-        suites: selection.suites.iter().map(|suite| suite.name.clone()).collect(),
-        paths: selection.paths(),
-        scenes: scenes.iter().map(|scene| scene.plan.clone()).collect(),
-        backends: backends.iter().map(|backend| backend.name()).collect(),
-        ladder: Exact.stages().iter().map(|&stage| stage.to_owned()).collect(),
-        shard,
-        not_selected: selection.not_selected.clone(),
-        findings_per_class: budget(selection.level).findings_per_class as u64,
-    }
-}
-
-/// The machine, the compiler and the peers.
-pub fn env() -> Env {
-    let mut env = Env::collect(env!("CARGO_PKG_VERSION"));
-    env.rustc = Some(env!("PREDICAMENT_RUSTC").to_owned());
-    env.peers.insert("robust".to_owned(), env!("PREDICAMENT_ROBUST").to_owned());
-    env.peers.extend(crate::peers::VERSIONS.iter().map(|&(peer, version)| (peer.to_owned(), version.to_owned())));
-    env
-}
-
-/// `stem-1`, or the first number that is free.
-pub fn free_folder(stem: &str) -> PathBuf {
-    let mut names = (1..).map(|n| PathBuf::from(format!("{stem}-{n}")));
-    names.find(|path| !path.exists()).expect("some number is free")
 }

@@ -140,7 +140,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         let loaded = scene.take(&selection)?;
         let watch = Watch::new(interrupt::flag(), None, &quiet);
         let case = tool.task(loaded.task).case(&loaded, &watch).map_err(interrupted)?;
-        let budget = super::run::budget(Level::Quick);
+        let budget = crate::planning::budget(Level::Quick);
         // What an honest backend is known to show catches no fault.
         let mut known: BTreeSet<(Class, String)> = BTreeSet::new();
         let outcomes: Result<Vec<Outcome>, Stop> = contestants
@@ -182,7 +182,7 @@ fn algorithms(
         }
         let honest = contestants.iter().find(|contestant| contestant.name() == planted.backend());
         let honest = honest.unwrap_or_else(|| panic!("{} runs on no honest backend", planted.name()));
-        let budget = super::run::budget(Level::Quick);
+        let budget = crate::planning::budget(Level::Quick);
         let outcome = predicament_oracle::run_planted(case, planted.as_ref(), honest.as_ref(), budget, watch)?;
         entries.iter_mut().filter(|entry| entry.name == name).for_each(|entry| entry.note(&outcome, known));
     }

@@ -3,13 +3,17 @@
 mod bad_input;
 mod bounds;
 mod common;
+mod engines;
+mod isolation;
 mod judged;
 mod limits;
 mod lines_and_cubes;
 mod output;
+mod own_data;
 mod paths;
 #[cfg(feature = "peers")]
 mod peers;
+mod pictures;
 mod runs;
 mod studies;
 mod threads;

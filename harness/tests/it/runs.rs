@@ -158,10 +158,69 @@ fn expectations_turn_the_gate_both_ways() {
     expect(100, &["gate", &out, "--expected", &expectation("sign_flip", "wrong-*")]);
     expect(101, &["gate", &out, "--expected", &expectation("overreach", "*")]);
 
-    let suggested = expect(100, &["gate", &out, "--expected", &empty, "--suggest"]).stdout;
-    let table = suggested.split("[[expect]]").nth(1).and_then(|text| text.split("\n\n").next()).unwrap();
-    let filled = format!("[[expect]]{}", table.replace("reason = \"\"", "reason = \"rounding\""));
-    expect(0, &["gate", &out, "--expected", &write(&folder, "suggested.toml", &filled)]);
+    // Suggestions are TOML, and refused until the reasons are there.
+    let suggested = at(&folder, "suggested.toml");
+    expect(100, &["gate", &out, "--expected", &empty, "--suggest", &suggested]);
+    let refused = expect(104, &["gate", &out, "--expected", &suggested]);
+    assert!(refused.stderr.contains("suggested.toml:1: the reason is empty; say why"), "{}", refused.stderr);
+    let text = std::fs::read_to_string(&suggested).unwrap();
+    assert!(text.contains("level = \"quick\""), "{text}");
+    let filled = write(&folder, "filled.toml", &text.replace("reason = \"\"", "reason = \"rounding\""));
+    expect(0, &["gate", &out, "--expected", &filled]);
+    let there = expect(2, &["gate", &out, "--expected", &empty, "--suggest", &suggested]);
+    assert!(there.stderr.contains("the file is there"), "{}", there.stderr);
+    let printed = expect(100, &["gate", &out, "--expected", &empty, "--suggest"]).stdout;
+    assert!(printed.contains(&text), "{printed}");
+}
+
+#[test]
+fn an_expectation_that_nothing_can_meet_is_red_and_one_that_was_left_out_is_listed() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let out = at(&folder, "run");
+    let empty = write(&folder, "empty.toml", "");
+    expect(100, &["run", &suite, "--expected", &empty, "-b", "naive,exact", "--out", &out]);
+    let gate = |code: i32, more: &str| {
+        let text = format!(
+            "[[expect]]\nscene = \"wrong-*\"\nbackend = \"naive\"\nclass = \"overreach\"\nreason = \"rounding\"\n{more}"
+        );
+        expect(code, &["gate", &out, "--expected", &write(&folder, "more.toml", &text)]).stdout
+    };
+    let more = |scene: &str, backend: &str, level: &str| {
+        format!("[[expect]]\nscene = \"{scene}\"\nbackend = \"{backend}\"\nclass = \"nan\"\nreason = \"no\"\n{level}")
+    };
+    gate(0, "");
+    let told = gate(101, &more("mine/rong-*", "naive", ""));
+    assert!(told.contains("more.toml:6: no scene is called `mine/rong-*`; correct or drop it"), "{told}");
+    assert!(told.contains(" 1 never true, "), "{told}");
+    let told = gate(101, &more("plain", "nave", ""));
+    assert!(told.contains("never true: ") && told.contains("no backend is called `nave`"), "{told}");
+    let told = gate(101, &more("plain", "engine:no-such-engine", ""));
+    assert!(told.contains("no backend is called `engine:no-such-engine`"), "{told}");
+    // Scenes, backends and a level that the selection has left out.
+    let left_out = [
+        more("families/near-*", "naive", ""),
+        more("plain", "shewchuk", ""),
+        more("plain", "naive", "level = \"full\""),
+    ];
+    let told = gate(0, &left_out.concat());
+    assert!(told.contains("3 expectations are not about this run's scenes, backends and level"), "{told}");
+    let level = expect(
+        104,
+        &["gate", &out, "--expected", &write(&folder, "class.toml", &more("plain", "naive", "").replace("nan", "nam"))],
+    );
+    assert!(level.stderr.contains("class.toml:1: "), "{}", level.stderr);
+}
+
+#[test]
+fn a_baseline_without_a_scene_in_common_is_an_error() {
+    let folder = tempdir().unwrap();
+    let (one, other) = (at(&folder, "one"), at(&folder, "other"));
+    run(&["run", "-f", "kettner-a1$", "-b", "exact", "--out", &one]);
+    run(&["run", "-f", "kettner-b1$", "-b", "exact", "--out", &other]);
+    expect(0, &["gate", &one, "--baseline", &one]);
+    let told = expect(2, &["gate", &one, "--baseline", &other]);
+    assert!(told.stderr.contains("the baseline has no scene of this run"), "{}", told.stderr);
 }
 
 #[test]
@@ -238,6 +297,79 @@ fn a_finding_is_replayed_from_its_id() {
     expect(2, &["replay", "zzz", "--run", &at(&folder, "nowhere")]);
 }
 
+/// What the tool was built from stands beside every run, as far as git is there to tell.
+#[test]
+fn a_run_says_what_the_tool_was_built_from() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let out = at(&folder, "run");
+    expect(0, &["run", &suite, "-b", "exact", "--out", &out]);
+    let env = read(&out, "env.json");
+    assert!(env.contains("\"opt_flags\": \"profile ") && env.contains("; RUSTFLAGS: "), "{env}");
+    let git = std::process::Command::new("git").args(["rev-parse", "HEAD"]).output();
+    match git.ok().filter(|output| output.status.success()) {
+        Some(output) => {
+            let commit = String::from_utf8(output.stdout).unwrap();
+            assert!(env.contains(&format!("\"commit\": \"{}\"", commit.trim_end())), "{env}");
+            assert!(env.contains("\"dirty\": true") || env.contains("\"dirty\": false"), "{env}");
+        }
+        None => assert!(env.contains("\"commit\": null") && env.contains("\"dirty\": null"), "{env}"),
+    }
+}
+
+/// A bench keeps the judgement of what it times: that is not a second answer.
+#[test]
+fn a_run_and_a_bench_of_it_have_as_many_answers_as_were_asked() {
+    let folder = tempdir().unwrap();
+    let (out, bench, own) = (at(&folder, "run"), at(&folder, "bench"), at(&folder, "own"));
+    let scenes = ["-f", "kettner-pixels-a|tilings/bricks|cubes/corner-in-corner", "-b", "exact,sos,naive,shewchuk"];
+    let quickly = ["--samples", "1", "--sample-ms", "0", "--out"];
+    run(&[&["run"][..], &scenes, &["--out", &out]].concat());
+    expect(0, &[&["bench"][..], &scenes, &["--judged", &out], &quickly, &[&bench]].concat());
+    expect(0, &[&["bench"][..], &scenes, &quickly, &[&own]].concat());
+    let summary = read(&out, "summary.csv");
+    let number = |name: &str| column(&summary, name).iter().map(|n| n.parse().unwrap()).collect::<Vec<u64>>();
+    let asked: u64 = number("queries").iter().sum();
+    let text = |n: u64| if n < 1000 { n.to_string() } else { format!("{},{:03}", n / 1000, n % 1000) };
+    let (rows, ties) = (text(number("queries").len() as u64), text(number("tie_broken").iter().sum()));
+    // In any order, a folder or two of timings, and a folder named twice.
+    for (at_report, folders) in [[&out, &bench, &out], [&bench, &out, &bench], [&out, &own, &bench]].iter().enumerate()
+    {
+        let report = at(&folder, &format!("report-{at_report}"));
+        expect(0, &["report", folders[0], folders[1], folders[2], "--out", &report]);
+        let page = read(&report, "report.md");
+        assert!(page.contains(&format!("of {rows} pairs of scene and backend")), "{folders:?}: {page}");
+        assert!(page.contains(&format!(" of {} answers are wrong", text(asked))), "{folders:?}: {page}");
+        let glance = page.lines().find(|line| line.starts_with("| `sos` |")).unwrap();
+        assert!(glance.contains(&format!(" | {ties} | ")), "{folders:?}: {glance}");
+        let stages = page.split("\n## Stages\n").nth(1).unwrap().split("\n## ").next().unwrap();
+        let bricks = stages.lines().filter(|line| line.contains("| polygon-locate | bricks | sos |"));
+        assert_eq!(bricks.count(), 1, "{folders:?}: {stages}");
+        let cubes = page.split("\n## Unions of cubes\n").nth(1).unwrap().split("\n## ").next().unwrap();
+        assert_eq!(cubes.matches("| corner-in-corner (cubes) | sos |").count(), 1, "{folders:?}: {cubes}");
+        assert!(page.contains("on what is compared; geometric mean over "), "{page}");
+    }
+}
+
+/// The two folders can't both be right, so that nothing is reported.
+#[test]
+fn a_report_of_folders_that_disagree_is_an_error_that_names_both() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let (one, two, report) = (at(&folder, "one"), at(&folder, "two"), at(&folder, "report"));
+    for out in [&one, &two] {
+        run(&["run", &suite, "-b", "naive", "--out", out]);
+    }
+    let summary = read(&two, "summary.csv").replace(",1,0,0,0,1,0,0,0,0,0,0,0,0,", ",1,1,0,0,0,0,0,0,0,0,0,0,0,");
+    assert_ne!(summary, read(&two, "summary.csv"), "the row was found");
+    std::fs::write(folder.path().join("two/summary.csv"), summary).unwrap();
+    let told = expect(2, &["report", &one, &two, "--out", &report]);
+    for part in [&*one, &*two, "mine/wrong-once (orient2d) on naive has other counts"] {
+        assert!(told.stderr.contains(part), "{part}: {}", told.stderr);
+    }
+    assert!(!std::path::Path::new(&report).exists(), "no page of it");
+}
+
 #[test]
 fn a_report_has_errors_and_timings_on_one_page() {
     let folder = tempdir().unwrap();
@@ -260,18 +392,6 @@ fn a_report_has_errors_and_timings_on_one_page() {
         }
     }
     assert!(html.contains("<svg") && !html.contains("src=\"http"));
-}
-
-#[test]
-fn a_pixel_map_is_a_picture_and_a_count() {
-    let folder = tempdir().unwrap();
-    let out = at(&folder, "map.png");
-    let told = expect(0, &["map", "kettner-pixels-a", "-b", "naive,exact,tolerance", "--out", &out]);
-    let exact = told.stdout.lines().find(|line| line.starts_with("exact")).unwrap();
-    assert!(exact.contains(" 0 differ"), "{exact}");
-    let tolerance = told.stdout.lines().find(|line| line.starts_with("tolerance")).unwrap();
-    assert!(tolerance.contains("65536 0"), "all of the map is in the band: {tolerance}");
-    assert_eq!(std::fs::read(out).unwrap()[..8], *b"\x89PNG\r\n\x1a\n");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! One CSV table of a run folder, appended to and cut back to a valid length.
 
+use std::collections::HashMap;
 use std::fs::{File, OpenOptions};
 use std::path::{Path, PathBuf};
 
@@ -61,9 +62,9 @@ impl CsvFile {
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Text {
     path: PathBuf,
-    header: StringRecord,
+    pub header: StringRecord,
     /// Each row with its line.
-    rows: Vec<(u64, StringRecord)>,
+    pub rows: Vec<(u64, StringRecord)>,
 }
 
 impl Text {
@@ -84,6 +85,23 @@ impl Text {
 }
 
 impl Text {
+    /// Refuses two rows that have these columns alike.
+    pub fn check_unique(&self, columns: &[&str]) -> Result<(), Error> {
+        let places: Option<Vec<usize>> =
+            columns.iter().map(|column| self.header.iter().position(|head| head == *column)).collect();
+        let Some(places) = places else { return Ok(()) };
+        let mut seen = HashMap::new();
+        for (line, row) in &self.rows {
+            let key: Vec<&str> = places.iter().map(|&place| row.get(place).unwrap_or_default()).collect();
+            let named = key.join(", ");
+            if let Some(first) = seen.insert(key, line) {
+                let message = format!("{named} is in line {first} already; two processes have written this run");
+                return Err(Error::at(&self.path, *line, message));
+            }
+        }
+        Ok(())
+    }
+
     /// The rows as text, if these are the columns.
     pub fn records(&self, table: TableSpec) -> Vec<Record> {
         let rows = self.rows.iter().filter(|_| self.header == *table.columns);
@@ -91,40 +109,59 @@ impl Text {
     }
 }
 
-/// Reads a table. With `may_be_cut`, a last line that was only half written is
-/// left out, and a sentence about it comes back with the rows.
-pub(super) fn read(path: &Path, may_be_cut: bool) -> Result<(Text, Option<String>), Error> {
-    let mut bytes = std::fs::read(path).map_err(Error::io(path))?;
-    // A line without its end may be short of digits even where it parses.
-    let whole = bytes.iter().rposition(|&b| b == b'\n').map_or(0, |last| last + 1);
-    let mut cut = whole < bytes.len();
-    bytes.truncate(whole);
+/// How much of a table is to be read.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Extent {
+    /// So many bytes, and the file has to end there: the run is complete.
+    All(u64),
+    /// So many bytes: what comes after belongs to a scene that was not finished.
+    First(u64),
+    /// Everything but a last line that is cut off: nobody wrote down how much there is.
+    Lines,
+}
 
+/// Reads a table. What was left out of it is told in a sentence.
+pub(super) fn read(path: &Path, extent: Extent) -> Result<(Text, Option<String>), Error> {
+    let mut bytes = std::fs::read(path).map_err(Error::io(path))?;
+    let found = bytes.len() as u64;
+    let mut warning = None;
+    match extent {
+        Extent::All(length) | Extent::First(length) if found < length => {
+            let message = format!("{found} bytes are left of the {length} that the run had written");
+            return Err(Error::new(path, message));
+        }
+        Extent::All(length) if found > length => {
+            let message = format!("{} bytes were added after the run was complete; restore the file", found - length);
+            return Err(Error::new(path, message));
+        }
+        Extent::All(_) => {}
+        Extent::First(length) => {
+            if found > length {
+                let message = format!("{} bytes of a scene that was not finished were left out", found - length);
+                warning = Some(Error::new(path, message).to_string());
+            }
+            bytes.truncate(usize::try_from(length).unwrap_or(usize::MAX));
+        }
+        Extent::Lines => {
+            let whole = bytes.iter().rposition(|&b| b == b'\n').map_or(0, |last| last + 1);
+            if whole < bytes.len() {
+                warning = Some(Error::new(path, "the last line is cut off and was left out").to_string());
+            }
+            bytes.truncate(whole);
+        }
+    }
     let mut reader = ReaderBuilder::new().from_reader(bytes.as_slice());
     let header = reader.headers().map_err(|e| failed(path, &e))?.clone();
     let mut rows = Vec::new();
     let mut record = StringRecord::new();
-    let line = loop {
+    loop {
         let line = reader.position().line();
         match reader.read_record(&mut record) {
-            Ok(false) => break line,
+            Ok(false) => break,
             Ok(true) => rows.push((line, record.clone())),
-            Err(error) => {
-                // Cut within quotes, after a line break that is part of a value?
-                let lacks_fields = matches!(error.kind(), csv::ErrorKind::UnequalLengths { .. });
-                let is_last = usize::try_from(reader.position().byte()) == Ok(bytes.len());
-                if may_be_cut && lacks_fields && is_last {
-                    cut = true;
-                    break line;
-                }
-                return Err(failed(path, &error));
-            }
+            Err(error) => return Err(failed(path, &error)),
         }
-    };
-    if cut && !may_be_cut {
-        return Err(Error::at(path, line, "the last line is cut off, yet the run says that it is complete"));
     }
-    let warning = cut.then(|| Error::at(path, line, "the last line is cut off and was left out").to_string());
     Ok((Text { path: path.to_owned(), header, rows }, warning))
 }
 

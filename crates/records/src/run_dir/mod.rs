@@ -7,6 +7,7 @@
 //! summary.csv findings.csv throughput.csv stages.csv precision.csv
 //! *.csv            tables of single tasks, such as contacts.csv
 //! maps/*.png       pictures for the report, if any
+//! run.lock         locked by the process that writes the folder
 //! ```
 //! A table that `state.json` doesn't name and that isn't there is younger than the
 //! tool that made the folder: it is read as empty, and started when the run is resumed.
@@ -14,6 +15,8 @@
 //! The folder says that the run is incomplete until somebody says otherwise.
 
 mod csv_file;
+mod lock;
+mod once;
 mod reader;
 mod state;
 mod tables;

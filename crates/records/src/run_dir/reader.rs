@@ -7,11 +7,12 @@ use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
 
-use super::csv_file;
+use super::csv_file::{self, Extent};
+use super::once::Pair;
 use super::state::{Outcome, State};
 use super::tables::{Record, TableSpec};
 use super::{ENV, MAPS, PLAN, TABLES};
-use crate::{Env, Error, FORMAT, FindingRow, Plan, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
+use crate::{Env, Error, FORMAT, FindingRow, Plan, PrecisionRow, Row, SampledRow, StageRow, SummaryRow, ThroughputRow};
 
 /// A run that was read back. Rows stand in the order of their files.
 #[derive(Clone, PartialEq, Debug)]
@@ -37,7 +38,9 @@ pub struct RunDir {
     /// The PNG pictures in `maps/` with their names, sorted.
     pub maps: Vec<(String, Vec<u8>)>,
     /// The tables of single tasks, as text.
-    tables: BTreeMap<String, csv_file::Text>,
+    pub(super) tables: BTreeMap<String, csv_file::Text>,
+    /// Planned pairs of which other folders tell, where folders are read together.
+    pub(super) elsewhere: BTreeSet<Pair>,
     /// What was wrong with the files without making them unreadable.
     pub warnings: Vec<String>,
 }
@@ -60,8 +63,8 @@ pub struct NotRun {
 impl RunDir {
     /// Reads a run folder.
     ///
-    /// A last line that was cut off is left out with a warning, unless the run
-    /// says that it is complete.
+    /// What a run that is not complete has written after its last finished scene is left out,
+    /// with a warning. Rows that are there twice, and tables of other sizes than the run has written, are refused.
     ///
     /// # Errors
     /// The file and line of the first thing that can't be read.
@@ -74,7 +77,7 @@ impl RunDir {
         }
         let state = State::read(path)?;
         let mut warnings = Vec::new();
-        Ok(RunDir {
+        let run = RunDir {
             path: path.to_owned(),
             plan,
             env: read_json(&path.join(ENV))?,
@@ -85,8 +88,22 @@ impl RunDir {
             stages: read_table(path, &state, &mut warnings)?,
             precision: read_table(path, &state, &mut warnings)?,
             tables: read_others(path, &state, &mut warnings)?,
+            elsewhere: BTreeSet::new(),
             maps: read_maps(&path.join(MAPS))?,
             warnings,
+        };
+        run.check_planned()?;
+        Ok(run)
+    }
+
+    /// Refuses rows about scenes that the plan does not have.
+    fn check_planned(&self) -> Result<(), Error> {
+        let planned = self.plan.families();
+        let stranger =
+            self.summary.iter().find(|r| !planned.contains_key(&[&*r.suite, &*r.scene, &*r.scene_id, &*r.task]));
+        stranger.map_or(Ok(()), |row| {
+            let message = format!("a row about {}/{}, which the plan does not have", row.suite, row.scene);
+            Err(Error::new(&self.path.join(SummaryRow::FILE), message))
         })
     }
 
@@ -111,17 +128,21 @@ impl RunDir {
     }
 
     /// The planned pairs of scene and backend that left no summary row, and
-    /// whose task and family were not timed on that backend either; sorted.
+    /// whose task and family were not timed on that backend either; sorted. Of folders that
+    /// were read together, each pair is named at most once, and only if none of them has it.
     #[must_use]
     pub fn not_run(&self) -> Vec<NotRun> {
         let checked: BTreeSet<[&str; 5]> =
             self.summary.iter().map(|r| [&*r.suite, &*r.scene, &*r.scene_id, &*r.task, &*r.backend]).collect();
         let timed: BTreeSet<[&str; 3]> = self.throughput.iter().map(|r| [&*r.task, &*r.family, &*r.backend]).collect();
+        let elsewhere: BTreeSet<[&str; 5]> =
+            self.elsewhere.iter().map(|pair| pair.each_ref().map(String::as_str)).collect();
         let mut missing = Vec::new();
         for scene in &self.plan.scenes {
             for backend in &self.plan.backends {
                 let pair = [&*scene.suite, &*scene.scene, &*scene.scene_id, &*scene.task, &**backend];
-                if !checked.contains(&pair) && !timed.contains(&[&*scene.task, &*scene.family, &**backend]) {
+                let is_told = checked.contains(&pair) || elsewhere.contains(&pair);
+                if !is_told && !timed.contains(&[&*scene.task, &*scene.family, &**backend]) {
                     missing.push(NotRun {
                         suite: scene.suite.clone(),
                         scene: scene.scene.clone(),
@@ -139,14 +160,33 @@ impl RunDir {
 }
 
 fn read_table<R: Row>(folder: &Path, state: &State, warnings: &mut Vec<String>) -> Result<Vec<R>, Error> {
-    let path = folder.join(R::FILE);
-    if !state.committed.contains_key(R::FILE) && !path.exists() {
+    if !state.committed.contains_key(R::FILE) && !folder.join(R::FILE).exists() {
         return Ok(Vec::new());
     }
-    let (text, warning) = csv_file::read(&path, state.outcome != Outcome::Complete)?;
-    warnings.extend(warning);
-    text.typed()
+    read_text(folder, R::FILE, state, warnings)?.typed()
 }
+
+/// Reads as much of a table as the run has written, and refuses rows that are there twice.
+fn read_text(folder: &Path, file: &str, state: &State, warnings: &mut Vec<String>) -> Result<csv_file::Text, Error> {
+    let extent = match state.committed.get(file) {
+        Some(&length) if state.outcome == Outcome::Complete => Extent::All(length),
+        Some(&length) => Extent::First(length),
+        None => Extent::Lines,
+    };
+    let (text, warning) = csv_file::read(&folder.join(file), extent)?;
+    warnings.extend(warning);
+    if let Some((_, key)) = UNIQUE.iter().find(|(of, _)| *of == file) {
+        text.check_unique(key)?;
+    }
+    Ok(text)
+}
+
+/// The tables in which a scene and backend, or a scene, has at most one row.
+const UNIQUE: [(&str, &[&str]); 3] = [
+    (SummaryRow::FILE, &["suite", "scene", "scene_id", "task", "backend"]),
+    (SampledRow::FILE, &["suite", "scene", "scene_id", "task", "backend"]),
+    (PrecisionRow::FILE, &["suite", "scene", "scene_id"]),
+];
 
 /// The tables beside those of every run.
 fn read_others(
@@ -162,8 +202,7 @@ fn read_others(
     }
     let mut tables = BTreeMap::new();
     for file in files.into_iter().filter(|file| TABLES.iter().all(|table| table.file != file)) {
-        let (text, warning) = csv_file::read(&folder.join(&file), state.outcome != Outcome::Complete)?;
-        warnings.extend(warning);
+        let text = read_text(folder, &file, state, warnings)?;
         tables.insert(file, text);
     }
     Ok(tables)

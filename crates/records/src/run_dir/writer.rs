@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 
 use super::csv_file::CsvFile;
+use super::lock::Lock;
 use super::state::{Outcome, State};
 use super::tables::{Record, TableSpec};
 use super::{ENV, MAPS, PLAN, TABLES};
@@ -22,6 +23,8 @@ pub struct RunWriter {
     folder: PathBuf,
     tables: BTreeMap<&'static str, CsvFile>,
     state: State,
+    /// Held as long as the folder is written.
+    _lock: Lock,
 }
 
 impl RunWriter {
@@ -29,14 +32,15 @@ impl RunWriter {
     /// every run, and `more`.
     ///
     /// # Errors
-    /// If the folder exists and is not empty: a run never overwrites another.
+    /// If the folder exists and is not empty: a run never overwrites another. If another process is writing it.
     pub fn create(folder: impl AsRef<Path>, plan: &Plan, env: &Env, more: &[TableSpec]) -> Result<RunWriter, Error> {
         let folder = folder.as_ref();
         fs::create_dir_all(folder).map_err(Error::io(folder))?;
-        if fs::read_dir(folder).map_err(Error::io(folder))?.next().is_some() {
+        if Lock::others(folder)? {
             let message = "the folder is not empty; name another, or resume the run in it";
             return Err(Error::new(folder, message));
         }
+        let lock = Lock::take(folder)?;
         write_json(&folder.join(PLAN), plan)?;
         write_json(&folder.join(ENV), env)?;
         let mut tables = BTreeMap::new();
@@ -44,7 +48,7 @@ impl RunWriter {
             tables.insert(file, CsvFile::create(folder.join(file), columns)?);
         }
         let state = State { outcome: Outcome::Unfinished, committed: BTreeMap::new() };
-        let mut writer = RunWriter { folder: folder.to_owned(), tables, state };
+        let mut writer = RunWriter { folder: folder.to_owned(), tables, state, _lock: lock };
         writer.commit()?;
         Ok(writer)
     }
@@ -53,9 +57,12 @@ impl RunWriter {
     /// and returns what is left, so that the caller knows what to skip.
     ///
     /// # Errors
-    /// If the run is complete, or the folder is not a run or was tampered with.
+    /// If the run is complete or being written, or the folder is not a run or was tampered with.
     pub fn resume(folder: impl AsRef<Path>, more: &[TableSpec]) -> Result<(RunWriter, RunDir), Error> {
         let folder = folder.as_ref();
+        // A folder that is no run gets no lock.
+        State::read(folder)?;
+        let lock = Lock::take(folder)?;
         let mut state = State::read(folder)?;
         if state.outcome == Outcome::Complete {
             return Err(Error::new(folder, "the run is complete: there is nothing to resume"));
@@ -74,7 +81,7 @@ impl RunWriter {
             tables.insert(file, table);
         }
         state.outcome = Outcome::Unfinished;
-        let mut writer = RunWriter { folder: folder.to_owned(), tables, state };
+        let mut writer = RunWriter { folder: folder.to_owned(), tables, state, _lock: lock };
         // New tables get their header, and the state is told of them.
         writer.commit()?;
         let done = RunDir::open(folder)?;

@@ -56,6 +56,8 @@ fn plan() -> Plan {
         created_by: "0.1.0".to_owned(),
         level: Level::Full,
         suites: vec![scene("").suite],
+        hashes: [(scene("").suite, "0f1e".to_owned())].into(),
+        answers: true,
         paths: [(scene("").suite, "far/near.toml".to_owned())].into(),
         scenes: vec![scene("one"), scene("two")],
         backends: vec!["exact".to_owned()],
@@ -144,6 +146,15 @@ fn killed(folder: &Path) {
 fn append(folder: &Path, file: &str, text: &str) {
     let mut file = OpenOptions::new().append(true).open(folder.join(file)).unwrap();
     file.write_all(text.as_bytes()).unwrap();
+}
+
+/// Appends to a table as the writer does: the state knows of it.
+fn append_known(folder: &Path, file: &str, text: &str) {
+    append(folder, file, text);
+    let path = folder.join("state.json");
+    let mut state: serde_json::Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    state["committed"][file] = fs::metadata(folder.join(file)).unwrap().len().into();
+    fs::write(&path, state.to_string()).unwrap();
 }
 
 #[test]
@@ -235,8 +246,8 @@ fn a_line_that_was_cut_off_is_left_out_and_reported() {
         file.write_all(rest).unwrap();
         let run = RunDir::open(folder.path()).unwrap();
         assert_eq!(run.findings, [finding()]);
-        // The finding before it takes two lines.
-        assert!(run.warnings[0].contains("findings.csv:4: the last line is cut off"), "{:?}", run.warnings);
+        let said = format!("findings.csv: {} bytes of a scene that was not finished were left out", rest.len());
+        assert!(run.warnings[0].contains(&said), "{:?}", run.warnings);
     }
 }
 
@@ -255,9 +266,70 @@ fn a_complete_run_has_no_cut_lines() {
     let folder = tempfile::tempdir().unwrap();
     create(folder.path(), &plan(), &Env::default()).unwrap().finish(Outcome::Complete).unwrap();
     append(folder.path(), "stages.csv", "orient2d,near,exact,filter,1");
-    let error = RunDir::open(folder.path()).unwrap_err();
-    assert_eq!(error.line, Some(2));
-    assert!(error.to_string().contains("stages.csv:2: the last line is cut off"), "{error}");
+    let error = RunDir::open(folder.path()).unwrap_err().to_string();
+    assert!(error.contains("stages.csv: 28 bytes were added after the run was complete; restore the file"), "{error}");
+}
+
+#[test]
+fn a_folder_has_one_writer_at_a_time() {
+    let folder = tempfile::tempdir().unwrap();
+    let writer = create(folder.path(), &plan(), &Env::default()).unwrap();
+    let refused = "another process is writing this run; wait for its end, or stop it";
+    assert!(resume(folder.path()).err().unwrap().to_string().ends_with(refused), "beside a live run");
+    drop(writer);
+    let (first, _) = resume(folder.path()).unwrap();
+    assert!(resume(folder.path()).err().unwrap().to_string().ends_with(refused), "two at once");
+    drop(first);
+    assert!(resume(folder.path()).is_ok());
+    let elsewhere = tempfile::tempdir().unwrap();
+    assert!(resume(elsewhere.path()).is_err());
+    assert_eq!(std::fs::read_dir(elsewhere.path()).unwrap().count(), 0, "a folder that is no run stays as it was");
+}
+
+#[test]
+fn rows_that_are_there_twice_are_refused() {
+    for (file, line) in [("summary.csv", 3), ("precision.csv", 3)] {
+        for outcome in [Outcome::Complete, Outcome::Interrupted] {
+            let folder = tempfile::tempdir().unwrap();
+            let mut writer = create(folder.path(), &plan(), &Env::default()).unwrap();
+            writer.write(&[summary("one")]).unwrap();
+            writer.write(&[precision()]).unwrap();
+            writer.commit().unwrap();
+            match file {
+                "summary.csv" => writer.write(&[summary("one")]).unwrap(),
+                _ => writer.write(&[precision()]).unwrap(),
+            }
+            writer.finish(outcome).unwrap();
+            let error = RunDir::open(folder.path()).unwrap_err().to_string();
+            assert!(error.contains(&format!("{file}:{line}: near, or \"far\", one, ")), "{error}");
+            assert!(error.ends_with("is in line 2 already; two processes have written this run"), "{error}");
+        }
+    }
+}
+
+#[test]
+fn a_complete_run_that_lost_lines_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut writer = create(folder.path(), &plan(), &Env::default()).unwrap();
+    writer.write(&[summary("one"), summary("two")]).unwrap();
+    writer.finish(Outcome::Complete).unwrap();
+    let path = folder.path().join("summary.csv");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let (kept, lost) = text.trim_end().rsplit_once('\n').unwrap();
+    std::fs::write(&path, format!("{kept}\n")).unwrap();
+    let error = RunDir::open(folder.path()).unwrap_err().to_string();
+    let said = format!("{} bytes are left of the {} that the run had written", text.len() - lost.len() - 1, text.len());
+    assert!(error.ends_with(&said), "{error}");
+}
+
+#[test]
+fn a_row_of_no_planned_scene_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut writer = create(folder.path(), &plan(), &Env::default()).unwrap();
+    writer.write(&[summary("three")]).unwrap();
+    writer.finish(Outcome::Complete).unwrap();
+    let error = RunDir::open(folder.path()).unwrap_err().to_string();
+    assert!(error.contains("summary.csv: a row about near, or \"far\"/three, which the plan does not have"), "{error}");
 }
 
 #[test]
@@ -273,22 +345,24 @@ fn errors_name_file_and_line() {
     for (file, lines, message) in bad {
         let folder = tempfile::tempdir().unwrap();
         killed(folder.path());
-        append(folder.path(), file, lines);
+        append_known(folder.path(), file, lines);
         let error = RunDir::open(folder.path()).unwrap_err().to_string();
         assert!(error.contains(message), "{error}");
     }
 
     let folder = tempfile::tempdir().unwrap();
     killed(folder.path());
-    append(folder.path(), "pairs.csv", "a,b,3,4\na,b,5,4\n");
+    append_known(folder.path(), "pairs.csv", "a,b,3,4\na,b,5,4\n");
     let error = RunDir::open(folder.path()).unwrap().rows::<PairRow>().unwrap_err().to_string();
     assert!(error.contains("pairs.csv:3: more have ended"), "{error}");
     fs::write(folder.path().join("pairs.csv"), "scene,asked\n").unwrap();
+    append_known(folder.path(), "pairs.csv", "");
     let run = RunDir::open(folder.path()).unwrap();
     let error = run.rows::<PairRow>().unwrap_err().to_string();
     assert!(error.contains("pairs.csv:1: the columns must be scene,backend,ended,asked"), "{error}");
     assert_eq!(run.records(MORE[0]), [], "it has other columns");
     fs::write(folder.path().join("stages.csv"), "task,family\n").unwrap();
+    append_known(folder.path(), "stages.csv", "");
     let error = RunDir::open(folder.path()).unwrap_err().to_string();
     assert!(error.contains("stages.csv:1: the columns must be task,family,backend"), "{error}");
 
@@ -322,7 +396,7 @@ fn a_resumed_run_forgets_the_scene_that_was_not_committed() {
     // The second scene: a whole finding, half a stage row, and no summary.
     append(folder.path(), "findings.csv", "008,s,n,i,t,b,nan,c,q,+,-,,,\n");
     append(folder.path(), "stages.csv", "orient2d,near,ex");
-    assert_eq!(RunDir::open(folder.path()).unwrap().findings.len(), 2);
+    assert_eq!(RunDir::open(folder.path()).unwrap().findings.len(), 1, "what was committed");
 
     let (mut writer, done) = resume(folder.path()).unwrap();
     assert_eq!((done.findings, done.summary), (vec![finding()], vec![summary("one")]));
@@ -388,12 +462,12 @@ fn tables_of_tasks_grow_and_shrink_with_the_others() {
     writer.commit().unwrap();
     writer.write(&[PairRow { ended: 1, ..pair() }]).unwrap();
     drop(writer);
-    assert_eq!(RunDir::open(folder.path()).unwrap().rows::<PairRow>().unwrap().len(), 2);
+    assert_eq!(RunDir::open(folder.path()).unwrap().rows::<PairRow>().unwrap().len(), 1, "what was committed");
     let (writer, done) = resume(folder.path()).unwrap();
     assert_eq!(done.rows(), Ok(vec![pair()]));
     writer.finish(Outcome::Complete).unwrap();
     append(folder.path(), PairRow::FILE, "half,a");
-    assert!(RunDir::open(folder.path()).unwrap_err().to_string().contains("the last line is cut off"));
+    assert!(RunDir::open(folder.path()).unwrap_err().to_string().contains("6 bytes were added"));
 }
 
 #[test]

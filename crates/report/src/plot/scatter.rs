@@ -2,12 +2,14 @@
 //!
 //! One panel for each task, on common logarithmic axes, because a task's times
 //! are comparable with each other only. Zero has no logarithm: backends
-//! without a wrong answer stand in a column of their own at the left.
+//! without a wrong answer stand in a column of their own at the left. A panel
+//! compares what all its backends did; marks of backends that did less are hollow.
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::groups::{Mark, backends, marks};
+use crate::figures::{Mark, Panel, panels};
+use crate::groups::backends;
 use crate::{Error, RunDir};
 use predicament_records::format::per_million;
 
@@ -28,32 +30,31 @@ const LABEL_WIDTH: i32 = 100;
 /// # Errors
 /// If the picture can't be drawn.
 pub fn scatter(runs: &[RunDir]) -> Result<Option<String>, Error> {
-    let marks = marks(runs);
-    if marks.is_empty() {
+    let panels = panels(runs);
+    if panels.is_empty() {
         return Ok(None);
     }
     let mut svg = String::new();
-    draw(&mut svg, runs, &marks).map_err(failed)?;
+    draw(&mut svg, runs, &panels).map_err(failed)?;
     Ok(Some(page(&svg)))
 }
 
-fn draw(svg: &mut String, runs: &[RunDir], marks: &[Mark]) -> Drawn {
-    let panels: Vec<&[Mark]> = marks.chunk_by(|a, b| (a.run, a.task) == (b.run, b.task)).collect();
+fn draw(svg: &mut String, runs: &[RunDir], panels: &[Panel]) -> Drawn {
     let columns = panels.len().min(PANELS_IN_A_ROW);
     let rows = panels.len().div_ceil(columns);
-    let scale = Scale::of(marks);
+    let scale = Scale::of(panels);
     let order = backends(runs);
-    let timed_runs = panels.iter().any(|panel| panel[0].run != marks[0].run);
+    let timed_runs = panels.iter().any(|panel| panel.run != panels[0].run);
 
     // At most a few panels: the products are small.
     let size = |n: usize, each: u32| u32::try_from(n).unwrap_or(u32::MAX).saturating_mul(each);
     let root = SVGBackend::with_string(svg, (size(columns, PANEL.0), size(rows, PANEL.1))).into_drawing_area();
-    for (area, panel) in root.split_evenly((rows, columns)).iter().zip(&panels) {
-        let mut title = panel[0].task.to_owned();
+    for (area, panel) in root.split_evenly((rows, columns)).iter().zip(panels) {
+        let mut title = format!("{}, {} of {} families", panel.task, panel.families, panel.of);
         if timed_runs {
-            title = format!("{title}, run {}", panel[0].run + 1);
+            title = format!("{title}, run {}", panel.run + 1);
         }
-        draw_panel(area, panel, &title, scale, &order)?;
+        draw_panel(area, &panel.marks, &title, scale, &order)?;
     }
     root.present()
 }
@@ -69,7 +70,8 @@ struct Scale {
 }
 
 impl Scale {
-    fn of(marks: &[Mark]) -> Scale {
+    fn of(panels: &[Panel]) -> Scale {
+        let marks = || panels.iter().flat_map(|panel| &panel.marks);
         let decades = |values: &[f64]| {
             let low = values.iter().fold(f64::INFINITY, |a, &b| a.min(b));
             let high = values.iter().fold(f64::NEG_INFINITY, |a, &b| a.max(b));
@@ -77,8 +79,8 @@ impl Scale {
             #[allow(clippy::cast_possible_truncation)]
             low.is_finite().then(|| (low.log10().floor() as i32, high.log10().ceil() as i32))
         };
-        let rates: Vec<f64> = marks.iter().filter_map(rate).filter(|&rate| rate > 0.0).collect();
-        let times: Vec<f64> = marks.iter().map(|mark| mark.ns).collect();
+        let rates: Vec<f64> = marks().filter_map(rate).filter(|&rate| rate > 0.0).collect();
+        let times: Vec<f64> = marks().map(|mark| mark.ns).collect();
         let (least_wrong, most_wrong) = decades(&rates).unwrap_or((1, 2));
         let (fastest, slowest) = decades(&times).unwrap_or((0, 1));
         let zero = least_wrong - 1;
@@ -141,9 +143,14 @@ fn draw_marks(area: &Area, chart: &mut Chart, marks: &[Mark], scale: Scale, orde
     for mark in marks {
         let colour = COLOURS[order.iter().position(|b| *b == mark.backend).unwrap_or(0) % COLOURS.len()];
         let place = scale.place(mark);
-        chart.draw_series([Circle::new(place, 4, colour.filled())])?;
+        let style = if mark.is_partial { colour.stroke_width(1) } else { colour.filled() };
+        chart.draw_series([Circle::new(place, 4, style)])?;
         let at = chart.backend_coord(&place);
-        labels.push(Label { text: mark.backend, at: (at.0 - dx, at.1 - dy), y: at.1 - dy, colour });
+        let text = match mark.families {
+            families if mark.is_partial => format!("{} ({families})", mark.backend),
+            _ => mark.backend.to_owned(),
+        };
+        labels.push(Label { text, at: (at.0 - dx, at.1 - dy), y: at.1 - dy, colour });
     }
     spread(&mut labels, (y_range.start - dy + LINE / 2, y_range.end - dy - LINE / 2));
     let edge = x_range.end - dx;
@@ -156,14 +163,14 @@ fn draw_marks(area: &Area, chart: &mut Chart, marks: &[Mark], scale: Scale, orde
             area.draw(&PathElement::new(vec![label.at, (x, label.y)], label.colour.mix(0.6)))?;
         }
         let style = ("sans-serif", 12).into_font().color(&label.colour).pos(Pos::new(side, VPos::Center));
-        area.draw(&Text::new(label.text.to_owned(), (x, label.y), style))?;
+        area.draw(&Text::new(label.text.clone(), (x, label.y), style))?;
     }
     Ok(())
 }
 
 /// The name beside a mark.
-struct Label<'t> {
-    text: &'t str,
+struct Label {
+    text: String,
     at: (i32, i32),
     y: i32,
     colour: RGBColor,
@@ -194,7 +201,7 @@ mod tests {
 
     #[test]
     fn labels_don_t_cover_each_other() {
-        let label = |x, y| Label { text: "", at: (x, y), y, colour: INK };
+        let label = |x, y| Label { text: String::new(), at: (x, y), y, colour: INK };
         let mut labels =
             [label(10, 100), label(12, 101), label(300, 101), label(11, 99), label(10, 196), label(9, 197)];
         spread(&mut labels, (0, 200));

@@ -1,12 +1,11 @@
 //! The two numbers on top of a report: unexpected findings, and the cost of exact answers.
 
-use std::collections::{BTreeMap, BTreeSet};
-
-use crate::groups::{REFERENCE, backends, timings};
+use super::some_of;
+use crate::RunDir;
+use crate::figures::{Price, Prices, all_prices};
+use crate::groups::REFERENCE;
 use crate::table::{Headline, Tone};
-use crate::{Class, RunDir};
 use predicament_records::format::{counted, factor, length, thousands};
-use predicament_records::geometric_mean;
 
 pub fn headlines(runs: &[RunDir]) -> [Headline; 2] {
     [unexpected(runs), price(runs)]
@@ -40,8 +39,8 @@ fn unexpected(runs: &[RunDir]) -> Headline {
     }
 }
 
-/// The smallest time relative to the reference among the backends that made no
-/// mistake, wherever the reference was timed: the geometric mean over tasks and families.
+/// The smallest time relative to the reference among the backends that made no mistake on what they are compared on: the
+/// geometric mean over the pairs of task and family that all compared backends did.
 fn price(runs: &[RunDir]) -> Headline {
     let none = |detail: String| Headline {
         number: "—".to_owned(),
@@ -49,48 +48,33 @@ fn price(runs: &[RunDir]) -> Headline {
         detail,
         tone: Tone::Muted,
     };
-
-    let timings: Vec<_> = runs.iter().map(timings).collect();
-    let mut ratios: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
-    let mut cells = 0;
-    for timings in &timings {
-        for (&[task, family, backend], reference) in timings {
-            if backend != REFERENCE {
-                continue;
-            }
-            cells += 1;
-            for backend in backends(runs) {
-                if let Some(timing) = timings.get(&[task, family, backend]) {
-                    ratios.entry(backend).or_default().push(timing.spread.median / reference.spread.median);
-                }
-            }
-        }
-    }
-    if cells == 0 {
+    if runs.iter().flat_map(|run| &run.throughput).all(|row| row.backend != REFERENCE) {
         return none(format!("{REFERENCE}, which times are compared with, was not timed"));
     }
-
-    let rows = || runs.iter().flat_map(|run| &run.summary);
-    let checked: BTreeSet<&str> = rows().filter(|row| row.has_answers()).map(|row| &*row.backend).collect();
-    let scene_failed = [Class::Topology, Class::Panic, Class::Timeout];
-    let mistaken: BTreeSet<&str> = rows()
-        .filter(|row| row.wrong() > 0 || scene_failed.into_iter().any(|class| row.count(class) > 0))
-        .map(|row| &*row.backend)
-        .collect();
-    let right = |backend: &str| checked.contains(backend) && !mistaken.contains(backend);
-    let candidates = ratios.into_iter().filter(|(backend, ratios)| right(backend) && ratios.len() == cells);
-    let means = candidates.filter_map(|(backend, ratios)| Some((geometric_mean(ratios)?, backend)));
-    let Some((ratio, backend)) = means.min_by(|a, b| a.0.total_cmp(&b.0)) else {
-        return none(format!("no backend without a mistake was timed wherever {REFERENCE} was"));
+    let Some(Prices { pairs, prices, .. }) = all_prices(runs) else {
+        return none(format!("{REFERENCE}, which times are compared with, was not checked wherever it was timed"));
     };
-    Headline {
-        number: factor(ratio),
-        label: "the time of shewchuk: the price of being right",
-        detail: format!(
-            "{backend} is the fastest backend without a wrong answer or a failed check; geometric mean over {} \
-             of task and family",
-            counted(length(cells), "pair")
-        ),
-        tone: Tone::Plain,
+    let (compared, partial): (Vec<Price>, Vec<Price>) = prices.into_iter().partition(|price| !price.is_partial);
+    let mut basis = format!(
+        "over {} of task and family that all {} did",
+        counted(length(pairs), "pair"),
+        counted(length(compared.len()), "compared backend")
+    );
+    if !partial.is_empty() {
+        let names: Vec<&str> = partial.iter().map(|price| price.backend).collect();
+        basis += &format!("; {} did too few of them to be compared", some_of(names.into_iter(), usize::MAX));
+    }
+    let right = compared.iter().filter(|price| price.errors.is_right());
+    match right.min_by(|a, b| a.ratio.total_cmp(&b.ratio)) {
+        None => none(format!("no compared backend is without a mistake {basis}")),
+        Some(Price { backend, ratio, .. }) => Headline {
+            number: factor(*ratio),
+            label: "the time of shewchuk: the price of being right",
+            detail: format!(
+                "{backend} is the fastest backend without a wrong answer or a failed check on what is compared; geometric \
+                 mean {basis}"
+            ),
+            tone: Tone::Plain,
+        },
     }
 }

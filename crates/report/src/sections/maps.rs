@@ -10,7 +10,8 @@ pub fn section(runs: &[RunDir]) -> Option<Section> {
     (!blocks.is_empty()).then(|| Section {
         id: "maps",
         title: "Pixel maps",
-        lead: "The sign at each point of a raster: red negative, yellow zero, blue positive; dark where it is wrong."
+        lead: "The sign at each point of a raster: red negative, yellow zero, blue positive; dark where it is wrong, \
+               that is, not what the backend's promise allows."
             .to_owned(),
         blocks,
     })

@@ -2,6 +2,7 @@
 
 mod counts;
 mod findings;
+mod glance;
 mod headlines;
 mod maps;
 mod not_run;
@@ -21,6 +22,7 @@ use crate::{Error, RunDir};
 /// All sections, in reading order; `of_tasks` are those of single tasks.
 pub fn sections(runs: &[RunDir], of_tasks: &[Section]) -> Result<Vec<Section>, Error> {
     let mut sections = vec![
+        glance::section(runs),
         run::section(runs),
         counts::section(runs),
         findings::section(runs),

@@ -40,11 +40,13 @@ const LINES: &[Line] = &[
         format!("{} of each class for each scene and backend", thousands(run.plan.findings_per_class)).into()
     }),
     ("version", version),
+    ("commit", commit),
     ("command", |run| Cell::code(run.env.command_line.join(" "))),
     ("processor", processor),
     ("system", |run| or_unknown(&run.env.os)),
     ("compiler", |run| or_unknown(run.env.rustc.as_deref().unwrap_or(""))),
     ("flags", |run| or_unknown(run.env.opt_flags.as_deref().unwrap_or(""))),
+    ("frequency governor", |run| or_unknown(run.env.governor.as_deref().unwrap_or(""))),
     ("features compiled in", |run| features(&run.env.compiled_features)),
     ("features of the processor", |run| features(&run.env.detected_features)),
     ("peers", peers),
@@ -70,6 +72,14 @@ fn tasks(run: &RunDir) -> Cell {
 
 fn version(run: &RunDir) -> Cell {
     format!("{}; folder made by {}, format {}", run.env.package_version, run.plan.created_by, run.plan.format).into()
+}
+
+fn commit(run: &RunDir) -> Cell {
+    let Some(commit) = &run.env.commit else { return or_unknown("") };
+    match run.env.dirty {
+        Some(true) => Cell::code(commit).detail("with changes that were not committed").tone(Tone::Notable),
+        _ => Cell::code(commit),
+    }
 }
 
 fn processor(run: &RunDir) -> Cell {

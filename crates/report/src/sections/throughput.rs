@@ -45,8 +45,9 @@ pub fn section(runs: &[RunDir]) -> Section {
         id: "throughput",
         title: "Throughput",
         lead: format!(
-            "Nanoseconds per query: the median of the samples, then the smallest and largest, and the median as a \
-             multiple of {REFERENCE}'s in the same run. Only verified answers are timed."
+            "Nanoseconds per query: the median of the samples (of several scenes of a family the geometric mean of their \
+             medians), then the smallest and largest sample, and the median as a multiple of {REFERENCE}'s in the same \
+             run. Only verified answers are timed."
         ),
         blocks,
     }

@@ -1,15 +1,16 @@
 //! Ties that a perturbation broke: how many, how deep the term was that decided, and what it cost.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::{rank, run_head, run_label};
-use crate::groups::{Timing, backends, timings};
+use super::rank;
+use crate::figures::{Price, Prices, prices};
+use crate::groups::backends;
 use crate::plot::{Bars, histogram};
 use crate::rungs::rung;
 use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Error, RunDir};
+use predicament_records::approximately;
 use predicament_records::format::{factor, percent};
-use predicament_records::{approximately, geometric_mean};
 
 /// What breaking ties is compared with.
 const UNPERTURBED: &str = "exact";
@@ -50,21 +51,17 @@ impl Ties {
 
 pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
     let order = backends(runs);
-    let timings: Vec<_> = runs.iter().map(timings).collect();
     let mut table = Table::new("Answers that are ties, and time over that of exact on the same families")
-        .words(run_head(runs))
         .words(["task", "backend"])
         .numbers(["queries", "ties", "share", "deepest term", "time / exact"]);
     let mut depths = Table::new("The term that decided, counting every question that an algorithm or a law asked")
-        .words(run_head(runs))
         .words(["task", "backend"])
         .numbers(PLACE_NAMES.map(|place| format!("term {place}")))
         .numbers(DEGREES);
     let mut pictured: BTreeMap<usize, [u64; PLACES.len()]> = BTreeMap::new();
-    // A folder of timings judged the same answers, but counted no stages.
-    let counted = |run: &RunDir| !run.stages.is_empty() || runs.iter().all(|run| run.stages.is_empty());
-    for (index, run) in runs.iter().enumerate().filter(|(_, run)| counted(run)) {
-        let mut groups: BTreeMap<(&str, usize), Ties> = BTreeMap::new();
+    // Over all folders: one may hold the answers and another the stages that settled them.
+    let mut groups: BTreeMap<(&str, usize), Ties> = BTreeMap::new();
+    for run in runs {
         for row in &run.summary {
             let ties = groups.entry((&row.task, rank(&order, &row.backend))).or_default();
             ties.queries += row.queries;
@@ -73,22 +70,22 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
         for row in &run.stages {
             groups.entry((&row.task, rank(&order, &row.backend))).or_default().add_stage(&row.stage, row.settled);
         }
-        for ((task, backend), ties) in groups.into_iter().filter(|(_, ties)| !ties.is_empty()) {
-            let name = order.get(backend).copied().unwrap_or_default();
-            let label = || run_label(runs, index).into_iter().chain([task.into(), name.into()]);
-            let cost = cost(&timings, task, name).map_or_else(Cell::default, |ratio| factor(ratio).into());
-            let deepest = if ties.deepest == 0 { Cell::default() } else { Cell::count(ties.deepest) };
-            let cells = [Cell::count(ties.queries), Cell::count(ties.broken)].into_iter();
-            let cells = cells.chain([percent(ties.broken, ties.queries).into(), deepest, cost]);
-            table.push(label().chain(cells).collect());
-            if ties.places.iter().chain(&ties.degrees).all(|&settled| settled == 0) {
-                continue;
-            }
-            let counts = ties.places.iter().chain(&ties.degrees).map(|&settled| Cell::count(settled));
-            depths.push(label().chain(counts).collect());
-            let all = pictured.entry(backend).or_default();
-            all.iter_mut().zip(ties.places).for_each(|(all, settled)| *all += settled);
+    }
+    groups.retain(|_, ties| !ties.is_empty());
+    let costs = costs(runs, &groups.keys().map(|&(task, backend)| (task, order[backend])).collect());
+    for ((task, backend), ties) in groups {
+        let name = order[backend];
+        let deepest = if ties.deepest == 0 { Cell::default() } else { Cell::count(ties.deepest) };
+        let cells = [task.into(), name.into(), Cell::count(ties.queries), Cell::count(ties.broken)].into_iter();
+        let cost = costs.get(&(task, name)).map_or_else(Cell::default, cost);
+        table.push(cells.chain([percent(ties.broken, ties.queries).into(), deepest, cost]).collect());
+        if ties.places.iter().chain(&ties.degrees).all(|&settled| settled == 0) {
+            continue;
         }
+        let counts = ties.places.iter().chain(&ties.degrees).map(|&settled| Cell::count(settled));
+        depths.push([task.into(), name.into()].into_iter().chain(counts).collect());
+        let all = pictured.entry(backend).or_default();
+        all.iter_mut().zip(ties.places).for_each(|(all, settled)| *all += settled);
     }
     let mut blocks = Vec::new();
     if table.is_empty() {
@@ -115,20 +112,29 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
         title: "Ties",
         lead:
             "Where the exact answer is zero, a symbolic perturbation looks at its terms, the largest first, until one \
-               is not zero. Time over exact is the geometric mean of the ratios of medians over the task's families \
-               that both were timed on in one run."
+               is not zero. Time over exact is the geometric mean of the ratios of times in one run, over the families of \
+               the task that exact and all compared backends of this table were checked and timed on; a backend that did \
+               too few of them is partial, and its mean is over its own."
                 .to_owned(),
         blocks,
     })
 }
 
-/// The geometric mean of the time of a backend over that of [`UNPERTURBED`], over the runs and the families of a task.
-fn cost(runs: &[BTreeMap<[&str; 3], Timing>], task: &str, backend: &str) -> Option<f64> {
-    geometric_mean(runs.iter().flat_map(|timings| {
-        let of_task = timings.iter().filter(|([of, _, by], _)| *of == task && *by == backend);
-        of_task.filter_map(|([task, family, _], timing)| {
-            let exact = timings.get(&[*task, *family, UNPERTURBED])?;
-            Some(timing.spread.median / exact.spread.median)
-        })
-    }))
+/// What each backend costs on each of its tasks beside [`UNPERTURBED`].
+fn costs<'r>(runs: &'r [RunDir], wanted: &BTreeSet<(&'r str, &'r str)>) -> BTreeMap<(&'r str, &'r str), Price<'r>> {
+    let tasks: BTreeSet<&str> = wanted.iter().map(|(task, _)| *task).collect();
+    let mut costs = BTreeMap::new();
+    for task in tasks {
+        let keep = |of: &str, backend: &str| of == task && (backend == UNPERTURBED || wanted.contains(&(of, backend)));
+        let found = prices(runs, UNPERTURBED, keep);
+        let found = found.into_iter().flat_map(|Prices { prices, .. }| prices);
+        costs.extend(found.map(|price| ((task, price.backend), price)));
+    }
+    costs
+}
+
+fn cost(price: &Price) -> Cell {
+    let families = if price.pairs == 1 { "1 family".to_owned() } else { format!("{} families", price.pairs) };
+    let standing = if price.is_partial { format!("partial: {families}") } else { families };
+    Cell::from(factor(price.ratio)).detail(standing)
 }

@@ -68,13 +68,13 @@ fn numbers_trace_to_rows() {
     assert!(page.contains("2,503 of 5,515,036 answers are wrong"));
     // exact against shewchuk: near 21/42, uniform 2.25/9; √(1/2 · 1/4) = 0.354.
     assert!(page.contains("**0.35×** the time of shewchuk"));
-    // naive on orient2d: 2502 of 1.1 million; √(1.25 · 1.0) = 1.118 ns.
-    assert!(page.contains("| naive | 2 | 1,100,000 | 2,502 | 2,270 | 1.12 | yes |"));
+    // naive on orient2d: 2502 of 1.1 million; √(1.25 · 1.0) = 1.118 ns, and shewchuk √(42 · 9) = 19.44 ns.
+    assert!(page.contains("| naive | 2 of 2 | 1,100,000 | 2,502 | 2,270 | 1.12 | 19.4 | 0.058× | yes |"));
     // sos near: 38000 of 100000.
     assert!(page.contains("| 1 | orient2d | near | sos | 100,000 | — | 61.0 % | 38.0 % | 1.0 % (to 3) |"));
     // Ties: 1,000 of 1.1 million; √(30/21 · 2.6/2.25) = 1.285 of exact's time. Terms 1 and 3 decided.
-    assert!(page.contains("| 1 | orient2d | sos | 1,100,000 | 1,000 | \\<0.1 % | 3 | 1.3× |"), "{page}");
-    assert!(page.contains("| 1 | orient2d | sos | 990 | 0 | 10 | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 0 |"), "{page}");
+    assert!(page.contains("| orient2d | sos | 1,100,000 | 1,000 | \\<0.1 % | 3 | 1.3× (2 families) |"), "{page}");
+    assert!(page.contains("| orient2d | sos | 990 | 0 | 10 | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 0 |"), "{page}");
     // Two scenes of suite near got the same, one of 54 bits and one of 61.
     assert!(page.contains("| 1 | near | near, uniform | 2 | 54 to 61 | −60 to −53 | integer | — | wide integer | — |"));
 }
@@ -85,9 +85,20 @@ fn html_has_every_section_and_needs_nothing_else() {
     let png = PixelMap::new(2, 1, &[-1, 1], &[false, true]).unwrap().to_png(1).unwrap();
     runs[0].maps.push(("near-7".to_owned(), png.clone()));
     let page = html(&runs, &[of_a_task("toys")]).unwrap();
-    for id in
-        ["run", "answers", "findings", "speed", "throughput", "precision", "stages", "ties", "toy", "not-run", "maps"]
-    {
+    for id in [
+        "glance",
+        "run",
+        "answers",
+        "findings",
+        "speed",
+        "throughput",
+        "precision",
+        "stages",
+        "ties",
+        "toy",
+        "not-run",
+        "maps",
+    ] {
         assert!(page.contains(&format!("<section id=\"{id}\">")), "{id}");
         assert!(page.contains(&format!("<a href=\"#{id}\">")), "{id}");
     }
@@ -97,6 +108,19 @@ fn html_has_every_section_and_needs_nothing_else() {
         assert!(!foreign.contains(word), "{word}");
     }
     assert_balanced(&page);
+}
+
+#[test]
+fn what_the_tool_was_built_from_stands_beside_the_run() {
+    let mut runs = runs();
+    for (run, dirty) in runs.iter_mut().zip([true, false]) {
+        let env = &mut run.env;
+        (env.commit, env.dirty, env.governor) =
+            (Some("c0ffee".to_owned()), Some(dirty), Some("performance".to_owned()));
+    }
+    let page = markdown(&runs, &[]).unwrap();
+    assert!(page.contains("| commit | `c0ffee` (with changes that were not committed) | `c0ffee` |"), "{page}");
+    assert!(page.contains("| frequency governor | performance | performance |"), "{page}");
 }
 
 #[test]
@@ -144,7 +168,8 @@ fn the_order_of_rows_changes_nothing() {
     for run in &mut backward {
         run.summary.reverse();
         run.findings.reverse();
-        run.throughput.reverse();
+        // Samples of one backend stand as they were measured.
+        run.throughput.sort_by(|a, b| b.backend.cmp(&a.backend));
         run.precision.reverse();
     }
     assert_eq!(html(&forward, &[]).unwrap(), html(&backward, &[]).unwrap());

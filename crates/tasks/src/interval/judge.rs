@@ -7,7 +7,7 @@ use predicament_predicates::{Axis, PredicateKind, Predicates, Query, Scene, Vert
 use rayon::prelude::*;
 
 use super::{CHUNK, Cells, Found, Interval, describe};
-use crate::{Asked, Case, Class, Finding, Outcome, Stop, Watch};
+use crate::{AnswerLine, Asked, Case, Class, Finding, Outcome, Stop, Watch};
 
 /// What is true about each probe, by the coordinates of cells and probe.
 pub(super) fn truth(scene: &Scene, content: &Cells, watch: &Watch) -> Result<Vec<Found>, Stop> {
@@ -59,6 +59,16 @@ pub(super) fn judge(
         let exact = &case.truth[at];
         let whole = whole(asked.session, case.content, probe);
         let (class, check) = class(zero, whole, cells, exact, || perturbed(probe));
+        if asked.budget.answers {
+            outcome.answers.push(AnswerLine {
+                query: at,
+                args: vec![probe],
+                answer: describe(cells),
+                exact: describe(exact),
+                class,
+                stage: "",
+            });
+        }
         outcome.note(class, asked.budget.findings_per_class, || {
             let truth = match zero {
                 ZeroMeaning::Never => perturbed(probe),

@@ -16,7 +16,7 @@ use rayon::prelude::*;
 
 use super::section::LocateRow;
 use super::{Located, MapWithProbes, PolygonLocate, describe, watched};
-use crate::{Answer, Asked, Case, Class, Finding, Outcome, Stop, Watch};
+use crate::{Answer, AnswerLine, Asked, Case, Class, Finding, Outcome, Stop, Watch};
 
 /// What is true about a map and its probes.
 pub struct Truth {
@@ -109,6 +109,10 @@ pub(super) fn judge(
         };
         let by_shortcut = shortcut.map(|all| location(all, at)).filter(|&other| other != answer);
         let class = if class.is_legal() && by_shortcut.is_some() { Class::Topology } else { class };
+        if asked.budget.answers {
+            let [answer, exact] = [answer, exact].map(|location| describe(&content.map, location));
+            outcome.answers.push(AnswerLine { query: at, args: vec![probes[at]], answer, exact, class, stage: "" });
+        }
         outcome.note(class, asked.budget.findings_per_class, || {
             let (check, got, truth) = match (violation, by_shortcut) {
                 (Some(violation), _) => (violation.fault.name(), answer, exact),

@@ -8,7 +8,7 @@ use predicament_predicates::{Contract, Counts, Predicates, QuerySet, Scene, Sign
 use rayon::prelude::*;
 
 use super::error::{distance_over_l, largest_edge};
-use super::{CHUNK, Signs, axioms, classify};
+use super::{CHUNK, Signs, answers, axioms, classify};
 use crate::{Asked, Budget, Case, Class, ClassCounts, Contestant, Finding, Outcome, Stop, symbol};
 
 /// The answers to a scene with all that they are held against.
@@ -33,6 +33,9 @@ pub(super) fn judge(
     let (scene, truth, session) = (case.scene(), case.truth.as_slice(), asked.session);
     let given = Given { scene, queries, truth, answers, session, contract };
     let ties = asked.backend.tie_judge();
+    if asked.budget.answers {
+        outcome.answers = answers::lines(&given, ties, asked.backend);
+    }
     let chunks: Result<Vec<Chunk>, Stop> = (0..queries.len().div_ceil(CHUNK))
         .into_par_iter()
         .map(|i| {
@@ -102,10 +105,7 @@ impl Given<'_> {
 fn judge_chunk(given: &Given<'_>, ties: Option<&TieJudge>, budget: Budget, range: std::ops::Range<usize>) -> Chunk {
     let mut chunk = Chunk { counts: ClassCounts::default(), raw: Vec::new(), ties: Vec::new() };
     for query in range {
-        let mut class = given.class(query);
-        if class == Class::Inconsistent && is_identity(given, ties, query) {
-            class = Class::Agree;
-        }
+        let class = class(given, ties, query);
         chunk.counts.add(class, 1);
         if class == Class::TieBroken && ties.is_some() {
             chunk.ties.push(u32::try_from(query).expect("a scene has fewer than 2^32 queries"));
@@ -116,6 +116,14 @@ fn judge_chunk(given: &Given<'_>, ties: Option<&TieJudge>, budget: Budget, range
         }
     }
     chunk
+}
+
+/// The class of the answer to a query. Where ties are broken, zero agrees with an identity.
+pub(super) fn class(given: &Given<'_>, ties: Option<&TieJudge>, query: usize) -> Class {
+    match given.class(query) {
+        Class::Inconsistent if is_identity(given, ties, query) => Class::Agree,
+        class => class,
+    }
 }
 
 /// Whether a determinant is zero however the scene moves: no tie, but a vertex

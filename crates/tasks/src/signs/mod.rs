@@ -4,8 +4,10 @@
 //! list of queries. Each answer is held against the exact sign, and samples of
 //! answers against each other (the laws of predicates).
 
+mod answers;
 mod axioms;
 mod class;
+mod classes;
 mod constructed;
 mod content;
 mod degeneracy;
@@ -27,6 +29,7 @@ use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Sign};
 use rayon::prelude::*;
 
 pub use class::classify;
+pub use classes::classes;
 pub use content::SignQueries;
 pub use degeneracy::{Histogram, degeneracy};
 pub use truth::truth;

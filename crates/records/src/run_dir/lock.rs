@@ -1,0 +1,41 @@
+//! The lock of a run folder: one process writes it at a time.
+//!
+//! The system drops the lock with the process, however that ends, so a killed
+//! run leaves no lock behind. The file stays: to remove it would let two
+//! processes lock two files of one name.
+
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::path::Path;
+
+use crate::Error;
+
+/// The file that is locked.
+const FILE: &str = "run.lock";
+
+/// A run folder that this process writes.
+pub(super) struct Lock(#[allow(dead_code, reason = "held, not read: the lock goes with the file")] File);
+
+impl Lock {
+    /// Locks a folder.
+    pub fn take(folder: &Path) -> Result<Lock, Error> {
+        let path = folder.join(FILE);
+        let file = OpenOptions::new().create(true).append(true).open(&path).map_err(Error::io(&path))?;
+        match file.try_lock() {
+            Ok(()) => Ok(Lock(file)),
+            Err(TryLockError::WouldBlock) => {
+                Err(Error::new(folder, "another process is writing this run; wait for its end, or stop it"))
+            }
+            Err(TryLockError::Error(error)) => Err(Error::io(&path)(error)),
+        }
+    }
+
+    /// Whether a folder holds anything but a lock.
+    pub fn others(folder: &Path) -> Result<bool, Error> {
+        for entry in fs::read_dir(folder).map_err(Error::io(folder))? {
+            if entry.map_err(Error::io(folder))?.file_name() != FILE {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+}

@@ -1,0 +1,34 @@
+//! The class of every single answer, for pictures: judging a scene counts classes and keeps a few findings.
+
+use predicament_predicates::{Scene, Sign};
+use rayon::prelude::*;
+
+use super::judge::{Given, class};
+use super::{SignQueries, Signs};
+use crate::{Class, Contestant};
+
+/// The answers of a backend to all queries, in order, each with its class under the backend's promise.
+///
+/// The classes are those that judging starts from: a broken tie is legal here, whatever its side, and no answer is
+/// held against another one.
+///
+/// # Errors
+/// The reason, where the backend declines.
+pub fn classes(
+    backend: &dyn Contestant,
+    scene: &Scene,
+    content: &SignQueries,
+    truth: &[Sign],
+) -> Result<Vec<(Sign, Class)>, String> {
+    let queries = &content.queries;
+    let answers = backend.answer(&Signs::of(queries.kind()), scene, content)?.0;
+    let contract = backend.contract(queries.kind());
+    let mut classes = Vec::new();
+    let asked = backend.with_session(scene, &mut |session| {
+        let given = Given { scene, queries, truth, answers: &answers, session: &*session, contract };
+        let of = |query| (given.answers[query], class(&given, backend.tie_judge(), query));
+        classes = (0..queries.len()).into_par_iter().map(of).collect();
+    });
+    asked.map_err(|declined| declined.to_string())?;
+    Ok(classes)
+}

@@ -1,0 +1,301 @@
+//! `ask`: one question about a few points, put to every backend.
+
+use std::io::Read;
+use std::path::PathBuf;
+
+use predicament_corpus::{Level, LoadedScene, Suite};
+use predicament_formats::{CoordinateError, Manifest, exact_coordinate, hexfloat, nearest_coordinate};
+use predicament_judge as judge;
+use predicament_predicates::{PredicateKind, Query, Question};
+use predicament_tasks::signs::SignQueries;
+use predicament_tasks::{Budget, Contestant, Outcome, Watch, ids};
+use serde_json::{Map, Value, json};
+
+use crate::exit::{self, Failure};
+use crate::interrupt;
+use crate::out::program;
+use crate::select::Selector;
+use crate::tool::Tool;
+
+const EXAMPLES: &str = "\
+A point is its coordinates with commas between them: decimals that are exactly doubles, or hex floats. The points are
+taken in order, as many for each query as the predicate takes.
+
+Columns: query and args, the exact sign and value, then for each backend its answer, with the class where that is not
+`agree`, and the stage that decided it. A backend that declines says why on stderr.
+
+Examples:
+  predicament ask orient2d 0,0 1,0 0.5,0x1p-60
+  predicament ask incircle --round 0.1,0 0,0.1 -0.1,0 0,-0.1 -b exact,sos,naive,shewchuk
+  predicament ask orient3d --points mesh.off --queries all --format csv > answers.csv
+  predicament ask orient2d --plane yz --points - --format json < points.csv";
+
+/// Ask a question about your own points: every backend's answer, the exact value, the class
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// compare, orient2d, orient3d, incircle or insphere
+    #[arg(value_name = "PREDICATE")]
+    pub task: PredicateKind,
+
+    /// Points such as 0.5,1e3 or 0x1.8p+1,0,0
+    #[arg(value_name = "POINT")]
+    pub typed: Vec<String>,
+
+    /// A file of points (CSV, GeoJSON, WKT, OFF, OBJ, PLY, STL), or - for lines of points on stdin
+    #[arg(long, value_name = "FILE", conflicts_with = "typed")]
+    pub points: Option<PathBuf>,
+
+    /// `tuples` (the points in order), `all` combinations, or ids such as `0,1,2 3,1,0`
+    #[arg(long, default_value = "tuples", value_name = "QUERIES")]
+    pub queries: String,
+
+    /// For orient2d of points with three coordinates: xy, yz or zx
+    #[arg(long, value_name = "PLANE")]
+    pub plane: Option<String>,
+
+    /// For compare: x, y or z
+    #[arg(long, value_name = "AXIS")]
+    pub axis: Option<String>,
+
+    /// Take the nearest doubles of decimals that are none
+    #[arg(long)]
+    pub round: bool,
+
+    /// Backends, several with commas or by repeating; all if left out
+    #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
+    pub backends: Vec<String>,
+
+    /// How to print: aligned text, CSV, or JSON with one object a line
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// How answers are printed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
+pub enum Format {
+    /// Columns for people.
+    Text,
+    /// One line for each query.
+    Csv,
+    /// One object for each query.
+    Json,
+}
+
+/// Runs the command.
+pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
+    let backends = tool.pick(&args.backends)?;
+    let loaded = load(args, tool)?;
+    let quiet = |_: u64| {};
+    let watch = Watch::new(interrupt::flag(), None, &quiet);
+    let stopped = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
+    let case = tool.task(loaded.task).case(&loaded, &watch).map_err(stopped)?;
+    let budget = Budget { permutations: 0, relations: 0, ties: usize::MAX, answers: true, ..Budget::QUICK };
+    let mut answered: Vec<(String, Outcome)> = Vec::new();
+    for backend in &backends {
+        let backend: &dyn Contestant = backend.as_ref();
+        let outcome = predicament_oracle::run(case.as_ref(), backend, budget, &watch).map_err(stopped)?;
+        match outcome.findings.first().filter(|_| outcome.answers.is_empty()) {
+            Some(why) => note!("{}: {}: {}", backend.name(), why.class, why.got),
+            None => answered.push((backend.name(), outcome)),
+        }
+    }
+    let rows = rows(&loaded, &answered)?;
+    match args.format {
+        Format::Text => text(&loaded, &rows, &answered),
+        Format::Csv => csv(&rows, &answered).map_err(Failure::usage)?,
+        Format::Json => rows.iter().for_each(|row| say!("{}", row.json())),
+    }
+    let right = |(_, outcome): &(String, Outcome)| outcome.answers.iter().all(|line| line.class.is_legal());
+    if answered.iter().all(right) { Ok(exit::OK) } else { Ok(exit::UNEXPECTED) }
+}
+
+/// One query with everybody's answer.
+struct Row {
+    query: String,
+    args: String,
+    sign: String,
+    /// The determinant's nearest double, and all of it.
+    value: f64,
+    exact: String,
+    /// Backend, answer, class, stage.
+    answers: Vec<[String; 4]>,
+}
+
+impl Row {
+    fn json(&self) -> Value {
+        let answers: Map<String, Value> = self
+            .answers
+            .iter()
+            .map(|[backend, answer, class, stage]| {
+                (backend.clone(), json!({ "answer": answer, "class": class, "stage": stage }))
+            })
+            .collect();
+        json!({
+            "query": self.query,
+            "args": self.args,
+            "exact": self.sign,
+            "value": self.value,
+            "exact_value": self.exact,
+            "answers": answers,
+        })
+    }
+}
+
+fn rows(loaded: &LoadedScene, answered: &[(String, Outcome)]) -> Result<Vec<Row>, Failure> {
+    let content = loaded.content::<SignQueries>().ok_or_else(|| Failure::usage("a scene of another task"))?;
+    let queries = &content.queries;
+    let row = |at: usize| {
+        let (question, args): (Question, _) = (queries.question(), queries.args(at));
+        let verdict = judge::verdict(&loaded.scene, question, args);
+        let query: Query = question.query(args);
+        let answers = answered.iter().filter_map(|(backend, outcome)| {
+            let line = outcome.answers.get(at)?;
+            Some([backend.clone(), line.answer.clone(), line.class.name().to_owned(), line.stage.to_owned()])
+        });
+        Row {
+            query: query.to_string(),
+            args: ids(args),
+            sign: verdict.sign().to_string(),
+            value: verdict.determinant.to_f64(),
+            exact: verdict.determinant.to_string(),
+            answers: answers.collect(),
+        }
+    };
+    Ok((0..queries.len()).map(row).collect())
+}
+
+/// Answers in aligned columns, then the points that they are about.
+fn text(loaded: &LoadedScene, rows: &[Row], answered: &[(String, Outcome)]) {
+    let mut lines: Vec<Vec<String>> = vec![["query", "exact", "value"].map(str::to_owned).to_vec()];
+    lines[0].extend(answered.iter().map(|(name, _)| name.clone()));
+    for row in rows {
+        let mut cells = vec![row.query.clone(), row.sign.clone(), format!("{:e}", row.value)];
+        cells.extend(row.answers.iter().map(|[_, answer, class, stage]| {
+            let class = if class == "agree" { String::new() } else { format!(" {class}") };
+            let stage = if stage.is_empty() { String::new() } else { format!(" ({stage})") };
+            format!("{answer}{class}{stage}")
+        }));
+        lines.push(cells);
+    }
+    let columns = lines[0].len();
+    let width = |column: usize| lines.iter().map(|cells| cells[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    for cells in &lines {
+        let padded: Vec<String> = cells.iter().zip(&widths).map(|(cell, &width)| format!("{cell:<width$}")).collect();
+        say!("{}", padded.join("  ").trim_end());
+    }
+    if rows.len() <= 3 {
+        say!();
+        let vertices: Vec<_> = loaded.scene.vertices().collect();
+        for line in super::replay::point_lines(loaded, &vertices) {
+            say!("{line}");
+        }
+    }
+}
+
+fn csv(rows: &[Row], answered: &[(String, Outcome)]) -> Result<(), csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let mut head = ["query", "args", "exact", "value", "exact_value"].map(str::to_owned).to_vec();
+    for (name, _) in answered {
+        head.extend([name.clone(), format!("{name} class"), format!("{name} stage")]);
+    }
+    writer.write_record(&head)?;
+    for row in rows {
+        let mut cells =
+            vec![row.query.clone(), row.args.clone(), row.sign.clone(), format!("{:e}", row.value), row.exact.clone()];
+        cells
+            .extend(row.answers.iter().flat_map(|[_, answer, class, stage]| [answer, class, stage].map(String::clone)));
+        writer.write_record(&cells)?;
+    }
+    let bytes = writer.into_inner().map_err(|error| error.into_error())?;
+    say_text!("{}", String::from_utf8_lossy(&bytes));
+    Ok(())
+}
+
+/// The points and the question, as a scene of a suite that is not written down.
+fn load(args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
+    let points = match &args.points {
+        None if args.typed.is_empty() => {
+            let message = format!("no points; type some, or name a file with --points: `{} ask --help`", program());
+            return Err(Failure::usage(message));
+        }
+        None => listed(args.typed.iter().enumerate().map(|(at, text)| (format!("point {at}"), text.clone())), args)?,
+        Some(file) if file.as_os_str() == "-" => {
+            let mut text = String::new();
+            std::io::stdin().read_to_string(&mut text).map_err(|error| Failure::usage(format!("stdin: {error}")))?;
+            let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
+            let lines = lines.filter(|(_, line)| !predicament_formats::skipped(line));
+            listed(lines.map(|(at, line)| (format!("stdin:{}", at + 1), line.to_owned())), args)?
+        }
+        Some(file) => {
+            let path =
+                std::path::absolute(file).map_err(|error| Failure::usage(format!("{}: {error}", file.display())))?;
+            format!("{{ path = {} }}", quoted(&path.display().to_string()))
+        }
+    };
+    let mut text = format!("title = \"Asked\"\n[[scene]]\nname = \"asked\"\ntask = \"{}\"\n", args.task);
+    text += &format!("points = {points}\nqueries = {}\n", queries(&args.queries)?);
+    for (key, value) in [("plane", &args.plane), ("axis", &args.axis)] {
+        if let Some(value) = value {
+            text += &format!("{key} = {}\n", quoted(value));
+        }
+    }
+    if args.round && args.points.is_some() {
+        text += "round = true\n";
+    }
+    let suite = Suite::parse(tool.vocabulary(), "ask", &text, Some(std::path::Path::new(".")), &Manifest::default())?;
+    let cache = Selector::everything().cache()?;
+    Ok(suite.scenes[0].load(Level::Quick, &cache)?)
+}
+
+fn quoted(text: &str) -> String {
+    toml::Value::String(text.to_owned()).to_string()
+}
+
+/// Points that were typed, as hex floats.
+fn listed(points: impl Iterator<Item = (String, String)>, args: &Args) -> Result<String, Failure> {
+    let mut rows = Vec::new();
+    for (place, text) in points {
+        let bare = text.trim().trim_start_matches(['(', '[']).trim_end_matches([')', ']']);
+        let cells = bare.split(|c: char| c == ',' || c == ';' || c.is_whitespace()).filter(|cell| !cell.is_empty());
+        let mut row = Vec::new();
+        for cell in cells {
+            let read = match exact_coordinate(cell) {
+                Err(CoordinateError::Inexact { .. }) if args.round => nearest_coordinate(cell),
+                read => read,
+            };
+            let x = read.map_err(|error| {
+                let (message, cure) = predicament_formats::explain("", cell, &error);
+                let inexact = matches!(error, CoordinateError::Inexact { .. });
+                let cure = if inexact { "add --round to take its nearest double".to_owned() } else { cure };
+                Failure::usage(format!("{place}: {message}; {cure}"))
+            })?;
+            row.push(format!("\"{}\"", hexfloat::format(x)));
+        }
+        if !(2..=3).contains(&row.len()) {
+            let found = row.len();
+            return Err(Failure::usage(format!("{place}: {found} coordinates in `{text}`; write two or three: 0.5,1")));
+        }
+        rows.push(format!("[{}]", row.join(", ")));
+    }
+    Ok(format!("[{}]", rows.join(",\n")))
+}
+
+/// `--queries` as the value of the key.
+fn queries(text: &str) -> Result<String, Failure> {
+    if ["tuples", "all"].contains(&text) {
+        return Ok(format!("\"{text}\""));
+    }
+    let queries = text.split(|c: char| c == ';' || c.is_whitespace()).filter(|query| !query.is_empty());
+    let query = |query: &str| {
+        let ids: Result<Vec<u32>, _> = query.split(',').map(str::parse).collect();
+        let ids = ids.map_err(|_| {
+            Failure::usage(format!(
+                "--queries: `{query}` is no query; write `tuples`, `all` or ids such as `0,1,2 3,1,0`"
+            ))
+        })?;
+        Ok(format!("[{}]", ids.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")))
+    };
+    Ok(format!("[{}]", queries.map(query).collect::<Result<Vec<_>, Failure>>()?.join(", ")))
+}

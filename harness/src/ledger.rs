@@ -1,0 +1,150 @@
+//! The rows of a run under way, in memory and on disk.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
+
+use predicament_corpus::Level;
+use predicament_exact::Precision;
+use predicament_oracle::expect::Expectations;
+use predicament_predicates::Scene;
+use predicament_records::{self as records, AnswerRow, PlannedScene, PrecisionRow, Row, RunWriter, Status, SummaryRow};
+use predicament_tasks::{AnyCase, Class, Contestant, Outcome};
+
+use crate::cmd::map;
+use crate::exit::{self, Failure};
+use crate::rows;
+
+/// What is done, in memory and on disk.
+pub struct Ledger {
+    pub level: Level,
+    /// Whether every answer is written.
+    pub answers: bool,
+    /// Tasks whose answers are wholes, where every answer was to be written, with their scenes.
+    pub wholes: BTreeMap<String, BTreeSet<String>>,
+    pub done: Vec<SummaryRow>,
+    pub precision: Vec<PrecisionRow>,
+    pub folder: PathBuf,
+    pub writer: RunWriter,
+}
+
+impl Ledger {
+    pub fn is_done(&self, scene: &PlannedScene, backend: &str) -> bool {
+        self.done.iter().any(|row| row.suite == scene.suite && row.scene == scene.scene && row.backend == backend)
+    }
+
+    /// Whether the scene's precision plan is written down: a run folder may be older than that table.
+    pub fn is_planned(&self, scene: &PlannedScene) -> bool {
+        self.precision.iter().any(|row| row.suite == scene.suite && row.scene == scene.scene)
+    }
+
+    /// Writes the scene's precision plan, once; the next commit makes it permanent.
+    pub fn plan(&mut self, scene: &PlannedScene, points: &Scene) -> Result<(), Failure> {
+        if !self.is_planned(scene) {
+            let row = rows::precision(scene, &Precision::of(points));
+            self.writer.write(std::slice::from_ref(&row)).map_err(Failure::usage)?;
+            self.precision.push(row);
+        }
+        Ok(())
+    }
+
+    pub fn record(
+        &mut self,
+        scene: &PlannedScene,
+        backend: &str,
+        outcome: &Outcome,
+        expected: &Expectations,
+    ) -> Result<SummaryRow, Failure> {
+        let level = self.level.name();
+        let summary =
+            rows::record(&mut self.writer, scene, backend, outcome, expected, level).map_err(Failure::usage)?;
+        self.writer.commit().map_err(Failure::usage)?;
+        self.note_whole(scene, summary.has_answers() && outcome.answers.is_empty());
+        self.done.push(summary.clone());
+        Ok(summary)
+    }
+
+    /// Takes the rows that a worker has left.
+    pub fn adopt(
+        &mut self,
+        found: crate::worker::Found,
+        scene: &PlannedScene,
+        backend: &str,
+        expected: &Expectations,
+    ) -> Result<(), Failure> {
+        let mut summary = found.summary;
+        for row in &mut summary {
+            row.status = rows::status(scene, backend, row, expected, self.level.name());
+        }
+        let writer = &mut self.writer;
+        writer.write(&summary).map_err(Failure::usage)?;
+        writer.write(&found.findings).map_err(Failure::usage)?;
+        writer.write(&found.stages).map_err(Failure::usage)?;
+        writer.append(&found.more).map_err(Failure::usage)?;
+        for (name, png) in &found.maps {
+            writer.add_map(name, png).map_err(Failure::usage)?;
+        }
+        writer.commit().map_err(Failure::usage)?;
+        let written = found.more.iter().any(|record| record.file == AnswerRow::FILE);
+        self.note_whole(scene, summary.iter().any(SummaryRow::has_answers) && !written);
+        self.done.extend(summary);
+        Ok(())
+    }
+
+    /// Notes a scene whose answer is a whole: it has no lines among the answers.
+    fn note_whole(&mut self, scene: &PlannedScene, is_whole: bool) {
+        if self.answers && is_whole {
+            self.wholes.entry(scene.task.clone()).or_default().insert(format!("{}/{}", scene.suite, scene.scene));
+        }
+    }
+
+    pub fn draw(&self, case: &dyn AnyCase, backend: &dyn Contestant) -> Result<(), Failure> {
+        // A backend that declines or panics has a row that says so, and no picture.
+        let tile = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| map::tile(case, backend)));
+        let Ok(Ok(tile)) = tile else { return Ok(()) };
+        let png = tile.map.to_png(1).map_err(Failure::usage)?;
+        let name = format!("{} {}", case.loaded().name, backend.name()).replace(':', "-");
+        self.writer.add_map(&name, &png).map_err(Failure::usage)
+    }
+
+    pub fn finish(self, ended: records::Outcome) -> exit::Outcome {
+        self.writer.finish(ended).map_err(Failure::usage)?;
+        let count = |status: Status| self.done.iter().filter(|row| row.status == status).count();
+        let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
+        // What was declined, or ran out of time, was not answered.
+        let queries: u64 = self.done.iter().filter(|row| row.has_answers()).map(|row| row.queries).sum();
+        say!(
+            "{}: {queries} answers judged; rows: {} ok, {} expected, {unexpected} unexpected, \
+             {passes} unexpected pass; {}",
+            self.folder.display(),
+            count(Status::Ok),
+            count(Status::Expected),
+            ended.describe(),
+        );
+        for row in self.done.iter().filter(|row| !row.status.passes()) {
+            say!("  {}", describe(row));
+        }
+        for (task, scenes) in &self.wholes {
+            let (file, count) = (AnswerRow::FILE, scenes.len());
+            note!("{file} has no lines of {count} scenes of {task}, whose answers are wholes: `solve` writes those");
+        }
+        Ok(if ended != records::Outcome::Complete {
+            exit::INCOMPLETE
+        } else if unexpected > 0 {
+            exit::UNEXPECTED
+        } else if passes > 0 {
+            exit::UNEXPECTED_PASS
+        } else {
+            exit::OK
+        })
+    }
+}
+
+/// A summary row in words.
+pub fn describe(row: &SummaryRow) -> String {
+    let classes: Vec<String> = Class::ALL
+        .into_iter()
+        .filter(|&class| row.count(class) > 0)
+        .map(|class| format!("{} {}", row.count(class), class.name()))
+        .collect();
+    format!("{}: {}/{} on {}: {}", row.status.name(), row.suite, row.scene, row.backend, classes.join(", "))
+}

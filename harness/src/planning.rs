@@ -1,0 +1,75 @@
+//! What a run is going to do, and where: its plan, machine, tables and folder.
+
+use std::path::PathBuf;
+
+use predicament_corpus::Level;
+use predicament_exact::Exact;
+use predicament_predicates::Backend;
+use predicament_records::{self as records, AnswerRow, Env, Plan, SampledRow, Shard, TableSpec};
+use predicament_tasks::{Budget, Contestant};
+
+use crate::judged::JudgedRow;
+use crate::select::{Planned, Selection};
+use crate::tool::Tool;
+
+/// How much is sampled at a level.
+pub fn budget(level: Level) -> Budget {
+    match level {
+        Level::Quick => Budget::QUICK,
+        Level::Full => Budget::FULL,
+    }
+}
+
+/// The tables of a run folder besides those of every run.
+pub fn tables(tool: &Tool) -> Vec<TableSpec> {
+    let mut tables = tool.tables();
+    tables.extend([TableSpec::of::<JudgedRow>(), TableSpec::of::<SampledRow>()]);
+    tables
+}
+
+/// The same, and that of all answers where they are wanted.
+pub fn tables_with(tool: &Tool, answers: bool) -> Vec<TableSpec> {
+    let mut tables = tables(tool);
+    tables.extend(answers.then(TableSpec::of::<AnswerRow>));
+    tables
+}
+
+/// The plan of a run over these scenes.
+pub fn plan(selection: &Selection, scenes: &[Planned], backends: &[Box<dyn Contestant>], shard: Shard) -> Plan {
+    Plan {
+        format: records::FORMAT,
+        created_by: format!("predicament {}", env!("CARGO_PKG_VERSION")),
+        level: match selection.level {
+            Level::Quick => records::Level::Quick,
+            Level::Full => records::Level::Full,
+        },
+        suites: selection.suites.iter().map(|suite| suite.name.clone()).collect(),
+        paths: selection.paths(),
+        hashes: selection.hashes(),
+        answers: false,
+        scenes: scenes.iter().map(|scene| scene.plan.clone()).collect(),
+        backends: backends.iter().map(|backend| backend.name()).collect(),
+        ladder: Exact.stages().iter().map(|&stage| stage.to_owned()).collect(),
+        shard,
+        not_selected: selection.not_selected.clone(),
+        findings_per_class: budget(selection.level).findings_per_class as u64,
+    }
+}
+
+/// The machine, the compiler, what the tool was built from, and the peers.
+pub fn env() -> Env {
+    let mut env = Env::collect(env!("CARGO_PKG_VERSION"));
+    env.rustc = Some(env!("PREDICAMENT_RUSTC").to_owned());
+    env.opt_flags = Some(env!("PREDICAMENT_FLAGS").to_owned());
+    env.commit = option_env!("PREDICAMENT_COMMIT").map(str::to_owned);
+    env.dirty = option_env!("PREDICAMENT_DIRTY").map(|dirty| dirty == "true");
+    env.peers.insert("robust".to_owned(), env!("PREDICAMENT_ROBUST").to_owned());
+    env.peers.extend(crate::peers::VERSIONS.iter().map(|&(peer, version)| (peer.to_owned(), version.to_owned())));
+    env
+}
+
+/// `stem-1`, or the first number that is free.
+pub fn free_folder(stem: &str) -> PathBuf {
+    let mut names = (1..).map(|n| PathBuf::from(format!("{stem}-{n}")));
+    names.find(|path| !path.exists()).expect("some number is free")
+}

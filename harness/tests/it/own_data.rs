@@ -1,0 +1,161 @@
+//! Own points: `ask`, `new`, `run --answers`, and suites by path wherever a suite can be named.
+
+use std::io::Write as _;
+use std::process::Stdio;
+
+use crate::common::{SUITE, at, column, expect, read, run, told, tool, write};
+use tempfile::tempdir;
+
+#[test]
+fn typed_points_are_answered_by_every_backend() {
+    // Right of the line through (1, 0) and (2, 0) by less than doubles can tell after rounding.
+    let args = ["ask", "orient2d", "0.5,0x1.0000000000001p-1", "12,12", "24,24", "-b", "exact,naive,sos", "--format"];
+    let told = expect(100, &[&args[..], &["csv"]].concat());
+    let lines: Vec<&str> = told.stdout.lines().collect();
+    assert_eq!(
+        lines[0],
+        "query,args,exact,value,exact_value,exact,exact class,exact stage,naive,naive class,naive stage,sos,sos class,sos stage"
+    );
+    // (a - c) × (b - c) = (-23.5)(-12) - (-23.5 + 2^-53)(-12) = 12 · 2^-53
+    let row = "orient2d(xy; 0 1 2),0 1 2,+,1.3322676295501878e-15,3/2251799813685248,+,agree,";
+    assert!(lines[1].starts_with(row), "{}", lines[1]);
+    assert!(lines[1].contains(",0,overreach,float,+,agree,"), "{}", lines[1]);
+    let text = expect(100, &[&args[..], &["text"]].concat()).stdout;
+    assert!(text.starts_with("query") && text.contains("0 overreach (float)"), "{text}");
+    assert!(text.contains("vertex        0  (0.5, 0.5000000000000001)"), "{text}");
+    let json = expect(100, &[&args[..], &["json"]].concat()).stdout;
+    let row: serde_json::Value = serde_json::from_str(json.trim()).unwrap();
+    assert_eq!(row["answers"]["naive"]["class"], "overreach");
+    assert_eq!(row["exact_value"], "3/2251799813685248");
+    expect(0, &["ask", "orient2d", "-1,0", "0,-0.5", "1,0", "-b", "exact"]);
+}
+
+#[test]
+fn points_come_from_stdin_and_files() {
+    let folder = tempdir().unwrap();
+    let csv: String = (0..30).map(|k| format!("{},{}\n", k * k % 17, k % 5)).collect();
+    let file = write(&folder, "points.csv", &csv);
+    let by_file = expect(0, &["ask", "orient2d", "--points", &file, "-b", "exact,sos", "--format", "csv"]).stdout;
+    assert_eq!(by_file.lines().count(), 1 + 10);
+    let mut child = tool(&["ask", "orient2d", "--points", "-", "-b", "exact,sos", "--format", "csv"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(csv.as_bytes()).unwrap();
+    let by_stdin = told(child.wait_with_output().unwrap());
+    assert_eq!((by_stdin.code, by_stdin.stdout), (0, by_file));
+    let all = expect(0, &["ask", "compare", "1,0", "2,0", "3,0", "--queries", "all", "-b", "exact", "--format", "csv"]);
+    assert_eq!(column(&all.stdout, "args"), ["0 1", "0 2", "1 2"]);
+    let some = expect(0, &["ask", "compare", "1,0", "2,0", "--queries", "1,0 0,1", "-b", "exact", "--format", "csv"]);
+    assert_eq!(column(&some.stdout, "exact"), ["+", "-"]);
+}
+
+#[test]
+fn what_cannot_be_asked_is_said_in_a_line() {
+    for (args, said) in [
+        (&["orient2d"][..], "no points; type some, or name a file with --points"),
+        (&["orient2d", "0.1,0", "1,0", "0,1"], "point 0: decimal 0.1 is not exactly a double; add --round"),
+        (&["orient2d", "0,0", "1,0", "x,1"], "point 2: `x` is not a number"),
+        (&["orient2d", "0,0", "1,0", "1"], "point 2: 1 coordinates in `1`; write two or three"),
+        (&["compare", "0,0", "1,0", "--queries", "a"], "--queries: `a` is no query"),
+    ] {
+        let refused = expect(2, &[&["ask"], args].concat());
+        assert!(refused.stderr.contains(said), "{}", refused.stderr);
+    }
+    expect(104, &["ask", "orient2d", "0,0", "1,0"]);
+    let declined = expect(0, &["ask", "orient2d", "0,0", "1,0", "0,0x1.0000000000001p-1", "-b", "exact,tolerance:f32"]);
+    assert!(declined.stderr.contains("tolerance:f32: declined: "), "{}", declined.stderr);
+    assert!(expect(0, &["ask", "orient2d", "--round", "0.1,0", "1,0", "0,1", "-b", "exact"]).stdout.contains("  +  "));
+}
+
+#[test]
+fn a_new_suite_runs_as_it_is() {
+    let folder = tempdir().unwrap();
+    for task in ["compare", "orient2d", "orient3d", "incircle", "insphere"] {
+        let file = at(&folder, &format!("{task}.toml"));
+        let told = expect(0, &["new", &file, "--task", task]);
+        assert!(told.stdout.contains(&format!("run {file} -b exact,sos,naive --answers")), "{}", told.stdout);
+        let out = at(&folder, task);
+        let ran = expect(0, &["run", &file, "-b", "exact,sos", "--answers", "--out", &out]);
+        assert!(ran.stdout.contains(": 2 answers judged"), "{}", ran.stdout);
+        assert!(expect(2, &["new", &file]).stderr.contains("the file is there"));
+    }
+    write(&folder, "points.csv", "0,0\n1,0\n0,1\n");
+    let file = at(&folder, "mine.toml");
+    expect(0, &["new", &file, "--points", "points.csv"]);
+    expect(0, &["run", &file, "-b", "exact", "--out", &at(&folder, "run")]);
+    assert!(expect(2, &["new", &at(&folder, "mine.txt")]).stderr.contains("a suite's name ends with .toml"));
+}
+
+#[test]
+fn every_answer_of_a_run_is_written_where_it_was_asked_for() {
+    let folder = tempdir().unwrap();
+    let [plain, full, apart] = ["plain", "full", "apart"].map(|name| at(&folder, name));
+    let filter = "kettner-a1$|three-cells|tilings/bricks-3|cubes/twins";
+    // Contradictions between answers would move them to another class in the summary.
+    let scenes = ["run", "-f", filter, "--permutations", "0", "-b", "exact,sos,naive", "--out"];
+    run(&[&scenes[..], &[&plain]].concat());
+    let told = run(&[&scenes[..], &[&full, "--answers"]].concat());
+    assert!(told.stderr.contains("answers.csv has no lines of 1 scenes of cube-union"), "{}", told.stderr);
+    run(&[&scenes[..], &[&apart, "--answers", "--isolate"]].concat());
+    assert!(!folder.path().join("plain/answers.csv").exists());
+    let answers = read(&full, "answers.csv");
+    assert_eq!(answers, read(&apart, "answers.csv"), "in a process of its own");
+    assert_eq!(read(&plain, "summary.csv"), read(&full, "summary.csv"), "to write them changes no row");
+    // As many as were asked, and as many of each class as are counted.
+    let summary = read(&full, "summary.csv");
+    let of_signs = |csv: &str| {
+        let head = csv.lines().next().unwrap().to_owned();
+        let rows = csv.lines().skip(1).filter(|row| !row.contains("cube-union"));
+        std::iter::once(head).chain(rows.map(str::to_owned)).collect::<Vec<_>>().join("\n")
+    };
+    let asked: usize = column(&of_signs(&summary), "queries").iter().map(|n| n.parse::<usize>().unwrap()).sum();
+    assert_eq!(answers.lines().count() - 1, asked);
+    // Answers have commas.
+    let mut rows = csv::Reader::from_reader(answers.as_bytes());
+    let classes: Vec<String> = rows.records().map(|row| row.unwrap()[9].to_owned()).collect();
+    let classes = |name: &str| classes.iter().filter(|class| *class == name).count();
+    for class in ["agree", "tie_broken", "overreach", "sign_flip"] {
+        let counted: usize = column(&of_signs(&summary), class).iter().map(|n| n.parse::<usize>().unwrap()).sum();
+        assert_eq!(classes(class), counted, "{class}");
+    }
+    assert!(column(&answers, "stage").iter().any(|stage| stage == "float"), "{answers}");
+}
+
+#[test]
+fn a_suite_by_path_can_be_drawn_and_a_changed_one_is_named() {
+    let folder = tempdir().unwrap();
+    let pixels = "title = \"Mine\"\n[[generate]]\nfamily = \"pixel-map\"\nname = \"neighbours\"\ntask = \"orient2d\"\n\
+                  p = [0.5, 0.5]\nq = [12, 12]\nr = [24, 24]\nside = 8\n";
+    let suite = write(&folder, "mine.toml", pixels);
+    let png = at(&folder, "map.png");
+    expect(0, &["map", "neighbours", "--suite", &suite, "-b", "naive,exact", "--out", &png]);
+    assert!(std::fs::read(&png).unwrap().starts_with(b"\x89PNG"));
+
+    let suite = write(&folder, "mine.toml", SUITE);
+    let out = at(&folder, "run");
+    run(&["run", &suite, "-b", "naive", "--out", &out]);
+    let id = column(&read(&out, "findings.csv"), "finding_id")[0].clone();
+    assert!(expect(0, &["replay", &id, "--run", &out]).stdout.contains("naive"));
+    assert!(read(&out, "plan.json").contains("\"hashes\""));
+    write(&folder, "mine.toml", &SUITE.replace("\"0x1.0000000000001p-1\"", "0.5"));
+    let refused = expect(2, &["replay", &id, "--run", &out]);
+    assert!(refused.stderr.contains(&format!("as has {suite}; run it again")), "{}", refused.stderr);
+}
+
+#[test]
+fn a_finding_about_a_whole_scene_is_replayed() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let out = at(&folder, "run");
+    let crashes = ["run", &suite, "-f", "plain", "-b", "fault:aborts", "--isolate", "--out", &out];
+    expect(100, &crashes);
+    let id = column(&read(&out, "findings.csv"), "finding_id")[0].clone();
+    let told = expect(0, &["replay", &id, "--run", &out, "-b", "exact"]);
+    for said in ["fault:aborts             1 panic", "crashed: abort (signal 6)", "exact                    1 agree"] {
+        assert!(told.stdout.contains(said), "{}", told.stdout);
+    }
+    assert!(told.stdout.ends_with("The finding is there again.\n"), "{}", told.stdout);
+}

@@ -1,0 +1,61 @@
+//! Pixel maps: which colour is drawn for which answer, and what counts as wrong.
+
+use std::collections::BTreeSet;
+
+use tempfile::tempdir;
+
+use crate::common::{at, expect};
+
+type Colour = [u8; 3];
+
+const RED: Colour = [230, 120, 90];
+const YELLOW: Colour = [250, 225, 110];
+const BLUE: Colour = [110, 165, 225];
+const DARK_YELLOW: Colour = [130, 95, 0];
+
+/// The colours of a PNG file and its width.
+fn decode(path: &str) -> (usize, Vec<Colour>) {
+    let mut decoder = png::Decoder::new(std::io::BufReader::new(std::fs::File::open(path).unwrap()));
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut bytes).unwrap();
+    (usize::try_from(info.width).unwrap(), bytes[..info.buffer_size()].as_chunks().0.to_vec())
+}
+
+/// One pixel of each colour, as README and `map --help` name them. Above the diagonal a point is left of the line.
+#[test]
+fn left_is_blue_right_is_red_the_line_is_yellow_and_wrong_is_dark() {
+    let folder = tempdir().unwrap();
+    let picture = |backend: &str| {
+        let out = at(&folder, &format!("{}.png", backend.replace(':', "-")));
+        let told = expect(0, &["map", "kettner-pixels-a", "-b", backend, "--out", &out]);
+        let (width, pixels) = decode(&out);
+        assert_eq!((width, pixels.len()), (256, 256 * 256));
+        (told.stdout.lines().next().unwrap().to_owned(), pixels)
+    };
+    let colours = |pixels: &[Colour]| pixels.iter().copied().collect::<BTreeSet<_>>();
+
+    let (caption, exact) = picture("exact");
+    assert_eq!([exact[0], exact[255], exact[256 * 255], exact[256 * 256 - 1]], [BLUE, YELLOW, YELLOW, RED]);
+    assert_eq!(colours(&exact), BTreeSet::from([BLUE, RED, YELLOW]));
+    assert!(caption.starts_with("exact") && caption.contains(" 0 differ from the exact sign, 0 wrong"), "{caption}");
+
+    // Ties are broken as promised: another colour than the exact one, and not a dark one.
+    let (caption, sos) = picture("sos");
+    assert_eq!(colours(&sos), BTreeSet::from([BLUE, RED]));
+    assert!(caption.contains(" 256 differ from the exact sign, 0 wrong"), "{caption}");
+    // All of it is within the band.
+    let (caption, tolerance) = picture("tolerance");
+    assert_eq!(colours(&tolerance), BTreeSet::from([YELLOW]));
+    assert!(caption.contains(" 65280 differ from the exact sign, 0 wrong"), "{caption}");
+    // The same answers without a promise.
+    let (caption, epsilon) = picture("epsilon:1e-10");
+    assert_eq!(colours(&epsilon), BTreeSet::from([YELLOW, DARK_YELLOW]));
+    assert!(caption.contains(" 65280 differ from the exact sign, 65280 wrong"), "{caption}");
+
+    let help = expect(0, &["map", "--help"]).stdout;
+    assert!(help.contains("red/yellow/blue for -/0/+"), "{help}");
+    let readme = std::fs::read_to_string("../README.md").unwrap().replace('\n', " ");
+    assert!(readme.contains("Blue is left, red is right, yellow is on the line; dark is wrong"), "{readme}");
+}
