@@ -3,7 +3,7 @@
 // They ask for a side of a base (three points, or four) that is positive by geogram's own orientation, which in space is the
 // opposite of ours. So the last of the points that leaves a base that is not flat is the one that is asked about, the base is
 // turned round if need be, and the side becomes the determinant's sign by the orientation. These orientation tests are in the time.
-// Points that leave no base are declined.
+// Points that leave no base, all of them flat, are zero: their determinant is, however the lift is perturbed.
 
 #include <geogram/basic/common.h>
 #include <geogram/basic/environment.h>
@@ -56,7 +56,7 @@ private:
                 parity = -parity;
             }
         }
-        return Answer::declined;
+        return Answer::zero;
     }
 };
 

@@ -58,8 +58,8 @@
 
 namespace predicament {
 
-/// What a zero of the engine means: zero, never given (ties are broken), or within a tolerance.
-enum class Zero { exact, never, band };
+/// What a zero of the engine means: zero, or nothing, since ties are broken.
+enum class Zero { exact, never };
 
 /// An answer as the protocol has it, for predicates that decline single queries.
 enum class Answer : int { negative = -1, zero = 0, positive = 1, declined = 2, nan = 3 };
@@ -394,7 +394,7 @@ private:
         std::string predicates;
         list<Compare>(predicates), list<Orient2d>(predicates), list<Orient3d>(predicates), list<Incircle>(predicates),
             list<Insphere>(predicates);
-        const char* const zero = E::zero == Zero::exact ? "exact" : E::zero == Zero::never ? "never" : "band";
+        const char* const zero = E::zero == Zero::exact ? "exact" : "never";
         return Reply("hello")
             .text("protocol", "1")
             .text("name", E::name)

@@ -7,7 +7,7 @@
 //     serve({
 //         name: "mine",
 //         version: "1.0",
-//         zero: "exact",              // or "never" (ties are broken) or "band" (zero is a tolerance)
+//         zero: "exact",              // or "never": ties are broken
 //         orient2d: (a, b, c) => …    // a number: its sign counts, and it may be a NaN. undefined declines the query
 //     });
 //

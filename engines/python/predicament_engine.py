@@ -9,7 +9,7 @@ Write a class with the predicates that you have, and call `serve`:
     class Mine:
         name = "mine"
         version = "1.0"
-        zero = "exact"                      # or "never" (ties are broken) or "band" (zero is a tolerance)
+        zero = "exact"                      # or "never": ties are broken
 
         def orient2d(self, a, b, c): ...    # a number: its sign counts, and it may be a NaN. None declines the query
 
