@@ -47,6 +47,8 @@ enum Command {
     Study(cmd::study::Args),
     Engines(cmd::engines::Args),
     Doctor(cmd::doctor::Args),
+    Completions(cmd::shell::Completions),
+    Man(cmd::shell::Man),
 }
 
 /// The tool, ready to learn backends and tasks.
@@ -112,9 +114,9 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
         let tool = Tool::new(self.backends, &self.tasks, self.suites, self.expected);
         // Backends and tasks of other crates belong into the help.
         let help = format!("Backends:\n{}", tool.backend_help());
-        let matches = Arguments::command()
-            .mut_subcommand("run", |run| run.after_help(format!("{help}\n\n{}", cmd::run::EXAMPLES)))
-            .get_matches_from(std::env::args_os().map(point));
+        let command = Arguments::command()
+            .mut_subcommand("run", |run| run.after_help(format!("{help}\n\n{}", cmd::run::EXAMPLES)));
+        let matches = command.clone().get_matches_from(std::env::args_os().map(point));
         let arguments = match Arguments::from_arg_matches(&matches) {
             Ok(arguments) => arguments,
             Err(error) => error.exit(),
@@ -139,6 +141,8 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
             Command::Study(args) => cmd::study::run(&args, &tool),
             Command::Engines(args) => cmd::engines::run(&args),
             Command::Doctor(args) => cmd::doctor::run(&args, &tool),
+            Command::Completions(args) => cmd::shell::completions(&args, command),
+            Command::Man(args) => cmd::shell::man(&args, command),
         });
         exit::code(done.unwrap_or_else(|broken| Err(exit::Failure::usage(broken))))
     }

@@ -2,6 +2,7 @@
 //! kept and the run says that it is incomplete. A second Ctrl-C kills.
 
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 static STOP: AtomicBool = AtomicBool::new(false);
 
@@ -16,6 +17,20 @@ pub fn listen() {
     if let Err(error) = installed {
         eprintln!("{}: Ctrl-C will not be caught: {error}", crate::out::program());
     }
+}
+
+/// The same, for work that may be in the middle of something long that looks at no flag: after a while the process
+/// ends as it is. What was committed to a run folder stays.
+pub fn listen_for(grace: Duration) {
+    listen();
+    std::thread::spawn(move || {
+        while !STOP.load(Ordering::SeqCst) {
+            std::thread::sleep(Duration::from_millis(50));
+        }
+        std::thread::sleep(grace);
+        eprintln!("{}: stopped in the middle of a scene; the scenes before it are kept", crate::out::program());
+        std::process::exit(i32::from(crate::exit::INCOMPLETE));
+    });
 }
 
 /// The flag that the work looks at.

@@ -100,7 +100,8 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-bench"));
     let plan = plan(&selection, &scenes, &backends, Shard::WHOLE);
     let mut writer = RunWriter::create(&folder, &plan, &env(), &tables(tool)).map_err(Failure::usage)?;
-    interrupt::listen();
+    // A pass over a large scene looks at no flag.
+    interrupt::listen_for(Duration::from_secs(3));
     let bar = progress::bar(scenes.len() as u64, "scenes");
     let quiet = |_: u64| {};
     let watch = Watch::new(interrupt::flag(), None, &quiet);

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use predicament_records::{self as records, RunDir, Spread, Status, SummaryRow, junit};
 use predicament_tasks::{Class, ClassCounts};
+use serde_json::json;
 
 use crate::exit::{self, Failure};
 use crate::expectations;
@@ -35,6 +36,10 @@ pub struct Args {
     /// Write a JUnit file
     #[arg(long, value_name = "FILE")]
     pub junit: Option<PathBuf>,
+
+    /// Print one JSON object: the counts, and everything that is not as it should be
+    #[arg(long, conflicts_with = "suggest")]
+    pub json: bool,
 
     /// Write the expectations that would make every unexpected finding expected, as TOML with reasons to
     /// be filled in; to stdout if no file is named
@@ -67,40 +72,52 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         let text = junit("predicament", &run.summary, &run.not_run()).map_err(Failure::usage)?;
         records::replace(path, text.as_bytes()).map_err(Failure::usage)?;
     }
-    for row in run.summary.iter().filter(|row| !row.status.passes()) {
-        say!("{}", describe(row));
-    }
-    for line in worse.findings.iter().chain(&worse.timings) {
-        say!("{line}");
-    }
     let not_run = run.not_run();
-    for missing in &not_run {
-        say!("not run: {}/{} on {}", missing.suite, missing.scene, missing.backend);
-    }
     let unused = expectations::unused(&expected, tool, &run.plan)?;
-    for line in &unused.never {
-        say!("never true: {line}");
-    }
-    if !unused.here.is_empty() {
-        say!("{} expectations are not about this run's scenes, backends and level", unused.here.len());
-    }
     if let Some(file) = &args.suggest {
         suggest(&run, file)?;
     }
     let count = |status: Status| run.summary.iter().filter(|row| row.status == status).count();
     let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
-    say!(
-        "{}: {} rows: {} ok, {} expected, {unexpected} unexpected, {passes} unexpected pass, {} never true, {} not run, \
-         {} worse than the baseline; {}",
-        args.run.display(),
-        run.summary.len(),
-        count(Status::Ok),
-        count(Status::Expected),
-        unused.never.len(),
-        not_run.len(),
-        worse.findings.len() + worse.timings.len(),
-        run.outcome.describe(),
-    );
+    let failed: Vec<String> = run.summary.iter().filter(|row| !row.status.passes()).map(describe).collect();
+    let missing: Vec<String> =
+        not_run.iter().map(|pair| format!("{}/{} on {}", pair.suite, pair.scene, pair.backend)).collect();
+    if args.json {
+        let told = json!({
+            "run": args.run,
+            "outcome": run.outcome,
+            "rows": run.summary.len(),
+            "ok": count(Status::Ok),
+            "expected": count(Status::Expected),
+            "unexpected": unexpected,
+            "unexpected_pass": passes,
+            "failed": failed,
+            "never_true": unused.never,
+            "not_held": unused.here,
+            "not_run": missing,
+            "worse": worse.findings.iter().chain(&worse.timings).collect::<Vec<_>>(),
+        });
+        say!("{told}");
+    } else {
+        failed.iter().chain(&worse.findings).chain(&worse.timings).for_each(|line| say!("{line}"));
+        missing.iter().for_each(|line| say!("not run: {line}"));
+        unused.never.iter().for_each(|line| say!("never true: {line}"));
+        if !unused.here.is_empty() {
+            say!("{} expectations are not about this run's scenes, backends and level", unused.here.len());
+        }
+        say!(
+            "{}: {} rows: {} ok, {} expected, {unexpected} unexpected, {passes} unexpected pass, {} never true, {} not \
+             run, {} worse than the baseline; {}",
+            args.run.display(),
+            run.summary.len(),
+            count(Status::Ok),
+            count(Status::Expected),
+            unused.never.len(),
+            not_run.len(),
+            worse.findings.len() + worse.timings.len(),
+            run.outcome.describe(),
+        );
+    }
     Ok(if unexpected > 0 || !worse.findings.is_empty() {
         exit::UNEXPECTED
     } else if passes > 0 || !unused.never.is_empty() {

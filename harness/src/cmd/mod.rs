@@ -13,5 +13,6 @@ pub mod replay;
 pub mod report;
 pub mod run;
 pub mod selftest;
+pub mod shell;
 pub mod solve;
 pub mod study;

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 
 use crate::exit::{self, Failure};
 use crate::ledger::Ledger;
+use crate::out::program;
 use crate::planning::{budget, env, free_folder, plan, tables_with};
 use crate::select::{NOT_NAMED, Planned, Selection, Selector};
 use crate::tool::Tool;
@@ -291,14 +292,17 @@ impl Job {
     }
 }
 
-/// Names the suites that are not run: those that were not asked for in one line.
+/// Names the suites that are not run, in one line.
 fn tell_not_selected(suites: &[NotSelected]) {
-    let (unnamed, others): (Vec<_>, Vec<_>) = suites.iter().partition(|suite| suite.reason == NOT_NAMED);
-    for left in others {
-        note!("suite `{}` is not run: {}", left.suite, left.reason);
-    }
-    if !unnamed.is_empty() {
-        let names: Vec<&str> = unnamed.iter().map(|suite| suite.suite.as_str()).collect();
-        note!("not run, as {NOT_NAMED}: {}", names.join(", "));
+    let named = |of_reason: &dyn Fn(&str) -> bool| {
+        let suites = suites.iter().filter(|suite| of_reason(&suite.reason));
+        suites.map(|suite| suite.suite.as_str()).collect::<Vec<_>>().join(", ")
+    };
+    let (unnamed, unfetched) = (named(&|why| why == NOT_NAMED), named(&|why| why != NOT_NAMED));
+    match (unnamed.is_empty(), unfetched.is_empty()) {
+        (true, true) => {}
+        (false, true) => note!("not run, as {NOT_NAMED}: {unnamed}"),
+        (true, false) => note!("not run: {unfetched}: `{} corpus fetch` gets their data, then name them", program()),
+        (false, false) => note!("not run: {unnamed}, as {NOT_NAMED}; {unfetched}, whose data are not fetched"),
     }
 }

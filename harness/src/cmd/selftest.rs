@@ -14,6 +14,7 @@ use predicament_oracle::faults::Fault;
 use predicament_records::Shard;
 use predicament_tasks::{AnyCase, Catch, Class, Contestant, Outcome, Stop, Watch};
 use rayon::prelude::*;
+use serde_json::json;
 
 use crate::exit::{self, Failure};
 use crate::out::program;
@@ -48,6 +49,10 @@ pub struct Args {
     /// Name the faults and the checks that have to find them, and stop
     #[arg(long)]
     pub list: bool,
+
+    /// Print one JSON object a line: name, verdict, checks
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// What is planted, or nothing in an honest backend, and what was found.
@@ -164,7 +169,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         bar.inc(1);
     }
     bar.finish_and_clear();
-    Ok(scorecard(&entries, is_whole))
+    Ok(scorecard(&entries, is_whole, args.json))
 }
 
 /// The algorithm of a scene's task with each of its faults.
@@ -189,7 +194,7 @@ fn algorithms(
     Ok(())
 }
 
-fn scorecard(entries: &[Entry], is_whole: bool) -> u8 {
+fn scorecard(entries: &[Entry], is_whole: bool, as_json: bool) -> u8 {
     let mut holes = 0;
     for entry in entries {
         let missed = if is_whole { entry.missed() } else { Vec::new() };
@@ -205,8 +210,14 @@ fn scorecard(entries: &[Entry], is_whole: bool) -> u8 {
             "MISSED BY" => missed,
             _ => entry.caught.keys().map(|(class, check)| format!("{class} ({check})")).collect(),
         };
-        say!("{:<31} {verdict:<11} {}", entry.name, by.join(", "));
+        if as_json {
+            say!("{}", json!({ "name": entry.name, "verdict": verdict, "good": good, "checks": by }));
+        } else {
+            say!("{:<31} {verdict:<11} {}", entry.name, by.join(", "));
+        }
     }
-    say!("{} of {} as they should be", entries.len() - holes, entries.len());
+    if !as_json {
+        say!("{} of {} as they should be", entries.len() - holes, entries.len());
+    }
     if holes == 0 { exit::OK } else { exit::UNEXPECTED }
 }

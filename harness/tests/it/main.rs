@@ -4,6 +4,7 @@ mod bad_input;
 mod bounds;
 mod common;
 mod engines;
+mod habits;
 mod isolation;
 mod judged;
 mod limits;

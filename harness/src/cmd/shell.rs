@@ -1,0 +1,65 @@
+//! `completions` and `man`: for shells and for `man`, made from the command line itself.
+
+use std::path::PathBuf;
+
+use clap::Command;
+use clap_complete::Shell;
+use predicament_records::replace;
+
+use crate::exit::{self, Failure};
+
+const EXAMPLES: &str = "\
+Examples:
+  predicament completions bash > ~/.local/share/bash-completion/completions/predicament
+  predicament completions zsh > ~/.zfunc/_predicament
+  predicament completions fish > ~/.config/fish/completions/predicament.fish";
+
+const MAN_EXAMPLES: &str = "\
+Examples:
+  predicament man --out ~/.local/share/man/man1 && man predicament-run";
+
+/// Print completions for a shell
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Completions {
+    /// The shell
+    pub shell: Shell,
+}
+
+/// Write manual pages, one for each command
+#[derive(clap::Args)]
+#[command(after_help = MAN_EXAMPLES)]
+pub struct Man {
+    /// The folder for the pages; made if need be
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+}
+
+/// Prints completions.
+pub fn completions(args: &Completions, mut command: Command) -> exit::Outcome {
+    let mut text = Vec::new();
+    clap_complete::generate(args.shell, &mut command, crate::out::program(), &mut text);
+    say_text!("{}", String::from_utf8_lossy(&text));
+    Ok(exit::OK)
+}
+
+/// Writes manual pages.
+pub fn man(args: &Man, mut command: Command) -> exit::Outcome {
+    command.build();
+    let folder = &args.out;
+    let failed = |error: std::io::Error| Failure::usage(format!("{}: {error}", folder.display()));
+    std::fs::create_dir_all(folder).map_err(failed)?;
+    let mut left = vec![(crate::out::program(), command)];
+    while let Some((name, command)) = left.pop() {
+        let of_parts = command.get_subcommands().filter(|part| part.get_name() != "help");
+        left.extend(of_parts.map(|part| (format!("{name}-{}", part.get_name()), part.clone())));
+        let mut page = Vec::new();
+        // Names of commands live as long as the program, which ends after this.
+        let title: &'static str = Box::leak(name.clone().into_boxed_str());
+        clap_mangen::Man::new(command.name(title)).render(&mut page).map_err(failed)?;
+        let path = folder.join(format!("{name}.1"));
+        replace(&path, &page).map_err(Failure::usage)?;
+        say!("{}", path.display());
+    }
+    Ok(exit::OK)
+}

@@ -1,0 +1,64 @@
+//! What scripts and shells ask for: JSON, quiet, completions, manual pages, one line about suites that are not run.
+
+use crate::common::{SUITE, at, expect, run, write};
+use serde_json::Value;
+use tempfile::tempdir;
+
+#[test]
+fn a_script_reads_what_the_gate_says() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let (out, empty) = (at(&folder, "run"), write(&folder, "empty.toml", ""));
+    run(&["run", &suite, "--expected", &empty, "-b", "naive,exact", "--out", &out]);
+    let told: Value =
+        serde_json::from_str(&expect(100, &["gate", &out, "--expected", &empty, "--json"]).stdout).unwrap();
+    assert_eq!((&told["rows"], &told["ok"], &told["unexpected"]), (&4.into(), &3.into(), &1.into()), "{told}");
+    assert_eq!(told["failed"][0], "unexpected: mine/wrong-once on naive: 1 overreach");
+    assert_eq!(told["outcome"], "complete");
+}
+
+#[test]
+fn a_script_reads_the_scorecard() {
+    let only = ["selftest", "-f", "classics/kettner-a1$", "--only", "fault:sos-swapped-term", "--json"];
+    let told = run(&only).stdout;
+    let lines: Vec<Value> = told.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!(lines.len(), 5, "four honest backends and the fault: {told}");
+    assert_eq!(lines[0]["name"], "exact");
+    assert_eq!(lines[0]["verdict"], "clean");
+}
+
+#[test]
+fn what_is_not_run_is_one_line_and_none_if_quiet() {
+    let folder = tempdir().unwrap();
+    for (suites, said) in [
+        (&["classics"][..], "not run, as not named on the command line: bands, "),
+        (&[][..], "corpus fetch` gets their data, then name them"),
+    ] {
+        let call = |out: &str, more: &[&str]| {
+            let out = at(&folder, out);
+            let args = ["run", "-f", "kettner-a1$", "-b", "exact", "--out", &out];
+            expect(0, &[&args[..], suites, more].concat()).stderr
+        };
+        let name = suites.len().to_string();
+        let told = call(&name, &[]);
+        assert_eq!(told.lines().count(), 1, "{told}");
+        assert!(told.contains(said), "{told}");
+        assert_eq!(call(&format!("{name}-quiet"), &["--quiet"]), "");
+    }
+}
+
+#[test]
+fn shells_and_man_know_every_command() {
+    let folder = tempdir().unwrap();
+    for shell in ["bash", "zsh", "fish"] {
+        let text = expect(0, &["completions", shell]).stdout;
+        assert!(text.contains("predicament") && text.contains("selftest"), "{shell}: {text}");
+    }
+    let pages = at(&folder, "man1");
+    expect(0, &["man", "--out", &pages]);
+    let page = |name: &str| std::fs::read_to_string(folder.path().join("man1").join(name)).unwrap();
+    assert!(page("predicament.1").contains("differential test harness"));
+    for (name, said) in [("run", "isolate"), ("corpus-fmt", "check"), ("ask", "incircle"), ("laws", "tuples")] {
+        assert!(page(&format!("predicament-{name}.1")).contains(said), "{name}");
+    }
+}
