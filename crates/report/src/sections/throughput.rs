@@ -18,9 +18,11 @@ pub fn section(runs: &[RunDir]) -> Section {
         let groups: BTreeSet<[&str; 2]> = timings.keys().map(|[task, family, _]| [*task, *family]).collect();
         for [task, family] in groups {
             let reference = timings.get(&[task, family, REFERENCE]);
-            let cells = columns.iter().map(|backend| match timings.get(&[task, family, backend]) {
+            let of_family = || columns.iter().map(|backend| timings.get(&[task, family, backend]));
+            let scenes = of_family().flatten().map(|timing| timing.scenes).max().unwrap_or(0);
+            let cells = of_family().map(|timing| match timing {
                 None => Cell::from("—").tone(Tone::Muted),
-                Some(timing) => cell(timing, reference),
+                Some(timing) => cell(timing, reference, scenes),
             });
             let labels = run_label(runs, index).into_iter().chain([task.into(), family.into()]);
             table.push(labels.chain(cells).collect());
@@ -47,16 +49,20 @@ pub fn section(runs: &[RunDir]) -> Section {
         lead: format!(
             "Nanoseconds per query: the median of the samples (of several scenes of a family the geometric mean of their \
              medians), then the smallest and largest sample, and the median as a multiple of {REFERENCE}'s in the same \
-             run. Only verified answers are timed."
+             run, where it was timed on as many scenes. Only verified answers are timed."
         ),
         blocks,
     }
 }
 
-fn cell(timing: &Timing, reference: Option<&Timing>) -> Cell {
+/// The time of a backend on a family of so many scenes; as a multiple only where the same scenes were timed.
+fn cell(timing: &Timing, reference: Option<&Timing>, scenes: usize) -> Cell {
     let spread = timing.spread;
     let mut detail = format!("{}–{}", nanoseconds(spread.min), nanoseconds(spread.max));
-    if let Some(reference) = reference {
+    if timing.scenes < scenes {
+        detail += &format!(" · {} of {scenes} scenes", timing.scenes);
+    }
+    if let Some(reference) = reference.filter(|reference| reference.scenes == timing.scenes) {
         detail += &format!(" · {}", factor(spread.median / reference.spread.median));
     }
     Cell::from(nanoseconds(spread.median)).detail(detail)

@@ -159,6 +159,11 @@ fn a_part_of_a_family_is_not_the_family() {
     let page = twice(&["exact"]);
     assert!(page.contains("| exact | 1 of 2 | 1,000,000 | 0 | 0 | 2.25 | 9.00 | 0.25× | yes |"), "{page}");
 
+    assert!(
+        page.contains("| 2 | orient2d | near | 215 (20.0–2,400) | 30.0 (29.5–31.0 · 1 of 2 scenes · 0.71×) |"),
+        "{page}"
+    );
+
     // An answer that is missing: `shewchuk` declined another scene of the family `near`.
     let mut runs = runs();
     let scene = PlannedScene { scene: "near-8".to_owned(), ..runs[1].plan.scenes[0].clone() };
