@@ -47,7 +47,8 @@ pub fn test() -> Result<(), String> {
     let docs = ["doc", "--profile", "ci", "--workspace", "--no-deps"];
     step("docs", &cargo_command(&docs), &[("RUSTDOCFLAGS", "-D warnings")])?;
     gate()?;
-    example()
+    example()?;
+    page()
 }
 
 /// The engines that are examples, each where what it needs is there; says which are not run.
@@ -101,6 +102,58 @@ fn example() -> Result<(), String> {
     tool("hold the example's run against its expectations", &["gate", &run])?;
     let faults = ["selftest", "--only", "algorithm:leftmost-first-only", "-f", "^leftmost-suite/"];
     tool("see that the example's planted fault is caught", &faults)
+}
+
+/// The page about backends, followed to the letter: its blocks in an empty folder, its test, and its tool on two scenes.
+fn page() -> Result<(), String> {
+    let target = target_directory()?;
+    let folder = root().join(fresh(&format!("{GATE}-page"))?);
+    let read = |file: &str| {
+        let path = root().join(file);
+        std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))
+    };
+    let (page, example) = (read("docs/BACKENDS.md")?, read(&format!("{EXAMPLE}/Cargo.toml"))?);
+    // The workspace of its own and its profile are those of the example, so that what is compiled is there.
+    let own = example.split_once("[workspace]").map_or("", |(_, own)| own);
+    let manifest =
+        block(&page, "[package]")?.replace("../predicament/harness", &root().join("harness").display().to_string());
+    let mine = |text: String| text.replace("predicament::example::Mine", "mine::Mine");
+    let files = [
+        ("Cargo.toml", format!("{manifest}\n[workspace]\n{own}")),
+        ("Cargo.lock", read(&format!("{EXAMPLE}/Cargo.lock"))?.replace("name = \"leftmost\"", "name = \"mine\"")),
+        ("src/lib.rs", block(&page, "impl Backend for Mine")?),
+        ("src/main.rs", mine(block(&page, "predicament::cli()")?)),
+        ("tests/holds.rs", mine(block(&page, "predicament::conformance(Mine)")?)),
+    ];
+    for (file, text) in files {
+        let path = folder.join(file);
+        let parent = path.parent().unwrap_or(&folder);
+        std::fs::create_dir_all(parent)
+            .and_then(|()| std::fs::write(&path, text))
+            .map_err(|error| format!("{file}: {error}"))?;
+    }
+    let manifest = folder.join("Cargo.toml").display().to_string();
+    let mut test: Vec<String> = ["test", "--profile", "ci", "--manifest-path", &manifest].map(str::to_owned).into();
+    for package in packages()? {
+        test.extend(["--config".to_owned(), format!("profile.ci.package.{package}.opt-level=0")]);
+    }
+    step(
+        "test of the page about backends",
+        &cargo_command(&test),
+        &[("CARGO_TARGET_DIR", &target.display().to_string())],
+    )?;
+    let tool = target.join("ci").join("mine").display().to_string();
+    let run = folder.join("run").display().to_string();
+    let args = ["run", "families", "-f", "/(uniform|grid)-orient2d", "-b", "mine,exact", "--out", &run];
+    step("tool of the page about backends", &words(&tool, &args), &[])
+}
+
+/// The first code block of a page that has this in it.
+fn block(page: &str, with: &str) -> Result<String, String> {
+    let blocks = page.split("```").skip(1).step_by(2);
+    let found =
+        blocks.filter_map(|block| block.split_once('\n')).map(|(_, text)| text).find(|text| text.contains(with));
+    found.map(str::to_owned).ok_or_else(|| format!("the page has no block with `{with}`"))
 }
 
 /// The packages that the example depends on by path: the tool and the crates under it.
@@ -289,6 +342,14 @@ mod tests {
                     name = \"b\"\nversion = \"1\"\ndependencies = [\n \"a\",\n]\n";
         assert_eq!(local_packages(lock), ["b"]);
         assert!(packages().unwrap().contains(&"predicament-tasks".to_owned()));
+    }
+
+    #[test]
+    fn blocks_are_found_by_what_they_say() {
+        let page = "a\n```toml\nx = 1\n```\nb `c`\n```rust\nfn f() {}\nx = 2\n```\n";
+        assert_eq!(block(page, "fn f"), Ok("fn f() {}\nx = 2\n".to_owned()));
+        assert_eq!(block(page, "x = "), Ok("x = 1\n".to_owned()));
+        assert!(block(page, "b `c`").is_err());
     }
 
     #[test]
