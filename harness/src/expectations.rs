@@ -9,15 +9,16 @@ use predicament_records::Plan;
 use crate::exit::{CORPUS, Failure};
 use crate::tool::Tool;
 
-/// The expectations that ship with the embedded corpora.
-const SHIPPED: &str = include_str!("../../corpora/expected.toml");
+/// The file of the corpora that has the expectations.
+const SHIPPED: &str = "expected.toml";
 
 /// Reads the expectations of `file`; without one the shipped ones, and those of the tool's maker.
 pub fn load(tool: &Tool, file: Option<&PathBuf>) -> Result<Expectations, Failure> {
     if let Some(file) = file {
         return read(file);
     }
-    let shipped = Expectations::parse(Path::new("corpora/expected.toml"), SHIPPED);
+    let (name, text) = tool.library()?.companion(SHIPPED)?.unwrap_or_default();
+    let shipped = Expectations::parse(Path::new(&name), &text);
     let shipped = shipped.map_err(|message| Failure { message, code: CORPUS })?;
     match &tool.expected {
         None => Ok(shipped),

@@ -8,7 +8,8 @@ use predicament_formats::{Cache, CorpusError, Manifest};
 
 use crate::{Level, LoadedScene, SeenIds, Suite, Vocabulary};
 
-static EMBEDDED: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../../corpora");
+// A link to the folder of the repository; in a package it is the folder itself.
+static EMBEDDED: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/corpora");
 
 /// Files of a corpora folder that are no suites.
 const COMPANIONS: [&str; 2] = [FETCH, "expected.toml"];

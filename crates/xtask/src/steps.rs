@@ -210,6 +210,8 @@ pub fn nightly() -> Result<(), String> {
         cargo("fetch data", &["run", "--quiet", "--profile", "ci", "--features", "peers", "--", "corpus", "fetch"]),
         run_tests(&peers, &[EFFORT]),
         cargo("build the benches", &["bench", "--profile", "ci", "--workspace", "--benches", "--no-run"]),
+        // Into a folder of its own: packages are compiled as somebody else's.
+        cargo("packages", &["package", "--workspace", "--allow-dirty", "--target-dir", "target/package-check"]),
         minimum_version(),
         fuzz(),
     ];
