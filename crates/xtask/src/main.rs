@@ -25,7 +25,7 @@ Commands:
   demo   build the tool, run the embedded corpora, leave a report to open
   test   format, clippy, tests, doc tests, docs, the embedded corpora through the gate, the example crate
   nightly
-         heavy tests whole, the peers, the benches, the oldest compiler, a minute of each fuzz target
+         heavy tests whole, the peers, the benches, cargo package, the oldest compiler, a minute of each fuzz target
   engines [NAME...]
          install and build engines of other languages (CGAL, GEOS, libigl, ...) for `run -b engine:NAME`: by apt,
          pip and npm, into their folders where the client can
