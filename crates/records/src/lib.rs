@@ -16,6 +16,7 @@
 mod env;
 mod error;
 pub mod format;
+mod imported;
 mod junit;
 mod plan;
 mod rows;
@@ -25,6 +26,7 @@ mod stats;
 
 pub use env::Env;
 pub use error::Error;
+pub use imported::ImportRow;
 pub use junit::junit;
 pub use plan::{FORMAT, Level, NotSelected, Plan, PlannedScene, Shard};
 pub use predicament_predicates::{Class, Status};

@@ -3,13 +3,13 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use predicament_corpus::Level;
+use predicament_corpus::{Level, LoadedScene};
 use predicament_exact::{Exact, Precision};
 use predicament_oracle::expect::Expectations;
-use predicament_predicates::{Backend, Scene};
+use predicament_predicates::Backend;
 use predicament_records::{
-    self as records, Env, NotSelected, Plan, PlannedScene, PrecisionRow, RunDir, RunWriter, SampledRow, Shard, Status,
-    SummaryRow, TableSpec,
+    self as records, Env, ImportRow, NotSelected, Plan, PlannedScene, PrecisionRow, RunDir, RunWriter, SampledRow,
+    Shard, Status, SummaryRow, TableSpec,
 };
 use predicament_tasks::{AnyCase, Budget, Class, Contestant, Outcome, Stop, Watch};
 use rayon::prelude::*;
@@ -106,7 +106,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         }
         bar.set_message(scene.scene.clone());
         let loaded = planned.take(&selection)?;
-        ledger.plan(&scene, &loaded.scene)?;
+        ledger.plan(&scene, &loaded)?;
         if left.is_empty() {
             bar.inc(scene.queries * (backends.len() as u64 + 1));
             continue;
@@ -263,7 +263,7 @@ fn tell_not_selected(suites: &[NotSelected]) {
 /// The tables of a run folder besides those of every run.
 pub fn tables(tool: &Tool) -> Vec<TableSpec> {
     let mut tables = tool.tables();
-    tables.extend([TableSpec::of::<JudgedRow>(), TableSpec::of::<SampledRow>()]);
+    tables.extend([TableSpec::of::<JudgedRow>(), TableSpec::of::<SampledRow>(), TableSpec::of::<ImportRow>()]);
     tables
 }
 
@@ -277,11 +277,12 @@ impl Ledger {
         self.precision.iter().any(|row| row.suite == scene.suite && row.scene == scene.scene)
     }
 
-    /// Writes the scene's precision plan, once; the next commit makes it permanent.
-    fn plan(&mut self, scene: &PlannedScene, points: &Scene) -> Result<(), Failure> {
+    /// Writes the scene's precision plan and what reading it has changed, once; the next commit makes it permanent.
+    fn plan(&mut self, scene: &PlannedScene, loaded: &LoadedScene) -> Result<(), Failure> {
         if !self.is_planned(scene) {
-            let row = rows::precision(scene, &Precision::of(points));
+            let row = rows::precision(scene, &Precision::of(&loaded.scene));
             self.writer.write(std::slice::from_ref(&row)).map_err(Failure::usage)?;
+            self.writer.write(rows::imported(scene, &loaded.notes).as_slice()).map_err(Failure::usage)?;
             self.precision.push(row);
         }
         Ok(())

@@ -7,6 +7,7 @@ mod judged;
 mod limits;
 mod lines_and_cubes;
 mod output;
+mod own_data;
 mod paths;
 #[cfg(feature = "peers")]
 mod peers;
