@@ -3,10 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
-use predicament_corpus::Level;
+use predicament_corpus::{Level, LoadedScene};
 use predicament_exact::Precision;
 use predicament_oracle::expect::Expectations;
-use predicament_predicates::Scene;
 use predicament_records::{self as records, AnswerRow, PlannedScene, PrecisionRow, Row, RunWriter, Status, SummaryRow};
 use predicament_tasks::{AnyCase, Class, Contestant, Outcome};
 
@@ -37,11 +36,12 @@ impl Ledger {
         self.precision.iter().any(|row| row.suite == scene.suite && row.scene == scene.scene)
     }
 
-    /// Writes the scene's precision plan, once; the next commit makes it permanent.
-    pub fn plan(&mut self, scene: &PlannedScene, points: &Scene) -> Result<(), Failure> {
+    /// Writes the scene's precision plan and what reading it has changed, once; the next commit makes it permanent.
+    pub fn plan(&mut self, scene: &PlannedScene, loaded: &LoadedScene) -> Result<(), Failure> {
         if !self.is_planned(scene) {
-            let row = rows::precision(scene, &Precision::of(points));
+            let row = rows::precision(scene, &Precision::of(&loaded.scene));
             self.writer.write(std::slice::from_ref(&row)).map_err(Failure::usage)?;
+            self.writer.write(rows::imported(scene, &loaded.notes).as_slice()).map_err(Failure::usage)?;
             self.precision.push(row);
         }
         Ok(())

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use predicament_corpus::Level;
 use predicament_exact::Exact;
 use predicament_predicates::Backend;
-use predicament_records::{self as records, AnswerRow, Env, Plan, SampledRow, Shard, TableSpec};
+use predicament_records::{self as records, AnswerRow, Env, ImportRow, Plan, SampledRow, Shard, TableSpec};
 use predicament_tasks::{Budget, Contestant};
 
 use crate::judged::JudgedRow;
@@ -23,7 +23,7 @@ pub fn budget(level: Level) -> Budget {
 /// The tables of a run folder besides those of every run.
 pub fn tables(tool: &Tool) -> Vec<TableSpec> {
     let mut tables = tool.tables();
-    tables.extend([TableSpec::of::<JudgedRow>(), TableSpec::of::<SampledRow>()]);
+    tables.extend([TableSpec::of::<JudgedRow>(), TableSpec::of::<SampledRow>(), TableSpec::of::<ImportRow>()]);
     tables
 }
 

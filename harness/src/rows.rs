@@ -1,10 +1,12 @@
 //! From the oracle's outcomes and the scenes' plans to the rows of a run folder.
 
 use predicament_exact::Precision;
+use predicament_formats::ImportNotes;
 use predicament_oracle::expect::Expectations;
 use predicament_predicates::PredicateKind;
 use predicament_records::{
-    AnswerRow, Error, FindingRow, PlannedScene, PrecisionRow, RunWriter, SampledRow, StageRow, Status, SummaryRow,
+    AnswerRow, Error, FindingRow, ImportRow, PlannedScene, PrecisionRow, RunWriter, SampledRow, StageRow, Status,
+    SummaryRow,
 };
 use predicament_tasks::{AnswerLine, Class, ClassCounts, Finding, Outcome, finding_id, ids};
 
@@ -117,6 +119,20 @@ fn stages(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<StageRo
         settled,
     };
     outcome.stages.iter().map(row).collect()
+}
+
+/// The row of what reading a scene has changed, if anything.
+pub fn imported(scene: &PlannedScene, notes: &ImportNotes) -> Option<ImportRow> {
+    let row = ImportRow {
+        rounded: notes.rounded as u64,
+        extra_coordinates: notes.extra_coordinates as u64,
+        repeated_points: notes.repeated_points as u64,
+        degenerate_rings: notes.degenerate_rings as u64,
+        degenerate_faces: notes.degenerate_faces as u64,
+        empty_regions: notes.empty_regions as u64,
+        ..ImportRow::new(scene)
+    };
+    (!notes.is_clean()).then_some(row)
 }
 
 /// The row of a scene's precision plan.

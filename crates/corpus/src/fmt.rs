@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
-use predicament_formats::{CoordinateError, CorpusError, Document, Field, Fields, exact_coordinate, hexfloat};
+use predicament_formats::{
+    CoordinateError, CorpusError, Document, Field, Fields, TableKind, exact_coordinate, hexfloat,
+};
 
 use crate::Vocabulary;
 use crate::suite::SUITE;
@@ -16,7 +18,7 @@ use crate::suite::SUITE;
 /// [`CorpusError`] where the text is no TOML, or a coordinate is no number
 /// that a double could be near to.
 pub fn fmt(vocabulary: &Vocabulary, file: &str, text: &str) -> Result<String, CorpusError> {
-    let document = Document { file, text };
+    let document = Document::new(file, text);
     let root = document.parse()?;
     let fields = Fields::new(&document, &SUITE, root.get_ref(), 0);
     let mut keys: Vec<&'static str> =
@@ -28,13 +30,13 @@ pub fn fmt(vocabulary: &Vocabulary, file: &str, text: &str) -> Result<String, Co
         for table in array(&fields, tables)? {
             let fields = table.fields(kind)?;
             for field in keys.iter().filter(|key| kind.keys.contains(key)).filter_map(|key| fields.get(key)) {
-                collect(&field, &mut edits)?;
+                collect(&field, &keys, &mut edits)?;
             }
         }
     }
     edits.sort_by_key(|edit| edit.span.start);
     let rewritten = apply(text, &edits);
-    let again = Document { file, text: &rewritten };
+    let again = Document::new(file, &rewritten);
     // A comment inside a multi-line string would be text.
     again.parse().map_err(|error| CorpusError { cure: "write each point on a line of its own".into(), ..error })?;
     Ok(rewritten)
@@ -51,13 +53,22 @@ fn array<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field
     fields.get(key).map_or(Ok(Vec::new()), |field| Ok(field.items("tables")?.collect()))
 }
 
-/// The coordinates in a value: itself, or those of its items. Tables, such as `{ path = "…" }`, have none.
-fn collect<'t>(field: &Field<'_, 't>, edits: &mut Vec<Edit<'t>>) -> Result<(), CorpusError> {
+/// The coordinates in a value: itself, those of its items, or those under such keys of a table. Other keys, such as
+/// `path`, hold none.
+fn collect<'t>(field: &Field<'_, 't>, keys: &[&'static str], edits: &mut Vec<Edit<'t>>) -> Result<(), CorpusError> {
     if field.is_array() {
         for item in field.items("coordinates")? {
-            collect(&item, edits)?;
+            collect(&item, keys, edits)?;
         }
-    } else if !field.is_table() {
+    } else if field.is_table() {
+        let kind = TableKind { name: "table", keys: keys.to_vec().into() };
+        let table = field.fields(&kind)?;
+        for key in keys {
+            if let Some(field) = table.get(key) {
+                collect(&field, keys, edits)?;
+            }
+        }
+    } else {
         edits.extend(edit(field)?);
     }
     Ok(())
@@ -81,12 +92,13 @@ fn edit<'t>(field: &Field<'_, 't>) -> Result<Option<Edit<'t>>, CorpusError> {
 fn apply(text: &str, edits: &[Edit<'_>]) -> String {
     let mut out = String::with_capacity(text.len() + 64 * edits.len());
     let mut start = 0;
+    let mut left = edits.iter().peekable();
     for line in text.split_inclusive('\n') {
-        let range = start..start + line.len();
+        let end = start + line.len();
         let body = line.trim_end_matches(['\n', '\r']);
         let mut at = start;
         let mut decimals = Vec::new();
-        for edit in edits.iter().filter(|edit| range.contains(&edit.span.start)) {
+        while let Some(edit) = left.next_if(|edit| edit.span.start < end) {
             out.push_str(&text[at..edit.span.start]);
             out.push('"');
             out.push_str(&edit.hex);
@@ -100,7 +112,7 @@ fn apply(text: &str, edits: &[Edit<'_>]) -> String {
             out.push_str(&decimals.join(", "));
         }
         out.push_str(&line[body.len()..]);
-        start = range.end;
+        start = end;
     }
     out
 }

@@ -16,11 +16,11 @@ pub trait SceneFormat: Send + Sync {
     fn about(&self) -> &'static str;
 
     /// The keys of its `[[scene]]` tables besides those of every scene (`name`,
-    /// `task`, `tags`, `source`, `analysis`).
+    /// `task`, `round`, `tags`, `source`, `analysis`).
     fn keys(&self) -> &'static [&'static str];
 
     /// Those of its keys, of scenes and generators, that hold coordinates:
-    /// numbers, or arrays of them. `corpus fmt` makes them lossless.
+    /// numbers, or arrays of them, or tables that hold some of these keys. `corpus fmt` makes them lossless.
     fn coordinate_keys(&self) -> &'static [&'static str] {
         &[]
     }
@@ -69,12 +69,26 @@ pub struct Recipe {
     /// The number of queries, where the parameters fix it.
     pub fixed_size: Option<usize>,
     make: Arc<dyn Fn(&Making) -> Parts + Send + Sync>,
+    coordinates: Arc<dyn Fn(u64) -> u64 + Send + Sync>,
 }
 
 impl Recipe {
     /// A recipe for any number of queries.
     pub fn new(make: impl Fn(&Making) -> Parts + Send + Sync + 'static) -> Recipe {
-        Recipe { fixed_size: None, make: Arc::new(make) }
+        Recipe { fixed_size: None, make: Arc::new(make), coordinates: Arc::new(|n| n) }
+    }
+
+    /// Says about how many coordinates a scene of n has, at most: what asks for too many is refused before it
+    /// is made. The function has to grow with n and not overflow; without one, a scene of n has n coordinates.
+    #[must_use]
+    pub fn with_coordinates(self, coordinates: impl Fn(u64) -> u64 + Send + Sync + 'static) -> Recipe {
+        Recipe { coordinates: Arc::new(coordinates), ..self }
+    }
+
+    /// About how many coordinates a scene of n has, at most.
+    #[must_use]
+    pub fn coordinates(&self, n: u64) -> u64 {
+        (self.coordinates)(n)
     }
 
     /// A recipe whose parameters fix the number of queries.
@@ -128,7 +142,7 @@ impl std::fmt::Debug for Vocabulary {
 }
 
 /// The keys of every `[[scene]]` table.
-const SCENE: [&str; 5] = ["name", "task", "tags", "source", "analysis"];
+const SCENE: [&str; 6] = ["name", "task", "round", "tags", "source", "analysis"];
 /// The keys of every `[[generate]]` table besides those.
 const GENERATOR: [&str; 4] = ["family", "n", "n_full", "seed"];
 

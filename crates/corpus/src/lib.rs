@@ -8,6 +8,7 @@
 //! are the crate `tasks`. `docs/FORMAT.md` describes the files.
 
 mod content;
+mod data;
 mod fmt;
 mod format;
 mod homogeneous;
@@ -20,6 +21,7 @@ mod random;
 mod suite;
 
 pub use content::{Content, Elsewhere, Parts, Source};
+pub use data::{Origin, PointSource};
 pub use fmt::fmt;
 pub use format::{Family, Making, Recipe, SceneFormat, Vocabulary};
 pub use homogeneous::{homogeneous, integer, lowest_exponent, meet};

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use include_dir::{Dir, include_dir};
 
-use predicament_formats::{Cache, CorpusError, Manifest};
+use predicament_formats::{Cache, CorpusError, Manifest, read_suite};
 
 use crate::{Level, LoadedScene, SeenIds, Suite, Vocabulary};
 
@@ -51,7 +51,7 @@ impl Library {
         for file in std::fs::read_dir(folder).map_err(|error| unreadable(folder, error))? {
             let path = file.map_err(|error| unreadable(folder, error))?.path();
             if path.extension().is_some_and(|extension| extension == "toml") {
-                let text = std::fs::read_to_string(&path).map_err(|error| unreadable(&path, error))?;
+                let text = read_suite(&path)?;
                 let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
                 files.push((name, path.display().to_string(), text));
             }

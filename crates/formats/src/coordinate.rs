@@ -2,7 +2,8 @@
 //!
 //! A decimal such as `0.1` is no double. Rounding it in silence would make a
 //! scene something else than what its file says, so only decimals that *are*
-//! doubles are read; [`fmt`](crate::fmt) turns the others into hex floats.
+//! doubles are read; `corpus fmt` turns the others into hex floats, and
+//! [`Decimals`](crate::Decimals) rounds them where a suite asks for it.
 
 use crate::bits::lowest_bit;
 use crate::hexfloat::{self, HexError};
@@ -25,6 +26,20 @@ pub enum CoordinateError {
     },
     /// A hex float with more bits than a double has.
     TooManyBits,
+    /// A text longer than [`MOST_BYTES`].
+    TooLong {
+        /// Its length.
+        bytes: usize,
+    },
+    /// One coordinate more than a scene may have.
+    TooMany,
+}
+
+/// The longest text of a coordinate. The smallest double has 1,077 bytes when it is written out.
+pub const MOST_BYTES: usize = 10_000;
+
+fn not_too_long(text: &str) -> Result<(), CoordinateError> {
+    if text.len() > MOST_BYTES { Err(CoordinateError::TooLong { bytes: text.len() }) } else { Ok(()) }
 }
 
 /// The double that a decimal or hex float denotes.
@@ -32,6 +47,7 @@ pub enum CoordinateError {
 /// # Errors
 /// [`CoordinateError`] where the text is no number or not exactly a double.
 pub fn exact(text: &str) -> Result<f64, CoordinateError> {
+    not_too_long(text)?;
     if hexfloat::looks_like(text) {
         return hexfloat::parse(text).map_err(|error| match error {
             HexError::Malformed => CoordinateError::Malformed,
@@ -44,12 +60,8 @@ pub fn exact(text: &str) -> Result<f64, CoordinateError> {
     if decimal == Decimal::of(nearest) { Ok(nearest) } else { Err(CoordinateError::Inexact { nearest }) }
 }
 
-/// The double nearest to a decimal, for data whose authors rounded so themselves.
-///
-/// # Errors
-/// [`CoordinateError`] where the text is no decimal, overflows, or is not
-/// zero and becomes zero.
-pub fn nearest(text: &str) -> Result<f64, CoordinateError> {
+/// The double nearest to a decimal.
+fn nearest(text: &str) -> Result<f64, CoordinateError> {
     let bare = text.strip_prefix(['-', '+']).unwrap_or(text).to_ascii_lowercase();
     if matches!(bare.as_str(), "nan" | "inf" | "infinity") {
         return Err(CoordinateError::NotFinite);
@@ -163,6 +175,10 @@ mod tests {
         }
         assert_eq!(exact("1e-400"), Err(CoordinateError::Underflow));
         assert_eq!(exact("0x1.00000000000008p+0"), Err(CoordinateError::TooManyBits));
+        let long = "0".repeat(MOST_BYTES);
+        assert_eq!(exact(&long), Ok(0.0));
+        assert_eq!(exact(&format!("{long}0")), Err(CoordinateError::TooLong { bytes: MOST_BYTES + 1 }));
+        assert_eq!(exact(&format!("0x{long}p0")), Err(CoordinateError::TooLong { bytes: MOST_BYTES + 4 }));
     }
 
     fn rational(digits: &str, exponent: i32) -> Rational {

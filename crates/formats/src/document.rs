@@ -14,22 +14,30 @@ use toml::de::{DeTable, DeValue};
 
 use predicament_predicates::Vertex;
 
-use crate::CorpusError;
-use crate::coordinate::{self, CoordinateError};
+use crate::coordinate::CoordinateError;
+use crate::decimals::{Place, explain};
 use crate::tables::TableKind;
+use crate::{CorpusError, Decimals, Lines};
 
 /// The last index that a vertex can have.
 const MOST_INDEX: u64 = (1 << 31) - 1;
 
 /// The text of a file, its name, and where its lines start.
 pub struct Document<'t> {
-    /// The name in errors.
-    pub file: &'t str,
-    /// What is in the file.
-    pub text: &'t str,
+    file: &'t str,
+    text: &'t str,
+    lines: Lines,
+    /// How coordinates are read unless a table says otherwise.
+    exact: Decimals,
 }
 
 impl<'t> Document<'t> {
+    /// A file by its name in errors and its text.
+    #[must_use]
+    pub fn new(file: &'t str, text: &'t str) -> Document<'t> {
+        Document { file, text, lines: Lines::new(text), exact: Decimals::new(false) }
+    }
+
     /// Parses the whole file.
     pub fn parse(&self) -> Result<Spanned<DeTable<'t>>, CorpusError> {
         DeTable::parse(self.text).map_err(|error| {
@@ -40,8 +48,7 @@ impl<'t> Document<'t> {
 
     /// The line of a byte offset, counted from 1.
     pub fn line(&self, at: usize) -> usize {
-        let before = &self.text.as_bytes()[..at.min(self.text.len())];
-        1 + before.iter().filter(|&&byte| byte == b'\n').count()
+        self.lines.of(at)
     }
 
     /// An error at a byte offset.
@@ -54,15 +61,21 @@ impl<'t> Document<'t> {
 #[derive(Clone, Copy)]
 pub struct Field<'d, 't> {
     document: &'d Document<'t>,
+    decimals: &'d Decimals,
     key: &'d str,
     value: &'d DeValue<'t>,
     span: (usize, usize),
 }
 
 impl<'d, 't> Field<'d, 't> {
-    fn new(document: &'d Document<'t>, key: &'d str, value: &'d Spanned<DeValue<'t>>) -> Field<'d, 't> {
+    fn new(
+        document: &'d Document<'t>,
+        decimals: &'d Decimals,
+        key: &'d str,
+        value: &'d Spanned<DeValue<'t>>,
+    ) -> Field<'d, 't> {
         let Range { start, end } = value.span();
-        Field { document, key, value: value.get_ref(), span: (start, end) }
+        Field { document, decimals, key, value: value.get_ref(), span: (start, end) }
     }
 
     /// The line of the value, from 1.
@@ -118,14 +131,19 @@ impl<'d, 't> Field<'d, 't> {
         wanted: &str,
     ) -> Result<impl ExactSizeIterator<Item = Field<'d, 't>> + use<'d, 't>, CorpusError> {
         let array = self.value.as_array().ok_or_else(|| self.wrong_type(wanted))?;
-        let (document, key) = (self.document, self.key);
-        Ok(array.iter().map(move |item| Field::new(document, key, item)))
+        let Field { document, decimals, key, .. } = *self;
+        Ok(array.iter().map(move |item| Field::new(document, decimals, key, item)))
     }
 
     /// The value as a table of this kind.
     pub fn fields(&self, kind: &'d TableKind) -> Result<Fields<'d, 't>, CorpusError> {
         let table = self.value.as_table().ok_or_else(|| self.wrong_type("a table"))?;
-        Ok(Fields::new(self.document, kind, table, self.span.0))
+        Ok(Fields { decimals: self.decimals, ..Fields::new(self.document, kind, table, self.span.0) })
+    }
+
+    /// The value as yes or no.
+    pub fn bool(&self) -> Result<bool, CorpusError> {
+        self.value.as_bool().ok_or_else(|| self.wrong_type("true or false"))
     }
 
     /// An integer from `range`.
@@ -161,15 +179,15 @@ impl<'d, 't> Field<'d, 't> {
         }
     }
 
-    /// The value as a coordinate: exactly a double, or an error.
+    /// The value as a coordinate: exactly a double, or an error; with `round = true` the nearest double.
     pub fn coordinate(&self) -> Result<f64, CorpusError> {
         let text = self.coordinate_text()?;
-        coordinate::exact(text).map_err(|error| self.coordinate_error(text, &error))
+        self.decimals.read(text).map_err(|error| self.coordinate_error(text, &error))
     }
 
     /// The error about a coordinate, with its cure.
     pub fn coordinate_error(&self, text: &str, error: &CoordinateError) -> CorpusError {
-        let (message, cure) = explain(self.document.file, text, error);
+        let (message, cure) = explain(Place::Tidied(self.document.file), text, error);
         self.error(message, cure)
     }
 
@@ -200,33 +218,10 @@ impl<'d, 't> Field<'d, 't> {
     }
 }
 
-/// What is wrong with a coordinate, and the cure.
-pub fn explain(file: &str, text: &str, error: &CoordinateError) -> (String, String) {
-    match error {
-        CoordinateError::Malformed => {
-            (format!("`{text}` is not a number"), "write a decimal or a hex float such as 0x1.8p+1".into())
-        }
-        CoordinateError::NotFinite => (format!("coordinate `{text}` is not finite"), "remove the point".into()),
-        CoordinateError::Overflow => {
-            (format!("coordinate `{text}` is beyond the largest double"), "scale the scene by a power of two".into())
-        }
-        CoordinateError::Underflow => (
-            format!("coordinate `{text}` is not zero but below half the smallest double"),
-            "write 0 or scale the scene by a power of two".into(),
-        ),
-        CoordinateError::TooManyBits => (
-            format!("hex float `{text}` has more bits than a double"),
-            "keep 53 bits, the lowest not below 2^-1074".into(),
-        ),
-        CoordinateError::Inexact { .. } => {
-            (format!("decimal {text} is not exactly a double"), format!("run `predicament corpus fmt {file}`"))
-        }
-    }
-}
-
 /// The keys of a table, taken one by one; what is left over is an error.
 pub struct Fields<'d, 't> {
     document: &'d Document<'t>,
+    decimals: &'d Decimals,
     kind: &'d TableKind,
     table: &'d DeTable<'t>,
     at: usize,
@@ -236,7 +231,24 @@ pub struct Fields<'d, 't> {
 impl<'d, 't> Fields<'d, 't> {
     /// The keys of a table that starts at this byte.
     pub fn new(document: &'d Document<'t>, kind: &'d TableKind, table: &'d DeTable<'t>, at: usize) -> Fields<'d, 't> {
-        Fields { document, kind, table, at, asked: RefCell::default() }
+        Fields { document, decimals: &document.exact, kind, table, at, asked: RefCell::default() }
+    }
+
+    /// The same table, whose coordinates are read so.
+    #[must_use]
+    pub fn reading(self, decimals: &'d Decimals) -> Fields<'d, 't> {
+        Fields { decimals, ..self }
+    }
+
+    /// How its coordinates are read.
+    #[must_use]
+    pub fn decimals(&self) -> &'d Decimals {
+        self.decimals
+    }
+
+    /// Yes or no, or a default where the key is missing.
+    pub fn bool_or(&self, key: &'static str, default: bool) -> Result<bool, CorpusError> {
+        self.get(key).map_or(Ok(default), |field| field.bool())
     }
 
     /// The line where the table starts.
@@ -259,7 +271,7 @@ impl<'d, 't> Fields<'d, 't> {
         debug_assert!(self.kind.keys.contains(&key), "{:?} leaves out {key}", self.kind);
         self.asked.borrow_mut().insert(key);
         let (key, value) = self.table.get_key_value(key)?;
-        Some(Field::new(self.document, key.get_ref(), value))
+        Some(Field::new(self.document, self.decimals, key.get_ref(), value))
     }
 
     /// A key that was asked for before; asking here does not make it a known one.

@@ -6,31 +6,42 @@
 //! crate `tasks`.
 //!
 //! * [`Document`], [`Field`] and [`Fields`]: a TOML file that knows its lines.
-//! * [`exact_coordinate`], [`hexfloat`], [`bits`]: doubles as text and as bits.
-//! * [`read_rows`], [`read_csv_rows`]: rows of numbers in suites and CSV files.
-//! * [`mesh`], [`topojson`]: importers.
+//! * [`exact_coordinate`], [`Decimals`], [`hexfloat`], [`bits`]: doubles as text and as bits.
+//! * [`read_rows`], [`read_csv_rows`], [`fmt_csv`]: rows of numbers in suites and CSV files.
+//! * [`points`], [`geometry`], [`mesh`], [`topojson`], [`read_polygons`]: importers.
+//! * [`read_bytes`], [`read_suite`]: files, within bounds.
 //! * [`Manifest`], [`Cache`], [`fetch`]: real data from package registries.
 
 pub mod bits;
 mod cache;
 mod coordinate;
+mod csv;
+mod data;
+mod decimals;
 mod document;
 mod error;
 mod fetch;
+mod file;
 pub mod hexfloat;
 mod import;
+mod lines;
 mod manifest;
 mod rows;
 mod tables;
 
 pub use cache::Cache;
-pub use coordinate::{CoordinateError, exact as exact_coordinate, nearest as nearest_coordinate};
-pub use document::{Document, Field, Fields, explain};
+pub use coordinate::{CoordinateError, exact as exact_coordinate};
+pub use csv::{fmt_csv, skipped};
+pub use data::read_csv_rows;
+pub use decimals::{Decimals, MOST_COORDINATES, Place, explain, shown};
+pub use document::{Document, Field, Fields};
 pub use error::{CorpusError, ErrorKind};
 pub use fetch::fetch;
-pub use import::{ImportNotes, mesh, topojson};
+pub use file::{read_as_it_is, read_bytes, read_suite, read_text};
+pub use import::{ImportNotes, ImportedMap, geometry, mesh, points, read_polygons, topojson};
+pub use lines::Lines;
 pub use manifest::{Entry, Manager, Manifest};
-pub use rows::{POINT, RowKind, Rows, read_bytes, read_csv, read_csv_rows, read_points, read_rows, read_text, skipped};
+pub use rows::{POINT, RowKind, Rows, read_points, read_rows};
 pub use tables::{POINTS, TableKind};
 
 /// A digest as lower-case hex digits.

@@ -60,7 +60,7 @@ impl Manifest {
     /// # Errors
     /// [`CorpusError`] at the line that is wrong.
     pub fn parse(file: &str, text: &str) -> Result<Manifest, CorpusError> {
-        let document = Document { file, text };
+        let document = Document::new(file, text);
         let root = document.parse()?;
         let fields = Fields::new(&document, &tables::MANIFEST, root.get_ref(), 0);
         let mut entries = BTreeMap::new();

@@ -24,6 +24,7 @@ mod contestant;
 mod counts;
 mod digest;
 mod list;
+mod map_source;
 mod outcome;
 mod planted;
 mod solver;

@@ -4,7 +4,7 @@ use std::io::Read;
 use std::path::PathBuf;
 
 use predicament_corpus::{Level, LoadedScene, Suite};
-use predicament_formats::{CoordinateError, Manifest, exact_coordinate, hexfloat, nearest_coordinate};
+use predicament_formats::{CoordinateError, CorpusError, Decimals, Manifest, Place, hexfloat, points};
 use predicament_judge as judge;
 use predicament_predicates::{PredicateKind, Query, Question};
 use predicament_tasks::signs::SignQueries;
@@ -222,11 +222,11 @@ fn load(args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
         }
         None => listed(args.typed.iter().enumerate().map(|(at, text)| (format!("point {at}"), text.clone())), args)?,
         Some(file) if file.as_os_str() == "-" => {
-            let mut text = String::new();
-            std::io::stdin().read_to_string(&mut text).map_err(|error| Failure::usage(format!("stdin: {error}")))?;
-            let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
-            let lines = lines.filter(|(_, line)| !predicament_formats::skipped(line));
-            listed(lines.map(|(at, line)| (format!("stdin:{}", at + 1), line.to_owned())), args)?
+            let mut bytes = Vec::new();
+            std::io::stdin().read_to_end(&mut bytes).map_err(|error| Failure::usage(format!("stdin: {error}")))?;
+            let read = points::read("stdin.csv", bytes, &Decimals::new(args.round)).map_err(for_ask)?;
+            let rows = read.coordinates.chunks(read.dimension.count()).map(written);
+            format!("[{}]", rows.collect::<Vec<_>>().join(",\n"))
         }
         Some(file) => {
             let path =
@@ -246,7 +246,17 @@ fn load(args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
     }
     let suite = Suite::parse(tool.vocabulary(), "ask", &text, Some(std::path::Path::new(".")), &Manifest::default())?;
     let cache = Selector::everything().cache()?;
-    Ok(suite.scenes[0].load(Level::Quick, &cache)?)
+    suite.scenes[0].load(Level::Quick, &cache).map_err(for_ask)
+}
+
+/// An error about data, with the cure of this command: there is no suite to write `round` in.
+fn for_ask(error: CorpusError) -> Failure {
+    let cure = match error.cure.find("write `round = true`") {
+        Some(_) => "add --round to read the nearest doubles".to_owned(),
+        None => error.cure.clone(),
+    };
+    let file = error.file.replace("stdin.csv", "stdin");
+    CorpusError { cure, file, ..error }.into()
 }
 
 fn quoted(text: &str) -> String {
@@ -255,31 +265,34 @@ fn quoted(text: &str) -> String {
 
 /// Points that were typed, as hex floats.
 fn listed(points: impl Iterator<Item = (String, String)>, args: &Args) -> Result<String, Failure> {
+    let decimals = Decimals::new(args.round);
     let mut rows = Vec::new();
     for (place, text) in points {
         let bare = text.trim().trim_start_matches(['(', '[']).trim_end_matches([')', ']']);
         let cells = bare.split(|c: char| c == ',' || c == ';' || c.is_whitespace()).filter(|cell| !cell.is_empty());
         let mut row = Vec::new();
         for cell in cells {
-            let read = match exact_coordinate(cell) {
-                Err(CoordinateError::Inexact { .. }) if args.round => nearest_coordinate(cell),
-                read => read,
-            };
-            let x = read.map_err(|error| {
-                let (message, cure) = predicament_formats::explain("", cell, &error);
+            let x = decimals.read(cell).map_err(|error| {
+                let (message, cure) = predicament_formats::explain(Place::Data, cell, &error);
                 let inexact = matches!(error, CoordinateError::Inexact { .. });
                 let cure = if inexact { "add --round to take its nearest double".to_owned() } else { cure };
                 Failure::usage(format!("{place}: {message}; {cure}"))
             })?;
-            row.push(format!("\"{}\"", hexfloat::format(x)));
+            row.push(x);
         }
         if !(2..=3).contains(&row.len()) {
             let found = row.len();
             return Err(Failure::usage(format!("{place}: {found} coordinates in `{text}`; write two or three: 0.5,1")));
         }
-        rows.push(format!("[{}]", row.join(", ")));
+        rows.push(written(&row));
     }
     Ok(format!("[{}]", rows.join(",\n")))
+}
+
+/// A point as an array of hex floats.
+fn written(point: &[f64]) -> String {
+    let cells: Vec<String> = point.iter().map(|&x| format!("\"{}\"", hexfloat::format(x))).collect();
+    format!("[{}]", cells.join(", "))
 }
 
 /// `--queries` as the value of the key.

@@ -118,6 +118,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         bar.set_message(scene.scene.clone());
         let loaded = planned.take(&selection)?;
         primitives.learn(&loaded);
+        writer.write(rows::imported(&scene, &loaded.notes).as_slice()).map_err(Failure::usage)?;
         // The truth is worked out only where somebody's answers have not been judged.
         let mut case: Option<Box<dyn AnyCase + '_>> = None;
         let mut runners = Vec::new();

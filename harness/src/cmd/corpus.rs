@@ -1,9 +1,9 @@
 //! `corpus`: look at suites, check them, tidy them, try generators, fetch data.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use predicament_corpus::fmt;
-use predicament_formats::fetch;
+use predicament_formats::{CorpusError, fetch, fmt_csv, read_as_it_is};
 use predicament_records::Shard;
 use predicament_tasks::Watch;
 
@@ -17,7 +17,7 @@ const EXAMPLES: &str = "\
 Examples:
   predicament corpus list --scenes
   predicament corpus verify mine.toml
-  predicament corpus fmt mine.toml                    decimals that are no doubles become hex floats
+  predicament corpus fmt mine.toml points.csv         decimals that are no doubles become hex floats
   predicament corpus gen families -f 'near-orient3d'  generate, and show how degenerate it is
   predicament corpus fetch                            real data, into the cache";
 
@@ -39,7 +39,7 @@ enum Command {
     },
     /// Rewrite coordinates losslessly: nearest doubles as hex floats, the decimal kept as a comment
     Fmt {
-        /// TOML files, rewritten in place
+        /// TOML and CSV files, rewritten in place
         #[arg(required = true)]
         files: Vec<PathBuf>,
         /// Change nothing; fail if a file would change
@@ -89,22 +89,44 @@ fn format(tool: &Tool, files: &[PathBuf], check: bool) -> exit::Outcome {
     let mut changed = 0;
     for file in files {
         let name = file.display().to_string();
-        let text = std::fs::read_to_string(file).map_err(|error| Failure::usage(format!("{name}: {error}")))?;
-        let tidy = fmt(tool.vocabulary(), &name, &text)?;
+        let (text, tidy) = tidied(tool, file, &name)?;
         if tidy == text {
             continue;
         }
         changed += 1;
         if !check {
-            // Beside the file and then renamed: an interrupted write can't lose the suite.
-            let next = file.with_extension("toml.next");
-            std::fs::write(&next, &tidy)
-                .and_then(|()| std::fs::rename(&next, file))
-                .map_err(|error| Failure::usage(format!("{name}: {error}")))?;
+            replace(file, &tidy).map_err(|error| Failure::usage(format!("{name}: {error}")))?;
         }
         say!("{}: {name}", if check { "would change" } else { "changed" });
     }
     Ok(if check && changed > 0 { CORPUS } else { exit::OK })
+}
+
+/// What is in a file, and what it becomes.
+fn tidied(tool: &Tool, file: &Path, name: &str) -> Result<(String, String), Failure> {
+    let extension = file.extension().map(|extension| extension.to_string_lossy().to_lowercase());
+    let by_lines = match extension.as_deref() {
+        Some("toml") => false,
+        Some("csv" | "txt") => true,
+        _ => {
+            let cure = "name a .toml, .csv or .txt file; for other data write `round = true` in the scene";
+            return Err(CorpusError::usage(name, "only suites and CSV files can be rewritten", cure).into());
+        }
+    };
+    let text = read_as_it_is(file)?;
+    let tidy = if by_lines { fmt_csv(name, &text)? } else { fmt(tool.vocabulary(), name, &text)? };
+    Ok((text, tidy))
+}
+
+/// Writes beside the file and renames: an interrupted write can't lose it. A link stays a link.
+fn replace(file: &Path, text: &str) -> std::io::Result<()> {
+    let file = file.canonicalize()?;
+    let mut name = file.file_name().unwrap_or_default().to_os_string();
+    name.push(".next");
+    let next = file.with_file_name(name);
+    std::fs::write(&next, text)?;
+    std::fs::set_permissions(&next, std::fs::metadata(&file)?.permissions())?;
+    std::fs::rename(&next, &file)
 }
 
 fn verify(tool: &Tool, selector: &Selector) -> exit::Outcome {
@@ -138,6 +160,9 @@ fn generate(tool: &Tool, selector: &Selector) -> exit::Outcome {
             },
             loaded.id
         );
+        if !loaded.notes.is_clean() {
+            say!("  read with changes: {}", loaded.notes);
+        }
         let watch = Watch::new(interrupt::flag(), None, &|_| {});
         let stopped = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
         for line in tool.task(loaded.task).describe_scene(&loaded, &watch).map_err(stopped)?.lines() {

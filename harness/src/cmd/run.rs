@@ -144,7 +144,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         }
         bar.set_message(scene.scene.clone());
         let loaded = planned.take(&selection)?;
-        ledger.plan(&scene, &loaded.scene)?;
+        ledger.plan(&scene, &loaded)?;
         if left.is_empty() {
             bar.inc(scene.queries * (backends.len() as u64 + 1));
             continue;

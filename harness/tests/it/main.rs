@@ -11,6 +11,7 @@ mod limits;
 mod lines_and_cubes;
 mod output;
 mod own_data;
+mod own_files;
 mod paths;
 #[cfg(feature = "peers")]
 mod peers;

@@ -100,6 +100,7 @@ fn every_scene_has_one_precision_plan_whatever_the_backends() {
         "masses.csv",
         "judged.csv",
         "sampled.csv",
+        "imports.csv",
     ] {
         write(&folder, &format!("old/{file}"), &read(&one, file));
     }

@@ -27,8 +27,10 @@ fn the_bytes_do_not_depend_on_the_number_of_threads() {
             out
         });
         for (name, text) in tables(&one) {
-            // No scene of level quick is so large that its truth is about a part of it.
-            assert!(text.lines().count() > 1 || name == "sampled.csv", "{name} has rows");
+            // No scene of level quick is so large that its truth is about a part of it, and none that needs no
+            // download is changed while it is read.
+            let empty = ["sampled.csv", "imports.csv"].contains(&name.as_str());
+            assert!(text.lines().count() > 1 || empty, "{name} has rows");
         }
         if args[0] == "run" {
             assert!(tables(&one).iter().any(|(name, _)| name == "judged.csv"));

@@ -1,6 +1,6 @@
 //! `[[generate]]` tables.
 
-use predicament_formats::{Cache, CorpusError, Field, Fields};
+use predicament_formats::{Cache, CorpusError, Field, Fields, MOST_COORDINATES};
 
 use super::Context;
 use super::scene::{SceneDef, define};
@@ -42,12 +42,46 @@ pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<Scen
 /// `n` and `n_full`; recipes of a fixed size have neither.
 fn amount(fields: &Fields<'_, '_>, recipe: &Recipe) -> Result<[usize; 2], CorpusError> {
     if let Some(n) = recipe.fixed_size {
+        let size = u64::try_from(n).unwrap_or(u64::MAX);
+        if !fits(recipe, size) {
+            let message = format!("the scene has about {} coordinates", recipe.coordinates(size));
+            return Err(fields.error(message, format!("choose parameters for at most {MOST_COORDINATES}")));
+        }
         return Ok([n, n]);
     }
-    let count = |field: Field<'_, '_>| field.count(1..=MOST_QUERIES);
-    let quick = count(fields.required("n")?)?;
-    let full = fields.get("n_full").map_or(Ok(quick), count)?;
+    let count = |key: &str, field: Field<'_, '_>| {
+        let n = field.integer(1..=MOST_QUERIES)?;
+        if fits(recipe, n) {
+            return Ok(usize::try_from(n).unwrap_or(usize::MAX));
+        }
+        let message = format!(
+            "`{key}` is {n}: a scene of about {} coordinates, and there may be {MOST_COORDINATES}",
+            recipe.coordinates(n)
+        );
+        let cure = match most(recipe) {
+            0 => "choose fewer random points".to_owned(),
+            most => format!("choose at most {most}"),
+        };
+        Err(field.error(message, cure))
+    };
+    let quick = count("n", fields.required("n")?)?;
+    let full = fields.get("n_full").map_or(Ok(quick), |field| count("n_full", field))?;
     Ok([quick, full])
+}
+
+/// Whether a scene of n is small enough to be made.
+fn fits(recipe: &Recipe, n: u64) -> bool {
+    usize::try_from(recipe.coordinates(n)).is_ok_and(|coordinates| coordinates <= MOST_COORDINATES)
+}
+
+/// The largest n whose scene is small enough, by bisection.
+fn most(recipe: &Recipe) -> u64 {
+    let [mut fit, mut unfit] = [0, MOST_QUERIES + 1];
+    while unfit - fit > 1 {
+        let middle = fit.midpoint(unfit);
+        if fits(recipe, middle) { fit = middle } else { unfit = middle }
+    }
+    fit
 }
 
 /// Family, task, and every parameter that was written: `near-orient2d-ulps-4`.

@@ -6,13 +6,13 @@ mod scene;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use predicament_formats::{CorpusError, Document, Entry, Field, Fields, Manifest, TableKind};
+use predicament_formats::{CorpusError, Decimals, Document, Entry, Field, Fields, Manifest, TableKind, read_suite};
 
 use crate::{SeenIds, Vocabulary};
 pub use scene::SceneDef;
 
 /// The keys of a suite.
-pub(crate) static SUITE: TableKind = TableKind::new("suite", &["title", "description", "scene", "generate"]);
+pub(crate) static SUITE: TableKind = TableKind::new("suite", &["title", "description", "round", "scene", "generate"]);
 
 /// A suite: a TOML file's scenes in the order in which they are written.
 #[derive(Clone, Debug)]
@@ -51,18 +51,25 @@ impl Suite {
         manifest: &Manifest,
     ) -> Result<Suite, CorpusError> {
         let name = Path::new(file).file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-        let document = Document { file, text };
+        let document = Document::new(file, text);
         let root = document.parse()?;
         let fields = Fields::new(&document, &SUITE, root.get_ref(), 0);
         let title = fields.required("title")?.string()?;
         let description = fields.string_or_empty("description")?;
-        let context = Context { suite: name.clone(), base: base.map(Path::to_path_buf), manifest, vocabulary };
+        let round = fields.bool_or("round", false)?;
+        let mut context =
+            Context { suite: name.clone(), base: base.map(Path::to_path_buf), manifest, vocabulary, round };
         let mut scenes = Vec::new();
-        for table in array(&fields, "scene")? {
-            scenes.push(scene::read(&context, table.fields(&vocabulary.scene)?)?);
-        }
-        for table in array(&fields, "generate")? {
-            scenes.push(generator::read(&context, table.fields(&vocabulary.generator)?)?);
+        for (tables, kind, read) in [
+            ("scene", &vocabulary.scene, scene::read as Read),
+            ("generate", &vocabulary.generator, generator::read as Read),
+        ] {
+            for table in array(&fields, tables)? {
+                let table = table.fields(kind)?;
+                context.round = table.bool_or("round", round)?;
+                let decimals = Decimals::new(context.round);
+                scenes.push(read(&context, table.reading(&decimals))?);
+            }
         }
         fields.finish()?;
         scenes.sort_by_key(|scene: &SceneDef| scene.line);
@@ -79,9 +86,7 @@ impl Suite {
     /// [`CorpusError`] where the file can't be read, or as [`Suite::parse`].
     pub fn from_file(vocabulary: &Vocabulary, path: &Path, manifest: &Manifest) -> Result<Suite, CorpusError> {
         let file = path.display().to_string();
-        let text = std::fs::read_to_string(path).map_err(|error| {
-            CorpusError::usage(&file, format!("the suite can't be read: {error}"), "give a suite's name or a TOML file")
-        })?;
+        let text = read_suite(path)?;
         Suite::parse(vocabulary, &file, &text, path.parent(), manifest)
     }
 
@@ -117,15 +122,26 @@ impl Suite {
     }
 }
 
+/// Reads a table of a suite.
+type Read = fn(&Context<'_>, Fields<'_, '_>) -> Result<SceneDef, CorpusError>;
+
 /// What reading a scene needs besides the scene's own table.
 pub struct Context<'m> {
     suite: String,
     base: Option<PathBuf>,
     manifest: &'m Manifest,
     vocabulary: &'m Vocabulary,
+    round: bool,
 }
 
 impl Context<'_> {
+    /// Whether decimals of the scene's data files that are no doubles are rounded to the nearest: its `round`,
+    /// else that of the suite.
+    #[must_use]
+    pub fn round(&self) -> bool {
+        self.round
+    }
+
     /// The path of a data file that lies beside the suite.
     ///
     /// # Errors

@@ -30,6 +30,8 @@ pub struct SceneDef {
     /// The line where its table starts.
     pub line: usize,
     content: Where,
+    /// How many decimals of its table were rounded.
+    rounded: usize,
 }
 
 #[derive(Clone)]
@@ -66,10 +68,11 @@ impl SceneDef {
     /// [`CorpusError`] where a data file is missing or wrong; data that was
     /// not fetched yet is an error that says how to fetch it.
     pub fn load(&self, level: Level, cache: &Cache) -> Result<LoadedScene, CorpusError> {
-        let Parts { scene, content, notes } = match &self.content {
+        let Parts { scene, content, mut notes } = match &self.content {
             Where::Written(parts) => Parts::clone(parts),
             Where::Elsewhere(elsewhere) => elsewhere.load(level, cache)?,
         };
+        notes.rounded += self.rounded;
         Ok(LoadedScene {
             suite: self.suite.clone(),
             name: self.name.clone(),
@@ -117,6 +120,7 @@ pub(super) fn define(
             Source::Written(parts) => Where::Written(Arc::new(parts)),
             Source::Elsewhere(elsewhere) => Where::Elsewhere(elsewhere),
         },
+        rounded: fields.decimals().rounded(),
     };
     fields.finish()?;
     Ok(define)

@@ -1,20 +1,16 @@
-//! Mesh importers: OFF and OBJ, in ASCII, and PLY; all of them also
-//! compressed by gzip.
+//! Mesh importers: OFF, OBJ and PLY, and STL, in ASCII or in binary; all of them also compressed by gzip.
 //!
-//! Only points and faces are read. Faces with more than three corners are
-//! divided into triangles by a fan around their first corner. Coordinates are
-//! decimals that were rounded when they were written; each is read as the
-//! double that is nearest to it.
+//! Only points and faces are read. Faces with more than three corners are divided into triangles by a fan
+//! around their first corner. Decimals are read as those of suites are: exactly doubles, or refused, or rounded
+//! where the suite says so.
 
-use std::io::Read;
-
-use flate2::read::MultiGzDecoder;
 use predicament_predicates::Vertex;
 
-use super::ply;
-use crate::CorpusError;
-use crate::coordinate;
-use crate::document::explain;
+use super::{ImportNotes, obj, off, ply, stl};
+use crate::data::{DataFile, Format};
+use crate::decimals::{MOST_COORDINATES, Place, explain, shown};
+use crate::lines::lines;
+use crate::{CorpusError, Decimals};
 
 /// Points, and simplices of their indices.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -25,152 +21,61 @@ pub struct ImportedMesh {
     pub edges: Vec<[Vertex; 2]>,
     /// The faces.
     pub triangles: Vec<[Vertex; 3]>,
+    /// What was left out.
+    pub notes: ImportNotes,
 }
 
-/// Reads a file by its extension, `.off`, `.obj` or `.ply`, each perhaps with `.gz` behind it.
-pub fn read(file: &str, bytes: &[u8]) -> Result<ImportedMesh, CorpusError> {
-    let lower = file.to_ascii_lowercase();
-    let unpacked;
-    let (name, bytes) = match lower.strip_suffix(".gz") {
-        None => (lower.as_str(), bytes),
-        Some(name) => {
-            let mut all = Vec::new();
-            MultiGzDecoder::new(bytes).read_to_end(&mut all).map_err(|why| {
-                CorpusError::file(file, format!("the file can't be unpacked: {why}"), "compress it with gzip")
-            })?;
-            unpacked = all;
-            (name, unpacked.as_slice())
+/// Reads a file by its extension, `.off`, `.obj`, `.ply` or `.stl`, each perhaps with `.gz` behind it.
+///
+/// # Errors
+/// [`CorpusError`] at the line that is wrong.
+pub fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
+    read_data(DataFile::open(file, bytes)?, decimals)
+}
+
+pub(super) fn read_data(data: DataFile, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
+    let file = data.file.clone();
+    let mesh = match data.format {
+        Format::Off => off::read(&file, &data.text()?, decimals),
+        Format::Obj => obj::read(&file, &data.text()?, decimals),
+        Format::Ply => ply::read(&file, &data.bytes, decimals),
+        Format::Stl => stl::read(&file, data.bytes, decimals),
+        Format::Csv | Format::GeoJson | Format::Wkt => {
+            Err(CorpusError::file(&file, "the file is no mesh", "name a .off, .obj, .ply or .stl file"))
         }
-    };
-    let text = || {
-        std::str::from_utf8(bytes).map_err(|why| {
-            let line = bytes[..why.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count() + 1;
-            CorpusError::file(file, "the file is not text", "write it in ASCII").at_line(line)
-        })
-    };
-    if name.ends_with(".off") {
-        off(file, text()?)
-    } else if name.ends_with(".obj") {
-        obj(file, text()?)
-    } else if name.ends_with(".ply") {
-        ply::read(file, bytes)
-    } else {
-        Err(CorpusError::file(file, "the file's name doesn't tell its format", "name a .off, .obj or .ply file"))
+    }?;
+    if 3 * mesh.points.len() > MOST_COORDINATES {
+        let message = format!("a mesh of {} points", mesh.points.len());
+        return Err(CorpusError::file(file, message, format!("a scene has at most {MOST_COORDINATES} coordinates")));
     }
+    Ok(mesh)
 }
 
 /// What is left of a line without its comment, if anything.
-fn content(line: &str) -> Option<&str> {
+pub(super) fn content(line: &str) -> Option<&str> {
     let line = line.split('#').next().unwrap_or_default().trim();
     (!line.is_empty()).then_some(line)
 }
 
 /// The lines that say something, numbered from 1.
-fn contents(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    text.lines().enumerate().filter_map(|(at, line)| content(line).map(|line| (at + 1, line)))
+pub(super) fn contents(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    lines(text).filter_map(|line| content(line.body).map(|body| (line.number, body)))
 }
 
-/// Reads OFF: the word, three counts, that many points, that many faces.
-fn off(file: &str, text: &str) -> Result<ImportedMesh, CorpusError> {
-    const CURE: &str = "give an ASCII OFF file: the word OFF, then the numbers of vertices, faces and edges";
-    let error = |line: usize, message: String, cure: &str| CorpusError::file(file, message, cure).at_line(line);
-    let short = |what: &str| CorpusError::file(file, format!("the file ends before {what}"), CURE);
-    let mut lines = contents(text);
-    let (line, head) = lines.next().ok_or_else(|| short("the word OFF"))?;
-    let rest = head
-        .strip_prefix("OFF")
-        .filter(|rest| rest.is_empty() || rest.starts_with(char::is_whitespace))
-        .ok_or_else(|| error(line, format!("the file starts with `{head}`, not with OFF"), CURE))?;
-    // The counts may stand behind the word.
-    let (line, counts) = match content(rest) {
-        Some(counts) => (line, counts),
-        None => lines.next().ok_or_else(|| short("its counts"))?,
-    };
-    let counts: Vec<Option<usize>> = counts.split_whitespace().map(|count| count.parse().ok()).collect();
-    let &[Some(vertices), Some(faces), Some(_)] = counts.as_slice() else {
-        return Err(error(line, "three counts are expected: vertices, faces, edges".to_owned(), CURE));
-    };
-    let counted = |at: usize, all: usize, what: &str| {
-        let message = format!("the file ends after {at} of its {all} {what}");
-        CorpusError::file(file, message, "correct the counts or add what is missing")
-    };
-    let mut mesh = ImportedMesh::default();
-    for at in 0..vertices {
-        let (line, words) = lines.next().ok_or_else(|| counted(at, vertices, "vertices"))?;
-        mesh.points.push(point(file, line, &words.split_whitespace().collect::<Vec<_>>())?);
-    }
-    for at in 0..faces {
-        let (line, words) = lines.next().ok_or_else(|| counted(at, faces, "faces"))?;
-        let words: Vec<&str> = words.split_whitespace().collect();
-        // Colours may follow the corners.
-        let corners = words[0].parse().ok().and_then(|corners: usize| words.get(1..corners.checked_add(1)?));
-        let Some(corners) = corners else {
-            return Err(error(line, "a face is the number of its corners, then the corners".to_owned(), CURE));
-        };
-        let corner = |word: &&str| {
-            let index = word.parse().ok().filter(|&index: &usize| index < vertices);
-            index.map(Vertex::input).ok_or_else(|| no_vertex(file, line, word, vertices, "0"))
-        };
-        let corners = corners.iter().map(corner).collect::<Result<Vec<_>, _>>()?;
-        fan(&corners, &mut mesh.triangles).map_err(|(message, cure)| error(line, message, cure))?;
-    }
-    match lines.next() {
-        Some((line, _)) => Err(error(line, format!("more follows the {faces} faces"), "correct the counts")),
-        None => Ok(mesh),
-    }
-}
-
-/// Reads OBJ: `v`, `f` and `l`; what only matters for pictures is passed over.
-fn obj(file: &str, text: &str) -> Result<ImportedMesh, CorpusError> {
-    const PASSED_OVER: [&str; 8] = ["vn", "vt", "g", "o", "s", "usemtl", "mtllib", "p"];
-    let mut mesh = ImportedMesh::default();
-    for (line, words) in contents(text) {
-        let words: Vec<&str> = words.split_whitespace().collect();
-        let points = mesh.points.len();
-        // `7/1/3` is the seventh point with a texture and a normal; -1 is the last point so far.
-        let corner = |word: &&str| {
-            let index: Option<i64> = word.split('/').next().and_then(|index| index.parse().ok());
-            let place = index.and_then(|index| match index {
-                1.. => usize::try_from(index - 1).ok(),
-                _ => points.checked_sub(usize::try_from(index.unsigned_abs()).ok()?),
-            });
-            place
-                .filter(|&place| place < points)
-                .map(Vertex::input)
-                .ok_or_else(|| no_vertex(file, line, word, points, "1"))
-        };
-        let corners = || words[1..].iter().map(corner).collect::<Result<Vec<_>, _>>();
-        match words[0] {
-            // A weight or colours may follow the coordinates.
-            "v" => mesh.points.push(point(file, line, &words[1..])?),
-            "f" => fan(&corners()?, &mut mesh.triangles)
-                .map_err(|(message, cure)| CorpusError::file(file, message, cure).at_line(line))?,
-            "l" => mesh.edges.extend(corners()?.windows(2).map(|ends| [ends[0], ends[1]])),
-            word if PASSED_OVER.contains(&word) => {}
-            word => {
-                let message = format!("`{word}` is not understood");
-                let cure = "write the shape as points (v), faces (f) and lines (l)";
-                return Err(CorpusError::file(file, message, cure).at_line(line));
-            }
-        }
-    }
-    Ok(mesh)
-}
-
-fn no_vertex(file: &str, line: usize, word: &str, points: usize, first: &str) -> CorpusError {
-    let message = format!("`{word}` is none of the {points} vertices");
+pub(super) fn no_vertex(file: &str, line: usize, word: &str, points: usize, first: &str) -> CorpusError {
+    let message = format!("`{}` is none of the {points} vertices", shown(word));
     CorpusError::file(file, message, format!("indices count from {first}")).at_line(line)
 }
 
-fn point(file: &str, line: usize, words: &[&str]) -> Result<[f64; 3], CorpusError> {
+pub(super) fn point(file: &str, line: usize, words: &[&str], decimals: &Decimals) -> Result<[f64; 3], CorpusError> {
     let Some(words) = words.first_chunk::<3>() else {
         let message = format!("a vertex of {} coordinates", words.len());
         return Err(CorpusError::file(file, message, "write three coordinates").at_line(line));
     };
     let mut point = [0.0; 3];
     for (x, word) in point.iter_mut().zip(words) {
-        *x = coordinate::nearest(word).map_err(|why| {
-            let (message, cure) = explain(file, word, &why);
+        *x = decimals.read(word).map_err(|why| {
+            let (message, cure) = explain(Place::Data, word, &why);
             CorpusError::file(file, message, cure).at_line(line)
         })?;
     }
@@ -178,7 +83,7 @@ fn point(file: &str, line: usize, words: &[&str]) -> Result<[f64; 3], CorpusErro
 }
 
 /// Appends the triangles of a face; or what is wrong with it, and the cure.
-pub fn fan(corners: &[Vertex], out: &mut Vec<[Vertex; 3]>) -> Result<(), (String, &'static str)> {
+pub(super) fn fan(corners: &[Vertex], out: &mut Vec<[Vertex; 3]>) -> Result<(), (String, &'static str)> {
     let [first, rest @ ..] = corners else {
         return Err(("a face without corners".to_owned(), "remove it"));
     };
@@ -196,10 +101,15 @@ pub fn fan(corners: &[Vertex], out: &mut Vec<[Vertex; 3]>) -> Result<(), (String
 
 #[cfg(test)]
 mod tests {
+    use std::io::Read;
+
+    use proptest::prelude::*;
+
     use super::*;
+    use crate::hexfloat;
 
     fn read(file: &str, text: &str) -> Result<ImportedMesh, CorpusError> {
-        super::read(file, text.as_bytes())
+        super::read(file, text.into(), &Decimals::new(false))
     }
 
     fn v<const N: usize>(indices: [usize; N]) -> [Vertex; N] {
@@ -209,16 +119,16 @@ mod tests {
     #[test]
     fn the_same_shape_in_both_formats() {
         let off =
-            "OFF # a pyramid\n5 2 0\n\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.1 0 1e-1 # apex\n4 0 1 2 3\n3 4 0 1 255 0 0\n";
-        let obj = "mtllib none\nv 0 0 0\nv 1 0 0 1\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\nv 0.1 0 0.1\nf -1 1 2\n";
+            "OFF # a pyramid\n5 2 0\n\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0 5e-1 # apex\n4 0 1 2 3\n3 4 0 1 255 0 0\n";
+        let obj = "mtllib none\nv 0 0 0\nv 1 0 0 1\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\nv 0.5 0 0.5\nf -1 1 2\n";
         let [off, obj] = [read("a.off", off).unwrap(), read("a.OBJ", obj).unwrap()];
         assert_eq!(off, obj);
         assert_eq!(off.triangles, [v([0, 1, 2]), v([0, 2, 3]), v([4, 0, 1])]);
-        assert_eq!(off.points[4], [0.1, 0.0, 0.1]);
+        assert_eq!(off.points[4], [0.5, 0.0, 0.5]);
         let mut packed = flate2::read::GzEncoder::new("OFF\n1 0 0\n1 2 3\n".as_bytes(), flate2::Compression::fast());
         let mut bytes = Vec::new();
         packed.read_to_end(&mut bytes).unwrap();
-        assert_eq!(super::read("c.off.gz", &bytes).unwrap().points, [[1.0, 2.0, 3.0]]);
+        assert_eq!(super::read("c.off.gz", bytes, &Decimals::new(false)).unwrap().points, [[1.0, 2.0, 3.0]]);
         assert_eq!(read("b.off", "OFF 0 0 0").unwrap(), ImportedMesh::default());
         assert_eq!(read("b.obj", "v 0 0 0\nv 1 1 1\nv 2 2 0\nl 1 2 3").unwrap().edges, [v([0, 1]), v([1, 2])]);
     }
@@ -245,10 +155,54 @@ mod tests {
             (obj("curv 1 2\n"), "m.obj:4: `curv` is not understood; write"),
             (read("m.off", "solid\n").unwrap_err().to_string(), "m.off:1: the file starts with `solid`, not with OFF;"),
             (read("m.off.gz", "OFF").unwrap_err().to_string(), "m.off.gz: the file can't be unpacked: "),
-            (super::read("m.off", b"OFF\n\xff").unwrap_err().to_string(), "m.off:2: the file is not text; write"),
-            (read("m.stl", "").unwrap_err().to_string(), "m.stl: the file's name doesn't tell its format; name"),
+            (
+                super::read("m.off", b"OFF\n\xff".into(), &Decimals::new(false)).unwrap_err().to_string(),
+                "m.off:2: the file is not text in UTF-8; write",
+            ),
+            (read("m.3ds", "").unwrap_err().to_string(), "m.3ds: the file's name doesn't tell its format; name"),
+            (read("m.wkt", "").unwrap_err().to_string(), "m.wkt: the file is no mesh; name"),
+            (obj("v 0.1 0 0\n"), "m.obj:4: decimal 0.1 is not exactly a double; write `round = true` in the scene"),
+            (off("99999999999 0 0\n0 0 0\n"), "m.off: the file ends after 1 of its 99999999999 vertices; correct"),
+            (off("1 99999999999 0\n0 0 0\n"), "m.off: the file ends after 0 of its 99999999999 faces; correct"),
+            (off("1 1 0\n0 0 0\n99999999999 0\n"), "m.off:4: a face is the number of its corners"),
         ] {
             assert!(got.starts_with(expected), "{got}\n  expected {expected}");
+        }
+    }
+
+    #[test]
+    fn rounding_is_counted() {
+        let decimals = Decimals::new(true);
+        let mesh = super::read("m.off", b"OFF 1 0 0\n0.1 0.5 0.3\n".into(), &decimals).unwrap();
+        assert_eq!((mesh.points[0], decimals.rounded()), ([0.1, 0.5, 0.3], 2));
+    }
+
+    fn finite() -> impl Strategy<Value = f64> {
+        any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite())
+    }
+
+    proptest! {
+        #[test]
+        fn every_bit_comes_back(points in prop::collection::vec(prop::array::uniform3(finite()), 1..9), hex: bool) {
+            let number = |x: &f64| if hex { hexfloat::format(*x) } else { format!("{x:.1074}") };
+            let row = |point: &[f64; 3]| point.iter().map(number).collect::<Vec<_>>().join(" ");
+            let rows: Vec<String> = points.iter().map(row).collect();
+            let off = read("m.off", &format!("OFF {} 0 0\n{}\n", points.len(), rows.join("\n"))).unwrap();
+            let obj = read("m.obj", &format!("v {}\n", rows.join("\nv "))).unwrap();
+            let header = "format ascii 1.0\nproperty double x\nproperty double y\nproperty double z\nend_header\n";
+            let header = header.replacen('\n', &format!("\nelement vertex {}\n", points.len()), 1);
+            let ply = read("m.ply", &format!("ply\n{header}{}\n", rows.join("\n"))).unwrap();
+            let bits = |points: &[[f64; 3]]| points.as_flattened().iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+            for mesh in [off, obj, ply] {
+                prop_assert_eq!(bits(&mesh.points), bits(&points));
+            }
+        }
+
+        #[test]
+        fn no_text_panics(text in "(OFF|v|f|ply)?[0-9 .\n/ vfl#-]{0,60}|\\PC{0,30}") {
+            for file in ["m.off", "m.obj", "m.ply", "m.stl"] {
+                let _ = read(file, &text);
+            }
         }
     }
 }

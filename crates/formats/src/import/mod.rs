@@ -1,16 +1,47 @@
-//! Importers of meshes and maps.
+//! Importers of meshes, maps and other geometry.
 
+mod geojson;
+pub mod geometry;
 pub mod mesh;
+mod obj;
+mod off;
 mod ply;
+mod ply_ascii;
+pub mod points;
+mod rings;
+mod shared;
+mod stl;
 pub mod topojson;
+mod wkt;
 
-/// What an importer changed on the way in; never in silence.
+use predicament_mesh::PolygonMap;
+
+pub use rings::read_polygons;
+
+/// A map and its vertices' coordinates.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct ImportedMap {
+    /// The coordinates of each vertex.
+    pub points: Vec<[f64; 2]>,
+    /// The regions.
+    pub map: PolygonMap,
+    /// What was left out.
+    pub notes: ImportNotes,
+}
+
+/// What reading a scene changed on the way in; never in silence.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct ImportNotes {
-    /// Points dropped because they repeat the point before them in their ring.
+    /// Coordinates that are the nearest doubles of other decimals, by `round = true`.
+    pub rounded: usize,
+    /// Third coordinates left out where a task is flat, and measures (M) anywhere.
+    pub extra_coordinates: usize,
+    /// Points dropped because they repeat the point before them in their ring or line.
     pub repeated_points: usize,
     /// Rings dropped because fewer than three points were left of them.
     pub degenerate_rings: usize,
+    /// Faces dropped because two of their corners are one point.
+    pub degenerate_faces: usize,
     /// Regions dropped because no ring was left of them.
     pub empty_regions: usize,
 }
@@ -18,8 +49,11 @@ pub struct ImportNotes {
 impl ImportNotes {
     /// Adds what another importer changed.
     pub fn add(&mut self, other: &ImportNotes) {
+        self.rounded += other.rounded;
+        self.extra_coordinates += other.extra_coordinates;
         self.repeated_points += other.repeated_points;
         self.degenerate_rings += other.degenerate_rings;
+        self.degenerate_faces += other.degenerate_faces;
         self.empty_regions += other.empty_regions;
     }
 
@@ -32,10 +66,15 @@ impl ImportNotes {
 
 impl std::fmt::Display for ImportNotes {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(
-            f,
-            "{} repeated points, {} degenerate rings and {} empty regions dropped",
-            self.repeated_points, self.degenerate_rings, self.empty_regions
-        )
+        let all = [
+            (self.rounded, "decimals rounded"),
+            (self.extra_coordinates, "third coordinates or measures left out"),
+            (self.repeated_points, "repeated points dropped"),
+            (self.degenerate_rings, "degenerate rings dropped"),
+            (self.degenerate_faces, "degenerate faces dropped"),
+            (self.empty_regions, "empty regions dropped"),
+        ];
+        let some = all.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}"));
+        f.write_str(&some.collect::<Vec<_>>().join(", "))
     }
 }

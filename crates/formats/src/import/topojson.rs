@@ -8,35 +8,30 @@
 //!
 //! Quantised coordinates are decoded as the format's reference client does:
 //! integer sums of the deltas, then `k * scale + translate` with two roundings
-//! in double precision. The doubles that come out *are* the scene.
+//! in double precision. The doubles that come out *are* the scene. Positions that are not quantised are decimals,
+//! read as those of suites are.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 use predicament_mesh::PolygonMap;
 use predicament_predicates::Vertex;
 use serde::Deserialize;
 use serde_json::Value;
+use serde_json::value::RawValue;
 
-use super::ImportNotes;
-use crate::CorpusError;
-
-/// A map and its vertices' coordinates.
-#[derive(Debug)]
-pub struct ImportedMap {
-    /// The coordinates of each vertex.
-    pub points: Vec<[f64; 2]>,
-    /// The regions.
-    pub map: PolygonMap,
-    /// What was left out.
-    pub notes: ImportNotes,
-}
+use super::shared::SharedVertices;
+use super::{ImportNotes, ImportedMap};
+use crate::decimals::{Place, explain};
+use crate::{CorpusError, Decimals, Lines};
 
 #[derive(Deserialize)]
-struct Topology {
+struct Topology<'t> {
     #[serde(rename = "type")]
     kind: String,
     transform: Option<Transform>,
-    arcs: Vec<Vec<Vec<f64>>>,
+    /// Positions by arc: their numbers as they are written.
+    #[serde(borrow)]
+    arcs: Vec<Vec<Vec<&'t RawValue>>>,
     objects: BTreeMap<String, Geometry>,
 }
 
@@ -60,8 +55,11 @@ struct Geometry {
 type Polygon = Vec<Vec<i64>>;
 
 /// Reads the polygons of one object.
-pub fn read(file: &str, text: &str, object: &str) -> Result<ImportedMap, CorpusError> {
-    let topology: Topology = serde_json::from_str(text).map_err(|error| {
+///
+/// # Errors
+/// [`CorpusError`] at the line or the arc that is wrong.
+pub fn read(file: &str, text: &str, object: &str, decimals: &Decimals) -> Result<ImportedMap, CorpusError> {
+    let topology: Topology<'_> = serde_json::from_str(text).map_err(|error| {
         // serde_json appends the place, which is in the line already.
         let whole = error.to_string();
         let message = whole.rsplit_once(" at line ").map_or(whole.as_str(), |(message, _)| message);
@@ -77,35 +75,54 @@ pub fn read(file: &str, text: &str, object: &str) -> Result<ImportedMap, CorpusE
         let message = format!("the topology has no object `{object}`");
         return Err(CorpusError::file(file, message, format!("use one of {}", known.join(", "))));
     };
-    let mut importer = Importer { file, arcs: decode(file, &topology)?, ..Importer::default() };
+    let mut notes = ImportNotes::default();
+    let arcs = decode(file, text, &topology, decimals, &mut notes)?;
+    let mut importer = Importer { file, arcs, shared: SharedVertices::default(), map: PolygonMap::new(), notes };
     importer.geometry(root)?;
-    Ok(ImportedMap { points: importer.points, map: importer.map, notes: importer.notes })
+    Ok(ImportedMap { points: importer.shared.into_points(), map: importer.map, notes: importer.notes })
 }
 
 /// Every arc's points.
-fn decode(file: &str, topology: &Topology) -> Result<Vec<Vec<[f64; 2]>>, CorpusError> {
+fn decode(
+    file: &str,
+    text: &str,
+    topology: &Topology<'_>,
+    decimals: &Decimals,
+    notes: &mut ImportNotes,
+) -> Result<Vec<Vec<[f64; 2]>>, CorpusError> {
     let bad = |arc: usize, message: &str| {
         CorpusError::file(file, format!("arc {arc}: {message}"), "give a valid TopoJSON file")
     };
+    let lines = Lines::new(text);
     let mut arcs = Vec::with_capacity(topology.arcs.len());
     for (index, arc) in topology.arcs.iter().enumerate() {
         let mut sum = [0.0, 0.0];
         let mut points = Vec::with_capacity(arc.len());
         for position in arc {
-            let &[x, y, ..] = position.as_slice() else {
-                return Err(bad(index, "a position of less than two numbers"));
-            };
+            let (&[x, y], more) =
+                position.split_first_chunk().ok_or_else(|| bad(index, "a position of less than two numbers"))?;
+            notes.extra_coordinates += more.len();
             let point = match &topology.transform {
-                None => [x, y],
+                None => {
+                    let number = |raw: &RawValue| {
+                        decimals.read(raw.get()).map_err(|why| {
+                            let (message, cure) = explain(Place::Data, raw.get(), &why);
+                            let line = lines.of(raw.get().as_ptr().addr() - text.as_ptr().addr());
+                            CorpusError::file(file, format!("arc {index}: {message}"), cure).at_line(line)
+                        })
+                    };
+                    [number(x)?, number(y)?]
+                }
                 Some(Transform { scale, translate }) => {
-                    sum = [sum[0] + x, sum[1] + y];
-                    if sum.iter().any(|s| s.fract() != 0.0 || s.abs() > MOST_QUANTA) {
+                    let delta = |raw: &RawValue| raw.get().parse().unwrap_or(f64::NAN);
+                    sum = [sum[0] + delta(x), sum[1] + delta(y)];
+                    if sum.iter().any(|s| s.fract() != 0.0 || s.is_nan() || s.abs() > MOST_QUANTA) {
                         return Err(bad(index, "a quantised position that is no integer below 2^53"));
                     }
                     std::array::from_fn(|i| sum[i] * scale[i] + translate[i])
                 }
             };
-            if point.iter().any(|x| !x.is_finite()) {
+            if point.iter().any(|x: &f64| !x.is_finite()) {
                 return Err(bad(index, "a position that is not finite"));
             }
             points.push(point);
@@ -118,13 +135,10 @@ fn decode(file: &str, topology: &Topology) -> Result<Vec<Vec<[f64; 2]>>, CorpusE
 /// Sums of deltas are exact below this.
 const MOST_QUANTA: f64 = 9_007_199_254_740_992.0;
 
-#[derive(Default)]
 struct Importer<'f> {
     file: &'f str,
     arcs: Vec<Vec<[f64; 2]>>,
-    points: Vec<[f64; 2]>,
-    // Only looked up, never iterated: its order reaches no output.
-    vertices: HashMap<[u64; 2], Vertex>,
+    shared: SharedVertices<2>,
     map: PolygonMap,
     notes: ImportNotes,
 }
@@ -159,23 +173,15 @@ impl Importer<'_> {
             self.notes.empty_regions += 1;
             return Ok(());
         }
-        let name = self.name(geometry);
+        let named = geometry.properties.as_ref().and_then(|properties| properties.get("name"));
+        let name = name(named, geometry.id.as_ref());
+        let name = name.unwrap_or_else(|| format!("region {}", self.map.regions().len()));
         self.map.push(name, rings).map_err(|error| self.error(error.to_string()))
     }
 
     fn arc_references<T: serde::de::DeserializeOwned>(&self, geometry: &Geometry) -> Result<T, CorpusError> {
         let arcs = geometry.arcs.clone().unwrap_or(Value::Null);
         serde_json::from_value(arcs).map_err(|error| self.error(format!("a geometry's arcs are malformed: {error}")))
-    }
-
-    /// The region's name property, else its id, else its place.
-    fn name(&self, geometry: &Geometry) -> String {
-        let name = geometry.properties.as_ref().and_then(|properties| properties.get("name"));
-        match name.or(geometry.id.as_ref()) {
-            Some(Value::String(name)) => name.clone(),
-            Some(value @ Value::Number(_)) => value.to_string(),
-            _ => format!("region {}", self.map.regions().len()),
-        }
     }
 
     /// Joins arcs to a ring: each starts where the one before it ends.
@@ -193,7 +199,7 @@ impl Importer<'_> {
                 points.reverse();
             }
             for (at, point) in points.into_iter().enumerate() {
-                let vertex = self.vertex(point);
+                let vertex = self.shared.vertex(point);
                 match ring.last() {
                     Some(&last) if last == vertex => {
                         // The joint of two arcs is in both; any other repetition is the data's.
@@ -215,22 +221,24 @@ impl Importer<'_> {
         }
         Ok(Some(ring))
     }
+}
 
-    /// The one vertex with these coordinates.
-    fn vertex(&mut self, point: [f64; 2]) -> Vertex {
-        // -0 and +0 are the same place.
-        let key = point.map(|x| (x + 0.0).to_bits());
-        let points = &mut self.points;
-        *self.vertices.entry(key).or_insert_with(|| {
-            points.push(point);
-            Vertex::input(points.len() - 1)
-        })
+/// A region's name property, else its id.
+pub(super) fn name(name: Option<&Value>, id: Option<&Value>) -> Option<String> {
+    match name.or(id) {
+        Some(Value::String(name)) => Some(name.clone()),
+        Some(value @ Value::Number(_)) => Some(value.to_string()),
+        _ => None,
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn read(file: &str, text: &str, object: &str) -> Result<ImportedMap, CorpusError> {
+        super::read(file, text, object, &Decimals::new(false))
+    }
 
     /// Two squares that share the border x = 1, as two arcs each.
     const SQUARES: &str = r#"{
@@ -260,7 +268,10 @@ mod tests {
         let shared = |a: &[Vertex], b: &[Vertex]| a.iter().filter(|v| b.contains(v)).count();
         assert_eq!(shared(regions[0].rings[0].vertices(), regions[1].rings[0].vertices()), 2);
         assert_eq!(regions[1].rings.len(), 1);
-        assert_eq!(imported.notes, ImportNotes { repeated_points: 2, degenerate_rings: 1, empty_regions: 1 });
+        assert_eq!(
+            imported.notes,
+            ImportNotes { repeated_points: 2, degenerate_rings: 1, empty_regions: 1, ..ImportNotes::default() }
+        );
     }
 
     #[test]
@@ -270,7 +281,16 @@ mod tests {
         let imported = read("a.json", text, "o").unwrap();
         assert_eq!(imported.points, [[0.5, 0.5], [2.5, 0.5], [2.5, 1.5]]);
         assert_eq!(imported.map.regions()[0].name, "region 0");
-        assert!(imported.notes.is_clean());
+        assert_eq!(imported.notes, ImportNotes { extra_coordinates: 1, ..ImportNotes::default() });
+        let text = text.replace("[2.5, 1.5]", "\n[2.5, 0.1]");
+        let error = read("a.json", &text, "o").unwrap_err().to_string();
+        assert!(
+            error.starts_with("a.json:3: arc 0: decimal 0.1 is not exactly a double; write `round = true`"),
+            "{error}"
+        );
+        let decimals = Decimals::new(true);
+        assert_eq!(super::read("a.json", &text, "o", &decimals).unwrap().points[2], [2.5, 0.1]);
+        assert_eq!(decimals.rounded(), 1);
     }
 
     #[test]

@@ -6,8 +6,8 @@ use super::{rank, run_head, run_label, some_of};
 use crate::groups::backends;
 use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Class, Error, RunDir};
-use predicament_records::SampledRow;
 use predicament_records::format::{length, thousands};
+use predicament_records::{ImportRow, SampledRow};
 
 /// How many scenes are named.
 const FEW: usize = 5;
@@ -38,8 +38,10 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
     }
     // Scenes that were run, and judged by a part: neither a success nor a failure of the rest.
     let sampled = sampled(runs)?;
-    if !sampled.is_empty() {
-        blocks.push(Block::Table(sampled));
+    for table in [sampled, imported(runs)?] {
+        if !table.is_empty() {
+            blocks.push(Block::Table(table));
+        }
     }
     Ok(Section { id: "not-run", title: "What was not run", lead: String::new(), blocks })
 }
@@ -54,6 +56,27 @@ fn sampled(runs: &[RunDir]) -> Result<Table, Error> {
         for scene in scenes {
             let cells = scene.map(|cell| Cell::from(cell.as_str()));
             table.push(run_label(runs, index).into_iter().chain(cells).collect());
+        }
+    }
+    Ok(table)
+}
+
+/// Scenes that are not in every point what their files say.
+fn imported(runs: &[RunDir]) -> Result<Table, Error> {
+    let mut table = Table::new("Changed while they were read").words(run_head(runs)).words(["suite", "scene", "task"]);
+    table = table.numbers([
+        "decimals rounded",
+        "third coordinates left out",
+        "repeated points dropped",
+        "rings dropped",
+        "faces dropped",
+        "regions dropped",
+    ]);
+    for (index, run) in runs.iter().enumerate() {
+        for row in run.rows::<ImportRow>()?.iter().collect::<BTreeSet<_>>() {
+            let words = [&row.suite, &row.scene, &row.task].map(|cell| Cell::from(cell.as_str()));
+            let counts = row.counts().map(|count| if count == 0 { Cell::from("") } else { thousands(count).into() });
+            table.push(run_label(runs, index).into_iter().chain(words).chain(counts).collect());
         }
     }
     Ok(table)

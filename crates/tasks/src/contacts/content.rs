@@ -1,21 +1,34 @@
 //! `a` and `b`: two complexes in one scene, whose contacts are asked for.
 
 use std::ops::Range;
-use std::path::PathBuf;
 
-use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, Source as SceneSource};
-use predicament_formats::{
-    Cache, CorpusError, Entry, Field, Fields, ImportNotes, POINTS, TableKind, mesh, read_csv, read_points, topojson,
+use predicament_corpus::{
+    Canon, Content, Context, Elsewhere, Level, Origin, Parts, PointSource, Source as SceneSource,
 };
-use predicament_mesh::{Complex, PolygonMap, Simplices};
+use predicament_formats::{
+    Cache, CorpusError, Decimals, Entry, Field, Fields, ImportNotes, ImportedMap, TableKind, geometry, mesh,
+    read_polygons, topojson,
+};
+use predicament_mesh::{Complex, Simplices};
 use predicament_predicates::{Dimension, Scene, Vertex};
 
 use super::sigma::{direction, sigma};
-use crate::polygon_locate::content::Origin;
 
 static COMPLEX: TableKind = TableKind::new(
     "complex",
-    &["vertices", "edges", "triangles", "tetrahedra", "closed", "path", "topojson", "fetch", "object", "shifted"],
+    &[
+        "vertices",
+        "edges",
+        "triangles",
+        "tetrahedra",
+        "closed",
+        "path",
+        "topojson",
+        "fetch",
+        "object",
+        "polygons",
+        "shifted",
+    ],
 );
 
 /// Two complexes, which have no vertex in common.
@@ -65,16 +78,11 @@ impl Content for Complexes {
 #[derive(Clone, Debug)]
 pub(super) struct Written {
     file: String,
-    points: Points,
+    points: PointSource,
     a: Side,
     b: Side,
     dimension: Dimension,
-}
-
-#[derive(Clone, Debug)]
-enum Points {
-    Written(Vec<f64>),
-    Csv { path: PathBuf, line: usize },
+    round: bool,
 }
 
 /// One complex, and where the file speaks of it.
@@ -88,10 +96,14 @@ struct Side {
 enum Source {
     /// Simplices of the scene's points, each with its line.
     Written(Vec<(usize, Vec<Vertex>)>),
-    /// An OFF, OBJ or PLY file.
+    /// An OFF, OBJ, PLY or STL file.
     Mesh(Origin),
-    /// The borders of a map.
-    Map { origin: Origin, object: String },
+    /// The points, lines and borders of a GeoJSON or WKT file.
+    Geometry(Origin),
+    /// The borders of an object of a TopoJSON file.
+    Topology { origin: Origin, object: String },
+    /// The borders of polygons in the suite.
+    Polygons(ImportedMap),
     /// A copy of the first complex, moved by so many σ.
     Shifted(f64),
 }
@@ -104,26 +116,25 @@ impl Written {
         dimension: Dimension,
     ) -> Result<Written, CorpusError> {
         let points = match fields.get("points") {
-            None => Points::Written(Vec::new()),
-            Some(field) if field.is_array() => Points::Written(written(&field, dimension)?),
-            Some(field) => {
-                let table = field.fields(&POINTS)?;
-                let path = context.path(&table.required("path")?)?;
-                table.finish()?;
-                Points::Csv { path, line: field.line() }
+            Some(field) if !is_empty(&field) => {
+                let points = PointSource::read(context, &field, fields.file())?;
+                if points.is_written() {
+                    of_dimension(&points, dimension, &Cache::new(""))?;
+                }
+                points
             }
+            _ => PointSource::none(dimension),
         };
         let a = Side::read(context, &fields.required("a")?, dimension, false)?;
         let b = Side::read(context, &fields.required("b")?, dimension, true)?;
-        Ok(Written { file: fields.file().to_owned(), points, a, b, dimension })
+        Ok(Written { file: fields.file().to_owned(), points, a, b, dimension, round: context.round() })
     }
 
     /// Whether everything is written out in the suite.
     fn is_inline(&self) -> bool {
-        matches!(
-            (&self.points, &self.a.source, &self.b.source),
-            (Points::Written(_), Source::Written(_), Source::Written(_) | Source::Shifted(_))
-        )
+        let written =
+            |side: &Side| matches!(side.source, Source::Written(_) | Source::Polygons(_) | Source::Shifted(_));
+        self.points.is_written() && written(&self.a) && written(&self.b)
     }
 
     /// As the source of a scene.
@@ -139,20 +150,9 @@ impl Written {
     /// the points first, then those of `a`, then those of `b`.
     fn assemble(&self, cache: &Cache) -> Result<Parts, CorpusError> {
         let file = self.file.as_str();
-        let mut coordinates = match &self.points {
-            Points::Written(coordinates) => coordinates.clone(),
-            Points::Csv { path, line } => {
-                let (found, coordinates) = read_csv(path)?;
-                if found != self.dimension {
-                    let message = format!("the points have {} coordinates", found.count());
-                    let cure = format!("give them {}", self.dimension.count());
-                    return Err(CorpusError::file(file, message, cure).at_line(*line));
-                }
-                coordinates
-            }
-        };
+        let decimals = Decimals::new(self.round);
+        let (mut coordinates, mut notes) = of_dimension(&self.points, self.dimension, cache)?;
         let points = coordinates.len() / self.dimension.count();
-        let mut notes = ImportNotes::default();
         let mut sides = Vec::with_capacity(2);
         for side in [&self.a, &self.b] {
             let start = coordinates.len() / self.dimension.count();
@@ -160,18 +160,26 @@ impl Written {
                 Source::Written(simplices) => from_points(file, simplices, points)?,
                 Source::Mesh(origin) => {
                     let (name, bytes) = origin.bytes(cache)?;
-                    let mesh = mesh::read(&name, &bytes)?;
+                    let mesh = mesh::read(&name, bytes, &decimals)?;
                     coordinates.extend(mesh.points.as_flattened());
+                    notes.add(&mesh.notes);
                     let given = Simplices { edges: mesh.edges, triangles: mesh.triangles, ..Simplices::default() };
                     shifted(&given, |v| Vertex::input(v.index() + start))
                 }
-                Source::Map { origin, object } => {
-                    let (name, text) = origin.read(cache)?;
-                    let map = topojson::read(&name, &text, object)?;
-                    coordinates.extend(map.points.as_flattened());
-                    notes.add(&map.notes);
-                    borders(&map.map, start)
+                Source::Geometry(origin) => {
+                    let (name, bytes) = origin.bytes(cache)?;
+                    let found = geometry::read(&name, bytes, &decimals)?.edges();
+                    coordinates.extend(found.points.as_flattened());
+                    notes.add(&found.notes);
+                    let given = Simplices { vertices: found.vertices, edges: found.edges, ..Simplices::default() };
+                    shifted(&given, |v| Vertex::input(v.index() + start))
                 }
+                Source::Topology { origin, object } => {
+                    let (name, text) = origin.text(cache)?;
+                    let map = topojson::read(&name, &text, object, &decimals)?;
+                    borders(&map, start, &mut coordinates, &mut notes)
+                }
+                Source::Polygons(map) => borders(map, start, &mut coordinates, &mut notes),
                 Source::Shifted(by) => {
                     let scene = self.scene(file, side.line, coordinates.clone())?;
                     let original = complex(file, &self.a, &scene, &sides[0])?;
@@ -191,6 +199,7 @@ impl Written {
             let cure = "give each complex points of its own, at the same place if need be";
             return Err(CorpusError::file(file, message, cure).at_line(self.b.line));
         }
+        notes.rounded += decimals.rounded();
         let (scene, complexes) = Complexes { a, b }.in_scene(scene);
         Ok(Parts { notes, ..Parts::new(scene, complexes) })
     }
@@ -209,8 +218,8 @@ impl Elsewhere for Written {
     /// The fetched file that is needed first, if any.
     fn fetch_entry(&self) -> Option<&Entry> {
         [&self.a, &self.b].into_iter().find_map(|side| match &side.source {
-            Source::Map { origin, .. } | Source::Mesh(origin) => origin.entry(),
-            Source::Written(_) | Source::Shifted(_) => None,
+            Source::Topology { origin, .. } | Source::Geometry(origin) | Source::Mesh(origin) => origin.entry(),
+            Source::Written(_) | Source::Polygons(_) | Source::Shifted(_) => None,
         })
     }
 }
@@ -221,17 +230,23 @@ pub(super) fn moved<'s>(scene: &'s Scene, vertices: &'s [Vertex], by: f64) -> im
     vertices.iter().flat_map(move |&v| scene.point(v).iter().zip(along).map(move |(x, along)| x + by * along))
 }
 
-fn written(field: &Field<'_, '_>, dimension: Dimension) -> Result<Vec<f64>, CorpusError> {
-    if field.items("an array of points")?.len() == 0 {
-        return Ok(Vec::new());
-    }
-    let (found, coordinates) = read_points(field)?;
+fn is_empty(field: &Field<'_, '_>) -> bool {
+    field.is_array() && field.items("an array of points").is_ok_and(|points| points.len() == 0)
+}
+
+/// The coordinates of the scene's points, which have to be of the task's dimension, and what reading them changed.
+fn of_dimension(
+    points: &PointSource,
+    dimension: Dimension,
+    cache: &Cache,
+) -> Result<(Vec<f64>, ImportNotes), CorpusError> {
+    let (found, coordinates, notes) = points.coordinates(cache)?;
     if found != dimension {
         let message =
             format!("contacts{0}d takes points of {0} coordinates, not of {1}", dimension.count(), found.count());
-        return Err(field.error(message, format!("give every point {} coordinates", dimension.count())));
+        return Err(points.error(message, format!("give every point {} coordinates", dimension.count())));
     }
-    Ok(coordinates)
+    Ok((coordinates, notes))
 }
 
 impl Side {
@@ -243,32 +258,38 @@ impl Side {
     ) -> Result<Side, CorpusError> {
         let table = field.fields(&COMPLEX)?;
         let (path, map, fetch) = (table.get("path"), table.get("topojson"), table.get("fetch"));
+        let polygons = table.get("polygons");
         let copied = if is_second { table.get("shifted") } else { None };
-        let only = |this: &Field<'_, '_>, wanted: Dimension| {
-            let cure = "use maps for contacts2d, meshes for contacts3d";
-            if wanted == dimension { Ok(()) } else { Err(this.error("the file has points of another dimension", cure)) }
+        let flat = |this: &Field<'_, '_>| match dimension {
+            Dimension::Two => Ok(()),
+            Dimension::Three => Err(this.error("a map has points of two coordinates", "use maps for contacts2d")),
         };
         let object = || table.required("object")?.string();
-        let source = match (path, map, fetch, copied) {
-            (Some(path), None, None, None) => {
-                only(&path, Dimension::Three)?;
-                Source::Mesh(Origin::Path(context.path(&path)?))
+        let source = match (path, map, fetch, polygons, copied) {
+            (Some(path), None, None, None, None) => {
+                let origin = Origin::path(context, &path)?;
+                if dimension == Dimension::Two { Source::Geometry(origin) } else { Source::Mesh(origin) }
             }
-            (None, Some(path), None, None) => {
-                only(&path, Dimension::Two)?;
-                Source::Map { origin: Origin::Path(context.path(&path)?), object: object()? }
+            (None, Some(path), None, None, None) => {
+                flat(&path)?;
+                Source::Topology { origin: Origin::path(context, &path)?, object: object()? }
             }
-            (None, None, Some(key), None) => {
-                let origin = Origin::Fetched(context.fetched(&key)?);
-                match dimension {
-                    Dimension::Two => Source::Map { origin, object: object()? },
-                    Dimension::Three => Source::Mesh(origin),
+            (None, None, Some(key), None, None) => {
+                let origin = Origin::fetched(context, &key)?;
+                match (dimension, table.get("object")) {
+                    (Dimension::Two, Some(object)) => Source::Topology { origin, object: object.string()? },
+                    (Dimension::Two, None) => Source::Geometry(origin),
+                    (Dimension::Three, _) => Source::Mesh(origin),
                 }
             }
-            (None, None, None, Some(by)) => Source::Shifted(by.positive()?),
-            (None, None, None, None) => Source::Written(simplices(&table, dimension)?),
+            (None, None, None, Some(polygons), None) => {
+                flat(&polygons)?;
+                Source::Polygons(read_polygons(&polygons)?)
+            }
+            (None, None, None, None, Some(by)) => Source::Shifted(by.positive()?),
+            (None, None, None, None, None) => Source::Written(simplices(&table, dimension)?),
             _ => {
-                let cure = "keep one of `path`, `topojson`, `fetch` and `shifted`";
+                let cure = "keep one of `path`, `topojson`, `fetch`, `polygons` and `shifted`";
                 return Err(field.error("a complex from more than one place", cure));
             }
         };
@@ -335,9 +356,11 @@ fn from_points(file: &str, simplices: &[(usize, Vec<Vertex>)], points: usize) ->
     Ok(given)
 }
 
-/// Every border of a map, once.
-fn borders(map: &PolygonMap, start: usize) -> Simplices {
-    let edges = map.edges().map(|(_, edge)| edge.map(|v| Vertex::input(v.index() + start))).collect();
+/// Every border of a map, once. Its points follow those that there are.
+fn borders(imported: &ImportedMap, start: usize, coordinates: &mut Vec<f64>, notes: &mut ImportNotes) -> Simplices {
+    coordinates.extend(imported.points.as_flattened());
+    notes.add(&imported.notes);
+    let edges = imported.map.edges().map(|(_, edge)| edge.map(|v| Vertex::input(v.index() + start))).collect();
     Simplices { edges, ..Simplices::default() }
 }
 

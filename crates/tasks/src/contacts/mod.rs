@@ -83,7 +83,7 @@ impl SceneFormat for Contacts {
     }
 
     fn coordinate_keys(&self) -> &'static [&'static str] {
-        &["points"]
+        &["points", "a", "b", "polygons"]
     }
 
     fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
@@ -153,14 +153,13 @@ impl Task for Contacts {
         ]
     }
 
-    fn describe(&self, loaded: &LoadedScene, content: &Complexes, _: &Watch) -> Result<String, Stop> {
+    fn describe(&self, _: &LoadedScene, content: &Complexes, _: &Watch) -> Result<String, Stop> {
         let line = |name: &str, complex: &Complex| {
             let [vertices, edges] = [complex.vertices().len(), complex.edges().len()];
             let [triangles, tetrahedra] = [complex.triangles().len(), complex.tetrahedra().len()];
             format!("{name}: {vertices} vertices, {edges} edges, {triangles} triangles, {tetrahedra} tetrahedra\n")
         };
-        let notes = if loaded.notes.is_clean() { String::new() } else { format!("import: {}\n", loaded.notes) };
-        Ok(line("a", &content.a) + &line("b", &content.b) + &notes)
+        Ok(line("a", &content.a) + &line("b", &content.b))
     }
 
     fn explain(

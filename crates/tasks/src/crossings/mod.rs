@@ -60,8 +60,8 @@ impl SceneFormat for Crossings {
         &["points"]
     }
 
-    fn read(&self, _: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
-        content::read(fields).map(Source::Written)
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        content::read(context, fields)
     }
 
     fn families(&self) -> &'static [Family] {

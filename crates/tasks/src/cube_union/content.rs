@@ -1,10 +1,8 @@
 //! `cubes`: congruent axis-parallel cubes by their lower corners.
 
-use std::path::{Path, PathBuf};
-
-use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, Source};
+use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Origin, Parts, Source};
 use predicament_formats::bits::{integer, lowest_bit, top_exponent};
-use predicament_formats::{Cache, CorpusError, Fields, RowKind, Rows, TableKind, read_csv_rows, read_rows};
+use predicament_formats::{Cache, CorpusError, Decimals, Fields, RowKind, Rows, TableKind, read_csv_rows, read_rows};
 use predicament_predicates::{Dimension, Scene};
 
 static CUBES: TableKind = TableKind::new("reference to cubes", &["path"]);
@@ -41,11 +39,18 @@ const MOST_BITS: i64 = 61;
 const MOST_VOLUME: f64 = 126.0;
 
 /// Cubes in a CSV file: x, y, z and the edge length in each line.
-struct Csv(PathBuf);
+struct Csv {
+    origin: Origin,
+    round: bool,
+}
 
 impl Elsewhere for Csv {
-    fn load(&self, _: Level, _: &Cache) -> Result<Parts, CorpusError> {
-        read_csv(&self.0)
+    fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
+        let decimals = Decimals::new(self.round);
+        let (file, bytes) = self.origin.bytes(cache)?;
+        let mut parts = scene(&file, &read_csv_rows(&file, bytes, &CUBE, &decimals)?)?;
+        parts.notes.rounded += decimals.rounded();
+        Ok(parts)
     }
 }
 
@@ -56,13 +61,9 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
         return Ok(Source::Written(scene(fields.file(), &read_rows(&field, &CUBE)?)?));
     }
     let table = field.fields(&CUBES)?;
-    let path = context.path(&table.required("path")?)?;
+    let origin = Origin::path(context, &table.required("path")?)?;
     table.finish()?;
-    Ok(Source::elsewhere(Csv(path)))
-}
-
-fn read_csv(path: &Path) -> Result<Parts, CorpusError> {
-    scene(&path.display().to_string(), &read_csv_rows(path, &CUBE)?)
+    Ok(Source::elsewhere(Csv { origin, round: context.round() }))
 }
 
 /// Both corners of every cube.

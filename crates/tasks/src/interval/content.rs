@@ -1,7 +1,7 @@
 //! `cells`: a row of cells of a line, and points to find in them.
 
-use predicament_corpus::{Canon, Content};
-use predicament_formats::{CorpusError, Fields, read_points};
+use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, PointSource, Source};
+use predicament_formats::{Cache, CorpusError, Fields};
 use predicament_predicates::{Axis, Dimension, Scene, Vertex};
 
 use crate::signs::axis;
@@ -33,49 +33,84 @@ impl Content for Cells {
 }
 
 /// Reads `points`, `axis` and `cells`; every point that ends no cell is a probe.
-pub(super) fn read(fields: &Fields<'_, '_>) -> Result<(Scene, Cells), CorpusError> {
-    let field = fields.required("points")?;
-    let (dimension, coordinates) = read_points(&field)?;
-    let scene =
-        Scene::new(dimension, coordinates).map_err(|error| field.error(error.to_string(), "correct the points"))?;
+pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+    let points = PointSource::read(context, &fields.required("points")?, fields.file())?;
     let axis = axis(fields)?;
-    if axis == Axis::Z && dimension == Dimension::Two {
-        return Err(fields.error("points of two coordinates have no z", "choose axis x or y"));
-    }
-    let mut cells: Vec<[Vertex; 2]> = Vec::new();
-    let mut is_end = vec![false; scene.len()];
+    let mut cells = Vec::new();
     for item in fields.required("cells")?.items("cells: arrays of the indices of two points")? {
         let ends: Vec<Vertex> =
             item.items("a cell: the indices of two points")?.map(|end| end.point()).collect::<Result<_, _>>()?;
         let count = ends.len();
-        let [left, right] = ends
+        let ends: [Vertex; 2] = ends
             .try_into()
             .map_err(|_| item.error(format!("a cell of {count} ends"), "write the indices of two points"))?;
-        if let Some(unknown) = [left, right].into_iter().find(|end| end.index() >= scene.len()) {
-            let message = format!("the end {unknown} is out of range: the scene has {} points", scene.len());
-            return Err(item.error(message, "indices count from 0"));
-        }
-        if let Some([_, before]) = cells.last()
-            && *before != left
-        {
-            let message = format!("the cell begins at {left}, the one before it ends at {before}");
-            return Err(item.error(message, "write cells from left to right, each from the end of the one before"));
-        }
-        let [from, to] = [left, right].map(|end| scene.coordinate(axis, end));
-        if from > to || (from == to && left <= right) {
-            let message = format!("the cell from {left} at {from} to {right} at {to} goes to the left, or nowhere");
-            let cure = "write the left end first; of two ends at one place that with the larger index, \
-                        which symbolic perturbation moves less";
-            return Err(item.error(message, cure));
-        }
-        is_end[left.index()] = true;
-        is_end[right.index()] = true;
-        cells.push([left, right]);
+        cells.push((item.line(), ends));
     }
-    let probes: Vec<Vertex> = scene.vertices().filter(|vertex| !is_end[vertex.index()]).collect();
-    if cells.is_empty() || probes.is_empty() {
-        let message = format!("interval has {} cells and {} other points", cells.len(), probes.len());
-        return Err(fields.error(message, "write at least one of each: every point that ends no cell is located"));
+    let asked = Asked { points, axis, cells, file: fields.file().to_owned(), line: fields.line() };
+    if asked.points.is_written() {
+        // Nothing is read from a cache: everything is written out.
+        return Ok(Source::Written(asked.load(Level::Quick, &Cache::new(""))?));
     }
-    Ok((scene, Cells { axis, cells, probes }))
+    Ok(Source::elsewhere(asked))
+}
+
+/// Cells between points that are written out or in a data file.
+struct Asked {
+    points: PointSource,
+    axis: Axis,
+    /// Each with its line in the suite.
+    cells: Vec<(usize, [Vertex; 2])>,
+    file: String,
+    line: usize,
+}
+
+impl Elsewhere for Asked {
+    fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
+        let (scene, notes) = self.points.scene(cache)?;
+        let cells = self.cells(&scene)?;
+        Ok(Parts { notes, ..Parts::new(scene, cells) })
+    }
+}
+
+impl Asked {
+    /// The cells, checked, and the probes.
+    fn cells(&self, scene: &Scene) -> Result<Cells, CorpusError> {
+        let error =
+            |line: usize, message: String, cure: &str| Err(CorpusError::file(&self.file, message, cure).at_line(line));
+        let axis = self.axis;
+        if axis == Axis::Z && scene.dimension() == Dimension::Two {
+            return error(self.line, "points of two coordinates have no z".to_owned(), "choose axis x or y");
+        }
+        let mut cells: Vec<[Vertex; 2]> = Vec::with_capacity(self.cells.len());
+        let mut is_end = vec![false; scene.len()];
+        for &(line, [left, right]) in &self.cells {
+            if let Some(unknown) = [left, right].into_iter().find(|end| end.index() >= scene.len()) {
+                let message = format!("the end {unknown} is out of range: the scene has {} points", scene.len());
+                return error(line, message, "indices count from 0");
+            }
+            if let Some([_, before]) = cells.last()
+                && *before != left
+            {
+                let message = format!("the cell begins at {left}, the one before it ends at {before}");
+                return error(line, message, "write cells from left to right, each from the end of the one before");
+            }
+            let [from, to] = [left, right].map(|end| scene.coordinate(axis, end));
+            if from > to || (from == to && left <= right) {
+                let message = format!("the cell from {left} at {from} to {right} at {to} goes to the left, or nowhere");
+                let cure = "write the left end first; of two ends at one place that with the larger index, \
+                            which symbolic perturbation moves less";
+                return error(line, message, cure);
+            }
+            is_end[left.index()] = true;
+            is_end[right.index()] = true;
+            cells.push([left, right]);
+        }
+        let probes: Vec<Vertex> = scene.vertices().filter(|vertex| !is_end[vertex.index()]).collect();
+        if cells.is_empty() || probes.is_empty() {
+            let message = format!("interval has {} cells and {} other points", cells.len(), probes.len());
+            let cure = "write at least one of each: every point that ends no cell is located";
+            return error(self.line, message, cure);
+        }
+        Ok(Cells { axis, cells, probes })
+    }
 }

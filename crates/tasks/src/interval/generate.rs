@@ -34,7 +34,9 @@ fn recipe(ends: Ends, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
     Ok(Recipe::new(move |making| {
         let (scene, cells) = make(ends, making.n, axis, dimension, &mut making.random());
         Parts::new(scene, cells)
-    }))
+    })
+    // Ends, and four places to probe for each.
+    .with_coordinates(move |n| 5 * (n + 1) * dimension.count() as u64))
 }
 
 /// Where the ends of cells are.

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 use predicament_algorithms::interval::planted::ClosedInterval;
 use predicament_algorithms::interval::{Place, cells_at, cells_at_planted};
-use predicament_corpus::{Context, Family, LoadedScene, Parts, SceneFormat, Source};
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
 use rayon::prelude::*;
@@ -67,9 +67,8 @@ impl SceneFormat for Interval {
         &["points"]
     }
 
-    fn read(&self, _: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
-        let (scene, cells) = content::read(fields)?;
-        Ok(Source::Written(Parts::new(scene, cells)))
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        content::read(context, fields)
     }
 
     fn families(&self) -> &'static [Family] {

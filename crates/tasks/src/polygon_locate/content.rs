@@ -1,17 +1,15 @@
 //! `map`: a map and how to probe it.
 
-use std::path::PathBuf;
 use std::sync::OnceLock;
 
 use predicament_algorithms::polygon_locate::LocateIndex;
 use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts};
-use predicament_formats::{Cache, CorpusError, Entry, Field, Fields, TableKind, read_text, topojson};
+use predicament_formats::{Cache, CorpusError, Entry, Fields};
 use predicament_mesh::PolygonMap;
 use predicament_predicates::{Scene, Vertex};
 
 use super::probes::with_probes;
-
-static MAP: TableKind = TableKind::new("map", &["topojson", "fetch", "object"]);
+use crate::map_source::MapSource;
 
 /// A map with points to locate in it.
 ///
@@ -148,88 +146,28 @@ impl Probing {
 const MOST_RANDOM: u64 = 100_000_000;
 const MOST_STRIDE: u64 = 1_000_000;
 
-/// A TopoJSON map in a file or fetched, and how to probe it.
-pub(super) struct MapSource {
-    origin: Origin,
-    object: String,
+/// A map and how to probe it.
+pub(super) struct ProbedMap {
+    map: MapSource,
     probing: Probing,
 }
 
-/// Where a map or a mesh is.
-#[derive(Clone, Debug)]
-pub(crate) enum Origin {
-    /// A file beside the suite.
-    Path(PathBuf),
-    /// A file of a package.
-    Fetched(Entry),
-}
-
-impl Origin {
-    /// The file's name and its text.
-    pub(crate) fn read(&self, cache: &Cache) -> Result<(String, String), CorpusError> {
-        match self {
-            Origin::Path(path) => Ok((path.display().to_string(), read_text(path)?)),
-            Origin::Fetched(entry) => Ok((cache.path(entry).display().to_string(), cache.read(entry)?)),
-        }
-    }
-
-    /// The file's name and what is in it.
-    pub(crate) fn bytes(&self, cache: &Cache) -> Result<(String, Vec<u8>), CorpusError> {
-        match self {
-            Origin::Path(path) => Ok((path.display().to_string(), predicament_formats::read_bytes(path)?)),
-            Origin::Fetched(entry) => Ok((cache.path(entry).display().to_string(), cache.bytes(entry)?)),
-        }
-    }
-
-    /// The fetched file, if it is one.
-    pub(crate) fn entry(&self) -> Option<&Entry> {
-        match self {
-            Origin::Path(_) => None,
-            Origin::Fetched(entry) => Some(entry),
-        }
-    }
-}
-
-impl MapSource {
+impl ProbedMap {
     /// Reads `map` and how to probe it.
-    pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<MapSource, CorpusError> {
-        let map = fields.required("map")?;
-        let table = map.fields(&MAP)?;
-        let origin = origin(context, &map, table.get("topojson"), table.get("fetch"))?;
-        let Some(origin) = origin else { return Err(table.lacking("one of `topojson` and `fetch`", not_one(&map))) };
-        let object = table.required("object")?.string()?;
-        table.finish()?;
-        Ok(MapSource { origin, object, probing: Probing::read(fields)? })
+    pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<ProbedMap, CorpusError> {
+        let map = MapSource::read(context, &fields.required("map")?)?;
+        Ok(ProbedMap { map, probing: Probing::read(fields)? })
     }
 }
 
-fn not_one(map: &Field<'_, '_>) -> CorpusError {
-    map.error("a map is either a file or fetched", "write one of `topojson` and `fetch`")
-}
-
-fn origin(
-    context: &Context<'_>,
-    map: &Field<'_, '_>,
-    path: Option<Field<'_, '_>>,
-    key: Option<Field<'_, '_>>,
-) -> Result<Option<Origin>, CorpusError> {
-    match (path, key) {
-        (Some(path), None) => Ok(Some(Origin::Path(context.path(&path)?))),
-        (None, Some(key)) => Ok(Some(Origin::Fetched(context.fetched(&key)?))),
-        (None, None) => Ok(None),
-        (Some(_), Some(_)) => Err(not_one(map)),
-    }
-}
-
-impl Elsewhere for MapSource {
+impl Elsewhere for ProbedMap {
     fn load(&self, level: Level, cache: &Cache) -> Result<Parts, CorpusError> {
-        let (file, text) = self.origin.read(cache)?;
-        let imported = topojson::read(&file, &text, &self.object)?;
+        let imported = self.map.map(cache)?;
         let parts = with_probes(imported.points, imported.map, self.probing, level);
         Ok(Parts { notes: imported.notes, ..parts })
     }
 
     fn fetch_entry(&self) -> Option<&Entry> {
-        self.origin.entry()
+        self.map.entry()
     }
 }

@@ -1,6 +1,6 @@
 //! Maps without any download: tilings with shared vertices.
 
-use predicament_corpus::{Family, Making, Random, Recipe};
+use predicament_corpus::{Family, Level, Making, Random, Recipe};
 use predicament_formats::bits::integer;
 use predicament_formats::{CorpusError, Fields};
 use predicament_mesh::PolygonMap;
@@ -33,6 +33,16 @@ fn recipe(fields: &Fields<'_, '_>, map: fn(&Making) -> (Vec<[f64; 2]>, PolygonMa
     Ok(Recipe::new(move |making| {
         let (points, map) = map(making);
         with_probes(points, map, probing, making.level)
+    })
+    // At most two vertices a cell and twice as many edges as vertices, and all of them may be probed: the
+    // vertices three times.
+    .with_coordinates(move |n| {
+        let vertices = (n + 1).saturating_mul(2 * n + 2);
+        let probes = |level: Level| {
+            let stride = probing.stride(level) as u64;
+            5 * (vertices / stride + 1) + probing.random(level) as u64
+        };
+        2 * (vertices.saturating_add(probes(Level::Quick).max(probes(Level::Full))))
     }))
 }
 

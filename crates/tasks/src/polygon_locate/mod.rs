@@ -69,8 +69,12 @@ impl SceneFormat for PolygonLocate {
         &["map", "random", "random_full", "seed", "quick_stride", "full_stride"]
     }
 
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["map", "polygons"]
+    }
+
     fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
-        Ok(Source::elsewhere(content::MapSource::read(context, fields)?))
+        Ok(Source::elsewhere(content::ProbedMap::read(context, fields)?))
     }
 
     fn families(&self) -> &'static [Family] {
@@ -142,13 +146,12 @@ impl Task for PolygonLocate {
         let grounds = truth.grounds(content.probes.len());
         let grounds: Vec<String> = grounds.into_iter().map(|(name, count)| format!("{count} {name}")).collect();
         Ok(format!(
-            "{} regions, {} edges (shared ones once for each side), {} probes\nimport: {}\n\
+            "{} regions, {} edges (shared ones once for each side), {} probes\n\
              the map's own flaws: {} duplicate points, {} T-junctions, {} crossings, {} overlapping edges\n\
              probes by their surroundings: {}\n",
             content.map.regions().len(),
             content.map.edges().count(),
             content.probes.len(),
-            loaded.notes,
             flaws.duplicates.len(),
             flaws.junctions.len(),
             flaws.crossings.len(),

@@ -1,10 +1,8 @@
 //! `points` with `queries`, or a `fixture`: what a scene of signs asks.
 
-use std::path::PathBuf;
-
-use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, Source};
-use predicament_formats::{Cache, CorpusError, Field, Fields, POINTS, read_csv, read_points};
-use predicament_predicates::{PredicateKind, QuerySet, Question, Scene, Sign};
+use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, PointSource, Source};
+use predicament_formats::{Cache, CorpusError, Field, Fields};
+use predicament_predicates::{PredicateKind, QuerySet, Question, Sign};
 
 use super::constructed::Constructions;
 use super::fixture::Fixture;
@@ -63,40 +61,32 @@ fn from_points(
     fields: &Fields<'_, '_>,
     points: &Field<'_, '_>,
 ) -> Result<Source, CorpusError> {
-    let plan = Plan::read(fields, kind)?;
-    let constructed = Constructions::read(fields, kind)?;
-    let file = fields.file().to_owned();
-    if !points.is_array() {
-        let table = points.fields(&POINTS)?;
-        let path = context.path(&table.required("path")?)?;
-        table.finish()?;
-        return Ok(Source::elsewhere(Csv { path, file, line: fields.line(), constructed, plan }));
+    let asked = Asked {
+        plan: Plan::read(fields, kind)?,
+        constructed: Constructions::read(fields, kind)?,
+        file: fields.file().to_owned(),
+        points: PointSource::read(context, points, fields.file())?,
+    };
+    if asked.points.is_written() {
+        // Nothing is read from a cache: everything is written out.
+        return Ok(Source::Written(asked.load(Level::Quick, &Cache::new(""))?));
     }
-    let (dimension, coordinates) = read_points(points)?;
-    let mut scene =
-        Scene::new(dimension, coordinates).map_err(|error| points.error(error.to_string(), "correct the points"))?;
-    constructed.add_to(&mut scene, &file)?;
-    let queries = plan.queries(&file, &scene)?;
-    Ok(Source::Written(Parts::new(scene, SignQueries::new(queries))))
+    Ok(Source::elsewhere(asked))
 }
 
-/// Points in a CSV file beside the suite.
-struct Csv {
-    path: PathBuf,
+/// Points, written out or in a data file beside the suite, and what is asked about them.
+struct Asked {
+    points: PointSource,
     file: String,
-    line: usize,
     constructed: Constructions,
     plan: Plan,
 }
 
-impl Elsewhere for Csv {
-    fn load(&self, _: Level, _: &Cache) -> Result<Parts, CorpusError> {
-        let (dimension, coordinates) = read_csv(&self.path)?;
-        let mut scene = Scene::new(dimension, coordinates).map_err(|error| {
-            CorpusError::file(&self.file, error.to_string(), "correct the points").at_line(self.line)
-        })?;
+impl Elsewhere for Asked {
+    fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
+        let (mut scene, notes) = self.points.scene(cache)?;
         self.constructed.add_to(&mut scene, &self.file)?;
         let queries = self.plan.queries(&self.file, &scene)?;
-        Ok(Parts::new(scene, SignQueries::new(queries)))
+        Ok(Parts { notes, ..Parts::new(scene, SignQueries::new(queries)) })
     }
 }

@@ -1,7 +1,9 @@
 //! `fixture`: published rows with expected signs.
 
 use predicament_corpus::{Context, Elsewhere, Level, Parts};
-use predicament_formats::{Cache, CorpusError, Entry, Field, TableKind, explain, nearest_coordinate, skipped};
+use predicament_formats::{
+    Cache, CorpusError, Decimals, Entry, Field, ImportNotes, Place, TableKind, explain, shown, skipped,
+};
 use predicament_predicates::{Dimension, Plane, PredicateKind, QuerySet, Question, Scene, Sign};
 
 use super::SignQueries;
@@ -12,6 +14,7 @@ static FIXTURE: TableKind = TableKind::new("fixture", &["fetch"]);
 pub(super) struct Fixture {
     question: Question,
     entry: Entry,
+    round: bool,
 }
 
 impl Fixture {
@@ -34,17 +37,19 @@ impl Fixture {
         let table = fixture.fields(&FIXTURE)?;
         let entry = context.fetched(&table.required("fetch")?)?;
         table.finish()?;
-        Ok(Fixture { question, entry })
+        Ok(Fixture { question, entry, round: context.round() })
     }
 }
 
 impl Elsewhere for Fixture {
     fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
+        let decimals = Decimals::new(self.round);
         let text = cache.read(&self.entry)?;
         let file = cache.path(&self.entry).display().to_string();
-        let (scene, expected) = read_fixture(&file, &text, self.question.kind())?;
+        let (scene, expected) = read_fixture(&file, &text, self.question.kind(), &decimals)?;
         let queries = QuerySet::new(self.question, scene.vertices().collect());
-        Ok(Parts::new(scene, SignQueries { queries, expected: Some(expected) }))
+        let notes = ImportNotes { rounded: decimals.rounded(), ..ImportNotes::default() };
+        Ok(Parts { notes, ..Parts::new(scene, SignQueries { queries, expected: Some(expected) }) })
     }
 
     fn fetch_entry(&self) -> Option<&Entry> {
@@ -56,9 +61,14 @@ impl Elsewhere for Fixture {
 /// a row is its number, the coordinates of one query's points, and the
 /// expected sign, separated by blanks.
 ///
-/// The rows have 17 significant digits, which name one double each; the
-/// nearest is what their authors meant.
-fn read_fixture(file: &str, text: &str, kind: PredicateKind) -> Result<(Scene, Vec<Sign>), CorpusError> {
+/// The rows have 17 significant digits, which name one double each; with
+/// `round = true` it is read.
+fn read_fixture(
+    file: &str,
+    text: &str,
+    kind: PredicateKind,
+    decimals: &Decimals,
+) -> Result<(Scene, Vec<Sign>), CorpusError> {
     let dimension = match kind {
         PredicateKind::Orient3d | PredicateKind::Insphere => Dimension::Three,
         PredicateKind::Compare | PredicateKind::Orient2d | PredicateKind::Incircle => Dimension::Two,
@@ -74,8 +84,8 @@ fn read_fixture(file: &str, text: &str, kind: PredicateKind) -> Result<(Scene, V
             return Err(error(message, "fetch the file that the manifest names"));
         }
         for cell in &cells[1..width - 1] {
-            let value = nearest_coordinate(cell).map_err(|why| {
-                let (message, cure) = explain(file, cell, &why);
+            let value = decimals.read(cell).map_err(|why| {
+                let (message, cure) = explain(Place::Data, cell, &why);
                 error(message, &cure)
             })?;
             coordinates.push(value);
@@ -84,7 +94,7 @@ fn read_fixture(file: &str, text: &str, kind: PredicateKind) -> Result<(Scene, V
             "-1" => Sign::Negative,
             "0" => Sign::Zero,
             "1" => Sign::Positive,
-            other => return Err(error(format!("`{other}` is no sign"), "a row ends in -1, 0 or 1")),
+            other => return Err(error(format!("`{}` is no sign", shown(other)), "a row ends in -1, 0 or 1")),
         });
     }
     let scene = Scene::new(dimension, coordinates)

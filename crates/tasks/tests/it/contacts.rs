@@ -125,13 +125,16 @@ fn meshes_maps_and_copies_come_from_files() {
     let off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0.1\n0 1 0\n4 0 1 2 3\n";
     std::fs::write(folder.path().join("square.off"), off.replace("4 2 0", "4 1 0")).unwrap();
     std::fs::write(folder.path().join("line.obj"), "v 0.5 0.5 -1\nv 0.5 0.5 1\nl 1 2\n").unwrap();
-    let loaded =
-        load(folder.path(), "task = \"contacts3d\"\na = { path = \"square.off\" }\nb = { path = \"line.obj\" }\n");
+    let loaded = load(
+        folder.path(),
+        "task = \"contacts3d\"\nround = true\na = { path = \"square.off\" }\nb = { path = \"line.obj\" }\n",
+    );
+    assert_eq!(loaded.notes.rounded, 1);
     let [a, b] = complexes(&loaded);
     assert_eq!((a.triangles().len(), b.edges(), loaded.scene.len()), (2, &[[4, 5].map(Vertex::input)][..], 6));
     assert_eq!(loaded.scene.point(Vertex::input(2)), [1.0, 1.0, 0.1]);
 
-    let copied = "task = \"contacts3d\"\na = { path = \"square.off\" }\nb = { shifted = 2 }\n";
+    let copied = "task = \"contacts3d\"\nround = true\na = { path = \"square.off\" }\nb = { shifted = 2 }\n";
     let loaded = load(folder.path(), copied);
     let [a, b] = complexes(&loaded);
     assert_eq!((a.triangles().len(), b.triangles().len(), loaded.scene.len()), (2, 2, 8));

@@ -106,7 +106,8 @@ impl Shape {
 
 impl Pair {
     fn recipe(self) -> Recipe {
-        Recipe::new(move |making| self.make(making.n, &mut making.random()))
+        // A few points are made even for the smallest n.
+        Recipe::new(move |making| self.make(making.n, &mut making.random())).with_coordinates(|n| 6 * n + 1000)
     }
 
     fn dimension(self) -> Dimension {

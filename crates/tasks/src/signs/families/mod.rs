@@ -76,6 +76,11 @@ impl Asked {
         self.question.kind()
     }
 
+    /// The coordinates of so many queries that have no point in common.
+    fn coordinates(self, queries: u64) -> u64 {
+        queries * (self.kind().arity() * self.dimension.count()) as u64
+    }
+
     /// The scene of a cloud.
     fn parts(self, cloud: Cloud) -> Parts {
         let mut scene = Scene::new(self.dimension, cloud.coordinates).expect("generators make finite points");
@@ -109,5 +114,6 @@ fn by_query(
             query(kind, &mut rng, &mut coordinates);
         }
         asked.placed(Cloud { coordinates, ..Cloud::default() }, making)
-    }))
+    })
+    .with_coordinates(move |n| asked.coordinates(n)))
 }

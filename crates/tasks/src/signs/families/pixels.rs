@@ -14,14 +14,17 @@ pub(super) fn read(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe
     let map = PixelMap::read(fields)?;
     let asked = Asked::read(task, fields, None)?;
     let size = map.pixels();
-    Ok(Recipe::new(move |making| asked.placed(map.points(), making)).of_size(size))
+    let width = asked.dimension.count() as u64;
+    Ok(Recipe::new(move |making| asked.placed(map.points(), making))
+        .of_size(size)
+        .with_coordinates(move |n| (n + 2) * width))
 }
 
 /// A square of points against two fixed ones.
 #[derive(Clone, PartialEq, Debug)]
 struct PixelMap {
-    /// All pixels' coordinates: p + (i, j)·step, exactly, i running first.
-    pixels: Vec<[f64; 2]>,
+    /// The coordinates of columns and of rows: those of p and k steps, exactly.
+    grid: [Vec<f64>; 2],
     q: [f64; 2],
     r: [f64; 2],
 }
@@ -46,24 +49,21 @@ impl PixelMap {
                 corner_field.error(message, "choose a larger `step`")
             })
         };
-        let mut pixels = Vec::new();
-        for j in 0..side {
-            for i in 0..side {
-                pixels.push([moved(corner[0], i)?, moved(corner[1], j)?]);
-            }
-        }
-        Ok(PixelMap { pixels, q, r })
+        let [columns, rows] = corner.map(|c| (0..side).map(|k| moved(c, k)).collect::<Result<Vec<_>, _>>());
+        Ok(PixelMap { grid: [columns?, rows?], q, r })
     }
 
     /// How many pixels, one query each.
     fn pixels(&self) -> usize {
-        self.pixels.len()
+        self.grid[0].len() * self.grid[1].len()
     }
 
-    /// The pixels, then q and r; query (pixel, q, r) for each.
+    /// The pixels, those of a row after each other, then q and r; query (pixel, q, r) for each.
     fn points(&self) -> Cloud {
-        let n = self.pixels.len();
-        let mut coordinates = self.pixels.as_flattened().to_vec();
+        let n = self.pixels();
+        let [columns, rows] = &self.grid;
+        let mut coordinates: Vec<f64> = Vec::with_capacity(2 * (n + 2));
+        coordinates.extend(rows.iter().flat_map(|&y| columns.iter().flat_map(move |&x| [x, y])));
         coordinates.extend([self.q, self.r].as_flattened());
         let args = (0..n).flat_map(|pixel| [pixel, n, n + 1].map(Vertex::input)).collect();
         Cloud { coordinates, args: Some(args), constructions: Vec::new() }

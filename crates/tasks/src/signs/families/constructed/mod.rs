@@ -31,6 +31,8 @@ use predicament_formats::bits::{scale, step};
 const CONSTRUCTIONS: usize = 4;
 /// Queries about a patch.
 const QUERIES: usize = 8;
+/// Coordinates of a patch, at most: nine points for each construction, and as many input points as constructions.
+const MOST_IN_PATCH: u64 = 3 * 10 * CONSTRUCTIONS as u64;
 
 /// Constructions that have nothing to do with anything.
 pub(super) fn uniform(
@@ -95,7 +97,8 @@ impl Arrangement {
     /// Makes it what a table asks for.
     fn recipe(self, task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
         let asked = Asked::read(task, fields, Some(self.dimension()))?;
-        Ok(Recipe::new(move |making| asked.parts(self.queries(asked.question, making.n, making.random()))))
+        Ok(Recipe::new(move |making| asked.parts(self.queries(asked.question, making.n, making.random())))
+            .with_coordinates(|n| n.div_ceil(QUERIES as u64) * MOST_IN_PATCH))
     }
 
     /// That of the points.

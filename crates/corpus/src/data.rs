@@ -1,0 +1,150 @@
+//! Data that a scene's table refers to: files beside the suite and downloads, and points from either place.
+
+use std::path::PathBuf;
+
+use predicament_formats::{
+    Cache, CorpusError, Decimals, Entry, Field, ImportNotes, POINTS, points, read_bytes, read_points, read_text,
+};
+use predicament_predicates::{Dimension, Scene};
+
+use crate::Context;
+
+/// Where a data file is.
+#[derive(Clone, Debug)]
+pub enum Origin {
+    /// A file beside the suite.
+    Path(PathBuf),
+    /// A file of a package.
+    Fetched(Entry),
+}
+
+impl Origin {
+    /// A file beside the suite, by the value of a key.
+    ///
+    /// # Errors
+    /// As [`Context::path`].
+    pub fn path(context: &Context<'_>, field: &Field<'_, '_>) -> Result<Origin, CorpusError> {
+        context.path(field).map(Origin::Path)
+    }
+
+    /// A file of a package, by the value of a key.
+    ///
+    /// # Errors
+    /// As [`Context::fetched`].
+    pub fn fetched(context: &Context<'_>, field: &Field<'_, '_>) -> Result<Origin, CorpusError> {
+        context.fetched(field).map(Origin::Fetched)
+    }
+
+    /// The file's name and what is in it.
+    ///
+    /// # Errors
+    /// [`CorpusError`] where the file can't be read or was not fetched.
+    pub fn bytes(&self, cache: &Cache) -> Result<(String, Vec<u8>), CorpusError> {
+        match self {
+            Origin::Path(path) => Ok((path.display().to_string(), read_bytes(path)?)),
+            Origin::Fetched(entry) => Ok((cache.path(entry).display().to_string(), cache.bytes(entry)?)),
+        }
+    }
+
+    /// The file's name and its text.
+    ///
+    /// # Errors
+    /// As [`bytes`](Origin::bytes), and where it is not UTF-8.
+    pub fn text(&self, cache: &Cache) -> Result<(String, String), CorpusError> {
+        match self {
+            Origin::Path(path) => Ok((path.display().to_string(), read_text(path)?)),
+            Origin::Fetched(entry) => Ok((cache.path(entry).display().to_string(), cache.read(entry)?)),
+        }
+    }
+
+    /// The fetched file, if it is one.
+    #[must_use]
+    pub fn entry(&self) -> Option<&Entry> {
+        match self {
+            Origin::Path(_) => None,
+            Origin::Fetched(entry) => Some(entry),
+        }
+    }
+}
+
+/// The `points` of a scene: written out, or `{ path = "…" }`.
+#[derive(Clone, Debug)]
+pub struct PointSource {
+    file: String,
+    line: usize,
+    place: PointPlace,
+}
+
+#[derive(Clone, Debug)]
+enum PointPlace {
+    Written(Dimension, Vec<f64>),
+    File { origin: Origin, round: bool },
+}
+
+impl PointSource {
+    /// Reads `points`.
+    ///
+    /// # Errors
+    /// [`CorpusError`] at the line that is wrong. What is wrong in a data file is found when it is loaded.
+    pub fn read(context: &Context<'_>, field: &Field<'_, '_>, file: &str) -> Result<PointSource, CorpusError> {
+        let place = if field.is_table() {
+            let table = field.fields(&POINTS)?;
+            let origin = Origin::path(context, &table.required("path")?)?;
+            table.finish()?;
+            PointPlace::File { origin, round: context.round() }
+        } else {
+            let (dimension, coordinates) = read_points(field)?;
+            PointPlace::Written(dimension, coordinates)
+        };
+        Ok(PointSource { file: file.to_owned(), line: field.line(), place })
+    }
+
+    /// No points at all: for scenes whose points come from elsewhere.
+    #[must_use]
+    pub fn none(dimension: Dimension) -> PointSource {
+        PointSource { file: String::new(), line: 0, place: PointPlace::Written(dimension, Vec::new()) }
+    }
+
+    /// Whether the points are written out in the suite.
+    #[must_use]
+    pub fn is_written(&self) -> bool {
+        matches!(self.place, PointPlace::Written(..))
+    }
+
+    /// The error about the points as a whole.
+    #[must_use]
+    pub fn error(&self, message: impl Into<String>, cure: impl Into<String>) -> CorpusError {
+        CorpusError::file(&self.file, message, cure).at_line(self.line)
+    }
+
+    /// The points' dimension and coordinates, and what reading their file changed.
+    ///
+    /// # Errors
+    /// [`CorpusError`] where the data file is missing or wrong.
+    pub fn coordinates(&self, cache: &Cache) -> Result<(Dimension, Vec<f64>, ImportNotes), CorpusError> {
+        match &self.place {
+            PointPlace::Written(dimension, coordinates) => {
+                Ok((*dimension, coordinates.clone(), ImportNotes::default()))
+            }
+            PointPlace::File { origin, round } => {
+                let decimals = Decimals::new(*round);
+                let (file, bytes) = origin.bytes(cache)?;
+                let points::ImportedPoints { dimension, coordinates, mut notes } =
+                    points::read(&file, bytes, &decimals)?;
+                notes.rounded += decimals.rounded();
+                Ok((dimension, coordinates, notes))
+            }
+        }
+    }
+
+    /// The points as a scene, and what reading their file changed.
+    ///
+    /// # Errors
+    /// As [`coordinates`](PointSource::coordinates), and where they make no scene.
+    pub fn scene(&self, cache: &Cache) -> Result<(Scene, ImportNotes), CorpusError> {
+        let (dimension, coordinates, notes) = self.coordinates(cache)?;
+        let scene =
+            Scene::new(dimension, coordinates).map_err(|error| self.error(error.to_string(), "correct the points"))?;
+        Ok((scene, notes))
+    }
+}

@@ -1,0 +1,216 @@
+//! CSV files of numbers: read row by row, and made lossless.
+//!
+//! Cells are separated by commas, semicolons, tabs or blanks: the first row shows which. Blank lines and lines
+//! that start with `#` are passed over. The first row is a header if each of its cells starts with a letter
+//! and none is a number.
+//!
+//! The crate `csv` gives the text of cells and not where in the file it is; to rewrite a number and leave all
+//! other bytes as they are takes the place, and so does the line in an error behind comments and blank lines.
+
+use std::ops::Range;
+
+use crate::coordinate::{self, CoordinateError};
+use crate::decimals::{Place, explain, shown};
+use crate::file::BOM;
+use crate::lines::{Line, lines};
+use crate::rows::{RowKind, Rows};
+use crate::{CorpusError, Decimals, hexfloat};
+
+/// What separates the cells of a file.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Separator {
+    Character(char),
+    Blanks,
+}
+
+impl Separator {
+    /// That of a row: the first of these that is in it, outside of quotes.
+    fn of(row: &str) -> Separator {
+        let has = |c: &char| split(row, *c).nth(1).is_some();
+        [';', ',', '\t'].iter().find(|c| has(c)).map_or(Separator::Blanks, |&c| Separator::Character(c))
+    }
+
+    /// Where the cells of a row are, without blanks and quotes around them.
+    fn cells(self, row: &str) -> Vec<Range<usize>> {
+        match self {
+            Separator::Character(c) => split(row, c).map(|cell| bare(row, cell)).collect(),
+            Separator::Blanks => {
+                let start = |word: &str| word.as_ptr().addr() - row.as_ptr().addr();
+                row.split_whitespace().map(|word| bare(row, start(word)..start(word) + word.len())).collect()
+            }
+        }
+    }
+}
+
+/// The parts of a row between separators that are not in quotes.
+fn split(row: &str, separator: char) -> impl Iterator<Item = Range<usize>> {
+    let mut quoted = false;
+    let mut ends = row.char_indices().filter(move |&(_, c)| {
+        quoted ^= c == '"';
+        c == separator && !quoted
+    });
+    let mut start = Some(0);
+    std::iter::from_fn(move || {
+        let from = start?;
+        let to = ends.next();
+        start = to.map(|(at, c)| at + c.len_utf8());
+        Some(from..to.map_or(row.len(), |(at, _)| at))
+    })
+}
+
+/// A cell without the blanks around it, and without its quotes.
+fn bare(row: &str, cell: Range<usize>) -> Range<usize> {
+    let trimmed = |cell: Range<usize>| {
+        let text = &row[cell.clone()];
+        let start = cell.start + (text.len() - text.trim_start().len());
+        start..start + text.trim().len()
+    };
+    let cell = trimmed(cell);
+    let quoted = &row[cell.clone()];
+    if quoted.len() >= 2 && quoted.starts_with('"') && quoted.ends_with('"') {
+        trimmed(cell.start + 1..cell.end - 1)
+    } else {
+        cell
+    }
+}
+
+/// Whether a line of a data file is blank or a comment.
+#[must_use]
+pub fn skipped(line: &str) -> bool {
+    line.trim().is_empty() || line.trim_start().starts_with('#')
+}
+
+/// What a line is, and the cells of one that has any.
+enum Kind {
+    Skipped,
+    Header(Vec<Range<usize>>),
+    Row(Vec<Range<usize>>),
+}
+
+/// Goes through the lines of a file in their order.
+#[derive(Default)]
+struct Scanner {
+    separator: Option<Separator>,
+}
+
+impl Scanner {
+    fn kind(&mut self, line: &str) -> Kind {
+        if skipped(line) {
+            return Kind::Skipped;
+        }
+        if let Some(separator) = self.separator {
+            return Kind::Row(separator.cells(line));
+        }
+        let cells = self.separator.insert(Separator::of(line)).cells(line);
+        let names = cells.iter().all(|cell| is_name(&line[cell.clone()]));
+        if names { Kind::Header(cells) } else { Kind::Row(cells) }
+    }
+}
+
+/// Whether a cell of the first row can be the name of a column.
+fn is_name(cell: &str) -> bool {
+    let starts = cell.starts_with(|c: char| c.is_alphabetic() || c == '_');
+    starts && coordinate::exact(cell) == Err(CoordinateError::Malformed)
+}
+
+/// A column of another name among x, y and z, or these in another order: what is read would not be what is meant.
+fn misplaced(names: &[&str]) -> Option<String> {
+    const AXES: [&str; 3] = ["x", "y", "z"];
+    let lower: Vec<String> = names.iter().map(|name| name.to_lowercase()).collect();
+    let named = lower.iter().any(|name| AXES.contains(&name.as_str()));
+    let wrong = lower.iter().zip(AXES).any(|(name, axis)| name != axis)
+        || lower.iter().skip(3).any(|name| AXES.contains(&name.as_str()));
+    (named && wrong).then(|| format!("the columns are {}", shown(&names.join(", "))))
+}
+
+/// Reads a CSV file of rows of numbers, one a line.
+///
+/// # Errors
+/// [`CorpusError`] at the line that is wrong.
+pub(crate) fn read(file: &str, text: &str, kind: &RowKind, decimals: &Decimals) -> Result<Rows, CorpusError> {
+    let mut scanner = Scanner::default();
+    let mut rows = Rows::default();
+    let mut width = None;
+    for Line { number, body, .. } in lines(text) {
+        let error = |message: String, cure: String| CorpusError::file(file, message, cure).at_line(number);
+        let cells = match scanner.kind(body) {
+            Kind::Skipped => continue,
+            Kind::Header(cells) => {
+                let names: Vec<&str> = cells.into_iter().map(|cell| &body[cell]).collect();
+                if let Some(message) = misplaced(&names) {
+                    return Err(error(
+                        message,
+                        "write the columns x, y and z in this order and no other among them".into(),
+                    ));
+                }
+                width = Some(names.len());
+                if !kind.widths.contains(&names.len()) {
+                    let message = format!("the header has {} columns", names.len());
+                    return Err(error(message, kind.cure.into()));
+                }
+                continue;
+            }
+            Kind::Row(cells) => cells,
+        };
+        kind.check(&mut width, rows.lines.len(), cells.len()).map_err(|message| error(message, kind.cure.into()))?;
+        for cell in cells {
+            let cell = &body[cell];
+            rows.numbers.push(decimals.read(cell).map_err(|why| {
+                let (message, cure) = explain(Place::Tidied(file), cell, &why);
+                error(message, cure)
+            })?);
+        }
+        rows.lines.push(number);
+    }
+    if rows.lines.is_empty() {
+        let RowKind { name, .. } = kind;
+        return Err(CorpusError::file(file, format!("the file has no {name}s"), format!("write one {name} a line")));
+    }
+    rows.width = width.unwrap_or_default();
+    Ok(rows)
+}
+
+/// Rewrites the decimals of a CSV file that are not exactly doubles: each becomes the hex float of its nearest
+/// double, and a line that starts with `#`, before its row, keeps what was written. All other bytes stay, so
+/// that a file without such decimals, and a file that was rewritten, come back unchanged.
+///
+/// # Errors
+/// [`CorpusError`] where a cell is no number that a double could be near to.
+pub fn fmt_csv(file: &str, text: &str) -> Result<String, CorpusError> {
+    let (mark, rest) = text.strip_prefix(BOM).map_or(("", text), |rest| (&text[..BOM.len_utf8()], rest));
+    let mut scanner = Scanner::default();
+    let mut out = String::with_capacity(text.len());
+    out.push_str(mark);
+    // A last line without an end takes that of the line before it.
+    let mut usual_end = "\n";
+    for Line { number, body, end } in lines(rest) {
+        let Kind::Row(cells) = scanner.kind(body) else {
+            out.extend([body, end]);
+            continue;
+        };
+        usual_end = if end.is_empty() { usual_end } else { end };
+        let (mut decimals, mut row, mut at) = (Vec::new(), String::new(), 0);
+        for cell in cells {
+            match coordinate::exact(&body[cell.clone()]) {
+                Ok(_) => {}
+                Err(CoordinateError::Inexact { nearest }) => {
+                    row.extend([&body[at..cell.start], &hexfloat::format(nearest)]);
+                    at = cell.end;
+                    decimals.push(&body[cell]);
+                }
+                Err(why) => {
+                    let (message, cure) = explain(Place::Tidied(file), &body[cell], &why);
+                    return Err(CorpusError::file(file, message, cure).at_line(number));
+                }
+            }
+        }
+        if !decimals.is_empty() {
+            out.extend(["# ", &decimals.join(", "), usual_end]);
+        }
+        out.extend([&row, &body[at..], end]);
+    }
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,70 @@
+//! Data files beside suites: their formats, by extension, and what is in them.
+
+use crate::file::{text, unpacked};
+use crate::rows::{RowKind, Rows};
+use crate::{CorpusError, Decimals, csv};
+
+/// The format of a data file.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Format {
+    Csv,
+    GeoJson,
+    Wkt,
+    Off,
+    Obj,
+    Ply,
+    Stl,
+}
+
+/// The formats by extension.
+const EXTENSIONS: [(&str, Format); 9] = [
+    (".csv", Format::Csv),
+    (".txt", Format::Csv),
+    (".geojson", Format::GeoJson),
+    (".json", Format::GeoJson),
+    (".wkt", Format::Wkt),
+    (".off", Format::Off),
+    (".obj", Format::Obj),
+    (".ply", Format::Ply),
+    (".stl", Format::Stl),
+];
+
+/// What is in a data file, unpacked.
+pub(crate) struct DataFile {
+    /// The name in errors.
+    pub(crate) file: String,
+    pub(crate) format: Format,
+    pub(crate) bytes: Vec<u8>,
+}
+
+impl DataFile {
+    /// A file by its name, whose end tells the format, and its bytes, packed by gzip if the name ends in `.gz`.
+    pub(crate) fn open(file: &str, bytes: Vec<u8>) -> Result<DataFile, CorpusError> {
+        let (name, bytes) = unpacked(file, bytes)?;
+        let format = EXTENSIONS.iter().find(|(extension, _)| name.ends_with(extension)).map(|&(_, format)| format);
+        let format = format.ok_or_else(|| {
+            let known = EXTENSIONS.map(|(extension, _)| extension).join(", ");
+            let cure = format!("name a file with one of {known}, perhaps packed as .gz");
+            CorpusError::file(file, "the file's name doesn't tell its format", cure)
+        })?;
+        Ok(DataFile { file: file.to_owned(), format, bytes })
+    }
+
+    /// Its text.
+    pub(crate) fn text(self) -> Result<String, CorpusError> {
+        text(&self.file, self.bytes)
+    }
+}
+
+/// Reads a CSV file of rows of numbers; `.csv` or `.txt`, perhaps with `.gz` behind it.
+///
+/// # Errors
+/// [`CorpusError`] at the line that is wrong.
+pub fn read_csv_rows(file: &str, bytes: Vec<u8>, kind: &RowKind, decimals: &Decimals) -> Result<Rows, CorpusError> {
+    let data = DataFile::open(file, bytes)?;
+    if data.format != Format::Csv {
+        let message = format!("{}s are rows of numbers", kind.name);
+        return Err(CorpusError::file(file, message, "name a .csv or .txt file"));
+    }
+    csv::read(file, &data.text()?, kind, decimals)
+}

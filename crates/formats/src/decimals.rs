@@ -1,0 +1,210 @@
+//! How the decimals of a scene are read: exactly or not at all, or rounded where the suite says so.
+
+use std::cell::Cell;
+
+use crate::coordinate::{self, CoordinateError};
+
+/// The most coordinates that a scene may have: 2 GiB of doubles.
+pub const MOST_COORDINATES: usize = 1 << 28;
+
+/// How the decimals of one scene are read: refused where they are no doubles, or, with `round = true`, as
+/// their nearest doubles, which are counted.
+#[derive(Debug, Default)]
+pub struct Decimals {
+    round: bool,
+    read: Cell<usize>,
+    rounded: Cell<usize>,
+}
+
+impl Decimals {
+    /// Rounds decimals that are no doubles, or refuses them.
+    #[must_use]
+    pub fn new(round: bool) -> Decimals {
+        Decimals { round, ..Decimals::default() }
+    }
+
+    /// Whether decimals are rounded.
+    #[must_use]
+    pub fn round(&self) -> bool {
+        self.round
+    }
+
+    /// How many were rounded so far.
+    #[must_use]
+    pub fn rounded(&self) -> usize {
+        self.rounded.get()
+    }
+
+    /// The double of a text.
+    ///
+    /// # Errors
+    /// [`CoordinateError`] where the text is no number, where it is no double and none is to be rounded, and
+    /// from the [`MOST_COORDINATES`]th on.
+    pub fn read(&self, text: &str) -> Result<f64, CoordinateError> {
+        self.count()?;
+        match coordinate::exact(text) {
+            Err(CoordinateError::Inexact { nearest }) if self.round => {
+                self.rounded.set(self.rounded.get() + 1);
+                Ok(nearest)
+            }
+            other => other,
+        }
+    }
+
+    /// The double of a text that is declared as a single: exactly one, or rounded to the nearest.
+    ///
+    /// # Errors
+    /// As [`read`](Decimals::read).
+    pub fn read_single(&self, text: &str) -> Result<f64, CoordinateError> {
+        self.count()?;
+        let exact = coordinate::exact(text);
+        let (Ok(nearest) | Err(CoordinateError::Inexact { nearest })) = exact else { return exact };
+        // A hex float is a double; a decimal is rounded once, from its text.
+        let single: f32 = text.parse().unwrap_or_else(|_| single(nearest));
+        let single = f64::from(single);
+        if single.is_infinite() {
+            return Err(CoordinateError::Overflow);
+        }
+        if single == 0.0 && nearest != 0.0 {
+            return Err(CoordinateError::Underflow);
+        }
+        if exact == Ok(single) {
+            return exact;
+        }
+        if !self.round {
+            return Err(CoordinateError::Inexact { nearest: single });
+        }
+        self.rounded.set(self.rounded.get() + 1);
+        Ok(single)
+    }
+
+    fn count(&self) -> Result<(), CoordinateError> {
+        self.read.set(self.read.get() + 1);
+        if self.read.get() > MOST_COORDINATES { Err(CoordinateError::TooMany) } else { Ok(()) }
+    }
+}
+
+/// The single nearest to a double.
+#[allow(clippy::cast_possible_truncation)] // the rounding that was asked for
+fn single(x: f64) -> f32 {
+    x as f32
+}
+
+/// Where a coordinate is written, for the cure of one that is no double.
+#[derive(Clone, Copy, Debug)]
+pub enum Place<'f> {
+    /// In a file that `corpus fmt` can rewrite.
+    Tidied(&'f str),
+    /// In another data file.
+    Data,
+}
+
+/// What is wrong with a coordinate, and the cure.
+#[must_use]
+pub fn explain(place: Place<'_>, text: &str, error: &CoordinateError) -> (String, String) {
+    let text = shown(text);
+    match error {
+        CoordinateError::Malformed => {
+            (format!("`{text}` is not a number"), "write a decimal or a hex float such as 0x1.8p+1".into())
+        }
+        CoordinateError::NotFinite => (format!("coordinate `{text}` is not finite"), "remove the point".into()),
+        CoordinateError::Overflow => {
+            (format!("coordinate `{text}` is beyond the largest double"), "scale the scene by a power of two".into())
+        }
+        CoordinateError::Underflow => (
+            format!("coordinate `{text}` is not zero but below half the smallest double"),
+            "write 0 or scale the scene by a power of two".into(),
+        ),
+        CoordinateError::TooManyBits => (
+            format!("hex float `{text}` has more bits than a double"),
+            "keep 53 bits, the lowest not below 2^-1074".into(),
+        ),
+        CoordinateError::TooLong { bytes } => (
+            format!("a number of {bytes} bytes: `{text}`"),
+            format!("write at most {}: every double has a shorter decimal", coordinate::MOST_BYTES),
+        ),
+        CoordinateError::TooMany => {
+            (format!("a scene of over {MOST_COORDINATES} coordinates"), "divide the scene".into())
+        }
+        CoordinateError::Inexact { .. } => {
+            let cure = match place {
+                Place::Tidied(file) => {
+                    format!("run `predicament corpus fmt {file}`, or write `round = true` in the scene")
+                }
+                Place::Data => "write `round = true` in the scene to read the nearest double".into(),
+            };
+            (format!("decimal {text} is not exactly a double"), cure)
+        }
+    }
+}
+
+/// A text for a message: a part of it where it is long, control characters escaped.
+#[must_use]
+pub fn shown(text: &str) -> String {
+    const MOST: usize = 60;
+    let mut shown = String::new();
+    for (at, c) in text.chars().enumerate() {
+        if at == MOST {
+            shown.push('…');
+            break;
+        }
+        if c.is_control() { shown.extend(c.escape_default()) } else { shown.push(c) }
+    }
+    shown
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_double_is_refused_or_counted() {
+        let exact = Decimals::new(false);
+        assert_eq!(exact.read("0.5"), Ok(0.5));
+        assert_eq!(exact.read("0.1"), Err(CoordinateError::Inexact { nearest: 0.1 }));
+        assert_eq!(exact.rounded(), 0);
+        let nearest = Decimals::new(true);
+        assert_eq!((nearest.read("0.5"), nearest.rounded()), (Ok(0.5), 0));
+        assert_eq!((nearest.read("0.1"), nearest.rounded()), (Ok(0.1), 1));
+        for (text, error) in [
+            ("1e400", CoordinateError::Overflow),
+            ("1e-400", CoordinateError::Underflow),
+            ("nan", CoordinateError::NotFinite),
+            ("0x1.00000000000008p+0", CoordinateError::TooManyBits),
+            ("x", CoordinateError::Malformed),
+        ] {
+            assert_eq!(nearest.read(text), Err(error), "{text}: rounding cures no other error");
+        }
+        assert_eq!(nearest.rounded(), 1);
+    }
+
+    #[test]
+    fn singles_are_rounded_once() {
+        let exact = Decimals::new(false);
+        assert_eq!(exact.read_single("0.5"), Ok(0.5));
+        assert_eq!(exact.read_single("0x1p-3"), Ok(0.125));
+        let tenth = f64::from(0.1_f32);
+        assert_eq!(exact.read_single("0.1"), Err(CoordinateError::Inexact { nearest: tenth }));
+        // A double, and no single.
+        let double = format!("{:.60}", 0.1_f64);
+        assert_eq!(exact.read_single(&double), Err(CoordinateError::Inexact { nearest: tenth }));
+        let nearest = Decimals::new(true);
+        assert_eq!((nearest.read_single("0.1"), nearest.read_single(&double)), (Ok(tenth), Ok(tenth)));
+        assert_eq!(nearest.rounded(), 2);
+        assert_eq!(nearest.read_single("1e39"), Err(CoordinateError::Overflow));
+        assert_eq!(nearest.read_single("1e-60"), Err(CoordinateError::Underflow));
+    }
+
+    #[test]
+    fn there_are_only_so_many() {
+        let decimals = Decimals { read: Cell::new(MOST_COORDINATES - 1), ..Decimals::default() };
+        assert_eq!(decimals.read("1"), Ok(1.0));
+        assert_eq!(decimals.read("1"), Err(CoordinateError::TooMany));
+    }
+
+    #[test]
+    fn messages_stay_short_and_printable() {
+        assert_eq!(shown("a\0b\u{1b}[1m"), "a\\u{0}b\\u{1b}[1m");
+        assert_eq!(shown(&"9".repeat(100)), format!("{}…", "9".repeat(60)));
+    }
+}

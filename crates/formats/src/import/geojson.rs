@@ -1,0 +1,278 @@
+//! The reader of GeoJSON (RFC 7946).
+//!
+//! The crate `geojson` rounds every number to a double while it reads; here a number has to stay the text that
+//! it is in the file, to be read losslessly or refused. `serde_json` keeps texts (`RawValue`), and where they
+//! are. A `crs` and other members that say nothing about shapes are passed over.
+
+use std::fmt;
+
+use serde::Deserialize;
+use serde_json::Value;
+use serde_json::value::RawValue;
+
+use super::ImportNotes;
+use super::geometry::{CLOSE, DEEPEST, Feature, Geometry, Position, Shape, open};
+use crate::decimals::{Place as Written, explain};
+use crate::{CorpusError, Decimals, Lines};
+
+/// Any object of GeoJSON.
+#[derive(Deserialize)]
+struct Object<'t> {
+    #[serde(rename = "type")]
+    kind: Option<String>,
+    #[serde(borrow)]
+    features: Option<&'t RawValue>,
+    #[serde(borrow)]
+    geometry: Option<&'t RawValue>,
+    #[serde(borrow)]
+    geometries: Option<&'t RawValue>,
+    #[serde(borrow)]
+    coordinates: Option<&'t RawValue>,
+    properties: Option<Properties>,
+    id: Option<Value>,
+}
+
+#[derive(Deserialize)]
+struct Properties {
+    name: Option<Value>,
+}
+
+/// Where in the file something is: `features[3].geometry.coordinates[0][2]`.
+#[derive(Clone, Copy)]
+struct Place<'p> {
+    before: Option<&'p Place<'p>>,
+    step: Step,
+}
+
+#[derive(Clone, Copy)]
+enum Step {
+    Key(&'static str),
+    Index(usize),
+}
+
+impl Place<'_> {
+    fn key(&self, key: &'static str) -> Place<'_> {
+        Place { before: Some(self), step: Step::Key(key) }
+    }
+
+    fn index(&self, index: usize) -> Place<'_> {
+        Place { before: Some(self), step: Step::Index(index) }
+    }
+}
+
+impl fmt::Display for Place<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(before) = self.before {
+            write!(f, "{before}")?;
+        }
+        match (self.step, self.before.is_some_and(|before| before.before.is_some())) {
+            (Step::Key(key), true) => write!(f, ".{key}"),
+            (Step::Key(key), false) => f.write_str(key),
+            (Step::Index(index), _) => write!(f, "[{index}]"),
+        }
+    }
+}
+
+/// Reads a GeoJSON file.
+///
+/// # Errors
+/// [`CorpusError`] at the line that is wrong, with the place in the file where lines don't tell it.
+pub fn read(file: &str, text: &str, decimals: &Decimals) -> Result<Geometry, CorpusError> {
+    let mut reader =
+        Reader { file, text, lines: Lines::new(text), decimals, notes: ImportNotes::default(), features: Vec::new() };
+    let root = Place { before: None, step: Step::Key("") };
+    // A file may end early or be no JSON at all: the whole of it is looked at before any part.
+    let whole = reader.part(text, 0)?;
+    reader.feature(whole, &root)?;
+    Ok(Geometry { file: file.to_owned(), features: reader.features, notes: reader.notes })
+}
+
+struct Reader<'r, 't> {
+    file: &'r str,
+    text: &'t str,
+    lines: Lines,
+    decimals: &'r Decimals,
+    notes: ImportNotes,
+    features: Vec<Feature>,
+}
+
+impl<'t> Reader<'_, 't> {
+    fn line(&self, raw: &str) -> usize {
+        self.lines.of(raw.as_ptr().addr() - self.text.as_ptr().addr())
+    }
+
+    fn error(&self, raw: &RawValue, place: &Place<'_>, message: &str, cure: impl Into<String>) -> CorpusError {
+        let place = place.to_string();
+        let message = if place.is_empty() { message.to_owned() } else { format!("{place}: {message}") };
+        CorpusError::file(self.file, message, cure).at_line(self.line(raw.get()))
+    }
+
+    /// A part of the file, which starts at a line (counted from 0), as something.
+    fn part<'p, T: Deserialize<'p>>(&self, text: &'p str, line: usize) -> Result<T, CorpusError> {
+        serde_json::from_str(text).map_err(|error| {
+            // serde_json appends the place, which is in the line already.
+            let whole = error.to_string();
+            let message = whole.rsplit_once(" at line ").map_or(whole.as_str(), |(message, _)| message);
+            let cure = if error.is_eof() {
+                "the file ends early: fetch or copy it again"
+            } else {
+                "give a valid GeoJSON file"
+            };
+            CorpusError::file(self.file, format!("not GeoJSON: {message}"), cure).at_line(line + error.line())
+        })
+    }
+
+    fn parsed<T: Deserialize<'t>>(&self, raw: &'t RawValue) -> Result<T, CorpusError> {
+        self.part(raw.get(), self.line(raw.get()) - 1)
+    }
+
+    /// A collection of features, a feature, or a geometry.
+    fn feature(&mut self, raw: &'t RawValue, place: &Place<'_>) -> Result<(), CorpusError> {
+        let object: Object<'t> = self.parsed(raw)?;
+        let line = self.line(raw.get());
+        match object.kind.as_deref() {
+            Some("FeatureCollection") => {
+                let features = object.features.ok_or_else(|| {
+                    self.error(raw, place, "a FeatureCollection without features", "give it `features`")
+                })?;
+                for (index, feature) in self.items(features)?.into_iter().enumerate() {
+                    let place = place.key("features");
+                    let place = place.index(index);
+                    let kind: Kind = self.parsed(feature)?;
+                    if kind.kind.as_deref() != Some("Feature") {
+                        return Err(self.error(feature, &place, "no Feature", "list features only"));
+                    }
+                    self.feature(feature, &place)?;
+                }
+                Ok(())
+            }
+            Some("Feature") => {
+                let mut shapes = Vec::new();
+                if let Some(geometry) = object.geometry {
+                    self.geometry(geometry, &place.key("geometry"), 0, &mut shapes)?;
+                }
+                let name =
+                    super::topojson::name(object.properties.and_then(|all| all.name).as_ref(), object.id.as_ref());
+                self.features.push(Feature { name, line, shapes });
+                Ok(())
+            }
+            Some("Topology") => {
+                let cure = "for a map write `topojson = \"…\"` and `object = \"…\"`; else convert it to GeoJSON";
+                Err(self.error(raw, place, "the file is TopoJSON", cure))
+            }
+            _ => {
+                let mut shapes = Vec::new();
+                self.geometry(raw, place, 0, &mut shapes)?;
+                self.features.push(Feature { name: None, line, shapes });
+                Ok(())
+            }
+        }
+    }
+
+    fn geometry(
+        &mut self,
+        raw: &'t RawValue,
+        place: &Place<'_>,
+        depth: usize,
+        shapes: &mut Vec<Shape>,
+    ) -> Result<(), CorpusError> {
+        let object: Object<'t> = self.parsed(raw)?;
+        let kind = object.kind.as_deref().unwrap_or_default();
+        if kind == "GeometryCollection" {
+            if depth == DEEPEST {
+                let message = format!("over {DEEPEST} collections in each other");
+                return Err(self.error(raw, place, &message, "list their members in one"));
+            }
+            let members = object.geometries.ok_or_else(|| {
+                self.error(raw, place, "a GeometryCollection without geometries", "give it `geometries`")
+            })?;
+            for (index, member) in self.items(members)?.into_iter().enumerate() {
+                self.geometry(member, &place.key("geometries").index(index), depth + 1, shapes)?;
+            }
+            return Ok(());
+        }
+        let known = ["Point", "MultiPoint", "LineString", "MultiLineString", "Polygon", "MultiPolygon"];
+        if !known.contains(&kind) {
+            let message = if kind.is_empty() {
+                "an object without a type".to_owned()
+            } else {
+                format!("no geometry is of type `{kind}`")
+            };
+            return Err(self.error(raw, place, &message, format!("use one of {}", known.join(", "))));
+        }
+        let coordinates = object
+            .coordinates
+            .ok_or_else(|| self.error(raw, place, &format!("a {kind} without coordinates"), "give it `coordinates`"))?;
+        let place = &place.key("coordinates");
+        match kind {
+            "Point" => {
+                // An empty array is a point without a place.
+                if !self.items(coordinates)?.is_empty() {
+                    shapes.push(Shape::Point(self.position(coordinates, place)?));
+                }
+            }
+            "MultiPoint" => shapes.extend(self.positions(coordinates, place)?.into_iter().map(Shape::Point)),
+            "LineString" => shapes.push(Shape::Line(self.positions(coordinates, place)?)),
+            "MultiLineString" => {
+                for (index, line) in self.items(coordinates)?.into_iter().enumerate() {
+                    shapes.push(Shape::Line(self.positions(line, &place.index(index))?));
+                }
+            }
+            "Polygon" => shapes.push(self.polygon(coordinates, place)?),
+            _ => {
+                for (index, polygon) in self.items(coordinates)?.into_iter().enumerate() {
+                    shapes.push(self.polygon(polygon, &place.index(index))?);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn polygon(&mut self, raw: &'t RawValue, place: &Place<'_>) -> Result<Shape, CorpusError> {
+        let mut rings = Vec::new();
+        for (index, ring) in self.items(raw)?.into_iter().enumerate() {
+            let place = place.index(index);
+            let positions = self.positions(ring, &place)?;
+            rings.push(open(positions).map_err(|(line, what)| {
+                CorpusError::file(self.file, format!("{place}: {what}"), CLOSE).at_line(line)
+            })?);
+        }
+        Ok(Shape::Polygon(rings))
+    }
+
+    fn positions(&mut self, raw: &'t RawValue, place: &Place<'_>) -> Result<Vec<Position>, CorpusError> {
+        let items = self.items(raw)?.into_iter().enumerate();
+        items.map(|(index, position)| self.position(position, &place.index(index))).collect()
+    }
+
+    fn position(&mut self, raw: &'t RawValue, place: &Place<'_>) -> Result<Position, CorpusError> {
+        let numbers = self.items(raw)?;
+        let (&[x, y], rest) = numbers.split_first_chunk().ok_or_else(|| {
+            self.error(raw, place, &format!("a position of {} numbers", numbers.len()), "write at least two")
+        })?;
+        let number = |raw: &RawValue| {
+            self.decimals.read(raw.get()).map_err(|why| {
+                let (message, cure) = explain(Written::Data, raw.get(), &why);
+                self.error(raw, place, &message, cure)
+            })
+        };
+        let at = [number(x)?, number(y)?];
+        let height = rest.first().map(|z| number(z)).transpose()?;
+        self.notes.extra_coordinates += rest.len().saturating_sub(1);
+        Ok(Position { at, height, line: self.line(raw.get()) })
+    }
+
+    fn items(&self, raw: &'t RawValue) -> Result<Vec<&'t RawValue>, CorpusError> {
+        self.parsed(raw)
+    }
+}
+
+/// What an object says it is.
+#[derive(Deserialize)]
+struct Kind {
+    #[serde(rename = "type")]
+    kind: Option<String>,
+}
+
+#[cfg(test)]
+mod tests;

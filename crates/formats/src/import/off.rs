@@ -1,0 +1,57 @@
+//! OFF, in ASCII.
+
+use predicament_predicates::Vertex;
+
+use super::mesh::{ImportedMesh, content, contents, fan, no_vertex, point};
+use crate::decimals::shown;
+use crate::{CorpusError, Decimals};
+
+/// Reads OFF: the word, three counts, that many points, that many faces.
+pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
+    const CURE: &str = "give an ASCII OFF file: the word OFF, then the numbers of vertices, faces and edges";
+    let error = |line: usize, message: String, cure: &str| CorpusError::file(file, message, cure).at_line(line);
+    let short = |what: &str| CorpusError::file(file, format!("the file ends before {what}"), CURE);
+    let mut lines = contents(text);
+    let (line, head) = lines.next().ok_or_else(|| short("the word OFF"))?;
+    let rest = head
+        .strip_prefix("OFF")
+        .filter(|rest| rest.is_empty() || rest.starts_with(char::is_whitespace))
+        .ok_or_else(|| error(line, format!("the file starts with `{}`, not with OFF", shown(head)), CURE))?;
+    // The counts may stand behind the word.
+    let (line, counts) = match content(rest) {
+        Some(counts) => (line, counts),
+        None => lines.next().ok_or_else(|| short("its counts"))?,
+    };
+    let counts: Vec<Option<usize>> = counts.split_whitespace().map(|count| count.parse().ok()).collect();
+    let &[Some(vertices), Some(faces), Some(_)] = counts.as_slice() else {
+        return Err(error(line, "three counts are expected: vertices, faces, edges".to_owned(), CURE));
+    };
+    let counted = |at: usize, all: usize, what: &str| {
+        let message = format!("the file ends after {at} of its {all} {what}");
+        CorpusError::file(file, message, "correct the counts or add what is missing")
+    };
+    let mut mesh = ImportedMesh::default();
+    for at in 0..vertices {
+        let (line, words) = lines.next().ok_or_else(|| counted(at, vertices, "vertices"))?;
+        mesh.points.push(point(file, line, &words.split_whitespace().collect::<Vec<_>>(), decimals)?);
+    }
+    for at in 0..faces {
+        let (line, words) = lines.next().ok_or_else(|| counted(at, faces, "faces"))?;
+        let words: Vec<&str> = words.split_whitespace().collect();
+        // Colours may follow the corners.
+        let corners = words[0].parse().ok().and_then(|corners: usize| words.get(1..corners.checked_add(1)?));
+        let Some(corners) = corners else {
+            return Err(error(line, "a face is the number of its corners, then the corners".to_owned(), CURE));
+        };
+        let corner = |word: &&str| {
+            let index = word.parse().ok().filter(|&index: &usize| index < vertices);
+            index.map(Vertex::input).ok_or_else(|| no_vertex(file, line, word, vertices, "0"))
+        };
+        let corners = corners.iter().map(corner).collect::<Result<Vec<_>, _>>()?;
+        fan(&corners, &mut mesh.triangles).map_err(|(message, cure)| error(line, message, cure))?;
+    }
+    match lines.next() {
+        Some((line, _)) => Err(error(line, format!("more follows the {faces} faces"), "correct the counts")),
+        None => Ok(mesh),
+    }
+}

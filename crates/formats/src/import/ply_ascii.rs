@@ -1,0 +1,109 @@
+//! The payload of a PLY file in ASCII: a line for each element, a word for each number.
+//!
+//! A coordinate that is declared as a single is a decimal that is exactly a single, or it is refused, or, where
+//! the suite says so, rounded to the nearest single; a double likewise.
+
+use ply_rs_bw::ply::{ElementDef, PropertyType, ScalarType};
+
+use super::ply::{Element, axis, is_corners};
+use crate::decimals::{Place, explain, shown};
+use crate::lines::{Line, lines};
+use crate::{CorpusError, Decimals};
+
+/// What follows the header.
+pub(super) struct Payload<'p> {
+    file: &'p str,
+    lines: Box<dyn Iterator<Item = Line<'p>> + 'p>,
+    /// The lines of the header.
+    before: usize,
+    decimals: &'p Decimals,
+}
+
+impl<'p> Payload<'p> {
+    /// The payload behind a header; nothing of it is looked at yet, as it may be binary.
+    pub(super) fn new(file: &'p str, header: &[u8], payload: &'p [u8], decimals: &'p Decimals) -> Payload<'p> {
+        let before = header.iter().filter(|&&byte| byte == b'\n').count();
+        // What is no text is no number either, and an error says where it is.
+        let text = payload.utf8_chunks().next().map_or("", |chunk| chunk.valid());
+        Payload { file, lines: Box::new(lines(text)), before, decimals }
+    }
+
+    fn error(&self, line: usize, message: String, cure: &str) -> CorpusError {
+        CorpusError::file(self.file, message, cure).at_line(self.before + line)
+    }
+
+    /// All elements of a kind.
+    pub(super) fn element(&mut self, kind: &ElementDef) -> Result<Vec<Element>, CorpusError> {
+        let mut found = Vec::new();
+        for at in 0..kind.count {
+            let Some(Line { number, body, .. }) = self.lines.next() else {
+                let message = format!("the file ends after {at} of its {} elements `{}`", kind.count, kind.name);
+                return Err(CorpusError::file(self.file, message, "correct the counts or add what is missing"));
+            };
+            found.push(self.line(kind, number, body)?);
+        }
+        Ok(found)
+    }
+
+    fn line(&self, kind: &ElementDef, number: usize, body: &str) -> Result<Element, CorpusError> {
+        let mut element = Element::default();
+        let mut words = body.split_ascii_whitespace();
+        for property in kind.properties.values() {
+            let mut word = || {
+                words.next().ok_or_else(|| {
+                    let message = format!("the line ends before `{}`", shown(&property.name));
+                    self.error(number, message, "write a number for each property")
+                })
+            };
+            let first = word()?;
+            match &property.data_type {
+                PropertyType::Scalar(scalar) => {
+                    if let Some(axis) = axis(&property.name) {
+                        element.at[axis] = Some(self.coordinate(scalar, number, first)?);
+                    }
+                }
+                PropertyType::List(..) => {
+                    let length: usize = first.parse().map_err(|_| {
+                        let message = format!("`{}` is no length of a list", shown(first));
+                        self.error(number, message, "write how many numbers follow")
+                    })?;
+                    let mut corners = Some(Vec::new());
+                    for _ in 0..length {
+                        let word = word()?;
+                        if is_corners(&property.name) {
+                            let index: i64 = word.parse().map_err(|_| {
+                                let message = format!("`{}` is no index", shown(word));
+                                self.error(number, message, "indices are integers from 0")
+                            })?;
+                            corners = corners.zip(u32::try_from(index).ok()).map(|(mut corners, index)| {
+                                corners.push(index);
+                                corners
+                            });
+                        }
+                    }
+                    if is_corners(&property.name) {
+                        element.corners = corners;
+                    }
+                }
+            }
+        }
+        match words.next() {
+            None => Ok(element),
+            Some(word) => {
+                let message = format!("`{}` follows the last property", shown(word));
+                Err(self.error(number, message, "write one number for each property"))
+            }
+        }
+    }
+
+    fn coordinate(&self, scalar: &ScalarType, number: usize, word: &str) -> Result<f64, CorpusError> {
+        let read = match scalar {
+            ScalarType::Float => self.decimals.read_single(word),
+            _ => self.decimals.read(word),
+        };
+        read.map_err(|why| {
+            let (message, cure) = explain(Place::Data, word, &why);
+            self.error(number, message, &cure)
+        })
+    }
+}

@@ -1,0 +1,45 @@
+//! Points of a data file, whatever its format.
+
+use predicament_predicates::Dimension;
+
+use super::{ImportNotes, geojson, geometry, mesh, wkt};
+use crate::data::{DataFile, Format};
+use crate::rows::POINT;
+use crate::{CorpusError, Decimals, csv};
+
+/// Points of two or of three coordinates.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ImportedPoints {
+    /// How many coordinates each has.
+    pub dimension: Dimension,
+    /// The coordinates, point after point.
+    pub coordinates: Vec<f64>,
+    /// What was left out.
+    pub notes: ImportNotes,
+}
+
+/// Reads points by the extension of a file: rows of CSV, all positions of GeoJSON or WKT in their order (without
+/// those that close rings), or the vertices of a mesh.
+///
+/// # Errors
+/// [`CorpusError`] at the line that is wrong.
+pub fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<ImportedPoints, CorpusError> {
+    let data = DataFile::open(file, bytes)?;
+    let of_geometry = |geometry: geometry::Geometry| {
+        let (dimension, coordinates) = geometry.points()?;
+        Ok(ImportedPoints { dimension, coordinates, notes: geometry.notes })
+    };
+    match data.format {
+        Format::Csv => {
+            let (dimension, coordinates) = csv::read(file, &data.text()?, &POINT, decimals)?.points();
+            Ok(ImportedPoints { dimension, coordinates, notes: ImportNotes::default() })
+        }
+        Format::GeoJson => of_geometry(geojson::read(file, &data.text()?, decimals)?),
+        Format::Wkt => of_geometry(wkt::read(file, &data.text()?, decimals)?),
+        Format::Off | Format::Obj | Format::Ply | Format::Stl => {
+            let mesh = mesh::read_data(data, decimals)?;
+            let coordinates = mesh.points.into_flattened();
+            Ok(ImportedPoints { dimension: Dimension::Three, coordinates, notes: mesh.notes })
+        }
+    }
+}

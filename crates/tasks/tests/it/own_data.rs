@@ -1,0 +1,218 @@
+//! Data of one's own: every format where points, segments, maps and complexes are taken, and what is said of it.
+
+use std::path::Path;
+
+use predicament_corpus::{Level, LoadedScene, Suite};
+use predicament_formats::{Cache, CorpusError, ImportNotes, Manifest};
+use predicament_tasks::contacts::Complexes;
+use predicament_tasks::crossings::Segments;
+use predicament_tasks::polygon_locate::MapWithProbes;
+use predicament_tasks::vocabulary;
+use tempfile::TempDir;
+
+fn folder(files: &[(&str, &str)]) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in files {
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    folder
+}
+
+/// The scene of a suite, with keys of the suite before it.
+fn suite(folder: &Path, head: &str, scene: &str) -> Result<LoadedScene, CorpusError> {
+    let text = format!("title = \"t\"\n{head}\n[[scene]]\nname = \"x\"\n{scene}\n");
+    let suite = Suite::parse(vocabulary(), "s.toml", &text, Some(folder), &Manifest::default())?;
+    suite.scenes[0].load(Level::Quick, &Cache::new("nowhere"))
+}
+
+fn load(folder: &TempDir, scene: &str) -> LoadedScene {
+    suite(folder.path(), "", scene).unwrap()
+}
+
+fn refused(folder: &TempDir, scene: &str) -> String {
+    let error = suite(folder.path(), "", scene).map(drop).unwrap_err().to_string();
+    error.replace(&format!("{}/", folder.path().display()), "")
+}
+
+#[test]
+fn the_same_points_from_every_format_are_the_same_scene() {
+    let folder = folder(&[
+        ("p.csv", "\u{feff}x;y;z\r\n0;0;0\r\n1;0;0\r\n0;1;0\r\n0;0;0.5\r\n"),
+        ("p.txt", "0 0 0\n1 0 0\n\n# three\n0 1 0\n0 0 0.5\n"),
+        ("p.geojson", r#"{"type": "MultiPoint", "coordinates": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 0.5]]}"#),
+        ("p.wkt", "POLYGON Z ((0 0 0, 1 0 0, 0 1 0, 0 0 0))\nPOINT (0 0 0.5)"),
+        ("p.off", "OFF 4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0.5\n3 0 1 2\n"),
+        ("p.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0.5\n"),
+        (
+            "p.ply",
+            "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nend_header\n\
+             0 0 0\n1 0 0\n0 1 0\n0 0 0.5\n",
+        ),
+        (
+            "p.stl",
+            "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n\
+             facet\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 0 0 0.5\nendloop\nendfacet\nendsolid\n",
+        ),
+    ]);
+    let written = load(&folder, "task = \"orient3d\"\npoints = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 0.5]]");
+    for extension in ["csv", "txt", "geojson", "wkt", "off", "obj", "ply", "stl"] {
+        let loaded = load(&folder, &format!("task = \"orient3d\"\npoints = {{ path = \"p.{extension}\" }}"));
+        assert_eq!(loaded.id, written.id, "{extension}");
+        assert!(loaded.notes.is_clean(), "{extension}");
+    }
+    let cells = "axis = \"x\"\ncells = [[0, 1]]";
+    let interval = load(&folder, &format!("task = \"interval\"\npoints = {{ path = \"p.csv\" }}\n{cells}"));
+    assert_eq!(interval.count(), 2);
+    assert_eq!(
+        refused(&folder, "task = \"interval\"\npoints = { path = \"p.csv\" }\ncells = [[1, 0]]"),
+        "s.toml:7: the cell from 1 at 1 to 0 at 0 goes to the left, or nowhere; write the left end first; of two ends \
+         at one place that with the larger index, which symbolic perturbation moves less"
+    );
+    assert_eq!(
+        refused(&folder, "task = \"crossings\"\npoints = { path = \"p.csv\" }"),
+        "s.toml:6: crossings takes points of 2 coordinates, not of 3; give every point 2 coordinates"
+    );
+    assert_eq!(
+        refused(&folder, "task = \"orient3d\"\npoints = { path = \"p.dat\" }"),
+        "p.dat: the data file can't be read: entity not found; put the file there or correct `path`"
+    );
+}
+
+#[test]
+fn roads_are_segments() {
+    let folder = folder(&[
+        (
+            "roads.geojson",
+            r#"{"type": "Feature", "geometry": {"type": "MultiLineString", "coordinates":
+                [[[0, 0], [2, 2], [2, 2]], [[0, 2], [1, 1], [2, 0]], [[2, 2], [5, 5]]]}}"#,
+        ),
+        ("roads.wkt", "LINESTRING (0 0, 2 2)\nLINESTRING(0 2, 1 1, 2 0)\nLINESTRING (2 2, 5 5)"),
+        ("points.wkt", "POINT (0 0)"),
+        ("empty.wkt", "LINESTRING EMPTY"),
+    ]);
+    let [json, text] = ["geojson", "wkt"].map(|extension| {
+        load(&folder, &format!("task = \"crossings\"\nsegments = {{ path = \"roads.{extension}\" }}"))
+    });
+    assert_eq!(json.id, text.id);
+    assert_eq!((json.scene.len(), json.content::<Segments>().unwrap().0.len()), (6, 4));
+    assert_eq!((json.notes.repeated_points, text.notes.repeated_points), (1, 0));
+    for (file, expected) in [
+        ("points.wkt", "points.wkt:1: a point is no line; give lines only: LineString or MultiLineString"),
+        ("empty.wkt", "empty.wkt: the file has no segments; give it a line of two points or more"),
+    ] {
+        assert_eq!(refused(&folder, &format!("task = \"crossings\"\nsegments = {{ path = \"{file}\" }}")), expected);
+    }
+}
+
+#[test]
+fn a_map_is_the_same_in_every_format() {
+    let folder = folder(&[
+        (
+            "m.geojson",
+            r#"{"type": "FeatureCollection", "features": [
+                {"type": "Feature", "geometry": {"type": "Polygon", "coordinates":
+                    [[[0, 0, 9], [4, 0, 9], [4, 4, 9], [0, 4, 9], [0, 0, 9]], [[1, 1], [1, 2], [2, 2], [1, 1]]]}},
+                {"type": "Feature", "geometry": {"type": "Polygon", "coordinates": [[[4, 0], [8, 0], [4, 4], [4, 0]]]}}]}"#,
+        ),
+        ("m.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 2, 2 2, 1 1))\nPOLYGON ((4 0, 8 0, 4 4, 4 0))"),
+        (
+            "m.json",
+            r#"{"type": "Topology", "objects": {"o": {"type": "GeometryCollection", "geometries": [
+                {"type": "Polygon", "arcs": [[0], [1]]}, {"type": "Polygon", "arcs": [[2]]}]}}, "arcs": [
+                [[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]], [[1, 1], [1, 2], [2, 2], [1, 1]], [[4, 0], [8, 0], [4, 4], [4, 0]]]}"#,
+        ),
+    ]);
+    let inline = "polygons = [
+        [[[0, 0], [4, 0], [4, 4], [0, 4]], [[1, 1], [1, 2], [2, 2], [1, 1]]],
+        [[[4, 0], [8, 0], [4, 4], [4, 0]]]]";
+    let places = [inline, "path = \"m.geojson\"", "path = \"m.wkt\"", "topojson = \"m.json\", object = \"o\""];
+    let maps =
+        places.map(|place| load(&folder, &format!("task = \"polygon-locate\"\nmap = {{ {place} }}\nrandom = 5")));
+    assert_eq!(maps[0].content::<MapWithProbes>().unwrap().map.regions().len(), 2);
+    assert!(maps.iter().all(|map| map.id == maps[0].id));
+    assert_eq!(maps[1].notes, ImportNotes { extra_coordinates: 4, ..ImportNotes::default() });
+    let borders = places.map(|place| {
+        load(&folder, &format!("task = \"contacts2d\"\npoints = [[9, 9]]\na = {{ vertices = [0] }}\nb = {{ {place} }}"))
+    });
+    assert_eq!(borders[0].content::<Complexes>().unwrap().b.edges().len(), 9, "the shared border is there once");
+    assert!(borders.iter().all(|map| map.id == borders[0].id));
+    for (map, expected) in [
+        ("polygons = []", "s.toml:6: polygons without any area to bound; write a ring of at least three points"),
+        (
+            "polygons = [[[[0, 0], [1, 0]]]]",
+            "s.toml:6: polygons without any area to bound; write a ring of at least three points",
+        ),
+        ("polygons = [[[[0, 0], [1, 0], [0, 1, 2]]]]", "s.toml:6: a point of 3 coordinates; write two"),
+        (
+            "polygons = [[[0, 0]]]",
+            "s.toml:6: `map` is of type integer; write a ring: an array of points of two coordinates",
+        ),
+        (
+            "path = \"m.json\"",
+            "m.json:1: the file is TopoJSON; for a map write `topojson = \"…\"` and `object = \"…\"`; else convert it to GeoJSON",
+        ),
+        (
+            "path = \"m.wkt\", polygons = []",
+            "s.toml:6: a map from more than one place; keep one of `path`, `topojson`, `fetch` and `polygons`",
+        ),
+    ] {
+        let got = refused(&folder, &format!("task = \"polygon-locate\"\nmap = {{ {map} }}"));
+        assert_eq!(got.replace("`polygons` is", "`map` is"), expected);
+    }
+}
+
+#[test]
+fn complexes_come_from_shapes_and_surfaces() {
+    let folder = folder(&[
+        ("s.wkt", "POINT (0 0)\nLINESTRING (0 0, 1 1)\nPOLYGON ((0 0, 2 0, 0 2, 0 0))"),
+        (
+            "s.stl",
+            "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n\
+             facet\nouter loop\nvertex 0 0 0\nvertex 0 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n",
+        ),
+    ]);
+    let loaded = load(&folder, "task = \"contacts2d\"\na = { path = \"s.wkt\" }\nb = { shifted = 2 }");
+    let complexes: &Complexes = loaded.content().unwrap();
+    assert_eq!((complexes.a.vertices().len(), complexes.a.edges().len(), loaded.scene.len()), (4, 4, 8));
+    let loaded = load(&folder, "task = \"contacts3d\"\na = { path = \"s.stl\" }\nb = { shifted = 2 }");
+    assert_eq!(loaded.content::<Complexes>().unwrap().a.triangles().len(), 1);
+    assert_eq!(loaded.notes.degenerate_faces, 1);
+    let flat = "task = \"contacts3d\"\na = { polygons = [[[[0, 0], [1, 0], [0, 1]]]] }\nb = { shifted = 2 }";
+    assert_eq!(refused(&folder, flat), "s.toml:6: a map has points of two coordinates; use maps for contacts2d");
+}
+
+#[test]
+fn rounding_is_asked_for_and_counted() {
+    let folder = folder(&[
+        ("p.csv", "0.1,0.5\n0.2,1\n3,4\n"),
+        ("p.wkt", "LINESTRING (0.1 0.5, 0.2 1, 3 4)"),
+        ("c.csv", "0.1,0,0,1\n"),
+    ]);
+    let orient = |points: &str| format!("task = \"orient2d\"\npoints = {points}");
+    let [inline, csv, wkt] =
+        ["[[0.1, 0.5], [0.2, 1], [3, 4]]", "{ path = \"p.csv\" }", "{ path = \"p.wkt\" }"].map(orient);
+    for (scene, place) in [(&inline, "s.toml:6"), (&csv, "p.csv:1"), (&wkt, "p.wkt:1")] {
+        let error = refused(&folder, scene);
+        assert!(error.starts_with(&format!("{place}: decimal 0.1 is not exactly a double; ")), "{error}");
+        assert!(error.contains("write `round = true` in the scene"), "{error}");
+        let rounded = load(&folder, &format!("round = true\n{scene}"));
+        assert_eq!(rounded.notes, ImportNotes { rounded: 2, ..ImportNotes::default() });
+        assert_eq!(rounded.scene.coordinates(), [0.1, 0.5, 0.2, 1.0, 3.0, 4.0]);
+        // The suite's word is that of its scenes, unless they have their own.
+        let by_suite = |scene: &str| suite(folder.path(), "round = true", scene);
+        assert_eq!(by_suite(scene).unwrap().id, rounded.id);
+        assert!(by_suite(&format!("round = false\n{scene}")).is_err());
+    }
+    let mixed =
+        "round = true\ntask = \"contacts2d\"\npoints = [[0.3, 0]]\na = { path = \"p.wkt\" }\nb = { vertices = [0] }";
+    assert_eq!(load(&folder, mixed).notes.rounded, 3, "decimals of the suite and of its files");
+    let polygons = "round = true\ntask = \"polygon-locate\"\nmap = { polygons = [[[[0.1, 0], [1, 0], [0, 1]]]] }";
+    assert_eq!(load(&folder, polygons).notes.rounded, 1);
+    // 0.1 + 1 is no double: rounding cures a decimal and nothing else.
+    let cubes = refused(&folder, "round = true\ntask = \"cube-union\"\ncubes = { path = \"c.csv\" }");
+    assert!(cubes.starts_with("c.csv:1: cube 0: 0.1 + 1.0 along axis 0 is no double"), "{cubes}");
+    assert_eq!(
+        refused(&folder, &format!("round = 1\n{inline}")),
+        "s.toml:5: `round` is of type integer; write true or false"
+    );
+}

@@ -1,0 +1,51 @@
+//! What recipes say of their size: a scene is never larger, or the limit would not hold.
+
+use predicament_corpus::{Level, Making};
+use predicament_formats::{Document, Fields, TableKind};
+use predicament_tasks::built_in;
+
+/// Parameters that some families need, and that make others large.
+const PARAMETERS: [(&str, &str); 8] = [
+    ("shift", "shift = 1"),
+    ("p", "p = [0.5, 0.5]"),
+    ("q", "q = [12, 12]"),
+    ("r", "r = [24, 24]"),
+    ("side", "side = 5"),
+    ("random", "random = 20"),
+    ("random_full", "random_full = 30"),
+    ("dimension", "dimension = 3"),
+];
+
+#[test]
+fn no_scene_is_larger_than_its_recipe_says() {
+    let mut families = 0;
+    for task in built_in() {
+        for family in task.families() {
+            let takes = |key: &str| family.parameters.contains(&key) || task.generator_keys().contains(&key);
+            let text: Vec<&str> = PARAMETERS.iter().filter(|(key, _)| takes(key)).map(|(_, line)| *line).collect();
+            let text = text.join("\n");
+            let document = Document::new("s.toml", &text);
+            let table = document.parse().unwrap();
+            let keys: Vec<&'static str> = family.parameters.iter().chain(task.generator_keys()).copied().collect();
+            let kind = TableKind { name: "generator", keys: keys.into() };
+            let name = format!("{} for {}", family.name, task.name());
+            let recipe = (family.read)(task.name(), &Fields::new(&document, &kind, table.get_ref(), 0))
+                .unwrap_or_else(|error| panic!("{name}: {error}"));
+            for n in recipe.fixed_size.map_or(vec![1, 2, 3, 7, 20, 60, 200], |n| vec![n]) {
+                for level in [Level::Quick, Level::Full] {
+                    let making = Making { family: family.name, task: task.name(), seed: 1, n, level };
+                    let found = recipe.make(&making).scene.coordinates().len() as u64;
+                    let said = recipe.coordinates(n as u64);
+                    assert!(found <= said, "{name}, n = {n}: {found} coordinates, and the recipe says {said}");
+                    // Far too large would refuse what is none too large.
+                    assert!(
+                        said <= 20 * found + 2000,
+                        "{name}, n = {n}: {found} coordinates, and the recipe says {said}"
+                    );
+                }
+            }
+            families += 1;
+        }
+    }
+    assert!(families > 80, "{families} families");
+}

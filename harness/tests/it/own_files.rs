@@ -1,0 +1,95 @@
+//! Data of one's own from end to end: what the errors advise works, and what is rounded is shown.
+
+use crate::common::{at, column, expect, read, write};
+use tempfile::{TempDir, tempdir};
+
+const POINTS: &str = "x,y\n0.1,0.5\n12,12\n24,24\n";
+
+fn suite(folder: &TempDir, name: &str, more: &str) -> String {
+    let text = format!(
+        "title = \"t\"\n{more}\n[[scene]]\nname = \"a\"\ntask = \"orient2d\"\npoints = {{ path = \"p.csv\" }}\n"
+    );
+    write(folder, name, &text)
+}
+
+#[test]
+fn fmt_does_for_csv_what_the_error_advises() {
+    let folder = tempdir().unwrap();
+    let (suite, points) = (suite(&folder, "s.toml", ""), write(&folder, "p.csv", POINTS));
+    let told = expect(104, &["corpus", "verify", &suite]);
+    let advice =
+        format!("p.csv:2: decimal 0.1 is not exactly a double; run `predicament corpus fmt {points}`, or write");
+    assert!(told.stderr.contains(&advice), "{}", told.stderr);
+    assert_eq!(expect(104, &["corpus", "fmt", "--check", &points]).stdout, format!("would change: {points}\n"));
+    assert_eq!(std::fs::read_to_string(&points).unwrap(), POINTS, "to check is not to change");
+    assert_eq!(expect(0, &["corpus", "fmt", &points]).stdout, format!("changed: {points}\n"));
+    let tidy = POINTS.replace("0.1,0.5", "# 0.1\n0x1.999999999999ap-4,0.5");
+    assert_eq!(std::fs::read_to_string(&points).unwrap(), tidy);
+    expect(0, &["corpus", "fmt", "--check", &points]);
+    expect(0, &["corpus", "verify", &suite]);
+    let names: Vec<String> = std::fs::read_dir(folder.path())
+        .unwrap()
+        .map(|file| file.unwrap().file_name().into_string().unwrap())
+        .collect();
+    assert_eq!(names.len(), 2, "nothing is left beside: {names:?}");
+}
+
+#[test]
+#[cfg(unix)]
+fn fmt_keeps_links_and_permissions() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let folder = tempdir().unwrap();
+    let points = write(&folder, "real.csv", POINTS);
+    std::fs::set_permissions(&points, std::fs::Permissions::from_mode(0o640)).unwrap();
+    symlink("real.csv", at(&folder, "p.csv")).unwrap();
+    expect(0, &["corpus", "fmt", &at(&folder, "p.csv")]);
+    assert!(std::fs::symlink_metadata(at(&folder, "p.csv")).unwrap().is_symlink());
+    assert!(std::fs::read_to_string(&points).unwrap().contains("# 0.1\n"));
+    assert_eq!(std::fs::metadata(&points).unwrap().permissions().mode() & 0o777, 0o640);
+}
+
+#[test]
+fn fmt_says_what_it_can_t_rewrite() {
+    let folder = tempdir().unwrap();
+    for name in ["roads.geojson", "mesh.off", "p.csv.gz", "points"] {
+        let file = write(&folder, name, "");
+        let told = expect(2, &["corpus", "fmt", &file]);
+        let wanted = "only suites and CSV files can be rewritten; name a .toml, .csv or .txt file; for other data write \
+                      `round = true` in the scene";
+        assert!(told.stderr.lines().count() == 1 && told.stderr.contains(wanted), "{}", told.stderr);
+    }
+}
+
+#[test]
+fn what_is_rounded_is_a_row_and_a_line_of_the_report() {
+    let folder = tempdir().unwrap();
+    write(&folder, "p.csv", POINTS);
+    let (plain, rounded) = (suite(&folder, "plain.toml", ""), suite(&folder, "rounded.toml", "round = true"));
+    let out = at(&folder, "run");
+    expect(104, &["run", &plain, "--out", &out]);
+    expect(0, &["run", &rounded, "-b", "exact,sos", "--out", &out]);
+    let rows = read(&out, "imports.csv");
+    assert_eq!((column(&rows, "suite"), column(&rows, "scene")), (vec!["rounded".to_owned()], vec!["a".to_owned()]));
+    assert_eq!(
+        (column(&rows, "rounded"), column(&rows, "repeated_points")),
+        (vec!["1".to_owned()], vec!["0".to_owned()])
+    );
+    let timed = at(&folder, "bench");
+    expect(0, &["bench", &rounded, "-b", "exact", "--samples", "1", "--out", &timed]);
+    assert_eq!(read(&timed, "imports.csv"), rows);
+    let pages = at(&folder, "report");
+    expect(0, &["report", &out, "--out", &pages]);
+    let page = read(&pages, "report.md");
+    let table = page.split("Changed while they were read").nth(1).expect("the table");
+    assert!(
+        table.contains("| rounded | orient2d | 1 |") || table.contains("| rounded | a | orient2d | 1 |"),
+        "{table}"
+    );
+    // Nothing was changed, nothing is said.
+    write(&folder, "p.csv", "0,0\n1,0\n0,1\n");
+    let clean = at(&folder, "clean");
+    expect(0, &["run", &plain, "-b", "exact", "--out", &clean]);
+    assert_eq!(read(&clean, "imports.csv").lines().count(), 1);
+    expect(0, &["report", &clean, "--out", &at(&folder, "clean-report")]);
+    assert!(!read(&at(&folder, "clean-report"), "report.md").contains("Changed while they were read"));
+}
