@@ -11,10 +11,13 @@
 //! has ways to say "nearly as before" in a byte or two, so that mutations walk
 //! along the degenerate cases instead of away from them. [`constructed`] also
 //! makes lines and planes through the points, and asks about where they meet.
+//!
+//! [`formats`] is about something else: the readers of data files, which never panic.
 
 #![forbid(unsafe_code)]
 
 pub mod constructed;
+pub mod formats;
 #[path = "../../crates/exact/tests/it/constructed/judge.rs"]
 mod judge_of_constructed;
 pub mod points;

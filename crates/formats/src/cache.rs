@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
+use crate::file::read_cached;
 use crate::{CorpusError, Entry, hex};
 
 /// A folder of fetched files. What is read from it is what the manifest's
@@ -54,7 +55,7 @@ impl Cache {
     /// Whether the file is there and is the right one.
     #[must_use]
     pub fn has(&self, entry: &Entry) -> bool {
-        std::fs::read(self.path(entry)).is_ok_and(|bytes| sha256(&bytes) == entry.sha256)
+        read_cached(&self.path(entry)).is_ok_and(|bytes| bytes.is_some_and(|bytes| sha256(&bytes) == entry.sha256))
     }
 
     /// The text of a fetched file.
@@ -76,13 +77,8 @@ impl Cache {
         const CURE: &str = "run `predicament corpus fetch`";
         let path = self.path(entry);
         let file = path.display().to_string();
-        let bytes = match std::fs::read(&path) {
-            Ok(bytes) => bytes,
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
-                return Err(CorpusError::file(file, format!("`{}` has not been fetched", entry.key), CURE));
-            }
-            Err(error) => return Err(CorpusError::file(file, error.to_string(), "make the file readable")),
-        };
+        let bytes = read_cached(&path)?
+            .ok_or_else(|| CorpusError::file(&file, format!("`{}` has not been fetched", entry.key), CURE))?;
         let found = sha256(&bytes);
         if found != entry.sha256 {
             let message = format!("SHA-256 is {found}, the manifest says {}", entry.sha256);

@@ -26,7 +26,7 @@ pub enum CoordinateError {
     },
     /// A hex float with more bits than a double has.
     TooManyBits,
-    /// A text longer than [`MOST_BYTES`].
+    /// A text longer than 10,000 bytes.
     TooLong {
         /// Its length.
         bytes: usize,

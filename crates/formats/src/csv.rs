@@ -113,14 +113,18 @@ fn is_name(cell: &str) -> bool {
     starts && coordinate::exact(cell) == Err(CoordinateError::Malformed)
 }
 
-/// A column of another name among x, y and z, or these in another order: what is read would not be what is meant.
+/// A column of another name among x, y and z, or these in another order, or a column that numbers the rows: what is
+/// read would not be what is meant.
 fn misplaced(names: &[&str]) -> Option<String> {
     const AXES: [&str; 3] = ["x", "y", "z"];
+    const NUMBERS: [&str; 3] = ["id", "fid", "index"];
     let lower: Vec<String> = names.iter().map(|name| name.to_lowercase()).collect();
-    let named = lower.iter().any(|name| AXES.contains(&name.as_str()));
-    let wrong = lower.iter().zip(AXES).any(|(name, axis)| name != axis)
-        || lower.iter().skip(3).any(|name| AXES.contains(&name.as_str()));
-    (named && wrong).then(|| format!("the columns are {}", shown(&names.join(", "))))
+    let is = |name: &String, among: [&str; 3]| among.contains(&name.as_str());
+    let named = lower.iter().any(|name| is(name, AXES));
+    let wrong =
+        lower.iter().zip(AXES).any(|(name, axis)| name != axis) || lower.iter().skip(3).any(|name| is(name, AXES));
+    let numbered = lower.iter().any(|name| is(name, NUMBERS));
+    (numbered || named && wrong).then(|| format!("the columns are {}", shown(&names.join(", "))))
 }
 
 /// Reads a CSV file of rows of numbers, one a line.

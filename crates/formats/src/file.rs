@@ -101,12 +101,27 @@ pub fn read_suite(path: &Path) -> Result<String, CorpusError> {
     text(&file, bytes)
 }
 
-/// The text of a data file or a suite with every byte of it, a byte-order mark included, to be written back.
+/// The text of a suite or a CSV file with every byte of it, a byte-order mark included, to be written back.
 ///
 /// # Errors
-/// As [`read_text`].
+/// [`CorpusError`] where it can't be read, is no regular file, is too large, or is not UTF-8.
 pub fn read_as_it_is(path: &Path) -> Result<String, CorpusError> {
-    marked_text(&path.display().to_string(), read_bytes(path)?)
+    let file = path.display().to_string();
+    let bytes = regular(path, MOST_DATA)
+        .map_err(|why| CorpusError::usage(&file, format!("the file can't be read: {why}"), "name a readable file"))?;
+    marked_text(&file, bytes)
+}
+
+/// What is in a file of the cache; none where there is no such file.
+pub(crate) fn read_cached(path: &Path) -> Result<Option<Vec<u8>>, CorpusError> {
+    match regular(path, MOST_DATA) {
+        Ok(bytes) => Ok(Some(bytes)),
+        Err(Refusal::Io(error)) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(why) => {
+            let message = format!("the file can't be read: {why}");
+            Err(CorpusError::file(path.display().to_string(), message, "make it a readable file, or remove it"))
+        }
+    }
 }
 
 /// Bytes as text, without a byte-order mark.

@@ -128,7 +128,7 @@ impl<'t> Reader<'_, 't> {
 
     /// A collection of features, a feature, or a geometry.
     fn feature(&mut self, raw: &'t RawValue, place: &Place<'_>) -> Result<(), CorpusError> {
-        let object: Object<'t> = self.parsed(raw)?;
+        let object = self.object(raw, place)?;
         let line = self.line(raw.get());
         match object.kind.as_deref() {
             Some("FeatureCollection") => {
@@ -176,7 +176,7 @@ impl<'t> Reader<'_, 't> {
         depth: usize,
         shapes: &mut Vec<Shape>,
     ) -> Result<(), CorpusError> {
-        let object: Object<'t> = self.parsed(raw)?;
+        let object = self.object(raw, place)?;
         let kind = object.kind.as_deref().unwrap_or_default();
         if kind == "GeometryCollection" {
             if depth == DEEPEST {
@@ -260,6 +260,14 @@ impl<'t> Reader<'_, 't> {
         let height = rest.first().map(|z| number(z)).transpose()?;
         self.notes.extra_coordinates += rest.len().saturating_sub(1);
         Ok(Position { at, height, line: self.line(raw.get()) })
+    }
+
+    /// An object; what would be one as an array of its values is none.
+    fn object(&self, raw: &'t RawValue, place: &Place<'_>) -> Result<Object<'t>, CorpusError> {
+        if !raw.get().starts_with('{') {
+            return Err(self.error(raw, place, "no object", "give an object with a `type`"));
+        }
+        self.parsed(raw)
     }
 
     fn items(&self, raw: &'t RawValue) -> Result<Vec<&'t RawValue>, CorpusError> {

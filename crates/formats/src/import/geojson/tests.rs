@@ -118,6 +118,7 @@ fn errors_say_where() {
         (changed("null}\n]}", "null}\n]} x"), "m.geojson:9: not GeoJSON: trailing"),
         (changed("[[[4, 0]", "[[7, [4, 0]"), "m.geojson:5: not GeoJSON: invalid type"),
         (of("").unwrap_err().to_string(), "m.geojson:1: not GeoJSON: EOF while parsing a value; the file ends early"),
+        (of("[\"Point\", null, null, null, [1, 2]]").unwrap_err().to_string(), "m.geojson:1: no object; give"),
         (of("\u{0}").unwrap_err().to_string(), "m.geojson:1: not GeoJSON: expected value; give"),
         (
             of(r#"{"type": "Point", "coordinates": [1, 2]}"#).and_then(Geometry::map).unwrap_err().to_string(),

@@ -1,0 +1,117 @@
+//! Readers of data files: any bytes are read or refused in one line, and never a panic.
+//!
+//! The first byte chooses the format and whether decimals are rounded, the others are the file.
+
+use predicament_formats::{CorpusError, Decimals, Manifest, fmt_csv, geometry, mesh, points, topojson};
+
+/// The formats by what their names end in.
+const NAMES: [&str; 9] = ["a.csv", "a.geojson", "a.wkt", "a.off", "a.obj", "a.ply", "a.stl", "a.csv.gz", "a.topojson"];
+
+/// Reads bytes as the file of some format, in every way in which tasks do.
+///
+/// # Panics
+/// If an error is no single line, if what is rewritten is rewritten again, or if it reads as something else.
+pub fn check(bytes: &[u8]) {
+    let Some((&head, bytes)) = bytes.split_first() else { return };
+    let name = NAMES[usize::from(head >> 1) % NAMES.len()];
+    let decimals = || Decimals::new(head & 1 == 1);
+    if name == "a.topojson" {
+        if let Ok(text) = std::str::from_utf8(bytes) {
+            one_line(topojson::read(name, text, "o", &decimals()));
+            one_line(Manifest::parse(name, text));
+        }
+        return;
+    }
+    one_line(points::read(name, bytes.to_vec(), &decimals()));
+    if let Some(geometry) = one_line(geometry::read(name, bytes.to_vec(), &decimals())) {
+        one_line(geometry.segments());
+        let _ = geometry.edges();
+        one_line(geometry.map());
+    }
+    one_line(mesh::read(name, bytes.to_vec(), &decimals()));
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    if name == "a.csv"
+        && let Some(tidy) = one_line(fmt_csv(name, text))
+    {
+        assert_eq!(fmt_csv(name, &tidy).as_ref(), Ok(&tidy), "rewritten twice");
+        let again = points::read(name, tidy.into_bytes(), &Decimals::new(false));
+        let rounded = points::read(name, bytes.to_vec(), &Decimals::new(true));
+        let bits = |points: points::ImportedPoints| points.coordinates.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+        assert_eq!(again.ok().map(bits), rounded.ok().map(bits), "rewritten is rounded");
+    }
+}
+
+/// What was read, if anything was; an error is one line.
+fn one_line<T>(result: Result<T, CorpusError>) -> Option<T> {
+    match result {
+        Ok(read) => Some(read),
+        Err(error) => {
+            let line = error.to_string();
+            assert!(!line.contains(['\n', '\r']), "{line:?}");
+            None
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tests::bytes;
+
+    #[test]
+    fn random_bytes_are_refused_in_one_line() {
+        for run in 0..4000 {
+            check(&bytes(run));
+        }
+    }
+
+    const FILES: [&str; 7] = [
+        "x,y\n0.1,2\n\"3\",0x1p0\n",
+        r#"{"type": "LineString", "coordinates": [[0.1, 0], [1, 1]]}"#,
+        "POLYGON ((0 0, 1 0, 0 1.1, 0 0))",
+        "OFF 3 1 0\n0 0 0\n1 0 0\n0 1.1 0\n3 0 1 2\n",
+        "v 0 0 0.1\n",
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0.1\n",
+        "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1.1 0\nendloop\nendfacet\nendsolid\n",
+    ];
+
+    #[test]
+    fn files_of_each_format_are_read() {
+        for (at, text) in FILES.into_iter().enumerate() {
+            for round in [0, 1] {
+                let head = 2 * u8::try_from(at).expect("nine formats") + round;
+                check(&[&[head], text.as_bytes()].concat());
+                // The same without its end.
+                check(&[&[head], &text.as_bytes()[..text.len() / 2]].concat());
+                let read = points::read(NAMES[at], text.into(), &Decimals::new(round == 1));
+                assert_eq!(read.is_ok(), round == 1, "{}: {read:?}", NAMES[at]);
+            }
+        }
+    }
+
+    /// Each file with a few of its bytes changed, left out, or taken from another file.
+    #[test]
+    fn changed_files_are_read_or_refused() {
+        for (at, text) in FILES.into_iter().enumerate() {
+            for run in 0..2000_u64 {
+                let random = bytes(run);
+                let mut file = text.as_bytes().to_vec();
+                for change in random.chunks_exact(4).take(1 + usize::from(random[0] % 4)) {
+                    let place = usize::from(change[0]) * 256 + usize::from(change[1]);
+                    let place = place % (file.len() + 1);
+                    let other = FILES[usize::from(change[2]) % FILES.len()].as_bytes();
+                    match change[3] % 4 {
+                        0 => file.insert(place, change[2]),
+                        1 => drop(file.drain(place..file.len().min(place + usize::from(change[2] % 8)))),
+                        2 => drop(
+                            file.splice(place..place, other[..other.len().min(usize::from(change[1] % 32))].to_vec()),
+                        ),
+                        _ => file.truncate(place.max(1)),
+                    }
+                }
+                let head = 2 * u8::try_from(at).expect("nine formats") + u8::from(run % 2 == 0);
+                check(&[&[head], file.as_slice()].concat());
+            }
+        }
+    }
+}
