@@ -19,3 +19,4 @@ mod pictures;
 mod runs;
 mod studies;
 mod threads;
+mod tutorial;

@@ -1,0 +1,59 @@
+//! The tutorial's files and commands, as they stand in `docs/TUTORIAL.md`.
+
+use std::path::Path;
+
+use crate::common::tool;
+
+/// The page.
+const PAGE: &str = include_str!("../../../docs/TUTORIAL.md");
+
+/// Writes the files of a job and runs its commands; gives the number of commands.
+fn follow(job: &str, folder: &Path) -> usize {
+    let (mut ran, mut file, mut block) = (0, None, None::<(String, String)>);
+    for line in job.lines() {
+        match &mut block {
+            None => {
+                if let Some(kind) = line.strip_prefix("```") {
+                    block = Some((kind.to_owned(), String::new()));
+                } else if let Some(name) = line.strip_prefix("**`").and_then(|name| name.strip_suffix("`**")) {
+                    file = Some(name.to_owned());
+                }
+            }
+            Some((kind, text)) if line == "```" => {
+                match (kind.as_str(), file.take()) {
+                    ("sh", _) => ran += text.lines().filter(|line| call(line, folder)).count(),
+                    (_, Some(name)) => std::fs::write(folder.join(name), text).unwrap(),
+                    _ => {}
+                }
+                block = None;
+            }
+            Some((_, text)) => *text += &format!("{line}\n"),
+        }
+    }
+    ran
+}
+
+/// Runs a line that calls the tool, and insists on its exit code.
+fn call(line: &str, folder: &Path) -> bool {
+    let (command, code) = line.split_once('#').unwrap_or((line, "0"));
+    let code: i32 = code.trim().parse().unwrap_or_else(|_| panic!("{line}: no exit code behind #"));
+    let mut words = command.split_whitespace();
+    if words.next() != Some("predicament") {
+        return false;
+    }
+    let words: Vec<&str> = words.collect();
+    let output = tool(&words).current_dir(folder).output().unwrap();
+    let said = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).concat();
+    assert_eq!(output.status.code(), Some(code), "{line}\n{said}");
+    true
+}
+
+#[test]
+fn jobs_with_the_tool_alone_go_as_they_are_written() {
+    let jobs: Vec<&str> = PAGE.split("\n## ").collect();
+    for (number, commands) in [(1, 7), (2, 4), (5, 2)] {
+        let folder = tempfile::tempdir().unwrap();
+        assert!(jobs[number].starts_with(&number.to_string()), "{}", jobs[number]);
+        assert_eq!(follow(jobs[number], folder.path()), commands, "job {number}");
+    }
+}
