@@ -14,7 +14,7 @@ use predicament_tasks::{Contestant, Entry, Task, TaskList, Watch};
 
 use crate::cmd::replay::point_lines;
 use crate::exit::Failure;
-use crate::planning::{budget, env, plan, tables};
+use crate::planning::{budget, env_of, plan, tables};
 use crate::rows;
 use crate::select::Selector;
 use crate::tool::Tool;
@@ -158,7 +158,8 @@ impl<B: Backend + 'static, T: TaskList> Conformance<B, T> {
                 .map_err(|error| Failure::usage(format!("{}: {error}", folder.display())))?;
         }
         let plan = plan(&selection, &scenes, &backends, Shard::WHOLE);
-        let mut writer = RunWriter::create(&folder, &plan, &env(), &tables(&tool)).map_err(Failure::usage)?;
+        let mut writer =
+            RunWriter::create(&folder, &plan, &env_of(&backends), &tables(&tool)).map_err(Failure::usage)?;
         let never = AtomicBool::new(false);
         let watch = Watch::new(&never, None, &|_| {});
         let (mut answers, mut wrong, mut shown) = (0_u64, Vec::new(), String::new());

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use predicament_corpus::Suite;
+use predicament_formats::read_suite;
 use predicament_oracle::expect::{Expectations, Known, Unused};
 use predicament_records::Plan;
 
@@ -27,9 +28,8 @@ pub fn load(tool: &Tool, file: Option<&PathBuf>) -> Result<Expectations, Failure
 }
 
 fn read(file: &Path) -> Result<Expectations, Failure> {
-    let text = std::fs::read_to_string(file).map_err(|error| {
-        Failure::usage(format!("{}: {error}; give a readable TOML file with --expected", file.display()))
-    })?;
+    let text =
+        read_suite(file).map_err(|error| Failure::usage(format!("{error}; give a TOML file with --expected")))?;
     Expectations::parse(file, &text).map_err(|message| Failure { message, code: CORPUS })
 }
 

@@ -68,6 +68,13 @@ pub fn env() -> Env {
     env
 }
 
+/// The same, with the versions of libraries behind these backends.
+pub fn env_of(backends: &[Box<dyn Contestant>]) -> Env {
+    let mut env = env();
+    env.peers.extend(backends.iter().filter_map(|backend| Some((backend.name(), backend.version()?))));
+    env
+}
+
 /// `stem-1`, or the first number that is free.
 pub fn free_folder(stem: &str) -> PathBuf {
     let mut names = (1..).map(|n| PathBuf::from(format!("{stem}-{n}")));

@@ -1,5 +1,6 @@
 //! The files of a study.
 
+use predicament_records::replace;
 use std::path::Path;
 
 use serde::Serialize;
@@ -51,8 +52,7 @@ impl Report {
     /// One line with the path that cannot be written.
     pub fn write(&self, folder: &Path) -> Result<(), String> {
         self.files.iter().try_for_each(|file| {
-            let path = folder.join(&file.name);
-            std::fs::write(&path, &file.text).map_err(|error| format!("{}: {error}", path.display()))
+            replace(&folder.join(&file.name), file.text.as_bytes()).map_err(|error| error.to_string())
         })
     }
 }

@@ -22,7 +22,7 @@ use predicament_tasks::{AnyCase, Contestant, Stop, Stopwatch, Watch};
 use crate::contact_tables::{self, Primitives, on_threads};
 use crate::exit::{self, Failure};
 use crate::judged::JudgedRow;
-use crate::planning::{budget, env, free_folder, plan, tables};
+use crate::planning::{budget, env_of, free_folder, plan, tables};
 use crate::select::Selector;
 use crate::tool::Tool;
 use crate::{expectations, interrupt, peers, progress, rows};
@@ -99,7 +99,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let mut scenes = selection.plan(Shard::WHOLE)?;
     let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-bench"));
     let plan = plan(&selection, &scenes, &backends, Shard::WHOLE);
-    let mut writer = RunWriter::create(&folder, &plan, &env(), &tables(tool)).map_err(Failure::usage)?;
+    let mut writer = RunWriter::create(&folder, &plan, &env_of(&backends), &tables(tool)).map_err(Failure::usage)?;
     // A pass over a large scene looks at no flag.
     interrupt::listen_for(Duration::from_secs(3));
     let bar = progress::bar(scenes.len() as u64, "scenes");

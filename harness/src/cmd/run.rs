@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use crate::exit::{self, Failure};
 use crate::ledger::Ledger;
 use crate::out::program;
-use crate::planning::{budget, env, free_folder, plan, tables_with};
+use crate::planning::{budget, env_of, free_folder, plan, tables_with};
 use crate::select::{NOT_NAMED, Planned, Selection, Selector};
 use crate::tool::Tool;
 use crate::worker::Worker;
@@ -254,8 +254,8 @@ impl Job {
         let scenes = selection.plan(args.shard)?;
         let plan = Plan { answers: args.answers, ..plan(&selection, &scenes, &backends, args.shard) };
         let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-run"));
-        let writer =
-            RunWriter::create(&folder, &plan, &env(), &tables_with(tool, args.answers)).map_err(Failure::usage)?;
+        let writer = RunWriter::create(&folder, &plan, &env_of(&backends), &tables_with(tool, args.answers))
+            .map_err(Failure::usage)?;
         tell_not_selected(&selection.not_selected);
         let (level, answers) = (selection.level, args.answers);
         let (done, precision, wholes) = (Vec::new(), Vec::new(), BTreeMap::new());

@@ -59,6 +59,29 @@ fn an_interrupted_run_says_so_and_goes_on_where_it_stopped() {
     assert!(run(&["run", "--resume", &broken]).stderr.contains("nothing to resume"));
 }
 
+/// Samples that take a minute each look at no flag.
+#[test]
+#[cfg(unix)]
+fn an_interrupted_bench_ends_in_the_middle_of_a_sample() {
+    let folder = tempdir().unwrap();
+    let out = at(&folder, "bench");
+    let args = ["bench", "-f", "families/(grid|near)-orient2d", "-b", "exact", "--sample-ms", "60000", "--out", &out];
+    let mut child =
+        tool(&args).stdout(std::process::Stdio::null()).stderr(std::process::Stdio::piped()).spawn().unwrap();
+    // The judgement of the first scene is written before it is timed.
+    let judged = || std::fs::metadata(folder.path().join("bench/judged.csv")).is_ok();
+    while !judged() && child.try_wait().unwrap().is_none() {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    let ended = child.wait_with_output().unwrap();
+    assert_eq!(ended.status.code(), Some(103));
+    let said = String::from_utf8_lossy(&ended.stderr).into_owned();
+    assert!(said.contains("stopping; what is done is kept"), "{said}");
+    assert_eq!(run(&["gate", &out]).code, 103, "the folder says that it is not complete");
+}
+
 #[test]
 fn every_scene_has_one_precision_plan_whatever_the_backends() {
     let folder = tempdir().unwrap();
