@@ -424,5 +424,5 @@ fn fetched_suites_load_and_the_fixtures_signs_are_right() {
             }
         }
     }
-    assert_eq!(scenes, 7 + 9 + 7);
+    assert_eq!(scenes, 4 + 4 + 9 + 7);
 }
