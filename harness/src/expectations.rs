@@ -28,8 +28,10 @@ pub fn load(tool: &Tool, file: Option<&PathBuf>) -> Result<Expectations, Failure
 }
 
 fn read(file: &Path) -> Result<Expectations, Failure> {
-    let text =
-        read_suite(file).map_err(|error| Failure::usage(format!("{error}; give a TOML file with --expected")))?;
+    let text = read_suite(file).map_err(|error| {
+        let message = error.message.replace("the suite", "the file");
+        Failure::usage(format!("{}: {message}; give a readable TOML file with --expected", file.display()))
+    })?;
     Expectations::parse(file, &text).map_err(|message| Failure { message, code: CORPUS })
 }
 
