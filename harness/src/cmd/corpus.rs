@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use predicament_corpus::fmt;
+use predicament_corpus::{SceneDef, fmt};
 use predicament_formats::{CorpusError, fetch, fmt_csv, read_as_it_is};
 use predicament_records::Shard;
 use predicament_tasks::Watch;
+use serde_json::json;
 
 use crate::exit::{self, CORPUS, Failure};
 use crate::interrupt;
@@ -36,6 +37,9 @@ enum Command {
         /// Name every scene as well
         #[arg(long)]
         scenes: bool,
+        /// Print one JSON object for each suite, with its scenes
+        #[arg(long)]
+        json: bool,
     },
     /// Rewrite coordinates losslessly: nearest doubles as hex floats, the decimal kept as a comment
     Fmt {
@@ -63,7 +67,7 @@ enum Command {
 /// Runs the command.
 pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     match args.command {
-        Command::List { scenes } => list(tool, scenes),
+        Command::List { scenes, json } => list(tool, scenes, json),
         Command::Fmt { files, check } => format(tool, &files, check),
         Command::Verify(selector) => verify(tool, &selector),
         Command::Gen(selector) => generate(tool, &selector),
@@ -71,9 +75,17 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     }
 }
 
-fn list(tool: &Tool, scenes: bool) -> exit::Outcome {
+fn list(tool: &Tool, scenes: bool, as_json: bool) -> exit::Outcome {
     let (library, own) = (tool.library()?, tool.own_suites()?);
     for suite in own.iter().chain(library.suites()) {
+        if as_json {
+            let scene =
+                |def: &SceneDef| json!({ "name": def.name, "task": def.task, "family": def.family, "tags": def.tags });
+            let scenes: Vec<_> = suite.scenes.iter().map(scene).collect();
+            let (title, fetch) = (&suite.title, suite.needs_fetch);
+            say!("{}", json!({ "suite": suite.name, "title": title, "needs_fetch": fetch, "scenes": scenes }));
+            continue;
+        }
         let fetched = if suite.needs_fetch { format!("  (needs `{} corpus fetch`)", program()) } else { String::new() };
         say!("{:<14} {:>4} scenes  {}{fetched}", suite.name, suite.scenes.len(), suite.title);
         if scenes {

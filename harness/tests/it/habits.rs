@@ -28,6 +28,16 @@ fn a_script_reads_the_scorecard() {
 }
 
 #[test]
+fn a_script_reads_what_there_is() {
+    let told = expect(0, &["corpus", "list", "--json"]).stdout;
+    let suites: Vec<Value> = told.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let classics = suites.iter().find(|suite| suite["suite"] == "classics").unwrap();
+    let scenes = classics["scenes"].as_array().unwrap();
+    assert!(scenes.iter().any(|scene| scene["name"] == "kettner-a1" && scene["task"] == "orient2d"), "{classics}");
+    assert!(suites.iter().any(|suite| suite["needs_fetch"] == true));
+}
+
+#[test]
 fn what_is_not_run_is_one_line_and_none_if_quiet() {
     let folder = tempdir().unwrap();
     for (suites, said) in [
