@@ -15,10 +15,23 @@ use predicament_corpus::Level;
 use predicament_records::{FindingRow, PlannedScene, Record, RunDir, StageRow, Status, SummaryRow};
 use predicament_tasks::{Class, Finding, finding_id};
 
-use crate::exit::{Failure, OK, UNEXPECTED, UNEXPECTED_PASS};
+use crate::exit::{Failure, INCOMPLETE, OK, UNEXPECTED, UNEXPECTED_PASS};
 use crate::interrupt;
 use crate::planning::tables_with;
 use crate::tool::Tool;
+
+/// The variable that tells a process that it is a worker.
+const VARIABLE: &str = "PREDICAMENT_WORKER";
+
+/// Where this process is a worker, it ends with the process that it works for.
+pub fn end_with_parent() {
+    if std::env::var_os(VARIABLE).is_some() {
+        std::thread::spawn(|| {
+            let _ = std::io::copy(&mut std::io::stdin(), &mut std::io::sink());
+            std::process::exit(i32::from(INCOMPLETE));
+        });
+    }
+}
 
 /// The codes of a worker that has done its work.
 const FINE: [u8; 3] = [OK, UNEXPECTED, UNEXPECTED_PASS];
@@ -106,7 +119,8 @@ impl Worker<'_> {
         if let Some(cache) = self.cache {
             command.arg("--cache").arg(cache);
         }
-        command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(stderr);
+        // It ends with the other end of this pipe: nothing is left behind when this process is killed.
+        command.env(VARIABLE, "1").stdin(Stdio::piped()).stdout(Stdio::null()).stderr(stderr);
         let child = command.spawn().map_err(|error| Failure::usage(format!("a worker did not start: {error}")))?;
         // Where memory runs out, Linux ends this process first. Elsewhere there is no such file.
         let _ = std::fs::write(format!("/proc/{}/oom_score_adj", child.id()), "1000");
