@@ -193,6 +193,10 @@ impl<B: Backend + 'static, T: TaskList> Conformance<B, T> {
             }
         }
         writer.finish(predicament_records::Outcome::Complete).map_err(Failure::usage)?;
+        let never = crate::expectations::unused(&expected, &tool, &plan)?.never;
+        if !never.is_empty() {
+            return Err(Failure::usage(format!("{name}: expectations that nothing can meet\n{}", never.join("\n"))));
+        }
         if wrong.is_empty() {
             return Ok(format!("{name}: {answers} answers to {} scenes, none unexpected", scenes.len()));
         }

@@ -3,6 +3,7 @@
 mod bad_input;
 mod bounds;
 mod common;
+mod conformance;
 mod engines;
 mod habits;
 mod isolation;
