@@ -11,8 +11,18 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The peers, as packages.
-const PEERS: [&str; 8] =
-    ["delaunay", "geo", "geogram_predicates", "geometry-predicates", "rgeometry", "robust", "rstar", "simplicity"];
+const PEERS: [&str; 10] = [
+    "axiolid-predicates",
+    "delaunay",
+    "geo",
+    "geogram_predicates",
+    "geometry-predicates",
+    "hyperlimit",
+    "rgeometry",
+    "robust",
+    "rstar",
+    "simplicity",
+];
 
 fn main() {
     println!("cargo::rerun-if-changed=../Cargo.lock");

@@ -55,10 +55,12 @@ pub const VERSIONS: &[(&str, &str)] = &[];
 /// The crates that are linked in, with their versions.
 #[cfg(feature = "peers")]
 pub const VERSIONS: &[(&str, &str)] = &[
+    ("axiolid-predicates", env!("PREDICAMENT_AXIOLID_PREDICATES")),
     ("delaunay", env!("PREDICAMENT_DELAUNAY")),
     ("geo", env!("PREDICAMENT_GEO")),
     ("geogram_predicates", env!("PREDICAMENT_GEOGRAM_PREDICATES")),
     ("geometry-predicates", env!("PREDICAMENT_GEOMETRY_PREDICATES")),
+    ("hyperlimit", env!("PREDICAMENT_HYPERLIMIT")),
     ("rgeometry", env!("PREDICAMENT_RGEOMETRY")),
     ("rstar", env!("PREDICAMENT_RSTAR")),
     ("simplicity", env!("PREDICAMENT_SIMPLICITY")),

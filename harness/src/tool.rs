@@ -107,9 +107,9 @@ impl Tool {
         self.own_backends.iter().any(|own| own == name) || roster::knows(name)
     }
 
-    /// Whether a backend is one that the tool's maker has added.
-    pub fn is_own(&self, name: &str) -> bool {
-        self.own_backends.iter().any(|own| own == name)
+    /// Whether a backend is somebody else's: the tool's maker's, or a crate of the feature `peers`.
+    pub fn is_foreign(&self, name: &str) -> bool {
+        self.own_backends.iter().any(|own| own == name) || roster::WILD.contains(&name)
     }
 
     /// The backends named by `-b`, or all that run by default; each once.

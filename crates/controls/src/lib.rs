@@ -9,7 +9,7 @@
 //! * [`Shewchuk`]: the crate `robust` as it is, without a guard against
 //!   underflow and overflow.
 //!
-//! With the feature `peers`, `wild` has the Simulation of Simplicity of other crates.
+//! With the feature `peers`, `wild` has other crates: Simulation of Simplicity, and certified signs.
 //!
 //! Constructed vertices are [computed](constructed) in doubles when a scene is
 //! prepared or a session constructs them, and taken for points with those

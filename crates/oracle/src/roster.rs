@@ -32,11 +32,14 @@ epsilon:EPS             plain floating point, zero where |det| < EPS (1e-10 if l
 shewchuk                the crate `robust` as it is
 fault:NAME              a planted fault; `predicament selftest --list` names them
 engine:NAME             a program of another language: engines/NAME/engine.toml, or a path to such a file
-Where the tool is built with --features peers, Simulation of Simplicity of other crates:
-simplicity, geogram, rgeometry, delaunay, delaunay:sorted (by vertex, as the crate asks its kernel)";
+Where the tool is built with --features peers, other crates:
+simplicity, geogram, rgeometry, delaunay, delaunay:sorted (by vertex, as the crate asks its kernel)
+                        their Simulation of Simplicity
+axiolid, hyperlimit     signs that claim to be certified";
 
 /// Backends that are other crates, with the feature `peers`.
-pub const WILD: &[&str] = &["simplicity", "geogram", "rgeometry", "delaunay", "delaunay:sorted"];
+pub const WILD: &[&str] =
+    &["simplicity", "geogram", "rgeometry", "delaunay", "delaunay:sorted", "axiolid", "hyperlimit"];
 
 /// Work for one backend, whatever its type.
 pub trait Visit {

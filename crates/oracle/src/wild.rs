@@ -1,6 +1,6 @@
-//! Simulation of Simplicity of other crates, by name, with the feature `peers`.
+//! Other crates by name, with the feature `peers`: Simulation of Simplicity, and signs that claim to be certified.
 
-use predicament_controls::wild::{Delaunay, Geogram, Rgeometry, Simplicity, Wild};
+use predicament_controls::wild::{Axiolid, Delaunay, Geogram, Hyperlimit, Rgeometry, Simplicity, Wild};
 use predicament_predicates::{Question, Scene, Sign, Vertex};
 
 use predicament_judge as judge;
@@ -15,6 +15,8 @@ pub(crate) fn visit<V: Visit>(name: &str, visitor: V) -> V::Out {
         "delaunay" => visitor.visit(Wild(Delaunay { sorted: false }), None),
         "delaunay:sorted" => visitor.visit(Wild(Delaunay { sorted: true }), None),
         "rgeometry" => visitor.visit(Wild(Rgeometry), None),
+        "axiolid" => visitor.visit(Wild(Axiolid), None),
+        "hyperlimit" => visitor.visit(Wild(Hyperlimit), None),
         other => unreachable!("{other} is no crate of the list"),
     }
 }

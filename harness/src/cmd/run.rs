@@ -98,7 +98,7 @@ impl Args {
     /// Whether this backend runs a scene of this task in a process of its own. (An engine is one already.)
     fn isolates(&self, tool: &Tool, backend: &str, task: &dyn AnyTask) -> bool {
         match self.isolate {
-            Isolate::Auto => tool.is_own(backend) || (self.timeout.is_some() && !task.looks_at_the_watch()),
+            Isolate::Auto => tool.is_foreign(backend) || (self.timeout.is_some() && !task.looks_at_the_watch()),
             Isolate::Always => true,
             Isolate::Never => false,
         }

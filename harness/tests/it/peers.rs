@@ -72,10 +72,10 @@ fn peers_find_the_pairs_of_contacts_in_general_position() {
     assert!(["geo:sweep", "rstar"].iter().all(|peer| timed.iter().any(|backend| backend == peer)), "{timed:?}");
 }
 
-/// The crates with Simulation of Simplicity break the laws that `docs/LAWS.md` says, and no others.
+/// The crates break the laws that `docs/LAWS.md` says, and no others.
 #[test]
 fn the_committed_table_of_laws_is_the_one_that_comes_out() {
-    let crates = ["simplicity", "geogram", "rgeometry", "delaunay", "delaunay:sorted"];
+    let crates = ["simplicity", "geogram", "rgeometry", "delaunay", "delaunay:sorted", "axiolid", "hyperlimit"];
     let args = ["laws", "-b", &crates.join(","), "--tuples", "200000", "--seed", "1", "--format", "csv"];
     let told = expect(100, &args).stdout;
     let all = |name: &str| column(&told, name);

@@ -1,17 +1,21 @@
-//! Simulation of Simplicity as other crates offer it.
+//! Predicates of other crates as backends: Simulation of Simplicity, and signs that claim to be certified.
 //!
-//! Behind the feature `peers`, as nothing here is needed but to be held against
+//! Behind the feature `peers`, as nothing here is needed but to be judged and held against
 //! the laws. One file a crate says what its conventions are in ours: orientation,
 //! identity (a vertex' index is the key, the place in the list, the number), and what
 //! it does not have, which is declined. Nothing is repaired on the way.
 
+mod axiolid;
 mod delaunay;
 mod geogram;
+mod hyperlimit;
 mod rgeometry;
 mod simplicity;
 
+pub use self::axiolid::Axiolid;
 pub use self::delaunay::Delaunay;
 pub use self::geogram::Geogram;
+pub use self::hyperlimit::Hyperlimit;
 pub use self::rgeometry::Rgeometry;
 pub use self::simplicity::Simplicity;
 

@@ -2,7 +2,7 @@
 //! what is said about other people's crates does not rest on our laws alone.
 #![cfg(feature = "peers")]
 
-use predicament_controls::wild::{Delaunay, Geogram, Library, Rgeometry, Simplicity, Wild};
+use predicament_controls::wild::{Axiolid, Delaunay, Geogram, Library, Rgeometry, Simplicity, Wild};
 use predicament_predicates::{Backend, Dimension, Off, Plane, Predicates, Question, Scene, Sign, Vertex};
 use rug::Rational;
 
@@ -105,4 +105,20 @@ fn geogram_circles_are_wrong_for_mixed_exponents() {
     let scene = scene(&[(0, [small, 0.]), (2, [0., small]), (5, [0., large]), (8, [large, small])]);
     assert!(determinant(&scene, &[5, 0, 2, 8]) < 0);
     assert_eq!(ask(Geogram, &scene, &[5, 0, 2, 8]), Sign::Positive);
+}
+
+#[test]
+fn axiolid_turns_of_decimals_are_wrong() {
+    use Sign::{Negative, Positive, Zero};
+    let cases = [
+        ([[0.3, 0.4], [0.8, 0.9], [1.8, 1.9]], Zero, Negative),
+        ([[-0.29, -0.187], [-0.079, 0.109], [-1.134, -1.371]], Negative, Zero),
+        ([[0.248, 0.052], [1.186, 1.928], [0.114, -0.216]], Negative, Positive),
+    ];
+    for (points, said, exact) in cases {
+        let [a, b, c] = points;
+        let scene = scene(&[(0, a), (1, b), (2, c)]);
+        assert_eq!(Sign::from(determinant(&scene, &[0, 1, 2]).cmp0()), exact);
+        assert_eq!(ask(Axiolid, &scene, &[0, 1, 2]), said);
+    }
 }

@@ -2,9 +2,9 @@
 #![cfg(feature = "peers")]
 
 use predicament_controls::Shewchuk;
-use predicament_controls::wild::{Delaunay, Geogram, Library, Rgeometry, Simplicity, Wild};
+use predicament_controls::wild::{Axiolid, Delaunay, Geogram, Hyperlimit, Library, Point, Rgeometry, Simplicity, Wild};
 use predicament_predicates::{
-    Axis, Backend, Dimension, Off, Plane, PredicateKind, Predicates, Question, Scene, Vertex,
+    Axis, Backend, Broken, Class, Dimension, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex,
 };
 
 /// Twelve points whose coordinates are all different, small integers.
@@ -56,6 +56,8 @@ fn signs_are_in_our_orientation_where_nothing_is_degenerate() {
     assert_eq!(asked(Simplicity), PredicateKind::ALL);
     assert_eq!(asked(Geogram), PredicateKind::ALL[1..]);
     assert_eq!(asked(Rgeometry), [PredicateKind::Orient2d]);
+    assert_eq!(asked(Axiolid), PredicateKind::ALL[1..]);
+    assert_eq!(asked(Hyperlimit), PredicateKind::ALL);
     for sorted in [false, true] {
         assert_eq!(asked(Delaunay { sorted }), PredicateKind::ALL[1..]);
     }
@@ -77,6 +79,43 @@ fn a_vertex_twice_is_a_zero_and_no_panic() {
     all_zero(Simplicity);
     all_zero(Geogram);
     all_zero(Rgeometry);
+    all_zero(Axiolid);
+    all_zero(Hyperlimit);
     all_zero(Delaunay { sorted: false });
     all_zero(Delaunay { sorted: true });
+}
+
+#[test]
+fn certified_zeros_are_those_of_degenerate_integers() {
+    fn zeros<L: Library>(library: L) {
+        let point = |x, y| Point { at: [x, y], key: 0 };
+        let space = |x, y, z| Point { at: [x, y, z], key: 0 };
+        let name = library.name();
+        let square = [point(1., 0.), point(0., 1.), point(-1., 0.), point(0., -1.)];
+        assert!(library.orient2d([point(0., 0.), point(1., 1.), point(3., 3.)]).is_zero(), "{name}");
+        assert!(library.incircle(square).is_zero(), "{name}");
+        let flat = [space(0., 0., 1.), space(5., 0., 1.), space(0., 7., 1.), space(3., 2., 1.)];
+        assert!(library.orient3d(flat).is_zero(), "{name}");
+        let [a, b, c, d] = square.map(|it| space(it.at[0], it.at[1], 0.));
+        assert!(library.insphere([a, b, c, space(0., 0., -1.), d]).is_zero(), "{name}");
+        assert_eq!(library.insphere([a, b, c, space(0., 0., -1.), space(0., 0., 0.)]), Sign::Positive, "{name}");
+    }
+    zeros(Axiolid);
+    zeros(Hyperlimit);
+}
+
+/// What has no certificate is thrown as an answer that was declined. Scenes are finite, so
+/// only a point from outside of any scene shows it.
+#[test]
+fn an_answer_without_a_certificate_is_declined_and_no_sign() {
+    fn thrown(ask: impl FnOnce() -> Sign + std::panic::UnwindSafe) -> (Class, &'static str) {
+        let payload = std::panic::catch_unwind(ask).expect_err("no sign");
+        let broken = payload.downcast::<Broken>().expect("what sessions throw");
+        (broken.class, broken.check)
+    }
+    let space = [0., 1., 2., f64::NAN].map(|x| Point { at: [x, x * x, 1.], key: 0 });
+    assert_eq!(thrown(|| Axiolid.orient3d(space)), (Class::Declined, "certificate"));
+    assert_eq!(thrown(|| Hyperlimit.orient3d(space)), (Class::Declined, "coordinates"));
+    let line = [1., f64::INFINITY].map(|x| Point { at: [x], key: 0 });
+    assert_eq!(thrown(|| Hyperlimit.compare(line)), (Class::Declined, "coordinates"));
 }
