@@ -175,7 +175,7 @@ fn death(status: Option<ExitStatus>, said: &str) -> (&'static str, String) {
     if let Some(line) = lines.iter().find(|line| line.contains("has overflowed its stack")) {
         return ("crashed", line.trim().to_owned());
     }
-    let last = lines.last().copied().unwrap_or("without a word");
+    let last = lines.last().map_or_else(|| "without a word".to_owned(), |last| printable(last));
     #[cfg(unix)]
     if let Some(signal) = status.and_then(|status| std::os::unix::process::ExitStatusExt::signal(&status)) {
         // Nobody but the system sends this one, where memory runs out.
@@ -192,4 +192,11 @@ fn death(status: Option<ExitStatus>, said: &str) -> (&'static str, String) {
         "crashed",
         format!("ended with code {}: {last}", code.map_or_else(|| "unknown".to_owned(), |code| code.to_string())),
     )
+}
+
+/// A line that is safe to print: control characters escaped, the rest of a long one left out.
+fn printable(line: &str) -> String {
+    const MOST: usize = 300;
+    let escaped: String = line.trim().chars().take(MOST).flat_map(char::escape_debug).collect();
+    if line.chars().nth(MOST).is_some() { escaped + "…" } else { escaped }
 }

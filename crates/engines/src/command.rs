@@ -1,9 +1,14 @@
 //! Chores of an engine: to install, to build and to clean it, and to ask for its version.
 
+use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::mpsc::channel;
 
 use crate::Config;
+
+/// The bytes of a version command's output that are read.
+const MOST_BYTES: u64 = 4096;
 
 /// A chore of an engine.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -41,19 +46,46 @@ pub fn chore(config: &Config, step: Step, mut tell: impl FnMut(&str)) -> Result<
     Ok(())
 }
 
-/// The first line that the engine's version command prints; none where it has no such command.
+/// The first line that the engine's version command prints; none where it has no such command. It has as long as the
+/// engine may be silent, and no more of its output is read than a line may have.
 pub(crate) fn version(config: &Config) -> Result<Option<String>, String> {
     if config.version.is_empty() {
         return Ok(None);
     }
     let shown = config.version.join(" ");
-    let output =
-        command(config, &config.version)?.output().map_err(|error| format!("`{shown}` did not start: {error}"))?;
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    match text.lines().map(str::trim).find(|line| !line.is_empty()) {
-        Some(line) if output.status.success() => Ok(Some(line.to_owned())),
-        _ => Err(format!("`{shown}` printed no version: {}", output.status)),
+    let mut command = command(config, &config.version)?;
+    command.stdout(Stdio::piped()).stderr(Stdio::null());
+    let mut child = command.spawn().map_err(|error| format!("`{shown}` did not start: {error}"))?;
+    let (tell, told) = channel();
+    if let Some(stdout) = child.stdout.take() {
+        std::thread::spawn(move || {
+            let lines = BufReader::new(stdout.take(MOST_BYTES)).lines().map_while(Result::ok);
+            let line = lines.map(|line| printable(&line)).find(|line| !line.is_empty());
+            let _ = tell.send(line);
+        });
     }
+    let line = told.recv_timeout(config.silence());
+    let _ = child.kill();
+    let _ = child.wait();
+    match line {
+        Ok(Some(line)) => Ok(Some(line)),
+        Ok(None) => Err(format!("`{shown}` printed no version")),
+        Err(_) => Err(format!("`{shown}` printed no version within {:?}", config.silence())),
+    }
+}
+
+/// A text that is safe to print on one line: control characters escaped, the rest of a long text left out.
+pub(crate) fn printable(text: &str) -> String {
+    const MOST: usize = 300;
+    let text = text.trim();
+    let mut printed = String::new();
+    for c in text.chars().take(MOST) {
+        if c.is_control() { printed.extend(c.escape_default()) } else { printed.push(c) }
+    }
+    if text.chars().nth(MOST).is_some() {
+        printed.push('…');
+    }
+    printed
 }
 
 /// A command in the engine's folder with its environment. A program that is a path is one of that folder.

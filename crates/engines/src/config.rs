@@ -10,6 +10,8 @@ use serde::Deserialize;
 const FILE: &str = "engine.toml";
 /// The variable that names the folder of engines.
 const FOLDER: &str = "PREDICAMENT_ENGINES";
+/// A configuration is a few lines.
+const MOST_BYTES: u64 = 1 << 20;
 /// Seconds of silence after which a process is ended, where the file does not say.
 const SILENCE: u64 = 60;
 
@@ -59,6 +61,10 @@ impl Config {
     /// One line that names the file, the line and the cure.
     pub fn read(file: &Path) -> Result<Config, String> {
         let shown = file.display();
+        let found = std::fs::metadata(file).map_err(|error| format!("{shown}: {error}"))?;
+        if !found.is_file() || found.len() > MOST_BYTES {
+            return Err(format!("{shown}: it is no regular file of at most {MOST_BYTES} bytes"));
+        }
         let text = std::fs::read_to_string(file).map_err(|error| format!("{shown}: {error}"))?;
         let line_of = |at: usize| text[..at.min(text.len())].matches('\n').count() + 1;
         let mut config: Config = toml::from_str(&text).map_err(|error| {

@@ -21,9 +21,14 @@ pub struct Pool {
 #[derive(Default)]
 struct State {
     idle: Vec<Live>,
-    /// The scenes of the processes that are being asked; none for one that is about to get its scene.
+    /// The scenes that processes are being asked about.
     busy: Vec<u64>,
+    /// How many times a process has broken since a batch was answered, and how the last time.
+    broken: (usize, Option<Broken>),
 }
+
+/// An engine that has broken so many times in a row is not started again.
+const PATIENCE: usize = 5;
 
 /// A process, its scene, and why it declined that scene, if it did.
 struct Live {
@@ -73,8 +78,8 @@ impl Pool {
         start: impl FnOnce() -> Result<Process, Broken>,
         ask: impl FnOnce(&mut Process) -> Result<R, Broken>,
     ) -> Result<Result<R, String>, Broken> {
-        let taken = self.take(scene);
-        let asked = || {
+        let taken = self.take(scene)?;
+        let asked = || -> Result<(Live, Result<R, String>), Broken> {
             let mut live = match taken {
                 Some(live) => live,
                 None => Live::new(start()?),
@@ -91,25 +96,43 @@ impl Pool {
         if let Some(at) = state.busy.iter().position(|&busy| busy == scene) {
             state.busy.swap_remove(at);
         }
-        let answer = asked.map(|(live, answer)| {
-            state.idle.push(live);
-            answer
-        });
+        let answer = match asked {
+            Ok((live, answer)) => {
+                state.idle.push(live);
+                Ok(answer)
+            }
+            // What declines is not broken.
+            Err(broken) if broken.class == Class::Declined => Err(broken),
+            Err(broken) => {
+                state.broken = (state.broken.0 + 1, Some(broken.clone()));
+                Err(broken)
+            }
+        };
         drop(state);
         self.changed.notify_all();
         answer
     }
 
-    /// A process for the scene: the one that has it, else one that is idle; none where one has to be started.
-    fn take(&self, scene: u64) -> Option<Live> {
+    /// Notes that a batch was answered: the engine works.
+    pub fn works(&self) {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner).broken = (0, None);
+    }
+
+    /// A process for the scene: the one that has it, else one that is idle; none where one has to be started. An
+    /// error where the engine was given up.
+    fn take(&self, scene: u64) -> Result<Option<Live>, Broken> {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         loop {
+            if let (PATIENCE.., Some(last)) = &state.broken {
+                let message = format!("given up, as it broke {PATIENCE} times in a row, last by {last}");
+                return Err(Broken { message, ..last.clone() });
+            }
             if !state.busy.contains(&scene) {
                 let has_it = state.idle.iter().position(|live| live.scene == Some(scene));
                 let idle = has_it.or_else(|| state.idle.len().checked_sub(1));
                 if idle.is_some() || state.busy.len() < self.most {
                     state.busy.push(scene);
-                    return idle.map(|at| state.idle.swap_remove(at));
+                    return Ok(idle.map(|at| state.idle.swap_remove(at)));
                 }
             }
             state = self.changed.wait(state).unwrap_or_else(PoisonError::into_inner);

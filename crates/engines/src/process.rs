@@ -5,6 +5,8 @@
 
 use std::collections::VecDeque;
 use std::io::{BufRead, BufReader, Read, Write};
+#[cfg(unix)]
+use std::process::Command;
 use std::process::{Child, ChildStderr, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -13,13 +15,15 @@ use std::time::{Duration, Instant};
 
 use predicament_predicates::{Broken, Class};
 
-use crate::command::command;
+use crate::command::{command, printable};
 use crate::{Config, Message};
 
 /// Lines of stderr that are kept.
 const LAST_LINES: usize = 6;
 /// Bytes that are kept of a line.
 const LINE_BYTES: u64 = 400;
+/// How often a silent process is looked at.
+const LOOK: Duration = Duration::from_millis(200);
 /// How long a process that has closed its stdout may take to end.
 const FAREWELL: Duration = Duration::from_secs(2);
 
@@ -40,6 +44,9 @@ impl Process {
         let broken = |message: String| Broken { class: Class::Panic, check: "start", message };
         let mut command = command(config, &config.run).map_err(broken)?;
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        // A group of its own: what it starts ends with it.
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
         let mut child = command.spawn().map_err(|error| {
             let build = if config.build.is_empty() { "" } else { "; is it built? `engines build` builds it" };
             broken(format!("`{shown}` in {} did not start: {error}{build}", config.folder.display()))
@@ -78,10 +85,10 @@ impl Process {
         let bytes = message.encode().map_err(|message| Broken { class: Class::Panic, check: "protocol", message })?;
         // A writer that has stopped shows as an end of the answers.
         let _ = self.to.send(bytes);
-        let error = match self.from.recv_timeout(self.silence) {
+        let error = match self.hear() {
             Ok(Ok(answer)) if answer.kind() == "error" => {
                 let message = answer.text("message").unwrap_or_else(|| "an error without a message".to_owned());
-                (Class::Panic, "engine error", message)
+                (Class::Panic, "engine error", printable(&message))
             }
             Ok(Ok(answer)) => return Ok(answer),
             Ok(Err(garbage)) => (Class::Panic, "protocol", garbage),
@@ -94,6 +101,30 @@ impl Process {
             }
         };
         Err(self.broken(error.0, error.1, error.2))
+    }
+
+    /// The next answer; an end where the process has ended, also if a process that it started keeps its stdout open.
+    fn hear(&mut self) -> Result<Result<Message, String>, RecvTimeoutError> {
+        let start = Instant::now();
+        let mut ended = None;
+        loop {
+            match self.from.recv_timeout(LOOK.min(self.silence)) {
+                Err(RecvTimeoutError::Timeout) if start.elapsed() >= self.silence => {
+                    return Err(RecvTimeoutError::Timeout);
+                }
+                Err(RecvTimeoutError::Timeout) => {
+                    let gone = matches!(self.child.try_wait(), Ok(Some(_)));
+                    let since = *ended.get_or_insert_with(Instant::now);
+                    if !gone {
+                        ended = None;
+                    } else if since.elapsed() >= LOOK {
+                        // What it had written has been read by now.
+                        return Err(RecvTimeoutError::Disconnected);
+                    }
+                }
+                heard => return heard,
+            }
+        }
     }
 
     /// What went wrong, with the last words on stderr. The process is ended.
@@ -117,6 +148,14 @@ impl Process {
     }
 
     fn end(&mut self) {
+        // The whole group, by the number of its first process. The standard library can only end one process.
+        #[cfg(unix)]
+        let _ = Command::new("kill")
+            .args(["-KILL", "--", &format!("-{}", self.child.id())])
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .status();
         let _ = self.child.kill();
         let _ = self.child.wait();
         // All of stderr is heard once the process is gone, unless a child of its own holds on to it.
@@ -144,7 +183,7 @@ fn listen(stderr: ChildStderr, said: &Mutex<VecDeque<String>>) {
         match (&mut stderr).take(LINE_BYTES).read_until(b'\n', &mut line) {
             Ok(0) | Err(_) => return,
             Ok(_) => {
-                let text = String::from_utf8_lossy(&line).trim().to_owned();
+                let text = printable(&String::from_utf8_lossy(&line));
                 let mut said = said.lock().unwrap_or_else(PoisonError::into_inner);
                 said.extend((!text.is_empty()).then_some(text));
                 while said.len() > LAST_LINES {

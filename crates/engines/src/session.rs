@@ -10,6 +10,7 @@ use predicament_predicates::{
 };
 
 use crate::backend::Shared;
+use crate::command::printable;
 use crate::process::Process;
 use crate::{Engine, Message};
 
@@ -74,7 +75,7 @@ impl<'s> Session<'s> {
         };
         match session.ask(|_| Ok(())) {
             Ok(Ok(())) => Ok(session),
-            Ok(Err(declined)) => Err(Declined::scene(declined)),
+            Ok(Err(declined)) => Err(Declined::scene(printable(&declined))),
             Err(broken) => broken.throw(),
         }
     }
@@ -123,10 +124,11 @@ impl<'s> Session<'s> {
         match answered {
             Ok((signs, nanoseconds)) => {
                 self.shared.spent(nanoseconds);
+                self.shared.processes.works();
                 self.tally.settled(kind, queries as u64);
                 signs
             }
-            Err(reason) => Broken { class: Class::Declined, check: "batch", message: reason }.throw(),
+            Err(reason) => Broken { class: Class::Declined, check: "batch", message: printable(&reason) }.throw(),
         }
     }
 

@@ -124,7 +124,9 @@ fn misplaced(names: &[&str]) -> Option<String> {
     let wrong =
         lower.iter().zip(AXES).any(|(name, axis)| name != axis) || lower.iter().skip(3).any(|name| is(name, AXES));
     let numbered = lower.iter().any(|name| is(name, NUMBERS));
-    (numbered || named && wrong).then(|| format!("the columns are {}", shown(&names.join(", "))))
+    // Three columns of other names may be a number, a longitude and a latitude.
+    let unnamed = !named && names.len() >= 3;
+    (numbered || unnamed || named && wrong).then(|| format!("the columns are {}", shown(&names.join(", "))))
 }
 
 /// Reads a CSV file of rows of numbers, one a line.

@@ -132,6 +132,11 @@ impl Expectations {
             let line = line_of(table.span().start);
             let table = table.into_inner();
             let fail = |message: String| format!("{}:{line}: {message}", file.display());
+            for (key, names) in [("scene", &table.scene), ("backend", &table.backend), ("class", &table.class)] {
+                if names.list().is_empty() {
+                    return Err(fail(format!("`{key}` is an empty list; name at least one, or drop the entry")));
+                }
+            }
             let (scenes, each) = globs(table.scene.list()).map_err(fail)?;
             tables.push(Written {
                 place: format!("{}:{line}", file.display()),

@@ -71,6 +71,9 @@ pub struct Args {
     pub format: Format,
 }
 
+/// The name of the suite that is not written down.
+const ASKED: &str = "ask";
+
 /// How answers are printed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
 pub enum Format {
@@ -106,8 +109,12 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         Format::Csv => csv(&rows, &answered).map_err(Failure::usage)?,
         Format::Json => rows.iter().for_each(|row| say!("{}", row.json())),
     }
-    let right = |(_, outcome): &(String, Outcome)| outcome.answers.iter().all(|line| line.class.is_legal());
-    if answered.iter().all(right) { Ok(exit::OK) } else { Ok(exit::UNEXPECTED) }
+    let wrong = answered.iter().flat_map(|(_, outcome)| &outcome.answers).filter(|line| !line.class.is_legal()).count();
+    if wrong == 0 {
+        return Ok(exit::OK);
+    }
+    note!("{wrong} answers are not what their backends promise: exit code {}", exit::UNEXPECTED);
+    Ok(exit::UNEXPECTED)
 }
 
 /// One query with everybody's answer.
@@ -234,6 +241,13 @@ fn load(args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
             format!("{{ path = {} }}", quoted(&path.display().to_string()))
         }
     };
+    for (option, value, of) in
+        [("--plane", &args.plane, PredicateKind::Orient2d), ("--axis", &args.axis, PredicateKind::Compare)]
+    {
+        if value.is_some() && args.task != of {
+            return Err(Failure::usage(format!("{option} is for {of}, not for {}; leave it out", args.task)));
+        }
+    }
     let mut text = format!("title = \"Asked\"\n[[scene]]\nname = \"asked\"\ntask = \"{}\"\n", args.task);
     text += &format!("points = {points}\nqueries = {}\n", queries(&args.queries)?);
     for (key, value) in [("plane", &args.plane), ("axis", &args.axis)] {
@@ -244,13 +258,18 @@ fn load(args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
     if args.round && args.points.is_some() {
         text += "round = true\n";
     }
-    let suite = Suite::parse(tool.vocabulary(), "ask", &text, Some(std::path::Path::new(".")), &Manifest::default())?;
+    let base = Some(std::path::Path::new("."));
+    let suite = Suite::parse(tool.vocabulary(), ASKED, &text, base, &Manifest::default()).map_err(for_ask)?;
     let cache = Selector::everything().cache()?;
     suite.scenes[0].load(Level::Quick, &cache).map_err(for_ask)
 }
 
 /// An error about data, with the cure of this command: there is no suite to write `round` in.
 fn for_ask(error: CorpusError) -> Failure {
+    if error.file == ASKED {
+        let cure = error.cure.replace("write `queries`", "choose others with --queries");
+        return Failure::usage(format!("{}; {cure}", error.message));
+    }
     let cure = match error.cure.find("write `round = true`") {
         Some(_) => "add --round to read the nearest doubles".to_owned(),
         None => error.cure.clone(),

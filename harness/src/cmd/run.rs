@@ -293,17 +293,16 @@ impl Job {
     }
 }
 
-/// Names the suites that are not run, in one line.
+/// Says in one line which suites are not run: how many, where they were not asked for.
 fn tell_not_selected(suites: &[NotSelected]) {
-    let named = |of_reason: &dyn Fn(&str) -> bool| {
-        let suites = suites.iter().filter(|suite| of_reason(&suite.reason));
-        suites.map(|suite| suite.suite.as_str()).collect::<Vec<_>>().join(", ")
-    };
-    let (unnamed, unfetched) = (named(&|why| why == NOT_NAMED), named(&|why| why != NOT_NAMED));
-    match (unnamed.is_empty(), unfetched.is_empty()) {
-        (true, true) => {}
-        (false, true) => note!("not run, as {NOT_NAMED}: {unnamed}"),
-        (true, false) => note!("not run: {unfetched}: `{} corpus fetch` gets their data, then name them", program()),
-        (false, false) => note!("not run: {unnamed}, as {NOT_NAMED}; {unfetched}, whose data are not fetched"),
+    let unnamed = suites.iter().filter(|suite| suite.reason == NOT_NAMED).count();
+    let unfetched: Vec<&str> =
+        suites.iter().filter(|suite| suite.reason != NOT_NAMED).map(|suite| suite.suite.as_str()).collect();
+    match (unnamed, unfetched.join(", ")) {
+        (0, unfetched) if unfetched.is_empty() => {}
+        (0, unfetched) => note!("not run: {unfetched}: `{} corpus fetch` gets their data, then name them", program()),
+        (unnamed, _) => {
+            note!("{unnamed} suites were {NOT_NAMED} and are not run; `{} corpus list` has them", program())
+        }
     }
 }

@@ -9,7 +9,7 @@ use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
 Examples:
-  predicament solve tilings -f tiling -b exact --out out/tiling        GeoJSON of located points
+  predicament solve tilings -f '/tiling$' -b exact --out out/tiling        GeoJSON of located points
   predicament solve mine.toml -f two-spheres -b sos --out out/contacts";
 
 /// Solve one scene under one backend and write the answer

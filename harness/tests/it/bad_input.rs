@@ -55,8 +55,11 @@ fn missing_data_is_an_error_and_never_a_skip() {
     assert!(!folder.path().join("run").exists());
     // Not naming the suite is a choice, and the choice is shown.
     let told = run(&["run", "tilings", "-b", "exact", "--cache", &cache, "--out", &out]);
-    let [_, left] = told.stderr.split_once("not run, as not named on the command line:").map(<[_; 2]>::from).unwrap();
-    assert!(left.contains(" maps,") && !left.contains("tilings"), "{}", told.stderr);
+    assert!(told.stderr.contains("suites were not named on the command line and are not run"), "{}", told.stderr);
+    let plan: serde_json::Value = serde_json::from_str(&crate::common::read(&out, "plan.json")).unwrap();
+    let left: Vec<&str> =
+        plan["not_selected"].as_array().unwrap().iter().filter_map(|left| left["suite"].as_str()).collect();
+    assert!(left.contains(&"maps") && !left.contains(&"tilings"), "{left:?}");
 }
 
 #[test]

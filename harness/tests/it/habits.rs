@@ -41,7 +41,7 @@ fn a_script_reads_what_there_is() {
 fn what_is_not_run_is_one_line_and_none_if_quiet() {
     let folder = tempdir().unwrap();
     for (suites, said) in [
-        (&["classics"][..], "not run, as not named on the command line: bands, "),
+        (&["classics"][..], " suites were not named on the command line and are not run; `predicament corpus list`"),
         (&[][..], "corpus fetch` gets their data, then name them"),
     ] {
         let call = |out: &str, more: &[&str]| {

@@ -2,7 +2,7 @@
 
 use tempfile::tempdir;
 
-use crate::common::{at, column, expect, read, run};
+use crate::common::{at, column, expect, read, rewrite, run};
 
 const SCENES: [&str; 4] = ["-f", "kettner-a1$|tilings/bricks|three-cells|cubes/twins", "-b", "exact,sos,naive"];
 
@@ -24,22 +24,17 @@ fn judgements_are_taken_over_and_answers_compared() {
     assert!(read(&out, "summary.csv").lines().all(|row| summary.contains(row)), "{summary}");
 
     // Were it judged again, the row would be as it was.
-    let path = folder.path().join("run/summary.csv");
     let rows = read(&out, "summary.csv");
     let changed = rows.replacen(",ok", ",expected", 1);
     assert_ne!(changed, rows);
-    std::fs::write(&path, &changed).unwrap();
-    let state = read(&out, "state.json");
-    let known = |rows: &str| format!("\"summary.csv\": {}", rows.len());
-    std::fs::write(folder.path().join("run/state.json"), state.replace(&known(&rows), &known(&changed))).unwrap();
+    rewrite(&out, "summary.csv", &changed);
     let (_, _, summary) = bench("second");
     assert!(changed.lines().all(|row| summary.contains(row)), "{summary}");
 
     // Other answers than the judged ones are not timed.
-    let path = folder.path().join("run/judged.csv");
     let digests = read(&out, "judged.csv");
     let digest = column(&digests, "digest").remove(0);
-    std::fs::write(&path, digests.replacen(&digest, "0123456789abcdef", 1)).unwrap();
+    rewrite(&out, "judged.csv", &digests.replacen(&digest, "0123456789abcdef", 1));
     let (told, fewer, _) = bench("third");
     assert!(told.contains("the timed answers are not the judged ones") && fewer == timed - 1, "{told}");
 }

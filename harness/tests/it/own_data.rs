@@ -64,7 +64,15 @@ fn what_cannot_be_asked_is_said_in_a_line() {
         let refused = expect(2, &[&["ask"], args].concat());
         assert!(refused.stderr.contains(said), "{}", refused.stderr);
     }
-    expect(104, &["ask", "orient2d", "0,0", "1,0"]);
+    for (args, said) in [
+        (&["orient2d", "0,0", "1,0"][..], "predicament: 2 points don't divide into queries of 3 for orient2d; "),
+        (&["orient3d", "0,0,0", "1,0,0", "0,1,0", "0,0,1", "--axis", "x"], "--axis is for compare, not for orient3d"),
+        (&["incircle", "0,0,0", "1,0,0", "0,1,0", "0,0,1"], "incircle takes points of 2, not of 3 coordinates"),
+    ] {
+        let refused = expect(2, &[&["ask"], args].concat());
+        assert!(refused.stderr.contains(said), "{}", refused.stderr);
+        assert!(!refused.stderr.contains("ask:"), "{}", refused.stderr);
+    }
     let declined = expect(0, &["ask", "orient2d", "0,0", "1,0", "0,0x1.0000000000001p-1", "-b", "exact,tolerance:f32"]);
     assert!(declined.stderr.contains("tolerance:f32: declined: "), "{}", declined.stderr);
     assert!(expect(0, &["ask", "orient2d", "--round", "0.1,0", "1,0", "0,1", "-b", "exact"]).stdout.contains("  +  "));

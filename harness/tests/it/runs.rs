@@ -1,6 +1,6 @@
 //! `run`, `gate`, `replay`, `report` and `bench` from end to end.
 
-use crate::common::{SUITE, assert_same_tables, at, column, expect, read, run, tool, write};
+use crate::common::{SUITE, assert_same_tables, at, column, expect, read, rewrite, run, tool, write};
 use tempfile::tempdir;
 
 /// A part of the corpora that has signs, ties, findings and a map.
@@ -298,7 +298,7 @@ fn a_baseline_catches_what_expectations_forgive() {
     // As if the baseline had been right: its one overreach agrees.
     let summary = read(&good, "summary.csv").replace(",1,0,0,0,1,0,0,0,0,0,0,0,0,", ",1,1,0,0,0,0,0,0,0,0,0,0,0,");
     assert_ne!(summary, read(&good, "summary.csv"), "the row was found");
-    std::fs::write(folder.path().join("good/summary.csv"), summary).unwrap();
+    rewrite(&at(&folder, "good"), "summary.csv", &summary);
     expect(0, &["gate", &bad, "--expected", &forgiving, "--baseline", &bad]);
     let worse = expect(100, &["gate", &bad, "--expected", &forgiving, "--baseline", &good]);
     assert!(worse.stdout.contains("worse than the baseline: mine/wrong-once on naive: 1 overreach, was 0"));
@@ -388,7 +388,7 @@ fn a_report_of_folders_that_disagree_is_an_error_that_names_both() {
     }
     let summary = read(&two, "summary.csv").replace(",1,0,0,0,1,0,0,0,0,0,0,0,0,", ",1,1,0,0,0,0,0,0,0,0,0,0,0,");
     assert_ne!(summary, read(&two, "summary.csv"), "the row was found");
-    std::fs::write(folder.path().join("two/summary.csv"), summary).unwrap();
+    rewrite(&two, "summary.csv", &summary);
     let told = expect(2, &["report", &one, &two, "--out", &report]);
     for part in [&*one, &*two, "mine/wrong-once (orient2d) on naive has other counts"] {
         assert!(told.stderr.contains(part), "{part}: {}", told.stderr);

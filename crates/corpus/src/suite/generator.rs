@@ -3,7 +3,7 @@
 use predicament_formats::{Cache, CorpusError, Field, Fields, MOST_COORDINATES};
 
 use super::Context;
-use super::scene::{SceneDef, define};
+use super::scene::{SceneDef, check_name, define};
 use crate::{Elsewhere, Family, Level, Making, Parts, Recipe, SceneFormat, Source};
 
 /// More queries than this don't fit a scene's vertex ids.
@@ -31,7 +31,11 @@ pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<Scen
     let recipe = (family.read)(task.name(), &fields)?;
     let amount = amount(&fields, &recipe)?;
     let name = match fields.get("name") {
-        Some(name) => name.string()?,
+        Some(field) => {
+            let name = field.string()?;
+            check_name(&field, &name)?;
+            name
+        }
         None => default_name(family, &fields, task)?,
     };
     let reported_as = family.reported_as.map_or_else(|| name.clone(), str::to_owned);

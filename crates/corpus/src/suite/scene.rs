@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use predicament_formats::{Cache, CorpusError, Entry, Fields};
+use predicament_formats::{Cache, CorpusError, Entry, Field, Fields};
 
 use super::Context;
 use crate::{Elsewhere, Level, LoadedScene, Parts, Source, content_id};
@@ -126,9 +126,20 @@ pub(super) fn define(
     Ok(define)
 }
 
+/// A name stands in tables, on command lines and in terminals.
+pub(super) fn check_name(field: &Field<'_, '_>, name: &str) -> Result<(), CorpusError> {
+    if name.trim().is_empty() || name.chars().any(char::is_control) {
+        let message = format!("the name `{}` is empty or has control characters", name.escape_debug());
+        return Err(field.error(message, "write a name of letters, digits and the like"));
+    }
+    Ok(())
+}
+
 /// Reads a `[[scene]]` table.
 pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<SceneDef, CorpusError> {
-    let name = fields.required("name")?.string()?;
+    let field = fields.required("name")?;
+    let name = field.string()?;
+    check_name(&field, &name)?;
     let task = context.vocabulary.task(&fields.required("task")?)?;
     fields.check_keys(|key| context.vocabulary.foreign(key, task))?;
     let source = task.read(context, &fields)?;

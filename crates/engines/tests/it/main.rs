@@ -155,6 +155,34 @@ fn an_engine_that_goes_wrong_breaks_its_session_and_is_started_again() {
 }
 
 #[test]
+fn an_engine_that_always_breaks_is_given_up() {
+    let (engine, scene) = (engine("crash on batch").unwrap(), scene());
+    let broken = || {
+        let session = engine.prepare(&scene, Off).unwrap();
+        let thrown = catch_unwind(AssertUnwindSafe(|| ask(&session))).unwrap_err();
+        thrown.downcast::<Broken>().unwrap_or_else(|_| panic!("another panic")).message
+    };
+    for _ in 0..5 {
+        assert!(broken().starts_with("the process ended with code 3"));
+    }
+    let thrown = catch_unwind(AssertUnwindSafe(|| engine.prepare(&scene, Off).map(|_| ()))).unwrap_err();
+    let broken = thrown.downcast::<Broken>().unwrap_or_else(|_| panic!("another panic"));
+    assert!(broken.message.starts_with("given up, as it broke 5 times in a row, last by crashed: "), "{broken}");
+}
+
+#[test]
+#[cfg(unix)]
+fn a_version_command_has_a_limit() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut config = config(folder.path(), "").unwrap();
+    config.version = ["yes", "7.1"].map(str::to_owned).to_vec();
+    assert_eq!(Engine::start(config.clone()).unwrap().version().as_deref(), Some("7.1"));
+    config.version = ["sleep", "1000"].map(str::to_owned).to_vec();
+    let error = Engine::start(config).map(|_| ()).unwrap_err();
+    assert_eq!(error, "engine:tests: `sleep 1000` printed no version within 1s");
+}
+
+#[test]
 fn a_nan_is_a_zero_that_says_so() {
     let (engine, scene) = (engine("nan").unwrap(), scene());
     let session = engine.prepare(&scene, Off).unwrap();

@@ -42,7 +42,7 @@ fn errors_name_file_line_and_cure() {
         ("1\n", "p.csv:1: point 0 has 1 coordinates; give all"),
         ("1,2,3,4\n", "p.csv:1: point 0 has 4 coordinates; give all"),
         ("x,y\n1,2,3\n", "p.csv:2: point 0 has 3 coordinates, the columns are 2; give all"),
-        ("a,b,c,d\n1,2,3,4\n", "p.csv:1: the header has 4 columns; give all"),
+        ("x,y,z,d\n1,2,3,4\n", "p.csv:1: the header has 4 columns; give all"),
         ("id,x,y\n1,2,3\n", "p.csv:1: the columns are id, x, y; write the columns x, y and z in this order"),
         ("y,x\n1,2\n", "p.csv:1: the columns are y, x; write"),
         ("x,y,id\n1,2,7\n", "p.csv:1: the columns are x, y, id; write"),

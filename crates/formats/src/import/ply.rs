@@ -13,6 +13,7 @@ use predicament_predicates::Vertex;
 
 use super::mesh::{ImportedMesh, fan};
 use super::ply_ascii;
+use crate::decimals::shown;
 use crate::{CorpusError, Decimals};
 
 /// An element of any kind: what matters of its properties.
@@ -63,7 +64,13 @@ impl PropertyAccess for Element {
 /// Reads the elements `vertex` and `face`; all others are passed over.
 pub(super) fn read(file: &str, bytes: &[u8], decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
     let broken = |error: ParseError| {
-        let described = CorpusError::file(file, error.to_string(), "write the file again or convert it to OFF or OBJ");
+        // The parser's own words name its grammar.
+        let said = shown(error.to_string().lines().next().unwrap_or_default());
+        let described = CorpusError::file(
+            file,
+            format!("the PLY file is not understood: {said}"),
+            "write the file again or convert it to OFF or OBJ",
+        );
         error.line().map_or(described.clone(), |line| described.at_line(line))
     };
     let mut rest = bytes;
@@ -110,6 +117,16 @@ pub(super) fn read(file: &str, bytes: &[u8], decimals: &Decimals) -> Result<Impo
                 }
             }
             _ => {}
+        }
+    }
+    match header.encoding {
+        Encoding::Ascii => ascii.end()?,
+        Encoding::BinaryBigEndian | Encoding::BinaryLittleEndian => {
+            let left = reader.get_ref().buffer().len() + reader.get_ref().get_ref().len();
+            if left > 0 {
+                let message = format!("{left} bytes follow the elements that the header counts");
+                return Err(CorpusError::file(file, message, "correct the counts"));
+            }
         }
     }
     Ok(mesh)

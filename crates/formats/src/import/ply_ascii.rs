@@ -45,6 +45,18 @@ impl<'p> Payload<'p> {
         Ok(found)
     }
 
+    /// Refuses what follows the elements that the header counts.
+    pub(super) fn end(&mut self) -> Result<(), CorpusError> {
+        match self.lines.find(|line| !line.body.trim().is_empty()) {
+            Some(Line { number, .. }) => Err(self.error(
+                number,
+                "more follows the elements that the header counts".to_owned(),
+                "correct the counts",
+            )),
+            None => Ok(()),
+        }
+    }
+
     fn line(&self, kind: &ElementDef, number: usize, body: &str) -> Result<Element, CorpusError> {
         let mut element = Element::default();
         let mut words = body.split_ascii_whitespace();

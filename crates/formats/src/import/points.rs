@@ -24,6 +24,14 @@ pub struct ImportedPoints {
 /// # Errors
 /// [`CorpusError`] at the line that is wrong.
 pub fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<ImportedPoints, CorpusError> {
+    let points = read_any(file, bytes, decimals)?;
+    if points.coordinates.is_empty() {
+        return Err(CorpusError::file(file, "the file has no points", "write at least one point"));
+    }
+    Ok(points)
+}
+
+fn read_any(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<ImportedPoints, CorpusError> {
     let data = DataFile::open(file, bytes)?;
     let of_geometry = |geometry: geometry::Geometry| {
         let (dimension, coordinates) = geometry.points()?;

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use csv::{ReaderBuilder, StringRecord, WriterBuilder};
 
+use super::state::digest;
 use super::tables::{Record, TableSpec};
 use crate::{Error, Row};
 
@@ -120,8 +121,8 @@ pub(super) enum Extent {
     Lines,
 }
 
-/// Reads a table. What was left out of it is told in a sentence.
-pub(super) fn read(path: &Path, extent: Extent) -> Result<(Text, Option<String>), Error> {
+/// Reads a table, which has this digest if one is given. What was left out of it is told in a sentence.
+pub(super) fn read(path: &Path, extent: Extent, written: Option<&String>) -> Result<(Text, Option<String>), Error> {
     let mut bytes = std::fs::read(path).map_err(Error::io(path))?;
     let found = bytes.len() as u64;
     let mut warning = None;
@@ -150,6 +151,9 @@ pub(super) fn read(path: &Path, extent: Extent) -> Result<(Text, Option<String>)
             }
             bytes.truncate(whole);
         }
+    }
+    if written.is_some_and(|written| *written != digest(&bytes)) {
+        return Err(Error::new(path, "it was edited after the run was complete; restore the file"));
     }
     let mut reader = ReaderBuilder::new().from_reader(bytes.as_slice());
     let header = reader.headers().map_err(|e| failed(path, &e))?.clone();

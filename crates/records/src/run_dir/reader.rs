@@ -173,7 +173,7 @@ fn read_text(folder: &Path, file: &str, state: &State, warnings: &mut Vec<String
         Some(&length) => Extent::First(length),
         None => Extent::Lines,
     };
-    let (text, warning) = csv_file::read(&folder.join(file), extent)?;
+    let (text, warning) = csv_file::read(&folder.join(file), extent, state.digests.get(file))?;
     warnings.extend(warning);
     if let Some((_, key)) = UNIQUE.iter().find(|(of, _)| *of == file) {
         text.check_unique(key)?;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 
 use crate::Error;
 
@@ -34,6 +35,11 @@ impl Outcome {
     }
 }
 
+/// The SHA-256 of a table in hex digits.
+pub(super) fn digest(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
 /// The file itself. It is replaced as a whole, never edited in place.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub(super) struct State {
@@ -42,6 +48,9 @@ pub(super) struct State {
     /// The length of each table in bytes when the last scene was done: what
     /// comes after belongs to a scene that was not.
     pub committed: BTreeMap<String, u64>,
+    /// The SHA-256 of each table of a complete run, in hex digits; none in folders made before it was written down.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub digests: BTreeMap<String, String>,
 }
 
 impl State {

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::csv_file::CsvFile;
 use super::lock::Lock;
-use super::state::{Outcome, State};
+use super::state::{Outcome, State, digest};
 use super::tables::{Record, TableSpec};
 use super::{ENV, MAPS, PLAN, TABLES};
 use crate::{Env, Error, Plan, Row, RunDir};
@@ -47,7 +47,7 @@ impl RunWriter {
         for TableSpec { file, columns } in TABLES.iter().chain(more).copied() {
             tables.insert(file, CsvFile::create(folder.join(file), columns)?);
         }
-        let state = State { outcome: Outcome::Unfinished, committed: BTreeMap::new() };
+        let state = State { outcome: Outcome::Unfinished, committed: BTreeMap::new(), digests: BTreeMap::new() };
         let mut writer = RunWriter { folder: folder.to_owned(), tables, state, _lock: lock };
         writer.commit()?;
         Ok(writer)
@@ -81,6 +81,7 @@ impl RunWriter {
             tables.insert(file, table);
         }
         state.outcome = Outcome::Unfinished;
+        state.digests.clear();
         let mut writer = RunWriter { folder: folder.to_owned(), tables, state, _lock: lock };
         // New tables get their header, and the state is told of them.
         writer.commit()?;
@@ -144,8 +145,16 @@ impl RunWriter {
     /// # Errors
     /// If the disk refuses.
     pub fn finish(mut self, outcome: Outcome) -> Result<(), Error> {
+        self.commit()?;
         self.state.outcome = outcome;
-        self.commit()
+        if outcome == Outcome::Complete {
+            for file in self.tables.keys() {
+                let path = self.folder.join(file);
+                let bytes = fs::read(&path).map_err(Error::io(&path))?;
+                self.state.digests.insert((*file).to_owned(), digest(&bytes));
+            }
+        }
+        self.state.write(&self.folder)
     }
 }
 

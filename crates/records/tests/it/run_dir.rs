@@ -323,6 +323,23 @@ fn a_complete_run_that_lost_lines_is_refused() {
 }
 
 #[test]
+fn a_complete_run_that_was_edited_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut writer = create(folder.path(), &plan(), &Env::default()).unwrap();
+    writer.write(&[summary("one"), summary("two")]).unwrap();
+    writer.finish(Outcome::Complete).unwrap();
+    RunDir::open(folder.path()).unwrap();
+    let path = folder.path().join("summary.csv");
+    let text = std::fs::read_to_string(&path).unwrap();
+    // As many bytes as before.
+    let edited = text.replacen(",10,", ",11,", 1);
+    assert_ne!(edited, text);
+    std::fs::write(&path, edited).unwrap();
+    let error = RunDir::open(folder.path()).unwrap_err().to_string();
+    assert!(error.ends_with("summary.csv: it was edited after the run was complete; restore the file"), "{error}");
+}
+
+#[test]
 fn a_row_of_no_planned_scene_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let mut writer = create(folder.path(), &plan(), &Env::default()).unwrap();

@@ -387,10 +387,13 @@ fn its_rows_reach_the_report() {
     assert!(page.contains("## Left turns\n\nTurns to the left.\n"), "{page}");
     assert!(page.contains("| zigzag | exact | 2 | 2 |\n| zigzag | naive | 2 | 2 |\n"), "{page}");
     assert!(html(&runs, &[section]).unwrap().contains("<section id=\"left-turns\">"));
-    // Other columns of the same length: a table that was cut or grew would be refused before.
-    let path = folder.path().join(TurnRow::FILE);
+    // Other columns, of the same length, in a folder that does not say what it has written: it would be refused.
+    let [path, state] = [TurnRow::FILE, "state.json"].map(|file| folder.path().join(file));
     let text = std::fs::read_to_string(&path).unwrap();
     std::fs::write(path, text.replace("truth", "trust")).unwrap();
+    let known = std::fs::read_to_string(&state).unwrap();
+    let (before, _) = known.split_once(",\n  \"digests\"").unwrap();
+    std::fs::write(state, format!("{before}\n}}\n")).unwrap();
     let error = LeftTurns.own_section(&[RunDir::open(folder.path()).unwrap()]).unwrap_err().to_string();
     assert!(error.contains("turns.csv:1: the columns must be scene,backend,found,truth"), "{error}");
 }
