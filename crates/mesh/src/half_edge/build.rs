@@ -13,6 +13,8 @@ use super::{ConversionError, Face, HalfEdge, HalfEdgeMesh, IndexedFaces, MeshVer
 const PAIRED: u32 = NONE - 1;
 /// In the array of boundary half-edges by start: several start at this vertex.
 const PINCHED: u32 = NONE - 1;
+/// Rings that are walked in turns.
+const RINGS: usize = 16;
 
 impl HalfEdgeMesh {
     /// The mesh of these faces, whose corners are places in `vertices`; face i gets the i-th handle, and vertices
@@ -209,8 +211,7 @@ impl HalfEdgeMesh {
 
     /// Checks that the half-edges at each vertex are one ring.
     fn single_rings(&self) -> Result<(), ConversionError> {
-        let seen: usize = self.vertices().map(|v| self.degree(v)).sum();
-        if seen == self.end.len() {
+        if self.ring_lengths() == self.end.len() {
             return Ok(());
         }
         let mut at_vertex = vec![0; self.scene_vertex.len()];
@@ -218,6 +219,43 @@ impl HalfEdgeMesh {
         match self.vertices().find(|&v| self.degree(v) != at_vertex[v.index()]) {
             Some(v) => Err(ConversionError::SeveralFans { vertex: self.scene_vertex(v) }),
             None => Ok(()),
+        }
+    }
+
+    /// The sum of the lengths of all vertices' rings. Several rings are walked in turns: where faces are in no order,
+    /// each step waits for memory, and the others' steps do not wait for it.
+    fn ring_lengths(&self) -> usize {
+        let mut firsts = self.vertex_half_edge.iter().copied().filter(|h| h.some().is_some());
+        let mut walks: Vec<[HalfEdge; 2]> = firsts.by_ref().take(RINGS).map(|h| [h, h]).collect();
+        let mut steps = 0;
+        while !walks.is_empty() {
+            steps += walks.len();
+            for [first, at] in &mut walks {
+                *at = self.opposite(self.next(*at));
+                if at == first {
+                    let h = firsts.next().unwrap_or(HalfEdge::NONE);
+                    [*first, *at] = [h, h];
+                }
+            }
+            walks.retain(|[first, _]| first.some().is_some());
+        }
+        steps
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rings_in_turns_are_all_rings() {
+        // Strips of all lengths: the last rings end in different rounds.
+        for triangles in 0..60_u32 {
+            let faces = (0..triangles).map(|at| if at % 2 == 0 { [at, at + 1, at + 2] } else { [at + 1, at, at + 2] });
+            let vertices = (0..70).map(Vertex::input).collect();
+            let mesh = HalfEdgeMesh::new(vertices, &faces.collect()).unwrap();
+            assert_eq!(mesh.ring_lengths(), mesh.end.len());
+            assert_eq!(mesh.vertices().map(|v| mesh.degree(v)).sum::<usize>(), mesh.end.len());
         }
     }
 }
