@@ -12,12 +12,14 @@
 //! along the degenerate cases instead of away from them. [`constructed`] also
 //! makes lines and planes through the points, and asks about where they meet.
 //!
-//! [`formats`] is about something else: the readers of data files, which never panic.
+//! [`formats`] and [`half_edge`] are about something else: the readers of data files, which never panic, and the
+//! operations on meshes, which keep every invariant.
 
 #![forbid(unsafe_code)]
 
 pub mod constructed;
 pub mod formats;
+pub mod half_edge;
 #[path = "../../crates/exact/tests/it/constructed/judge.rs"]
 mod judge_of_constructed;
 pub mod points;

@@ -1,4 +1,4 @@
-//! Reading: TOML with lines, lossless coordinates, data files, meshes, maps, downloads.
+//! Reading: TOML with lines, lossless coordinates, data files, meshes, maps, downloads; and writing meshes.
 //!
 //! Every reader is lossless or fails with the file, the line and the cure. This
 //! crate knows how files look, never what is asked about them: suites and their
@@ -9,6 +9,7 @@
 //! * [`exact_coordinate`], [`Decimals`], [`hexfloat`], [`bits`]: doubles as text and as bits.
 //! * [`read_rows`], [`read_csv_rows`], [`fmt_csv`]: rows of numbers in suites and CSV files.
 //! * [`points`], [`geometry`], [`mesh`], [`topojson`], [`read_polygons`]: importers.
+//! * [`write_mesh`]: meshes as OFF, OBJ, PLY and STL.
 //! * [`read_bytes`], [`read_suite`]: files, within bounds.
 //! * [`Manifest`], [`Cache`], [`fetch`]: real data from package registries.
 
@@ -20,6 +21,7 @@ mod data;
 mod decimals;
 mod document;
 mod error;
+mod export;
 mod fetch;
 mod file;
 pub mod hexfloat;
@@ -36,6 +38,7 @@ pub use data::read_csv_rows;
 pub use decimals::{Decimals, MOST_COORDINATES, Place, explain, shown};
 pub use document::{Document, Field, Fields};
 pub use error::{CorpusError, ErrorKind};
+pub use export::{ExportError, MeshFormat, write_mesh};
 pub use fetch::fetch;
 pub use file::{read_as_it_is, read_bytes, read_suite, read_text};
 pub use import::{ImportNotes, ImportedMap, geometry, mesh, points, read_polygons, topojson};

@@ -1,9 +1,10 @@
 //! Mesh importers: OFF, OBJ and PLY, and STL, in ASCII or in binary; all of them also compressed by gzip.
 //!
-//! Only points and faces are read. Faces with more than three corners are divided into triangles by a fan
-//! around their first corner. Decimals are read as those of suites are: exactly doubles, or refused, or rounded
+//! Only points and faces are read. Faces with more than three corners are kept as they are, and are also divided
+//! into triangles by a fan around their first corner. Decimals are read as those of suites are: exactly doubles, or refused, or rounded
 //! where the suite says so.
 
+use predicament_mesh::half_edge::IndexedFaces;
 use predicament_predicates::Vertex;
 
 use super::{ImportNotes, obj, off, ply, stl};
@@ -19,7 +20,9 @@ pub struct ImportedMesh {
     pub points: Vec<[f64; 3]>,
     /// Edges that belong to no face (OBJ only).
     pub edges: Vec<[Vertex; 2]>,
-    /// The faces.
+    /// The faces as they are in the file, with any number of corners from three on.
+    pub faces: IndexedFaces,
+    /// The triangles of the faces.
     pub triangles: Vec<[Vertex; 3]>,
     /// What was left out.
     pub notes: ImportNotes,
@@ -82,21 +85,25 @@ pub(super) fn point(file: &str, line: usize, words: &[&str], decimals: &Decimals
     Ok(point)
 }
 
-/// Appends the triangles of a face; or what is wrong with it, and the cure.
-pub(super) fn fan(corners: &[Vertex], out: &mut Vec<[Vertex; 3]>) -> Result<(), (String, &'static str)> {
-    let [first, rest @ ..] = corners else {
-        return Err(("a face without corners".to_owned(), "remove it"));
-    };
-    if rest.len() < 2 {
-        return Err((format!("a face of {} corners", corners.len()), "give it three, or remove it"));
+impl ImportedMesh {
+    /// Appends a face and its triangles; or what is wrong with it, and the cure.
+    pub(super) fn push_face(&mut self, corners: &[Vertex]) -> Result<(), (String, &'static str)> {
+        let [first, rest @ ..] = corners else {
+            return Err(("a face without corners".to_owned(), "remove it"));
+        };
+        if rest.len() < 2 {
+            return Err((format!("a face of {} corners", corners.len()), "give it three, or remove it"));
+        }
+        let mut sorted = corners.to_vec();
+        sorted.sort_unstable();
+        if sorted.windows(2).any(|pair| pair[0] == pair[1]) {
+            return Err(("a face that names a vertex twice".to_owned(), "divide it, or remove it"));
+        }
+        // Input vertices, of which there are at most 2^31.
+        self.faces.push(corners.iter().filter_map(|corner| u32::try_from(corner.index()).ok()));
+        self.triangles.extend(rest.windows(2).map(|next| [*first, next[0], next[1]]));
+        Ok(())
     }
-    let mut sorted = corners.to_vec();
-    sorted.sort_unstable();
-    if sorted.windows(2).any(|pair| pair[0] == pair[1]) {
-        return Err(("a face that names a vertex twice".to_owned(), "divide it, or remove it"));
-    }
-    out.extend(rest.windows(2).map(|next| [*first, next[0], next[1]]));
-    Ok(())
 }
 
 #[cfg(test)]
@@ -124,6 +131,7 @@ mod tests {
         let [off, obj] = [read("a.off", off).unwrap(), read("a.OBJ", obj).unwrap()];
         assert_eq!(off, obj);
         assert_eq!(off.triangles, [v([0, 1, 2]), v([0, 2, 3]), v([4, 0, 1])]);
+        assert_eq!(off.faces, [vec![0, 1, 2, 3], vec![4, 0, 1]].into_iter().collect());
         assert_eq!(off.points[4], [0.5, 0.0, 0.5]);
         let mut packed = flate2::read::GzEncoder::new("OFF\n1 0 0\n1 2 3\n".as_bytes(), flate2::Compression::fast());
         let mut bytes = Vec::new();

@@ -2,7 +2,7 @@
 
 use predicament_predicates::Vertex;
 
-use super::mesh::{ImportedMesh, contents, fan, no_vertex, point};
+use super::mesh::{ImportedMesh, contents, no_vertex, point};
 use crate::decimals::shown;
 use crate::{CorpusError, Decimals};
 
@@ -29,7 +29,8 @@ pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<Import
         match words[0] {
             // A weight or colours may follow the coordinates.
             "v" => mesh.points.push(point(file, line, &words[1..], decimals)?),
-            "f" => fan(&corners()?, &mut mesh.triangles)
+            "f" => mesh
+                .push_face(&corners()?)
                 .map_err(|(message, cure)| CorpusError::file(file, message, cure).at_line(line))?,
             "l" => mesh.edges.extend(corners()?.windows(2).map(|ends| [ends[0], ends[1]])),
             word if PASSED_OVER.contains(&word) => {}

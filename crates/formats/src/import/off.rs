@@ -2,7 +2,7 @@
 
 use predicament_predicates::Vertex;
 
-use super::mesh::{ImportedMesh, content, contents, fan, no_vertex, point};
+use super::mesh::{ImportedMesh, content, contents, no_vertex, point};
 use crate::decimals::shown;
 use crate::{CorpusError, Decimals};
 
@@ -48,7 +48,7 @@ pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<Import
             index.map(Vertex::input).ok_or_else(|| no_vertex(file, line, word, vertices, "0"))
         };
         let corners = corners.iter().map(corner).collect::<Result<Vec<_>, _>>()?;
-        fan(&corners, &mut mesh.triangles).map_err(|(message, cure)| error(line, message, cure))?;
+        mesh.push_face(&corners).map_err(|(message, cure)| error(line, message, cure))?;
     }
     match lines.next() {
         Some((line, _)) => Err(error(line, format!("more follows the {faces} faces"), "correct the counts")),

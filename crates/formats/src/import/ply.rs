@@ -11,7 +11,7 @@ use ply_rs_bw::ply::{
 };
 use predicament_predicates::Vertex;
 
-use super::mesh::{ImportedMesh, fan};
+use super::mesh::ImportedMesh;
 use super::ply_ascii;
 use crate::decimals::shown;
 use crate::{CorpusError, Decimals};
@@ -112,7 +112,7 @@ pub(super) fn read(file: &str, bytes: &[u8], decimals: &Decimals) -> Result<Impo
                         })
                     };
                     let corners = corners.into_iter().map(of).collect::<Result<Vec<_>, _>>()?;
-                    fan(&corners, &mut mesh.triangles)
+                    mesh.push_face(&corners)
                         .map_err(|(message, cure)| error(format!("face {index}: {message}"), cure))?;
                 }
             }

@@ -52,6 +52,7 @@ impl Triangles {
         if a == b || b == c || c == a {
             self.mesh.notes.degenerate_faces += 1;
         } else {
+            self.mesh.faces.push([a, b, c].into_iter().filter_map(|v| u32::try_from(v.index()).ok()));
             self.mesh.triangles.push([a, b, c]);
         }
     }

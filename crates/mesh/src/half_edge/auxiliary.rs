@@ -1,0 +1,80 @@
+//! Auxiliary edges: they join two loops to one, as those of a face and of its hole.
+
+use super::{HalfEdge, HalfEdgeMesh, OperationError};
+
+impl HalfEdgeMesh {
+    /// Inserts an edge from the end of `first` to the end of `second`, which are of different loops; returns the
+    /// half-edge in that direction. At least one of both loops is a boundary loop. The joined loop belongs to the
+    /// face of the other one, if it has a face. A hole is made so: its boundary loop becomes a part of the face.
+    ///
+    /// The time is that of walking a boundary loop. The inverse is
+    /// [`remove_auxiliary_edge`](HalfEdgeMesh::remove_auxiliary_edge) of the half-edge that comes from the face, or of
+    /// either where there is none.
+    ///
+    /// # Errors
+    /// [`OperationError`] where both half-edges are of faces or of one loop, and where the ends are one vertex or
+    /// joined already.
+    pub fn insert_auxiliary_edge(&mut self, first: HalfEdge, second: HalfEdge) -> Result<HalfEdge, OperationError> {
+        for h in [first, second] {
+            self.known_half_edge(h)?;
+        }
+        let face = match (self.face(first), self.face(second)) {
+            (Some(a), Some(b)) if a == b => return Err(OperationError::OneLoop(first, second)),
+            (Some(_), Some(_)) => return Err(OperationError::TwoFaces(first, second)),
+            (None, None) if self.loop_of(first).any(|h| h == second) => {
+                return Err(OperationError::OneLoop(first, second));
+            }
+            (one, other) => one.or(other),
+        };
+        let [v1, v2] = [first, second].map(|h| self.end(h));
+        if v1 == v2 {
+            return Err(OperationError::OneVertex(v1));
+        }
+        if let Some(other) = self.find(v1, v2) {
+            return Err(OperationError::EdgeExists(other));
+        }
+        self.room(2, 0, 0)?;
+        // Before they are one loop: only the one without a face is walked.
+        if face.is_some() {
+            let open = if self.is_boundary(first) { first } else { second };
+            self.fill_loop(open, face);
+        }
+        let [h, o] = self.link(first, second);
+        self.set_face(h, face);
+        self.set_face(o, face);
+        Ok(h)
+    }
+
+    /// Removes an edge that has both sides in one loop, which becomes two. The one at the start of `edge` keeps the
+    /// face, if there is one; that at its end becomes a boundary loop, of which a half-edge is returned.
+    ///
+    /// # Errors
+    /// [`OperationError::NotAuxiliary`]; [`OperationError::LastEdge`] where an end has no other edge;
+    /// [`OperationError::TooFewHalfEdges`] where the face would keep fewer than three half-edges.
+    pub fn remove_auxiliary_edge(&mut self, edge: HalfEdge) -> Result<HalfEdge, OperationError> {
+        self.known_half_edge(edge)?;
+        let back = self.opposite(edge);
+        let face = self.face(edge);
+        if face != self.face(back) || !self.loop_of(edge).any(|h| h == back) {
+            return Err(OperationError::NotAuxiliary(edge));
+        }
+        for (h, other) in [(edge, back), (back, edge)] {
+            if self.next(h) == other {
+                return Err(OperationError::LastEdge(self.end(h)));
+            }
+        }
+        let [Some(before_edge), Some(before_back)] = [edge, back].map(|h| self.previous(h)) else {
+            return Err(OperationError::Broken(edge));
+        };
+        let kept = self.loop_of(self.next(back)).take_while(|&h| h != edge).take(3).count();
+        if let Some(f) = face {
+            if kept < 3 {
+                return Err(OperationError::TooFewHalfEdges(before_edge));
+            }
+            self.face_half_edge[f.index()] = before_edge;
+        }
+        self.unlink([edge, back], [before_edge, before_back]);
+        self.fill_loop(before_back, None);
+        Ok(before_back)
+    }
+}

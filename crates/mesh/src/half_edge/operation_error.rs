@@ -1,0 +1,78 @@
+//! Why an operation is refused; the mesh is as it was.
+
+use super::{Face, HalfEdge, MeshVertex};
+
+/// Why an operation on a mesh is refused. The mesh is unchanged.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum OperationError {
+    /// The mesh has no such half-edge, or no longer.
+    NoSuchHalfEdge(HalfEdge),
+    /// The mesh has no such face, or no longer.
+    NoSuchFace(Face),
+    /// The mesh has no such vertex, or no longer.
+    NoSuchVertex(MeshVertex),
+    /// There is no face on the left of this half-edge, where one is needed.
+    OnBoundary(HalfEdge),
+    /// There is a face on the left of this half-edge, where none may be.
+    NotOnBoundary(HalfEdge),
+    /// Two half-edges of different faces, where they must be of one.
+    TwoFaces(HalfEdge, HalfEdge),
+    /// Two half-edges of one loop, where they must be of two.
+    OneLoop(HalfEdge, HalfEdge),
+    /// The face does not visit the vertex.
+    NotInFace(Face, MeshVertex),
+    /// The face visits the vertex more than once: say by half-edges which corner is meant.
+    SeveralCorners(Face, MeshVertex),
+    /// Both ends of the new edge would be this vertex.
+    OneVertex(MeshVertex),
+    /// The new edge would be the second one between its vertices; this half-edge is of the first.
+    EdgeExists(HalfEdge),
+    /// The loop with this half-edge, of a face, would have fewer than three half-edges.
+    TooFewHalfEdges(HalfEdge),
+    /// The face is no triangle.
+    NoTriangle(Face),
+    /// The vertex has not exactly two edges.
+    NotTwoEdges(MeshVertex),
+    /// Both sides of the edge are in one face, so it separates no two.
+    OneFace(HalfEdge),
+    /// The two sides of the edge are in different loops, so it joins no two.
+    NotAuxiliary(HalfEdge),
+    /// The vertex would be left without edges.
+    LastEdge(MeshVertex),
+    /// The face is listed twice.
+    ListedTwice(Face),
+    /// The mesh would have more elements than there are handles.
+    Full,
+    /// The links at this half-edge violate an invariant.
+    Broken(HalfEdge),
+}
+
+impl std::fmt::Display for OperationError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        use OperationError as E;
+        match self {
+            E::NoSuchHalfEdge(h) => write!(f, "the mesh has no half-edge {h}"),
+            E::NoSuchFace(face) => write!(f, "the mesh has no face {face}"),
+            E::NoSuchVertex(v) => write!(f, "the mesh has no vertex {v}"),
+            E::OnBoundary(h) => write!(f, "half-edge {h} is on a boundary"),
+            E::NotOnBoundary(h) => write!(f, "half-edge {h} is not on a boundary"),
+            E::TwoFaces(a, b) => write!(f, "half-edges {a} and {b} are of two faces"),
+            E::OneLoop(a, b) => write!(f, "half-edges {a} and {b} are of one loop"),
+            E::NotInFace(face, v) => write!(f, "face {face} does not visit vertex {v}"),
+            E::SeveralCorners(face, v) => write!(f, "face {face} visits vertex {v} several times"),
+            E::OneVertex(v) => write!(f, "both ends of the edge would be vertex {v}"),
+            E::EdgeExists(h) => write!(f, "half-edge {h} joins the same vertices already"),
+            E::TooFewHalfEdges(h) => write!(f, "the face at half-edge {h} would have fewer than three half-edges"),
+            E::NoTriangle(face) => write!(f, "face {face} is no triangle"),
+            E::NotTwoEdges(v) => write!(f, "vertex {v} has not exactly two edges"),
+            E::OneFace(h) => write!(f, "both sides of half-edge {h} are in one face"),
+            E::NotAuxiliary(h) => write!(f, "the two sides of half-edge {h} are in different loops"),
+            E::LastEdge(v) => write!(f, "vertex {v} would be left without edges"),
+            E::ListedTwice(face) => write!(f, "face {face} is listed twice"),
+            E::Full => f.write_str("a mesh has at most 2^32 - 2 elements of a kind"),
+            E::Broken(h) => write!(f, "the links at half-edge {h} violate an invariant"),
+        }
+    }
+}
+
+impl std::error::Error for OperationError {}

@@ -1,0 +1,143 @@
+//! Meshes as lists of loops: a second judgement of validity, and a form to compare by. Nothing is asked of a mesh
+//! here but where its loops go.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use predicament_mesh::HalfEdgeMesh;
+use predicament_predicates::Vertex;
+
+/// The loops of a mesh by vertices, each from its smallest rotation on, in ascending order.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Loops {
+    pub faces: Vec<Vec<Vertex>>,
+    pub boundaries: Vec<Vec<Vertex>>,
+    /// Vertices without edges.
+    pub alone: Vec<Vertex>,
+}
+
+/// Numbers of vertices, edges, faces and boundary loops.
+pub type Counts = [i64; 4];
+
+fn rotated(of: &[Vertex]) -> Vec<Vertex> {
+    let rotations = (0..of.len()).map(|at| [&of[at..], &of[..at]].concat());
+    rotations.min().unwrap_or_default()
+}
+
+impl Loops {
+    /// The loops, found by going from half-edge to next with a list of those seen.
+    pub fn of(mesh: &HalfEdgeMesh) -> Loops {
+        let (mut faces, mut boundaries) = (Vec::new(), Vec::new());
+        let mut seen = BTreeSet::new();
+        for first in mesh.half_edges() {
+            let mut vertices = Vec::new();
+            let mut h = first;
+            while seen.insert(h) {
+                vertices.push(mesh.scene_vertex(mesh.end(h)));
+                h = mesh.next(h);
+            }
+            if !vertices.is_empty() {
+                assert_eq!(h, first, "a loop that does not come back");
+                let list = if mesh.face(first).is_some() { &mut faces } else { &mut boundaries };
+                list.push(rotated(&vertices));
+            }
+        }
+        faces.sort();
+        boundaries.sort();
+        let mut alone: Vec<Vertex> = mesh.vertices().map(|v| mesh.scene_vertex(v)).collect();
+        let used: BTreeSet<Vertex> = faces.iter().chain(&boundaries).flatten().copied().collect();
+        alone.retain(|v| !used.contains(v));
+        Loops { faces, boundaries, alone }
+    }
+
+    pub fn counts(&self) -> Counts {
+        let all = || self.faces.iter().chain(&self.boundaries);
+        let vertices = all().flatten().collect::<BTreeSet<_>>().len() + self.alone.len();
+        let half_edges: usize = all().map(Vec::len).sum();
+        [vertices, half_edges / 2, self.faces.len(), self.boundaries.len()].map(|n| i64::try_from(n).unwrap())
+    }
+
+    /// What is wrong, if anything: each directed edge is there once, and its reverse is; around each vertex, the
+    /// step from an edge to the one before its reverse goes through all of its edges; faces have three corners; the
+    /// Euler characteristic is that of closed orientable surfaces when all loops are filled.
+    pub fn check(&self) -> Result<(), String> {
+        let mut after = BTreeMap::new();
+        for list in self.faces.iter().chain(&self.boundaries) {
+            for (at, &v) in list.iter().enumerate() {
+                let [next, last] = [1, 2].map(|more| list[(at + more) % list.len()]);
+                if v == next {
+                    return Err(format!("an edge from {v} to itself"));
+                }
+                if after.insert((v, next), last).is_some() {
+                    return Err(format!("two edges from {v} to {next}"));
+                }
+            }
+        }
+        if let Some(corners) = self.faces.iter().find(|face| face.len() < 3) {
+            return Err(format!("a face of corners {corners:?}"));
+        }
+        let mut degrees: BTreeMap<Vertex, usize> = BTreeMap::new();
+        for &(from, to) in after.keys() {
+            if !after.contains_key(&(to, from)) {
+                return Err(format!("no reverse of the edge from {from} to {to}"));
+            }
+            *degrees.entry(to).or_default() += 1;
+        }
+        let mut parts: BTreeMap<Vertex, Vertex> = BTreeMap::new();
+        for (&to, &degree) in &degrees {
+            let first = after.keys().find(|edge| edge.1 == to).expect("a degree");
+            let (mut from, mut steps) = (first.0, 0);
+            loop {
+                // Out of `to` by the loop, and back by the reverse.
+                from = after[&(from, to)];
+                steps += 1;
+                if from == first.0 || steps > degree {
+                    break;
+                }
+            }
+            if steps != degree {
+                return Err(format!("{degree} edges at {to}, {steps} in one ring"));
+            }
+        }
+        // Components: to the smallest vertex that is reached.
+        for &start in degrees.keys() {
+            let mut waiting = vec![start];
+            while let Some(v) = waiting.pop() {
+                if parts.contains_key(&v) {
+                    continue;
+                }
+                parts.insert(v, start);
+                waiting
+                    .extend(after.range((v, Vertex::input(0))..).take_while(|(edge, _)| edge.0 == v).map(|(e, _)| e.1));
+            }
+        }
+        let parts = parts.values().collect::<BTreeSet<_>>().len();
+        let [vertices, edges, faces, boundaries] = self.counts();
+        let alone = i64::try_from(self.alone.len()).expect("a few");
+        let holes = 2 * i64::try_from(parts).expect("a few") - (vertices - alone - edges + faces + boundaries);
+        if holes < 0 || holes % 2 != 0 {
+            return Err(format!("{parts} parts and twice the genus {holes}"));
+        }
+        Ok(())
+    }
+}
+
+fn list(loops: &[&[usize]]) -> Vec<Vec<Vertex>> {
+    loops.iter().map(|of| of.iter().map(|&v| Vertex::input(v)).collect()).collect()
+}
+
+#[test]
+fn the_second_judgement_can_fail() {
+    let check = |faces: &[&[usize]], boundaries: &[&[usize]]| {
+        Loops { faces: list(faces), boundaries: list(boundaries), alone: Vec::new() }.check()
+    };
+    let refused = |faces: &[&[usize]], boundaries: &[&[usize]]| check(faces, boundaries).expect_err("refused");
+    assert_eq!(check(&[&[0, 1, 2]], &[&[2, 1, 0]]), Ok(()));
+    assert!(refused(&[&[0, 1, 2]], &[]).contains("no reverse"));
+    assert!(refused(&[&[0, 1, 2], &[0, 1, 3]], &[]).contains("two edges"));
+    assert!(refused(&[&[0, 1, 1, 2]], &[]).contains("to itself"));
+    assert!(refused(&[&[0, 1]], &[]).contains("a face of"));
+    // Two triangles that share a vertex, each with a boundary of its own; with one boundary they are whole.
+    let pinched: [&[usize]; 2] = [&[0, 1, 2], &[0, 3, 4]];
+    assert_eq!(refused(&pinched, &[&[2, 1, 0], &[4, 3, 0]]), "4 edges at 0, 2 in one ring");
+    assert_eq!(check(&pinched, &[&[2, 1, 0, 4, 3, 0]]), Ok(()));
+}

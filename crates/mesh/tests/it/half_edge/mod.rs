@@ -1,0 +1,8 @@
+//! Half-edge meshes from outside: conversions, operations, long random sequences.
+
+mod conversion;
+mod loops;
+mod operations;
+mod random;
+mod sequence;
+mod shapes;

@@ -1,0 +1,142 @@
+//! Sequences of operations that numbers stand for. The fuzz target about meshes uses this file as well.
+
+use predicament_mesh::HalfEdgeMesh;
+use predicament_mesh::half_edge::{Face, HalfEdge, MeshVertex, OperationError};
+use predicament_predicates::Vertex;
+
+/// An operation that was done, with what its inverse needs.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Done {
+    SplitEdge(MeshVertex),
+    JoinEdges(HalfEdge, Vertex),
+    SplitFace(HalfEdge),
+    CutEar(HalfEdge),
+    JoinFaces([HalfEdge; 2]),
+    InsertAuxiliaryEdge(HalfEdge),
+    RemoveAuxiliaryEdge(HalfEdge, HalfEdge),
+    Cover(Face),
+    Open(HalfEdge),
+    Flip(HalfEdge),
+    RemoveFaces,
+    Unhook(usize),
+}
+
+/// How many operations there are.
+pub const KINDS: u32 = 12;
+
+impl Done {
+    /// The change of the numbers of vertices, edges, faces and boundary loops; none where faces are removed, as that
+    /// depends on what they share.
+    pub fn change(&self) -> Option<[i64; 4]> {
+        match self {
+            Done::SplitEdge(_) => Some([1, 1, 0, 0]),
+            Done::JoinEdges(..) => Some([-1, -1, 0, 0]),
+            Done::SplitFace(_) | Done::CutEar(_) => Some([0, 1, 1, 0]),
+            Done::JoinFaces(_) => Some([0, -1, -1, 0]),
+            Done::InsertAuxiliaryEdge(_) => Some([0, 1, 0, -1]),
+            Done::RemoveAuxiliaryEdge(..) => Some([0, -1, 0, 1]),
+            Done::Cover(_) => Some([0, 0, 1, -1]),
+            Done::Open(_) => Some([0, 0, -1, 1]),
+            Done::Flip(_) => Some([0; 4]),
+            Done::RemoveFaces | Done::Unhook(_) => None,
+        }
+    }
+
+    /// Undoes the operation; false where it has no inverse.
+    pub fn undo(self, mesh: &mut HalfEdgeMesh) -> Result<bool, OperationError> {
+        match self {
+            Done::SplitEdge(v) => drop(mesh.join_edges(v)?),
+            Done::JoinEdges(h, scene_vertex) => drop(mesh.split_edge(h, scene_vertex)?),
+            Done::SplitFace(h) | Done::CutEar(h) => drop(mesh.join_faces(h)?),
+            Done::JoinFaces([first, second]) => drop(mesh.split_face(first, second)?),
+            Done::InsertAuxiliaryEdge(h) => drop(mesh.remove_auxiliary_edge(h)?),
+            Done::RemoveAuxiliaryEdge(first, second) => drop(mesh.insert_auxiliary_edge(first, second)?),
+            Done::Cover(f) => drop(mesh.open_face(f)?),
+            Done::Open(h) => drop(mesh.cover_boundary_loop(h)?),
+            Done::Flip(h) => mesh.flip_edge(h)?,
+            Done::RemoveFaces | Done::Unhook(_) => return Ok(false),
+        }
+        Ok(true)
+    }
+}
+
+/// A mesh, what was unhooked from it, and how many vertices were ever made.
+pub struct Sequence {
+    pub mesh: HalfEdgeMesh,
+    pub unhooked: HalfEdgeMesh,
+    pub made: usize,
+}
+
+impl Sequence {
+    pub fn new(mesh: HalfEdgeMesh) -> Sequence {
+        let made = mesh.vertices().map(|v| mesh.scene_vertex(v).index() + 1).max().unwrap_or(0);
+        Sequence { mesh, unhooked: HalfEdgeMesh::default(), made }
+    }
+
+    /// One operation: which one, and numbers that choose its arguments. Arguments may name nothing.
+    pub fn step(&mut self, kind: u32, numbers: [u32; 2]) -> Result<Done, OperationError> {
+        let half_edges: Vec<HalfEdge> = self.mesh.half_edges().collect();
+        let faces: Vec<Face> = self.mesh.faces().collect();
+        let vertices: Vec<MeshVertex> = self.mesh.vertices().collect();
+        let no_half_edge = OperationError::NoSuchHalfEdge;
+        let Some(&any) = half_edges.first() else { return Err(OperationError::Full) };
+        let pick = |number: u32| half_edges[number as usize % half_edges.len()];
+        let [a, b] = numbers.map(pick);
+        // Two of one loop, often; else of any.
+        let mate = self.mesh.loop_of(a).nth(numbers[1] as usize % 7).unwrap_or(b);
+        let mesh = &mut self.mesh;
+        let before = |h: HalfEdge, mesh: &HalfEdgeMesh| mesh.previous(h).ok_or(no_half_edge(h));
+        Ok(match kind % KINDS {
+            0 => {
+                let vertex = Vertex::input(self.made);
+                let done = Done::SplitEdge(mesh.split_edge(a, vertex)?);
+                self.made += 1;
+                done
+            }
+            1 => {
+                let v = vertices[numbers[0] as usize % vertices.len()];
+                let scene_vertex = mesh.scene_vertex(v);
+                Done::JoinEdges(mesh.join_edges(v)?, scene_vertex)
+            }
+            2 => Done::SplitFace(mesh.split_face(a, mate)?),
+            3 => Done::CutEar(mesh.cut_ear(a)?),
+            4 => {
+                let ends = [before(a, mesh)?, before(mesh.opposite(a), mesh)?];
+                mesh.join_faces(a)?;
+                Done::JoinFaces(ends)
+            }
+            5 => {
+                let from_hole = mesh.is_boundary(a);
+                let h = mesh.insert_auxiliary_edge(a, b)?;
+                // The inverse leaves the face at the start.
+                Done::InsertAuxiliaryEdge(if from_hole { mesh.opposite(h) } else { h })
+            }
+            6 => {
+                let from = before(a, mesh)?;
+                let to = mesh.remove_auxiliary_edge(a)?;
+                Done::RemoveAuxiliaryEdge(from, to)
+            }
+            7 => Done::Cover(mesh.cover_boundary_loop(a)?),
+            8 => match faces.get(numbers[0] as usize % faces.len().max(1)) {
+                Some(&f) => Done::Open(mesh.open_face(f)?),
+                None => return Err(no_half_edge(any)),
+            },
+            9 => {
+                mesh.flip_edge(a)?;
+                Done::Flip(a)
+            }
+            kind => {
+                let chosen: Vec<Face> = numbers
+                    .into_iter()
+                    .filter_map(|number| faces.get(number as usize % faces.len().max(1)).copied())
+                    .collect();
+                if kind == 10 {
+                    mesh.remove_faces(&chosen)?;
+                    Done::RemoveFaces
+                } else {
+                    Done::Unhook(mesh.unhook_faces(&chosen, &mut self.unhooked)?.len())
+                }
+            }
+        })
+    }
+}
