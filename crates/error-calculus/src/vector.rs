@@ -6,7 +6,7 @@
 use crate::{Ring, Root};
 
 /// a − b.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn minus<N: Ring, const D: usize>(a: &[N; D], b: &[N; D]) -> [N; D] {
     std::array::from_fn(|i| a[i].clone() - b[i].clone())
@@ -27,7 +27,7 @@ pub fn negated<N: Ring, const D: usize>(a: &[N; D]) -> [N; D] {
 }
 
 /// a · b = (a₀b₀ + a₁b₁) + a₂b₂.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn dot<N: Ring, const D: usize>(a: &[N; D], b: &[N; D]) -> N {
     sum(|i| a[i].clone() * b[i].clone(), D)
@@ -48,14 +48,14 @@ pub fn norm<N: Root, const D: usize>(a: &[N; D]) -> N {
 }
 
 /// a × b in the plane, a number: a₀b₁ − a₁b₀.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn perp<N: Ring>(a: &[N; 2], b: &[N; 2]) -> N {
     a[0].clone() * b[1].clone() - a[1].clone() * b[0].clone()
 }
 
 /// a × b in space.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn cross<N: Ring>(a: &[N; 3], b: &[N; 3]) -> [N; 3] {
     let minor = |i: usize, j: usize| a[i].clone() * b[j].clone() - a[j].clone() * b[i].clone();

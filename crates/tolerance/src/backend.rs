@@ -180,7 +180,7 @@ fn spatial<F: Float>(scene: &Scene) -> Result<Tolerances3d<F>, Declined> {
 }
 
 /// Zero within the tolerance, else the sign of the computed value.
-#[inline]
+#[inline(always)]
 fn register<F: Float>(value: F, band: Band) -> Sign {
     let value = value.wide();
     if value.abs() <= band.width { Sign::Zero } else { Sign::of(value) }
@@ -191,6 +191,7 @@ impl<T, F: Float> Session<'_, T, F> {
     ///
     /// # Errors
     /// [`Declined`] where the projection has none, or is not of this scene.
+    #[inline]
     pub fn tolerances2d(&self, plane: Plane) -> Result<&Tolerances2d<F>, Declined> {
         match self.planar.get(plane as usize) {
             Some(tolerances) => tolerances.as_ref().map_err(Clone::clone),
@@ -221,7 +222,7 @@ impl<T, F: Float> Session<'_, T, F> {
 
     /// Twice the signed area, as Algorithm 5 computes its first: edge vectors
     /// from the last point, then their cross product.
-    #[inline]
+    #[inline(always)]
     fn area(&self, plane: Plane, vertices: [Vertex; 3]) -> F {
         let [a, b, c] = vertices.map(|v| self.scene.point2(plane, v).map(F::nearest));
         quantities::area(&c, &a, &b)
@@ -229,7 +230,7 @@ impl<T, F: Float> Session<'_, T, F> {
 
     /// Six times the signed volume, as Algorithm 11 computes its first: edge
     /// vectors from the last point, a cross product and a dot product.
-    #[inline]
+    #[inline(always)]
     fn volume(&self, vertices: [Vertex; 4]) -> F {
         let [a, b, c, d] = vertices.map(|v| self.scene.point3(v).map(F::nearest));
         quantities::volume(&a, &b, &c, &d)
@@ -266,7 +267,7 @@ impl<T, F: Float> Session<'_, T, F> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn kappa(&self, plane: Plane) -> Band {
         match self.tolerances2d(plane) {
             Ok(tolerances) => tolerances.kappa,
@@ -274,9 +275,9 @@ impl<T, F: Float> Session<'_, T, F> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn xi(&self) -> Band {
-        self.spatial.expect("orient3d needs a 3D scene").xi
+        self.spatial.as_ref().expect("orient3d needs a 3D scene").xi
     }
 }
 
@@ -309,13 +310,13 @@ impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
         a.partial_cmp(&b).expect("coordinates are finite").into()
     }
 
-    #[inline]
+    #[inline(always)]
     fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
         self.tally.settled(PredicateKind::Orient2d, 0);
         register(self.area(plane, [a, b, c]), self.kappa(plane))
     }
 
-    #[inline]
+    #[inline(always)]
     fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
         self.tally.settled(PredicateKind::Orient3d, 0);
         register(self.volume([a, b, c, d]), self.xi())

@@ -51,14 +51,14 @@ pub fn along<N: Ring, const D: usize>(u: &[N; D], w: &[N; D], m: &N) -> [N; 2] {
 }
 
 /// Twice the signed area of a triangle, (6) and (8): (Q − P) × (R − P), counterclockwise positive.
-#[inline]
+#[inline(always)]
 pub fn area<N: Ring>(p: &[N; 2], q: &[N; 2], r: &[N; 2]) -> N {
     perp(&minus(q, p), &minus(r, p))
 }
 
 /// Six times the signed volume of a tetrahedron, (17) to (21):
 /// ((A − D) × (B − D)) · (C − D).
-#[inline]
+#[inline(always)]
 pub fn volume<N: Ring>(a: &[N; 3], b: &[N; 3], c: &[N; 3], d: &[N; 3]) -> N {
     dot(&cross(&minus(a, d), &minus(b, d)), &minus(c, d))
 }
