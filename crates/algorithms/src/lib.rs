@@ -12,6 +12,7 @@
 //! * [`interval`]: the cell of a line in which a point lies.
 //! * [`planted`]: faults planted in these, to prove the judge.
 //! * [`polygon_locate`]: points in the regions of a map, by ray casting.
+//! * [`sort`]: sorting by signs that may contradict each other.
 
 pub mod arrangement;
 pub mod contacts;
@@ -21,3 +22,4 @@ pub mod interval;
 mod parallel;
 pub mod planted;
 pub mod polygon_locate;
+pub mod sort;

@@ -7,3 +7,4 @@ mod contacts_driver;
 mod polygon_locate;
 mod polygon_shapes;
 mod polygon_special;
+mod sort;
