@@ -1,19 +1,19 @@
-//! How much of a heavy test is run: a tenth by default, all of it under `cargo xtask nightly`.
+//! How much of a heavy test is run: a twentieth by default, all of it under `cargo xtask nightly`.
 //!
 //! A sweep over millions of inputs finds little on its hundredth run that it did
-//! not find on its first, so most runs make a tenth of it. What a test asserts is
+//! not find on its first, so most runs make a twentieth of it. What a test asserts is
 //! the same at either effort, and one variable decides for all tests: [`VARIABLE`].
 //! Nothing but tests depends on this crate.
 
 use std::sync::OnceLock;
 
-/// The environment variable: `whole`, or unset for a tenth.
+/// The environment variable: `whole`, or unset for a twentieth.
 pub const VARIABLE: &str = "PREDICAMENT_EFFORT";
 
-/// The part of each heavy test that is left out by default: nine of ten inputs.
-const DIVISOR: usize = 10;
+/// The part of each heavy test that is left out by default: 19 of 20 inputs.
+const DIVISOR: usize = 20;
 
-/// 1 if heavy tests are run whole, else 10: one of so many inputs is tried.
+/// 1 if heavy tests are run whole, else 20: one of so many inputs is tried.
 ///
 /// # Panics
 ///
@@ -42,7 +42,7 @@ pub fn whole() -> bool {
     divisor() == 1
 }
 
-/// How many of this many inputs a heavy test tries: a tenth, rounded up, or all.
+/// How many of this many inputs a heavy test tries: a twentieth, rounded up, or all.
 #[must_use]
 pub fn scaled(all: usize) -> usize {
     all.div_ceil(divisor())
@@ -60,7 +60,7 @@ mod tests {
 
     #[test]
     fn only_known_words_set_the_effort() {
-        assert_eq!(parse(None), Ok(10));
+        assert_eq!(parse(None), Ok(20));
         assert_eq!(parse(Some("whole")), Ok(1));
         for word in ["", "Whole", "1", "full"] {
             assert!(parse(Some(word)).unwrap_err().contains(VARIABLE), "`{word}` passes for an effort");
@@ -70,6 +70,6 @@ mod tests {
     #[test]
     fn something_is_left_of_everything() {
         assert_eq!(scaled(1), 1);
-        assert_eq!(cases(4000), if whole() { 4000 } else { 400 });
+        assert_eq!(cases(4000), if whole() { 4000 } else { 200 });
     }
 }

@@ -48,6 +48,8 @@ fn multisets<const N: usize>(things: usize, mut f: impl FnMut([usize; N])) {
 /// order of points and axes.
 fn combinations<const D: usize, const N: usize>(things: usize, mut f: impl FnMut([[usize; D]; N])) {
     let points = things.pow(u32::try_from(D).expect("2 or 3"));
+    // All but the first, which changes nothing.
+    let others = &orders::<D>()[1..];
     multisets::<N>(points, |chosen| {
         let rows = chosen.map(|mut point| {
             std::array::from_fn(|_| {
@@ -61,8 +63,9 @@ fn combinations<const D: usize, const N: usize>(things: usize, mut f: impl FnMut
             rows.sort_unstable();
             rows
         };
-        let own = sorted(&std::array::from_fn(|axis| axis));
-        if orders::<D>().iter().all(|order| own <= sorted(order)) {
+        let mut own = rows;
+        own.sort_unstable();
+        if others.iter().all(|order| own <= sorted(order)) {
             f(rows);
         }
     });
@@ -143,7 +146,7 @@ fn compare() {
     let key = |x: f64| if x < 0.0 { -(x.abs().to_bits().cast_signed()) } else { x.abs().to_bits().cast_signed() };
     let keys: Vec<i64> = values.iter().map(|&x| key(x)).collect();
     let vertices: Vec<_> = scene.vertices().collect();
-    // Each with all others; by default every tenth, and whose turn it is changes.
+    // Each with all others; by default every twentieth, and whose turn it is changes.
     let step = predicament_effort::divisor();
     for (i, (&a, x)) in vertices.iter().zip(&keys).enumerate() {
         for (&b, y) in vertices.iter().zip(&keys).skip(i % step).step_by(step) {

@@ -104,7 +104,7 @@ fn a_handful_of_cubes_has_the_expected_measures() {
     }
 }
 
-/// At whole effort; a tenth of them by default.
+/// At whole effort; a twentieth of them by default.
 #[test]
 fn a_hundred_thousand_cubes_have_the_expected_measures_and_scatter_by_the_law() {
     let [few, many] = [10_000, 100_000].map(predicament_effort::cases);
@@ -117,7 +117,7 @@ fn a_hundred_thousand_cubes_have_the_expected_measures_and_scatter_by_the_law() 
     }
 }
 
-/// At whole effort; a tenth of them by default.
+/// At whole effort; a twentieth of them by default.
 #[test]
 fn a_million_and_ten_million_cubes_have_the_expected_measures() {
     let less = u32::try_from(predicament_effort::divisor()).unwrap();
