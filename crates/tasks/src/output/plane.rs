@@ -3,11 +3,11 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use predicament_judge::Points;
+use predicament_judge::{Points, nearest, rational};
 use predicament_predicates::{Scene, Vertex};
 use serde_json::{Value, json};
 
-use super::rounded;
+use super::{exactly, rounded};
 
 /// The longer side of a picture, in pixels.
 const SIDE: f64 = 960.0;
@@ -17,24 +17,65 @@ const MARGIN: f64 = 20.0;
 const DOTTED: usize = 500;
 
 /// Writes `NAME.svg` and `NAME.geojson`: a polygon a feature, its first ring the outer one. A constructed vertex is at
-/// the nearest doubles. The picture has y upwards; its polygons are filled by even and odd.
+/// the nearest doubles, but in the picture where it is: a crossing between two neighbouring doubles is seen between them.
+/// The picture has y upwards; its polygons are filled by even and odd.
 ///
 /// # Errors
 /// That of the file system.
 pub fn plane(scene: &Scene, polygons: &[Vec<Vec<Vertex>>], folder: &Path, name: &str) -> std::io::Result<Vec<PathBuf>> {
     let points = Points::of(scene);
-    let place = |&v: &Vertex| rounded(&points, v).map(|point| [point[0], point[1]]);
-    let ring = |ring: &Vec<Vertex>| ring.iter().map(place).collect::<std::io::Result<Vec<[f64; 2]>>>();
-    let placed: Vec<Polygon> =
-        polygons.iter().map(|rings| rings.iter().map(ring).collect()).collect::<std::io::Result<_>>()?;
+    let placed = each(polygons, |v| rounded(&points, v).map(|point| [point[0], point[1]]))?;
+    let bounds = Bounds::of(&placed);
+    let offsets = each(polygons, |v| bounds.offset(&points, v))?;
     let [svg, geojson] = [".svg", ".geojson"].map(|extension| folder.join(format!("{name}{extension}")));
-    std::fs::write(&svg, picture(&placed))?;
+    std::fs::write(&svg, picture(&bounds, &offsets))?;
     std::fs::write(&geojson, features(polygons, &placed))?;
     Ok(vec![svg, geojson])
 }
 
 /// The rings of a polygon.
 type Polygon = Vec<Vec<[f64; 2]>>;
+
+/// The polygons with something for each vertex.
+fn each(
+    polygons: &[Vec<Vec<Vertex>>],
+    place: impl Fn(Vertex) -> std::io::Result<[f64; 2]>,
+) -> std::io::Result<Vec<Polygon>> {
+    let ring = |ring: &Vec<Vertex>| ring.iter().map(|&v| place(v)).collect::<std::io::Result<Vec<[f64; 2]>>>();
+    polygons.iter().map(|rings| rings.iter().map(ring).collect()).collect()
+}
+
+/// The box around all rounded points.
+struct Bounds {
+    left: f64,
+    top: f64,
+    width: f64,
+    height: f64,
+}
+
+impl Bounds {
+    fn of(placed: &[Polygon]) -> Bounds {
+        let bound = |axis: usize| {
+            let along = placed.iter().flatten().flatten().map(|point| point[axis]);
+            along.fold(None, |bound, x| {
+                let [low, high] = bound.unwrap_or([x, x]);
+                Some([x.min(low), x.max(high)])
+            })
+        };
+        let [[left, right], [bottom, top]] = [0, 1].map(|axis| bound(axis).unwrap_or([0.0, 1.0]));
+        Bounds { left, top, width: right - left, height: top - bottom }
+    }
+
+    /// How far right of the left side and below the top a vertex is, rounded once.
+    fn offset(&self, points: &Points, v: Vertex) -> std::io::Result<[f64; 2]> {
+        if v.construction().is_none() {
+            let point = points.scene().point(v);
+            return Ok([point[0] - self.left, self.top - point[1]]);
+        }
+        let point = exactly(points, v)?;
+        Ok([nearest(&(rational(-self.left) + &point[0])), nearest(&(rational(self.top) - &point[1]))])
+    }
+}
 
 fn features(polygons: &[Vec<Vec<Vertex>>], placed: &[Polygon]) -> String {
     let closed = |ring: &Vec<[f64; 2]>| ring.iter().chain(ring.first()).copied().collect::<Vec<_>>();
@@ -52,21 +93,14 @@ fn features(polygons: &[Vec<Vec<Vertex>>], placed: &[Polygon]) -> String {
     format!("{}\n", json!({ "type": "FeatureCollection", "features": features }))
 }
 
-fn picture(polygons: &[Polygon]) -> String {
+fn picture(bounds: &Bounds, polygons: &[Polygon]) -> String {
     let all = || polygons.iter().flatten().flatten();
-    let bound = |axis: usize| {
-        all().fold([f64::MAX, f64::MIN], |[low, high], point| [low.min(point[axis]), high.max(point[axis])])
-    };
-    let [[left, right], [bottom, top]] = [bound(0), bound(1)];
-    // Halves, so that no difference of finite numbers overflows.
-    let extent = (0.5 * right - 0.5 * left).max(0.5 * top - 0.5 * bottom);
-    let scale = |x: f64| if extent > 0.0 { (0.5 * x / extent).clamp(0.0, 1.0) * SIDE } else { 0.5 * SIDE };
-    let pixel = |[x, y]: [f64; 2]| [MARGIN + scale(x - left), MARGIN + scale(top - y)];
-    let [width, height] = if polygons.iter().all(Vec::is_empty) {
-        [SIDE; 2]
-    } else {
-        [scale(right - left), scale(top - bottom)].map(|side| side.max(1.0))
-    };
+    let extent = bounds.width.max(bounds.height);
+    // A crossing can be outside of the box by less than a rounding error. A box without an extent, or with one that is
+    // larger than all doubles, is a dot.
+    let scale = |x: f64| if extent > 0.0 && extent.is_finite() { (x / extent).clamp(0.0, 1.0) * SIDE } else { 0.0 };
+    let pixel = |[x, y]: [f64; 2]| [MARGIN + scale(x), MARGIN + scale(y)];
+    let [width, height] = [bounds.width, bounds.height].map(|side| scale(side).max(1.0));
     let [width, height] = [width, height].map(|side| side + 2.0 * MARGIN);
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{height:.0}\" \

@@ -182,12 +182,12 @@ impl Task for Signs {
 
     fn write(
         &self,
-        _: &Scene,
+        scene: &Scene,
         content: &SignQueries,
         answer: &Answers,
         folder: &Path,
     ) -> std::io::Result<Vec<PathBuf>> {
-        write::csv(&content.queries, &answer.0, folder)
+        write::write(scene, &content.queries, &answer.0, folder)
     }
 }
 
