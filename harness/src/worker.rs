@@ -69,15 +69,15 @@ enum End {
 }
 
 impl Worker<'_> {
-    /// Runs one backend; none where the tool was interrupted.
-    pub fn run(&self, tool: &Tool, backend: &str) -> Result<Option<Found>, Failure> {
+    /// Runs one backend, by its name and by what is written after `-b`; none where the tool was interrupted.
+    pub fn run(&self, tool: &Tool, backend: &str, argument: &str) -> Result<Option<Found>, Failure> {
         let folder = std::env::temp_dir().join(format!("predicament-worker-{}", std::process::id()));
         let cannot = |what: &Path, error: std::io::Error| Failure::usage(format!("{}: {error}", what.display()));
         let _ = std::fs::remove_dir_all(&folder);
         std::fs::create_dir_all(&folder).map_err(|error| cannot(&folder, error))?;
         let (run, errors) = (folder.join("run"), folder.join("stderr"));
         let stderr = File::create(&errors).map_err(|error| cannot(&errors, error))?;
-        let mut child = self.command(backend, &run, stderr)?;
+        let mut child = self.command(argument, &run, stderr)?;
         let found = match self.wait(&mut child) {
             End::Interrupt => None,
             End::Limit(limit) => {
@@ -101,11 +101,11 @@ impl Worker<'_> {
         Ok(found)
     }
 
-    fn command(&self, backend: &str, run: &Path, stderr: File) -> Result<Child, Failure> {
+    fn command(&self, argument: &str, run: &Path, stderr: File) -> Result<Child, Failure> {
         let program = std::env::current_exe().map_err(|error| Failure::usage(format!("this program: {error}")))?;
         let mut command = Command::new(program);
         let filter = format!("^{}$", regex::escape(&format!("{}/{}", self.scene.suite, self.scene.scene)));
-        command.args(["--quiet", "run", &self.suite, "-f", &filter, "-b", backend]);
+        command.args(["--quiet", "run", &self.suite, "-f", &filter, "-b", argument]);
         command.args(["--level", self.level.name(), "--isolate", "never"]).arg("--out").arg(run);
         if self.answers {
             command.arg("--answers");

@@ -68,6 +68,25 @@ fn lines_are_edges() {
 }
 
 #[test]
+fn errors_stay_short() {
+    let deep = r#"{"type": "GeometryCollection", "geometries": ["#.repeat(32);
+    let long = "x".repeat(1 << 20);
+    for (text, said) in [
+        (
+            format!("{deep}{{\"type\": \"Point\", \"coordinates\": [0.1, 0]}}{}", "]}".repeat(32)),
+            "geometries[0].geometries[0]",
+        ),
+        (format!("{{\"type\": \"{long}\"}}"), "no geometry is of type `xxx"),
+        (format!("{{\"type\": \"Point\", \"coordinates\": \"{long}\"}}"), "coordinates: no array; give an array"),
+        (format!("{{\"type\": \"Point\", \"coordinates\": [0, 0], \"properties\": \"{long}\"}}"), "not GeoJSON: "),
+    ] {
+        let error = of(&text).map(drop).unwrap_err().to_string();
+        assert!(error.starts_with(&format!("m.geojson:1: {said}")), "{error}");
+        assert!(error.len() < 700, "{error}");
+    }
+}
+
+#[test]
 fn errors_say_where() {
     let changed = |from: &str, to: &str| {
         assert!(SQUARES.contains(from), "{from}");
