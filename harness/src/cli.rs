@@ -131,7 +131,7 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
         // A panic of the tool must not leave with the code that says `unexpected pass`.
         let done = predicament_oracle::caught(|| match arguments.command {
             Command::Ask(args) => cmd::ask::run(&args, &tool),
-            Command::New(args) => cmd::new::run(&args),
+            Command::New(args) => cmd::new::run(&args, &tool),
             Command::Run(args) => cmd::run::run(args, &tool),
             Command::Bench(args) => cmd::bench::run(args, &tool),
             Command::Report(args) => cmd::report::run(&args, &tool),

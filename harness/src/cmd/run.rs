@@ -258,7 +258,7 @@ impl Job {
         let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-run"));
         let writer = RunWriter::create(&folder, &plan, &env_of(&backends), &tables_with(tool, args.answers))
             .map_err(Failure::usage)?;
-        tell_not_selected(&selection.not_selected);
+        tell_not_selected(&selection.not_selected, "run");
         let (level, answers) = (selection.level, args.answers);
         let (done, precision, wholes) = (Vec::new(), Vec::new(), BTreeMap::new());
         let ledger = Ledger { level, answers, wholes, done, precision, folder, writer };
@@ -295,16 +295,18 @@ impl Job {
     }
 }
 
-/// Says in one line which suites are not run: how many, where they were not asked for.
-fn tell_not_selected(suites: &[NotSelected]) {
+/// Says in one line which suites are not run (or the like): how many, where they were not asked for.
+pub fn tell_not_selected(suites: &[NotSelected], done: &str) {
     let unnamed = suites.iter().filter(|suite| suite.reason == NOT_NAMED).count();
     let unfetched: Vec<&str> =
         suites.iter().filter(|suite| suite.reason != NOT_NAMED).map(|suite| suite.suite.as_str()).collect();
     match (unnamed, unfetched.join(", ")) {
         (0, unfetched) if unfetched.is_empty() => {}
-        (0, unfetched) => note!("not run: {unfetched}: `{} corpus fetch` gets their data, then name them", program()),
+        (0, unfetched) => {
+            note!("not {done}: {unfetched}: `{} corpus fetch` gets their data, then name them", program())
+        }
         (unnamed, _) => {
-            note!("{unnamed} suites were {NOT_NAMED} and are not run; `{} corpus list` has them", program())
+            note!("{unnamed} suites were {NOT_NAMED} and are not {done}; `{} corpus list` has them", program())
         }
     }
 }

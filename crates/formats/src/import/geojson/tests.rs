@@ -135,7 +135,7 @@ fn errors_say_where() {
         (changed("\"type\": \"FeatureCollection\", ", ""), "m.geojson:1: an object without a type; use one of"),
         (changed("null}\n]}", "null"), "m.geojson:8: not GeoJSON: EOF"),
         (changed("null}\n]}", "null}\n]} x"), "m.geojson:9: not GeoJSON: trailing"),
-        (changed("[[[4, 0]", "[[7, [4, 0]"), "m.geojson:5: not GeoJSON: invalid type"),
+        (changed("[[[4, 0]", "[[7, [4, 0]"), "m.geojson:5: features[1].geometry.coordinates[0][0][0]: no array; give"),
         (of("").unwrap_err().to_string(), "m.geojson:1: not GeoJSON: EOF while parsing a value; the file ends early"),
         (of("[\"Point\", null, null, null, [1, 2]]").unwrap_err().to_string(), "m.geojson:1: no object; give"),
         (of("\u{0}").unwrap_err().to_string(), "m.geojson:1: not GeoJSON: expected value; give"),
