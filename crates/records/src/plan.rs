@@ -120,6 +120,14 @@ pub struct PlannedScene {
     pub queries: u64,
 }
 
+impl PlannedScene {
+    /// What the rows of a scene begin with in every table: suite, scene, id and task.
+    #[must_use]
+    pub fn labels(&self) -> [String; 4] {
+        [&self.suite, &self.scene, &self.scene_id, &self.task].map(String::clone)
+    }
+}
+
 /// A suite that is not going to be run, and why.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 pub struct NotSelected {
