@@ -200,3 +200,33 @@ fn printable(line: &str) -> String {
     let escaped: String = line.trim().chars().take(MOST).flat_map(char::escape_debug).collect();
     if line.chars().nth(MOST).is_some() { escaped + "…" } else { escaped }
 }
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::os::unix::process::ExitStatusExt;
+
+    use super::*;
+
+    #[test]
+    fn each_death_has_its_name() {
+        let code = |code: i32| Some(ExitStatus::from_raw(code << 8));
+        let long = format!("thread 'main' panicked\n{}\u{1b}[2J", "x".repeat(400));
+        for (status, said, check, message) in [
+            (Some(ExitStatus::from_raw(9)), "", "out of memory", "killed by the system (signal 9): without a word"),
+            (Some(ExitStatus::from_raw(11)), "a\n\n", "crashed", "segmentation fault (signal 11): a"),
+            (Some(ExitStatus::from_raw(6)), "", "crashed", "abort (signal 6): without a word"),
+            (
+                Some(ExitStatus::from_raw(6)),
+                "memory allocation of 99 bytes failed\nnote",
+                "out of memory",
+                "memory allocation of 99 bytes failed",
+            ),
+            (code(101), "b", "crashed", "ended with code 101: b"),
+            (None, "", "crashed", "ended with code unknown: without a word"),
+        ] {
+            assert_eq!(death(status, said), (check, message.to_owned()));
+        }
+        let (_, message) = death(code(2), &long);
+        assert!(message.chars().count() < 350 && !message.contains(char::is_control), "{message}");
+    }
+}

@@ -235,6 +235,20 @@ mod tests {
     }
 
     #[test]
+    fn only_a_small_regular_file_is_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join(FILE);
+        std::fs::write(&file, " ".repeat(1 + usize::try_from(MOST_BYTES).unwrap())).unwrap();
+        for place in [file.as_path(), folder.path()] {
+            let error = Config::read(place).unwrap_err();
+            assert!(
+                error.ends_with("it is no regular file of at most 1048576 bytes; name the engine.toml of an engine"),
+                "{error}"
+            );
+        }
+    }
+
+    #[test]
     fn what_is_wrong_is_said_with_its_line() {
         let long = "x".repeat(65);
         let about = "x".repeat(201);

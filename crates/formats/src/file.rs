@@ -205,6 +205,18 @@ mod tests {
     }
 
     #[test]
+    fn a_bomb_is_refused() {
+        let zeros = std::io::repeat(b'0').take(MOST_UNPACKED + 1);
+        let mut packed = Vec::new();
+        GzEncoder::new(zeros, Compression::fast()).read_to_end(&mut packed).unwrap();
+        let error = unpacked("a.csv.gz", packed).unwrap_err().to_string();
+        assert_eq!(
+            error,
+            "a.csv.gz: unpacked, the file has more than 268435456 bytes; divide the data, or unpack it beforehand"
+        );
+    }
+
+    #[test]
     fn text_is_utf8_and_loses_its_mark() {
         assert_eq!(text_of("a", "\u{feff}1,2".into()).unwrap(), "1,2");
         let error = text_of("a.csv", b"1,2\n\xff,1\n".to_vec()).unwrap_err().to_string();

@@ -162,6 +162,38 @@ fn every_answer_of_a_run_is_written_where_it_was_asked_for() {
     assert!(column(&answers, "stage").iter().any(|stage| stage == "float"), "{answers}");
 }
 
+/// A row is what was asked, what was answered, what is true and what that is called, in the order of the queries.
+#[test]
+fn each_answer_is_the_answer_to_its_query() {
+    let folder = tempdir().unwrap();
+    let suite = "title = \"Mine\"\n[[scene]]\nname = \"turns\"\ntask = \"orient2d\"\n\
+                 points = [[\"0x1.0000000000001p-1\", 0.5], [12, 12], [24, 24], [36, 36], [0, 1]]\n\
+                 queries = [[0, 1, 2], [1, 2, 3], [1, 2, 4]]\n";
+    let (suite, out) = (write(&folder, "mine.toml", suite), at(&folder, "run"));
+    run(&["run", &suite, "-b", "exact,sos,naive", "--answers", "--out", &out]);
+    let answers = read(&out, "answers.csv");
+    let columns = ["backend", "query", "args", "answer", "exact", "class"].map(|name| column(&answers, name));
+    let rows: Vec<String> =
+        (0..columns[0].len()).map(|row| columns.each_ref().map(|cells| cells[row].as_str()).join(",")).collect();
+    let broken = rows[4].replace("sos,1,1 2 3,+,", "sos,1,1 2 3,-,");
+    let expected = [
+        "exact,0,0 1 2,-,-,agree",
+        "exact,1,1 2 3,0,0,agree",
+        "exact,2,1 2 4,+,+,agree",
+        "sos,0,0 1 2,-,-,agree",
+        // Which side is the judge's word.
+        rows[4].as_str(),
+        "sos,2,1 2 4,+,+,agree",
+        "naive,0,0 1 2,0,-,overreach",
+        "naive,1,1 2 3,0,0,agree",
+        "naive,2,1 2 4,+,+,agree",
+    ];
+    assert_eq!(
+        (rows.as_slice(), broken.as_str()),
+        (expected.map(str::to_owned).as_slice(), "sos,1,1 2 3,-,0,tie_broken")
+    );
+}
+
 #[test]
 fn a_suite_by_path_can_be_drawn_and_a_changed_one_is_named() {
     let folder = tempdir().unwrap();
