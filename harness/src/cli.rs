@@ -116,7 +116,11 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
         let help = format!("Backends:\n{}", tool.backend_help());
         let command = Arguments::command()
             .mut_subcommand("run", |run| run.after_help(format!("{help}\n\n{}", cmd::run::EXAMPLES)));
-        let matches = command.clone().get_matches_from(std::env::args_os().map(point));
+        let words: Vec<OsString> = std::env::args_os().map(point).collect();
+        if let Some(at) = words.iter().skip(1).position(is_empty) {
+            return exit::code(Err(exit::Failure::usage(empty(&words, at + 1))));
+        }
+        let matches = command.clone().get_matches_from(words);
         let arguments = match Arguments::from_arg_matches(&matches) {
             Ok(arguments) => arguments,
             Err(error) => error.exit(),
@@ -127,7 +131,7 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
         // A panic of the tool must not leave with the code that says `unexpected pass`.
         let done = predicament_oracle::caught(|| match arguments.command {
             Command::Ask(args) => cmd::ask::run(&args, &tool),
-            Command::New(args) => cmd::new::run(&args),
+            Command::New(args) => cmd::new::run(&args, &tool),
             Command::Run(args) => cmd::run::run(args, &tool),
             Command::Bench(args) => cmd::bench::run(args, &tool),
             Command::Report(args) => cmd::report::run(&args, &tool),
@@ -146,6 +150,22 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
         });
         exit::code(done.unwrap_or_else(|broken| Err(exit::Failure::usage(broken))))
     }
+}
+
+/// Whether a word of the command line is empty, or an option with an empty value: the value of a variable that is not
+/// set, most often. No argument of the tool may be empty.
+fn is_empty(word: &OsString) -> bool {
+    let option = |text: &str| text.starts_with("--") && text.ends_with('=');
+    word.is_empty() || word.to_str().is_some_and(option)
+}
+
+/// The message about an empty argument.
+fn empty(words: &[OsString], at: usize) -> String {
+    let shown: Vec<String> = words[1..at].iter().map(|word| word.to_string_lossy().into_owned()).collect();
+    let behind = if shown.is_empty() { String::new() } else { format!(" behind `{}`", shown.join(" ")) };
+    let word = words[at].to_string_lossy();
+    let what = if word.is_empty() { "an empty argument".to_owned() } else { format!("`{word}` without a value") };
+    format!("{what}{behind}; write a value, or leave it out")
 }
 
 /// A point such as `-1,0` begins like an option and is none: with a bracket it is taken for what it is.

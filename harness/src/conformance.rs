@@ -157,7 +157,7 @@ impl<B: Backend + 'static, T: TaskList> Conformance<B, T> {
             std::fs::remove_dir_all(&folder)
                 .map_err(|error| Failure::usage(format!("{}: {error}", folder.display())))?;
         }
-        let plan = plan(&selection, &scenes, &backends, Shard::WHOLE);
+        let plan = plan(&selection, &scenes, &backends, &[], Shard::WHOLE);
         let mut writer =
             RunWriter::create(&folder, &plan, &env_of(&backends), &tables(&tool)).map_err(Failure::usage)?;
         let never = AtomicBool::new(false);

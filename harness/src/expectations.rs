@@ -57,5 +57,12 @@ pub fn unused(expected: &Expectations, tool: &Tool, plan: &Plan) -> Result<Unuse
         backends: &plan.backends,
         level: &plan.level.to_string(),
     };
-    Ok(expected.unused(&known))
+    let mut unused = expected.unused(&known);
+    let is_own =
+        |suite: &String| plan.paths.contains_key(suite) || !library.suites().iter().any(|of| of.name == *suite);
+    if plan.suites.iter().all(is_own) {
+        // What ships with the tool is about none of the user's suites.
+        unused.here.retain(|place| !place.starts_with(&format!("corpora/{SHIPPED}:")));
+    }
+    Ok(unused)
 }

@@ -25,13 +25,9 @@ pub struct JudgedRow {
 impl JudgedRow {
     /// The row of an outcome; none where there were no answers.
     pub fn of(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<JudgedRow> {
-        let row = |digest: u64| JudgedRow {
-            suite: scene.suite.clone(),
-            scene: scene.scene.clone(),
-            scene_id: scene.scene_id.clone(),
-            task: scene.task.clone(),
-            backend: backend.to_owned(),
-            digest: format!("{digest:016x}"),
+        let row = |digest: u64| {
+            let [suite, scene, scene_id, task] = scene.labels();
+            JudgedRow { suite, scene, scene_id, task, backend: backend.to_owned(), digest: format!("{digest:016x}") }
         };
         outcome.digest.map(row).into_iter().collect()
     }

@@ -73,12 +73,13 @@ fn findings(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<Findi
 
 /// The row of a finding.
 pub fn finding(scene: &PlannedScene, backend: &str, finding: &Finding, finding_id: String) -> FindingRow {
+    let [suite, scene, scene_id, task] = scene.labels();
     FindingRow {
         finding_id,
-        suite: scene.suite.clone(),
-        scene: scene.scene.clone(),
-        scene_id: scene.scene_id.clone(),
-        task: scene.task.clone(),
+        suite,
+        scene,
+        scene_id,
+        task,
         backend: backend.to_owned(),
         class: finding.class,
         check: finding.check.clone(),
@@ -93,18 +94,21 @@ pub fn finding(scene: &PlannedScene, backend: &str, finding: &Finding, finding_i
 
 /// The rows of all answers.
 fn answers(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<AnswerRow> {
-    let row = |line: &AnswerLine| AnswerRow {
-        suite: scene.suite.clone(),
-        scene: scene.scene.clone(),
-        scene_id: scene.scene_id.clone(),
-        task: scene.task.clone(),
-        query: line.query as u64,
-        args: ids(&line.args),
-        backend: backend.to_owned(),
-        answer: line.answer.clone(),
-        exact: line.exact.clone(),
-        class: line.class,
-        stage: line.stage.to_owned(),
+    let row = |line: &AnswerLine| {
+        let [suite, scene, scene_id, task] = scene.labels();
+        AnswerRow {
+            suite,
+            scene,
+            scene_id,
+            task,
+            query: line.query as u64,
+            args: ids(&line.args),
+            backend: backend.to_owned(),
+            answer: line.answer.clone(),
+            exact: line.exact.clone(),
+            class: line.class,
+            stage: line.stage.to_owned(),
+        }
     };
     outcome.answers.iter().map(row).collect()
 }

@@ -1,8 +1,10 @@
 //! The tasks, backends, suites and expectations that every command works with.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use predicament_corpus::{Library, SceneFormat, Suite, Vocabulary};
+use predicament_engines::{Config, PREFIX, find};
 use predicament_formats::CorpusError;
 use predicament_oracle::roster;
 use predicament_records::{RunDir, TableSpec};
@@ -13,6 +15,11 @@ use crate::BackendList;
 use crate::exit::Failure;
 
 type Find = Box<dyn Fn(&str) -> Result<Box<dyn Contestant>, String> + Send + Sync>;
+
+/// The backends that arguments of `-b` name, each perhaps several with commas.
+pub fn each(arguments: &[String]) -> impl Iterator<Item = &str> {
+    arguments.iter().flat_map(|names| names.split(',')).filter(|name| !name.is_empty())
+}
 
 /// The tasks, backends and suites that the tool was put together from.
 pub struct Tool {
@@ -115,13 +122,17 @@ impl Tool {
     /// The backends named by `-b`, or all that run by default; each once.
     pub fn pick(&self, names: &[String]) -> Result<Vec<Box<dyn Contestant>>, Failure> {
         let default = || self.own_backends.iter().map(String::as_str).chain(roster::DEFAULT.iter().copied());
-        let names: Vec<&str> = if names.is_empty() {
-            default().collect()
-        } else {
-            names.iter().flat_map(|names| names.split(',')).filter(|name| !name.is_empty()).collect()
-        };
+        let names: Vec<&str> = if names.is_empty() { default().collect() } else { each(names).collect() };
+        let mut engines = BTreeMap::new();
         let mut picked: Vec<Box<dyn Contestant>> = Vec::new();
         for name in names {
+            if let Some(Ok(Config { name, file, .. })) = name.strip_prefix(PREFIX).map(find)
+                && let Some(other) = engines.insert(name.clone(), file.clone()).filter(|other| *other != file)
+            {
+                let (one, other) = (other.display(), file.display());
+                let message = format!("two engines are called `{PREFIX}{name}`: {one} and {other}; rename one");
+                return Err(Failure::usage(message));
+            }
             let backend = self.backend(name).map_err(Failure::usage)?;
             if picked.iter().all(|other| other.name() != backend.name()) {
                 picked.push(backend);

@@ -69,15 +69,15 @@ enum End {
 }
 
 impl Worker<'_> {
-    /// Runs one backend; none where the tool was interrupted.
-    pub fn run(&self, tool: &Tool, backend: &str) -> Result<Option<Found>, Failure> {
+    /// Runs one backend, by its name and by what is written after `-b`; none where the tool was interrupted.
+    pub fn run(&self, tool: &Tool, backend: &str, argument: &str) -> Result<Option<Found>, Failure> {
         let folder = std::env::temp_dir().join(format!("predicament-worker-{}", std::process::id()));
         let cannot = |what: &Path, error: std::io::Error| Failure::usage(format!("{}: {error}", what.display()));
         let _ = std::fs::remove_dir_all(&folder);
         std::fs::create_dir_all(&folder).map_err(|error| cannot(&folder, error))?;
         let (run, errors) = (folder.join("run"), folder.join("stderr"));
         let stderr = File::create(&errors).map_err(|error| cannot(&errors, error))?;
-        let mut child = self.command(backend, &run, stderr)?;
+        let mut child = self.command(argument, &run, stderr)?;
         let found = match self.wait(&mut child) {
             End::Interrupt => None,
             End::Limit(limit) => {
@@ -101,11 +101,11 @@ impl Worker<'_> {
         Ok(found)
     }
 
-    fn command(&self, backend: &str, run: &Path, stderr: File) -> Result<Child, Failure> {
+    fn command(&self, argument: &str, run: &Path, stderr: File) -> Result<Child, Failure> {
         let program = std::env::current_exe().map_err(|error| Failure::usage(format!("this program: {error}")))?;
         let mut command = Command::new(program);
         let filter = format!("^{}$", regex::escape(&format!("{}/{}", self.scene.suite, self.scene.scene)));
-        command.args(["--quiet", "run", &self.suite, "-f", &filter, "-b", backend]);
+        command.args(["--quiet", "run", &self.suite, "-f", &filter, "-b", argument]);
         command.args(["--level", self.level.name(), "--isolate", "never"]).arg("--out").arg(run);
         if self.answers {
             command.arg("--answers");
@@ -199,4 +199,34 @@ fn printable(line: &str) -> String {
     const MOST: usize = 300;
     let escaped: String = line.trim().chars().take(MOST).flat_map(char::escape_debug).collect();
     if line.chars().nth(MOST).is_some() { escaped + "…" } else { escaped }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::os::unix::process::ExitStatusExt;
+
+    use super::*;
+
+    #[test]
+    fn each_death_has_its_name() {
+        let code = |code: i32| Some(ExitStatus::from_raw(code << 8));
+        let long = format!("thread 'main' panicked\n{}\u{1b}[2J", "x".repeat(400));
+        for (status, said, check, message) in [
+            (Some(ExitStatus::from_raw(9)), "", "out of memory", "killed by the system (signal 9): without a word"),
+            (Some(ExitStatus::from_raw(11)), "a\n\n", "crashed", "segmentation fault (signal 11): a"),
+            (Some(ExitStatus::from_raw(6)), "", "crashed", "abort (signal 6): without a word"),
+            (
+                Some(ExitStatus::from_raw(6)),
+                "memory allocation of 99 bytes failed\nnote",
+                "out of memory",
+                "memory allocation of 99 bytes failed",
+            ),
+            (code(101), "b", "crashed", "ended with code 101: b"),
+            (None, "", "crashed", "ended with code unknown: without a word"),
+        ] {
+            assert_eq!(death(status, said), (check, message.to_owned()));
+        }
+        let (_, message) = death(code(2), &long);
+        assert!(message.chars().count() < 350 && !message.contains(char::is_control), "{message}");
+    }
 }

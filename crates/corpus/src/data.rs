@@ -3,15 +3,22 @@
 use std::path::PathBuf;
 
 use predicament_formats::{
-    Cache, CorpusError, Decimals, Entry, Field, ImportNotes, POINTS, points, read_bytes, read_points, read_text,
+    Cache, CorpusError, Decimals, Entry, Field, ImportNotes, POINTS, points, read_bytes, read_points, text_of,
 };
 use predicament_predicates::{Dimension, Scene};
 
 use crate::Context;
 
-/// Where a data file is.
+/// A data file that a suite names, and the line that names it.
 #[derive(Clone, Debug)]
-pub enum Origin {
+pub struct Origin {
+    place: OriginPlace,
+    /// The suite's file and the line of the key.
+    named: (String, usize),
+}
+
+#[derive(Clone, Debug)]
+enum OriginPlace {
     /// A file beside the suite.
     Path(PathBuf),
     /// A file of a package.
@@ -19,12 +26,16 @@ pub enum Origin {
 }
 
 impl Origin {
+    fn new(place: OriginPlace, field: &Field<'_, '_>) -> Origin {
+        Origin { place, named: (field.file().to_owned(), field.line()) }
+    }
+
     /// A file beside the suite, by the value of a key.
     ///
     /// # Errors
     /// As [`Context::path`].
     pub fn path(context: &Context<'_>, field: &Field<'_, '_>) -> Result<Origin, CorpusError> {
-        context.path(field).map(Origin::Path)
+        context.path(field).map(|path| Origin::new(OriginPlace::Path(path), field))
     }
 
     /// A file of a package, by the value of a key.
@@ -32,17 +43,19 @@ impl Origin {
     /// # Errors
     /// As [`Context::fetched`].
     pub fn fetched(context: &Context<'_>, field: &Field<'_, '_>) -> Result<Origin, CorpusError> {
-        context.fetched(field).map(Origin::Fetched)
+        context.fetched(field).map(|entry| Origin::new(OriginPlace::Fetched(entry), field))
     }
 
     /// The file's name and what is in it.
     ///
     /// # Errors
-    /// [`CorpusError`] where the file can't be read or was not fetched.
+    /// [`CorpusError`] at the suite's line where the file can't be read or was not fetched.
     pub fn bytes(&self, cache: &Cache) -> Result<(String, Vec<u8>), CorpusError> {
-        match self {
-            Origin::Path(path) => Ok((path.display().to_string(), read_bytes(path)?)),
-            Origin::Fetched(entry) => Ok((cache.path(entry).display().to_string(), cache.bytes(entry)?)),
+        match &self.place {
+            OriginPlace::Path(path) => Ok((path.display().to_string(), self.opened(read_bytes(path))?)),
+            OriginPlace::Fetched(entry) => {
+                Ok((cache.path(entry).display().to_string(), self.opened(cache.bytes(entry))?))
+            }
         }
     }
 
@@ -51,18 +64,23 @@ impl Origin {
     /// # Errors
     /// As [`bytes`](Origin::bytes), and where it is not UTF-8.
     pub fn text(&self, cache: &Cache) -> Result<(String, String), CorpusError> {
-        match self {
-            Origin::Path(path) => Ok((path.display().to_string(), read_text(path)?)),
-            Origin::Fetched(entry) => Ok((cache.path(entry).display().to_string(), cache.read(entry)?)),
-        }
+        let (file, bytes) = self.bytes(cache)?;
+        let text = text_of(&file, bytes)?;
+        Ok((file, text))
+    }
+
+    /// What was read, or an error at the line that names the file.
+    fn opened<T>(&self, read: Result<T, CorpusError>) -> Result<T, CorpusError> {
+        let (file, line) = &self.named;
+        read.map_err(|error| error.named_by(file, *line))
     }
 
     /// The fetched file, if it is one.
     #[must_use]
     pub fn entry(&self) -> Option<&Entry> {
-        match self {
-            Origin::Path(_) => None,
-            Origin::Fetched(entry) => Some(entry),
+        match &self.place {
+            OriginPlace::Path(_) => None,
+            OriginPlace::Fetched(entry) => Some(entry),
         }
     }
 }

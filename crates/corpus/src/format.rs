@@ -15,6 +15,14 @@ pub trait SceneFormat: Send + Sync {
     /// What is asked, in one line, with the source.
     fn about(&self) -> &'static str;
 
+    /// A commented scene to start from, for `predicament new`; empty if there is none.
+    ///
+    /// Lines that start with `@written ` are those of a scene whose data are written out, lines that start with
+    /// `@file ` those of one whose data are in a file, `{data}`. `{task}` is the name.
+    fn template(&self) -> String {
+        String::new()
+    }
+
     /// The keys of its `[[scene]]` tables besides those of every scene (`name`,
     /// `task`, `round`, `tags`, `source`, `analysis`).
     fn keys(&self) -> &'static [&'static str];

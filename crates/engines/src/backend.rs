@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 use predicament_predicates::{Backend, Broken, Class, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
 
+use crate::config::LONGEST_TEXT;
 use crate::pool::Pool;
 use crate::process::Process;
 use crate::session::Session;
@@ -94,6 +95,7 @@ fn read_hello(hello: &Message, version: Option<String>) -> Result<Hello, String>
         let found = PredicateKind::ALL.into_iter().find(|kind| kind.name() == name);
         found.ok_or_else(|| format!("it offers `{name}`, which is no predicate of the protocol"))
     };
+    line(hello, "name")?;
     let predicates = hello.required("predicates")?.split_whitespace().map(kind).collect::<Result<Vec<_>, _>>()?;
     if predicates.is_empty() {
         return Err("it offers no predicate".to_owned());
@@ -110,9 +112,18 @@ fn read_hello(hello: &Message, version: Option<String>) -> Result<Hello, String>
     };
     let version = match version {
         Some(version) => version,
-        None => hello.required("version")?,
+        None => line(hello, "version")?,
     };
     Ok(Hello { predicates, zero, single, version })
+}
+
+/// A value that stands in tables: one short line.
+fn line(hello: &Message, key: &str) -> Result<String, String> {
+    let text = hello.required(key)?;
+    if text.trim().is_empty() || text.chars().any(char::is_control) || text.chars().nth(LONGEST_TEXT).is_some() {
+        return Err(format!("its {key} is empty, longer than {LONGEST_TEXT} characters, or not one line"));
+    }
+    Ok(text)
 }
 
 impl Shared {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use serde::Deserialize;
+use predicament_formats::{CorpusError, Document, Field, Fields, TableKind, shown};
 
 /// The file that makes a folder an engine.
 const FILE: &str = "engine.toml";
@@ -14,43 +14,46 @@ const FOLDER: &str = "PREDICAMENT_ENGINES";
 const MOST_BYTES: u64 = 1 << 20;
 /// Seconds of silence after which a process is ended, where the file does not say.
 const SILENCE: u64 = 60;
+/// The most seconds of silence that a file may ask for: eleven days.
+const MOST_SILENCE: u64 = 1_000_000;
+/// The longest name, in characters: it stands in tables, legends and file names.
+const LONGEST_NAME: usize = 64;
+/// The longest of the other texts, in characters: each is a line.
+pub(crate) const LONGEST_TEXT: usize = 200;
+
+static ENGINE: TableKind = TableKind::new(
+    "configuration",
+    &["name", "about", "licence", "needs", "version", "install", "build", "run", "clean", "environment", "timeout"],
+);
 
 /// The configuration of one engine.
-#[derive(Clone, PartialEq, Eq, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Config {
     /// The name; reports call the engine `engine:NAME`.
     pub name: String,
     /// What it is, in one line.
-    #[serde(default)]
     pub about: String,
     /// The licence of the library behind it.
-    #[serde(default)]
     pub licence: String,
     /// What has to be installed, as a person would type it.
-    #[serde(default)]
     pub needs: String,
     /// The command whose first line of output is the library's version.
-    #[serde(default)]
     pub version: Vec<String>,
     /// Commands that install the library.
-    #[serde(default)]
     pub install: Vec<Vec<String>>,
     /// Commands that build the engine.
-    #[serde(default)]
     pub build: Vec<Vec<String>>,
     /// The command that starts it.
     pub run: Vec<String>,
     /// Commands that remove what was built.
-    #[serde(default)]
     pub clean: Vec<Vec<String>>,
     /// Variables that all commands get.
-    #[serde(default)]
     pub environment: BTreeMap<String, String>,
     /// Seconds of silence after which the process is ended.
-    timeout: Option<u64>,
+    timeout: u64,
+    /// The file, by its absolute path.
+    pub file: PathBuf,
     /// The folder of the file: all commands run there.
-    #[serde(skip)]
     pub folder: PathBuf,
 }
 
@@ -60,37 +63,110 @@ impl Config {
     /// # Errors
     /// One line that names the file, the line and the cure.
     pub fn read(file: &Path) -> Result<Config, String> {
-        let shown = file.display();
-        let found = std::fs::metadata(file).map_err(|error| format!("{shown}: {error}"))?;
+        let shown = file.display().to_string();
+        let unread = |why: String| format!("{shown}: {why}; name the engine.toml of an engine");
+        let found = std::fs::metadata(file).map_err(|error| unread(error.to_string()))?;
         if !found.is_file() || found.len() > MOST_BYTES {
-            return Err(format!("{shown}: it is no regular file of at most {MOST_BYTES} bytes"));
+            return Err(unread(format!("it is no regular file of at most {MOST_BYTES} bytes")));
         }
-        let text = std::fs::read_to_string(file).map_err(|error| format!("{shown}: {error}"))?;
-        let line_of = |at: usize| text[..at.min(text.len())].matches('\n').count() + 1;
-        let mut config: Config = toml::from_str(&text).map_err(|error| {
-            let line = error.span().map_or(1, |span| line_of(span.start));
-            format!("{shown}:{line}: {}; see docs/ENGINES.md for the keys", error.message().replace('\n', " "))
-        })?;
-        let plain = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
-        if config.name.is_empty() || !config.name.chars().all(plain) {
-            return Err(format!("{shown}: the name `{}`; use letters, digits, `-`, `_` and `.`", config.name));
-        }
-        if config.run.is_empty() {
-            return Err(format!("{shown}: `run` is empty; write the command that starts the engine"));
-        }
-        if config.timeout == Some(0) {
-            return Err(format!("{shown}: `timeout` is 0; write the seconds of silence to wait for"));
-        }
-        let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        config.folder = std::path::absolute(folder).map_err(|error| format!("{shown}: {error}"))?;
+        let text = std::fs::read_to_string(file).map_err(|error| unread(error.to_string()))?;
+        let mut config = parse(&shown, &text).map_err(|error| error.to_string())?;
+        config.file = std::path::absolute(file).map_err(|error| unread(error.to_string()))?;
+        config.folder = config.file.parent().unwrap_or(Path::new(".")).to_owned();
         Ok(config)
     }
 
     /// The silence after which the process is ended.
     #[must_use]
     pub fn silence(&self) -> Duration {
-        Duration::from_secs(self.timeout.unwrap_or(SILENCE))
+        Duration::from_secs(self.timeout)
     }
+}
+
+/// Reads the text of an `engine.toml`.
+fn parse(file: &str, text: &str) -> Result<Config, CorpusError> {
+    let document = Document::new(file, text);
+    let root = document.parse()?;
+    let fields = Fields::new(&document, &ENGINE, root.get_ref(), 0);
+    let config = Config {
+        name: name(&fields.required("name")?)?,
+        about: line(&fields, "about")?,
+        licence: line(&fields, "licence")?,
+        needs: line(&fields, "needs")?,
+        version: fields.get("version").map_or(Ok(Vec::new()), |words| command(&words))?,
+        install: commands(&fields, "install")?,
+        build: commands(&fields, "build")?,
+        run: command(&fields.required("run")?)?,
+        clean: commands(&fields, "clean")?,
+        environment: environment(&fields)?,
+        timeout: fields.integer_or("timeout", SILENCE, 1..=MOST_SILENCE)?,
+        file: PathBuf::new(),
+        folder: PathBuf::new(),
+    };
+    fields.finish()?;
+    Ok(config)
+}
+
+/// A name that can stand in tables, on command lines and in file names.
+fn name(field: &Field<'_, '_>) -> Result<String, CorpusError> {
+    let name = field.str()?;
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
+    let fits = name.len() <= LONGEST_NAME && name.starts_with(|c: char| c.is_ascii_alphanumeric());
+    if fits && name.chars().all(plain) {
+        return Ok(name.to_owned());
+    }
+    let cure = format!("use up to {LONGEST_NAME} letters, digits, `-`, `_` and `.`, a letter or digit first");
+    Err(field.error(format!("`{}` is no name of an engine", shown(name)), cure))
+}
+
+/// A line of text, empty where the key is missing.
+fn line(fields: &Fields<'_, '_>, key: &'static str) -> Result<String, CorpusError> {
+    let Some(field) = fields.get(key) else { return Ok(String::new()) };
+    let text = field.string()?;
+    if text.chars().any(char::is_control) || text.chars().nth(LONGEST_TEXT).is_some() {
+        let message = format!("`{key}` is longer than {LONGEST_TEXT} characters, or has a line break or the like");
+        return Err(field.error(message, "write one short line"));
+    }
+    Ok(text)
+}
+
+/// A program and its arguments.
+fn command(field: &Field<'_, '_>) -> Result<Vec<String>, CorpusError> {
+    const WANTED: &str = "a command as an array of words: the program, then its arguments";
+    let words = field.items(WANTED)?.map(|word| {
+        let text = word.string()?;
+        if text.contains('\0') { Err(word.error("a word with a NUL", "remove the NUL")) } else { Ok(text) }
+    });
+    let words = words.collect::<Result<Vec<_>, _>>()?;
+    if words.first().is_none_or(String::is_empty) {
+        return Err(
+            field.error(format!("`{}` has a command without a program", field.key()), format!("write {WANTED}"))
+        );
+    }
+    Ok(words)
+}
+
+/// Commands, run in turn.
+fn commands(fields: &Fields<'_, '_>, key: &'static str) -> Result<Vec<Vec<String>>, CorpusError> {
+    let Some(field) = fields.get(key) else { return Ok(Vec::new()) };
+    field.items("an array of commands, each an array of words")?.map(|words| command(&words)).collect()
+}
+
+/// Variables of the environment.
+fn environment(fields: &Fields<'_, '_>) -> Result<BTreeMap<String, String>, CorpusError> {
+    let Some(field) = fields.get("environment") else { return Ok(BTreeMap::new()) };
+    let variable = |value: Field<'_, '_>| {
+        let (key, text) = (value.key(), value.string()?);
+        if key.is_empty() || key.contains(['=', '\0']) {
+            let message = format!("`{}` is no name of a variable", shown(key));
+            return Err(value.error(message, "write a name without `=`, as in { OMP_NUM_THREADS = \"1\" }"));
+        }
+        if text.contains('\0') {
+            return Err(value.error(format!("the variable `{}` has a NUL", shown(key)), "remove the NUL"));
+        }
+        Ok((key.to_owned(), text))
+    };
+    field.entries()?.into_iter().map(variable).collect()
 }
 
 /// The folder of engines: `$PREDICAMENT_ENGINES`, or `engines`.
@@ -113,7 +189,13 @@ pub fn find(name: &str) -> Result<Config, String> {
     let folder = folder();
     let file = folder.join(name).join(FILE);
     if file.is_file() {
-        return Config::read(&file);
+        let config = Config::read(&file)?;
+        if config.name != name {
+            // Reports would call it by a name that finds nothing, or another engine.
+            let called = &config.name;
+            return Err(format!("{}: the engine is called `{called}`; call it as its folder", file.display()));
+        }
+        return Ok(config);
     }
     let names: Vec<String> = all().into_iter().flatten().map(|config| config.name).collect();
     let there = if names.is_empty() { "there is none".to_owned() } else { format!("there are {}", names.join(", ")) };
@@ -153,16 +235,61 @@ mod tests {
     }
 
     #[test]
+    fn only_a_small_regular_file_is_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join(FILE);
+        std::fs::write(&file, " ".repeat(1 + usize::try_from(MOST_BYTES).unwrap())).unwrap();
+        for place in [file.as_path(), folder.path()] {
+            let error = Config::read(place).unwrap_err();
+            assert!(
+                error.ends_with("it is no regular file of at most 1048576 bytes; name the engine.toml of an engine"),
+                "{error}"
+            );
+        }
+    }
+
+    #[test]
     fn what_is_wrong_is_said_with_its_line() {
+        let long = "x".repeat(65);
+        let about = "x".repeat(201);
+        let long_name = format!("name = \"{long}\"\nrun = [\"b\"]\n");
+        let long_about = format!("name = \"a\"\nrun = [\"b\"]\nabout = \"{about}\"\n");
         for (text, said) in [
-            ("name = \"a\"\nruns = [\"b\"]\n", "F:2: unknown field `runs`, expected one of"),
-            ("name = \"a\"\n", "F:1: missing field `run`; see docs/ENGINES.md for the keys"),
-            ("name = \"a\"\nrun = []\n", "F: `run` is empty; write the command that starts the engine"),
-            ("name = \"a b\"\nrun = [\"c\"]\n", "F: the name `a b`; use letters"),
-            ("name = \"a\"\nrun = [\"c\"]\ntimeout = 0\n", "F: `timeout` is 0; write"),
+            (
+                "name = \"a\"\nruns = [\"b\"]\n",
+                "F:2: a configuration has no key `runs`, and `run` is missing; correct the key",
+            ),
+            ("name = \"a\"\n", "F:1: configuration has no `run`; add `run = …`"),
+            ("name = \"a\"\nrun = []\n", "F:2: `run` has a command without a program; write a command as an array"),
+            ("name = \"a\"\nrun = [\"\"]\n", "F:2: `run` has a command without a program; write"),
+            ("name = \"a\"\nrun = \"b\"\n", "F:2: `run` is of type string; write a command as an array of words"),
+            ("name = \"a\"\nrun = [\"b\",\n3]\n", "F:3: `run` is of type integer; write a string"),
+            ("name = \"a\"\nrun = [\"b\\u0000\"]\n", "F:2: a word with a NUL; remove"),
+            ("name = \"a b\"\nrun = [\"c\"]\n", "F:1: `a b` is no name of an engine; use up to 64 letters"),
+            ("name = \"..\"\nrun = [\"c\"]\n", "F:1: `..` is no name of an engine; use"),
+            ("run = [\"c\"]\nname = 7\n", "F:2: `name` is of type integer; write a string"),
+            (&long_name, "F:1: `xxx"),
+            (&long_about, "F:3: `about` is longer than 200 characters, or has a line break or the like; write one"),
+            ("name = \"a\"\nrun = [\"b\"]\nneeds = \"c\\nd\"\n", "F:3: `needs` is longer than 200 characters, or has"),
+            ("name = \"a\"\nrun = [\"b\"]\nbuild = [\"make\"]\n", "F:3: `build` is of type string; write a command as"),
+            ("name = \"a\"\nrun = [\"b\"]\nclean = [[]]\n", "F:3: `clean` has a command without a program; write"),
+            ("name = \"a\"\nrun = [\"c\"]\ntimeout = 0\n", "F:3: `timeout` is 0; choose an integer from 1 to 1000000"),
+            ("name = \"a\"\nrun = [\"c\"]\ntimeout = 1e9\n", "F:3: `timeout` is of type float; write an integer"),
+            ("name = \"a\"\nrun = [\"c\"]\nenvironment = 1\n", "F:3: `environment` is of type integer; write a table"),
+            (
+                "name = \"a\"\nrun = [\"c\"]\n[environment]\nB = \"1\"\n\"\" = \"2\"\n",
+                "F:5: `` is no name of a variable; write a name without `=`",
+            ),
+            (
+                "name = \"a\"\nrun = [\"c\"]\n[environment]\n\"A=B\" = \"2\"\n",
+                "F:4: `A=B` is no name of a variable; write a name without `=`",
+            ),
+            ("name = \"a\"\nrun = [\"c\"]\nenvironment = { A = 1 }\n", "F:3: `A` is of type integer; write a string"),
+            ("name = \"a\"\nrun = [\"c\"]\nenvironment = { A = \"\\u0000\" }\n", "F:3: the variable `A` has a NUL"),
+            ("name = \"a\"\nrun\n", "F:2: key with no value, expected `=`; correct the TOML"),
         ] {
             let error = read(text).unwrap_err();
-            assert!(error.starts_with(said), "{error}");
+            assert!(error.starts_with(said) && error.lines().count() == 1 && error.len() < 300, "{error}");
         }
     }
 }

@@ -88,7 +88,7 @@ impl Process {
         let error = match self.hear() {
             Ok(Ok(answer)) if answer.kind() == "error" => {
                 let message = answer.text("message").unwrap_or_else(|| "an error without a message".to_owned());
-                (Class::Panic, "engine error", printable(&message))
+                (Class::Panic, "engine error", message)
             }
             Ok(Ok(answer)) => return Ok(answer),
             Ok(Err(garbage)) => (Class::Panic, "protocol", garbage),
@@ -130,6 +130,7 @@ impl Process {
     /// What went wrong, with the last words on stderr. The process is ended.
     pub fn broken(&mut self, class: Class, check: &'static str, message: String) -> Broken {
         self.end();
+        let message = printable(&message);
         let said = self.said.lock().unwrap_or_else(PoisonError::into_inner);
         let said: Vec<&str> = said.iter().map(String::as_str).collect();
         let message = if said.is_empty() { message } else { format!("{message}; stderr: {}", said.join(" / ")) };

@@ -100,7 +100,8 @@ impl<'s> Session<'s> {
         let batch = batch.with("ids", ids);
         let asked = self.ask(|process| {
             let answer = process.ask(&batch)?;
-            let wrong = |message: String| Broken { class: Class::Panic, check: "protocol", message };
+            let wrong =
+                |message: String| Broken { class: Class::Panic, check: "protocol", message: printable(&message) };
             match answer.kind().as_str() {
                 "declined" => Ok(Err(answer.required("reason").map_err(wrong)?)),
                 "signs" => {

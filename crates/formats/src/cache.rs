@@ -58,17 +58,6 @@ impl Cache {
         read_cached(&self.path(entry)).is_ok_and(|bytes| bytes.is_some_and(|bytes| sha256(&bytes) == entry.sha256))
     }
 
-    /// The text of a fetched file.
-    ///
-    /// # Errors
-    /// [`CorpusError`] where the file was not fetched, is another one, or is not text.
-    pub fn read(&self, entry: &Entry) -> Result<String, CorpusError> {
-        String::from_utf8(self.bytes(entry)?).map_err(|_| {
-            let file = self.path(entry).display().to_string();
-            CorpusError::file(file, "the file is not UTF-8", "name a text file")
-        })
-    }
-
     /// What is in a fetched file.
     ///
     /// # Errors

@@ -94,16 +94,21 @@ struct Scanner {
 }
 
 impl Scanner {
-    fn kind(&mut self, line: &str) -> Kind {
+    /// What a line is; what is wrong with it, and the cure.
+    fn kind(&mut self, line: &str) -> Result<Kind, (String, String)> {
         if skipped(line) {
-            return Kind::Skipped;
+            return Ok(Kind::Skipped);
+        }
+        if line.matches('"').count() % 2 == 1 {
+            let cure = "close it in its line: a row is one line, and its cells have no line breaks";
+            return Err(("a quote that is not closed".to_owned(), cure.to_owned()));
         }
         if let Some(separator) = self.separator {
-            return Kind::Row(separator.cells(line));
+            return Ok(Kind::Row(separator.cells(line)));
         }
         let cells = self.separator.insert(Separator::of(line)).cells(line);
         let names = cells.iter().all(|cell| is_name(&line[cell.clone()]));
-        if names { Kind::Header(cells) } else { Kind::Row(cells) }
+        Ok(if names { Kind::Header(cells) } else { Kind::Row(cells) })
     }
 }
 
@@ -138,33 +143,29 @@ pub(crate) fn read(file: &str, text: &str, kind: &RowKind, decimals: &Decimals) 
     let mut rows = Rows::default();
     let mut width = None;
     for Line { number, body, .. } in lines(text) {
-        let error = |message: String, cure: String| CorpusError::file(file, message, cure).at_line(number);
-        let cells = match scanner.kind(body) {
+        let error = |(message, cure): (String, String)| CorpusError::file(file, message, cure).at_line(number);
+        let cells = match scanner.kind(body).map_err(error)? {
             Kind::Skipped => continue,
             Kind::Header(cells) => {
                 let names: Vec<&str> = cells.into_iter().map(|cell| &body[cell]).collect();
                 if let Some(message) = misplaced(&names) {
-                    return Err(error(
-                        message,
-                        "write the columns x, y and z in this order and no other among them".into(),
-                    ));
+                    let cure = "write the columns x, y and z in this order and no other among them";
+                    return Err(error((message, cure.into())));
                 }
                 width = Some(names.len());
                 if !kind.widths.contains(&names.len()) {
                     let message = format!("the header has {} columns", names.len());
-                    return Err(error(message, kind.cure.into()));
+                    return Err(error((message, kind.cure.into())));
                 }
                 continue;
             }
             Kind::Row(cells) => cells,
         };
-        kind.check(&mut width, rows.lines.len(), cells.len()).map_err(|message| error(message, kind.cure.into()))?;
+        kind.check(&mut width, rows.lines.len(), cells.len()).map_err(|message| error((message, kind.cure.into())))?;
         for cell in cells {
             let cell = &body[cell];
-            rows.numbers.push(decimals.read(cell).map_err(|why| {
-                let (message, cure) = explain(Place::Tidied(file), cell, &why);
-                error(message, cure)
-            })?);
+            let x = decimals.read(cell).map_err(|why| error(explain(Place::Tidied(file), cell, &why)))?;
+            rows.numbers.push(x);
         }
         rows.lines.push(number);
     }
@@ -190,7 +191,8 @@ pub fn fmt_csv(file: &str, text: &str) -> Result<String, CorpusError> {
     // A last line without an end takes that of the line before it.
     let mut usual_end = "\n";
     for Line { number, body, end } in lines(rest) {
-        let Kind::Row(cells) = scanner.kind(body) else {
+        let error = |(message, cure): (String, String)| CorpusError::file(file, message, cure).at_line(number);
+        let Kind::Row(cells) = scanner.kind(body).map_err(error)? else {
             out.extend([body, end]);
             continue;
         };
@@ -204,10 +206,7 @@ pub fn fmt_csv(file: &str, text: &str) -> Result<String, CorpusError> {
                     at = cell.end;
                     decimals.push(&body[cell]);
                 }
-                Err(why) => {
-                    let (message, cure) = explain(Place::Tidied(file), &body[cell], &why);
-                    return Err(CorpusError::file(file, message, cure).at_line(number));
-                }
+                Err(why) => return Err(error(explain(Place::Tidied(file), &body[cell], &why))),
             }
         }
         if !decimals.is_empty() {

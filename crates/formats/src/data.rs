@@ -1,6 +1,6 @@
 //! Data files beside suites: their formats, by extension, and what is in them.
 
-use crate::file::{text, unpacked};
+use crate::file::{text_of, unpacked};
 use crate::rows::{RowKind, Rows};
 use crate::{CorpusError, Decimals, csv};
 
@@ -52,7 +52,7 @@ impl DataFile {
 
     /// Its text.
     pub(crate) fn text(self) -> Result<String, CorpusError> {
-        text(&self.file, self.bytes)
+        text_of(&self.file, self.bytes)
     }
 }
 

@@ -153,6 +153,17 @@ pub fn shown(text: &str) -> String {
     shown
 }
 
+/// A text of at most so many characters: the begin and the end of a longer one.
+#[must_use]
+pub(crate) fn ends(text: &str, most: usize) -> String {
+    let length = text.chars().count();
+    if length <= most {
+        return text.to_owned();
+    }
+    let half = most / 2;
+    text.chars().take(half).chain(['…']).chain(text.chars().skip(length - half)).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -206,5 +217,7 @@ mod tests {
     fn messages_stay_short_and_printable() {
         assert_eq!(shown("a\0b\u{1b}[1m"), "a\\u{0}b\\u{1b}[1m");
         assert_eq!(shown(&"9".repeat(100)), format!("{}…", "9".repeat(60)));
+        assert_eq!(ends("abcdé", 5), "abcdé");
+        assert_eq!(ends("abcdéf", 4), "ab…éf");
     }
 }

@@ -83,6 +83,11 @@ impl<'d, 't> Field<'d, 't> {
         self.document.line(self.span.0)
     }
 
+    /// The name of the file in errors.
+    pub fn file(&self) -> &'t str {
+        self.document.file
+    }
+
     /// The bytes of the value in the file.
     pub fn span(&self) -> Range<usize> {
         self.span.0..self.span.1
@@ -133,6 +138,32 @@ impl<'d, 't> Field<'d, 't> {
         let array = self.value.as_array().ok_or_else(|| self.wrong_type(wanted))?;
         let Field { document, decimals, key, .. } = *self;
         Ok(array.iter().map(move |item| Field::new(document, decimals, key, item)))
+    }
+
+    /// The key of the value.
+    #[must_use]
+    pub fn key(&self) -> &'d str {
+        self.key
+    }
+
+    /// The values of a table whose keys may be any, in the order of the file.
+    pub fn entries(&self) -> Result<Vec<Field<'d, 't>>, CorpusError> {
+        let table = self.value.as_table().ok_or_else(|| self.wrong_type("a table"))?;
+        let Field { document, decimals, .. } = *self;
+        let mut entries: Vec<Field<'d, 't>> =
+            table.iter().map(|(key, value)| Field::new(document, decimals, key.get_ref(), value)).collect();
+        entries.sort_by_key(|entry| entry.span.0);
+        Ok(entries)
+    }
+
+    /// The value as one string or an array of them, with the place of each.
+    pub fn one_or_more(&self) -> Result<Vec<Field<'d, 't>>, CorpusError> {
+        const WANTED: &str = "a string, or an array of strings";
+        let each = if self.is_array() { self.items(WANTED)?.collect() } else { vec![*self] };
+        match each.iter().find(|item| !item.value.is_str()) {
+            Some(wrong) => Err(wrong.wrong_type(WANTED)),
+            None => Ok(each),
+        }
     }
 
     /// The value as a table of this kind.

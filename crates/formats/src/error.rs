@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::decimals::ends;
+
 /// Who has to act on an error; the tool's exit code depends on it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ErrorKind {
@@ -50,7 +52,22 @@ impl CorpusError {
     pub fn at_line(self, line: usize) -> CorpusError {
         CorpusError { line: Some(line), ..self }
     }
+
+    /// The same error at the line of another file that names this one.
+    #[must_use]
+    pub fn named_by(self, file: &str, line: usize) -> CorpusError {
+        let message = format!("{}: {}", self.place(), self.message);
+        CorpusError { message, ..CorpusError { file: file.to_owned(), ..self }.at_line(line) }
+    }
+
+    /// The file, and the line where it is known.
+    fn place(&self) -> String {
+        self.line.map_or_else(|| self.file.clone(), |line| format!("{}:{line}", self.file))
+    }
 }
+
+/// The longest message, in characters: those of other libraries quote what they have found.
+const MOST: usize = 500;
 
 /// Messages of other libraries may span lines; ours never do.
 fn one_line(text: &str) -> String {
@@ -59,11 +76,7 @@ fn one_line(text: &str) -> String {
 
 impl fmt::Display for CorpusError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.file)?;
-        if let Some(line) = self.line {
-            write!(f, ":{line}")?;
-        }
-        write!(f, ": {}; {}", one_line(&self.message), one_line(&self.cure))
+        write!(f, "{}: {}; {}", self.place(), ends(&one_line(&self.message), MOST), one_line(&self.cure))
     }
 }
 

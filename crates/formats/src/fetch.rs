@@ -219,16 +219,16 @@ mod tests {
             file: "a/b.txt".into(),
             sha256: sha256(b"text"),
         };
-        let missing = cache.read(&entry).unwrap_err();
+        let missing = cache.bytes(&entry).unwrap_err();
         assert!(missing.to_string().ends_with("`k` has not been fetched; run `predicament corpus fetch`"), "{missing}");
         std::fs::create_dir(folder.path().join("k")).unwrap();
         std::fs::write(cache.path(&entry), "text").unwrap();
         let mut said = Vec::new();
         fetch(&entry, &cache, &mut |line| said.push(line.to_owned())).unwrap();
         assert_eq!(said, ["k: in the cache"]);
-        assert_eq!(cache.read(&entry).as_deref(), Ok("text"));
+        assert_eq!(cache.bytes(&entry).as_deref(), Ok(b"text".as_slice()));
         std::fs::write(cache.path(&entry), "test").unwrap();
-        let changed = cache.read(&entry).unwrap_err();
+        let changed = cache.bytes(&entry).unwrap_err();
         assert!(changed.message.starts_with("SHA-256 is 9f86d081"), "{changed}");
     }
 }

@@ -40,7 +40,7 @@ pub use document::{Document, Field, Fields};
 pub use error::{CorpusError, ErrorKind};
 pub use export::{ExportError, MeshFormat, write_mesh};
 pub use fetch::fetch;
-pub use file::{read_as_it_is, read_bytes, read_suite, read_text};
+pub use file::{read_as_it_is, read_bytes, read_suite, text_of};
 pub use import::{ImportNotes, ImportedMap, geometry, mesh, points, read_polygons, topojson};
 pub use lines::Lines;
 pub use manifest::{Entry, Manager, Manifest};

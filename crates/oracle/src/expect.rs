@@ -6,9 +6,7 @@
 use std::path::Path;
 
 use globset::{Glob, GlobMatcher, GlobSet, GlobSetBuilder};
-use serde::Deserialize;
-use serde_spanned::Spanned;
-
+use predicament_formats::{CorpusError, Document, Field, Fields, TableKind, shown};
 use predicament_tasks::{Class, ClassCounts, Status};
 
 /// One `[[expect]]` table.
@@ -66,38 +64,29 @@ pub struct Unused {
     pub here: Vec<String>,
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct File {
-    #[serde(default)]
-    expect: Vec<Spanned<Table>>,
-}
+static FILE: TableKind = TableKind::new("file of expectations", &["expect"]);
+static EXPECT: TableKind = TableKind::new("table [[expect]]", &["scene", "backend", "class", "reason", "level"]);
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Table {
-    scene: Names,
-    backend: Names,
-    class: Names,
-    reason: String,
-    level: Option<String>,
-}
-
-/// One name or a list of them.
-#[derive(Deserialize)]
-#[serde(untagged)]
-enum Names {
-    One(String),
-    Many(Vec<String>),
-}
-
-impl Names {
-    fn list(&self) -> &[String] {
-        match self {
-            Names::One(name) => std::slice::from_ref(name),
-            Names::Many(names) => names,
-        }
+/// One name or a list of them, none of them empty.
+fn names<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field<'d, 't>>, CorpusError> {
+    let field = fields.required(key)?;
+    let names = field.one_or_more()?;
+    if names.is_empty() {
+        return Err(field.error(format!("`{key}` is an empty list"), "name at least one, or drop the entry"));
     }
+    match names.iter().find(|name| name.str() == Ok("")) {
+        Some(empty) => Err(empty.error(format!("`{key}` has an empty name"), "write a name, or drop it")),
+        None => Ok(names),
+    }
+}
+
+/// The class of a name; a legal one is never expected.
+fn class(name: &Field<'_, '_>) -> Result<Class, CorpusError> {
+    let class: Class = name.str()?.parse().map_err(|why: String| name.error(why, "correct it"))?;
+    if class.is_legal() {
+        return Err(name.error(format!("`{class}` is legal and needs no expectation"), "drop it"));
+    }
+    Ok(class)
 }
 
 fn globs(patterns: &[String]) -> Result<(GlobSet, Vec<(String, GlobMatcher)>), String> {
@@ -105,7 +94,7 @@ fn globs(patterns: &[String]) -> Result<(GlobSet, Vec<(String, GlobMatcher)>), S
     let mut each = Vec::new();
     for pattern in patterns {
         // globset's own message repeats the pattern.
-        let glob = Glob::new(pattern).map_err(|error| format!("{error}; write e.g. `near-*`"))?;
+        let glob = Glob::new(pattern).map_err(|error| error.to_string())?;
         each.push((pattern.clone(), glob.compile_matcher()));
         set.add(glob);
     }
@@ -118,56 +107,56 @@ impl Expectations {
     /// # Errors
     /// One line that names the file, the line and the cure.
     pub fn parse(file: &Path, text: &str) -> Result<Expectations, String> {
-        let line_of = |offset: usize| text[..offset.min(text.len())].matches('\n').count() + 1;
-        let parsed: File = toml::from_str(text).map_err(|error| {
-            let line = error.span().map_or(1, |span| line_of(span.start));
-            format!(
-                "{}:{line}: {}; see docs/FORMAT.md for the keys",
-                file.display(),
-                error.message().replace('\n', " ")
-            )
-        })?;
-        let (mut entries, mut tables) = (Vec::new(), Vec::new());
-        for table in parsed.expect {
-            let line = line_of(table.span().start);
-            let table = table.into_inner();
-            let fail = |message: String| format!("{}:{line}: {message}", file.display());
-            for (key, names) in [("scene", &table.scene), ("backend", &table.backend), ("class", &table.class)] {
-                if names.list().is_empty() {
-                    return Err(fail(format!("`{key}` is an empty list; name at least one, or drop the entry")));
-                }
-            }
-            let (scenes, each) = globs(table.scene.list()).map_err(fail)?;
-            tables.push(Written {
-                place: format!("{}:{line}", file.display()),
-                scenes: each,
-                backends: table.backend.list().to_vec(),
-                level: table.level.clone(),
-            });
-            if table.reason.trim().is_empty() {
-                return Err(fail("the reason is empty; say why this is expected".to_owned()));
-            }
-            if let Some(level) = table.level.as_deref().filter(|level| !["quick", "full"].contains(level)) {
-                return Err(fail(format!("no level is called `{level}`; write `quick` or `full`, or leave it out")));
-            }
-            for backend in table.backend.list() {
-                for class in table.class.list() {
-                    let class: Class = class.parse().map_err(fail)?;
-                    if class.is_legal() {
-                        return Err(fail(format!("`{class}` is legal and needs no expectation; drop the entry")));
-                    }
-                    entries.push(Expectation {
-                        scenes: scenes.clone(),
-                        backend: backend.clone(),
-                        class,
-                        reason: table.reason.clone(),
-                        level: table.level.clone(),
-                        line,
-                    });
-                }
+        let name = file.display().to_string();
+        Expectations::read(&name, text).map_err(|error| error.to_string())
+    }
+
+    fn read(file: &str, text: &str) -> Result<Expectations, CorpusError> {
+        let document = Document::new(file, text);
+        let root = document.parse()?;
+        let fields = Fields::new(&document, &FILE, root.get_ref(), 0);
+        let mut all = Expectations::default();
+        if let Some(list) = fields.get("expect") {
+            for table in list.items("[[expect]] tables")? {
+                all.push(file, table.fields(&EXPECT)?)?;
             }
         }
-        Ok(Expectations { entries, tables })
+        fields.finish()?;
+        Ok(all)
+    }
+
+    /// Reads a table.
+    fn push(&mut self, file: &str, fields: Fields<'_, '_>) -> Result<(), CorpusError> {
+        let strings = |names: Vec<Field<'_, '_>>| names.iter().map(Field::string).collect::<Result<Vec<_>, _>>();
+        let (scenes, backends) = (strings(names(&fields, "scene")?)?, strings(names(&fields, "backend")?)?);
+        let classes = names(&fields, "class")?.iter().map(class).collect::<Result<Vec<_>, _>>()?;
+        let (set, each) = globs(&scenes).map_err(|message| fields.error(message, "write e.g. `near-*`"))?;
+        let why = fields.required("reason")?;
+        let reason = why.string()?;
+        if reason.trim().is_empty() {
+            return Err(why.error("the reason is empty", "say why this is expected"));
+        }
+        let level = fields.get("level").map(|level| match level.str()? {
+            known @ ("quick" | "full") => Ok(known.to_owned()),
+            other => {
+                let message = format!("no level is called `{}`", shown(other));
+                Err(level.error(message, "write `quick` or `full`, or leave it out"))
+            }
+        });
+        let level = level.transpose()?;
+        for backend in &backends {
+            self.entries.extend(classes.iter().map(|&class| Expectation {
+                scenes: set.clone(),
+                backend: backend.clone(),
+                class,
+                reason: reason.clone(),
+                level: level.clone(),
+                line: fields.line(),
+            }));
+        }
+        let place = format!("{file}:{}", fields.line());
+        self.tables.push(Written { place, scenes: each, backends, level });
+        fields.finish()
     }
 
     /// These expectations and others.

@@ -33,13 +33,8 @@ impl ImportRow {
     /// The row of a scene of which nothing is said yet.
     #[must_use]
     pub fn new(scene: &PlannedScene) -> ImportRow {
-        ImportRow {
-            suite: scene.suite.clone(),
-            scene: scene.scene.clone(),
-            scene_id: scene.scene_id.clone(),
-            task: scene.task.clone(),
-            ..ImportRow::default()
-        }
+        let [suite, scene, scene_id, task] = scene.labels();
+        ImportRow { suite, scene, scene_id, task, ..ImportRow::default() }
     }
 
     /// The counts, in the order of their columns.

@@ -120,6 +120,14 @@ pub struct PlannedScene {
     pub queries: u64,
 }
 
+impl PlannedScene {
+    /// What the rows of a scene begin with in every table: suite, scene, id and task.
+    #[must_use]
+    pub fn labels(&self) -> [String; 4] {
+        [&self.suite, &self.scene, &self.scene_id, &self.task].map(String::clone)
+    }
+}
+
 /// A suite that is not going to be run, and why.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 pub struct NotSelected {
@@ -146,6 +154,9 @@ pub struct Plan {
     /// The SHA-256 of those files, in hex digits.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub hashes: BTreeMap<String, String>,
+    /// The files of engines, by the backends' names.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub engines: BTreeMap<String, String>,
     /// Whether every answer is written to `answers.csv`.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub answers: bool,

@@ -77,11 +77,12 @@ impl SummaryRow {
     /// A row whose counts are all zero.
     #[must_use]
     pub fn new(scene: &PlannedScene, backend: &str, queries: u64, status: Status) -> SummaryRow {
+        let [suite, scene, scene_id, task] = scene.labels();
         SummaryRow {
-            suite: scene.suite.clone(),
-            scene: scene.scene.clone(),
-            scene_id: scene.scene_id.clone(),
-            task: scene.task.clone(),
+            suite,
+            scene,
+            scene_id,
+            task,
             backend: backend.to_owned(),
             queries,
             agree: 0,

@@ -25,14 +25,8 @@ impl SampledRow {
     /// The row of a scene and backend.
     #[must_use]
     pub fn new(scene: &PlannedScene, backend: &str, truth_of: &str) -> SampledRow {
-        SampledRow {
-            suite: scene.suite.clone(),
-            scene: scene.scene.clone(),
-            scene_id: scene.scene_id.clone(),
-            task: scene.task.clone(),
-            backend: backend.to_owned(),
-            truth_of: truth_of.to_owned(),
-        }
+        let [suite, scene, scene_id, task] = scene.labels();
+        SampledRow { suite, scene, scene_id, task, backend: backend.to_owned(), truth_of: truth_of.to_owned() }
     }
 }
 

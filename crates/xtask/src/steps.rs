@@ -56,6 +56,8 @@ fn engine_examples() -> Result<(), String> {
     for (language, program, test) in [
         ("C++", "c++", "the_example_in_cpp_is_built_and_judged"),
         ("Python", "python3", "the_example_in_python_is_judged"),
+        ("Python, by path", "python3", "an_engine_by_path_is_found_again"),
+        ("Python, with the name of a backend", "python3", "an_engine_called_as_a_backend_is_told_apart"),
     ] {
         if !answers(program, &["--version"]) {
             println!("\n== engine in {language}: NOT RUN: there is no `{program}` here");

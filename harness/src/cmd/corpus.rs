@@ -8,6 +8,7 @@ use predicament_records::Shard;
 use predicament_tasks::Watch;
 use serde_json::json;
 
+use crate::cmd::run::tell_not_selected;
 use crate::exit::{self, CORPUS, Failure};
 use crate::interrupt;
 use crate::out::program;
@@ -146,10 +147,7 @@ fn verify(tool: &Tool, selector: &Selector) -> exit::Outcome {
     let planned = selection.plan(Shard::WHOLE)?;
     let queries: u64 = planned.iter().map(|scene| scene.plan.queries).sum();
     say!("{} suites, {} scenes, {queries} queries: all valid", selection.suites.len(), planned.len());
-    if !selection.not_selected.is_empty() {
-        let left: Vec<&str> = selection.not_selected.iter().map(|left| left.suite.as_str()).collect();
-        say!("{} suites are not verified, as they were not named: {}", left.len(), left.join(", "));
-    }
+    tell_not_selected(&selection.not_selected, "verified");
     Ok(exit::OK)
 }
 

@@ -12,8 +12,9 @@ use sha2::{Digest, Sha256};
 
 use crate::exit::{self, Failure};
 use crate::interrupt;
+use crate::planning::argument;
 use crate::select::Selector;
-use crate::tool::Tool;
+use crate::tool::{Tool, each};
 use crate::worker::Worker;
 
 const EXAMPLES: &str = "\
@@ -66,10 +67,11 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     if finding.query.is_empty() {
         return whole(&run, finding, args, tool);
     }
-    let mut names = vec![finding.backend.clone()];
-    names.extend(tool.pick(&args.backends)?.iter().map(|backend| backend.name()));
-    let backends = tool.pick(&names)?;
-    let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
+    let first = tool.pick(&[argument(&run.plan, &finding.backend)])?;
+    let named: Vec<String> = each(&args.backends).map(|name| argument(&run.plan, name)).collect();
+    let others = tool.pick(&named)?;
+    let others = others.iter().filter(|other| other.name() != finding.backend);
+    let backends: Vec<&dyn Contestant> = first.iter().chain(others).map(AsRef::as_ref).collect();
     for query in finding.query.split(" | ") {
         say!("\n{query}");
         let query: Query =
@@ -97,10 +99,10 @@ fn whole(run: &RunDir, finding: &FindingRow, args: &Args, tool: &Tool) -> exit::
     };
     say!("\nThe whole scene again:");
     let mut names = vec![finding.backend.clone()];
-    names.extend(args.backends.iter().flat_map(|names| names.split(',')).map(str::to_owned));
+    names.extend(each(&args.backends).map(str::to_owned));
     let mut seen = false;
     for backend in names {
-        let Some(found) = worker.run(tool, &backend)? else {
+        let Some(found) = worker.run(tool, &backend, &argument(&run.plan, &backend))? else {
             return Err(Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE });
         };
         for row in &found.summary {

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use crate::exit::{self, Failure};
 use crate::ledger::Ledger;
 use crate::out::program;
-use crate::planning::{budget, env_of, free_folder, plan, tables_with};
+use crate::planning::{argument, budget, env_of, free_folder, plan, tables_with};
 use crate::select::{NOT_NAMED, Planned, Selection, Selector};
 use crate::tool::Tool;
 use crate::worker::Worker;
@@ -122,7 +122,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     worker::end_with_parent();
     set_threads(args.threads)?;
     let expected = expectations::load(tool, args.expected.as_ref())?;
-    let Job { selection, mut scenes, backends, mut ledger } = match &args.resume {
+    let Job { plan, selection, mut scenes, backends, mut ledger } = match &args.resume {
         None => Job::new(&args, tool)?,
         Some(folder) => Job::resume(&args, tool, folder)?,
     };
@@ -187,7 +187,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         for backend in left {
             let Some(case) = case.as_deref().filter(|_| apart.iter().all(|other| other.name() != backend.name()))
             else {
-                let Some(found) = worker.run(tool, &backend.name())? else {
+                let Some(found) = worker.run(tool, &backend.name(), &argument(&plan, &backend.name()))? else {
                     ended = records::Outcome::Interrupted;
                     break 'scenes;
                 };
@@ -242,6 +242,7 @@ pub fn set_threads(threads: Option<usize>) -> Result<(), Failure> {
 
 /// A run under way.
 struct Job {
+    plan: Plan,
     selection: Selection,
     scenes: Vec<Planned>,
     backends: Vec<Box<dyn Contestant>>,
@@ -253,15 +254,15 @@ impl Job {
         let backends = tool.pick(&args.backends)?;
         let selection = args.selector.select(tool)?;
         let scenes = selection.plan(args.shard)?;
-        let plan = Plan { answers: args.answers, ..plan(&selection, &scenes, &backends, args.shard) };
+        let plan = Plan { answers: args.answers, ..plan(&selection, &scenes, &backends, &args.backends, args.shard) };
         let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-run"));
         let writer = RunWriter::create(&folder, &plan, &env_of(&backends), &tables_with(tool, args.answers))
             .map_err(Failure::usage)?;
-        tell_not_selected(&selection.not_selected);
+        tell_not_selected(&selection.not_selected, "run");
         let (level, answers) = (selection.level, args.answers);
         let (done, precision, wholes) = (Vec::new(), Vec::new(), BTreeMap::new());
         let ledger = Ledger { level, answers, wholes, done, precision, folder, writer };
-        Ok(Job { selection, scenes, backends, ledger })
+        Ok(Job { plan, selection, scenes, backends, ledger })
     }
 
     fn resume(args: &Args, tool: &Tool, folder: &PathBuf) -> Result<Job, Failure> {
@@ -272,7 +273,8 @@ impl Job {
         let selector =
             if selector.suites.is_empty() { Selector { suites: plan.arguments(), ..selector } } else { selector };
         let selection = selector.select(tool)?;
-        let backends = tool.pick(&plan.backends)?;
+        let named: Vec<String> = plan.backends.iter().map(|name| argument(plan, name)).collect();
+        let backends = tool.pick(&named)?;
         // The filter of the first call isn't needed: the plan lists its scenes.
         let mut scenes = selection.plan(plan.shard)?;
         scenes.retain(|scene| plan.scenes.contains(&scene.plan));
@@ -286,23 +288,25 @@ impl Job {
         }
         let answers = plan.answers;
         let (writer, before) = RunWriter::resume(folder, &tables_with(tool, answers)).map_err(Failure::usage)?;
-        let RunDir { summary: done, precision, .. } = before;
+        let RunDir { plan, summary: done, precision, .. } = before;
         let (folder, wholes) = (folder.clone(), BTreeMap::new());
         let ledger = Ledger { level, answers, wholes, done, precision, folder, writer };
-        Ok(Job { selection, scenes, backends, ledger })
+        Ok(Job { plan, selection, scenes, backends, ledger })
     }
 }
 
-/// Says in one line which suites are not run: how many, where they were not asked for.
-fn tell_not_selected(suites: &[NotSelected]) {
+/// Says in one line which suites are not run (or the like): how many, where they were not asked for.
+pub fn tell_not_selected(suites: &[NotSelected], done: &str) {
     let unnamed = suites.iter().filter(|suite| suite.reason == NOT_NAMED).count();
     let unfetched: Vec<&str> =
         suites.iter().filter(|suite| suite.reason != NOT_NAMED).map(|suite| suite.suite.as_str()).collect();
     match (unnamed, unfetched.join(", ")) {
         (0, unfetched) if unfetched.is_empty() => {}
-        (0, unfetched) => note!("not run: {unfetched}: `{} corpus fetch` gets their data, then name them", program()),
+        (0, unfetched) => {
+            note!("not {done}: {unfetched}: `{} corpus fetch` gets their data, then name them", program())
+        }
         (unnamed, _) => {
-            note!("{unnamed} suites were {NOT_NAMED} and are not run; `{} corpus list` has them", program())
+            note!("{unnamed} suites were {NOT_NAMED} and are not {done}; `{} corpus list` has them", program())
         }
     }
 }

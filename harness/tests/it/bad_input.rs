@@ -93,6 +93,43 @@ fn usage_is_answered_with_what_there_is() {
     assert_eq!(tool(&["run", "--no-such-flag"]).output().unwrap().status.code(), Some(2));
 }
 
+/// The value of a variable of a script that is not set must not mean everything.
+#[test]
+fn nothing_is_no_argument() {
+    let folder = tempdir().unwrap();
+    let (suite, out) = (write(&folder, "mine.toml", SUITE), at(&folder, "run"));
+    let ran = run(&["run", &suite, "-b", "naive", "--out", &out]);
+    assert_eq!(ran.code, 100, "{}", ran.stderr);
+    let cure = "; write a value, or leave it out";
+    for args in [
+        &["replay", "", "--run", &out][..],
+        &["run", "", "--out", "x"],
+        &["run", &suite, "-f", "", "--out", "x"],
+        &["run", &suite, "-b", "", "--out", "x"],
+        &["run", &suite, "--out", ""],
+        &["run", &suite, "--filter=", "--out", "x"],
+        &["bench", ""],
+        &["gate", ""],
+        &["gate", &out, "--expected", ""],
+        &["report", "", "--out", "x"],
+        &["map", "", "--out", "x"],
+        &["solve", &suite, "-f", "", "-b", "exact", "--out", "x"],
+        &["ask", "orient2d", ""],
+        &["new", ""],
+        &["new", "x.toml", "--points", ""],
+        &["corpus", "fmt", ""],
+        &["corpus", "fetch", ""],
+        &["engines", "check", ""],
+        &["selftest", "--only", ""],
+        &["laws", "-b", ""],
+        &[""],
+    ] {
+        fails(2, args, &[cure]);
+    }
+    fails(2, &["replay", "", "--run", &out], &["an empty argument behind `replay`; write"]);
+    fails(2, &["run", "--filter="], &["`--filter=` without a value behind `run`; write"]);
+}
+
 #[test]
 fn a_run_is_never_written_over_another() {
     let folder = tempdir().unwrap();

@@ -1,7 +1,9 @@
 //! The example engines, built and run as their pages say. They need a C++ compiler and Python: `cargo xtask test` runs
 //! these tests where it finds them, and says so where it does not.
 
-use crate::common::{at, read, tool};
+use std::path::Path;
+
+use crate::common::{SUITE, at, column, expect, read, run, tool, write};
 use tempfile::tempdir;
 
 /// An engine that computes what `naive` computes has the same rows as `naive`, but for its name.
@@ -44,4 +46,76 @@ fn the_example_in_cpp_is_built_and_judged() {
 #[ignore = "needs Python"]
 fn the_example_in_python_is_judged() {
     agrees_with_naive("naive-python");
+}
+
+/// A copy of the Python example with its helper, in a folder of this name; the path of its configuration.
+fn copied(folder: &tempfile::TempDir, name: &str) -> String {
+    let engines = Path::new(env!("CARGO_MANIFEST_DIR")).join("../engines");
+    for (from, to) in [("python", "python"), ("naive-python", name)] {
+        let to = folder.path().join(to);
+        std::fs::create_dir_all(&to).unwrap();
+        for file in std::fs::read_dir(engines.join(from)).unwrap().map(|entry| entry.unwrap().path()) {
+            if file.is_file() {
+                std::fs::copy(&file, to.join(file.file_name().unwrap())).unwrap();
+            }
+        }
+    }
+    at(folder, &format!("{name}/engine.toml"))
+}
+
+#[test]
+#[ignore = "needs Python"]
+fn an_engine_by_path_is_found_again() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let (one, two) = (copied(&folder, "mine"), copied(&folder, "another"));
+    let (out, apart) = (at(&folder, "run"), at(&folder, "apart"));
+    let backends = format!("exact,engine:{one}");
+    expect(100, &["run", &suite, "-b", &backends, "--out", &out]);
+    let id = column(&read(&out, "findings.csv"), "finding_id")[0].clone();
+    for more in [&[][..], &["-b", "engine:naive-python,exact"], &["-b", &format!("engine:{two}")]] {
+        let told = run(&[&["replay", &id, "--run", &out], more].concat());
+        assert!(
+            told.code == 0 && told.stdout.contains("engine:naive-python"),
+            "{more:?}: {}{}",
+            told.stdout,
+            told.stderr
+        );
+    }
+    let late = at(&folder, "late");
+    expect(103, &["run", &suite, "-b", &backends, "--timeout", "1e-9", "--out", &late]);
+    let resumed = run(&["run", "--resume", &late]);
+    assert!(resumed.stdout.contains("timeout"), "{}{}", resumed.stdout, resumed.stderr);
+    expect(100, &["run", &suite, "-b", &backends, "--isolate", "--out", &apart]);
+    crate::common::assert_same_tables(&out, &apart, "in a process of its own");
+    // Rows of two engines could not be told apart.
+    let both = format!("engine:{one},engine:{two}");
+    let refused = expect(2, &["run", &suite, "-b", &both, "--out", &at(&folder, "both")]);
+    assert!(refused.stderr.contains("two engines are called `engine:naive-python`: "), "{}", refused.stderr);
+    let named = |args: &[&str]| tool(args).env("PREDICAMENT_ENGINES", folder.path()).output().unwrap();
+    let refused = named(&["run", &suite, "-b", "engine:mine", "--out", &at(&folder, "named")]);
+    let said = String::from_utf8(refused.stderr).unwrap();
+    assert!(
+        refused.status.code() == Some(2) && said.contains("is called `naive-python`; call it as its folder"),
+        "{said}"
+    );
+}
+
+/// An engine with the name of a backend is another one everywhere.
+#[test]
+#[ignore = "needs Python"]
+fn an_engine_called_as_a_backend_is_told_apart() {
+    let folder = tempdir().unwrap();
+    let engine = copied(&folder, "exact");
+    let text = std::fs::read_to_string(&engine).unwrap().replace("\"naive-python\"", "\"exact\"");
+    std::fs::write(&engine, text).unwrap();
+    let (suite, out) = (write(&folder, "mine.toml", SUITE), at(&folder, "run"));
+    let known = "[[expect]]\nscene = \"*\"\nbackend = \"exact\"\nclass = \"overreach\"\nreason = \"of the other\"\n";
+    let known = write(&folder, "known.toml", known);
+    let backends = format!("exact,engine:{engine}");
+    expect(100, &["run", &suite, "-b", &backends, "--expected", &known, "--out", &out]);
+    let rows = read(&out, "summary.csv");
+    assert_eq!(column(&rows, "backend"), ["exact", "engine:exact", "exact", "engine:exact"]);
+    assert_eq!(column(&rows, "overreach"), ["0", "1", "0", "0"]);
+    assert_eq!(column(&rows, "status"), ["unexpected_pass", "unexpected", "unexpected_pass", "ok"]);
 }

@@ -57,6 +57,27 @@ fn what_is_not_run_is_one_line_and_none_if_quiet() {
     }
 }
 
+/// The corpora that ship with the tool, and what is expected of them, are no news to who runs a suite of their own.
+#[test]
+fn a_suite_of_ones_own_is_not_told_about_the_others() {
+    let folder = tempdir().unwrap();
+    let (suite, out, both) = (write(&folder, "mine.toml", SUITE), at(&folder, "run"), at(&folder, "both"));
+    run(&["run", &suite, "-b", "exact", "--out", &out]);
+    let told = expect(0, &["gate", &out]);
+    assert_eq!(told.stdout.lines().count(), 1, "{}", told.stdout);
+    let json: Value = serde_json::from_str(&expect(0, &["gate", &out, "--json"]).stdout).unwrap();
+    assert_eq!(json["not_held"], serde_json::json!([]));
+    let own = "[[expect]]\nscene = \"plain\"\nbackend = \"naive\"\nclass = \"nan\"\nreason = \"of another run\"\n";
+    let told = expect(0, &["gate", &out, "--expected", &write(&folder, "own.toml", own)]);
+    assert!(told.stdout.starts_with("1 expectations are not about this run's"), "their own are: {}", told.stdout);
+    run(&["run", &suite, "classics", "-f", "plain|kettner-a1", "-b", "exact", "--out", &both]);
+    let told = expect(0, &["gate", &both]);
+    assert!(told.stdout.contains(" expectations are not about this run's"), "with one of ours: {}", told.stdout);
+    let told = expect(0, &["corpus", "verify", &suite]);
+    assert_eq!((told.stdout.lines().count(), told.stderr.lines().count()), (1, 1), "{}{}", told.stdout, told.stderr);
+    assert!(told.stderr.contains("are not verified; `predicament corpus list` has them"), "{}", told.stderr);
+}
+
 #[test]
 fn shells_and_man_know_every_command() {
     let folder = tempdir().unwrap();

@@ -81,14 +81,44 @@ fn what_cannot_be_asked_is_said_in_a_line() {
 #[test]
 fn a_new_suite_runs_as_it_is() {
     let folder = tempdir().unwrap();
-    for task in ["compare", "orient2d", "orient3d", "incircle", "insphere"] {
+    let unknown = expect(2, &["new", &at(&folder, "x.toml"), "--task", "orient4d"]).stderr;
+    assert_eq!(unknown.lines().count(), 1, "{unknown}");
+    let tasks = unknown.trim().split_once("called `orient4d`; use one of ").expect("their names").1.split(", ");
+    let tasks: Vec<&str> = tasks.collect();
+    assert!(tasks.len() >= 11 && tasks.contains(&"insphere") && tasks.contains(&"contacts3d"), "{unknown}");
+    for task in tasks {
         let file = at(&folder, &format!("{task}.toml"));
         let told = expect(0, &["new", &file, "--task", task]);
         assert!(told.stdout.contains(&format!("run {file} -b exact,sos,naive --answers")), "{}", told.stdout);
+        let text = std::fs::read_to_string(&file).unwrap();
+        assert!(!text.contains("{t") && !text.contains("{data}") && !text.contains("@"), "{text}");
         let out = at(&folder, task);
-        let ran = expect(0, &["run", &file, "-b", "exact,sos", "--answers", "--out", &out]);
-        assert!(ran.stdout.contains(": 2 answers judged"), "{}", ran.stdout);
+        let ran = expect(0, &["run", &file, "-b", "exact,sos", "--out", &out]);
+        assert!(ran.stdout.contains(" rows: 2 ok, 0 expected, 0 unexpected"), "{task}: {}", ran.stdout);
+        assert_eq!(column(&read(&out, "summary.csv"), "task"), [task, task]);
+        // The generator in its comments runs as well.
+        let made: Vec<&str> = text.lines().skip_while(|line| *line != "# [[generate]]").collect();
+        let made: Vec<&str> = made.iter().map_while(|line| line.strip_prefix("# ")).collect();
+        let generated = write(&folder, &format!("{task}-made.toml"), &format!("title = \"t\"\n{}\n", made.join("\n")));
+        assert!(made.len() >= 5 && run(&["corpus", "verify", &generated]).code == 0, "{task}: {made:?}");
         assert!(expect(2, &["new", &file]).stderr.contains("the file is there"));
+    }
+    write(&folder, "land.geojson", r#"{"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1], [0, 0]]]}"#);
+    write(&folder, "cubes.csv", "0,0,0,1\n");
+    write(&folder, "line.wkt", "LINESTRING (0 0, 1 1, 2 0)");
+    write(&folder, "ends.csv", "0,0\n1,0\n2,0\n1,0\n");
+    write(&folder, "mesh.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n");
+    for (task, data) in [
+        ("polygon-locate", "land.geojson"),
+        ("cube-union", "cubes.csv"),
+        ("crossings", "line.wkt"),
+        ("contacts2d", "land.geojson"),
+        ("contacts3d", "mesh.off"),
+        ("interval", "ends.csv"),
+    ] {
+        let file = at(&folder, &format!("{task}-of-file.toml"));
+        expect(0, &["new", &file, "--task", task, "--points", data]);
+        expect(0, &["corpus", "verify", &file]);
     }
     write(&folder, "points.csv", "0,0\n1,0\n0,1\n");
     let file = at(&folder, "mine.toml");
@@ -130,6 +160,38 @@ fn every_answer_of_a_run_is_written_where_it_was_asked_for() {
         assert_eq!(classes(class), counted, "{class}");
     }
     assert!(column(&answers, "stage").iter().any(|stage| stage == "float"), "{answers}");
+}
+
+/// A row is what was asked, what was answered, what is true and what that is called, in the order of the queries.
+#[test]
+fn each_answer_is_the_answer_to_its_query() {
+    let folder = tempdir().unwrap();
+    let suite = "title = \"Mine\"\n[[scene]]\nname = \"turns\"\ntask = \"orient2d\"\n\
+                 points = [[\"0x1.0000000000001p-1\", 0.5], [12, 12], [24, 24], [36, 36], [0, 1]]\n\
+                 queries = [[0, 1, 2], [1, 2, 3], [1, 2, 4]]\n";
+    let (suite, out) = (write(&folder, "mine.toml", suite), at(&folder, "run"));
+    run(&["run", &suite, "-b", "exact,sos,naive", "--answers", "--out", &out]);
+    let answers = read(&out, "answers.csv");
+    let columns = ["backend", "query", "args", "answer", "exact", "class"].map(|name| column(&answers, name));
+    let rows: Vec<String> =
+        (0..columns[0].len()).map(|row| columns.each_ref().map(|cells| cells[row].as_str()).join(",")).collect();
+    let broken = rows[4].replace("sos,1,1 2 3,+,", "sos,1,1 2 3,-,");
+    let expected = [
+        "exact,0,0 1 2,-,-,agree",
+        "exact,1,1 2 3,0,0,agree",
+        "exact,2,1 2 4,+,+,agree",
+        "sos,0,0 1 2,-,-,agree",
+        // Which side is the judge's word.
+        rows[4].as_str(),
+        "sos,2,1 2 4,+,+,agree",
+        "naive,0,0 1 2,0,-,overreach",
+        "naive,1,1 2 3,0,0,agree",
+        "naive,2,1 2 4,+,+,agree",
+    ];
+    assert_eq!(
+        (rows.as_slice(), broken.as_str()),
+        (expected.map(str::to_owned).as_slice(), "sos,1,1 2 3,-,0,tie_broken")
+    );
 }
 
 #[test]

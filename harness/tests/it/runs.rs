@@ -182,11 +182,17 @@ fn expectations_turn_the_gate_both_ways() {
     expect(100, &["gate", &out, "--expected", &expectation("sign_flip", "wrong-*")]);
     expect(101, &["gate", &out, "--expected", &expectation("overreach", "*")]);
 
+    // `run` says it at once.
+    let known = expectation("overreach", "*");
+    let passed = ["run", &suite, "--expected", &known, "-b", "naive", "--out", &at(&folder, "passed")];
+    let told = expect(101, &passed);
+    assert!(told.stdout.contains("unexpected_pass: mine/plain on naive"), "{}", told.stdout);
+
     // Suggestions are TOML, and refused until the reasons are there.
     let suggested = at(&folder, "suggested.toml");
     expect(100, &["gate", &out, "--expected", &empty, "--suggest", &suggested]);
     let refused = expect(104, &["gate", &out, "--expected", &suggested]);
-    assert!(refused.stderr.contains("suggested.toml:1: the reason is empty; say why"), "{}", refused.stderr);
+    assert!(refused.stderr.contains("suggested.toml:8: the reason is empty; say why"), "{}", refused.stderr);
     let text = std::fs::read_to_string(&suggested).unwrap();
     assert!(text.contains("level = \"quick\""), "{text}");
     let filled = write(&folder, "filled.toml", &text.replace("reason = \"\"", "reason = \"rounding\""));
@@ -233,7 +239,7 @@ fn an_expectation_that_nothing_can_meet_is_red_and_one_that_was_left_out_is_list
         104,
         &["gate", &out, "--expected", &write(&folder, "class.toml", &more("plain", "naive", "").replace("nan", "nam"))],
     );
-    assert!(level.stderr.contains("class.toml:1: "), "{}", level.stderr);
+    assert!(level.stderr.contains("class.toml:4: no class is called `nam`; "), "{}", level.stderr);
 }
 
 #[test]
@@ -302,6 +308,26 @@ fn a_baseline_catches_what_expectations_forgive() {
     expect(0, &["gate", &bad, "--expected", &forgiving, "--baseline", &bad]);
     let worse = expect(100, &["gate", &bad, "--expected", &forgiving, "--baseline", &good]);
     assert!(worse.stdout.contains("worse than the baseline: mine/wrong-once on naive: 1 overreach, was 0"));
+}
+
+#[test]
+fn a_baseline_catches_what_has_become_slower() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let [slow, fast] = ["slow", "fast"].map(|name| at(&folder, name));
+    // The times are made up.
+    for (out, nanoseconds) in [(&slow, "1.2"), (&fast, "1.0")] {
+        expect(0, &["bench", &suite, "-b", "exact", "--samples", "1", "--out", out]);
+        let times = read(out, "throughput.csv");
+        let made_up = times.lines().skip(1).map(|row| format!("{},{nanoseconds}\n", row.rsplit_once(',').unwrap().0));
+        let made_up: String = std::iter::once(times.lines().next().unwrap().to_owned() + "\n").chain(made_up).collect();
+        assert!(made_up.lines().count() > 1 && times.lines().next().unwrap().ends_with("ns_per_query"), "{times}");
+        rewrite(out, "throughput.csv", &made_up);
+    }
+    let told = expect(102, &["gate", &slow, "--baseline", &fast]);
+    assert!(told.stdout.contains("on exact: 1.20 ns/query, was 1.00 (1.20 times)"), "{}", told.stdout);
+    expect(0, &["gate", &fast, "--baseline", &slow]);
+    expect(0, &["gate", &slow, "--baseline", &slow]);
 }
 
 #[test]

@@ -33,9 +33,16 @@ fn main() {
             _ if way == format!("error on {kind}") => Message::new("error").with("message", "out of triangles"),
             "hello" => Message::new("hello")
                 .with("protocol", if way == "old" { "0" } else { "1" })
-                .with("name", "tests")
-                .with("version", "1.2")
-                .with("predicates", if way == "odd" { "orient2d sidedness" } else { "compare orient2d" })
+                .with("name", if way == "long name" { "x".repeat(1 << 20) } else { "tests".to_owned() })
+                .with("version", if way == "two lines" { "1.2\n\u{1b}[2J" } else { "1.2" })
+                .with(
+                    "predicates",
+                    match way.as_str() {
+                        "odd" => "orient2d sidedness".to_owned(),
+                        "long predicate" => "x".repeat(1 << 20),
+                        _ => "compare orient2d".to_owned(),
+                    },
+                )
                 .with("zero", "exact")
                 .with("precision", if way == "single" { "f32" } else { "f64" }),
             "scene" => {
@@ -77,6 +84,9 @@ fn batch(message: &Message, points: &[f64], dimension: usize, way: &str) -> Mess
         "declines a query" => signs[0] = 2,
         "odd byte" => signs[0] = 9,
         _ => {}
+    }
+    if way == "long number" {
+        return Message::new("signs").with("signs", signs).with("ns", "x".repeat(1 << 20));
     }
     Message::new("signs").with("signs", signs).with("ns", if empty { "10" } else { "1000" })
 }

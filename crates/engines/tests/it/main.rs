@@ -182,6 +182,30 @@ fn a_version_command_has_a_limit() {
     assert_eq!(error, "engine:tests: `sleep 1000` printed no version within 1s");
 }
 
+/// What an engine says ends up in tables and on terminals.
+#[test]
+fn what_an_engine_says_is_bounded() {
+    let folder = tempfile::tempdir().unwrap();
+    let refused = |way: &str| {
+        let mut config = config(folder.path(), way).unwrap();
+        config.version.clear();
+        Engine::start(config).map(|_| ()).unwrap_err()
+    };
+    for (way, said) in [
+        ("long name", "engine:tests: protocol: its name is empty, longer than 200 characters, or not one line"),
+        ("two lines", "engine:tests: protocol: its version is empty, longer than 200 characters, or not one line"),
+        ("long predicate", "engine:tests: protocol: it offers `xxx"),
+    ] {
+        let error = refused(way);
+        assert!(error.starts_with(said) && error.len() < 400, "{way}: {error}");
+    }
+    let (engine, scene) = (engine("long number").unwrap(), scene());
+    let session = engine.prepare(&scene, Off).unwrap();
+    let thrown = catch_unwind(AssertUnwindSafe(|| ask(&session))).unwrap_err();
+    let broken = thrown.downcast::<Broken>().unwrap_or_else(|_| panic!("another panic"));
+    assert!(broken.message.starts_with("`ns` of `signs` is `xxx") && broken.message.len() < 400, "{broken}");
+}
+
 #[test]
 fn a_nan_is_a_zero_that_says_so() {
     let (engine, scene) = (engine("nan").unwrap(), scene());

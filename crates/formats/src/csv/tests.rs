@@ -51,7 +51,10 @@ fn errors_name_file_line_and_cure() {
         ("nan,1\n", "p.csv:1: coordinate `nan` is not finite; remove"),
         ("1,2\nx,y\n", "p.csv:2: `x` is not a number; write"),
         ("0,5;1,5\n", "p.csv:1: `0,5` is not a number; write"),
-        ("1,\"2\n3\",4\n", "p.csv:1: `\"2` is not a number; write"),
+        ("1,\"2\n3\",4\n", "p.csv:1: a quote that is not closed; close it in its line: a row is one line, and"),
+        ("\"x\neast\",y\n1,2\n", "p.csv:1: a quote that is not closed; close"),
+        ("# \"\n1,2\r\n3,\"4\r\n5,6\r\n", "p.csv:3: a quote that is not closed; close"),
+        ("1,2\n\"3\"\",4\n", "p.csv:2: a quote that is not closed; close"),
         ("1,2\0\n", "p.csv:1: `2\\u{0}` is not a number; write"),
         ("x,y\n", "p.csv: the file has no points; write one point a line"),
         ("", "p.csv: the file has no points; write one point a line"),
@@ -77,7 +80,12 @@ fn only_inexact_decimals_are_rewritten() {
     assert_eq!(once, expected);
     assert_eq!(fmt_csv("p.csv", &once).unwrap(), once);
     assert_eq!(fmt_csv("p.csv", "0.1 2\r").unwrap(), "# 0.1\r0x1.999999999999ap-4 2\r");
-    for (bad, message) in [("1,inf\n", "not finite"), ("1,2\n1e400,1\n", "beyond"), ("1,x\n", "not a number")] {
+    for (bad, message) in [
+        ("1,inf\n", "not finite"),
+        ("1,2\n1e400,1\n", "beyond"),
+        ("1,x\n", "not a number"),
+        ("1,2\n\"3,4\n", "not closed"),
+    ] {
         let error = fmt_csv("p.csv", bad).unwrap_err().to_string();
         assert!(error.starts_with(&format!("p.csv:{}: ", bad.lines().count())) && error.contains(message), "{error}");
     }

@@ -12,7 +12,7 @@ use serde_json::value::RawValue;
 
 use super::ImportNotes;
 use super::geometry::{CLOSE, DEEPEST, Feature, Geometry, Position, Shape, open};
-use crate::decimals::{Place as Written, explain};
+use crate::decimals::{Place as Written, ends, explain, shown};
 use crate::{CorpusError, Decimals, Lines};
 
 /// Any object of GeoJSON.
@@ -58,6 +58,11 @@ impl Place<'_> {
     fn index(&self, index: usize) -> Place<'_> {
         Place { before: Some(self), step: Step::Index(index) }
     }
+
+    /// Its begin and its end, where it is long.
+    fn short(&self) -> String {
+        ends(&self.to_string(), 120)
+    }
 }
 
 impl fmt::Display for Place<'_> {
@@ -102,7 +107,7 @@ impl<'t> Reader<'_, 't> {
     }
 
     fn error(&self, raw: &RawValue, place: &Place<'_>, message: &str, cure: impl Into<String>) -> CorpusError {
-        let place = place.to_string();
+        let place = place.short();
         let message = if place.is_empty() { message.to_owned() } else { format!("{place}: {message}") };
         CorpusError::file(self.file, message, cure).at_line(self.line(raw.get()))
     }
@@ -135,7 +140,7 @@ impl<'t> Reader<'_, 't> {
                 let features = object.features.ok_or_else(|| {
                     self.error(raw, place, "a FeatureCollection without features", "give it `features`")
                 })?;
-                for (index, feature) in self.items(features)?.into_iter().enumerate() {
+                for (index, feature) in self.items(features, &place.key("features"))?.into_iter().enumerate() {
                     let place = place.key("features");
                     let place = place.index(index);
                     let kind: Kind = self.parsed(feature)?;
@@ -186,7 +191,7 @@ impl<'t> Reader<'_, 't> {
             let members = object.geometries.ok_or_else(|| {
                 self.error(raw, place, "a GeometryCollection without geometries", "give it `geometries`")
             })?;
-            for (index, member) in self.items(members)?.into_iter().enumerate() {
+            for (index, member) in self.items(members, &place.key("geometries"))?.into_iter().enumerate() {
                 self.geometry(member, &place.key("geometries").index(index), depth + 1, shapes)?;
             }
             return Ok(());
@@ -196,7 +201,7 @@ impl<'t> Reader<'_, 't> {
             let message = if kind.is_empty() {
                 "an object without a type".to_owned()
             } else {
-                format!("no geometry is of type `{kind}`")
+                format!("no geometry is of type `{}`", shown(kind))
             };
             return Err(self.error(raw, place, &message, format!("use one of {}", known.join(", "))));
         }
@@ -207,20 +212,20 @@ impl<'t> Reader<'_, 't> {
         match kind {
             "Point" => {
                 // An empty array is a point without a place.
-                if !self.items(coordinates)?.is_empty() {
+                if !self.items(coordinates, place)?.is_empty() {
                     shapes.push(Shape::Point(self.position(coordinates, place)?));
                 }
             }
             "MultiPoint" => shapes.extend(self.positions(coordinates, place)?.into_iter().map(Shape::Point)),
             "LineString" => shapes.push(Shape::Line(self.positions(coordinates, place)?)),
             "MultiLineString" => {
-                for (index, line) in self.items(coordinates)?.into_iter().enumerate() {
+                for (index, line) in self.items(coordinates, place)?.into_iter().enumerate() {
                     shapes.push(Shape::Line(self.positions(line, &place.index(index))?));
                 }
             }
             "Polygon" => shapes.push(self.polygon(coordinates, place)?),
             _ => {
-                for (index, polygon) in self.items(coordinates)?.into_iter().enumerate() {
+                for (index, polygon) in self.items(coordinates, place)?.into_iter().enumerate() {
                     shapes.push(self.polygon(polygon, &place.index(index))?);
                 }
             }
@@ -230,23 +235,23 @@ impl<'t> Reader<'_, 't> {
 
     fn polygon(&mut self, raw: &'t RawValue, place: &Place<'_>) -> Result<Shape, CorpusError> {
         let mut rings = Vec::new();
-        for (index, ring) in self.items(raw)?.into_iter().enumerate() {
+        for (index, ring) in self.items(raw, place)?.into_iter().enumerate() {
             let place = place.index(index);
             let positions = self.positions(ring, &place)?;
             rings.push(open(positions).map_err(|(line, what)| {
-                CorpusError::file(self.file, format!("{place}: {what}"), CLOSE).at_line(line)
+                CorpusError::file(self.file, format!("{}: {what}", place.short()), CLOSE).at_line(line)
             })?);
         }
         Ok(Shape::Polygon(rings))
     }
 
     fn positions(&mut self, raw: &'t RawValue, place: &Place<'_>) -> Result<Vec<Position>, CorpusError> {
-        let items = self.items(raw)?.into_iter().enumerate();
+        let items = self.items(raw, place)?.into_iter().enumerate();
         items.map(|(index, position)| self.position(position, &place.index(index))).collect()
     }
 
     fn position(&mut self, raw: &'t RawValue, place: &Place<'_>) -> Result<Position, CorpusError> {
-        let numbers = self.items(raw)?;
+        let numbers = self.items(raw, place)?;
         let (&[x, y], rest) = numbers.split_first_chunk().ok_or_else(|| {
             self.error(raw, place, &format!("a position of {} numbers", numbers.len()), "write at least two")
         })?;
@@ -270,7 +275,11 @@ impl<'t> Reader<'_, 't> {
         self.parsed(raw)
     }
 
-    fn items(&self, raw: &'t RawValue) -> Result<Vec<&'t RawValue>, CorpusError> {
+    /// The members of an array.
+    fn items(&self, raw: &'t RawValue, place: &Place<'_>) -> Result<Vec<&'t RawValue>, CorpusError> {
+        if !raw.get().starts_with('[') {
+            return Err(self.error(raw, place, "no array", "give an array"));
+        }
         self.parsed(raw)
     }
 }

@@ -127,7 +127,7 @@ mod tests {
     fn the_same_shape_in_both_formats() {
         let off =
             "OFF # a pyramid\n5 2 0\n\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0 5e-1 # apex\n4 0 1 2 3\n3 4 0 1 255 0 0\n";
-        let obj = "mtllib none\nv 0 0 0\nv 1 0 0 1\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\nv 0.5 0 0.5\nf -1 1 2\n";
+        let obj = "mtllib none\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.1 0.2 0.3\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\nv 0.5 0 0.5\nf -1 1 2\n";
         let [off, obj] = [read("a.off", off).unwrap(), read("a.OBJ", obj).unwrap()];
         assert_eq!(off, obj);
         assert_eq!(off.triangles, [v([0, 1, 2]), v([0, 2, 3]), v([4, 0, 1])]);
@@ -160,6 +160,12 @@ mod tests {
             (obj("f 0 1 2\n"), "m.obj:4: `0` is none of the 3 vertices"),
             (obj("f -4 1 2\n"), "m.obj:4: `-4` is none of the 3 vertices"),
             (obj("f 1 2 1\n"), "m.obj:4: a face that names a vertex twice; divide it"),
+            (obj("v 1 0 0 2\n"), "m.obj:4: a vertex of weight 2; divide its coordinates by the weight"),
+            (obj("v 1 0 0 1e400\n"), "m.obj:4: a vertex of weight 1e400; divide"),
+            (obj("v 1 0 0 w\n"), "m.obj:4: `w` is not a number; write a number"),
+            (obj("v 1 0 0 0.1 0.2 red\n"), "m.obj:4: `red` is not a number; write a number"),
+            (obj("v 1 0 0 1 0.5\n"), "m.obj:4: a vertex of 5 numbers; write three coordinates, and perhaps"),
+            (obj("v 1 0 0 1 0 0 0\n"), "m.obj:4: a vertex of 7 numbers; write"),
             (obj("curv 1 2\n"), "m.obj:4: `curv` is not understood; write"),
             (read("m.off", "solid\n").unwrap_err().to_string(), "m.off:1: the file starts with `solid`, not with OFF;"),
             (read("m.off.gz", "OFF").unwrap_err().to_string(), "m.off.gz: the file can't be unpacked: "),

@@ -3,8 +3,30 @@
 use predicament_predicates::Vertex;
 
 use super::mesh::{ImportedMesh, contents, no_vertex, point};
+use crate::coordinate::{self, CoordinateError};
 use crate::decimals::shown;
 use crate::{CorpusError, Decimals};
+
+/// What may follow the three coordinates of a vertex: a weight of 1, or a colour. What is wrong with it, and the cure.
+fn behind(words: &[&str]) -> Result<(), (String, &'static str)> {
+    let number = |word: &&str| match coordinate::exact(word) {
+        Err(CoordinateError::Malformed) => Err((format!("`{}` is not a number", shown(word)), "write a number")),
+        // Not read as a coordinate: it need not be a double.
+        read => Ok(read),
+    };
+    match words.get(3..).unwrap_or_default() {
+        [] => Ok(()),
+        [weight] => match number(weight)? {
+            Ok(1.0) => Ok(()),
+            _ => Err((format!("a vertex of weight {}", shown(weight)), "divide its coordinates by the weight")),
+        },
+        colour @ [_, _, _] => colour.iter().try_for_each(|word| number(word).map(drop)),
+        _ => Err((
+            format!("a vertex of {} numbers", words.len()),
+            "write three coordinates, and perhaps a weight of 1 or a colour of three numbers",
+        )),
+    }
+}
 
 /// Reads OBJ: `v`, `f` and `l`; what only matters for pictures is passed over.
 pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
@@ -27,8 +49,10 @@ pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<Import
         };
         let corners = || words[1..].iter().map(corner).collect::<Result<Vec<_>, _>>();
         match words[0] {
-            // A weight or colours may follow the coordinates.
-            "v" => mesh.points.push(point(file, line, &words[1..], decimals)?),
+            "v" => {
+                behind(&words[1..]).map_err(|(message, cure)| CorpusError::file(file, message, cure).at_line(line))?;
+                mesh.points.push(point(file, line, &words[1..], decimals)?);
+            }
             "f" => mesh
                 .push_face(&corners()?)
                 .map_err(|(message, cure)| CorpusError::file(file, message, cure).at_line(line))?,

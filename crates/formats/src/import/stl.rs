@@ -8,7 +8,7 @@
 use super::mesh::{ImportedMesh, contents};
 use super::shared::SharedVertices;
 use crate::decimals::{Place, explain, shown};
-use crate::file::text;
+use crate::file::text_of;
 use crate::{CorpusError, Decimals};
 
 /// The bytes before the triangles of a binary file, with their number in the last four.
@@ -36,7 +36,7 @@ pub(super) fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<Im
             return Err(CorpusError::file(file, message, "fetch or copy it again"));
         }
     }
-    ascii(file, &text(file, bytes)?, decimals)
+    ascii(file, &text_of(file, bytes)?, decimals)
 }
 
 /// Triangles by their corners.

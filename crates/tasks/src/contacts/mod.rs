@@ -71,6 +71,13 @@ impl SceneFormat for Contacts {
         }
     }
 
+    fn template(&self) -> String {
+        match self.dimension {
+            Dimension::Two => include_str!("template2d.txt").to_owned(),
+            Dimension::Three => include_str!("template3d.txt").to_owned(),
+        }
+    }
+
     fn about(&self) -> &'static str {
         match self.dimension {
             Dimension::Two => "the contacts between two complexes in the plane (Wang et al.)",

@@ -49,6 +49,10 @@ impl SceneFormat for Crossings {
         "crossings"
     }
 
+    fn template(&self) -> String {
+        include_str!("template.txt").to_owned()
+    }
+
     fn about(&self) -> &'static str {
         "all crossings of a set of segments, sorted along each"
     }

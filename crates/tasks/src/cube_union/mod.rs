@@ -63,6 +63,10 @@ impl SceneFormat for CubeUnion {
         "cube-union"
     }
 
+    fn template(&self) -> String {
+        include_str!("template.txt").to_owned()
+    }
+
     fn about(&self) -> &'static str {
         "volume, area and edge length of a union of congruent cubes (Franklin and Magalhães, 4.3)"
     }

@@ -55,6 +55,10 @@ impl SceneFormat for Interval {
         "interval"
     }
 
+    fn template(&self) -> String {
+        include_str!("template.txt").to_owned()
+    }
+
     fn about(&self) -> &'static str {
         "the cell of a partition of a line in which a point lies (Franklin and Magalhães, 4.1)"
     }

@@ -61,6 +61,10 @@ impl SceneFormat for PolygonLocate {
         "polygon-locate"
     }
 
+    fn template(&self) -> String {
+        include_str!("template.txt").to_owned()
+    }
+
     fn about(&self) -> &'static str {
         "the region of a map in which a point lies (Franklin and Magalhães, 4.2)"
     }

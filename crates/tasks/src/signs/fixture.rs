@@ -1,6 +1,6 @@
 //! `fixture`: published rows with expected signs.
 
-use predicament_corpus::{Context, Elsewhere, Level, Parts};
+use predicament_corpus::{Context, Elsewhere, Level, Origin, Parts};
 use predicament_formats::{
     Cache, CorpusError, Decimals, Entry, Field, ImportNotes, Place, TableKind, explain, shown, skipped,
 };
@@ -13,7 +13,7 @@ static FIXTURE: TableKind = TableKind::new("fixture", &["fetch"]);
 /// Rows of one predicate, fetched.
 pub(super) struct Fixture {
     question: Question,
-    entry: Entry,
+    origin: Origin,
     round: bool,
 }
 
@@ -35,17 +35,16 @@ impl Fixture {
             PredicateKind::Insphere => Question::Insphere,
         };
         let table = fixture.fields(&FIXTURE)?;
-        let entry = context.fetched(&table.required("fetch")?)?;
+        let origin = Origin::fetched(context, &table.required("fetch")?)?;
         table.finish()?;
-        Ok(Fixture { question, entry, round: context.round() })
+        Ok(Fixture { question, origin, round: context.round() })
     }
 }
 
 impl Elsewhere for Fixture {
     fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
         let decimals = Decimals::new(self.round);
-        let text = cache.read(&self.entry)?;
-        let file = cache.path(&self.entry).display().to_string();
+        let (file, text) = self.origin.text(cache)?;
         let (scene, expected) = read_fixture(&file, &text, self.question.kind(), &decimals)?;
         let queries = QuerySet::new(self.question, scene.vertices().collect());
         let notes = ImportNotes { rounded: decimals.rounded(), ..ImportNotes::default() };
@@ -53,7 +52,7 @@ impl Elsewhere for Fixture {
     }
 
     fn fetch_entry(&self) -> Option<&Entry> {
-        Some(&self.entry)
+        self.origin.entry()
     }
 }
 

@@ -87,6 +87,15 @@ impl SceneFormat for Signs {
         self.kind.name()
     }
 
+    fn template(&self) -> String {
+        let indices: Vec<String> = (0..self.kind.arity()).map(|index| index.to_string()).collect();
+        let points = first_points(self.kind).join(",\n@written     ");
+        include_str!("template.txt")
+            .replace("{points}", &format!("[\n@written     {points},\n@written ]"))
+            .replace("{arity}", &self.kind.arity().to_string())
+            .replace("{indices}", &format!("[[{}]]", indices.join(", ")))
+    }
+
     fn about(&self) -> &'static str {
         match self.kind {
             PredicateKind::Compare => "the order of two vertices along an axis",
@@ -208,4 +217,17 @@ fn signs(session: &dyn Predicates, content: &SignQueries, how: &How<'_>, out: &m
         return out.chunks_mut(size).enumerate().try_for_each(batch);
     }
     out.par_chunks_mut(size).enumerate().try_for_each(batch)
+}
+
+/// Points to start from, which plain doubles get wrong, or nearly.
+fn first_points(kind: PredicateKind) -> &'static [&'static str] {
+    match kind {
+        PredicateKind::Compare => &["[0, 0]", "[\"0x1p-1074\", 0]"],
+        PredicateKind::Orient2d => &["[0.5, \"0x1.0000000000001p-1\"]", "[12, 12]", "[24, 24]"],
+        PredicateKind::Orient3d => &["[0, 0, 0]", "[1, 0, 0]", "[0, 1, 0]", "[0.25, 0.25, \"0x1p-60\"]"],
+        PredicateKind::Incircle => &["[1, 0]", "[0, 1]", "[-1, 0]", "[0, \"-0x1.0000000000001p+0\"]"],
+        PredicateKind::Insphere => {
+            &["[1, 0, 0]", "[0, 1, 0]", "[0, 0, 1]", "[-1, 0, 0]", "[0, 0, \"-0x1.0000000000001p+0\"]"]
+        }
+    }
 }

@@ -156,7 +156,7 @@ fn data() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         ("nul.csv", b"0,0\n\0,1\n".to_vec(), ":2: `\\u{0}` is not a number"),
         ("not-text.csv", b"0,0\n\xff\xfe,1\n".to_vec(), ":2: the file is not text in UTF-8"),
         ("utf16.csv", b"\xff\xfe0\0,\x000\0".to_vec(), ":1: the file is not text in UTF-8"),
-        ("quote.csv", b"0,0\n\"1,1\n2,2\n".to_vec(), ":2: point 1 has 1 coordinates"),
+        ("quote.csv", b"0,0\n\"1,1\n2,2\n".to_vec(), ":2: a quote that is not closed"),
         ("blank.csv", b"\n\n#\n".to_vec(), "the file has no points"),
         ("bomb.csv.gz", packed(&vec![b'0'; 1 << 20]), ":1: point 0 has 1 coordinates"),
         ("not-packed.csv.gz", b"0,0\n".to_vec(), "the file can't be unpacked"),

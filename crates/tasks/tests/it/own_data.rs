@@ -74,7 +74,7 @@ fn the_same_points_from_every_format_are_the_same_scene() {
     );
     assert_eq!(
         refused(&folder, "task = \"orient3d\"\npoints = { path = \"p.dat\" }"),
-        "p.dat: the data file can't be read: entity not found; put the file there or correct `path`"
+        "s.toml:6: p.dat: the data file can't be read: there is no such file; put the file there or correct `path`"
     );
 }
 

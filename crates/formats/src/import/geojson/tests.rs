@@ -68,6 +68,25 @@ fn lines_are_edges() {
 }
 
 #[test]
+fn errors_stay_short() {
+    let deep = r#"{"type": "GeometryCollection", "geometries": ["#.repeat(32);
+    let long = "x".repeat(1 << 20);
+    for (text, said) in [
+        (
+            format!("{deep}{{\"type\": \"Point\", \"coordinates\": [0.1, 0]}}{}", "]}".repeat(32)),
+            "geometries[0].geometries[0]",
+        ),
+        (format!("{{\"type\": \"{long}\"}}"), "no geometry is of type `xxx"),
+        (format!("{{\"type\": \"Point\", \"coordinates\": \"{long}\"}}"), "coordinates: no array; give an array"),
+        (format!("{{\"type\": \"Point\", \"coordinates\": [0, 0], \"properties\": \"{long}\"}}"), "not GeoJSON: "),
+    ] {
+        let error = of(&text).map(drop).unwrap_err().to_string();
+        assert!(error.starts_with(&format!("m.geojson:1: {said}")), "{error}");
+        assert!(error.len() < 700, "{error}");
+    }
+}
+
+#[test]
 fn errors_say_where() {
     let changed = |from: &str, to: &str| {
         assert!(SQUARES.contains(from), "{from}");
@@ -116,7 +135,7 @@ fn errors_say_where() {
         (changed("\"type\": \"FeatureCollection\", ", ""), "m.geojson:1: an object without a type; use one of"),
         (changed("null}\n]}", "null"), "m.geojson:8: not GeoJSON: EOF"),
         (changed("null}\n]}", "null}\n]} x"), "m.geojson:9: not GeoJSON: trailing"),
-        (changed("[[[4, 0]", "[[7, [4, 0]"), "m.geojson:5: not GeoJSON: invalid type"),
+        (changed("[[[4, 0]", "[[7, [4, 0]"), "m.geojson:5: features[1].geometry.coordinates[0][0][0]: no array; give"),
         (of("").unwrap_err().to_string(), "m.geojson:1: not GeoJSON: EOF while parsing a value; the file ends early"),
         (of("[\"Point\", null, null, null, [1, 2]]").unwrap_err().to_string(), "m.geojson:1: no object; give"),
         (of("\u{0}").unwrap_err().to_string(), "m.geojson:1: not GeoJSON: expected value; give"),
