@@ -52,6 +52,9 @@ pub struct Config {
     /// The folder of the file: all commands run there.
     #[serde(skip)]
     pub folder: PathBuf,
+    /// The file itself, absolute: [`find`] finds the engine by it from any folder.
+    #[serde(skip)]
+    pub file: PathBuf,
 }
 
 impl Config {
@@ -83,6 +86,7 @@ impl Config {
         }
         let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         config.folder = std::path::absolute(folder).map_err(|error| format!("{shown}: {error}"))?;
+        config.file = std::path::absolute(file).map_err(|error| format!("{shown}: {error}"))?;
         Ok(config)
     }
 
