@@ -1,5 +1,6 @@
 //! What a run is going to do, and where: its plan, machine, tables and folder.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use predicament_corpus::Level;
@@ -46,6 +47,7 @@ pub fn plan(selection: &Selection, scenes: &[Planned], backends: &[Box<dyn Conte
         suites: selection.suites.iter().map(|suite| suite.name.clone()).collect(),
         paths: selection.paths(),
         hashes: selection.hashes(),
+        engines: BTreeMap::new(),
         answers: false,
         scenes: scenes.iter().map(|scene| scene.plan.clone()).collect(),
         backends: backends.iter().map(|backend| backend.name()).collect(),

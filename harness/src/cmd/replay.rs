@@ -66,9 +66,9 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     if finding.query.is_empty() {
         return whole(&run, finding, args, tool);
     }
-    let mut names = vec![finding.backend.clone()];
-    names.extend(tool.pick(&args.backends)?.iter().map(|backend| backend.name()));
-    let backends = tool.pick(&names)?;
+    let mut backends = tool.pick(&[run.plan.backend_argument(&finding.backend)])?;
+    let others = tool.pick(&args.backends)?;
+    backends.extend(others.into_iter().filter(|backend| backend.name() != finding.backend));
     let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
     for query in finding.query.split(" | ") {
         say!("\n{query}");
@@ -89,6 +89,8 @@ fn whole(run: &RunDir, finding: &FindingRow, args: &Args, tool: &Tool) -> exit::
         permutations: None,
         threads: None,
         cache: args.cache.as_deref(),
+        folder: std::env::temp_dir().join(format!("predicament-replay-{}", std::process::id())),
+        engines: &run.plan.engines,
         suite: run.plan.paths.get(&finding.suite).unwrap_or(&finding.suite).clone(),
         scene,
         limit: Some(args.timeout),

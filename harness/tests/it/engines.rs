@@ -1,7 +1,7 @@
 //! The example engines, built and run as their pages say. They need a C++ compiler and Python: `cargo xtask test` runs
 //! these tests where it finds them, and says so where it does not.
 
-use crate::common::{at, read, tool};
+use crate::common::{SUITE, at, column, expect, read, tool, write};
 use tempfile::tempdir;
 
 /// An engine that computes what `naive` computes has the same rows as `naive`, but for its name.
@@ -32,6 +32,72 @@ fn agrees_with_naive(engine: &str) {
     assert_eq!(ours, theirs);
     let findings = read(&out, "findings.csv");
     assert!(findings.lines().any(|line| line.contains(&format!("engine:{engine}"))), "{findings}");
+}
+
+/// A folder with an engine in Python whose `orient2d` is this line.
+fn python(folder: &tempfile::TempDir, name: &str, orient2d: &str) -> String {
+    let helper = concat!(env!("CARGO_MANIFEST_DIR"), "/../engines/python");
+    let engine = format!(
+        "import sys\nsys.path.insert(0, {helper:?})\nimport predicament_engine\nclass Mine:\n  name = 'mine'\n  \
+         version = '1'\n  zero = 'exact'\n  def orient2d(self, a, b, c):\n    {orient2d}\n\
+         predicament_engine.serve(Mine())\n"
+    );
+    std::fs::create_dir(folder.path().join(name)).unwrap();
+    write(folder, &format!("{name}/{name}.py"), &engine);
+    let config = format!("name = \"mine\"\nrun = [\"python3\", \"{name}.py\"]\n");
+    write(folder, &format!("{name}/engine.toml"), &config)
+}
+
+const DETERMINANT: &str = "return (a[0] - c[0]) * (b[1] - c[1]) - (a[1] - c[1]) * (b[0] - c[0])";
+
+#[test]
+#[ignore = "needs Python"]
+fn an_engine_by_file_is_found_again() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    python(&folder, "here", DETERMINANT);
+    let out = at(&folder, "run");
+    let call = |args: &[&str]| {
+        let told = crate::common::told(tool(args).current_dir(&folder).output().unwrap());
+        (told.code, told.stdout + &told.stderr)
+    };
+    let (code, told) = call(&["run", &suite, "-b", "engine:here/engine.toml,exact", "--out", "run"]);
+    assert_eq!(code, 100, "{told}");
+    let id = &column(&read(&out, "findings.csv"), "finding_id")[0];
+    // From another folder.
+    let replayed = expect(0, &["replay", id, "--run", &out, "-b", "exact"]);
+    assert!(replayed.stdout.contains("engine:mine"), "{}", replayed.stdout);
+    let (code, told) = call(&["run", &suite, "-b", "engine:here/engine.toml", "--isolate", "--out", "apart"]);
+    assert_eq!(code, 100, "{told}");
+    let rows = |run: &str| read(&at(&folder, run), "summary.csv").lines().filter(|l| l.contains("mine,e")).count();
+    assert_eq!(column(&read(&at(&folder, "apart"), "summary.csv"), "overreach"), ["1", "0"], "{}", rows("apart"));
+    // A run that was interrupted before it began.
+    crate::common::rewrite(&out, "summary.csv", &format!("{}\n", read(&out, "summary.csv").lines().next().unwrap()));
+    write(&folder, "run/state.json", &read(&out, "state.json").replace("complete", "interrupted"));
+    let resumed = crate::common::run(&["run", "--resume", &out]);
+    assert_eq!(resumed.code, 100, "{}", resumed.stderr);
+    // Two of one name are two backends.
+    python(&folder, "there", DETERMINANT);
+    let (code, told) = call(&["run", &suite, "-b", "engine:here/engine.toml,engine:there/engine.toml", "--out", "two"]);
+    assert!(code == 2 && told.contains("two engines are `engine:mine`"), "{told}");
+}
+
+#[test]
+#[ignore = "needs Python"]
+#[cfg(target_os = "linux")]
+fn an_engine_that_loops_ends_with_its_worker() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let engine = python(&folder, "endless", "while True: pass");
+    let out = at(&folder, "run");
+    let backend = format!("engine:{engine}");
+    let told = crate::common::run(&["run", &suite, "-b", &backend, "--isolate", "--timeout", "1", "--out", &out]);
+    assert_eq!(told.code, 103, "{}", told.stderr);
+    assert_eq!(column(&read(&out, "summary.csv"), "timeout"), ["1", "1"]);
+    let place = folder.path().join("endless");
+    let runs_there = |entry: &std::path::PathBuf| std::fs::read_link(entry.join("cwd")).is_ok_and(|cwd| cwd == place);
+    let left = std::fs::read_dir("/proc").unwrap().flatten().map(|entry| entry.path()).filter(runs_there).count();
+    assert_eq!(left, 0, "processes that loop for ever");
 }
 
 #[test]

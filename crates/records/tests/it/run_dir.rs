@@ -57,6 +57,7 @@ fn plan() -> Plan {
         level: Level::Full,
         suites: vec![scene("").suite],
         hashes: [(scene("").suite, "0f1e".to_owned())].into(),
+        engines: [("engine:mine".to_owned(), "far/engine.toml".to_owned())].into(),
         answers: true,
         paths: [(scene("").suite, "far/near.toml".to_owned())].into(),
         scenes: vec![scene("one"), scene("two")],
