@@ -52,7 +52,7 @@ const DETERMINANT: &str = "return (a[0] - c[0]) * (b[1] - c[1]) - (a[1] - c[1]) 
 
 #[test]
 #[ignore = "needs Python"]
-fn an_engine_by_file_is_found_again() {
+fn an_engine_in_python_is_found_again_by_its_file() {
     let folder = tempdir().unwrap();
     let suite = write(&folder, "mine.toml", SUITE);
     python(&folder, "here", DETERMINANT);
@@ -85,7 +85,7 @@ fn an_engine_by_file_is_found_again() {
 #[test]
 #[ignore = "needs Python"]
 #[cfg(target_os = "linux")]
-fn an_engine_that_loops_ends_with_its_worker() {
+fn an_engine_in_python_that_loops_ends_with_its_worker() {
     let folder = tempdir().unwrap();
     let suite = write(&folder, "mine.toml", SUITE);
     let engine = python(&folder, "endless", "while True: pass");
@@ -98,6 +98,25 @@ fn an_engine_that_loops_ends_with_its_worker() {
     let runs_there = |entry: &std::path::PathBuf| std::fs::read_link(entry.join("cwd")).is_ok_and(|cwd| cwd == place);
     let left = std::fs::read_dir("/proc").unwrap().flatten().map(|entry| entry.path()).filter(runs_there).count();
     assert_eq!(left, 0, "processes that loop for ever");
+}
+
+#[test]
+#[ignore = "needs a C++ compiler"]
+fn what_a_library_prints_in_cpp_before_main_spoils_nothing() {
+    let folder = tempdir().unwrap();
+    let engine = "#include <predicament_engine.hpp>\nconst int loud = std::printf(\"a banner\\n\");\n\
+        struct Mine {\n  static constexpr const char* name = \"loud\";\n  \
+        static constexpr predicament::Zero zero = predicament::Zero::exact;\n  \
+        static std::string version() { return \"1\"; }\n  \
+        static double compare(int axis, const double* a, const double* b) { return a[axis] - b[axis]; }\n};\n\
+        int main(int argc, char** argv) { return predicament::serve<Mine>(argc, argv); }\n";
+    write(&folder, "engine.cpp", engine);
+    let include = concat!(env!("CARGO_MANIFEST_DIR"), "/../engines/include");
+    let build = format!("[\"c++\", \"-std=c++17\", \"-I\", {include:?}, \"engine.cpp\", \"-o\", \"engine\"]");
+    let config = write(&folder, "engine.toml", &format!("name = \"loud\"\nbuild = [{build}]\nrun = [\"./engine\"]\n"));
+    expect(0, &["engines", "build", &config]);
+    let checked = expect(0, &["engines", "check", &config]);
+    assert!(checked.stdout.contains("engine:loud: version 1; compare"), "{}", checked.stdout);
 }
 
 #[test]
