@@ -49,6 +49,7 @@ pub fn plan(selection: &Selection, scenes: &[Planned], backends: &[Box<dyn Conte
         hashes: selection.hashes(),
         engines: BTreeMap::new(),
         answers: false,
+        timed: false,
         scenes: scenes.iter().map(|scene| scene.plan.clone()).collect(),
         backends: backends.iter().map(|backend| backend.name()).collect(),
         ladder: Exact.stages().iter().map(|&stage| stage.to_owned()).collect(),

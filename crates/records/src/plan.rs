@@ -152,6 +152,9 @@ pub struct Plan {
     /// Whether every answer is written to `answers.csv`.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub answers: bool,
+    /// Whether the scenes are timed: such a folder can't be resumed.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub timed: bool,
     /// The scenes of this shard, in the order in which they will be run.
     pub scenes: Vec<PlannedScene>,
     /// The backends' names, with their parameters.

@@ -21,7 +21,8 @@ const EXAMPLES: &str = "\
 A point is its coordinates with commas between them: decimals that are exactly doubles, or hex floats. The points are
 taken in order, as many for each query as the predicate takes.
 
-Columns: query and args, the exact sign and value, then for each backend its answer, with the class where that is not
+Columns: query and args, the exact sign, its value as the nearest double (inf, in JSON null, where it is beyond all) and as a
+fraction, then for each backend its answer, with the class where that is not
 `agree`, and the stage that decided it. A backend that declines says why on stderr.
 
 Examples:

@@ -279,6 +279,13 @@ impl Job {
     fn resume(args: &Args, tool: &Tool, folder: &PathBuf) -> Result<Job, Failure> {
         let before = RunDir::open(folder).map_err(Failure::usage)?;
         let plan = &before.plan;
+        if plan.timed {
+            let message = format!(
+                "{}: a bench can't be resumed, as its times belong together; start a new one",
+                folder.display()
+            );
+            return Err(Failure::usage(message));
+        }
         let level: Level = plan.level.to_string().parse().map_err(Failure::usage)?;
         let selector = Selector { level, ..args.selector.clone() };
         let selector =

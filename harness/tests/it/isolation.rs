@@ -46,6 +46,9 @@ fn what_ends_the_process_costs_one_row() {
         assert_eq!(column(&findings, "check"), [check], "{findings}");
         assert!(findings.contains(said), "{fault}: {findings}");
     }
+    // What a run was of stands in its plan.
+    let refused = expect(2, &["run", "--resume", &at(&folder, "loops"), "-f", "turn"]);
+    assert!(refused.stderr.contains("'--resume <DIR>' cannot be used with"), "{}", refused.stderr);
     // Where time has run out, a run that is resumed goes past it.
     let resumed = run(&["run", "--resume", &at(&folder, "loops")]);
     assert!(resumed.stdout.ends_with("1 timeout\n"), "{}{}", resumed.stdout, resumed.stderr);

@@ -53,6 +53,10 @@ fn a_scene_that_became_slower_is_seen_beside_a_slow_one() {
         rewrite(&out, "throughput.csv", &format!("{head}\n{}{}", first.concat(), second.concat()));
         out
     };
+    let state = read(&bench("stopped", &suite, [2, 90]), "state.json").replace("complete", "interrupted");
+    write(&folder, "stopped/state.json", &state);
+    let refused = expect(2, &["run", "--resume", &at(&folder, "stopped")]);
+    assert!(refused.stderr.contains("a bench can't be resumed"), "{}", refused.stderr);
     let (then, same, now) =
         (bench("then", &suite, [2, 90]), bench("same", &suite, [2, 80]), bench("now", &suite, [20, 90]));
     expect(0, &["gate", &same, "--baseline", &then]);
