@@ -113,11 +113,12 @@ impl Args {
     }
 }
 
-/// A time limit: a positive number of seconds.
+/// A time limit from seconds: a positive number, up to some thirty years, as clocks can't add what is beyond them.
 pub fn seconds(text: &str) -> Result<Duration, String> {
-    let seconds = text.parse().ok().filter(|&seconds: &f64| seconds > 0.0);
+    const MOST: f64 = 1e9;
+    let seconds = text.parse().ok().filter(|&seconds: &f64| seconds > 0.0 && seconds <= MOST);
     let limit = seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
-    limit.ok_or_else(|| format!("`{text}` is no time; write seconds such as 30 or 0.5"))
+    limit.ok_or_else(|| format!("`{text}` is no time limit; write seconds such as 30 or 0.5, at most {MOST}"))
 }
 
 /// Runs the command.

@@ -123,6 +123,20 @@ fn workers_of(suite: &str) -> usize {
 }
 
 #[test]
+fn time_limits_are_bounded() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let run = |limit: &str| {
+        crate::common::run(&["run", &suite, "-b", "exact", "--timeout", limit, "--out", &at(&folder, "run")])
+    };
+    for limit in ["0", "nan", "inf", "1e19"] {
+        let refused = run(limit);
+        assert!(refused.code == 2 && refused.stderr.contains("is no time limit"), "{limit}: {}", refused.stderr);
+    }
+    assert_eq!(run("1e9").code, 0);
+}
+
+#[test]
 fn threads_are_bounded() {
     for threads in ["0", "99999999"] {
         let refused = expect(2, &["run", "--threads", threads]);
