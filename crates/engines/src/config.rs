@@ -58,7 +58,7 @@ pub struct Config {
 }
 
 impl Config {
-    /// Reads `engine.toml`.
+    /// The configuration in a file such as `engine.toml`.
     ///
     /// # Errors
     /// One line that names the file, the line and the cure.

@@ -158,7 +158,7 @@ impl Process {
         }
     }
 
-    /// What went wrong, with the last words on stderr. The process is ended.
+    /// Ends the process, and gives what went wrong with the last lines of its stderr.
     pub fn broken(&mut self, class: Class, check: &'static str, message: String) -> Broken {
         self.end();
         let said = self.said.lock().unwrap_or_else(PoisonError::into_inner);

@@ -142,7 +142,7 @@ impl SummaryRow {
         }
     }
 
-    /// The wrong answers: the sum over [`Class::is_wrong_answer`].
+    /// How many answers are wrong: the sum over [`Class::is_wrong_answer`].
     #[must_use]
     pub fn wrong(&self) -> u64 {
         Class::ALL.into_iter().filter(|class| class.is_wrong_answer()).map(|class| self.count(class)).sum()

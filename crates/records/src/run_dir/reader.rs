@@ -62,7 +62,7 @@ pub struct NotRun {
 }
 
 impl RunDir {
-    /// Reads a run folder.
+    /// The run in a folder.
     ///
     /// What a run that is not complete has written after its last finished scene is left out,
     /// with a warning. Rows that are there twice, and tables of other sizes than the run has written, are refused.
