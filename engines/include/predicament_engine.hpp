@@ -89,9 +89,9 @@ constexpr std::uint32_t longest = std::uint32_t{1} << 30;
 
 /// The engine's own end of stdout. Whatever a library prints goes to stderr instead.
 inline int claim_stdout() {
-    std::fflush(stdout);
     const int own = dup(STDOUT_FILENO);
     if (own < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) malformed("stdout can't be duplicated");
+    std::fflush(stdout);  // what was printed before `main`
     return own;
 }
 

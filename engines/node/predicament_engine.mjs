@@ -46,6 +46,7 @@ export function serve(engine) {
     }
     // Whatever a library prints goes to stderr.
     console.log = console.info = console.debug = console.error;
+    process.stdout.write = process.stderr.write.bind(process.stderr);
     const server = new Server(engine);
     try {
         for (let message = read(); message !== null; message = read()) write(server.answer(message));

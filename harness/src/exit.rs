@@ -50,13 +50,13 @@ pub fn code(outcome: Outcome) -> ExitCode {
     match outcome {
         Ok(code) => match crate::out::lost() {
             Some(why) => {
-                eprintln!("{}: stdout: {why}; some of the output is lost", program());
+                tell!("{}: stdout: {why}; some of the output is lost", program());
                 ExitCode::from(if code == OK { USAGE } else { code })
             }
             None => ExitCode::from(code),
         },
         Err(failure) => {
-            eprintln!("{}: {}", program(), failure.message);
+            tell!("{}: {}", program(), failure.message);
             ExitCode::from(failure.code)
         }
     }

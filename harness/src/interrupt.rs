@@ -10,12 +10,12 @@ static STOP: AtomicBool = AtomicBool::new(false);
 pub fn listen() {
     let installed = ctrlc::set_handler(|| {
         if STOP.swap(true, Ordering::SeqCst) {
-            std::process::exit(i32::from(crate::exit::INCOMPLETE));
+            leave();
         }
-        eprintln!("\n{}: stopping; what is done is kept (again to stop at once)", crate::out::program());
+        tell!("\n{}: stopping; what is done is kept (again to stop at once)", crate::out::program());
     });
     if let Err(error) = installed {
-        eprintln!("{}: Ctrl-C will not be caught: {error}", crate::out::program());
+        tell!("{}: Ctrl-C will not be caught: {error}", crate::out::program());
     }
 }
 
@@ -28,9 +28,15 @@ pub fn listen_for(grace: Duration) {
             std::thread::sleep(Duration::from_millis(50));
         }
         std::thread::sleep(grace);
-        eprintln!("{}: stopped in the middle of a scene; the scenes before it are kept", crate::out::program());
-        std::process::exit(i32::from(crate::exit::INCOMPLETE));
+        tell!("{}: stopped in the middle of a scene; the scenes before it are kept", crate::out::program());
+        leave();
     });
+}
+
+/// Ends this process in the middle of its work, and the engines that it has started.
+pub fn leave() -> ! {
+    predicament_engines::end_all();
+    std::process::exit(i32::from(crate::exit::INCOMPLETE))
 }
 
 /// The flag that the work looks at.

@@ -40,6 +40,16 @@ macro_rules! say_text {
     ($($arg:tt)*) => { $crate::out::print(format_args!($($arg)*)) };
 }
 
+/// Writes a line to stderr. Where that is closed or full the line is lost, and the command and its code are not.
+pub fn tell(line: Arguments<'_>) {
+    let _ = writeln!(std::io::stderr(), "{line}");
+}
+
+/// Prints a line to stderr.
+macro_rules! tell {
+    ($($arg:tt)*) => { $crate::out::tell(format_args!($($arg)*)) };
+}
+
 static QUIET: AtomicBool = AtomicBool::new(false);
 
 /// From now on no notes and no progress: only what was asked for, and errors.
@@ -56,7 +66,7 @@ pub fn is_quiet() -> bool {
 macro_rules! note {
     ($($arg:tt)*) => {
         if !$crate::out::is_quiet() {
-            eprintln!("{}: {}", $crate::out::program(), format_args!($($arg)*));
+            tell!("{}: {}", $crate::out::program(), format_args!($($arg)*));
         }
     };
 }

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use predicament_corpus::Level;
-use predicament_engines::{PREFIX, find};
 use predicament_exact::Exact;
 use predicament_predicates::Backend;
 use predicament_records::{self as records, AnswerRow, Env, ImportRow, Plan, SampledRow, Shard, TableSpec};
@@ -12,7 +11,7 @@ use predicament_tasks::{Budget, Contestant};
 
 use crate::judged::JudgedRow;
 use crate::select::{Planned, Selection};
-use crate::tool::{Tool, each};
+use crate::tool::Tool;
 
 /// How much is sampled at a level.
 pub fn budget(level: Level) -> Budget {
@@ -37,13 +36,7 @@ pub fn tables_with(tool: &Tool, answers: bool) -> Vec<TableSpec> {
 }
 
 /// The plan of a run over these scenes.
-pub fn plan(
-    selection: &Selection,
-    scenes: &[Planned],
-    backends: &[Box<dyn Contestant>],
-    named: &[String],
-    shard: Shard,
-) -> Plan {
+pub fn plan(selection: &Selection, scenes: &[Planned], backends: &[Box<dyn Contestant>], shard: Shard) -> Plan {
     Plan {
         format: records::FORMAT,
         created_by: format!("predicament {}", env!("CARGO_PKG_VERSION")),
@@ -54,8 +47,9 @@ pub fn plan(
         suites: selection.suites.iter().map(|suite| suite.name.clone()).collect(),
         paths: selection.paths(),
         hashes: selection.hashes(),
-        engines: engine_files(named),
+        engines: BTreeMap::new(),
         answers: false,
+        timed: false,
         scenes: scenes.iter().map(|scene| scene.plan.clone()).collect(),
         backends: backends.iter().map(|backend| backend.name()).collect(),
         ladder: Exact.stages().iter().map(|&stage| stage.to_owned()).collect(),
@@ -63,18 +57,6 @@ pub fn plan(
         not_selected: selection.not_selected.clone(),
         findings_per_class: budget(selection.level).findings_per_class as u64,
     }
-}
-
-/// The files of the engines among these arguments of `-b`, by the backends' names.
-fn engine_files(named: &[String]) -> BTreeMap<String, String> {
-    let engines = each(named).filter_map(|name| name.strip_prefix(PREFIX));
-    let found = engines.filter_map(|engine| find(engine).ok());
-    found.map(|config| (format!("{PREFIX}{}", config.name), config.file.display().to_string())).collect()
-}
-
-/// What to write after `-b` for a backend of a plan: its name, or an engine's file.
-pub fn argument(plan: &Plan, backend: &str) -> String {
-    plan.engines.get(backend).map_or_else(|| backend.to_owned(), |file| format!("{PREFIX}{file}"))
 }
 
 /// The machine, the compiler, what the tool was built from, and the peers.

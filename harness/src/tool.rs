@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use predicament_corpus::{Library, SceneFormat, Suite, Vocabulary};
-use predicament_engines::{Config, PREFIX, find};
+use predicament_engines::PREFIX;
 use predicament_formats::CorpusError;
 use predicament_oracle::roster;
-use predicament_records::{RunDir, TableSpec};
+use predicament_records::{Plan, RunDir, TableSpec};
 use predicament_report::Section;
 use predicament_tasks::{AnyTask, Contestant, TaskList, built_in, vocabulary};
 
@@ -16,9 +16,29 @@ use crate::exit::Failure;
 
 type Find = Box<dyn Fn(&str) -> Result<Box<dyn Contestant>, String> + Send + Sync>;
 
-/// The backends that arguments of `-b` name, each perhaps several with commas.
-pub fn each(arguments: &[String]) -> impl Iterator<Item = &str> {
-    arguments.iter().flat_map(|names| names.split(',')).filter(|name| !name.is_empty())
+/// The names that `-b` was given: several with commas, or by repeating.
+pub fn each(names: &[String]) -> impl Iterator<Item = &str> {
+    names.iter().flat_map(|names| names.split(',')).filter(|name| !name.is_empty())
+}
+
+/// The files of the engines that `-b` was given, by the backends' names: from there they are found by another process,
+/// and from another folder.
+pub fn engines(names: &[String]) -> Result<BTreeMap<String, String>, Failure> {
+    engine_files(each(names))
+}
+
+fn engine_files<'n>(names: impl Iterator<Item = &'n str>) -> Result<BTreeMap<String, String>, Failure> {
+    let mut files = BTreeMap::new();
+    for engine in names.filter_map(|name| name.strip_prefix(PREFIX)) {
+        let config = predicament_engines::find(engine).map_err(Failure::usage)?;
+        let (name, file) = (format!("{PREFIX}{}", config.name), config.file.display().to_string());
+        if let Some(other) = files.insert(name.clone(), file.clone()).filter(|other| *other != file) {
+            return Err(Failure::usage(format!(
+                "two engines are called `{name}`: {other} and {file}; rename one, or run one"
+            )));
+        }
+    }
+    Ok(files)
 }
 
 /// The tasks, backends and suites that the tool was put together from.
@@ -123,16 +143,9 @@ impl Tool {
     pub fn pick(&self, names: &[String]) -> Result<Vec<Box<dyn Contestant>>, Failure> {
         let default = || self.own_backends.iter().map(String::as_str).chain(roster::DEFAULT.iter().copied());
         let names: Vec<&str> = if names.is_empty() { default().collect() } else { each(names).collect() };
-        let mut engines = BTreeMap::new();
+        engine_files(names.iter().copied())?;
         let mut picked: Vec<Box<dyn Contestant>> = Vec::new();
         for name in names {
-            if let Some(Ok(Config { name, file, .. })) = name.strip_prefix(PREFIX).map(find)
-                && let Some(other) = engines.insert(name.clone(), file.clone()).filter(|other| *other != file)
-            {
-                let (one, other) = (other.display(), file.display());
-                let message = format!("two engines are called `{PREFIX}{name}`: {one} and {other}; rename one");
-                return Err(Failure::usage(message));
-            }
             let backend = self.backend(name).map_err(Failure::usage)?;
             if picked.iter().all(|other| other.name() != backend.name()) {
                 picked.push(backend);
@@ -142,6 +155,11 @@ impl Tool {
             return Err(Failure::nothing("no backend is left; name one with -b"));
         }
         Ok(picked)
+    }
+
+    /// The backends of an earlier run, also those that were engines named by file.
+    pub fn pick_planned(&self, plan: &Plan) -> Result<Vec<Box<dyn Contestant>>, Failure> {
+        self.pick(&plan.backends.iter().map(|backend| plan.backend_argument(backend)).collect::<Vec<_>>())
     }
 
     /// What can be written after `-b`.

@@ -5,18 +5,21 @@
 //! run where they can be ended: in another process of the same program, whose
 //! run folder is read back.
 
+use std::collections::BTreeMap;
 use std::fs::File;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use predicament_corpus::Level;
-use predicament_records::{FindingRow, PlannedScene, Record, RunDir, StageRow, Status, SummaryRow};
+use predicament_engines::PREFIX;
+use predicament_records::{FindingRow, Outcome, PlannedScene, Record, RunDir, StageRow, Status, SummaryRow};
 use predicament_tasks::{Class, Finding, finding_id};
 
-use crate::exit::{Failure, INCOMPLETE, OK, UNEXPECTED, UNEXPECTED_PASS};
+use crate::exit::{CORPUS, Failure, INCOMPLETE, NOTHING_SELECTED, OK, UNEXPECTED, UNEXPECTED_PASS, USAGE};
 use crate::interrupt;
+use crate::out::program;
 use crate::planning::tables_with;
 use crate::tool::Tool;
 
@@ -28,21 +31,29 @@ pub fn end_with_parent() {
     if std::env::var_os(VARIABLE).is_some() {
         std::thread::spawn(|| {
             let _ = std::io::copy(&mut std::io::stdin(), &mut std::io::sink());
-            std::process::exit(i32::from(INCOMPLETE));
+            interrupt::leave();
         });
     }
 }
 
-/// The codes of a worker that has done its work.
-const FINE: [u8; 3] = [OK, UNEXPECTED, UNEXPECTED_PASS];
+/// The codes of a worker that has done its work: with the last one, an engine has run out of time.
+const FINE: [u8; 4] = [OK, UNEXPECTED, UNEXPECTED_PASS, INCOMPLETE];
+/// The codes of a worker that could not: there is no room on the disk, or the suite is another one by now.
+const UNABLE: [u8; 3] = [USAGE, NOTHING_SELECTED, CORPUS];
+/// How long a worker may take to end, and to end its engines, before it is killed.
+const FAREWELL: Duration = Duration::from_secs(2);
 
 /// The scene, suite and time limit of a worker.
 pub struct Worker<'a> {
     pub permutations: Option<usize>,
     pub threads: Option<usize>,
     pub cache: Option<&'a Path>,
+    /// A folder for its files, which no other process writes.
+    pub folder: PathBuf,
     /// The suite, by name or file.
     pub suite: String,
+    /// The files of engines, by the backends' names.
+    pub engines: &'a BTreeMap<String, String>,
     pub scene: &'a PlannedScene,
     /// None where nothing but Ctrl-C ends it.
     pub limit: Option<Duration>,
@@ -69,15 +80,15 @@ enum End {
 }
 
 impl Worker<'_> {
-    /// Runs one backend, by its name and by what is written after `-b`; none where the tool was interrupted.
-    pub fn run(&self, tool: &Tool, backend: &str, argument: &str) -> Result<Option<Found>, Failure> {
-        let folder = std::env::temp_dir().join(format!("predicament-worker-{}", std::process::id()));
+    /// Runs one backend; none where the tool was interrupted.
+    pub fn run(&self, tool: &Tool, backend: &str) -> Result<Option<Found>, Failure> {
+        let folder = &self.folder;
         let cannot = |what: &Path, error: std::io::Error| Failure::usage(format!("{}: {error}", what.display()));
-        let _ = std::fs::remove_dir_all(&folder);
-        std::fs::create_dir_all(&folder).map_err(|error| cannot(&folder, error))?;
+        let _ = std::fs::remove_dir_all(folder);
+        std::fs::create_dir(folder).map_err(|error| cannot(folder, error))?;
         let (run, errors) = (folder.join("run"), folder.join("stderr"));
         let stderr = File::create(&errors).map_err(|error| cannot(&errors, error))?;
-        let mut child = self.command(argument, &run, stderr)?;
+        let mut child = self.command(backend, &run, stderr)?;
         let found = match self.wait(&mut child) {
             End::Interrupt => None,
             End::Limit(limit) => {
@@ -85,27 +96,40 @@ impl Worker<'_> {
             }
             // Ctrl-C reaches both processes; the other one may have ended before this one looked.
             End::Exit(_) if interrupt::flag().load(Ordering::Relaxed) => None,
-            End::Exit(Some(status)) if FINE.map(|code| Some(i32::from(code))).contains(&status.code()) => {
-                let dir = RunDir::open(&run).map_err(Failure::usage)?;
-                let more = tables_with(tool, self.answers).into_iter().flat_map(|table| dir.records(table)).collect();
-                let RunDir { summary, findings, stages, maps, .. } = dir;
-                Some(Found { summary, findings, stages, more, maps })
-            }
-            End::Exit(status) => {
-                let said = std::fs::read(&errors).unwrap_or_default();
-                let (check, message) = death(status, &String::from_utf8_lossy(&said));
-                Some(self.fate(backend, Class::Panic, check, message))
-            }
+            End::Exit(status) => Some(match self.left(tool, status, &run) {
+                Some(found) => found,
+                None => {
+                    let said = std::fs::read(&errors).unwrap_or_default();
+                    let said = String::from_utf8_lossy(&said);
+                    if let Some(failure) = unable(status, &said).filter(|_| !backend.starts_with(PREFIX)) {
+                        let _ = std::fs::remove_dir_all(folder);
+                        return Err(failure);
+                    }
+                    let (check, message) = death(status, &said);
+                    self.fate(backend, Class::Panic, check, message)
+                }
+            }),
         };
-        let _ = std::fs::remove_dir_all(&folder);
+        let _ = std::fs::remove_dir_all(folder);
         Ok(found)
     }
 
-    fn command(&self, argument: &str, run: &Path, stderr: File) -> Result<Child, Failure> {
+    /// The rows that a worker has left; none where it ended before they were all there, whatever its code.
+    fn left(&self, tool: &Tool, status: Option<ExitStatus>, run: &Path) -> Option<Found> {
+        FINE.iter().find(|&&code| status.and_then(|status| status.code()) == Some(i32::from(code)))?;
+        let dir =
+            RunDir::open(run).ok().filter(|dir| dir.outcome != Outcome::Unfinished && dir.not_run().is_empty())?;
+        let more = tables_with(tool, self.answers).into_iter().flat_map(|table| dir.records(table)).collect();
+        let RunDir { summary, findings, stages, maps, .. } = dir;
+        Some(Found { summary, findings, stages, more, maps })
+    }
+
+    fn command(&self, backend: &str, run: &Path, stderr: File) -> Result<Child, Failure> {
         let program = std::env::current_exe().map_err(|error| Failure::usage(format!("this program: {error}")))?;
         let mut command = Command::new(program);
         let filter = format!("^{}$", regex::escape(&format!("{}/{}", self.scene.suite, self.scene.scene)));
-        command.args(["--quiet", "run", &self.suite, "-f", &filter, "-b", argument]);
+        let argument = self.engines.get(backend).map_or_else(|| backend.to_owned(), |file| format!("{PREFIX}{file}"));
+        command.args(["--quiet", "run", &self.suite, "-f", &filter, "-b", &argument]);
         command.args(["--level", self.level.name(), "--isolate", "never"]).arg("--out").arg(run);
         if self.answers {
             command.arg("--answers");
@@ -143,6 +167,12 @@ impl Worker<'_> {
                 },
                 Err(_) => End::Exit(None),
             };
+            // At the end of its input it ends its engines and itself, if it still can.
+            drop(child.stdin.take());
+            let asked = Instant::now();
+            while asked.elapsed() < FAREWELL && matches!(child.try_wait(), Ok(None)) {
+                std::thread::sleep(Duration::from_millis(2));
+            }
             let _ = child.kill();
             let _ = child.wait();
             return end;
@@ -164,6 +194,15 @@ impl Worker<'_> {
             maps: Vec::new(),
         }
     }
+}
+
+/// Why a worker could not do its work, where it has said so itself: that is no row of a backend.
+fn unable(status: Option<ExitStatus>, said: &str) -> Option<Failure> {
+    let code = status.and_then(|status| status.code());
+    let code = UNABLE.into_iter().find(|&unable| code == Some(i32::from(unable)))?;
+    let line = said.lines().rfind(|line| !line.trim().is_empty())?;
+    let message = line.strip_prefix(&program())?.strip_prefix(": ")?;
+    Some(Failure { message: message.to_owned(), code })
 }
 
 /// What a worker died of: the name of the check, and what is known.

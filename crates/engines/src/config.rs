@@ -51,14 +51,14 @@ pub struct Config {
     pub environment: BTreeMap<String, String>,
     /// Seconds of silence after which the process is ended.
     timeout: u64,
-    /// The file, by its absolute path.
+    /// The file, by its absolute path: [`find`] finds the engine by it from any folder.
     pub file: PathBuf,
     /// The folder of the file: all commands run there.
     pub folder: PathBuf,
 }
 
 impl Config {
-    /// Reads `engine.toml`.
+    /// The configuration in a file such as `engine.toml`.
     ///
     /// # Errors
     /// One line that names the file, the line and the cure.

@@ -9,7 +9,7 @@
 //!
 //! * [`Config`]: `engine.toml`; [`find`]: from what follows `engine:` to one.
 //! * [`Message`]: one message of the protocol, as bytes and back.
-//! * [`Engine`]: the backend.
+//! * [`Engine`]: the backend; [`end_all`]: before an exit that drops nothing.
 
 mod backend;
 mod command;
@@ -23,3 +23,4 @@ pub use backend::{Engine, PREFIX};
 pub use command::{Step, chore};
 pub use config::{Config, all, find};
 pub use message::{MOST_BYTES, Message};
+pub use process::end_all;

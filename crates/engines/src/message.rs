@@ -25,19 +25,19 @@ impl Message {
         self
     }
 
-    /// The bytes of a value.
+    /// The value of a key as bytes; none if the message lacks it.
     #[must_use]
     pub fn bytes(&self, key: &str) -> Option<&[u8]> {
         self.entries.iter().find(|(of, _)| of == key).map(|(_, value)| value.as_slice())
     }
 
-    /// A value that is text, with other bytes replaced.
+    /// The value of a key as text, with bytes that are none replaced; none if the message lacks it.
     #[must_use]
     pub fn text(&self, key: &str) -> Option<String> {
         self.bytes(key).map(|value| String::from_utf8_lossy(value).into_owned())
     }
 
-    /// A value that is text; what is wrong, where it is missing.
+    /// The value of a key as text.
     ///
     /// # Errors
     /// A sentence that names the message and the key.
@@ -45,7 +45,7 @@ impl Message {
         self.text(key).ok_or_else(|| format!("a message `{}` without `{key}`", self.kind()))
     }
 
-    /// A value that is a number in decimal.
+    /// The value of a key that is a decimal integer.
     ///
     /// # Errors
     /// A sentence that names the message and the key.
@@ -54,7 +54,7 @@ impl Message {
         text.trim().parse().map_err(|_| format!("`{key}` of `{}` is `{text}`, which is no number", self.kind()))
     }
 
-    /// The type of the message.
+    /// The type of the message, the value of its first key.
     #[must_use]
     pub fn kind(&self) -> String {
         self.text("type").unwrap_or_default()

@@ -3,12 +3,12 @@
 //! Threads write, read and listen to stderr, so that an engine that neither
 //! reads nor answers cannot hold up the tool for longer than its silence lasts.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 use std::io::{BufRead, BufReader, Read, Write};
 #[cfg(unix)]
 use std::process::Command;
 use std::process::{Child, ChildStderr, ExitStatus, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
@@ -26,6 +26,29 @@ const LINE_BYTES: u64 = 400;
 const LOOK: Duration = Duration::from_millis(200);
 /// How long a process that has closed its stdout may take to end.
 const FAREWELL: Duration = Duration::from_secs(2);
+
+/// The processes that are running, each the first of a group of its own.
+static RUNNING: Mutex<BTreeSet<u32>> = Mutex::new(BTreeSet::new());
+
+/// Ends all engines of this process and what they have started, for a process that is about to exit without
+/// dropping them. An engine that waits for input would end by itself; one that loops would not.
+pub fn end_all() {
+    let running = std::mem::take(&mut *RUNNING.lock().unwrap_or_else(PoisonError::into_inner));
+    running.into_iter().for_each(end_group);
+}
+
+/// Ends a group of processes, by the number of its first. The standard library can only end one process.
+fn end_group(first: u32) {
+    #[cfg(unix)]
+    let _ = Command::new("kill")
+        .args(["-KILL", "--", &format!("-{first}")])
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .status();
+    #[cfg(not(unix))]
+    let _ = first;
+}
 
 /// The process of an engine.
 pub struct Process {
@@ -52,7 +75,9 @@ impl Process {
             broken(format!("`{shown}` in {} did not start: {error}{build}", config.folder.display()))
         })?;
         let (to, outgoing) = channel::<Vec<u8>>();
-        let (incoming, from) = channel();
+        // Bounded: an engine that writes without being asked waits, and its messages take no memory.
+        let (incoming, from) = sync_channel(1);
+        RUNNING.lock().unwrap_or_else(PoisonError::into_inner).insert(child.id());
         let said = Arc::new(Mutex::new(VecDeque::new()));
         let pipes = (child.stdin.take(), child.stdout.take(), child.stderr.take());
         let (Some(mut stdin), Some(stdout), Some(stderr)) = pipes else {
@@ -83,6 +108,12 @@ impl Process {
     /// Sends a message and waits for the answer. After an error the process is gone.
     pub fn ask(&mut self, message: &Message) -> Result<Message, Broken> {
         let bytes = message.encode().map_err(|message| Broken { class: Class::Panic, check: "protocol", message })?;
+        // An answer to nothing would be taken for the next one.
+        if let Ok(unasked) = self.from.try_recv() {
+            let what = unasked.map_or_else(|garbage| garbage, |message| format!("a message `{}`", message.kind()));
+            let message = format!("it wrote more than the answer to the message before: {}", printable(&what));
+            return Err(self.broken(Class::Panic, "protocol", message));
+        }
         // A writer that has stopped shows as an end of the answers.
         let _ = self.to.send(bytes);
         let error = match self.hear() {
@@ -127,7 +158,7 @@ impl Process {
         }
     }
 
-    /// What went wrong, with the last words on stderr. The process is ended.
+    /// Ends the process, and gives what went wrong with the last lines of its stderr.
     pub fn broken(&mut self, class: Class, check: &'static str, message: String) -> Broken {
         self.end();
         let message = printable(&message);
@@ -149,22 +180,17 @@ impl Process {
     }
 
     fn end(&mut self) {
-        // The whole group, by the number of its first process. The standard library can only end one process.
-        #[cfg(unix)]
-        let _ = Command::new("kill")
-            .args(["-KILL", "--", &format!("-{}", self.child.id())])
-            .stdin(Stdio::null())
-            .stdout(Stdio::null())
-            .stderr(Stdio::null())
-            .status();
+        let Some(listener) = self.listener.take() else { return };
+        if RUNNING.lock().unwrap_or_else(PoisonError::into_inner).remove(&self.child.id()) {
+            end_group(self.child.id());
+        }
         let _ = self.child.kill();
         let _ = self.child.wait();
         // All of stderr is heard once the process is gone, unless a child of its own holds on to it.
         let start = Instant::now();
-        while self.listener.as_ref().is_some_and(|listener| !listener.is_finished()) && start.elapsed() < FAREWELL {
+        while !listener.is_finished() && start.elapsed() < FAREWELL {
             std::thread::sleep(Duration::from_millis(1));
         }
-        self.listener = None;
     }
 }
 

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use predicament_predicates::{
     Axis, Broken, Class, Declined, Dimension, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally, Vertex,
@@ -14,10 +15,18 @@ use crate::command::printable;
 use crate::process::Process;
 use crate::{Engine, Message};
 
+/// The byte of −1.
+const NEGATIVE: u8 = 255;
+/// The byte of 0.
+const ZERO: u8 = 0;
+/// The byte of +1.
+const POSITIVE: u8 = 1;
 /// The byte of a query that is declined.
 const DECLINED: u8 = 2;
 /// The byte of an answer that is a NaN.
 const NAN: u8 = 3;
+/// An engine's clock may be so much ahead of the tool's.
+const CLOCKS: Duration = Duration::from_millis(10);
 
 /// Counts queries, whatever the tally's type: algorithms are compiled for one type of session.
 trait Counted: Send + Sync {
@@ -53,7 +62,7 @@ impl<'s> Session<'s> {
         #[allow(clippy::cast_possible_truncation)]
         let single = |x: &f64| f64::from(*x as f32) == *x;
         if shared.hello.single && !scene.coordinates().iter().all(single) {
-            return Err(Declined::scene("coordinates that no singles are"));
+            return Err(Declined::scene("coordinates that are no singles"));
         }
         let points: Vec<u8> = scene.coordinates().iter().flat_map(|x| x.to_le_bytes()).collect();
         let dimension = match scene.dimension() {
@@ -85,8 +94,8 @@ impl<'s> Session<'s> {
         self.shared.processes.ask((&self.message, self.number), || self.shared.start(), ask)
     }
 
-    /// The answers to queries, given by the ids of all their vertices.
-    fn signs(&self, question: Question, ids: &[u8], queries: usize) -> Vec<u8> {
+    /// The answers to queries, given by the ids of all their vertices; `shown` is a query in words.
+    fn signs(&self, question: Question, ids: &[u8], queries: usize, shown: &dyn Fn(usize) -> String) -> Vec<u8> {
         let kind = question.kind();
         let mut batch = Message::new("batch").with("predicate", kind.name());
         match question {
@@ -99,21 +108,10 @@ impl<'s> Session<'s> {
         }
         let batch = batch.with("ids", ids);
         let asked = self.ask(|process| {
+            let start = Instant::now();
             let answer = process.ask(&batch)?;
-            let wrong =
-                |message: String| Broken { class: Class::Panic, check: "protocol", message: printable(&message) };
-            match answer.kind().as_str() {
-                "declined" => Ok(Err(answer.required("reason").map_err(wrong)?)),
-                "signs" => {
-                    let signs =
-                        answer.bytes("signs").ok_or_else(|| wrong("a message `signs` without `signs`".into()))?;
-                    if signs.len() != queries {
-                        return Err(wrong(format!("{} signs came back for {queries} queries", signs.len())));
-                    }
-                    Ok(Ok((signs.to_vec(), answer.number("ns").map_err(wrong)?)))
-                }
-                other => Err(wrong(format!("a batch was answered by `{other}`"))),
-            }
+            let read = read_signs(&answer, queries, start.elapsed(), shown);
+            read.map_err(|message| process.broken(Class::Panic, "protocol", message))
         });
         let answered = match asked {
             Ok(Ok(answered)) => answered,
@@ -140,12 +138,11 @@ impl<'s> Session<'s> {
         // Vertices of a scene have ids below 2^31.
         let id = |v: &Vertex| u32::try_from(v.index()).expect("ids of input vertices").to_le_bytes();
         let ids: Vec<u8> = queries.iter().flatten().flat_map(id).collect();
-        let signs = self.signs(question, &ids, queries.len());
+        let signs = self.signs(question, &ids, queries.len(), &|at| question.query(&queries[at]).to_string());
         for ((query, &byte), out) in queries.iter().zip(&signs).zip(out) {
             *out = match byte {
-                255 => Sign::Negative,
-                0 => Sign::Zero,
-                1 => Sign::Positive,
+                NEGATIVE => Sign::Negative,
+                POSITIVE => Sign::Positive,
                 NAN => {
                     let mut nans = self.nans.lock().unwrap_or_else(PoisonError::into_inner);
                     nans.insert((question, query.to_vec()));
@@ -156,10 +153,7 @@ impl<'s> Session<'s> {
                     let message = format!("{count} queries of a batch, the first {}", question.query(query));
                     Broken { class: Class::Declined, check: "query", message }.throw()
                 }
-                other => {
-                    let message = format!("{} was answered by the byte {other}", question.query(query));
-                    Broken { class: Class::Panic, check: "protocol", message }.throw()
-                }
+                _ => Sign::Zero,
             };
         }
     }
@@ -169,6 +163,34 @@ impl<'s> Session<'s> {
         self.batch(question, &[query], &mut out);
         out[0]
     }
+}
+
+/// The signs and the nanoseconds of an answer to so many queries, or the reason for which it declines them; an error
+/// where it breaks the protocol. No engine can have spent more time on an answer than it was waited for.
+fn read_signs(
+    answer: &Message,
+    queries: usize,
+    waited: Duration,
+    shown: &dyn Fn(usize) -> String,
+) -> Result<Result<(Vec<u8>, u64), String>, String> {
+    match answer.kind().as_str() {
+        "declined" => return Ok(Err(answer.required("reason")?)),
+        "signs" => {}
+        other => return Err(format!("a batch was answered by `{}`", printable(other))),
+    }
+    let signs = answer.bytes("signs").ok_or("a message `signs` without `signs`")?;
+    if signs.len() != queries {
+        return Err(format!("{} signs came back for {queries} queries", signs.len()));
+    }
+    let known = [NEGATIVE, ZERO, POSITIVE, DECLINED, NAN];
+    if let Some(at) = signs.iter().position(|byte| !known.contains(byte)) {
+        return Err(format!("{} was answered by the byte {}", shown(at), signs[at]));
+    }
+    let nanoseconds = answer.number("ns")?;
+    if Duration::from_nanos(nanoseconds) > 2 * waited + CLOCKS {
+        return Err(format!("`ns` is {nanoseconds}, and the answer took {} ns", waited.as_nanos()));
+    }
+    Ok(Ok((signs.to_vec(), nanoseconds)))
 }
 
 impl Predicates for Session<'_> {

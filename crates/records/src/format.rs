@@ -62,7 +62,7 @@ pub fn per_million(part: u64, whole: u64) -> Option<f64> {
     (whole > 0).then(|| 1e6 * approximately(part) / approximately(whole))
 }
 
-/// `1 scene`, `2 scenes`, `1,000 scenes`.
+/// A count with its noun, in the plural unless it is one: `1 scene`, `1,000 scenes`.
 #[must_use]
 pub fn counted(n: u64, noun: &str) -> String {
     let plural = if n == 1 { "" } else { "s" };

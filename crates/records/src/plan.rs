@@ -154,12 +154,15 @@ pub struct Plan {
     /// The SHA-256 of those files, in hex digits.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub hashes: BTreeMap<String, String>,
-    /// The files of engines, by the backends' names.
+    /// The files of engines, by the backends' names: an engine may have been named by path.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub engines: BTreeMap<String, String>,
     /// Whether every answer is written to `answers.csv`.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub answers: bool,
+    /// Whether the scenes are timed: such a folder can't be resumed.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub timed: bool,
     /// The scenes of this shard, in the order in which they will be run.
     pub scenes: Vec<PlannedScene>,
     /// The backends' names, with their parameters.
@@ -181,6 +184,12 @@ impl Plan {
     #[must_use]
     pub fn arguments(&self) -> Vec<String> {
         self.suites.iter().map(|suite| self.paths.get(suite).unwrap_or(suite).clone()).collect()
+    }
+
+    /// What names the backend on a command line: an engine's file, the backend's name where it is none.
+    #[must_use]
+    pub fn backend_argument(&self, backend: &str) -> String {
+        self.engines.get(backend).map_or_else(|| backend.to_owned(), |file| format!("engine:{file}"))
     }
 
     /// The family of each scene, by suite, name, id and task: `summary.csv` has no such column.

@@ -27,6 +27,11 @@ pub trait Row: Serialize + DeserializeOwned {
     }
 }
 
+/// The largest count: no run gets there, and sums of counts stay far below 2^64.
+pub(crate) const MOST: u64 = 1 << 48;
+/// What is wrong with a larger one.
+pub(crate) const NO_COUNT: &str = "no run counts so far; restore the file";
+
 /// `summary.csv`: one scene on one backend.
 ///
 /// The first eight counts are of answers to queries or registered contacts,
@@ -138,7 +143,7 @@ impl SummaryRow {
         }
     }
 
-    /// The wrong answers: the sum over [`Class::is_wrong_answer`].
+    /// How many answers are wrong: the sum over [`Class::is_wrong_answer`].
     #[must_use]
     pub fn wrong(&self) -> u64 {
         Class::ALL.into_iter().filter(|class| class.is_wrong_answer()).map(|class| self.count(class)).sum()
@@ -174,6 +179,11 @@ impl Row for SummaryRow {
         "declined",
         "status",
     ];
+
+    fn check(&self) -> Result<(), String> {
+        let counts = Class::ALL.into_iter().map(|class| self.count(class)).chain([self.queries]);
+        counts.max().filter(|&most| most > MOST).map_or(Ok(()), |most| Err(format!("a count of {most}: {NO_COUNT}")))
+    }
 }
 
 /// `findings.csv`: one answer worth looking at.
@@ -297,6 +307,11 @@ pub struct StageRow {
 impl Row for StageRow {
     const FILE: &'static str = "stages.csv";
     const COLUMNS: &'static [&'static str] = &["task", "family", "backend", "stage", "settled"];
+
+    fn check(&self) -> Result<(), String> {
+        let settled = self.settled;
+        if settled > MOST { Err(format!("a count of {settled}: {NO_COUNT}")) } else { Ok(()) }
+    }
 }
 
 /// `precision.csv`: what the coordinates of a scene span, and the arithmetic

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::{Class, RunDir, Spread, SummaryRow};
-use predicament_records::geometric_mean;
+use predicament_records::{ThroughputRow, geometric_mean};
 
 /// The control that every time is compared with: Shewchuk's adaptive
 /// predicates, as most programs that care already use them.
@@ -83,38 +83,21 @@ pub struct Timing<'r> {
     pub versions: BTreeSet<&'r str>,
 }
 
-/// Samples of one backend on one family.
-#[derive(Default)]
-struct Samples<'r> {
-    scenes: Vec<Vec<f64>>,
-    last: Option<u64>,
-    versions: BTreeSet<&'r str>,
-}
-
-impl<'r> Samples<'r> {
-    fn timing(self) -> Option<Timing<'r>> {
-        let all = Spread::of(self.scenes.iter().flatten().copied())?;
-        let medians = self.scenes.iter().filter_map(|samples| Some(Spread::of(samples.iter().copied())?.median));
-        let median = if self.scenes.len() == 1 { all.median } else { geometric_mean(medians)? };
-        Some(Timing { spread: Spread { median, ..all }, scenes: self.scenes.len(), versions: self.versions })
-    }
-}
-
-/// The timings of one run. Its rows stand in the order in which they were measured: where the number of the sample starts
-/// again, a family has another scene. Scenes take different times and numbers of samples, so that a
-/// median over all of them would be of one scene here and of another there.
+/// The timings of one run. Scenes take different times and numbers of samples, so that a median over those of a family
+/// would be of one scene here and of another there.
 pub fn timings(run: &RunDir) -> BTreeMap<Key<'_>, Timing<'_>> {
-    let mut samples: BTreeMap<Key, Samples> = BTreeMap::new();
-    for row in &run.throughput {
-        let of = samples.entry([&row.task, &row.family, &row.backend]).or_default();
-        if of.last.is_none_or(|last| row.sample <= last) {
-            of.scenes.push(Vec::new());
-        }
-        of.last = Some(row.sample);
-        of.scenes.last_mut().into_iter().for_each(|scene| scene.push(row.ns_per_query));
-        of.versions.insert(&row.engine_version);
-    }
-    samples.into_iter().filter_map(|(key, of)| Some((key, of.timing()?))).collect()
+    let timed = run.timed_scenes().into_iter();
+    timed.filter_map(|(key, scenes)| Some((key, timing(&scenes)?))).collect()
+}
+
+/// The timing of a backend on the scenes of a family.
+fn timing<'r>(scenes: &[Vec<&'r ThroughputRow>]) -> Option<Timing<'r>> {
+    let rows = || scenes.iter().flatten();
+    let all = Spread::of(rows().map(|row| row.ns_per_query))?;
+    let medians = scenes.iter().filter_map(|scene| Some(Spread::of(scene.iter().map(|row| row.ns_per_query))?.median));
+    let median = if scenes.len() == 1 { all.median } else { geometric_mean(medians)? };
+    let versions = rows().map(|row| &*row.engine_version).collect();
+    Some(Timing { spread: Spread { median, ..all }, scenes: scenes.len(), versions })
 }
 
 /// The nanoseconds per query of one run: of each family, of the backends that were timed on as many scenes as any.

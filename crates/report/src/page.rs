@@ -23,7 +23,7 @@ pub fn html(runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> {
     render(HTML, runs, of_tasks)
 }
 
-/// The same as Markdown. Plots are files beside it; pixel maps are left out.
+/// The report as one page of Markdown. Plots are files beside it; pixel maps are left out.
 ///
 /// # Errors
 /// If the plot can't be drawn or the page can't be filled in.

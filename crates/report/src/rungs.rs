@@ -2,7 +2,7 @@
 
 use crate::RunDir;
 
-/// A stage without its number: `term 12` is of the rung `term`, and the twelfth there.
+/// The rung of a stage, and its number there: `term 12` is of the rung `term`, the twelfth.
 pub fn rung(stage: &str) -> (&str, Option<u64>) {
     let numbered = stage.rsplit_once(' ').and_then(|(rung, n)| Some((rung, Some(n.parse().ok()?))));
     numbered.unwrap_or((stage, None))

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use predicament_corpus::{Level, LoadedScene, Suite};
 use predicament_formats::{CoordinateError, CorpusError, Decimals, Manifest, Place, hexfloat, points};
 use predicament_judge as judge;
-use predicament_predicates::{PredicateKind, Query, Question};
+use predicament_predicates::{Class, PredicateKind, Query, Question};
 use predicament_tasks::signs::SignQueries;
 use predicament_tasks::{Budget, Contestant, Outcome, Watch, ids};
 use serde_json::{Map, Value, json};
@@ -21,7 +21,8 @@ const EXAMPLES: &str = "\
 A point is its coordinates with commas between them: decimals that are exactly doubles, or hex floats. The points are
 taken in order, as many for each query as the predicate takes.
 
-Columns: query and args, the exact sign and value, then for each backend its answer, with the class where that is not
+Columns: query and args, the exact sign, its value as the nearest double (inf, in JSON null, where it is beyond all) and as a
+fraction, then for each backend its answer, with the class where that is not
 `agree`, and the stage that decided it. A backend that declines says why on stderr.
 
 Examples:
@@ -95,11 +96,15 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let case = tool.task(loaded.task).case(&loaded, &watch).map_err(stopped)?;
     let budget = Budget { permutations: 0, relations: 0, ties: usize::MAX, answers: true, ..Budget::QUICK };
     let mut answered: Vec<(String, Outcome)> = Vec::new();
+    let mut broken = 0;
     for backend in &backends {
         let backend: &dyn Contestant = backend.as_ref();
         let outcome = predicament_oracle::run(case.as_ref(), backend, budget, &watch).map_err(stopped)?;
         match outcome.findings.first().filter(|_| outcome.answers.is_empty()) {
-            Some(why) => note!("{}: {}: {}", backend.name(), why.class, why.got),
+            Some(why) => {
+                broken += usize::from(why.class != Class::Declined);
+                note!("{}: {}: {}", backend.name(), why.class, why.got);
+            }
             None => answered.push((backend.name(), outcome)),
         }
     }
@@ -110,10 +115,15 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         Format::Json => rows.iter().for_each(|row| say!("{}", row.json())),
     }
     let wrong = answered.iter().flat_map(|(_, outcome)| &outcome.answers).filter(|line| !line.class.is_legal()).count();
-    if wrong == 0 {
+    if wrong + broken == 0 {
         return Ok(exit::OK);
     }
-    note!("{wrong} answers are not what their backends promise: exit code {}", exit::UNEXPECTED);
+    if broken > 0 {
+        note!("{broken} backends gave no answer and did not decline: exit code {}", exit::UNEXPECTED);
+    }
+    if wrong > 0 {
+        note!("{wrong} answers are not what their backends promise: exit code {}", exit::UNEXPECTED);
+    }
     Ok(exit::UNEXPECTED)
 }
 

@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 use predicament_corpus::LoadedScene;
 use predicament_oracle::caught;
 use predicament_records::{
-    self as records, FindingRow, PlannedScene, RunDir, RunWriter, Shard, SummaryRow, ThroughputRow,
+    self as records, FindingRow, Plan, PlannedScene, RunDir, RunWriter, Shard, SummaryRow, ThroughputRow,
 };
 use predicament_tasks::contacts::Complexes;
 use predicament_tasks::{AnyCase, Contestant, Stop, Stopwatch, Watch};
@@ -24,7 +24,7 @@ use crate::exit::{self, Failure};
 use crate::judged::JudgedRow;
 use crate::planning::{budget, env_of, free_folder, plan, tables};
 use crate::select::Selector;
-use crate::tool::Tool;
+use crate::tool::{Tool, engines};
 use crate::{expectations, interrupt, peers, progress, rows};
 
 const EXAMPLES: &str = "\
@@ -98,7 +98,8 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let selection = args.selector.select(tool)?;
     let mut scenes = selection.plan(Shard::WHOLE)?;
     let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-bench"));
-    let plan = plan(&selection, &scenes, &backends, &args.backends, Shard::WHOLE);
+    let plan =
+        Plan { timed: true, engines: engines(&args.backends)?, ..plan(&selection, &scenes, &backends, Shard::WHOLE) };
     let mut writer = RunWriter::create(&folder, &plan, &env_of(&backends), &tables(tool)).map_err(Failure::usage)?;
     // A pass over a large scene looks at no flag.
     interrupt::listen_for(Duration::from_secs(3));

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use predicament_corpus::{SceneDef, fmt};
 use predicament_formats::{CorpusError, fetch, fmt_csv, read_as_it_is};
-use predicament_records::Shard;
+use predicament_records::{Shard, replace};
 use predicament_tasks::Watch;
 use serde_json::json;
 
@@ -108,7 +108,7 @@ fn format(tool: &Tool, files: &[PathBuf], check: bool) -> exit::Outcome {
         }
         changed += 1;
         if !check {
-            replace(file, &tidy).map_err(|error| Failure::usage(format!("{name}: {error}")))?;
+            replace(file, tidy.as_bytes()).map_err(Failure::usage)?;
         }
         say!("{}: {name}", if check { "would change" } else { "changed" });
     }
@@ -129,17 +129,6 @@ fn tidied(tool: &Tool, file: &Path, name: &str) -> Result<(String, String), Fail
     let text = read_as_it_is(file)?;
     let tidy = if by_lines { fmt_csv(name, &text)? } else { fmt(tool.vocabulary(), name, &text)? };
     Ok((text, tidy))
-}
-
-/// Writes beside the file and renames: an interrupted write can't lose it. A link stays a link.
-fn replace(file: &Path, text: &str) -> std::io::Result<()> {
-    let file = file.canonicalize()?;
-    let mut name = file.file_name().unwrap_or_default().to_os_string();
-    name.push(".next");
-    let next = file.with_file_name(name);
-    std::fs::write(&next, text)?;
-    std::fs::set_permissions(&next, std::fs::metadata(&file)?.permissions())?;
-    std::fs::rename(&next, &file)
 }
 
 fn verify(tool: &Tool, selector: &Selector) -> exit::Outcome {
@@ -198,7 +187,7 @@ fn fetch_all(tool: &Tool, keys: &[String], cache: Option<PathBuf>) -> exit::Outc
             say!("{:<20} present", entry.key);
             continue;
         }
-        let path = fetch(entry, &cache, &mut |line| eprintln!("{line}"))?;
+        let path = fetch(entry, &cache, &mut |line| tell!("{line}"))?;
         say!("{:<20} {}", entry.key, path.display());
     }
     Ok(exit::OK)

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-use predicament_records::{self as records, RunDir, Spread, Status, SummaryRow, junit};
+use predicament_records::{self as records, RunDir, Spread, Status, SummaryRow, ThroughputRow, junit};
 use predicament_tasks::{Class, ClassCounts};
 use serde_json::json;
 
@@ -157,31 +157,47 @@ fn more_findings(run: &RunDir, baseline: &RunDir) -> Vec<String> {
     worse
 }
 
-/// Timings whose fastest sample is slower than the slowest sample of before,
-/// and by a tenth at least: beyond what noise explains.
+/// Timings of a scene whose fastest sample is slower than the slowest sample of before,
+/// and by a tenth at least: beyond what noise explains. A family of several scenes is compared scene by scene, as
+/// those take different times; where it had other scenes, there is nothing to compare.
 fn slower(run: &RunDir, baseline: &RunDir) -> Vec<String> {
     let (now, then) = (timings(run), timings(baseline));
-    let pairs = now.iter().filter_map(|(key, now)| then.get(key).map(|then| (key, now, then)));
-    pairs
-        .filter(|(_, now, then)| now.min > then.max && now.median > 1.1 * then.median)
-        .map(|((task, family, backend), now, then)| {
-            format!(
-                "slower: {task} {family} on {backend}: {:.2} ns/query, was {:.2} ({:.2} times)",
-                now.median,
-                then.median,
-                now.median / then.median
-            )
-        })
-        .collect()
+    let (scenes, scenes_then) = (scenes(run), scenes(baseline));
+    let mut slower = Vec::new();
+    for (key @ [task, family, backend], now) in &now {
+        let Some(then) = then.get(key) else { continue };
+        let of = [*task, *family];
+        if now.len() != then.len() || scenes.get(&of) != scenes_then.get(&of) {
+            note!("{task} {family} on {backend}: other scenes were timed than in the baseline; not compared");
+            continue;
+        }
+        for (now, then) in now.iter().zip(then) {
+            if now.min > then.max && now.median > 1.1 * then.median {
+                let times = now.median / then.median;
+                slower.push(format!(
+                    "slower: {task} {family} on {backend}: {:.2} ns/query, was {:.2} ({times:.2} times)",
+                    now.median, then.median
+                ));
+            }
+        }
+    }
+    slower
 }
 
-fn timings(run: &RunDir) -> BTreeMap<(&str, &str, &str), Spread> {
-    let mut samples: BTreeMap<_, Vec<f64>> = BTreeMap::new();
-    for row in &run.throughput {
-        let key = (row.task.as_str(), row.family.as_str(), row.backend.as_str());
-        samples.entry(key).or_default().push(row.ns_per_query);
+/// The timings of each scene, by task, family and backend.
+fn timings(run: &RunDir) -> BTreeMap<[&str; 3], Vec<Spread>> {
+    let spread = |scene: &Vec<&ThroughputRow>| Spread::of(scene.iter().map(|row| row.ns_per_query));
+    let scenes = run.timed_scenes().into_iter();
+    scenes.map(|(key, scenes)| (key, scenes.iter().filter_map(spread).collect())).collect()
+}
+
+/// The scenes of each task and family, by id.
+fn scenes(run: &RunDir) -> BTreeMap<[&str; 2], Vec<&str>> {
+    let mut scenes: BTreeMap<_, Vec<_>> = BTreeMap::new();
+    for scene in &run.plan.scenes {
+        scenes.entry([&*scene.task, &*scene.family]).or_default().push(&*scene.scene_id);
     }
-    samples.into_iter().filter_map(|(key, samples)| Some((key, Spread::of(samples)?))).collect()
+    scenes
 }
 
 /// Refuses a baseline that says nothing about this run.

@@ -12,7 +12,6 @@ use sha2::{Digest, Sha256};
 
 use crate::exit::{self, Failure};
 use crate::interrupt;
-use crate::planning::argument;
 use crate::select::Selector;
 use crate::tool::{Tool, each};
 use crate::worker::Worker;
@@ -67,11 +66,11 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     if finding.query.is_empty() {
         return whole(&run, finding, args, tool);
     }
-    let first = tool.pick(&[argument(&run.plan, &finding.backend)])?;
-    let named: Vec<String> = each(&args.backends).map(|name| argument(&run.plan, name)).collect();
+    let mut backends = tool.pick(&[run.plan.backend_argument(&finding.backend)])?;
+    let named: Vec<String> = each(&args.backends).map(|name| run.plan.backend_argument(name)).collect();
     let others = tool.pick(&named)?;
-    let others = others.iter().filter(|other| other.name() != finding.backend);
-    let backends: Vec<&dyn Contestant> = first.iter().chain(others).map(AsRef::as_ref).collect();
+    backends.extend(others.into_iter().filter(|backend| backend.name() != finding.backend));
+    let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
     for query in finding.query.split(" | ") {
         say!("\n{query}");
         let query: Query =
@@ -91,6 +90,8 @@ fn whole(run: &RunDir, finding: &FindingRow, args: &Args, tool: &Tool) -> exit::
         permutations: None,
         threads: None,
         cache: args.cache.as_deref(),
+        folder: std::env::temp_dir().join(format!("predicament-replay-{}", std::process::id())),
+        engines: &run.plan.engines,
         suite: run.plan.paths.get(&finding.suite).unwrap_or(&finding.suite).clone(),
         scene,
         limit: Some(args.timeout),
@@ -102,7 +103,7 @@ fn whole(run: &RunDir, finding: &FindingRow, args: &Args, tool: &Tool) -> exit::
     names.extend(each(&args.backends).map(str::to_owned));
     let mut seen = false;
     for backend in names {
-        let Some(found) = worker.run(tool, &backend, &argument(&run.plan, &backend))? else {
+        let Some(found) = worker.run(tool, &backend)? else {
             return Err(Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE });
         };
         for row in &found.summary {

@@ -12,9 +12,9 @@ use rayon::prelude::*;
 use crate::exit::{self, Failure};
 use crate::ledger::Ledger;
 use crate::out::program;
-use crate::planning::{argument, budget, env_of, free_folder, plan, tables_with};
+use crate::planning::{budget, env_of, free_folder, plan, tables_with};
 use crate::select::{NOT_NAMED, Planned, Selection, Selector};
-use crate::tool::Tool;
+use crate::tool::{Tool, engines};
 use crate::worker::Worker;
 use crate::{expectations, interrupt, progress, worker};
 
@@ -52,7 +52,7 @@ pub struct Args {
     pub out: Option<PathBuf>,
 
     /// Go on with an incomplete run; takes its selection from that run's plan
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "shard", "backends", "answers"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "shard", "backends", "answers", "filter", "level"])]
     pub resume: Option<PathBuf>,
 
     /// Expected disagreements; those of the embedded corpora if left out
@@ -91,6 +91,9 @@ pub enum Isolate {
     Never,
 }
 
+/// The folder of a worker's files, in that of the run.
+const WORKER: &str = "worker";
+
 /// The time limit of a scene in a process of its own at level quick, where none is given.
 const PATIENCE: Duration = Duration::from_secs(600);
 
@@ -110,11 +113,12 @@ impl Args {
     }
 }
 
-/// A time limit: a positive number of seconds.
+/// A time limit from seconds: a positive number, up to some thirty years, as clocks can't add what is beyond them.
 pub fn seconds(text: &str) -> Result<Duration, String> {
-    let seconds = text.parse().ok().filter(|&seconds: &f64| seconds > 0.0);
+    const MOST: f64 = 1e9;
+    let seconds = text.parse().ok().filter(|&seconds: &f64| seconds > 0.0 && seconds <= MOST);
     let limit = seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
-    limit.ok_or_else(|| format!("`{text}` is no time; write seconds such as 30 or 0.5"))
+    limit.ok_or_else(|| format!("`{text}` is no time limit; write seconds such as 30 or 0.5, at most {MOST}"))
 }
 
 /// Runs the command.
@@ -122,7 +126,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     worker::end_with_parent();
     set_threads(args.threads)?;
     let expected = expectations::load(tool, args.expected.as_ref())?;
-    let Job { plan, selection, mut scenes, backends, mut ledger } = match &args.resume {
+    let Job { selection, mut scenes, backends, engines, mut ledger } = match &args.resume {
         None => Job::new(&args, tool)?,
         Some(folder) => Job::resume(&args, tool, folder)?,
     };
@@ -156,7 +160,9 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
             permutations: args.permutations,
             threads: args.threads,
             cache: args.selector.cache.as_deref(),
+            folder: ledger.folder.join(WORKER),
             suite: selection.argument(&planned.def),
+            engines: &engines,
             scene: &scene,
             limit,
             level: selection.level,
@@ -187,7 +193,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         for backend in left {
             let Some(case) = case.as_deref().filter(|_| apart.iter().all(|other| other.name() != backend.name()))
             else {
-                let Some(found) = worker.run(tool, &backend.name(), &argument(&plan, &backend.name()))? else {
+                let Some(found) = worker.run(tool, &backend.name())? else {
                     ended = records::Outcome::Interrupted;
                     break 'scenes;
                 };
@@ -242,10 +248,11 @@ pub fn set_threads(threads: Option<usize>) -> Result<(), Failure> {
 
 /// A run under way.
 struct Job {
-    plan: Plan,
     selection: Selection,
     scenes: Vec<Planned>,
     backends: Vec<Box<dyn Contestant>>,
+    /// The files of engines, by the backends' names.
+    engines: BTreeMap<String, String>,
     ledger: Ledger,
 }
 
@@ -254,7 +261,12 @@ impl Job {
         let backends = tool.pick(&args.backends)?;
         let selection = args.selector.select(tool)?;
         let scenes = selection.plan(args.shard)?;
-        let plan = Plan { answers: args.answers, ..plan(&selection, &scenes, &backends, &args.backends, args.shard) };
+        let engines = engines(&args.backends)?;
+        let plan = Plan {
+            answers: args.answers,
+            engines: engines.clone(),
+            ..plan(&selection, &scenes, &backends, args.shard)
+        };
         let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-run"));
         let writer = RunWriter::create(&folder, &plan, &env_of(&backends), &tables_with(tool, args.answers))
             .map_err(Failure::usage)?;
@@ -262,19 +274,25 @@ impl Job {
         let (level, answers) = (selection.level, args.answers);
         let (done, precision, wholes) = (Vec::new(), Vec::new(), BTreeMap::new());
         let ledger = Ledger { level, answers, wholes, done, precision, folder, writer };
-        Ok(Job { plan, selection, scenes, backends, ledger })
+        Ok(Job { selection, scenes, backends, engines, ledger })
     }
 
     fn resume(args: &Args, tool: &Tool, folder: &PathBuf) -> Result<Job, Failure> {
         let before = RunDir::open(folder).map_err(Failure::usage)?;
         let plan = &before.plan;
+        if plan.timed {
+            let message = format!(
+                "{}: a bench can't be resumed, as its times belong together; start a new one",
+                folder.display()
+            );
+            return Err(Failure::usage(message));
+        }
         let level: Level = plan.level.to_string().parse().map_err(Failure::usage)?;
         let selector = Selector { level, ..args.selector.clone() };
         let selector =
             if selector.suites.is_empty() { Selector { suites: plan.arguments(), ..selector } } else { selector };
         let selection = selector.select(tool)?;
-        let named: Vec<String> = plan.backends.iter().map(|name| argument(plan, name)).collect();
-        let backends = tool.pick(&named)?;
+        let (backends, engines) = (tool.pick_planned(plan)?, plan.engines.clone());
         // The filter of the first call isn't needed: the plan lists its scenes.
         let mut scenes = selection.plan(plan.shard)?;
         scenes.retain(|scene| plan.scenes.contains(&scene.plan));
@@ -288,10 +306,12 @@ impl Job {
         }
         let answers = plan.answers;
         let (writer, before) = RunWriter::resume(folder, &tables_with(tool, answers)).map_err(Failure::usage)?;
-        let RunDir { plan, summary: done, precision, .. } = before;
+        // What a run that was killed has left of its worker.
+        let _ = std::fs::remove_dir_all(folder.join(WORKER));
+        let RunDir { summary: done, precision, .. } = before;
         let (folder, wholes) = (folder.clone(), BTreeMap::new());
         let ledger = Ledger { level, answers, wholes, done, precision, folder, writer };
-        Ok(Job { plan, selection, scenes, backends, ledger })
+        Ok(Job { selection, scenes, backends, engines, ledger })
     }
 }
 

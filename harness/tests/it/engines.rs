@@ -36,6 +36,91 @@ fn agrees_with_naive(engine: &str) {
     assert!(findings.lines().any(|line| line.contains(&format!("engine:{engine}"))), "{findings}");
 }
 
+/// A folder with an engine in Python whose `orient2d` is this line.
+fn python(folder: &tempfile::TempDir, name: &str, orient2d: &str) -> String {
+    let helper = concat!(env!("CARGO_MANIFEST_DIR"), "/../engines/python");
+    let engine = format!(
+        "import sys\nsys.path.insert(0, {helper:?})\nimport predicament_engine\nclass Mine:\n  name = 'mine'\n  \
+         version = '1'\n  zero = 'exact'\n  def orient2d(self, a, b, c):\n    {orient2d}\n\
+         predicament_engine.serve(Mine())\n"
+    );
+    std::fs::create_dir(folder.path().join(name)).unwrap();
+    write(folder, &format!("{name}/{name}.py"), &engine);
+    let config = format!("name = \"mine\"\nrun = [\"python3\", \"{name}.py\"]\n");
+    write(folder, &format!("{name}/engine.toml"), &config)
+}
+
+const DETERMINANT: &str = "return (a[0] - c[0]) * (b[1] - c[1]) - (a[1] - c[1]) * (b[0] - c[0])";
+
+#[test]
+#[ignore = "needs Python"]
+fn an_engine_in_python_is_found_again_by_its_file() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    python(&folder, "here", DETERMINANT);
+    let out = at(&folder, "run");
+    let call = |args: &[&str]| {
+        let told = crate::common::told(tool(args).current_dir(&folder).output().unwrap());
+        (told.code, told.stdout + &told.stderr)
+    };
+    let (code, told) = call(&["run", &suite, "-b", "engine:here/engine.toml,exact", "--out", "run"]);
+    assert_eq!(code, 100, "{told}");
+    let id = &column(&read(&out, "findings.csv"), "finding_id")[0];
+    // From another folder.
+    let replayed = expect(0, &["replay", id, "--run", &out, "-b", "exact"]);
+    assert!(replayed.stdout.contains("engine:mine"), "{}", replayed.stdout);
+    let (code, told) = call(&["run", &suite, "-b", "engine:here/engine.toml", "--isolate", "--out", "apart"]);
+    assert_eq!(code, 100, "{told}");
+    let rows = |run: &str| read(&at(&folder, run), "summary.csv").lines().filter(|l| l.contains("mine,e")).count();
+    assert_eq!(column(&read(&at(&folder, "apart"), "summary.csv"), "overreach"), ["1", "0"], "{}", rows("apart"));
+    // A run that was interrupted before it began.
+    crate::common::rewrite(&out, "summary.csv", &format!("{}\n", read(&out, "summary.csv").lines().next().unwrap()));
+    write(&folder, "run/state.json", &read(&out, "state.json").replace("complete", "interrupted"));
+    let resumed = crate::common::run(&["run", "--resume", &out]);
+    assert_eq!(resumed.code, 100, "{}", resumed.stderr);
+    // Two of one name are two backends.
+    python(&folder, "there", DETERMINANT);
+    let (code, told) = call(&["run", &suite, "-b", "engine:here/engine.toml,engine:there/engine.toml", "--out", "two"]);
+    assert!(code == 2 && told.contains("two engines are called `engine:mine`"), "{told}");
+}
+
+#[test]
+#[ignore = "needs Python"]
+#[cfg(target_os = "linux")]
+fn an_engine_in_python_that_loops_ends_with_its_worker() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let engine = python(&folder, "endless", "while True: pass");
+    let out = at(&folder, "run");
+    let backend = format!("engine:{engine}");
+    let told = crate::common::run(&["run", &suite, "-b", &backend, "--isolate", "--timeout", "1", "--out", &out]);
+    assert_eq!(told.code, 103, "{}", told.stderr);
+    assert_eq!(column(&read(&out, "summary.csv"), "timeout"), ["1", "1"]);
+    let place = folder.path().join("endless");
+    let runs_there = |entry: &std::path::PathBuf| std::fs::read_link(entry.join("cwd")).is_ok_and(|cwd| cwd == place);
+    let left = std::fs::read_dir("/proc").unwrap().flatten().map(|entry| entry.path()).filter(runs_there).count();
+    assert_eq!(left, 0, "processes that loop for ever");
+}
+
+#[test]
+#[ignore = "needs a C++ compiler"]
+fn what_a_library_prints_in_cpp_before_main_spoils_nothing() {
+    let folder = tempdir().unwrap();
+    let engine = "#include <predicament_engine.hpp>\nconst int loud = std::printf(\"a banner\\n\");\n\
+        struct Mine {\n  static constexpr const char* name = \"loud\";\n  \
+        static constexpr predicament::Zero zero = predicament::Zero::exact;\n  \
+        static std::string version() { return \"1\"; }\n  \
+        static double compare(int axis, const double* a, const double* b) { return a[axis] - b[axis]; }\n};\n\
+        int main(int argc, char** argv) { return predicament::serve<Mine>(argc, argv); }\n";
+    write(&folder, "engine.cpp", engine);
+    let include = concat!(env!("CARGO_MANIFEST_DIR"), "/../engines/include");
+    let build = format!("[\"c++\", \"-std=c++17\", \"-I\", {include:?}, \"engine.cpp\", \"-o\", \"engine\"]");
+    let config = write(&folder, "engine.toml", &format!("name = \"loud\"\nbuild = [{build}]\nrun = [\"./engine\"]\n"));
+    expect(0, &["engines", "build", &config]);
+    let checked = expect(0, &["engines", "check", &config]);
+    assert!(checked.stdout.contains("engine:loud: version 1; compare"), "{}", checked.stdout);
+}
+
 #[test]
 #[ignore = "needs a C++ compiler"]
 fn the_example_in_cpp_is_built_and_judged() {
@@ -65,7 +150,7 @@ fn copied(folder: &tempfile::TempDir, name: &str) -> String {
 
 #[test]
 #[ignore = "needs Python"]
-fn an_engine_by_path_is_found_again() {
+fn an_engine_in_python_by_path_is_found_again() {
     let folder = tempdir().unwrap();
     let suite = write(&folder, "mine.toml", SUITE);
     let (one, two) = (copied(&folder, "mine"), copied(&folder, "another"));
@@ -104,7 +189,7 @@ fn an_engine_by_path_is_found_again() {
 /// An engine with the name of a backend is another one everywhere.
 #[test]
 #[ignore = "needs Python"]
-fn an_engine_called_as_a_backend_is_told_apart() {
+fn an_engine_in_python_called_as_a_backend_is_told_apart() {
     let folder = tempdir().unwrap();
     let engine = copied(&folder, "exact");
     let text = std::fs::read_to_string(&engine).unwrap().replace("\"naive-python\"", "\"exact\"");

@@ -26,6 +26,7 @@ fn what_ends_the_process_costs_one_row() {
         ("panics", "panic", "panic", "planted: a panic"),
         ("overflows-stack", "panic", "crashed", "has overflowed its stack"),
         ("aborts", "panic", "crashed", "abort (signal 6): without a word"),
+        ("exits", "panic", "crashed", "ended with code 0: without a word"),
         ("hoards", "panic", "out of memory", "memory allocation of 17592186044416 bytes failed"),
     ] {
         let out = at(&folder, fault);
@@ -45,9 +46,32 @@ fn what_ends_the_process_costs_one_row() {
         assert_eq!(column(&findings, "check"), [check], "{findings}");
         assert!(findings.contains(said), "{fault}: {findings}");
     }
+    // What a run was of stands in its plan.
+    let refused = expect(2, &["run", "--resume", &at(&folder, "loops"), "-f", "turn"]);
+    assert!(refused.stderr.contains("'--resume <DIR>' cannot be used with"), "{}", refused.stderr);
     // Where time has run out, a run that is resumed goes past it.
     let resumed = run(&["run", "--resume", &at(&folder, "loops")]);
     assert!(resumed.stdout.ends_with("1 timeout\n"), "{}{}", resumed.stdout, resumed.stderr);
+}
+
+#[test]
+fn a_worker_that_cannot_work_is_no_row_of_a_backend() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let out = at(&folder, "run");
+    let args = ["run", &suite, "-b", "fault:loops,exact", "--isolate", "--timeout", "2", "--out", &out];
+    let first = tool(&args).stderr(std::process::Stdio::piped()).spawn().unwrap();
+    while !folder.path().join("run/worker/run/state.json").exists() {
+        std::thread::sleep(std::time::Duration::from_millis(2));
+    }
+    // While one worker loops, the suite changes under the next.
+    write(&folder, "mine.toml", "title = ");
+    let told = crate::common::told(first.wait_with_output().unwrap());
+    assert_eq!(told.code, 104, "{}", told.stderr);
+    assert!(told.stderr.contains("mine.toml:1: "), "{}", told.stderr);
+    let summary = read(&out, "summary.csv");
+    assert_eq!(column(&summary, "backend"), ["fault:loops"], "{summary}");
+    assert!(!folder.path().join("run/worker").exists(), "it leaves no files behind");
 }
 
 #[test]
@@ -96,6 +120,20 @@ fn two_writers_of_one_folder_are_refused() {
 fn workers_of(suite: &str) -> usize {
     let commands = std::fs::read_dir("/proc").unwrap().flatten().map(|entry| entry.path().join("cmdline"));
     commands.filter(|path| std::fs::read_to_string(path).is_ok_and(|words| words.contains(suite))).count()
+}
+
+#[test]
+fn time_limits_are_bounded() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let run = |limit: &str| {
+        crate::common::run(&["run", &suite, "-b", "exact", "--timeout", limit, "--out", &at(&folder, "run")])
+    };
+    for limit in ["0", "nan", "inf", "1e19"] {
+        let refused = run(limit);
+        assert!(refused.code == 2 && refused.stderr.contains("is no time limit"), "{limit}: {}", refused.stderr);
+    }
+    assert_eq!(run("1e9").code, 0);
 }
 
 #[test]

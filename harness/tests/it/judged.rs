@@ -2,7 +2,7 @@
 
 use tempfile::tempdir;
 
-use crate::common::{at, column, expect, read, rewrite, run};
+use crate::common::{at, column, expect, read, rewrite, run, write};
 
 const SCENES: [&str; 4] = ["-f", "kettner-a1$|tilings/bricks|three-cells|cubes/twins", "-b", "exact,sos,naive"];
 
@@ -37,4 +37,34 @@ fn judgements_are_taken_over_and_answers_compared() {
     rewrite(&out, "judged.csv", &digests.replacen(&digest, "0123456789abcdef", 1));
     let (told, fewer, _) = bench("third");
     assert!(told.contains("the timed answers are not the judged ones") && fewer == timed - 1, "{told}");
+}
+
+#[test]
+fn a_scene_that_became_slower_is_seen_beside_a_slow_one() {
+    let folder = tempdir().unwrap();
+    let scene = |n: u32| format!("[[generate]]\nname = \"u{n}\"\nfamily = \"uniform\"\ntask = \"orient2d\"\nn = {n}\n");
+    let suite = write(&folder, "mine.toml", &format!("title = \"Mine\"\n{}{}", scene(10), scene(20)));
+    let bench = |name: &str, suite: &str, times: [u32; 2]| {
+        let out = at(&folder, name);
+        expect(0, &["bench", suite, "-b", "exact", "--samples", "2", "--sample-ms", "0", "--out", &out]);
+        let [first, second] =
+            times.map(|ns| [0, 1].map(|sample| format!("orient2d,uniform,exact,1,10,{sample},{ns}.5\n")));
+        let head = read(&out, "throughput.csv").lines().next().unwrap().to_owned();
+        rewrite(&out, "throughput.csv", &format!("{head}\n{}{}", first.concat(), second.concat()));
+        out
+    };
+    let state = read(&bench("stopped", &suite, [2, 90]), "state.json").replace("complete", "interrupted");
+    write(&folder, "stopped/state.json", &state);
+    let refused = expect(2, &["run", "--resume", &at(&folder, "stopped")]);
+    assert!(refused.stderr.contains("a bench can't be resumed"), "{}", refused.stderr);
+    let (then, same, now) =
+        (bench("then", &suite, [2, 90]), bench("same", &suite, [2, 80]), bench("now", &suite, [20, 90]));
+    expect(0, &["gate", &same, "--baseline", &then]);
+    let slower = expect(102, &["gate", &now, "--baseline", &then]);
+    let said = "slower: orient2d uniform on exact: 20.50 ns/query, was 2.50 (8.20 times)";
+    assert!(slower.stdout.contains(said), "{}", slower.stdout);
+    // Of other scenes nothing is said.
+    let other = write(&folder, "other.toml", &format!("title = \"Other\"\n{}{}", scene(10), scene(30)));
+    let other = expect(0, &["gate", &bench("other", &other, [20, 90]), "--baseline", &then]);
+    assert!(other.stderr.contains("other scenes were timed than in the baseline; not compared"), "{}", other.stderr);
 }

@@ -63,3 +63,16 @@ fn lost_output_is_an_error_and_never_hides_a_finding() {
         assert!(String::from_utf8_lossy(&ended.stderr).contains("some of the output is lost"));
     }
 }
+
+#[test]
+fn a_full_stderr_changes_no_exit_code() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let run = |out: &str, suite: &str, backend: &str| {
+        let args = ["run", suite, "-b", backend, "--out", &at(&folder, out)];
+        tool(&args).stderr(full()).stdout(Stdio::null()).status().unwrap().code()
+    };
+    assert_eq!(run("green", &suite, "exact"), Some(0));
+    assert_eq!(run("red", &suite, "naive"), Some(100));
+    assert_eq!(run("none", "no-such-suite", "exact"), Some(2));
+}

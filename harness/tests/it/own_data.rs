@@ -53,6 +53,14 @@ fn points_come_from_stdin_and_files() {
 }
 
 #[test]
+fn a_backend_that_breaks_is_not_a_success() {
+    let asked = expect(100, &["ask", "orient2d", "0,0", "1,0", "0,1", "-b", "exact,fault:panics"]);
+    assert!(asked.stderr.contains("1 backends gave no answer and did not decline"), "{}", asked.stderr);
+    // Declining is no failure.
+    expect(0, &["ask", "incircle", "0x1p1000,0", "1,0", "0,1", "0,0", "-b", "exact,tolerance"]);
+}
+
+#[test]
 fn what_cannot_be_asked_is_said_in_a_line() {
     for (args, said) in [
         (&["orient2d"][..], "no points; type some, or name a file with --points"),

@@ -53,7 +53,10 @@ fn main() {
             }
             _ => batch(&message, &points, dimension, &way),
         };
-        let bytes = answer.encode().expect("a short message");
+        let mut bytes = answer.encode().expect("a short message");
+        if way == "twice" && kind == "batch" {
+            bytes.extend_from_within(..);
+        }
         if output.write_all(&bytes).and_then(|()| output.flush()).is_err() {
             return;
         }
@@ -79,7 +82,10 @@ fn batch(message: &Message, points: &[f64], dimension: usize, way: &str) -> Mess
     };
     match way {
         _ if empty => signs.fill(0),
-        "short" => signs.truncate(signs.len() - 1),
+        "short" => {
+            eprintln!("one sign is missing");
+            signs.truncate(signs.len() - 1);
+        }
         "nan" => signs[0] = 3,
         "declines a query" => signs[0] = 2,
         "odd byte" => signs[0] = 9,
@@ -88,7 +94,12 @@ fn batch(message: &Message, points: &[f64], dimension: usize, way: &str) -> Mess
     if way == "long number" {
         return Message::new("signs").with("signs", signs).with("ns", "x".repeat(1 << 20));
     }
-    Message::new("signs").with("signs", signs).with("ns", if empty { "10" } else { "1000" })
+    let nanoseconds = match way {
+        "slow clock" => "18446744073709551615",
+        _ if empty => "10",
+        _ => "1000",
+    };
+    Message::new("signs").with("signs", signs).with("ns", nanoseconds)
 }
 
 fn byte(x: f64) -> u8 {

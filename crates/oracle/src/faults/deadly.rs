@@ -18,12 +18,14 @@ pub enum Deadly {
     Aborts,
     /// It asks for 16 TB of memory.
     Hoards,
+    /// It ends the process as if all were well.
+    Exits,
 }
 
 impl Deadly {
     /// All of them.
-    pub const ALL: [Deadly; 5] =
-        [Deadly::Loops, Deadly::Panics, Deadly::OverflowsStack, Deadly::Aborts, Deadly::Hoards];
+    pub const ALL: [Deadly; 6] =
+        [Deadly::Loops, Deadly::Panics, Deadly::OverflowsStack, Deadly::Aborts, Deadly::Hoards, Deadly::Exits];
 
     /// The name after `fault:`.
     #[must_use]
@@ -34,6 +36,7 @@ impl Deadly {
             Deadly::OverflowsStack => "overflows-stack",
             Deadly::Aborts => "aborts",
             Deadly::Hoards => "hoards",
+            Deadly::Exits => "exits",
         }
     }
 
@@ -49,6 +52,7 @@ impl Deadly {
             Deadly::Panics => panic!("planted: a panic"),
             Deadly::OverflowsStack => assert_ne!(deeper(1), 0),
             Deadly::Aborts => std::process::abort(),
+            Deadly::Exits => std::process::exit(0),
             Deadly::Hoards => {
                 let hoard: Vec<u8> = Vec::with_capacity(1 << 44);
                 panic!("planted: {} bytes were there", hoard.capacity());

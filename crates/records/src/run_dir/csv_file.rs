@@ -123,7 +123,7 @@ pub(super) enum Extent {
 
 /// Reads a table, which has this digest if one is given. What was left out of it is told in a sentence.
 pub(super) fn read(path: &Path, extent: Extent, written: Option<&String>) -> Result<(Text, Option<String>), Error> {
-    let mut bytes = std::fs::read(path).map_err(Error::io(path))?;
+    let mut bytes = super::reader::read_regular(path)?;
     let found = bytes.len() as u64;
     let mut warning = None;
     match extent {

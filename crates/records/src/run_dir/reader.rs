@@ -12,6 +12,7 @@ use super::once::Pair;
 use super::state::{Outcome, State};
 use super::tables::{Record, TableSpec};
 use super::{ENV, MAPS, PLAN, TABLES};
+use crate::rows::{MOST, NO_COUNT};
 use crate::{Env, Error, FORMAT, FindingRow, Plan, PrecisionRow, Row, SampledRow, StageRow, SummaryRow, ThroughputRow};
 
 /// A run that was read back. Rows stand in the order of their files.
@@ -61,7 +62,7 @@ pub struct NotRun {
 }
 
 impl RunDir {
-    /// Reads a run folder.
+    /// The run in a folder.
     ///
     /// What a run that is not complete has written after its last finished scene is left out,
     /// with a warning. Rows that are there twice, and tables of other sizes than the run has written, are refused.
@@ -96,8 +97,12 @@ impl RunDir {
         Ok(run)
     }
 
-    /// Refuses rows about scenes that the plan does not have.
+    /// Refuses rows about scenes that the plan does not have, and scenes that no run can have.
     fn check_planned(&self) -> Result<(), Error> {
+        if let Some(scene) = self.plan.scenes.iter().find(|scene| scene.queries > MOST) {
+            let message = format!("{}/{} has {} queries: {NO_COUNT}", scene.suite, scene.scene, scene.queries);
+            return Err(Error::new(&self.path.join(PLAN), message));
+        }
         let planned = self.plan.families();
         let stranger =
             self.summary.iter().find(|r| !planned.contains_key(&[&*r.suite, &*r.scene, &*r.scene_id, &*r.task]));
@@ -119,6 +124,21 @@ impl RunDir {
     #[must_use]
     pub fn records(&self, table: TableSpec) -> Vec<Record> {
         self.tables.get(table.file).map_or_else(Vec::new, |text| text.records(table))
+    }
+
+    /// The rows of `throughput.csv` of each scene, by task, family and backend. They stand in the order in which they
+    /// were measured: where the number of the sample starts again, a family has another scene.
+    #[must_use]
+    pub fn timed_scenes(&self) -> BTreeMap<[&str; 3], Vec<Vec<&ThroughputRow>>> {
+        let mut timed: BTreeMap<_, Vec<Vec<&ThroughputRow>>> = BTreeMap::new();
+        for row in &self.throughput {
+            let scenes = timed.entry([&*row.task, &*row.family, &*row.backend]).or_default();
+            match scenes.last_mut().filter(|scene| scene.last().is_some_and(|last| row.sample > last.sample)) {
+                Some(scene) => scene.push(row),
+                None => scenes.push(vec![row]),
+            }
+        }
+        timed
     }
 
     /// Whether everything that was planned was done, and the run said so.
@@ -200,6 +220,9 @@ fn read_others(
         let name = entry.map_err(Error::io(folder))?.file_name();
         files.extend(name.to_str().filter(|file| file.ends_with(".csv")).map(str::to_owned));
     }
+    if let Some(strange) = files.iter().find(|file| file.contains(['/', '\\'])) {
+        return Err(Error::new(folder, format!("state.json names `{strange}`, which is no table of the folder")));
+    }
     let mut tables = BTreeMap::new();
     for file in files.into_iter().filter(|file| TABLES.iter().all(|table| table.file != file)) {
         let text = read_text(folder, &file, state, warnings)?;
@@ -209,8 +232,16 @@ fn read_others(
 }
 
 pub(super) fn read_json<T: DeserializeOwned>(path: &Path) -> Result<T, Error> {
-    let text = fs::read_to_string(path).map_err(Error::io(path))?;
-    serde_json::from_str(&text).map_err(Error::json(path))
+    serde_json::from_slice(&read_regular(path)?).map_err(Error::json(path))
+}
+
+/// The bytes of a regular file: to open a pipe is to wait for it, and a device may never end.
+pub(super) fn read_regular(path: &Path) -> Result<Vec<u8>, Error> {
+    if fs::metadata(path).map_err(Error::io(path))?.is_file() {
+        fs::read(path).map_err(Error::io(path))
+    } else {
+        Err(Error::new(path, "it is no regular file but a folder, a pipe, a device or the like"))
+    }
 }
 
 fn read_maps(folder: &Path) -> Result<Vec<(String, Vec<u8>)>, Error> {
@@ -223,7 +254,7 @@ fn read_maps(folder: &Path) -> Result<Vec<(String, Vec<u8>)>, Error> {
         if path.extension() == Some(OsStr::new("png"))
             && let Some(name) = path.file_stem()
         {
-            let png = fs::read(&path).map_err(Error::io(&path))?;
+            let png = read_regular(&path)?;
             maps.push((name.to_string_lossy().into_owned(), png));
         }
     }

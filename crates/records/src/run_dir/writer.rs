@@ -36,11 +36,14 @@ impl RunWriter {
     pub fn create(folder: impl AsRef<Path>, plan: &Plan, env: &Env, more: &[TableSpec]) -> Result<RunWriter, Error> {
         let folder = folder.as_ref();
         fs::create_dir_all(folder).map_err(Error::io(folder))?;
-        if Lock::others(folder)? {
+        let refuse_others = || {
             let message = "the folder is not empty; name another, or resume the run in it";
-            return Err(Error::new(folder, message));
-        }
+            if Lock::others(folder)? { Err(Error::new(folder, message)) } else { Ok(()) }
+        };
+        // Once without a lock, as somebody else's folder gets none; and again, as a run may have come and gone since.
+        refuse_others()?;
         let lock = Lock::take(folder)?;
+        refuse_others()?;
         write_json(&folder.join(PLAN), plan)?;
         write_json(&folder.join(ENV), env)?;
         let mut tables = BTreeMap::new();

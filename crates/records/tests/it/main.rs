@@ -1,5 +1,6 @@
 //! The integration tests, as one binary: each further one would link the crate and compile what they share again.
 
+mod hostile;
 mod junit;
 mod once;
 mod run_dir;

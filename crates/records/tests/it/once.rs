@@ -8,7 +8,7 @@ use tempfile::{TempDir, tempdir};
 const CHECKED: &str = "../tasks/tests/data/checked";
 
 /// A copy of a run folder that was written by hand, with some text of its files replaced. Each replacement has to happen.
-fn copy(folder: &TempDir, name: &str, changes: &[(&str, &str, &str)]) -> PathBuf {
+pub(crate) fn copy(folder: &TempDir, name: &str, changes: &[(&str, &str, &str)]) -> PathBuf {
     let copy = folder.path().join(name);
     std::fs::create_dir(&copy).unwrap();
     let mut left = changes.to_vec();
