@@ -6,10 +6,12 @@
 //! run folder is read back.
 
 use std::collections::BTreeMap;
-use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, ExitStatus, Stdio};
+use std::process::{Child, ChildStderr, Command, ExitStatus, Stdio};
 use std::sync::atomic::Ordering;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use predicament_corpus::Level;
@@ -86,9 +88,9 @@ impl Worker<'_> {
         let cannot = |what: &Path, error: std::io::Error| Failure::usage(format!("{}: {error}", what.display()));
         let _ = std::fs::remove_dir_all(folder);
         std::fs::create_dir(folder).map_err(|error| cannot(folder, error))?;
-        let (run, errors) = (folder.join("run"), folder.join("stderr"));
-        let stderr = File::create(&errors).map_err(|error| cannot(&errors, error))?;
-        let mut child = self.command(backend, &run, stderr)?;
+        let run = folder.join("run");
+        let mut child = self.command(backend, &run)?;
+        let said = Said::of(child.stderr.take());
         let found = match self.wait(&mut child) {
             End::Interrupt => None,
             End::Limit(limit) => {
@@ -99,8 +101,7 @@ impl Worker<'_> {
             End::Exit(status) => Some(match self.left(tool, status, &run) {
                 Some(found) => found,
                 None => {
-                    let said = std::fs::read(&errors).unwrap_or_default();
-                    let said = String::from_utf8_lossy(&said);
+                    let said = said.text();
                     if let Some(failure) = unable(status, &said).filter(|_| !backend.starts_with(PREFIX)) {
                         let _ = std::fs::remove_dir_all(folder);
                         return Err(failure);
@@ -124,7 +125,7 @@ impl Worker<'_> {
         Some(Found { summary, findings, stages, more, maps })
     }
 
-    fn command(&self, backend: &str, run: &Path, stderr: File) -> Result<Child, Failure> {
+    fn command(&self, backend: &str, run: &Path) -> Result<Child, Failure> {
         let program = std::env::current_exe().map_err(|error| Failure::usage(format!("this program: {error}")))?;
         let mut command = Command::new(program);
         let filter = format!("^{}$", regex::escape(&format!("{}/{}", self.scene.suite, self.scene.scene)));
@@ -144,7 +145,7 @@ impl Worker<'_> {
             command.arg("--cache").arg(cache);
         }
         // It ends with the other end of this pipe: nothing is left behind when this process is killed.
-        command.env(VARIABLE, "1").stdin(Stdio::piped()).stdout(Stdio::null()).stderr(stderr);
+        command.env(VARIABLE, "1").stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
         let child = command.spawn().map_err(|error| Failure::usage(format!("a worker did not start: {error}")))?;
         // Where memory runs out, Linux ends this process first. Elsewhere there is no such file.
         let _ = std::fs::write(format!("/proc/{}/oom_score_adj", child.id()), "1000");
@@ -193,6 +194,42 @@ impl Worker<'_> {
             more: Vec::new(),
             maps: Vec::new(),
         }
+    }
+}
+
+/// What a worker says on stderr. It goes through a pipe: into a file on a full disk it could not say that the disk is full.
+struct Said {
+    bytes: Arc<Mutex<Vec<u8>>>,
+    listener: Option<JoinHandle<()>>,
+}
+
+impl Said {
+    /// Listens until the other end is closed; keeps the end of what is said.
+    fn of(stderr: Option<ChildStderr>) -> Said {
+        const MOST: usize = 1 << 16;
+        let bytes = Arc::new(Mutex::new(Vec::new()));
+        let heard = Arc::clone(&bytes);
+        let listen = |mut stderr: ChildStderr| {
+            std::thread::spawn(move || {
+                let mut piece = [0; 4096];
+                while let Ok(count @ 1..) = stderr.read(&mut piece) {
+                    let mut heard = heard.lock().unwrap_or_else(PoisonError::into_inner);
+                    heard.extend_from_slice(&piece[..count]);
+                    let old = heard.len().saturating_sub(MOST);
+                    heard.drain(..old);
+                }
+            })
+        };
+        Said { bytes, listener: stderr.map(listen) }
+    }
+
+    /// The text, once the worker has ended. A process that it has left behind may hold the pipe, and is not waited for.
+    fn text(&self) -> String {
+        let start = Instant::now();
+        while self.listener.as_ref().is_some_and(|listener| !listener.is_finished()) && start.elapsed() < FAREWELL {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        String::from_utf8_lossy(&self.bytes.lock().unwrap_or_else(PoisonError::into_inner)).into_owned()
     }
 }
 
