@@ -1,0 +1,107 @@
+//! What is true about the loops of a polygon, before anything is triangulated.
+
+use std::cmp::Ordering;
+
+use predicament_predicates::{Plane, Scene, Vertex};
+use rug::{Integer, Rational};
+
+use super::nesting::{edges, holes};
+use super::plane::Points;
+use super::touches::Touches;
+
+/// A polygon: loops with the inside on their left, and what follows from them.
+#[derive(Clone, Debug)]
+pub struct Polygon {
+    pub(super) points: Points,
+    /// By places among the points.
+    pub(super) loops: Vec<Vec<usize>>,
+    /// Twice the area.
+    pub(super) area: Integer,
+    /// How many triangles there are.
+    pub(super) triangles: usize,
+    pub(super) touches: Touches,
+}
+
+impl Polygon {
+    /// What these loops bound in a coordinate plane: a point is inside where an odd number of them is around it. They may
+    /// go either way.
+    ///
+    /// # Panics
+    /// If a vertex is constructed.
+    #[must_use]
+    pub fn new(scene: &Scene, plane: Plane, reversed: bool, loops: &[Vec<Vertex>]) -> Polygon {
+        let points = Points::new(scene, plane, reversed, loops.iter().flatten().copied());
+        let place = |v: &Vertex| points.place(*v).unwrap_or_default();
+        let mut loops: Vec<Vec<usize>> = loops.iter().map(|one| one.iter().map(place).collect()).collect();
+        let is_hole = holes(&points, &loops);
+        let mut area = Integer::new();
+        for (one, &is_hole) in loops.iter_mut().zip(&is_hole) {
+            let mut own = points.area(one);
+            if (own.cmp0() == Ordering::Less) != is_hole && own.cmp0() != Ordering::Equal {
+                one.reverse();
+                own = -own;
+            }
+            area += own;
+        }
+        let holes = is_hole.iter().filter(|is_hole| **is_hole).count();
+        let corners: usize = loops.iter().map(Vec::len).sum();
+        let outer = loops.len() - holes;
+        let triangles = (corners + 2 * holes).saturating_sub(2 * outer + 2 * passages(&points, &loops));
+        let touches = Touches::new(&points, &loops);
+        Polygon { points, loops, area, triangles, touches }
+    }
+
+    /// How many vertices the loops have, each as often as they pass through it.
+    #[must_use]
+    pub fn corners(&self) -> usize {
+        self.loops.iter().map(Vec::len).sum()
+    }
+
+    /// The area, in the scene's units.
+    #[must_use]
+    pub fn area(&self) -> Rational {
+        self.points.in_scene_units(&self.area)
+    }
+
+    /// Where loops touch or cross.
+    #[must_use]
+    pub fn touches(&self) -> &Touches {
+        &self.touches
+    }
+}
+
+/// How many times loops pass through a vertex from inside another loop that passes through it: the number of corners
+/// there around any direction to the outside, over all vertices.
+fn passages(points: &Points, loops: &[Vec<usize>]) -> usize {
+    let mut at: Vec<Vec<[usize; 2]>> = vec![Vec::new(); points.len()];
+    for one in loops {
+        for (&before, [corner, after]) in one.iter().cycle().skip(one.len() - 1).zip(edges(one)) {
+            at[corner].push([after, before]);
+        }
+    }
+    let passed = at.iter().enumerate().filter(|(_, corners)| corners.len() > 1);
+    let around = |(v, corners): (usize, &Vec<[usize; 2]>)| {
+        // Right before an edge that leaves it is outside.
+        let covers = |direction: usize| {
+            corners.iter().filter(|&&[from, to]| is_between(points, v, [from, to], direction)).count()
+        };
+        corners.iter().map(|&[from, _]| covers(from)).min().unwrap_or(0)
+    };
+    passed.map(around).sum()
+}
+
+/// Whether what is right before a direction from v, counterclockwise, is in the sector between two others.
+fn is_between(points: &Points, v: usize, [from, to]: [usize; 2], direction: usize) -> bool {
+    // How far around from the first: not at all, less than half, half, more.
+    let turn = |far: usize| match (points.side(v, from, far), points.along(v, from, far).cmp0()) {
+        (Ordering::Equal, Ordering::Greater) => 0,
+        (Ordering::Greater, _) => 1,
+        (Ordering::Equal, _) => 2,
+        (Ordering::Less, _) => 3,
+    };
+    match (turn(direction), turn(to)) {
+        (0, _) => false,
+        (a, b) if a == b => points.side(v, direction, to).is_ge(),
+        (a, b) => a < b,
+    }
+}
