@@ -3,6 +3,7 @@
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
 use super::corners::Corners;
+use super::projection::turn_at_first_place;
 use super::status::Status;
 use super::view::View;
 use super::{NONE, Output};
@@ -15,10 +16,18 @@ pub fn oriented<P: Predicates + ?Sized>(
     reversed: bool,
     loops: &[Vec<Vertex>],
 ) -> Vec<Vec<Vertex>> {
+    let mut turned = loops.to_vec();
+    if let [one] = turned.as_mut_slice() {
+        // Its first corner is enough.
+        let wrong = if reversed { Sign::Positive } else { Sign::Negative };
+        if turn_at_first_place(session, plane, loops) == wrong {
+            one.reverse();
+        }
+        return turned;
+    }
     let view = View::new(session, plane, reversed);
     let mut corners = Corners::new(&view, loops);
     corners.join_repeats(&mut Output::default());
-    let mut turned = loops.to_vec();
     let mut first = 0;
     let ends: Vec<usize> = loops
         .iter()
@@ -107,10 +116,11 @@ impl<'a, P: Predicates + ?Sized> Nesting<'a, P> {
             let [a, b, c] = [left, right, c].map(|corner| self.corners.vertex[corner as usize]);
             self.view.turn(a, b, c)
         };
-        match side(corner) {
-            Sign::Zero => side(far) == Sign::Positive,
-            sign => sign == Sign::Positive,
-        }
+        // Of an edge that two loops have in common, that of the upper loop is above.
+        let [before, after] = [self.corners.previous[corner as usize], self.corners.next[corner as usize]];
+        let sibling = if far == after { before } else { after };
+        let mut sides = [corner, far, sibling].into_iter().map(side);
+        sides.find(|sign| *sign != Sign::Zero) == Some(Sign::Positive)
     }
 
     /// At the first corner of a loop, by what is below it, whether the loop goes the wrong way.

@@ -44,7 +44,7 @@ fn area<P: Predicates + ?Sized>(session: &P, plane: Plane, loops: &[Vec<Vertex>]
 
 /// The orientation of the outer loops: the turn from the last to the first edge around the first place of the sweep,
 /// positive where the first edge, counterclockwise, leaves it.
-fn turn_at_first_place<P: Predicates + ?Sized>(session: &P, plane: Plane, loops: &[Vec<Vertex>]) -> Sign {
+pub(super) fn turn_at_first_place<P: Predicates + ?Sized>(session: &P, plane: Plane, loops: &[Vec<Vertex>]) -> Sign {
     let view = View::new(session, plane, false);
     let all = || loops.iter().flatten().copied();
     let Some(first) = all().reduce(|a, b| if view.order(b, a) == Sign::Negative { b } else { a }) else {

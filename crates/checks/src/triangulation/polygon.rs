@@ -71,7 +71,7 @@ impl Polygon {
 }
 
 /// How many times loops pass through a vertex from inside another loop that passes through it: the number of corners
-/// there around any direction to the outside, over all vertices.
+/// there around any direction to the inside, less one, over all vertices.
 fn passages(points: &Points, loops: &[Vec<usize>]) -> usize {
     let mut at: Vec<Vec<[usize; 2]>> = vec![Vec::new(); points.len()];
     for one in loops {
@@ -81,16 +81,16 @@ fn passages(points: &Points, loops: &[Vec<usize>]) -> usize {
     }
     let passed = at.iter().enumerate().filter(|(_, corners)| corners.len() > 1);
     let around = |(v, corners): (usize, &Vec<[usize; 2]>)| {
-        // Right before an edge that leaves it is outside.
+        // Right after an edge that leaves it is inside.
         let covers = |direction: usize| {
             corners.iter().filter(|&&[from, to]| is_between(points, v, [from, to], direction)).count()
         };
-        corners.iter().map(|&[from, _]| covers(from)).min().unwrap_or(0)
+        corners.iter().map(|&[from, _]| covers(from)).min().unwrap_or(0).saturating_sub(1)
     };
     passed.map(around).sum()
 }
 
-/// Whether what is right before a direction from v, counterclockwise, is in the sector between two others.
+/// Whether what is right after a direction from v, counterclockwise, is in the sector between two others.
 fn is_between(points: &Points, v: usize, [from, to]: [usize; 2], direction: usize) -> bool {
     // How far around from the first: not at all, less than half, half, more.
     let turn = |far: usize| match (points.side(v, from, far), points.along(v, from, far).cmp0()) {
@@ -100,8 +100,7 @@ fn is_between(points: &Points, v: usize, [from, to]: [usize; 2], direction: usiz
         (Ordering::Less, _) => 3,
     };
     match (turn(direction), turn(to)) {
-        (0, _) => false,
-        (a, b) if a == b => points.side(v, direction, to).is_ge(),
+        (a, b) if a == b => points.side(v, direction, to).is_gt(),
         (a, b) => a < b,
     }
 }

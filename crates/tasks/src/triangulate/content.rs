@@ -119,27 +119,25 @@ impl Elsewhere for OfPoints {
             return Err(self.points.error("a polygon without loops", "write at least one loop"));
         }
         if let Some(message) = uneven(&scene, &loops) {
-            return Err(self.points.error(message, "put all corners in one plane, or divide the face"));
+            return Err(self.points.error(message, "put all corners in one plane and not in line, or divide the face"));
         }
         Ok(Parts { notes, ..Parts::new(scene, Polygons { polygons: vec![loops], method: self.method }) })
     }
 }
 
-/// Why the corners of a face in space are not in one plane, or in line.
+/// Why the corners of a face are not in one plane, or all in line.
 fn uneven(scene: &Scene, loops: &[Vec<Vertex>]) -> Option<String> {
-    if scene.dimension() == Dimension::Two {
-        return None;
-    }
     let corners: Vec<Vertex> = loops.iter().flatten().copied().collect();
-    let planes = [Plane::Xy, Plane::Yz, Plane::Zx];
-    let turns = |c: Vertex, b: Vertex| {
-        planes.into_iter().any(|plane| !sign(scene, Question::Orient2d(plane), &[corners[0], b, c]).is_zero())
+    let in_space = scene.dimension() == Dimension::Three;
+    let planes = if in_space { &[Plane::Xy, Plane::Yz, Plane::Zx][..] } else { &[Plane::Xy] };
+    let turns = |b: Vertex, c: Vertex| {
+        planes.iter().any(|&plane| !sign(scene, Question::Orient2d(plane), &[corners[0], b, c]).is_zero())
     };
     let second = corners.iter().copied().find(|&b| scene.point(b) != scene.point(corners[0]));
-    let plane = second.and_then(|b| Some((b, corners.iter().copied().find(|&c| turns(c, b))?)));
+    let plane = second.and_then(|b| Some((b, corners.iter().copied().find(|&c| turns(b, c))?)));
     let Some((b, c)) = plane else { return Some("all corners are in line".to_owned()) };
     let is_off = |d: &&Vertex| !sign(scene, Question::Orient3d, &[corners[0], b, c, **d]).is_zero();
-    let off = corners.iter().find(is_off)?;
+    let off = corners.iter().find(|d| in_space && is_off(d))?;
     Some(format!("the corner {off} is not in the plane of {}, {b} and {c}", corners[0]))
 }
 

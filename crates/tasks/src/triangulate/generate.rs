@@ -24,12 +24,12 @@ macro_rules! family {
 pub(super) static FAMILIES: [Family; 7] = [
     family!(
         "polygon-star",
-        &["bits", "straight"],
+        &["bits", "edges"],
         "a star around the origin, its corners at random distances",
         |fields: &Fields<'_, '_>| {
             let bits = u32::try_from(fields.integer_or("bits", 52, 8..=52)?).unwrap_or(52);
-            let straight = fields.bool_or("straight", false)?;
-            recipe(fields, move |making| shapes::star(making.n, bits, straight, &mut making.random()))
+            let divided = is(fields, "edges", "divided")?;
+            recipe(fields, move |making| shapes::star(making.n, bits, divided, &mut making.random()))
         }
     ),
     family!("polygon-spiral", &[], "a square spiral", |fields: &Fields<'_, '_>| {
@@ -37,33 +37,34 @@ pub(super) static FAMILIES: [Family; 7] = [
     }),
     family!(
         "polygon-comb",
-        &["turned"],
+        &["teeth"],
         "a comb: the tips of its teeth are in line, and so is what is between them",
         |fields: &Fields<'_, '_>| {
-            let turned = fields.bool_or("turned", false)?;
-            recipe(fields, move |making| shapes::comb(making.n, turned))
+            let sideways = is(fields, "teeth", "sideways")?;
+            recipe(fields, move |making| shapes::comb(making.n, sideways))
         }
     ),
     family!(
         "polygon-grid",
-        &["touching"],
+        &["holes"],
         "a square with square holes in rows and columns, which may touch in their corners",
         |fields: &Fields<'_, '_>| {
-            let touching = fields.bool_or("touching", false)?;
+            let touching = is(fields, "holes", "touching")?;
             recipe(fields, move |making| shapes::grid(making.n, touching))
         }
     ),
     family!(
         "polygon-rings",
-        &["apart"],
+        &["vertices"],
         "nested rings that touch in points, of one vertex or of two",
         |fields: &Fields<'_, '_>| {
-            let apart = fields.bool_or("apart", false)?;
+            let apart = is(fields, "vertices", "apart")?;
             recipe(fields, move |making| shapes::rings(making.n, apart))
         }
     ),
-    family!("polygon-sliver", &[], "a polygon along a diagonal, a few ulps wide", |fields: &Fields<'_, '_>| {
-        recipe(fields, |making| shapes::sliver(making.n, &mut making.random()))
+    family!("polygon-sliver", &["places"], "a polygon along a diagonal, a few ulps wide", |fields: &Fields<'_, '_>| {
+        let far = is(fields, "places", "far")?;
+        recipe(fields, move |making| shapes::sliver(making.n, far, &mut making.random()))
     }),
     family!("polygon-maze", &[], "the outline of a random maze, with many vertices in line", |fields: &Fields<
         '_,
@@ -72,6 +73,17 @@ pub(super) static FAMILIES: [Family; 7] = [
         recipe(fields, |making| shapes::maze(making.n, &mut making.random()))
     }),
 ];
+
+/// Whether a key is there; it has one value.
+fn is(fields: &Fields<'_, '_>, key: &'static str, value: &str) -> Result<bool, CorpusError> {
+    let Some(field) = fields.get(key) else { return Ok(false) };
+    match field.str()? {
+        word if word == value => Ok(true),
+        word => {
+            Err(field.error(format!("`{word}` is no value of `{key}`"), format!("write \"{value}\", or leave it out")))
+        }
+    }
+}
 
 fn recipe(
     fields: &Fields<'_, '_>,
@@ -85,5 +97,6 @@ fn recipe(
         let loops = loops.into_iter().map(vertices).collect();
         Parts::new(scene, Polygons { polygons: vec![loops], method })
     };
-    Ok(Recipe::new(make).with_coordinates(|n| 2 * n))
+    // The smallest shapes have up to sixteen vertices; nests of rings begin with four more each.
+    Ok(Recipe::new(make).with_coordinates(|n| 3 * n + 100))
 }

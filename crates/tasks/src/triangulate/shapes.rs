@@ -15,9 +15,9 @@ fn one_loop(points: Vec<[i64; 2]>) -> Shape {
     (points.into_iter().map(|p| p.map(integer)).collect(), vec![all])
 }
 
-/// Around the origin by angle, at distances from 0.1 to 1, on a grid of 2^-bits; straight: three more vertices on each edge.
-pub(super) fn star(n: usize, bits: u32, straight: bool, rng: &mut Random) -> Shape {
-    let corners = (if straight { n / 4 } else { n }).max(4);
+/// Around the origin by angle, at distances from 0.1 to 1, on a grid of 2^-bits; divided: three more vertices on each edge.
+pub(super) fn star(n: usize, bits: u32, divided: bool, rng: &mut Random) -> Shape {
+    let corners = (if divided { n / 4 } else { n }).max(4);
     let [first, second] = [corners / 2, corners - corners / 2];
     let unit = power_of_two(-i64::from(bits));
     let mut points = Vec::with_capacity(corners);
@@ -31,7 +31,7 @@ pub(super) fn star(n: usize, bits: u32, straight: bool, rng: &mut Random) -> Sha
             points.push([x, y].map(|c| (c * radius / (4.0 * unit)).round() * (4.0 * unit)));
         }
     }
-    if straight {
+    if divided {
         let ends = points.iter().cycle().skip(1);
         let between = |(p, q): (&[f64; 2], &[f64; 2])| {
             [0.0, 0.25, 0.5, 0.75].map(|part| [0, 1].map(|axis: usize| p[axis] + (q[axis] - p[axis]) * part))
@@ -65,7 +65,7 @@ pub(super) fn spiral(n: usize) -> Shape {
 }
 
 /// Teeth as high as their number, their tips in line.
-pub(super) fn comb(n: usize, turned: bool) -> Shape {
+pub(super) fn comb(n: usize, sideways: bool) -> Shape {
     let teeth = small(n.saturating_sub(3) / 2).max(1);
     let height = teeth + 2;
     let mut points = vec![[0, 0], [2 * teeth, 0]];
@@ -74,7 +74,7 @@ pub(super) fn comb(n: usize, turned: bool) -> Shape {
         points.push([2 * tooth + 1, 1]);
     }
     points.push([0, height]);
-    if turned {
+    if sideways {
         points.iter_mut().for_each(|[x, y]| (*x, *y) = (-*y, *x));
     }
     one_loop(points)
@@ -151,12 +151,20 @@ pub(super) fn rings(n: usize, apart: bool) -> Shape {
     (points, loops)
 }
 
-/// Along the diagonal, y − x between a few units of the last place.
-pub(super) fn sliver(n: usize, rng: &mut Random) -> Shape {
-    let count = small((n / 2).max(2));
-    let unit = power_of_two(-30);
+/// Along the diagonal, y − x between a few units; far: in three places with units of the last place of each, as in the
+/// pictures of Kettner and others, where differences are rounded.
+pub(super) fn sliver(n: usize, far: bool, rng: &mut Random) -> Shape {
+    let count = small((n / 2).max(6));
+    let places: Vec<[f64; 2]> = if far {
+        let place = |(at, unit): (f64, i64)| {
+            (0..count / 3).map(move |i| [at + integer(i) * power_of_two(unit), power_of_two(unit)])
+        };
+        [(0.5, -53), (12.0, -49), (24.0, -48)].into_iter().flat_map(place).collect()
+    } else {
+        (0..count).map(|x| [integer(x), power_of_two(-30)]).collect()
+    };
     let mut side = |low: i64| -> Vec<[f64; 2]> {
-        (0..count).map(|x| [integer(x), integer(x) + integer(low + rng.integer(0, 3)) * unit]).collect()
+        places.iter().map(|&[x, unit]| [x, x + integer(low + rng.integer(0, 3)) * unit]).collect()
     };
     let mut points = side(0);
     let mut upper = side(4);
