@@ -36,10 +36,9 @@ pub struct Flaw {
 #[must_use]
 pub fn flaws(polygon: &Polygon, triangles: &[[Vertex; 3]], flat: Flat) -> Vec<Flaw> {
     let points = &polygon.points;
-    if let Some([[a, b], [c, d]]) = polygon.touches.crossing {
-        let got = format!("the edges from {a} to {b} and from {c} to {d} cross, or are one edge twice");
+    if let Some((got, vertices)) = polygon.fault() {
         let truth = "loops that bound a polygon".to_owned();
-        return vec![Flaw { check: "loops do not cross", vertices: vec![a, b, c, d], got, truth }];
+        return vec![Flaw { check: "loops do not cross", vertices, got, truth }];
     }
     let mut found = Vec::new();
     let mut places = Vec::with_capacity(triangles.len());

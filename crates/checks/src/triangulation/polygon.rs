@@ -20,6 +20,8 @@ pub struct Polygon {
     /// How many triangles there are.
     pub(super) triangles: usize,
     pub(super) touches: Touches,
+    /// A vertex through which loops pass to and fro across each other.
+    tangle: Option<Vertex>,
 }
 
 impl Polygon {
@@ -46,9 +48,11 @@ impl Polygon {
         let holes = is_hole.iter().filter(|is_hole| **is_hole).count();
         let corners: usize = loops.iter().map(Vec::len).sum();
         let outer = loops.len() - holes;
-        let triangles = (corners + 2 * holes).saturating_sub(2 * outer + 2 * passages(&points, &loops));
+        let (passages, tangle) = passages(&points, &loops);
+        let triangles = (corners + 2 * holes).saturating_sub(2 * outer + 2 * passages);
         let touches = Touches::new(&points, &loops);
-        Polygon { points, loops, area, triangles, touches }
+        let tangle = tangle.map(|place| points.vertex(place));
+        Polygon { points, loops, area, triangles, touches, tangle }
     }
 
     /// How many vertices the loops have, each as often as they pass through it.
@@ -63,6 +67,20 @@ impl Polygon {
         self.points.in_scene_units(&self.area)
     }
 
+    /// Why the loops bound no polygon, and the vertices where: they cross, or pass along one edge twice.
+    #[must_use]
+    pub fn fault(&self) -> Option<(String, Vec<Vertex>)> {
+        match (self.touches.crossing, self.tangle) {
+            (Some([[a, b], [c, d]]), _) => {
+                let why =
+                    format!("the edges from {a} to {b} and from {c} to {d} cross, or are in line with common points");
+                Some((why, vec![a, b, c, d]))
+            }
+            (None, Some(v)) => Some((format!("loops cross each other at vertex {v}"), vec![v])),
+            (None, None) => None,
+        }
+    }
+
     /// Where loops touch or cross.
     #[must_use]
     pub fn touches(&self) -> &Touches {
@@ -72,22 +90,28 @@ impl Polygon {
 
 /// How many times loops pass through a vertex from inside another loop that passes through it: the number of corners
 /// there around any direction to the inside, less one, over all vertices.
-fn passages(points: &Points, loops: &[Vec<usize>]) -> usize {
+///
+/// Where that number is not the same around all edges that leave, loops cross there: the first such vertex comes along.
+fn passages(points: &Points, loops: &[Vec<usize>]) -> (usize, Option<usize>) {
     let mut at: Vec<Vec<[usize; 2]>> = vec![Vec::new(); points.len()];
     for one in loops {
         for (&before, [corner, after]) in one.iter().cycle().skip(one.len() - 1).zip(edges(one)) {
             at[corner].push([after, before]);
         }
     }
-    let passed = at.iter().enumerate().filter(|(_, corners)| corners.len() > 1);
-    let around = |(v, corners): (usize, &Vec<[usize; 2]>)| {
+    let (mut all, mut tangle) = (0, None);
+    for (v, corners) in at.iter().enumerate().filter(|(_, corners)| corners.len() > 1) {
         // Right after an edge that leaves it is inside.
         let covers = |direction: usize| {
             corners.iter().filter(|&&[from, to]| is_between(points, v, [from, to], direction)).count()
         };
-        corners.iter().map(|&[from, _]| covers(from)).min().unwrap_or(0).saturating_sub(1)
-    };
-    passed.map(around).sum()
+        let around: Vec<usize> = corners.iter().map(|&[from, _]| covers(from)).collect();
+        if around.iter().any(|&count| count != around[0]) {
+            tangle.get_or_insert(v);
+        }
+        all += around.into_iter().min().unwrap_or(0).saturating_sub(1);
+    }
+    (all, tangle)
 }
 
 /// Whether what is right after a direction from v, counterclockwise, is in the sector between two others.

@@ -31,8 +31,10 @@ pub struct Touches {
 
 impl Touches {
     pub(super) fn new(points: &Points, loops: &[Vec<usize>]) -> Touches {
-        let all: Vec<[usize; 2]> = loops.iter().flat_map(|one| edges(one)).collect();
-        let boxes: Vec<Bounds<2>> = all.iter().map(|edge| Bounds::of(edge.map(|place| points.raw(place)))).collect();
+        let all: Vec<(usize, [usize; 2])> =
+            loops.iter().enumerate().flat_map(|(at, one)| edges(one).map(move |edge| (at, edge))).collect();
+        let boxes: Vec<Bounds<2>> =
+            all.iter().map(|(_, edge)| Bounds::of(edge.map(|place| points.raw(place)))).collect();
         let mut left = MOST_NEAR * all.len();
         let index = BoxIndex::new(boxes);
         let mut touches = Touches { is_known: true, ..Touches::default() };
@@ -49,26 +51,37 @@ impl Touches {
         touches
     }
 
-    fn look(&mut self, points: &Points, e: [usize; 2], f: [usize; 2]) {
+    /// Compares two edges, each with its loop.
+    fn look(&mut self, points: &Points, (one, e): (usize, [usize; 2]), (other, f): (usize, [usize; 2])) {
+        let ends = || [e, f].map(|edge| edge.map(|place| points.vertex(place)));
         let mut is_touching = false;
-        for ([a, b], other) in [(e, f), (f, e)] {
-            for end in other.into_iter().filter(|end| *end != a && *end != b) {
+        let mut is_inside = None;
+        for ([a, b], edge) in [(e, f), (f, e)] {
+            for end in edge.into_iter().filter(|end| *end != a && *end != b) {
                 if points.is_on(a, b, end) {
                     is_touching = true;
                     if !points.is_same_place(a, end) && !points.is_same_place(b, end) {
-                        self.on_edges.push((end, [a, b]));
+                        is_inside = Some((end, [a, b]));
                     }
                 }
             }
         }
-        let ends = || [e, f].map(|edge| edge.map(|place| points.vertex(place)));
-        let shared = e.iter().filter(|end| f.contains(end)).count();
-        let sides = |[a, b]: [usize; 2], [c, d]: [usize; 2]| [c, d].map(|end| points.side(a, b, end));
+        let side = |[a, b]: [usize; 2], end: usize| points.side(a, b, end);
+        let sides = |edge: [usize; 2], [c, d]: [usize; 2]| [side(edge, c), side(edge, d)];
         let opposite = |[x, y]: [std::cmp::Ordering; 2]| x.is_ne() && x == y.reverse();
-        if shared == 0 && is_touching {
-            self.touching.push(Touch { edges: ends() });
-        } else if shared == 0 && opposite(sides(e, f)) && opposite(sides(f, e)) || e == f {
+        let in_line = sides(e, f).iter().all(|side| side.is_eq());
+        let is_wrong = match e.iter().filter(|end| f.contains(end)).count() {
+            // Two loops may have an edge in common, from both sides.
+            2 => e == f || one == other,
+            _ if in_line && is_inside.is_some() => true,
+            0 => opposite(sides(e, f)) && opposite(sides(f, e)),
+            _ => false,
+        };
+        if is_wrong {
             self.crossing.get_or_insert(ends());
+        } else if is_touching {
+            self.on_edges.extend(is_inside);
+            self.touching.push(Touch { edges: ends() });
         }
     }
 }

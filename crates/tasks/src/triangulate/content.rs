@@ -1,11 +1,13 @@
 //! `points` and `loops`, or `map`: polygons to triangulate, in the plane or in space.
 
 use predicament_algorithms::triangulate::Method;
+use predicament_checks::triangulation::Polygon;
 use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, PointSource, Source};
 use predicament_formats::{Cache, CorpusError, Entry, Fields};
 use predicament_judge::sign;
 use predicament_predicates::{Dimension, Plane, Question, Scene, Vertex};
 
+use super::judge::seen;
 use crate::map_source::MapSource;
 
 /// Polygons and how they are triangulated.
@@ -120,6 +122,10 @@ impl Elsewhere for OfPoints {
         }
         if let Some(message) = uneven(&scene, &loops) {
             return Err(self.points.error(message, "put all corners in one plane and not in line, or divide the face"));
+        }
+        let (plane, reversed) = seen(&scene, &loops);
+        if let Some((why, _)) = Polygon::new(&scene, plane, reversed, &loops).fault() {
+            return Err(self.points.error(why, "divide the loops where they cross"));
         }
         Ok(Parts { notes, ..Parts::new(scene, Polygons { polygons: vec![loops], method: self.method }) })
     }

@@ -36,15 +36,31 @@ impl Truth {
 
     /// What was not looked at.
     pub fn sampled(&self) -> Option<String> {
-        let unknown = self.polygons.iter().filter(|polygon| !polygon.touches().is_known).count();
         let all = self.polygons.len();
-        (unknown > 0).then(|| format!("of {unknown} of {all} polygons no two edges were compared: taken not to touch"))
+        let count = |is: &dyn Fn(&Polygon) -> bool| self.polygons.iter().filter(|polygon| is(polygon)).count();
+        let wrong = count(&|polygon| self.is_left_out(polygon));
+        let unknown = count(&|polygon| !polygon.touches().is_known);
+        let mut said = Vec::new();
+        if wrong > 0 {
+            said.push(format!(
+                "{wrong} of {all} regions are not judged: their rings cross, or pass along an edge twice"
+            ));
+        }
+        if unknown > 0 {
+            said.push(format!("of {unknown} of {all} polygons no two edges were compared: taken not to touch"));
+        }
+        (!said.is_empty()).then(|| said.join("; "))
+    }
+
+    /// Whether a region of a map is no polygon: what a single one is not is a finding.
+    fn is_left_out(&self, polygon: &Polygon) -> bool {
+        self.polygons.len() > 1 && polygon.fault().is_some()
     }
 }
 
 /// The first coordinate plane in which the face has area, and whether it is seen from behind there: the outer loop of
 /// the first corner in order goes the right way.
-fn seen(scene: &Scene, loops: &[Vec<Vertex>]) -> (Plane, bool) {
+pub(super) fn seen(scene: &Scene, loops: &[Vec<Vertex>]) -> (Plane, bool) {
     if scene.dimension() == Dimension::Two {
         return (Plane::Xy, false);
     }
@@ -88,6 +104,9 @@ pub(super) fn judge(
     let most = asked.budget.findings_per_class;
     for (at, (found, truth)) in answer.0.iter().zip(&case.truth.polygons).enumerate() {
         asked.watch.done(0)?;
+        if case.truth.is_left_out(truth) {
+            continue;
+        }
         let (plane, reversed) = case.truth.seen[at];
         let ties = (zero == ZeroMeaning::Never).then(|| asked.backend.tie_judge()).flatten();
         let perturbed = ties.map(|ties| Perturbed { judged: Judged::perturbed(case.scene(), ties), plane, reversed });
