@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use predicament_algorithms::triangulate::{Method, Triangulation, oriented, projection, triangulate};
 use predicament_exact::Exact;
-use predicament_predicates::{Axis, Backend, Declined, Off, Plane, Predicates, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Backend, Construction, Declined, Off, Plane, Predicates, Scene, Sign, Vertex};
 use predicament_sos::Sos;
 use proptest::prelude::*;
 
@@ -171,6 +171,54 @@ fn adjacent_loops_keep_their_common_edge() {
     let points = [[0, 0], [2, 0], [4, 0], [4, 3], [2, 3], [0, 3], [2, 1]];
     let both_sides = loops(&[&[0, 1, 6, 4, 5], &[1, 2, 3, 4, 6]]);
     assert_eq!(both(&points, &both_sides, true), [(6, 0); 2]);
+}
+
+/// The corners of these loops cut out of upright lines by a plane, in a session that constructs them.
+fn cut<P: Predicates>(session: &mut P, loops: &[Vec<[i32; 2]>], scene: &Scene) -> Loops {
+    let plane = [0, 1, 2].map(|back| Vertex::input(scene.len() - 1 - back));
+    let mut at = 0;
+    let mut corner = |_: &[i32; 2]| {
+        at += 2;
+        Construction::Lpi { line: [at - 2, at - 1].map(Vertex::input), plane }
+    };
+    let definitions: Vec<Construction> = loops.iter().flatten().map(&mut corner).collect();
+    let mut vertices = session.construct(&definitions).unwrap().into_iter();
+    loops.iter().map(|one| vertices.by_ref().take(one.len()).collect()).collect()
+}
+
+#[test]
+fn constructed_vertices_and_planes_seen_from_behind() {
+    // A square with vertices in line and a square hole, in the plane z = 3x − y + 1/2.
+    let loops = vec![
+        vec![[0, 0], [3, 0], [6, 0], [6, 6], [3, 6], [0, 6], [0, 3]],
+        vec![[2, 2], [2, 3], [2, 4], [4, 4], [4, 2]],
+    ];
+    let mut points: Vec<[f64; 3]> = Vec::new();
+    for [x, y] in loops.iter().flatten().map(|corner| corner.map(f64::from)) {
+        points.extend([[x, y, -100.0], [x, y, 100.0]]);
+    }
+    points.extend([[0.0, 0.0, 0.5], [1.0, 0.0, 3.5], [0.0, 1.0, -0.5]]);
+    let scene = Scene::from_points3(&points).unwrap();
+    let mut exact = Exact.prepare(&scene, Off).unwrap();
+    let of_exact = cut(&mut exact, &loops, &scene);
+    assert_eq!(projection(&exact, &of_exact), Some((Plane::Xy, false)));
+    let backwards: Loops = of_exact.iter().map(|one| one.iter().rev().copied().collect()).collect();
+    assert_eq!(projection(&exact, &backwards), Some((Plane::Xy, true)));
+    let sos = Sos::default();
+    let mut sos = sos.prepare(&scene, Off).unwrap();
+    let of_sos = cut(&mut sos, &loops, &scene);
+    assert_eq!(of_sos, of_exact, "ids go by definitions");
+    for method in METHODS {
+        for (loops, reversed) in [(&of_exact, false), (&backwards, true)] {
+            let found = triangulate(&exact, Plane::Xy, reversed, loops, method);
+            assert_eq!((found.broken, found.triangles.len()), (None, 12 + 2 - 2));
+            let wanted = if reversed { Sign::Negative } else { Sign::Positive };
+            assert!(found.triangles.iter().all(|&[a, b, c]| exact.orient2d(Plane::Xy, a, b, c) == wanted));
+        }
+        let found = triangulate(&sos, Plane::Xy, false, &of_sos, method);
+        assert_eq!((found.broken, found.triangles.len()), (None, 12));
+        assert!(found.triangles.iter().all(|&[a, b, c]| exact.orient2d(Plane::Xy, a, b, c) != Sign::Negative));
+    }
 }
 
 /// Signs from a hash of the question.
