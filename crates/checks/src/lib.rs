@@ -9,7 +9,8 @@
 //! * [`contacts`]: registered pairs, and the curves and surfaces that they merge;
 //! * [`cubes`]: unions of cubes, measured another way;
 //! * [`partition`]: points of a line in its cells;
-//! * [`tiling`]: points of the plane in the regions of a map.
+//! * [`tiling`]: points of the plane in the regions of a map;
+//! * [`triangulation`]: triangles of polygons.
 
 pub mod audit;
 pub mod axioms;
@@ -17,3 +18,4 @@ pub mod contacts;
 pub mod cubes;
 pub mod partition;
 pub mod tiling;
+pub mod triangulation;

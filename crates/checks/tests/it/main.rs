@@ -8,3 +8,4 @@ mod contacts;
 mod cubes;
 mod partition;
 mod tiling;
+mod triangulation;

@@ -1,0 +1,53 @@
+//! Which loops are holes: by rays from their first vertices, edge by edge.
+
+use predicament_grid::Columns;
+
+use super::plane::Points;
+
+/// For each loop whether it is a hole: whether an odd number of other loops is around it.
+pub(super) fn holes(points: &Points, loops: &[Vec<usize>]) -> Vec<bool> {
+    let edges: Vec<(usize, [usize; 2])> =
+        loops.iter().enumerate().flat_map(|(at, one)| edges(one).map(move |edge| (at, edge))).collect();
+    // The index looks up, and rays go down.
+    let flip = |[x, y]: [f64; 2]| [x, -y];
+    let segments: Vec<[[f64; 2]; 2]> =
+        edges.iter().map(|(_, edge)| edge.map(|place| flip(points.raw(place)))).collect();
+    let columns = Columns::new(&segments);
+    let is_hole = |(at, one): (usize, &Vec<usize>)| {
+        let Some((start, lower)) = first_edge(points, one) else { return false };
+        let below = columns.above(flip(points.raw(start)), 0.0).filter(|&edge| {
+            let (other, edge) = edges[edge as usize];
+            other != at && is_below(points, edge, start, lower)
+        });
+        !below.count().is_multiple_of(2)
+    };
+    loops.iter().enumerate().map(is_hole).collect()
+}
+
+/// The edges of a loop.
+pub(super) fn edges(corners: &[usize]) -> impl Iterator<Item = [usize; 2]> + '_ {
+    corners.iter().zip(corners.iter().cycle().skip(1)).map(|(&a, &b)| [a, b])
+}
+
+/// The first vertex from the left, and the other end of its lower edge.
+fn first_edge(points: &Points, corners: &[usize]) -> Option<(usize, usize)> {
+    let first = corners.iter().copied().min_by(|&a, &b| points.order(a, b))?;
+    let far = edges(corners).flat_map(|[a, b]| [(a, b), (b, a)]);
+    let far = far.filter(|&(a, b)| points.is_same_place(a, first) && !points.is_same_place(b, first)).map(|(_, b)| b);
+    let lower = far.reduce(|a, b| if points.side(first, a, b).is_lt() { b } else { a })?;
+    Some((first, lower))
+}
+
+/// Whether an edge passes below a point, a little to the right of it; one through the point is below where it is below the
+/// edge that begins there.
+fn is_below(points: &Points, [a, b]: [usize; 2], start: usize, lower: usize) -> bool {
+    let [left, right] = if points.order(a, b).is_lt() { [a, b] } else { [b, a] };
+    // Half open: it begins at this x or before, and ends beyond; upright edges do neither.
+    if points.order_x(left, start).is_gt() || points.order_x(right, start).is_le() {
+        return false;
+    }
+    match points.side(left, right, start) {
+        std::cmp::Ordering::Equal => points.side(left, right, lower).is_ge(),
+        side => side.is_gt(),
+    }
+}

@@ -1,0 +1,87 @@
+//! Where loops touch, and whether they cross.
+
+use predicament_grid::{Bounds, BoxIndex};
+use predicament_predicates::Vertex;
+
+use super::nesting::edges;
+use super::plane::Points;
+
+/// Pairs of edges whose boxes meet: where there are more for each edge, loops are not compared.
+const MOST_NEAR: usize = 64;
+
+/// Two edges without a common vertex that have a common point.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Touch {
+    /// The ends of both.
+    pub edges: [[Vertex; 2]; 2],
+}
+
+/// Where loops touch and cross.
+#[derive(Clone, Debug, Default)]
+pub struct Touches {
+    /// Whether all pairs of edges were looked at: if not, the lists are empty.
+    pub is_known: bool,
+    /// Edges that touch.
+    pub touching: Vec<Touch>,
+    /// Two edges that cross.
+    pub crossing: Option<[[Vertex; 2]; 2]>,
+    /// A vertex and the edge that it is on, by places.
+    pub(super) on_edges: Vec<(usize, [usize; 2])>,
+}
+
+impl Touches {
+    pub(super) fn new(points: &Points, loops: &[Vec<usize>]) -> Touches {
+        let all: Vec<(usize, [usize; 2])> =
+            loops.iter().enumerate().flat_map(|(at, one)| edges(one).map(move |edge| (at, edge))).collect();
+        let boxes: Vec<Bounds<2>> =
+            all.iter().map(|(_, edge)| Bounds::of(edge.map(|place| points.raw(place)))).collect();
+        let mut left = MOST_NEAR * all.len();
+        let index = BoxIndex::new(boxes);
+        let mut touches = Touches { is_known: true, ..Touches::default() };
+        let mut near = Vec::new();
+        for (at, &edge) in all.iter().enumerate() {
+            index.near(&index.boxes()[at], 0.0, &mut near);
+            let Some(rest) = left.checked_sub(near.len()) else { return Touches::default() };
+            left = rest;
+            near.iter()
+                .map(|&other| other as usize)
+                .filter(|&other| other > at)
+                .for_each(|other| touches.look(points, edge, all[other]));
+        }
+        touches
+    }
+
+    /// Compares two edges, each with its loop.
+    fn look(&mut self, points: &Points, (one, e): (usize, [usize; 2]), (other, f): (usize, [usize; 2])) {
+        let ends = || [e, f].map(|edge| edge.map(|place| points.vertex(place)));
+        let mut is_touching = false;
+        let mut is_inside = None;
+        for ([a, b], edge) in [(e, f), (f, e)] {
+            for end in edge.into_iter().filter(|end| *end != a && *end != b) {
+                if points.is_on(a, b, end) {
+                    is_touching = true;
+                    if !points.is_same_place(a, end) && !points.is_same_place(b, end) {
+                        is_inside = Some((end, [a, b]));
+                    }
+                }
+            }
+        }
+        let side = |[a, b]: [usize; 2], end: usize| points.side(a, b, end);
+        let sides = |edge: [usize; 2], [c, d]: [usize; 2]| [side(edge, c), side(edge, d)];
+        let opposite = |[x, y]: [std::cmp::Ordering; 2]| x.is_ne() && x == y.reverse();
+        let in_line = sides(e, f).iter().all(|side| side.is_eq());
+        let is_wrong = match e.iter().filter(|end| f.contains(end)).count() {
+            // Two loops may have an edge in common, from both sides.
+            2 => e == f || one == other,
+            _ if in_line && is_inside.is_some() => true,
+            0 => opposite(sides(e, f)) && opposite(sides(f, e)),
+            _ => false,
+        };
+        if is_wrong {
+            self.crossing.get_or_insert(ends());
+        } else if is_touching {
+            self.on_edges.extend(is_inside);
+            self.touching.push(Touch { edges: ends() });
+        }
+    }
+}
