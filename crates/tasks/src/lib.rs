@@ -15,7 +15,7 @@
 //!   one list where backends and tasks meet.
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
 //! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
-//!   [`crossings`]: the tasks.
+//!   [`crossings`], [`hull`]: the tasks.
 
 mod any;
 mod budget;
@@ -34,6 +34,7 @@ mod watch;
 pub mod contacts;
 pub mod crossings;
 pub mod cube_union;
+pub mod hull;
 pub mod interval;
 pub mod polygon_locate;
 pub mod signs;

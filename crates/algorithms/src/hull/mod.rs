@@ -47,6 +47,15 @@ pub struct Hull2 {
     pub broken: Option<&'static str>,
 }
 
+/// The vertices, by their indices.
+impl std::fmt::Display for Hull2 {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let vertices: Vec<String> = self.vertices.iter().map(ToString::to_string).collect();
+        f.write_str(&vertices.join(" "))?;
+        self.broken.map_or(Ok(()), |broken| write!(f, "; broken: {broken}"))
+    }
+}
+
 /// The convex hull of points of space.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Hull3 {
@@ -57,4 +66,12 @@ pub struct Hull3 {
     pub faces: Vec<Vec<Vertex>>,
     /// The invariant that did not hold, where signs contradict each other.
     pub broken: Option<&'static str>,
+}
+
+/// The numbers of vertices and of faces.
+impl std::fmt::Display for Hull3 {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} vertices, {} faces", self.vertices.len(), self.faces.len())?;
+        self.broken.map_or(Ok(()), |broken| write!(f, "; broken: {broken}"))
+    }
 }
