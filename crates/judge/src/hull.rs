@@ -11,7 +11,7 @@ const PLANES: [Plane; 3] = [Plane::Xy, Plane::Yz, Plane::Zx];
 #[must_use]
 pub fn most(dimension: Dimension) -> usize {
     match dimension {
-        Dimension::Two => 60,
+        Dimension::Two => 40,
         Dimension::Three => 24,
     }
 }
@@ -58,6 +58,10 @@ fn ends(session: &dyn Predicates, axes: &[Axis], all: &[Vertex]) -> Vec<Vertex> 
 /// Those seen in a coordinate plane in which they are not all in one line; none where they are.
 fn in_plane(session: &dyn Predicates, plane: Plane, all: &[Vertex]) -> Vec<Vertex> {
     let mut found = Vec::new();
+    let (Some(&a), Some(&b)) = (all.first(), all.get(1)) else { return found };
+    if all[2..].iter().all(|&c| session.orient2d(plane, a, b, c) == Sign::Zero) {
+        return found;
+    }
     for (a, b) in all.iter().flat_map(|&a| all.iter().map(move |&b| (a, b))).filter(|(a, b)| a != b) {
         let turn = |c: Vertex| session.orient2d(plane, a, b, c);
         let mut others = all.iter().copied().filter(|&c| c != a && c != b);
@@ -77,18 +81,22 @@ fn in_space(session: &dyn Predicates, all: &[Vertex]) -> Vec<Vertex> {
         for (j, &b) in all.iter().enumerate().skip(i + 1) {
             for &c in &all[j + 1..] {
                 let side = |d: Vertex| session.orient3d(a, b, c, d);
+                // Three in one line are in no plane of their own.
+                let seen = PLANES.into_iter().find(|&plane| session.orient2d(plane, a, b, c) != Sign::Zero);
+                let Some(plane) = seen else { continue };
                 let others = || all.iter().copied().filter(|d| ![a, b, c].contains(d));
                 let is_beside = |wrong: Sign| others().all(|d| side(d) != wrong);
                 if !is_beside(Sign::Negative) && !is_beside(Sign::Positive) {
                     continue;
                 }
-                // Three in one line are in no plane of their own.
-                let seen = PLANES.into_iter().find(|&plane| session.orient2d(plane, a, b, c) != Sign::Zero);
-                if let Some(plane) = seen {
-                    let mut flat: Vec<Vertex> = others().filter(|&d| side(d) == Sign::Zero).collect();
-                    flat.extend([a, b, c]);
-                    found.extend(in_plane(session, plane, &flat));
+                let mut flat: Vec<Vertex> = others().filter(|&d| side(d) == Sign::Zero).collect();
+                // Each plane once: by its first three vertices that are in no line.
+                let is_earlier = |d: Vertex| d < b || d < c && session.orient2d(plane, a, b, d) != Sign::Zero;
+                if flat.iter().any(|&d| is_earlier(d)) {
+                    continue;
                 }
+                flat.extend([a, b, c]);
+                found.extend(in_plane(session, plane, &flat));
             }
         }
     }

@@ -11,7 +11,7 @@ use super::{Hull3, faces, incremental, order, stitch};
 use crate::planted::Honest;
 
 /// So many vertices are a part that is not divided: their hull is found by insertion.
-const LEAF: usize = 24;
+const LEAF: usize = 8;
 
 /// The hull of consecutive vertices.
 pub(super) struct Part {

@@ -48,16 +48,32 @@ pub(super) fn merged<F: Planted>(session: &dyn Predicates, triangles: &[[Vertex;
             Err(why) => broken = Some(why),
         }
     }
+    // In their final order already, as long as they are arrays.
+    let mut triangles = triangles.to_vec();
+    for corners in &mut triangles {
+        let smallest = (0..3).min_by_key(|&at| corners[at]).unwrap_or(0);
+        corners.rotate_left(smallest);
+    }
+    triangles.sort_unstable();
     let faces: Vec<Vec<Vertex>> = triangles.iter().map(|corners| corners.to_vec()).collect();
     Hull3 { vertices: corners(&faces), faces, broken }
 }
 
 /// The corners of all faces, ascending.
 pub(super) fn corners(faces: &[Vec<Vertex>]) -> Vec<Vertex> {
-    let mut all: Vec<Vertex> = faces.iter().flatten().copied().collect();
-    all.sort_unstable();
-    all.dedup();
-    all
+    let all = || faces.iter().flatten();
+    let (Some(first), Some(last)) = (all().min(), all().max()) else { return Vec::new() };
+    let uses: usize = faces.iter().map(Vec::len).sum();
+    if last.index() - first.index() > 64 * uses {
+        let mut few: Vec<Vertex> = all().copied().collect();
+        few.sort_unstable();
+        few.dedup();
+        return few;
+    }
+    let mut is_corner = vec![false; last.index() - first.index() + 1];
+    all().for_each(|v| is_corner[v.index() - first.index()] = true);
+    let places = is_corner.iter().enumerate().filter(|&(_, &is_corner)| is_corner);
+    places.map(|(at, _)| Vertex::input(first.index() + at)).collect()
 }
 
 /// The first triangle of a group.

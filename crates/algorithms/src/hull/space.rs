@@ -8,7 +8,7 @@ use super::first::AXES;
 use super::order::lexicographic;
 use super::planted::Planted;
 use super::scratch::Scratch;
-use super::{Hull3, divide, faces, incremental};
+use super::{Hull3, divide, incremental};
 use crate::planted::Honest;
 
 /// How the hull of points of space is found.
@@ -55,33 +55,60 @@ fn place(scene: &Scene, v: Vertex) -> [u64; 3] {
     scene.point3(v).map(|x| (x + 0.0).to_bits())
 }
 
-/// Names the vertices of a hull by the smallest index at their place, where the session sees them in one place.
+/// Names the vertices of a hull by the smallest index at their place, where the session sees them in one place. What is in
+/// the place of a vertex is outside of no face, so it is no vertex itself.
 fn name_by_smallest(session: &dyn Predicates, hull: &mut Hull3) {
     let scene = session.scene();
+    let Some(last) = hull.vertices.iter().max().copied() else { return };
+    let mut is_vertex = vec![false; last.index() + 1];
+    hull.vertices.iter().for_each(|v| is_vertex[v.index()] = true);
+    let filter = Filter::of(hull.vertices.len(), hull.vertices.iter().map(|&v| place(scene, v)));
+    let is_candidate = |v: &Vertex| !is_vertex[v.index()] && filter.may_have(place(scene, *v));
+    let candidates: Vec<Vertex> = scene.vertices().take(last.index()).filter(is_candidate).collect();
+    if candidates.is_empty() {
+        return;
+    }
     // Only looked up, never iterated: its order reaches no output.
-    let mut smallest: HashMap<[u64; 3], Vertex> = hull.vertices.iter().map(|&v| (place(scene, v), v)).collect();
-    let last = hull.vertices.iter().max().copied();
-    let mut is_other = false;
-    for v in scene.vertices().take_while(|&v| Some(v) < last) {
-        if let Some(found) = smallest.get_mut(&place(scene, v))
-            && v < *found
-            && lexicographic(session, &AXES, v, *found) == Sign::Zero
+    let of_place: HashMap<[u64; 3], Vertex> = hull.vertices.iter().map(|&v| (place(scene, v), v)).collect();
+    let mut smallest: HashMap<Vertex, Vertex> = HashMap::new();
+    for v in candidates {
+        if let Some(&named) = of_place.get(&place(scene, v))
+            && v < named
+            && lexicographic(session, &AXES, v, named) == Sign::Zero
         {
-            *found = v;
-            is_other = true;
+            // The first one is the smallest.
+            smallest.entry(named).or_insert(v);
         }
     }
-    if is_other {
-        let name = |v: &mut Vertex| {
-            let other = smallest.get(&place(scene, *v)).copied().unwrap_or(*v);
-            if lexicographic(session, &AXES, other, *v) == Sign::Zero {
-                *v = other;
-            }
-        };
-        hull.vertices.iter_mut().for_each(name);
+    let name = |v: &mut Vertex| *v = smallest.get(v).copied().unwrap_or(*v);
+    hull.vertices.iter_mut().for_each(name);
+    if !smallest.is_empty() {
         hull.faces.iter_mut().flatten().for_each(name);
-        if !hull.faces.is_empty() {
-            hull.vertices = faces::corners(&hull.faces);
+    }
+}
+
+/// Places that may be among some, by one bit each: most of the others are told at once.
+struct Filter {
+    bits: Vec<bool>,
+}
+
+impl Filter {
+    fn of(count: usize, places: impl Iterator<Item = [u64; 3]>) -> Filter {
+        let mut filter = Filter { bits: vec![false; (16 * count).next_power_of_two()] };
+        for place in places {
+            let at = filter.at(place);
+            filter.bits[at] = true;
         }
+        filter
+    }
+
+    fn at(&self, place: [u64; 3]) -> usize {
+        let hash =
+            place.into_iter().fold(0_u64, |hash, x| (hash ^ x).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29));
+        usize::try_from(hash >> 20).unwrap_or(0) & (self.bits.len() - 1)
+    }
+
+    fn may_have(&self, place: [u64; 3]) -> bool {
+        self.bits[self.at(place)]
     }
 }

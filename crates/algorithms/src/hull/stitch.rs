@@ -5,8 +5,12 @@
 //! joined hull, whose other edge between the hulls is the next bridge. The faces make a band; edges of them that belong to
 //! a hull are where its faces that see the other hull are cut off. The faces beyond are kept, those inside are removed.
 //!
+//! Each turn looks at all neighbours of both ends of the bridge: the time is linear where few vertices have many edges.
+//!
 //! Where the plane holds more than three vertices, the face is their polygon: it takes the place of faces of the hulls in
 //! that plane.
+
+use std::collections::{HashMap, HashSet};
 
 use predicament_mesh::half_edge::{Face, HalfEdge, HalfEdgeMesh, IndexedFaces, MeshVertex};
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
@@ -121,8 +125,9 @@ impl Stitch<'_> {
     fn polygon(&self, plane: Plane, corners: &[Corner]) -> Vec<Corner> {
         let vertices: Vec<Vertex> = corners.iter().map(|corner| corner.vertex).collect();
         let hull = flat::<Honest>(self.session, plane, PlaneMethod::Chain, &vertices);
-        let corner = |v: &Vertex| corners.iter().find(|corner| corner.vertex == *v).copied();
-        hull.vertices.iter().filter_map(corner).collect()
+        // Only looked up, never iterated: its order reaches no output.
+        let of: HashMap<Vertex, Corner> = corners.iter().map(|&corner| (corner.vertex, corner)).collect();
+        hull.vertices.iter().filter_map(|v| of.get(v).copied()).collect()
     }
 
     /// The vertices that share an edge with this one.
@@ -155,11 +160,12 @@ impl Stitch<'_> {
         }
         let best = best.ok_or("an edge between the parts has a face")?;
         let mut here = vec![u, v];
+        let mut seen: HashSet<Vertex> = [u.vertex, v.vertex].into();
         let mut next = 0;
         while let Some(&corner) = here.get(next) {
             next += 1;
             for w in self.neighbours(corner) {
-                if here.contains(&w) {
+                if !seen.insert(w.vertex) {
                     continue;
                 }
                 let is_here = w == best

@@ -112,7 +112,9 @@ fn solid(tally: &mut Tally<'_>, exact: &Flat, vertices: &[Vertex], faces: &[Vec<
         return;
     }
     faces.iter().for_each(|face| planar(tally, face));
-    convex(tally, faces, &edges);
+    if tally.is_clean() {
+        convex(tally, faces, &edges);
+    }
     if !tally.is_clean() {
         return;
     }

@@ -31,8 +31,7 @@ fn mean(points: &[Vector]) -> Vector {
     [0, 1, 2].map(|axis: usize| sum(axis) / u32::try_from(points.len()).expect("a few"))
 }
 
-/// `wound once`, of the surface of these faces around the mean of four vertices in no plane; `convex` where that is not
-/// below a face.
+/// `wound once`: the surface of these faces goes once around the mean of four vertices in no plane, which is below all.
 pub(super) fn wound_once(tally: &mut Tally<'_>, inner: [Vertex; 4], faces: &[&[Vertex]]) {
     let scene = tally.scene();
     let at = |v: &Vertex| exact(scene, *v);
@@ -47,7 +46,7 @@ pub(super) fn wound_once(tally: &mut Tally<'_>, inner: [Vertex; 4], faces: &[&[V
             let [a, b, c] = [&corners[0], &pair[0], &pair[1]];
             if side([a, b, c]).is_le() {
                 let triangle = [face[0], face[k + 1], face[k + 2]];
-                tally.flaw("convex", &triangle, || format!("the middle of {inner:?} is not below face {number}"));
+                tally.flaw("wound once", &triangle, || format!("the mean of {inner:?} is not below face {number}"));
             }
             let is_here = [[a, b], [b, c], [c, a]].into_iter().all(|[u, v]| side([u, v, &direction]).is_ge());
             if is_here && (number, k) != (0, 0) {

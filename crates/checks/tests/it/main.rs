@@ -6,5 +6,6 @@ mod common;
 mod constructs;
 mod contacts;
 mod cubes;
+mod hull;
 mod partition;
 mod tiling;

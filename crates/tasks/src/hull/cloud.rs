@@ -84,9 +84,6 @@ struct Asked<M> {
 impl<M: Method> Elsewhere for Asked<M> {
     fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
         let (scene, notes) = self.points.scene(cache)?;
-        if scene.is_empty() {
-            return Err(self.points.error("a scene without points has no hull", "write at least one point"));
-        }
         if scene.dimension() != M::DIMENSION {
             let [wanted, found] = [M::DIMENSION, scene.dimension()].map(Dimension::count);
             let message = format!("{} takes points of {wanted} coordinates, not of {found}", M::TASK);

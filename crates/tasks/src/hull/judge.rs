@@ -9,7 +9,7 @@ use crate::{Asked, Case, Class, Finding, Outcome, Task};
 /// The most points of a scene whose perturbed hull is found by definition: each sign may be a tie.
 const FEW: usize = 9;
 /// Pairs of a point and a face that are judged, at level quick and at level full.
-const PAIRS: [usize; 2] = [20_000, 1 << 20];
+const PAIRS: [usize; 2] = [20_000, 1 << 18];
 
 /// What is true about a hull.
 pub struct Truth {
