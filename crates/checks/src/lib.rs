@@ -8,6 +8,7 @@
 //! * [`axioms`]: laws between the answers to related queries;
 //! * [`contacts`]: registered pairs, and the curves and surfaces that they merge;
 //! * [`cubes`]: unions of cubes, measured another way;
+//! * [`hull`]: convex hulls, convex and around all points;
 //! * [`partition`]: points of a line in its cells;
 //! * [`tiling`]: points of the plane in the regions of a map;
 //! * [`triangulation`]: triangles of polygons.
@@ -16,6 +17,7 @@ pub mod audit;
 pub mod axioms;
 pub mod contacts;
 pub mod cubes;
+pub mod hull;
 pub mod partition;
 pub mod tiling;
 pub mod triangulation;

@@ -11,6 +11,7 @@
 //! * [`Judged`]: the same as a session, for algorithms that need predicates.
 //! * [`contacts`]: which simplices of two complexes meet.
 //! * [`cubes`]: what a union of cubes measures.
+//! * [`hull`]: the extreme vertices of small scenes.
 //! * [`interval`]: the cells of a line that a point is in.
 //! * [`locate`]: the regions of a map that a point is in.
 //! * [`nearest`]: a rational as a double, for display and files.
@@ -20,6 +21,7 @@ mod constructed;
 pub mod contacts;
 pub mod cubes;
 mod determinant;
+pub mod hull;
 mod integers;
 pub mod interval;
 pub mod locate;

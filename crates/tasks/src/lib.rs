@@ -16,7 +16,7 @@
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
 //! * [`output`]: answers as files for other programs, vertices exactly.
 //! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
-//!   [`crossings`], [`triangulate`]: the tasks.
+//!   [`crossings`], [`triangulate`], [`hull`]: the tasks.
 
 mod any;
 mod budget;
@@ -35,6 +35,7 @@ mod watch;
 pub mod contacts;
 pub mod crossings;
 pub mod cube_union;
+pub mod hull;
 pub mod interval;
 pub mod output;
 pub mod polygon_locate;

@@ -8,6 +8,7 @@ use predicament_predicates::Backend;
 use crate::contacts::Contacts;
 use crate::crossings::Crossings;
 use crate::cube_union::CubeUnion;
+use crate::hull::{Hull2d, Hull3d};
 use crate::interval::Interval;
 use crate::polygon_locate::PolygonLocate;
 use crate::signs::Signs;
@@ -30,6 +31,8 @@ macro_rules! each_task {
             $do!(Contacts::IN_SPACE),
             $do!(Crossings),
             $do!(Triangulate),
+            $do!(Hull2d),
+            $do!(Hull3d),
         ]
     };
 }

@@ -2,8 +2,10 @@
 //! for every query, a ray to the *right*. It shares nothing with the crate.
 
 pub mod agreement;
+pub mod by_definition;
 pub mod faces;
 pub mod hierarchy;
+pub mod liar;
 pub mod maps;
 pub mod rings;
 pub mod turns;

@@ -1,0 +1,249 @@
+//! Two disjoint hulls stitched to one: the slides' stitch phase over half-edge meshes.
+//!
+//! A plane that touches both hulls is turned around them. In each of its positions it holds an edge between the hulls,
+//! the bridge, and is turned about that until it meets the next vertex of either: what it then holds is a face of the
+//! joined hull, whose other edge between the hulls is the next bridge. The faces make a band; edges of them that belong to
+//! a hull are where its faces that see the other hull are cut off. The faces beyond are kept, those inside are removed.
+//!
+//! Each turn looks at all neighbours of both ends of the bridge: the time is linear where few vertices have many edges.
+//!
+//! Where the plane holds more than three vertices, the face is their polygon: it takes the place of faces of the hulls in
+//! that plane.
+
+use std::collections::{HashMap, HashSet};
+
+use predicament_mesh::half_edge::{Face, HalfEdge, HalfEdgeMesh, IndexedFaces, MeshVertex};
+use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
+
+use super::plane::{PlaneMethod, flat};
+use super::planted::Planted;
+use super::scratch::NONE;
+use crate::planted::Honest;
+
+type Broken = &'static str;
+
+/// Vertices that are asked about at once.
+const CHUNK: usize = 1024;
+/// The marker of half-edges that are edges of stitching faces.
+const CUT: u8 = 1;
+
+/// A vertex of one of the two hulls.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+struct Corner {
+    part: usize,
+    at: MeshVertex,
+    vertex: Vertex,
+}
+
+/// Two hulls that are being stitched.
+struct Stitch<'s> {
+    session: &'s dyn Predicates,
+    parts: &'s mut [HalfEdgeMesh; 2],
+}
+
+/// The hull of two hulls, all vertices of the first of which come before those of the second; these two vertices are on a
+/// line with nothing below it, seen in the plane of x and y.
+///
+/// # Errors
+/// The invariant that does not hold.
+pub(super) fn stitched<F: Planted>(
+    session: &dyn Predicates,
+    parts: &mut [HalfEdgeMesh; 2],
+    touching: [Vertex; 2],
+) -> Result<HalfEdgeMesh, Broken> {
+    let mut stitch = Stitch { session, parts };
+    let band = stitch.band::<F>(touching)?;
+    stitch.cut(&band)?;
+    let kept = [0, 1].map(|part| stitch.kept(part));
+    stitch.joined(&band, &kept)
+}
+
+impl Stitch<'_> {
+    /// The stitching faces, each counterclockwise from outside.
+    fn band<F: Planted>(&self, touching: [Vertex; 2]) -> Result<Vec<Vec<Corner>>, Broken> {
+        let first = self.first_bridge(touching)?;
+        // There are not twice as many faces as vertices in a hull.
+        let most = 2 * self.parts.iter().map(HalfEdgeMesh::vertex_count).sum::<usize>();
+        let mut band = Vec::new();
+        let mut bridge = first;
+        while band.len() < most {
+            let face = self.face::<F>(bridge)?;
+            let edges = face.iter().zip(face.iter().cycle().skip(1)).filter(|(a, b)| a.part != b.part);
+            let [mut there, mut back] = [None, None];
+            let mut count = 0;
+            for (&a, &b) in edges {
+                *(if a.part == 0 { &mut there } else { &mut back }) = Some([a, b]);
+                count += 1;
+            }
+            let (Some(there), Some([x, y]), 2) = (there, back, count) else {
+                return Err("a stitching face has two edges between the parts");
+            };
+            if there != bridge {
+                return Err("a stitching face has the edge that it is turned about");
+            }
+            band.push(face);
+            bridge = [y, x];
+            if bridge == first {
+                return Ok(band);
+            }
+        }
+        Err("the stitching faces close to a band")
+    }
+
+    /// An edge of the joined hull between its parts: in the upright plane through two vertices, all in which are asked.
+    fn first_bridge(&self, [a, b]: [Vertex; 2]) -> Result<[Corner; 2], Broken> {
+        let session = self.session;
+        let mut here: Vec<Corner> = Vec::new();
+        let mut signs = [Sign::Zero; CHUNK];
+        for (part, mesh) in self.parts.iter().enumerate() {
+            let corners: Vec<Corner> =
+                mesh.vertices().map(|at| Corner { part, at, vertex: mesh.scene_vertex(at) }).collect();
+            let (ends, others): (Vec<Corner>, Vec<Corner>) =
+                corners.into_iter().partition(|corner| [a, b].contains(&corner.vertex));
+            here.extend(ends);
+            for chunk in others.chunks(CHUNK) {
+                let vertices: Vec<Vertex> = chunk.iter().map(|corner| corner.vertex).collect();
+                let signs = &mut signs[..chunk.len()];
+                session.orient2d_line(Plane::Xy, [a, b], &vertices, signs);
+                here.extend(
+                    chunk.iter().zip(signs).filter(|(_, sign)| **sign == Sign::Zero).map(|(&corner, _)| corner),
+                );
+            }
+        }
+        let plane = if session.compare(Axis::X, a, b) == Sign::Zero { Plane::Yz } else { Plane::Zx };
+        let polygon = self.polygon(plane, &here);
+        let mut edges = polygon.iter().zip(polygon.iter().cycle().skip(1));
+        let bridge = edges.find_map(|(&a, &b)| match [a.part, b.part] {
+            [0, 1] => Some([a, b]),
+            [1, 0] => Some([b, a]),
+            _ => None,
+        });
+        bridge.ok_or("the plane below both parts has an edge between them")
+    }
+
+    /// The polygon of these corners, counterclockwise in a coordinate plane.
+    fn polygon(&self, plane: Plane, corners: &[Corner]) -> Vec<Corner> {
+        let vertices: Vec<Vertex> = corners.iter().map(|corner| corner.vertex).collect();
+        let hull = flat::<Honest>(self.session, plane, PlaneMethod::Chain, &vertices);
+        // Only looked up, never iterated: its order reaches no output.
+        let of: HashMap<Vertex, Corner> = corners.iter().map(|&corner| (corner.vertex, corner)).collect();
+        hull.vertices.iter().filter_map(|v| of.get(v).copied()).collect()
+    }
+
+    /// The vertices that share an edge with this one.
+    fn neighbours(&self, corner: Corner) -> impl Iterator<Item = Corner> + '_ {
+        let mesh = &self.parts[corner.part];
+        mesh.ring(corner.at).map(move |h| {
+            let at = mesh.start(h);
+            Corner { part: corner.part, at, vertex: mesh.scene_vertex(at) }
+        })
+    }
+
+    /// The face of the joined hull on the left of an edge between its parts.
+    fn face<F: Planted>(&self, [u, v]: [Corner; 2]) -> Result<Vec<Corner>, Broken> {
+        let session = self.session;
+        let is_off_line = |w: Corner| {
+            [Plane::Xy, Plane::Yz, Plane::Zx]
+                .into_iter()
+                .find(|&plane| session.orient2d(plane, u.vertex, v.vertex, w.vertex) != Sign::Zero)
+        };
+        let mut best: Option<Corner> = None;
+        let from_second = if F::WRAPS_ONE_PART { None } else { Some(v) };
+        for w in self.neighbours(u).chain(from_second.into_iter().flat_map(|v| self.neighbours(v))) {
+            let is_better = match best {
+                None => is_off_line(w).is_some(),
+                Some(best) => session.orient3d(u.vertex, v.vertex, best.vertex, w.vertex) == Sign::Negative,
+            };
+            if is_better {
+                best = Some(w);
+            }
+        }
+        let best = best.ok_or("an edge between the parts has a face")?;
+        let mut here = vec![u, v];
+        let mut seen: HashSet<Vertex> = [u.vertex, v.vertex].into();
+        let mut next = 0;
+        while let Some(&corner) = here.get(next) {
+            next += 1;
+            for w in self.neighbours(corner) {
+                if !seen.insert(w.vertex) {
+                    continue;
+                }
+                let is_here = w == best
+                    || match session.orient3d(u.vertex, v.vertex, best.vertex, w.vertex) {
+                        Sign::Positive => false,
+                        Sign::Zero => true,
+                        Sign::Negative => return Err("no vertex is outside of a stitching face"),
+                    };
+                if is_here {
+                    here.push(w);
+                }
+            }
+        }
+        if here.len() == 3 {
+            return Ok(vec![u, v, best]);
+        }
+        let plane = is_off_line(best).ok_or("an edge between the parts has a face")?;
+        let mut polygon = self.polygon(plane, &here);
+        if session.orient2d(plane, u.vertex, v.vertex, best.vertex) == Sign::Negative {
+            polygon.reverse();
+        }
+        Ok(polygon)
+    }
+
+    /// Marks the half-edges of the parts that are edges of stitching faces.
+    fn cut(&mut self, band: &[Vec<Corner>]) -> Result<(), Broken> {
+        for face in band {
+            for (a, b) in face.iter().zip(face.iter().cycle().skip(1)).filter(|(a, b)| a.part == b.part) {
+                let mesh = &mut self.parts[a.part];
+                let h = mesh.find(a.at, b.at).ok_or("an edge of a stitching face within a part is an edge of that")?;
+                mesh.set_marker(h, CUT);
+            }
+        }
+        Ok(())
+    }
+
+    /// For each face of a part whether it is a face of the joined hull: those beyond the cut.
+    fn kept(&self, part: usize) -> Vec<bool> {
+        let mesh = &self.parts[part];
+        let mut kept = vec![false; mesh.face_count()];
+        let beyond = |h: HalfEdge| {
+            let opposite = mesh.opposite(h);
+            mesh.face(opposite).filter(|_| mesh.marker(opposite) != CUT)
+        };
+        let mut found: Vec<Face> = mesh.half_edges().filter(|&h| mesh.marker(h) == CUT).filter_map(beyond).collect();
+        while let Some(f) = found.pop() {
+            if !std::mem::replace(&mut kept[f.index()], true) {
+                found.extend(mesh.loop_of(mesh.half_edge_of_face(f)).filter_map(beyond));
+            }
+        }
+        kept
+    }
+
+    /// The mesh of the kept faces and the stitching faces.
+    fn joined(&self, band: &[Vec<Corner>], kept: &[Vec<bool>; 2]) -> Result<HalfEdgeMesh, Broken> {
+        let mut places = [0, 1].map(|part: usize| vec![NONE; self.parts[part].vertex_count()]);
+        let mut vertices: Vec<Vertex> = Vec::new();
+        let mut faces = IndexedFaces::default();
+        let mut place = |part: usize, at: MeshVertex| {
+            let place = &mut places[part][at.index()];
+            if *place == NONE {
+                *place = u32::try_from(vertices.len()).unwrap_or(NONE);
+                vertices.push(self.parts[part].scene_vertex(at));
+            }
+            *place
+        };
+        for (part, mesh) in self.parts.iter().enumerate() {
+            for f in mesh.faces().filter(|f| kept[part][f.index()]) {
+                faces.push(mesh.loop_of(mesh.half_edge_of_face(f)).map(|h| place(part, mesh.start(h))));
+            }
+        }
+        for face in band {
+            faces.push(face.iter().map(|corner| place(corner.part, corner.at)));
+        }
+        let mesh = HalfEdgeMesh::new(vertices, &faces).map_err(|_| "stitched faces make a surface")?;
+        if mesh.half_edges().any(|h| mesh.is_boundary(h)) {
+            return Err("stitched faces make a closed surface");
+        }
+        Ok(mesh)
+    }
+}

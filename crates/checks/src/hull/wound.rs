@@ -1,0 +1,57 @@
+//! How often a closed surface is wound around a point inside of it.
+//!
+//! The point is the mean of four vertices in no plane; a surface that is convex at every edge has it strictly below every
+//! face. Seen from there, each face covers a cone of directions, and the direction to the middle of the first face has to
+//! be in the cone of no other: then the surface covers each direction once.
+
+use predicament_predicates::{Scene, Vertex};
+use rug::Rational;
+
+use super::tally::Tally;
+
+type Vector = [Rational; 3];
+
+fn exact(scene: &Scene, v: Vertex) -> Vector {
+    scene.point3(v).map(|x| Rational::from_f64(x).expect("scenes are finite"))
+}
+
+fn minus(u: &Vector, v: &Vector) -> Vector {
+    [0, 1, 2].map(|axis: usize| Rational::from(&u[axis] - &v[axis]))
+}
+
+/// The sign of det(u, v, w).
+fn side([u, v, w]: [&Vector; 3]) -> std::cmp::Ordering {
+    let minor = |i: usize, j: usize| Rational::from(&u[i] * &v[j]) - Rational::from(&u[j] * &v[i]);
+    let sum = minor(1, 2) * &w[0] + minor(2, 0) * &w[1] + minor(0, 1) * &w[2];
+    sum.cmp0()
+}
+
+fn mean(points: &[Vector]) -> Vector {
+    let sum = |axis: usize| points.iter().map(|point| &point[axis]).sum::<Rational>();
+    [0, 1, 2].map(|axis: usize| sum(axis) / u32::try_from(points.len()).expect("a few"))
+}
+
+/// `wound once`: the surface of these faces goes once around the mean of four vertices in no plane, which is below all.
+pub(super) fn wound_once(tally: &mut Tally<'_>, inner: [Vertex; 4], faces: &[&[Vertex]]) {
+    let scene = tally.scene();
+    let at = |v: &Vertex| exact(scene, *v);
+    let centre = mean(&inner.each_ref().map(at));
+    let from_centre = |v: &Vertex| minus(&at(v), &centre);
+    let Some(first) = faces.first() else { return };
+    // Inside of the first triangle of the first face.
+    let direction = mean(&first[..3].iter().map(from_centre).collect::<Vec<_>>());
+    for (number, face) in faces.iter().enumerate() {
+        let corners: Vec<Vector> = face.iter().map(from_centre).collect();
+        for (k, pair) in corners[1..].windows(2).enumerate() {
+            let [a, b, c] = [&corners[0], &pair[0], &pair[1]];
+            if side([a, b, c]).is_le() {
+                let triangle = [face[0], face[k + 1], face[k + 2]];
+                tally.flaw("wound once", &triangle, || format!("the mean of {inner:?} is not below face {number}"));
+            }
+            let is_here = [[a, b], [b, c], [c, a]].into_iter().all(|[u, v]| side([u, v, &direction]).is_ge());
+            if is_here && (number, k) != (0, 0) {
+                tally.flaw("wound once", face, || format!("face {number} is in front of or behind face 0"));
+            }
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! `hull2d`: the convex hull of points of the plane.
+
+use std::path::{Path, PathBuf};
+
+use predicament_algorithms::hull::planted::{CollinearKept, HalfTangent};
+use predicament_algorithms::hull::{Hull2, PlaneMethod, hull2d, hull2d_planted};
+use predicament_checks::hull::plane_flaws;
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
+
+use super::cloud::{self, Cloud, Method};
+use super::judge::{Found, Truth, judge};
+use super::{generate, write};
+use crate::{
+    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+};
+
+/// The checks that have to find a vertex in the middle of an edge.
+const COLLINEAR_CHECKS: &[Catch] = &[(Class::Topology, "extreme"), (Class::Topology, "extreme vertices")];
+/// The checks that have to find a tangent that is none.
+const TANGENT_CHECKS: &[Catch] = &[(Class::Topology, "convex"), (Class::Topology, "extreme vertices")];
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Hull2d;
+
+/// The hull that was found.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Polygon(pub Hull2);
+
+impl Answer for Polygon {
+    fn digest(&self) -> u64 {
+        let broken = self.0.broken.unwrap_or_default();
+        digest(self.0.vertices.iter().flat_map(|v| v.index().to_le_bytes()).chain(broken.bytes()))
+    }
+}
+
+impl SceneFormat for Hull2d {
+    fn name(&self) -> &'static str {
+        PlaneMethod::TASK
+    }
+
+    fn about(&self) -> &'static str {
+        "the vertices of the convex hull of points of the plane, counterclockwise"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["points", "method"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        cloud::read::<PlaneMethod>(context, fields)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &generate::PLANE
+    }
+
+    fn generator_keys(&self) -> &'static [&'static str] {
+        &["method"]
+    }
+
+    fn naming_keys(&self) -> &'static [&'static str] {
+        &["method"]
+    }
+}
+
+impl Task for Hull2d {
+    type Content = Cloud<PlaneMethod>;
+    type Truth = Truth;
+    type Answer = Polygon;
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare, PredicateKind::Orient2d]
+    }
+
+    fn truth(&self, scene: &Scene, _: &Cloud<PlaneMethod>, watch: &Watch) -> Result<Truth, Stop> {
+        watch.done(0)?;
+        Ok(Truth::new(scene))
+    }
+
+    fn sampled(&self, truth: &Truth) -> Option<String> {
+        truth.sampled()
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &Cloud<PlaneMethod>,
+        how: &How<'_>,
+        answer: &mut Polygon,
+    ) -> Result<(), Halt> {
+        how.watch.done(0)?;
+        answer.0 = hull2d(&*session, content.method);
+        how.watch.done(content.points as u64)?;
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, Hull2d>,
+        asked: &Asked<'_>,
+        answer: &Polygon,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        let hull = &answer.0;
+        let found =
+            Found { vertices: &hull.vertices, broken: hull.broken, flaws: &|signs| plane_flaws(signs, &hull.vertices) };
+        judge(PlaneMethod::TASK, case, asked, &found, outcome);
+        Ok(())
+    }
+
+    fn planted(&self) -> Vec<Planted<Hull2d>> {
+        vec![
+            Planted::new::<CollinearKept>("exact", COLLINEAR_CHECKS, |session, content: &Cloud<PlaneMethod>| {
+                Ok(Polygon(hull2d_planted::<CollinearKept>(&*session, content.method)))
+            }),
+            Planted::new::<HalfTangent>("exact", TANGENT_CHECKS, |session, content: &Cloud<PlaneMethod>| {
+                Ok(Polygon(hull2d_planted::<HalfTangent>(&*session, content.method)))
+            }),
+        ]
+    }
+
+    fn describe(&self, loaded: &LoadedScene, content: &Cloud<PlaneMethod>, watch: &Watch) -> Result<String, Stop> {
+        watch.done(0)?;
+        let extreme = Truth::new(&loaded.scene).described();
+        Ok(format!("{} points, by method {}; {extreme}\n", content.points, content.method.name()))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &Cloud<PlaneMethod>,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|hull| hull.0.to_string());
+        let explanation = Explanation { vertices: query.vertices().collect(), ..Explanation::default() };
+        Ok(explanation.with_answers(backends, ask))
+    }
+
+    fn write(
+        &self,
+        _: &Scene,
+        _: &Cloud<PlaneMethod>,
+        answer: &Polygon,
+        folder: &Path,
+    ) -> std::io::Result<Vec<PathBuf>> {
+        write::json(&answer.0.vertices, &[], folder)
+    }
+}

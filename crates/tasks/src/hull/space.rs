@@ -1,0 +1,166 @@
+//! `hull3d`: the convex hull of points of space.
+
+use std::path::{Path, PathBuf};
+
+use predicament_algorithms::hull::planted::{CoplanarLeft, LostConflict, OneSidedWrap};
+use predicament_algorithms::hull::{Hull3, SpaceMethod, hull3d, hull3d_planted};
+use predicament_checks::hull::space_flaws;
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
+
+use super::cloud::{self, Cloud, Method};
+use super::judge::{Found, Truth, judge};
+use super::{generate, write};
+use crate::{
+    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+};
+
+/// The checks that have to find faces in one plane.
+const COPLANAR_CHECKS: &[Catch] = &[(Class::Topology, "coplanar faces")];
+/// The checks that have to find vertices that got lost.
+const CONFLICT_CHECKS: &[Catch] = &[(Class::Topology, "extreme vertices"), (Class::Topology, "inside")];
+/// The checks that have to find a stitching face with a vertex outside of it.
+const WRAP_CHECKS: &[Catch] = &[(Class::Topology, "no vertex is outside of a stitching face")];
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Hull3d;
+
+/// The hull that was found.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Surface(pub Hull3);
+
+impl Answer for Surface {
+    fn digest(&self) -> u64 {
+        let broken = self.0.broken.unwrap_or_default();
+        let faces = self.0.faces.iter().flat_map(|face| face.iter().map(|v| v.index()).chain([usize::MAX]));
+        let vertices = self.0.vertices.iter().map(|v| v.index());
+        digest(vertices.chain([usize::MAX]).chain(faces).flat_map(usize::to_le_bytes).chain(broken.bytes()))
+    }
+}
+
+impl SceneFormat for Hull3d {
+    fn name(&self) -> &'static str {
+        SpaceMethod::TASK
+    }
+
+    fn about(&self) -> &'static str {
+        "the faces of the convex hull of points of space, counterclockwise as seen from outside"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["points", "method"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        cloud::read::<SpaceMethod>(context, fields)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &generate::SPACE
+    }
+
+    fn generator_keys(&self) -> &'static [&'static str] {
+        &["method"]
+    }
+
+    fn naming_keys(&self) -> &'static [&'static str] {
+        &["method"]
+    }
+}
+
+impl Task for Hull3d {
+    type Content = Cloud<SpaceMethod>;
+    type Truth = Truth;
+    type Answer = Surface;
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]
+    }
+
+    fn truth(&self, scene: &Scene, _: &Cloud<SpaceMethod>, watch: &Watch) -> Result<Truth, Stop> {
+        watch.done(0)?;
+        Ok(Truth::new(scene))
+    }
+
+    fn sampled(&self, truth: &Truth) -> Option<String> {
+        truth.sampled()
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &Cloud<SpaceMethod>,
+        how: &How<'_>,
+        answer: &mut Surface,
+    ) -> Result<(), Halt> {
+        how.watch.done(0)?;
+        answer.0 = hull3d(&*session, content.method);
+        how.watch.done(content.points as u64)?;
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, Hull3d>,
+        asked: &Asked<'_>,
+        answer: &Surface,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        let hull = &answer.0;
+        let found = Found {
+            vertices: &hull.vertices,
+            broken: hull.broken,
+            flaws: &|signs| space_flaws(signs, &hull.vertices, &hull.faces),
+        };
+        judge(SpaceMethod::TASK, case, asked, &found, outcome);
+        Ok(())
+    }
+
+    fn planted(&self) -> Vec<Planted<Hull3d>> {
+        vec![
+            Planted::new::<LostConflict>("exact", CONFLICT_CHECKS, |session, content: &Cloud<SpaceMethod>| {
+                Ok(Surface(hull3d_planted::<LostConflict>(&*session, content.method)))
+            }),
+            Planted::new::<CoplanarLeft>("exact", COPLANAR_CHECKS, |session, content: &Cloud<SpaceMethod>| {
+                Ok(Surface(hull3d_planted::<CoplanarLeft>(&*session, content.method)))
+            }),
+            Planted::new::<OneSidedWrap>("exact", WRAP_CHECKS, |session, content: &Cloud<SpaceMethod>| {
+                Ok(Surface(hull3d_planted::<OneSidedWrap>(&*session, content.method)))
+            }),
+        ]
+    }
+
+    fn describe(&self, loaded: &LoadedScene, content: &Cloud<SpaceMethod>, watch: &Watch) -> Result<String, Stop> {
+        watch.done(0)?;
+        let extreme = Truth::new(&loaded.scene).described();
+        Ok(format!("{} points, by method {}; {extreme}\n", content.points, content.method.name()))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &Cloud<SpaceMethod>,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|hull| hull.0.to_string());
+        let explanation = Explanation { vertices: query.vertices().collect(), ..Explanation::default() };
+        Ok(explanation.with_answers(backends, ask))
+    }
+
+    fn write(
+        &self,
+        _: &Scene,
+        _: &Cloud<SpaceMethod>,
+        answer: &Surface,
+        folder: &Path,
+    ) -> std::io::Result<Vec<PathBuf>> {
+        write::json(&answer.0.vertices, &answer.0.faces, folder)
+    }
+}
