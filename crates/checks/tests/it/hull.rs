@@ -218,7 +218,7 @@ fn ties_are_decided_where_they_are_broken() {
         let other = *g.iter().find(|v| !f.contains(v))?;
         let [a, b, c] = [f[own], f[(own + 1) % 3], f[(own + 2) % 3]];
         let is_edge = g.contains(&b) && g.contains(&c);
-        (is_edge && exact.orient3d(a, b, c, other) == Sign::Zero).then(|| (i, j, [a, b, other], [a, other, c]))
+        (is_edge && exact.orient3d(a, b, c, other) == Sign::Zero).then_some((i, j, [a, b, other], [a, other, c]))
     });
     let (i, j, one, two) = pair.expect("the cube's faces are two triangles or more");
     flipped[i] = one.to_vec();
