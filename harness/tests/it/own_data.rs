@@ -123,6 +123,8 @@ fn a_new_suite_runs_as_it_is() {
         ("contacts2d", "land.geojson"),
         ("contacts3d", "mesh.off"),
         ("interval", "ends.csv"),
+        ("triangulate", "land.geojson"),
+        ("hull3d", "mesh.off"),
     ] {
         let file = at(&folder, &format!("{task}-of-file.toml"));
         expect(0, &["new", &file, "--task", task, "--points", data]);

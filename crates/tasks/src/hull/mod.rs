@@ -8,9 +8,14 @@ mod generate;
 mod judge;
 mod plane;
 mod space;
-mod write;
 
 pub use cloud::{Cloud, Method};
 pub use judge::Truth;
 pub use plane::{Hull2d, Polygon};
 pub use space::{Hull3d, Surface};
+
+/// What `new` writes, with points that are four or five to a hull, the first method and a family with ties.
+fn template(points: &str, method: &str, family: &str) -> String {
+    let template = include_str!("template.txt").replace("{points}", points);
+    template.replace("{method}", method).replace("{family}", family)
+}

@@ -11,9 +11,10 @@ use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
 
 use super::cloud::{self, Cloud, Method};
 use super::judge::{Found, Truth, judge};
-use super::{generate, write};
+use super::{generate, template};
 use crate::{
     Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+    output,
 };
 
 /// The checks that have to find a vertex in the middle of an edge.
@@ -39,6 +40,10 @@ impl Answer for Polygon {
 impl SceneFormat for Hull2d {
     fn name(&self) -> &'static str {
         PlaneMethod::TASK
+    }
+
+    fn template(&self) -> String {
+        template("[[0, 0], [8, 0], [8, 8], [0, 8], [4, \"0x1.0p-60\"]]", "chain", "hull-grid")
     }
 
     fn about(&self) -> &'static str {
@@ -146,11 +151,14 @@ impl Task for Hull2d {
 
     fn write(
         &self,
-        _: &Scene,
+        scene: &Scene,
         _: &Cloud<PlaneMethod>,
         answer: &Polygon,
         folder: &Path,
     ) -> std::io::Result<Vec<PathBuf>> {
-        write::json(&answer.0.vertices, &[], folder)
+        let hull = &answer.0.vertices;
+        let mut files = output::plane(scene, &[vec![hull.clone()]], folder, "hull")?;
+        files.push(output::vertices(scene, hull.iter().copied(), folder)?);
+        Ok(files)
     }
 }

@@ -11,9 +11,10 @@ use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
 
 use super::cloud::{self, Cloud, Method};
 use super::judge::{Found, Truth, judge};
-use super::{generate, write};
+use super::{generate, template};
 use crate::{
     Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+    output,
 };
 
 /// The checks that have to find faces in one plane.
@@ -43,6 +44,10 @@ impl Answer for Surface {
 impl SceneFormat for Hull3d {
     fn name(&self) -> &'static str {
         SpaceMethod::TASK
+    }
+
+    fn template(&self) -> String {
+        template("[[0, 0, 0], [8, 0, 0], [0, 8, 0], [0, 0, 8], [2, 2, \"0x1.0p-60\"]]", "incremental", "hull-lattice")
     }
 
     fn about(&self) -> &'static str {
@@ -156,11 +161,13 @@ impl Task for Hull3d {
 
     fn write(
         &self,
-        _: &Scene,
+        scene: &Scene,
         _: &Cloud<SpaceMethod>,
         answer: &Surface,
         folder: &Path,
     ) -> std::io::Result<Vec<PathBuf>> {
-        write::json(&answer.0.vertices, &answer.0.faces, folder)
+        let mut files = output::mesh(scene, &answer.0.faces, folder, "hull")?;
+        files.push(output::vertices(scene, answer.0.vertices.iter().copied(), folder)?);
+        Ok(files)
     }
 }

@@ -76,6 +76,10 @@ impl SceneFormat for Triangulate {
         &["points", "map", "polygons"]
     }
 
+    fn template(&self) -> String {
+        include_str!("template.txt").to_owned()
+    }
+
     fn file_keys(&self) -> &'static [&'static str] {
         &["map"]
     }
