@@ -4,7 +4,8 @@
 //!
 //! Ours is given the loop and nothing else: sorting is in its time. Sessions are prepared before.
 //!
-//! Arguments: the shapes to run, of `star`, `spiral`, `comb` and `sideways`; without any, all.
+//! Arguments: the shapes to run, of `star`, `spiral`, `comb` and `sideways`, without any, all; and `sweeps`, to leave out
+//! the peers and ears, which are quadratic on some of these.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -75,7 +76,9 @@ fn main() {
         ("sideways", "family = \"polygon-comb\"\nteeth = \"sideways\""),
     ];
     let wanted: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
-    for (name, family) in shapes.into_iter().filter(|(name, _)| wanted.is_empty() || wanted.iter().any(|w| w == name)) {
+    let only_sweeps = wanted.iter().any(|w| w == "sweeps");
+    let is_wanted = |name: &str| wanted.iter().all(|w| w == "sweeps") || wanted.iter().any(|w| w == name);
+    for (name, family) in shapes.into_iter().filter(|(name, _)| is_wanted(name)) {
         for n in [10_000, 100_000, 1_000_000] {
             let (scene, loops) = polygon(family, n);
             let points: Vec<[f64; 2]> = loops[0].iter().map(|&v| scene.point2(Plane::Xy, v)).collect();
@@ -91,11 +94,10 @@ fn main() {
                     Box::new(|| triangulate(dynamic, Plane::Xy, false, &loops, Method::Monotone).triangles.len()),
                 ),
             ];
-            if n <= 100_000 {
+            if n <= 100_000 && !only_sweeps {
                 ways.push(ours("exact, ears", &exact, &loops, Method::Ears));
             }
-            // The peers are quadratic on some of these.
-            if n <= 100_000 || name == "star" {
+            if n <= 100_000 && !only_sweeps {
                 ways.extend(peers(&points));
             }
             let mut times = vec![Vec::new(); ways.len()];
