@@ -25,6 +25,11 @@ pub trait SceneFormat: Send + Sync {
         &[]
     }
 
+    /// Those of its keys that take a data file as `{ path = … }`: where `solve TASK FILE` writes the names of the files.
+    fn file_keys(&self) -> &'static [&'static str] {
+        &["points"]
+    }
+
     /// Reads a `[[scene]]` table. Keys that it does not ask for are errors.
     ///
     /// # Errors

@@ -62,7 +62,7 @@ pub fn cross<N: Ring>(a: &[N; 3], b: &[N; 3]) -> [N; 3] {
     [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
-#[inline]
+#[inline(always)]
 fn sum<N: Ring>(term: impl Fn(usize) -> N, terms: usize) -> N {
     (1..terms).fold(term(0), |sum, i| sum + term(i))
 }

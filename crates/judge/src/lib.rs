@@ -13,6 +13,7 @@
 //! * [`cubes`]: what a union of cubes measures.
 //! * [`interval`]: the cells of a line that a point is in.
 //! * [`locate`]: the regions of a map that a point is in.
+//! * [`nearest`]: a rational as a double, for display and files.
 //! * [`Sample`]: which part of a large input is judged.
 
 mod constructed;
@@ -22,6 +23,7 @@ mod determinant;
 mod integers;
 pub mod interval;
 pub mod locate;
+mod nearest;
 mod points;
 mod sample;
 mod session;
@@ -30,6 +32,7 @@ mod tests;
 
 pub use constructed::point;
 pub use determinant::{Verdict, determinant, is_within, log2_relative, rational, sign, verdict};
+pub use nearest::nearest;
 pub use points::Points;
 pub use sample::Sample;
 pub use session::{Judged, TieJudge};

@@ -14,6 +14,7 @@
 //! * [`Contestant`], [`Entry`], [`Solver`]: a backend picked at run time. [`built_in`] is the
 //!   one list where backends and tasks meet.
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
+//! * [`output`]: answers as files for other programs, vertices exactly.
 //! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
 //!   [`crossings`]: the tasks.
 
@@ -35,6 +36,7 @@ pub mod contacts;
 pub mod crossings;
 pub mod cube_union;
 pub mod interval;
+pub mod output;
 pub mod polygon_locate;
 pub mod signs;
 

@@ -220,11 +220,25 @@ impl<T, F: Float> Session<'_, T, F> {
         }
     }
 
+    #[inline(always)]
+    fn point2(&self, plane: Plane, v: Vertex) -> [F; 2] {
+        let [x, y] = self.scene.point2(plane, v);
+        [F::nearest(x), F::nearest(y)]
+    }
+
+    #[inline(always)]
+    fn point3(&self, v: Vertex) -> [F; 3] {
+        let [x, y, z] = self.scene.point3(v);
+        [F::nearest(x), F::nearest(y), F::nearest(z)]
+    }
+
     /// Twice the signed area, as Algorithm 5 computes its first: edge vectors
     /// from the last point, then their cross product.
     #[inline(always)]
     fn area(&self, plane: Plane, vertices: [Vertex; 3]) -> F {
-        let [a, b, c] = vertices.map(|v| self.scene.point2(plane, v).map(F::nearest));
+        // Point by point: `map` of an array of this size calls its closure as a function, which costs more than the rest.
+        let [a, b, c] = vertices;
+        let [a, b, c] = [self.point2(plane, a), self.point2(plane, b), self.point2(plane, c)];
         quantities::area(&c, &a, &b)
     }
 
@@ -232,20 +246,26 @@ impl<T, F: Float> Session<'_, T, F> {
     /// vectors from the last point, a cross product and a dot product.
     #[inline(always)]
     fn volume(&self, vertices: [Vertex; 4]) -> F {
-        let [a, b, c, d] = vertices.map(|v| self.scene.point3(v).map(F::nearest));
+        let [a, b, c, d] = vertices;
+        let [a, b, c, d] = [self.point3(a), self.point3(b), self.point3(c), self.point3(d)];
         quantities::volume(&a, &b, &c, &d)
     }
 
     /// The determinant of `incircle`, in the order of [`circles::incircle`].
     #[inline]
     fn circle(&self, vertices: [Vertex; 4]) -> F {
-        circles::incircle(&vertices.map(|v| self.scene.point2(Plane::Xy, v).map(F::nearest)))
+        let [a, b, c, d] = vertices;
+        let plane = Plane::Xy;
+        let points = [self.point2(plane, a), self.point2(plane, b), self.point2(plane, c), self.point2(plane, d)];
+        circles::incircle(&points)
     }
 
     /// The determinant of `insphere`, in the order of [`circles::insphere`].
     #[inline]
     fn sphere(&self, vertices: [Vertex; 5]) -> F {
-        circles::insphere(&vertices.map(|v| self.scene.point3(v).map(F::nearest)))
+        let [a, b, c, d, e] = vertices;
+        let points = [self.point3(a), self.point3(b), self.point3(c), self.point3(d), self.point3(e)];
+        circles::insphere(&points)
     }
 
     /// The band of the predicate for circles that scenes of `dimension` have.

@@ -54,7 +54,7 @@ fn quartic<F: Float>(length: F, epsilon: F) -> F {
 /// the area of the other two, (‖a‖² b×c + ‖b‖² c×a) + ‖c‖² a×b.
 #[inline]
 pub fn incircle<N: Ring>([a, b, c, d]: &[[N; 2]; 4]) -> N {
-    let [a, b, c] = [a, b, c].map(|p| minus(p, d));
+    let [a, b, c] = [minus(a, d), minus(b, d), minus(c, d)];
     let term = |p, q, r| norm_squared(p) * perp(q, r);
     term(&a, &b, &c) + term(&b, &c, &a) + term(&c, &a, &b)
 }
@@ -65,7 +65,7 @@ pub fn incircle<N: Ring>([a, b, c, d]: &[[N; 2]; 4]) -> N {
 /// A volume \[pqr\] is (p_z q×r − q_z p×r) + r_z p×q, with × of x and y.
 #[inline]
 pub fn insphere<N: Ring>([a, b, c, d, e]: &[[N; 3]; 5]) -> N {
-    let [a, b, c, d] = [a, b, c, d].map(|p| minus(p, e));
+    let [a, b, c, d] = [minus(a, e), minus(b, e), minus(c, e), minus(d, e)];
     let term = |p, [q, r, s]: [&[N; 3]; 3]| norm_squared(p) * lifted_volume(q, r, s);
     (term(&d, [&a, &b, &c]) - term(&c, [&d, &a, &b])) + (term(&b, [&c, &d, &a]) - term(&a, [&b, &c, &d]))
 }

@@ -210,7 +210,10 @@ pub fn nightly() -> Result<(), String> {
         // The table about other crates is held against the published fixtures.
         cargo("fetch data", &["run", "--quiet", "--profile", "ci", "--features", "peers", "--", "corpus", "fetch"]),
         run_tests(&peers, &[EFFORT]),
-        cargo("build the benches", &["bench", "--profile", "ci", "--workspace", "--benches", "--no-run"]),
+        cargo(
+            "build the benches",
+            &["bench", "--profile", "ci", "--workspace", "--benches", "--features", "peers", "--no-run"],
+        ),
         // Into a folder of its own: packages are compiled as somebody else's.
         cargo("packages", &["package", "--workspace", "--allow-dirty", "--target-dir", "target/package-check"]),
         minimum_version(),

@@ -51,3 +51,51 @@ fn an_answer_is_written_for_other_programs() {
     assert!(expect(2, &["solve", "cubes", "--out", &out]).stderr.contains("choose one scene with -f"));
     assert!(expect(2, &["solve", "tilings", "-f", "bricks$", "-b", "exat", "--out", &out]).stderr.contains("exat"));
 }
+
+#[test]
+fn a_task_is_solved_on_files_without_a_suite() {
+    let folder = tempdir().unwrap();
+    let file = |name: &str, text: &str| {
+        std::fs::write(folder.path().join(name), text).unwrap();
+        at(&folder, name)
+    };
+    let roads = r#"{"type":"MultiLineString","coordinates":[[[0,0],[1,1]],[[0,0.5],[1,0]]]}"#;
+    let roads = file("roads.geojson", roads);
+    let tetrahedron =
+        |apex: &str| format!("OFF\n4 4 0\n{apex}\n2 0 0\n0 2 0\n0 0 2\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+    let [a, b] = [("a.off", "0 0 0"), ("b.off", "1 1 1")].map(|(name, apex)| file(name, &tetrahedron(apex)));
+    let turns = file("turns.csv", "0,0\n1,0\n0,1\n0.1,1\n");
+    let out = at(&folder, "out");
+    let solve = |code, words: &[&str]| expect(code, &[&["solve"], words, &["--out", &out]].concat());
+
+    solve(0, &["crossings", &roads, "-b", "sos"]);
+    assert!(read(&out, "crossings.json").contains(r#""crossed_at":[["c0"]]"#), "{}", read(&out, "crossings.json"));
+    assert!(read(&out, "vertices.json").contains(r#""exact":["1/3","1/3"]"#), "{}", read(&out, "vertices.json"));
+    solve(0, &["contacts3d", &a, &b]);
+    assert!(read(&out, "contacts.json").contains("\"on_a\""));
+    solve(0, &["orient2d", &turns, "--round", "--set", "queries=all"]);
+    assert_eq!(read(&out, "signs.csv").lines().count(), 5);
+    solve(0, &["interval", &turns, "--round", "--set", "cells=[[0, 1]]", "--set", "axis=x"]);
+
+    for (words, needle) in [
+        (&["orient2d", &turns][..], "add --round"),
+        (&["orient2d", &turns, &roads], "takes one file"),
+        (&["orient2d", &turns, "-f", "x"], "leave it out"),
+        (&["orient2d", &turns, "--round", "--set", "queries"], "KEY=VALUE"),
+        (&["orient2d", &turns, "--round", "--set", "question=all"], "question"),
+        (&["orient2d", &turns, "--round", "--set", "queries=1\n[[scene]]"], "line break"),
+        (&["contacts3d", &a], "`b`"),
+        (&["crossings", &a], "a.off"),
+        (&["orient2d", "none.csv"], "none.csv"),
+        (&["orient2d", "tilings", "--set", "queries=all", "-f", "bricks$"], "is for a task on files"),
+    ] {
+        let told = within(folder.path(), &[&["solve"], words, &["--out", &out]].concat());
+        assert!(
+            [2, 104].contains(&told.code) && told.stderr.contains(needle),
+            "{words:?}: {} {}",
+            told.code,
+            told.stderr
+        );
+        assert_eq!(told.stderr.lines().count(), 1, "{}", told.stderr);
+    }
+}

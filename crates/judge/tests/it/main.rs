@@ -6,6 +6,7 @@ mod cubes;
 mod dependencies;
 mod interval;
 mod locate;
+mod nearest;
 mod planted;
 mod random;
 mod sample;

@@ -86,6 +86,10 @@ impl SceneFormat for Contacts {
         &["points", "a", "b", "polygons"]
     }
 
+    fn file_keys(&self) -> &'static [&'static str] {
+        &["a", "b"]
+    }
+
     fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
         content::Written::read(context, fields, self.dimension)?.source()
     }

@@ -15,12 +15,13 @@ use predicament_algorithms::crossings::planted::{StrictSweep, UnsortedCrossings}
 use predicament_algorithms::crossings::{Along, crossings, crossings_planted};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
-use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
+use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Scene};
 
 pub use content::Segments;
 
 use crate::{
     Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+    output,
 };
 
 /// The checks that have to find a missing crossing which only the perturbation makes.
@@ -58,6 +59,10 @@ impl SceneFormat for Crossings {
 
     fn coordinate_keys(&self) -> &'static [&'static str] {
         &["points"]
+    }
+
+    fn file_keys(&self) -> &'static [&'static str] {
+        &["segments"]
     }
 
     fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
@@ -149,15 +154,31 @@ impl Task for Crossings {
         folder: &Path,
     ) -> std::io::Result<Vec<PathBuf>> {
         let point = |v| scene.point(v).to_vec();
-        let segments: Vec<serde_json::Value> = content
-            .0
-            .iter()
-            .zip(&answer.0)
-            .map(|(ends, along)| serde_json::json!({ "ends": ends.map(point), "crossed_by": along }))
-            .collect();
+        // Where two segments cross, as the algorithm defines it.
+        let mut scene = scene.clone();
+        let mut crossing = |i: usize, j: &u32| {
+            let lines = [content.0[i], content.0[*j as usize]];
+            scene.construct(Construction::Ssi(lines)).map_err(std::io::Error::other)
+        };
+        let mut segments: Vec<serde_json::Value> = Vec::with_capacity(content.0.len());
+        let mut crossings = Vec::new();
+        for (at, (ends, along)) in content.0.iter().zip(&answer.0).enumerate() {
+            let mut groups = Vec::with_capacity(along.len());
+            for group in along {
+                let vertices = group.iter().map(|j| crossing(at, j)).collect::<Result<Vec<_>, _>>()?;
+                groups.push(vertices.iter().map(ToString::to_string).collect::<Vec<_>>());
+                crossings.extend(vertices);
+            }
+            let ends_at = ends.map(point);
+            segments.push(serde_json::json!({ "ends": ends_at, "crossed_by": along, "crossed_at": groups }));
+        }
         let path = folder.join("crossings.json");
         std::fs::write(&path, format!("{}\n", serde_json::Value::Array(segments)))?;
-        Ok(vec![path])
+        // Segments that wrong signs make cross may be parallel: their lines have no point.
+        crossings.retain(|&v| predicament_judge::point(&scene, v).is_some());
+        let ends = content.0.iter().flatten().copied();
+        let vertices = output::vertices(&scene, ends.chain(crossings), folder)?;
+        Ok(vec![path, vertices])
     }
 }
 

@@ -75,6 +75,10 @@ impl SceneFormat for CubeUnion {
         &["cubes"]
     }
 
+    fn file_keys(&self) -> &'static [&'static str] {
+        &["cubes"]
+    }
+
     fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
         content::read(context, fields)
     }

@@ -73,6 +73,10 @@ impl SceneFormat for PolygonLocate {
         &["map", "polygons"]
     }
 
+    fn file_keys(&self) -> &'static [&'static str] {
+        &["map"]
+    }
+
     fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
         Ok(Source::elsewhere(content::ProbedMap::read(context, fields)?))
     }
