@@ -13,6 +13,7 @@
 //! * [`planted`]: faults planted in these, to prove the judge.
 //! * [`polygon_locate`]: points in the regions of a map, by ray casting.
 //! * [`sort`]: sorting by signs that may contradict each other.
+//! * [`triangulate`]: triangles of polygons with holes, by ears and by a plane sweep.
 
 pub mod arrangement;
 pub mod contacts;
@@ -23,3 +24,4 @@ mod parallel;
 pub mod planted;
 pub mod polygon_locate;
 pub mod sort;
+pub mod triangulate;

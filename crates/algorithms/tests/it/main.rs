@@ -8,3 +8,4 @@ mod polygon_locate;
 mod polygon_shapes;
 mod polygon_special;
 mod sort;
+mod triangulate;
