@@ -9,6 +9,7 @@
 //! * [`contacts`]: registered pairs, and the curves and surfaces that they merge;
 //! * [`cubes`]: unions of cubes, measured another way;
 //! * [`partition`]: points of a line in its cells;
+//! * [`slice`]: the parts that planes make of a mesh;
 //! * [`tiling`]: points of the plane in the regions of a map.
 
 pub mod audit;
@@ -16,4 +17,5 @@ pub mod axioms;
 pub mod contacts;
 pub mod cubes;
 pub mod partition;
+pub mod slice;
 pub mod tiling;

@@ -16,7 +16,7 @@
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
 //! * [`output`]: answers as files for other programs, vertices exactly.
 //! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
-//!   [`crossings`]: the tasks.
+//!   [`crossings`], [`slice`]: the tasks.
 
 mod any;
 mod budget;
@@ -39,6 +39,7 @@ pub mod interval;
 pub mod output;
 pub mod polygon_locate;
 pub mod signs;
+pub mod slice;
 
 pub use any::{AnyCase, AnyTask};
 pub use budget::Budget;

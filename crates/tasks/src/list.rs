@@ -11,6 +11,7 @@ use crate::cube_union::CubeUnion;
 use crate::interval::Interval;
 use crate::polygon_locate::PolygonLocate;
 use crate::signs::Signs;
+use crate::slice::Slice;
 use crate::{AnyTask, OnTask, Solver, Task};
 
 /// All built-in tasks, in the order of reports and messages. A new task is a line here.
@@ -28,6 +29,7 @@ macro_rules! each_task {
             $do!(Contacts::IN_PLANE),
             $do!(Contacts::IN_SPACE),
             $do!(Crossings),
+            $do!(Slice),
         ]
     };
 }

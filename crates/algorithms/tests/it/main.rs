@@ -7,5 +7,6 @@ mod contacts_driver;
 mod polygon_locate;
 mod polygon_shapes;
 mod polygon_special;
+mod slice;
 mod sort;
 mod triangulate;

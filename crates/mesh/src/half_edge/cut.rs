@@ -80,6 +80,78 @@ impl HalfEdgeMesh {
         Ok(doubled)
     }
 
+    /// Joins the ends of two half-edges where an edge joins them already, and divides the mesh there: for a face, or for a
+    /// face and a boundary loop, that touch an edge between two other faces. Each of these faces gets an edge of its
+    /// own with what touched it, and either end is divided into two vertices.
+    ///
+    /// Returns the new half-edge from the end of `first` to that of `second`, the new one in the other direction, and the
+    /// new vertices. Loops and faces are as after [`split_face`](HalfEdgeMesh::split_face) for two half-edges of one face,
+    /// and as after [`insert_auxiliary_edge`](HalfEdgeMesh::insert_auxiliary_edge) where `second` is on a boundary.
+    ///
+    /// # Errors
+    /// [`OperationError`] where these would be refused for another reason than that edge; where `edge` does not join the
+    /// two ends, or one of its faces is that of `first`.
+    pub fn divide_at_edge(
+        &mut self,
+        first: HalfEdge,
+        second: HalfEdge,
+        edge: HalfEdge,
+    ) -> Result<([HalfEdge; 2], Vec<MeshVertex>), OperationError> {
+        for h in [first, second, edge] {
+            self.known_half_edge(h)?;
+        }
+        let face = self.face(first).ok_or(OperationError::OnBoundary(first))?;
+        let is_one = match self.face(second) {
+            Some(other) if other == face => true,
+            None => false,
+            Some(_) => return Err(OperationError::TwoFaces(first, second)),
+        };
+        if is_one && (self.next(first) == second || self.next(second) == first) {
+            return Err(OperationError::TooFewHalfEdges(first));
+        }
+        let [from, to] = [first, second].map(|h| self.end(h));
+        // In the direction of the new half-edge.
+        let along = if self.end(edge) == to { edge } else { self.opposite(edge) };
+        let back = self.opposite(along);
+        if from == to || self.end(along) != to || self.start(along) != from {
+            return Err(OperationError::EdgeExists(edge));
+        }
+        for side in [along, back] {
+            let beyond = self.face(side).ok_or(OperationError::OnBoundary(side))?;
+            if beyond == face {
+                return Err(OperationError::EdgeExists(edge));
+            }
+        }
+        self.room(2, 1, 2)?;
+        if !is_one {
+            self.fill_loop(second, Some(face));
+        }
+        let [h, o] = self.link(first, second);
+        self.set_face(h, Some(face));
+        self.set_face(o, Some(face));
+        if is_one {
+            self.face_half_edge[face.index()] = first;
+            let new = self.new_face(o);
+            self.fill_loop(o, Some(new));
+        }
+        self.set_opposite(along, o);
+        self.set_opposite(back, h);
+        let mut divided = Vec::with_capacity(2);
+        // Either vertex has two rings now, one through each of the half-edges that end there.
+        for (v, kept, other) in [(to, along, h), (from, back, o)] {
+            self.vertex_half_edge[v.index()] = kept;
+            if self.ring(v).any(|h| h == other) {
+                continue;
+            }
+            let place = self.copied_vertex(v);
+            self.vertex_half_edge[place.index()] = other;
+            let ring: Vec<HalfEdge> = self.ring(place).collect();
+            ring.into_iter().for_each(|h| self.end[h.index()] = place);
+            divided.push(place);
+        }
+        Ok(([h, o], divided))
+    }
+
     /// Gives each fan of these corners a vertex, and links the boundary half-edges at its sides.
     fn divide(&mut self, v: MeshVertex, corners: &[HalfEdge]) -> Result<(), OperationError> {
         let mut keeps = true;

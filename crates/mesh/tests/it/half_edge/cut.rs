@@ -3,7 +3,7 @@
 use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::{HalfEdge, OperationError};
 
-use super::shapes::{between, cube, grid, octahedron};
+use super::shapes::{between, cube, grid, mesh, octahedron};
 
 fn checked(mesh: &HalfEdgeMesh) {
     mesh.validate().unwrap_or_else(|why| panic!("{why}"));
@@ -89,4 +89,23 @@ fn what_is_no_edge_between_faces_is_refused() {
     checked(&m);
     let beside = m.opposite(inner);
     assert_eq!(m.cut_along(&[inner]), Err(OperationError::OnBoundary(beside)));
+}
+
+/// Two tetrahedra that touch along an edge, as one mesh of which one face passes by the edge: it comes apart.
+#[test]
+fn what_touches_along_an_edge_comes_apart() {
+    // A roof over the quadrangle 0 1 2 3 whose ridge has come down to the diagonal from 0 to 2.
+    let mut m = mesh(4, &[vec![0, 1, 2, 3], vec![2, 1, 0], vec![0, 3, 2]]).unwrap();
+    let corner = |m: &HalfEdgeMesh, from, to| between(m, from, to);
+    let (first, second, ridge) = (corner(&m, 3, 0), corner(&m, 1, 2), corner(&m, 0, 2));
+    assert_eq!(m.split_face(first, second), Err(OperationError::EdgeExists(ridge)));
+    let ([h, o], divided) = m.divide_at_edge(first, second, ridge).unwrap();
+    checked(&m);
+    assert_eq!((m.vertex_count(), m.edge_count(), m.face_count(), parts(&m)), (6, 6, 4, 2));
+    assert_eq!(divided.len(), 2);
+    assert_eq!([h, o].map(|h| m.loop_of(h).count()), [3; 2]);
+    assert_eq!([m.start(h), m.end(h)].map(|v| m.scene_vertex(v).index()), [0, 2]);
+    assert!(m.opposite(h) != o && m.opposite(o) != h);
+    let again = m.opposite(h);
+    assert_eq!(m.divide_at_edge(m.next(h), h, again), Err(OperationError::TooFewHalfEdges(m.next(h))));
 }
