@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use predicament_mesh::half_edge::{Face, HalfEdge};
-use predicament_predicates::{Plane, Vertex};
+use predicament_predicates::Vertex;
 
 use super::cutter::Cutter;
 use super::{Part, Sliced, Source};
@@ -79,22 +79,10 @@ impl Cutter<'_> {
 
     /// Triangulates loops on the plane of a support.
     fn triangulate(&self, out: &mut Parts, part: u32, source: Source, support: [Vertex; 3], loops: &[Vec<Vertex>]) {
-        match self.seen(support) {
-            Some(view) => self.triangulate_seen(out, part, source, view, loops),
-            None => {
-                out.broken.get_or_insert("a face has an area in a coordinate plane");
-            }
-        }
-    }
-
-    fn triangulate_seen(
-        &self,
-        out: &mut Parts,
-        part: u32,
-        source: Source,
-        (plane, reversed): (Plane, bool),
-        loops: &[Vec<Vertex>],
-    ) {
+        let Some((plane, reversed)) = self.seen(support) else {
+            out.broken.get_or_insert("a face has an area in a coordinate plane");
+            return;
+        };
         let made = triangulate(&*self.session, plane, reversed, loops, Method::Monotone);
         if let Some(what) = made.broken {
             out.broken.get_or_insert(what);
@@ -108,9 +96,13 @@ impl Cutter<'_> {
         for first in firsts {
             let part = self.mesh.vertex_user_data(self.mesh.end(first));
             let around: Vec<Vertex> = self.mesh.vertex_loop(first).map(|v| self.mesh.scene_vertex(v)).collect();
-            match projection(&*self.session, std::slice::from_ref(&around)) {
-                Some(view) => self.triangulate_seen(out, part, Source::Cover, view, &[around]),
-                None => out.parts[part as usize].open.push(around),
+            let loops = std::slice::from_ref(&around);
+            let made = projection(&*self.session, loops)
+                .map(|(plane, reversed)| triangulate(&*self.session, plane, reversed, loops, Method::Monotone));
+            match made {
+                Some(made) if made.broken.is_none() => out.push(part, Source::Cover, made.triangles),
+                // Nowhere simple, or not for this session.
+                _ => out.parts[part as usize].open.push(around),
             }
         }
     }

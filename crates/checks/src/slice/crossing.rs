@@ -5,25 +5,29 @@ use std::cmp::Ordering;
 use predicament_grid::{Bounds, BoxIndex};
 
 use super::exact::{Plane, area, side};
-use super::{Check, Flaws, Part, Slices};
+use super::{Check, Expected, Flaws, Part, Piece, Slices};
 
 impl Slices {
     /// Holds triangles of each part against those near them: what touches is allowed, what passes through is not.
-    pub(super) fn crossings(&self, most: usize, flaws: &mut Flaws) {
-        let step = self.triangles().div_ceil(most.max(1)).max(1);
+    /// Covers of open loops are in no plane and may pass through anything.
+    pub(super) fn crossings(&self, expected: Expected, flaws: &mut Flaws) {
+        let step = self.triangles().div_ceil(expected.triangles_crossed.max(1)).max(1);
         let mut number = 0;
         for (at, part) in self.parts.iter().enumerate() {
             let Some((index, reach)) = self.index(part) else { continue };
             let mut near = Vec::new();
             for (place, &triangle) in part.triangles.iter().enumerate() {
                 number += 1;
-                if number % step != 0 {
+                if number % step != 0 || part.pieces[place] == Piece::Cover {
                     continue;
                 }
                 index.near(&index.boxes()[place], reach, &mut near);
-                for &other in near.iter().filter(|&&other| other as usize != place) {
-                    let other = part.triangles[other as usize];
-                    if self.pass(triangle, other) {
+                for other in near.iter().map(|&other| other as usize) {
+                    if other == place || part.pieces[other] == Piece::Cover {
+                        continue;
+                    }
+                    let other = part.triangles[other];
+                    if self.pass(triangle, other, expected) {
                         flaws.add(Check::SelfIntersection, &[triangle, other].concat(), || {
                             format!("two triangles of part {at} pass through each other")
                         });
@@ -47,7 +51,8 @@ impl Slices {
     }
 
     /// Whether an edge of one triangle passes through the inside of the other, or edges of both cross in a common plane.
-    fn pass(&self, first: [u32; 3], second: [u32; 3]) -> bool {
+    /// Faces of a part without volume, which breaking ties makes, may lie on each other.
+    fn pass(&self, first: [u32; 3], second: [u32; 3], expected: Expected) -> bool {
         let shared = first.iter().filter(|p| second.contains(p)).count();
         if shared == 3 {
             return false;
@@ -55,7 +60,7 @@ impl Slices {
         let planes = [Plane::of(self.points(first)), Plane::of(self.points(second))];
         let of_second = self.points(second).map(|p| planes[0].side(p));
         if of_second == [Ordering::Equal; 3] {
-            return self.overlap(&planes[0], first, second);
+            return expected.has_areas && self.overlap(&planes[0], first, second);
         }
         let of_first = self.points(first).map(|p| planes[1].side(p));
         let pierces = |edges: [u32; 3], sides: [Ordering; 3], triangle: [u32; 3]| {

@@ -57,7 +57,8 @@ pub struct Slices {
 pub struct Expected {
     /// The mesh was closed: the parts have to be, without covers, and their volumes add up.
     pub is_closed: bool,
-    /// Each triangle has to have an area. What breaks ties makes triangles that have one in the perturbed scene only.
+    /// Each triangle has to have an area, and none lies on another. What breaks ties makes triangles that have an area, and
+    /// parts that have a volume, in the perturbed scene only.
     pub has_areas: bool,
     /// How many triangles are held against their neighbours, at most; they are spread evenly.
     pub triangles_crossed: usize,
@@ -84,7 +85,7 @@ pub enum Check {
     Volume,
     /// Triangles have an area.
     Degenerate,
-    /// No edge of a part passes through another of its triangles.
+    /// No edge of a part passes through another of its triangles; covers are left out.
     SelfIntersection,
 }
 
@@ -178,7 +179,7 @@ impl Slices {
         if expected.is_closed {
             self.volumes(&mut flaws);
         }
-        self.crossings(expected.triangles_crossed, &mut flaws);
+        self.crossings(expected, &mut flaws);
         flaws.0.sort_by_key(|flaw| flaw.check);
         flaws.0
     }

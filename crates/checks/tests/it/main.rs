@@ -7,4 +7,5 @@ mod constructs;
 mod contacts;
 mod cubes;
 mod partition;
+mod slice;
 mod tiling;

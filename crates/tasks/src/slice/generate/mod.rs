@@ -117,7 +117,10 @@ fn plane(cut: Cut, points: &mut Vec<[f64; 3]>, vertices: usize, rng: &mut Random
                     *p = [0, 1, 2].map(|i| p[i] + rng.unit() * (q[i] - p[i]));
                 }
             }
-            Cut::Near => chosen = chosen.map(|p| p.map(|x| step(x, rng.integer(-2, 2)))),
+            // Zero stays what it is: the next doubles are a thousand binary digits away.
+            Cut::Near => {
+                chosen = chosen.map(|p| p.map(|x| if x == 0.0 { x } else { step(x, rng.integer(-2, 2)) }));
+            }
         }
         if !is_flat(&chosen) {
             break;
