@@ -12,7 +12,7 @@
 //! * [`interval`]: the cell of a line in which a point lies.
 //! * [`planted`]: faults planted in these, to prove the judge.
 //! * [`polygon_locate`]: points in the regions of a map, by ray casting.
-//! * [`slice`]: a mesh split by planes, its parts capped and triangulated.
+//! * [`mod@slice`]: a mesh split by planes, its parts capped and triangulated.
 //! * [`sort`]: sorting by signs that may contradict each other.
 //! * [`triangulate`]: triangles of polygons with holes, by ears and by a plane sweep.
 

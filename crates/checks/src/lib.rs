@@ -9,7 +9,7 @@
 //! * [`contacts`]: registered pairs, and the curves and surfaces that they merge;
 //! * [`cubes`]: unions of cubes, measured another way;
 //! * [`partition`]: points of a line in its cells;
-//! * [`slice`]: the parts that planes make of a mesh;
+//! * [`mod@slice`]: the parts that planes make of a mesh;
 //! * [`tiling`]: points of the plane in the regions of a map.
 
 pub mod audit;

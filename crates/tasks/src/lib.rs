@@ -16,7 +16,7 @@
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
 //! * [`output`]: answers as files for other programs, vertices exactly.
 //! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
-//!   [`crossings`], [`slice`]: the tasks.
+//!   [`crossings`], [`mod@slice`]: the tasks.
 
 mod any;
 mod budget;
