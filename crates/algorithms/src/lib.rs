@@ -13,6 +13,7 @@
 //! * [`interval`]: the cell of a line in which a point lies.
 //! * [`planted`]: faults planted in these, to prove the judge.
 //! * [`polygon_locate`]: points in the regions of a map, by ray casting.
+//! * [`mod@slice`]: a mesh split by planes, its parts capped and triangulated.
 //! * [`sort`]: sorting by signs that may contradict each other.
 //! * [`triangulate`]: triangles of polygons with holes, by ears and by a plane sweep.
 
@@ -25,5 +26,6 @@ pub mod interval;
 mod parallel;
 pub mod planted;
 pub mod polygon_locate;
+pub mod slice;
 pub mod sort;
 pub mod triangulate;

@@ -10,6 +10,7 @@
 //! * [`cubes`]: unions of cubes, measured another way;
 //! * [`hull`]: convex hulls, convex and around all points;
 //! * [`partition`]: points of a line in its cells;
+//! * [`mod@slice`]: the parts that planes make of a mesh;
 //! * [`tiling`]: points of the plane in the regions of a map;
 //! * [`triangulation`]: triangles of polygons.
 
@@ -19,5 +20,6 @@ pub mod contacts;
 pub mod cubes;
 pub mod hull;
 pub mod partition;
+pub mod slice;
 pub mod tiling;
 pub mod triangulation;

@@ -253,6 +253,12 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
         }
     }
 
+    fn rounded_point(&self, v: Vertex) -> Option<&[f64]> {
+        let stride = self.scene.dimension().count();
+        let start = stride * (self.scene.len() + v.construction()?);
+        self.all.get(start..start + stride)
+    }
+
     fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {
         let answer = |difference| self.answer(PredicateKind::Compare, difference);
         if self.has_constructed() {

@@ -126,6 +126,13 @@ pub trait Predicates: Send + Sync {
         None
     }
 
+    /// The coordinates that stand for a constructed vertex from then on, in sessions that round; none where answers are
+    /// about the very point, and for input vertices.
+    fn rounded_point(&self, v: Vertex) -> Option<&[f64]> {
+        let _ = v;
+        None
+    }
+
     /// The time that all predicates so far have taken by the session's own clock, in nanoseconds; none where the
     /// caller's clock sees nothing else.
     fn own_nanoseconds(&self) -> Option<u64> {

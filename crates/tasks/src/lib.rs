@@ -16,7 +16,7 @@
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
 //! * [`output`]: answers as files for other programs, vertices exactly.
 //! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
-//!   [`crossings`], [`triangulate`], [`hull`]: the tasks.
+//!   [`crossings`], [`triangulate`], [`hull`], [`mod@slice`]: the tasks.
 
 mod any;
 mod budget;
@@ -40,6 +40,7 @@ pub mod interval;
 pub mod output;
 pub mod polygon_locate;
 pub mod signs;
+pub mod slice;
 pub mod triangulate;
 
 pub use any::{AnyCase, AnyTask};

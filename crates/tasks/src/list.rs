@@ -12,6 +12,7 @@ use crate::hull::{Hull2d, Hull3d};
 use crate::interval::Interval;
 use crate::polygon_locate::PolygonLocate;
 use crate::signs::Signs;
+use crate::slice::Slice;
 use crate::triangulate::Triangulate;
 use crate::{AnyTask, OnTask, Solver, Task};
 
@@ -33,6 +34,7 @@ macro_rules! each_task {
             $do!(Triangulate),
             $do!(Hull2d),
             $do!(Hull3d),
+            $do!(Slice),
         ]
     };
 }

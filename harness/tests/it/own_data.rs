@@ -116,6 +116,7 @@ fn a_new_suite_runs_as_it_is() {
     write(&folder, "line.wkt", "LINESTRING (0 0, 1 1, 2 0)");
     write(&folder, "ends.csv", "0,0\n1,0\n2,0\n1,0\n");
     write(&folder, "mesh.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n");
+    write(&folder, "closed.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
     for (task, data) in [
         ("polygon-locate", "land.geojson"),
         ("cube-union", "cubes.csv"),
@@ -125,6 +126,7 @@ fn a_new_suite_runs_as_it_is() {
         ("interval", "ends.csv"),
         ("triangulate", "land.geojson"),
         ("hull3d", "mesh.off"),
+        ("slice", "closed.off"),
     ] {
         let file = at(&folder, &format!("{task}-of-file.toml"));
         expect(0, &["new", &file, "--task", task, "--points", data]);

@@ -10,5 +10,6 @@ mod hull_space;
 mod polygon_locate;
 mod polygon_shapes;
 mod polygon_special;
+mod slice;
 mod sort;
 mod triangulate;

@@ -8,5 +8,6 @@ mod contacts;
 mod cubes;
 mod hull;
 mod partition;
+mod slice;
 mod tiling;
 mod triangulation;

@@ -232,6 +232,9 @@ fn a_rounded_vertex_is_beside_its_own_line() {
     let session = Shewchuk.prepare(&scene, Off).unwrap();
     assert!(constructed(&scene)[..2].iter().all(|x| (x - 1.0 / 3.0).abs() < 1e-15));
     assert_ne!(session.orient2d(Plane::Xy, v(2), v(3), third), Sign::Zero, "a third is no double");
+    assert_eq!(session.rounded_point(third), Some(&constructed(&scene)[..2]));
+    assert_eq!(session.rounded_point(v(0)), None, "it is not rounded");
+    assert!(session.rounded_point(nowhere).unwrap().iter().all(|x| !x.is_finite()));
     let parallel = [v(0), nowhere, v(3)];
     assert!(session.estimate(TURN, &parallel).unwrap().is_nan(), "parallel lines make no point, and it shows");
     assert_eq!(TURN.ask(&session, &parallel), Sign::Zero);

@@ -31,6 +31,7 @@
 mod auxiliary;
 mod build;
 mod conversion_error;
+mod cut;
 mod flip;
 mod handles;
 mod indexed;

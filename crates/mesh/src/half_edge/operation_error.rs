@@ -41,6 +41,8 @@ pub enum OperationError {
     LastEdge(MeshVertex),
     /// The face is listed twice.
     ListedTwice(Face),
+    /// The edge of this half-edge is listed twice.
+    EdgeListedTwice(HalfEdge),
     /// The mesh would have more elements than there are handles.
     Full,
     /// The links at this half-edge violate an invariant.
@@ -69,6 +71,7 @@ impl std::fmt::Display for OperationError {
             E::NotAuxiliary(h) => write!(f, "the two sides of half-edge {h} are in different loops"),
             E::LastEdge(v) => write!(f, "vertex {v} would be left without edges"),
             E::ListedTwice(face) => write!(f, "face {face} is listed twice"),
+            E::EdgeListedTwice(h) => write!(f, "the edge of half-edge {h} is listed twice"),
             E::Full => f.write_str("a mesh has at most 2^32 - 2 elements of a kind"),
             E::Broken(h) => write!(f, "the links at half-edge {h} violate an invariant"),
         }

@@ -1,6 +1,7 @@
 //! Half-edge meshes from outside: conversions, operations, long random sequences.
 
 mod conversion;
+mod cut;
 mod loops;
 mod operations;
 mod random;

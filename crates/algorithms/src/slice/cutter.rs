@@ -1,0 +1,212 @@
+//! The mesh between two planes, and the first step: vertices on their sides, edges split.
+
+use std::collections::BTreeMap;
+
+use predicament_mesh::HalfEdgeMesh;
+use predicament_mesh::half_edge::{Face, HalfEdge, MeshVertex};
+use predicament_predicates::{Construction, Plane, Predicates, Refused, Scene, Sign, Vertex};
+
+use super::Halt;
+use super::lines::Line;
+use super::planar::Planar;
+use super::planted::Wrong;
+
+/// The covered loops of one part in one plane, on one side of it.
+pub(super) struct Cap {
+    /// The plane's place in the list.
+    pub(super) plane: usize,
+    /// Whether the part is on the plane's positive side.
+    pub(super) positive: bool,
+    /// One for each loop, also for those around a hole.
+    pub(super) faces: Vec<Face>,
+}
+
+/// A mesh that is cut by one plane after the other.
+///
+/// The user data of a face is the face of the input that it is a piece of, or a cap (after all faces); that of a
+/// half-edge its line; that of a vertex its part.
+pub(super) struct Cutter<'a> {
+    pub(super) session: &'a mut dyn Predicates,
+    pub(super) mesh: HalfEdgeMesh,
+    /// For each face three vertices of its plane.
+    pub(super) supports: Vec<[Vertex; 3]>,
+    /// For each face the face of the input that it is a piece of.
+    pub(super) faces: Vec<u32>,
+    pub(super) planes: &'a [[Vertex; 3]],
+    pub(super) lines: Vec<Line>,
+    pub(super) caps: Vec<Cap>,
+    /// The scene's vertex of each vertex of the mesh.
+    points: Vec<Vertex>,
+    /// The side of each vertex of the mesh on the plane at hand.
+    signs: Vec<Sign>,
+    /// The side of each face that touches the plane at hand; of others, anything.
+    pub(super) sides: Vec<Sign>,
+    /// How many parts there are, with those that later planes left nothing of.
+    pub(super) parts: usize,
+    pub(super) faces_split: u64,
+    pub(super) wrong: Wrong,
+    /// Planted: for a split point the one that other faces use.
+    pub(super) duplicates: BTreeMap<Vertex, Vertex>,
+}
+
+impl<'a> Cutter<'a> {
+    pub(super) fn new(
+        session: &'a mut dyn Predicates,
+        planar: Planar,
+        planes: &'a [[Vertex; 3]],
+        wrong: Wrong,
+    ) -> Cutter<'a> {
+        let Planar { mut mesh, supports, faces: of } = planar;
+        let faces: Vec<Face> = mesh.faces().collect();
+        for (face, at) in faces.into_iter().zip(0..) {
+            mesh.set_face_user_data(face, at);
+        }
+        let mut cutter = Cutter {
+            session,
+            mesh,
+            supports,
+            faces: of,
+            planes,
+            lines: Vec::new(),
+            caps: Vec::new(),
+            points: Vec::new(),
+            signs: Vec::new(),
+            sides: Vec::new(),
+            parts: 1,
+            faces_split: 0,
+            wrong,
+            duplicates: BTreeMap::new(),
+        };
+        let vertices: Vec<MeshVertex> = cutter.mesh.vertices().collect();
+        cutter.see_new_vertices(&vertices);
+        cutter
+    }
+
+    /// Splits everything by the plane with this place in the list.
+    pub(super) fn cut(&mut self, place: usize) -> Result<(), Halt> {
+        let plane = self.planes[place];
+        self.session.orient3d_plane(plane, &self.points, &mut self.signs);
+        self.split_edges(plane)?;
+        let on_plane: Vec<MeshVertex> = self.mesh.vertices().filter(|&v| self.sign(v).is_zero()).collect();
+        if on_plane.is_empty() {
+            self.divide_parts();
+            return Ok(());
+        }
+        let touched = self.split_faces(place, &on_plane)?;
+        self.put_on_sides(place, &touched)?;
+        self.separate(place, &touched)?;
+        self.divide_parts();
+        Ok(())
+    }
+
+    /// The side of a vertex on the plane at hand.
+    #[inline]
+    pub(super) fn sign(&self, v: MeshVertex) -> Sign {
+        self.signs[v.index()]
+    }
+
+    /// Lists vertices that were added to the mesh, by ascending handles; they are on the plane at hand.
+    pub(super) fn see_new_vertices(&mut self, new: &[MeshVertex]) {
+        for &v in new {
+            // None is ever removed, so handles count up.
+            debug_assert_eq!(v.index(), self.points.len());
+            self.points.push(self.mesh.scene_vertex(v));
+            self.signs.push(Sign::Zero);
+        }
+    }
+
+    /// How many vertices are listed.
+    pub(super) fn known_vertices(&self) -> usize {
+        self.points.len()
+    }
+
+    /// One half-edge of each edge with ends on both sides.
+    fn crossing_edges(&self) -> Vec<HalfEdge> {
+        let mesh = &self.mesh;
+        // Along the loops, whose half-edges stand side by side.
+        let crossing = mesh.half_edges().filter_map(|h| {
+            let next = mesh.next(h);
+            let [a, b] = [h, next].map(|h| self.sign(mesh.end(h)));
+            (a != b && !a.is_zero() && !b.is_zero() && next < mesh.opposite(next)).then_some(next)
+        });
+        crossing.collect()
+    }
+
+    /// Splits the edges with ends on both sides, whose points are constructed in one call.
+    fn split_edges(&mut self, plane: [Vertex; 3]) -> Result<(), Halt> {
+        let edges = self.crossing_edges();
+        let definitions: Vec<Construction> = edges.iter().map(|&h| self.definition(h, plane)).collect();
+        let vertices = self.session.construct(&definitions)?;
+        for (h, vertex) in edges.into_iter().zip(vertices) {
+            if self.wrong.duplicates {
+                self.duplicate(h, vertex, plane)?;
+            }
+            self.split_edge(h, vertex)?;
+        }
+        Ok(())
+    }
+
+    /// Planted: the same point once more, by planes instead of the edge.
+    fn duplicate(&mut self, h: HalfEdge, vertex: Vertex, plane: [Vertex; 3]) -> Result<(), Halt> {
+        let supports = [h, self.mesh.opposite(h)].map(|h| self.mesh.face(h).map(|f| self.support(f)));
+        if let [Some(first), Some(second)] = supports {
+            let definition = Construction::Tpi([first, second, plane]);
+            match self.session.construct(&[definition]) {
+                Ok(copy) => {
+                    self.duplicates.insert(vertex, copy[0]);
+                }
+                Err(Refused::Definition { .. }) => {}
+                Err(why) => return Err(why.into()),
+            }
+        }
+        Ok(())
+    }
+
+    /// The cap that a face is of; none for a piece of a face of the input.
+    pub(super) fn cap_of(&self, f: Face) -> Option<usize> {
+        (self.mesh.face_user_data(f) as usize).checked_sub(self.supports.len())
+    }
+
+    /// Three vertices of the plane of a face, which turn as the face does.
+    pub(super) fn support(&self, f: Face) -> [Vertex; 3] {
+        let Some(cap) = self.cap_of(f) else { return self.supports[self.mesh.face_user_data(f) as usize] };
+        let Cap { plane, positive, .. } = self.caps[cap];
+        let [a, b, c] = self.planes[plane];
+        // The positive side is where the three are seen clockwise, and a cap faces away from its part.
+        if positive { [a, b, c] } else { [a, c, b] }
+    }
+
+    /// [`seen`] by the session.
+    pub(super) fn seen(&self, support: [Vertex; 3]) -> Option<(Plane, bool)> {
+        seen(&*self.session, support)
+    }
+
+    /// [`normal`] in the session's scene.
+    pub(super) fn normal(&self, plane: [Vertex; 3]) -> [f64; 3] {
+        normal(self.session.scene(), plane)
+    }
+}
+
+/// A coordinate plane in which three vertices turn, and whether they turn clockwise there.
+pub(super) fn seen(session: &dyn Predicates, support: [Vertex; 3]) -> Option<(Plane, bool)> {
+    let [a, b, c] = support;
+    let normal = normal(session.scene(), support);
+    let mut planes = [(Plane::Yz, normal[0]), (Plane::Zx, normal[1]), (Plane::Xy, normal[2])];
+    // Which one is a matter of taste; whether they turn there is not.
+    planes.sort_by(|p, q| q.1.abs().total_cmp(&p.1.abs()));
+    planes.into_iter().find_map(|(plane, _)| match session.orient2d(plane, a, b, c) {
+        Sign::Zero => None,
+        sign => Some((plane, sign == Sign::Negative)),
+    })
+}
+
+/// The normal of a plane of input vertices, roughly.
+fn normal(scene: &Scene, plane: [Vertex; 3]) -> [f64; 3] {
+    let [a, b, c] = plane.map(|v| scene.point3(v));
+    let minus = |p: [f64; 3], q: [f64; 3]| [0, 1, 2].map(|i| p[i] - q[i]);
+    cross(minus(b, a), minus(c, a))
+}
+
+pub(super) fn cross(u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
+    [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+}

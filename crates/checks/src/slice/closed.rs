@@ -1,0 +1,78 @@
+//! Whether parts are closed, and on one side of each plane.
+
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+
+use super::exact::Plane;
+use super::{Check, Expected, Flaws, Part, Slices};
+
+/// The sides of the triangles of a part, and those that open loops would be covered along.
+fn directed(part: &Part) -> impl Iterator<Item = [u32; 2]> + '_ {
+    let around = |corners: &'_ [u32]| {
+        let corners = corners.to_vec();
+        (0..corners.len()).map(move |at| [corners[at], corners[(at + 1) % corners.len()]])
+    };
+    part.triangles.iter().flat_map(move |t| around(t)).chain(part.open.iter().flat_map(move |l| around(l)))
+}
+
+impl Slices {
+    /// Each directed edge is there as often as its reverse.
+    pub(super) fn closed(&self, expected: Expected, flaws: &mut Flaws) {
+        for (at, part) in self.parts.iter().enumerate() {
+            let mut surplus: BTreeMap<[u32; 2], i64> = BTreeMap::new();
+            for [a, b] in directed(part) {
+                *surplus.entry([a.min(b), a.max(b)]).or_default() += if a < b { 1 } else { -1 };
+            }
+            for (edge, surplus) in surplus.into_iter().filter(|(_, surplus)| *surplus != 0) {
+                let sides = surplus.unsigned_abs();
+                flaws.add(Check::Closed, &edge, || {
+                    format!("part {at} has an edge with {sides} side of a triangle too many")
+                });
+            }
+            if let Some(open) = part.open.first().filter(|_| expected.is_closed) {
+                flaws.add(Check::Closed, open, || format!("part {at} of a closed mesh has an open loop"));
+            }
+        }
+    }
+
+    /// No part has points on both sides of a plane, and caps face away from where their part is.
+    pub(super) fn sides(&self, flaws: &mut Flaws) {
+        let mut used: Vec<Vec<u32>> = self.parts.iter().map(|part| part.triangles.as_flattened().to_vec()).collect();
+        for points in &mut used {
+            points.sort_unstable();
+            points.dedup();
+        }
+        // Of part and plane, for caps.
+        let mut sides: BTreeMap<(usize, usize), Ordering> = BTreeMap::new();
+        for (place, &plane) in self.planes.iter().enumerate() {
+            let plane = Plane::of(self.points(plane));
+            // A point is in several parts.
+            let mut known: Vec<Option<Ordering>> = vec![None; self.points.len()];
+            for (at, points) in used.iter().enumerate() {
+                let mut first: [Option<u32>; 2] = [None; 2];
+                for &p in points {
+                    let side = *known[p as usize].get_or_insert_with(|| plane.side(&self.points[p as usize]));
+                    let slot = match side {
+                        Ordering::Less => 0,
+                        Ordering::Equal => continue,
+                        Ordering::Greater => 1,
+                    };
+                    first[slot].get_or_insert(p);
+                    if let [Some(below), Some(above)] = first {
+                        flaws.add(Check::Side, &[below, above], || {
+                            format!("part {at} is on both sides of plane {place}")
+                        });
+                        break;
+                    }
+                }
+                let side = match first {
+                    [Some(_), None] => Ordering::Less,
+                    [None, Some(_)] => Ordering::Greater,
+                    _ => Ordering::Equal,
+                };
+                sides.insert((at, place), side);
+            }
+        }
+        self.caps(&sides, flaws);
+    }
+}

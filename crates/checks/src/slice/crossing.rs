@@ -1,0 +1,98 @@
+//! Whether edges of a part pass through its triangles.
+
+use std::cmp::Ordering;
+
+use predicament_grid::{Bounds, BoxIndex};
+
+use super::exact::{Plane, area, side};
+use super::{Check, Expected, Flaws, Part, Piece, Slices};
+
+impl Slices {
+    /// Holds triangles of each part against those near them: what touches is allowed, what passes through is not.
+    /// Covers of open loops are in no plane and may pass through anything.
+    pub(super) fn crossings(&self, expected: Expected, flaws: &mut Flaws) {
+        let step = self.triangles().div_ceil(expected.triangles_crossed.max(1)).max(1);
+        let mut number = 0;
+        for (at, part) in self.parts.iter().enumerate() {
+            let Some((index, reach)) = self.index(part) else { continue };
+            let mut near = Vec::new();
+            for (place, &triangle) in part.triangles.iter().enumerate() {
+                number += 1;
+                if number % step != 0 || part.pieces[place] == Piece::Cover {
+                    continue;
+                }
+                index.near(&index.boxes()[place], reach, &mut near);
+                for other in near.iter().map(|&other| other as usize) {
+                    if other == place || part.pieces[other] == Piece::Cover {
+                        continue;
+                    }
+                    let other = part.triangles[other];
+                    if self.pass(triangle, other, expected) {
+                        flaws.add(Check::SelfIntersection, &[triangle, other].concat(), || {
+                            format!("two triangles of part {at} pass through each other")
+                        });
+                    }
+                }
+            }
+        }
+    }
+
+    /// The boxes of the triangles, and how far they may be off.
+    fn index(&self, part: &Part) -> Option<(BoxIndex<3>, f64)> {
+        let mut largest = 0.0_f64;
+        let boxes = part.triangles.iter().map(|triangle| {
+            let points = self.points(*triangle).map(|p| [0, 1, 2].map(|i| p[i].to_f64()));
+            points.as_flattened().iter().for_each(|x| largest = largest.max(x.abs()));
+            Bounds::of(points)
+        });
+        let boxes: Vec<Bounds<3>> = boxes.collect();
+        // Coordinates are rounded by less than a part in 2^52.
+        (!boxes.is_empty()).then(|| (BoxIndex::new(boxes), largest * 2.0_f64.powi(-50)))
+    }
+
+    /// Whether an edge of one triangle passes through the inside of the other, or edges of both cross in a common plane.
+    /// Faces of a part without volume, which breaking ties makes, may lie on each other.
+    fn pass(&self, first: [u32; 3], second: [u32; 3], expected: Expected) -> bool {
+        let shared = first.iter().filter(|p| second.contains(p)).count();
+        if shared == 3 {
+            return false;
+        }
+        let planes = [Plane::of(self.points(first)), Plane::of(self.points(second))];
+        let of_second = self.points(second).map(|p| planes[0].side(p));
+        if of_second == [Ordering::Equal; 3] {
+            return expected.has_areas && self.overlap(&planes[0], first, second);
+        }
+        let of_first = self.points(first).map(|p| planes[1].side(p));
+        let pierces = |edges: [u32; 3], sides: [Ordering; 3], triangle: [u32; 3]| {
+            (0..3).any(|i| {
+                let j = (i + 1) % 3;
+                let through = sides[i] != Ordering::Equal && sides[i] == sides[j].reverse();
+                through && self.is_inside([edges[i], edges[j]], triangle)
+            })
+        };
+        pierces(second, of_second, first) || pierces(first, of_first, second)
+    }
+
+    /// Whether the line through an edge meets the inside of a triangle.
+    fn is_inside(&self, [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> bool {
+        let turn = |x: u32, y: u32| {
+            let [p, q, x, y] = self.points([p, q, x, y]);
+            side([p, q, x], y)
+        };
+        let turns = [turn(a, b), turn(b, c), turn(c, a)];
+        turns[0] != Ordering::Equal && turns == [turns[0]; 3]
+    }
+
+    /// Whether edges of two triangles in one plane cross.
+    fn overlap(&self, plane: &Plane, first: [u32; 3], second: [u32; 3]) -> bool {
+        let Some(axis) = plane.axis() else { return false };
+        let turn = |a: u32, b: u32, c: u32| area(self.points([a, b, c]), axis).cmp0();
+        let opposite = |x: Ordering, y: Ordering| x != Ordering::Equal && x == y.reverse();
+        let edges = |[a, b, c]: [u32; 3]| [[a, b], [b, c], [c, a]];
+        edges(first).into_iter().any(|[a, b]| {
+            edges(second)
+                .into_iter()
+                .any(|[p, q]| opposite(turn(a, b, p), turn(a, b, q)) && opposite(turn(p, q, a), turn(p, q, b)))
+        })
+    }
+}

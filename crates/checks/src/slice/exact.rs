@@ -1,0 +1,78 @@
+//! Determinants of rational points.
+
+use std::cmp::Ordering;
+
+use rug::Rational;
+
+/// A point in space.
+pub type Point = [Rational; 3];
+
+pub(super) fn minus(p: &Point, q: &Point) -> Point {
+    [0, 1, 2].map(|i| Rational::from(&p[i] - &q[i]))
+}
+
+/// Component `i` of the cross product.
+fn component(u: &Point, v: &Point, i: usize) -> Rational {
+    let [j, k] = [(i + 1) % 3, (i + 2) % 3];
+    Rational::from(&u[j] * &v[k]) - Rational::from(&u[k] * &v[j])
+}
+
+/// Twice the area vector of a triangle.
+pub(super) fn normal([a, b, c]: [&Point; 3]) -> Point {
+    let [u, v] = [minus(b, a), minus(c, a)];
+    [0, 1, 2].map(|i| component(&u, &v, i))
+}
+
+/// One component of twice the area vector of a triangle.
+pub(super) fn area([a, b, c]: [&Point; 3], axis: usize) -> Rational {
+    component(&minus(b, a), &minus(c, a), axis)
+}
+
+pub(super) fn dot(u: &Point, v: &Point) -> Rational {
+    u.iter().zip(v).map(|(x, y)| Rational::from(x * y)).sum()
+}
+
+/// Six times the volume of the tetrahedron with the origin: a·(b × c).
+pub(super) fn volume([a, b, c]: [&Point; 3]) -> Rational {
+    dot(a, &[0, 1, 2].map(|i| component(b, c, i)))
+}
+
+/// The side of p on a plane: greater where its normal points.
+pub(super) fn side(plane: [&Point; 3], p: &Point) -> Ordering {
+    Plane::of(plane).side(p)
+}
+
+/// A plane by a point and a normal.
+pub(super) struct Plane {
+    pub(super) normal: Point,
+    at: Point,
+}
+
+impl Plane {
+    pub(super) fn of(points: [&Point; 3]) -> Plane {
+        Plane { normal: normal(points), at: points[0].clone() }
+    }
+
+    pub(super) fn side(&self, p: &Point) -> Ordering {
+        dot(&self.normal, &minus(p, &self.at)).cmp0()
+    }
+
+    /// An axis along which the normal is not zero.
+    pub(super) fn axis(&self) -> Option<usize> {
+        self.normal.iter().position(|x| !x.is_zero())
+    }
+}
+
+/// The sum, in pairs: partial sums are of few terms each.
+pub(super) fn sum(mut terms: Vec<Rational>) -> Rational {
+    while terms.len() > 1 {
+        terms = terms
+            .chunks(2)
+            .map(|pair| match pair {
+                [a, b] => Rational::from(a + b),
+                rest => rest[0].clone(),
+            })
+            .collect();
+    }
+    terms.pop().unwrap_or_default()
+}

@@ -1,0 +1,257 @@
+//! `slice`: a mesh split by planes, one after the other.
+//!
+//! The cascade of the lecture: each plane splits what the planes before it have left, so edges that were constructed
+//! are split again. Exact arithmetic and Simulation of Simplicity keep the points; controls round them between
+//! the cuts, and what comes out is judged as they have it.
+
+mod content;
+mod faces;
+mod generate;
+mod judge;
+
+use std::path::{Path, PathBuf};
+
+use predicament_algorithms::slice::planted::{
+    DuplicatedSplitPoints, OneLoopCapped, Planted as Wrong, ReversedCaps, UnsortedSplitPoints, WrongSide,
+};
+use predicament_algorithms::slice::{Sliced, Source, slice, slice_planted};
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source as SceneSource};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{PredicateKind, Predicates, Query, Refused, Scene, Vertex};
+
+pub use content::Solid;
+
+use crate::{
+    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+    output,
+};
+
+/// The checks that have to find split points that faces do not share.
+const DUPLICATES_CHECKS: &[Catch] = &[(Class::Topology, "part not closed")];
+/// The checks that have to find a cap of which a loop is missing.
+const ONE_LOOP_CHECKS: &[Catch] = &[(Class::Topology, "part not closed"), (Class::Topology, "volume")];
+/// The checks that have to find caps that face the wrong way.
+const REVERSED_CHECKS: &[Catch] = &[(Class::Topology, "cap orientation"), (Class::Topology, "part not closed")];
+/// The checks that have to find a face on the wrong side.
+const WRONG_SIDE_CHECKS: &[Catch] = &[(Class::Topology, "part not closed"), (Class::Topology, "wrong side")];
+/// The checks that have to find edges across a concave face that leave it.
+const UNSORTED_CHECKS: &[Catch] = &[(Class::Topology, "piece orientation")];
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Slice;
+
+/// The parts, and the vertices that were constructed.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Cut {
+    /// The parts.
+    pub sliced: Sliced,
+    /// How many constructions the scene had before.
+    pub before: usize,
+    /// What the session has rounded the constructed vertices to; none where it keeps them.
+    pub rounded: Option<Vec<[f64; 3]>>,
+}
+
+impl Cut {
+    /// Splits the mesh of a scene.
+    ///
+    /// # Errors
+    /// [`Refused`] where the session does not construct a vertex.
+    fn of<F: Wrong>(session: &mut dyn Predicates, content: &Solid) -> Result<Cut, Refused> {
+        let before = session.scene().constructions().len();
+        let sliced = slice_planted::<F>(session, content.mesh(), &content.supports, &content.planes)?;
+        Ok(Cut::with_points(session, sliced, before))
+    }
+
+    fn with_points(session: &dyn Predicates, sliced: Sliced, before: usize) -> Cut {
+        let vertices = (0..sliced.constructions.len()).map(|at| Vertex::constructed(before + at));
+        let rounded = vertices.map(|v| session.rounded_point(v).and_then(|point| <[f64; 3]>::try_from(point).ok()));
+        let rounded: Option<Vec<[f64; 3]>> = rounded.collect();
+        Cut { rounded: rounded.filter(|points| !points.is_empty()), sliced, before }
+    }
+}
+
+impl Answer for Cut {
+    fn digest(&self) -> u64 {
+        let vertex = |v: Vertex| (v.index() as u64).to_le_bytes();
+        let parts = self.sliced.parts.iter().flat_map(|part| {
+            let ends = (part.triangles.len() as u64).to_le_bytes();
+            let open = part.open.iter().flatten();
+            part.triangles.as_flattened().iter().chain(open).map(move |&v| vertex(v)).chain([ends])
+        });
+        let broken = self.sliced.broken.map_or("", |(what, _)| what);
+        digest(parts.flatten().chain(broken.bytes()))
+    }
+}
+
+impl SceneFormat for Slice {
+    fn name(&self) -> &'static str {
+        "slice"
+    }
+
+    fn template(&self) -> String {
+        include_str!("template.txt").to_owned()
+    }
+
+    fn about(&self) -> &'static str {
+        "the parts of a mesh that planes make, one after the other"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["mesh", "points", "faces", "planes", "closed"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points", "planes"]
+    }
+
+    fn file_keys(&self) -> &'static [&'static str] {
+        &["mesh"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<SceneSource, CorpusError> {
+        content::read(context, fields)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &generate::FAMILIES
+    }
+}
+
+impl Task for Slice {
+    type Content = Solid;
+    type Truth = ();
+    type Answer = Cut;
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]
+    }
+
+    fn constructs(&self) -> bool {
+        true
+    }
+
+    /// The truth is in the laws, and in the mesh.
+    fn truth(&self, _: &Scene, _: &Solid, watch: &Watch) -> Result<(), Stop> {
+        watch.done(0)
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &Solid,
+        how: &How<'_>,
+        answer: &mut Cut,
+    ) -> Result<(), Halt> {
+        how.watch.done(0)?;
+        let before = session.scene().constructions().len();
+        let sliced = slice(session, content.mesh(), &content.supports, &content.planes)?;
+        *answer = Cut::with_points(session, sliced, before);
+        how.watch.done(content.faces.len() as u64)?;
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, Slice>,
+        asked: &Asked<'_>,
+        answer: &Cut,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        asked.watch.done(0)?;
+        judge::judge(case, asked, answer, outcome);
+        Ok(())
+    }
+
+    fn planted(&self) -> Vec<Planted<Slice>> {
+        fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<Slice> {
+            Planted::new::<F>("exact", caught_by, |session, content: &Solid| Ok(Cut::of::<F>(session, content)?))
+        }
+        vec![
+            fault::<DuplicatedSplitPoints>(DUPLICATES_CHECKS),
+            fault::<OneLoopCapped>(ONE_LOOP_CHECKS),
+            fault::<ReversedCaps>(REVERSED_CHECKS),
+            fault::<WrongSide>(WRONG_SIDE_CHECKS),
+            fault::<UnsortedSplitPoints>(UNSORTED_CHECKS),
+        ]
+    }
+
+    fn describe(&self, _: &LoadedScene, content: &Solid, _: &Watch) -> Result<String, Stop> {
+        let closed = if content.is_closed { "closed" } else { "open" };
+        Ok(format!("{} faces, {closed}, and {} planes\n", content.faces.len(), content.planes.len()))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &Solid,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let _ = query;
+        let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|cut| told(&cut.sliced));
+        Ok(Explanation::default().with_answers(backends, ask))
+    }
+
+    /// Each part as meshes, all vertices exactly, and a JSON file of what each triangle is a piece of.
+    fn write(&self, scene: &Scene, _: &Solid, answer: &Cut, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+        let parts = &answer.sliced.parts;
+        let mut exact = scene.clone();
+        for definition in &answer.sliced.constructions {
+            exact.construct(*definition).map_err(std::io::Error::other)?;
+        }
+        let mut files = Vec::new();
+        // A session that rounds has its own points.
+        let (meshes, moved) = match &answer.rounded {
+            None => (exact.clone(), 0),
+            Some(rounded) => {
+                let coordinates = [scene.coordinates(), rounded.as_flattened()].concat();
+                (Scene::new(scene.dimension(), coordinates).map_err(std::io::Error::other)?, scene.len())
+            }
+        };
+        let place = |v: Vertex| match v.construction() {
+            Some(index) if moved > 0 => Vertex::input(moved + index - answer.before),
+            _ => v,
+        };
+        for (at, part) in parts.iter().enumerate() {
+            let faces: Vec<Vec<Vertex>> = part.triangles.iter().map(|t| t.map(place).to_vec()).collect();
+            files.extend(output::mesh(&meshes, &faces, folder, &format!("part-{at}"))?);
+        }
+        let path = folder.join("parts.json");
+        let ids = |vertices: &[Vertex]| vertices.iter().map(ToString::to_string).collect::<Vec<_>>();
+        let part = |part: &predicament_algorithms::slice::Part| {
+            let triangle = |(triangle, source): (&[Vertex; 3], &Source)| serde_json::json!({ "vertices": ids(triangle), "of": name(*source) });
+            let triangles: Vec<serde_json::Value> = part.triangles.iter().zip(&part.sources).map(triangle).collect();
+            let open: Vec<Vec<String>> = part.open.iter().map(|around| ids(around)).collect();
+            serde_json::json!({ "triangles": triangles, "open": open })
+        };
+        let json = serde_json::json!({
+            "parts": parts.iter().map(part).collect::<Vec<_>>(),
+            "broken": answer.sliced.broken.map(|(what, _)| what),
+        });
+        std::fs::write(&path, format!("{json}\n"))?;
+        files.push(path);
+        if answer.rounded.is_none() {
+            let used = parts.iter().flat_map(|part| part.triangles.as_flattened().iter().copied());
+            files.push(output::vertices(&exact, used, folder)?);
+        }
+        Ok(files)
+    }
+}
+
+fn name(source: Source) -> String {
+    match source {
+        Source::Face(face) => format!("face {face}"),
+        Source::Cap(plane) => format!("cap {plane}"),
+        Source::Cover => "cover".to_owned(),
+    }
+}
+
+fn told(sliced: &Sliced) -> String {
+    let triangles: usize = sliced.parts.iter().map(|part| part.triangles.len()).sum();
+    let parts = format!("{} parts of {triangles} triangles", sliced.parts.len());
+    match sliced.broken {
+        None => parts,
+        Some((what, _)) => format!("{parts}; violated: {what}"),
+    }
+}
