@@ -8,6 +8,7 @@ mod engines;
 mod habits;
 mod isolation;
 mod judged;
+mod lecture;
 mod limits;
 mod lines_and_cubes;
 mod output;
