@@ -23,6 +23,9 @@ use crate::tool::Tool;
 use crate::{expectations, interrupt, progress};
 
 const EXAMPLES: &str = "\
+Honest backends run on every scene. A fault runs until all checks that have to find it have found it; what else would find
+it later is not tried.
+
 Examples:
   predicament selftest
   predicament selftest --list                      the faults, and the checks that have to find them
@@ -73,6 +76,11 @@ impl Entry {
         for catch in catches(outcome).filter(|catch| !known.contains(catch)) {
             *self.caught.entry(catch).or_default() += 1;
         }
+    }
+
+    /// Whether it is run on the next scene: an honest backend always, a fault until all its checks have found it.
+    fn is_open(&self) -> bool {
+        self.caught_by.is_none() || self.caught.is_empty() || !self.missed().is_empty()
     }
 
     /// The checks that should have found it and did not.
@@ -148,11 +156,16 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         let budget = crate::planning::budget(Level::Quick);
         // What an honest backend is known to show catches no fault.
         let mut known: BTreeSet<(Class, String)> = BTreeSet::new();
-        let outcomes: Result<Vec<Outcome>, Stop> = contestants
+        let outcomes: Result<Vec<Option<Outcome>>, Stop> = contestants
             .par_iter()
-            .map(|contestant| predicament_oracle::run(case.as_ref(), contestant.as_ref(), budget, &watch))
+            .zip(&entries)
+            .map(|(contestant, entry)| {
+                let run = || predicament_oracle::run(case.as_ref(), contestant.as_ref(), budget, &watch);
+                entry.is_open().then(run).transpose()
+            })
             .collect();
         for (outcome, entry) in outcomes.map_err(interrupted)?.into_iter().zip(&mut entries) {
+            let Some(outcome) = outcome else { continue };
             if entry.caught_by.is_none() {
                 let of = |class| {
                     let mut of = expected.matching(&loaded.suite, &loaded.name, &entry.name, Level::Quick.name());
@@ -182,7 +195,7 @@ fn algorithms(
 ) -> Result<(), Stop> {
     for planted in case.task().planted_faults() {
         let name = algorithm(planted.name());
-        if entries.iter().all(|entry| entry.name != name) {
+        if !entries.iter().any(|entry| entry.name == name && entry.is_open()) {
             continue;
         }
         let honest = contestants.iter().find(|contestant| contestant.name() == planted.backend());
