@@ -44,8 +44,17 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
 /// True for a file of a library with tests that are never compiled.
 fn has_lost_tests(manifest: &str, source: &str) -> bool {
     let library = manifest.split("\n[").find(|section| section.starts_with("lib]"));
-    let is_not_tested = library.is_some_and(|section| section.lines().any(|line| line == "test = false"));
-    is_not_tested && (source.contains("#[test]") || source.contains("proptest!"))
+    let says = |wanted: &str| library.is_some_and(|section| section.lines().any(|line| line == wanted));
+    says("test = false") && (source.contains("#[test]") || source.contains("proptest!"))
+        || says("doctest = false") && has_example(source)
+}
+
+/// True for a file whose documentation has a block of code; one that is called text is none.
+fn has_example(source: &str) -> bool {
+    let text = source.lines().map(str::trim_start);
+    let docs = text.filter_map(|line| line.strip_prefix("///").or_else(|| line.strip_prefix("//!")));
+    let mut fences = docs.map(str::trim).filter(|line| line.starts_with("```"));
+    std::iter::from_fn(|| Some([fences.next()?, fences.next().unwrap_or("```")])).any(|[open, _]| open != "```text")
 }
 
 #[test]
@@ -66,6 +75,10 @@ fn a_lost_test_is_seen() {
     let [with, without] = ["#[test]\nfn a() {}\n", "fn a() {}\n"];
     assert!(has_lost_tests(not, with));
     assert!(!has_lost_tests(not, without) && !has_lost_tests(tested, with));
+    let no_examples = "[package]\n\n[lib]\ndoctest = false\n";
+    let example = "    /// Adds:\n    /// ```\n    /// assert_eq!(add(1, 1), 2);\n    /// ```\n    fn add() {}\n";
+    assert!(has_lost_tests(no_examples, example) && !has_lost_tests(tested, example));
+    assert!(!has_lost_tests(no_examples, &example.replacen("```", "```text", 1)), "a figure");
 }
 
 /// The lines of the sections of a manifest about a profile, but for those about packages of this workspace.

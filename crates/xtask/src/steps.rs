@@ -88,7 +88,9 @@ fn example() -> Result<(), String> {
     let manifest = format!("{EXAMPLE}/Cargo.toml");
     cargo("format of the example", &["fmt", "--manifest-path", &manifest, "--check"])?;
     let mut test: Vec<String> =
-        ["test", "--profile", "ci", "--locked", "--manifest-path", &manifest].map(str::to_owned).into();
+        ["test", "--profile", "ci", "--locked", "--test", "holds", "--manifest-path", &manifest]
+            .map(str::to_owned)
+            .into();
     for package in packages()? {
         test.extend(["--config".to_owned(), format!("profile.ci.package.{package}.opt-level=0")]);
     }

@@ -164,7 +164,11 @@ const SOLVED: &str = "solve";
 /// An error about files, with the cures of this command.
 fn own(error: CorpusError, task: &str) -> Failure {
     if error.file == SOLVED {
-        return Failure::usage(format!("{task}: {}; {}, with --set KEY=VALUE", error.message, error.cure));
+        let cure = match error.message.contains("can't be read") {
+            true => "name a file that is there".to_owned(),
+            false => format!("{}, with --set KEY=VALUE", error.cure),
+        };
+        return Failure::usage(format!("{task}: {}; {cure}", error.message));
     }
     let cure = match error.cure.find("write `round = true`") {
         Some(_) => "add --round to read the nearest doubles".to_owned(),
