@@ -65,9 +65,13 @@ impl Message {
     /// # Errors
     /// Where a key has more than 255 bytes or the body more than [`MOST_BYTES`].
     pub fn encode(&self) -> Result<Vec<u8>, String> {
+        self.encode_within(MOST_BYTES)
+    }
+
+    fn encode_within(&self, most: u32) -> Result<Vec<u8>, String> {
         let size: usize = self.entries.iter().map(|(key, value)| 1 + key.len() + 4 + value.len()).sum();
-        let length = u32::try_from(size).ok().filter(|&length| length <= MOST_BYTES);
-        let length = length.ok_or_else(|| format!("a message of {size} bytes; the protocol has up to {MOST_BYTES}"))?;
+        let length = u32::try_from(size).ok().filter(|&length| length <= most);
+        let length = length.ok_or_else(|| format!("a message of {size} bytes; the protocol has up to {most}"))?;
         let mut bytes = Vec::with_capacity(4 + size);
         bytes.extend(length.to_le_bytes());
         for (key, value) in &self.entries {
@@ -163,6 +167,17 @@ mod tests {
         for cut in 1..bytes.len() {
             assert!(read(&bytes[..cut]).is_err(), "{cut}");
         }
+    }
+
+    #[test]
+    fn what_is_sent_is_bounded() {
+        let message = Message::new("batch").with("ids", [1, 0, 0, 0]);
+        let body = u32::try_from(message.encode().unwrap().len()).unwrap() - 4;
+        assert_eq!(message.encode_within(body), message.encode());
+        let said = format!("a message of {body} bytes; the protocol has up to {}", body - 1);
+        assert_eq!(message.encode_within(body - 1), Err(said));
+        let long = Message::new("batch").with(&"k".repeat(256), "");
+        assert!(long.encode().unwrap_err().ends_with("is too long"));
     }
 
     #[test]
