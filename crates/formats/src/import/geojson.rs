@@ -87,8 +87,12 @@ pub fn read(file: &str, text: &str, decimals: &Decimals) -> Result<Geometry, Cor
         Reader { file, text, lines: Lines::new(text), decimals, notes: ImportNotes::default(), features: Vec::new() };
     let root = Place { before: None, step: Step::Key("") };
     // A file may end early or be no JSON at all: the whole of it is looked at before any part.
-    let whole = reader.part(text, 0)?;
-    reader.feature(whole, &root)?;
+    let whole: &RawValue = reader.part(text, 0)?;
+    if whole.get().starts_with('[') {
+        reader.bare_rings(whole, &root)?;
+    } else {
+        reader.feature(whole, &root)?;
+    }
     Ok(Geometry { file: file.to_owned(), features: reader.features, notes: reader.notes })
 }
 
@@ -172,6 +176,17 @@ impl<'t> Reader<'_, 't> {
                 Ok(())
             }
         }
+    }
+
+    /// The rings of one polygon and nothing around them, closed or not: how triangulators write their test data.
+    fn bare_rings(&mut self, raw: &'t RawValue, place: &Place<'_>) -> Result<(), CorpusError> {
+        let mut rings = Vec::new();
+        for (index, ring) in self.items(raw, place)?.into_iter().enumerate() {
+            let positions = self.positions(ring, &place.index(index))?;
+            rings.push(open(positions.clone()).unwrap_or(positions));
+        }
+        self.features.push(Feature { name: None, line: self.line(raw.get()), shapes: vec![Shape::Polygon(rings)] });
+        Ok(())
     }
 
     fn geometry(

@@ -7,7 +7,11 @@ fn bad_manifests_are_refused_by_line() {
     let good = include_str!("../../../../corpora/fetch.toml");
     Manifest::parse("fetch.toml", good).unwrap();
     for (from, to, message) in [
-        ("manager = \"cargo\"", "manager = \"pip\"", "no package manager is called `pip`; use npm or cargo"),
+        (
+            "manager = \"cargo\"",
+            "manager = \"conda\"",
+            "no package manager is called `conda`; use npm, cargo, pip or apt",
+        ),
         ("fixtures/orient2d.txt", "../orient2d.txt", "`../orient2d.txt` is no path in a package"),
         ("package = \"robust\"", "package = \"-robust\"", "`-robust` is no package name"),
         ("sha256 = \"4609", "sha256 = \"46\\u0020", "is no SHA-256"),

@@ -217,10 +217,11 @@ impl Elsewhere for Written {
 
     /// The fetched file that is needed first, if any.
     fn fetch_entry(&self) -> Option<&Entry> {
-        [&self.a, &self.b].into_iter().find_map(|side| match &side.source {
+        let of_sides = [&self.a, &self.b].into_iter().find_map(|side| match &side.source {
             Source::Topology { origin, .. } | Source::Geometry(origin) | Source::Mesh(origin) => origin.entry(),
             Source::Written(_) | Source::Polygons(_) | Source::Shifted(_) => None,
-        })
+        });
+        of_sides.or_else(|| self.points.entry())
     }
 }
 

@@ -122,6 +122,10 @@ impl Elsewhere for OfPoints {
         }
         Ok(Parts { notes, ..Parts::new(scene, Segments(segments)) })
     }
+
+    fn fetch_entry(&self) -> Option<&Entry> {
+        self.points.entry()
+    }
 }
 
 /// The families of segments.

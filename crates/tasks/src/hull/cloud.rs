@@ -2,7 +2,7 @@
 
 use predicament_algorithms::hull::{PlaneMethod, SpaceMethod};
 use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, PointSource, Source};
-use predicament_formats::{Cache, CorpusError, Fields};
+use predicament_formats::{Cache, CorpusError, Entry, Fields};
 use predicament_predicates::Dimension;
 
 /// The ways to find a hull.
@@ -91,5 +91,9 @@ impl<M: Method> Elsewhere for Asked<M> {
         }
         let cloud = Cloud { points: scene.len(), method: self.method };
         Ok(Parts { notes, ..Parts::new(scene, cloud) })
+    }
+
+    fn fetch_entry(&self) -> Option<&Entry> {
+        self.points.entry()
     }
 }

@@ -1,7 +1,7 @@
 //! `cells`: a row of cells of a line, and points to find in them.
 
 use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, PointSource, Source};
-use predicament_formats::{Cache, CorpusError, Fields};
+use predicament_formats::{Cache, CorpusError, Entry, Fields};
 use predicament_predicates::{Axis, Dimension, Scene, Vertex};
 
 use crate::signs::axis;
@@ -69,6 +69,10 @@ impl Elsewhere for Asked {
         let (scene, notes) = self.points.scene(cache)?;
         let cells = self.cells(&scene)?;
         Ok(Parts { notes, ..Parts::new(scene, cells) })
+    }
+
+    fn fetch_entry(&self) -> Option<&Entry> {
+        self.points.entry()
     }
 }
 

@@ -1,7 +1,7 @@
 //! `points` with `queries`, or a `fixture`: what a scene of signs asks.
 
 use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, PointSource, Source};
-use predicament_formats::{Cache, CorpusError, Field, Fields};
+use predicament_formats::{Cache, CorpusError, Entry, Field, Fields};
 use predicament_predicates::{PredicateKind, QuerySet, Question, Sign};
 
 use super::constructed::Constructions;
@@ -88,5 +88,9 @@ impl Elsewhere for Asked {
         self.constructed.add_to(&mut scene, &self.file)?;
         let queries = self.plan.queries(&self.file, &scene)?;
         Ok(Parts { notes, ..Parts::new(scene, SignQueries::new(queries)) })
+    }
+
+    fn fetch_entry(&self) -> Option<&Entry> {
+        self.points.entry()
     }
 }

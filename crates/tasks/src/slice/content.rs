@@ -202,7 +202,7 @@ impl Elsewhere for Written {
     fn fetch_entry(&self) -> Option<&Entry> {
         match &self.mesh {
             Where::File { origin, .. } => origin.entry(),
-            Where::Written { .. } => None,
+            Where::Written { points, .. } => points.entry(),
         }
     }
 }

@@ -129,6 +129,10 @@ impl Elsewhere for OfPoints {
         }
         Ok(Parts { notes, ..Parts::new(scene, Polygons { polygons: vec![loops], method: self.method }) })
     }
+
+    fn fetch_entry(&self) -> Option<&Entry> {
+        self.points.entry()
+    }
 }
 
 /// Why the corners of a face are not in one plane, or all in line.

@@ -35,6 +35,13 @@ fn each_feature_is_a_region() {
 }
 
 #[test]
+fn bare_rings_are_one_polygon() {
+    let imported = of("[[[0, 0], [4, 0], [4, 4]],\n [[1, 1], [2, 1], [2, 2], [1, 1]]]").unwrap().map().unwrap();
+    let [region] = imported.map.regions() else { panic!("one polygon") };
+    assert_eq!(region.rings.iter().map(|ring| ring.vertices().len()).collect::<Vec<_>>(), [3, 3], "closed or not");
+}
+
+#[test]
 fn positions_are_points_in_their_order() {
     let (dimension, coordinates) = of(SQUARES).unwrap().points().unwrap();
     assert_eq!((dimension, coordinates.len()), (Dimension::Two, 2 * 17));
@@ -137,7 +144,8 @@ fn errors_say_where() {
         (changed("null}\n]}", "null}\n]} x"), "m.geojson:9: not GeoJSON: trailing"),
         (changed("[[[4, 0]", "[[7, [4, 0]"), "m.geojson:5: features[1].geometry.coordinates[0][0][0]: no array; give"),
         (of("").unwrap_err().to_string(), "m.geojson:1: not GeoJSON: EOF while parsing a value; the file ends early"),
-        (of("[\"Point\", null, null, null, [1, 2]]").unwrap_err().to_string(), "m.geojson:1: no object; give"),
+        (of("[\"Point\", null, null, null, [1, 2]]").unwrap_err().to_string(), "m.geojson:1: [0]: no array; give"),
+        (of("[\n[[1, 2], [3, \"4\"]]]").unwrap_err().to_string(), "m.geojson:2: [0][1]: "),
         (of("\u{0}").unwrap_err().to_string(), "m.geojson:1: not GeoJSON: expected value; give"),
         (
             of(r#"{"type": "Point", "coordinates": [1, 2]}"#).and_then(Geometry::map).unwrap_err().to_string(),
