@@ -17,16 +17,17 @@ pub enum Done {
     Cover(Face),
     Open(HalfEdge),
     Flip(HalfEdge),
+    CutAlong(usize),
     RemoveFaces,
     Unhook(usize),
 }
 
 /// How many operations there are.
-pub const KINDS: u32 = 12;
+pub const KINDS: u32 = 13;
 
 impl Done {
-    /// The change of the numbers of vertices, edges, faces and boundary loops; none where faces are removed, as that
-    /// depends on what they share.
+    /// The change of the numbers of vertices, edges, faces and boundary loops; none where faces are removed or come
+    /// apart, as that depends on what they share.
     pub fn change(&self) -> Option<[i64; 4]> {
         match self {
             Done::SplitEdge(_) => Some([1, 1, 0, 0]),
@@ -38,7 +39,7 @@ impl Done {
             Done::Cover(_) => Some([0, 0, 1, -1]),
             Done::Open(_) => Some([0, 0, -1, 1]),
             Done::Flip(_) => Some([0; 4]),
-            Done::RemoveFaces | Done::Unhook(_) => None,
+            Done::CutAlong(_) | Done::RemoveFaces | Done::Unhook(_) => None,
         }
     }
 
@@ -54,7 +55,7 @@ impl Done {
             Done::Cover(f) => drop(mesh.open_face(f)?),
             Done::Open(h) => drop(mesh.cover_boundary_loop(h)?),
             Done::Flip(h) => mesh.flip_edge(h)?,
-            Done::RemoveFaces | Done::Unhook(_) => return Ok(false),
+            Done::CutAlong(_) | Done::RemoveFaces | Done::Unhook(_) => return Ok(false),
         }
         Ok(true)
     }
@@ -125,12 +126,20 @@ impl Sequence {
                 mesh.flip_edge(a)?;
                 Done::Flip(a)
             }
+            10 => {
+                // Around a face, or along a part of its loop.
+                let along: Vec<HalfEdge> = mesh.loop_of(a).take(1 + numbers[1] as usize % 5).collect();
+                let before = mesh.clone();
+                mesh.cut_along(&along)?;
+                self.renew(before).ok_or(no_half_edge(a))?;
+                Done::CutAlong(along.len())
+            }
             kind => {
                 let chosen: Vec<Face> = numbers
                     .into_iter()
                     .filter_map(|number| faces.get(number as usize % faces.len().max(1)).copied())
                     .collect();
-                if kind == 10 {
+                if kind == 11 {
                     mesh.remove_faces(&chosen)?;
                     Done::RemoveFaces
                 } else {
@@ -138,5 +147,25 @@ impl Sequence {
                 }
             }
         })
+    }
+
+    /// Makes the mesh again of its faces, each vertex with a scene vertex of its own: those that were divided share
+    /// one, and a list of loops could not tell them apart. Where a face passes a vertex twice, or an edge has no face,
+    /// there is no such mesh: then all is as it was before.
+    ///
+    /// # Panics
+    /// If the mesh is not valid.
+    fn renew(&mut self, before: HalfEdgeMesh) -> Option<()> {
+        self.mesh.validate().unwrap_or_else(|why| panic!("{why}"));
+        let (vertices, faces) = self.mesh.to_indexed();
+        let names = (0..vertices.len()).map(|at| Vertex::input(self.made + at)).collect();
+        let edges = self.mesh.edge_count();
+        let Some(again) = HalfEdgeMesh::new(names, &faces).ok().filter(|again| again.edge_count() == edges) else {
+            self.mesh = before;
+            return None;
+        };
+        self.made += vertices.len();
+        self.mesh = again;
+        Some(())
     }
 }
