@@ -4,6 +4,7 @@ mod counts;
 mod findings;
 mod glance;
 mod headlines;
+mod invariants;
 mod maps;
 mod not_run;
 mod precision;
@@ -21,17 +22,15 @@ use crate::{Error, RunDir};
 
 /// All sections, in reading order; `of_tasks` are those of single tasks.
 pub fn sections(runs: &[RunDir], of_tasks: &[Section]) -> Result<Vec<Section>, Error> {
-    let mut sections = vec![
-        glance::section(runs),
-        run::section(runs),
-        counts::section(runs),
-        findings::section(runs),
+    let mut sections = vec![glance::section(runs), run::section(runs), counts::section(runs), findings::section(runs)];
+    sections.extend(invariants::section(runs));
+    sections.extend([
         speed::section(runs)?,
         throughput::section(runs),
         precision::section(runs),
         stages::section(runs),
         ties::section(runs)?,
-    ];
+    ]);
     sections.extend_from_slice(of_tasks);
     sections.push(not_run::section(runs)?);
     sections.extend(maps::section(runs));

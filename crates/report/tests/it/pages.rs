@@ -3,7 +3,7 @@
 //! approved page lie with the tasks, whose sections are part of it; the sections
 //! here are made by hand.
 
-use predicament_records::{Env, Outcome, RunDir, RunWriter, SampledRow, TableSpec};
+use predicament_records::{Class, Env, FindingRow, Outcome, RunDir, RunWriter, SampledRow, TableSpec};
 use predicament_report::{Block, Cell, PixelMap, Section, Table, Tone, data_uri, html, markdown, scatter, write_pages};
 
 fn runs() -> Vec<RunDir> {
@@ -77,6 +77,47 @@ fn numbers_trace_to_rows() {
     assert!(page.contains("| orient2d | sos | 990 | 0 | 10 | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 0 |"), "{page}");
     // Two scenes of suite near got the same, one of 54 bits and one of 61.
     assert!(page.contains("| 1 | near | near, uniform | 2 | 54 to 61 | −60 to −53 | integer | — | wide integer | — |"));
+}
+
+#[test]
+fn broken_invariants_are_counted_by_scenes() {
+    let mut runs = runs();
+    runs.iter_mut().for_each(|run| run.findings.retain(|finding| finding.class != Class::Topology));
+    assert!(!markdown(&runs, &[]).unwrap().contains("## Broken invariants"));
+    let broken = |run: &RunDir, of: usize, check: &str, id: &str| {
+        let row = &run.summary[of];
+        FindingRow {
+            finding_id: id.to_owned(),
+            suite: row.suite.clone(),
+            scene: row.scene.clone(),
+            scene_id: row.scene_id.clone(),
+            task: row.task.clone(),
+            backend: row.backend.clone(),
+            class: Class::Topology,
+            check: check.to_owned(),
+            ..run.findings[0].clone()
+        }
+    };
+    let (row, other) = (0, 1);
+    let run = &runs[0];
+    assert_eq!(run.summary[row].task, run.summary[other].task);
+    // Twice on one scene, once on another that is of the same task.
+    let added = [(row, "loops do not cross", "a"), (row, "loops do not cross", "b"), (other, "area", "c")]
+        .map(|(of, check, id)| broken(run, of, check, id));
+    let names = [row, other].map(|of| (run.summary[of].scene.clone(), run.summary[of].backend.clone()));
+    runs[0].findings.extend(added);
+    let page = markdown(&runs, &[]).unwrap();
+    let section = page.split_once("## Broken invariants").unwrap().1.split_once("\n## ").unwrap().0;
+    let line = |of: &str| section.lines().find(|line| line.starts_with(&format!("| {of} |"))).unwrap().to_owned();
+    let head: Vec<String> = line("broken").split('|').map(|cell| cell.trim().to_owned()).collect();
+    for (check, (scene, backend)) in ["loops do not cross", "area"].into_iter().zip(names) {
+        let line = line(check);
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let at = head.iter().position(|head| *head == backend).unwrap_or_else(|| panic!("{backend}: {section}"));
+        assert_eq!(cells[at], format!("1 ({scene})"));
+        assert_eq!(cells.iter().filter(|cell| cell.starts_with("1 (")).count(), 1, "{line}");
+    }
+    assert!(line("scenes answered").contains(" 2 "), "{section}");
 }
 
 #[test]
