@@ -9,6 +9,7 @@
 //! * [`contacts`]: the pairs of simplices of two complexes that meet.
 //! * [`crossings`]: all crossings of segments, constructed while it runs.
 //! * [`cube_union`]: volume, area and edge length of a union of cubes.
+//! * [`delaunay`]: Delaunay triangulations in the plane.
 //! * [`hull`]: convex hulls in the plane and in space.
 //! * [`interval`]: the cell of a line in which a point lies.
 //! * [`planted`]: faults planted in these, to prove the judge.
@@ -21,6 +22,7 @@ pub mod arrangement;
 pub mod contacts;
 pub mod crossings;
 pub mod cube_union;
+pub mod delaunay;
 pub mod hull;
 pub mod interval;
 mod parallel;

@@ -8,6 +8,7 @@
 //! * [`axioms`]: laws between the answers to related queries;
 //! * [`contacts`]: registered pairs, and the curves and surfaces that they merge;
 //! * [`cubes`]: unions of cubes, measured another way;
+//! * [`delaunay`]: Delaunay triangulations, all circles empty;
 //! * [`hull`]: convex hulls, convex and around all points;
 //! * [`partition`]: points of a line in its cells;
 //! * [`mod@slice`]: the parts that planes make of a mesh;
@@ -18,6 +19,7 @@ pub mod audit;
 pub mod axioms;
 pub mod contacts;
 pub mod cubes;
+pub mod delaunay;
 pub mod hull;
 pub mod partition;
 pub mod slice;

@@ -16,7 +16,7 @@
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
 //! * [`output`]: answers as files for other programs, vertices exactly.
 //! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
-//!   [`crossings`], [`triangulate`], [`hull`], [`mod@slice`]: the tasks.
+//!   [`crossings`], [`triangulate`], [`hull`], [`mod@slice`], [`delaunay`]: the tasks.
 
 mod any;
 mod budget;
@@ -35,6 +35,7 @@ mod watch;
 pub mod contacts;
 pub mod crossings;
 pub mod cube_union;
+pub mod delaunay;
 pub mod hull;
 pub mod interval;
 pub mod output;

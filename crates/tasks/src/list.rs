@@ -8,6 +8,7 @@ use predicament_predicates::Backend;
 use crate::contacts::Contacts;
 use crate::crossings::Crossings;
 use crate::cube_union::CubeUnion;
+use crate::delaunay::Delaunay2d;
 use crate::hull::{Hull2d, Hull3d};
 use crate::interval::Interval;
 use crate::polygon_locate::PolygonLocate;
@@ -35,6 +36,7 @@ macro_rules! each_task {
             $do!(Hull2d),
             $do!(Hull3d),
             $do!(Slice),
+            $do!(Delaunay2d),
         ]
     };
 }

@@ -4,6 +4,8 @@ mod common;
 mod contacts;
 mod contacts_by_signs;
 mod contacts_driver;
+mod delaunay;
+mod delaunay_signs;
 mod hull_plane;
 mod hull_signs;
 mod hull_space;

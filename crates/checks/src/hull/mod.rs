@@ -25,5 +25,7 @@ mod tally;
 mod wound;
 
 pub use plane::plane_flaws;
+pub(crate) use plane::ring;
 pub use space::space_flaws;
+pub(crate) use tally::Tally;
 pub use tally::{Flaw, Signs};

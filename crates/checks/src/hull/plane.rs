@@ -114,7 +114,7 @@ pub(super) fn polygon(tally: &mut Tally<'_>, plane: Plane, hull: &[Vertex], all:
 }
 
 /// That a closed polygon turns to the left only, and goes around once.
-pub(super) fn ring(
+pub(crate) fn ring(
     tally: &mut Tally<'_>,
     plane: Plane,
     ring: &[Vertex],

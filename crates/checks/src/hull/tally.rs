@@ -36,7 +36,7 @@ struct Tie {
 }
 
 /// Flaws by check, and ties to be decided.
-pub(super) struct Tally<'a> {
+pub(crate) struct Tally<'a> {
     pub signs: Signs<'a>,
     flaws: Vec<Flaw>,
     ties: Vec<Tie>,

@@ -6,6 +6,7 @@ mod common;
 mod constructs;
 mod contacts;
 mod cubes;
+mod delaunay;
 mod hull;
 mod partition;
 mod slice;

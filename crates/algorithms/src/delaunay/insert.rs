@@ -1,0 +1,159 @@
+//! Insertion: all triangles whose circle a vertex is in are replaced by triangles with it.
+
+use predicament_predicates::{Plane, Predicates, Sign, Vertex};
+
+use super::Triangulation;
+use super::chain::{self, is_between};
+use super::locate::{Place, locate};
+use super::mesh::{Edge, INFINITE, Mesh};
+use super::planted::Planted;
+
+/// So many vertices are fetched from memory at once.
+const AHEAD: usize = 8;
+
+/// Fetches the points of the next vertices into the cache: the predicates will ask for them one by one, in no order of
+/// memory, and wait each time.
+#[inline]
+fn touch(points: &[[f64; 2]], next: &[Vertex]) {
+    for v in next.iter().take(AHEAD) {
+        std::hint::black_box(points.get(v.index()));
+        std::hint::black_box(points.get(v.index()).map(|point| point[0]));
+    }
+}
+
+impl Triangulation {
+    /// These vertices, inserted in this order.
+    pub(super) fn in_order<F: Planted, P: Predicates + ?Sized>(session: &P, vertices: &[Vertex]) -> Triangulation {
+        let mut triangulation =
+            Triangulation { mesh: Mesh::with_capacity(2 * vertices.len()), ..Triangulation::default() };
+        let Some(&first) = vertices.first() else { return triangulation };
+        // Three vertices in no line come first.
+        let second = vertices.iter().copied().find(|&v| v != first && chain::order(session, first, v) != Sign::Zero);
+        let third = second.and_then(|second| {
+            let side = |v: Vertex| session.orient2d(Plane::Xy, first, second, v);
+            vertices.iter().copied().filter(|&v| v != first && v != second).find(|&v| side(v) != Sign::Zero)
+        });
+        let (Some(second), Some(third)) = (second, third) else {
+            (triangulation.chain, triangulation.copies) = chain::sorted(session, vertices);
+            return triangulation;
+        };
+        let points = session.scene().coordinates().as_chunks::<2>().0;
+        for (at, v) in [first, second, third].into_iter().chain(vertices.iter().copied()).enumerate() {
+            if at % AHEAD == 0 {
+                touch(points, vertices.get(at..).unwrap_or_default());
+            }
+            let is_first = v == first || v == second || v == third;
+            if is_first && !triangulation.mesh.is_empty() {
+                continue;
+            }
+            if let Err(broken) = triangulation.insert_planted::<F, P>(session, v) {
+                triangulation.broken = Some(broken);
+                break;
+            }
+        }
+        triangulation
+    }
+
+    /// Inserts a vertex.
+    ///
+    /// # Errors
+    /// The invariant that does not hold, where signs contradict each other: then the triangulation is as it was.
+    pub fn insert<P: Predicates + ?Sized>(&mut self, session: &P, v: Vertex) -> Result<(), &'static str> {
+        self.insert_planted::<crate::planted::Honest, P>(session, v)
+    }
+
+    #[inline]
+    fn insert_planted<F: Planted, P: Predicates + ?Sized>(
+        &mut self,
+        session: &P,
+        v: Vertex,
+    ) -> Result<(), &'static str> {
+        if self.mesh.is_empty() {
+            self.insert_in_chain(session, v);
+            return Ok(());
+        }
+        match locate(session, &self.mesh, self.near, v)? {
+            Place::At(edge) => {
+                self.stand_for(edge, v);
+                Ok(())
+            }
+            Place::In(triangle) => self.replace::<F, P>(session, v, triangle),
+        }
+    }
+
+    /// Replaces the triangles whose circle a vertex is in, from one of them on.
+    #[inline]
+    pub(super) fn replace<F: Planted, P: Predicates + ?Sized>(
+        &mut self,
+        session: &P,
+        v: Vertex,
+        triangle: u32,
+    ) -> Result<(), &'static str> {
+        let mut reached = 0;
+        self.mesh.unmark();
+        self.region.fill::<true>(&mut self.mesh, triangle, |mesh, _, outside| {
+            if F::LOOKS_AT_NEIGHBOURS_ONLY && reached >= 3 {
+                return false;
+            }
+            reached += 1;
+            is_in_circle::<F, P>(session, mesh, outside, v)
+        })?;
+        self.near = self.region.star(&mut self.mesh, v);
+        Ok(())
+    }
+
+    fn insert_in_chain<P: Predicates + ?Sized>(&mut self, session: &P, v: Vertex) {
+        let at = self.chain.partition_point(|&other| chain::order(session, other, v) == Sign::Negative);
+        if let Some(&other) = self.chain.get(at)
+            && (other == v || chain::order(session, other, v) == Sign::Zero)
+        {
+            if other != v {
+                self.chain[at] = other.min(v);
+                self.copies.push([other.max(v), other.min(v)]);
+            }
+            return;
+        }
+        let side = match self.chain[..] {
+            [first, .., last] => session.orient2d(Plane::Xy, first, last, v),
+            _ => Sign::Zero,
+        };
+        if side == Sign::Zero {
+            self.chain.insert(at, v);
+            return;
+        }
+        chain::fan(&mut self.mesh, &self.chain, v, side);
+        self.chain.clear();
+        self.near = 0;
+    }
+
+    /// One of two vertices in one place: the smaller stands for both.
+    fn stand_for(&mut self, edge: Edge, v: Vertex) {
+        let other = self.mesh.apex(edge);
+        if v < other {
+            self.mesh.rename(edge, v);
+        }
+        if v != other {
+            self.copies.push([v.max(other), v.min(other)]);
+        }
+    }
+}
+
+/// Whether a vertex is in the circle of the triangle beyond an edge; that of an infinite one is a half-plane, and of its
+/// line what is between its ends. Where the vertex is on the circle, the edge is noted to be round.
+///
+/// An edge between two new triangles never is: all four vertices on one circle, which is empty, were a face before the new one
+/// came, and its triangles stay.
+#[inline(always)]
+fn is_in_circle<F: Planted, P: Predicates + ?Sized>(session: &P, mesh: &mut Mesh, outside: Edge, v: Vertex) -> bool {
+    let [a, b, c] = mesh.corners(outside.triangle());
+    if c != INFINITE {
+        let sign = session.incircle(a, b, c, v);
+        mesh.set_round(outside, sign == Sign::Zero);
+        return sign == Sign::Positive;
+    }
+    match session.orient2d(Plane::Xy, a, b, v) {
+        Sign::Positive => !F::SEES_ONE_EDGE,
+        Sign::Negative => false,
+        Sign::Zero => F::TAKES_LINES_FOR_OUTSIDE || is_between(session, a, b, v),
+    }
+}

@@ -1,0 +1,250 @@
+//! Triangles with their neighbours, around an infinite vertex.
+//!
+//! Beside each edge of the hull is a triangle with the infinite vertex, its last corner: so every edge has two triangles,
+//! and a vertex outside of the hull is in one of them. A triangle takes 32 bytes, half a line of a cache.
+
+use predicament_predicates::Vertex;
+
+/// The vertex that is in no place: a triangle with it is what lies beyond an edge of the hull.
+pub(super) const INFINITE: Vertex = Vertex::constructed(Vertex::MAX_CONSTRUCTED - 1);
+
+/// The flag of the edge opposite of the first corner, where its four vertices are on one circle; the next two are those of
+/// the others.
+const ROUND: u32 = 1;
+
+/// An edge of a triangle, named by the triangle and the corner opposite of it; it goes counterclockwise.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub(super) struct Edge(u32);
+
+impl Edge {
+    #[inline(always)]
+    pub fn new(triangle: u32, corner: u32) -> Edge {
+        Edge(triangle << 2 | corner)
+    }
+
+    #[inline(always)]
+    pub fn triangle(self) -> u32 {
+        self.0 >> 2
+    }
+
+    #[inline(always)]
+    pub fn corner(self) -> u32 {
+        self.0 & 3
+    }
+
+    /// The edge of the same triangle that begins where this one ends.
+    #[inline(always)]
+    pub fn next(self) -> Edge {
+        Edge::new(self.triangle(), after(self.corner()))
+    }
+
+    /// The edge of the same triangle that ends where this one begins.
+    #[inline(always)]
+    pub fn previous(self) -> Edge {
+        self.next().next()
+    }
+}
+
+/// The corner after this one.
+#[inline(always)]
+fn after(corner: u32) -> u32 {
+    if corner == 2 { 0 } else { corner + 1 }
+}
+
+/// A triangle.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+struct Triangle {
+    /// Counterclockwise; an infinite vertex is the last.
+    corners: [Vertex; 3],
+    /// The edge of the neighbour, opposite of each corner.
+    across: [Edge; 3],
+    flags: u32,
+    /// The last mark that it got.
+    mark: u32,
+}
+
+/// A triangulation of the sphere of the plane and an infinite vertex.
+#[derive(Clone, Default, Debug)]
+pub(super) struct Mesh {
+    triangles: Vec<Triangle>,
+    /// Triangles that are no more.
+    free: Vec<u32>,
+    /// The mark that triangles get.
+    mark: u32,
+}
+
+impl Mesh {
+    pub fn with_capacity(triangles: usize) -> Mesh {
+        Mesh { triangles: Vec::with_capacity(triangles), ..Mesh::default() }
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.triangles.is_empty()
+    }
+
+    /// How many numbers of triangles there are, those that are free included.
+    pub fn len(&self) -> u32 {
+        u32::try_from(self.triangles.len()).unwrap_or(u32::MAX)
+    }
+
+    pub fn clear(&mut self) {
+        self.triangles.clear();
+        self.free.clear();
+    }
+
+    #[inline(always)]
+    pub fn corners(&self, triangle: u32) -> [Vertex; 3] {
+        self.triangles[triangle as usize].corners
+    }
+
+    /// The corners of triangles of the plane; none of others.
+    #[inline(always)]
+    pub fn solid(&self, triangle: u32) -> Option<[Vertex; 3]> {
+        let corners = self.corners(triangle);
+        (corners[2] != INFINITE).then_some(corners)
+    }
+
+    /// Whether the triangle has the infinite vertex, or is free.
+    #[inline(always)]
+    pub fn is_infinite(&self, triangle: u32) -> bool {
+        self.corners(triangle)[2] == INFINITE
+    }
+
+    #[inline(always)]
+    pub fn across(&self, edge: Edge) -> Edge {
+        self.triangles[edge.triangle() as usize].across[edge.corner() as usize]
+    }
+
+    #[inline(always)]
+    pub fn start(&self, edge: Edge) -> Vertex {
+        self.corners(edge.triangle())[after(edge.corner()) as usize]
+    }
+
+    #[inline(always)]
+    pub fn end(&self, edge: Edge) -> Vertex {
+        self.corners(edge.triangle())[after(after(edge.corner())) as usize]
+    }
+
+    /// The vertex opposite of an edge.
+    #[inline(always)]
+    pub fn apex(&self, edge: Edge) -> Vertex {
+        self.corners(edge.triangle())[edge.corner() as usize]
+    }
+
+    /// Makes two edges those of one line.
+    #[inline(always)]
+    pub fn link(&mut self, a: Edge, b: Edge) {
+        self.triangles[a.triangle() as usize].across[a.corner() as usize] = b;
+        self.triangles[b.triangle() as usize].across[b.corner() as usize] = a;
+    }
+
+    /// Links an edge of a new triangle to one that is kept; it takes over the flags.
+    #[inline(always)]
+    pub fn join(&mut self, new: Edge, kept: Edge) {
+        let other = &mut self.triangles[kept.triangle() as usize];
+        other.across[kept.corner() as usize] = new;
+        let flags = other.flags >> kept.corner() & ROUND;
+        let own = &mut self.triangles[new.triangle() as usize];
+        own.across[new.corner() as usize] = kept;
+        own.flags |= flags << new.corner();
+    }
+
+    /// Adds a triangle, without neighbours; its edge opposite of the first of these vertices.
+    #[inline(always)]
+    pub fn add(&mut self, a: Vertex, b: Vertex, c: Vertex) -> Edge {
+        let triangle = self.free.pop().unwrap_or_else(|| {
+            let none = Triangle { corners: [INFINITE; 3], across: [Edge(0); 3], flags: 0, mark: 0 };
+            self.triangles.push(none);
+            self.len() - 1
+        });
+        self.set(triangle, a, b, c)
+    }
+
+    /// Gives a triangle other corners, and no flags; its edge opposite of the first of these vertices.
+    #[inline(always)]
+    pub fn set(&mut self, triangle: u32, a: Vertex, b: Vertex, c: Vertex) -> Edge {
+        let (corners, corner) = if b == INFINITE {
+            ([c, a, b], 1)
+        } else if a == INFINITE {
+            ([b, c, a], 2)
+        } else {
+            ([a, b, c], 0)
+        };
+        let at = &mut self.triangles[triangle as usize];
+        at.corners = corners;
+        at.flags = 0;
+        Edge::new(triangle, corner)
+    }
+
+    /// Gives up a triangle.
+    pub fn free(&mut self, triangle: u32) {
+        self.triangles[triangle as usize].corners = [INFINITE; 3];
+        self.triangles[triangle as usize].flags = 0;
+        self.free.push(triangle);
+    }
+
+    /// Takes the marks off all triangles.
+    #[inline(always)]
+    pub fn unmark(&mut self) {
+        self.mark += 1;
+    }
+
+    /// Marks a triangle; whether it was marked already.
+    #[inline(always)]
+    pub fn mark(&mut self, triangle: u32) -> bool {
+        std::mem::replace(&mut self.triangles[triangle as usize].mark, self.mark) == self.mark
+    }
+
+    /// Whether a triangle is marked.
+    #[inline(always)]
+    pub fn is_marked(&self, triangle: u32) -> bool {
+        self.triangles[triangle as usize].mark == self.mark
+    }
+
+    /// Whether the four vertices at an edge were found on one circle.
+    #[inline(always)]
+    pub fn is_round(&self, edge: Edge) -> bool {
+        self.triangles[edge.triangle() as usize].flags & ROUND << edge.corner() != 0
+    }
+
+    /// Notes on one side of an edge whether its four vertices are on one circle.
+    #[inline(always)]
+    pub fn set_round(&mut self, edge: Edge, is_round: bool) {
+        let flags = &mut self.triangles[edge.triangle() as usize].flags;
+        let flag = ROUND << edge.corner();
+        if (*flags & flag != 0) != is_round {
+            *flags ^= flag;
+        }
+    }
+
+    /// Whether an edge of a triangle is round.
+    #[inline]
+    pub fn has_round(&self, triangle: u32) -> bool {
+        self.triangles[triangle as usize].flags != 0
+    }
+
+    /// The edge opposite of a vertex in a triangle that has it.
+    pub fn opposite(&self, triangle: u32, v: Vertex) -> Option<Edge> {
+        let corner = self.corners(triangle).iter().position(|&corner| corner == v)?;
+        Some(Edge::new(triangle, u32::try_from(corner).unwrap_or(0)))
+    }
+
+    /// The edges opposite of a vertex, counterclockwise, from one of them on.
+    pub fn around(&self, opposite: Edge) -> impl Iterator<Item = Edge> + '_ {
+        // No walk is longer than there are triangles, whatever the links are.
+        let turn = move |&edge: &Edge| {
+            let next = self.across(edge.next()).next();
+            (next != opposite).then_some(next)
+        };
+        std::iter::successors(Some(opposite), turn).take(self.triangles.len())
+    }
+
+    /// Calls a vertex by another name.
+    pub fn rename(&mut self, opposite: Edge, name: Vertex) {
+        let star: Vec<Edge> = self.around(opposite).collect();
+        for edge in star {
+            self.triangles[edge.triangle() as usize].corners[edge.corner() as usize] = name;
+        }
+    }
+}

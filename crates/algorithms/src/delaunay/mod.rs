@@ -1,0 +1,76 @@
+//! Delaunay triangulations of points of the plane, by insertion in random rounds along a space-filling curve.
+//!
+//! # What a zero means
+//! * Vertices that no coordinate tells apart are one: the smallest index stands for all, the others are its
+//!   [copies](Delaunay2::copies).
+//! * All vertices in one line: no triangle; they are the [chain](Delaunay2::chain).
+//! * Vertices in the line of an edge of the hull, between its ends, divide it: every vertex is one of a triangle.
+//! * More than three vertices on one circle with none inside: each such face is cut as a fan from its smallest index.
+//!
+//! So the answer does not depend on the order of insertion. A session that never says zero gets the triangulation of its
+//! perturbed points, which is unique: no copies, no chain of three, triangles that only the perturbation opens.
+//!
+//! # Signs that contradict each other
+//! Every loop is bounded by the number of triangles. Where a step is impossible the algorithm stops: the answer holds the
+//! triangulation as it was before it, and the name of the invariant that did not hold.
+
+mod answer;
+mod chain;
+mod faces;
+mod insert;
+mod locate;
+mod mesh;
+mod order;
+pub mod planted;
+mod region;
+mod remove;
+
+use predicament_predicates::{Predicates, Vertex};
+
+pub use answer::Delaunay2;
+
+use crate::planted::Honest;
+use mesh::Mesh;
+use planted::Planted;
+use region::Region;
+
+/// The Delaunay triangulation of the scene's input vertices.
+#[must_use]
+pub fn delaunay2d<P: Predicates + ?Sized>(session: &P) -> Triangulation {
+    delaunay2d_planted::<Honest, P>(session)
+}
+
+/// [`delaunay2d`] with a planted fault.
+#[must_use]
+pub fn delaunay2d_planted<F: Planted, P: Predicates + ?Sized>(session: &P) -> Triangulation {
+    let points = session.scene().coordinates().as_chunks().0;
+    let mut triangulation = Triangulation::in_order::<F, P>(session, &order::insertion_order(points));
+    if !F::LEAVES_FACES {
+        triangulation.cut_faces();
+    }
+    triangulation
+}
+
+/// The Delaunay triangulation of these vertices, inserted in this order.
+#[must_use]
+pub fn delaunay2d_in_order<P: Predicates + ?Sized>(session: &P, vertices: &[Vertex]) -> Triangulation {
+    let mut triangulation = Triangulation::in_order::<Honest, P>(session, vertices);
+    triangulation.cut_faces();
+    triangulation
+}
+
+/// A Delaunay triangulation to which vertices can be added, and from which they can be removed.
+///
+/// It is of the vertices that were inserted, and asks the session that is handed to it: the same one each time.
+#[derive(Clone, Default, Debug)]
+pub struct Triangulation {
+    mesh: Mesh,
+    /// All vertices, where they are in one line; then there is no triangle.
+    chain: Vec<Vertex>,
+    /// Vertices, and which one stood for each of them when it was found.
+    copies: Vec<[Vertex; 2]>,
+    /// Where the next walk begins.
+    near: u32,
+    broken: Option<&'static str>,
+    region: Region,
+}

@@ -1,0 +1,72 @@
+//! Faults planted in Delaunay triangulations. See [`crate::planted`].
+
+use crate::planted::{Fault, Honest};
+
+/// What can be wrong here. A fault sets one of the constants.
+pub trait Planted: Fault {
+    /// Of the triangles whose circle a vertex is in, only neighbours of the first one are replaced.
+    const LOOKS_AT_NEIGHBOURS_ONLY: bool = false;
+    /// A vertex outside of the hull is joined to the edge by which it was found, and to no other.
+    const SEES_ONE_EDGE: bool = false;
+    /// A vertex in the line of an edge of the hull is taken for one outside of it.
+    const TAKES_LINES_FOR_OUTSIDE: bool = false;
+    /// Faces of more than three vertices on a circle stay cut as they are.
+    const LEAVES_FACES: bool = false;
+    /// Repeated vertices are not listed.
+    const FORGETS_COPIES: bool = false;
+}
+
+impl Planted for Honest {}
+
+macro_rules! fault {
+    ($type:ident, $about:literal, $name:literal, $what:literal, $constant:ident) => {
+        #[doc = $about]
+        #[derive(Clone, Copy, Debug)]
+        pub struct $type;
+
+        impl Fault for $type {
+            const NAME: &'static str = $name;
+            const WHAT: &'static str = $what;
+        }
+
+        impl Planted for $type {
+            const $constant: bool = true;
+        }
+    };
+}
+
+fault!(
+    NeighboursOnly,
+    "Triangles that stay though a vertex is in their circle.",
+    "delaunay-neighbours-only",
+    "of the triangles whose circle a vertex is in, only neighbours of the first one are replaced",
+    LOOKS_AT_NEIGHBOURS_ONLY
+);
+fault!(
+    OneEdgeSeen,
+    "A hull with dents.",
+    "delaunay-one-edge-seen",
+    "a vertex outside of the hull is joined to one edge of it only",
+    SEES_ONE_EDGE
+);
+fault!(
+    LinesOutside,
+    "Flat triangles beside the hull.",
+    "delaunay-lines-outside",
+    "a vertex in the line of an edge of the hull is joined to that edge",
+    TAKES_LINES_FOR_OUTSIDE
+);
+fault!(
+    FacesLeft,
+    "Faces of vertices on one circle, cut as insertion left them.",
+    "delaunay-faces-left",
+    "faces of vertices on one circle are not cut as fans from their smallest index",
+    LEAVES_FACES
+);
+fault!(
+    CopiesForgotten,
+    "Repeated vertices that are nowhere.",
+    "delaunay-copies-forgotten",
+    "vertices in the place of another one are not listed",
+    FORGETS_COPIES
+);

@@ -1,0 +1,142 @@
+//! Points in general position, and near and in every position in which circles or lines are shared.
+
+use predicament_corpus::{Family, Parts, Random, Recipe};
+use predicament_formats::bits::integer;
+use predicament_predicates::Scene;
+
+use super::content::Sites;
+
+/// So many points of a family, by its random numbers.
+type Points = fn(usize, &mut Random) -> Vec<[f64; 2]>;
+
+macro_rules! family {
+    ($name:literal, $points:expr, $about:literal) => {
+        Family {
+            name: $name,
+            reported_as: Some($name),
+            parameters: &[],
+            about: $about,
+            read: |_, _| Ok(recipe($points)),
+        }
+    };
+}
+
+/// The families.
+pub(super) static FAMILIES: [Family; 9] = [
+    family!("delaunay-uniform", uniform, "points uniform in the unit square"),
+    family!("delaunay-grid", grid, "all places of a square grid, in random order: every square is cocircular"),
+    family!("delaunay-ring", ring, "integer points on one circle, exactly; up to 236,196 different ones"),
+    family!("delaunay-rings", rings, "integer points on concentric circles, exactly"),
+    family!("delaunay-near-ring", near_ring, "points on one circle, moved by up to two ulps"),
+    family!("delaunay-line", line, "integer points in one line, and one beside it"),
+    family!("delaunay-clusters", clusters, "ten clusters, each a millionth as wide as they are far apart"),
+    family!("delaunay-repeated", repeated, "integer points, each about four times"),
+    family!("delaunay-sliver", sliver, "points within a few ulps of a line"),
+];
+
+fn recipe(points: Points) -> Recipe {
+    Recipe::new(move |making| {
+        let points = points(making.n, &mut making.random());
+        let scene = Scene::from_points2(&points).expect("generators make finite points");
+        let sites = Sites { points: scene.len() };
+        Parts::new(scene, sites)
+    })
+    .with_coordinates(|n| n.saturating_mul(2))
+}
+
+/// Scenes are smaller than memory.
+fn signed(n: usize) -> i64 {
+    i64::try_from(n).expect("scenes are smaller than memory")
+}
+
+fn shuffled<T>(mut items: Vec<T>, rng: &mut Random) -> Vec<T> {
+    for at in (1..items.len()).rev() {
+        items.swap(at, usize::try_from(rng.integer(0, signed(at))).unwrap_or(0));
+    }
+    items
+}
+
+fn uniform(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
+    (0..n).map(|_| [rng.unit(), rng.unit()]).collect()
+}
+
+/// The smallest side whose square has so many places.
+fn side(places: usize) -> i64 {
+    (1_i64..).find(|side| side * side >= signed(places)).unwrap_or(1)
+}
+
+fn grid(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
+    let side = side(n);
+    shuffled((0..signed(n)).map(|at| [integer(at % side), integer(at / side)]).collect(), rng)
+}
+
+/// Different points on a circle around the origin, so many or more: x² + y² is the square of a product of primes 4k + 1,
+/// and each prime gives three ways, by the Gaussian primes and their conjugates.
+fn circle(n: usize) -> Vec<[i64; 2]> {
+    let times = |[a, b]: [i64; 2], [c, d]: [i64; 2]| [a * c - b * d, a * d + b * c];
+    let mut all = vec![[1, 0], [0, 1], [-1, 0], [0, -1]];
+    for prime in [[2, 1], [3, 2], [4, 1], [5, 2], [6, 1], [5, 4], [7, 2], [6, 5], [8, 3], [8, 5]] {
+        if all.len() >= n {
+            break;
+        }
+        let conjugate = [prime[0], -prime[1]];
+        let factors = [times(prime, prime), times(prime, conjugate), times(conjugate, conjugate)];
+        all = factors.into_iter().flat_map(|factor| all.iter().map(move |&z| times(z, factor))).collect();
+    }
+    all
+}
+
+fn ring(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
+    let mut points = shuffled(circle(n), rng);
+    points.truncate(n);
+    // Beyond all that there are, they come again.
+    let points: Vec<[f64; 2]> = points.into_iter().map(|point| point.map(integer)).collect();
+    points.iter().copied().cycle().take(n).collect()
+}
+
+fn rings(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
+    let circle = circle(if n < 10_000 { 36 } else { 2_916 });
+    let all = (1..=signed(n)).flat_map(|scale| circle.iter().map(move |point| point.map(|x| integer(x * scale))));
+    shuffled(all.take(n).collect(), rng)
+}
+
+fn near_ring(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
+    (0..n)
+        .map(|_| {
+            loop {
+                let [x, y] = [rng.between(-1.0, 1.0), rng.between(-1.0, 1.0)];
+                let square = x * x + y * y;
+                if (1e-4..=1.0).contains(&square) {
+                    return [x, y].map(|x| {
+                        let ulps = rng.integer(-2, 2);
+                        f64::from_bits((x / square.sqrt()).to_bits().wrapping_add_signed(ulps))
+                    });
+                }
+            }
+        })
+        .collect()
+}
+
+fn line(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
+    let on = (0..signed(n) - 1).map(|at| [integer(3 * at), integer(-7 * at)]);
+    shuffled(on.chain([[1.0, 5.0]]).take(n).collect(), rng)
+}
+
+fn clusters(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
+    let centres: Vec<[f64; 2]> = (0..10).map(|_| [rng.between(0.0, 1000.0), rng.between(0.0, 1000.0)]).collect();
+    (0..n).map(|at| centres[at % 10].map(|x| x + rng.between(-0.0005, 0.0005))).collect()
+}
+
+fn repeated(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
+    let side = side(n.div_ceil(4));
+    (0..n).map(|_| [(); 2].map(|()| integer(rng.integer(0, side - 1)))).collect()
+}
+
+fn sliver(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
+    (0..n)
+        .map(|_| {
+            let x = rng.between(0.5, 24.0);
+            [x, f64::from_bits(x.to_bits().wrapping_add_signed(rng.integer(-2, 2)))]
+        })
+        .collect()
+}

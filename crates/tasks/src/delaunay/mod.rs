@@ -1,0 +1,190 @@
+//! `delaunay2d`: the Delaunay triangulation of points of the plane.
+//!
+//! The algorithm that asks more about circles than any other: a wrong answer near zero leaves an edge that should not be
+//! there, or opens a hole. Its answer is unique, so that digests of different backends can be compared.
+
+mod content;
+mod generate;
+mod judge;
+
+use std::path::{Path, PathBuf};
+
+use predicament_algorithms::delaunay::planted::{
+    CopiesForgotten, FacesLeft, LinesOutside, NeighboursOnly, OneEdgeSeen, Planted as Wrong,
+};
+use predicament_algorithms::delaunay::{Delaunay2, delaunay2d, delaunay2d_planted};
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
+
+pub use content::Sites;
+pub use judge::Truth;
+
+use crate::{
+    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+    output,
+};
+
+/// The checks that have to find triangles that stay though a vertex is in their circle.
+const NEIGHBOURS_CHECKS: &[Catch] = &[(Class::Topology, "empty circle"), (Class::Topology, "positive")];
+/// The checks that have to find a hull with dents.
+const ONE_EDGE_CHECKS: &[Catch] = &[(Class::Topology, "convex"), (Class::Topology, "area")];
+/// The checks that have to find flat triangles.
+const LINES_CHECKS: &[Catch] = &[(Class::Topology, "positive")];
+/// The checks that have to find faces that are not cut by the rule.
+const FACES_CHECKS: &[Catch] = &[(Class::Topology, "fan")];
+/// The checks that have to find vertices that are nowhere.
+const COPIES_CHECKS: &[Catch] = &[(Class::Topology, "copies")];
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Delaunay2d;
+
+/// The triangulation that was found.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Triangles(pub Delaunay2);
+
+impl Answer for Triangles {
+    fn digest(&self) -> u64 {
+        let Delaunay2 { triangles, chain, copies, broken } = &self.0;
+        let lists = [triangles.as_flattened(), chain, copies.as_flattened()];
+        let ids = lists.into_iter().flat_map(|list| [list.len()].into_iter().chain(list.iter().map(|v| v.index())));
+        digest(ids.flat_map(usize::to_le_bytes).chain(broken.unwrap_or_default().bytes()))
+    }
+}
+
+impl SceneFormat for Delaunay2d {
+    fn name(&self) -> &'static str {
+        "delaunay2d"
+    }
+
+    fn template(&self) -> String {
+        include_str!("template.txt").to_owned()
+    }
+
+    fn about(&self) -> &'static str {
+        "the Delaunay triangulation of points of the plane, cocircular faces cut by a rule"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["points"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        content::read(context, fields)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &generate::FAMILIES
+    }
+}
+
+impl Task for Delaunay2d {
+    type Content = Sites;
+    type Truth = Truth;
+    type Answer = Triangles;
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Incircle]
+    }
+
+    fn truth(&self, scene: &Scene, _: &Sites, watch: &Watch) -> Result<Truth, Stop> {
+        watch.done(0)?;
+        Ok(Truth::new(scene))
+    }
+
+    fn sampled(&self, truth: &Truth) -> Option<String> {
+        truth.sampled()
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &Sites,
+        how: &How<'_>,
+        answer: &mut Triangles,
+    ) -> Result<(), Halt> {
+        how.watch.done(0)?;
+        // To compile it for each session costs much, and runs no faster: memory is what it waits for.
+        let session: &dyn Predicates = &*session;
+        answer.0 = delaunay2d(session).answer();
+        how.watch.done(content.points as u64)?;
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, Delaunay2d>,
+        asked: &Asked<'_>,
+        answer: &Triangles,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        asked.watch.done(0)?;
+        judge::judge(case, asked, &answer.0, outcome);
+        Ok(())
+    }
+
+    fn planted(&self) -> Vec<Planted<Delaunay2d>> {
+        fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<Delaunay2d> {
+            Planted::new::<F>("exact", caught_by, |session, _: &Sites| {
+                let session: &dyn Predicates = &*session;
+                Ok(Triangles(delaunay2d_planted::<F, dyn Predicates>(session).answer_planted::<F>()))
+            })
+        }
+        vec![
+            fault::<NeighboursOnly>(NEIGHBOURS_CHECKS),
+            fault::<OneEdgeSeen>(ONE_EDGE_CHECKS),
+            fault::<LinesOutside>(LINES_CHECKS),
+            fault::<FacesLeft>(FACES_CHECKS),
+            fault::<CopiesForgotten>(COPIES_CHECKS),
+        ]
+    }
+
+    fn describe(&self, _: &LoadedScene, content: &Sites, watch: &Watch) -> Result<String, Stop> {
+        watch.done(0)?;
+        Ok(format!("{} points\n", content.points))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &Sites,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let vertices: Vec<Vertex> = query.vertices().collect();
+        let ask =
+            |backend: &dyn Contestant| backend.answer(self, scene, content).map(|found| describe(&found.0, &vertices));
+        Ok(Explanation { vertices: vertices.clone(), ..Explanation::default() }.with_answers(backends, ask))
+    }
+
+    /// SVG and GeoJSON of the triangles, OFF, OBJ and PLY of them in the plane z = 0, and all vertices exactly.
+    fn write(&self, scene: &Scene, _: &Sites, answer: &Triangles, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+        let triangles: Vec<Vec<Vertex>> = answer.0.triangles.iter().map(|triangle| triangle.to_vec()).collect();
+        let polygons: Vec<Vec<Vec<Vertex>>> = triangles.iter().map(|triangle| vec![triangle.clone()]).collect();
+        let mut files = output::plane(scene, &polygons, folder, "triangles")?;
+        let path = folder.join("copies.json");
+        let ids = |list: &[Vertex]| list.iter().map(ToString::to_string).collect::<Vec<_>>();
+        let copies: Vec<Vec<String>> = answer.0.copies.iter().map(|pair| ids(pair)).collect();
+        let json = serde_json::json!({ "chain": ids(&answer.0.chain), "copies": copies, "broken": answer.0.broken });
+        std::fs::write(&path, format!("{json}\n"))?;
+        files.push(path);
+        files.push(output::vertices(scene, scene.vertices(), folder)?);
+        Ok(files)
+    }
+}
+
+/// The triangles in words, as far as they are about these vertices.
+fn describe(found: &Delaunay2, vertices: &[Vertex]) -> String {
+    let is_about = |triangle: &&[Vertex; 3]| {
+        let common = triangle.iter().filter(|v| vertices.contains(v)).count();
+        common >= vertices.len().clamp(1, 3)
+    };
+    let about: Vec<String> =
+        found.triangles.iter().filter(is_about).take(6).map(|triangle| crate::ids(triangle)).collect();
+    if about.is_empty() { found.to_string() } else { format!("{found}; {}", about.join(", ")) }
+}
