@@ -9,6 +9,7 @@
 //! * [`contacts`]: registered pairs, and the curves and surfaces that they merge;
 //! * [`cubes`]: unions of cubes, measured another way;
 //! * [`hull`]: convex hulls, convex and around all points;
+//! * [`overlay`]: arrangements of segments, and Boolean operations on polygons;
 //! * [`partition`]: points of a line in its cells;
 //! * [`mod@slice`]: the parts that planes make of a mesh;
 //! * [`tiling`]: points of the plane in the regions of a map;
@@ -19,6 +20,7 @@ pub mod axioms;
 pub mod contacts;
 pub mod cubes;
 pub mod hull;
+pub mod overlay;
 pub mod partition;
 pub mod slice;
 pub mod tiling;

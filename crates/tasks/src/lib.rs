@@ -16,7 +16,7 @@
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
 //! * [`output`]: answers as files for other programs, vertices exactly.
 //! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
-//!   [`crossings`], [`triangulate`], [`hull`], [`mod@slice`]: the tasks.
+//!   [`crossings`], [`triangulate`], [`hull`], [`mod@slice`], [`overlay`]: the tasks.
 
 mod any;
 mod budget;
@@ -38,6 +38,7 @@ pub mod cube_union;
 pub mod hull;
 pub mod interval;
 pub mod output;
+pub mod overlay;
 pub mod polygon_locate;
 pub mod signs;
 pub mod slice;

@@ -10,6 +10,7 @@ use crate::crossings::Crossings;
 use crate::cube_union::CubeUnion;
 use crate::hull::{Hull2d, Hull3d};
 use crate::interval::Interval;
+use crate::overlay::Overlay2d;
 use crate::polygon_locate::PolygonLocate;
 use crate::signs::Signs;
 use crate::slice::Slice;
@@ -35,6 +36,7 @@ macro_rules! each_task {
             $do!(Hull2d),
             $do!(Hull3d),
             $do!(Slice),
+            $do!(Overlay2d),
         ]
     };
 }

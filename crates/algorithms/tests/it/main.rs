@@ -7,6 +7,7 @@ mod contacts_driver;
 mod hull_plane;
 mod hull_signs;
 mod hull_space;
+mod overlay;
 mod polygon_locate;
 mod polygon_shapes;
 mod polygon_special;

@@ -7,6 +7,7 @@ mod constructs;
 mod contacts;
 mod cubes;
 mod hull;
+mod overlay;
 mod partition;
 mod slice;
 mod tiling;
