@@ -12,6 +12,7 @@
 //! * [`delaunay`]: Delaunay triangulations in the plane.
 //! * [`hull`]: convex hulls in the plane and in space.
 //! * [`interval`]: the cell of a line in which a point lies.
+//! * [`overlay`]: arrangements of segments, and Boolean operations on polygons.
 //! * [`planted`]: faults planted in these, to prove the judge.
 //! * [`polygon_locate`]: points in the regions of a map, by ray casting.
 //! * [`mod@slice`]: a mesh split by planes, its parts capped and triangulated.
@@ -25,9 +26,11 @@ pub mod cube_union;
 pub mod delaunay;
 pub mod hull;
 pub mod interval;
+pub mod overlay;
 mod parallel;
 pub mod planted;
 pub mod polygon_locate;
 pub mod slice;
 pub mod sort;
+mod status;
 pub mod triangulate;

@@ -10,6 +10,7 @@
 //! * [`cubes`]: unions of cubes, measured another way;
 //! * [`delaunay`]: Delaunay triangulations, all circles empty;
 //! * [`hull`]: convex hulls, convex and around all points;
+//! * [`overlay`]: arrangements of segments, and Boolean operations on polygons;
 //! * [`partition`]: points of a line in its cells;
 //! * [`mod@slice`]: the parts that planes make of a mesh;
 //! * [`tiling`]: points of the plane in the regions of a map;
@@ -21,6 +22,7 @@ pub mod contacts;
 pub mod cubes;
 pub mod delaunay;
 pub mod hull;
+pub mod overlay;
 pub mod partition;
 pub mod slice;
 pub mod tiling;

@@ -9,14 +9,17 @@
 //! * [`Columns`]: the segments above a point, one by one.
 //! * [`Cells`]: the segments near a point, and the sum of those far above.
 //! * [`BoxIndex`]: the boxes near a box.
+//! * [`Raster`]: the segments through each cell of a grid.
 
 mod bounds;
 mod box_index;
 mod cells;
 mod columns;
+mod raster;
 mod steps;
 
 pub use bounds::Bounds;
 pub use box_index::BoxIndex;
 pub use cells::{Cell, Cells, End, Entry, Labels};
 pub use columns::Columns;
+pub use raster::Raster;

@@ -1,12 +1,15 @@
-//! Connectivity: complexes, polygonal maps and half-edge meshes over a scene's vertices. Coordinates stay in
+//! Connectivity: complexes, polygonal maps, half-edge meshes and subdivisions of the plane over a scene's
+//! vertices. Coordinates stay in
 //! the [`Scene`](predicament_predicates::Scene).
 
 mod complex;
 mod faces;
 pub mod half_edge;
 mod polygon;
+mod subdivision;
 
 pub use complex::{Complex, ComplexError, Simplex, Simplices};
 pub use faces::Faces;
 pub use half_edge::HalfEdgeMesh;
 pub use polygon::{MapError, PolygonMap, Region, Ring};
+pub use subdivision::{Nesting, Subdivision, SubdivisionFace};

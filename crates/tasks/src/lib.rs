@@ -16,7 +16,8 @@
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
 //! * [`output`]: answers as files for other programs, vertices exactly.
 //! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
-//!   [`crossings`], [`triangulate`], [`hull`], [`mod@slice`], [`delaunay`]: the tasks.
+//!   [`crossings`], [`triangulate`], [`hull`], [`mod@slice`], [`delaunay`],
+//!   [`overlay`]: the tasks.
 
 mod any;
 mod budget;
@@ -39,6 +40,7 @@ pub mod delaunay;
 pub mod hull;
 pub mod interval;
 pub mod output;
+pub mod overlay;
 pub mod polygon_locate;
 pub mod signs;
 pub mod slice;

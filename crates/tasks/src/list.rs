@@ -11,6 +11,7 @@ use crate::cube_union::CubeUnion;
 use crate::delaunay::Delaunay2d;
 use crate::hull::{Hull2d, Hull3d};
 use crate::interval::Interval;
+use crate::overlay::Overlay2d;
 use crate::polygon_locate::PolygonLocate;
 use crate::signs::Signs;
 use crate::slice::Slice;
@@ -37,6 +38,7 @@ macro_rules! each_task {
             $do!(Hull3d),
             $do!(Slice),
             $do!(Delaunay2d),
+            $do!(Overlay2d),
         ]
     };
 }

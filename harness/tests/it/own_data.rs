@@ -127,6 +127,7 @@ fn a_new_suite_runs_as_it_is() {
         ("triangulate", "land.geojson"),
         ("hull3d", "mesh.off"),
         ("slice", "closed.off"),
+        ("overlay2d", "land.geojson"),
     ] {
         let file = at(&folder, &format!("{task}-of-file.toml"));
         expect(0, &["new", &file, "--task", task, "--points", data]);

@@ -42,7 +42,6 @@ mod nesting;
 pub mod planted;
 mod projection;
 mod reflex;
-mod status;
 mod sweep;
 mod view;
 

@@ -4,9 +4,9 @@ use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
 use super::corners::Corners;
 use super::projection::turn_at_first_place;
-use super::status::Status;
 use super::view::View;
 use super::{NONE, Output};
+use crate::status::Status;
 
 /// The loops with the inside on their left, as [`triangulate`](super::triangulate) takes them: a point is inside where an
 /// odd number of loops is around it. Loops may touch as they may there, and come in any orientation.

@@ -13,9 +13,9 @@ use predicament_predicates::{Predicates, Sign, Vertex};
 
 use super::corners::Corners;
 use super::planted::Planted;
-use super::status::Status;
 use super::view::View;
 use super::{NONE, Output, number};
+use crate::status::Status;
 
 /// A part of the inside that the sweep line crosses.
 struct Region {

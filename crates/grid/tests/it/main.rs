@@ -3,3 +3,4 @@
 mod box_index;
 mod cells;
 mod columns;
+mod raster;

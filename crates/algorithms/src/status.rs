@@ -2,14 +2,15 @@
 //!
 //! Nothing here asks a predicate by itself. A search takes ⌈log₂⌉ questions, the rest none.
 
-use super::NONE;
+/// The number that names nothing.
+const NONE: u32 = u32::MAX;
 
 /// The most items of a block.
 const MOST: usize = 256;
 
 /// A sequence of items, each a small number that is in it at most once.
 #[derive(Default)]
-pub(super) struct Status {
+pub(crate) struct Status {
     /// By their numbers, which are not their order.
     blocks: Vec<Vec<u32>>,
     /// The numbers of the blocks that are not empty, in order.
@@ -28,6 +29,22 @@ impl Status {
         // The first one is known to be below.
         let at = items[1..].partition_point(|&item| is_below(item));
         Some(items[at])
+    }
+
+    /// The lowest item.
+    pub fn first(&self) -> Option<u32> {
+        self.order.first().map(|&block| self.blocks[block as usize][0])
+    }
+
+    /// The item right above another one.
+    pub fn above(&self, item: u32) -> Option<u32> {
+        let home = self.home[item as usize];
+        let own = &self.blocks[home as usize];
+        if let Some(&next) = own.get(self.place(home, item) + 1) {
+            return Some(next);
+        }
+        let block = self.order.iter().position(|&block| block == home)?;
+        self.order.get(block + 1).map(|&block| self.blocks[block as usize][0])
     }
 
     /// Inserts an item right above another one, or below all.
@@ -86,7 +103,7 @@ impl Status {
     fn new_block(&mut self) -> u32 {
         self.free.pop().unwrap_or_else(|| {
             self.blocks.push(Vec::with_capacity(MOST + 1));
-            super::number(self.blocks.len() - 1)
+            number(self.blocks.len() - 1)
         })
     }
 
@@ -99,4 +116,9 @@ impl Status {
         let at = self.order.iter().position(|&other| other == block).unwrap_or_default();
         self.order.insert(at + 1, new);
     }
+}
+
+/// A place in a list as it is stored: there are fewer than 2^32 of anything here.
+fn number(place: usize) -> u32 {
+    u32::try_from(place).unwrap_or(NONE)
 }

@@ -1,0 +1,328 @@
+//! The grid's way to the pairs that may meet: cell by cell.
+//!
+//! In a cell of few segments those whose boxes meet are asked about. A crowded cell is seen in its own coordinates, rounded:
+//! * *Chords*: segments that are long there, extended to the cell's border. Two of them cross only if their ends on the border
+//!   take turns, which one walk around it tells, at the cost of the pairs that it finds: a thousand spokes side by side
+//!   make none. Ends that are nearer than rounding errors count as taking turns.
+//! * *Short* segments are asked about with those whose boxes meet theirs, found in the order of their left ends.
+//!
+//! Where most chords of a crowded cell cross, they may pass through one point: a crossing is constructed, and all that
+//! pass through it are one *bundle*, an entry each and not one a pair.
+
+use std::mem;
+
+use predicament_grid::Raster;
+use predicament_predicates::{Axis, Construction, Plane, Predicates, Refused, Sign, Vertex};
+
+use super::meet::Asker;
+use super::view::View;
+use super::wrong::Wrong;
+
+/// Cells with more segments are looked at more closely.
+const CROWD: usize = 32;
+/// A segment that is shorter in a cell, in units of it, is no chord.
+const SHORT: f64 = 1.0 / 32.0;
+/// How far outside of the cell its border is drawn.
+const BORDER: f64 = 1.0 / 64.0;
+/// More than what positions on the border are wrong by: 2^-38 over [`SHORT`], several times.
+const NEAR: f64 = 1.0 / 65536.0;
+/// Pairs of chords for each chord from which on a bundle is looked for.
+const TANGLE: usize = 16;
+/// A bundle has at least so many segments.
+const BUNDLE: usize = 16;
+/// The most pairs that are asked about in crowded cells.
+const MOST_PAIRS: u64 = 1 << 34;
+
+/// The box of a segment: low x and y, high x and y.
+type Extent = [f64; 4];
+
+/// Finds the pairs that may meet and asks about them.
+pub(super) struct Cells<'a> {
+    raw: &'a [[[f64; 2]; 2]],
+    ends: &'a [[Vertex; 2]],
+    asker: Asker<'a>,
+    asked: u64,
+    wrong: Wrong,
+}
+
+/// What all segments have in common.
+///
+/// # Errors
+/// [`Refused`] where there is too much of it.
+pub(super) fn meetings(
+    session: &mut dyn Predicates,
+    raster: &Raster,
+    raw: &[[[f64; 2]; 2]],
+    ends: &[[Vertex; 2]],
+    wrong: Wrong,
+) -> Result<super::meet::Meetings, Refused> {
+    let mut cells = Cells { raw, ends, asker: Asker::new(ends), asked: 0, wrong };
+    let mut boxes = Vec::new();
+    for cell in 0..raster.count() {
+        let members = raster.cell(cell);
+        if members.len() > CROWD {
+            cells.crowded(session, raster, cell, members)?;
+        } else if members.len() > 1 {
+            boxes.clear();
+            boxes.extend(members.iter().map(|&at| extent(&raw[at as usize])));
+            for (i, a) in boxes.iter().enumerate().skip(1) {
+                for (j, b) in boxes[..i].iter().enumerate() {
+                    if cells.meets(a, b) {
+                        cells.asker.ask(&*session, members[j], members[i]);
+                    }
+                }
+            }
+        }
+        if cells.asker.found.too_many || cells.asked > MOST_PAIRS {
+            return Err(cells.too_many());
+        }
+    }
+    cells.asker.flush(&*session);
+    cells.asker.found.settle();
+    if cells.asker.found.too_many { Err(cells.too_many()) } else { Ok(cells.asker.found) }
+}
+
+#[inline]
+fn extent([a, b]: &[[f64; 2]; 2]) -> Extent {
+    [a[0].min(b[0]), a[1].min(b[1]), a[0].max(b[0]), a[1].max(b[1])]
+}
+
+impl Cells<'_> {
+    #[inline]
+    fn meets(&self, a: &Extent, b: &Extent) -> bool {
+        if self.wrong.boxes_are_open {
+            return a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+        }
+        (a[0] <= b[2]) & (b[0] <= a[2]) & (a[1] <= b[3]) & (b[1] <= a[3])
+    }
+
+    fn too_many(&self) -> Refused {
+        Refused::session(if self.asker.found.too_many {
+            format!("there are more than {} crossings: divide the scene", super::meet::MOST_CROSSINGS)
+        } else {
+            format!("more than {MOST_PAIRS} pairs of segments are near each other: use the sweep")
+        })
+    }
+
+    fn crowded(
+        &mut self,
+        session: &mut dyn Predicates,
+        raster: &Raster,
+        cell: usize,
+        members: &[u32],
+    ) -> Result<(), Refused> {
+        let mut chords = Vec::with_capacity(members.len());
+        let mut short = Vec::new();
+        for &at in members {
+            match chord(raster.seen_from(cell, &self.raw[at as usize])) {
+                Some(border) => chords.push((at, border)),
+                None => short.push(at),
+            }
+        }
+        if !short.is_empty() {
+            self.short(&*session, members, &short);
+        }
+        while chords.len() > 1 {
+            let Some(pairs) = crossing_chords(&chords, TANGLE * chords.len()) else {
+                let Some(bundle) = self.bundle(session, &chords)? else {
+                    let most = usize::try_from(MOST_PAIRS).unwrap_or(usize::MAX);
+                    let Some(pairs) = crossing_chords(&chords, most) else {
+                        self.asked = u64::MAX;
+                        return Ok(());
+                    };
+                    self.pairs(&*session, &pairs);
+                    return Ok(());
+                };
+                let in_bundle = |(at, _): &(u32, [f64; 2])| bundle.binary_search(at).is_ok();
+                let together: Vec<_> = chords.iter().copied().filter(in_bundle).collect();
+                self.in_line(&*session, &together);
+                chords.retain(|chord| !in_bundle(chord));
+                for &(at, _) in &chords {
+                    let own = extent(&self.raw[at as usize]);
+                    for &other in &bundle {
+                        if self.meets(&own, &extent(&self.raw[other as usize])) {
+                            self.asker.ask(&*session, at, other);
+                        }
+                    }
+                    self.asked = self.asked.saturating_add(bundle.len() as u64);
+                    if self.asked > MOST_PAIRS || self.asker.found.too_many {
+                        return Ok(());
+                    }
+                }
+                self.asker.found.bundles.push(bundle);
+                continue;
+            };
+            self.pairs(&*session, &pairs);
+            return Ok(());
+        }
+        Ok(())
+    }
+
+    /// Asks about the pairs of a bundle that are on one line: they have more than its point in common.
+    fn in_line(&mut self, session: &dyn Predicates, bundle: &[(u32, [f64; 2])]) {
+        let mut pairs = Vec::new();
+        near_ends(bundle, &border_ends(bundle), usize::MAX, &mut pairs);
+        let view = View::new(session);
+        for [i, j] in pairs {
+            let [[a, b], [c, d]] = [i, j].map(|at| self.ends[at as usize]);
+            if view.turn(a, b, c) == Sign::Zero && view.turn(a, b, d) == Sign::Zero {
+                self.asker.ask(session, i, j);
+            }
+        }
+    }
+
+    fn pairs(&mut self, session: &dyn Predicates, pairs: &[[u32; 2]]) {
+        self.asked = self.asked.saturating_add(pairs.len() as u64);
+        for &[i, j] in pairs {
+            if self.meets(&extent(&self.raw[i as usize]), &extent(&self.raw[j as usize])) {
+                self.asker.ask(session, i, j);
+            }
+        }
+    }
+
+    /// Asks about pairs of which one at least is short, in the order of their left ends.
+    fn short(&mut self, session: &dyn Predicates, members: &[u32], short: &[u32]) {
+        let mut sorted: Vec<(Extent, u32, bool)> =
+            members.iter().map(|&at| (extent(&self.raw[at as usize]), at, short.binary_search(&at).is_ok())).collect();
+        sorted.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(a.1.cmp(&b.1)));
+        // Long ones and short ones apart: no two long ones are compared.
+        let mut open: [Vec<(Extent, u32)>; 2] = [Vec::new(), Vec::new()];
+        for (own, at, is_short) in sorted {
+            for list in if is_short { &mut open[..] } else { &mut open[1..] } {
+                list.retain(|(other, _)| other[2] >= own[0]);
+                self.asked = self.asked.saturating_add(list.len() as u64);
+                for (other, number) in &*list {
+                    if self.meets(&own, other) {
+                        self.asker.ask(session, *number, at);
+                    }
+                }
+            }
+            open[usize::from(is_short)].push((own, at));
+        }
+    }
+
+    /// Segments through one point of a tangle, ascending; none where it has none that many pass.
+    fn bundle(
+        &mut self,
+        session: &mut dyn Predicates,
+        chords: &[(u32, [f64; 2])],
+    ) -> Result<Option<Vec<u32>>, Refused> {
+        // A few pairs of neighbours around the border: in a bundle most of these cross in its point.
+        for part in 1..8 {
+            let at = chords.len() * part / 8;
+            let [i, j] = [chords[at - 1].0, chords[at].0];
+            let lines = [i, j].map(|at| self.ends[at as usize]);
+            if !crosses(&*session, lines) {
+                continue;
+            }
+            let point = session.construct(&[Construction::Ssi(lines)])?[0];
+            let session = &*session;
+            let passes = |&&(at, _): &&(u32, [f64; 2])| {
+                let [a, b] = self.ends[at as usize];
+                session.orient2d(Plane::Xy, a, b, point) == Sign::Zero && is_within(session, [a, b], point)
+            };
+            let mut bundle: Vec<u32> = chords.iter().filter(passes).map(|(at, _)| *at).collect();
+            if bundle.len() >= BUNDLE.max(chords.len() / 8) {
+                bundle.sort_unstable();
+                return Ok(Some(bundle));
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// Whether two segments cross between their ends.
+fn crosses(session: &dyn Predicates, [[a, b], [c, d]]: [[Vertex; 2]; 2]) -> bool {
+    let view = View::new(session);
+    let opposite = |one: Sign, other: Sign| one != Sign::Zero && one == -other;
+    opposite(view.turn(a, b, c), view.turn(a, b, d)) && opposite(view.turn(c, d, a), view.turn(c, d, b))
+}
+
+/// Whether a point of a segment's line is not beyond its ends.
+fn is_within(session: &dyn Predicates, [a, b]: [Vertex; 2], point: Vertex) -> bool {
+    [Axis::X, Axis::Y].into_iter().all(|axis| {
+        let [from, to] = [session.compare(axis, a, point), session.compare(axis, point, b)];
+        from * to != Sign::Negative
+    })
+}
+
+/// Where a segment's line enters and leaves the border of the unit cell, as ways around it from 0 to 4, ascending; none for a
+/// segment that is short.
+fn chord([a, b]: [[f64; 2]; 2]) -> Option<[f64; 2]> {
+    let along = [b[0] - a[0], b[1] - a[1]];
+    if along[0].abs().max(along[1].abs()) < SHORT {
+        return None;
+    }
+    let [low, high] = [-BORDER, 1.0 + BORDER];
+    let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+    for axis in 0..2 {
+        if along[axis] != 0.0 {
+            let [s, t] = [low, high].map(|side| (side - a[axis]) / along[axis]);
+            enter = enter.max(s.min(t));
+            leave = leave.min(s.max(t));
+        }
+    }
+    if enter > leave {
+        return None;
+    }
+    let around = |t: f64| {
+        let [x, y] = [0, 1].map(|axis: usize| ((a[axis] + t * along[axis] - low) / (high - low)).clamp(0.0, 1.0));
+        let sides = [y, 1.0 - x, 1.0 - y, x];
+        let side = (0..4).reduce(|best, side| if sides[side] < sides[best] { side } else { best });
+        match side {
+            Some(0) => x,
+            Some(1) => 1.0 + y,
+            Some(2) => 3.0 - x,
+            _ => 4.0 - y,
+        }
+    };
+    let [s, t] = [around(enter), around(leave)];
+    Some([s.min(t), s.max(t)])
+}
+
+/// The ends of chords on the border with the chords' places, in the order around it.
+fn border_ends(chords: &[(u32, [f64; 2])]) -> Vec<(f64, u32)> {
+    let mut ends: Vec<(f64, u32)> =
+        chords.iter().zip(0_u32..).flat_map(|(&(_, [s, t]), at)| [(s, at), (t, at)]).collect();
+    ends.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    ends
+}
+
+/// The pairs of chords whose ends take turns around the border, or are too near to tell; none if there are more than so many.
+fn crossing_chords(chords: &[(u32, [f64; 2])], most: usize) -> Option<Vec<[u32; 2]>> {
+    let ends = border_ends(chords);
+    let number = |at: u32| chords[at as usize].0;
+    let mut pairs = Vec::new();
+    // Chords that were begun and not ended, in the order in which they began.
+    let mut open: Vec<u32> = Vec::new();
+    let mut is_open = vec![false; chords.len()];
+    for &(_, at) in &ends {
+        if mem::replace(&mut is_open[at as usize], true) {
+            let place = open.iter().rposition(|&other| other == at)?;
+            pairs.extend(open[place + 1..].iter().map(|&other| [number(at), number(other)]));
+            open.remove(place);
+        } else {
+            open.push(at);
+        }
+        if pairs.len() > most {
+            return None;
+        }
+    }
+    near_ends(chords, &ends, most, &mut pairs).then_some(pairs)
+}
+
+/// Adds the pairs of chords with ends near each other, also across the corner where the way around begins; says whether
+/// there are no more than so many.
+fn near_ends(chords: &[(u32, [f64; 2])], ends: &[(f64, u32)], most: usize, pairs: &mut Vec<[u32; 2]>) -> bool {
+    let number = |at: u32| chords[at as usize].0;
+    for (place, &(s, at)) in ends.iter().enumerate() {
+        let around = ends[place + 1..].iter().copied();
+        let beyond = ends[..place].iter().map(|&(t, other)| (t + 4.0, other));
+        let near = around.chain(beyond).take_while(|&(t, _)| t - s <= NEAR);
+        pairs.extend(near.filter(|&(_, other)| other != at).map(|(_, other)| [number(at), number(other)]));
+        if pairs.len() > most {
+            return false;
+        }
+    }
+    true
+}

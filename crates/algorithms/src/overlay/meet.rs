@@ -1,0 +1,211 @@
+//! Where two segments meet, by the signs of turns.
+//!
+//! Pairs are asked about in batches. Two segments without a common vertex take two questions where the ends of one are on one
+//! side of the other, else four:
+//!
+//! | sides of the second's ends | sides of the first's ends | what they have in common |
+//! |---|---|---|
+//! | opposite | opposite | a crossing: a vertex to be constructed |
+//! | one is zero | opposite | the second's end is on the first |
+//! | one is zero | one is zero | an end of each, at one place |
+//! | zero | zero | a line: each end that is between the other's is on it |
+//!
+//! A session that never says zero finds crossings alone, and segments with a common vertex have only that in common.
+
+use predicament_predicates::{Plane, Predicates, Sign, Vertex};
+
+use super::view::View;
+
+/// Pairs that are asked about together.
+const BATCH: usize = 512;
+
+/// The most crossings: each is a vertex to be constructed, of about 200 bytes in all.
+pub(super) const MOST_CROSSINGS: usize = 1 << 24;
+
+/// Two segments by their places, the lower one first.
+pub(super) type Pair = [u32; 2];
+
+/// What all segments have in common, pair by pair.
+#[derive(Default)]
+pub(super) struct Meetings {
+    /// Pairs that cross between their ends.
+    pub crossings: Vec<Pair>,
+    /// A segment and a vertex of another one that is on it between its ends.
+    pub touches: Vec<(u32, Vertex)>,
+    /// Vertices at one place.
+    pub same: Vec<[Vertex; 2]>,
+    /// Pairs on one line that have more than a point in common.
+    pub overlaps: Vec<Pair>,
+    /// Segments through one point, ascending, and a pair of them that crosses there.
+    pub bundles: Vec<Vec<u32>>,
+    /// Whether there are more than [`MOST_CROSSINGS`].
+    pub too_many: bool,
+}
+
+impl Meetings {
+    /// Sorts and drops what was found twice.
+    pub fn settle(&mut self) {
+        self.crossings.sort_unstable();
+        self.crossings.dedup();
+        self.too_many |= self.crossings.len() > MOST_CROSSINGS;
+        self.touches.sort_unstable();
+        self.touches.dedup();
+        self.same.sort_unstable();
+        self.same.dedup();
+        self.overlaps.sort_unstable();
+        self.overlaps.dedup();
+        self.bundles.sort_unstable();
+        self.bundles.dedup();
+    }
+}
+
+/// Asks about pairs of segments.
+pub(super) struct Asker<'a> {
+    ends: &'a [[Vertex; 2]],
+    pub found: Meetings,
+    pending: Vec<Pair>,
+    queries: Vec<[Vertex; 3]>,
+    signs: Vec<Sign>,
+    /// Pairs whose second segment is on no single side of the first, and the two signs.
+    open: Vec<(Pair, [Sign; 2])>,
+    /// The number of crossings beyond which those found twice are dropped.
+    most: usize,
+}
+
+impl<'a> Asker<'a> {
+    pub fn new(ends: &'a [[Vertex; 2]]) -> Asker<'a> {
+        Asker {
+            ends,
+            found: Meetings::default(),
+            pending: Vec::with_capacity(BATCH),
+            queries: Vec::with_capacity(2 * BATCH),
+            signs: vec![Sign::Zero; 2 * BATCH],
+            open: Vec::with_capacity(BATCH),
+            most: MOST_CROSSINGS,
+        }
+    }
+
+    /// Asks about two different segments, now or later.
+    #[inline]
+    pub fn ask(&mut self, session: &dyn Predicates, i: u32, j: u32) {
+        let pair = if i < j { [i, j] } else { [j, i] };
+        let [[a, b], [c, d]] = pair.map(|at| self.ends[at as usize]);
+        if a == c || a == d || b == c || b == d {
+            self.at_a_vertex(View::new(session), pair);
+            return;
+        }
+        self.pending.push(pair);
+        if self.pending.len() == BATCH {
+            self.flush(session);
+        }
+    }
+
+    /// Asks about what is left.
+    pub fn flush(&mut self, session: &dyn Predicates) {
+        let ends = self.ends;
+        self.queries.clear();
+        for pair in &self.pending {
+            let [[a, b], [c, d]] = pair.map(|at| ends[at as usize]);
+            self.queries.extend([[a, b, c], [a, b, d]]);
+        }
+        session.orient2d_batch(Plane::Xy, &self.queries, &mut self.signs[..self.queries.len()]);
+        self.open.clear();
+        for (&pair, &[c, d]) in self.pending.iter().zip(self.signs.as_chunks::<2>().0) {
+            if c != d || c == Sign::Zero {
+                self.open.push((pair, [c, d]));
+            }
+        }
+        self.pending.clear();
+        self.queries.clear();
+        for (pair, _) in &self.open {
+            let [[a, b], [c, d]] = pair.map(|at| ends[at as usize]);
+            self.queries.extend([[c, d, a], [c, d, b]]);
+        }
+        session.orient2d_batch(Plane::Xy, &self.queries, &mut self.signs[..self.queries.len()]);
+        for (&(pair, others), &own) in self.open.iter().zip(self.signs.as_chunks::<2>().0) {
+            let [first, second] = pair.map(|at| ends[at as usize]);
+            if own[0] == own[1] && own[0] != Sign::Zero {
+                continue;
+            }
+            let zeros = own.iter().chain(&others).filter(|sign| **sign == Sign::Zero).count();
+            if zeros == 0 {
+                self.found.crossings.push(pair);
+                continue;
+            }
+            if own == [Sign::Zero; 2] || others == [Sign::Zero; 2] {
+                if zeros == 4 {
+                    in_line(&mut self.found, View::new(session), pair, [first, second]);
+                }
+                continue;
+            }
+            // Lines that cross in one point: it is the vertex whose side is zero.
+            let at = |signs: [Sign; 2], ends: [Vertex; 2]| {
+                signs.iter().position(|sign| *sign == Sign::Zero).map(|at| ends[at])
+            };
+            match (at(own, first), at(others, second)) {
+                (Some(a), Some(c)) => self.found.same.push(sorted([a, c])),
+                (Some(a), None) => self.found.touches.push((pair[1], a)),
+                (None, Some(c)) => self.found.touches.push((pair[0], c)),
+                (None, None) => {}
+            }
+        }
+        // Some are found in several cells. To sort them out costs as much as to find them, so that is not done often.
+        if self.found.crossings.len() > self.most {
+            self.found.crossings.sort_unstable();
+            self.found.crossings.dedup();
+            self.found.too_many |= self.found.crossings.len() > MOST_CROSSINGS;
+            self.most = self.found.crossings.len() + MOST_CROSSINGS / 2;
+        }
+    }
+
+    /// Two segments with one common vertex: they have more in common only if they go the same way from there.
+    fn at_a_vertex(&mut self, view: View<'_>, pair: Pair) {
+        let [first, second] = pair.map(|at| self.ends[at as usize]);
+        let common = if second.contains(&first[0]) { first[0] } else { first[1] };
+        let far = |[a, b]: [Vertex; 2]| if a == common { b } else { a };
+        let [a, b] = [far(first), far(second)];
+        if a != b && view.turn(common, a, b) == Sign::Zero {
+            in_line(&mut self.found, view, pair, [first, second]);
+        }
+    }
+}
+
+/// Two segments on one line: which ends of each are on the other.
+fn in_line(found: &mut Meetings, view: View<'_>, pair: Pair, segments: [[Vertex; 2]; 2]) {
+    let mut inner = 0;
+    let mut same = 0;
+    let mut have_length = true;
+    for (at, ends, other) in [(pair[0], segments[0], segments[1]), (pair[1], segments[1], segments[0])] {
+        let along = view.along(ends);
+        have_length &= !along.is_point();
+        for v in other {
+            if ends.contains(&v) {
+                same += 1;
+                continue;
+            }
+            match [along.order(ends[0], v), along.order(v, ends[1])] {
+                [Sign::Negative, Sign::Negative] => {
+                    inner += 1;
+                    found.touches.push((at, v));
+                }
+                [Sign::Zero, _] if view.is_same_place(ends[0], v) => {
+                    same += 1;
+                    found.same.push(sorted([ends[0], v]));
+                }
+                [_, Sign::Zero] if view.is_same_place(ends[1], v) => {
+                    same += 1;
+                    found.same.push(sorted([ends[1], v]));
+                }
+                _ => {}
+            }
+        }
+    }
+    // Each common end was counted from both sides.
+    if have_length && inner + same / 2 > 1 {
+        found.overlaps.push(pair);
+    }
+}
+
+fn sorted([a, b]: [Vertex; 2]) -> [Vertex; 2] {
+    if a < b { [a, b] } else { [b, a] }
+}

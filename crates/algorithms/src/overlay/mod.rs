@@ -1,0 +1,224 @@
+//! Arrangements of segments in the plane, and the Boolean operations on polygons that stand on them.
+//!
+//! # Steps
+//! 1. Edges are grouped by the *input segments* that they are on. From here on all is about those, each once.
+//! 2. Pairs that meet are found, by a [grid](predicament_grid::Raster) or by Bentley and Ottmann's sweep: the [`Method`].
+//! 3. Crossings are constructed, in the order of the segments. Each is defined by two input segments, whatever was constructed
+//!    before: coordinates do not grow from one overlay to the next.
+//! 4. What is on each segment is sorted along it. Vertices at one place become one node: many segments through one point
+//!    have one there, where the session says that the points are equal.
+//! 5. The order around nodes makes cycles, and rays from the leftmost nodes of components make faces of them.
+//! 6. Winding numbers go from face to face, by the number of times that each operand passes the edge between them. The faces that
+//!    are inside of a result make its regions.
+//!
+//! # What is allowed
+//! Everything: segments may be repeated, overlap, touch and cross in any number in one point, be vertical or have no length; loops
+//! may cross themselves. A session that never says zero sees none of that but repeated vertices: for it, touching segments
+//! cross or do not, vertices at one place are apart, and k segments through a point cross k·(k − 1)/2 times.
+//!
+//! # Memory
+//! It is linear in segments and crossings. Segments through one point are entries of that point, not pairs, where the session
+//! sees that it is one. More than 2^24 crossings are refused.
+//!
+//! # Wrong signs
+//! Each loop of the program ends after a number of steps that follows from the input. The first rule that signs break is named by
+//! `broken`.
+
+mod cells;
+mod chains;
+mod heap;
+mod meet;
+mod nest;
+mod partial;
+pub mod planted;
+mod polygon;
+mod result;
+mod supports;
+mod sweep;
+mod view;
+mod wrong;
+
+use predicament_grid::Raster;
+use predicament_mesh::Subdivision;
+use predicament_predicates::{Plane, Predicates, Refused, Vertex};
+
+pub use chains::Piece;
+pub use polygon::{Edge, Operation, Polygon, Region, Rule};
+pub use result::Regions;
+
+use self::planted::Planted;
+use crate::planted::Honest;
+use chains::Chains;
+use nest::Pieces;
+use supports::{Label, Supports};
+use wrong::Wrong;
+
+/// The number that names nothing.
+const NONE: u32 = u32::MAX;
+
+/// How segments that meet are found.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Method {
+    /// Those in one cell of a grid are compared.
+    #[default]
+    Grid,
+    /// A line sweeps over the plane from left to right, and neighbours on it are compared (Bentley and Ottmann 1979).
+    Sweep,
+}
+
+/// An arrangement of segments: nodes, the pieces between them, and faces.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Arrangement {
+    /// The vertex of each node: input vertices by index, then constructed ones by definition. Of vertices at one place it is
+    /// the first of these.
+    pub vertices: Vec<Vertex>,
+    /// The segments by their ends, the lower id first; ascending, each once.
+    pub segments: Vec<[Vertex; 2]>,
+    /// Segment after segment, the nodes on it in its order.
+    along: Vec<u32>,
+    first: Vec<u32>,
+    /// The edges, in the order of the segments.
+    pub pieces: Vec<Piece>,
+    /// The pieces as the edges of a subdivision.
+    pub subdivision: Subdivision,
+    /// The first rule that signs have broken, as the statement that should hold.
+    pub broken: Option<&'static str>,
+}
+
+impl Arrangement {
+    /// The nodes on a segment, in the order from its lower vertex to the other.
+    #[must_use]
+    pub fn chain(&self, segment: usize) -> &[u32] {
+        &self.along[self.first[segment] as usize..self.first[segment + 1] as usize]
+    }
+}
+
+/// The arrangement of two polygons' edges, with their winding numbers in each face.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Overlay {
+    /// The arrangement.
+    pub arrangement: Arrangement,
+    /// By faces, for each operand: its winding number, or 0 and 1 where its rule is even and odd.
+    pub windings: Vec<[i32; 2]>,
+    rules: [Rule; 2],
+    wrong: bool,
+}
+
+impl Overlay {
+    /// The regions of a result. The session has to be the one that the overlay was made with.
+    #[must_use]
+    pub fn regions(&self, session: &dyn Predicates, operation: Operation) -> Regions {
+        self.arrangement.extraction(session, &self.windings, self.rules, self.wrong).regions(operation)
+    }
+}
+
+/// The arrangement of these edges.
+///
+/// # Errors
+/// [`Refused`] where the session does not construct a crossing, or where there are too many.
+///
+/// # Panics
+/// If the support of an edge is no input segment of a 2D scene, or there are 2^30 edges or more.
+pub fn arrange(session: &mut dyn Predicates, edges: &[Edge], method: Method) -> Result<Arrangement, Refused> {
+    arrange_planted::<Honest>(session, edges, method)
+}
+
+/// [`arrange`] with a planted fault.
+///
+/// # Errors
+/// As [`arrange`].
+///
+/// # Panics
+/// As [`arrange`].
+pub fn arrange_planted<F: Planted>(
+    session: &mut dyn Predicates,
+    edges: &[Edge],
+    method: Method,
+) -> Result<Arrangement, Refused> {
+    let edges: Vec<(Edge, usize)> = edges.iter().map(|&edge| (edge, 0)).collect();
+    let supports = Supports::new(&*session, &edges, |_| false);
+    arranged(session, supports, method, Wrong::of::<F>())
+}
+
+/// The overlay of two polygons.
+///
+/// Edges that both sides of a polygon pass as often cancel before anything is compared: to dissolve a map costs what its
+/// outer borders cost.
+///
+/// # Errors
+/// As [`arrange`].
+///
+/// # Panics
+/// As [`arrange`].
+pub fn overlay(session: &mut dyn Predicates, operands: [&Polygon; 2], method: Method) -> Result<Overlay, Refused> {
+    overlay_planted::<Honest>(session, operands, method)
+}
+
+/// [`overlay`] with a planted fault.
+///
+/// # Errors
+/// As [`arrange`].
+///
+/// # Panics
+/// As [`arrange`].
+pub fn overlay_planted<F: Planted>(
+    session: &mut dyn Predicates,
+    operands: [&Polygon; 2],
+    method: Method,
+) -> Result<Overlay, Refused> {
+    let wrong = Wrong::of::<F>();
+    let rules = operands.map(|polygon| polygon.rule);
+    let mut edges: Vec<(Edge, usize)> =
+        Vec::with_capacity(operands.iter().flat_map(|polygon| &polygon.loops).map(Vec::len).sum());
+    for (operand, polygon) in operands.into_iter().enumerate() {
+        edges.extend(polygon.loops.iter().flatten().map(|&edge| (edge, operand)));
+    }
+    let is_idle = |label: Label| {
+        (0..2).all(|operand| match rules[operand] {
+            Rule::EvenOdd => label[operand] % 2 == 0,
+            Rule::NonZero => label[operand] == 0,
+        })
+    };
+    let supports = Supports::new(&*session, &edges, is_idle);
+    drop(edges);
+    let mut arrangement = arranged(session, supports, method, wrong)?;
+    let (windings, agree) = result::windings(&arrangement.subdivision, &arrangement.pieces, rules);
+    if !agree {
+        arrangement.broken.get_or_insert("winding numbers agree around every edge");
+    }
+    Ok(Overlay { arrangement, windings, rules, wrong: wrong.drops_holes })
+}
+
+fn arranged(
+    session: &mut dyn Predicates,
+    supports: Supports,
+    method: Method,
+    wrong: Wrong,
+) -> Result<Arrangement, Refused> {
+    let scene = session.scene();
+    let raw: Vec<[[f64; 2]; 2]> = supports.ends.iter().map(|ends| ends.map(|v| scene.point2(Plane::Xy, v))).collect();
+    let mut raster = None;
+    let (meetings, mut broken) = match method {
+        Method::Grid => {
+            let raster = raster.insert(Raster::new(&raw));
+            (cells::meetings(session, raster, &raw, &supports.ends, wrong)?, None)
+        }
+        Method::Sweep => sweep::meetings(session, &supports.ends)?,
+    };
+    let chains = Chains::new(session, &supports, meetings, wrong)?;
+    broken = broken.or(chains.broken);
+    let pieces = Pieces::new(&*session, &supports, &chains);
+    let subdivision = pieces.subdivision();
+    let nestings = pieces.nestings(&subdivision, raster, &raw, wrong.nests_outside);
+    let (subdivision, all_known) = subdivision.with_faces(&nestings);
+    if !all_known {
+        broken.get_or_insert("a component lies in a face of one that begins left of it");
+    }
+    let Chains { nodes, first, along, pieces, .. } = chains;
+    Ok(Arrangement { vertices: nodes, segments: supports.ends, along, first, pieces, subdivision, broken })
+}
+
+/// A place in an array as it is stored: there are fewer than 2^32 of anything here.
+fn number(place: usize) -> u32 {
+    u32::try_from(place).expect("fewer than 2^32 of anything")
+}

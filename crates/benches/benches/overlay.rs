@@ -1,0 +1,194 @@
+//! Unions of large polygons on one thread, under exact and perturbed predicates, by a grid and by a sweep; with the feature
+//! `peers` beside `i_overlay` and `geo`, on the same coordinates in the same run, in turns. The aim: two stars of 10^5 edges
+//! each within twice the time of `i_overlay`, which rounds to a grid of integers, and faster than `geo`.
+//!
+//! A program of another library can take part: the environment variable `PREDICAMENT_OVERLAY` names one that reads two rings, each as
+//! a line of coordinates with blanks between them, and prints the seconds that their union took.
+//!
+//! Ours is given loops of vertices and nothing else, and makes oriented regions; sessions are prepared in its time, as
+//! crossings are constructed in them.
+//!
+//! Arguments: the shapes to run, of `stars`, `smooth`, `combs` and `segments`; without any, all.
+
+use std::fmt::Write as _;
+use std::hint::black_box;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use predicament_algorithms::overlay::{Method, Operation, Polygon, Rule, arrange, overlay};
+use predicament_corpus::{Level, Suite};
+use predicament_exact::Exact;
+use predicament_formats::{Cache, Manifest};
+use predicament_predicates::{Backend, Off, Plane, Scene, Vertex};
+use predicament_sos::Sos;
+use predicament_tasks::overlay::{Layered, Layers};
+
+const ROUNDS: usize = 7;
+
+/// A generated scene.
+fn scene(family: &str, n: usize) -> (Scene, Layers) {
+    let text = format!(
+        "title = \"t\"\n[[generate]]\nfamily = \"overlay-{family}\"\ntask = \"overlay2d\"\nn = {n}\nseed = 1\n"
+    );
+    let suite = Suite::parse(predicament_tasks::vocabulary(), "bench.toml", &text, None, &Manifest::default());
+    let loaded = suite.expect("a suite").scenes[0].load(Level::Quick, &Cache::new("nowhere")).expect("a scene");
+    let content: &Layered = loaded.content().expect("layers");
+    (loaded.scene.clone(), content.layers.clone())
+}
+
+/// Circles of n corners, slightly off each other: short edges, few crossings.
+fn smooth(n: usize) -> (Scene, Layers) {
+    let mut points = Vec::with_capacity(2 * n);
+    for shift in [0.0, 0.25] {
+        #[allow(clippy::cast_precision_loss)] // about
+        points.extend((0..n).map(|i| {
+            let angle = std::f64::consts::TAU * i as f64 / n as f64;
+            let radius = 1.0 + 0.25 * (16.0 * angle).sin();
+            [radius * angle.cos() + shift, radius * angle.sin()]
+        }));
+    }
+    let ids = |from: usize| vec![(from..from + n).map(Vertex::input).collect()];
+    (Scene::from_points2(&points).expect("finite"), Layers::Polygons([ids(0), ids(n)], Rule::NonZero))
+}
+
+/// One way to do it: the number of corners of the result, or of edges of the arrangement.
+type Way<'a> = (&'static str, Box<dyn Fn() -> (usize, Option<Duration>) + 'a>);
+
+fn ours<'a, B: Backend>(
+    name: &'static str,
+    backend: &'a B,
+    scene: &'a Scene,
+    layers: &'a Layers,
+    method: Method,
+) -> Way<'a> {
+    let made = move || -> usize {
+        let mut session = backend.prepare(scene, Off).expect("points");
+        match layers {
+            Layers::Segments(segments) => {
+                let edges: Vec<_> =
+                    segments.iter().map(|&[a, b]| predicament_algorithms::overlay::Edge::whole(a, b)).collect();
+                arrange(&mut session, &edges, method).map_or(0, |made| made.pieces.len())
+            }
+            Layers::Polygons(loops, rule) => {
+                let [a, b] = loops.each_ref().map(|loops| Polygon::of_vertices(loops, *rule));
+                let Ok(made) = overlay(&mut session, [&a, &b], method) else { return 0 };
+                let regions = made.regions(&session, Operation::Union).regions;
+                regions.iter().flat_map(|region| region.loops()).map(Vec::len).sum()
+            }
+        }
+    };
+    (name, Box::new(move || (made(), None)))
+}
+
+/// The rings of both operands.
+fn rings(scene: &Scene, layers: &Layers) -> Option<[Vec<Vec<[f64; 2]>>; 2]> {
+    let Layers::Polygons(loops, _) = layers else { return None };
+    let ring = |one: &Vec<Vertex>| one.iter().map(|&v| scene.point2(Plane::Xy, v)).collect();
+    Some(loops.each_ref().map(|loops| loops.iter().map(ring).collect()))
+}
+
+#[cfg(feature = "peers")]
+fn peers(rings: &[Vec<Vec<[f64; 2]>>; 2]) -> Vec<Way<'_>> {
+    use geo::{BooleanOps, Coord, CoordsIter, LineString, Polygon as Area};
+    use i_overlay::core::fill_rule::FillRule;
+    use i_overlay::core::overlay_rule::OverlayRule;
+    use i_overlay::float::single::SingleFloatOverlay;
+
+    let area = |rings: &Vec<Vec<[f64; 2]>>| {
+        let line = |ring: &Vec<[f64; 2]>| LineString::new(ring.iter().map(|&[x, y]| Coord { x, y }).collect());
+        let mut lines = rings.iter().map(line);
+        Area::new(lines.next().expect("an outer ring"), lines.collect())
+    };
+    let [a, b] = rings.each_ref().map(area);
+    vec![
+        (
+            "i_overlay",
+            Box::new(move || {
+                let made = rings[0].overlay(&rings[1], OverlayRule::Union, FillRule::NonZero);
+                (made.iter().flatten().map(Vec::len).sum(), None)
+            }),
+        ),
+        ("geo", Box::new(move || (a.union(&b).coords_count(), None))),
+    ]
+}
+
+#[cfg(not(feature = "peers"))]
+fn peers(_: &[Vec<Vec<[f64; 2]>>; 2]) -> Vec<Way<'_>> {
+    Vec::new()
+}
+
+/// A program of another library, by its own clock.
+fn program(rings: &[Vec<Vec<[f64; 2]>>; 2]) -> Option<Way<'_>> {
+    let program = std::env::var_os("PREDICAMENT_OVERLAY")?;
+    let run = move || {
+        let mut text = String::new();
+        for ring in rings.iter().flatten() {
+            ring.as_flattened().iter().for_each(|x| write!(text, "{x:?} ").expect("strings take everything"));
+            text.push('\n');
+        }
+        let mut child = Command::new(&program).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().expect("a program");
+        std::io::Write::write_all(&mut child.stdin.take().expect("a pipe"), text.as_bytes()).expect("it reads");
+        let out = child.wait_with_output().expect("it ends");
+        let told = String::from_utf8_lossy(&out.stdout);
+        let mut words = told.split_whitespace();
+        let seconds: f64 = words.next().and_then(|word| word.parse().ok()).expect("seconds");
+        let corners = words.next().and_then(|word| word.parse().ok()).unwrap_or(0);
+        (corners, Some(Duration::from_secs_f64(seconds)))
+    };
+    Some(("program", Box::new(run)))
+}
+
+fn main() {
+    // Constructing and the rest take one thread; index structures would take all.
+    rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("no pool before");
+    let wanted: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
+    let sizes = [
+        ("stars", [10_000, 100_000]),
+        ("smooth", [10_000, 100_000]),
+        ("combs", [400, 2_000]),
+        ("segments", [10_000, 1_000_000]),
+    ];
+    for (name, sizes) in sizes.into_iter().filter(|(name, _)| wanted.is_empty() || wanted.iter().any(|w| w == name)) {
+        for n in sizes {
+            let (scene, layers) = if name == "smooth" { smooth(n) } else { scene(name, n) };
+            let rings = rings(&scene, &layers);
+            let sos = Sos::default();
+            let mut ways = vec![
+                ours("exact, grid", &Exact, &scene, &layers, Method::Grid),
+                ours("sos, grid", &sos, &scene, &layers, Method::Grid),
+            ];
+            if n <= 100_000 {
+                ways.push(ours("exact, sweep", &Exact, &scene, &layers, Method::Sweep));
+            }
+            if let Some(rings) = &rings {
+                ways.extend(peers(rings));
+                ways.extend(program(rings));
+            }
+            let mut times = vec![Vec::new(); ways.len()];
+            let mut corners = vec![0; ways.len()];
+            for _ in 0..ROUNDS {
+                for ((_, way), (times, corners)) in ways.iter().zip(times.iter_mut().zip(&mut corners)) {
+                    // What takes long is measured once.
+                    if times.first().is_none_or(|first: &Duration| first.as_secs_f64() < 2.0) {
+                        let start = Instant::now();
+                        let (count, own) = black_box(way());
+                        times.push(own.unwrap_or_else(|| start.elapsed()));
+                        *corners = count;
+                    }
+                }
+            }
+            println!("{name} of {n}, {ROUNDS} rounds in turns, medians:");
+            let first = median(&mut times[0]);
+            for (((way, _), times), corners) in ways.iter().zip(&mut times).zip(&corners) {
+                let time = median(times);
+                println!("  {way:16} {time:10.2} ms   {:6.2} × ours   {corners} corners", time / first);
+            }
+        }
+    }
+}
+
+/// The median of some times, in milliseconds.
+fn median(times: &mut [Duration]) -> f64 {
+    times.sort_unstable();
+    times[times.len() / 2].as_secs_f64() * 1e3
+}
