@@ -11,6 +11,7 @@
 //! * [`hull`]: convex hulls, convex and around all points;
 //! * [`partition`]: points of a line in its cells;
 //! * [`mod@slice`]: the parts that planes make of a mesh;
+//! * [`snap`]: drawings rounded to pixels;
 //! * [`tiling`]: points of the plane in the regions of a map;
 //! * [`triangulation`]: triangles of polygons.
 
@@ -21,5 +22,6 @@ pub mod cubes;
 pub mod hull;
 pub mod partition;
 pub mod slice;
+pub mod snap;
 pub mod tiling;
 pub mod triangulation;

@@ -9,5 +9,6 @@ mod cubes;
 mod hull;
 mod partition;
 mod slice;
+mod snap;
 mod tiling;
 mod triangulation;
