@@ -16,6 +16,7 @@
 //! * [`planted`]: faults planted in these, to prove the judge.
 //! * [`polygon_locate`]: points in the regions of a map, by ray casting.
 //! * [`mod@slice`]: a mesh split by planes, its parts capped and triangulated.
+//! * [`mod@snap`]: segments and their crossings brought back to doubles by snap rounding.
 //! * [`sort`]: sorting by signs that may contradict each other.
 //! * [`triangulate`]: triangles of polygons with holes, by ears and by a plane sweep.
 
@@ -31,6 +32,7 @@ mod parallel;
 pub mod planted;
 pub mod polygon_locate;
 pub mod slice;
+pub mod snap;
 pub mod sort;
 mod status;
 pub mod triangulate;

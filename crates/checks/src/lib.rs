@@ -13,6 +13,7 @@
 //! * [`overlay`]: arrangements of segments, and Boolean operations on polygons;
 //! * [`partition`]: points of a line in its cells;
 //! * [`mod@slice`]: the parts that planes make of a mesh;
+//! * [`snap`]: drawings rounded to pixels;
 //! * [`tiling`]: points of the plane in the regions of a map;
 //! * [`triangulation`]: triangles of polygons.
 
@@ -25,5 +26,6 @@ pub mod hull;
 pub mod overlay;
 pub mod partition;
 pub mod slice;
+pub mod snap;
 pub mod tiling;
 pub mod triangulation;

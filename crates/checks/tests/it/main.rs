@@ -11,5 +11,6 @@ mod hull;
 mod overlay;
 mod partition;
 mod slice;
+mod snap;
 mod tiling;
 mod triangulation;

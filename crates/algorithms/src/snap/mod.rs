@@ -1,0 +1,203 @@
+//! Segments with their crossings, brought back to doubles: snap rounding.
+//!
+//! Vertices of an arrangement that are rounded one by one make edges pass over vertices and cross each other where nothing crossed
+//! before. Snap rounding rounds the edges with them. The plane is a grid of pixels, squares with sides of a power of two.
+//! A pixel with an end or a crossing in it is *hot*. Each segment becomes the chain of the centres of all hot
+//! pixels that it meets (Hobby, *Practical segment intersection with finite precision output*, Comput. Geom. 13 (1999)).
+//!
+//! # What holds
+//! * Every point of a segment is within half a pixel of its chain along either axis, and the other way round.
+//! * Chains meet in common vertices and edges only: nothing new crosses. What was in one order may come to lie on one edge, but never
+//!   in the other order. So faces may collapse and vertices may merge; [`Snapped::merged`] counts the latter.
+//! * A chain may pass through the half-open square of another hot pixel, however near to its centre. The method
+//!   [`Method::Iterated`] (Halperin and Packer, *Iterated snap rounding*, Comput. Geom. 23 (2002)) goes on with the edges of the
+//!   chains until none does: then a vertex is half a pixel or more from each edge that does not end there, but a chain may be farther from
+//!   its segment. [`Snapped::drift`] measures how far.
+//! * It ends: an edge that is divided is divided at pixels within its own box, and each part has a smaller one.
+//!
+//! # Pixels
+//! A pixel is half-open: its left and its lower side belong to it. Coordinates are looked at in units of pixels; those from
+//! 2^50 on are refused. All decisions are exact: doubles with an error bound, else integers.
+
+mod chain;
+mod pixel;
+mod plane;
+mod tree;
+
+use pixel::{meets, pixel_of_crossing, pixel_of_point};
+use tree::Tree;
+
+pub use pixel::{Pixel, SIDES};
+
+/// How segments are rounded.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Method {
+    /// Ends and crossings go to the centres of their pixels, and nothing else does: what programs do that round each point.
+    Naive,
+    /// Hobby's snap rounding.
+    #[default]
+    Snap,
+    /// The same until no edge meets a hot pixel that it does not end in.
+    Iterated,
+}
+
+/// What is rounded: segments between points, and the pairs of them that cross or touch.
+#[derive(Clone, Copy, Debug)]
+pub struct Drawing<'d> {
+    /// Coordinates of the points.
+    pub points: &'d [[f64; 2]],
+    /// Segments by the indices of their ends.
+    pub segments: &'d [[u32; 2]],
+    /// Pairs of segments that cross in one point. (Ends on other segments need not be listed: they are hot as ends.)
+    pub crossings: &'d [[u32; 2]],
+}
+
+/// Chains of pixels.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Snapped {
+    /// The hot pixels, ascending, each once.
+    pub pixels: Vec<Pixel>,
+    /// The pixel of each point, by its place in `pixels`.
+    pub ends: Vec<u32>,
+    /// For each segment the pixels on its chain in their order from its first end, by their places in `pixels`.
+    pub chains: Vec<Vec<u32>>,
+    /// How many points and crossings share a pixel with another one: they have merged.
+    pub merged: usize,
+}
+
+/// Why nothing is rounded.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SnapError {
+    /// A point is not finite, or too far from the origin for pixels of this size.
+    Point(u32),
+    /// A segment ends in a point that is not there.
+    Segment(u32),
+    /// A pair names a segment that is not there, or two that are parallel.
+    Crossing(usize),
+}
+
+impl std::fmt::Display for SnapError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            SnapError::Point(at) => write!(f, "point {at} is 2^50 pixels or more from the origin, or not finite"),
+            SnapError::Segment(at) => write!(f, "segment {at} ends in a point that is not there"),
+            SnapError::Crossing(at) => write!(f, "crossing {at} is not of two segments that meet in one point"),
+        }
+    }
+}
+
+impl std::error::Error for SnapError {}
+
+/// Rounds a drawing to the centres of pixels with sides of 2^`exponent`: multiples of that.
+///
+/// The time is linear-logarithmic in segments, crossings, and the pairs of segments and hot pixels that meet.
+///
+/// # Errors
+/// [`SnapError`] where the drawing is none, or too large for the pixels.
+///
+/// # Panics
+/// If there are 2^32 points or segments.
+pub fn snap(drawing: Drawing<'_>, exponent: i32, method: Method) -> Result<Snapped, SnapError> {
+    let scaled = scaled(drawing.points, exponent)?;
+    let number = |at: usize| u32::try_from(at).expect("fewer than 2^32");
+    let segment = |at: u32| -> Option<[[f64; 2]; 2]> {
+        let [a, b] = *drawing.segments.get(at as usize)?;
+        Some([*scaled.get(a as usize)?, *scaled.get(b as usize)?])
+    };
+    if let Some(at) = (0..drawing.segments.len()).find(|&at| segment(number(at)).is_none()) {
+        return Err(SnapError::Segment(number(at)));
+    }
+    let of_points: Vec<Pixel> = scaled.iter().map(|&point| pixel_of_point(point)).collect();
+    let crossing = |(at, [s, t]): (usize, &[u32; 2])| {
+        let pair = segment(*s).zip(segment(*t)).ok_or(SnapError::Crossing(at))?;
+        pixel_of_crossing(pair.0, pair.1).ok_or(SnapError::Crossing(at))
+    };
+    let of_crossings = drawing.crossings.iter().enumerate().map(crossing).collect::<Result<Vec<Pixel>, _>>()?;
+    let mut pixels = [of_points.as_slice(), &of_crossings].concat();
+    pixels.sort_unstable();
+    pixels.dedup();
+    let place = |pixel: &Pixel| number(pixels.binary_search(pixel).expect("a hot pixel"));
+    let ends: Vec<u32> = of_points.iter().map(place).collect();
+    let merged = of_points.len() + of_crossings.len() - pixels.len();
+    let mut chains: Vec<Vec<u32>> = match method {
+        Method::Naive => {
+            let mut chains: Vec<Vec<u32>> =
+                drawing.segments.iter().map(|s| s.map(|v| ends[v as usize]).to_vec()).collect();
+            for (pixel, pair) in of_crossings.iter().map(place).zip(drawing.crossings) {
+                pair.iter().for_each(|&s| chains[s as usize].push(pixel));
+            }
+            chains
+        }
+        Method::Snap | Method::Iterated => {
+            let tree = Tree::new(&pixels);
+            let hot = |at: usize| {
+                let [a, b] = segment(number(at)).expect("looked at above");
+                let mut met = Vec::new();
+                tree.near([a, b], &mut |pixel| {
+                    if meets([a, b], pixels[pixel as usize]) {
+                        met.push(pixel);
+                    }
+                });
+                met
+            };
+            (0..drawing.segments.len()).map(hot).collect()
+        }
+    };
+    for (chain, &[a, b]) in chains.iter_mut().zip(drawing.segments) {
+        let [a, b] = [a, b].map(|v| ends[v as usize]);
+        chain::sort(chain, [a, b], &pixels);
+    }
+    if method == Method::Iterated {
+        let tree = Tree::new(&pixels);
+        chains.iter_mut().for_each(|chain| *chain = chain::iterated(chain, &pixels, &tree));
+    }
+    Ok(Snapped { pixels, ends, chains, merged })
+}
+
+impl Snapped {
+    /// The centre of a pixel with sides of 2^`exponent`, by its place in `pixels`. Exact where it is a double: below 2^53
+    /// sides that are no smaller than the least double.
+    #[must_use]
+    pub fn centre(&self, pixel: u32, exponent: i32) -> [f64; 2] {
+        self.pixels[pixel as usize].map(|i| plane::scale(plane::double(i), exponent))
+    }
+
+    /// The edges of all chains, each once, the lower place first.
+    #[must_use]
+    pub fn edges(&self) -> Vec<[u32; 2]> {
+        let of_chain =
+            |chain: &Vec<u32>| chain.windows(2).map(|edge| [edge[0].min(edge[1]), edge[0].max(edge[1])]).collect();
+        let mut edges: Vec<[u32; 2]> =
+            self.chains.iter().flat_map(|chain| -> Vec<[u32; 2]> { of_chain(chain) }).collect();
+        edges.retain(|[a, b]| a != b);
+        edges.sort_unstable();
+        edges.dedup();
+        edges
+    }
+
+    /// The largest distance of a vertex of a chain from its segment, in sides of pixels, rounded to a double.
+    ///
+    /// # Panics
+    /// If the drawing is not the one that was rounded.
+    #[must_use]
+    pub fn drift(&self, drawing: Drawing<'_>, exponent: i32) -> f64 {
+        let scaled = scaled(drawing.points, exponent).expect("a drawing that was rounded");
+        let of_chain = |(chain, ends): (&Vec<u32>, &[u32; 2])| {
+            let segment = ends.map(|v| scaled[v as usize]);
+            let far = |&pixel: &u32| plane::distance(self.pixels[pixel as usize].map(plane::double), segment);
+            chain.iter().map(far).fold(0.0, f64::max)
+        };
+        self.chains.iter().zip(drawing.segments).map(of_chain).fold(0.0, f64::max)
+    }
+}
+
+/// Points in units of pixels.
+fn scaled(points: &[[f64; 2]], exponent: i32) -> Result<Vec<[f64; 2]>, SnapError> {
+    let scaled = |(at, point): (usize, &[f64; 2])| {
+        let scaled = point.map(|x| plane::scale(x, -exponent));
+        // What is scaled and rounded is not scaled back.
+        let is_exact = scaled.iter().zip(point).all(|(&u, &x)| u.abs() < SIDES && plane::scale(u, exponent) == x);
+        is_exact.then_some(scaled).ok_or(SnapError::Point(u32::try_from(at).expect("fewer than 2^32 points")))
+    };
+    points.iter().enumerate().map(scaled).collect()
+}

@@ -1,0 +1,91 @@
+//! The pixels near a segment: a k-d tree in one array, without pointers.
+
+use super::pixel::Pixel;
+use super::plane::double;
+
+/// Pixels in a leaf, at most.
+const LEAF: usize = 8;
+
+/// Places in a list of pixels, so ordered that each range is divided at its middle by the wider side of its box.
+pub struct Tree {
+    order: Vec<u32>,
+    /// The box of each node, heap order.
+    boxes: Vec<[Pixel; 2]>,
+}
+
+impl Tree {
+    /// The tree of these pixels.
+    pub fn new(pixels: &[Pixel]) -> Tree {
+        let mut order: Vec<u32> =
+            (0..pixels.len()).map(|at| u32::try_from(at).expect("fewer than 2^32 pixels")).collect();
+        let mut boxes = Vec::new();
+        build(pixels, &mut order, &mut boxes, 0);
+        Tree { order, boxes }
+    }
+
+    /// Calls with the place of each pixel that a segment meets, and with some that it does not.
+    pub fn near(&self, [a, b]: [[f64; 2]; 2], found: &mut dyn FnMut(u32)) {
+        self.descend(0, &self.order, [a, b], found);
+    }
+
+    fn descend(&self, node: usize, range: &[u32], [a, b]: [[f64; 2]; 2], found: &mut dyn FnMut(u32)) {
+        let Some([low, high]) = self.boxes.get(node).copied().filter(|_| !range.is_empty()) else { return };
+        // Half a unit around the centres; another half for rounding below 2^50 would not be needed, and costs nothing.
+        let [low, high] = [low.map(|i| double(i) - 1.0), high.map(|i| double(i) + 1.0)];
+        if (0..2).any(|axis| a[axis].max(b[axis]) < low[axis] || a[axis].min(b[axis]) > high[axis])
+            || beside([a, b], low, high)
+        {
+            return;
+        }
+        if range.len() <= LEAF {
+            range.iter().for_each(|&at| found(at));
+            return;
+        }
+        let (lower, upper) = range.split_at(range.len() / 2);
+        self.descend(2 * node + 1, lower, [a, b], found);
+        self.descend(2 * node + 2, upper, [a, b], found);
+    }
+}
+
+/// Whether all corners of a box are on one side of a line for certain.
+fn beside([a, b]: [[f64; 2]; 2], low: [f64; 2], high: [f64; 2]) -> bool {
+    let side = |x: f64, y: f64| {
+        let [left, right] = [(b[0] - a[0]) * (y - a[1]), (b[1] - a[1]) * (x - a[0])];
+        // Four roundings of relative 2^-53 each are less than 2^-50 of the magnitudes; underflow is below the least normal.
+        let error = (left.abs() + right.abs()) * (8.0 * f64::EPSILON) + f64::MIN_POSITIVE;
+        let side = left - right;
+        if side > error {
+            1
+        } else if side < -error {
+            -1
+        } else {
+            0
+        }
+    };
+    let sum = side(low[0], low[1]) + side(low[0], high[1]) + side(high[0], low[1]) + side(high[0], high[1]);
+    sum == 4 || sum == -4
+}
+
+fn build(pixels: &[Pixel], range: &mut [u32], boxes: &mut Vec<[Pixel; 2]>, node: usize) {
+    let Some(&first) = range.first() else { return };
+    let mut around = [pixels[first as usize]; 2];
+    for pixel in range.iter().map(|&at| pixels[at as usize]) {
+        for axis in 0..2 {
+            around[0][axis] = around[0][axis].min(pixel[axis]);
+            around[1][axis] = around[1][axis].max(pixel[axis]);
+        }
+    }
+    if boxes.len() <= node {
+        boxes.resize(node + 1, [[0; 2]; 2]);
+    }
+    boxes[node] = around;
+    if range.len() <= LEAF {
+        return;
+    }
+    let axis = usize::from(around[1][1] - around[0][1] > around[1][0] - around[0][0]);
+    let middle = range.len() / 2;
+    range.select_nth_unstable_by_key(middle, |&at| (pixels[at as usize][axis], pixels[at as usize], at));
+    let (lower, upper) = range.split_at_mut(middle);
+    build(pixels, lower, boxes, 2 * node + 1);
+    build(pixels, upper, boxes, 2 * node + 2);
+}

@@ -1,0 +1,186 @@
+//! Drawings rounded to pixels, held against their definition in rationals: nothing of the algorithm is used.
+//!
+//! Which pixels a segment meets is found by the range of its parameter t within each: the intersection of intervals, some of them
+//! open at an end. The algorithm looks at corners and sides of lines instead.
+//!
+//! All pairs are looked at, so that a check takes quadratic time.
+
+use rug::Rational;
+
+mod lattice;
+
+use lattice::{cross, distance2_at_least};
+
+/// A pixel by its centre, in units of pixels.
+pub type Pixel = [i64; 2];
+
+/// A drawing and what has become of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Rounded<'r> {
+    /// Coordinates of the points.
+    pub points: &'r [[f64; 2]],
+    /// Segments by the indices of their ends.
+    pub segments: &'r [[u32; 2]],
+    /// Pairs of segments that cross in one point.
+    pub crossings: &'r [[u32; 2]],
+    /// The logarithm of a pixel's side.
+    pub exponent: i32,
+    /// For each segment the pixels of its chain.
+    pub chains: &'r [Vec<Pixel>],
+}
+
+/// What has to hold besides that chains lead from end to end.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Promise {
+    /// Each chain has the hot pixels that its segment meets, and no others; chains do not cross.
+    Snapped,
+    /// No edge of a chain meets a hot pixel that it does not end in; chains do not cross.
+    Iterated,
+}
+
+/// What is wrong.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Flaw {
+    /// A chain does not begin and end in the pixels of its segment's ends.
+    Ends(usize),
+    /// A chain passes through a pixel that is not hot.
+    NotHot(usize),
+    /// A chain lacks a hot pixel that its segment meets.
+    Missing(usize),
+    /// A chain has a pixel that its segment does not meet.
+    Strange(usize),
+    /// The chain of a segment that goes one way along an axis goes the other way.
+    Backwards(usize),
+    /// Edges of the chains of two segments cross, or a vertex of one is inside an edge of the other.
+    Crossing(usize, usize),
+    /// An edge of a chain meets a hot pixel that it does not end in.
+    Near(usize),
+}
+
+impl Flaw {
+    /// What is broken, in words.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Flaw::Ends(_) => "ends",
+            Flaw::NotHot(_) => "hot pixels only",
+            Flaw::Missing(_) => "all hot pixels",
+            Flaw::Strange(_) => "own hot pixels only",
+            Flaw::Backwards(_) => "one way",
+            Flaw::Crossing(..) => "no new crossing",
+            Flaw::Near(_) => "no vertex near an edge",
+        }
+    }
+}
+
+type Point = [Rational; 2];
+
+/// All that is wrong; [`Promise::Snapped`] and [`Promise::Iterated`] differ in what a chain holds.
+///
+/// # Panics
+/// If a pair of segments is parallel, or something is named that is not there.
+#[must_use]
+pub fn flaws(rounded: Rounded<'_>, promise: Promise) -> Vec<Flaw> {
+    let scale = |x: f64| Rational::from_f64(x).expect("finite") >> rounded.exponent;
+    let points: Vec<Point> = rounded.points.iter().map(|point| point.map(scale)).collect();
+    let segment = |at: u32| rounded.segments[at as usize].map(|v| &points[v as usize]);
+    let mut hot: Vec<Pixel> = points.iter().map(pixel).collect();
+    hot.extend(rounded.crossings.iter().map(|&[s, t]| pixel(&meeting(segment(s), segment(t)))));
+    hot.sort_unstable();
+    hot.dedup();
+    let mut flaws = Vec::new();
+    for (at, chain) in rounded.chains.iter().enumerate() {
+        let [a, b] = rounded.segments[at].map(|v| &points[v as usize]);
+        if chain.first() != Some(&pixel(a)) || chain.last() != Some(&pixel(b)) {
+            flaws.push(Flaw::Ends(at));
+        }
+        if chain.iter().any(|pixel| hot.binary_search(pixel).is_err()) {
+            flaws.push(Flaw::NotHot(at));
+        }
+        let ways = [0, 1].map(|axis| b[axis] >= a[axis]);
+        let is_backwards = |edge: &[Pixel]| {
+            (0..2).any(|axis| edge[0][axis] != edge[1][axis] && (edge[0][axis] < edge[1][axis]) != ways[axis])
+        };
+        if chain.windows(2).any(is_backwards) {
+            flaws.push(Flaw::Backwards(at));
+        }
+        match promise {
+            Promise::Snapped => {
+                let met: Vec<Pixel> = hot.iter().copied().filter(|&pixel| meets([a, b], pixel)).collect();
+                if met.iter().any(|pixel| !chain.contains(pixel)) {
+                    flaws.push(Flaw::Missing(at));
+                }
+                if chain.iter().any(|pixel| !met.contains(pixel)) {
+                    flaws.push(Flaw::Strange(at));
+                }
+            }
+            Promise::Iterated => {
+                let is_near = |edge: &[Pixel]| {
+                    let ends = [edge[0], edge[1]];
+                    let line = ends.map(|pixel| pixel.map(Rational::from));
+                    // Of what it meets none but its ends, and then all other centres are half a pixel away.
+                    let mut others = hot.iter().filter(|pixel| !ends.contains(pixel));
+                    others.any(|&pixel| meets([&line[0], &line[1]], pixel) || !distance2_at_least(ends, pixel, [1, 4]))
+                };
+                if chain.windows(2).any(is_near) {
+                    flaws.push(Flaw::Near(at));
+                }
+            }
+        }
+    }
+    for (first, chain) in rounded.chains.iter().enumerate() {
+        for (second, other) in rounded.chains.iter().enumerate().skip(first + 1) {
+            let edges = |chain: &'_ Vec<Pixel>| chain.windows(2).map(|edge| [edge[0], edge[1]]).collect::<Vec<_>>();
+            let others = edges(other);
+            if edges(chain).into_iter().any(|e| others.iter().any(|&f| cross(e, f))) {
+                flaws.push(Flaw::Crossing(first, second));
+            }
+        }
+    }
+    flaws
+}
+
+/// The pixel of a point: below its upper ends.
+fn pixel(point: &Point) -> Pixel {
+    [0, 1].map(|axis| {
+        let (_, low) = (point[axis].clone() + Rational::from((1, 2))).fract_floor(rug::Integer::new());
+        low.to_i64().expect("coordinates below 2^63")
+    })
+}
+
+/// The point where two segments' lines meet.
+fn meeting([a, b]: [&Point; 2], [c, d]: [&Point; 2]) -> Point {
+    let [ab, cd, ac] = [[a, b], [c, d], [a, c]].map(|[p, q]| [0, 1].map(|axis| Rational::from(&q[axis] - &p[axis])));
+    let turn = |p: &Point, q: &Point| Rational::from(&p[0] * &q[1]) - Rational::from(&p[1] * &q[0]);
+    let t = turn(&ac, &cd) / turn(&ab, &cd);
+    [0, 1].map(|axis| a[axis].clone() + Rational::from(&t * &ab[axis]))
+}
+
+/// Whether a + t(b − a) is in the pixel for some t from 0 to 1.
+fn meets([a, b]: [&Point; 2], pixel: Pixel) -> bool {
+    // From the first t to the last, and whether each is left out.
+    let mut from = (Rational::new(), false);
+    let mut to = (Rational::from(1), false);
+    for axis in 0..2 {
+        let half = Rational::from((1, 2));
+        let [low, high] = [Rational::from(pixel[axis]) - &half, Rational::from(pixel[axis]) + &half];
+        let along = Rational::from(&b[axis] - &a[axis]);
+        if along.cmp0().is_eq() {
+            if a[axis] < low || a[axis] >= high {
+                return false;
+            }
+            continue;
+        }
+        let [low, high] = [low, high].map(|end| (end - &a[axis]) / &along);
+        // Going down, the upper end is passed first, and is left out.
+        let rises = along.cmp0().is_gt();
+        let (first, last) = if rises { ((low, false), (high, true)) } else { ((high, true), (low, false)) };
+        if first.0 > from.0 || (first.0 == from.0 && first.1) {
+            from = first;
+        }
+        if last.0 < to.0 || (last.0 == to.0 && last.1) {
+            to = last;
+        }
+    }
+    from.0 < to.0 || (from.0 == to.0 && !from.1 && !to.1)
+}
