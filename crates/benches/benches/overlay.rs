@@ -1,6 +1,6 @@
 //! Unions of large polygons on one thread, under exact and perturbed predicates, by a grid and by a sweep; with the feature
 //! `peers` beside `i_overlay` and `geo`, on the same coordinates in the same run, in turns. The aim: two stars of 10^5 edges
-//! each within twice the time of `i_overlay`, which rounds to a grid of integers, and faster than `geo`.
+//! each within twice the time of `i_overlay`, which rounds to a grid of integers, and faster than `geo` and GEOS.
 //!
 //! A program of another library can take part: the environment variable `PREDICAMENT_OVERLAY` names one that reads two rings, each as
 //! a line of coordinates with blanks between them, and prints the seconds that their union took.
