@@ -9,7 +9,7 @@
 //! * [`contacts`]: the pairs of simplices of two complexes that meet.
 //! * [`crossings`]: all crossings of segments, constructed while it runs.
 //! * [`cube_union`]: volume, area and edge length of a union of cubes.
-//! * [`delaunay`]: Delaunay triangulations in the plane.
+//! * [`delaunay`]: Delaunay triangulations in the plane, with constraints.
 //! * [`hull`]: convex hulls in the plane and in space.
 //! * [`interval`]: the cell of a line in which a point lies.
 //! * [`overlay`]: arrangements of segments, and Boolean operations on polygons.

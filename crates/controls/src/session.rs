@@ -158,6 +158,11 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         self.answer(PredicateKind::Orient3d, self.side(self.all(), vertices))
     }
 
+    #[inline(never)]
+    fn circle_all(&self, vertices: [Vertex; 4]) -> [[f64; 2]; 4] {
+        self.all().flat(Plane::Xy, vertices)
+    }
+
     /// Four points of a 2D scene.
     ///
     /// # Panics
@@ -166,7 +171,7 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
     #[inline(always)]
     fn circle(&self, vertices: [Vertex; 4]) -> [[f64; 2]; 4] {
         assert!(self.scene.dimension() == Dimension::Two, "incircle needs a 2D scene");
-        self.input().flat(Plane::Xy, vertices)
+        if self.has_constructed() { self.circle_all(vertices) } else { self.input().flat(Plane::Xy, vertices) }
     }
 
     #[inline]

@@ -153,7 +153,7 @@ impl<'s, T: Tally> Session<'s, T> {
     /// [`Predicates::incircle`] and the stage that settled it, not tallied.
     ///
     /// # Panics
-    /// If the scene has no such vertex or is 3D, or if one is constructed.
+    /// If the scene has no such vertex or is 3D.
     #[inline]
     #[must_use]
     pub fn decide_incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
@@ -289,6 +289,9 @@ impl<'s, T: Tally> Session<'s, T> {
     #[cold]
     #[inline(never)]
     fn climb_incircle(&self, vertices: [Vertex; 4]) -> (Sign, usize) {
+        if vertices.iter().any(|v| v.is_constructed()) {
+            return self.constructed.incircle(vertices);
+        }
         let points = vertices.map(|v| self.points2[v.index()]);
         self.incircle.climb::<Incircle, 2, 4, 2>(&points, (&self.integers2, [0, 1], vertices))
     }

@@ -233,6 +233,15 @@ impl<T: Tally> Predicates for Session<'_, T> {
         }
     }
 
+    /// Circles and spheres are those of input vertices.
+    fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
+        let scene = self.scene();
+        if matches!(kind, PredicateKind::Incircle | PredicateKind::Insphere) && !scene.constructions().is_empty() {
+            return Err(Declined::predicate(kind, "ties of circles through constructed vertices are not broken"));
+        }
+        scene.has_dimension_for(kind)
+    }
+
     #[inline]
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
         let kind = PredicateKind::Compare;

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use predicament_predicates::Vertex;
+use predicament_predicates::{Construction, Vertex};
 
 use super::Triangulation;
 use super::planted::Planted;
@@ -17,6 +17,10 @@ pub struct Delaunay2 {
     pub chain: Vec<Vertex>,
     /// The vertices that are in the place of another one, each with the smallest vertex there; sorted.
     pub copies: Vec<[Vertex; 2]>,
+    /// The edges that constraints are made of, each by its ends, the smaller first; sorted.
+    pub constrained: Vec<[Vertex; 2]>,
+    /// The points where constraints cross, in the order of their construction.
+    pub crossings: Vec<Construction>,
     /// The invariant that did not hold, where signs contradict each other.
     pub broken: Option<&'static str>,
 }
@@ -30,6 +34,9 @@ impl std::fmt::Display for Delaunay2 {
         }
         if !self.copies.is_empty() {
             write!(f, ", {} copies", self.copies.len())?;
+        }
+        if !self.crossings.is_empty() {
+            write!(f, ", {} crossings", self.crossings.len())?;
         }
         self.broken.map_or(Ok(()), |broken| write!(f, "; broken: {broken}"))
     }
@@ -46,7 +53,20 @@ impl Triangulation {
     #[must_use]
     pub fn answer_planted<F: Planted>(&self) -> Delaunay2 {
         let copies = if F::FORGETS_COPIES { Vec::new() } else { resolved(&self.copies) };
-        Delaunay2 { triangles: sorted(self.triangles()), chain: self.chain.clone(), copies, broken: self.broken }
+        let ends = |edge| {
+            let [a, b] = [self.mesh.start(edge), self.mesh.end(edge)];
+            [a.min(b), a.max(b)]
+        };
+        let mut constrained: Vec<[Vertex; 2]> = self.mesh.constrained().map(ends).collect();
+        constrained.sort_unstable();
+        Delaunay2 {
+            triangles: sorted(self.triangles()),
+            chain: self.chain.clone(),
+            copies,
+            constrained,
+            crossings: self.crossings.clone(),
+            broken: self.broken,
+        }
     }
 
     /// The triangles, each from its smallest vertex on, in no order.

@@ -1,7 +1,7 @@
 //! The canonical rule: a face of vertices on one circle is cut as a fan from its smallest index.
 //!
 //! The faces are those of the plane divided by all edges that must be there: where an edge and its two triangles have their
-//! four vertices on one circle, another edge would do. Such edges are round. A face has a convex
+//! four vertices on one circle, and no constraint is on it, another edge would do. Such edges are round. A face has a convex
 //! boundary, so the fan from any of its vertices is made of triangles; it is the same whatever the order of insertion was.
 
 use predicament_predicates::{Predicates, Sign};
@@ -18,13 +18,17 @@ impl Triangulation {
     pub fn cut_faces(&mut self) {
         self.mesh.unmark();
         for triangle in 0..self.mesh.len() {
-            if !self.mesh.has_round(triangle) || self.mesh.is_marked(triangle) {
+            if self.mesh.is_infinite(triangle) || !self.mesh.has_round(triangle) || self.mesh.is_marked(triangle) {
                 continue;
             }
-            let is_inner = |mesh: &mut Mesh, inside: Edge, _| mesh.is_round(inside);
-            match self.region.fill::<false>(&mut self.mesh, triangle, is_inner) {
-                Ok(()) => self.region.fan(&mut self.mesh),
-                Err(_) => self.broken = self.broken.or(Some(FACE)),
+            let is_inner = |mesh: &mut Mesh, inside: Edge, outside: Edge| {
+                mesh.is_round(inside) && !mesh.is_constrained(inside) && !mesh.is_infinite(outside.triangle())
+            };
+            let filled = self.region.fill::<false>(&mut self.mesh, triangle, is_inner);
+            if filled.is_ok() && self.region.is_simple(&self.mesh) {
+                self.region.fan(&mut self.mesh);
+            } else {
+                self.broken = self.broken.or(Some(FACE));
             }
         }
     }

@@ -7,6 +7,7 @@ use super::chain::{self, is_between};
 use super::locate::{Place, locate};
 use super::mesh::{Edge, INFINITE, Mesh};
 use super::planted::Planted;
+use super::region::DISC;
 
 /// So many vertices are fetched from memory at once.
 const AHEAD: usize = 8;
@@ -77,40 +78,53 @@ impl Triangulation {
                 self.stand_for(edge, v);
                 Ok(())
             }
-            Place::In(triangle) => self.replace::<F, P>(session, v, triangle),
+            Place::In(triangle) => self.replace::<F, P>(session, v, triangle, None),
         }
     }
 
-    /// Replaces the triangles whose circle a vertex is in, from one of them on.
+    /// Replaces the triangles whose circle a vertex is in, from one of them on. Constraints are not crossed, but for the
+    /// edge that the vertex is on.
     #[inline]
     pub(super) fn replace<F: Planted, P: Predicates + ?Sized>(
         &mut self,
         session: &P,
         v: Vertex,
         triangle: u32,
+        on: Option<Edge>,
     ) -> Result<(), &'static str> {
         let mut reached = 0;
         self.mesh.unmark();
-        self.region.fill::<true>(&mut self.mesh, triangle, |mesh, _, outside| {
+        self.region.fill::<true>(&mut self.mesh, triangle, |mesh, inside, outside| {
+            if Some(inside) == on {
+                return true;
+            }
+            if mesh.is_constrained(inside) {
+                return false;
+            }
             if F::LOOKS_AT_NEIGHBOURS_ONLY && reached >= 3 {
                 return false;
             }
             reached += 1;
             is_in_circle::<F, P>(session, mesh, outside, v)
         })?;
+        // Wrong signs can hide from the walk that it is there already.
+        if self.region.border.iter().any(|&outside| self.mesh.start(outside) == v) {
+            return Err(DISC);
+        }
         self.near = self.region.star(&mut self.mesh, v);
         Ok(())
     }
 
     fn insert_in_chain<P: Predicates + ?Sized>(&mut self, session: &P, v: Vertex) {
+        if self.chain.contains(&v) {
+            return;
+        }
         let at = self.chain.partition_point(|&other| chain::order(session, other, v) == Sign::Negative);
         if let Some(&other) = self.chain.get(at)
-            && (other == v || chain::order(session, other, v) == Sign::Zero)
+            && chain::order(session, other, v) == Sign::Zero
         {
-            if other != v {
-                self.chain[at] = other.min(v);
-                self.copies.push([other.max(v), other.min(v)]);
-            }
+            self.chain[at] = other.min(v);
+            self.copies.push([other.max(v), other.min(v)]);
             return;
         }
         let side = match self.chain[..] {

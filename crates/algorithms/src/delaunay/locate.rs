@@ -30,10 +30,8 @@ pub(super) fn locate<P: Predicates + ?Sized>(
     near: u32,
     v: Vertex,
 ) -> Result<Place, &'static str> {
-    let mut triangle = near;
-    if mesh.is_infinite(triangle) {
-        triangle = mesh.across(Edge::new(triangle, 2)).triangle();
-    }
+    let mut near = [near, mesh.across(Edge::new(near, 2)).triangle()].into_iter().chain(0..mesh.len());
+    let triangle = near.find(|&triangle| !mesh.is_infinite(triangle)).ok_or(WALK)?;
     if let Some(edge) = mesh.opposite(triangle, v) {
         return Ok(Place::At(edge));
     }

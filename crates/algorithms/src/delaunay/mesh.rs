@@ -11,6 +11,8 @@ pub(super) const INFINITE: Vertex = Vertex::constructed(Vertex::MAX_CONSTRUCTED 
 /// The flag of the edge opposite of the first corner, where its four vertices are on one circle; the next two are those of
 /// the others.
 const ROUND: u32 = 1;
+/// The same, where the edge is part of a constraint.
+const CONSTRAINED: u32 = 1 << 3;
 
 /// An edge of a triangle, named by the triangle and the corner opposite of it; it goes counterclockwise.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -144,7 +146,7 @@ impl Mesh {
     pub fn join(&mut self, new: Edge, kept: Edge) {
         let other = &mut self.triangles[kept.triangle() as usize];
         other.across[kept.corner() as usize] = new;
-        let flags = other.flags >> kept.corner() & ROUND;
+        let flags = other.flags >> kept.corner() & (CONSTRAINED | ROUND);
         let own = &mut self.triangles[new.triangle() as usize];
         own.across[new.corner() as usize] = kept;
         own.flags |= flags << new.corner();
@@ -202,6 +204,25 @@ impl Mesh {
         self.triangles[triangle as usize].mark == self.mark
     }
 
+    /// Whether an edge is part of a constraint.
+    #[inline(always)]
+    pub fn is_constrained(&self, edge: Edge) -> bool {
+        self.triangles[edge.triangle() as usize].flags & CONSTRAINED << edge.corner() != 0
+    }
+
+    /// Makes both sides of an edge part of a constraint.
+    pub fn constrain(&mut self, edge: Edge) {
+        for edge in [edge, self.across(edge)] {
+            self.triangles[edge.triangle() as usize].flags |= CONSTRAINED << edge.corner();
+        }
+    }
+
+    /// The edges that are part of constraints, each once.
+    pub fn constrained(&self) -> impl Iterator<Item = Edge> + '_ {
+        let edges = (0..self.len()).flat_map(|triangle| [0, 1, 2].map(|corner| Edge::new(triangle, corner)));
+        edges.filter(|&edge| self.is_constrained(edge) && edge < self.across(edge))
+    }
+
     /// Whether the four vertices at an edge were found on one circle.
     #[inline(always)]
     pub fn is_round(&self, edge: Edge) -> bool {
@@ -221,7 +242,7 @@ impl Mesh {
     /// Whether an edge of a triangle is round.
     #[inline]
     pub fn has_round(&self, triangle: u32) -> bool {
-        self.triangles[triangle as usize].flags != 0
+        self.triangles[triangle as usize].flags & (7 * ROUND) != 0
     }
 
     /// The edge opposite of a vertex in a triangle that has it.

@@ -12,11 +12,14 @@
 //!
 //! # Signs that contradict each other
 //! Every loop is bounded by the number of triangles. Where a step is impossible the algorithm stops: the answer holds the
-//! triangulation as it was before it, and the name of the invariant that did not hold.
+//! triangulation as it was before it, and the name of the invariant that did not hold. Only a hole, left by a vertex or by
+//! triangles that a constraint crosses, is filled in any case, with triangles that wrong signs may have turned over.
 
 mod answer;
 mod chain;
+mod constrained;
 mod faces;
+mod hole;
 mod insert;
 mod locate;
 mod mesh;
@@ -25,9 +28,10 @@ pub mod planted;
 mod region;
 mod remove;
 
-use predicament_predicates::{Predicates, Vertex};
+use predicament_predicates::{Construction, Predicates, Vertex};
 
 pub use answer::Delaunay2;
+pub use constrained::{constrained_delaunay2d, constrained_delaunay2d_planted};
 
 use crate::planted::Honest;
 use mesh::Mesh;
@@ -61,7 +65,8 @@ pub fn delaunay2d_in_order<P: Predicates + ?Sized>(session: &P, vertices: &[Vert
 
 /// A Delaunay triangulation to which vertices can be added, and from which they can be removed.
 ///
-/// It is of the vertices that were inserted, and asks the session that is handed to it: the same one each time.
+/// It is of the vertices that were inserted, and asks the session that is handed to it: the same one each time. Where there
+/// are constraints, vertices are not to be added or removed any more.
 #[derive(Clone, Default, Debug)]
 pub struct Triangulation {
     mesh: Mesh,
@@ -71,6 +76,8 @@ pub struct Triangulation {
     copies: Vec<[Vertex; 2]>,
     /// Where the next walk begins.
     near: u32,
+    /// The points where constraints cross, in the order of their construction.
+    crossings: Vec<Construction>,
     broken: Option<&'static str>,
     region: Region,
 }

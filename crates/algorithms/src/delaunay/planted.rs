@@ -14,6 +14,8 @@ pub trait Planted: Fault {
     const LEAVES_FACES: bool = false;
     /// Repeated vertices are not listed.
     const FORGETS_COPIES: bool = false;
+    /// A constraint that goes through a vertex ends there.
+    const STOPS_AT_VERTICES: bool = false;
 }
 
 impl Planted for Honest {}
@@ -69,4 +71,11 @@ fault!(
     "delaunay-copies-forgotten",
     "vertices in the place of another one are not listed",
     FORGETS_COPIES
+);
+fault!(
+    StoppedConstraint,
+    "Constraints that end too early.",
+    "delaunay-constraint-stopped",
+    "a constraint that goes through a vertex ends there",
+    STOPS_AT_VERTICES
 );

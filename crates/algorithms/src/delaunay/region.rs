@@ -14,6 +14,7 @@ pub(super) struct Region {
     /// The edges around it, seen from outside, in counterclockwise order.
     pub border: Vec<Edge>,
     open: Vec<Edge>,
+    corners: Vec<Vertex>,
 }
 
 impl Region {
@@ -84,6 +85,14 @@ impl Region {
             mesh.link(last, first);
         }
         solid
+    }
+
+    /// Whether no vertex comes twice on the border.
+    pub fn is_simple(&mut self, mesh: &Mesh) -> bool {
+        self.corners.clear();
+        self.corners.extend(self.border.iter().map(|&outside| mesh.end(outside)));
+        self.corners.sort_unstable();
+        self.corners.windows(2).all(|pair| pair[0] != pair[1])
     }
 
     /// Replaces the region by a fan from its vertex with the smallest index. The region has no infinite vertex.

@@ -1,14 +1,16 @@
 //! Removal of a vertex: the hole that it leaves is filled with the triangles of the vertices around it.
 
+use std::collections::HashMap;
+
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
 use super::Triangulation;
 use super::chain;
+use super::hole::Side;
 use super::locate::{Place, locate};
-use super::mesh::{Edge, INFINITE, Mesh};
+use super::mesh::{Edge, INFINITE};
+use super::region::DISC;
 
-/// The invariant of holes: an edge has a vertex on its inner side.
-pub(super) const APEX: &str = "an edge of a hole has a vertex on its inner side";
 /// Why a vertex is not removed.
 const MISSING: &str = "a vertex that is removed is in the triangulation";
 
@@ -51,8 +53,15 @@ impl Triangulation {
         let star: Vec<Edge> = self.mesh.around(edge).collect();
         let polygon: Vec<(Vertex, Edge)> =
             star.iter().map(|&edge| (self.mesh.start(edge), self.mesh.across(edge))).collect();
-        if polygon.len() < 3 {
-            return Err(APEX);
+        self.mesh.unmark();
+        let mut corners: Vec<Vertex> = polygon.iter().map(|&(v, _)| v).collect();
+        corners.sort_unstable();
+        let is_disc = polygon.len() >= 3
+            && corners.windows(2).all(|pair| pair[0] != pair[1])
+            && star.iter().all(|edge| !self.mesh.mark(edge.triangle()))
+            && polygon.iter().all(|(_, outside)| !self.mesh.is_marked(outside.triangle()));
+        if !is_disc {
+            return Err(DISC);
         }
         if let Some(rest) = self.rest_in_line(session, &polygon) {
             self.mesh.clear();
@@ -60,7 +69,8 @@ impl Triangulation {
             return Ok(());
         }
         star.iter().for_each(|edge| self.mesh.free(edge.triangle()));
-        let filled = self.fill_hole(session, polygon);
+        let polygon = polygon.into_iter().map(|(v, outside)| (v, Side::Kept(outside))).collect();
+        let filled = self.fill_hole(session, polygon, &mut HashMap::new());
         self.look_for_round(session, &filled);
         self.near = filled.last().copied().unwrap_or(0);
         self.broken.map_or(Ok(()), Err)
@@ -90,59 +100,4 @@ impl Triangulation {
         }
         Some(rest)
     }
-
-    /// Fills a polygon, given by its vertices, each with the outer side of the edge that begins there; the new triangles.
-    fn fill_hole<P: Predicates + ?Sized>(&mut self, session: &P, polygon: Vec<(Vertex, Edge)>) -> Vec<u32> {
-        let mut open = vec![polygon];
-        let mut filled = Vec::new();
-        while let Some(mut polygon) = open.pop() {
-            // The first edge has no infinite end.
-            if let Some(at) = polygon.iter().position(|&(v, _)| v == INFINITE) {
-                let length = polygon.len();
-                polygon.rotate_left((at + 1) % length);
-            }
-            let at = match apex(session, &polygon) {
-                Some(at) => at,
-                None => {
-                    self.broken = self.broken.or(Some(APEX));
-                    2
-                }
-            };
-            let [(a, base), (b, _)] = [polygon[0], polygon[1]];
-            let edge = self.mesh.add(polygon[at].0, a, b);
-            filled.push(edge.triangle());
-            self.mesh.join(edge, base);
-            close(&mut self.mesh, &mut open, &polygon[1..at], (polygon[at].0, edge.next()));
-            close(&mut self.mesh, &mut open, &polygon[at..], (a, edge.previous()));
-        }
-        filled
-    }
-}
-
-/// A part of a hole that a side of a triangle closes: one edge is linked to it, more are a hole of their own.
-fn close(mesh: &mut Mesh, open: &mut Vec<Vec<(Vertex, Edge)>>, part: &[(Vertex, Edge)], side: (Vertex, Edge)) {
-    match part {
-        [(_, outside)] => mesh.join(side.1, *outside),
-        _ => open.push([&[side], part].concat()),
-    }
-}
-
-/// The place of the vertex that makes a triangle with the first edge: its circle has no other vertex of the polygon in it.
-pub(super) fn apex<P: Predicates + ?Sized>(session: &P, polygon: &[(Vertex, Edge)]) -> Option<usize> {
-    let [(a, _), (b, _), others @ ..] = polygon else { return None };
-    let mut best: Option<usize> = None;
-    for (at, &(v, _)) in others.iter().enumerate() {
-        let is_better = match best.map(|best| others[best].0) {
-            _ if v == INFINITE => best.is_none(),
-            None | Some(INFINITE) => session.orient2d(Plane::Xy, *a, *b, v) == Sign::Positive,
-            Some(other) => {
-                session.orient2d(Plane::Xy, *a, *b, v) == Sign::Positive
-                    && session.incircle(*a, *b, other, v) == Sign::Positive
-            }
-        };
-        if is_better {
-            best = Some(at);
-        }
-    }
-    best.map(|at| at + 2)
 }

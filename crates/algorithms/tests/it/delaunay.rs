@@ -67,7 +67,7 @@ fn by_definition(session: &dyn Predicates) -> Delaunay2 {
             chain.sort_by(|&v, &w| if v == w { std::cmp::Ordering::Equal } else { order(v, w).as_i8().cmp(&0) });
         }
     }
-    Delaunay2 { triangles, chain, copies, broken: None }
+    Delaunay2 { triangles, chain, copies, ..Delaunay2::default() }
 }
 
 /// All orders that are tried of n vertices.

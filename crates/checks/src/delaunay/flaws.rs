@@ -1,6 +1,6 @@
 //! What is wrong with a triangulation.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use predicament_predicates::{Axis, Plane, Question, Scene, Sign, Vertex};
 use rug::Integer;
@@ -22,9 +22,12 @@ pub struct Found<'a> {
     pub chain: &'a [Vertex],
     /// Vertices in the place of another one, each with that one.
     pub copies: &'a [[Vertex; 2]],
+    /// The ends of what has to be an edge or a chain of edges.
+    pub constraints: &'a [[Vertex; 2]],
 }
 
-/// What is wrong with the Delaunay triangulation of all input vertices; of each check the first flaw.
+/// What is wrong with the Delaunay triangulation of all vertices of the sessions' scene, constructed ones included; of each check
+/// the first flaw.
 #[must_use]
 pub fn flaws(signs: Signs<'_>, found: Found<'_>) -> Vec<Flaw> {
     let mut tally = Tally::new(signs);
@@ -44,8 +47,9 @@ pub fn flaws(signs: Signs<'_>, found: Found<'_>) -> Vec<Flaw> {
     let pairs = edges(&mut tally, found.triangles);
     hull(&mut tally, &pairs);
     area(&mut tally, found.triangles);
-    circles(&mut tally, &pairs);
-    if tally.is_clean() {
+    let constrained = constraints(&mut tally, found, &pairs);
+    circles(&mut tally, &pairs, &constrained);
+    if tally.is_clean() && found.constraints.is_empty() {
         everywhere(&mut tally, found);
     }
     tally.finish()
@@ -54,10 +58,10 @@ pub fn flaws(signs: Signs<'_>, found: Found<'_>) -> Vec<Flaw> {
 /// Whether each input vertex is a corner; none where a triangle has no three of them.
 fn corners(tally: &mut Tally<'_>, found: Found<'_>) -> Option<Vec<bool>> {
     let scene = tally.scene();
-    let mut is_corner = vec![false; scene.len()];
+    let mut is_corner = vec![false; scene.len() + scene.constructions().len()];
     let listed = found.chain.iter().chain(found.copies.as_flattened());
     for v in found.triangles.as_flattened().iter().chain(listed) {
-        if v.index() >= scene.len() {
+        if !scene.has(*v) {
             tally.flaw("vertices", &[], || format!("{v} is no vertex of the scene"));
         }
     }
@@ -69,31 +73,41 @@ fn corners(tally: &mut Tally<'_>, found: Found<'_>) -> Option<Vec<bool>> {
     if !tally.is_clean() {
         return None;
     }
-    found.triangles.as_flattened().iter().chain(found.chain).for_each(|v| is_corner[v.index()] = true);
+    found.triangles.as_flattened().iter().chain(found.chain).for_each(|&v| is_corner[place(scene, v)] = true);
     Some(is_corner)
+}
+
+/// The number of a vertex, input vertices first.
+fn place(scene: &Scene, v: Vertex) -> usize {
+    v.construction().map_or(v.index(), |index| scene.len() + index)
 }
 
 /// `copies`.
 fn copies(tally: &mut Tally<'_>, found: Found<'_>, is_corner: &[bool]) {
     let scene = tally.scene();
-    let place = |v: Vertex| scene.point2(Plane::Xy, v).map(|x| (x + 0.0).to_bits());
+    let at = |v: Vertex| (!v.is_constructed()).then(|| scene.point2(Plane::Xy, v).map(|x| (x + 0.0).to_bits()));
     let mut stands: HashMap<Vertex, Vertex> = HashMap::with_capacity(found.copies.len());
     for &[copy, of] in found.copies {
         if stands.insert(copy, of).is_some() {
             tally.flaw("copies", &[copy], || format!("{copy} is listed twice"));
         }
-        if !tally.has_ties() || place(copy) != place(of) || of >= copy || !is_corner[of.index()] {
+        if !tally.has_ties() || at(copy).is_none() || at(copy) != at(of) || of >= copy || !is_corner[place(scene, of)] {
             tally.flaw("copies", &[copy, of], || format!("{of} does not stand for {copy}"));
         }
     }
-    let mut first: HashMap<[u64; 2], Vertex> = HashMap::new();
+    for v in (0..scene.constructions().len()).map(Vertex::constructed) {
+        if !is_corner[place(scene, v)] {
+            tally.flaw("copies", &[v], || format!("{v} is no corner"));
+        }
+    }
+    let mut first: HashMap<Option<[u64; 2]>, Vertex> = HashMap::new();
     for v in scene.vertices() {
         if is_corner[v.index()] == stands.contains_key(&v) {
             let what = if is_corner[v.index()] { "both a corner and a copy" } else { "no corner and no copy" };
             tally.flaw("copies", &[v], || format!("{v} is {what}"));
         }
         // Only where something was found to be repeated is it looked for: two corners in one place are no flat triangle's.
-        if tally.has_ties() && *first.entry(place(v)).or_insert(v) != v && is_corner[v.index()] {
+        if tally.has_ties() && *first.entry(at(v)).or_insert(v) != v && is_corner[v.index()] {
             tally.flaw("copies", &[v], || format!("{v} is in the place of a smaller vertex, and a corner"));
         }
     }
@@ -188,7 +202,8 @@ fn hull(tally: &mut Tally<'_>, pairs: &[Pair]) {
 
 /// `area`: in integers.
 fn area(tally: &mut Tally<'_>, triangles: &[[Vertex; 3]]) {
-    if triangles.len() > MOST_ADDED {
+    // (With constructed vertices, areas are left to the other checks, which imply them.)
+    if triangles.len() > MOST_ADDED || !tally.scene().constructions().is_empty() {
         return;
     }
     let exactly = Exactly::new(tally.scene());
@@ -199,11 +214,53 @@ fn area(tally: &mut Tally<'_>, triangles: &[[Vertex; 3]]) {
     }
 }
 
-/// `empty circle` and `fan`: all edges, or an even sample.
-fn circles(tally: &mut Tally<'_>, pairs: &[Pair]) {
+/// `constraint`: from one end, an edge goes to the other end or, in the line of both, to a vertex between them, and so on. The
+/// edges, each by its ends, the smaller first.
+fn constraints(tally: &mut Tally<'_>, found: Found<'_>, pairs: &[Pair]) -> HashSet<[Vertex; 2]> {
+    let mut edges = HashSet::new();
+    if found.constraints.is_empty() {
+        return edges;
+    }
+    let stands: HashMap<Vertex, Vertex> = found.copies.iter().map(|&[copy, of]| (copy, of)).collect();
+    let mut beside: HashMap<Vertex, Vec<Vertex>> = HashMap::new();
+    for &Pair { ends: [a, b], .. } in pairs {
+        beside.entry(a).or_default().push(b);
+        beside.entry(b).or_default().push(a);
+    }
+    for &constraint in found.constraints {
+        let [a, b] = constraint.map(|v| stands.get(&v).copied().unwrap_or(v));
+        let mut at = a;
+        while at != b {
+            let exact = tally.signs.exact;
+            // A perturbation leaves no third vertex in the line.
+            let is_on = |v: Vertex| {
+                let direction = order(tally, at, b);
+                v == b
+                    || tally.has_ties()
+                        && exact.orient2d(Plane::Xy, a, b, v).is_zero()
+                        && order(tally, at, v) == direction
+                        && order(tally, v, b) == direction
+            };
+            let near = beside.get(&at).map_or(&[][..], Vec::as_slice);
+            let Some(next) = near.iter().copied().find(|&v| is_on(v)) else {
+                tally.flaw("constraint", &[a, b], || format!("no edge goes on from {at} to {b}"));
+                break;
+            };
+            edges.insert([at.min(next), at.max(next)]);
+            at = next;
+        }
+    }
+    edges
+}
+
+/// `empty circle` and `fan`: all edges that are no part of a constraint, or an even sample.
+fn circles(tally: &mut Tally<'_>, pairs: &[Pair], constrained: &HashSet<[Vertex; 2]>) {
     let step = pairs.len().div_ceil(tally.signs.pairs.max(1)).max(1);
     for pair in pairs.iter().step_by(step) {
         let (&Pair { ends: [a, b], left, .. }, Some(right)) = (pair, pair.right) else { continue };
+        if constrained.contains(&[a.min(b), a.max(b)]) {
+            continue;
+        }
         // Exchanged, so that positive means outside.
         let args = [b, a, left, right];
         tally.positive("empty circle", None, Question::Incircle, &args);

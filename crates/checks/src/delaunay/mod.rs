@@ -16,6 +16,8 @@
 //! * `empty circle`: across no edge is a vertex in the circle of a triangle.
 //! * `empty`: in no circle is any vertex: all triangles and all vertices, where they are few.
 //! * `fan`: where four vertices at an edge are on one circle, the smallest of them is on the edge.
+//! * `constraint`: each constraint is an edge, or a chain of edges in its line. Edges of constraints are left out of
+//!   `empty circle` and `fan`; the triangulation is then the constrained one (Lee and Lin 1986).
 //!
 //! # Why they are enough
 //! Triangles that are counterclockwise, meet along edges, and are bounded by one convex cycle that is wound once cover the

@@ -1,11 +1,14 @@
 //! Every check of Delaunay triangulations finds what it is for.
 
+use predicament_algorithms::delaunay::{Delaunay2, constrained_delaunay2d};
 use predicament_checks::delaunay::{Found, flaws};
 use predicament_checks::hull::Signs;
+use predicament_exact::Exact;
 use predicament_judge::Judged;
 use predicament_predicates::{Backend, Off};
 use predicament_predicates::{Predicates, Scene, Vertex};
 use predicament_sos::Sos;
+use proptest::prelude::*;
 
 fn ids<const N: usize>(indices: &[[usize; N]]) -> Vec<[Vertex; N]> {
     indices.iter().map(|list| list.map(Vertex::input)).collect()
@@ -27,7 +30,7 @@ fn failing(
     let signs = Signs { exact: &exact, perturbed, ties: 1000, pairs: 100_000 };
     let (triangles, copies) = (ids(triangles), ids(copies));
     let chain: Vec<Vertex> = chain.iter().map(|&index| Vertex::input(index)).collect();
-    let found = Found { triangles: &triangles, chain: &chain, copies: &copies };
+    let found = Found { triangles: &triangles, chain: &chain, copies: &copies, constraints: &[] };
     flaws(signs, found).iter().map(|flaw| flaw.check).collect()
 }
 
@@ -92,4 +95,108 @@ fn copies_and_chains_are_held_to_the_points() {
     assert_eq!(failing(&line[..3], &[], &[0, 2, 1], &[], true), ["chain"], "a perturbation leaves no line");
     let beside = failing(&line, &[[0, 3, 2], [1, 2, 3]], &[0], &[], false);
     assert!(beside.contains(&"chain"), "{beside:?}");
+}
+
+#[test]
+fn constraints_are_chains_of_edges() {
+    // A square and its centre; one diagonal goes through it.
+    let scene = Scene::from_points2(&POINTS[..5]).unwrap();
+    let exact = Judged::exact(&scene);
+    let signs = Signs { exact: &exact, perturbed: None, ties: 1000, pairs: 100_000 };
+    let triangles = ids(&[[0, 1, 4], [1, 2, 4], [2, 3, 4], [0, 4, 3]]);
+    let with = |constraints: &[[usize; 2]], triangles: &[[Vertex; 3]]| {
+        let constraints = ids(constraints);
+        let found = Found { triangles, chain: &[], copies: &[], constraints: &constraints };
+        flaws(signs, found).iter().map(|flaw| flaw.check).collect::<Vec<_>>()
+    };
+    assert_eq!(with(&[[0, 2], [4, 1], [3, 0], [2, 2]], &triangles), [""; 0]);
+    // Without the centre the other diagonal is no edge.
+    let scene = Scene::from_points2(&POINTS[..4]).unwrap();
+    let exact = Judged::exact(&scene);
+    let signs = Signs { exact: &exact, perturbed: None, ties: 1000, pairs: 100_000 };
+    let of = |constraints: &[[usize; 2]], triangles: &[[usize; 3]]| {
+        let (constraints, triangles) = (ids(constraints), ids(triangles));
+        let found = Found { triangles: &triangles, chain: &[], copies: &[], constraints: &constraints };
+        flaws(signs, found).iter().map(|flaw| flaw.check).collect::<Vec<_>>()
+    };
+    assert_eq!(of(&[[1, 3]], &[[0, 1, 2], [0, 2, 3]]), ["constraint"]);
+    assert_eq!(of(&[[1, 3]], &[[0, 1, 3], [1, 2, 3]]), [""; 0], "the rule does not flip it");
+    assert_eq!(of(&[], &[[0, 1, 3], [1, 2, 3]]), ["fan"]);
+}
+
+/// What is wrong with what the algorithm makes of these points and constraints; none where crossings are refused.
+fn laid(points: &[[i64; 2]], constraints: &[[usize; 2]], breaks_ties: bool) -> Option<(Vec<&'static str>, Delaunay2)> {
+    #[allow(clippy::cast_precision_loss)] // small integers
+    let points: Vec<[f64; 2]> = points.iter().map(|point| point.map(|x| x as f64)).collect();
+    let scene = Scene::from_points2(&points).unwrap();
+    let constraints = ids(constraints);
+    let sos = Sos::default();
+    let found = if breaks_ties {
+        let mut session = sos.prepare(&scene, Off).unwrap();
+        constrained_delaunay2d(&mut session, &constraints).ok()?.answer()
+    } else {
+        let mut session = Exact.prepare(&scene, Off).unwrap();
+        constrained_delaunay2d(&mut session, &constraints).expect("exact constructs").answer()
+    };
+    let mut whole = scene.clone();
+    for &definition in &found.crossings {
+        whole.construct(definition).unwrap();
+    }
+    let exact = Judged::exact(&whole);
+    let perturbed = breaks_ties.then(|| sos.prepare(&scene, Off).unwrap());
+    let perturbed = perturbed.as_ref().map(|session| session as &dyn Predicates);
+    let signs = Signs { exact: &exact, perturbed, ties: 1000, pairs: 100_000 };
+    let (triangles, chain, copies) = (&found.triangles, &found.chain, &found.copies);
+    let asked = Found { triangles, chain, copies, constraints: &constraints };
+    let mut failing: Vec<&str> =
+        if triangles.is_empty() { Vec::new() } else { flaws(signs, asked).iter().map(|flaw| flaw.check).collect() };
+    failing.extend(found.broken);
+    Some((failing, found))
+}
+
+#[test]
+fn crossings_are_constructed_and_shared() {
+    // Three lines through one point, a fourth beside it.
+    let points = [[0, 0], [6, 6], [0, 6], [6, 0], [3, 0], [3, 7], [0, 2], [6, 1]];
+    let (failing, found) = laid(&points, &[[0, 1], [2, 3], [4, 5], [6, 7]], false).unwrap();
+    assert_eq!(failing, [""; 0]);
+    // The centre once, and three on the fourth line.
+    assert_eq!(found.crossings.len(), 4, "{found}");
+    assert!(laid(&points, &[[0, 1], [2, 3]], true).is_none(), "sos declines circles of crossings");
+    // Constraints that pass through points, overlap and repeat; one has no length.
+    let line = [[0, 0], [2, 0], [4, 0], [6, 0], [3, 5], [3, -5], [0, 0]];
+    let (failing, found) = laid(&line, &[[0, 2], [1, 3], [3, 0], [0, 6], [2, 1], [4, 5]], false).unwrap();
+    assert_eq!((failing, found.crossings.len()), (vec![], 1));
+    // A constraint that makes both diagonals' choice.
+    let square = [[0, 0], [4, 0], [4, 4], [0, 4]];
+    for breaks_ties in [false, true] {
+        let (failing, found) = laid(&square, &[[1, 3]], breaks_ties).unwrap();
+        assert_eq!(failing, [""; 0]);
+        assert_eq!(found.triangles, ids(&[[0, 1, 3], [1, 2, 3]]));
+        assert_eq!(found.constrained, ids(&[[1, 3]]));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(predicament_effort::cases(2000)))]
+
+    #[test]
+    fn random_constraints_are_laid(
+        points in (2_i64..12).prop_flat_map(|side| prop::collection::vec([0..=side, 0..=side], 3..25)),
+        ends in prop::collection::vec(any::<[prop::sample::Index; 2]>(), 1..8),
+        breaks_ties: bool,
+    ) {
+        let constraints: Vec<[usize; 2]> =
+            ends.iter().map(|pair| pair.map(|end| end.index(points.len()))).filter(|[a, b]| a != b).collect();
+        let Some((failing, found)) = laid(&points, &constraints, breaks_ties) else { return Ok(()) };
+        prop_assert_eq!(failing, Vec::<&str>::new(), "{:?} {:?}", points, constraints);
+        let back: Vec<[usize; 2]> = constraints.iter().rev().map(|&[a, b]| [b, a]).collect();
+        if let Some((failing, again)) = laid(&points, &back, breaks_ties) {
+            prop_assert_eq!(failing, Vec::<&str>::new(), "{:?} {:?}", points, back);
+            prop_assert_eq!(again.triangles.len(), found.triangles.len());
+            if found.crossings.is_empty() {
+                prop_assert_eq!(again, found, "the order of constraints does not matter");
+            }
+        }
+    }
 }

@@ -239,3 +239,17 @@ fn a_rounded_vertex_is_beside_its_own_line() {
     assert!(session.estimate(TURN, &parallel).unwrap().is_nan(), "parallel lines make no point, and it shows");
     assert_eq!(TURN.ask(&session, &parallel), Sign::Zero);
 }
+
+/// A circle through a constructed vertex is that through the doubles that stand for it.
+#[test]
+fn circles_go_through_rounded_vertices() {
+    // The diagonals meet in (2, 2), which is on the circle of the first three corners of a small square beside it.
+    let points = [[0.0, 0.0], [4.0, 4.0], [0.0, 4.0], [4.0, 0.0], [3.0, 2.0], [3.0, 3.0], [2.0, 3.0], [1.0, 1.5]];
+    let scene = Scene::from_points2(&points).unwrap();
+    let mut session = LAST.prepare(&scene, Off).unwrap();
+    let centre = session.construct(&[Construction::Ssi([[v(0), v(1)], [v(2), v(3)]])]).unwrap()[0];
+    let ask = |d: Vertex| session.incircle(v(4), v(5), v(6), d);
+    assert_eq!([ask(centre), ask(v(7)), ask(v(5))], [Sign::Zero, Sign::Negative, Sign::Zero]);
+    assert_eq!(session.incircle(v(4), v(5), centre, v(6)), Sign::Zero);
+    assert_eq!(session.estimate(Question::Incircle, &[v(4), v(5), v(6), centre]), Some(0.0));
+}

@@ -17,9 +17,9 @@
 //! only where their rows are longer than any that input vertices define,
 //! determinants are `whole` integers on the heap.
 //!
-//! Compare, orient2d in all projections and orient3d take constructed vertices
-//! in any place and input vertices in the others. Incircle and insphere take
-//! input vertices only.
+//! Compare, orient2d in all projections, orient3d and incircle take constructed
+//! vertices in any place and input vertices in the others; incircle has no filter
+//! and is a determinant of `whole` integers. Insphere takes input vertices only.
 
 #[macro_use]
 mod capacity;
@@ -157,6 +157,20 @@ impl<'s> Constructed<'s> {
             Some(sign) => (sign, FILTER),
             None => (self.orient3d_exactly([a, b, c, d]), EXACT),
         }
+    }
+
+    /// Whether d is in the circle of a, b, c, and the stage that settled it.
+    ///
+    /// # Panics
+    /// If the scene has no such vertex or is 3D.
+    #[cold]
+    #[inline(never)]
+    #[must_use]
+    pub fn incircle(&self, vertices: [Vertex; 4]) -> (Sign, usize) {
+        let (mut limbs, [a, b, c, d]) = ([0; 2 * 8], vertices);
+        let space = &mut Space::new(&mut limbs);
+        let mut row = |v| self.rows.of(space, v, [Axis::X, Axis::Y]);
+        (whole::incircle(&[row(a), row(b), row(c), row(d)]), EXACT)
     }
 
     /// [`Constructed::compare`] without its filter.

@@ -26,6 +26,24 @@ pub(super) fn sign<const N: usize>(rows: &[[Number; N]; N]) -> Sign {
     minor(&rows, 0).cmp0().into()
 }
 
+/// Whether the last point is in the circle of the others.
+///
+/// With differences (x, y) over the weight w of both points, which is positive, a row of the determinant is
+/// (x/w, y/w, (x² + y²)/w²); times w² it is (x·w, y·w, x² + y²).
+#[cold]
+#[inline(never)]
+pub(super) fn incircle(points: &[[Number; 3]; 4]) -> Sign {
+    let [a, b, c, [x, y, w]] = points.each_ref().map(integers);
+    let row = |[px, py, pw]: [Integer; 3]| {
+        let difference = |p: Integer, q: &Integer| p * &w - Integer::from(q * &pw);
+        let [dx, dy] = [difference(px, &x), difference(py, &y)];
+        let weight = Integer::from(&pw * &w);
+        let square = Integer::from(dx.square_ref()) + Integer::from(dy.square_ref());
+        [dx * &weight, dy * weight, square]
+    };
+    minor(&[row(a), row(b), row(c)], 0).cmp0().into()
+}
+
 /// By Laplace: of these rows and the columns from `column` on.
 fn minor<const N: usize>(rows: &[[Integer; N]], column: usize) -> Integer {
     if let [row] = rows {

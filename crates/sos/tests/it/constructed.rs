@@ -4,7 +4,9 @@
 use crate::common::substitution::{between, moved, side, turn};
 use crate::common::{Random, ask_antisymmetric, grid_scene, questions};
 use predicament_exact::Exact;
-use predicament_predicates::{Axis, Backend, Construction, Off, Plane, Question, Scene, Sign, Vertex};
+use predicament_predicates::{
+    Axis, Backend, Construction, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex,
+};
 use predicament_sos::{Scheme, Sos, infinitesimal::judge};
 use rug::Rational;
 
@@ -183,4 +185,17 @@ fn identities_stay_zero() {
         ask(Question::Compare(Axis::Y), &[corner, crossing]),
         ask(Question::Compare(Axis::Y), &[v(0), crossing])
     );
+}
+
+#[test]
+fn circles_are_declined_once_a_vertex_is_constructed() {
+    let scene = grid_scene(2, 3, &[0, 8, 2, 6]);
+    let ties = Sos::default();
+    let mut session = ties.prepare(&scene, Off).unwrap();
+    assert_eq!(session.supports(PredicateKind::Incircle), Ok(()));
+    let [a, b, c, d] = [0, 1, 2, 3].map(Vertex::input);
+    session.construct(&[Construction::Ssi([[a, b], [c, d]])]).unwrap();
+    let declined = session.supports(PredicateKind::Incircle).unwrap_err();
+    assert!(declined.to_string().contains("circles through constructed vertices"), "{declined}");
+    assert_eq!(session.supports(PredicateKind::Orient2d), Ok(()));
 }

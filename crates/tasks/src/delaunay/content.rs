@@ -1,14 +1,16 @@
-//! `points`: what a scene of a Delaunay triangulation asks.
+//! `points` and `constraints`: what a scene of a Delaunay triangulation asks.
 
 use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, PointSource, Source};
 use predicament_formats::{Cache, CorpusError, Fields};
-use predicament_predicates::Dimension;
+use predicament_predicates::{Dimension, Vertex};
 
-/// All vertices of a scene.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+/// All vertices of a scene, and the edges that have to be there.
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Sites {
-    /// How many.
+    /// How many vertices.
     pub points: usize,
+    /// The ends of each constraint.
+    pub constraints: Vec<[Vertex; 2]>,
 }
 
 impl Content for Sites {
@@ -18,12 +20,35 @@ impl Content for Sites {
 
     fn canon(&self, canon: &mut Canon) {
         canon.text("delaunay2d");
+        if !self.constraints.is_empty() {
+            canon.vertices(self.constraints.as_flattened());
+        }
     }
 }
 
-/// Reads `points`.
+/// Reads `points` and `constraints`.
 pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
-    let asked = Asked { points: PointSource::read(context, &fields.required("points")?, fields.file())? };
+    let points = PointSource::read(context, &fields.required("points")?, fields.file())?;
+    let constraints = match fields.get("constraints") {
+        None => Vec::new(),
+        Some(listed) => {
+            let items = listed.items("constraints: arrays of the indices of two points")?;
+            let constraint = items.map(|item| {
+                let ends: Vec<Vertex> =
+                    item.items("the indices of two points")?.map(|end| end.point()).collect::<Result<_, _>>()?;
+                let &[a, b] = ends.as_slice() else {
+                    let message = format!("a constraint of {} ends", ends.len());
+                    return Err(item.error(message, "write the indices of two points"));
+                };
+                if a == b {
+                    return Err(item.error(format!("both ends are point {a}"), "name two points"));
+                }
+                Ok((item.line(), [a, b]))
+            });
+            constraint.collect::<Result<Vec<_>, _>>()?
+        }
+    };
+    let asked = Asked { points, constraints, file: fields.file().to_owned() };
     if asked.points.is_written() {
         // Nothing is read from a cache: everything is written out.
         return Ok(Source::Written(asked.load(Level::Quick, &Cache::new(""))?));
@@ -31,9 +56,12 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
     Ok(Source::elsewhere(asked))
 }
 
-/// Points, written out or in a data file beside the suite.
+/// Points, written out or in a data file beside the suite, and constraints.
 struct Asked {
     points: PointSource,
+    /// Each with its line in the suite.
+    constraints: Vec<(usize, [Vertex; 2])>,
+    file: String,
 }
 
 impl Elsewhere for Asked {
@@ -43,7 +71,14 @@ impl Elsewhere for Asked {
             let message = "delaunay2d takes points of 2 coordinates, not of 3";
             return Err(self.points.error(message, "give every point 2 coordinates"));
         }
-        let sites = Sites { points: scene.len() };
+        for (line, ends) in &self.constraints {
+            if let Some(end) = ends.iter().find(|end| end.index() >= scene.len()) {
+                let message = format!("the end {end} is out of range: the scene has {} points", scene.len());
+                return Err(CorpusError::file(&self.file, message, "indices count from 0").at_line(*line));
+            }
+        }
+        let constraints = self.constraints.iter().map(|(_, ends)| *ends).collect();
+        let sites = Sites { points: scene.len(), constraints };
         Ok(Parts { notes, ..Parts::new(scene, sites) })
     }
 }

@@ -2,12 +2,15 @@
 
 use predicament_corpus::{Family, Parts, Random, Recipe};
 use predicament_formats::bits::integer;
-use predicament_predicates::Scene;
+use predicament_predicates::{Scene, Vertex};
 
 use super::content::Sites;
 
 /// So many points of a family, by its random numbers.
 type Points = fn(usize, &mut Random) -> Vec<[f64; 2]>;
+
+/// Points, and constraints by places among them.
+type Edges = fn(usize, &mut Random) -> (Vec<[f64; 2]>, Vec<[usize; 2]>);
 
 macro_rules! family {
     ($name:literal, $points:expr, $about:literal) => {
@@ -19,10 +22,19 @@ macro_rules! family {
             read: |_, _| Ok(recipe($points)),
         }
     };
+    (constrained: $name:literal, $edges:expr, $about:literal) => {
+        Family {
+            name: $name,
+            reported_as: Some($name),
+            parameters: &[],
+            about: $about,
+            read: |_, _| Ok(constrained($edges)),
+        }
+    };
 }
 
 /// The families.
-pub(super) static FAMILIES: [Family; 9] = [
+pub(super) static FAMILIES: [Family; 12] = [
     family!("delaunay-uniform", uniform, "points uniform in the unit square"),
     family!("delaunay-grid", grid, "all places of a square grid, in random order: every square is cocircular"),
     family!("delaunay-ring", ring, "integer points on one circle, exactly; up to 236,196 different ones"),
@@ -32,16 +44,71 @@ pub(super) static FAMILIES: [Family; 9] = [
     family!("delaunay-clusters", clusters, "ten clusters, each a millionth as wide as they are far apart"),
     family!("delaunay-repeated", repeated, "integer points, each about four times"),
     family!("delaunay-sliver", sliver, "points within a few ulps of a line"),
+    family!(constrained: "constraints-star", star, "points uniform in a square, and constraints that cross each other near its centre"),
+    family!(constrained: "constraints-lattice", lattice, "the lines of a lattice: each crosses all that are across it"),
+    family!(constrained: "constraints-overlapping", overlapping, "constraints that overlap in a few lines, and pass through points"),
 ];
 
 fn recipe(points: Points) -> Recipe {
     Recipe::new(move |making| {
         let points = points(making.n, &mut making.random());
         let scene = Scene::from_points2(&points).expect("generators make finite points");
-        let sites = Sites { points: scene.len() };
+        let sites = Sites { points: scene.len(), constraints: Vec::new() };
         Parts::new(scene, sites)
     })
     .with_coordinates(|n| n.saturating_mul(2))
+}
+
+fn constrained(edges: Edges) -> Recipe {
+    Recipe::new(move |making| {
+        let (points, constraints) = edges(making.n, &mut making.random());
+        let scene = Scene::from_points2(&points).expect("generators make finite points");
+        let constraints = constraints.into_iter().map(|ends| ends.map(Vertex::input)).collect();
+        let sites = Sites { points: scene.len(), constraints };
+        Parts::new(scene, sites)
+    })
+    .with_coordinates(|n| n.saturating_mul(8))
+}
+
+/// A few pairs of points, opposite of each other, and more points.
+fn star(n: usize, rng: &mut Random) -> (Vec<[f64; 2]>, Vec<[usize; 2]>) {
+    let rays = n.isqrt().min(40);
+    let mut points = Vec::with_capacity(n + 2 * rays);
+    for _ in 0..rays {
+        let [x, y] = [rng.between(-1.0, 1.0), rng.between(-1.0, 1.0)];
+        points.push([x, y]);
+        points.push([-x + rng.between(-0.1, 0.1), -y + rng.between(-0.1, 0.1)]);
+    }
+    points.extend((0..n).map(|_| [rng.between(-1.0, 1.0), rng.between(-1.0, 1.0)]));
+    (points, (0..rays).map(|at| [2 * at, 2 * at + 1]).collect())
+}
+
+/// About n crossings of lines x = i and y = j, which end half a unit beyond.
+fn lattice(n: usize, _: &mut Random) -> (Vec<[f64; 2]>, Vec<[usize; 2]>) {
+    let side = signed(n.isqrt().max(1));
+    let (low, high) = (-0.5, integer(side) - 0.5);
+    let lines =
+        (0..side).flat_map(|i| [[[integer(i), low], [integer(i), high]], [[low, integer(i)], [high, integer(i)]]]);
+    let points: Vec<[f64; 2]> = lines.flatten().collect();
+    let constraints = (0..points.len() / 2).map(|at| [2 * at, 2 * at + 1]).collect();
+    (points, constraints)
+}
+
+/// Points of a few level lines in random order; each is joined to the one after it and to one three further on.
+fn overlapping(n: usize, rng: &mut Random) -> (Vec<[f64; 2]>, Vec<[usize; 2]>) {
+    let lines = n.isqrt().max(1);
+    let width = n.div_ceil(lines);
+    let points: Vec<[f64; 2]> =
+        (0..n).map(|_| [rng.integer(0, 2 * signed(width)), rng.integer(0, signed(lines) - 1)].map(integer)).collect();
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|&i, &j| {
+        points[i][1].total_cmp(&points[j][1]).then(points[i][0].total_cmp(&points[j][0])).then(i.cmp(&j))
+    });
+    let is_level = |ends: &[usize; 2]| points[ends[0]][1].total_cmp(&points[ends[1]][1]).is_eq();
+    let near = order.windows(2).map(|pair| [pair[0], pair[1]]);
+    let far = order.windows(4).map(|four| [four[3], four[0]]);
+    let constraints = near.chain(far).filter(is_level).collect();
+    (points, constraints)
 }
 
 /// Scenes are smaller than memory.

@@ -4,7 +4,7 @@ use predicament_algorithms::delaunay::Delaunay2;
 use predicament_checks::delaunay::{Found, flaws};
 use predicament_checks::hull::{Flaw, Signs};
 use predicament_judge::Judged;
-use predicament_predicates::{PredicateKind, Predicates, Query, Scene, ZeroMeaning};
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex, ZeroMeaning};
 
 use super::Delaunay2d;
 use crate::{Asked, Case, Class, Finding, Outcome};
@@ -31,7 +31,22 @@ impl Truth {
 
 /// Judges a triangulation.
 pub(super) fn judge(case: &Case<'_, Delaunay2d>, asked: &Asked<'_>, found: &Delaunay2, outcome: &mut Outcome) {
-    let scene = case.scene();
+    // With the points where constraints cross, as they are defined.
+    let mut scene = case.scene().clone();
+    for definition in &found.crossings {
+        if scene.construct(*definition).is_err() || point_is_missing(&scene) {
+            return note(
+                outcome,
+                &Flaw {
+                    check: "crossing",
+                    places: 1,
+                    vertices: definition.flats().flatten().copied().collect(),
+                    what: format!("{definition} is no point"),
+                },
+            );
+        }
+    }
+    let scene = &scene;
     let exact = Judged::exact(scene);
     let breaks_ties = asked.contract(PredicateKind::Incircle).zero == ZeroMeaning::Never;
     let ties = asked.backend.tie_judge().filter(|_| breaks_ties);
@@ -42,21 +57,43 @@ pub(super) fn judge(case: &Case<'_, Delaunay2d>, asked: &Asked<'_>, found: &Dela
         ties: asked.budget.ties,
         pairs: PAIRS[usize::from(asked.budget.thorough)],
     };
-    let mut flaws = flaws(signs, Found { triangles: &found.triangles, chain: &found.chain, copies: &found.copies });
+    let mut flaws = flaws(
+        signs,
+        Found {
+            triangles: &found.triangles,
+            chain: &found.chain,
+            copies: &found.copies,
+            constraints: &case.content.constraints,
+        },
+    );
     if let Some(broken) = found.broken {
         let what = "the algorithm stopped there".to_owned();
         flaws.insert(0, Flaw { check: broken, places: 1, vertices: Vec::new(), what });
     }
-    for flaw in &flaws {
-        outcome.counts.add(Class::Topology, 1);
-        let is_query = !flaw.vertices.is_empty() && flaw.vertices.len() <= 4;
-        let queries = if is_query { vec![Query::of_task("delaunay2d", &flaw.vertices)] } else { Vec::new() };
-        let more = if flaw.places > 1 { format!("; {} places", flaw.places) } else { String::new() };
-        let got = format!("{}{more}", flaw.what);
-        let truth = "a Delaunay triangulation".to_owned();
-        outcome.findings.push(Finding::plain(Class::Topology, flaw.check, queries, got, truth));
-    }
+    flaws.iter().for_each(|flaw| note(outcome, flaw));
     if flaws.is_empty() {
         outcome.counts.add(Class::Agree, outcome.queries);
     }
+}
+
+/// Whether the last constructed vertex is no point.
+fn point_is_missing(scene: &Scene) -> bool {
+    let last = scene.constructions().len().checked_sub(1).map(Vertex::constructed);
+    last.is_some_and(|v| predicament_judge::point(scene, v).is_none())
+}
+
+/// Adds a flaw to the findings.
+fn note(outcome: &mut Outcome, flaw: &Flaw) {
+    outcome.counts.add(Class::Topology, 1);
+    let is_query = !flaw.vertices.is_empty() && flaw.vertices.len() <= 4;
+    let queries = if is_query { vec![Query::of_task("delaunay2d", &flaw.vertices)] } else { Vec::new() };
+    let more = if flaw.places > 1 { format!("; {} places", flaw.places) } else { String::new() };
+    let got = format!("{}{more}", flaw.what);
+    outcome.findings.push(Finding::plain(
+        Class::Topology,
+        flaw.check,
+        queries,
+        got,
+        "a Delaunay triangulation".to_owned(),
+    ));
 }

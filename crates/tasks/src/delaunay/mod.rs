@@ -1,7 +1,8 @@
 //! `delaunay2d`: the Delaunay triangulation of points of the plane.
 //!
 //! The algorithm that asks more about circles than any other: a wrong answer near zero leaves an edge that should not be
-//! there, or opens a hole. Its answer is unique, so that digests of different backends can be compared.
+//! there, or opens a hole. Its answer is unique, so that digests of different backends can be compared. With constraints, edges
+//! are given, and where they cross, vertices are constructed while it runs.
 
 mod content;
 mod generate;
@@ -10,12 +11,13 @@ mod judge;
 use std::path::{Path, PathBuf};
 
 use predicament_algorithms::delaunay::planted::{
-    CopiesForgotten, FacesLeft, LinesOutside, NeighboursOnly, OneEdgeSeen, Planted as Wrong,
+    CopiesForgotten, FacesLeft, LinesOutside, NeighboursOnly, OneEdgeSeen, Planted as Wrong, StoppedConstraint,
 };
-use predicament_algorithms::delaunay::{Delaunay2, delaunay2d, delaunay2d_planted};
+use predicament_algorithms::delaunay::{Delaunay2, constrained_delaunay2d_planted, delaunay2d_planted};
+use predicament_algorithms::planted::Honest;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
-use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
+use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Refused, Scene, Vertex};
 
 pub use content::Sites;
 pub use judge::Truth;
@@ -36,6 +38,9 @@ const FACES_CHECKS: &[Catch] = &[(Class::Topology, "fan")];
 /// The checks that have to find vertices that are nowhere.
 const COPIES_CHECKS: &[Catch] = &[(Class::Topology, "copies")];
 
+/// The checks that have to find a constraint that is not there.
+const STOPPED_CHECKS: &[Catch] = &[(Class::Topology, "constraint")];
+
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Delaunay2d;
@@ -46,9 +51,16 @@ pub struct Triangles(pub Delaunay2);
 
 impl Answer for Triangles {
     fn digest(&self) -> u64 {
-        let Delaunay2 { triangles, chain, copies, broken } = &self.0;
-        let lists = [triangles.as_flattened(), chain, copies.as_flattened()];
-        let ids = lists.into_iter().flat_map(|list| [list.len()].into_iter().chain(list.iter().map(|v| v.index())));
+        let Delaunay2 { triangles, chain, copies, constrained, crossings, broken } = &self.0;
+        let definitions: Vec<Vertex> = crossings.iter().flat_map(Construction::flats).flatten().copied().collect();
+        let constrained = constrained.as_flattened();
+        let lists = [triangles.as_flattened(), chain, copies.as_flattened(), constrained, &definitions];
+        // Without constraints nothing is said about them.
+        let count = if constrained.is_empty() { 3 } else { lists.len() };
+        let ids = lists
+            .into_iter()
+            .take(count)
+            .flat_map(|list| [list.len()].into_iter().chain(list.iter().map(|v| v.index())));
         digest(ids.flat_map(usize::to_le_bytes).chain(broken.unwrap_or_default().bytes()))
     }
 }
@@ -67,7 +79,7 @@ impl SceneFormat for Delaunay2d {
     }
 
     fn keys(&self) -> &'static [&'static str] {
-        &["points"]
+        &["points", "constraints"]
     }
 
     fn coordinate_keys(&self) -> &'static [&'static str] {
@@ -92,6 +104,10 @@ impl Task for Delaunay2d {
         vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Incircle]
     }
 
+    fn constructs(&self) -> bool {
+        true
+    }
+
     fn truth(&self, scene: &Scene, _: &Sites, watch: &Watch) -> Result<Truth, Stop> {
         watch.done(0)?;
         Ok(Truth::new(scene))
@@ -110,8 +126,7 @@ impl Task for Delaunay2d {
     ) -> Result<(), Halt> {
         how.watch.done(0)?;
         // To compile it for each session costs much, and runs no faster: memory is what it waits for.
-        let session: &dyn Predicates = &*session;
-        answer.0 = delaunay2d(session).answer();
+        answer.0 = solve::<Honest>(session, content)?;
         how.watch.done(content.points as u64)?;
         Ok(())
     }
@@ -130,9 +145,8 @@ impl Task for Delaunay2d {
 
     fn planted(&self) -> Vec<Planted<Delaunay2d>> {
         fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<Delaunay2d> {
-            Planted::new::<F>("exact", caught_by, |session, _: &Sites| {
-                let session: &dyn Predicates = &*session;
-                Ok(Triangles(delaunay2d_planted::<F, dyn Predicates>(session).answer_planted::<F>()))
+            Planted::new::<F>("exact", caught_by, |session, content: &Sites| {
+                Ok(Triangles(solve::<F>(session, content)?))
             })
         }
         vec![
@@ -141,12 +155,16 @@ impl Task for Delaunay2d {
             fault::<LinesOutside>(LINES_CHECKS),
             fault::<FacesLeft>(FACES_CHECKS),
             fault::<CopiesForgotten>(COPIES_CHECKS),
+            fault::<StoppedConstraint>(STOPPED_CHECKS),
         ]
     }
 
     fn describe(&self, _: &LoadedScene, content: &Sites, watch: &Watch) -> Result<String, Stop> {
         watch.done(0)?;
-        Ok(format!("{} points\n", content.points))
+        Ok(match content.constraints.len() {
+            0 => format!("{} points\n", content.points),
+            constraints => format!("{} points, {constraints} constraints\n", content.points),
+        })
     }
 
     fn explain(
@@ -162,20 +180,39 @@ impl Task for Delaunay2d {
         Ok(Explanation { vertices: vertices.clone(), ..Explanation::default() }.with_answers(backends, ask))
     }
 
-    /// SVG and GeoJSON of the triangles, OFF, OBJ and PLY of them in the plane z = 0, and all vertices exactly.
+    /// SVG and GeoJSON of the triangles; chain, copies and edges of constraints as JSON; all vertices exactly.
     fn write(&self, scene: &Scene, _: &Sites, answer: &Triangles, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
-        let triangles: Vec<Vec<Vertex>> = answer.0.triangles.iter().map(|triangle| triangle.to_vec()).collect();
-        let polygons: Vec<Vec<Vec<Vertex>>> = triangles.iter().map(|triangle| vec![triangle.clone()]).collect();
-        let mut files = output::plane(scene, &polygons, folder, "triangles")?;
-        let path = folder.join("copies.json");
+        let found = &answer.0;
+        let mut exact = scene.clone();
+        for definition in &found.crossings {
+            exact.construct(*definition).map_err(std::io::Error::other)?;
+        }
+        let polygons: Vec<Vec<Vec<Vertex>>> = found.triangles.iter().map(|triangle| vec![triangle.to_vec()]).collect();
+        let mut files = output::plane(&exact, &polygons, folder, "triangles")?;
+        let path = folder.join("edges.json");
         let ids = |list: &[Vertex]| list.iter().map(ToString::to_string).collect::<Vec<_>>();
-        let copies: Vec<Vec<String>> = answer.0.copies.iter().map(|pair| ids(pair)).collect();
-        let json = serde_json::json!({ "chain": ids(&answer.0.chain), "copies": copies, "broken": answer.0.broken });
+        let pairs = |pairs: &[[Vertex; 2]]| pairs.iter().map(|pair| ids(pair)).collect::<Vec<_>>();
+        let json = serde_json::json!({
+            "chain": ids(&found.chain),
+            "copies": pairs(&found.copies),
+            "constrained": pairs(&found.constrained),
+            "broken": found.broken,
+        });
         std::fs::write(&path, format!("{json}\n"))?;
         files.push(path);
-        files.push(output::vertices(scene, scene.vertices(), folder)?);
+        let crossings = (0..found.crossings.len()).map(Vertex::constructed);
+        files.push(output::vertices(&exact, scene.vertices().chain(crossings), folder)?);
         Ok(files)
     }
+}
+
+/// The triangulation, perhaps with a fault in it.
+fn solve<F: Wrong>(session: &mut dyn Predicates, content: &Sites) -> Result<Delaunay2, Refused> {
+    let found = match &content.constraints[..] {
+        [] => delaunay2d_planted::<F, dyn Predicates>(session),
+        constraints => constrained_delaunay2d_planted::<F, dyn Predicates>(session, constraints)?,
+    };
+    Ok(found.answer_planted::<F>())
 }
 
 /// The triangles in words, as far as they are about these vertices.

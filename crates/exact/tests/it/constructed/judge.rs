@@ -84,6 +84,19 @@ impl Judge {
         turn(plane, vertices.map(|v| self.point(v)))
     }
 
+    pub fn incircle(&self, vertices: [Vertex; 4]) -> Sign {
+        let [a, b, c, d] = vertices.map(|v| self.point(v));
+        let [a, b, c] = [a, b, c].map(|p| {
+            let mut row = minus(p, d);
+            row.push(row.iter().map(|x| Rational::from(x.square_ref())).sum());
+            row
+        });
+        let determinant = Rational::from(&a[0] * &determinant2(&b[1..], &c[1..]))
+            - Rational::from(&b[0] * &determinant2(&a[1..], &c[1..]))
+            + Rational::from(&c[0] * &determinant2(&a[1..], &b[1..]));
+        Sign::from(determinant.cmp0())
+    }
+
     pub fn orient3d(&self, vertices: [Vertex; 4]) -> Sign {
         side(vertices.map(|v| self.point(v)))
     }

@@ -120,6 +120,10 @@ pub fn check_one(judge: &Judge, ours: &Constructed, scene: &Scene, [a, b, c, d]:
         assert_eq!(ours.orient2d_exactly(plane, [a, b, c]), truth, "{plane:?} {a} {b} {c} exactly {scene:?}");
         seen.add(truth, stage);
     }
+    if scene.dimension() == Dimension::Two {
+        // Always exactly: there is no filter whose share could be counted.
+        assert_eq!(ours.incircle([a, b, c, d]).0, judge.incircle([a, b, c, d]), "circle {a} {b} {c} {d} {scene:?}");
+    }
     if scene.dimension() == Dimension::Three {
         let truth = judge.orient3d([a, b, c, d]);
         let (sign, stage) = ours.orient3d(a, b, c, d);
