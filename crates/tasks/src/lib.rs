@@ -17,7 +17,7 @@
 //! * [`output`]: answers as files for other programs, vertices exactly.
 //! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
 //!   [`crossings`], [`triangulate`], [`hull`], [`mod@slice`], [`delaunay`],
-//!   [`overlay`]: the tasks.
+//!   [`overlay`], [`snap`]: the tasks.
 
 mod any;
 mod budget;
@@ -29,6 +29,7 @@ mod list;
 mod map_source;
 mod outcome;
 mod planted;
+mod segment_source;
 mod solver;
 mod task;
 mod watch;
@@ -44,6 +45,7 @@ pub mod overlay;
 pub mod polygon_locate;
 pub mod signs;
 pub mod slice;
+pub mod snap;
 pub mod triangulate;
 
 pub use any::{AnyCase, AnyTask};

@@ -15,6 +15,7 @@ use crate::overlay::Overlay2d;
 use crate::polygon_locate::PolygonLocate;
 use crate::signs::Signs;
 use crate::slice::Slice;
+use crate::snap::Snap2d;
 use crate::triangulate::Triangulate;
 use crate::{AnyTask, OnTask, Solver, Task};
 
@@ -39,6 +40,7 @@ macro_rules! each_task {
             $do!(Slice),
             $do!(Delaunay2d),
             $do!(Overlay2d),
+            $do!(Snap2d),
         ]
     };
 }

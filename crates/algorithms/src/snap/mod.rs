@@ -50,6 +50,8 @@ pub struct Drawing<'d> {
     pub segments: &'d [[u32; 2]],
     /// Pairs of segments that cross in one point. (Ends on other segments need not be listed: they are hot as ends.)
     pub crossings: &'d [[u32; 2]],
+    /// Segments with points that are on them, ends among them or not. Only [`Method::Naive`] needs to be told.
+    pub touching: &'d [[u32; 2]],
 }
 
 /// Chains of pixels.
@@ -125,6 +127,9 @@ pub fn snap(drawing: Drawing<'_>, exponent: i32, method: Method) -> Result<Snapp
                 drawing.segments.iter().map(|s| s.map(|v| ends[v as usize]).to_vec()).collect();
             for (pixel, pair) in of_crossings.iter().map(place).zip(drawing.crossings) {
                 pair.iter().for_each(|&s| chains[s as usize].push(pixel));
+            }
+            for &[s, v] in drawing.touching {
+                chains[s as usize].push(ends[v as usize]);
             }
             chains
         }

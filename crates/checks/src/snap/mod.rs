@@ -3,7 +3,7 @@
 //! Which pixels a segment meets is found by the range of its parameter t within each: the intersection of intervals, some of them
 //! open at an end. The algorithm looks at corners and sides of lines instead.
 //!
-//! All pairs are looked at, so that a check takes quadratic time.
+//! A segment is held against all hot pixels in its box. Edges of chains are held against all whose ranges along x overlap.
 
 use rug::Rational;
 
@@ -27,11 +27,15 @@ pub struct Rounded<'r> {
     pub exponent: i32,
     /// For each segment the pixels of its chain.
     pub chains: &'r [Vec<Pixel>],
+    /// Every so many segments are held against all hot pixels.
+    pub step: usize,
 }
 
 /// What has to hold besides that chains lead from end to end.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Promise {
+    /// Each chain has the pixels of its ends and crossings, and may cross others.
+    Rounded,
     /// Each chain has the hot pixels that its segment meets, and no others; chains do not cross.
     Snapped,
     /// No edge of a chain meets a hot pixel that it does not end in; chains do not cross.
@@ -104,9 +108,14 @@ pub fn flaws(rounded: Rounded<'_>, promise: Promise) -> Vec<Flaw> {
         if chain.windows(2).any(is_backwards) {
             flaws.push(Flaw::Backwards(at));
         }
+        if at % rounded.step.max(1) != 0 {
+            continue;
+        }
         match promise {
+            Promise::Rounded => {}
             Promise::Snapped => {
-                let met: Vec<Pixel> = hot.iter().copied().filter(|&pixel| meets([a, b], pixel)).collect();
+                let around = [pixel(a), pixel(b)];
+                let met: Vec<Pixel> = boxed(&hot, around).filter(|&pixel| meets([a, b], pixel)).collect();
                 if met.iter().any(|pixel| !chain.contains(pixel)) {
                     flaws.push(Flaw::Missing(at));
                 }
@@ -119,8 +128,8 @@ pub fn flaws(rounded: Rounded<'_>, promise: Promise) -> Vec<Flaw> {
                     let ends = [edge[0], edge[1]];
                     let line = ends.map(|pixel| pixel.map(Rational::from));
                     // Of what it meets none but its ends, and then all other centres are half a pixel away.
-                    let mut others = hot.iter().filter(|pixel| !ends.contains(pixel));
-                    others.any(|&pixel| meets([&line[0], &line[1]], pixel) || !distance2_at_least(ends, pixel, [1, 4]))
+                    let mut others = boxed(&hot, ends).filter(|pixel| !ends.contains(pixel));
+                    others.any(|pixel| meets([&line[0], &line[1]], pixel) || !distance2_at_least(ends, pixel, [1, 4]))
                 };
                 if chain.windows(2).any(is_near) {
                     flaws.push(Flaw::Near(at));
@@ -128,16 +137,42 @@ pub fn flaws(rounded: Rounded<'_>, promise: Promise) -> Vec<Flaw> {
             }
         }
     }
-    for (first, chain) in rounded.chains.iter().enumerate() {
-        for (second, other) in rounded.chains.iter().enumerate().skip(first + 1) {
-            let edges = |chain: &'_ Vec<Pixel>| chain.windows(2).map(|edge| [edge[0], edge[1]]).collect::<Vec<_>>();
-            let others = edges(other);
-            if edges(chain).into_iter().any(|e| others.iter().any(|&f| cross(e, f))) {
-                flaws.push(Flaw::Crossing(first, second));
-            }
-        }
+    if promise != Promise::Rounded {
+        flaws.extend(crossed(rounded.chains).map(|[first, second]| Flaw::Crossing(first, second)));
     }
     flaws
+}
+
+/// How many pairs of edges of chains cross, or of which one passes over an end of the other. Edges of several chains count once.
+#[must_use]
+pub fn new_crossings(chains: &[Vec<Pixel>]) -> usize {
+    crossed(chains).count()
+}
+
+/// The pairs of edges that cross, by the first chains that they are of.
+fn crossed(chains: &[Vec<Pixel>]) -> impl Iterator<Item = [usize; 2]> {
+    let of_chain = |(at, chain): (usize, &Vec<Pixel>)| {
+        let edge = move |edge: &[Pixel]| ([edge[0].min(edge[1]), edge[0].max(edge[1])], at);
+        chain.windows(2).map(edge).collect::<Vec<_>>()
+    };
+    let mut edges: Vec<([Pixel; 2], usize)> = chains.iter().enumerate().flat_map(of_chain).collect();
+    edges.sort_unstable();
+    edges.dedup_by_key(|(edge, _)| *edge);
+    let count = edges.len();
+    (0..count).flat_map(move |first| {
+        let (e, of) = edges[first];
+        // Those that begin before it ends; the list is in the order of left ends.
+        let later = edges[first + 1..].iter().take_while(|(f, _)| f[0][0] <= e[1][0]);
+        later.filter(|(f, _)| cross(e, *f)).map(|&(_, other)| [of, other]).collect::<Vec<_>>()
+    })
+}
+
+/// The hot pixels in the box of two.
+fn boxed(hot: &[Pixel], [a, b]: [Pixel; 2]) -> impl Iterator<Item = Pixel> {
+    let [low, high] = [[a[0].min(b[0]), a[1].min(b[1])], [a[0].max(b[0]), a[1].max(b[1])]];
+    let from = hot.partition_point(|pixel| pixel[0] < low[0]);
+    let columns = hot[from..].iter().take_while(move |pixel| pixel[0] <= high[0]);
+    columns.copied().filter(move |pixel| (low[1]..=high[1]).contains(&pixel[1]))
 }
 
 /// The pixel of a point: below its upper ends.

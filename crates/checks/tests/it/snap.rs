@@ -48,12 +48,12 @@ impl Lines {
     }
 
     fn drawing(&self) -> Drawing<'_> {
-        Drawing { points: &self.points, segments: &self.segments, crossings: &self.crossings }
+        Drawing { points: &self.points, segments: &self.segments, crossings: &self.crossings, touching: &[] }
     }
 
     fn flaws(&self, chains: &[Vec<Pixel>], exponent: i32, promise: Promise) -> Vec<Flaw> {
         let Lines { points, segments, crossings } = self;
-        flaws(Rounded { points, segments, crossings, exponent, chains }, promise)
+        flaws(Rounded { points, segments, crossings, exponent, chains, step: 1 }, promise)
     }
 }
 
@@ -141,7 +141,7 @@ fn crossings_far_from_their_estimate_are_found() {
 fn what_is_no_drawing_is_refused() {
     let points = [[0.0, 0.0], [2.0, 2.0], [0.0, 1.0], [2.0, 3.0], [f64::NAN, 0.0], [2_f64.powi(50), 0.0]];
     let refused = |points: &[[f64; 2]], segments: &[[u32; 2]], crossings: &[[u32; 2]], exponent: i32| {
-        snap(Drawing { points, segments, crossings }, exponent, Method::Snap).unwrap_err()
+        snap(Drawing { points, segments, crossings, touching: &[] }, exponent, Method::Snap).unwrap_err()
     };
     assert_eq!(refused(&points[..5], &[], &[], 0), SnapError::Point(4));
     assert_eq!(refused(&[points[0], points[5]], &[], &[], 0), SnapError::Point(1));

@@ -1,11 +1,11 @@
 //! `segments`: pairs of points, and families of them.
 
-use predicament_corpus::{
-    Canon, Content, Context, Elsewhere, Family, Level, Making, Origin, Parts, PointSource, Random, Recipe, Source,
-};
+use predicament_corpus::{Canon, Content, Context, Elsewhere, Family, Level, Making, Parts, Random, Recipe, Source};
 use predicament_formats::bits::integer;
-use predicament_formats::{Cache, CorpusError, Decimals, Entry, Fields, TableKind, geometry};
-use predicament_predicates::{Dimension, Scene, Vertex};
+use predicament_formats::{Cache, CorpusError, Entry, Fields};
+use predicament_predicates::{Scene, Vertex};
+
+use crate::segment_source::SegmentSource;
 
 /// Segments of the plane by their ends.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -22,109 +22,27 @@ impl Content for Segments {
     }
 }
 
-static SEGMENTS: TableKind = TableKind::new("reference to segments", &["path", "fetch"]);
-
-/// Reads `points` and `segments`; without the latter, every two points in turn are a segment.
+/// Reads `points` and `segments`.
 pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
-    let listed = fields.get("segments");
-    if let Some(field) = listed.filter(|field| field.is_table()) {
-        let table = field.fields(&SEGMENTS)?;
-        let origin = match table.get("fetch") {
-            Some(key) => Origin::fetched(context, &key)?,
-            None => Origin::path(context, &table.required("path")?)?,
-        };
-        table.finish()?;
-        return Ok(Source::elsewhere(InFile { origin, round: context.round() }));
-    }
-    let points = PointSource::read(context, &fields.required("points")?, fields.file())?;
-    let segments = listed.map(|listed| {
-        let items = listed.items("segments: arrays of the indices of two points, or { path = \"roads.geojson\" }")?;
-        let segment = items.map(|item| {
-            let ends: Vec<Vertex> =
-                item.items("the indices of two points")?.map(|end| end.point()).collect::<Result<_, _>>()?;
-            let &[a, b] = ends.as_slice() else {
-                let message = format!("a segment of {} ends", ends.len());
-                return Err(item.error(message, "write the indices of two points"));
-            };
-            if a == b {
-                return Err(item.error(format!("both ends are point {a}"), "name two points"));
-            }
-            Ok((item.line(), [a, b]))
-        });
-        segment.collect::<Result<Vec<_>, _>>()
-    });
-    let asked = OfPoints { points, segments: segments.transpose()?, file: fields.file().to_owned() };
-    if asked.points.is_written() {
+    let asked = Asked(SegmentSource::read(context, fields, "crossings")?);
+    if asked.0.is_written() {
         // Nothing is read from a cache: everything is written out.
         return Ok(Source::Written(asked.load(Level::Quick, &Cache::new(""))?));
     }
     Ok(Source::elsewhere(asked))
 }
 
-/// The edges of the lines in a geometry file; vertices with equal coordinates are one point.
-struct InFile {
-    origin: Origin,
-    round: bool,
-}
+/// The segments that are asked about.
+struct Asked(SegmentSource);
 
-impl Elsewhere for InFile {
+impl Elsewhere for Asked {
     fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
-        let decimals = Decimals::new(self.round);
-        let (file, bytes) = self.origin.bytes(cache)?;
-        let found = geometry::read(&file, bytes, &decimals)?.segments()?;
-        if found.edges.is_empty() {
-            return Err(CorpusError::file(file, "the file has no segments", "give it a line of two points or more"));
-        }
-        let mut notes = found.notes;
-        notes.rounded += decimals.rounded();
-        let scene = Scene::from_points2(&found.points)
-            .map_err(|error| CorpusError::file(file, error.to_string(), "divide the data"))?;
-        Ok(Parts { notes, ..Parts::new(scene, Segments(found.edges)) })
-    }
-
-    fn fetch_entry(&self) -> Option<&Entry> {
-        self.origin.entry()
-    }
-}
-
-/// Segments between points that are written out or in a data file; every two points where none are listed.
-struct OfPoints {
-    points: PointSource,
-    /// Each with its line in the suite.
-    segments: Option<Vec<(usize, [Vertex; 2])>>,
-    file: String,
-}
-
-impl Elsewhere for OfPoints {
-    fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
-        let (scene, notes) = self.points.scene(cache)?;
-        if scene.dimension() == Dimension::Three {
-            let message = "crossings takes points of 2 coordinates, not of 3";
-            return Err(self.points.error(message, "give every point 2 coordinates"));
-        }
-        let segments: Vec<[Vertex; 2]> = match &self.segments {
-            None if scene.len() % 2 == 1 => {
-                let message = format!("{} points don't divide into segments", scene.len());
-                return Err(self.points.error(message, "add or remove a point, or write `segments`"));
-            }
-            None => (0..scene.len() / 2).map(|at| [2 * at, 2 * at + 1].map(Vertex::input)).collect(),
-            Some(listed) => {
-                let unknown = |ends: &[Vertex; 2]| ends.iter().find(|end| end.index() >= scene.len()).copied();
-                if let Some((line, end)) = listed.iter().find_map(|(line, ends)| Some((*line, unknown(ends)?))) {
-                    let message = format!("the end {end} is out of range: the scene has {} points", scene.len());
-                    return Err(CorpusError::file(&self.file, message, "indices count from 0").at_line(line));
-                }
-                listed.iter().map(|(_, ends)| *ends).collect()
-            }
-        };
-        if segments.is_empty() {
-            return Err(self.points.error("a scene without segments", "write at least one"));
-        }
+        let (scene, segments, notes) = self.0.load(cache)?;
         Ok(Parts { notes, ..Parts::new(scene, Segments(segments)) })
     }
 
     fn fetch_entry(&self) -> Option<&Entry> {
-        self.points.entry()
+        self.0.entry()
     }
 }
 
@@ -162,12 +80,13 @@ fn recipe(points: fn(usize, &mut Random) -> Vec<[f64; 2]>) -> Recipe {
     .with_coordinates(|n| 4 * n)
 }
 
-fn uniform(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
+/// Between points uniform in the unit square.
+pub(crate) fn uniform(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
     (0..2 * n).map(|_| [rng.unit(), rng.unit()]).collect()
 }
 
 /// The lines x = i, y = i, x + y = i and x − y = i in turn, through a square and half a unit beyond it.
-fn lattice(n: usize, _: &mut Random) -> Vec<[f64; 2]> {
+pub(crate) fn lattice(n: usize, _: &mut Random) -> Vec<[f64; 2]> {
     let side = i64::try_from(n.div_ceil(4).max(1)).expect("scenes are smaller than memory");
     let (low, high) = (-0.5, integer(side) + 0.5);
     (0..n)
@@ -184,7 +103,7 @@ fn lattice(n: usize, _: &mut Random) -> Vec<[f64; 2]> {
 }
 
 /// Through the centre up to the rounding of the second end.
-fn near(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
+pub(crate) fn near(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
     let end = |rng: &mut Random| [rng.unit(), rng.unit()];
     (0..n)
         .flat_map(|_| {

@@ -5,7 +5,7 @@
 //! Simplicity keep the points where segments cross; controls round them, and
 //! sort rounded points.
 
-mod content;
+pub(crate) mod content;
 mod judge;
 mod truth;
 
@@ -15,7 +15,7 @@ use predicament_algorithms::crossings::planted::{StrictSweep, UnsortedCrossings}
 use predicament_algorithms::crossings::{Along, crossings, crossings_planted};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
-use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Scene};
+use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Scene, Vertex};
 
 pub use content::Segments;
 
@@ -184,6 +184,11 @@ impl Task for Crossings {
         let vertices = output::vertices(&scene, ends.chain(crossings), folder)?;
         Ok(vec![path, vertices])
     }
+}
+
+/// The crossings of each of these segments, in rationals.
+pub(crate) fn exactly(scene: &Scene, segments: &[[Vertex; 2]], watch: &Watch) -> Result<Vec<Along>, Stop> {
+    truth::truth(scene, &Segments(segments.to_vec()), watch)
 }
 
 /// The crossings along a segment in words: `3, 5 and 7, 2`.

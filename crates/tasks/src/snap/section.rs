@@ -1,0 +1,87 @@
+//! `snap.csv` and what a report makes of it: what rounding did to drawings, by method.
+
+use predicament_records::{Error, Row, RunDir};
+use predicament_report::layout::{run_head, run_label};
+use predicament_report::{Block, Cell, Section, Table, Tone};
+use serde::{Deserialize, Serialize};
+
+/// `snap.csv`: a drawing after it was rounded.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct SnapRow {
+    /// The suite's name.
+    pub suite: String,
+    /// The scene's name in its suite.
+    pub scene: String,
+    /// The scene's content id.
+    pub scene_id: String,
+    /// The backend's name, with its parameters.
+    pub backend: String,
+    /// `naive`, `snap` or `iterated`.
+    pub method: String,
+    /// The logarithm of a pixel's side.
+    pub pixel: i32,
+    /// Hot pixels.
+    pub hot: u64,
+    /// Points and crossings that share their pixel with one before them.
+    pub merged: u64,
+    /// Edges of chains, each once.
+    pub edges: u64,
+    /// Pairs of these edges that cross, or of which one passes over an end of the other.
+    pub new_crossings: u64,
+    /// The largest distance of a chain's vertex from its segment, in sides of pixels.
+    pub drift: f64,
+}
+
+impl Row for SnapRow {
+    const FILE: &'static str = "snap.csv";
+    const COLUMNS: &'static [&'static str] = &[
+        "suite",
+        "scene",
+        "scene_id",
+        "backend",
+        "method",
+        "pixel",
+        "hot",
+        "merged",
+        "edges",
+        "new_crossings",
+        "drift",
+    ];
+
+    fn check(&self) -> Result<(), String> {
+        if self.drift.is_finite() && self.drift >= 0.0 { Ok(()) } else { Err("the drift is no distance".to_owned()) }
+    }
+}
+
+/// The section of a report: none where nothing was rounded.
+pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
+    let mut table = Table::new("Drawings after rounding")
+        .words(run_head(runs))
+        .words(["scene", "method", "backend"])
+        .numbers(["hot pixels", "merged", "edges", "new crossings", "drift / side"]);
+    for (index, run) in runs.iter().enumerate() {
+        for row in run.rows::<SnapRow>()? {
+            let tone = if row.new_crossings > 0 { Tone::Notable } else { Tone::Plain };
+            let cells = [
+                Cell::from(row.scene.as_str()).detail(&*row.suite),
+                row.method.as_str().into(),
+                row.backend.as_str().into(),
+                Cell::count(row.hot),
+                Cell::count(row.merged),
+                Cell::count(row.edges),
+                Cell::count(row.new_crossings).tone(tone),
+                format!("{:.3}", row.drift).into(),
+            ];
+            table.push(run_label(runs, index).into_iter().chain(cells).collect());
+        }
+    }
+    Ok((!table.is_empty()).then(|| Section {
+        id: "snap",
+        title: "Rounded drawings",
+        lead: "Segments brought back to pixels. New crossings are pairs of edges that cross, or of which one passes over a \
+               vertex of the other, after rounding: snap rounding makes none. A chain of snap rounding stays within 0.708 sides \
+               of its segment; iterated, it may drift farther, and no vertex is within half a side of another edge."
+            .to_owned(),
+        blocks: vec![Block::Table(table)],
+    }))
+}
