@@ -124,6 +124,7 @@ fn every_scene_has_one_precision_plan_whatever_the_backends() {
         "judged.csv",
         "sampled.csv",
         "imports.csv",
+        "snap.csv",
     ] {
         write(&folder, &format!("old/{file}"), &read(&one, file));
     }

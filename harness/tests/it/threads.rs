@@ -9,7 +9,7 @@ const SOME: [&[&str]; 2] = [
     &[
         "run",
         "-f",
-        "kettner-[ab]|wide-scaled-orient2d|grid-incircle|tilings|contacts/(surfaces|polygons)-degen|cubes/slide",
+        "kettner-[ab]|wide-scaled-orient2d|grid-incircle|tilings|contacts/(surfaces|polygons)-degen|cubes/slide|snaps/drifting",
         "-b",
         "exact,sos,naive,tolerance",
     ],

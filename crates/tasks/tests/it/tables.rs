@@ -5,6 +5,7 @@ use predicament_tasks::built_in;
 use predicament_tasks::contacts::ContactRow;
 use predicament_tasks::cube_union::MassRow;
 use predicament_tasks::polygon_locate::LocateRow;
+use predicament_tasks::snap::SnapRow;
 
 fn locate() -> LocateRow {
     LocateRow {
@@ -57,6 +58,22 @@ fn mass() -> MassRow {
     }
 }
 
+fn snap() -> SnapRow {
+    SnapRow {
+        suite: "snaps".to_owned(),
+        scene: "a".to_owned(),
+        scene_id: "0123456789abcdef".to_owned(),
+        backend: "exact".to_owned(),
+        method: "snap".to_owned(),
+        pixel: -3,
+        hot: 5,
+        merged: 1,
+        edges: 4,
+        new_crossings: 0,
+        drift: 0.625,
+    }
+}
+
 /// The tables of all tasks, each once.
 fn tables() -> Vec<TableSpec> {
     let mut tables: Vec<TableSpec> = built_in().iter().flat_map(|task| task.own_tables()).collect();
@@ -79,7 +96,13 @@ fn columns_are_the_fields_in_their_order() {
     assert_eq!(header(&locate()), LocateRow::COLUMNS);
     assert_eq!(header(&contact()), ContactRow::COLUMNS);
     assert_eq!(header(&mass()), MassRow::COLUMNS);
-    let all = [TableSpec::of::<LocateRow>(), TableSpec::of::<MassRow>(), TableSpec::of::<ContactRow>()];
+    assert_eq!(header(&snap()), SnapRow::COLUMNS);
+    let all = [
+        TableSpec::of::<LocateRow>(),
+        TableSpec::of::<MassRow>(),
+        TableSpec::of::<ContactRow>(),
+        TableSpec::of::<SnapRow>(),
+    ];
     assert_eq!(tables(), all);
 }
 
@@ -92,11 +115,13 @@ fn every_table_survives_the_disk() {
     writer.write(&[locate()]).unwrap();
     let records = [Record::of(&contact()).unwrap(), Record::of(&mass()).unwrap(), Record::of(&locate()).unwrap()];
     writer.append(&records).unwrap();
+    writer.write(&[snap()]).unwrap();
     writer.finish(Outcome::Complete).unwrap();
     let run = RunDir::open(folder.path()).unwrap();
     assert_eq!(run.rows(), Ok(vec![locate(), locate()]));
     assert_eq!(run.rows(), Ok(vec![contact()]));
     assert_eq!(run.rows(), Ok(vec![mass()]));
+    assert_eq!(run.rows(), Ok(vec![snap()]));
 }
 
 #[test]
@@ -112,5 +137,8 @@ fn rows_that_make_no_sense_are_not_written() {
     ];
     for mass in masses {
         assert!(Record::of(&mass).is_err(), "{mass:?}");
+    }
+    for drift in [-0.5, f64::NAN, f64::INFINITY] {
+        assert!(Record::of(&SnapRow { drift, ..snap() }).is_err(), "{drift}");
     }
 }
