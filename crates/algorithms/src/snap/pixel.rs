@@ -27,13 +27,21 @@ pub fn pixel_of_point(point: [f64; 2]) -> Pixel {
 pub fn pixel_of_crossing(first: [[f64; 2]; 2], second: [[f64; 2]; 2]) -> Option<Pixel> {
     let [a, b] = first;
     let [c, d] = second;
-    let apart = |p, q, r, s| turn(p, q, r) != Ordering::Equal && turn(p, q, r) == turn(p, q, s);
+    let apart = |p, q, r, s| {
+        let side = turn(p, q, r);
+        side != Ordering::Equal && side == turn(p, q, s)
+    };
     if apart(a, b, c, d) || apart(c, d, a, b) {
         return None;
     }
-    let estimate = crossing_estimate(first, second);
+    let (estimate, wrong) = crossing_estimate(first, second);
     let mut pixel = [0; 2];
     for (axis, index) in pixel.iter_mut().enumerate() {
+        let within = [estimate[axis] - wrong[axis], estimate[axis] + wrong[axis]];
+        if within.iter().all(|x| x.abs() < SIDES) && nearest(within[0]) == nearest(within[1]) {
+            *index = nearest(within[0]);
+            continue;
+        }
         // The crossing is on both segments, so that it is within their ranges.
         let reach = |s: [[f64; 2]; 2]| [s[0][axis].min(s[1][axis]), s[0][axis].max(s[1][axis])];
         let [r, s] = [reach(first), reach(second)];

@@ -7,15 +7,19 @@ use predicament_arithmetic::Scaled;
 
 type Point = [f64; 2];
 
+/// (3 + 16u)u, u = 2^-53: what a turn may be wrong by, beside the magnitudes of its products.
+const BOUND: f64 = (3.0 + 16.0 * (f64::EPSILON / 2.0)) * (f64::EPSILON / 2.0);
+/// Turns of less than this may owe something to underflow.
+const TINY: f64 = 1e-270;
+
 /// The turn a, b, c: the sign of (a − c)₁(b − c)₂ − (a − c)₂(b − c)₁.
 ///
-/// In doubles where the error bound of Shewchuk's stage A allows: (3 + 16u)u times the sum of the magnitudes of the two products,
-/// u = 2^-53. Coordinates below 2^50 do not overflow; products of less than 2^-900 are left to integers, as they may underflow.
+/// In doubles where the error bound of Shewchuk's stage A allows, [`BOUND`] times the sum of the magnitudes of the two products.
+/// Coordinates below 2^50 do not overflow; determinants below [`TINY`] are left to integers.
 pub fn turn(a: Point, b: Point, c: Point) -> Ordering {
-    const BOUND: f64 = (3.0 + 16.0 * (f64::EPSILON / 2.0)) * (f64::EPSILON / 2.0);
     let [left, right] = [(a[0] - c[0]) * (b[1] - c[1]), (a[1] - c[1]) * (b[0] - c[0])];
     let (determinant, magnitude) = (left - right, left.abs() + right.abs());
-    if determinant.abs() > BOUND * magnitude && determinant.abs() > 1e-270 {
+    if determinant.abs() > BOUND * magnitude && determinant.abs() > TINY {
         return if determinant > 0.0 { Ordering::Greater } else { Ordering::Less };
     }
     let [a, b, c] = Scaled::new([a, b, c]).expect("finite points").integers;
@@ -55,12 +59,27 @@ pub fn crossing_against([a, b]: [Point; 2], [c, d]: [Point; 2], axis: usize, val
     (!parallel).then_some(sign)
 }
 
-/// An estimate of the crossing of two lines: any double, if they are nearly parallel.
-pub fn crossing_estimate([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Point {
-    let turn = |p: Point| (c[0] - p[0]) * (d[1] - p[1]) - (c[1] - p[1]) * (d[0] - p[0]);
-    let (n, m) = (turn(a), turn(b));
+/// An estimate of the crossing of two segments, and by how much each coordinate may be wrong: infinity, if that is not known.
+///
+/// The crossing is a + t(b − a), t = n/(n − m) with the turns n and m of a and b around the other line. Let these be wrong by at most
+/// e and f. If their signs are certain and opposite, |n − m| = |n| + |m|, and t is wrong by (|e||m| + |f||n|)/(|n − m||n' − m'|)
+/// ≤ (e + f)/|n' − m'|, primes for what is computed. The roundings of the difference, the quotient, the product and the sum
+/// add less than 5u|b − a| + 2u(|a| + |b|), u = 2^-53.
+pub fn crossing_estimate([a, b]: [Point; 2], [c, d]: [Point; 2]) -> (Point, Point) {
+    let turn = |p: Point| {
+        let [left, right] = [(c[0] - p[0]) * (d[1] - p[1]), (c[1] - p[1]) * (d[0] - p[0])];
+        (left - right, BOUND * (left.abs() + right.abs()))
+    };
+    let ((n, e), (m, f)) = (turn(a), turn(b));
     let along = n / (n - m);
-    [0, 1].map(|axis| a[axis] + along * (b[axis] - a[axis]))
+    let is_certain = n.abs() > e && m.abs() > f && (n > 0.0) != (m > 0.0) && n.abs().min(m.abs()) > TINY;
+    let wrong = if is_certain { (e + f) / (n - m).abs() * 2.0 } else { f64::INFINITY };
+    let estimate = |axis: usize| a[axis] + along * (b[axis] - a[axis]);
+    let bound = |axis: usize| {
+        let extent = (b[axis] - a[axis]).abs();
+        extent * (wrong + 8.0 * f64::EPSILON) + 4.0 * f64::EPSILON * (a[axis].abs() + b[axis].abs())
+    };
+    ([0, 1].map(estimate), [0, 1].map(bound))
 }
 
 /// The distance of a point from a segment, rounded.

@@ -204,10 +204,7 @@ impl Task for Snap2d {
                 what: "ends and crossings are rounded, and edges are left to pass over the vertices beside them",
                 backend: "exact",
                 caught_by: &[(Class::Topology, "all hot pixels"), (Class::Topology, "no vertex near an edge")],
-                solve: |session, content| match content.method {
-                    Method::Naive => Ok(solve(session, content, Method::Naive, |_| {})?),
-                    Method::Snap | Method::Iterated => Ok(solve(session, content, Method::Naive, |_| {})?),
-                },
+                solve: |session, content| solve(session, content, Method::Naive, |_| {}),
             },
             Planted {
                 name: "snap-crossing-forgotten",
@@ -215,13 +212,13 @@ impl Task for Snap2d {
                 backend: "exact",
                 caught_by: &[(Class::Topology, "all hot pixels"), (Class::Topology, "no new crossing")],
                 solve: |session, content| {
-                    Ok(solve(session, content, content.method, |crossings| {
+                    solve(session, content, content.method, |crossings| {
                         let mut at = 0;
                         crossings.retain(|_| {
                             at += 1;
                             at % 3 != 0
                         });
-                    })?)
+                    })
                 },
             },
         ]
