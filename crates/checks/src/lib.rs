@@ -27,5 +27,6 @@ pub mod overlay;
 pub mod partition;
 pub mod slice;
 pub mod snap;
+mod sum;
 pub mod tiling;
 pub mod triangulation;

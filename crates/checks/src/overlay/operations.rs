@@ -4,8 +4,9 @@ use std::cmp::Ordering;
 
 use rug::Rational;
 
-use super::plane::{Common, Point, area, common, index, is_on, side, sum, winding};
+use super::plane::{Common, Point, area, common, index, is_on, side, winding};
 use super::{Check, Expected, Flaw, Flaws, stride};
+use crate::sum::sum;
 
 /// The most edges of an operand whose area is computed strip by strip.
 const MOST_STRIPPED: usize = 160;

@@ -5,6 +5,8 @@ use std::cmp::Ordering;
 use predicament_grid::{Bounds, BoxIndex};
 use rug::Rational;
 
+use crate::sum::sum;
+
 /// A point.
 pub type Point = [Rational; 2];
 
@@ -100,18 +102,4 @@ pub(super) fn area<'a>(edges: impl Iterator<Item = [&'a Point; 2]>) -> Rational 
         terms.push(turn(origin, a, b));
     }
     sum(terms)
-}
-
-/// The sum, in pairs: partial sums are of few terms each.
-pub(super) fn sum(mut terms: Vec<Rational>) -> Rational {
-    while terms.len() > 1 {
-        terms = terms
-            .chunks(2)
-            .map(|pair| match pair {
-                [a, b] => Rational::from(a + b),
-                rest => rest[0].clone(),
-            })
-            .collect();
-    }
-    terms.pop().unwrap_or_default()
 }

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 
 use rug::Rational;
 
-use super::exact::{Plane, area, normal, sum};
+use super::exact::{Plane, area, normal};
 use super::{Check, Expected, Flaws, Piece, Slices};
+use crate::sum::sum;
 
 impl Slices {
     /// Caps are in their planes and face away from their part; `sides` are where parts are on planes.

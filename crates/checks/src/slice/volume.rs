@@ -2,8 +2,9 @@
 
 use rug::Rational;
 
-use super::exact::{sum, volume};
+use super::exact::volume;
 use super::{Check, Flaws, Piece, Slices};
+use crate::sum::sum;
 
 impl Slices {
     /// The sum of the parts' volumes against the mesh's, face by face and plane by plane.
