@@ -18,6 +18,7 @@
 //! * [`mod@slice`]: a mesh split by planes, its parts capped and triangulated.
 //! * [`mod@snap`]: segments and their crossings brought back to doubles by snap rounding.
 //! * [`sort`]: sorting by signs that may contradict each other.
+//! * [`thick`]: vertices and edges with a radius, and what overlaps made to coincide.
 //! * [`triangulate`]: triangles of polygons with holes, by ears and by a plane sweep.
 
 pub mod arrangement;
@@ -35,4 +36,5 @@ pub mod slice;
 pub mod snap;
 pub mod sort;
 mod status;
+pub mod thick;
 pub mod triangulate;

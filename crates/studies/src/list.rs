@@ -6,14 +6,20 @@ use clap::{ArgMatches, Command};
 use predicament_tasks::Contestant;
 
 use crate::audit::Audit;
+use crate::cascades::Cascades;
 use crate::laws::Laws;
 use crate::parity::Parity;
 use crate::resolution::Resolution;
 use crate::{Error, Host, Report, Study};
 
 /// All studies, in the order of the help.
-pub const STUDIES: &[Entry] =
-    &[Entry::of::<Resolution>(), Entry::of::<Parity>(), Entry::of::<Audit>(), Entry::of::<Laws>()];
+pub const STUDIES: &[Entry] = &[
+    Entry::of::<Resolution>(),
+    Entry::of::<Parity>(),
+    Entry::of::<Audit>(),
+    Entry::of::<Laws>(),
+    Entry::of::<Cascades>(),
+];
 
 /// A study as a command line needs it.
 #[derive(Clone, Copy)]

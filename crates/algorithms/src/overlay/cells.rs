@@ -15,6 +15,7 @@ use predicament_grid::Raster;
 use predicament_predicates::{Axis, Construction, Plane, Predicates, Refused, Sign, Vertex};
 
 use super::meet::Asker;
+use super::reach::{Extent, Reach};
 use super::view::View;
 use super::wrong::Wrong;
 
@@ -33,12 +34,9 @@ const BUNDLE: usize = 16;
 /// The most pairs that are asked about in crowded cells.
 const MOST_PAIRS: u64 = 1 << 34;
 
-/// The box of a segment: low x and y, high x and y.
-type Extent = [f64; 4];
-
 /// Finds the pairs that may meet and asks about them.
 pub(super) struct Cells<'a> {
-    raw: &'a [[[f64; 2]; 2]],
+    reach: &'a Reach,
     ends: &'a [[Vertex; 2]],
     asker: Asker<'a>,
     asked: u64,
@@ -52,11 +50,11 @@ pub(super) struct Cells<'a> {
 pub(super) fn meetings(
     session: &mut dyn Predicates,
     raster: &Raster,
-    raw: &[[[f64; 2]; 2]],
+    reach: &Reach,
     ends: &[[Vertex; 2]],
     wrong: Wrong,
 ) -> Result<super::meet::Meetings, Refused> {
-    let mut cells = Cells { raw, ends, asker: Asker::new(ends), asked: 0, wrong };
+    let mut cells = Cells { reach, ends, asker: Asker::new(ends), asked: 0, wrong };
     let mut boxes = Vec::new();
     for cell in 0..raster.count() {
         let members = raster.cell(cell);
@@ -64,11 +62,11 @@ pub(super) fn meetings(
             cells.crowded(session, raster, cell, members)?;
         } else if members.len() > 1 {
             boxes.clear();
-            boxes.extend(members.iter().map(|&at| extent(&raw[at as usize])));
+            boxes.extend(members.iter().map(|&at| reach.boxes[at as usize]));
             for (i, a) in boxes.iter().enumerate().skip(1) {
                 for (j, b) in boxes[..i].iter().enumerate() {
                     if cells.meets(a, b) {
-                        cells.asker.ask(&*session, members[j], members[i]);
+                        cells.ask(&*session, members[j], members[i]);
                     }
                 }
             }
@@ -82,11 +80,6 @@ pub(super) fn meetings(
     if cells.asker.found.too_many { Err(cells.too_many()) } else { Ok(cells.asker.found) }
 }
 
-#[inline]
-fn extent([a, b]: &[[f64; 2]; 2]) -> Extent {
-    [a[0].min(b[0]), a[1].min(b[1]), a[0].max(b[0]), a[1].max(b[1])]
-}
-
 impl Cells<'_> {
     #[inline]
     fn meets(&self, a: &Extent, b: &Extent) -> bool {
@@ -94,6 +87,27 @@ impl Cells<'_> {
             return a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
         }
         (a[0] <= b[2]) & (b[0] <= a[2]) & (a[1] <= b[3]) & (b[1] <= a[3])
+    }
+
+    /// Asks about the segments of two parts.
+    #[inline]
+    fn ask(&mut self, session: &dyn Predicates, i: u32, j: u32) {
+        let [i, j] = [i, j].map(|at| self.reach.segments[at as usize]);
+        if i != j {
+            self.asker.ask(session, i.min(j), i.max(j));
+        }
+    }
+
+    /// The ends of a part's segment.
+    fn ends_of(&self, part: u32) -> [Vertex; 2] {
+        self.ends[self.reach.segments[part as usize] as usize]
+    }
+
+    /// The segments of parts, ascending as these.
+    fn segments_of(&self, parts: &[u32]) -> Vec<u32> {
+        let mut segments: Vec<u32> = parts.iter().map(|&at| self.reach.segments[at as usize]).collect();
+        segments.dedup();
+        segments
     }
 
     fn too_many(&self) -> Refused {
@@ -114,7 +128,7 @@ impl Cells<'_> {
         let mut chords = Vec::with_capacity(members.len());
         let mut short = Vec::new();
         for &at in members {
-            match chord(raster.seen_from(cell, &self.raw[at as usize])) {
+            match chord(raster.seen_from(cell, &self.reach.raw[at as usize])) {
                 Some(border) => chords.push((at, border)),
                 None => short.push(at),
             }
@@ -138,10 +152,10 @@ impl Cells<'_> {
                 self.in_line(&*session, &together);
                 chords.retain(|chord| !in_bundle(chord));
                 for &(at, _) in &chords {
-                    let own = extent(&self.raw[at as usize]);
+                    let own = self.reach.boxes[at as usize];
                     for &other in &bundle {
-                        if self.meets(&own, &extent(&self.raw[other as usize])) {
-                            self.asker.ask(&*session, at, other);
+                        if self.meets(&own, &self.reach.boxes[other as usize]) {
+                            self.ask(&*session, at, other);
                         }
                     }
                     self.asked = self.asked.saturating_add(bundle.len() as u64);
@@ -149,7 +163,7 @@ impl Cells<'_> {
                         return Ok(());
                     }
                 }
-                self.asker.found.bundles.push(bundle);
+                self.asker.found.bundles.push(self.segments_of(&bundle));
                 continue;
             };
             self.pairs(&*session, &pairs);
@@ -164,9 +178,9 @@ impl Cells<'_> {
         near_ends(bundle, &border_ends(bundle), usize::MAX, &mut pairs);
         let view = View::new(session);
         for [i, j] in pairs {
-            let [[a, b], [c, d]] = [i, j].map(|at| self.ends[at as usize]);
+            let [[a, b], [c, d]] = [i, j].map(|at| self.ends_of(at));
             if view.turn(a, b, c) == Sign::Zero && view.turn(a, b, d) == Sign::Zero {
-                self.asker.ask(session, i, j);
+                self.ask(session, i, j);
             }
         }
     }
@@ -174,8 +188,8 @@ impl Cells<'_> {
     fn pairs(&mut self, session: &dyn Predicates, pairs: &[[u32; 2]]) {
         self.asked = self.asked.saturating_add(pairs.len() as u64);
         for &[i, j] in pairs {
-            if self.meets(&extent(&self.raw[i as usize]), &extent(&self.raw[j as usize])) {
-                self.asker.ask(session, i, j);
+            if self.meets(&self.reach.boxes[i as usize], &self.reach.boxes[j as usize]) {
+                self.ask(session, i, j);
             }
         }
     }
@@ -183,7 +197,7 @@ impl Cells<'_> {
     /// Asks about pairs of which one at least is short, in the order of their left ends.
     fn short(&mut self, session: &dyn Predicates, members: &[u32], short: &[u32]) {
         let mut sorted: Vec<(Extent, u32, bool)> =
-            members.iter().map(|&at| (extent(&self.raw[at as usize]), at, short.binary_search(&at).is_ok())).collect();
+            members.iter().map(|&at| (self.reach.boxes[at as usize], at, short.binary_search(&at).is_ok())).collect();
         sorted.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(a.1.cmp(&b.1)));
         // Long ones and short ones apart: no two long ones are compared.
         let mut open: [Vec<(Extent, u32)>; 2] = [Vec::new(), Vec::new()];
@@ -193,7 +207,7 @@ impl Cells<'_> {
                 self.asked = self.asked.saturating_add(list.len() as u64);
                 for (other, number) in &*list {
                     if self.meets(&own, other) {
-                        self.asker.ask(session, *number, at);
+                        self.ask(session, *number, at);
                     }
                 }
             }
@@ -211,14 +225,14 @@ impl Cells<'_> {
         for part in 1..8 {
             let at = chords.len() * part / 8;
             let [i, j] = [chords[at - 1].0, chords[at].0];
-            let lines = [i, j].map(|at| self.ends[at as usize]);
+            let lines = [i, j].map(|at| self.ends_of(at));
             if !crosses(&*session, lines) {
                 continue;
             }
             let point = session.construct(&[Construction::Ssi(lines)])?[0];
             let session = &*session;
             let passes = |&&(at, _): &&(u32, [f64; 2])| {
-                let [a, b] = self.ends[at as usize];
+                let [a, b] = self.ends_of(at);
                 session.orient2d(Plane::Xy, a, b, point) == Sign::Zero && is_within(session, [a, b], point)
             };
             let mut bundle: Vec<u32> = chords.iter().filter(passes).map(|(at, _)| *at).collect();

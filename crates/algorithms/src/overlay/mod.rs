@@ -2,7 +2,7 @@
 //!
 //! # Steps
 //! 1. Edges are grouped by the *input segments* that they are on. From here on all is about those, each once.
-//! 2. Pairs that meet are found, by a [grid](predicament_grid::Raster) or by Bentley and Ottmann's sweep: the [`Method`].
+//! 2. Pairs that meet where edges reach are found, by a [grid](predicament_grid::Raster) or by Bentley and Ottmann's sweep: the [`Method`].
 //! 3. Crossings are constructed, in the order of the segments. Each is defined by two input segments, whatever was constructed
 //!    before: coordinates do not grow from one overlay to the next.
 //! 4. What is on each segment is sorted along it. Vertices at one place become one node: many segments through one point
@@ -32,6 +32,7 @@ mod nest;
 mod partial;
 pub mod planted;
 mod polygon;
+mod reach;
 mod result;
 mod supports;
 mod sweep;
@@ -40,7 +41,7 @@ mod wrong;
 
 use predicament_grid::Raster;
 use predicament_mesh::Subdivision;
-use predicament_predicates::{Plane, Predicates, Refused, Vertex};
+use predicament_predicates::{Predicates, Refused, Vertex};
 
 pub use chains::Piece;
 pub use polygon::{Edge, Operation, Polygon, Region, Rule};
@@ -50,6 +51,7 @@ use self::planted::Planted;
 use crate::planted::Honest;
 use chains::Chains;
 use nest::Pieces;
+use reach::Reach;
 use supports::{Label, Supports};
 use wrong::Wrong;
 
@@ -195,13 +197,12 @@ fn arranged(
     method: Method,
     wrong: Wrong,
 ) -> Result<Arrangement, Refused> {
-    let scene = session.scene();
-    let raw: Vec<[[f64; 2]; 2]> = supports.ends.iter().map(|ends| ends.map(|v| scene.point2(Plane::Xy, v))).collect();
+    let reach = Reach::new(&*session, &supports);
     let mut raster = None;
     let (meetings, mut broken) = match method {
         Method::Grid => {
-            let raster = raster.insert(Raster::new(&raw));
-            (cells::meetings(session, raster, &raw, &supports.ends, wrong)?, None)
+            let raster = raster.insert(Raster::new(&reach.raw));
+            (cells::meetings(session, raster, &reach, &supports.ends, wrong)?, None)
         }
         Method::Sweep => sweep::meetings(session, &supports.ends)?,
     };
@@ -209,7 +210,7 @@ fn arranged(
     broken = broken.or(chains.broken);
     let pieces = Pieces::new(&*session, &supports, &chains);
     let subdivision = pieces.subdivision();
-    let nestings = pieces.nestings(&subdivision, raster, &raw, wrong.nests_outside);
+    let nestings = pieces.nestings(&subdivision, raster, &reach, wrong.nests_outside);
     let (subdivision, all_known) = subdivision.with_faces(&nestings);
     if !all_known {
         broken.get_or_insert("a component lies in a face of one that begins left of it");

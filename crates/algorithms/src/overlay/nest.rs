@@ -11,6 +11,7 @@ use predicament_mesh::{Nesting, Subdivision};
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 
 use super::chains::Chains;
+use super::reach::{Reach, place};
 use super::supports::Supports;
 use super::view::View;
 use super::{NONE, number};
@@ -78,7 +79,7 @@ impl<'a> Pieces<'a> {
         &self,
         subdivision: &Subdivision,
         raster: Option<Raster>,
-        raw: &[[[f64; 2]; 2]],
+        reach: &Reach,
         nests_outside: bool,
     ) -> Vec<Nesting> {
         // A crossing is right of an end of both its segments: it is leftmost nowhere, but where edges are parts of segments.
@@ -101,8 +102,8 @@ impl<'a> Pieces<'a> {
             let outside = leftmost.iter().filter_map(|&node| outside(node));
             return outside.map(|outside| Nesting { outside, within: None }).collect();
         }
-        let raster = raster.unwrap_or_else(|| Raster::new(raw));
-        let mut rays = Rays { pieces: self, seen: vec![NONE; self.supports.ends.len()], sorted: Vec::new() };
+        let raster = raster.unwrap_or_else(|| Raster::new(&reach.raw));
+        let mut rays = Rays { pieces: self, reach, seen: vec![NONE; self.supports.ends.len()], sorted: Vec::new() };
         let nesting = |&node: &u32| {
             let outside = outside(node)?;
             Some(Nesting { outside, within: rays.above(&raster, node) })
@@ -154,6 +155,7 @@ impl<'a> Pieces<'a> {
 /// Rays upward.
 struct Rays<'a> {
     pieces: &'a Pieces<'a>,
+    reach: &'a Reach,
     /// The last node for which each segment was looked at.
     seen: Vec<u32>,
     /// Ends of segments from left to right, once they are needed.
@@ -171,11 +173,17 @@ impl Rays<'_> {
                 let [x, y] = scene.point2(Plane::Xy, from);
                 ([x, x], y)
             }
-            Some(_) => (self.columns(from), f64::MIN),
+            Some(_) => match place(pieces.view.session, from) {
+                Some(([x, y], error)) if error.iter().all(|error| error.is_finite()) => {
+                    ([(x - error[0]).next_down(), (x + error[0]).next_up()], (y - error[1]).next_down())
+                }
+                _ => (self.columns(from), f64::MIN),
+            },
         };
         let mut best: Option<(Above, usize)> = None;
-        raster.upward(columns, y, |segments, row| {
-            for &segment in segments {
+        raster.upward(columns, y, |parts, row| {
+            for &part in parts {
+                let segment = self.reach.segments[part as usize];
                 if std::mem::replace(&mut self.seen[segment as usize], node) == node {
                     continue;
                 }

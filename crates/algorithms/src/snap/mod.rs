@@ -28,6 +28,7 @@ use pixel::{meets, pixel_of_crossing, pixel_of_point};
 use tree::Tree;
 
 pub use pixel::{Pixel, SIDES};
+pub(crate) use plane::crossing_estimate;
 
 /// How segments are rounded.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]

@@ -12,10 +12,12 @@
 mod graph;
 mod operations;
 mod plane;
+mod regions;
 
 pub use graph::Graph;
 pub use operations::{Operands, Results};
 pub use plane::Point;
+pub use regions::{Defects, Shape, winding_of};
 
 /// What is expected.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

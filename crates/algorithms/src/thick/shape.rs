@@ -1,0 +1,103 @@
+//! Discs and thick edges, in doubles. Radii are rounded up: what they cover they cover after rounding.
+
+use predicament_grid::Bounds;
+
+pub(super) type Point = [f64; 2];
+
+/// A thick vertex.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Disc {
+    /// Where it is.
+    pub centre: [f64; 2],
+    /// How far what it stands for may be from there.
+    pub radius: f64,
+}
+
+/// Where a vertex is, as seen along an edge.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Side {
+    /// To the left of it.
+    Left,
+    /// The disc and the edge overlap.
+    On,
+    /// To the right of it.
+    Right,
+}
+
+/// The side of a vertex on a thick edge between the centres of two others.
+#[must_use]
+pub fn side(line: [[f64; 2]; 2], radius: f64, p: Disc) -> Side {
+    if distance(line, p.centre).0 <= radius + p.radius {
+        Side::On
+    } else if turn(line, p.centre) > 0.0 {
+        Side::Left
+    } else {
+        Side::Right
+    }
+}
+
+/// (b − a) × (p − a), rounded.
+pub(super) fn turn([a, b]: [Point; 2], p: Point) -> f64 {
+    (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+}
+
+/// How far a point is from a segment, and where on it the nearest point is, from 0 to 1; rounded.
+pub(super) fn distance([a, b]: [Point; 2], p: Point) -> (f64, f64) {
+    let [ab, ap] = [b, p].map(|to| [to[0] - a[0], to[1] - a[1]]);
+    let square = ab[0] * ab[0] + ab[1] * ab[1];
+    let along = if square > 0.0 { ((ab[0] * ap[0] + ab[1] * ap[1]) / square).clamp(0.0, 1.0) } else { 0.0 };
+    ((ap[0] - along * ab[0]).hypot(ap[1] - along * ab[1]), along)
+}
+
+/// A little more: what a few roundings may have taken.
+pub(super) fn up(radius: f64) -> f64 {
+    radius * (1.0 + 4.0 * f64::EPSILON)
+}
+
+impl Disc {
+    /// The smallest disc that covers two.
+    pub(super) fn cover(self, other: Disc) -> Disc {
+        let apart = (other.centre[0] - self.centre[0]).hypot(other.centre[1] - self.centre[1]);
+        let [small, large] = if self.radius < other.radius { [self, other] } else { [other, self] };
+        if apart + small.radius <= large.radius {
+            return large;
+        }
+        let radius = (apart + small.radius + large.radius) / 2.0;
+        // From the larger one's centre towards the other.
+        let part = (radius - large.radius) / apart;
+        let centre = [0, 1].map(|axis: usize| large.centre[axis] + part * (small.centre[axis] - large.centre[axis]));
+        // The centre is rounded, too.
+        let rounding = 2.0 * f64::EPSILON * (centre[0].abs() + centre[1].abs());
+        Disc { centre, radius: up(radius) + rounding }
+    }
+
+    pub(super) fn overlaps(self, other: Disc) -> bool {
+        let apart = (other.centre[0] - self.centre[0]).hypot(other.centre[1] - self.centre[1]);
+        apart <= self.radius + other.radius
+    }
+
+    pub(super) fn bounds(self) -> Bounds<2> {
+        thick(Bounds::of([self.centre]), self.radius)
+    }
+}
+
+/// A box that is larger by this on all sides.
+pub(super) fn thick(bounds: Bounds<2>, radius: f64) -> Bounds<2> {
+    Bounds { low: bounds.low.map(|x| (x - radius).next_down()), high: bounds.high.map(|x| (x + radius).next_up()) }
+}
+
+/// Where two segments cross that each have the other's ends on different sides, with the rounding of the place as radius.
+pub(super) fn crossing(e: [Point; 2], f: [Point; 2]) -> (Disc, [f64; 2]) {
+    let along = |line: [Point; 2], other: [Point; 2]| {
+        let [n, m] = line.map(|p| turn(other, p));
+        n / (n - m)
+    };
+    let [on_e, on_f] = [along(e, f).clamp(0.0, 1.0), along(f, e).clamp(0.0, 1.0)];
+    let at = |[a, b]: [Point; 2], t: f64| [0, 1].map(|axis: usize| a[axis] + t * (b[axis] - a[axis]));
+    let centre = at(e, on_e);
+    // Its place on the other edge would be the same but for rounding: how far apart they are is a measure of that.
+    let other = at(f, on_f);
+    let apart = (centre[0] - other[0]).hypot(centre[1] - other[1]);
+    let rounding = 4.0 * f64::EPSILON * (centre[0].abs() + centre[1].abs());
+    (Disc { centre, radius: up(apart) + rounding }, [on_e, on_f])
+}

@@ -1,0 +1,84 @@
+//! A result between two steps, as doubles: what programs keep that have no constructed vertices.
+
+use std::collections::HashMap;
+
+use predicament_algorithms::overlay::{Edge, Polygon, Rule};
+use predicament_predicates::{Scene, Vertex};
+
+use super::cascade::Loop;
+
+/// The loops of two operands in one scene; equal points are one vertex.
+pub(super) struct Pair {
+    pub scene: Scene,
+    pub operands: [Polygon; 2],
+}
+
+/// Points, none twice.
+#[derive(Default)]
+pub(super) struct Points {
+    pub points: Vec<[f64; 2]>,
+    // Only looked up, never iterated.
+    places: HashMap<[u64; 2], usize>,
+}
+
+impl Points {
+    /// The vertex at this point.
+    pub fn vertex(&mut self, point: [f64; 2]) -> Vertex {
+        // -0 and +0 are the same place.
+        let key = point.map(|x| (x + 0.0).to_bits());
+        let points = &mut self.points;
+        Vertex::input(*self.places.entry(key).or_insert_with(|| {
+            points.push(point);
+            points.len() - 1
+        }))
+    }
+
+    /// A loop as edges; those without length are left out.
+    pub fn edges(&mut self, corners: &[[f64; 2]]) -> Vec<Edge> {
+        let vertices: Vec<Vertex> = corners.iter().map(|&corner| self.vertex(corner)).collect();
+        let ends = vertices.iter().zip(vertices.iter().cycle().skip(1));
+        ends.filter(|(from, to)| from != to).map(|(&from, &to)| Edge::whole(from, to)).collect()
+    }
+
+    /// The scene of all points.
+    pub fn scene(&self) -> Result<Scene, String> {
+        Scene::from_points2(&self.points).map_err(|why| why.to_string())
+    }
+}
+
+impl Pair {
+    /// A result and the next operand.
+    ///
+    /// # Errors
+    /// A coordinate that is not finite.
+    pub fn new(regions: &[Vec<Loop>], corners: &Loop) -> Result<Pair, String> {
+        let mut points = Points::default();
+        let loops = regions.iter().flatten().map(|one| points.edges(one)).collect();
+        let first = Polygon { loops, rule: Rule::NonZero };
+        let second = Polygon { loops: vec![points.edges(corners)], rule: Rule::NonZero };
+        Ok(Pair { scene: points.scene()?, operands: [first, second] })
+    }
+}
+
+/// Loops without repeated corners; those of fewer than three are gone, and counted.
+pub(super) fn cleaned(regions: Vec<Vec<Loop>>) -> (Vec<Vec<Loop>>, usize) {
+    let mut collapsed = 0;
+    let mut clean = |mut one: Loop| {
+        one.dedup();
+        while one.len() > 1 && one.first() == one.last() {
+            one.pop();
+        }
+        let is_loop = one.len() > 2;
+        collapsed += usize::from(!is_loop);
+        is_loop.then_some(one)
+    };
+    let mut kept = Vec::with_capacity(regions.len());
+    for region in regions {
+        let mut loops = region.into_iter();
+        // Without its outer loop a region is gone.
+        if let Some(outer) = loops.next().and_then(&mut clean) {
+            kept.push([outer].into_iter().chain(loops.filter_map(&mut clean)).collect());
+        }
+    }
+    (kept, collapsed)
+}

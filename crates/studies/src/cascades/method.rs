@@ -1,0 +1,96 @@
+//! The methods: a backend, and what is kept of a result for the next step.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// What becomes of the vertices of a result before the next step.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Keep {
+    /// They stay what they are: constructed ones by their definitions, from edges of the operands, whatever the step.
+    Whole,
+    /// Each becomes the nearest double.
+    Rounded,
+    /// Edges and crossings go to pixels by snap rounding; so many pixels to the largest coordinate, as a power of two.
+    Snapped(u32),
+    /// Edges are merged where the tolerance scheme registers contacts.
+    Contacts,
+    /// Vertices and edges have radii; those of the operands are this.
+    Thick(f64),
+}
+
+/// A backend, and what is kept.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Method {
+    /// The backend's name.
+    pub backend: String,
+    /// What is kept of a result.
+    pub keep: Keep,
+}
+
+/// Pixels to the largest coordinate, if nothing is said.
+const PIXELS: u32 = 40;
+/// The radius of what is given, if nothing is said.
+const RADIUS: f64 = 1e-9;
+/// The backend of thick primitives.
+pub(super) const FLOAT: &str = "naive";
+
+impl Method {
+    /// The reference.
+    pub(super) fn exact() -> Method {
+        Method { backend: "exact".to_owned(), keep: Keep::Whole }
+    }
+
+    /// Whether it promises that every point is in the result where it should be, and that nothing crosses.
+    pub(super) fn is_exact(&self) -> bool {
+        self.keep == Keep::Whole && (self.backend == "exact" || self.backend.starts_with("sos"))
+    }
+
+    /// Whether it promises that nothing crosses.
+    pub(super) fn is_planar(&self) -> bool {
+        self.is_exact() || self.backend == "exact" && matches!(self.keep, Keep::Snapped(_))
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let backend = &self.backend;
+        match self.keep {
+            Keep::Whole => f.write_str(backend),
+            Keep::Rounded => write!(f, "{backend}+round"),
+            Keep::Snapped(PIXELS) => write!(f, "{backend}+snap"),
+            Keep::Snapped(pixels) => write!(f, "{backend}+snap:{pixels}"),
+            Keep::Contacts => write!(f, "{backend}+contacts"),
+            Keep::Thick(radius) => write!(f, "thick:{radius:e}"),
+        }
+    }
+}
+
+impl FromStr for Method {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Method, String> {
+        if let Some(radius) = text.strip_prefix("thick").filter(|rest| rest.is_empty() || rest.starts_with(':')) {
+            let radius = radius.strip_prefix(':').map_or(Ok(RADIUS), str::parse);
+            let radius = radius.ok().filter(|radius: &f64| radius.is_finite() && (0.0..=0.5).contains(radius));
+            let radius =
+                radius.ok_or_else(|| format!("`{text}`: the radius of `thick:RADIUS` is between 0 and 0.5"))?;
+            return Ok(Method { backend: FLOAT.to_owned(), keep: Keep::Thick(radius) });
+        }
+        let of = |backend: &str, keep: Keep| Ok(Method { backend: backend.to_owned(), keep });
+        match text.rsplit_once('+') {
+            None if text.is_empty() => Err("a method has a name".to_owned()),
+            None => of(text, Keep::Whole),
+            Some((backend, "round")) => of(backend, Keep::Rounded),
+            Some((backend, "contacts")) => of(backend, Keep::Contacts),
+            Some((backend, "snap")) => of(backend, Keep::Snapped(PIXELS)),
+            Some((backend, rest)) => {
+                let Some(pixels) = rest.strip_prefix("snap:") else {
+                    return Err(format!("`+{rest}` is none of +round, +snap, +snap:BITS, +contacts"));
+                };
+                let pixels = pixels.parse().ok().filter(|pixels| (1..=50).contains(pixels));
+                let pixels = pixels.ok_or_else(|| format!("`{text}`: the bits of `+snap:BITS` are from 1 to 50"))?;
+                of(backend, Keep::Snapped(pixels))
+            }
+        }
+    }
+}

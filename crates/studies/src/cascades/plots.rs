@@ -1,0 +1,41 @@
+//! Plots over the steps, for each cascade: area error, bits, time.
+
+use predicament_report::text::in_order;
+use predicament_report::{Curve, Curves, curves};
+
+use super::{Followed, Measured, Sample};
+use crate::{Error, File};
+
+/// What is plotted: the file's name behind the cascade's, what it is, and the value of a sample.
+type Plot<'m> = (&'static str, &'static str, &'m dyn Fn(&Followed, &Sample) -> Option<f64>);
+
+/// Those that have a value with a logarithm.
+pub(super) fn all(measured: &Measured) -> Result<Vec<File>, Error> {
+    #[allow(clippy::cast_precision_loss)] // few of anything
+    let count = |n: usize| Some(n as f64);
+    let plots: [Plot<'_>; 4] = [
+        ("area", "area error, a part of the area", &|one, sample| measured.area_error(one.cascade, sample)),
+        ("wrong", "crossings, inverted loops and wrong points", &|_, sample| {
+            count(sample.defects.crossings + sample.defects.inverted + sample.lost)
+        }),
+        ("bits", "bits of a coordinate, the most", &|_, sample| Some(f64::from(sample.bits))),
+        ("time", "microseconds a step", &|_, sample| Some(sample.nanoseconds / 1e3)),
+    ];
+    let mut files = Vec::new();
+    for cascade in in_order(measured.followed.iter().map(|one| one.cascade)) {
+        for (name, what, value) in &plots {
+            let curve = |one: &Followed| {
+                #[allow(clippy::cast_precision_loss)] // few steps
+                let point = |sample: &Sample| Some((sample.step as f64, value(one, sample)?));
+                Curve { name: one.method.to_string(), points: one.samples.iter().filter_map(point).collect() }
+            };
+            let of_cascade = measured.followed.iter().filter(|one| one.cascade == cascade);
+            // A name in the legend stands for a line.
+            let drawn = |curve: &Curve| curve.points.iter().any(|(_, y)| *y > 0.0);
+            let lines = of_cascade.map(curve).filter(drawn).collect();
+            let svg = curves(&Curves { x: "step".into(), y: (*what).into(), curves: lines }).map_err(Error::format)?;
+            files.extend(svg.map(|svg| File::new(format!("{}-{name}.svg", cascade.name()), svg)));
+        }
+    }
+    Ok(files)
+}

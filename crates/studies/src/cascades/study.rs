@@ -1,0 +1,258 @@
+//! The command line of the study of cascades, its survey and its rows.
+
+use std::path::{Path, PathBuf};
+
+use predicament_tasks::Contestant;
+use rug::Rational;
+use serde::Serialize;
+
+use super::method::FLOAT;
+use super::survey::{Course, Followed, Plan};
+use super::{Cascade, Keep, Method, Sample, plots, table};
+use crate::{Error, File, Host, Study};
+
+/// Polygons that are combined again and again, by several methods.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Cascades {
+    /// Cascades; all if left out
+    #[arg(short, long = "cascade", value_name = "CASCADE", value_enum, value_delimiter = ',')]
+    pub cascades: Vec<Cascade>,
+
+    /// Methods: BACKEND, BACKEND+round, BACKEND+snap[:BITS], BACKEND+contacts, thick[:RADIUS]
+    #[arg(short, long = "method", value_name = "METHOD", value_delimiter = ',', default_value = DEFAULT)]
+    pub methods: Vec<Method>,
+
+    /// Steps of each cascade
+    #[arg(long, default_value_t = 100, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub steps: u32,
+
+    /// Steps after which everything is measured, spread evenly
+    #[arg(long, default_value_t = 10, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub samples: u32,
+
+    /// Points that are located after each of these
+    #[arg(long, default_value_t = 64, value_name = "N")]
+    pub probes: u32,
+
+    /// The seed of operands and points
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    pub seed: u64,
+
+    /// The folder to write; made if missing
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// All philosophies.
+const DEFAULT: &str = "exact,exact+snap,exact+round,sos,naive,naive+round,epsilon+round,thick,tolerance+contacts";
+
+/// What came of it.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Measured {
+    /// Each cascade by each method, in their order.
+    pub followed: Vec<Followed>,
+    /// For each cascade what the exact method came to.
+    pub exact: Vec<Followed>,
+}
+
+impl Measured {
+    /// Twice the true area after a step: that of the exact method.
+    fn area(&self, cascade: Cascade, step: usize) -> Option<&Rational> {
+        let exact = self.exact.iter().find(|exact| exact.cascade == cascade)?;
+        exact.samples.iter().find(|sample| sample.step == step).map(|sample| &sample.area)
+    }
+
+    /// How far the area after a step is off, as a part of the true one; none after a step that the exact method is not measured
+    /// after.
+    #[must_use]
+    pub fn area_error(&self, cascade: Cascade, sample: &Sample) -> Option<f64> {
+        if sample.regions == 0 {
+            return Some(1.0);
+        }
+        let truth = self.area(cascade, sample.step).filter(|area| area.cmp0().is_ne())?;
+        Some((Rational::from(&sample.area - truth) / truth).abs().to_f64())
+    }
+}
+
+impl Study for Cascades {
+    const NAME: &'static str = "cascades";
+    const ASKS: &'static str =
+        "Combine polygons again and again, and measure what is left: crossings, areas, bits, time";
+    const HELP: &'static str = "\
+The result of each Boolean operation is an operand of the next. Cascades: `rotate` unites a square with
+itself turned, `shave` cuts it by half-planes, `stars` unites stars one by one, `generalise` the
+regions of a map whose borders were generalised differently.
+
+Methods:
+  BACKEND            constructed vertices stay what they are, by their definitions; naive and others
+                     round each of them once
+  BACKEND+round      each becomes the nearest double after each step
+  BACKEND+snap:BITS  edges and crossings go to pixels by snap rounding (40 bits)
+  BACKEND+contacts   merged where the backend registers contacts, then combined in floating point
+  thick:RADIUS       vertices and edges have radii, and what overlaps is made to coincide (1e-9)
+
+Everything is measured in rationals: crossings that are left in the result, loops turned over,
+corners turned by rounding, the area against that of `exact`, points on the wrong side, bits.
+
+Written to the folder: cascades.csv (the measurements), times.csv, cascades.md (the tables that are
+printed), and plots. All but times are the same whenever it is run.
+
+Exit code 100 if exact or sos has a point on the wrong side, a crossing or a loop turned over, or
+if snap rounding leaves a crossing.
+
+Examples:
+  predicament cascades --steps 50
+  predicament cascades -c stars --steps 1000 --out target/cascades
+  predicament cascades -c rotate -m exact,exact+snap:20,thick:1e-6 --samples 50";
+
+    type Measured = Measured;
+
+    fn backends(&self) -> Vec<String> {
+        let mut names = vec![Method::exact().backend, FLOAT.to_owned()];
+        for method in &self.methods {
+            if !names.contains(&method.backend) {
+                names.push(method.backend.clone());
+            }
+        }
+        names
+    }
+
+    /// One: the steps are timed.
+    fn threads(&self) -> Option<usize> {
+        Some(1)
+    }
+
+    fn out(&self) -> Option<&Path> {
+        self.out.as_deref()
+    }
+
+    fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Measured, Error> {
+        let names = self.backends();
+        if backends.len() != names.len() {
+            return Err(Error::unfit(format!("two of {} are one backend; name it one way", names.join(", "))));
+        }
+        let backend = |name: &str| backends[names.iter().position(|other| other == name).unwrap_or(0)];
+        let plan = Plan {
+            steps: self.steps as usize,
+            samples: self.samples.min(self.steps) as usize,
+            probes: self.probes as usize,
+            seed: self.seed,
+        };
+        let exact = Method::exact();
+        let others = self.methods.iter().filter(|method| **method != exact).count() as u64;
+        let cascades = if self.cascades.is_empty() { Cascade::ALL.to_vec() } else { self.cascades.clone() };
+        host.begin(u64::from(self.steps) * (others + 1) * cascades.len() as u64, "steps");
+        let mut measured = Measured { followed: Vec::new(), exact: Vec::new() };
+        for cascade in cascades {
+            host.watch().done(0)?;
+            let course = Course::new(cascade, plan);
+            let follow = |method: &Method| {
+                host.turn_to(&format!("{} by {method}", cascade.name()));
+                course.follow(method, backend(&method.backend), backend(FLOAT), host.watch())
+            };
+            let reference = follow(&exact)?;
+            for method in &self.methods {
+                let followed = if *method == exact { reference.clone() } else { follow(method)? };
+                measured.followed.push(followed);
+            }
+            measured.exact.push(reference);
+        }
+        Ok(measured)
+    }
+
+    fn rows(&self, measured: &Measured) -> Result<Vec<File>, Error> {
+        let all = || {
+            measured
+                .followed
+                .iter()
+                .flat_map(|one| one.samples.iter().map(move |sample| (one, one.method.to_string(), sample)))
+        };
+        let rows = all().map(|(one, method, sample)| Row::of(measured, one, method, sample));
+        let times = all().map(|(one, method, sample)| Time {
+            cascade: one.cascade.name(),
+            method,
+            step: sample.step,
+            nanoseconds_a_step: sample.nanoseconds,
+        });
+        Ok(vec![File::csv("cascades.csv", rows)?, File::csv("times.csv", times)?])
+    }
+
+    fn page(&self, measured: &Measured) -> String {
+        table::page(self, measured)
+    }
+
+    fn plots(&self, measured: &Measured) -> Result<Vec<File>, Error> {
+        plots::all(measured)
+    }
+
+    fn holds(&self, measured: &Measured) -> bool {
+        measured.followed.iter().chain(&measured.exact).all(|one| {
+            let clean = |sample: &Sample| sample.defects.crossings == 0 && sample.defects.inverted == 0;
+            let right = |sample: &Sample| sample.lost == 0;
+            let is_done = one.ended.is_none() && one.broken.is_none();
+            (!one.method.is_planar() || is_done && one.samples.iter().all(clean))
+                && (!one.method.is_exact() || one.samples.iter().all(right))
+        })
+    }
+}
+
+#[derive(Serialize)]
+struct Row {
+    cascade: &'static str,
+    method: String,
+    step: usize,
+    regions: usize,
+    edges: usize,
+    area: f64,
+    area_error: Option<f64>,
+    crossings: usize,
+    touches: usize,
+    inverted_loops: usize,
+    flat_loops: usize,
+    turned_corners: Option<usize>,
+    wrong_points: usize,
+    bits: u32,
+    constructed: usize,
+    collapsed: usize,
+    vertices_held: usize,
+    thickness: Option<f64>,
+    broken: &'static str,
+    ended: String,
+}
+
+impl Row {
+    fn of(measured: &Measured, one: &Followed, method: String, sample: &Sample) -> Row {
+        let is_last = one.samples.last().is_some_and(|last| last.step == sample.step);
+        let ended = one.ended.as_ref().filter(|_| is_last);
+        Row {
+            cascade: one.cascade.name(),
+            method,
+            step: sample.step,
+            regions: sample.regions,
+            edges: sample.edges,
+            area: sample.area.to_f64() / 2.0,
+            area_error: measured.area_error(one.cascade, sample),
+            crossings: sample.defects.crossings,
+            touches: sample.defects.touches,
+            inverted_loops: sample.defects.inverted,
+            flat_loops: sample.defects.flat,
+            turned_corners: sample.turned,
+            wrong_points: sample.lost,
+            bits: sample.bits,
+            constructed: sample.constructed,
+            collapsed: sample.collapsed,
+            vertices_held: sample.held,
+            thickness: matches!(one.method.keep, Keep::Thick(_)).then_some(sample.thickness),
+            broken: one.broken.filter(|(step, _)| *step <= sample.step).map_or("", |(_, rule)| rule),
+            ended: ended.map(|(step, why)| format!("step {step}: {why}")).unwrap_or_default(),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Time {
+    cascade: &'static str,
+    method: String,
+    step: usize,
+    nanoseconds_a_step: f64,
+}
