@@ -3,7 +3,7 @@
 //! A vertex is a disc, an edge is all that is within its radius of the straight line between two vertices. A point is to the left
 //! of an edge, to its right, or *on* it: [`side`] has three values (Rhodes, *Computational Geometry*, the slides on tolerant
 //! geometry). What touches is made to coincide, so that no later question has an ambiguous answer:
-//! 1. Discs that overlap become one disc, which covers them.
+//! 1. Discs that overlap become one disc, which covers them. Their edges become thicker by as much as their ends move.
 //! 2. A disc that overlaps an edge divides it there. The parts are as thick as they have to be to cover the edge that was.
 //!    A vertex is at least as thick as its edges.
 //! 3. Edges that still cross are divided by a new vertex, as thick as the thicker of them and the rounding of its place.
@@ -82,6 +82,7 @@ pub fn settle(drawing: Drawing) -> Settled {
         let merged = round.merged();
         if merged.count > 0 {
             settled.merged += merged.count;
+            settled.drawing.thicken(&merged.discs, &merged.place);
             settled.drawing.replace(merged.discs, &merged.place);
             continue;
         }
@@ -119,6 +120,14 @@ impl Drawing {
         self.discs = discs;
         for edge in &mut self.edges {
             edge.ends = edge.ends.map(|end| place[end as usize]);
+        }
+    }
+
+    /// Makes edges as much thicker as their ends move to other discs.
+    fn thicken(&mut self, discs: &[Disc], place: &[u32]) {
+        for edge in &mut self.edges {
+            let moved = edge.ends.map(|end| self.discs[end as usize].apart(discs[place[end as usize] as usize]));
+            edge.radius = shape::up(edge.radius + moved[0].max(moved[1]));
         }
     }
 

@@ -57,7 +57,7 @@ pub(super) fn up(radius: f64) -> f64 {
 impl Disc {
     /// The smallest disc that covers two.
     pub(super) fn cover(self, other: Disc) -> Disc {
-        let apart = (other.centre[0] - self.centre[0]).hypot(other.centre[1] - self.centre[1]);
+        let apart = self.apart(other);
         let [small, large] = if self.radius < other.radius { [self, other] } else { [other, self] };
         if apart + small.radius <= large.radius {
             return large;
@@ -71,9 +71,13 @@ impl Disc {
         Disc { centre, radius: up(radius) + rounding }
     }
 
+    /// How far the centres are from each other, rounded.
+    pub(super) fn apart(self, other: Disc) -> f64 {
+        (other.centre[0] - self.centre[0]).hypot(other.centre[1] - self.centre[1])
+    }
+
     pub(super) fn overlaps(self, other: Disc) -> bool {
-        let apart = (other.centre[0] - self.centre[0]).hypot(other.centre[1] - self.centre[1]);
-        apart <= self.radius + other.radius
+        self.apart(other) <= self.radius + other.radius
     }
 
     pub(super) fn bounds(self) -> Bounds<2> {

@@ -15,4 +15,5 @@ mod polygon_shapes;
 mod polygon_special;
 mod slice;
 mod sort;
+mod thick;
 mod triangulate;

@@ -1,6 +1,6 @@
 //! Each law about overlays finds what violates it.
 
-use predicament_checks::overlay::{Check, Expected, Graph, Operands, Point, Results};
+use predicament_checks::overlay::{Check, Defects, Expected, Graph, Operands, Point, Results, Shape, winding_of};
 use rug::Rational;
 
 const EXPECTED: Expected = Expected { has_areas: true, edges_crossed: 1_000, located: 1_000 };
@@ -146,4 +146,34 @@ fn each_law_of_results_is_violated_by_something() {
     // Regions on top of each other.
     let crossing = violated(&|results| results.regions[1][1][0] = square(3, 4));
     assert!(crossing.contains(&Check::ResultCrossing), "{crossing:?}");
+}
+
+#[test]
+fn a_shape_is_measured_as_it_is() {
+    let outer = loop_of(&[[0, 0], [8, 0], [8, 8], [0, 8]]);
+    let hole = loop_of(&[[2, 2], [2, 4], [4, 4], [4, 2]]);
+    let shape = |loops: &[Vec<Point>]| Shape { regions: vec![loops.to_vec()] };
+    let whole = shape(&[outer.clone(), hole.clone()]);
+    assert_eq!(whole.defects(), Defects::default());
+    assert_eq!((whole.area(), whole.edges().count()), (Rational::from(2 * (64 - 4)), 8));
+    let located = [at(1, 1), at(3, 3), at(9, 9), at(2, 3)].map(|p| whole.winding(&p));
+    assert_eq!(located, [Some(1), Some(0), Some(0), None]);
+    assert_eq!(winding_of(std::slice::from_ref(&outer), &at(3, 3)), Some(1));
+    let turned = |one: &Vec<Point>| one.iter().rev().cloned().collect::<Vec<_>>();
+    let inverted = Defects { inverted: 1, ..Defects::default() };
+    assert_eq!(shape(&[turned(&outer), hole.clone()]).defects(), inverted);
+    assert_eq!(shape(&[outer.clone(), turned(&hole)]).defects(), inverted);
+    let flat = loop_of(&[[1, 1], [2, 1], [3, 1]]);
+    let of_flat = shape(&[outer.clone(), flat]).defects();
+    assert_eq!((of_flat.flat, of_flat.touches, of_flat.crossings), (1, 2, 0), "its edges overlap the way back");
+    // A bow tie crosses itself once.
+    let bow = loop_of(&[[0, 0], [8, 8], [8, 0], [0, 6]]);
+    let of_bow = shape(&[bow]).defects();
+    assert_eq!((of_bow.crossings, of_bow.touches), (1, 0));
+    // A hole whose corner is on the outer loop's edge touches it with both its edges there; at a corner it does not.
+    let touching = loop_of(&[[0, 3], [4, 4], [4, 2]]);
+    assert_eq!(shape(&[outer.clone(), touching]).defects().touches, 2);
+    let at_a_corner = loop_of(&[[0, 0], [4, 4], [4, 2]]);
+    assert_eq!(shape(&[outer, at_a_corner]).defects(), Defects::default());
+    assert_eq!(Shape::default().defects(), Defects::default());
 }

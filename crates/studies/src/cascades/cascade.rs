@@ -115,7 +115,7 @@ fn shave(count: usize) -> (Loop, Vec<Operand>) {
             };
             // Beside the line that touches the circle of radius 0.9, a box.
             let at = |along: f64, out: f64| [c * out - s * along, s * out + c * along];
-            vec![at(-1.5, 0.9), at(-1.5, 2.0), at(1.5, 2.0), at(1.5, 0.9)].into_iter().rev().collect()
+            vec![at(-1.5, 0.9), at(-1.5, 2.0), at(1.5, 2.0), at(1.5, 0.9)]
         };
         steps.push(Operand { operation: Operation::Difference, corners });
     }
@@ -129,7 +129,7 @@ fn stars(count: usize, random: &mut Random) -> (Loop, Vec<Operand>) {
         let corner = |at: usize| {
             let half = points / 2;
             let [u, v] = turned((small(at % half) + 0.5) / small(half) * 2.0 - 1.0);
-            let radius = reach * if at % 2 == 0 { 1.0 } else { 0.4 } * if at < half { 1.0 } else { -1.0 };
+            let radius = reach * if at.is_multiple_of(2) { 1.0 } else { 0.4 } * if at < half { 1.0 } else { -1.0 };
             [x + radius * u, y + radius * v]
         };
         (0..points).map(corner).collect::<Loop>()

@@ -1,6 +1,7 @@
 //! The studies, each held to what it must find, and the shape that they share.
 
 mod audit;
+mod cascades;
 mod laws;
 mod parity;
 mod shape;

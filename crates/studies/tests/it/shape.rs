@@ -24,7 +24,7 @@ fn report(study: &dyn Ready, host: &dyn Host) -> Result<Report, Error> {
 }
 
 /// Each study on a small amount of work, and its files.
-const SMALL: [(&str, &[&str]); 4] = [
+const SMALL: [(&str, &[&str]); 5] = [
     (
         "resolution --trials 2 --out x",
         &["resolution.csv", "location.csv", "resolution.md", "resolution.svg", "location.svg"],
@@ -32,6 +32,18 @@ const SMALL: [(&str, &[&str]); 4] = [
     ("parity --pairs 20 --shrink 1 --out x", &["parity.csv", "parity.md", "smallest.toml"]),
     ("audit --decisions 200", &["audit.csv", "audit.md"]),
     ("laws -b exact,naive --tuples 2000", &["laws.csv", "laws.md"]),
+    (
+        "cascades -c rotate --steps 7 --samples 2 --probes 9",
+        &[
+            "cascades.csv",
+            "times.csv",
+            "cascades.md",
+            "rotate-area.svg",
+            "rotate-wrong.svg",
+            "rotate-bits.svg",
+            "rotate-time.svg",
+        ],
+    ),
 ];
 
 #[test]
@@ -80,7 +92,7 @@ impl Host for Impatient<'_> {
 
 #[test]
 fn every_study_says_what_it_begins_and_stops_where_it_is_told() {
-    for ((line, _), unit) in SMALL.into_iter().zip(["features", "pairs", "decisions", "tuples"]) {
+    for ((line, _), unit) in SMALL.into_iter().zip(["features", "pairs", "decisions", "tuples", "steps"]) {
         let (cancel, quiet) = (AtomicBool::new(true), |_: u64| {});
         let host = Impatient { watch: Watch::new(&cancel, None, &quiet), told: RefCell::default() };
         assert_eq!(report(ready(line).as_ref(), &host), Err(Error::Stopped(Stop::Interrupted)), "{line}");
