@@ -12,6 +12,7 @@ use predicament_predicates::Vertex;
 use super::mesh::ImportedMesh;
 use super::{Places, ply_ascii, ply_header};
 use crate::decimals::shown;
+use crate::lines::lines;
 use crate::{CorpusError, Decimals, Position};
 
 /// An element of any kind: what matters of its properties.
@@ -63,8 +64,9 @@ pub(super) fn read(file: &str, bytes: &[u8], decimals: &Decimals) -> Result<Impo
     let mut rest = bytes;
     let mut reader = Reader::new(BufReader::with_capacity(1, &mut rest));
     let header = Parser::<Element>::new().read_header(&mut reader).map_err(|error| {
-        let position = error.line().map(Position::Line);
-        broken(file, &error).at(position)
+        // Where the header does not end, the parser names the line behind the last.
+        let last = lines(&String::from_utf8_lossy(bytes)).count().max(1);
+        broken(file, &error).at(error.line().map(|line| Position::Line(line.min(last))))
     })?;
     drop(reader);
     let text = &bytes[..bytes.len() - rest.len()];
@@ -103,7 +105,9 @@ pub(super) fn read(file: &str, bytes: &[u8], decimals: &Decimals) -> Result<Impo
 fn broken(file: &str, error: &ParseError) -> CorpusError {
     // The parser's own words name its grammar.
     let said = error.to_string();
-    let said = shown(said.lines().next().unwrap_or_default());
+    let said = said.lines().next().unwrap_or_default();
+    let line = error.line().map(|line| format!("Line {line}: ")).unwrap_or_default();
+    let said = shown(said.strip_prefix(&line).unwrap_or(said));
     let message = format!("the PLY file is not understood: {said}");
     CorpusError::file(file, message, "write the file again or convert it to OFF or OBJ")
 }
@@ -258,9 +262,13 @@ mod tests {
                 "m.ply:3: 99999999999 elements `vertex` don't fit into 0 bytes; correct",
             ),
             (text(read("m.ply", &not_a_number)), "m.ply: at byte 118: vertex 0 is not finite: (NaN, 0, 0); remove"),
-            (text(read("m.ply", b"solid\n")), "m.ply:1: the PLY file is not understood"),
+            (text(read("m.ply", b"solid\n")), "m.ply:1: the PLY file is not understood: Expected magic number"),
+            (text(read("m.ply", b"")), "m.ply: the PLY file is not understood: Unexpected end"),
             (text(read("m.ply", b"ply\nformat ascii 1.0\nelement vertex x\n")), "m.ply:3: the PLY file is not"),
-            (text(read("m.ply", b"ply\nformat ascii 1.0\n")), "m.ply:3: the PLY file is not understood: "),
+            (
+                text(read("m.ply", b"ply\nformat ascii 1.0\n")),
+                "m.ply:2: the PLY file is not understood: Unexpected end of file",
+            ),
             (text(ascii(vertices, "")), "m.ply:18: `1.5` is no length of a list"),
             (
                 text(read("m.ply", format!("{HEADER}{vertices}{faces}").as_bytes())),
