@@ -177,6 +177,10 @@ impl Elsewhere for Written {
             let [a, b, c] = points.map(place);
             planes.push((line, [a?, b?, c?]));
         }
+        if coordinates.iter().any(|x| !x.is_finite()) {
+            let message = "the planes across the middle of the mesh are beyond all doubles".to_owned();
+            return Err(error(message, "write `planes`, or scale the mesh", self.line));
+        }
         let scene = Scene::new(Dimension::Three, coordinates)
             .map_err(|why| CorpusError::file(&self.file, why.to_string(), "correct the points").at_line(self.line))?;
         for &(line, plane) in &planes {
