@@ -1,19 +1,57 @@
 //! Readers of data files: any bytes are read or refused in one line, and never a panic.
 //!
-//! The first byte chooses the format and whether decimals are rounded, the others are the file.
+//! The first byte chooses the format and whether decimals are rounded, the others are the file; of binary PLY and STL,
+//! what follows a header, which random bytes would hardly ever make.
 
-use predicament_formats::{CorpusError, Decimals, Manifest, fmt_csv, geometry, mesh, points, topojson};
+use predicament_formats::{CorpusError, Decimals, Manifest, Position, fmt_csv, geometry, mesh, points, topojson};
 
 /// The formats by what their names end in.
-const NAMES: [&str; 9] = ["a.csv", "a.geojson", "a.wkt", "a.off", "a.obj", "a.ply", "a.stl", "a.csv.gz", "a.topojson"];
+const NAMES: [&str; 12] = [
+    "a.csv",
+    "a.geojson",
+    "a.wkt",
+    "a.off",
+    "a.obj",
+    "a.ply",
+    "a.stl",
+    "a.csv.gz",
+    "a.topojson",
+    "little.ply",
+    "big.ply",
+    "binary.stl",
+];
+
+/// The file that bytes stand for.
+fn file(name: &str, bytes: &[u8]) -> Vec<u8> {
+    let header = |encoding: &str| {
+        format!(
+            "ply\nformat {encoding} 1.0\nelement vertex 3\nproperty char x\nproperty short y\nproperty float z\n\
+             element face 2\nproperty list char short vertex_index\nend_header\n"
+        )
+        .into_bytes()
+    };
+    let mut file = match name {
+        "little.ply" => header("binary_little_endian"),
+        "big.ply" => header("binary_big_endian"),
+        "binary.stl" => {
+            let triangles = u32::try_from(bytes.len() / 50).unwrap_or(u32::MAX);
+            [&[b' '; 80][..], &triangles.to_le_bytes()].concat()
+        }
+        _ => Vec::new(),
+    };
+    file.extend(bytes);
+    file
+}
 
 /// Reads bytes as the file of some format, in every way in which tasks do.
 ///
 /// # Panics
-/// If an error is no single line, if what is rewritten is rewritten again, or if it reads as something else.
+/// If an error is no single line or at no place of the file, if a part of a mesh has no place, if what is rewritten is rewritten again, or if it reads as something else.
 pub fn check(bytes: &[u8]) {
     let Some((&head, bytes)) = bytes.split_first() else { return };
     let name = NAMES[usize::from(head >> 1) % NAMES.len()];
+    let file = file(name, bytes);
+    let bytes = file.as_slice();
     let decimals = || Decimals::new(head & 1 == 1);
     if name == "a.topojson" {
         if let Ok(text) = std::str::from_utf8(bytes) {
@@ -28,7 +66,7 @@ pub fn check(bytes: &[u8]) {
         let _ = geometry.edges();
         one_line(geometry.map());
     }
-    one_line(mesh::read(name, bytes.to_vec(), &decimals()));
+    check_mesh(name, bytes, &decimals());
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     if name == "a.csv"
         && let Some(tidy) = one_line(fmt_csv(name, text))
@@ -39,6 +77,25 @@ pub fn check(bytes: &[u8]) {
         let bits = |points: points::ImportedPoints| points.coordinates.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
         assert_eq!(again.ok().map(bits), rounded.ok().map(bits), "rewritten is rounded");
     }
+}
+
+/// Reads a mesh: every error, every point and every face is at a place that the file has.
+fn check_mesh(name: &str, bytes: &[u8], decimals: &Decimals) {
+    let lines = 1 + bytes.iter().filter(|byte| matches!(byte, b'\n' | b'\r')).count();
+    let is_there = |position: Position| match position {
+        Position::Line(line) => (1..=lines).contains(&line),
+        Position::Byte(byte) => byte <= bytes.len(),
+    };
+    let read = mesh::read(name, bytes.to_vec(), decimals);
+    if let Err(why) = &read {
+        let is_packed = name.ends_with(".gz");
+        assert!(is_packed || why.position.is_none_or(is_there), "{why}: {lines} lines, {} bytes", bytes.len());
+    }
+    let Some(mesh) = one_line(read) else { return };
+    let points = (0..mesh.points.len()).map(|point| mesh.places.point(point));
+    let faces = (0..mesh.faces.len()).map(|face| mesh.places.face(face));
+    assert!(points.chain(faces).all(|place| place.is_some_and(is_there)), "{name}: {:?}", mesh.places);
+    assert_eq!(mesh.places.point(mesh.points.len()).or(mesh.places.face(mesh.faces.len())), None, "{name}");
 }
 
 /// What was read, if anything was; an error is one line.
@@ -79,12 +136,57 @@ mod tests {
     fn files_of_each_format_are_read() {
         for (at, text) in FILES.into_iter().enumerate() {
             for round in [0, 1] {
-                let head = 2 * u8::try_from(at).expect("nine formats") + round;
+                let head = 2 * u8::try_from(at).expect("twelve formats") + round;
                 check(&[&[head], text.as_bytes()].concat());
                 // The same without its end.
                 check(&[&[head], &text.as_bytes()[..text.len() / 2]].concat());
                 let read = points::read(NAMES[at], text.into(), &Decimals::new(round == 1));
                 assert_eq!(read.is_ok(), round == 1, "{}: {read:?}", NAMES[at]);
+            }
+        }
+    }
+
+    /// A mesh of three points and two faces behind each header, whole and changed.
+    #[test]
+    fn binary_files_are_read() {
+        let places = [[0_i8, 0], [1, 0], [0, 1]];
+        for (at, name) in NAMES.into_iter().enumerate().filter(|(_, name)| name.starts_with(['l', 'b'])) {
+            let is_big = name == "big.ply";
+            let short = |x: i16| if is_big { x.to_be_bytes() } else { x.to_le_bytes() };
+            let mut body = Vec::new();
+            if name == "binary.stl" {
+                let corners = places.map(|[x, y]| [f32::from(x), f32::from(y), 0.0]);
+                for corners in [corners, [corners[1], corners[0], corners[2]]] {
+                    body.extend([0; 12]);
+                    body.extend(corners.as_flattened().iter().flat_map(|x| x.to_le_bytes()));
+                    body.extend([0; 2]);
+                }
+            } else {
+                for [x, y] in places {
+                    body.extend(x.to_le_bytes());
+                    body.extend(short(y.into()));
+                    body.extend([0; 4]);
+                }
+                for face in [[0, 1, 2], [1, 0, 2]] {
+                    body.push(3);
+                    body.extend(face.into_iter().flat_map(short));
+                }
+            }
+            let read = mesh::read(name, file(name, &body), &Decimals::new(false)).expect(name);
+            assert_eq!((read.points.len(), read.faces.len()), (3, 2), "{name}");
+            let head = 2 * u8::try_from(at).expect("twelve formats");
+            for run in 0..2000_u64 {
+                let random = bytes(run);
+                let mut body = body.clone();
+                for change in random.chunks_exact(3).take(usize::from(random[0] % 4)) {
+                    let place = usize::from(change[0]) % body.len();
+                    match change[1] % 8 {
+                        0 => body.truncate(place.max(1)),
+                        1 => body.push(change[2]),
+                        _ => body[place] = change[2],
+                    }
+                }
+                check(&[&[head], body.as_slice()].concat());
             }
         }
     }
@@ -109,7 +211,7 @@ mod tests {
                         _ => file.truncate(place.max(1)),
                     }
                 }
-                let head = 2 * u8::try_from(at).expect("nine formats") + u8::from(run % 2 == 0);
+                let head = 2 * u8::try_from(at).expect("twelve formats") + u8::from(run % 2 == 0);
                 check(&[&[head], file.as_slice()].concat());
             }
         }

@@ -2,10 +2,11 @@
 
 use std::path::PathBuf;
 
+use predicament_formats::points::ImportedPoints;
 use predicament_formats::{
-    Cache, CorpusError, Decimals, Entry, Field, ImportNotes, POINTS, points, read_bytes, read_points, text_of,
+    Cache, CorpusError, Decimals, Entry, Field, ImportNotes, POINTS, Places, points, read_bytes, read_points, text_of,
 };
-use predicament_predicates::{Dimension, Scene};
+use predicament_predicates::{Dimension, Scene, Vertex};
 
 use crate::Context;
 
@@ -152,17 +153,24 @@ impl PointSource {
     /// # Errors
     /// [`CorpusError`] where the data file is missing or wrong.
     pub fn coordinates(&self, cache: &Cache) -> Result<(Dimension, Vec<f64>, ImportNotes), CorpusError> {
+        let (points, _) = self.load(cache)?;
+        Ok((points.dimension, points.coordinates, points.notes))
+    }
+
+    /// The points, and the data file that they are from.
+    fn load(&self, cache: &Cache) -> Result<(ImportedPoints, Option<String>), CorpusError> {
         match &self.place {
             PointPlace::Written(dimension, coordinates) => {
-                Ok((*dimension, coordinates.clone(), ImportNotes::default()))
+                let (dimension, coordinates) = (*dimension, coordinates.clone());
+                let (places, notes) = (Places::default(), ImportNotes::default());
+                Ok((ImportedPoints { dimension, coordinates, places, notes }, None))
             }
             PointPlace::File { origin, round } => {
                 let decimals = Decimals::new(*round);
                 let (file, bytes) = origin.bytes(cache)?;
-                let points::ImportedPoints { dimension, coordinates, mut notes } =
-                    points::read(&file, bytes, &decimals)?;
-                notes.rounded += decimals.rounded();
-                Ok((dimension, coordinates, notes))
+                let mut points = points::read(&file, bytes, &decimals)?;
+                points.notes.rounded += decimals.rounded();
+                Ok((points, Some(file)))
             }
         }
     }
@@ -172,9 +180,38 @@ impl PointSource {
     /// # Errors
     /// As [`coordinates`](PointSource::coordinates), and where they make no scene.
     pub fn scene(&self, cache: &Cache) -> Result<(Scene, ImportNotes), CorpusError> {
-        let (dimension, coordinates, notes) = self.coordinates(cache)?;
-        let scene =
-            Scene::new(dimension, coordinates).map_err(|error| self.error(error.to_string(), "correct the points"))?;
-        Ok((scene, notes))
+        self.located(cache).map(|points| (points.scene, points.notes))
+    }
+
+    /// The points as a scene, with where they are.
+    ///
+    /// # Errors
+    /// As [`scene`](PointSource::scene).
+    pub fn located(&self, cache: &Cache) -> Result<LocatedPoints, CorpusError> {
+        let (points, file) = self.load(cache)?;
+        let scene = Scene::new(points.dimension, points.coordinates)
+            .map_err(|error| self.error(error.to_string(), "correct the points"))?;
+        Ok(LocatedPoints { scene, notes: points.notes, places: points.places, file })
+    }
+}
+
+/// Points as a scene, with where they are in their data file.
+#[derive(Clone, Debug)]
+pub struct LocatedPoints {
+    /// The points.
+    pub scene: Scene,
+    /// What reading their file changed.
+    pub notes: ImportNotes,
+    places: Places,
+    file: Option<String>,
+}
+
+impl LocatedPoints {
+    /// Where these points are, to be put behind a message about them; nothing where they are in no data file.
+    #[must_use]
+    pub fn places(&self, of: &[Vertex]) -> String {
+        let Some(file) = &self.file else { return String::new() };
+        let names: Vec<String> = of.iter().map(|v| self.places.point_name(v.index())).collect();
+        format!(" (in {file}: {})", names.join(", "))
     }
 }

@@ -21,7 +21,7 @@ mod random;
 mod suite;
 
 pub use content::{Content, Elsewhere, Parts, Source};
-pub use data::{Origin, PointSource};
+pub use data::{LocatedPoints, Origin, PointSource};
 pub use fmt::fmt;
 pub use format::{Family, Making, Recipe, SceneFormat, Vocabulary};
 pub use homogeneous::{homogeneous, integer, lowest_exponent, meet};

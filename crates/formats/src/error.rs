@@ -13,6 +13,24 @@ pub enum ErrorKind {
     Corpus,
 }
 
+/// A position in a file.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Position {
+    /// A line of a text, counted from 1.
+    Line(usize),
+    /// A byte of a binary file, counted from 0; where the file is packed, of what is unpacked.
+    Byte(usize),
+}
+
+impl fmt::Display for Position {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Position::Line(line) => write!(f, "line {line}"),
+            Position::Byte(byte) => write!(f, "byte {byte}"),
+        }
+    }
+}
+
 /// An error with its place and its cure.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct CorpusError {
@@ -20,8 +38,8 @@ pub struct CorpusError {
     pub kind: ErrorKind,
     /// The file as the user knows it, or what was asked for where there is no file.
     pub file: String,
-    /// The line in the file, counted from 1.
-    pub line: Option<usize>,
+    /// Where in the file, if it is about one place.
+    pub position: Option<Position>,
     /// What is wrong.
     pub message: String,
     /// What to do about it.
@@ -35,7 +53,7 @@ impl CorpusError {
         CorpusError {
             kind: ErrorKind::Corpus,
             file: file.into(),
-            line: None,
+            position: None,
             message: message.into(),
             cure: cure.into(),
         }
@@ -50,7 +68,28 @@ impl CorpusError {
     /// The same error, at a line.
     #[must_use]
     pub fn at_line(self, line: usize) -> CorpusError {
-        CorpusError { line: Some(line), ..self }
+        self.at(Some(Position::Line(line)))
+    }
+
+    /// The same error, at a byte of a binary file, counted from 0.
+    #[must_use]
+    pub fn at_byte(self, byte: usize) -> CorpusError {
+        self.at(Some(Position::Byte(byte)))
+    }
+
+    /// The same error, at a position, or about the file as a whole.
+    #[must_use]
+    pub fn at(self, position: Option<Position>) -> CorpusError {
+        CorpusError { position, ..self }
+    }
+
+    /// The line in the file, counted from 1, where the error is at one.
+    #[must_use]
+    pub fn line(&self) -> Option<usize> {
+        match self.position {
+            Some(Position::Line(line)) => Some(line),
+            Some(Position::Byte(_)) | None => None,
+        }
     }
 
     /// The same error at the line of another file that names this one.
@@ -60,9 +99,13 @@ impl CorpusError {
         CorpusError { message, ..CorpusError { file: file.to_owned(), ..self }.at_line(line) }
     }
 
-    /// The file, and the line where it is known.
+    /// The file, and the line or the byte where it is known.
     fn place(&self) -> String {
-        self.line.map_or_else(|| self.file.clone(), |line| format!("{}:{line}", self.file))
+        match self.position {
+            Some(Position::Line(line)) => format!("{}:{line}", self.file),
+            Some(Position::Byte(byte)) => format!("{}: at byte {byte}", self.file),
+            None => self.file.clone(),
+        }
     }
 }
 

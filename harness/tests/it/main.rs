@@ -1,6 +1,7 @@
 //! The tool from outside, as a user runs it.
 
 mod bad_input;
+mod bad_meshes;
 mod bounds;
 mod common;
 mod conformance;

@@ -95,6 +95,18 @@ impl Geometry {
         CorpusError::file(&self.file, message, cure).at_line(line)
     }
 
+    /// All positions in the order of the file.
+    pub(super) fn positions(&self) -> impl Iterator<Item = &Position> {
+        self.shapes().flat_map(|(_, shape)| {
+            let parts: Vec<&[Position]> = match shape {
+                Shape::Point(position) => vec![std::slice::from_ref(position)],
+                Shape::Line(line) => vec![line],
+                Shape::Polygon(rings) => rings.iter().map(Vec::as_slice).collect(),
+            };
+            parts.into_iter().flatten()
+        })
+    }
+
     /// All positions in the order of the file, as points of two or of three coordinates.
     ///
     /// # Errors
@@ -102,26 +114,16 @@ impl Geometry {
     pub fn points(&self) -> Result<(Dimension, Vec<f64>), CorpusError> {
         let mut dimension = None;
         let mut coordinates = Vec::new();
-        for (_, shape) in self.shapes() {
-            let rings: &[Vec<Position>] = match shape {
-                Shape::Point(position) => &[vec![*position]],
-                Shape::Line(line) => std::slice::from_ref(line),
-                Shape::Polygon(rings) => rings,
-            };
-            for position in rings.iter().flatten() {
-                let found = if position.height.is_some() { Dimension::Three } else { Dimension::Two };
-                let expected = *dimension.get_or_insert(found);
-                if found != expected {
-                    let message = format!(
-                        "a position of {} coordinates, those before it have {}",
-                        found.count(),
-                        expected.count()
-                    );
-                    return Err(self.error(position.line, message, "give all positions a height, or none"));
-                }
-                coordinates.extend(position.at);
-                coordinates.extend(position.height);
+        for position in self.positions() {
+            let found = if position.height.is_some() { Dimension::Three } else { Dimension::Two };
+            let expected = *dimension.get_or_insert(found);
+            if found != expected {
+                let message =
+                    format!("a position of {} coordinates, those before it have {}", found.count(), expected.count());
+                return Err(self.error(position.line, message, "give all positions a height, or none"));
             }
+            coordinates.extend(position.at);
+            coordinates.extend(position.height);
         }
         let none = || CorpusError::file(&self.file, "the file has no points", "give it at least one");
         Ok((dimension.ok_or_else(none)?, coordinates))

@@ -7,7 +7,7 @@
 use predicament_mesh::half_edge::IndexedFaces;
 use predicament_predicates::Vertex;
 
-use super::{ImportNotes, obj, off, ply, stl};
+use super::{ImportNotes, Places, obj, off, ply, stl};
 use crate::data::{DataFile, Format};
 use crate::decimals::{MOST_COORDINATES, Place, explain, shown};
 use crate::lines::lines;
@@ -24,6 +24,8 @@ pub struct ImportedMesh {
     pub faces: IndexedFaces,
     /// The triangles of the faces.
     pub triangles: Vec<[Vertex; 3]>,
+    /// Where the points and the faces are in the file.
+    pub places: Places,
     /// What was left out.
     pub notes: ImportNotes,
 }
@@ -31,7 +33,7 @@ pub struct ImportedMesh {
 /// Reads a file by its extension, `.off`, `.obj`, `.ply` or `.stl`, each perhaps with `.gz` behind it.
 ///
 /// # Errors
-/// [`CorpusError`] at the line that is wrong.
+/// [`CorpusError`] at the line that is wrong, or, in a binary file, at the byte where the wrong element begins.
 pub fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
     read_data(DataFile::open(file, bytes)?, decimals)
 }
@@ -86,8 +88,14 @@ pub(super) fn point(file: &str, line: usize, words: &[&str], decimals: &Decimals
 }
 
 impl ImportedMesh {
-    /// Appends a face and its triangles; or what is wrong with it, and the cure.
-    pub(super) fn push_face(&mut self, corners: &[Vertex]) -> Result<(), (String, &'static str)> {
+    /// Appends a point, and where it is.
+    pub(super) fn push_point(&mut self, point: [f64; 3], at: usize) {
+        self.points.push(point);
+        self.places.push_point(at);
+    }
+
+    /// Appends a face, its triangles, and where it is; or what is wrong with it, and the cure.
+    pub(super) fn push_face(&mut self, corners: &[Vertex], at: usize) -> Result<(), (String, &'static str)> {
         let [first, rest @ ..] = corners else {
             return Err(("a face without corners".to_owned(), "remove it"));
         };
@@ -102,6 +110,7 @@ impl ImportedMesh {
         // Input vertices, of which there are at most 2^31.
         self.faces.push(corners.iter().filter_map(|corner| u32::try_from(corner.index()).ok()));
         self.triangles.extend(rest.windows(2).map(|next| [*first, next[0], next[1]]));
+        self.places.push_face(at);
         Ok(())
     }
 }
@@ -113,7 +122,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::hexfloat;
+    use crate::{Position, hexfloat};
 
     fn read(file: &str, text: &str) -> Result<ImportedMesh, CorpusError> {
         super::read(file, text.into(), &Decimals::new(false))
@@ -129,7 +138,15 @@ mod tests {
             "OFF # a pyramid\n5 2 0\n\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0 5e-1 # apex\n4 0 1 2 3\n3 4 0 1 255 0 0\n";
         let obj = "mtllib none\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.1 0.2 0.3\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\nv 0.5 0 0.5\nf -1 1 2\n";
         let [off, obj] = [read("a.off", off).unwrap(), read("a.OBJ", obj).unwrap()];
-        assert_eq!(off, obj);
+        let lines = |mesh: &ImportedMesh| {
+            let at = |position: Option<Position>| position.map(|at| at.to_string()).unwrap_or_default();
+            let points: Vec<String> = (0..6).map(|point| at(mesh.places.point(point))).collect();
+            let faces: Vec<String> = (0..3).map(|face| at(mesh.places.face(face))).collect();
+            [points.join(","), faces.join(",")].map(|lines| lines.replace("line ", ""))
+        };
+        assert_eq!(lines(&off), ["4,5,6,7,8,", "9,10,"]);
+        assert_eq!(lines(&obj), ["2,3,4,5,8,", "7,9,"]);
+        assert_eq!(off, ImportedMesh { places: off.places.clone(), ..obj });
         assert_eq!(off.triangles, [v([0, 1, 2]), v([0, 2, 3]), v([4, 0, 1])]);
         assert_eq!(off.faces, [vec![0, 1, 2, 3], vec![4, 0, 1]].into_iter().collect());
         assert_eq!(off.points[4], [0.5, 0.0, 0.5]);
@@ -146,13 +163,15 @@ mod tests {
         let off = |text: &str| read("m.off", &format!("OFF\n{text}")).unwrap_err().to_string();
         let obj = |text: &str| read("m.obj", &format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{text}")).unwrap_err().to_string();
         for (got, expected) in [
-            (off("2 0 0\n0 0 0\n"), "m.off: the file ends after 1 of its 2 vertices; correct"),
-            (off("1 1 0\n0 0 0\n"), "m.off: the file ends after 0 of its 1 faces; correct"),
+            (off("2 0 0\n0 0 0\n"), "m.off:3: the file ends after 1 of its 2 vertices; correct"),
+            (off("1 1 0\n0 0 0\n"), "m.off:3: the file ends after 0 of its 1 faces; correct"),
             (off("1 0 0\n0 0 0\n0 0 1\n"), "m.off:4: more follows the 0 faces; correct"),
             (off("1 0\n0 0 0\n"), "m.off:2: three counts are expected"),
-            (off(""), "m.off: the file ends before its counts; give"),
+            (read("m.off", "# none\n").unwrap_err().to_string(), "m.off: the file ends before the word OFF; give"),
+            (off(""), "m.off:1: the file ends before its counts; give"),
             (off("1 1 0\n0 0 0\n3 0 0 1\n"), "m.off:4: `1` is none of the 1 vertices; indices count from 0"),
             (off("1 1 0\n0 0 0\n3 0 0\n"), "m.off:4: a face is the number of its corners, then the corners; give"),
+            (off("2 1 0\n0 0 0\n3 0 1 2\n"), "m.off:4: a vertex of 4 numbers, and the first has 3; correct the counts"),
             (off("1 0 0\n0 0\n"), "m.off:3: a vertex of 2 coordinates; write three"),
             (off("1 0 0\n0 0 nan\n"), "m.off:3: coordinate `nan` is not finite; remove"),
             (obj("f 1 2\n"), "m.obj:4: a face of 2 corners; give it three"),
@@ -160,6 +179,8 @@ mod tests {
             (obj("f 0 1 2\n"), "m.obj:4: `0` is none of the 3 vertices"),
             (obj("f -4 1 2\n"), "m.obj:4: `-4` is none of the 3 vertices"),
             (obj("f 1 2 1\n"), "m.obj:4: a face that names a vertex twice; divide it"),
+            (obj("l 1 2 2\n"), "m.obj:4: a line that names a vertex twice in a row; name it once"),
+            (obj("l 1\n"), "m.obj:4: a line of 1 vertices; give it two"),
             (obj("v 1 0 0 2\n"), "m.obj:4: a vertex of weight 2; divide its coordinates by the weight"),
             (obj("v 1 0 0 1e400\n"), "m.obj:4: a vertex of weight 1e400; divide"),
             (obj("v 1 0 0 w\n"), "m.obj:4: `w` is not a number; write a number"),
@@ -176,8 +197,8 @@ mod tests {
             (read("m.3ds", "").unwrap_err().to_string(), "m.3ds: the file's name doesn't tell its format; name"),
             (read("m.wkt", "").unwrap_err().to_string(), "m.wkt: the file is no mesh; name"),
             (obj("v 0.1 0 0\n"), "m.obj:4: decimal 0.1 is not exactly a double; write `round = true` in the scene"),
-            (off("99999999999 0 0\n0 0 0\n"), "m.off: the file ends after 1 of its 99999999999 vertices; correct"),
-            (off("1 99999999999 0\n0 0 0\n"), "m.off: the file ends after 0 of its 99999999999 faces; correct"),
+            (off("99999999999 0 0\n0 0 0\n"), "m.off:3: the file ends after 1 of its 99999999999 vertices; correct"),
+            (off("1 99999999999 0\n0 0 0\n"), "m.off:3: the file ends after 0 of its 99999999999 faces; correct"),
             (off("1 1 0\n0 0 0\n99999999999 0\n"), "m.off:4: a face is the number of its corners"),
         ] {
             assert!(got.starts_with(expected), "{got}\n  expected {expected}");

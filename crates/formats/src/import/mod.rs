@@ -5,8 +5,10 @@ pub mod geometry;
 pub mod mesh;
 mod obj;
 mod off;
+mod places;
 mod ply;
 mod ply_ascii;
+mod ply_header;
 pub mod points;
 mod rings;
 mod shared;
@@ -16,6 +18,7 @@ mod wkt;
 
 use predicament_mesh::PolygonMap;
 
+pub use places::Places;
 pub use rings::read_polygons;
 
 /// A map and its vertices' coordinates.

@@ -51,12 +51,23 @@ pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<Import
         match words[0] {
             "v" => {
                 behind(&words[1..]).map_err(|(message, cure)| CorpusError::file(file, message, cure).at_line(line))?;
-                mesh.points.push(point(file, line, &words[1..], decimals)?);
+                mesh.push_point(point(file, line, &words[1..], decimals)?, line);
             }
             "f" => mesh
-                .push_face(&corners()?)
+                .push_face(&corners()?, line)
                 .map_err(|(message, cure)| CorpusError::file(file, message, cure).at_line(line))?,
-            "l" => mesh.edges.extend(corners()?.windows(2).map(|ends| [ends[0], ends[1]])),
+            "l" => {
+                let corners = corners()?;
+                let error = |message: &str, cure: &str| CorpusError::file(file, message, cure).at_line(line);
+                if corners.len() < 2 {
+                    return Err(error(&format!("a line of {} vertices", corners.len()), "give it two, or remove it"));
+                }
+                let edges = corners.windows(2).map(|ends| [ends[0], ends[1]]);
+                if edges.clone().any(|[start, end]| start == end) {
+                    return Err(error("a line that names a vertex twice in a row", "name it once"));
+                }
+                mesh.edges.extend(edges);
+            }
             word if PASSED_OVER.contains(&word) => {}
             word => {
                 let message = format!("`{}` is not understood", shown(word));

@@ -10,9 +10,9 @@ use crate::{CorpusError, Decimals};
 pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
     const CURE: &str = "give an ASCII OFF file: the word OFF, then the numbers of vertices, faces and edges";
     let error = |line: usize, message: String, cure: &str| CorpusError::file(file, message, cure).at_line(line);
-    let short = |what: &str| CorpusError::file(file, format!("the file ends before {what}"), CURE);
     let mut lines = contents(text);
-    let (line, head) = lines.next().ok_or_else(|| short("the word OFF"))?;
+    let (line, head) =
+        lines.next().ok_or_else(|| CorpusError::file(file, "the file ends before the word OFF", CURE))?;
     let rest = head
         .strip_prefix("OFF")
         .filter(|rest| rest.is_empty() || rest.starts_with(char::is_whitespace))
@@ -20,23 +20,37 @@ pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<Import
     // The counts may stand behind the word.
     let (line, counts) = match content(rest) {
         Some(counts) => (line, counts),
-        None => lines.next().ok_or_else(|| short("its counts"))?,
+        None => lines.next().ok_or_else(|| error(line, "the file ends before its counts".to_owned(), CURE))?,
     };
     let counts: Vec<Option<usize>> = counts.split_whitespace().map(|count| count.parse().ok()).collect();
     let &[Some(vertices), Some(faces), Some(_)] = counts.as_slice() else {
         return Err(error(line, "three counts are expected: vertices, faces, edges".to_owned(), CURE));
     };
-    let counted = |at: usize, all: usize, what: &str| {
-        let message = format!("the file ends after {at} of its {all} {what}");
-        CorpusError::file(file, message, "correct the counts or add what is missing")
+    let counted = |last: usize, at: usize, all: usize, what: &str| {
+        error(
+            last,
+            format!("the file ends after {at} of its {all} {what}"),
+            "correct the counts or add what is missing",
+        )
     };
+    let mut last = line;
+    let mut width = None;
     let mut mesh = ImportedMesh::default();
     for at in 0..vertices {
-        let (line, words) = lines.next().ok_or_else(|| counted(at, vertices, "vertices"))?;
-        mesh.points.push(point(file, line, &words.split_whitespace().collect::<Vec<_>>(), decimals)?);
+        let (line, words) = lines.next().ok_or_else(|| counted(last, at, vertices, "vertices"))?;
+        let words: Vec<&str> = words.split_whitespace().collect();
+        // Colours may follow the coordinates. A face among the vertices has another number of words.
+        let first = *width.get_or_insert(words.len());
+        if words.len() != first {
+            let message = format!("a vertex of {} numbers, and the first has {first}", words.len());
+            return Err(error(line, message, "correct the counts, or write three coordinates"));
+        }
+        mesh.push_point(point(file, line, &words, decimals)?, line);
+        last = line;
     }
     for at in 0..faces {
-        let (line, words) = lines.next().ok_or_else(|| counted(at, faces, "faces"))?;
+        let (line, words) = lines.next().ok_or_else(|| counted(last, at, faces, "faces"))?;
+        last = line;
         let words: Vec<&str> = words.split_whitespace().collect();
         // Colours may follow the corners.
         let corners = words[0].parse().ok().and_then(|corners: usize| words.get(1..corners.checked_add(1)?));
@@ -48,7 +62,7 @@ pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<Import
             index.map(Vertex::input).ok_or_else(|| no_vertex(file, line, word, vertices, "0"))
         };
         let corners = corners.iter().map(corner).collect::<Result<Vec<_>, _>>()?;
-        mesh.push_face(&corners).map_err(|(message, cure)| error(line, message, cure))?;
+        mesh.push_face(&corners, line).map_err(|(message, cure)| error(line, message, cure))?;
     }
     match lines.next() {
         Some((line, _)) => Err(error(line, format!("more follows the {faces} faces"), "correct the counts")),

@@ -3,9 +3,9 @@
 //! A coordinate that is declared as a single is a decimal that is exactly a single, or it is refused, or, where
 //! the suite says so, rounded to the nearest single; a double likewise.
 
-use ply_rs_bw::ply::{ElementDef, PropertyType, ScalarType};
+use ply_rs_bw::ply::{ElementDef, PropertyAccess, PropertyType, ScalarType};
 
-use super::ply::{Element, axis, is_corners};
+use super::ply::{Element, axis, ended, is_corners};
 use crate::decimals::{Place, explain, shown};
 use crate::lines::{Line, lines};
 use crate::{CorpusError, Decimals};
@@ -16,33 +16,39 @@ pub(super) struct Payload<'p> {
     lines: Box<dyn Iterator<Item = Line<'p>> + 'p>,
     /// The lines of the header.
     before: usize,
+    /// The last line that was read.
+    last: usize,
     decimals: &'p Decimals,
 }
 
 impl<'p> Payload<'p> {
-    /// The payload behind a header; nothing of it is looked at yet, as it may be binary.
-    pub(super) fn new(file: &'p str, header: &[u8], payload: &'p [u8], decimals: &'p Decimals) -> Payload<'p> {
-        let before = header.iter().filter(|&&byte| byte == b'\n').count();
-        // What is no text is no number either, and an error says where it is.
-        let text = payload.utf8_chunks().next().map_or("", |chunk| chunk.valid());
-        Payload { file, lines: Box::new(lines(text)), before, decimals }
+    /// The payload behind a header.
+    pub(super) fn new(
+        file: &'p str,
+        header: &[u8],
+        payload: &'p [u8],
+        decimals: &'p Decimals,
+    ) -> Result<Payload<'p>, CorpusError> {
+        let ends = |text: &[u8]| text.iter().filter(|&&byte| byte == b'\n').count();
+        let before = ends(header);
+        let text = str::from_utf8(payload).map_err(|why| {
+            let line = before + ends(&payload[..why.valid_up_to()]) + 1;
+            CorpusError::file(file, "the file is not text in UTF-8", "write it as such").at_line(line)
+        })?;
+        Ok(Payload { file, lines: Box::new(lines(text)), before, last: 0, decimals })
     }
 
     fn error(&self, line: usize, message: String, cure: &str) -> CorpusError {
         CorpusError::file(self.file, message, cure).at_line(self.before + line)
     }
 
-    /// All elements of a kind.
-    pub(super) fn element(&mut self, kind: &ElementDef) -> Result<Vec<Element>, CorpusError> {
-        let mut found = Vec::new();
-        for at in 0..kind.count {
-            let Some(Line { number, body, .. }) = self.lines.next() else {
-                let message = format!("the file ends after {at} of its {} elements `{}`", kind.count, kind.name);
-                return Err(CorpusError::file(self.file, message, "correct the counts or add what is missing"));
-            };
-            found.push(self.line(kind, number, body)?);
-        }
-        Ok(found)
+    /// The next element, the so many-th of its kind, with its line.
+    pub(super) fn element(&mut self, kind: &ElementDef, index: usize) -> Result<(usize, Element), CorpusError> {
+        let Some(Line { number, body, .. }) = self.lines.next() else {
+            return Err(ended(self.file, kind, index).at_line(self.before + self.last));
+        };
+        self.last = number;
+        Ok((self.before + number, self.line(kind, number, body)?))
     }
 
     /// Refuses what follows the elements that the header counts.
@@ -58,7 +64,7 @@ impl<'p> Payload<'p> {
     }
 
     fn line(&self, kind: &ElementDef, number: usize, body: &str) -> Result<Element, CorpusError> {
-        let mut element = Element::default();
+        let mut element = Element::new();
         let mut words = body.split_ascii_whitespace();
         for property in kind.properties.values() {
             let mut word = || {
@@ -71,7 +77,7 @@ impl<'p> Payload<'p> {
             match &property.data_type {
                 PropertyType::Scalar(scalar) => {
                     if let Some(axis) = axis(&property.name) {
-                        element.at[axis] = Some(self.coordinate(scalar, number, first)?);
+                        element.at[axis] = self.coordinate(scalar, number, first)?;
                     }
                 }
                 PropertyType::List(..) => {
@@ -79,22 +85,19 @@ impl<'p> Payload<'p> {
                         let message = format!("`{}` is no length of a list", shown(first));
                         self.error(number, message, "write how many numbers follow")
                     })?;
-                    let mut corners = Some(Vec::new());
+                    let is_face = kind.name == "face" && is_corners(&property.name);
+                    let mut corners = Vec::new();
                     for _ in 0..length {
                         let word = word()?;
-                        if is_corners(&property.name) {
-                            let index: i64 = word.parse().map_err(|_| {
+                        if is_face {
+                            corners.push(word.parse().map_err(|_| {
                                 let message = format!("`{}` is no index", shown(word));
                                 self.error(number, message, "indices are integers from 0")
-                            })?;
-                            corners = corners.zip(u32::try_from(index).ok()).map(|(mut corners, index)| {
-                                corners.push(index);
-                                corners
-                            });
+                            })?);
                         }
                     }
-                    if is_corners(&property.name) {
-                        element.corners = corners;
+                    if is_face {
+                        element.corners = Some(corners);
                     }
                 }
             }

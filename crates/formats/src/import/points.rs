@@ -2,7 +2,7 @@
 
 use predicament_predicates::Dimension;
 
-use super::{ImportNotes, geojson, geometry, mesh, wkt};
+use super::{ImportNotes, Places, geojson, geometry, mesh, wkt};
 use crate::data::{DataFile, Format};
 use crate::rows::POINT;
 use crate::{CorpusError, Decimals, csv};
@@ -14,6 +14,8 @@ pub struct ImportedPoints {
     pub dimension: Dimension,
     /// The coordinates, point after point.
     pub coordinates: Vec<f64>,
+    /// Where the points are in the file.
+    pub places: Places,
     /// What was left out.
     pub notes: ImportNotes,
 }
@@ -35,19 +37,22 @@ fn read_any(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<ImportedP
     let data = DataFile::open(file, bytes)?;
     let of_geometry = |geometry: geometry::Geometry| {
         let (dimension, coordinates) = geometry.points()?;
-        Ok(ImportedPoints { dimension, coordinates, notes: geometry.notes })
+        let places = Places::of_points(geometry.positions().map(|position| position.line));
+        Ok(ImportedPoints { dimension, coordinates, places, notes: geometry.notes })
     };
     match data.format {
         Format::Csv => {
-            let (dimension, coordinates) = csv::read(file, &data.text()?, &POINT, decimals)?.points();
-            Ok(ImportedPoints { dimension, coordinates, notes: ImportNotes::default() })
+            let rows = csv::read(file, &data.text()?, &POINT, decimals)?;
+            let places = Places::of_points(rows.lines.iter().copied());
+            let (dimension, coordinates) = rows.points();
+            Ok(ImportedPoints { dimension, coordinates, places, notes: ImportNotes::default() })
         }
         Format::GeoJson => of_geometry(geojson::read(file, &data.text()?, decimals)?),
         Format::Wkt => of_geometry(wkt::read(file, &data.text()?, decimals)?),
         Format::Off | Format::Obj | Format::Ply | Format::Stl => {
             let mesh = mesh::read_data(data, decimals)?;
             let coordinates = mesh.points.into_flattened();
-            Ok(ImportedPoints { dimension: Dimension::Three, coordinates, notes: mesh.notes })
+            Ok(ImportedPoints { dimension: Dimension::Three, coordinates, places: mesh.places, notes: mesh.notes })
         }
     }
 }

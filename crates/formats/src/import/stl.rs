@@ -5,6 +5,7 @@
 //! which is a double; in ASCII it is a decimal like any other. Normals, colours and names say nothing about
 //! points and are passed over.
 
+use super::Places;
 use super::mesh::{ImportedMesh, contents};
 use super::shared::SharedVertices;
 use crate::decimals::{Place, explain, shown};
@@ -16,9 +17,14 @@ const HEADER: usize = 84;
 /// The bytes of a triangle: a normal, three corners, two more.
 const TRIANGLE: usize = 50;
 
+/// The cure of a file that ends too early.
+const AGAIN: &str = "fetch or copy it again";
+
 /// Reads a file. It is binary if it is as long as its number of triangles makes it, as binary files may begin
 /// with the word `solid` as well.
 pub(super) fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
+    // Text has no zero byte; a binary file has them in its number of triangles.
+    let is_binary = bytes.contains(&0);
     if let Some((_, rest)) = bytes.split_at_checked(HEADER - 4)
         && let Some((count, body)) = rest.split_first_chunk()
     {
@@ -27,14 +33,17 @@ pub(super) fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<Im
         if said == Some(body.len()) {
             return binary(file, body);
         }
-        if !bytes.starts_with(b"solid") {
+        if is_binary {
             let message = format!(
                 "a binary file of {} bytes, and its {count} triangles take {}",
                 bytes.len(),
                 u64::from(count) * TRIANGLE as u64 + HEADER as u64
             );
-            return Err(CorpusError::file(file, message, "fetch or copy it again"));
+            return Err(CorpusError::file(file, message, AGAIN).at_byte(HEADER - 4));
         }
+    } else if is_binary {
+        let message = format!("the file ends in the header of a binary file, which takes {HEADER} bytes");
+        return Err(CorpusError::file(file, message, AGAIN).at_byte(bytes.len()));
     }
     ascii(file, &text_of(file, bytes)?, decimals)
 }
@@ -47,13 +56,21 @@ struct Triangles {
 }
 
 impl Triangles {
-    fn push(&mut self, corners: [[f64; 3]; 3]) {
-        let [a, b, c] = corners.map(|corner| self.shared.vertex(corner));
+    /// Appends a triangle: where it is, and its corners, each with where it is.
+    fn push(&mut self, at: usize, corners: [([f64; 3], usize); 3]) {
+        let [a, b, c] = corners.map(|(corner, at)| {
+            let vertex = self.shared.vertex(corner);
+            if vertex.index() == self.mesh.places.points() {
+                self.mesh.places.push_point(at);
+            }
+            vertex
+        });
         if a == b || b == c || c == a {
             self.mesh.notes.degenerate_faces += 1;
         } else {
             self.mesh.faces.push([a, b, c].into_iter().filter_map(|v| u32::try_from(v.index()).ok()));
             self.mesh.triangles.push([a, b, c]);
+            self.mesh.places.push_face(at);
         }
     }
 
@@ -64,14 +81,19 @@ impl Triangles {
 
 fn binary(file: &str, body: &[u8]) -> Result<ImportedMesh, CorpusError> {
     let mut triangles = Triangles::default();
+    triangles.mesh.places = Places::binary();
     for (index, triangle) in body.chunks_exact(TRIANGLE).enumerate() {
+        let at = HEADER + index * TRIANGLE;
         let mut numbers = triangle[12..48].as_chunks().0.iter().map(|bytes| f64::from(f32::from_le_bytes(*bytes)));
-        let corners = [(); 3].map(|()| [(); 3].map(|()| numbers.next().unwrap_or_default()));
-        if corners.as_flattened().iter().any(|x| !x.is_finite()) {
+        let corners = [0, 1, 2].map(|corner| {
+            let point = [(); 3].map(|()| numbers.next().unwrap_or_default());
+            (point, at + 12 + corner * 12)
+        });
+        if let Some((_, corner)) = corners.iter().find(|(point, _)| !point.iter().all(|x| x.is_finite())) {
             let message = format!("triangle {index} has a corner that is not finite");
-            return Err(CorpusError::file(file, message, "remove the triangle"));
+            return Err(CorpusError::file(file, message, "remove the triangle").at_byte(*corner));
         }
-        triangles.push(corners);
+        triangles.push(at, corners);
     }
     Ok(triangles.done())
 }
@@ -80,7 +102,8 @@ fn ascii(file: &str, text: &str, decimals: &Decimals) -> Result<ImportedMesh, Co
     const CURE: &str = "write `facet`, `outer loop`, three times `vertex x y z`, `endloop`, `endfacet`";
     let error = |line: usize, message: String, cure: &str| Err(CorpusError::file(file, message, cure).at_line(line));
     let mut triangles = Triangles::default();
-    let mut corners: Vec<[f64; 3]> = Vec::with_capacity(3);
+    let mut corners: Vec<([f64; 3], usize)> = Vec::with_capacity(3);
+    let mut facet = 0;
     // What has to follow: the words of a facet in turn.
     let mut within = Within::File;
     let mut last = 0;
@@ -90,7 +113,10 @@ fn ascii(file: &str, text: &str, decimals: &Decimals) -> Result<ImportedMesh, Co
         within = match (within, words.as_slice()) {
             (Within::File, ["solid", ..]) => Within::Solid,
             (Within::Solid, ["endsolid", ..]) => Within::File,
-            (Within::Solid, ["facet", ..]) => Within::Facet,
+            (Within::Solid, ["facet", ..]) => {
+                facet = line;
+                Within::Facet
+            }
             (Within::Facet, ["outer", "loop"]) => Within::Loop,
             (Within::Loop, ["vertex", numbers @ ..]) if corners.len() < 3 => {
                 let &[x, y, z] = numbers else {
@@ -102,11 +128,11 @@ fn ascii(file: &str, text: &str, decimals: &Decimals) -> Result<ImportedMesh, Co
                         CorpusError::file(file, message, cure).at_line(line)
                     })
                 };
-                corners.push([number(x)?, number(y)?, number(z)?]);
+                corners.push(([number(x)?, number(y)?, number(z)?], line));
                 Within::Loop
             }
             (Within::Loop, ["endloop"]) if corners.len() == 3 => {
-                triangles.push([corners[0], corners[1], corners[2]]);
+                triangles.push(facet, [corners[0], corners[1], corners[2]]);
                 corners.clear();
                 Within::Closed
             }
@@ -117,8 +143,8 @@ fn ascii(file: &str, text: &str, decimals: &Decimals) -> Result<ImportedMesh, Co
     }
     match within {
         Within::File if last > 0 => Ok(triangles.done()),
-        Within::File => Err(CorpusError::file(file, "the file is empty", "fetch or copy it again")),
-        _ => error(last, "the file ends before `endsolid`".to_owned(), "fetch or copy it again"),
+        Within::File => Err(CorpusError::file(file, "the file is empty", AGAIN)),
+        _ => error(last, "the file ends before `endsolid`".to_owned(), AGAIN),
     }
 }
 
@@ -137,6 +163,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::Position;
 
     const SQUARE: &str = "solid a square\nfacet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 1 1 0\n endloop\nendfacet\n\
         facet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 1 0\n  vertex 0 1 -0\n endloop\nendfacet\n\
@@ -162,6 +189,17 @@ mod tests {
         read("m.stl", bytes.into(), &Decimals::new(false))
     }
 
+    fn without_places(mesh: &ImportedMesh) -> ImportedMesh {
+        ImportedMesh { places: Places::default(), ..mesh.clone() }
+    }
+
+    #[test]
+    fn dropped_triangles_have_no_place() {
+        let flat = SQUARE.replacen("vertex 1 0 0", "vertex 0 0 0", 1);
+        let mesh = of(flat).unwrap();
+        assert_eq!((mesh.triangles.len(), mesh.places.face(0)), (1, Some(Position::Line(9))));
+    }
+
     #[test]
     fn equal_coordinates_are_one_vertex() {
         let mesh = of(SQUARE).unwrap();
@@ -169,6 +207,12 @@ mod tests {
         let v = predicament_predicates::Vertex::input;
         assert_eq!(mesh.triangles, [[v(0), v(1), v(2)], [v(0), v(2), v(3)]]);
         assert_eq!(mesh.notes.degenerate_faces, 1);
+        let lines = [4, 5, 6, 13].map(|line| Some(Position::Line(line)));
+        assert_eq!([0, 1, 2, 3].map(|point| mesh.places.point(point)), lines);
+        assert_eq!(
+            [0, 1, 2].map(|face| mesh.places.face(face)),
+            [Some(Position::Line(2)), Some(Position::Line(9)), None]
+        );
         let triangles = [
             [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.]],
             [[0., 0., 0.], [1., 1., 0.], [0., 1., -0.]],
@@ -176,7 +220,11 @@ mod tests {
         ];
         // Binary files may begin like ASCII ones.
         for head in [&b"made by hand"[..], b"solid a square"] {
-            assert_eq!(of(packed(&triangles, head)).unwrap(), mesh);
+            let binary = of(packed(&triangles, head)).unwrap();
+            assert_eq!(without_places(&binary), without_places(&mesh));
+            let at = [(0, 96), (1, 108), (2, 120), (3, 170)];
+            assert!(at.iter().all(|&(point, at)| binary.places.point(point) == Some(Position::Byte(at))));
+            assert_eq!([0, 1].map(|face| binary.places.face(face)), [84, 134].map(|at| Some(Position::Byte(at))));
         }
     }
 
@@ -199,11 +247,22 @@ mod tests {
         wrong_count[80] = 255;
         let not_finite = packed(&[[[0.0; 3], [f32::NAN; 3], [1.0; 3]]], b"");
         let error = |bytes: Vec<u8>| of(bytes).unwrap_err().to_string();
+        // Binary, though it begins like text.
+        let cut_short = error(packed(&[[[0.0; 3]; 3]], b"solid")[..133].to_vec());
         let changed = |from: &str, to: &str| error(SQUARE.replacen(from, to, 1).into());
         for (got, expected) in [
-            (error(wrong_count), "m.stl: a binary file of 134 bytes, and its 255 triangles take 12834; fetch"),
-            (error(not_finite), "m.stl: triangle 0 has a corner that is not finite; remove"),
-            (error(vec![0; 200]), "m.stl: a binary file of 200 bytes, and its 0 triangles take 84; fetch"),
+            (
+                error(wrong_count),
+                "m.stl: at byte 80: a binary file of 134 bytes, and its 255 triangles take 12834; fetch",
+            ),
+            (error(not_finite), "m.stl: at byte 108: triangle 0 has a corner that is not finite; remove"),
+            (error(vec![0; 200]), "m.stl: at byte 80: a binary file of 200 bytes, and its 0 triangles take 84; fetch"),
+            (
+                error(vec![0; 50]),
+                "m.stl: at byte 50: the file ends in the header of a binary file, which takes 84 bytes;",
+            ),
+            (cut_short, "m.stl: at byte 80: a binary file of 133 bytes, and its 1 triangles take 134; fetch"),
+            (error(b"OFF\n".repeat(30)), "m.stl:1: `OFF` is out of place; write"),
             (error(Vec::new()), "m.stl: the file is empty; fetch"),
             (error(b"\xff".to_vec()), "m.stl:1: the file is not text in UTF-8"),
             (changed("  vertex 1 0 0\n", ""), "m.stl:6: `endloop` is out of place; write"),
@@ -236,7 +295,7 @@ mod tests {
                 })
                 .collect();
             let from_text = of(format!("solid\n{text}endsolid\n")).unwrap();
-            prop_assert_eq!(&from_text, &mesh);
+            prop_assert_eq!(without_places(&from_text), without_places(&mesh));
             // Each written coordinate is that of some vertex.
             for corner in singles.as_chunks::<3>().0 {
                 let wide = corner.map(f64::from);

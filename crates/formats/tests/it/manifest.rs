@@ -20,6 +20,6 @@ fn bad_manifests_are_refused_by_line() {
     ] {
         assert!(good.contains(from), "{from}");
         let error = Manifest::parse("fetch.toml", &good.replacen(from, to, 1)).unwrap_err();
-        assert!(error.line.is_some() && error.to_string().contains(message), "{error}");
+        assert!(error.line().is_some() && error.to_string().contains(message), "{error}");
     }
 }

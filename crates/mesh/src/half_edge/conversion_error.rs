@@ -51,34 +51,60 @@ pub enum ConversionError {
     },
 }
 
-impl std::fmt::Display for ConversionError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl ConversionError {
+    /// What is wrong, and the cure, with faces and vertices named by these functions: as numbers with their lines, say.
+    pub fn explained(
+        &self,
+        face: impl Fn(usize) -> String,
+        vertex: impl Fn(Vertex) -> String,
+    ) -> (String, &'static str) {
         use ConversionError as E;
-        match self {
-            E::TooMany => f.write_str("the mesh has more than 2^31 - 2 corners; divide it"),
-            E::NoSuchVertex { face, corner, vertices } => {
-                write!(
-                    f,
-                    "face {face} has corner {corner}, which is none of the {vertices} vertices; correct the index"
-                )
+        match *self {
+            E::TooMany => ("the mesh has more than 2^31 - 2 corners".to_owned(), "divide it"),
+            E::NoSuchVertex { face: f, corner, vertices } => {
+                let message = format!("face {} has corner {corner}, which is none of the {vertices} vertices", face(f));
+                (message, "correct the index")
             }
-            E::TooFewCorners { face, corners } => {
-                write!(f, "face {face} has {corners} corners; give it three, or remove it")
+            E::TooFewCorners { face: f, corners } => {
+                (format!("face {} has {corners} corners", face(f)), "give it three, or remove it")
             }
-            E::RepeatedVertex { face, vertex } => {
-                write!(f, "face {face} has vertex {vertex} twice; divide it, or remove it")
+            E::RepeatedVertex { face: f, vertex: v } => {
+                (format!("face {} has vertex {} twice", face(f), vertex(v)), "divide it, or remove it")
             }
-            E::ThreeFaces { edge: [a, b], faces: [i, j, k] } => {
-                write!(f, "the edge of vertices {a} and {b} has more than two faces, {i}, {j} and {k} among them; ")?;
-                f.write_str("remove all but two, or give the others vertices of their own")
+            E::ThreeFaces { edge, faces } => {
+                let ([a, b], [i, j, k]) = (edge.map(vertex), faces.map(face));
+                let message =
+                    format!("the edge of vertices {a} and {b} has more than two faces, {i}, {j} and {k} among them");
+                (message, "remove all but two, or give the others vertices of their own")
             }
-            E::FlippedFace { edge: [a, b], faces: [i, j] } => {
-                write!(f, "faces {i} and {j} both go from vertex {a} to vertex {b}; reverse the corners of one")
+            E::FlippedFace { edge, faces } => {
+                let ([a, b], [i, j]) = (edge.map(vertex), faces.map(face));
+                let message = format!("faces {i} and {j} both go from vertex {a} to vertex {b}");
+                (message, "reverse the corners of one, or remove one if they are the same")
             }
-            E::SeveralFans { vertex } => {
-                write!(f, "faces close around vertex {vertex}, and it has more faces; give these a vertex of their own")
+            E::SeveralFans { vertex: v } => {
+                let message = format!("faces close around vertex {}, and it has more faces", vertex(v));
+                (message, "give these a vertex of their own")
             }
         }
+    }
+
+    /// The face that is wrong, the last of those that are not right together; none where the error is about no face.
+    #[must_use]
+    pub fn face(&self) -> Option<usize> {
+        use ConversionError as E;
+        match *self {
+            E::NoSuchVertex { face, .. } | E::TooFewCorners { face, .. } | E::RepeatedVertex { face, .. } => Some(face),
+            E::ThreeFaces { faces: [.., face], .. } | E::FlippedFace { faces: [_, face], .. } => Some(face),
+            E::TooMany | E::SeveralFans { .. } => None,
+        }
+    }
+}
+
+impl std::fmt::Display for ConversionError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (message, cure) = self.explained(|face| face.to_string(), |vertex| vertex.to_string());
+        write!(f, "{message}; {cure}")
     }
 }
 

@@ -3,7 +3,7 @@
 use predicament_corpus::{
     Canon, Content, Context, Elsewhere, Level, Origin, Parts, PointSource, Source as SceneSource,
 };
-use predicament_formats::{Cache, CorpusError, Decimals, Entry, Field, Fields, ImportNotes, TableKind, mesh};
+use predicament_formats::{Cache, CorpusError, Decimals, Entry, Field, Fields, ImportNotes, Places, TableKind, mesh};
 use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::IndexedFaces;
 use predicament_predicates::{Dimension, Question, Scene, Sign, Vertex};
@@ -156,15 +156,10 @@ fn written_planes(field: &Field<'_, '_>) -> Result<Vec<WrittenPlane>, CorpusErro
 
 impl Elsewhere for Written {
     fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
-        let (file, mut coordinates, faces, lines, notes) = self.mesh.load(cache)?;
+        let (file, mut coordinates, faces, places, notes) = self.mesh.load(cache)?;
         let vertices = coordinates.len() / 3;
-        let wrong = |Wrong { face, message, cure }: Wrong| {
-            let error = CorpusError::file(&file, message, cure);
-            match face.and_then(|face| lines.get(face)) {
-                Some(&line) => error.at_line(line),
-                None => error,
-            }
-        };
+        // A mesh in a file of its own has no line in the suite.
+        let line = matches!(self.mesh, Where::Written { .. }).then_some(self.line);
         let error = |message: String, cure: &str, line| CorpusError::file(&self.file, message, cure).at_line(line);
         let mut planes = Vec::new();
         for (line, points) in self.planes(&coordinates) {
@@ -182,8 +177,12 @@ impl Elsewhere for Written {
             let [a, b, c] = points.map(place);
             planes.push((line, [a?, b?, c?]));
         }
+        if coordinates.iter().any(|x| !x.is_finite()) {
+            let message = "the planes across the middle of the mesh are beyond all doubles".to_owned();
+            return Err(error(message, "write `planes`, or scale the mesh", self.line));
+        }
         let scene = Scene::new(Dimension::Three, coordinates)
-            .map_err(|why| CorpusError::file(&file, why.to_string(), "correct the points").at_line(self.line))?;
+            .map_err(|why| CorpusError::file(&self.file, why.to_string(), "correct the points").at_line(self.line))?;
         for &(line, plane) in &planes {
             if is_line(&scene, plane) {
                 let [a, b, c] = plane;
@@ -192,9 +191,11 @@ impl Elsewhere for Written {
             }
         }
         let planes = planes.into_iter().map(|(_, plane)| plane).collect();
-        let solid = solid(&scene, vertices, faces, planes).map_err(wrong)?;
-        if self.needs_closed && !solid.is_closed {
-            return Err(wrong(open_edge(&solid)));
+        let solid = solid(&scene, vertices, faces, planes).map_err(|wrong| wrong.error(&file, &places, line))?;
+        if self.needs_closed
+            && let Some(wrong) = open_edge(&solid)
+        {
+            return Err(wrong.error(&file, &places, line));
         }
         Ok(Parts { notes, ..Parts::new(scene, solid) })
     }
@@ -207,8 +208,8 @@ impl Elsewhere for Written {
     }
 }
 
-/// A file's name, coordinates, faces, lines of faces, and what reading changed.
-type Loaded = (String, Vec<f64>, IndexedFaces, Vec<usize>, ImportNotes);
+/// A file's name, coordinates, faces, where these are, and what reading changed.
+type Loaded = (String, Vec<f64>, IndexedFaces, Places, ImportNotes);
 
 impl Where {
     fn load(&self, cache: &Cache) -> Result<Loaded, CorpusError> {
@@ -219,7 +220,7 @@ impl Where {
                 let mesh = mesh::read(&file, bytes, &decimals)?;
                 let mut notes = mesh.notes;
                 notes.rounded += decimals.rounded();
-                Ok((file, mesh.points.as_flattened().to_vec(), mesh.faces, Vec::new(), notes))
+                Ok((file, mesh.points.as_flattened().to_vec(), mesh.faces, mesh.places, notes))
             }
             Where::Written { points, faces } => {
                 let (dimension, coordinates, notes) = points.coordinates(cache)?;
@@ -228,10 +229,10 @@ impl Where {
                         points.error("slice takes points of 3 coordinates, not of 2", "give every point 3 coordinates")
                     );
                 }
-                let lines = faces.iter().map(|(line, _)| *line).collect();
+                let places = Places::of_lines(faces.iter().map(|(line, _)| *line));
                 let faces = faces.iter().map(|(_, corners)| corners.iter().copied()).collect();
                 let file = points.error("", "").file;
-                Ok((file, coordinates, faces, lines, notes))
+                Ok((file, coordinates, faces, places, notes))
             }
         }
     }
@@ -276,12 +277,13 @@ pub(super) fn is_line(scene: &Scene, [a, b, c]: [Vertex; 3]) -> bool {
     a == b || b == c || a == c || [Xy, Yz, Zx].into_iter().all(|plane| turns(plane) == Sign::Zero)
 }
 
-/// An edge with a face on one side only.
-fn open_edge(solid: &Solid) -> Wrong {
+/// An edge with a face on one side only, if there is one.
+fn open_edge(solid: &Solid) -> Option<Wrong> {
+    if solid.is_closed {
+        return None;
+    }
     let mesh = solid.mesh();
-    let open = mesh.half_edges().find(|&h| mesh.is_boundary(mesh.opposite(h)) && !mesh.is_boundary(h));
-    let face = open.and_then(|h| mesh.face(h)).map(predicament_mesh::half_edge::Face::index);
-    let ends = open.map(|h| [mesh.start(h), mesh.end(h)].map(|v| mesh.scene_vertex(v).to_string()).join(" and "));
-    let message = format!("the edge of vertices {} has a face on one side only", ends.unwrap_or_default());
-    Wrong { face, message, cure: "close the mesh, or leave out `closed = true`".to_owned() }
+    let open = mesh.half_edges().find(|&h| mesh.is_boundary(mesh.opposite(h)) && !mesh.is_boundary(h))?;
+    let edge = [mesh.start(open), mesh.end(open)].map(|v| mesh.scene_vertex(v));
+    mesh.face(open).map(|face| Wrong::Open { face: face.index(), edge })
 }

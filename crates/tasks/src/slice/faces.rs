@@ -1,29 +1,67 @@
 //! Whether faces make a mesh that planes can split: manifold, plane, with areas. Decided exactly.
 
+use predicament_formats::{CorpusError, Places, Position};
 use predicament_judge::{rational, sign};
 use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::{ConversionError, IndexedFaces};
 use predicament_predicates::{Plane, Question, Scene, Sign, Vertex};
 use rug::Rational;
 
-/// What is wrong with a mesh: the face that it is about, if it is about one, the message, and the cure.
-pub(super) struct Wrong {
-    pub(super) face: Option<usize>,
-    pub(super) message: String,
-    pub(super) cure: String,
+/// What is wrong with a mesh.
+#[derive(Debug)]
+pub(super) enum Wrong {
+    /// There are no faces.
+    NoFaces,
+    /// The faces make no half-edge mesh.
+    NoMesh(ConversionError),
+    /// All corners of a face are in line.
+    NoArea { face: usize },
+    /// A corner of a face is off the plane of three others.
+    NotPlane { face: usize, vertex: Vertex, plane: [Vertex; 3] },
+    /// An edge with one face, where the mesh has to be closed.
+    Open { face: usize, edge: [Vertex; 2] },
 }
 
 impl From<ConversionError> for Wrong {
     fn from(why: ConversionError) -> Wrong {
-        use ConversionError as E;
-        let face = match why {
-            E::NoSuchVertex { face, .. } | E::TooFewCorners { face, .. } | E::RepeatedVertex { face, .. } => Some(face),
-            E::ThreeFaces { faces: [.., face], .. } | E::FlippedFace { faces: [_, face], .. } => Some(face),
-            E::TooMany | E::SeveralFans { .. } => None,
+        Wrong::NoMesh(why)
+    }
+}
+
+impl Wrong {
+    /// The error, where its face or its vertex is, else at a line of the suite; the message says where the others are.
+    pub(super) fn error(&self, file: &str, places: &Places, line: Option<usize>) -> CorpusError {
+        let own = self.position(places);
+        let named = |name: fn(&Places, usize) -> String, position: Option<Position>, index: usize| {
+            if own.is_some() && position == own { index.to_string() } else { name(places, index) }
         };
-        let text = why.to_string();
-        let (message, cure) = text.split_once("; ").unwrap_or((&text, "correct it"));
-        Wrong { face, message: message.to_owned(), cure: cure.to_owned() }
+        let face = |face: usize| named(Places::face_name, places.face(face), face);
+        let vertex = |v: Vertex| named(Places::point_name, places.point(v.index()), v.index());
+        let (message, cure) = match self {
+            Wrong::NoFaces => ("a mesh without faces".to_owned(), "give it faces"),
+            Wrong::NoMesh(why) => why.explained(face, vertex),
+            Wrong::NoArea { face } => (format!("face {face} has no area"), "remove it, and join its neighbours"),
+            Wrong::NotPlane { face, vertex: v, plane } => {
+                let ([a, b, c], v) = (plane.map(vertex), vertex(*v));
+                let message = format!("face {face} is not plane: vertex {v} is off the plane of {a}, {b} and {c}");
+                (message, "divide it into triangles")
+            }
+            Wrong::Open { edge, .. } => {
+                let [a, b] = edge.map(vertex);
+                let message = format!("the edge of vertices {a} and {b} has a face on one side only");
+                (message, "close the mesh, or leave out `closed = true`")
+            }
+        };
+        CorpusError::file(file, message, cure).at(own.or(line.map(Position::Line)))
+    }
+
+    fn position(&self, places: &Places) -> Option<Position> {
+        match self {
+            Wrong::NoMesh(ConversionError::SeveralFans { vertex }) => places.point(vertex.index()),
+            Wrong::NoMesh(why) => why.face().and_then(|face| places.face(face)),
+            Wrong::NoArea { face } | Wrong::NotPlane { face, .. } | Wrong::Open { face, .. } => places.face(*face),
+            Wrong::NoFaces => None,
+        }
     }
 }
 
@@ -34,28 +72,23 @@ pub(super) fn faces_of(
     faces: &IndexedFaces,
 ) -> Result<(Vec<[Vertex; 3]>, bool), Wrong> {
     if faces.is_empty() {
-        let cure = "give it faces".to_owned();
-        return Err(Wrong { face: None, message: "a mesh without faces".to_owned(), cure });
+        return Err(Wrong::NoFaces);
     }
     let mesh = HalfEdgeMesh::new((0..vertices).map(Vertex::input).collect(), faces)?;
     let is_closed = !mesh.half_edges().any(|h| mesh.is_boundary(h));
     let support = |(face, corners): (usize, &[u32])| {
         let corners: Vec<Vertex> = corners.iter().map(|&corner| Vertex::input(corner as usize)).collect();
-        let wrong = |message: String, cure: &str| Wrong { face: Some(face), message, cure: cure.to_owned() };
         let support = match corners[..] {
             [a, b, c] => Some([a, b, c]).filter(|triangle| has_area(scene, *triangle)),
             _ => support(scene, &corners),
         };
         let Some(support) = support else {
-            return Err(wrong(format!("face {face} has no area"), "remove it, and join its neighbours"));
+            return Err(Wrong::NoArea { face });
         };
         let [a, b, c] = support;
         let off = |v: &Vertex| !support.contains(v) && sign(scene, Question::Orient3d, &[a, b, c, *v]) != Sign::Zero;
         match corners.iter().find(|v| off(v)) {
-            Some(v) => Err(wrong(
-                format!("face {face} is not plane: vertex {v} is off the plane of {a}, {b} and {c}"),
-                "divide it into triangles",
-            )),
+            Some(&vertex) => Err(Wrong::NotPlane { face, vertex, plane: support }),
             None => Ok(support),
         }
     };

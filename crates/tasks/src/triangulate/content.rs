@@ -94,7 +94,8 @@ struct OfPoints {
 
 impl Elsewhere for OfPoints {
     fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
-        let (scene, notes) = self.points.scene(cache)?;
+        let points = self.points.located(cache)?;
+        let scene = &points.scene;
         let loops = match &self.loops {
             Some(loops) => loops.clone(),
             None => vec![(0, scene.vertices().collect())],
@@ -113,21 +114,26 @@ impl Elsewhere for OfPoints {
                 return Err(error(message, "give it three, or leave it out"));
             }
             if let Some((corner, _)) = one.iter().zip(one.iter().cycle().skip(1)).find(|(a, b)| a == b) {
-                return Err(error(format!("the corner {corner} is repeated at once"), "write it once"));
+                let places = points.places(&[*corner]);
+                return Err(error(format!("the corner {corner} is repeated at once{places}"), "write it once"));
             }
         }
         let loops: Vec<Vec<Vertex>> = loops.into_iter().map(|(_, one)| one).collect();
         if loops.is_empty() {
             return Err(self.points.error("a polygon without loops", "write at least one loop"));
         }
-        if let Some(message) = uneven(&scene, &loops) {
+        if let Some((message, corners)) = uneven(scene, &loops) {
+            let message = message + &points.places(&corners);
             return Err(self.points.error(message, "put all corners in one plane and not in line, or divide the face"));
         }
-        let (plane, reversed) = seen(&scene, &loops);
-        if let Some((why, _)) = Polygon::new(&scene, plane, reversed, &loops).fault() {
-            return Err(self.points.error(why, "divide the loops where they cross"));
+        let (plane, reversed) = seen(scene, &loops);
+        if let Some((why, corners)) = Polygon::new(scene, plane, reversed, &loops).fault() {
+            return Err(self.points.error(why + &points.places(&corners), "divide the loops where they cross"));
         }
-        Ok(Parts { notes, ..Parts::new(scene, Polygons { polygons: vec![loops], method: self.method }) })
+        Ok(Parts {
+            notes: points.notes,
+            ..Parts::new(points.scene, Polygons { polygons: vec![loops], method: self.method })
+        })
     }
 
     fn fetch_entry(&self) -> Option<&Entry> {
@@ -135,8 +141,8 @@ impl Elsewhere for OfPoints {
     }
 }
 
-/// Why the corners of a face are not in one plane, or all in line.
-fn uneven(scene: &Scene, loops: &[Vec<Vertex>]) -> Option<String> {
+/// Why the corners of a face are not in one plane, or all in line; and which.
+fn uneven(scene: &Scene, loops: &[Vec<Vertex>]) -> Option<(String, Vec<Vertex>)> {
     let corners: Vec<Vertex> = loops.iter().flatten().copied().collect();
     let in_space = scene.dimension() == Dimension::Three;
     let planes = if in_space { &[Plane::Xy, Plane::Yz, Plane::Zx][..] } else { &[Plane::Xy] };
@@ -145,10 +151,12 @@ fn uneven(scene: &Scene, loops: &[Vec<Vertex>]) -> Option<String> {
     };
     let second = corners.iter().copied().find(|&b| scene.point(b) != scene.point(corners[0]));
     let plane = second.and_then(|b| Some((b, corners.iter().copied().find(|&c| turns(b, c))?)));
-    let Some((b, c)) = plane else { return Some("all corners are in line".to_owned()) };
+    let Some((b, c)) = plane else {
+        return Some(("all corners are in line".to_owned(), vec![corners[0]]));
+    };
     let is_off = |d: &&Vertex| !sign(scene, Question::Orient3d, &[corners[0], b, c, **d]).is_zero();
     let off = corners.iter().find(|d| in_space && is_off(d))?;
-    Some(format!("the corner {off} is not in the plane of {}, {b} and {c}", corners[0]))
+    Some((format!("the corner {off} is not in the plane of {}, {b} and {c}", corners[0]), vec![*off, corners[0], b, c]))
 }
 
 /// The regions of a map, each a polygon.

@@ -59,7 +59,7 @@ fn the_same_scene_in_two_suites_is_an_error() {
     Library::from_dir(vocabulary(), folder.path()).unwrap();
     std::fs::write(folder.path().join("two.toml"), suite.replace("\"a\"", "\"b\"")).unwrap();
     let error = Library::from_dir(vocabulary(), folder.path()).unwrap_err();
-    assert_eq!(error.line, Some(2));
+    assert_eq!(error.line(), Some(2));
     assert!(error.to_string().contains("two.toml:2: scene `two/b` has the same content as `one/a`"), "{error}");
 
     // Generated scenes are compared once they are loaded.

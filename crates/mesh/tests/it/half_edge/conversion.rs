@@ -68,11 +68,11 @@ fn what_is_no_manifold_is_refused_by_edge_and_vertex() {
         (refused(3, &[&[1, 1, 2]]), "face 0 has vertex 1 twice; divide it, or remove it"),
         (
             refused(4, &[&[0, 1, 2], &[3, 0, 1]]),
-            "faces 0 and 1 both go from vertex 0 to vertex 1; reverse the corners of one",
+            "faces 0 and 1 both go from vertex 0 to vertex 1; reverse the corners of one, or remove one if they are the same",
         ),
         (
             refused(4, &[&[2, 1, 0], &[3, 1, 0]]),
-            "faces 0 and 1 both go from vertex 1 to vertex 0; reverse the corners of one",
+            "faces 0 and 1 both go from vertex 1 to vertex 0; reverse the corners of one, or remove one if they are the same",
         ),
         (
             refused(5, &[&[0, 1, 2], &[1, 0, 3], &[1, 0, 4]]),

@@ -20,10 +20,11 @@ pub enum Done {
     CutAlong(usize),
     RemoveFaces,
     Unhook(usize),
+    DivideAtEdge,
 }
 
 /// How many operations there are.
-pub const KINDS: u32 = 13;
+pub const KINDS: u32 = 14;
 
 impl Done {
     /// The change of the numbers of vertices, edges, faces and boundary loops; none where faces are removed or come
@@ -39,7 +40,7 @@ impl Done {
             Done::Cover(_) => Some([0, 0, 1, -1]),
             Done::Open(_) => Some([0, 0, -1, 1]),
             Done::Flip(_) => Some([0; 4]),
-            Done::CutAlong(_) | Done::RemoveFaces | Done::Unhook(_) => None,
+            Done::CutAlong(_) | Done::RemoveFaces | Done::Unhook(_) | Done::DivideAtEdge => None,
         }
     }
 
@@ -55,7 +56,7 @@ impl Done {
             Done::Cover(f) => drop(mesh.open_face(f)?),
             Done::Open(h) => drop(mesh.cover_boundary_loop(h)?),
             Done::Flip(h) => mesh.flip_edge(h)?,
-            Done::CutAlong(_) | Done::RemoveFaces | Done::Unhook(_) => return Ok(false),
+            Done::CutAlong(_) | Done::RemoveFaces | Done::Unhook(_) | Done::DivideAtEdge => return Ok(false),
         }
         Ok(true)
     }
@@ -134,6 +135,15 @@ impl Sequence {
                 self.renew(before).ok_or(no_half_edge(a))?;
                 Done::CutAlong(along.len())
             }
+            13 => {
+                let touched = touched_edges(mesh, &half_edges);
+                let &[first, second, edge] =
+                    touched.get(numbers[0] as usize % touched.len().max(1)).ok_or(OperationError::EdgeExists(any))?;
+                let before = mesh.clone();
+                mesh.divide_at_edge(first, second, edge)?;
+                self.renew(before).ok_or(no_half_edge(edge))?;
+                Done::DivideAtEdge
+            }
             kind => {
                 let chosen: Vec<Face> = numbers
                     .into_iter()
@@ -168,4 +178,18 @@ impl Sequence {
         self.mesh = again;
         Some(())
     }
+}
+
+/// Edges between two faces whose ends another face touches: the half-edges of that face to the ends, and the edge.
+fn touched_edges(mesh: &HalfEdgeMesh, half_edges: &[HalfEdge]) -> Vec<[HalfEdge; 3]> {
+    let ending = |v: MeshVertex| half_edges.iter().copied().filter(move |&h| mesh.end(h) == v);
+    let mut found = Vec::new();
+    for &edge in half_edges {
+        let beside = [edge, mesh.opposite(edge)].map(|h| mesh.face(h));
+        for first in ending(mesh.start(edge)).filter(|&first| !beside.contains(&mesh.face(first))) {
+            let of_face = ending(mesh.end(edge)).filter(|&second| mesh.face(second) == mesh.face(first));
+            found.extend(of_face.map(|second| [first, second, edge]));
+        }
+    }
+    found
 }

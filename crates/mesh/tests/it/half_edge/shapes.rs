@@ -29,6 +29,13 @@ pub fn grid(columns: u32, rows: u32, wraps: bool) -> HalfEdgeMesh {
     mesh((wide * high) as usize, &cells).unwrap()
 }
 
+/// A polygon, and a fan of triangles on its other side: each edge within the fan joins two corners of the polygon.
+pub fn polygon_and_fan(corners: u32) -> HalfEdgeMesh {
+    let fan = (2..corners).map(|at| vec![0, at, at - 1]);
+    let faces: Vec<Vec<u32>> = std::iter::once((0..corners).collect()).chain(fan).collect();
+    mesh(corners as usize, &faces).unwrap()
+}
+
 /// A square with a smaller one apart.
 pub fn two_squares() -> HalfEdgeMesh {
     mesh(8, &[[0, 1, 2, 3], [4, 5, 6, 7]]).unwrap()

@@ -83,7 +83,7 @@ fn recipe(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Shape) -> Re
         let planes = (0..planes).map(|_| plane(cut, &mut coordinates, vertices, &mut rng)).collect();
         let scene = Scene::new(Dimension::Three, coordinates.into_flattened()).expect("generators make finite points");
         let solid = solid(&scene, vertices, faces, planes);
-        Parts::new(scene, solid.unwrap_or_else(|wrong| panic!("a generator made no solid: {}", wrong.message)))
+        Parts::new(scene, solid.unwrap_or_else(|wrong| panic!("a generator made no solid: {wrong:?}")))
     };
     // A closed mesh has at most two vertices a face; a few are made even for the smallest n.
     Ok(Recipe::new(make).with_coordinates(move |n| 6 * n + 9 * planes as u64 + 1000))
