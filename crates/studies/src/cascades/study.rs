@@ -95,7 +95,8 @@ Everything is measured in rationals: crossings that are left in the result, loop
 corners turned by rounding, the area against that of `exact`, points on the wrong side, bits.
 
 Written to the folder: cascades.csv (the measurements), times.csv, cascades.md (the tables that are
-printed), and plots. All but times are the same whenever it is run.
+printed), plots, and the operands of each cascade as WKT (`union;POLYGON ((…))`, a step a line) for other
+programs. All but times are the same whenever it is run.
 
 Exit code 100 if exact or sos has a point on the wrong side, a crossing or a loop turned over, or
 if snap rounding leaves a crossing.
@@ -177,6 +178,17 @@ Examples:
         Ok(vec![File::csv("cascades.csv", rows)?, File::csv("times.csv", times)?])
     }
 
+    /// The operands, for other programs to do the same.
+    fn suites(&self, measured: &Measured) -> Result<Vec<File>, Error> {
+        let operands = |one: &Followed| {
+            let (start, steps) = one.cascade.steps(self.steps as usize, self.seed);
+            let first = format!("start;{}\n", wkt(&start));
+            let rest = steps.iter().map(|step| format!("{};{}\n", step.operation.name(), wkt(&step.corners)));
+            File::new(format!("{}.wkt", one.cascade.name()), std::iter::once(first).chain(rest).collect::<String>())
+        };
+        Ok(measured.exact.iter().map(operands).collect())
+    }
+
     fn page(&self, measured: &Measured) -> String {
         table::page(self, measured)
     }
@@ -194,6 +206,12 @@ Examples:
                 && (!one.method.is_exact() || one.samples.iter().all(right))
         })
     }
+}
+
+/// A loop as a polygon, with decimals that are read back as the same doubles.
+fn wkt(corners: &[[f64; 2]]) -> String {
+    let points: Vec<String> = corners.iter().chain(corners.first()).map(|[x, y]| format!("{x} {y}")).collect();
+    format!("POLYGON (({}))", points.join(", "))
 }
 
 #[derive(Serialize)]

@@ -42,6 +42,7 @@ const SMALL: [(&str, &[&str]); 5] = [
             "rotate-wrong.svg",
             "rotate-bits.svg",
             "rotate-time.svg",
+            "rotate.wkt",
         ],
     ),
 ];
