@@ -2,6 +2,7 @@
 
 use predicament_predicates::{Axis, Construction, Plane, Predicates, Refused, Scene, Sign, Vertex};
 
+use super::far::Run;
 use super::meet::{Meetings, Pair};
 use super::supports::{Label, Supports};
 use super::view::View;
@@ -14,7 +15,8 @@ use crate::sort::sort_by_sign;
 pub struct Piece {
     /// The nodes at its ends, in the order of the segment from its lower vertex to the other.
     pub ends: [u32; 2],
-    /// A segment that it is on: the first, if there are several.
+    /// A segment that it is on: the first, if there are several. `u32::MAX` for a run of edges, which
+    /// [`combine`](super::combine) makes.
     pub segment: u32,
     /// How many times each operand passes it in this direction, less how many times back.
     pub label: [i32; 2],
@@ -33,7 +35,10 @@ pub(super) struct Chains {
     pub along: Vec<u32>,
     /// The piece from each of these to the next on its segment; none after the last, and where no edge passes.
     pub piece: Vec<u32>,
+    /// Parts of segments, then runs.
     pub pieces: Vec<Piece>,
+    /// What the last pieces are, as many as there are of these.
+    pub runs: Vec<Run>,
     /// The first rule that signs have broken.
     pub broken: Option<&'static str>,
 }
@@ -82,6 +87,7 @@ impl Chains {
         session: &mut dyn Predicates,
         supports: &Supports,
         meetings: Meetings,
+        runs: &[Run],
         wrong: Wrong,
     ) -> Result<Chains, Refused> {
         let on_segments = constructed(session, supports, meetings, wrong)?;
@@ -101,7 +107,7 @@ impl Chains {
         let mut chains = Chains::default();
         chains.first.reserve(supports.ends.len() + 1);
         chains.along.reserve(2 * supports.ends.len() + on_segments.vertices.len());
-        let about = about(scene);
+        let mut about = About::new(scene);
         let mut inner: Vec<Vertex> = Vec::new();
         for (segment, &ends) in supports.ends.iter().enumerate() {
             chains.first.push(number(chains.along.len()));
@@ -115,7 +121,7 @@ impl Chains {
             } else if on_segments.may_be_ends {
                 inner.extend(ends);
             }
-            sort_along(view, ends, &mut inner, &about, wrong);
+            sort_along(view, ends, &mut inner, &mut about, wrong);
             let is_open = supports.are_whole && !on_segments.may_be_ends;
             if inner.len() > 1 {
                 let along = view.along(ends);
@@ -131,8 +137,17 @@ impl Chains {
         }
         chains.first.push(number(chains.along.len()));
         let node = chains.number_nodes(scene, slots, &mut places);
-        let node_of = |v: Vertex| node[places.root(slots.of(v)) as usize];
-        chains.cut(supports, node_of, on_segments.has_overlaps, wrong);
+        let mut node_of = |v: Vertex| node[places.root(slots.of(v)) as usize];
+        chains.cut(supports, &mut node_of, on_segments.has_overlaps, wrong);
+        for run in runs {
+            let ends = run.ends().map(&mut node_of);
+            if ends.contains(&NONE) || ends[0] == ends[1] {
+                chains.broken.get_or_insert("an edge ends after it begins");
+                continue;
+            }
+            chains.runs.push(run.clone());
+            chains.pieces.push(Piece { ends, segment: NONE, label: [1, 0] });
+        }
         Ok(chains)
     }
 
@@ -339,7 +354,7 @@ fn constructed(
 }
 
 /// Sorts vertices along a segment: by rounded coordinates first, then by signs, for which they are in order mostly.
-fn sort_along(view: View<'_>, ends: [Vertex; 2], inner: &mut [Vertex], about: &[[f64; 2]], wrong: Wrong) {
+fn sort_along(view: View<'_>, ends: [Vertex; 2], inner: &mut [Vertex], about: &mut About<'_>, wrong: Wrong) {
     if inner.len() < 2 {
         return;
     }
@@ -349,28 +364,44 @@ fn sort_along(view: View<'_>, ends: [Vertex; 2], inner: &mut [Vertex], about: &[
     }
     let along = view.along(ends);
     let axis = if along.axis == Axis::X { 0 } else { 1 };
-    let scene = view.session.scene();
-    let near = |v: &Vertex| match v.construction() {
-        None => scene.coordinate(along.axis, *v),
-        Some(index) => about[index][axis],
-    };
-    inner.sort_unstable_by(|a, b| {
-        let order = near(a).total_cmp(&near(b)).then(a.cmp(b));
-        if along.is_rising() { order } else { order.reverse() }
-    });
+    about.sort(inner, axis, along.is_rising());
     sort_by_sign(inner, |a, b| along.order(a, b));
 }
 
-/// About where the constructed vertices are: what they are put in order by before signs do it.
-fn about(scene: &Scene) -> Vec<[f64; 2]> {
+/// About where vertices are: what they are put in order by before signs do it.
+struct About<'s> {
+    scene: &'s Scene,
+    keys: Vec<(f64, Vertex)>,
+}
+
+impl<'s> About<'s> {
+    fn new(scene: &'s Scene) -> About<'s> {
+        About { scene, keys: Vec::new() }
+    }
+
+    fn sort(&mut self, vertices: &mut [Vertex], axis: usize, is_rising: bool) {
+        self.keys.clear();
+        let scene = self.scene;
+        self.keys.extend(vertices.iter().map(|&v| (about(scene, v)[axis], v)));
+        self.keys.sort_unstable_by(|a, b| {
+            let order = a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
+            if is_rising { order } else { order.reverse() }
+        });
+        vertices.iter_mut().zip(&self.keys).for_each(|(v, key)| *v = key.1);
+    }
+}
+
+fn about(scene: &Scene, v: Vertex) -> [f64; 2] {
     let at = |v: Vertex| if v.is_constructed() { [f64::NAN; 2] } else { scene.point2(Plane::Xy, v) };
-    let one = |construction: &Construction| {
-        let Construction::Ssi(lines) = *construction else { return [f64::NAN; 2] };
-        let [[a, b], [c, d]] = lines.map(|line| line.map(at));
-        let minus = |p: [f64; 2], q: [f64; 2]| [p[0] - q[0], p[1] - q[1]];
-        let [u, v, way] = [minus(b, a), minus(d, c), minus(c, a)];
-        let part = (way[0] * v[1] - way[1] * v[0]) / (u[0] * v[1] - u[1] * v[0]);
-        [a[0] + part * u[0], a[1] + part * u[1]]
-    };
-    scene.constructions().iter().map(one).collect()
+    match scene.construction(v) {
+        None => at(v),
+        Some(Construction::Ssi(lines)) => {
+            let [[a, b], [c, d]] = lines.map(|line| line.map(at));
+            let minus = |p: [f64; 2], q: [f64; 2]| [p[0] - q[0], p[1] - q[1]];
+            let [u, v, way] = [minus(b, a), minus(d, c), minus(c, a)];
+            let part = (way[0] * v[1] - way[1] * v[0]) / (u[0] * v[1] - u[1] * v[0]);
+            [a[0] + part * u[0], a[1] + part * u[1]]
+        }
+        Some(_) => [f64::NAN; 2],
+    }
 }

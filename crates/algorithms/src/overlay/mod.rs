@@ -26,6 +26,7 @@
 
 mod cells;
 mod chains;
+mod far;
 mod heap;
 mod meet;
 mod nest;
@@ -50,6 +51,7 @@ pub use result::Regions;
 use self::planted::Planted;
 use crate::planted::Honest;
 use chains::Chains;
+use far::Run;
 use nest::Pieces;
 use reach::Reach;
 use supports::{Label, Supports};
@@ -81,6 +83,8 @@ pub struct Arrangement {
     first: Vec<u32>,
     /// The edges, in the order of the segments.
     pub pieces: Vec<Piece>,
+    /// What the last of these are, as many as there are of these.
+    runs: Vec<Run>,
     /// The pieces as the edges of a subdivision.
     pub subdivision: Subdivision,
     /// The first rule that signs have broken, as the statement that should hold.
@@ -110,7 +114,12 @@ impl Overlay {
     /// The regions of a result. The session has to be the one that the overlay was made with.
     #[must_use]
     pub fn regions(&self, session: &dyn Predicates, operation: Operation) -> Regions {
-        self.arrangement.extraction(session, &self.windings, self.rules, self.wrong).regions(operation)
+        self.beside(session, operation, &[])
+    }
+
+    /// The regions of a result that has others besides.
+    fn beside(&self, session: &dyn Predicates, operation: Operation, apart: &[Region]) -> Regions {
+        self.arrangement.extraction(session, &self.windings, self.rules, self.wrong, apart).regions(operation)
     }
 }
 
@@ -139,7 +148,7 @@ pub fn arrange_planted<F: Planted>(
 ) -> Result<Arrangement, Refused> {
     let edges: Vec<(Edge, usize)> = edges.iter().map(|&edge| (edge, 0)).collect();
     let supports = Supports::new(&*session, &edges, |_| false);
-    arranged(session, supports, method, Wrong::of::<F>())
+    arranged(session, supports, &[], method, Wrong::of::<F>())
 }
 
 /// The overlay of two polygons.
@@ -168,13 +177,54 @@ pub fn overlay_planted<F: Planted>(
     operands: [&Polygon; 2],
     method: Method,
 ) -> Result<Overlay, Refused> {
-    let wrong = Wrong::of::<F>();
     let rules = operands.map(|polygon| polygon.rule);
     let mut edges: Vec<(Edge, usize)> =
         Vec::with_capacity(operands.iter().flat_map(|polygon| &polygon.loops).map(Vec::len).sum());
     for (operand, polygon) in operands.into_iter().enumerate() {
         edges.extend(polygon.loops.iter().flatten().map(|&edge| (edge, operand)));
     }
+    overlaid(session, edges, &[], rules, method, Wrong::of::<F>())
+}
+
+/// The result of an operation on an earlier result and a polygon: that of [`overlay`], at the cost of what of the first is in the
+/// box of the second.
+///
+/// What is of the first beyond that box stays as it is, on the understanding that its edges meet in vertices only, as those
+/// of results do.
+///
+/// # Errors
+/// As [`arrange`].
+///
+/// # Panics
+/// As [`arrange`].
+pub fn combine(
+    session: &mut dyn Predicates,
+    first: &[Region],
+    second: &Polygon,
+    operation: Operation,
+    method: Method,
+) -> Result<Regions, Refused> {
+    let far::Split { near, runs, apart } = far::split(&*session, first, second);
+    let edges = near.into_iter().map(|edge| (edge, 0));
+    let edges = edges.chain(second.loops.iter().flatten().map(|&edge| (edge, 1))).collect();
+    let made = overlaid(session, edges, &runs, [Rule::NonZero, second.rule], method, Wrong::default())?;
+    let apart = if operation.holds([true, false]) { apart } else { Vec::new() };
+    let mut result = made.beside(&*session, operation, &apart);
+    result.broken = made.arrangement.broken.or(result.broken);
+    result.regions.extend(apart);
+    result.regions.sort_unstable();
+    Ok(result)
+}
+
+/// The overlay of edges, each of one of two operands, and of runs of the first.
+fn overlaid(
+    session: &mut dyn Predicates,
+    edges: Vec<(Edge, usize)>,
+    runs: &[Run],
+    rules: [Rule; 2],
+    method: Method,
+    wrong: Wrong,
+) -> Result<Overlay, Refused> {
     let is_idle = |label: Label| {
         (0..2).all(|operand| match rules[operand] {
             Rule::EvenOdd => label[operand] % 2 == 0,
@@ -183,7 +233,7 @@ pub fn overlay_planted<F: Planted>(
     };
     let supports = Supports::new(&*session, &edges, is_idle);
     drop(edges);
-    let mut arrangement = arranged(session, supports, method, wrong)?;
+    let mut arrangement = arranged(session, supports, runs, method, wrong)?;
     let (windings, agree) = result::windings(&arrangement.subdivision, &arrangement.pieces, rules);
     if !agree {
         arrangement.broken.get_or_insert("winding numbers agree around every edge");
@@ -194,6 +244,7 @@ pub fn overlay_planted<F: Planted>(
 fn arranged(
     session: &mut dyn Predicates,
     supports: Supports,
+    runs: &[Run],
     method: Method,
     wrong: Wrong,
 ) -> Result<Arrangement, Refused> {
@@ -206,7 +257,7 @@ fn arranged(
         }
         Method::Sweep => sweep::meetings(session, &supports.ends)?,
     };
-    let chains = Chains::new(session, &supports, meetings, wrong)?;
+    let chains = Chains::new(session, &supports, meetings, runs, wrong)?;
     broken = broken.or(chains.broken);
     let pieces = Pieces::new(&*session, &supports, &chains);
     let subdivision = pieces.subdivision();
@@ -215,8 +266,8 @@ fn arranged(
     if !all_known {
         broken.get_or_insert("a component lies in a face of one that begins left of it");
     }
-    let Chains { nodes, first, along, pieces, .. } = chains;
-    Ok(Arrangement { vertices: nodes, segments: supports.ends, along, first, pieces, subdivision, broken })
+    let Chains { nodes, first, along, pieces, runs, .. } = chains;
+    Ok(Arrangement { vertices: nodes, segments: supports.ends, along, first, pieces, runs, subdivision, broken })
 }
 
 /// A place in an array as it is stored: there are fewer than 2^32 of anything here.

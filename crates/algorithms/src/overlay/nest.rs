@@ -11,7 +11,9 @@ use predicament_mesh::{Nesting, Subdivision};
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 
 use super::chains::Chains;
-use super::reach::{Reach, place};
+use super::far::Run;
+use super::polygon::Edge;
+use super::reach::{Reach, edge_raw, place};
 use super::supports::Supports;
 use super::view::View;
 use super::{NONE, number};
@@ -24,28 +26,48 @@ pub(super) struct Pieces<'a> {
     pub chains: &'a Chains,
     /// Whether each segment goes to the right, or straight up.
     pub is_ahead: Vec<bool>,
+    /// How each run leaves its ends: a segment in the direction away from there, and whether that is to the right or straight up.
+    runs: Vec<[Direction; 2]>,
 }
 
-/// A piece that a vertical line meets.
+/// The ends of a segment in a direction, and whether that is to the right or straight up.
+type Direction = ([Vertex; 2], bool);
+
+/// A piece, or an edge of a run, that a vertical line meets.
 #[derive(Clone, Copy)]
 struct Above {
     piece: u32,
+    /// Whether the piece goes from left to right there.
+    is_ahead: bool,
     /// The ends of its segment and of itself, from left to right.
     ends: [Vertex; 2],
-    nodes: [u32; 2],
+    nodes: [Vertex; 2],
 }
 
 impl<'a> Pieces<'a> {
     pub fn new(session: &'a dyn Predicates, supports: &'a Supports, chains: &'a Chains) -> Pieces<'a> {
         let view = View::new(session);
         let is_ahead = supports.ends.iter().map(|&[a, b]| view.is_ahead(a, b)).collect();
-        Pieces { view, supports, chains, is_ahead }
+        let along = |from: Vertex, to: Vertex, [a, b]: [Vertex; 2]| {
+            let [a, b] = if view.along([a, b]).order(from, to) == Sign::Positive { [b, a] } else { [a, b] };
+            ([a, b], view.is_ahead(a, b))
+        };
+        let directions = |run: &Run| {
+            let [first, last] = [run.edges[0], run.edges[run.edges.len() - 1]];
+            [along(first.from, first.to, first.support), along(last.to, last.from, last.support)]
+        };
+        let runs = chains.runs.iter().map(directions).collect();
+        Pieces { view, supports, chains, is_ahead, runs }
     }
 
     /// The ends of the segment of a half-edge, in its direction, and whether that is to the right or straight up.
     #[inline]
-    pub fn direction(&self, half: u32) -> ([Vertex; 2], bool) {
-        let segment = self.chains.pieces[half as usize / 2].segment as usize;
+    pub fn direction(&self, half: u32) -> Direction {
+        let piece = half as usize / 2;
+        let segment = self.chains.pieces[piece].segment as usize;
+        if segment == NONE as usize {
+            return self.runs[piece - (self.chains.pieces.len() - self.runs.len())][half as usize % 2];
+        }
         let [a, b] = self.supports.ends[segment];
         let is_ahead = self.is_ahead[segment];
         if half.is_multiple_of(2) { ([a, b], is_ahead) } else { ([b, a], !is_ahead) }
@@ -102,8 +124,14 @@ impl<'a> Pieces<'a> {
             let outside = leftmost.iter().filter_map(|&node| outside(node));
             return outside.map(|outside| Nesting { outside, within: None }).collect();
         }
-        let raster = raster.unwrap_or_else(|| Raster::new(&reach.raw));
-        let mut rays = Rays { pieces: self, reach, seen: vec![NONE; self.supports.ends.len()], sorted: Vec::new() };
+        let runs: Vec<(usize, Edge)> =
+            (0..).zip(&self.chains.runs).flat_map(|(at, run)| run.edges.iter().map(move |&edge| (at, edge))).collect();
+        let raster = raster.filter(|_| runs.is_empty()).unwrap_or_else(|| {
+            let far = runs.iter().map(|&(_, edge)| edge_raw(self.view.session, edge));
+            Raster::new(&reach.raw.iter().copied().chain(far).collect::<Vec<_>>())
+        });
+        let seen = vec![NONE; self.supports.ends.len() + runs.len()];
+        let mut rays = Rays { pieces: self, reach, runs, seen, sorted: Vec::new() };
         let nesting = |&node: &u32| {
             let outside = outside(node)?;
             Some(Nesting { outside, within: rays.above(&raster, node) })
@@ -134,7 +162,25 @@ impl<'a> Pieces<'a> {
         }
         let [u, v] = [along[at - 1], *along.get(at)?];
         let nodes = if past[0] { [u, v] } else { [v, u] };
-        Some(Above { piece, ends, nodes })
+        let is_ahead = self.chains.pieces[piece as usize].ends[0] == nodes[0];
+        Some(Above { piece, is_ahead, ends, nodes: nodes.map(|node| self.vertex(node)) })
+    }
+
+    /// An edge of a run where a vertical line a little left of a vertex meets it above the vertex.
+    fn meet_run(&self, run: usize, edge: Edge, from: Vertex) -> Option<Above> {
+        let is_past = |v: Vertex| self.view.compare(Axis::X, v, from) == Sign::Negative;
+        let is_ahead = is_past(edge.from);
+        if is_ahead == is_past(edge.to) {
+            return None;
+        }
+        let nodes = if is_ahead { [edge.from, edge.to] } else { [edge.to, edge.from] };
+        let [a, b] = edge.support;
+        let ends = if self.view.order(a, b) == Sign::Negative { [a, b] } else { [b, a] };
+        if self.view.turn(ends[0], ends[1], from) != Sign::Negative {
+            return None;
+        }
+        let piece = number(self.chains.pieces.len() - self.chains.runs.len() + run);
+        Some(Above { piece, is_ahead, ends, nodes })
     }
 
     /// Whether one of two pieces is below the other where a vertical line meets both.
@@ -143,7 +189,6 @@ impl<'a> Pieces<'a> {
         if left == other {
             return self.view.turn(b.ends[0], b.ends[1], a.ends[1]) == Sign::Negative;
         }
-        let [left, other] = [left, other].map(|node| self.vertex(node));
         if self.view.order(left, other) == Sign::Negative {
             self.view.turn(a.ends[0], a.ends[1], other) == Sign::Positive
         } else {
@@ -156,7 +201,9 @@ impl<'a> Pieces<'a> {
 struct Rays<'a> {
     pieces: &'a Pieces<'a>,
     reach: &'a Reach,
-    /// The last node for which each segment was looked at.
+    /// The edges of runs, each with the place of its run.
+    runs: Vec<(usize, Edge)>,
+    /// The last node for which each segment and each edge of a run was looked at.
     seen: Vec<u32>,
     /// Ends of segments from left to right, once they are needed.
     sorted: Vec<Vertex>,
@@ -183,11 +230,19 @@ impl Rays<'_> {
         let mut best: Option<(Above, usize)> = None;
         raster.upward(columns, y, |parts, row| {
             for &part in parts {
-                let segment = self.reach.segments[part as usize];
-                if std::mem::replace(&mut self.seen[segment as usize], node) == node {
+                // Parts of segments, then edges of runs.
+                let part = part as usize;
+                let far = part.checked_sub(self.reach.segments.len());
+                let place =
+                    far.map_or_else(|| self.reach.segments[part] as usize, |far| pieces.supports.ends.len() + far);
+                if std::mem::replace(&mut self.seen[place], node) == node {
                     continue;
                 }
-                let Some(above) = pieces.meet(segment, from) else { continue };
+                let met = match far.map(|far| self.runs[far]) {
+                    None => pieces.meet(number(place), from),
+                    Some((run, edge)) => pieces.meet_run(run, edge, from),
+                };
+                let Some(above) = met else { continue };
                 if best.as_ref().is_none_or(|(best, _)| pieces.is_below(&above, best)) {
                     let top = above.ends.map(|v| scene.point2(Plane::Xy, v)[1]);
                     best = Some((above, raster.last_row(top[0].max(top[1]))));
@@ -198,8 +253,7 @@ impl Rays<'_> {
         });
         let (above, _) = best?;
         // To the left: what is below is on its left.
-        let piece = pieces.chains.pieces[above.piece as usize];
-        Some(2 * above.piece + u32::from(piece.ends[0] == above.nodes[0]))
+        Some(2 * above.piece + u32::from(above.is_ahead))
     }
 
     /// Raw coordinates between which a constructed vertex is.

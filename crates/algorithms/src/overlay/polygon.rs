@@ -75,8 +75,8 @@ impl Polygon {
 
 /// A region of the plane: an outer loop, and holes in it.
 ///
-/// Loops are simple: no vertex comes twice. The inside is on the left of each edge. Edges that follow each other on one input
-/// segment are one. Each loop begins at its first vertex in the order of ids, and so do holes and regions follow each other.
+/// Loops are simple: no vertex comes twice. The inside is on the left of each edge. Edges meet in
+/// vertices only; those that follow each other on one input segment are one, but where another loop touches. Each loop begins at its first vertex in the order of ids, and so do holes and regions follow each other.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Region {
     /// Counterclockwise.

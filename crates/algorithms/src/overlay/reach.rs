@@ -11,6 +11,7 @@
 
 use predicament_predicates::{Construction, Plane, Predicates, Vertex};
 
+use super::polygon::Edge;
 use super::supports::Supports;
 use crate::snap::crossing_estimate;
 
@@ -85,7 +86,9 @@ fn part(session: &dyn Predicates, edge: [Vertex; 2], whole: [[f64; 2]; 2]) -> Op
     let outer = extent(&whole);
     let size = (outer[2] - outer[0]).max(outer[3] - outer[1]);
     let [(a, wrong), (b, also)] = [place(session, edge[0])?, place(session, edge[1])?];
-    if wrong.iter().chain(&also).any(|error| *error > MOST * size) {
+    // Not a number, where lines are parallel or nearly so.
+    let is_known = |error: &f64| *error <= MOST * size;
+    if !wrong.iter().chain(&also).all(is_known) || !a.iter().chain(&b).all(|x| x.is_finite()) {
         return None;
     }
     let mut bounds = outer;
@@ -96,6 +99,32 @@ fn part(session: &dyn Predicates, edge: [Vertex; 2], whole: [[f64; 2]; 2]) -> Op
         bounds[i + 2] = bounds[i + 2].min(high);
     }
     Some(([a, b], bounds))
+}
+
+/// A box that holds an edge.
+pub(super) fn edge_extent(session: &dyn Predicates, edge: Edge) -> Extent {
+    let scene = session.scene();
+    let whole = edge.support.map(|v| scene.point2(Plane::Xy, v));
+    if [edge.from, edge.to] == edge.support {
+        return extent(&whole);
+    }
+    part(session, [edge.from, edge.to], whole).map_or_else(|| extent(&whole), |(_, extent)| extent)
+}
+
+/// The ends of an edge within rounding, or else those of its segment.
+pub(super) fn edge_raw(session: &dyn Predicates, edge: Edge) -> [[f64; 2]; 2] {
+    let whole = edge.support.map(|v| session.scene().point2(Plane::Xy, v));
+    part(session, [edge.from, edge.to], whole).map_or(whole, |(raw, _)| raw)
+}
+
+/// From where to where the x of a vertex can be.
+pub(super) fn range(session: &dyn Predicates, v: Vertex) -> [f64; 2] {
+    match place(session, v) {
+        Some(([x, _], [error, _])) if x.is_finite() && error.is_finite() => {
+            [(x - error).next_down(), (x + error).next_up()]
+        }
+        _ => [f64::NEG_INFINITY, f64::INFINITY],
+    }
 }
 
 /// Where a vertex is, and by how much that may be wrong along each axis.

@@ -4,9 +4,10 @@ use predicament_mesh::Subdivision;
 use predicament_predicates::{Predicates, Sign};
 
 use super::chains::Piece;
+use super::far::{Run, Touched};
 use super::polygon::{Edge, Operation, Region, Rule};
 use super::view::View;
-use super::{Arrangement, NONE};
+use super::{Arrangement, NONE, reach};
 
 /// The winding numbers of both operands in each face, from the unbounded one on; of one whose rule is even and odd they are
 /// 0 and 1, as edges that it passes an even number of times are not there. Says whether they agree around every piece.
@@ -62,6 +63,8 @@ pub(super) struct Extraction<'a> {
     pub windings: &'a [[i32; 2]],
     pub rules: [Rule; 2],
     pub drops_holes: bool,
+    /// Regions that are in the result besides, and touch what is made here in vertices at most.
+    pub apart: &'a [Region],
 }
 
 /// A loop with the region that it bounds.
@@ -83,6 +86,17 @@ impl Extraction<'_> {
         let inside = |half: usize| is_inside[subdivision.face(super::number(half)) as usize];
         let is_bound: Vec<bool> = (0..halves).map(|half| inside(half) && !inside(half ^ 1)).collect();
         let region = self.components(&is_inside);
+        // Where several loops meet, each has a vertex.
+        let mut bounds_at = vec![0_u32; subdivision.nodes()];
+        (0..halves).filter(|&half| is_bound[half]).for_each(|half| {
+            bounds_at[subdivision.origin(super::number(half)) as usize] += 1;
+        });
+        if !self.apart.is_empty() {
+            let apart = Touched::new(self.view.session.scene(), self.apart);
+            for (bounds, v) in bounds_at.iter_mut().zip(&self.arrangement.vertices) {
+                *bounds += u32::from(apart.times(*v));
+            }
+        }
         let mut result = Regions::default();
         let mut bounds: Vec<Bound> = Vec::new();
         let mut is_done = vec![false; halves];
@@ -94,7 +108,7 @@ impl Extraction<'_> {
             let walk = self.walk(start, &is_bound, &mut is_done);
             let region = region[subdivision.face(super::number(start)) as usize];
             for simple in simple_loops(subdivision, &walk, &mut place) {
-                bounds.push(self.bound(&simple, region));
+                bounds.push(self.bound(&simple, region, &bounds_at));
             }
         }
         // A region's outer loop comes before its holes.
@@ -163,7 +177,7 @@ impl Extraction<'_> {
     }
 
     /// A simple loop in its final form.
-    fn bound(&self, halves: &[u32], region: u32) -> Bound {
+    fn bound(&self, halves: &[u32], region: u32, bounds_at: &[u32]) -> Bound {
         let arrangement = self.arrangement;
         let mut edges: Vec<Edge> = Vec::with_capacity(halves.len());
         let edge = |half: u32| {
@@ -174,14 +188,22 @@ impl Extraction<'_> {
         };
         let mut last = NONE;
         let same = |a: u32, b: u32| {
-            a != NONE
-                && arrangement.pieces[a as usize / 2].segment == arrangement.pieces[b as usize / 2].segment
-                && a % 2 == b % 2
+            let is_touched = bounds_at[arrangement.subdivision.origin(b) as usize] > 1;
+            let line = |half: u32| (arrangement.pieces[half as usize / 2].segment, half % 2);
+            !is_touched && a != NONE && line(a) == line(b) && line(a).0 != NONE
         };
         for &half in halves {
-            match edges.last_mut() {
-                Some(before) if same(last, half) => before.to = edge(half).to,
-                _ => edges.push(edge(half)),
+            if let Some(run) = arrangement.run(half) {
+                if half.is_multiple_of(2) {
+                    edges.extend(&run.edges);
+                } else {
+                    edges.extend(run.edges.iter().rev().map(|edge| edge.reversed()));
+                }
+            } else {
+                match edges.last_mut() {
+                    Some(before) if same(last, half) => before.to = edge(half).to,
+                    _ => edges.push(edge(half)),
+                }
             }
             last = half;
         }
@@ -197,7 +219,10 @@ impl Extraction<'_> {
 
     /// Which way a simple loop goes: the turn at its leftmost vertex.
     fn turn(&self, edges: &[Edge]) -> Sign {
-        let leftmost = (0..edges.len()).reduce(|best, at| {
+        // Those that can be by about where they are.
+        let ranges: Vec<[f64; 2]> = edges.iter().map(|edge| reach::range(self.view.session, edge.from)).collect();
+        let least = ranges.iter().map(|range| range[1]).fold(f64::INFINITY, f64::min);
+        let leftmost = (0..edges.len()).filter(|&at| ranges[at][0] <= least).reduce(|best, at| {
             if self.view.order(edges[at].from, edges[best].from) == Sign::Negative { at } else { best }
         });
         let Some(at) = leftmost else { return Sign::Zero };
@@ -234,6 +259,11 @@ fn simple_loops(subdivision: &Subdivision, walk: &[u32], place: &mut [u32]) -> V
 }
 
 impl Arrangement {
+    /// The run that a half-edge is.
+    fn run(&self, half: u32) -> Option<&Run> {
+        self.runs.get((half as usize / 2).checked_sub(self.pieces.len() - self.runs.len())?)
+    }
+
     /// The ends of a segment that a half-edge is on.
     fn subdivision_segment(&self, half: u32) -> [predicament_predicates::Vertex; 2] {
         self.segments[self.pieces[half as usize / 2].segment as usize]
@@ -246,7 +276,8 @@ impl Arrangement {
         windings: &'a [[i32; 2]],
         rules: [Rule; 2],
         drops_holes: bool,
+        apart: &'a [Region],
     ) -> Extraction<'a> {
-        Extraction { view: View::new(session), arrangement: self, windings, rules, drops_holes }
+        Extraction { view: View::new(session), arrangement: self, windings, rules, drops_holes, apart }
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_algorithms::overlay::{
-    Arrangement, Edge, Method, Operation, Overlay, Polygon, Regions, Rule, arrange, overlay,
+    Arrangement, Edge, Method, Operation, Overlay, Polygon, Region, Regions, Rule, arrange, combine, overlay,
 };
 use predicament_exact::Exact;
 use predicament_predicates::{Axis, Backend, Construction, Off, Predicates, Refused, Scene, Sign, Vertex};
@@ -335,6 +335,79 @@ fn results_are_overlaid_again_without_deeper_vertices() {
         assert_eq!(same, twice, "round {round}");
         assert_eq!(checked(&session, &third, Operation::SymmetricDifference, "third").loops.len(), 0);
     }
+}
+
+/// The loops of regions by coordinates, each from its least corner on.
+fn by_place(scene: &Scene, regions: &[Region]) -> Vec<Vec<Vec<Point>>> {
+    let loop_of = |one: &Vec<Edge>| {
+        let mut corners: Vec<Point> = one.iter().map(|edge| at(scene, edge.from)).collect();
+        let least = (0..corners.len()).min_by_key(|&i| &corners[i]).unwrap();
+        corners.rotate_left(least);
+        corners
+    };
+    let region = |region: &Region| {
+        let mut loops: Vec<Vec<Point>> = region.loops().map(loop_of).collect();
+        loops[1..].sort();
+        loops
+    };
+    let mut all: Vec<_> = regions.iter().map(region).collect();
+    all.sort();
+    all
+}
+
+/// What is far from the other operand is left as it is, and that changes nothing.
+#[test]
+fn combined_results_are_those_of_whole_overlays() {
+    fn steps<B: Backend>(backend: &B, numbers: &mut Numbers, round: usize) -> [usize; 2] {
+        let side = [14, 30, 60][round % 3];
+        // Polygons of a few corners near each other.
+        let mut points = Vec::new();
+        let mut loops = Vec::new();
+        for _ in 0..24 {
+            let [x, y] = [numbers.below(side), numbers.below(side)];
+            let corners = 3 + numbers.below(4);
+            loops.push((0..corners).map(|i| Vertex::input(points.len() + i as usize)).collect::<Vec<_>>());
+            let reach = if numbers.below(5) == 0 { side } else { 8 };
+            points.extend(
+                (0..corners).map(|_| [f64::from(x + numbers.below(reach)), f64::from(y + numbers.below(reach))]),
+            );
+        }
+        let scene = Scene::from_points2(&points).unwrap();
+        let mut sessions = [backend.prepare(&scene, Off).unwrap(), backend.prepare(&scene, Off).unwrap()];
+        let mut current: Vec<Region> = Vec::new();
+        let [mut holes, mut most] = [0, 0];
+        for (step, one) in loops.iter().enumerate() {
+            let second = Polygon::of_vertices(std::slice::from_ref(one), Rule::EvenOdd);
+            let after = Operation::ALL[if numbers.below(3) > 0 { 0 } else { numbers.below(4) as usize }];
+            // Of lines that lie on each other no perturbed crossing is constructed.
+            let first = Polygon::from(current.as_slice());
+            let Ok(made) = overlay(&mut sessions[0], [&first, &second], Method::Grid) else { break };
+            let whole = made.regions(&sessions[0], after);
+            let local = combine(&mut sessions[1], &current, &second, after, Method::Grid).unwrap();
+            assert_eq!((whole.broken, local.broken), (None, None), "round {round}, step {step}");
+            let [wanted, found] =
+                [by_place(sessions[0].scene(), &whole.regions), by_place(sessions[1].scene(), &local.regions)];
+            assert_eq!(found, wanted, "round {round}, step {step}, {}", after.name());
+            holes += local.regions.iter().map(|region| region.holes.len()).sum::<usize>();
+            most = most.max(local.regions.iter().flat_map(Region::loops).map(Vec::len).sum());
+            // Of the same session as the next step.
+            current = local.regions;
+            sessions[0] = backend.prepare(&scene, Off).unwrap();
+            let definitions = sessions[1].scene().constructions().to_vec();
+            if !definitions.is_empty() {
+                sessions[0].construct(&definitions).unwrap();
+            }
+        }
+        [holes, most]
+    }
+    let mut numbers = Numbers(11);
+    let mut seen = [0; 2];
+    for round in 0..60 {
+        let found = steps(&Exact, &mut numbers, round);
+        let perturbed = steps(&Sos::default(), &mut numbers, round);
+        seen = [0, 1].map(|i: usize| seen[i] + found[i] + perturbed[i]);
+    }
+    assert!(seen[0] > 1_000 && seen[1] > 3_000, "holes and edges: {seen:?}");
 }
 
 /// Signs that mean nothing, and vertices wherever.

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use predicament_algorithms::overlay::{Edge, Polygon, Rule};
+use predicament_algorithms::overlay::{Edge, Polygon, Region, Rule};
 use predicament_predicates::{Scene, Vertex};
 
 use super::cascade::Loop;
@@ -10,7 +10,9 @@ use super::cascade::Loop;
 /// The loops of two operands in one scene; equal points are one vertex.
 pub(super) struct Pair {
     pub scene: Scene,
-    pub operands: [Polygon; 2],
+    /// The result so far.
+    pub first: Vec<Region>,
+    pub second: Polygon,
 }
 
 /// Points, none twice.
@@ -53,10 +55,13 @@ impl Pair {
     /// A coordinate that is not finite.
     pub fn new(regions: &[Vec<Loop>], corners: &Loop) -> Result<Pair, String> {
         let mut points = Points::default();
-        let loops = regions.iter().flatten().map(|one| points.edges(one)).collect();
-        let first = Polygon { loops, rule: Rule::NonZero };
+        let mut region = |loops: &Vec<Loop>| {
+            let mut loops = loops.iter().map(|one| points.edges(one));
+            Region { outer: loops.next().unwrap_or_default(), holes: loops.collect() }
+        };
+        let first = regions.iter().map(&mut region).collect();
         let second = Polygon { loops: vec![points.edges(corners)], rule: Rule::NonZero };
-        Ok(Pair { scene: points.scene()?, operands: [first, second] })
+        Ok(Pair { scene: points.scene()?, first, second })
     }
 }
 

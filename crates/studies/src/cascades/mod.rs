@@ -22,6 +22,7 @@ mod plots;
 mod rounded;
 mod sample;
 mod settled;
+mod snapped;
 mod study;
 mod survey;
 mod table;

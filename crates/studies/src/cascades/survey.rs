@@ -11,7 +11,7 @@ use predicament_tasks::{Contestant, Stop, Watch};
 use super::cascade::{Cascade, Loop, Operand};
 use super::method::{Keep, Method};
 use super::sample::{Probe, Sample, bits, lost};
-use super::{rounded, settled, whole};
+use super::{rounded, settled, snapped, whole};
 use crate::Error;
 
 /// How much is done, and looked at.
@@ -166,7 +166,7 @@ impl Course {
         let end = match method.keep {
             Keep::Whole => whole::run(backend, start, steps, &mut then),
             Keep::Rounded => rounded::run(backend, start, steps, &mut then),
-            Keep::Snapped(bits) => rounded::run_snapped(backend, bits, start, steps, &mut then),
+            Keep::Snapped(bits) => snapped::run(backend, bits, start, steps, &mut then),
             Keep::Contacts => settled::run_contacts(backend, float, start, steps, &mut then),
             Keep::Thick(radius) => settled::run_thick(float, radius, start, steps, &mut then),
         };

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-use predicament_algorithms::overlay::{Edge, Method as Search, Polygon, Rule, overlay};
+use predicament_algorithms::overlay::{Edge, Method as Search, Polygon, Region, Rule, combine};
 use predicament_checks::overlay::{Point, Shape};
 use predicament_judge::{point, rational};
 use predicament_predicates::{Plane, Predicates, Vertex};
@@ -17,7 +17,7 @@ use super::survey::{End, Stepped, Then};
 pub(super) fn run(backend: &dyn Contestant, start: &Loop, steps: &[Operand], then: &mut Then<'_>) -> Result<(), End> {
     let mut points = Points::default();
     let polygon = |edges: Vec<Edge>| Polygon { loops: vec![edges], rule: Rule::NonZero };
-    let first = polygon(points.edges(start));
+    let first = vec![Region { outer: points.edges(start), holes: Vec::new() }];
     let operands: Vec<Polygon> = steps.iter().map(|step| polygon(points.edges(&step.corners))).collect();
     let scene = points.scene()?;
     let mut end = Ok(());
@@ -29,7 +29,7 @@ pub(super) fn run(backend: &dyn Contestant, start: &Loop, steps: &[Operand], the
 
 fn follow(
     session: &mut dyn Predicates,
-    mut current: Polygon,
+    mut current: Vec<Region>,
     operands: &[Polygon],
     steps: &[Operand],
     then: &mut Then<'_>,
@@ -37,12 +37,13 @@ fn follow(
     for (step, operand) in steps.iter().zip(operands) {
         let before = session.scene().constructions().len();
         let clock = Instant::now();
-        let made = overlay(session, [&current, operand], Search::Grid).map_err(|why| why.to_string())?;
-        let result = made.regions(&*session, step.operation);
+        let result =
+            combine(session, &current, operand, step.operation, Search::Grid).map_err(|why| why.to_string())?;
         let elapsed = clock.elapsed();
-        current = Polygon::from(result.regions.as_slice());
-        let regions: Vec<Vec<Vec<Vertex>>> =
-            result.regions.iter().map(|region| region.loops().map(|one| origins(one)).collect()).collect();
+        current = result.regions;
+        let regions = || -> Vec<Vec<Vec<Vertex>>> {
+            current.iter().map(|region| region.loops().map(|one| origins(one)).collect()).collect()
+        };
         let session = &*session;
         let places = Places { session };
         then.call(Stepped {
@@ -51,10 +52,10 @@ fn follow(
             collapsed: 0,
             held: session.scene().len() + session.scene().constructions().len(),
             thickness: 0.0,
-            broken: made.arrangement.broken.or(result.broken),
-            is_gone: regions.is_empty(),
-            shape: &|| Ok(places.shape(&regions)),
-            turned: &|| places.rounds().then(|| places.turned(&regions)),
+            broken: result.broken,
+            is_gone: current.is_empty(),
+            shape: &|| Ok(places.shape(&regions())),
+            turned: &|| places.rounds().then(|| places.turned(&regions())),
         })?;
     }
     Ok(())
