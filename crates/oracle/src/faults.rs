@@ -23,6 +23,7 @@ use predicament_tolerance::Tolerance;
 
 use predicament_judge::TieJudge;
 
+use crate::boxed::Boxed;
 use crate::roster::Visit;
 
 pub use deadly::Deadly;
@@ -204,13 +205,15 @@ impl Fault {
 pub(crate) fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, V> {
     if let Some(deadly) = Deadly::ALL.into_iter().find(|deadly| deadly.name() == name) {
         // Until it strikes, it is as right as exact.
-        return Ok(visitor.visit(Faulty { fault: Fault::ContactsOneSided, deadly: Some(deadly) }, None));
+        return Ok(visitor.visit(Boxed::new(Faulty { fault: Fault::ContactsOneSided, deadly: Some(deadly) }), None));
     }
     let Some(fault) = Fault::ALL.into_iter().find(|fault| fault.name() == name) else { return Err(visitor) };
     Ok(match fault {
-        Fault::ContactsEndlessEdge | Fault::ContactsOneSided => visitor.visit(contacts::Faulty::exact(fault), None),
+        Fault::ContactsEndlessEdge | Fault::ContactsOneSided => {
+            visitor.visit(Boxed::new(contacts::Faulty::exact(fault)), None)
+        }
         Fault::ToleranceNarrowContacts | Fault::ToleranceWideContacts | Fault::ToleranceMirroredWeight => {
-            visitor.visit(contacts::Faulty::tolerance(fault), None)
+            visitor.visit(Boxed::new(contacts::Faulty::tolerance(fault)), None)
         }
         Fault::ToleranceAsPrinted => visitor.visit(Tolerance::<f64>::as_printed(), None),
         _ => match fault.poses_as() {
@@ -218,9 +221,9 @@ pub(crate) fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, V> {
                 let judge: Box<TieJudge> = Box::new(|scene, question, args| {
                     infinitesimal::judge(Scheme::PerCoordinate, scene, question, args)
                 });
-                visitor.visit(Faulty { fault, deadly: None }, Some(judge))
+                visitor.visit(Boxed::new(Faulty { fault, deadly: None }), Some(judge))
             }
-            ZeroMeaning::Exact | ZeroMeaning::Band => visitor.visit(Faulty { fault, deadly: None }, None),
+            ZeroMeaning::Exact | ZeroMeaning::Band => visitor.visit(Boxed::new(Faulty { fault, deadly: None }), None),
         },
     })
 }

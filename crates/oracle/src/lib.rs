@@ -14,6 +14,7 @@ pub mod expect;
 pub mod faults;
 pub mod roster;
 
+mod boxed;
 mod run;
 #[cfg(feature = "peers")]
 mod wild;

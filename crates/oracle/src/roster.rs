@@ -13,6 +13,7 @@ use predicament_judge::TieJudge;
 use predicament_predicates::Backend;
 use predicament_tasks::{Contestant, Entry, TaskList};
 
+use crate::boxed::Boxed;
 use crate::faults;
 
 /// The backends that run by default, in the order of reports.
@@ -64,7 +65,7 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, String> {
         "exact" => visitor.visit(Exact, None),
         "sos" | "sos:per-coordinate" => sos(visitor, Scheme::PerCoordinate),
         "sos:edelsbrunner-mucke" => sos(visitor, Scheme::EdelsbrunnerMucke),
-        "sos:per-mesh" => visitor.visit(PerMesh, Some(Box::new(infinitesimal::judge_per_mesh))),
+        "sos:per-mesh" => visitor.visit(Boxed::new(PerMesh), Some(Box::new(infinitesimal::judge_per_mesh))),
         "tolerance" | "tolerance:f64" => visitor.visit(Tolerance::<f64>::new(), None),
         "tolerance:f32" => visitor.visit(Tolerance::<f32>::new(), None),
         "naive" | "naive:last" => visitor.visit(Naive { pivot: Pivot::Last }, None),
@@ -73,7 +74,7 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, String> {
         "shewchuk" => visitor.visit(Shewchuk, None),
         _ => {
             if let Some(engine) = name.strip_prefix(predicament_engines::PREFIX) {
-                return Ok(visitor.visit(Engine::find(engine)?, None));
+                return Ok(visitor.visit(Boxed::new(Engine::find(engine)?), None));
             }
             if let Some(eps) = name.strip_prefix("epsilon:") {
                 let eps: f64 =

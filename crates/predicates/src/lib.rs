@@ -16,6 +16,7 @@
 //! * [`answer_by!`], [`forward_to!`]: the methods of a session that wraps another one.
 
 mod backend;
+mod boxed;
 mod broken;
 mod class;
 mod construction;

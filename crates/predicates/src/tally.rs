@@ -28,6 +28,11 @@ pub trait Tally: Send + Sync {
         self.settled_many(kind, stage, 1);
     }
 
+    /// The counts behind it, if it counts: for backends behind pointers, which are generic over nothing.
+    fn counts<'c>(self) -> Option<&'c Counts>
+    where
+        Self: Sized + 'c;
+
     /// `n` queries of this kind were settled by this stage.
     fn settled_many(&self, kind: PredicateKind, stage: usize, count: u64);
 }
@@ -38,6 +43,13 @@ pub struct Off;
 
 impl Tally for Off {
     const LISTENS: bool = false;
+
+    fn counts<'c>(self) -> Option<&'c Counts>
+    where
+        Self: 'c,
+    {
+        None
+    }
 
     #[inline(always)]
     fn settled_many(&self, _: PredicateKind, _: usize, _: u64) {}
@@ -104,6 +116,13 @@ fn first_count() -> usize {
 }
 
 impl Tally for &Counts {
+    fn counts<'c>(self) -> Option<&'c Counts>
+    where
+        Self: 'c,
+    {
+        Some(self)
+    }
+
     #[inline(always)]
     fn settled_many(&self, kind: PredicateKind, stage: usize, count: u64) {
         let me = ME.get();

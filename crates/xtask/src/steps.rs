@@ -13,6 +13,9 @@ const DEMO: &str = "target/demo";
 const GATE: &str = "target/gate";
 /// The crate outside of the workspace that uses the tool as a library.
 const EXAMPLE: &str = "examples/leftmost";
+/// The package of benches. It has no tests, but what it depends on would be compiled for doc tests, and gives other crates
+/// features that the example does without: all that depends on them would be compiled twice.
+const BENCHES: &str = "predicament-benches";
 /// The variable that says how much of heavy tests is run, as the crate `effort` reads it.
 const EFFORT: (&str, &str) = ("PREDICAMENT_EFFORT", "whole");
 /// Seconds of each fuzz target.
@@ -58,8 +61,9 @@ fn engine_examples() -> Result<(), String> {
             println!("\n== engine in {language}: NOT RUN: there is no `{program}` here");
             continue;
         }
-        // The whole workspace, as before: one package alone has other features, and GMP would be built again.
-        let run = ["test", "--profile", "ci", "--workspace", "--test", "it", "--", "--ignored", tests];
+        // The same packages as before: one alone has other features, and GMP would be built again.
+        let run =
+            ["test", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--test", "it", "--", "--ignored", tests];
         cargo(&format!("engine in {language}"), &run)?;
     }
     Ok(())
@@ -176,11 +180,15 @@ fn run_tests(features: &[&str], env: &[(&str, &str)]) -> Result<(), String> {
         cargo_command(&all)
     };
     if answers("cargo", &["nextest", "--version"]) {
-        let run = ["nextest", "run", "--cargo-profile", "ci", "--workspace", "--no-fail-fast"];
+        let run = ["nextest", "run", "--cargo-profile", "ci", "--workspace", "--exclude", BENCHES, "--no-fail-fast"];
         step("tests", &with(&run), env)?;
-        step("doc tests", &with(&["test", "--profile", "ci", "--workspace", "--doc"]), env)
+        step("doc tests", &with(&["test", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--doc"]), env)
     } else {
-        step("tests and doc tests", &with(&["test", "--profile", "ci", "--workspace", "--no-fail-fast"]), env)
+        step(
+            "tests and doc tests",
+            &with(&["test", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--no-fail-fast"]),
+            env,
+        )
     }
 }
 

@@ -1,6 +1,7 @@
 //! Backends by name.
 
 use predicament_oracle::roster::{DEFAULT, backend};
+use predicament_predicates::{Construction, Dimension, Plane, Question, Scene, Sign, Vertex};
 
 #[test]
 fn every_backend_has_the_name_it_is_picked_by() {
@@ -17,4 +18,20 @@ fn mistakes_are_answered_with_what_there_is() {
     assert!(error("epsilon:-1").contains("epsilon:-1"));
     assert!(error("epsilon:nan").contains("epsilon:nan"));
     assert!(error("fault:none").contains("selftest --list"));
+}
+
+/// `sos:per-mesh` is one of the backends behind a pointer: it counts, refuses and constructs as it is.
+#[test]
+fn a_backend_behind_a_pointer_is_the_backend() {
+    let per_mesh = backend("sos:per-mesh").unwrap();
+    let scene = Scene::new(Dimension::Two, vec![0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0]).unwrap();
+    let [a, b, c, d] = [0, 1, 2, 3].map(Vertex::input);
+    assert!(per_mesh.ask(&scene, Question::Orient2d(Plane::Xy), &[a, b, c]).is_err(), "one mesh");
+    let scene = scene.with_second_mesh([c, d]);
+    let (sign, stage) = per_mesh.ask(&scene, Question::Orient2d(Plane::Xy), &[a, b, c]).unwrap();
+    assert_eq!((sign, stage), (Sign::Positive, Some("double")));
+    let mut constructed = None;
+    let crossing = Construction::Ssi([[a, d], [b, c]]);
+    per_mesh.with_session(&scene, &mut |session| constructed = Some(session.construct(&[crossing]).unwrap())).unwrap();
+    assert!(constructed.unwrap()[0].is_constructed());
 }

@@ -1,0 +1,99 @@
+//! A backend of any type: tasks are compiled once for all of them.
+//!
+//! [`visit`](crate::roster::visit) hands over as it is what timings are published of. What is rarely timed, or says
+//! itself how long it took, goes behind a pointer, and a query costs a dynamic call.
+
+use predicament_predicates::{
+    Backend, Constructs, Contract, Counts, Declined, Off, PredicateKind, Predicates, Scene, Tally,
+};
+
+/// A session of any type.
+type Session<'s> = Box<dyn Predicates + 's>;
+
+/// A backend of any type.
+pub(crate) struct Boxed(Box<dyn Any>);
+
+impl Boxed {
+    /// This backend.
+    pub(crate) fn new<B: Backend + 'static>(backend: B) -> Boxed {
+        Boxed(Box::new(backend))
+    }
+}
+
+/// A [`Backend`] whose types are hidden.
+trait Any: Send + Sync {
+    fn name(&self) -> String;
+    fn contract(&self, kind: PredicateKind) -> Contract;
+    fn stages(&self) -> &'static [&'static str];
+    fn constructs(&self) -> Constructs;
+    fn version(&self) -> Option<String>;
+    fn binding(&self) -> Option<Boxed>;
+    fn prepare<'s>(&'s self, scene: &'s Scene, counts: Option<&'s Counts>) -> Result<Session<'s>, Declined>;
+}
+
+impl<B: Backend + 'static> Any for B {
+    fn name(&self) -> String {
+        Backend::name(self)
+    }
+
+    fn contract(&self, kind: PredicateKind) -> Contract {
+        Backend::contract(self, kind)
+    }
+
+    fn stages(&self) -> &'static [&'static str] {
+        Backend::stages(self)
+    }
+
+    fn constructs(&self) -> Constructs {
+        Backend::constructs(self)
+    }
+
+    fn version(&self) -> Option<String> {
+        Backend::version(self)
+    }
+
+    fn binding(&self) -> Option<Boxed> {
+        Backend::binding(self).map(Boxed::new)
+    }
+
+    fn prepare<'s>(&'s self, scene: &'s Scene, counts: Option<&'s Counts>) -> Result<Session<'s>, Declined> {
+        Ok(match counts {
+            Some(counts) => Box::new(Backend::prepare(self, scene, counts)?),
+            None => Box::new(Backend::prepare(self, scene, Off)?),
+        })
+    }
+}
+
+// A method that is left out would fall back to its default and pass over the backend's own.
+#[deny(clippy::missing_trait_methods)]
+impl Backend for Boxed {
+    type Session<'s, T: Tally + 's> = Session<'s>;
+
+    fn name(&self) -> String {
+        self.0.name()
+    }
+
+    fn contract(&self, kind: PredicateKind) -> Contract {
+        self.0.contract(kind)
+    }
+
+    fn stages(&self) -> &'static [&'static str] {
+        self.0.stages()
+    }
+
+    fn constructs(&self) -> Constructs {
+        self.0.constructs()
+    }
+
+    fn version(&self) -> Option<String> {
+        self.0.version()
+    }
+
+    fn binding(&self) -> Option<Boxed> {
+        self.0.binding()
+    }
+
+    fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s>, Declined> {
+        self.0.prepare(scene, tally.counts())
+    }
+}
