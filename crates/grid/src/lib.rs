@@ -10,6 +10,7 @@
 //! * [`Cells`]: the segments near a point, and the sum of those far above.
 //! * [`BoxIndex`]: the boxes near a box.
 //! * [`Raster`]: the segments through each cell of a grid.
+//! * [`two_level`]: the boxes in each cell of a grid in space, whose full cells have grids of their own.
 
 mod bounds;
 mod box_index;
@@ -17,6 +18,7 @@ mod cells;
 mod columns;
 mod raster;
 mod steps;
+pub mod two_level;
 
 pub use bounds::Bounds;
 pub use box_index::BoxIndex;

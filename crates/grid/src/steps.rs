@@ -9,7 +9,7 @@
 //! exponent range can break that; at worst everything shares a step.
 
 /// A monotone map from coordinates to 0, 1, 2 … count − 1.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Steps {
     /// Half the smallest coordinate; halves can't overflow when they are subtracted.
     origin: f64,

@@ -355,6 +355,49 @@ fn by_place(scene: &Scene, regions: &[Region]) -> Vec<Vec<Vec<Point>>> {
     all
 }
 
+/// Laws between results of the same operands: A or B is B or A, and (A not B) or (A and B) is A.
+#[test]
+fn operations_satisfy_the_laws_of_sets() {
+    let mut numbers = Numbers(13);
+    for round in 0..150 {
+        let scene = Scene::from_points2(&numbers.points(6 + round % 9, [4, 6, 12][round % 3])).unwrap();
+        let [a, b] = [(); 2].map(|()| polygon(&mut numbers, scene.len(), [Rule::EvenOdd, Rule::NonZero][round % 2]));
+        let mut session = Exact.prepare(&scene, Off).unwrap();
+        let mut regions = |first: &Polygon, second: &Polygon, operation: Operation| {
+            let made = overlay(&mut session, [first, second], Method::Grid).unwrap();
+            let made = made.regions(&session, operation).regions;
+            (by_place(session.scene(), &made), Polygon::from(made.as_slice()))
+        };
+        for operation in [Operation::Union, Operation::Intersection, Operation::SymmetricDifference] {
+            assert_eq!(
+                regions(&a, &b, operation).0,
+                regions(&b, &a, operation).0,
+                "round {round}, {}",
+                operation.name()
+            );
+        }
+        let [rest, common] =
+            [Operation::Difference, Operation::Intersection].map(|operation| regions(&a, &b, operation).1);
+        let nothing = Polygon::default();
+        let whole = regions(&a, &nothing, Operation::Union).0;
+        assert_eq!(corners_of(regions(&rest, &common, Operation::Union).0), corners_of(whole), "round {round}");
+        assert_eq!(regions(&rest, &common, Operation::Intersection).0, Vec::<Vec<Vec<Point>>>::new(), "round {round}");
+        let [there, back] = [[&a, &b], [&b, &a]].map(|[a, b]| regions(a, b, Operation::Difference).1);
+        let either = regions(&there, &back, Operation::Union).0;
+        assert_eq!(either, regions(&a, &b, Operation::SymmetricDifference).0, "round {round}");
+    }
+}
+
+/// Loops without the corners at which they go straight on.
+fn corners_of(regions: Vec<Vec<Vec<Point>>>) -> Vec<Vec<Vec<Point>>> {
+    let turns = |one: &Vec<Point>, i: usize| {
+        let [before, here, after] = [i + one.len() - 1, i, i + 1].map(|i| &one[i % one.len()]);
+        cross(&minus(here, before), &minus(after, here)).cmp0().is_ne()
+    };
+    let kept = |one: Vec<Point>| (0..one.len()).filter(|&i| turns(&one, i)).map(|i| one[i].clone()).collect();
+    regions.into_iter().map(|region| region.into_iter().map(kept).collect()).collect()
+}
+
 /// What is far from the other operand is left as it is, and that changes nothing.
 #[test]
 fn combined_results_are_those_of_whole_overlays() {

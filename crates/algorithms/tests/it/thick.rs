@@ -112,7 +112,7 @@ fn tangle(count: u32, radius: f64, random: &mut Random) -> Drawing {
     let mut drawing = Drawing::default();
     for at in 0..count {
         let centre = match drawing.discs.last() {
-            Some(&Disc { centre: [x, y], .. }) if random.bits() % 4 == 0 => {
+            Some(&Disc { centre: [x, y], .. }) if random.bits().is_multiple_of(4) => {
                 [x + random.between(-2.0, 2.0) * radius, y + random.between(-2.0, 2.0) * radius]
             }
             _ => [random.unit(), random.unit()],
@@ -130,9 +130,8 @@ fn tangle(count: u32, radius: f64, random: &mut Random) -> Drawing {
 fn balance(drawing: &Drawing) -> Vec<[i32; 2]> {
     let mut balance = vec![[0; 2]; drawing.discs.len()];
     for edge in &drawing.edges {
-        for operand in 0..2 {
-            balance[edge.ends[0] as usize][operand] += edge.passes[operand];
-            balance[edge.ends[1] as usize][operand] -= edge.passes[operand];
+        for (end, sign) in edge.ends.into_iter().zip([1, -1]) {
+            balance[end as usize].iter_mut().zip(edge.passes).for_each(|(sum, times)| *sum += sign * times);
         }
     }
     balance
@@ -141,15 +140,12 @@ fn balance(drawing: &Drawing) -> Vec<[i32; 2]> {
 fn overlaps(settled: &Settled) -> usize {
     let Drawing { discs, edges } = &settled.drawing;
     let line = |edge: &Edge| edge.ends.map(|end| discs[end as usize].centre);
-    let discs_overlap = |i: usize, j: usize| {
-        let [a, b] = [discs[i], discs[j]];
-        (a.centre[0] - b.centre[0]).hypot(a.centre[1] - b.centre[1]) <= a.radius + b.radius
-    };
+    let apart = |a: &Disc, b: &Disc| (a.centre[0] - b.centre[0]).hypot(a.centre[1] - b.centre[1]);
     let mut count = 0;
-    for i in 0..discs.len() {
-        count += (0..i).filter(|&j| discs_overlap(i, j)).count();
-        let foreign = edges.iter().filter(|edge| !edge.ends.contains(&u32::try_from(i).unwrap()));
-        count += foreign.filter(|edge| side(line(edge), edge.radius, discs[i]) == Side::On).count();
+    for (at, disc) in (0..).zip(discs) {
+        count += discs[..at as usize].iter().filter(|other| apart(disc, other) <= disc.radius + other.radius).count();
+        let foreign = edges.iter().filter(|edge| !edge.ends.contains(&at));
+        count += foreign.filter(|edge| side(line(edge), edge.radius, *disc) == Side::On).count();
     }
     count
 }

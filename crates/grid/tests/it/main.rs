@@ -4,3 +4,4 @@ mod box_index;
 mod cells;
 mod columns;
 mod raster;
+mod two_level;

@@ -1,0 +1,60 @@
+//! How many cells.
+
+use rayon::prelude::*;
+
+use super::Frame;
+use crate::Bounds;
+
+/// The most entries of coarse cells a box, on average, that are chosen.
+pub const MOST_ENTRIES: u64 = 8;
+/// Boxes to a coarse cell, about.
+pub const COARSE_BOXES: f64 = 8.0;
+/// The most coarse cells along an axis.
+const MOST_STEPS: f64 = 1024.0;
+
+/// Numbers of cells.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Sizes {
+    /// Coarse cells along each axis, one or more.
+    pub coarse: [u32; 3],
+    /// Fine cells to a coarse one along each axis, one or more.
+    pub fine: u32,
+    /// A coarse cell of more boxes than this is refined.
+    pub full: u32,
+}
+
+impl Sizes {
+    /// Sizes for these boxes: cells about as wide as high, so many that a coarse cell would hold [`COARSE_BOXES`] if the boxes
+    /// were small and spread evenly; halved until there are no more than [`MOST_ENTRIES`] entries a box.
+    #[must_use]
+    pub fn of(boxes: &[Bounds<3>]) -> Sizes {
+        const REST: Sizes = Sizes { coarse: [1; 3], fine: 4, full: 32 };
+        let all = boxes.iter().fold(Bounds::NOTHING, |all, one| all.union(one));
+        // Halves, which do not overflow; what has no extent has one cell.
+        let extent = [0, 1, 2].map(|axis: usize| (all.high[axis] / 2.0 - all.low[axis] / 2.0).max(0.0));
+        let largest = extent.iter().copied().fold(0.0, f64::max);
+        if boxes.len() < 2 || largest == 0.0 {
+            return REST;
+        }
+        #[allow(clippy::cast_precision_loss)] // about
+        let wanted = boxes.len() as f64 / COARSE_BOXES;
+        let relative = extent.map(|extent| (extent / largest).max(1.0 / MOST_STEPS));
+        let volume: f64 = relative.iter().product();
+        let mut across = (wanted / volume).cbrt().min(MOST_STEPS);
+        loop {
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 1 to `MOST_STEPS`
+            let coarse = relative.map(|relative| (relative * across).clamp(1.0, MOST_STEPS) as u32);
+            let sizes = Sizes { coarse, ..REST };
+            let frame = Frame::new(boxes, Sizes { fine: 1, ..sizes });
+            let entries = |one: &Bounds<3>| {
+                let [low, high] = frame.range(one);
+                (0..3).map(|axis| u64::from(high[axis] - low[axis] + 1)).product::<u64>()
+            };
+            let entries: u64 = boxes.par_iter().map(entries).sum();
+            if entries <= MOST_ENTRIES * boxes.len() as u64 || coarse == [1; 3] {
+                return sizes;
+            }
+            across /= 2.0;
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! The grid of two levels against every box, every cell, and any number of threads.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use predicament_grid::Bounds;
+use predicament_grid::two_level::{MOST_ENTRIES, Sizes, TwoLevel};
+use proptest::prelude::*;
+
+type Box3 = Bounds<3>;
+
+fn coordinate() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        4 => -1.0..1.0_f64,
+        2 => (-4..4_i32).prop_map(f64::from),
+        1 => prop::sample::select(vec![0.0, -0.0, 5e-324, -1e-310, f64::MAX, f64::MIN, 1e308, 1e-290]),
+    ]
+}
+
+fn small() -> impl Strategy<Value = f64> {
+    prop_oneof![4 => 0.0..0.3_f64, 1 => Just(0.0), 1 => 0.0..4.0_f64]
+}
+
+fn boxes() -> impl Strategy<Value = Vec<Box3>> {
+    let one = (prop::array::uniform3(coordinate()), prop::array::uniform3(small())).prop_map(|(low, size)| {
+        let high = [0, 1, 2].map(|axis: usize| (low[axis] + size[axis]).min(f64::MAX));
+        Bounds { low, high }
+    });
+    prop::collection::vec(one, 0..60)
+}
+
+fn sizes() -> impl Strategy<Value = Sizes> {
+    (prop::array::uniform3(1..6_u32), 1..5_u32, 0..6_u32).prop_map(|(coarse, fine, full)| Sizes { coarse, fine, full })
+}
+
+/// Corners and a few points of a box.
+fn points(one: &Box3) -> Vec<[f64; 3]> {
+    let mut points = Vec::new();
+    for corner in 0..8 {
+        points.push([0, 1, 2].map(|axis: usize| if corner >> axis & 1 == 0 { one.low[axis] } else { one.high[axis] }));
+    }
+    for part in [0.25, 0.5, 0.9] {
+        points.push([0, 1, 2].map(|axis: usize| {
+            let x = one.low[axis] / 2.0 * (1.0 - part) * 2.0 + one.high[axis] * part;
+            x.clamp(one.low[axis], one.high[axis])
+        }));
+    }
+    points
+}
+
+proptest! {
+    #[test]
+    fn a_point_of_a_box_is_in_a_cell_that_lists_the_box(boxes in boxes(), sizes in sizes()) {
+        for sizes in [sizes, Sizes::of(&boxes)] {
+            let grid = TwoLevel::new(&boxes, sizes);
+            for (at, one) in (0..).zip(&boxes) {
+                for p in points(one) {
+                    let entries = grid.entries(grid.at(p));
+                    prop_assert!(entries.contains(&at), "{p:?} of {one:?}, {sizes:?}");
+                    prop_assert!(entries.is_sorted());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn rays_pass_every_box_above_once_a_cell(boxes in boxes(), sizes in sizes(), p in prop::array::uniform3(coordinate())) {
+        let grid = TwoLevel::new(&boxes, sizes);
+        let (mut seen, mut slots) = (BTreeSet::new(), BTreeSet::new());
+        grid.upward(p, |slot, entries| {
+            assert!(slots.insert(slot), "each once");
+            seen.extend(entries.iter().copied());
+            false
+        });
+        for (at, one) in (0..).zip(&boxes) {
+            let is_over = (0..2).all(|axis| one.low[axis] <= p[axis] && p[axis] <= one.high[axis]);
+            prop_assert!(!is_over || one.high[2] < p[2] || seen.contains(&at), "{one:?} over {p:?}");
+        }
+        prop_assert_eq!(slots.first().is_some(), true);
+        let mut visited = 0;
+        grid.upward(p, |_, _| {
+            visited += 1;
+            true
+        });
+        prop_assert_eq!(visited, 1, "it ends where it is told");
+    }
+
+    #[test]
+    fn the_grid_is_the_same_on_any_number_of_threads(boxes in boxes(), sizes in sizes()) {
+        let on = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| {
+                let grid = TwoLevel::new(&boxes, sizes);
+                let regions = grid.empty_regions();
+                (grid, regions)
+            })
+        };
+        prop_assert_eq!(on(1), on(3));
+    }
+}
+
+/// Cells that list nothing, by flooding all fine steps of a lattice.
+#[test]
+fn empty_regions_are_those_that_a_flood_finds() {
+    // Points of 12 × 12 × 12 fine cells of a unit each; walls of unit boxes with gaps.
+    let mut state = 1_u64;
+    let mut below = |n: u64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) % n
+    };
+    for round in 0..60 {
+        let side = 12_u32;
+        let mut solid: BTreeSet<[u32; 3]> = [[0; 3], [side - 1; 3]].into();
+        let axis = usize::try_from(below(3)).unwrap();
+        let wall = u32::try_from(below(10)).unwrap() + 1;
+        let holes = below(3);
+        for i in 0..side {
+            for j in 0..side {
+                if below(144) >= holes {
+                    let mut at = [i; 3];
+                    at[axis] = wall;
+                    at[(axis + 1) % 3] = i;
+                    at[(axis + 2) % 3] = j;
+                    solid.insert(at);
+                }
+            }
+        }
+        for _ in 0..below(200) {
+            solid.insert([(); 3].map(|()| u32::try_from(below(12)).unwrap()));
+        }
+        // In the middle of their cells, so that each is in one; two corners span the whole.
+        let mut boxes: Vec<Box3> = solid
+            .iter()
+            .map(|at| Bounds { low: at.map(|x| f64::from(x) + 0.25), high: at.map(|x| f64::from(x) + 0.75) })
+            .collect();
+        boxes.push(Bounds { low: [0.0; 3], high: [0.5; 3] });
+        boxes.push(Bounds { low: [11.5; 3], high: [12.0; 3] });
+        // As many fine cells, in coarse ones of several sizes.
+        for (coarse, fine, full) in [([4; 3], 3, 0), ([6; 3], 2, 0), ([12; 3], 1, 0), ([3; 3], 4, 0)] {
+            let grid = TwoLevel::new(&boxes, Sizes { coarse, fine, full });
+            let regions = grid.empty_regions();
+            let mut flood: BTreeMap<[u32; 3], usize> = BTreeMap::new();
+            let mut count = 0;
+            for start in (0..side.pow(3)).map(|n| [n / 144, n / 12 % 12, n % 12]) {
+                if solid.contains(&start) || flood.contains_key(&start) {
+                    continue;
+                }
+                let mut open = vec![start];
+                flood.insert(start, count);
+                while let Some(at) = open.pop() {
+                    for axis in 0..3 {
+                        for step in [at[axis].checked_sub(1), Some(at[axis] + 1).filter(|&x| x < side)] {
+                            let Some(x) = step else { continue };
+                            let mut next = at;
+                            next[axis] = x;
+                            if !solid.contains(&next) && flood.insert(next, count).is_none() {
+                                open.push(next);
+                            }
+                        }
+                    }
+                }
+                count += 1;
+            }
+            // A coarse cell with something in it is refined, so all empty steps are empty cells or in them.
+            let mut of_flood: BTreeMap<usize, usize> = BTreeMap::new();
+            for (at, flooded) in &flood {
+                let found = regions.of(grid.at(at.map(|x| f64::from(x) + 0.5)));
+                let found = found.unwrap_or_else(|| panic!("round {round}: {at:?} is empty"));
+                assert_eq!(*of_flood.entry(*flooded).or_insert(found), found, "round {round}, fine {fine}");
+            }
+            assert_eq!(of_flood.values().collect::<BTreeSet<_>>().len(), count, "round {round}, fine {fine}");
+            assert_eq!(regions.len(), count, "round {round}, fine {fine}");
+            assert!(solid.iter().all(|at| regions.of(grid.at(at.map(|x| f64::from(x) + 0.5))).is_none()));
+        }
+    }
+}
+
+#[test]
+fn what_has_no_extent_along_an_axis_has_one_cell_there() {
+    // A wall in the plane x = 1, across the way: nothing leads around it.
+    let square = |y: f64, z: f64| Bounds { low: [1.0, y, z], high: [1.0, y + 0.5, z + 0.5] };
+    let mut boxes: Vec<Box3> = (0..8).map(|y| square(f64::from(y), 3.0)).collect();
+    boxes.extend([square(0.0, 0.0), square(7.5, 7.5)]);
+    let grid = TwoLevel::new(&boxes, Sizes { coarse: [2, 4, 4], fine: 4, full: 0 });
+    let regions = grid.empty_regions();
+    let [above, below] = [[1.0, 3.0, 6.0], [1.0, 3.0, 1.5]].map(|p| regions.of(grid.at(p)).unwrap());
+    assert_ne!(above, below);
+    assert_eq!(regions.of(grid.at([50.0, 3.0, 6.0])), Some(above), "what is off the plane goes to the nearest cell");
+    let nothing = TwoLevel::new(&[], Sizes::of(&[]));
+    assert_eq!((nothing.slots(), nothing.all_entries(), nothing.empty_regions().len()), (1, 0, 1));
+}
+
+#[test]
+fn entries_are_bounded_whatever_the_boxes() {
+    // Needles as long as everything, and small boxes.
+    let mut boxes: Vec<Box3> = (0..2_000)
+        .map(|at| {
+            let [y, z] = [at % 40, at / 40].map(f64::from);
+            Bounds { low: [0.0, y, z], high: [50.0, y + 0.5, z + 0.5] }
+        })
+        .collect();
+    boxes.extend((0..20).map(|at| Bounds { low: [0.0; 3], high: [50.0, 40.0, f64::from(at)] }));
+    let sizes = Sizes::of(&boxes);
+    let coarse = TwoLevel::new(&boxes, Sizes { fine: 1, ..sizes });
+    assert!(coarse.all_entries() as u64 <= MOST_ENTRIES * boxes.len() as u64);
+    assert_eq!(coarse.refined(), 0);
+    let grid = TwoLevel::new(&boxes, sizes);
+    assert!(grid.refined() > 0 && grid.slots() > coarse.slots());
+    assert_eq!(grid.bytes(), 4 * (grid.slots() + 1 + grid.all_entries() + coarse.slots() + 1));
+}
