@@ -41,7 +41,7 @@ pub use error::{CorpusError, ErrorKind, Position};
 pub use export::{ExportError, MeshFormat, write_mesh};
 pub use fetch::fetch;
 pub use file::{read_as_it_is, read_bytes, read_suite, text_of};
-pub use import::{ImportNotes, ImportedMap, Places, geometry, mesh, points, read_polygons, topojson};
+pub use import::{ImportNotes, ImportedMap, Keeps, Places, geometry, mesh, points, read_polygons, topojson};
 pub use lines::Lines;
 pub use manifest::{Entry, Manager, Manifest};
 pub use rows::{POINT, RowKind, Rows, read_points, read_rows};

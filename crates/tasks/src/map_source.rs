@@ -1,44 +1,55 @@
-//! Maps that a table refers to or writes out: TopoJSON, GeoJSON, WKT, or polygons.
+//! Maps that a table refers to or writes out: TopoJSON, GeoJSON, WKT, or polygons; whole, or some of their regions.
 
 use predicament_corpus::{Context, Origin};
 use predicament_formats::{
-    Cache, CorpusError, Decimals, Entry, Field, ImportedMap, TableKind, geometry, read_polygons, topojson,
+    Cache, CorpusError, Decimals, Entry, Field, Fields, ImportedMap, Keeps, TableKind, geometry, read_polygons,
+    topojson,
 };
 
-static MAP: TableKind = TableKind::new("map", &["path", "topojson", "fetch", "object", "polygons"]);
+static MAP: TableKind =
+    TableKind::new("map", &["path", "topojson", "fetch", "object", "member", "polygons", "ids", "regions"]);
 
 /// Where a map is.
 #[derive(Clone, Debug)]
 pub(crate) enum MapSource {
     /// An object of a TopoJSON file.
-    Topology { origin: Origin, object: String, round: bool },
-    /// A GeoJSON or WKT file.
-    Geometry { origin: Origin, round: bool },
+    Topology { origin: Origin, object: String, round: bool, selected: Selected },
+    /// A GeoJSON or WKT file, or a member of a JSON file.
+    Geometry { origin: Origin, member: Option<String>, round: bool, selected: Selected },
     /// Polygons in the suite.
     Written(ImportedMap),
 }
 
 impl MapSource {
-    /// Reads `path`, `topojson` or `fetch` with `object`, or `polygons`.
+    /// Reads `path`, `topojson` or `fetch` with `object` or `member`, or `polygons`; and `ids` or `regions`.
     pub(crate) fn read(context: &Context<'_>, map: &Field<'_, '_>) -> Result<MapSource, CorpusError> {
         const ONE: &str = "one of `path`, `topojson`, `fetch` and `polygons`";
         let table = map.fields(&MAP)?;
         let round = context.round();
+        let selected = Selected::read(&table)?;
+        let member = || table.get("member").map(|member| member.string()).transpose();
         let places = (table.get("path"), table.get("topojson"), table.get("fetch"), table.get("polygons"));
         let source = match places {
-            (Some(path), None, None, None) => MapSource::Geometry { origin: Origin::path(context, &path)?, round },
+            (Some(path), None, None, None) => {
+                MapSource::Geometry { origin: Origin::path(context, &path)?, member: member()?, round, selected }
+            }
             (None, Some(path), None, None) => {
                 let object = table.required("object")?.string()?;
-                MapSource::Topology { origin: Origin::path(context, &path)?, object, round }
+                MapSource::Topology { origin: Origin::path(context, &path)?, object, round, selected }
             }
             (None, None, Some(key), None) => {
                 let origin = Origin::fetched(context, &key)?;
                 match table.get("object") {
-                    Some(object) => MapSource::Topology { origin, object: object.string()?, round },
-                    None => MapSource::Geometry { origin, round },
+                    Some(object) => MapSource::Topology { origin, object: object.string()?, round, selected },
+                    None => MapSource::Geometry { origin, member: member()?, round, selected },
                 }
             }
-            (None, None, None, Some(polygons)) => MapSource::Written(read_polygons(&polygons)?),
+            (None, None, None, Some(polygons)) => {
+                if let Some(key) = table.get("ids").or_else(|| table.get("regions")) {
+                    return Err(key.error("some of written polygons", "write only the polygons that are wanted"));
+                }
+                MapSource::Written(read_polygons(&polygons)?)
+            }
             (None, None, None, None) => {
                 let missing = map.error("a map from nowhere", format!("write {ONE}"));
                 return Err(table.lacking(ONE, missing));
@@ -52,13 +63,17 @@ impl MapSource {
     /// The map.
     pub(crate) fn map(&self, cache: &Cache) -> Result<ImportedMap, CorpusError> {
         match self {
-            MapSource::Topology { origin, object, round } => {
+            MapSource::Topology { origin, object, round, selected } => {
                 let (name, text) = origin.text(cache)?;
-                rounding(*round, |decimals| topojson::read(&name, &text, object, decimals))
+                rounding(*round, |decimals| {
+                    selected.of(|keeps| topojson::read_some(&name, &text, object, decimals, keeps))
+                })
             }
-            MapSource::Geometry { origin, round } => {
+            MapSource::Geometry { origin, member, round, selected } => {
                 let (name, bytes) = origin.bytes(cache)?;
-                rounding(*round, |decimals| geometry::read(&name, bytes, decimals)?.map())
+                rounding(*round, |decimals| {
+                    selected.of(|keeps| geometry::read_part(&name, bytes, decimals, member.as_deref(), keeps))?.map()
+                })
             }
             MapSource::Written(map) => Ok(map.clone()),
         }
@@ -69,6 +84,87 @@ impl MapSource {
         match self {
             MapSource::Topology { origin, .. } | MapSource::Geometry { origin, .. } => origin.entry(),
             MapSource::Written(_) => None,
+        }
+    }
+}
+
+/// Which regions of a file are the map.
+#[derive(Clone, Debug)]
+pub(crate) enum Selected {
+    All,
+    /// Those whose ids begin with a text, and where the suite says so.
+    Ids {
+        begin: String,
+        file: String,
+        line: usize,
+    },
+    /// Those with these numbers, ascending, from 0 in the file's order, each with its line in the suite.
+    Numbers {
+        numbers: Vec<(usize, usize)>,
+        file: String,
+    },
+}
+
+impl Selected {
+    fn read(table: &Fields<'_, '_>) -> Result<Selected, CorpusError> {
+        match (table.get("ids"), table.get("regions")) {
+            (None, None) => Ok(Selected::All),
+            (Some(_), Some(regions)) => Err(regions.error("regions by ids and by numbers", "keep one of the two")),
+            (Some(ids), None) => {
+                let begin = ids.string()?;
+                if begin.is_empty() {
+                    return Err(ids.error("every id begins with nothing", "write how ids begin, or leave `ids` out"));
+                }
+                Ok(Selected::Ids { begin, file: ids.file().to_owned(), line: ids.line() })
+            }
+            (None, Some(regions)) => {
+                const NUMBERS: &str = "an array of the numbers of regions, from 0 in the file's order";
+                let mut numbers: Vec<(usize, usize)> = Vec::new();
+                for number in regions.items(NUMBERS)? {
+                    let (value, line) = (number.count(0..=u64::from(u32::MAX))?, number.line());
+                    if numbers.last().is_some_and(|&(last, _)| last >= value) {
+                        return Err(number.error("regions out of order", "write each once, the smallest first"));
+                    }
+                    numbers.push((value, line));
+                }
+                if numbers.is_empty() {
+                    return Err(regions.error("none of the regions", format!("write {NUMBERS}")));
+                }
+                Ok(Selected::Numbers { numbers, file: regions.file().to_owned() })
+            }
+        }
+    }
+
+    /// What is read with these regions only; an error where there are none of them.
+    fn of<T>(&self, read: impl FnOnce(&mut Keeps<'_>) -> Result<T, CorpusError>) -> Result<T, CorpusError> {
+        match self {
+            Selected::All => read(&mut |_, _| true),
+            Selected::Ids { begin, file, line } => {
+                let (mut seen, mut kept) = (0, 0);
+                let found = read(&mut |_, id| {
+                    let is_kept = id.is_some_and(|id| id.starts_with(begin.as_str()));
+                    seen += 1;
+                    kept += usize::from(is_kept);
+                    is_kept
+                })?;
+                if kept == 0 {
+                    let message = format!("of {seen} regions none has an id that begins with `{begin}`");
+                    return Err(CorpusError::file(file, message, "correct `ids`").at_line(*line));
+                }
+                Ok(found)
+            }
+            Selected::Numbers { numbers, file } => {
+                let mut seen = 0;
+                let found = read(&mut |number, _| {
+                    seen = number + 1;
+                    numbers.binary_search_by_key(&number, |&(number, _)| number).is_ok()
+                })?;
+                if let Some((number, line)) = numbers.iter().find(|&&(number, _)| number >= seen) {
+                    let message = format!("there is no region {number}: the file has {seen}");
+                    return Err(CorpusError::file(file, message, "numbers count from 0").at_line(*line));
+                }
+                Ok(found)
+            }
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-use super::plane::{Common, Point, area, common, index, is_on, side};
+use super::plane::{Common, Neighbours, Point, area, common, is_on, side};
 use super::{Check, Expected, Flaw, Flaws, stride};
 
 /// An arrangement as it was made.
@@ -97,10 +97,10 @@ impl Graph {
     }
 
     fn crossings(&self, expected: Expected, flaws: &mut Flaws) {
-        let Some((index, reach)) = index((0..self.edges.len()).map(|edge| self.edge(edge))) else { return };
+        let Some(neighbours) = Neighbours::new((0..self.edges.len()).map(|edge| self.edge(edge))) else { return };
         let mut near = Vec::new();
         for edge in (0..self.edges.len()).step_by(stride(self.edges.len(), expected.edges_crossed)) {
-            index.near(&index.boxes()[edge], reach, &mut near);
+            neighbours.of(edge, &mut near);
             for other in near.iter().map(|&other| other as usize).filter(|&other| other != edge) {
                 let is_wrong = match common(self.edge(edge), self.edge(other)) {
                     Common::Nothing => false,

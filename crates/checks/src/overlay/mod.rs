@@ -13,11 +13,13 @@ mod graph;
 mod operations;
 mod plane;
 mod regions;
+mod windings;
 
 pub use graph::Graph;
 pub use operations::{Operands, Results};
 pub use plane::Point;
 pub use regions::{Defects, Shape, winding_of};
+pub use windings::Windings;
 
 /// What is expected.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -47,6 +49,8 @@ pub enum Check {
     Boundary,
     /// Each component is in the face that it is said to be in.
     Nesting,
+    /// Winding numbers change across an edge by the number of times that it is passed.
+    Winding,
     /// Outer loops are counterclockwise, holes clockwise, and all are closed.
     Orientation,
     /// The edges of a result do not cross.
@@ -69,6 +73,7 @@ impl Check {
             Check::Euler => "euler",
             Check::Boundary => "boundary",
             Check::Nesting => "nesting",
+            Check::Winding => "winding",
             Check::Orientation => "loop orientation",
             Check::ResultCrossing => "crossing loops",
             Check::Area => "area",
@@ -87,6 +92,7 @@ impl Check {
             Check::Euler => "V - E + F = 1 + C",
             Check::Boundary => "each side of an edge is on one boundary of one face",
             Check::Nesting => "a component is in the face below the next edge above it",
+            Check::Winding => "winding numbers change across an edge by the number of times that loops pass it",
             Check::Orientation => "outer loops are counterclockwise, holes clockwise, both closed",
             Check::ResultCrossing => "loops of a result do not cross",
             Check::Area => "|A or B| + |A and B| = |A| + |B|, |A not B| = |A| - |A and B|",

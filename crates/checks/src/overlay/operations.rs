@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use rug::Rational;
 
-use super::plane::{Common, Point, area, common, index, is_on, side, winding};
+use super::plane::{Common, Neighbours, Point, area, common, is_on, side, winding};
 use super::{Check, Expected, Flaw, Flaws, stride};
 use crate::sum::sum;
 
@@ -33,6 +33,12 @@ fn edges(points: &[Point]) -> impl Iterator<Item = [&Point; 2]> + Clone {
 impl Operands {
     fn edges(&self, operand: usize) -> impl Iterator<Item = [&Point; 2]> + Clone {
         self.loops[operand].iter().flat_map(|one| edges(one))
+    }
+
+    /// Twice the sum of the areas of an operand's loops: of those that are counterclockwise, less that of the others.
+    #[must_use]
+    pub fn signed_area(&self, operand: usize) -> Rational {
+        sum(self.loops[operand].iter().map(|one| area(edges(one))).collect())
     }
 
     /// Twice the area of an operand, computed strip by strip between the heights of all ends and crossings; none where it has
@@ -80,20 +86,27 @@ impl Operands {
 }
 
 impl Results {
-    /// What is wrong with these results; `probes` are points to locate.
+    /// What is wrong with these results; `probes` are points to locate. `only` is [`Windings::only`](super::Windings::only) of
+    /// each operand.
     #[must_use]
-    pub fn flaws(&self, operands: &Operands, probes: &[Point], expected: Expected) -> Vec<Flaw> {
+    pub fn flaws(
+        &self,
+        operands: &Operands,
+        probes: &[Point],
+        expected: Expected,
+        only: [Option<i32>; 2],
+    ) -> Vec<Flaw> {
         let mut flaws = Flaws::default();
         for (name, regions) in NAMES.iter().zip(&self.regions) {
             orientation(name, regions, expected, &mut flaws);
             crossings(name, regions, expected, &mut flaws);
         }
-        self.areas(operands, &mut flaws);
+        self.areas(operands, only, &mut flaws);
         self.membership(operands, probes, expected, &mut flaws);
         flaws.0
     }
 
-    fn areas(&self, operands: &Operands, flaws: &mut Flaws) {
+    fn areas(&self, operands: &Operands, only: [Option<i32>; 2], flaws: &mut Flaws) {
         let areas = self.regions.each_ref().map(|regions| area_of(regions));
         let [union, both, first, either] = &areas;
         let mut law = |holds: bool, what: &str| {
@@ -107,6 +120,17 @@ impl Results {
         if let (Some(a), Some(b)) = (operands.area(0), operands.area(1)) {
             law(Rational::from(union + both) == Rational::from(&a + &b), "|A or B| + |A and B| is not |A| + |B|");
             law(Rational::from(first + both) == a, "|A not B| is not |A| - |A and B|");
+        }
+        // Parts that do not overlap: their areas add up to that of their union, however many there are.
+        if let Some(winding) = only[0] {
+            law(
+                Rational::from(first + both) * winding == operands.signed_area(0),
+                "the loops of A do not add up to |A|",
+            );
+        }
+        if let Some(winding) = only[1] {
+            let second = Rational::from(union - first);
+            law(second * winding == operands.signed_area(1), "the loops of B do not add up to |B|");
         }
     }
 
@@ -156,10 +180,10 @@ fn orientation(name: &str, regions: &[Vec<Vec<Point>>], expected: Expected, flaw
 
 fn crossings(name: &str, regions: &[Vec<Vec<Point>>], expected: Expected, flaws: &mut Flaws) {
     let all: Vec<[&Point; 2]> = regions.iter().flatten().flat_map(|one| edges(one)).collect();
-    let Some((index, reach)) = index(all.iter().copied()) else { return };
+    let Some(neighbours) = Neighbours::new(all.iter().copied()) else { return };
     let mut near = Vec::new();
     for at in (0..all.len()).step_by(stride(all.len(), expected.edges_crossed)) {
-        index.near(&index.boxes()[at], reach, &mut near);
+        neighbours.of(at, &mut near);
         for other in near.iter().map(|&other| other as usize).filter(|&other| other != at) {
             let [a, b] = all[at];
             let [c, d] = all[other];

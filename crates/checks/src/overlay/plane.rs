@@ -57,18 +57,50 @@ pub(super) fn common([a, b]: [&Point; 2], [c, d]: [&Point; 2]) -> Common {
     if is_touched { Common::Touch } else { Common::Nothing }
 }
 
-/// Boxes of segments between points, and how far these may be off.
-pub(super) fn index<'a>(segments: impl Iterator<Item = [&'a Point; 2]>) -> Option<(BoxIndex<2>, f64)> {
-    let mut largest = 0.0_f64;
-    let boxes: Vec<Bounds<2>> = segments
-        .map(|ends| {
-            let ends = ends.map(|p| [0, 1].map(|i: usize| p[i].to_f64()));
-            ends.as_flattened().iter().for_each(|x| largest = largest.max(x.abs()));
-            Bounds::of(ends)
-        })
-        .collect();
-    // Coordinates are rounded by less than a part in 2^52.
-    (!boxes.is_empty() && largest.is_finite()).then(|| (BoxIndex::new(boxes), largest * 2.0_f64.powi(-50)))
+/// Segments, rounded, by which those that may have something in common are found.
+pub(super) struct Neighbours {
+    /// The segments by their ends, each coordinate off by less than a part in 2^52 of the largest one.
+    segments: Vec<[[f64; 2]; 2]>,
+    index: BoxIndex<2>,
+    /// How far boxes may be off.
+    reach: f64,
+    /// A turn of rounded points beyond this has the sign of that of the points.
+    certain: f64,
+}
+
+impl Neighbours {
+    /// None where there are no segments, or some are beyond all doubles.
+    pub(super) fn new<'a>(segments: impl Iterator<Item = [&'a Point; 2]>) -> Option<Neighbours> {
+        let rounded = |ends: [&Point; 2]| ends.map(|p| [0, 1].map(|i: usize| p[i].to_f64()));
+        let segments: Vec<[[f64; 2]; 2]> = segments.map(rounded).collect();
+        let largest = segments.as_flattened().as_flattened().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        if segments.is_empty() || !largest.is_finite() {
+            return None;
+        }
+        let index = BoxIndex::new(segments.iter().map(|&ends| Bounds::of(ends)).collect());
+        // With M the largest and u = 2^-52 a difference is below 2M, and off by 2uM for its ends and uM for itself; a
+        // product is off by at most 2 · 2M · 3uM + 9u²M² + 4uM², and the turn by twice that and 8uM² for itself: below 41uM².
+        // Where M² u is as small as this nothing is certain, as products may underflow.
+        let square = largest * largest;
+        let certain = if square > 1e-200 { square * 2.0_f64.powi(-46) } else { f64::INFINITY };
+        Some(Neighbours { segments, index, reach: largest * 2.0_f64.powi(-50), certain })
+    }
+
+    /// The segments that may have a point in common with this one: all that have, and itself.
+    pub(super) fn of(&self, at: usize, near: &mut Vec<u32>) {
+        self.index.near(&self.index.boxes()[at], self.reach, near);
+        near.retain(|&other| !self.are_apart(at, other as usize));
+    }
+
+    /// Whether one of the two is certainly on one side of the other's line.
+    fn are_apart(&self, at: usize, other: usize) -> bool {
+        let beside = |[a, b]: [[f64; 2]; 2], ends: [[f64; 2]; 2]| {
+            let turns = ends.map(|p| (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]));
+            turns.iter().all(|&turn| turn > self.certain) || turns.iter().all(|&turn| turn < -self.certain)
+        };
+        let [one, two] = [at, other].map(|at| self.segments[at]);
+        beside(one, two) || beside(two, one)
+    }
 }
 
 /// The winding number of closed chains of edges around a point; none for a point of an edge.

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use rug::Rational;
 
-use super::plane::{Common, Point, area, common, index, winding};
+use super::plane::{Common, Neighbours, Point, area, common, winding};
 use crate::sum::sum;
 
 /// Regions by their loops: the outer one, then the holes.
@@ -65,10 +65,10 @@ impl Shape {
             }
         }
         let all: Vec<[&Point; 2]> = self.edges().collect();
-        let Some((index, reach)) = index(all.iter().copied()) else { return defects };
+        let Some(neighbours) = Neighbours::new(all.iter().copied()) else { return defects };
         let mut near = Vec::new();
         for (at, &edge) in all.iter().enumerate() {
-            index.near(&index.boxes()[at], reach, &mut near);
+            neighbours.of(at, &mut near);
             for other in near.iter().map(|&other| other as usize).filter(|&other| other < at) {
                 match common(edge, all[other]) {
                     Common::Nothing => {}

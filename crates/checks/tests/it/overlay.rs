@@ -1,6 +1,8 @@
 //! Each law about overlays finds what violates it.
 
-use predicament_checks::overlay::{Check, Defects, Expected, Graph, Operands, Point, Results, Shape, winding_of};
+use predicament_checks::overlay::{
+    Check, Defects, Expected, Graph, Operands, Point, Results, Shape, Windings, winding_of,
+};
 use rug::Rational;
 
 const EXPECTED: Expected = Expected { has_areas: true, edges_crossed: 1_000, located: 1_000 };
@@ -70,6 +72,60 @@ fn each_law_of_arrangements_is_violated_by_something() {
     }
 }
 
+#[test]
+fn winding_numbers_follow_from_what_passes_edges() {
+    // The lower right half, and all of it twice.
+    let right = Windings {
+        passes: vec![[1, 2], [1, 2], [0, 2], [0, 2], [-1, 0], [0, 0]],
+        faces: vec![[0, 0], [1, 2], [0, 2]],
+        modulo_two: false,
+    };
+    assert_eq!(right.flaws(&graph()), []);
+    assert_eq!([0, 1].map(|operand| right.only(operand)), [Some(1), Some(2)]);
+    let violated = |wrong: &dyn Fn(&mut Windings)| {
+        let mut windings = right.clone();
+        wrong(&mut windings);
+        windings.flaws(&graph()).into_iter().map(|flaw| (flaw.check, flaw.count)).collect::<Vec<_>>()
+    };
+    assert_eq!(violated(&|w| w.faces[2][0] = 1), [(Check::Winding, 3)], "each edge around the face");
+    assert_eq!(violated(&|w| w.passes[0][1] = 1), [(Check::Winding, 1)], "an edge that is counted once");
+    assert_eq!(violated(&|w| w.passes[4][0] = 1), [(Check::Winding, 1)], "an edge in the other direction");
+    assert_eq!(violated(&|w| w.faces.iter_mut().for_each(|face| face[0] += 1)), [(Check::Winding, 1)], "outside");
+    assert_eq!(violated(&|w| w.faces.truncate(2)), [(Check::Winding, 6)], "three edges, two operands");
+    // Where only odd and even are told apart, twice is not at all.
+    let parity = Windings { faces: vec![[0, 0], [1, 0], [0, 0]], modulo_two: true, ..right.clone() };
+    assert_eq!((parity.flaws(&graph()), parity.only(0)), (vec![], None));
+    let several = Windings { faces: vec![[0, 0], [1, 2], [0, -2]], ..right };
+    assert_eq!([0, 1].map(|operand| several.only(operand)), [Some(1), None]);
+}
+
+#[test]
+fn areas_of_parts_add_up_to_that_of_their_union() {
+    // Too many parts to measure strip by strip; clockwise, as in some files.
+    let part = |x: i32, y: i32| reversed(loop_of(&[[x, y], [x + 1, y], [x + 1, y + 1], [x, y + 1]]));
+    let parts: Vec<Vec<Point>> = (0..10).flat_map(|x| (0..10).map(move |y| part(x, y))).collect();
+    let any: fn(i32) -> bool = |winding| winding != 0;
+    let operands = Operands { loops: [parts, vec![square(12, 14)]], rules: [any; 2] };
+    assert_eq!((operands.area(0), operands.signed_area(0)), (None, Rational::from(-200)));
+    let only = [Some(-1), Some(1)];
+    let found = |results: &Results, only| {
+        let flaws = results.flaws(&operands, &[], EXPECTED, only);
+        flaws.into_iter().map(|flaw| flaw.check).collect::<Vec<_>>()
+    };
+    let [first, second] = [square(0, 10), square(12, 14)].map(|one| vec![one]);
+    let both = vec![first.clone(), second.clone()];
+    let right = Results { regions: [both.clone(), vec![], vec![first], both] };
+    assert_eq!(found(&right, only), []);
+    // All other laws hold where an operand is forgotten.
+    let forgotten = Results { regions: [vec![second.clone()], vec![], vec![], vec![second]] };
+    assert_eq!(found(&forgotten, [None; 2]), []);
+    assert_eq!(found(&forgotten, only), [Check::Area]);
+    let small = vec![square(12, 13)];
+    let both = vec![right.regions[2][0].clone(), small];
+    let smaller = Results { regions: [both.clone(), vec![], right.regions[2].clone(), both] };
+    assert_eq!((found(&smaller, [None; 2]), found(&smaller, only)), (vec![], vec![Check::Area]));
+}
+
 fn square(low: i32, high: i32) -> Vec<Point> {
     loop_of(&[[low, low], [high, low], [high, high], [low, high]])
 }
@@ -107,7 +163,7 @@ fn probes() -> Vec<Point> {
 
 #[test]
 fn results_satisfy_the_laws() {
-    assert_eq!(results().flaws(&operands(), &probes(), EXPECTED), []);
+    assert_eq!(results().flaws(&operands(), &probes(), EXPECTED, [None; 2]), []);
 }
 
 #[test]
@@ -128,7 +184,7 @@ fn each_law_of_results_is_violated_by_something() {
     let violated = |wrong: &dyn Fn(&mut Results)| {
         let mut results = results();
         wrong(&mut results);
-        let flaws = results.flaws(&operands(), &probes(), EXPECTED);
+        let flaws = results.flaws(&operands(), &probes(), EXPECTED, [None; 2]);
         flaws.into_iter().map(|flaw| flaw.check).collect::<Vec<_>>()
     };
     // No hole.
@@ -176,4 +232,43 @@ fn a_shape_is_measured_as_it_is() {
     let at_a_corner = loop_of(&[[0, 0], [4, 4], [4, 2]]);
     assert_eq!(shape(&[outer, at_a_corner]).defects(), Defects::default());
     assert_eq!(Shape::default().defects(), Defects::default());
+}
+
+/// Pairs that are compared in rationals are found by rounded points: none that meets may be missing.
+#[test]
+fn no_pair_of_edges_that_meet_is_left_out() {
+    // The sign of a turn in integers.
+    let turn = |a: [i64; 2], b: [i64; 2], p: [i64; 2]| {
+        let [[dx, dy], [ex, ey]] = [b, p].map(|q| [q[0] - a[0], q[1] - a[1]].map(i128::from));
+        (dx * ey - dy * ex).signum()
+    };
+    let crosses = |[a, b]: [[i64; 2]; 2], [c, d]: [[i64; 2]; 2]| {
+        turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0
+    };
+    let mut state = 1_u64;
+    let mut random = |range: u64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        i64::try_from((state >> 33) % range).unwrap()
+    };
+    let mut most = [0, 0];
+    // Corners along a line, off it by a few units, with coordinates that doubles hold just so, and with longer ones.
+    for (round, (scale, far)) in
+        [(1 << 50, 0), (1 << 40, 0), (1, 1 << 52), (1 << 20, 1 << 58)].into_iter().cycle().take(80).enumerate()
+    {
+        let corners: Vec<[i64; 2]> = (0..24)
+            .map(|_| {
+                let along = random(9) * scale;
+                [along + random(5) + far, along + random(5) - far]
+            })
+            .collect();
+        let point = |p: &[i64; 2]| p.map(Rational::from);
+        let edges: Vec<[[i64; 2]; 2]> =
+            corners.chunks(3).flat_map(|c| [[c[0], c[1]], [c[1], c[2]], [c[2], c[0]]]).collect();
+        let pairs = |i: usize| (0..i).map(move |j| (i, j));
+        let wanted = (0..edges.len()).flat_map(pairs).filter(|&(i, j)| crosses(edges[i], edges[j])).count();
+        let regions = vec![corners.chunks(3).map(|c| c.iter().map(point).collect()).collect()];
+        assert_eq!(Shape { regions }.defects().crossings, wanted, "round {round}");
+        most[usize::from(far > 0)] = most[usize::from(far > 0)].max(wanted);
+    }
+    assert!(most.iter().all(|&wanted| wanted > 20), "{most:?}");
 }

@@ -4,14 +4,15 @@
 //! it is in the file, to be read losslessly or refused. `serde_json` keeps texts (`RawValue`), and where they
 //! are. A `crs` and other members that say nothing about shapes are passed over.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 use serde::Deserialize;
 use serde_json::Value;
 use serde_json::value::RawValue;
 
-use super::ImportNotes;
 use super::geometry::{CLOSE, DEEPEST, Feature, Geometry, Position, Shape, open};
+use super::{ImportNotes, Keeps, id_text};
 use crate::decimals::{Place as Written, ends, explain, shown};
 use crate::{CorpusError, Decimals, Lines};
 
@@ -41,17 +42,17 @@ struct Properties {
 #[derive(Clone, Copy)]
 struct Place<'p> {
     before: Option<&'p Place<'p>>,
-    step: Step,
+    step: Step<'p>,
 }
 
 #[derive(Clone, Copy)]
-enum Step {
-    Key(&'static str),
+enum Step<'p> {
+    Key(&'p str),
     Index(usize),
 }
 
 impl Place<'_> {
-    fn key(&self, key: &'static str) -> Place<'_> {
+    fn key<'s>(&'s self, key: &'s str) -> Place<'s> {
         Place { before: Some(self), step: Step::Key(key) }
     }
 
@@ -78,23 +79,46 @@ impl fmt::Display for Place<'_> {
     }
 }
 
-/// Reads a GeoJSON file.
+/// Reads those features of a GeoJSON file that are wanted.
 ///
 /// # Errors
 /// [`CorpusError`] at the line that is wrong, with the place in the file where lines don't tell it.
-pub fn read(file: &str, text: &str, decimals: &Decimals) -> Result<Geometry, CorpusError> {
-    let mut reader =
-        Reader { file, text, lines: Lines::new(text), decimals, notes: ImportNotes::default(), features: Vec::new() };
-    let root = Place { before: None, step: Step::Key("") };
-    // A file may end early or be no JSON at all: the whole of it is looked at before any part.
-    let whole: &RawValue = reader.part(text, 0)?;
+pub fn read(file: &str, text: &str, decimals: &Decimals, keeps: &mut Keeps<'_>) -> Result<Geometry, CorpusError> {
+    let (mut reader, whole) = Reader::open(file, text, decimals)?;
     if whole.get().starts_with('[') {
-        reader.bare_rings(whole, &root)?;
+        reader.bare_rings(whole, &ROOT, keeps)?;
     } else {
-        reader.feature(whole, &root)?;
+        reader.feature(whole, &ROOT, keeps)?;
     }
-    Ok(Geometry { file: file.to_owned(), features: reader.features, notes: reader.notes })
+    Ok(reader.finish())
 }
+
+/// Reads the array of rings that is a member of a JSON object.
+///
+/// # Errors
+/// As [`read`], and where there is no such member.
+pub fn read_member(
+    file: &str,
+    text: &str,
+    member: &str,
+    decimals: &Decimals,
+    keeps: &mut Keeps<'_>,
+) -> Result<Geometry, CorpusError> {
+    let (mut reader, whole) = Reader::open(file, text, decimals)?;
+    if !whole.get().starts_with('{') {
+        return Err(reader.error(whole, &ROOT, "no object", "leave out `member`"));
+    }
+    let members: BTreeMap<String, &RawValue> = reader.parsed(whole)?;
+    let Some(rings) = members.get(member) else {
+        let known: Vec<String> = members.keys().map(|name| format!("`{}`", shown(name))).collect();
+        let message = format!("the object has no member `{}`", shown(member));
+        return Err(reader.error(whole, &ROOT, &message, format!("use one of {}", ends(&known.join(", "), 120))));
+    };
+    reader.bare_rings(rings, &ROOT.key(member), keeps)?;
+    Ok(reader.finish())
+}
+
+const ROOT: Place<'static> = Place { before: None, step: Step::Key("") };
 
 struct Reader<'r, 't> {
     file: &'r str,
@@ -103,9 +127,34 @@ struct Reader<'r, 't> {
     decimals: &'r Decimals,
     notes: ImportNotes,
     features: Vec<Feature>,
+    /// How many features came before.
+    seen: usize,
 }
 
-impl<'t> Reader<'_, 't> {
+impl<'r, 't> Reader<'r, 't> {
+    /// A reader, and the whole of the file: it may end early or be no JSON at all, so that is looked at before any part.
+    fn open(
+        file: &'r str,
+        text: &'t str,
+        decimals: &'r Decimals,
+    ) -> Result<(Reader<'r, 't>, &'t RawValue), CorpusError> {
+        let (lines, notes) = (Lines::new(text), ImportNotes::default());
+        let reader = Reader { file, text, lines, decimals, notes, features: Vec::new(), seen: 0 };
+        let whole = reader.part(text, 0)?;
+        Ok((reader, whole))
+    }
+
+    fn finish(self) -> Geometry {
+        Geometry { file: self.file.to_owned(), features: self.features, notes: self.notes }
+    }
+
+    /// Whether the next feature is wanted.
+    fn is_wanted(&mut self, id: Option<&str>, keeps: &mut Keeps<'_>) -> bool {
+        let number = self.seen;
+        self.seen += 1;
+        keeps(number, id)
+    }
+
     fn line(&self, raw: &str) -> usize {
         self.lines.of(raw.as_ptr().addr() - self.text.as_ptr().addr())
     }
@@ -136,7 +185,7 @@ impl<'t> Reader<'_, 't> {
     }
 
     /// A collection of features, a feature, or a geometry.
-    fn feature(&mut self, raw: &'t RawValue, place: &Place<'_>) -> Result<(), CorpusError> {
+    fn feature(&mut self, raw: &'t RawValue, place: &Place<'_>, keeps: &mut Keeps<'_>) -> Result<(), CorpusError> {
         let object = self.object(raw, place)?;
         let line = self.line(raw.get());
         match object.kind.as_deref() {
@@ -151,11 +200,14 @@ impl<'t> Reader<'_, 't> {
                     if kind.kind.as_deref() != Some("Feature") {
                         return Err(self.error(feature, &place, "no Feature", "list features only"));
                     }
-                    self.feature(feature, &place)?;
+                    self.feature(feature, &place, keeps)?;
                 }
                 Ok(())
             }
             Some("Feature") => {
+                if !self.is_wanted(id_text(object.id.as_ref()).as_deref(), keeps) {
+                    return Ok(());
+                }
                 let mut shapes = Vec::new();
                 if let Some(geometry) = object.geometry {
                     self.geometry(geometry, &place.key("geometry"), 0, &mut shapes)?;
@@ -170,6 +222,9 @@ impl<'t> Reader<'_, 't> {
                 Err(self.error(raw, place, "the file is TopoJSON", cure))
             }
             _ => {
+                if !self.is_wanted(None, keeps) {
+                    return Ok(());
+                }
                 let mut shapes = Vec::new();
                 self.geometry(raw, place, 0, &mut shapes)?;
                 self.features.push(Feature { name: None, line, shapes });
@@ -179,7 +234,10 @@ impl<'t> Reader<'_, 't> {
     }
 
     /// The rings of one polygon and nothing around them, closed or not: how triangulators write their test data.
-    fn bare_rings(&mut self, raw: &'t RawValue, place: &Place<'_>) -> Result<(), CorpusError> {
+    fn bare_rings(&mut self, raw: &'t RawValue, place: &Place<'_>, keeps: &mut Keeps<'_>) -> Result<(), CorpusError> {
+        if !self.is_wanted(None, keeps) {
+            return Ok(());
+        }
         let mut rings = Vec::new();
         for (index, ring) in self.items(raw, place)?.into_iter().enumerate() {
             let positions = self.positions(ring, &place.index(index))?;

@@ -9,7 +9,7 @@ use predicament_mesh::PolygonMap;
 use predicament_predicates::{Dimension, Vertex};
 
 use super::shared::SharedVertices;
-use super::{ImportNotes, ImportedMap, geojson, rings, wkt};
+use super::{ImportNotes, ImportedMap, Keeps, geojson, rings, wkt};
 use crate::data::{DataFile, Format};
 use crate::{CorpusError, Decimals};
 
@@ -78,10 +78,26 @@ pub struct ImportedEdges {
 /// # Errors
 /// [`CorpusError`] at the line that is wrong.
 pub fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<Geometry, CorpusError> {
+    read_part(file, bytes, decimals, None, &mut |_, _| true)
+}
+
+/// Reads a part of such a file: the features that are wanted; of a JSON object, the member that is named, an array of rings.
+///
+/// # Errors
+/// As [`read`], and where there is no such member.
+pub fn read_part(
+    file: &str,
+    bytes: Vec<u8>,
+    decimals: &Decimals,
+    member: Option<&str>,
+    keeps: &mut Keeps<'_>,
+) -> Result<Geometry, CorpusError> {
     let data = DataFile::open(file, bytes)?;
-    match data.format {
-        Format::GeoJson => geojson::read(file, &data.text()?, decimals),
-        Format::Wkt => wkt::read(file, &data.text()?, decimals),
+    match (data.format, member) {
+        (Format::GeoJson, Some(member)) => geojson::read_member(file, &data.text()?, member, decimals, keeps),
+        (_, Some(_)) => Err(CorpusError::file(file, "only JSON has members", "leave out `member`")),
+        (Format::GeoJson, None) => geojson::read(file, &data.text()?, decimals, keeps),
+        (Format::Wkt, None) => wkt::read(file, &data.text()?, decimals, keeps),
         _ => Err(CorpusError::file(file, "the file is no map", "name a .geojson, .json or .wkt file")),
     }
 }

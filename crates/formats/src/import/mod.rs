@@ -18,6 +18,8 @@ mod wkt;
 
 use predicament_mesh::PolygonMap;
 
+use serde_json::Value;
+
 pub use places::Places;
 pub use rings::read_polygons;
 
@@ -30,6 +32,18 @@ pub struct ImportedMap {
     pub map: PolygonMap,
     /// What was left out.
     pub notes: ImportNotes,
+}
+
+/// Whether a region of a file is wanted, by its number, from 0 in the file's order, and by its id.
+pub type Keeps<'k> = dyn FnMut(usize, Option<&str>) -> bool + 'k;
+
+/// The text of a name or an id, which may be written as a number.
+fn id_text(value: Option<&Value>) -> Option<String> {
+    match value {
+        Some(Value::String(name)) => Some(name.clone()),
+        Some(value @ Value::Number(_)) => Some(value.to_string()),
+        _ => None,
+    }
 }
 
 /// What reading a scene changed on the way in; never in silence.

@@ -47,8 +47,8 @@ fn read_any(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<ImportedP
             let (dimension, coordinates) = rows.points();
             Ok(ImportedPoints { dimension, coordinates, places, notes: ImportNotes::default() })
         }
-        Format::GeoJson => of_geometry(geojson::read(file, &data.text()?, decimals)?),
-        Format::Wkt => of_geometry(wkt::read(file, &data.text()?, decimals)?),
+        Format::GeoJson => of_geometry(geojson::read(file, &data.text()?, decimals, &mut |_, _| true)?),
+        Format::Wkt => of_geometry(wkt::read(file, &data.text()?, decimals, &mut |_, _| true)?),
         Format::Off | Format::Obj | Format::Ply | Format::Stl => {
             let mesh = mesh::read_data(data, decimals)?;
             let coordinates = mesh.points.into_flattened();

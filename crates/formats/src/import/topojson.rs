@@ -20,7 +20,7 @@ use serde_json::Value;
 use serde_json::value::RawValue;
 
 use super::shared::SharedVertices;
-use super::{ImportNotes, ImportedMap};
+use super::{ImportNotes, ImportedMap, Keeps, id_text};
 use crate::decimals::{Place, explain};
 use crate::{CorpusError, Decimals, Lines};
 
@@ -59,6 +59,20 @@ type Polygon = Vec<Vec<i64>>;
 /// # Errors
 /// [`CorpusError`] at the line or the arc that is wrong.
 pub fn read(file: &str, text: &str, object: &str, decimals: &Decimals) -> Result<ImportedMap, CorpusError> {
+    read_some(file, text, object, decimals, &mut |_, _| true)
+}
+
+/// Reads those polygons of one object that are wanted. Arcs are read whole, as they are shared.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_some(
+    file: &str,
+    text: &str,
+    object: &str,
+    decimals: &Decimals,
+    keeps: &mut Keeps<'_>,
+) -> Result<ImportedMap, CorpusError> {
     let topology: Topology<'_> = serde_json::from_str(text).map_err(|error| {
         // serde_json appends the place, which is in the line already.
         let whole = error.to_string();
@@ -77,8 +91,9 @@ pub fn read(file: &str, text: &str, object: &str, decimals: &Decimals) -> Result
     };
     let mut notes = ImportNotes::default();
     let arcs = decode(file, text, &topology, decimals, &mut notes)?;
-    let mut importer = Importer { file, arcs, shared: SharedVertices::default(), map: PolygonMap::new(), notes };
-    importer.geometry(root)?;
+    let shared = SharedVertices::default();
+    let mut importer = Importer { file, arcs, shared, map: PolygonMap::new(), notes, seen: 0 };
+    importer.geometry(root, keeps)?;
     Ok(ImportedMap { points: importer.shared.into_points(), map: importer.map, notes: importer.notes })
 }
 
@@ -141,6 +156,8 @@ struct Importer<'f> {
     shared: SharedVertices<2>,
     map: PolygonMap,
     notes: ImportNotes,
+    /// How many geometries that are no collections came before.
+    seen: usize,
 }
 
 impl Importer<'_> {
@@ -148,14 +165,16 @@ impl Importer<'_> {
         CorpusError::file(self.file, message, "give a TopoJSON object of polygons")
     }
 
-    fn geometry(&mut self, geometry: &Geometry) -> Result<(), CorpusError> {
+    fn geometry(&mut self, geometry: &Geometry, keeps: &mut Keeps<'_>) -> Result<(), CorpusError> {
+        if geometry.kind.as_deref() == Some("GeometryCollection") {
+            return geometry.geometries.iter().flatten().try_for_each(|child| self.geometry(child, keeps));
+        }
+        let number = self.seen;
+        self.seen += 1;
+        if !keeps(number, id_text(geometry.id.as_ref()).as_deref()) {
+            return Ok(());
+        }
         let polygons: Vec<Polygon> = match geometry.kind.as_deref() {
-            Some("GeometryCollection") => {
-                for child in geometry.geometries.iter().flatten() {
-                    self.geometry(child)?;
-                }
-                return Ok(());
-            }
             Some("Polygon") => vec![self.arc_references(geometry)?],
             Some("MultiPolygon") => self.arc_references(geometry)?,
             // GeoJSON allows features without a place.
@@ -225,11 +244,7 @@ impl Importer<'_> {
 
 /// A region's name property, else its id.
 pub(super) fn name(name: Option<&Value>, id: Option<&Value>) -> Option<String> {
-    match name.or(id) {
-        Some(Value::String(name)) => Some(name.clone()),
-        Some(value @ Value::Number(_)) => Some(value.to_string()),
-        _ => None,
-    }
+    id_text(name.or(id))
 }
 
 #[cfg(test)]
@@ -272,6 +287,21 @@ mod tests {
             imported.notes,
             ImportNotes { repeated_points: 2, degenerate_rings: 1, empty_regions: 1, ..ImportNotes::default() }
         );
+    }
+
+    #[test]
+    fn some_regions_are_read_by_number_or_id() {
+        let some = |wanted: &dyn Fn(usize, Option<&str>) -> bool| {
+            let keeps: &mut Keeps<'_> = &mut |number, id| wanted(number, id);
+            read_some("squares.json", SQUARES, "squares", &Decimals::new(false), keeps).unwrap()
+        };
+        let west = some(&|number, _| number == 0);
+        assert_eq!((west.map.regions()[0].name.as_str(), west.points.len()), ("west", 4));
+        let notes = ImportNotes { repeated_points: 1, ..ImportNotes::default() };
+        assert_eq!((west.map.regions().len(), west.notes), (1, notes));
+        let seventh = some(&|_, id| id == Some("7"));
+        assert_eq!((seventh.map.regions()[0].name.as_str(), seventh.notes.degenerate_rings), ("7", 1));
+        assert_eq!(some(&|number, _| number == 2).notes, ImportNotes { empty_regions: 1, ..ImportNotes::default() });
     }
 
     #[test]

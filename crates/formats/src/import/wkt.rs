@@ -4,8 +4,8 @@
 //! file, to be read losslessly or refused. Blank space and semicolons separate geometries, lines that start
 //! with `#` are comments, and the `SRID=…;` of PostGIS is passed over.
 
-use super::ImportNotes;
 use super::geometry::{CLOSE, DEEPEST, Feature, Geometry, Position, Shape, open};
+use super::{ImportNotes, Keeps};
 use crate::decimals::{Place, explain, shown};
 use crate::{CorpusError, Decimals, Lines};
 
@@ -35,7 +35,10 @@ enum More {
 ///
 /// # Errors
 /// [`CorpusError`] at the line that is wrong.
-pub fn read(file: &str, text: &str, decimals: &Decimals) -> Result<Geometry, CorpusError> {
+pub fn read(file: &str, text: &str, decimals: &Decimals, keeps: &mut Keeps<'_>) -> Result<Geometry, CorpusError> {
+    // What is not wanted is passed over, and nothing in it is counted.
+    let unwanted = Decimals::new(true);
+    let mut number = 0;
     let mut reader = Reader { file, text, at: 0, lines: Lines::new(text), decimals, notes: ImportNotes::default() };
     let mut features = Vec::new();
     loop {
@@ -50,8 +53,16 @@ pub fn read(file: &str, text: &str, decimals: &Decimals) -> Result<Geometry, Cor
             _ => {
                 let line = reader.line();
                 let mut shapes = Vec::new();
+                let is_wanted = keeps(number, None);
+                number += 1;
+                let notes = reader.notes;
+                reader.decimals = if is_wanted { decimals } else { &unwanted };
                 reader.geometry(0, &mut shapes)?;
-                features.push(Feature { name: None, line, shapes });
+                if is_wanted {
+                    features.push(Feature { name: None, line, shapes });
+                } else {
+                    reader.notes = notes;
+                }
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use predicament_checks::overlay::{Expected, Flaw, Graph, Operands, Point, Results};
+use predicament_checks::overlay::{Expected, Flaw, Graph, Operands, Point, Results, Windings};
 use predicament_judge::{Points, rational};
 use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 
@@ -51,7 +51,9 @@ pub(super) fn judge(
         located: LOCATED[usize::from(asked.budget.thorough)],
     };
     asked.watch.done(0)?;
-    flaws(outcome, graph(scene, content, answer, &at).flaws(expected));
+    let wanted = wanted(content);
+    let graph = graph(scene, &wanted, answer, &at);
+    flaws(outcome, graph.flaws(expected));
     asked.watch.done(0)?;
     if let Layers::Polygons(loops, rule) = &content.layers {
         let exactly = |one: &Vec<Vertex>| one.iter().map(|&v| input(scene, v)).collect();
@@ -63,11 +65,19 @@ pub(super) fn judge(
             Operands { loops: loops.each_ref().map(|loops| loops.iter().map(exactly).collect()), rules: [inside; 2] };
         let one =
             |edges: &Vec<predicament_algorithms::overlay::Edge>| edges.iter().map(|edge| at.of(edge.from)).collect();
+        let windings = Windings {
+            passes: wanted.values().copied().collect(),
+            faces: answer.overlay.windings.clone(),
+            modulo_two: *rule == predicament_algorithms::overlay::Rule::EvenOdd,
+        };
+        flaws(outcome, windings.flaws(&graph));
+        asked.watch.done(0)?;
         let mut results = Results::default();
         for (regions, made) in results.regions.iter_mut().zip(&answer.regions) {
             *regions = made.regions.iter().map(|region| region.loops().map(one).collect()).collect();
         }
-        flaws(outcome, results.flaws(&operands, &probes(scene), expected));
+        let only = [0, 1].map(|operand| windings.only(operand));
+        flaws(outcome, results.flaws(&operands, &probes(scene), expected, only));
     }
     if outcome.findings.is_empty() {
         outcome.counts.add(Class::Agree, outcome.queries);
@@ -123,18 +133,17 @@ impl Places {
 }
 
 /// The arrangement as numbers, with the segments that it has to be of.
-fn graph(scene: &Scene, content: &Layered, answer: &Overlaid, at: &Places) -> Graph {
+fn graph(scene: &Scene, wanted: &BTreeMap<[Vertex; 2], [i64; 2]>, answer: &Overlaid, at: &Places) -> Graph {
     let arrangement = &answer.overlay.arrangement;
     let subdivision = &arrangement.subdivision;
     let halves = 0..u32::try_from(2 * arrangement.pieces.len()).unwrap_or(u32::MAX);
-    let wanted = wanted(content);
     // Each segment that it should be of, and the chain of it that there is, if there is.
     let place: BTreeMap<[Vertex; 2], usize> = arrangement.segments.iter().copied().zip(0..).collect();
     let chain = |segment: &[Vertex; 2]| place.get(segment).map_or_else(Vec::new, |&at| arrangement.chain(at).to_vec());
     Graph {
         nodes: arrangement.vertices.iter().map(|&v| at.of(v)).collect(),
-        chains: wanted.iter().map(chain).collect(),
-        segments: wanted.iter().map(|ends| ends.map(|v| input(scene, v))).collect(),
+        chains: wanted.keys().map(chain).collect(),
+        segments: wanted.keys().map(|ends| ends.map(|v| input(scene, v))).collect(),
         edges: arrangement.pieces.iter().map(|piece| piece.ends).collect(),
         next: halves.clone().map(|half| subdivision.next(half)).collect(),
         face: halves.map(|half| subdivision.face(half)).collect(),
@@ -143,8 +152,9 @@ fn graph(scene: &Scene, content: &Layered, answer: &Overlaid, at: &Places) -> Gr
 }
 
 /// The segments that have to be in the arrangement, each once: all, or those that an operand passes in one direction more
-/// often than in the other (with an even-odd rule, an odd number of times).
-fn wanted(content: &Layered) -> Vec<[Vertex; 2]> {
+/// often than in the other (with an even-odd rule, an odd number of times). With each, for both operands, how often it is passed
+/// from its lower end to the other, less how often back.
+fn wanted(content: &Layered) -> BTreeMap<[Vertex; 2], [i64; 2]> {
     let mut passed: BTreeMap<[Vertex; 2], [i64; 2]> = BTreeMap::new();
     match &content.layers {
         Layers::Segments(segments) => {
@@ -164,7 +174,7 @@ fn wanted(content: &Layered) -> Vec<[Vertex; 2]> {
             passed.retain(|_, times| times.iter().any(|times| if is_even_odd { times % 2 != 0 } else { *times != 0 }));
         }
     }
-    passed.into_keys().collect()
+    passed
 }
 
 /// Points in the scene's box, in no special place.

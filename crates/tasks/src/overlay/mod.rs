@@ -33,7 +33,8 @@ const TOUCH_CHECKS: &[Catch] = &[(Class::Topology, "undiscovered crossing")];
 /// The checks that have to find chains that go to and fro.
 const UNSORTED_CHECKS: &[Catch] = &[(Class::Topology, "chain")];
 /// The checks that have to find labels of several edges taken for one.
-const COUNT_CHECKS: &[Catch] = &[(Class::Topology, "area"), (Class::Topology, "membership")];
+const COUNT_CHECKS: &[Catch] =
+    &[(Class::Topology, "winding"), (Class::Topology, "area"), (Class::Topology, "membership")];
 /// The checks that have to find components in the wrong face.
 const NEST_CHECKS: &[Catch] =
     &[(Class::Topology, "nesting"), (Class::Topology, "area"), (Class::Topology, "membership")];

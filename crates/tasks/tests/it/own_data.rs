@@ -6,6 +6,7 @@ use predicament_corpus::{Level, LoadedScene, Suite};
 use predicament_formats::{Cache, CorpusError, ImportNotes, Manifest};
 use predicament_tasks::contacts::Complexes;
 use predicament_tasks::crossings::Segments;
+use predicament_tasks::overlay::{Layered, Layers};
 use predicament_tasks::polygon_locate::MapWithProbes;
 use predicament_tasks::vocabulary;
 use tempfile::TempDir;
@@ -158,6 +159,62 @@ fn a_map_is_the_same_in_every_format() {
     ] {
         let got = refused(&folder, &format!("task = \"polygon-locate\"\nmap = {{ {map} }}"));
         assert_eq!(got.replace("`polygons` is", "`map` is"), expected);
+    }
+}
+
+#[test]
+fn some_regions_of_a_file_are_a_map() {
+    let square = |x: i32| format!("[[[{x}, 0], [{0}, 0], [{0}, 4], [{x}, 4], [{x}, 0]]]", x + 4);
+    let feature = |id: &str, x: i32| {
+        format!(
+            r#"{{"type": "Feature", "id": "{id}", "geometry": {{"type": "Polygon", "coordinates": {}}}}}"#,
+            square(x)
+        )
+    };
+    let features = [feature("061", 0), feature("062", 4), feature("10", 8)].join(",\n");
+    let collection = format!("{{\"type\": \"FeatureCollection\", \"features\": [{features}]}}");
+    let members = format!("{{\"subject\": {}, \"clip\": {}}}", square(0), square(4));
+    let wkt = [0, 4, 8].map(|x| format!("POLYGON (({x} 0, {0} 0, {0} 4, {x} 4, {x} 0))", x + 4)).join("\n");
+    let folder = folder(&[("m.geojson", &collection), ("m.json", &members), ("m.wkt", &wkt)]);
+    let overlay = |first: &str, second: &str| {
+        format!("task = \"overlay2d\"\nfirst = {{ {first} }}\nsecond = {{ {second} }}\nrule = \"non-zero\"")
+    };
+    let pairs = [
+        ("path = \"m.geojson\", ids = \"061\"", "path = \"m.geojson\", ids = \"062\""),
+        ("path = \"m.geojson\", regions = [0]", "path = \"m.wkt\", regions = [1]"),
+        ("path = \"m.json\", member = \"subject\"", "path = \"m.json\", member = \"clip\""),
+    ];
+    let loaded = pairs.map(|(first, second)| load(&folder, &overlay(first, second)));
+    assert!(loaded.iter().all(|scene| scene.id == loaded[0].id && scene.scene.len() == 6));
+    let both = load(&folder, &overlay("path = \"m.geojson\", ids = \"06\"", "path = \"m.wkt\", regions = [0, 2]"));
+    let Layers::Polygons(operands, _) = &both.content::<Layered>().unwrap().layers else { panic!("polygons") };
+    assert_eq!(operands.each_ref().map(Vec::len), [2, 2]);
+    for (map, expected) in [
+        (
+            "path = \"m.geojson\", ids = \"07\"",
+            "s.toml:6: of 3 regions none has an id that begins with `07`; correct `ids`",
+        ),
+        ("path = \"m.wkt\", regions = [1, 3]", "s.toml:6: there is no region 3: the file has 3; numbers count from 0"),
+        ("path = \"m.wkt\", regions = [1, 1]", "s.toml:6: regions out of order; write each once, the smallest first"),
+        (
+            "path = \"m.wkt\", regions = []",
+            "s.toml:6: none of the regions; write an array of the numbers of regions, from 0 in the file's order",
+        ),
+        (
+            "path = \"m.wkt\", ids = \"\"",
+            "s.toml:6: every id begins with nothing; write how ids begin, or leave `ids` out",
+        ),
+        (
+            "path = \"m.wkt\", ids = \"0\", regions = [0]",
+            "s.toml:6: regions by ids and by numbers; keep one of the two",
+        ),
+        ("path = \"m.wkt\", member = \"clip\"", "m.wkt: only JSON has members; leave out `member`"),
+        (
+            "polygons = [[[[0, 0], [4, 0], [4, 4]]]], regions = [0]",
+            "s.toml:6: some of written polygons; write only the polygons that are wanted",
+        ),
+    ] {
+        assert_eq!(refused(&folder, &format!("task = \"overlay2d\"\nfirst = {{ {map} }}")), expected);
     }
 }
 

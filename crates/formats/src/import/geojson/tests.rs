@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use super::*;
 
 fn of(text: &str) -> Result<Geometry, CorpusError> {
-    read("m.geojson", text, &Decimals::new(false))
+    read("m.geojson", text, &Decimals::new(false), &mut |_, _| true)
 }
 
 /// Two squares that share a border, one with a hole that is the other; then a feature without a place.
@@ -39,6 +39,48 @@ fn bare_rings_are_one_polygon() {
     let imported = of("[[[0, 0], [4, 0], [4, 4]],\n [[1, 1], [2, 1], [2, 2], [1, 1]]]").unwrap().map().unwrap();
     let [region] = imported.map.regions() else { panic!("one polygon") };
     assert_eq!(region.rings.iter().map(|ring| ring.vertices().len()).collect::<Vec<_>>(), [3, 3], "closed or not");
+}
+
+#[test]
+fn some_features_are_read_and_nothing_is_counted_of_the_others() {
+    // The second has a decimal that is no double.
+    let text = SQUARES.replace("9.5", "9.1");
+    let some = |decimals: &Decimals, wanted: &dyn Fn(usize, Option<&str>) -> bool| {
+        let mut seen = Vec::new();
+        let mut keeps = |number: usize, id: Option<&str>| {
+            seen.push((number, id.map(str::to_owned)));
+            wanted(number, id)
+        };
+        let read = read("m.geojson", &text, decimals, &mut keeps);
+        (read.and_then(Geometry::map), seen)
+    };
+    let strict = Decimals::new(false);
+    let (west, seen) = some(&strict, &|number, _| number == 0);
+    assert_eq!(seen, [(0, None), (1, Some("7".to_owned())), (2, None)]);
+    let west = west.unwrap();
+    assert_eq!((west.map.regions().len(), west.points.len(), west.notes), (1, 7, ImportNotes::default()));
+    let of_id = |_: usize, id: Option<&str>| id == Some("7");
+    assert!(some(&strict, &of_id).0.unwrap_err().to_string().contains("9.1 is not exactly a double"));
+    let rounding = Decimals::new(true);
+    assert_eq!(some(&rounding, &of_id).0.unwrap().map.regions()[0].name, "7");
+    assert_eq!(rounding.rounded(), 1);
+}
+
+#[test]
+fn a_member_is_an_array_of_rings() {
+    let text = "{\"rule\": 1,\n \"first\": [[[0, 0], [4, 0], [4, 4]]],\n \"second\": [[[1, 1], [2, 1], [2, 0.1]]]}";
+    let member = |text: &str, name: &str| read_member("m.json", text, name, &Decimals::new(false), &mut |_, _| true);
+    let first = member(text, "first").unwrap().map().unwrap();
+    assert_eq!((first.points.as_slice(), first.map.regions().len()), ([[0., 0.], [4., 0.], [4., 4.]].as_slice(), 1));
+    for (text, name, expected) in [
+        (text, "second", "m.json:3: second[0][2]: decimal 0.1 is not exactly a double"),
+        (text, "third", "m.json:1: the object has no member `third`; use one of `first`, `rule`, `second`"),
+        (text, "rule", "m.json:1: rule: no array; give an array"),
+        ("[[[0, 0], [4, 0], [4, 4]]]", "first", "m.json:1: no object; leave out `member`"),
+    ] {
+        let error = member(text, name).unwrap_err().to_string();
+        assert!(error.starts_with(expected), "{error}");
+    }
 }
 
 #[test]
@@ -167,7 +209,11 @@ fn errors_say_where() {
 #[test]
 fn rounding_is_counted() {
     let decimals = Decimals::new(true);
-    let read = read("m.json", r#"{"type": "LineString", "coordinates": [[0.1, 0.5], [0.2, 0.3]]}"#, &decimals).unwrap();
+    let read =
+        read("m.json", r#"{"type": "LineString", "coordinates": [[0.1, 0.5], [0.2, 0.3]]}"#, &decimals, &mut |_, _| {
+            true
+        })
+        .unwrap();
     assert_eq!(read.points().unwrap().1, [0.1, 0.5, 0.2, 0.3]);
     assert_eq!(decimals.rounded(), 3);
 }

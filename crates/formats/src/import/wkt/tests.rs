@@ -5,7 +5,7 @@ use super::*;
 use crate::hexfloat;
 
 fn of(text: &str) -> Result<Geometry, CorpusError> {
-    read("m.wkt", text, &Decimals::new(false))
+    read("m.wkt", text, &Decimals::new(false), &mut |_, _| true)
 }
 
 #[test]
@@ -82,6 +82,19 @@ fn depth_is_bounded() {
     assert!(nested(DEEPEST + 1).unwrap_err().to_string().contains("over 32 collections in each other; list"));
     assert!(nested(100_000).is_err());
     assert!(of(&format!("POLYGON {}", "(".repeat(100_000))).is_err());
+}
+
+#[test]
+fn some_geometries_are_read_and_nothing_is_counted_of_the_others() {
+    let text = "POLYGON M ((0.1 0 1, 4 0 1, 4 4 1, 0.1 0 1));\nPOLYGON ((1 1, 2 1, 2 2, 1 1))";
+    let some = |wanted: usize| {
+        let decimals = Decimals::new(true);
+        let geometry = read("m.wkt", text, &decimals, &mut |number, _| number == wanted).unwrap();
+        (geometry.features.len(), decimals.rounded(), geometry.map().unwrap().notes.extra_coordinates)
+    };
+    assert_eq!([some(0), some(1)], [(1, 2, 4), (1, 0, 0)]);
+    let strict = read("m.wkt", text, &Decimals::new(false), &mut |number, _| number == 1).unwrap();
+    assert_eq!(strict.map().unwrap().points, [[1., 1.], [2., 1.], [2., 2.]]);
 }
 
 fn finite() -> impl Strategy<Value = f64> {
