@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use predicament_report::text::in_order;
 use predicament_tasks::Contestant;
 use rug::Rational;
 use serde::Serialize;
@@ -18,8 +19,9 @@ pub struct Cascades {
     #[arg(short, long = "cascade", value_name = "CASCADE", value_enum, value_delimiter = ',')]
     pub cascades: Vec<Cascade>,
 
-    /// Methods: BACKEND, BACKEND+round, BACKEND+snap[:BITS], BACKEND+contacts, thick[:RADIUS]
+    /// Methods
     #[arg(short, long = "method", value_name = "METHOD", value_delimiter = ',', default_value = DEFAULT)]
+    #[arg(help = "Methods: BACKEND, BACKEND+round, BACKEND+snap[:BITS], BACKEND+contacts, thick[:RADIUS]")]
     pub methods: Vec<Method>,
 
     /// Steps of each cascade
@@ -79,9 +81,9 @@ impl Study for Cascades {
     const ASKS: &'static str =
         "Combine polygons again and again, and measure what is left: crossings, areas, bits, time";
     const HELP: &'static str = "\
-The result of each Boolean operation is an operand of the next. Cascades: `rotate` unites a square with
-itself turned, `shave` cuts it by half-planes, `stars` unites stars one by one, `generalise` the
-regions of a map whose borders were generalised differently.
+The result of each Boolean operation is an operand of the next. Cascades: `rotate` unites a square
+with itself turned, `shave` cuts it by half-planes, `stars` unites stars one by one, `generalise`
+the regions of a map whose borders were generalised differently.
 
 Methods:
   BACKEND            constructed vertices stay what they are, by their definitions; naive and others
@@ -95,8 +97,8 @@ Everything is measured in rationals: crossings that are left in the result, loop
 corners turned by rounding, the area against that of `exact`, points on the wrong side, bits.
 
 Written to the folder: cascades.csv (the measurements), times.csv, cascades.md (the tables that are
-printed), plots, and the operands of each cascade as WKT (`union;POLYGON ((…))`, a step a line) for other
-programs. All but times are the same whenever it is run.
+printed), plots, and the operands of each cascade as WKT (`union;POLYGON ((…))`, a step a line),
+for other programs. All but times are the same whenever it is run.
 
 Exit code 100 if exact or sos has a point on the wrong side, a crossing or a loop turned over, or
 if snap rounding leaves a crossing.
@@ -140,7 +142,8 @@ Examples:
             seed: self.seed,
         };
         let exact = Method::exact();
-        let others = self.methods.iter().filter(|method| **method != exact).count() as u64;
+        let methods = in_order(self.methods.iter());
+        let others = methods.iter().filter(|method| ***method != exact).count() as u64;
         let cascades = if self.cascades.is_empty() { Cascade::ALL.to_vec() } else { self.cascades.clone() };
         host.begin(u64::from(self.steps) * (others + 1) * cascades.len() as u64, "steps");
         let mut measured = Measured { followed: Vec::new(), exact: Vec::new() };
@@ -152,7 +155,7 @@ Examples:
                 course.follow(method, backend(&method.backend), backend(FLOAT), host.watch())
             };
             let reference = follow(&exact)?;
-            for method in &self.methods {
+            for &method in &methods {
                 let followed = if *method == exact { reference.clone() } else { follow(method)? };
                 measured.followed.push(followed);
             }

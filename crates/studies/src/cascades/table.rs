@@ -11,7 +11,9 @@ use super::{Cascades, Followed, Measured, Sample};
 pub(super) fn page(study: &Cascades, measured: &Measured) -> String {
     let mut page = format!(
         "{} steps, measured after {} of them; seed {}; times in microseconds a step\n",
-        study.steps, study.samples, study.seed
+        study.steps,
+        study.samples.min(study.steps),
+        study.seed
     );
     for cascade in in_order(measured.followed.iter().map(|one| one.cascade)) {
         let all: Vec<&Followed> = measured.followed.iter().filter(|one| one.cascade == cascade).collect();
