@@ -12,6 +12,7 @@
 //! * [`delaunay`]: Delaunay triangulations in the plane, with constraints.
 //! * [`hull`]: convex hulls in the plane and in space.
 //! * [`interval`]: the cell of a line in which a point lies.
+//! * [`mesh_locate`]: points in the regions of a mesh, by ray casting through a grid.
 //! * [`overlay`]: arrangements of segments, and Boolean operations on polygons.
 //! * [`planted`]: faults planted in these, to prove the judge.
 //! * [`polygon_locate`]: points in the regions of a map, by ray casting.
@@ -28,6 +29,7 @@ pub mod cube_union;
 pub mod delaunay;
 pub mod hull;
 pub mod interval;
+pub mod mesh_locate;
 pub mod overlay;
 mod parallel;
 pub mod planted;

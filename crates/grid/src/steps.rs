@@ -53,6 +53,29 @@ impl Steps {
         [start(step), start(step + 1)]
     }
 
+    /// A coordinate of the steps from `first` to `last`, about in the middle of them; none where no double is in them.
+    pub(crate) fn middle(&self, first: usize, last: usize) -> Option<f64> {
+        let [low, high] = [self.about(first)[0], self.about(last)[1]];
+        let middle = low / 2.0 + high / 2.0;
+        if (first..=last).contains(&self.of(middle)) {
+            return Some(middle);
+        }
+        // By halves: doubles and their bits have the same order, on each side of zero.
+        let double = |key: i64| f64::from_bits((key ^ ((key >> 63) & i64::MAX)).cast_unsigned());
+        let [mut below, mut above] =
+            [f64::MIN, f64::MAX].map(|x| x.to_bits().cast_signed()).map(|bits| bits ^ ((bits >> 63) & i64::MAX));
+        while below <= above {
+            let key = below.midpoint(above);
+            let x = double(key);
+            match self.of(x) {
+                step if step < first => below = key + 1,
+                step if step > last => above = key - 1,
+                _ => return Some(x),
+            }
+        }
+        None
+    }
+
     /// The step of a coordinate; what lies outside goes to the nearest one.
     #[inline]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `as` saturates, which is the clamp we want

@@ -15,6 +15,7 @@
 //! * [`interval`]: the cells of a line that a point is in.
 //! * [`locate`]: the regions of a map that a point is in.
 //! * [`nearest`]: a rational as a double, for display and files.
+//! * [`solids`]: the region of a mesh that a point is in.
 //! * [`Sample`]: which part of a large input is judged.
 
 mod constructed;
@@ -29,6 +30,7 @@ mod nearest;
 mod points;
 mod sample;
 mod session;
+pub mod solids;
 #[cfg(test)]
 mod tests;
 

@@ -5,11 +5,13 @@
 mod complex;
 mod faces;
 pub mod half_edge;
+mod materials;
 mod polygon;
 mod subdivision;
 
 pub use complex::{Complex, ComplexError, Simplex, Simplices};
 pub use faces::Faces;
 pub use half_edge::HalfEdgeMesh;
+pub use materials::{MaterialError, MaterialMesh, OUTSIDE};
 pub use polygon::{MapError, PolygonMap, Region, Ring};
 pub use subdivision::{Nesting, Subdivision, SubdivisionFace};

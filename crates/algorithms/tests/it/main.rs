@@ -9,6 +9,7 @@ mod delaunay_signs;
 mod hull_plane;
 mod hull_signs;
 mod hull_space;
+mod mesh_locate;
 mod overlay;
 mod polygon_locate;
 mod polygon_shapes;

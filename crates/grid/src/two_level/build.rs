@@ -79,7 +79,7 @@ fn each_coarse(frame: &Frame, one: &Bounds<3>, mut then: impl FnMut(usize, [u32;
 }
 
 /// The slots of a box.
-fn each_slot(grid: &TwoLevel, one: &Bounds<3>, mut then: impl FnMut(usize)) {
+pub(super) fn each_slot(grid: &TwoLevel, one: &Bounds<3>, mut then: impl FnMut(usize)) {
     let frame = &grid.frame;
     let [low, high] = frame.range(one);
     each_coarse(frame, one, |cell, at| {

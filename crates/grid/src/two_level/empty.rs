@@ -9,13 +9,21 @@ pub struct EmptyRegions {
     region: Vec<u32>,
     /// A slot of each region: its first.
     first: Vec<Slot>,
+    /// For each region whether one of its cells is at the border of the grid.
+    is_open: Vec<bool>,
 }
 
 impl EmptyRegions {
     /// The region of an empty cell; none of one that lists something.
     #[must_use]
     pub fn of(&self, slot: Slot) -> Option<usize> {
-        let region = self.region[slot.index()];
+        self.of_index(slot.index())
+    }
+
+    /// The region of the cell with this index, as [`EmptyRegions::of`].
+    #[must_use]
+    pub fn of_index(&self, slot: usize) -> Option<usize> {
+        let region = self.region[slot];
         (region != NONE).then_some(region as usize)
     }
 
@@ -37,10 +45,16 @@ impl EmptyRegions {
         &self.first
     }
 
+    /// Whether a region goes on outside of the grid: what is outside of all boxes is in such regions.
+    #[must_use]
+    pub fn is_open(&self, region: usize) -> bool {
+        self.is_open[region]
+    }
+
     /// The memory that they take.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        size_of::<u32>() * (self.region.len() + self.first.len())
+        size_of::<u32>() * (self.region.len() + self.first.len()) + self.is_open.len()
     }
 }
 
@@ -69,7 +83,7 @@ pub(super) fn regions(grid: &TwoLevel) -> EmptyRegions {
             }
         }
     }
-    let mut regions = EmptyRegions { region: vec![NONE; parent.len()], first: Vec::new() };
+    let mut regions = EmptyRegions { region: vec![NONE; parent.len()], first: Vec::new(), is_open: Vec::new() };
     for slot in (0..super::number(parent.len())).filter(|&slot| is_empty(slot)) {
         let root = root(&mut parent, slot);
         if root == slot {
@@ -78,6 +92,15 @@ pub(super) fn regions(grid: &TwoLevel) -> EmptyRegions {
         } else {
             // A region begins with its lowest slot.
             regions.region[slot as usize] = regions.region[root as usize];
+        }
+    }
+    regions.is_open = vec![false; regions.first.len()];
+    let last = [0, 1, 2].map(|axis: usize| super::number(frame.steps[axis].count()) - 1);
+    for cell in (0..frame.count()).filter(|&cell| frame.is_at_border(cell)) {
+        for slot in (grid.slots[cell]..grid.slots[cell + 1]).map(Slot) {
+            let Some(region) = regions.of(slot) else { continue };
+            let steps = frame.steps_of(cell, grid.is_refined(cell).then(|| slot.0 - grid.slots[cell]));
+            regions.is_open[region] |= (0..3).any(|axis| steps[0][axis] == 0 || steps[1][axis] == last[axis]);
         }
     }
     regions

@@ -52,6 +52,29 @@ struct Frame {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Slot(u32);
 
+/// Which way a ray goes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Ray {
+    /// The axis that it is parallel to, 0 for x.
+    pub axis: usize,
+    /// Whether it goes to larger coordinates.
+    pub is_up: bool,
+}
+
+impl Ray {
+    /// Straight up the z axis.
+    pub const UP: Ray = Ray { axis: 2, is_up: true };
+    /// Up and down each axis.
+    pub const ALL: [Ray; 6] = [
+        Ray::UP,
+        Ray { axis: 2, is_up: false },
+        Ray { axis: 0, is_up: true },
+        Ray { axis: 0, is_up: false },
+        Ray { axis: 1, is_up: true },
+        Ray { axis: 1, is_up: false },
+    ];
+}
+
 impl Slot {
     /// From 0 to [`TwoLevel::slots`].
     #[must_use]
@@ -96,9 +119,31 @@ impl Frame {
         (x as usize * self.coarse[1] as usize + y as usize) * self.coarse[2] as usize + z as usize
     }
 
+    /// Whether a coarse cell is at the border.
+    fn is_at_border(&self, cell: usize) -> bool {
+        let [nx, ny, nz] = self.coarse.map(|count| count as usize);
+        let at = [cell / nz / ny, cell / nz % ny, cell % nz];
+        at.contains(&0) || at[0] + 1 == nx || at[1] + 1 == ny || at[2] + 1 == nz
+    }
+
     /// The coarse cell of a fine one, along each axis.
     fn coarse_of(&self, steps: [u32; 3]) -> [u32; 3] {
         [0, 1, 2].map(|axis: usize| steps[axis] / self.fine[axis])
+    }
+
+    /// The first and the last fine steps of a coarse cell, or of one of its fine ones.
+    fn steps_of(&self, cell: usize, place: Option<u32>) -> [[u32; 3]; 2] {
+        let [ny, nz] = [self.coarse[1] as usize, self.coarse[2] as usize];
+        let coarse = [cell / nz / ny, cell / nz % ny, cell % nz].map(number);
+        let first = [0, 1, 2].map(|axis: usize| coarse[axis] * self.fine[axis]);
+        match place {
+            None => [first, [0, 1, 2].map(|axis: usize| first[axis] + self.fine[axis] - 1)],
+            Some(place) => {
+                let [fy, fz] = [self.fine[1], self.fine[2]];
+                let parts = [place / fz / fy, place / fz % fy, place % fz];
+                [[0, 1, 2].map(|axis: usize| first[axis] + parts[axis]); 2]
+            }
+        }
     }
 
     /// The place of a fine cell in its coarse one.
@@ -153,24 +198,62 @@ impl TwoLevel {
         size_of::<u32>() * (self.slots.len() + self.starts.len() + self.entries.len())
     }
 
-    /// Visits the cells that a ray straight up from a point passes, from the point's own on, each once; ends where `visit` says
-    /// that it has seen enough.
+    /// The fine step of a coordinate along an axis, 0 for x; the cells that a box is listed in are those from the step of its lowest
+    /// coordinate to that of its highest.
+    #[inline]
+    #[must_use]
+    pub fn step(&self, axis: usize, x: f64) -> u32 {
+        number(self.frame.steps[axis].of(x))
+    }
+
+    /// Visits the cells that a ray from a point passes, straight up an axis or straight down it, from the point's own cell on, each
+    /// once, with the last step of each along the ray; ends where `visit` says that it has seen enough.
     ///
-    /// A box that has a point above p, on the same vertical line, is listed in one of them. Of boxes that are listed in none
-    /// of the cells up to one, all is above that cell.
-    pub fn upward(&self, p: [f64; 3], mut visit: impl FnMut(Slot, &[u32]) -> bool) {
-        let [x, y, mut z] = self.frame.steps(p);
-        let fine = self.frame.fine[2];
-        let top = number(self.frame.steps[2].count());
-        while z < top {
-            let slot = self.slot_of([x, y, z]);
-            if visit(slot, self.entries(slot)) {
+    /// A box that the ray meets is listed in one of them. A box that is listed in none of the cells up to one lies wholly
+    /// beyond the last step of that one.
+    #[inline]
+    pub fn along(&self, p: [f64; 3], ray: Ray, mut visit: impl FnMut(Slot, &[u32], u32) -> bool) {
+        let mut steps = self.frame.steps(p);
+        let fine = self.frame.fine[ray.axis];
+        let top = number(self.frame.steps[ray.axis].count()) - 1;
+        loop {
+            let slot = self.slot_of(steps);
+            let at = steps[ray.axis];
+            // The next fine step in a refined cell, else the next coarse one.
+            let is_fine = self.is_refined(self.frame.cell(self.frame.coarse_of(steps)));
+            let last = match (is_fine, ray.is_up) {
+                (true, _) => at,
+                (false, true) => at / fine * fine + fine - 1,
+                (false, false) => at / fine * fine,
+            };
+            let is_end = if ray.is_up { last >= top } else { last == 0 };
+            if visit(slot, self.entries(slot), last) || is_end {
                 return;
             }
-            // The next fine step in a refined cell, else the next coarse one.
-            let cell = self.frame.cell(self.frame.coarse_of([x, y, z]));
-            z = if self.is_refined(cell) { z + 1 } else { (z / fine + 1) * fine };
+            steps[ray.axis] = if ray.is_up { last + 1 } else { last - 1 };
         }
+    }
+
+    /// Visits the cells that a box reaches into, each once: all boxes that meet it are listed in them.
+    pub fn within(&self, one: &Bounds<3>, mut visit: impl FnMut(Slot, &[u32])) {
+        build::each_slot(self, one, |slot| {
+            let slot = Slot(number(slot));
+            visit(slot, self.entries(slot));
+        });
+    }
+
+    /// A point about in the middle of a cell; none where the cell has no double along an axis.
+    #[must_use]
+    pub fn middle(&self, slot: Slot) -> Option<[f64; 3]> {
+        let [first, last] = self.steps_of(slot);
+        let along = |axis: usize| self.frame.steps[axis].middle(first[axis] as usize, last[axis] as usize);
+        Some([along(0)?, along(1)?, along(2)?])
+    }
+
+    /// The first and the last fine steps of a cell.
+    fn steps_of(&self, slot: Slot) -> [[u32; 3]; 2] {
+        let cell = self.slots.partition_point(|&first| first <= slot.0) - 1;
+        self.frame.steps_of(cell, self.is_refined(cell).then(|| slot.0 - self.slots[cell]))
     }
 
     /// The cells that list nothing, in regions: one can go from each cell of a region to each other without leaving cells that

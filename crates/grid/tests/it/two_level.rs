@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_grid::Bounds;
-use predicament_grid::two_level::{MOST_ENTRIES, Sizes, TwoLevel};
+use predicament_grid::two_level::{MOST_ENTRIES, Ray, Sizes, TwoLevel};
 use proptest::prelude::*;
 
 type Box3 = Bounds<3>;
@@ -47,6 +47,13 @@ fn points(one: &Box3) -> Vec<[f64; 3]> {
     points
 }
 
+/// Whether a ray from a point meets a box.
+fn meets(one: &Box3, p: [f64; 3], ray: Ray) -> bool {
+    let is_over =
+        (0..3).filter(|&axis| axis != ray.axis).all(|axis| one.low[axis] <= p[axis] && p[axis] <= one.high[axis]);
+    is_over && if ray.is_up { one.high[ray.axis] >= p[ray.axis] } else { one.low[ray.axis] <= p[ray.axis] }
+}
+
 proptest! {
     #[test]
     fn a_point_of_a_box_is_in_a_cell_that_lists_the_box(boxes in boxes(), sizes in sizes()) {
@@ -63,25 +70,46 @@ proptest! {
     }
 
     #[test]
-    fn rays_pass_every_box_above_once_a_cell(boxes in boxes(), sizes in sizes(), p in prop::array::uniform3(coordinate())) {
+    fn rays_pass_every_box_in_their_way(boxes in boxes(), sizes in sizes(), p in prop::array::uniform3(coordinate())) {
         let grid = TwoLevel::new(&boxes, sizes);
-        let (mut seen, mut slots) = (BTreeSet::new(), BTreeSet::new());
-        grid.upward(p, |slot, entries| {
-            assert!(slots.insert(slot), "each once");
-            seen.extend(entries.iter().copied());
-            false
-        });
-        for (at, one) in (0..).zip(&boxes) {
-            let is_over = (0..2).all(|axis| one.low[axis] <= p[axis] && p[axis] <= one.high[axis]);
-            prop_assert!(!is_over || one.high[2] < p[2] || seen.contains(&at), "{one:?} over {p:?}");
+        for ray in Ray::ALL {
+            let (mut seen, mut slots, mut before) = (BTreeSet::new(), BTreeSet::new(), None);
+            grid.along(p, ray, |slot, entries, last| {
+                assert!(slots.insert(slot), "each once");
+                seen.extend(entries.iter().copied());
+                assert!(before.is_none_or(|before| if ray.is_up { before < last } else { before > last }));
+                before = Some(last);
+                // What has not been seen lies beyond.
+                for (at, one) in (0..).zip(&boxes).filter(|(_, one)| meets(one, p, ray)) {
+                    let [low, high] = [one.low, one.high].map(|corner| grid.step(ray.axis, corner[ray.axis]));
+                    assert!(seen.contains(&at) || if ray.is_up { low > last } else { high < last });
+                }
+                false
+            });
+            for (at, one) in (0..).zip(&boxes) {
+                prop_assert!(!meets(one, p, ray) || seen.contains(&at), "{one:?} from {p:?} by {ray:?}");
+            }
+            let mut visited = 0;
+            grid.along(p, ray, |_, _, _| {
+                visited += 1;
+                true
+            });
+            prop_assert_eq!(visited, 1, "it ends where it is told");
         }
-        prop_assert_eq!(slots.first().is_some(), true);
-        let mut visited = 0;
-        grid.upward(p, |_, _| {
-            visited += 1;
-            true
-        });
-        prop_assert_eq!(visited, 1, "it ends where it is told");
+    }
+
+    #[test]
+    fn the_middle_of_a_cell_is_in_the_cell(boxes in boxes(), sizes in sizes()) {
+        let grid = TwoLevel::new(&boxes, sizes);
+        let mut slots = BTreeSet::new();
+        for p in boxes.iter().flat_map(points) {
+            // A cell that holds a double has a middle.
+            let slot = grid.at(p);
+            slots.insert(slot);
+            let middle = grid.middle(slot).expect("it holds a point");
+            prop_assert_eq!(grid.at(middle), slot, "{:?}", middle);
+        }
+        prop_assert!(boxes.is_empty() || !slots.is_empty());
     }
 
     #[test]
@@ -169,6 +197,12 @@ fn empty_regions_are_those_that_a_flood_finds() {
             }
             assert_eq!(of_flood.values().collect::<BTreeSet<_>>().len(), count, "round {round}, fine {fine}");
             assert_eq!(regions.len(), count, "round {round}, fine {fine}");
+            let open: BTreeSet<usize> = flood
+                .keys()
+                .filter(|at| at.iter().any(|&x| x == 0 || x == side - 1))
+                .map(|at| of_flood[&flood[at]])
+                .collect();
+            assert!((0..count).all(|region| regions.is_open(region) == open.contains(&region)), "round {round}");
             assert!(solid.iter().all(|at| regions.of(grid.at(at.map(|x| f64::from(x) + 0.5))).is_none()));
         }
     }

@@ -1,0 +1,161 @@
+//! A mesh with a grid over its triangles, and the regions that empty cells are in.
+
+use predicament_grid::Bounds;
+use predicament_grid::two_level::{EmptyRegions, Sizes, Slot, TwoLevel};
+use predicament_mesh::{MaterialMesh, OUTSIDE};
+use predicament_predicates::{Predicates, Scene, Vertex};
+use rayon::prelude::*;
+
+use super::planted::Planted;
+use super::{Location, Scratch};
+use crate::planted::Honest;
+
+/// Triangles that one thread takes at a time.
+const PART: usize = 4096;
+
+/// A mesh with a broad phase over it. It depends on raw coordinates, and on no backend.
+#[derive(Clone, Debug)]
+pub struct MeshIndex {
+    mesh: MaterialMesh,
+    grid: TwoLevel,
+    empty: EmptyRegions,
+}
+
+/// The regions of the cells that list no triangle, as a session has found them.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Labels {
+    /// For each cell its region, or [`UNKNOWN`].
+    of_slot: Vec<u32>,
+}
+
+/// No region is known.
+const UNKNOWN: u32 = u32::MAX;
+
+impl Labels {
+    /// The region that all of a cell is in, where there are labels and it is known.
+    pub(super) fn get(&self, slot: Slot) -> Option<u32> {
+        self.of_slot.get(slot.index()).copied().filter(|&region| region != UNKNOWN)
+    }
+
+    /// The region that all of a cell is in, where that is known.
+    #[inline]
+    pub(super) fn of(&self, slot: Slot) -> Option<u32> {
+        let region = self.of_slot[slot.index()];
+        (region != UNKNOWN).then_some(region)
+    }
+
+    /// The memory that they take, in bytes.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        size_of::<u32>() * self.of_slot.len()
+    }
+}
+
+impl MeshIndex {
+    /// An index of a mesh, its grid by [`Sizes::of`].
+    ///
+    /// # Panics
+    /// If the mesh has vertices that the scene lacks, or the scene is of the plane.
+    #[must_use]
+    pub fn new(mesh: MaterialMesh, scene: &Scene) -> MeshIndex {
+        MeshIndex::with_sizes(mesh, scene, None)
+    }
+
+    /// [`MeshIndex::new`] with a grid of these sizes.
+    ///
+    /// # Panics
+    /// As [`MeshIndex::new`].
+    #[must_use]
+    pub fn with_sizes(mesh: MaterialMesh, scene: &Scene, sizes: Option<Sizes>) -> MeshIndex {
+        MeshIndex::planted::<Honest>(mesh, scene, sizes)
+    }
+
+    /// [`MeshIndex::with_sizes`] with a planted fault.
+    ///
+    /// # Panics
+    /// As [`MeshIndex::new`].
+    #[must_use]
+    pub fn planted<F: Planted>(mesh: MaterialMesh, scene: &Scene, sizes: Option<Sizes>) -> MeshIndex {
+        let of_triangle = |corners: &[Vertex; 3]| Bounds::of(corners.map(|v| scene.point3(v)));
+        let mut boxes: Vec<Bounds<3>> = mesh.triangles().par_iter().with_min_len(PART).map(of_triangle).collect();
+        if F::SKIPS_A_TRIANGLE {
+            // A box of a corner alone: the rest of the triangle is in no cell.
+            let middle = boxes.len() / 2;
+            boxes[middle].high = boxes[middle].low;
+        }
+        let grid = TwoLevel::new(&boxes, sizes.unwrap_or_else(|| Sizes::of(&boxes)));
+        drop(boxes);
+        let empty = grid.empty_regions();
+        MeshIndex { mesh, grid, empty }
+    }
+
+    /// The mesh.
+    #[must_use]
+    pub fn mesh(&self) -> &MaterialMesh {
+        &self.mesh
+    }
+
+    /// The grid over the triangles' boxes.
+    #[must_use]
+    pub fn grid(&self) -> &TwoLevel {
+        &self.grid
+    }
+
+    /// The memory that the grid and the regions of its cells take, in bytes; not that of the mesh.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.grid.bytes() + self.empty.bytes()
+    }
+
+    /// A point in each region of empty cells of which the border of the grid does not tell where it is.
+    #[must_use]
+    pub fn references(&self) -> Vec<[f64; 3]> {
+        let slots = self.empty.first().iter().enumerate().filter(|&(region, _)| !self.empty.is_open(region));
+        slots.filter_map(|(_, &slot)| self.grid.middle(slot)).collect()
+    }
+
+    /// Finds the regions that empty cells are in, by one ray for each set of connected cells: from the first of these vertices that is in
+    /// it. A set without any has no label, and points in it are found by rays of their own.
+    ///
+    /// Vertices can be the queries themselves, or those of [`references`](MeshIndex::references).
+    ///
+    /// # Panics
+    /// If the session's scene lacks one of the vertices.
+    pub fn labels<P: Predicates + ?Sized>(&self, session: &P, vertices: &[Vertex]) -> Labels {
+        self.planted_labels::<P, Honest>(session, vertices)
+    }
+
+    /// [`MeshIndex::labels`] with a planted fault.
+    ///
+    /// # Panics
+    /// As [`MeshIndex::labels`].
+    pub fn planted_labels<P: Predicates + ?Sized, F: Planted>(&self, session: &P, vertices: &[Vertex]) -> Labels {
+        let scene = session.scene();
+        let mut first: Vec<Option<Vertex>> = vec![None; self.empty.len()];
+        for &v in vertices {
+            if let Some(region) = self.empty.of(self.grid.at(scene.point3(v))) {
+                first[region].get_or_insert(v);
+            }
+        }
+        let none = Labels { of_slot: Vec::new() };
+        let of_region = |region: usize| {
+            if self.empty.is_open(region) {
+                return OUTSIDE;
+            }
+            let Some(v) = first[region] else { return UNKNOWN };
+            match self.by_ray(session, &none, v, &mut Scratch::new()) {
+                Location::In(region) => region,
+                // A point in an empty cell is on no triangle; a session that says so is asked again for each point.
+                Location::On(_) | Location::Contradiction => UNKNOWN,
+            }
+        };
+        let mut of_region = crate::parallel::each(self.empty.len(), &of_region);
+        if F::MISTAKES_A_CAVITY
+            && let Some(cavity) = (0..self.empty.len()).find(|&region| !self.empty.is_open(region))
+        {
+            of_region[cavity] = OUTSIDE;
+        }
+        let of_slot = |slot: usize| self.empty.of_index(slot).map_or(UNKNOWN, |region| of_region[region]);
+        Labels { of_slot: (0..self.grid.slots()).into_par_iter().with_min_len(PART).map(of_slot).collect() }
+    }
+}

@@ -1,0 +1,234 @@
+//! Locates one point.
+
+use predicament_grid::Bounds;
+use predicament_grid::two_level::Ray;
+use predicament_mesh::OUTSIDE;
+use predicament_predicates::{Predicates, Scene, Vertex};
+
+use super::nearer::is_nearer;
+use super::planted::Planted;
+use super::stab::{Direction, Stab, stab};
+use super::{Labels, Location, MeshIndex};
+use crate::planted::Honest;
+
+/// Working memory for one point after the other.
+#[derive(Clone, Default, Debug)]
+pub struct Scratch {
+    triangles: Vec<u32>,
+    /// Regions, and how often each is passed into more than out of.
+    sums: Vec<(u32, i64)>,
+}
+
+impl Scratch {
+    /// Nothing yet.
+    #[must_use]
+    pub fn new() -> Scratch {
+        Scratch::default()
+    }
+}
+
+/// The nearest triangle so far.
+#[derive(Clone, Copy)]
+struct Nearest {
+    triangle: u32,
+    /// The region before it.
+    region: u32,
+    /// The last step along the ray that its box reaches.
+    end: u32,
+}
+
+impl MeshIndex {
+    /// Where the vertex `q` is: by the label of its cell, else by the nearest triangle above it.
+    ///
+    /// # Panics
+    /// If the session's scene lacks the vertex or one of the mesh.
+    #[inline]
+    pub fn locate<P: Predicates + ?Sized>(
+        &self,
+        session: &P,
+        labels: &Labels,
+        q: Vertex,
+        scratch: &mut Scratch,
+    ) -> Location {
+        self.planted_locate::<P, Honest>(session, labels, q, scratch)
+    }
+
+    /// [`MeshIndex::locate`] with a planted fault.
+    ///
+    /// # Panics
+    /// As [`MeshIndex::locate`].
+    #[inline]
+    pub fn planted_locate<P: Predicates + ?Sized, F: Planted>(
+        &self,
+        session: &P,
+        labels: &Labels,
+        q: Vertex,
+        scratch: &mut Scratch,
+    ) -> Location {
+        let reach = session.reach();
+        if reach != 0.0 {
+            return self.by_all::<P>(session, q, reach, scratch);
+        }
+        match labels.of(self.grid().at(session.scene().point3(q))) {
+            Some(region) => Location::In(region),
+            None => self.walk::<P, F>(session, labels, q),
+        }
+    }
+
+    /// [`MeshIndex::locate`] without looking at the point's own label.
+    pub(super) fn by_ray<P: Predicates + ?Sized>(
+        &self,
+        session: &P,
+        labels: &Labels,
+        q: Vertex,
+        scratch: &mut Scratch,
+    ) -> Location {
+        match session.reach() {
+            0.0 => self.walk::<P, Honest>(session, labels, q),
+            reach => self.by_all::<P>(session, q, reach, scratch),
+        }
+    }
+
+    /// Up from cell to cell, to the nearest triangle or a cell whose region is known.
+    fn walk<P: Predicates + ?Sized, F: Planted>(&self, session: &P, labels: &Labels, q: Vertex) -> Location {
+        let (scene, direction) = (session.scene(), Direction::of(Ray::UP));
+        let p = scene.point3(q);
+        let mut nearest: Option<Nearest> = None;
+        let mut found = None;
+        self.grid().along(p, Ray::UP, |slot, entries, last| {
+            if entries.is_empty() && nearest.is_none() {
+                found = labels.get(slot).map(Location::In);
+                return found.is_some();
+            }
+            for &triangle in entries {
+                if nearest.is_some_and(|nearest| nearest.triangle == triangle) {
+                    continue;
+                }
+                let corners = self.mesh().triangles()[triangle as usize];
+                let Some(is_near) = may_meet(scene, corners, p) else { continue };
+                match stab(session, direction, corners, q, is_near) {
+                    Stab::Missed => {}
+                    Stab::On => {
+                        // Entries are ascending, and the point's own cell lists all triangles that it is on.
+                        found = Some(Location::On(triangle));
+                        return true;
+                    }
+                    Stab::Passed { from_behind } => {
+                        let other = nearest.map(|nearest| self.mesh().triangles()[nearest.triangle as usize]);
+                        let is_nearer = other.is_none_or(|other| {
+                            is_nearer(session, direction, corners, other)
+                                .is_some_and(|nearer| nearer != F::TAKES_THE_FARTHER)
+                        });
+                        if is_nearer {
+                            let region = self.mesh().sides()[triangle as usize][usize::from(from_behind)];
+                            let high = corners.map(|v| scene.point3(v)[2]).into_iter().fold(f64::MIN, f64::max);
+                            nearest = Some(Nearest { triangle, region, end: self.grid().step(2, high) });
+                        }
+                    }
+                }
+            }
+            // Triangles that were not listed so far are wholly above this cell.
+            nearest.is_some_and(|nearest| nearest.end <= last)
+        });
+        found.unwrap_or(Location::In(nearest.map_or(OUTSIDE, |nearest| nearest.region)))
+    }
+
+    /// By the nearest of all triangles above, for sessions that register points beyond boxes.
+    #[cold]
+    fn by_all<P: Predicates + ?Sized>(&self, session: &P, q: Vertex, reach: f64, scratch: &mut Scratch) -> Location {
+        let direction = Direction::of(Ray::UP);
+        self.in_the_way(session.scene(), q, Ray::UP, reach, &mut scratch.triangles);
+        let mut nearest: Option<(u32, u32)> = None;
+        for &triangle in &scratch.triangles {
+            let corners = self.mesh().triangles()[triangle as usize];
+            match stab(session, direction, corners, q, true) {
+                Stab::Missed => {}
+                Stab::On => return Location::On(triangle),
+                Stab::Passed { from_behind } => {
+                    let other = nearest.map(|(nearest, _)| self.mesh().triangles()[nearest as usize]);
+                    if other.is_none_or(|other| is_nearer(session, direction, corners, other) == Some(true)) {
+                        nearest = Some((triangle, self.mesh().sides()[triangle as usize][usize::from(from_behind)]));
+                    }
+                }
+            }
+        }
+        Location::In(nearest.map_or(OUTSIDE, |(_, region)| region))
+    }
+
+    /// Where the vertex `q` is, all of it asked: every triangle along the ray, to its end, whether or not raw coordinates or
+    /// labels decide about it.
+    ///
+    /// The same as [`locate`](MeshIndex::locate) for exact and perturbed signs and a mesh that does not cross itself, and slower: for
+    /// judging sessions, not for using them.
+    ///
+    /// # Panics
+    /// As [`MeshIndex::locate`].
+    pub fn question<P: Predicates + ?Sized>(
+        &self,
+        session: &P,
+        q: Vertex,
+        ray: Ray,
+        scratch: &mut Scratch,
+    ) -> Location {
+        let direction = Direction::of(ray);
+        self.in_the_way(session.scene(), q, ray, session.reach(), &mut scratch.triangles);
+        scratch.sums.clear();
+        scratch.sums.push((OUTSIDE, 1));
+        let mut add = |region: u32, by: i64| match scratch.sums.iter_mut().find(|(known, _)| *known == region) {
+            Some((_, sum)) => *sum += by,
+            None => scratch.sums.push((region, by)),
+        };
+        for &triangle in &scratch.triangles {
+            match stab(session, direction, self.mesh().triangles()[triangle as usize], q, true) {
+                Stab::Missed => {}
+                Stab::On => return Location::On(triangle),
+                Stab::Passed { from_behind } => {
+                    let [front, back] = self.mesh().sides()[triangle as usize];
+                    let [before, behind] = if from_behind { [back, front] } else { [front, back] };
+                    add(before, 1);
+                    add(behind, -1);
+                }
+            }
+        }
+        let mut left = scratch.sums.iter().filter(|(_, sum)| *sum != 0);
+        match (left.next(), left.next()) {
+            (Some(&(region, 1)), None) => Location::In(region),
+            _ => Location::Contradiction,
+        }
+    }
+
+    /// The triangles whose boxes the ray passes within a reach, ascending, each once.
+    fn in_the_way(&self, scene: &Scene, q: Vertex, ray: Ray, reach: f64, triangles: &mut Vec<u32>) {
+        let p = scene.point3(q);
+        // Outward by more than the sum is rounded.
+        let [mut low, mut high] = match reach {
+            0.0 => [p, p],
+            _ => [p.map(|x| (x - reach).next_down().max(f64::MIN)), p.map(|x| (x + reach).next_up().min(f64::MAX))],
+        };
+        if ray.is_up {
+            high[ray.axis] = f64::MAX;
+        } else {
+            low[ray.axis] = f64::MIN;
+        }
+        let way = Bounds { low, high };
+        triangles.clear();
+        self.grid().within(&way, |_, entries| triangles.extend_from_slice(entries));
+        triangles.sort_unstable();
+        triangles.dedup();
+        triangles.retain(|&triangle| {
+            let corners = self.mesh().triangles()[triangle as usize].map(|v| scene.point3(v));
+            Bounds::of(corners).is_near(&way, 0.0)
+        });
+    }
+}
+
+/// Whether the ray up from p is in the box of a triangle as seen from above, and some of the box is not below p; and then whether p is
+/// in the box.
+#[inline]
+fn may_meet(scene: &Scene, corners: [Vertex; 3], p: [f64; 3]) -> Option<bool> {
+    let [a, b, c] = corners.map(|v| scene.point3(v));
+    let low = |axis: usize| a[axis].min(b[axis]).min(c[axis]);
+    let high = |axis: usize| a[axis].max(b[axis]).max(c[axis]);
+    let over = (low(0) <= p[0]) & (p[0] <= high(0)) & (low(1) <= p[1]) & (p[1] <= high(1)) & (p[2] <= high(2));
+    over.then(|| low(2) <= p[2])
+}

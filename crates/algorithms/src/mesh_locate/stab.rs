@@ -1,0 +1,127 @@
+//! How a ray along an axis meets a triangle.
+
+use predicament_grid::two_level::Ray;
+use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
+
+/// A ray along an axis, in the words of predicates.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Direction {
+    /// The plane across the ray, which has the ray coming out of it or going into it.
+    pub(super) plane: Plane,
+    /// The sign of `orient3d` of a triangle that turns left in that plane with a point that the ray comes from.
+    before: Sign,
+}
+
+impl Direction {
+    pub(super) fn of(ray: Ray) -> Direction {
+        let plane = [Plane::Yz, Plane::Zx, Plane::Xy][ray.axis];
+        // A point below a triangle that is seen counterclockwise from above has a positive sign.
+        Direction { plane, before: if ray.is_up { Sign::Positive } else { Sign::Negative } }
+    }
+
+    /// Whether the ray goes to larger coordinates.
+    pub(super) fn is_up(self) -> bool {
+        self.before == Sign::Positive
+    }
+}
+
+/// How a ray meets a triangle.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Stab {
+    /// Not at all.
+    Missed,
+    /// The point itself is on the triangle.
+    On,
+    /// It passes from the back of the triangle to its front, or from the front to the back.
+    Passed {
+        /// Whether the point is behind the triangle.
+        from_behind: bool,
+    },
+}
+
+/// How the ray from `q` meets the triangle a, b, c; the point is in the box of the triangle, as seen along the ray.
+///
+/// With `is_near` it is in the box along the ray too; else it is not on the triangle.
+pub(super) fn stab<P: Predicates + ?Sized>(
+    session: &P,
+    direction: Direction,
+    [a, b, c]: [Vertex; 3],
+    q: Vertex,
+    is_near: bool,
+) -> Stab {
+    let plane = direction.plane;
+    let first = session.orient2d(plane, a, b, q);
+    let second = session.orient2d(plane, b, c, q);
+    if first * second == Sign::Negative {
+        return Stab::Missed;
+    }
+    let third = session.orient2d(plane, c, a, q);
+    let turns = if first == Sign::Zero { second } else { first };
+    if third * turns == Sign::Negative {
+        return Stab::Missed;
+    }
+    if first == Sign::Zero || second == Sign::Zero || third == Sign::Zero {
+        return beside(session, direction, [a, b, c], q, [first, second, third], is_near);
+    }
+    passed(session, direction, [a, b, c], q, turns)
+}
+
+/// The triangle is over or under the point.
+fn passed<P: Predicates + ?Sized>(
+    session: &P,
+    direction: Direction,
+    [a, b, c]: [Vertex; 3],
+    q: Vertex,
+    turns: Sign,
+) -> Stab {
+    let side = session.orient3d(a, b, c, q);
+    if side == Sign::Zero {
+        return Stab::On;
+    }
+    let is_before = (side == turns) == direction.is_up();
+    if is_before { Stab::Passed { from_behind: side == Sign::Positive } } else { Stab::Missed }
+}
+
+/// The projected point is on the line of an edge at least.
+#[cold]
+fn beside<P: Predicates + ?Sized>(
+    session: &P,
+    direction: Direction,
+    corners: [Vertex; 3],
+    q: Vertex,
+    mut signs: [Sign; 3],
+    is_near: bool,
+) -> Stab {
+    let [a, b, c] = corners;
+    if is_near && session.orient3d(a, b, c, q) == Sign::Zero && is_within(session, corners, q) {
+        return Stab::On;
+    }
+    let edges = [[a, b], [b, c], [c, a]];
+    let [i, j] = direction.plane.axes();
+    for (sign, edge) in signs.iter_mut().zip(edges) {
+        if *sign == Sign::Zero {
+            *sign = moved(session, [i, j], edge);
+        }
+    }
+    let [first, second, third] = signs;
+    if first == Sign::Zero || first != second || second != third {
+        return Stab::Missed;
+    }
+    passed(session, direction, corners, q, first)
+}
+
+/// The turn of u, v and a point on their line that has moved by (ε, ε²): the first of ε (u − v)ⱼ and ε² (v − u)ᵢ that is not zero.
+fn moved<P: Predicates + ?Sized>(session: &P, [i, j]: [Axis; 2], [u, v]: [Vertex; 2]) -> Sign {
+    match session.compare(j, u, v) {
+        Sign::Zero => session.compare(i, v, u),
+        sign => sign,
+    }
+}
+
+/// Whether a point of the triangle's plane, in the triangle's box, is in the triangle, borders included.
+fn is_within<P: Predicates + ?Sized>(session: &P, [a, b, c]: [Vertex; 3], q: Vertex) -> bool {
+    [Plane::Xy, Plane::Yz, Plane::Zx].into_iter().all(|plane| {
+        let signs = [[a, b], [b, c], [c, a]].map(|[u, v]| session.orient2d(plane, u, v, q));
+        !(signs.contains(&Sign::Positive) && signs.contains(&Sign::Negative))
+    })
+}
