@@ -188,6 +188,18 @@ impl MaterialMesh {
         MaterialMesh::new(vertices, triangles, sides)
     }
 
+    /// The mesh over vertices that come so many places later.
+    ///
+    /// # Panics
+    /// As [`Vertex::input`].
+    #[must_use]
+    pub fn shifted(mut self, by: usize) -> MaterialMesh {
+        for v in self.triangles.as_flattened_mut() {
+            *v = Vertex::input(v.index() + by);
+        }
+        self
+    }
+
     /// The triangles.
     #[inline]
     #[must_use]

@@ -25,6 +25,7 @@ mod leading;
 mod lift;
 mod per_mesh;
 mod scheme;
+mod shift;
 mod short;
 mod stage;
 #[rustfmt::skip]

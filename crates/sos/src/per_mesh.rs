@@ -6,7 +6,8 @@
 //! moved as a whole. Ties within one mesh are not broken.
 //!
 //! The determinants are polynomials in one ε, exact ones, so nothing here is
-//! searched for or believed. In ε³ = ε · ε² infinitesimals collide; their coefficients add up.
+//! searched for or believed. In ε³ = ε · ε² infinitesimals collide; their coefficients add up. Where one input vertex of
+//! the one mesh meets those of the other, the polynomial is linear: see `shift.rs`.
 
 use predicament_exact::Exact;
 use predicament_predicates::{
@@ -15,6 +16,7 @@ use predicament_predicates::{
 };
 
 use crate::constructed::{self, rigid};
+use crate::shift;
 
 /// Simulation of Simplicity between two meshes: the second has moved by (ε, ε², ε³).
 ///
@@ -86,7 +88,15 @@ impl<T: Tally> Session<'_, T> {
     #[cold]
     #[inline(never)]
     fn tie<const N: usize>(&self, question: Question, args: [Vertex; N], exact_stage: usize) -> Sign {
-        let (sign, stage) = match rigid::decide(self.exact.scene(), question, &args) {
+        // Between input vertices most ties are a derivative away; all others take polynomials.
+        let shifted = match (question, &args[..]) {
+            (Question::Compare(axis), &[a, b]) => shift::compare(&self.exact, axis, [a, b]),
+            (Question::Orient2d(plane), &[a, b, c]) => shift::orient2d(&self.exact, plane, [a, b, c]),
+            (Question::Orient3d, &[a, b, c, d]) => shift::orient3d(&self.exact, [a, b, c, d]),
+            _ => None,
+        };
+        let decided = shifted.unwrap_or_else(|| rigid::decide(self.exact.scene(), question, &args));
+        let (sign, stage) = match decided {
             Some((sign, power)) => (sign, EXACT + power.clamp(1, 5) - 1),
             None => (Sign::Zero, exact_stage),
         };

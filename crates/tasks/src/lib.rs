@@ -17,7 +17,7 @@
 //! * [`output`]: answers as files for other programs, vertices exactly.
 //! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
 //!   [`crossings`], [`triangulate`], [`hull`], [`mod@slice`], [`delaunay`],
-//!   [`overlay`], [`snap`]: the tasks.
+//!   [`overlay`], [`snap`], [`mesh_locate`]: the tasks.
 
 mod any;
 mod budget;
@@ -30,6 +30,7 @@ mod map_source;
 mod outcome;
 mod planted;
 mod segment_source;
+mod solids;
 mod solver;
 mod task;
 mod watch;
@@ -40,6 +41,7 @@ pub mod cube_union;
 pub mod delaunay;
 pub mod hull;
 pub mod interval;
+pub mod mesh_locate;
 pub mod output;
 pub mod overlay;
 pub mod polygon_locate;

@@ -1,5 +1,7 @@
 //! A mesh with a grid over its triangles, and the regions that empty cells are in.
 
+use std::sync::Arc;
+
 use predicament_grid::Bounds;
 use predicament_grid::two_level::{EmptyRegions, Sizes, Slot, TwoLevel};
 use predicament_mesh::{MaterialMesh, OUTSIDE};
@@ -16,7 +18,7 @@ const PART: usize = 4096;
 /// A mesh with a broad phase over it. It depends on raw coordinates, and on no backend.
 #[derive(Clone, Debug)]
 pub struct MeshIndex {
-    mesh: MaterialMesh,
+    mesh: Arc<MaterialMesh>,
     grid: TwoLevel,
     empty: EmptyRegions,
 }
@@ -57,7 +59,7 @@ impl MeshIndex {
     /// # Panics
     /// If the mesh has vertices that the scene lacks, or the scene is of the plane.
     #[must_use]
-    pub fn new(mesh: MaterialMesh, scene: &Scene) -> MeshIndex {
+    pub fn new(mesh: impl Into<Arc<MaterialMesh>>, scene: &Scene) -> MeshIndex {
         MeshIndex::with_sizes(mesh, scene, None)
     }
 
@@ -66,8 +68,8 @@ impl MeshIndex {
     /// # Panics
     /// As [`MeshIndex::new`].
     #[must_use]
-    pub fn with_sizes(mesh: MaterialMesh, scene: &Scene, sizes: Option<Sizes>) -> MeshIndex {
-        MeshIndex::planted::<Honest>(mesh, scene, sizes)
+    pub fn with_sizes(mesh: impl Into<Arc<MaterialMesh>>, scene: &Scene, sizes: Option<Sizes>) -> MeshIndex {
+        MeshIndex::planted::<Honest>(mesh.into(), scene, sizes)
     }
 
     /// [`MeshIndex::with_sizes`] with a planted fault.
@@ -75,7 +77,7 @@ impl MeshIndex {
     /// # Panics
     /// As [`MeshIndex::new`].
     #[must_use]
-    pub fn planted<F: Planted>(mesh: MaterialMesh, scene: &Scene, sizes: Option<Sizes>) -> MeshIndex {
+    pub fn planted<F: Planted>(mesh: Arc<MaterialMesh>, scene: &Scene, sizes: Option<Sizes>) -> MeshIndex {
         let of_triangle = |corners: &[Vertex; 3]| Bounds::of(corners.map(|v| scene.point3(v)));
         let mut boxes: Vec<Bounds<3>> = mesh.triangles().par_iter().with_min_len(PART).map(of_triangle).collect();
         if F::SKIPS_A_TRIANGLE {

@@ -14,7 +14,9 @@ use crate::planted::Honest;
 /// Working memory for one point after the other.
 #[derive(Clone, Default, Debug)]
 pub struct Scratch {
-    triangles: Vec<u32>,
+    listed: Vec<u32>,
+    /// Triangles in the way, and whether their boxes hold the point within the reach.
+    triangles: Vec<(u32, bool)>,
     /// Regions, and how often each is passed into more than out of.
     sums: Vec<(u32, i64)>,
 }
@@ -137,11 +139,11 @@ impl MeshIndex {
     #[cold]
     fn by_all<P: Predicates + ?Sized>(&self, session: &P, q: Vertex, reach: f64, scratch: &mut Scratch) -> Location {
         let direction = Direction::of(Ray::UP);
-        self.in_the_way(session.scene(), q, Ray::UP, reach, &mut scratch.triangles);
+        self.in_the_way(session.scene(), q, Ray::UP, reach, scratch);
         let mut nearest: Option<(u32, u32)> = None;
-        for &triangle in &scratch.triangles {
+        for &(triangle, is_near) in &scratch.triangles {
             let corners = self.mesh().triangles()[triangle as usize];
-            match stab(session, direction, corners, q, true) {
+            match stab(session, direction, corners, q, is_near) {
                 Stab::Missed => {}
                 Stab::On => return Location::On(triangle),
                 Stab::Passed { from_behind } => {
@@ -171,15 +173,15 @@ impl MeshIndex {
         scratch: &mut Scratch,
     ) -> Location {
         let direction = Direction::of(ray);
-        self.in_the_way(session.scene(), q, ray, session.reach(), &mut scratch.triangles);
+        self.in_the_way(session.scene(), q, ray, session.reach(), scratch);
         scratch.sums.clear();
         scratch.sums.push((OUTSIDE, 1));
         let mut add = |region: u32, by: i64| match scratch.sums.iter_mut().find(|(known, _)| *known == region) {
             Some((_, sum)) => *sum += by,
             None => scratch.sums.push((region, by)),
         };
-        for &triangle in &scratch.triangles {
-            match stab(session, direction, self.mesh().triangles()[triangle as usize], q, true) {
+        for &(triangle, is_near) in &scratch.triangles {
+            match stab(session, direction, self.mesh().triangles()[triangle as usize], q, is_near) {
                 Stab::Missed => {}
                 Stab::On => return Location::On(triangle),
                 Stab::Passed { from_behind } => {
@@ -197,28 +199,34 @@ impl MeshIndex {
         }
     }
 
-    /// The triangles whose boxes the ray passes within a reach, ascending, each once.
-    fn in_the_way(&self, scene: &Scene, q: Vertex, ray: Ray, reach: f64, triangles: &mut Vec<u32>) {
+    /// Finds the triangles whose boxes the ray passes within a reach, ascending, each once.
+    fn in_the_way(&self, scene: &Scene, q: Vertex, ray: Ray, reach: f64, scratch: &mut Scratch) {
         let p = scene.point3(q);
         // Outward by more than the sum is rounded.
-        let [mut low, mut high] = match reach {
-            0.0 => [p, p],
-            _ => [p.map(|x| (x - reach).next_down().max(f64::MIN)), p.map(|x| (x + reach).next_up().min(f64::MAX))],
+        let around = match reach {
+            0.0 => Bounds { low: p, high: p },
+            _ => Bounds {
+                low: p.map(|x| (x - reach).next_down().max(f64::MIN)),
+                high: p.map(|x| (x + reach).next_up().min(f64::MAX)),
+            },
         };
+        let mut way = around;
         if ray.is_up {
-            high[ray.axis] = f64::MAX;
+            way.high[ray.axis] = f64::MAX;
         } else {
-            low[ray.axis] = f64::MIN;
+            way.low[ray.axis] = f64::MIN;
         }
-        let way = Bounds { low, high };
+        let Scratch { listed, triangles, .. } = scratch;
+        listed.clear();
+        self.grid().within(&way, |_, entries| listed.extend_from_slice(entries));
+        listed.sort_unstable();
+        listed.dedup();
         triangles.clear();
-        self.grid().within(&way, |_, entries| triangles.extend_from_slice(entries));
-        triangles.sort_unstable();
-        triangles.dedup();
-        triangles.retain(|&triangle| {
+        triangles.extend(listed.iter().filter_map(|&triangle| {
             let corners = self.mesh().triangles()[triangle as usize].map(|v| scene.point3(v));
-            Bounds::of(corners).is_near(&way, 0.0)
-        });
+            let bounds = Bounds::of(corners);
+            bounds.is_near(&way, 0.0).then(|| (triangle, bounds.is_near(&around, 0.0)))
+        }));
     }
 }
 

@@ -1,21 +1,12 @@
 //! Solids and planes through them.
 
-mod solids;
-
 use predicament_corpus::{Family, Making, Parts, Random, Recipe};
 use predicament_formats::bits::step;
 use predicament_formats::{CorpusError, Fields};
-use predicament_mesh::half_edge::IndexedFaces;
 use predicament_predicates::{Dimension, Scene, Vertex};
 
 use super::content::{is_line, solid};
-
-/// Points and faces.
-#[derive(Default)]
-struct Shape {
-    points: Vec<[f64; 3]>,
-    faces: IndexedFaces,
-}
+use crate::solids::{self, Shape};
 
 /// How planes are chosen.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

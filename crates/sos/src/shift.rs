@@ -1,0 +1,79 @@
+//! Ties between input vertices of two meshes, of which one has moved as a whole: by the determinant's derivatives.
+//!
+//! A determinant of differences is linear in a translation (δx, δy, δz) of one of its points, and a translation of all others is that of
+//! the one by the opposite. So with one vertex of the one mesh and the rest of the other, the tie is broken by the first
+//! derivative that is not zero: with δ = (ε, ε², ε³), by x, y, z in turn. Derivatives of `orient2d` are differences of
+//! coordinates, those of `orient3d` are `orient2d` of the other three vertices.
+
+use predicament_predicates::{Axis, Off, Plane, Predicates, Sign, Vertex};
+
+type Exact<'s> = predicament_exact::Session<'s, Off>;
+
+/// The sign after the move and the power of ε that decides, or that it is zero however far the mesh moves; none where this
+/// is not the way to find it.
+pub(crate) type Shifted = Option<Option<(Sign, usize)>>;
+
+/// The one of N vertices that is of another mesh than the rest, and the sign of its move relative to them. The outer none stands
+/// for two and two, the inner one for vertices of one mesh.
+fn odd_one<const N: usize>(exact: &Exact, args: [Vertex; N]) -> Option<Option<(usize, Sign)>> {
+    let second = exact.scene().second_mesh()?;
+    if args.iter().any(|v| v.is_constructed()) {
+        return None;
+    }
+    let moves = args.map(|v| second[v.index()]);
+    let at = |moving: bool| moves.iter().position(|&moves| moves == moving);
+    match moves.iter().filter(|&&moves| moves).count() {
+        0 => Some(None),
+        count if count == N => Some(None),
+        1 => at(true).map(|at| Some((at, Sign::Positive))),
+        count if count == N - 1 => at(false).map(|at| Some((at, Sign::Negative))),
+        _ => None,
+    }
+}
+
+/// Breaks a tie of `compare`.
+pub(crate) fn compare(exact: &Exact, axis: Axis, args: [Vertex; 2]) -> Shifted {
+    Some(odd_one(exact, args)?.map(|(at, sign)| (if at == 0 { sign } else { -sign }, axis.index() + 1)))
+}
+
+/// Breaks a tie of `orient2d`.
+pub(crate) fn orient2d(exact: &Exact, plane: Plane, args: [Vertex; 3]) -> Shifted {
+    let Some((at, moves)) = odd_one(exact, args)? else { return Some(None) };
+    // Turned until the odd one comes last.
+    let [a, b] = [args[(at + 1) % 3], args[(at + 2) % 3]];
+    let [i, j] = plane.axes();
+    let order = |axis: Axis, u: Vertex, v: Vertex| {
+        let [u, v] = [u, v].map(|v| exact.scene().coordinate(axis, v));
+        if u > v {
+            Sign::Positive
+        } else if u < v {
+            Sign::Negative
+        } else {
+            Sign::Zero
+        }
+    };
+    let mut derivatives = [(i, order(j, a, b)), (j, order(i, b, a))];
+    derivatives.sort_unstable_by_key(|(axis, _)| axis.index());
+    let first = derivatives.into_iter().find(|(_, sign)| !sign.is_zero());
+    Some(first.map(|(axis, sign)| (sign * moves, axis.index() + 1)))
+}
+
+/// Breaks a tie of `orient3d`.
+pub(crate) fn orient3d(exact: &Exact, args: [Vertex; 4]) -> Shifted {
+    let Some((at, moves)) = odd_one(exact, args)? else { return Some(None) };
+    let [mut a, mut b, mut c, d] = args;
+    // Exchanged with the last, which turns the sign over, as does the derivative by the last.
+    let sign = if at == 3 { -moves } else { moves };
+    match at {
+        0 => a = d,
+        1 => b = d,
+        2 => c = d,
+        _ => {}
+    }
+    let mut planes = [Plane::Yz, Plane::Zx, Plane::Xy].into_iter().zip(1..);
+    let first = planes.find_map(|(plane, power)| {
+        let derivative = exact.decide_orient2d(plane, a, b, c).0;
+        (!derivative.is_zero()).then_some((derivative * sign, power))
+    });
+    Some(first)
+}

@@ -1,0 +1,293 @@
+//! `mesh-locate`: the region of a multi-material mesh in which each probe lies.
+//!
+//! PinMesh (Franklin and Magalhães, section 4.4). Each point of space should be in exactly one region, whichever way a ray from
+//! it goes, also on lines through vertices and edges.
+
+mod content;
+mod generate;
+mod judge;
+mod probes;
+mod read;
+mod section;
+
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use predicament_algorithms::mesh_locate::planted::{
+    FartherTriangle, MistakenCavity, Planted as Wrong, SkippedTriangle,
+};
+use predicament_algorithms::mesh_locate::{
+    Location, MeshIndex, Ray, Scratch, locate_all, locate_all_planted, question_all,
+};
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_judge::solids::Materials;
+use predicament_mesh::OUTSIDE;
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
+use predicament_records::{RunDir, TableSpec};
+use predicament_report::Section;
+
+pub use content::{Probe, ProbeKind, ProbedMesh};
+pub use judge::Truth;
+pub use section::MeshLocateRow;
+
+use crate::{
+    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Purpose, Stop, Task,
+    Watch, digest,
+};
+
+/// The checks that have to find a triangle missing in the grid.
+const SKIPPED_CHECKS: &[Catch] = &[(Class::SignFlip, "exact location"), (Class::MissedZero, "missed surface")];
+/// The checks that have to find a label that is wrong.
+const CAVITY_CHECKS: &[Catch] = &[(Class::SignFlip, "exact location")];
+/// The checks that have to find a ray that ends at the wrong triangle.
+const FARTHER_CHECKS: &[Catch] = &[(Class::SignFlip, "exact location")];
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct MeshLocate;
+
+/// The locations of all probes.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Located(pub Vec<Location>);
+
+impl Answer for Located {
+    fn digest(&self) -> u64 {
+        digest(self.0.iter().flat_map(|location| {
+            let [kind, number] = match *location {
+                Location::In(region) => [0, region],
+                Location::On(triangle) => [1, triangle],
+                Location::Contradiction => [2, 0],
+            };
+            [kind, number].into_iter().flat_map(u32::to_le_bytes)
+        }))
+    }
+}
+
+impl SceneFormat for MeshLocate {
+    fn name(&self) -> &'static str {
+        "mesh-locate"
+    }
+
+    fn template(&self) -> String {
+        include_str!("template.txt").to_owned()
+    }
+
+    fn about(&self) -> &'static str {
+        "the region of a multi-material mesh in which a point lies (Franklin and Magalhães, 4.4)"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &[
+            "mesh",
+            "points",
+            "triangles",
+            "regions",
+            "tetrahedra",
+            "probes",
+            "random",
+            "random_full",
+            "seed",
+            "quick_stride",
+            "full_stride",
+        ]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points", "probes"]
+    }
+
+    fn file_keys(&self) -> &'static [&'static str] {
+        &["mesh"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        read::read(context, fields)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &generate::FAMILIES
+    }
+
+    fn generator_keys(&self) -> &'static [&'static str] {
+        &["random", "random_full", "quick_stride", "full_stride"]
+    }
+}
+
+impl Task for MeshLocate {
+    type Content = ProbedMesh;
+    type Truth = Truth;
+    type Answer = Located;
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]
+    }
+
+    fn looks_at_watch(&self) -> bool {
+        true
+    }
+
+    fn truth(&self, scene: &Scene, content: &ProbedMesh, watch: &Watch) -> Result<Truth, Stop> {
+        Truth::new(scene, content, watch)
+    }
+
+    fn sampled(&self, truth: &Truth) -> Option<String> {
+        truth.sampled()
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &ProbedMesh,
+        how: &How<'_>,
+        answer: &mut Located,
+    ) -> Result<(), Halt> {
+        let (session, index) = (&*session, content.mesh_index(session.scene()));
+        let probes = content.vertices();
+        answer.0 = match how.purpose {
+            Purpose::Judge => {
+                let session: &dyn Predicates = session;
+                watched(how.watch, |go_on| question_all(index, session, &probes, Ray::UP, go_on))?
+            }
+            Purpose::Use => watched(how.watch, |go_on| locate_all(index, session, &probes, go_on))?,
+        };
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, MeshLocate>,
+        asked: &Asked<'_>,
+        answer: &Located,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        judge::judge(case, asked, &answer.0, outcome)
+    }
+
+    fn planted(&self) -> Vec<Planted<MeshLocate>> {
+        fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<MeshLocate> {
+            Planted::new::<F>("exact", caught_by, |session, content: &ProbedMesh| {
+                let index = MeshIndex::planted::<F>(content.mesh.clone(), session.scene(), None);
+                let session: &dyn Predicates = session;
+                Ok(Located(locate_all_planted::<dyn Predicates, F>(&index, session, &content.vertices(), &|_| true)))
+            })
+        }
+        vec![
+            fault::<SkippedTriangle>(SKIPPED_CHECKS),
+            fault::<MistakenCavity>(CAVITY_CHECKS),
+            fault::<FartherTriangle>(FARTHER_CHECKS),
+        ]
+    }
+
+    fn describe(&self, loaded: &LoadedScene, content: &ProbedMesh, watch: &Watch) -> Result<String, Stop> {
+        let truth = Truth::new(&loaded.scene, content, watch)?;
+        let [within, on, contradictions] = truth.counts();
+        let sampled = truth.sampled().map(|sampled| format!(" ({sampled})")).unwrap_or_default();
+        let kinds = ProbeKind::ALL.into_iter().map(|kind| {
+            let count = content.probes.iter().filter(|probe| probe.kind == kind).count();
+            (count > 0).then(|| format!("{count} {}", kind.name()))
+        });
+        let kinds: Vec<String> = kinds.flatten().collect();
+        Ok(format!(
+            "{} triangles, {} regions with the outside, {} probes: {}\n\
+             {within} in a region, {on} on the mesh, {contradictions} in no one region{sampled}\n",
+            content.mesh.triangles().len(),
+            content.mesh.regions(),
+            content.probes.len(),
+            kinds.join(", "),
+        ))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &ProbedMesh,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let probe = query.vertices().next().ok_or_else(|| format!("`{query}` names no probe"))?;
+        let index = content.mesh_index(scene);
+        let ask = |backend: &dyn Contestant| {
+            let mut told = Err(format!("{} was not asked", backend.name()));
+            let prepared = backend.with_session(scene, &mut |session| {
+                told = self.supported(session).map_err(|why| why.to_string()).map(|()| {
+                    let mut scratch = Scratch::new();
+                    let by_rays = Ray::ALL.map(|ray| named(index.question(session, probe, ray, &mut scratch)));
+                    let short = named(locate_all(index, session, &[probe], &|_| true)[0]);
+                    if by_rays.iter().all(|by_ray| *by_ray == short) {
+                        short
+                    } else {
+                        format!("{short}; by all triangles along +z, -z, +x, -x, +y, -y: {}", by_rays.join(", "))
+                    }
+                });
+            });
+            prepared.map_err(|why| why.to_string()).and(told)
+        };
+        let place = Materials::new(scene, content.mesh.triangles(), content.mesh.sides()).locate(probe);
+        let about = Explanation { vertices: vec![probe], truth: vec![judge::told(&place)], ..Explanation::default() };
+        Ok(about.with_answers(backends, ask))
+    }
+
+    /// A CSV file: each probe with its coordinates, its region, and the triangle that it is on.
+    fn write(
+        &self,
+        scene: &Scene,
+        content: &ProbedMesh,
+        answer: &Located,
+        folder: &Path,
+    ) -> std::io::Result<Vec<PathBuf>> {
+        let path = folder.join("probes.csv");
+        let mut lines = String::from("vertex,x,y,z,region,triangle\n");
+        for (probe, location) in content.probes.iter().zip(&answer.0) {
+            let [x, y, z] = scene.point3(probe.vertex);
+            let [region, triangle] = match location {
+                Location::In(region) => [region.to_string(), String::new()],
+                Location::On(triangle) => [String::new(), triangle.to_string()],
+                Location::Contradiction => [String::new(), String::new()],
+            };
+            lines.push_str(&format!("{},{x:?},{y:?},{z:?},{region},{triangle}\n", probe.vertex));
+        }
+        std::fs::write(&path, lines)?;
+        Ok(vec![path])
+    }
+
+    fn tables(&self) -> Vec<TableSpec> {
+        vec![TableSpec::of::<MeshLocateRow>()]
+    }
+
+    fn section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error> {
+        section::section(runs)
+    }
+}
+
+/// Runs something that says how many probes it has done, as long as the watch lets it.
+fn watched(
+    watch: &Watch,
+    all: impl FnOnce(&(dyn Fn(usize) -> bool + Sync)) -> Vec<Location>,
+) -> Result<Vec<Location>, Stop> {
+    let before = AtomicUsize::new(0);
+    let stop = OnceLock::new();
+    let locations = all(&|done| {
+        let news = done.saturating_sub(before.fetch_max(done, Ordering::Relaxed));
+        match watch.done(news as u64) {
+            Ok(()) => true,
+            Err(why) => {
+                let _ = stop.set(why);
+                false
+            }
+        }
+    });
+    stop.get().map_or(Ok(locations), |&why| Err(why))
+}
+
+/// A location in words.
+#[must_use]
+pub fn named(location: Location) -> String {
+    match location {
+        Location::In(OUTSIDE) => "outside".to_owned(),
+        Location::In(region) => format!("in region {region}"),
+        Location::On(triangle) => format!("on triangle {triangle}"),
+        Location::Contradiction => "in no one region".to_owned(),
+    }
+}

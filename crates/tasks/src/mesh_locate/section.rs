@@ -1,0 +1,131 @@
+//! `mesh_locate.csv` and what a report makes of it.
+
+use predicament_algorithms::mesh_locate::Location;
+use predicament_records::{Error, Row, RunDir};
+use predicament_report::layout::{backends, rank, run_head, run_label};
+use predicament_report::{Block, Cell, Section, Table, Tone};
+use serde::{Deserialize, Serialize};
+
+use super::MeshLocate;
+use super::content::ProbeKind;
+use crate::{Asked, Case, Class};
+
+/// `mesh_locate.csv`: where the probes of a mesh were found.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct MeshLocateRow {
+    /// The suite's name.
+    pub suite: String,
+    /// The scene's name in its suite.
+    pub scene: String,
+    /// The scene's content id.
+    pub scene_id: String,
+    /// The backend's name, with its parameters.
+    pub backend: String,
+    /// The number of triangles.
+    pub triangles: u64,
+    /// How these probes were chosen: `vertex`, `midpoint`, …
+    pub kind: String,
+    /// How many probes there were.
+    pub probes: u64,
+    /// Probes that were found in one region.
+    pub in_region: u64,
+    /// Probes that were found on the mesh.
+    pub on_mesh: u64,
+    /// Probes in no region, or in several.
+    pub contradictions: u64,
+    /// Probes that were held against all triangles.
+    pub known: u64,
+    /// Answers that are wrong, or contradict others: the points that are lost.
+    pub lost: u64,
+}
+
+impl MeshLocateRow {
+    pub(super) fn of(case: &Case<'_, MeshLocate>, asked: &Asked<'_>, kind: ProbeKind) -> MeshLocateRow {
+        MeshLocateRow {
+            suite: case.loaded.suite.clone(),
+            scene: case.loaded.name.clone(),
+            scene_id: case.loaded.id.clone(),
+            backend: asked.backend.name(),
+            triangles: case.content.mesh.triangles().len() as u64,
+            kind: kind.name().to_owned(),
+            probes: 0,
+            in_region: 0,
+            on_mesh: 0,
+            contradictions: 0,
+            known: 0,
+            lost: 0,
+        }
+    }
+
+    pub(super) fn count(&mut self, answer: Location, class: Class, is_known: bool) {
+        self.probes += 1;
+        match answer {
+            Location::In(_) => self.in_region += 1,
+            Location::On(_) => self.on_mesh += 1,
+            Location::Contradiction => self.contradictions += 1,
+        }
+        self.known += u64::from(is_known);
+        self.lost += u64::from(!class.is_legal());
+    }
+}
+
+impl Row for MeshLocateRow {
+    const FILE: &'static str = "mesh_locate.csv";
+    const COLUMNS: &'static [&'static str] = &[
+        "suite",
+        "scene",
+        "scene_id",
+        "backend",
+        "triangles",
+        "kind",
+        "probes",
+        "in_region",
+        "on_mesh",
+        "contradictions",
+        "known",
+        "lost",
+    ];
+}
+
+/// The section of a report.
+pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
+    let order = backends(runs);
+    let mut table = Table::new("").words(run_head(runs)).words(["scene", "probes at", "backend"]).numbers([
+        "probes",
+        "in a region",
+        "on the mesh",
+        "contradictions",
+        "known",
+        "lost",
+    ]);
+    for (index, run) in runs.iter().enumerate() {
+        let mut rows = run.rows::<MeshLocateRow>()?;
+        rows.sort_by_cached_key(|r| {
+            ([&r.suite, &r.scene, &r.scene_id, &r.kind].map(String::clone), rank(&order, &r.backend))
+        });
+        for row in &rows {
+            let lost = if row.lost == 0 { Tone::Muted } else { Tone::Bad };
+            let cells = [
+                Cell::from(row.scene.as_str()).detail(&*row.suite),
+                row.kind.as_str().into(),
+                row.backend.as_str().into(),
+                Cell::count(row.probes),
+                Cell::count(row.in_region),
+                Cell::count(row.on_mesh),
+                Cell::count(row.contradictions),
+                Cell::count(row.known),
+                Cell::count(row.lost).tone(lost),
+            ];
+            table.push(run_label(runs, index).into_iter().chain(cells).collect());
+        }
+    }
+    let block = Block::table_or(table, "No point was located in a mesh.");
+    Ok(Some(Section {
+        id: "mesh-locate",
+        title: "Points in meshes",
+        lead: "Probes of multi-material meshes by how they were chosen, and where each backend found them. A probe is lost if its \
+               answer is wrong, is no one region, or differs from axis to axis."
+            .to_owned(),
+        blocks: vec![block],
+    }))
+}
