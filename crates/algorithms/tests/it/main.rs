@@ -10,6 +10,7 @@ mod hull_plane;
 mod hull_signs;
 mod hull_space;
 mod overlay;
+mod overlay_near;
 mod polygon_locate;
 mod polygon_shapes;
 mod polygon_special;
