@@ -2,7 +2,9 @@
 
 use predicament_corpus::{Context, Origin, PointSource};
 use predicament_formats::{Cache, CorpusError, Decimals, Entry, Fields, ImportNotes, TableKind, geometry};
-use predicament_predicates::{Dimension, Scene, Vertex};
+use predicament_predicates::{Dimension, Query, Scene, Vertex};
+
+use crate::Explanation;
 
 static SEGMENTS: TableKind = TableKind::new("reference to segments", &["path", "fetch"]);
 
@@ -18,6 +20,14 @@ pub(crate) enum SegmentSource {
         file: String,
         task: &'static str,
     },
+}
+
+/// The place of the segment that a query names by its ends, and an explanation about these.
+pub(crate) fn named(segments: &[[Vertex; 2]], query: &Query) -> Result<(usize, Explanation), String> {
+    let ends: Vec<Vertex> = query.vertices().collect();
+    let at = segments.iter().position(|segment| *segment == *ends);
+    let at = at.ok_or_else(|| format!("`{query}`: the scene has no such segment"))?;
+    Ok((at, Explanation { vertices: ends, ..Explanation::default() }))
 }
 
 /// A scene, its segments, and what reading changed.

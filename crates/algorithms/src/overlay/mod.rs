@@ -63,7 +63,7 @@ const NONE: u32 = u32::MAX;
 /// How segments that meet are found.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum Method {
-    /// Those in one cell of a grid are compared.
+    /// Segments in one cell of a grid are compared.
     #[default]
     Grid,
     /// A line sweeps over the plane from left to right, and neighbours on it are compared (Bentley and Ottmann 1979).
@@ -81,7 +81,7 @@ pub struct Arrangement {
     /// Segment after segment, the nodes on it in its order.
     along: Vec<u32>,
     first: Vec<u32>,
-    /// The edges, in the order of the segments.
+    /// The parts of segments between nodes that follow each other, in the order of the segments.
     pub pieces: Vec<Piece>,
     /// What the last of these are, as many as there are of these.
     runs: Vec<Run>,
@@ -111,7 +111,7 @@ pub struct Overlay {
 }
 
 impl Overlay {
-    /// The regions of a result. The session has to be the one that the overlay was made with.
+    /// The regions of the result of an operation. The session has to be the one that the overlay was made with.
     #[must_use]
     pub fn regions(&self, session: &dyn Predicates, operation: Operation) -> Regions {
         self.beside(session, operation, &[])
@@ -186,8 +186,8 @@ pub fn overlay_planted<F: Planted>(
     overlaid(session, edges, &[], rules, method, Wrong::of::<F>())
 }
 
-/// The result of an operation on an earlier result and a polygon: that of [`overlay`], at the cost of what of the first is in the
-/// box of the second.
+/// The result of an operation on an earlier result and a polygon: the same as by [`overlay`], but edges of the first operand that are
+/// off the box of the second are not compared.
 ///
 /// What is of the first beyond that box stays as it is, on the understanding that its edges meet in vertices only, as those
 /// of results do.

@@ -31,7 +31,7 @@ impl Edge {
     }
 }
 
-/// What loops bound, by their winding number around a point.
+/// The rule by which a winding number says whether a point is inside of a polygon.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum Rule {
     /// Inside where it is odd.
@@ -57,12 +57,12 @@ impl Rule {
 pub struct Polygon {
     /// Closed chains: each edge begins where the one before it ends.
     pub loops: Vec<Vec<Edge>>,
-    /// What is inside.
+    /// The rule that says what is inside.
     pub rule: Rule,
 }
 
 impl Polygon {
-    /// Loops of input vertices.
+    /// The polygon of loops of input vertices; edges without length are left out.
     #[must_use]
     pub fn of_vertices(loops: &[Vec<Vertex>], rule: Rule) -> Polygon {
         let edges = |one: &Vec<Vertex>| {
@@ -79,9 +79,9 @@ impl Polygon {
 /// vertices only; those that follow each other on one input segment are one, but where another loop touches. Each loop begins at its first vertex in the order of ids, and so do holes and regions follow each other.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Region {
-    /// Counterclockwise.
+    /// The outer loop, counterclockwise.
     pub outer: Vec<Edge>,
-    /// Clockwise.
+    /// The holes, clockwise.
     pub holes: Vec<Vec<Edge>>,
 }
 
@@ -92,7 +92,7 @@ impl Region {
     }
 }
 
-/// For another overlay: what regions hold, by the rule of winding numbers.
+/// The polygon of all loops of regions, by the non-zero rule: an operand of another overlay.
 impl From<&[Region]> for Polygon {
     fn from(regions: &[Region]) -> Polygon {
         let loops = regions.iter().flat_map(|region| region.loops().cloned()).collect();
@@ -100,21 +100,21 @@ impl From<&[Region]> for Polygon {
     }
 }
 
-/// How two polygons are combined.
+/// A Boolean operation on two polygons.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Operation {
-    /// Inside of one of them.
+    /// What is inside of the first, of the second or of both.
     Union,
-    /// Inside of both.
+    /// What is inside of both.
     Intersection,
-    /// Inside of the first and not of the second.
+    /// What is inside of the first and not of the second.
     Difference,
-    /// Inside of one and not of both.
+    /// What is inside of one and not of both.
     SymmetricDifference,
 }
 
 impl Operation {
-    /// All four.
+    /// All four operations.
     pub const ALL: [Operation; 4] =
         [Operation::Union, Operation::Intersection, Operation::Difference, Operation::SymmetricDifference];
 

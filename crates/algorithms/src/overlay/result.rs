@@ -50,9 +50,9 @@ fn across(left: [i32; 2], pieces: &[Piece], half: u32, rules: [Rule; 2]) -> [i32
 /// The regions of a result, or of as much as could be made of it, and the rule that was broken.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Regions {
-    /// In the order of their outer loops.
+    /// The regions, in the order of their outer loops.
     pub regions: Vec<Region>,
-    /// The first rule that signs have broken, as the statement that should hold.
+    /// The first rule that signs have broken, as the statement that should hold; none where the result is whole.
     pub broken: Option<&'static str>,
 }
 

@@ -38,7 +38,7 @@ pub enum Method {
     /// Hobby's snap rounding.
     #[default]
     Snap,
-    /// The same until no edge meets a hot pixel that it does not end in.
+    /// Iterated snap rounding: the same again with the edges of chains, until none meets a hot pixel that it does not end in.
     Iterated,
 }
 
@@ -55,7 +55,7 @@ pub struct Drawing<'d> {
     pub touching: &'d [[u32; 2]],
 }
 
-/// Chains of pixels.
+/// A drawing that was rounded: its hot pixels, and for each segment the chain of those that it passes.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Snapped {
     /// The hot pixels, ascending, each once.
@@ -64,11 +64,11 @@ pub struct Snapped {
     pub ends: Vec<u32>,
     /// For each segment the pixels on its chain in their order from its first end, by their places in `pixels`.
     pub chains: Vec<Vec<u32>>,
-    /// How many points and crossings share a pixel with another one: they have merged.
+    /// How many points and crossings have merged: by how many more they are than hot pixels.
     pub merged: usize,
 }
 
-/// Why nothing is rounded.
+/// Why a drawing cannot be rounded.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SnapError {
     /// A point is not finite, or too far from the origin for pixels of this size.
@@ -96,7 +96,8 @@ impl std::error::Error for SnapError {}
 /// The time is linear-logarithmic in segments, crossings, and the pairs of segments and hot pixels that meet.
 ///
 /// # Errors
-/// [`SnapError`] where the drawing is none, or too large for the pixels.
+/// [`SnapError`] where a point is not finite or too far away for pixels of this size, a segment or a pair names what is not there, or
+/// the segments of a pair do not meet in one point.
 ///
 /// # Panics
 /// If there are 2^32 points or segments.

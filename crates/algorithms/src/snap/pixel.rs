@@ -4,10 +4,10 @@ use std::cmp::Ordering;
 
 use super::plane::{crossing_against, crossing_estimate, double, turn};
 
-/// The centre of a pixel, the square from half a unit below to half a unit above along each axis, without its upper ends.
+/// A pixel by its centre, in units of pixels: the square from half a unit below to half a unit above along each axis, without its upper ends.
 pub type Pixel = [i64; 2];
 
-/// Coordinates are smaller than this many pixels.
+/// The bound of coordinates in pixels, 2^50: those from there on are refused.
 pub const SIDES: f64 = 1_125_899_906_842_624.0; // 2^50
 
 /// The integer i with i − 1/2 ≤ x < i + 1/2.
@@ -98,7 +98,5 @@ pub fn meets([a, b]: [[f64; 2]; 2], pixel: Pixel) -> bool {
     }
     let corner = turn(a, b, low);
     let others = [[high[0], low[1]], [low[0], high[1]], high].map(|corner| turn(a, b, corner));
-    corner == Ordering::Equal
-        || others.iter().any(|&other| other == corner.reverse())
-        || (others.contains(&Ordering::Less) && others.contains(&Ordering::Greater))
+    corner == Ordering::Equal || others.contains(&corner.reverse())
 }

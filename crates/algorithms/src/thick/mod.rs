@@ -6,7 +6,7 @@
 //! 1. Discs that overlap become one disc, which covers them. Their edges become thicker by as much as their ends move.
 //! 2. A disc that overlaps an edge divides it there. The parts are as thick as they have to be to cover the edge that was.
 //!    A vertex is at least as thick as its edges.
-//! 3. Edges that still cross are divided by a new vertex, as thick as the thicker of them and the rounding of its place.
+//! 3. Edges that still cross are divided by a new vertex as if it were on both: wherever rounding has put it, it reaches them.
 //!
 //! Whatever a step makes is thick again and may overlap something else, so that the steps are repeated until nothing changes.
 //!
@@ -22,15 +22,15 @@ use round::Round;
 
 pub use shape::{Disc, Side, side};
 
-/// After so many rounds it is given up.
+/// The most rounds that [`settle`] makes; a drawing in which something overlaps after these is left as it is.
 pub const MOST_ROUNDS: usize = 64;
 
-/// An edge between two discs.
+/// A thick edge between two discs.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Edge {
-    /// Its ends, by their places.
+    /// The discs at its ends, by their places in [`Drawing::discs`].
     pub ends: [u32; 2],
-    /// How far what it stands for may be from the line between the centres of its ends.
+    /// Its radius: how far what it stands for may be from the line between the centres of its ends.
     pub radius: f64,
     /// How many times each of two polygons passes it from its first end to its second, less how many times back.
     pub passes: [i32; 2],
@@ -45,18 +45,18 @@ pub struct Drawing {
     pub edges: Vec<Edge>,
 }
 
-/// A drawing in which nothing overlaps but edges with their ends, and how it was made.
+/// The result of [`settle`]: a drawing in which nothing overlaps but edges with their ends, and how it was made.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Settled {
     /// The drawing. Edges that are passed as often forth as back are left out, and discs without edges.
     pub drawing: Drawing,
-    /// How many discs went into others.
+    /// How many discs were merged into others.
     pub merged: usize,
-    /// How many edges were divided by a disc that was there.
+    /// How many times an edge was divided at a disc that was there.
     pub divided: usize,
-    /// How many crossings were made discs.
+    /// How many crossings became discs.
     pub crossed: usize,
-    /// Whether nothing overlaps any more.
+    /// Whether nothing overlaps any more; false after [`MOST_ROUNDS`] rounds that were not enough.
     pub is_settled: bool,
 }
 
@@ -69,7 +69,7 @@ impl Settled {
     }
 }
 
-/// Makes what overlaps coincide.
+/// Merges discs that overlap, and divides edges at discs that overlap them and where they cross, until nothing overlaps.
 ///
 /// # Panics
 /// If an edge ends in a disc that is not there.
@@ -137,7 +137,7 @@ impl Drawing {
         for group in cuts.chunk_by(|a, b| a.edge == b.edge) {
             let Edge { ends: [from, to], radius, passes } = self.edges[group[0].edge as usize];
             let line = [from, to].map(|end| self.discs[end as usize].centre);
-            let off = |disc: u32| shape::distance(line, self.discs[disc as usize].centre).0;
+            let off = |disc: u32| shape::distance_at_most(line, self.discs[disc as usize].centre);
             let stops: Vec<u32> = [from].into_iter().chain(group.iter().map(|cut| cut.disc)).chain([to]).collect();
             let mut parts = stops.windows(2).map(|part| {
                 // The edge that was is between the two of them, no farther off than its farther end.

@@ -94,10 +94,10 @@ impl<'d> Round<'d> {
                 };
                 let across = |[a, b]: [Side; 2]| a != b && a != Side::On && b != Side::On;
                 if across(sides(e, edge.radius, with.ends)) && across(sides(f, with.radius, edge.ends)) {
-                    let (mut disc, along) = crossing(e, f);
-                    disc.radius = disc.radius.max(edge.radius).max(with.radius);
+                    let (centre, along) = crossing(e, f);
                     let place = number(discs.len() + new.len());
-                    new.push(disc);
+                    // Divided there, edges are thick enough to cover what they were, and vertices are as thick as their edges.
+                    new.push(Disc { centre, radius: 0.0 });
                     cuts.extend([at, other].into_iter().zip(along).map(|(edge, along)| Cut {
                         edge,
                         along,

@@ -4,16 +4,16 @@ use predicament_grid::Bounds;
 
 pub(super) type Point = [f64; 2];
 
-/// A thick vertex.
+/// A thick vertex: a disc.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Disc {
-    /// Where it is.
+    /// Its centre.
     pub centre: [f64; 2],
-    /// How far what it stands for may be from there.
+    /// Its radius: how far what it stands for may be from the centre.
     pub radius: f64,
 }
 
-/// Where a vertex is, as seen along an edge.
+/// The side of a thick edge that a vertex is on, seen along the edge.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Side {
     /// To the left of it.
@@ -24,7 +24,7 @@ pub enum Side {
     Right,
 }
 
-/// The side of a vertex on a thick edge between the centres of two others.
+/// The side that a vertex is on of a thick edge, which has this radius and goes from one point of `line` to the other.
 #[must_use]
 pub fn side(line: [[f64; 2]; 2], radius: f64, p: Disc) -> Side {
     if distance(line, p.centre).0 <= radius + p.radius {
@@ -47,6 +47,14 @@ pub(super) fn distance([a, b]: [Point; 2], p: Point) -> (f64, f64) {
     let square = ab[0] * ab[0] + ab[1] * ab[1];
     let along = if square > 0.0 { ((ab[0] * ap[0] + ab[1] * ap[1]) / square).clamp(0.0, 1.0) } else { 0.0 };
     ((ap[0] - along * ab[0]).hypot(ap[1] - along * ab[1]), along)
+}
+
+/// A distance that a point is no farther than from a segment, whatever was rounded.
+pub(super) fn distance_at_most(line: [Point; 2], p: Point) -> f64 {
+    // What is taken for the nearest point is one of the segment, so that only the way from there to p is rounded: along each axis
+    // by less than four times 2^-53 of what was subtracted.
+    let reach = |q: Point| (q[0] - line[0][0]).abs() + (q[1] - line[0][1]).abs();
+    up(distance(line, p).0 + 4.0 * f64::EPSILON * (reach(line[1]) + reach(p)))
 }
 
 /// A little more: what a few roundings may have taken.
@@ -90,18 +98,13 @@ pub(super) fn thick(bounds: Bounds<2>, radius: f64) -> Bounds<2> {
     Bounds { low: bounds.low.map(|x| (x - radius).next_down()), high: bounds.high.map(|x| (x + radius).next_up()) }
 }
 
-/// Where two segments cross that each have the other's ends on different sides, with the rounding of the place as radius.
-pub(super) fn crossing(e: [Point; 2], f: [Point; 2]) -> (Disc, [f64; 2]) {
+/// About where two segments cross that each have the other's ends on different sides, and how far along each, from 0 to 1.
+pub(super) fn crossing(e: [Point; 2], f: [Point; 2]) -> (Point, [f64; 2]) {
     let along = |line: [Point; 2], other: [Point; 2]| {
         let [n, m] = line.map(|p| turn(other, p));
         n / (n - m)
     };
     let [on_e, on_f] = [along(e, f).clamp(0.0, 1.0), along(f, e).clamp(0.0, 1.0)];
-    let at = |[a, b]: [Point; 2], t: f64| [0, 1].map(|axis: usize| a[axis] + t * (b[axis] - a[axis]));
-    let centre = at(e, on_e);
-    // Its place on the other edge would be the same but for rounding: how far apart they are is a measure of that.
-    let other = at(f, on_f);
-    let apart = (centre[0] - other[0]).hypot(centre[1] - other[1]);
-    let rounding = 4.0 * f64::EPSILON * (centre[0].abs() + centre[1].abs());
-    (Disc { centre, radius: up(apart) + rounding }, [on_e, on_f])
+    let [a, b] = e;
+    ([0, 1].map(|axis: usize| a[axis] + on_e * (b[axis] - a[axis])), [on_e, on_f])
 }

@@ -11,6 +11,7 @@ mod hull_signs;
 mod hull_space;
 mod mesh_locate;
 mod overlay;
+mod overlay_near;
 mod polygon_locate;
 mod polygon_shapes;
 mod polygon_special;

@@ -14,10 +14,10 @@ use crate::common::liar::Liar;
 use crate::common::{Point, point};
 
 /// A sequence of numbers.
-struct Numbers(u64);
+pub(crate) struct Numbers(pub u64);
 
 impl Numbers {
-    fn below(&mut self, n: u32) -> u32 {
+    pub(crate) fn below(&mut self, n: u32) -> u32 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         u32::try_from(self.0 >> 33).unwrap() % n
     }
@@ -210,7 +210,7 @@ fn ends_of(scene: &Scene, polygon: &Polygon) -> Vec<[Point; 2]> {
 }
 
 /// Twice the area of a polygon, by winding numbers.
-fn area(scene: &Scene, polygon: &Polygon) -> Rational {
+pub(crate) fn area(scene: &Scene, polygon: &Polygon) -> Rational {
     ends_of(scene, polygon).iter().map(|[a, b]| cross(a, b)).sum()
 }
 
@@ -420,7 +420,8 @@ fn combined_results_are_those_of_whole_overlays() {
         let mut current: Vec<Region> = Vec::new();
         let [mut holes, mut most] = [0, 0];
         for (step, one) in loops.iter().enumerate() {
-            let second = Polygon::of_vertices(std::slice::from_ref(one), Rule::EvenOdd);
+            let rule = [Rule::EvenOdd, Rule::NonZero][(round + step) % 2];
+            let second = Polygon::of_vertices(std::slice::from_ref(one), rule);
             let after = Operation::ALL[if numbers.below(3) > 0 { 0 } else { numbers.below(4) as usize }];
             // Of lines that lie on each other no perturbed crossing is constructed.
             let first = Polygon::from(current.as_slice());
@@ -431,6 +432,7 @@ fn combined_results_are_those_of_whole_overlays() {
             let [wanted, found] =
                 [by_place(sessions[0].scene(), &whole.regions), by_place(sessions[1].scene(), &local.regions)];
             assert_eq!(found, wanted, "round {round}, step {step}, {}", after.name());
+            assert!(local.regions.is_sorted() && local.regions.iter().all(|region| region.holes.is_sorted()));
             holes += local.regions.iter().map(|region| region.holes.len()).sum::<usize>();
             most = most.max(local.regions.iter().flat_map(Region::loops).map(Vec::len).sum());
             // Of the same session as the next step.
@@ -493,6 +495,34 @@ fn signs_that_mean_nothing_end() {
         }
     }
     assert!(broken > 200, "{broken}");
+}
+
+#[test]
+fn combining_by_signs_that_mean_nothing_ends_and_is_told() {
+    let (mut broken, mut of_arrangement) = (0, 0);
+    for seed in 0..60 {
+        let mut numbers = Numbers(seed);
+        let scene = Scene::from_points2(&numbers.points(30, 12)).unwrap();
+        let lies = || Lies { liar: Liar { scene: &scene, seed, zeros: 3 + seed }, own: scene.clone() };
+        let one = polygon(&mut numbers, scene.len(), Rule::EvenOdd);
+        let mut session = lies();
+        let made = overlay(&mut session, [&Polygon::default(), &one], Method::Grid).unwrap();
+        for operation in Operation::ALL {
+            let wanted = made.arrangement.broken.or(made.regions(&session, operation).broken);
+            let found = combine(&mut lies(), &[], &one, operation, Method::Grid).unwrap();
+            assert_eq!(found.broken, wanted, "seed {seed}, {}", operation.name());
+        }
+        of_arrangement += usize::from(made.arrangement.broken.is_some());
+        let mut session = lies();
+        let mut current: Vec<Region> = Vec::new();
+        for step in 0..8 {
+            let second = polygon(&mut numbers, scene.len(), Rule::NonZero);
+            let made = combine(&mut session, &current, &second, Operation::ALL[step % 4], Method::Grid).unwrap();
+            broken += usize::from(made.broken.is_some());
+            current = made.regions;
+        }
+    }
+    assert!(of_arrangement > 20 && broken > 200, "{of_arrangement} and {broken}");
 }
 
 #[test]

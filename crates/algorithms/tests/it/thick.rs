@@ -1,6 +1,7 @@
 //! Thick primitives: three sides, and drawings in which nothing overlaps.
 
 use predicament_algorithms::thick::{Disc, Drawing, Edge, MOST_ROUNDS, Settled, Side, settle, side};
+use rug::Rational;
 
 /// A stream of numbers (Steele, Lea and Flood's SplitMix).
 struct Random(u64);
@@ -201,4 +202,146 @@ fn radii_as_large_as_everything_end_in_one_disc_or_none() {
     let mut random = Random(1);
     let settled = settle(tangle(24, 0.5, &mut random));
     assert!(settled.is_settled && settled.drawing.edges.is_empty(), "{} rounds are enough", MOST_ROUNDS);
+}
+
+/// A drawing of discs and edges of no radius, each passed another number of times.
+fn drawn(discs: Vec<Disc>, ends: &[[u32; 2]]) -> Drawing {
+    let edges = (1..).zip(ends).map(|(times, &ends)| Edge { ends, radius: 0.0, passes: [times, 0] }).collect();
+    Drawing { discs, edges }
+}
+
+#[test]
+fn what_is_done_is_counted() {
+    // The first two become a disc that reaches the third: two rounds.
+    let far = disc(9.0, 0.0, 0.0);
+    let settled = settle(drawn(
+        vec![disc(0.0, 0.0, 1.0), disc(1.75, 0.0, 1.0), disc(0.875, 2.5, 0.75), far],
+        &[[0, 3], [1, 3], [2, 3]],
+    ));
+    assert_eq!((settled.merged, settled.divided, settled.crossed), (2, 0, 0));
+    // Two vertices on one edge.
+    let on =
+        vec![disc(0.0, 0.0, 0.0), disc(8.0, 0.0, 0.0), disc(5.0, 0.0, 0.0), disc(2.0, 0.0, 0.0), disc(3.0, 4.0, 0.0)];
+    let settled = settle(drawn(on, &[[0, 1], [2, 4], [3, 4]]));
+    assert_eq!((settled.merged, settled.divided, settled.crossed, settled.drawing.edges.len()), (0, 2, 0, 5));
+    // Three edges across one, not in their order along it: the parts follow each other, and touch nothing else.
+    let mut across = vec![disc(0.0, 0.0, 0.0), disc(8.0, 0.0, 0.0)];
+    across.extend([6.0, 1.0, 3.0].into_iter().flat_map(|x| [disc(x, -1.0, 0.0), disc(x, 5.0, 0.0)]));
+    let settled = settle(drawn(across, &[[0, 1], [2, 3], [4, 5], [6, 7]]));
+    assert_eq!((settled.merged, settled.divided, settled.crossed, settled.drawing.edges.len()), (0, 0, 3, 10));
+    assert_eq!(settled.largest(), settled.drawing.discs.iter().map(|disc| disc.radius).fold(0.0, f64::max));
+    assert_eq!(settle(drawn(vec![disc(0.0, 0.0, 0.25), far], &[[0, 1]])).largest(), 0.25, "a disc thicker than edges");
+}
+
+#[test]
+fn drawings_that_take_too_many_rounds_are_told() {
+    // A large disc and small ones: each touches the disc that covers those before it, and nothing else.
+    let spiral = |count: u32| {
+        let mut discs = vec![disc(0.0, 0.0, 16.0)];
+        let ([mut x, mut y], mut radius) = ([0.0, 0.0], 16.0);
+        for at in 0..count {
+            let [u, v] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]][at as usize % 4];
+            let out = radius + 0.5;
+            discs.push(disc(x + out * u, y + out * v, 1.0));
+            // What covers both goes 3/2 beyond the old one on this side.
+            (x, y, radius) = (x + 0.75 * u, y + 0.75 * v, radius + 0.75);
+        }
+        discs.push(disc(1e4, 0.0, 0.0));
+        let ends: Vec<[u32; 2]> = (0..=count).map(|at| [at, count + 1]).collect();
+        settle(drawn(discs, &ends))
+    };
+    let few = spiral(20);
+    assert!(few.is_settled && few.merged == 20, "{}", few.merged);
+    let many = spiral(u32::try_from(MOST_ROUNDS).unwrap() + 6);
+    assert!(!many.is_settled);
+    assert_eq!(many.merged, MOST_ROUNDS, "one a round");
+}
+
+fn square(from: [&Rational; 2], to: [f64; 2]) -> Rational {
+    let minus = |i: usize| Rational::from_f64(to[i]).unwrap() - from[i];
+    minus(0).square() + minus(1).square()
+}
+
+/// Whether a disc covers another one, in rationals.
+fn covers(disc: Disc, other: Disc) -> bool {
+    let [x, y] = disc.centre.map(|x| Rational::from_f64(x).unwrap());
+    let spare = Rational::from_f64(disc.radius).unwrap() - Rational::from_f64(other.radius).unwrap();
+    spare >= 0 && spare.square() >= square([&x, &y], other.centre)
+}
+
+#[test]
+fn discs_cover_what_they_have_come_from_whatever_was_rounded() {
+    let mut random = Random(7);
+    let mut inside = 0;
+    for round in 0..2_000 {
+        // Near the origin radii are what is rounded, farther away places are.
+        let origin = [0.0, 0.0, 1e3][round % 3];
+        let mut one = || disc(origin + random.unit(), origin + random.unit(), random.between(0.0, 1.0));
+        let [a, b] = [one(), one()];
+        if (a.centre[0] - b.centre[0]).hypot(a.centre[1] - b.centre[1]) > a.radius + b.radius {
+            continue;
+        }
+        let settled = settle(drawn(vec![a, b, disc(-1e4, 0.0, 0.0)], &[[0, 2], [1, 2]]));
+        assert_eq!(settled.merged, 1, "round {round}");
+        let merged = settled.drawing.discs[0];
+        assert!(covers(merged, a) && covers(merged, b), "round {round}: {merged:?} of {a:?} and {b:?}");
+        inside += usize::from(merged == a || merged == b);
+        // Nothing smaller would do, but for rounding.
+        let least = ((a.centre[0] - b.centre[0]).hypot(a.centre[1] - b.centre[1]) + a.radius + b.radius) / 2.0;
+        assert!(merged.radius <= least.max(a.radius).max(b.radius) * (1.0 + 1e-12) + 1e-12, "round {round}");
+    }
+    assert!(inside > 50, "discs in discs: {inside}");
+}
+
+#[test]
+fn edges_cover_what_they_have_come_from_whatever_was_rounded() {
+    let mut random = Random(8);
+    let exactly = |p: [f64; 2]| p.map(|x| Rational::from_f64(x).unwrap());
+    let turn = |a: &[Rational; 2], b: &[Rational; 2], p: &[Rational; 2]| {
+        let minus = |p: &[Rational; 2], i: usize| Rational::from(&p[i] - &a[i]);
+        minus(b, 0) * minus(p, 1) - minus(b, 1) * minus(p, 0)
+    };
+    let mut divided = 0;
+    for round in 0..1_000 {
+        // A vertex beside an edge.
+        let left = [0.0, -2.0, 1e3][round % 3];
+        let [a, b] = [disc(left, random.unit(), 0.0), disc(left + 4.0, random.unit(), 0.0)];
+        // Of no radius at all: what is on the edge is so by rounding.
+        let radius = [0.25, 1e-12, 0.0][round / 3 % 3];
+        let part = random.unit();
+        let on = a.centre[1] + part * (b.centre[1] - a.centre[1]);
+        let beside = disc(left + part * 4.0, on + random.between(-0.5, 0.5) * radius, 0.0);
+        let mut drawing = drawn(vec![a, b, beside, disc(left + part * 4.0, 9.0, 0.0)], &[[0, 1], [2, 3]]);
+        drawing.edges[0].radius = radius;
+        let settled = settle(drawing);
+        divided += settled.divided;
+        let [p, q, r] = [a, b, beside].map(|disc| exactly(disc.centre));
+        let away = turn(&p, &q, &r).square() / square([&p[0], &p[1]], b.centre);
+        for part in settled.drawing.edges.iter().filter(|edge| edge.passes[0].abs() == 1 && settled.divided > 0) {
+            let grown = Rational::from_f64(part.radius).unwrap() - Rational::from_f64(radius).unwrap();
+            assert!(grown.square() >= away, "round {round}: {part:?}");
+        }
+        // A crossing, of edges that are nearly parallel in every other round.
+        let tilt = if round / 3 % 2 == 0 { 1.0 } else { 1e-6 };
+        let [c, d] = [
+            disc(left, a.centre[1] - tilt * random.unit() - 1e-7, 0.0),
+            disc(left + 4.0, b.centre[1] + tilt * random.unit() + 1e-7, 0.0),
+        ];
+        let settled = settle(drawn(vec![a, b, c, d], &[[0, 1], [2, 3]]));
+        assert_eq!(settled.crossed, 1, "round {round}");
+        let made = settled
+            .drawing
+            .discs
+            .iter()
+            .find(|disc| ![a, b, c, d].iter().any(|end| end.centre == disc.centre))
+            .unwrap();
+        let radius = Rational::from_f64(made.radius).unwrap();
+        for [from, to] in [[a, b], [c, d]] {
+            let [p, q, r] = [from, to, *made].map(|disc| exactly(disc.centre));
+            let away = turn(&p, &q, &r).square() / square([&p[0], &p[1]], to.centre);
+            assert!(radius.clone().square() >= away, "round {round}: {made:?}");
+        }
+        assert!(made.radius < 1e-6, "and no thicker than rounding");
+    }
+    assert!(divided > 700, "{divided}");
 }

@@ -26,7 +26,7 @@ pub struct Graph {
 }
 
 impl Graph {
-    /// What is wrong with it.
+    /// The laws of arrangements that it violates.
     #[must_use]
     pub fn flaws(&self, expected: Expected) -> Vec<Flaw> {
         let mut flaws = Flaws::default();

@@ -21,7 +21,7 @@ pub use plane::Point;
 pub use regions::{Defects, Shape, winding_of};
 pub use windings::Windings;
 
-/// What is expected.
+/// What arrangements and results are held to, and how much of them is looked at.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Expected {
     /// Nothing was perturbed: nodes are at different places, and faces have areas.
@@ -32,7 +32,7 @@ pub struct Expected {
     pub located: usize,
 }
 
-/// A law.
+/// A law that arrangements and results of operations satisfy.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Check {
     /// No two nodes are at one place.
@@ -81,7 +81,7 @@ impl Check {
         }
     }
 
-    /// What holds.
+    /// The law, as a statement.
     #[must_use]
     pub const fn law(self) -> &'static str {
         match self {

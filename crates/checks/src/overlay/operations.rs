@@ -13,16 +13,16 @@ const MOST_STRIPPED: usize = 160;
 
 /// Two operands: closed chains of points, and whether a winding number is one of the inside.
 pub struct Operands {
-    /// The loops of each.
+    /// The loops of each operand.
     pub loops: [Vec<Vec<Point>>; 2],
-    /// What is inside.
+    /// For each operand, whether a winding number is one of the inside.
     pub rules: [fn(i32) -> bool; 2],
 }
 
 /// The results of all four operations on them, as loops: for each region the outer one and its holes.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Results {
-    /// Union, intersection, difference, symmetric difference.
+    /// The regions of union, intersection, difference and symmetric difference.
     pub regions: [Vec<Vec<Vec<Point>>>; 4],
 }
 
@@ -86,7 +86,7 @@ impl Operands {
 }
 
 impl Results {
-    /// What is wrong with these results; `probes` are points to locate. `only` is [`Windings::only`](super::Windings::only) of
+    /// The laws that these results violate; `probes` are points to locate. `only` is [`Windings::only`](super::Windings::only) of
     /// each operand.
     #[must_use]
     pub fn flaws(

@@ -7,7 +7,7 @@ use rug::Rational;
 
 use crate::sum::sum;
 
-/// A point.
+/// A point of the plane, with rational coordinates.
 pub type Point = [Rational; 2];
 
 /// (b − a) × (p − a).

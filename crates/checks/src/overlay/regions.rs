@@ -10,11 +10,11 @@ use crate::sum::sum;
 /// Regions by their loops: the outer one, then the holes.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Shape {
-    /// Loops of points, each region's together.
+    /// For each region its loops, the outer one first, by their corners.
     pub regions: Vec<Vec<Vec<Point>>>,
 }
 
-/// How many loops and pairs of edges are not as they should be.
+/// Counts of loops and pairs of edges that no result should have.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Defects {
     /// Pairs of edges whose inner points cross.
@@ -52,7 +52,7 @@ impl Shape {
         winding(self.edges(), p)
     }
 
-    /// What is wrong: every pair of edges near each other is looked at.
+    /// The number of wrong loops and pairs of edges; every pair of edges near each other is looked at.
     #[must_use]
     pub fn defects(&self) -> Defects {
         let mut defects = Defects::default();

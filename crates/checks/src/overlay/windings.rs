@@ -16,8 +16,8 @@ pub struct Windings {
 }
 
 impl Windings {
-    /// What is wrong with them: they are zero outside, and across an edge they change by the number of times that it is passed.
-    /// That determines them, so there is nothing more to ask.
+    /// The edges that they contradict: they have to be zero outside, and to change across an edge by the number of times that it is
+    /// passed. That determines them, so there is nothing more to ask.
     #[must_use]
     pub fn flaws(&self, graph: &Graph) -> Vec<Flaw> {
         let mut flaws = Flaws::default();

@@ -31,7 +31,7 @@ pub struct Rounded<'r> {
     pub step: usize,
 }
 
-/// What has to hold besides that chains lead from end to end.
+/// What a method of rounding promises, besides that chains lead from end to end.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Promise {
     /// Each chain has the pixels of its ends and crossings, and may cross others.
@@ -42,7 +42,7 @@ pub enum Promise {
     Iterated,
 }
 
-/// What is wrong.
+/// A property that rounded drawings have and this one lacks, with the segments that show it by their places.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Flaw {
     /// A chain does not begin and end in the pixels of its segment's ends.
@@ -62,7 +62,7 @@ pub enum Flaw {
 }
 
 impl Flaw {
-    /// What is broken, in words.
+    /// The property that does not hold, in words.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
@@ -79,7 +79,7 @@ impl Flaw {
 
 type Point = [Rational; 2];
 
-/// All that is wrong; [`Promise::Snapped`] and [`Promise::Iterated`] differ in what a chain holds.
+/// All flaws of a rounded drawing, by what its method promises.
 ///
 /// # Panics
 /// If a pair of segments is parallel, or something is named that is not there.

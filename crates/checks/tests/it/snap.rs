@@ -1,5 +1,7 @@
 //! Snap rounding against its definition, and faults that are found.
 
+use std::collections::BTreeSet;
+
 use predicament_algorithms::snap::{Drawing, Method, SnapError, Snapped, snap};
 use predicament_checks::snap::{Flaw, Pixel, Promise, Rounded, flaws};
 
@@ -78,6 +80,7 @@ fn random_drawings_are_rounded_as_defined() {
                 // Half the diagonal of a pixel.
                 let drift = snapped.drift(lines.drawing(), exponent);
                 assert!(method == Method::Iterated || drift <= 0.5_f64.sqrt() + 1e-9, "{drift}");
+                counted(&lines, &snapped, exponent);
                 merged += snapped.merged;
                 drawn.push(snapped);
             }
@@ -92,6 +95,129 @@ fn random_drawings_are_rounded_as_defined() {
         }
     }
     assert!(longer > 3 && merged > 300 && naive > 10, "{longer} iterated, {merged} merged, {naive} naive ones cross");
+}
+
+/// Holds what is told of a drawing to its chains.
+fn counted(lines: &Lines, snapped: &Snapped, exponent: i32) {
+    assert_eq!(snapped.merged + snapped.pixels.len(), lines.points.len() + lines.crossings.len());
+    assert!(snapped.pixels.windows(2).all(|pair| pair[0] < pair[1]), "each once, ascending");
+    let mut edges = BTreeSet::new();
+    let mut drift = 0.0_f64;
+    for (chain, ends) in snapped.chains.iter().zip(&lines.segments) {
+        edges.extend(chain.windows(2).map(|edge| [edge[0].min(edge[1]), edge[0].max(edge[1])]));
+        // In the drawing's own units.
+        let [a, b] = ends.map(|v| lines.points[v as usize]);
+        for &pixel in chain {
+            let p = snapped.centre(pixel, exponent);
+            let [ab, ap] = [b, p].map(|q| [q[0] - a[0], q[1] - a[1]]);
+            let square = ab[0] * ab[0] + ab[1] * ab[1];
+            let part = if square > 0.0 { ((ab[0] * ap[0] + ab[1] * ap[1]) / square).clamp(0.0, 1.0) } else { 0.0 };
+            drift = drift.max((ap[0] - part * ab[0]).hypot(ap[1] - part * ab[1]));
+        }
+    }
+    assert_eq!(snapped.edges(), edges.into_iter().collect::<Vec<_>>());
+    let told = snapped.drift(lines.drawing(), exponent) * 2.0_f64.powi(exponent);
+    assert!((told - drift).abs() < 1e-9, "{told} for {drift}");
+}
+
+#[test]
+fn points_on_segments_are_told_to_chains_of_rounded_points() {
+    // An end on a long segment, and one near it.
+    let points = [[0.0, 0.0], [9.0, 9.0], [3.0, 3.0], [3.0, 8.0], [6.0, 6.25], [6.0, 8.0]];
+    let chain = |touching: &[[u32; 2]]| {
+        let drawing = Drawing { points: &points, segments: &[[0, 1], [2, 3], [4, 5]], crossings: &[], touching };
+        chains(&snap(drawing, 0, Method::Naive).unwrap())[0].clone()
+    };
+    assert_eq!(chain(&[]), [[0, 0], [9, 9]]);
+    assert_eq!(chain(&[[0, 2], [0, 0]]), [[0, 0], [3, 3], [9, 9]]);
+}
+
+/// An integer below 2^53.
+#[allow(clippy::cast_precision_loss)] // below 2^53
+fn double(i: i64) -> f64 {
+    i as f64
+}
+
+/// A segment through a point with integer weights of a direction on both sides.
+fn through(at: [f64; 2], direction: [i64; 2], weights: [u32; 2]) -> [[f64; 2]; 2] {
+    let [back, forth] = weights.map(f64::from);
+    let along = direction.map(double);
+    [[at[0] - back * along[0], at[1] - back * along[1]], [at[0] + forth * along[0], at[1] + forth * along[1]]]
+}
+
+#[test]
+fn crossings_on_the_sides_of_pixels_are_in_the_right_ones() {
+    // Nearly parallel, so that estimates are off by many pixels, through a corner of pixels or a thousandth of one beside it.
+    let mut random = Random(2);
+    let mut large = || i64::from(random.below(1 << 30)) - (1 << 29);
+    for round in 0..400_u32 {
+        let direction = [large(), large()];
+        let near = [direction[0] + large() % 4, direction[1] + 1 + large() % 4];
+        if direction[0] * near[1] == direction[1] * near[0] {
+            continue;
+        }
+        let off = [0.0, 1.0 / 1024.0, -1.0 / 1024.0][round as usize % 3];
+        let at = [double(large() / 512) + 0.5 + off, double(large() / 512) - 0.5];
+        let [e, f] = [(direction, [1 + round % 3, 2]), (near, [3, 1 + round % 2])]
+            .map(|(direction, weights)| through(at, direction, weights));
+        let lines = Lines { points: [e, f].concat(), segments: vec![[0, 1], [2, 3]], crossings: vec![[0, 1]] };
+        let snapped = snap(lines.drawing(), 0, Method::Snap).unwrap();
+        assert_eq!(lines.flaws(&chains(&snapped), 0, Promise::Snapped), [], "round {round}");
+    }
+}
+
+/// x and y with a·y − b·x = 1, for numbers without a common divisor.
+fn unit([a, b]: [i64; 2]) -> Option<[i64; 2]> {
+    let (mut r, mut s) = ((a, [1, 0]), (b, [0, 1]));
+    while s.0 != 0 {
+        let times = r.0 / s.0;
+        let rest = (r.0 - times * s.0, [0, 1].map(|i: usize| r.1[i] - times * s.1[i]));
+        (r, s) = (s, rest);
+    }
+    (r.0 == 1).then_some([-r.1[1], r.1[0]])
+}
+
+#[test]
+fn segments_that_miss_a_corner_by_nothing_that_doubles_can_see_are_on_the_right_side() {
+    // Between two corners of pixels, past a third one on this side or that: by less than 2^-40 of a pixel.
+    let mut random = Random(3);
+    let mut tried = 0;
+    for round in 0..200 {
+        let large =
+            |random: &mut Random| (i64::from(random.below(1 << 31)) << 13) + i64::from(random.below(1 << 13)) + 1;
+        let direction = [large(&mut random), large(&mut random)];
+        let Some(beside) = unit(direction) else { continue };
+        tried += 1;
+        // The other way for a slope downwards; around the other corner of the segment on the other side.
+        let down = if round % 2 == 0 { 1 } else { -1 };
+        let other = [direction[0] - beside[0], direction[1] - beside[1]];
+        let corners = [[0, 0], beside, other, direction].map(|[x, y]| [x, down * y]);
+        // Of a slope upwards the lower right corner tells, or the upper left one; of one downwards the lower left one.
+        let middle = |[x, y]: [i64; 2]| {
+            let side = if down == 1 && round % 4 == 0 {
+                [-1, 1]
+            } else if down == 1 {
+                [1, -1]
+            } else {
+                [1, 1]
+            };
+            [double(x) + double(side[0]) / 2.0, double(y) + double(side[1]) / 2.0]
+        };
+        let ends = [corners[0], corners[3]].map(|corner| corner.map(double));
+        // Eight pixels around each corner: a leaf of the tree, and none but the first may be met.
+        let mut points = ends.to_vec();
+        for [x, y] in corners.map(middle) {
+            points.extend((0..8).map(|at| [x + f64::from(at % 4), y + double(down) * f64::from(at / 4)]));
+        }
+        let moved = points.iter().map(|[x, y]| [x - 0.5, y - 0.5]).collect();
+        let count = u32::try_from(points.len()).unwrap();
+        let mut segments = vec![[0, 1]];
+        segments.extend((2..count).map(|at| [at, at]));
+        let lines = Lines { points: moved, segments, crossings: Vec::new() };
+        let snapped = snap(lines.drawing(), 0, Method::Snap).unwrap();
+        assert_eq!(lines.flaws(&chains(&snapped), 0, Promise::Snapped), [], "round {round}");
+    }
+    assert!(tried > 80, "{tried}");
 }
 
 #[test]

@@ -203,6 +203,9 @@ fn empty_regions_are_those_that_a_flood_finds() {
                 .map(|at| of_flood[&flood[at]])
                 .collect();
             assert!((0..count).all(|region| regions.is_open(region) == open.contains(&region)), "round {round}");
+            let named: Vec<_> = regions.first().iter().map(|&slot| regions.of(slot)).collect();
+            assert_eq!(named, (0..count).map(Some).collect::<Vec<_>>(), "a cell of each");
+            assert!(regions.first().is_sorted());
             assert!(solid.iter().all(|at| regions.of(grid.at(at.map(|x| f64::from(x) + 0.5))).is_none()));
         }
     }
@@ -224,6 +227,60 @@ fn what_has_no_extent_along_an_axis_has_one_cell_there() {
 }
 
 #[test]
+fn boxes_of_a_plane_or_a_line_are_listed_where_they_are() {
+    // 24 unit boxes along axes with an extent; refined cells have one layer along the others.
+    for flat in [vec![0], vec![1], vec![2], vec![0, 1], vec![1, 2], vec![0, 2]] {
+        let count = if flat.len() == 1 { 24 } else { 1 };
+        let place = |i: u32, j: u32| {
+            let mut at = [i, j].into_iter();
+            [0, 1, 2].map(|axis: usize| if flat.contains(&axis) { 7.0 } else { f64::from(at.next().unwrap_or(0)) })
+        };
+        let boxes: Vec<Box3> = (0..24)
+            .flat_map(|i| (0..count).map(move |j| (i, j)))
+            .map(|(i, j)| {
+                let low = place(i, j);
+                let width = |axis: usize| if flat.contains(&axis) { 0.0 } else { 0.5 };
+                Bounds { low, high: [0, 1, 2].map(|axis| low[axis] + width(axis)) }
+            })
+            .collect();
+        let grid = TwoLevel::new(&boxes, Sizes { coarse: [3; 3], fine: 8, full: 0 });
+        assert_eq!(grid.slots(), boxes.len(), "24 steps along each other axis than {flat:?}");
+        for (at, one) in (0..).zip(&boxes) {
+            assert_eq!(grid.entries(grid.at(one.low)), [at], "without {flat:?}");
+        }
+    }
+}
+
+#[test]
+fn a_cell_is_refined_if_it_has_more_boxes_than_fill_it() {
+    let boxes: Vec<Box3> =
+        (0..5).map(|at| Bounds { low: [f64::from(at); 3], high: [f64::from(at) + 0.5; 3] }).collect();
+    let refined = |full: u32| TwoLevel::new(&boxes, Sizes { coarse: [1; 3], fine: 2, full }).refined();
+    assert_eq!([refined(4), refined(5)], [1, 0]);
+}
+
+#[test]
+fn no_sizes_have_more_entries_than_are_allowed() {
+    let mut bound = 0;
+    for size in 1..40_u32 {
+        // Cubes that overlap more and more.
+        let boxes: Vec<Box3> = (0..1_000_u32)
+            .map(|at| {
+                let low = [at % 10, at / 10 % 10, at / 100].map(f64::from);
+                Bounds { low, high: low.map(|x| x + f64::from(size) / 8.0) }
+            })
+            .collect();
+        let sizes = Sizes { fine: 1, ..Sizes::of(&boxes) };
+        let most = MOST_ENTRIES * boxes.len() as u64;
+        let entries = |sizes: Sizes| TwoLevel::new(&boxes, sizes).all_entries() as u64;
+        assert!(entries(sizes) <= most, "{} of cubes of {size}/8", entries(sizes));
+        // Twice as fine would be a little too fine.
+        let finer = entries(Sizes { coarse: sizes.coarse.map(|coarse| 2 * coarse + 1), ..sizes });
+        bound += usize::from(finer > most && finer <= 2 * most);
+    }
+    assert!(bound > 3, "{bound}");
+}
+#[test]
 fn entries_are_bounded_whatever_the_boxes() {
     // Needles as long as everything, and small boxes.
     let mut boxes: Vec<Box3> = (0..2_000)
@@ -239,5 +296,10 @@ fn entries_are_bounded_whatever_the_boxes() {
     assert_eq!(coarse.refined(), 0);
     let grid = TwoLevel::new(&boxes, sizes);
     assert!(grid.refined() > 0 && grid.slots() > coarse.slots());
+    // Lists are sorted part by part, in parallel.
+    assert!(grid.slots() > 8_192, "{}", grid.slots());
+    for one in &boxes {
+        assert!([one.low, one.high].iter().all(|&p| grid.entries(grid.at(p)).is_sorted()));
+    }
     assert_eq!(grid.bytes(), 4 * (grid.slots() + 1 + grid.all_entries() + coarse.slots() + 1));
 }

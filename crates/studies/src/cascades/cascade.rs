@@ -32,7 +32,7 @@ pub enum Cascade {
 }
 
 impl Cascade {
-    /// All of them.
+    /// All cascades.
     pub const ALL: [Cascade; 4] = [Cascade::Rotate, Cascade::Shave, Cascade::Stars, Cascade::Generalise];
 
     /// The name in files.
@@ -46,7 +46,7 @@ impl Cascade {
         }
     }
 
-    /// What is done in each of so many steps; the result before the first is the first loop.
+    /// The loop to begin with, and the operation and second operand of each of so many steps.
     #[must_use]
     pub fn steps(self, count: usize, seed: u64) -> (Loop, Vec<Operand>) {
         let mut random = Random::new(self.name(), "cascades", seed);

@@ -14,11 +14,11 @@ pub enum Keep {
     Snapped(u32),
     /// Edges are merged where the tolerance scheme registers contacts.
     Contacts,
-    /// Vertices and edges have radii; those of the operands are this.
+    /// Vertices and edges are thick; those of the operands have this radius.
     Thick(f64),
 }
 
-/// A backend, and what is kept.
+/// A way to do the steps of a cascade: a backend, and what is kept of each result.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Method {
     /// The backend's name.

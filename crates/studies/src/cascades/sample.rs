@@ -3,18 +3,18 @@
 use predicament_checks::overlay::{Defects, Point, Shape};
 use rug::{Integer, Rational};
 
-/// A result, measured.
+/// The measurements of a result after one step.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Sample {
     /// The number of the step, from 1.
     pub step: usize,
-    /// Regions.
+    /// The number of regions.
     pub regions: usize,
-    /// Edges of all loops.
+    /// The number of edges of all loops.
     pub edges: usize,
     /// Twice the area.
     pub area: Rational,
-    /// What is wrong with the loops.
+    /// Crossing and touching edges, inverted and flat loops.
     pub defects: Defects,
     /// Corners that rounding has turned another way in this step; none where nothing is rounded.
     pub turned: Option<usize>,

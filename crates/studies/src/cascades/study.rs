@@ -48,12 +48,12 @@ pub struct Cascades {
 /// All philosophies.
 const DEFAULT: &str = "exact,exact+snap,exact+round,sos,naive,naive+round,epsilon+round,thick,tolerance+contacts";
 
-/// What came of it.
+/// The measurements of all cascades.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Measured {
     /// Each cascade by each method, in their order.
     pub followed: Vec<Followed>,
-    /// For each cascade what the exact method came to.
+    /// Each cascade by the exact method, whether it was asked for or not.
     pub exact: Vec<Followed>,
 }
 

@@ -14,27 +14,27 @@ use super::sample::{Probe, Sample, bits, lost};
 use super::{rounded, settled, snapped, whole};
 use crate::Error;
 
-/// How much is done, and looked at.
+/// How many steps are done, and how much is measured.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Plan {
     /// Steps of each cascade.
     pub steps: usize,
     /// Steps after which everything is measured, spread evenly; the last is one.
     pub samples: usize,
-    /// Points that are located.
+    /// Points that are located after each measured step.
     pub probes: usize,
     /// The seed of operands and probes.
     pub seed: u64,
 }
 
-/// A cascade by a method.
+/// What one method made of one cascade.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Followed {
     /// The cascade.
     pub cascade: Cascade,
     /// The method.
     pub method: Method,
-    /// What was measured.
+    /// The measurements, in the order of the steps.
     pub samples: Vec<Sample>,
     /// The first rule of the algorithm that signs have broken, and the step.
     pub broken: Option<(usize, &'static str)>,

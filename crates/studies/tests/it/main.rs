@@ -2,6 +2,8 @@
 
 mod audit;
 mod cascades;
+mod cascades_counts;
+mod cascades_pages;
 mod laws;
 mod parity;
 mod shape;

@@ -19,6 +19,7 @@ use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Sce
 
 pub use content::Segments;
 
+use crate::segment_source::named;
 use crate::{
     Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
     output,
@@ -142,11 +143,8 @@ impl Task for Crossings {
         query: &Query,
         backends: &[&dyn Contestant],
     ) -> Result<Explanation, String> {
-        let ends: Vec<_> = query.vertices().collect();
-        let at = content.0.iter().position(|segment| *segment == *ends);
-        let at = at.ok_or_else(|| format!("`{query}`: the scene has no such segment"))?;
+        let (at, about) = named(&content.0, query)?;
         let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|found| describe(&found.0[at]));
-        let about = Explanation { vertices: ends, ..Explanation::default() };
         Ok(about.with_answers(backends, ask))
     }
 

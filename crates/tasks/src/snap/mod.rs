@@ -20,6 +20,7 @@ use predicament_report::Section;
 pub use content::{Drawn, method_name};
 pub use section::SnapRow;
 
+use crate::segment_source::named;
 use crate::{
     Answer, Asked, Case, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest, output,
 };
@@ -238,16 +239,13 @@ impl Task for Snap2d {
         query: &Query,
         backends: &[&dyn Contestant],
     ) -> Result<Explanation, String> {
-        let ends: Vec<_> = query.vertices().collect();
-        let at = content.segments.iter().position(|segment| *segment == *ends);
-        let at = at.ok_or_else(|| format!("`{query}`: the scene has no such segment"))?;
+        let (at, about) = named(&content.segments, query)?;
         let ask = |backend: &dyn Contestant| {
             backend.answer(self, scene, content).map(|chains| match chains.pixels().get(at) {
                 Some(chain) => chain.iter().map(|[x, y]| format!("({x}, {y})")).collect::<Vec<_>>().join(" "),
                 None => chains.broken.unwrap_or("no chain").to_owned(),
             })
         };
-        let about = Explanation { vertices: ends, ..Explanation::default() };
         Ok(about.with_answers(backends, ask))
     }
 
