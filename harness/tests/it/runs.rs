@@ -125,6 +125,7 @@ fn every_scene_has_one_precision_plan_whatever_the_backends() {
         "sampled.csv",
         "imports.csv",
         "snap.csv",
+        "mesh_locate.csv",
     ] {
         write(&folder, &format!("old/{file}"), &read(&one, file));
     }

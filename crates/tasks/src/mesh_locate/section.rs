@@ -85,19 +85,26 @@ impl Row for MeshLocateRow {
         "known",
         "lost",
     ];
+
+    fn check(&self) -> Result<(), String> {
+        let answers = [self.in_region, self.on_mesh, self.contradictions].into_iter().try_fold(0_u64, u64::checked_add);
+        if answers != Some(self.probes) {
+            return Err("the probes are not those in a region, on the mesh and in no one region".to_owned());
+        }
+        if self.known > self.probes || self.lost > self.probes {
+            return Err("more probes are known or lost than there are".to_owned());
+        }
+        Ok(())
+    }
 }
 
-/// The section of a report.
+/// The section of a report: none where no point was located.
 pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let order = backends(runs);
-    let mut table = Table::new("").words(run_head(runs)).words(["scene", "probes at", "backend"]).numbers([
-        "probes",
-        "in a region",
-        "on the mesh",
-        "contradictions",
-        "known",
-        "lost",
-    ]);
+    let mut table = Table::new("Probes of meshes")
+        .words(run_head(runs))
+        .words(["scene", "probes at", "backend"])
+        .numbers(["probes", "in a region", "on the mesh", "contradictions", "known", "lost"]);
     for (index, run) in runs.iter().enumerate() {
         let mut rows = run.rows::<MeshLocateRow>()?;
         rows.sort_by_cached_key(|r| {
@@ -119,13 +126,12 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
             table.push(run_label(runs, index).into_iter().chain(cells).collect());
         }
     }
-    let block = Block::table_or(table, "No point was located in a mesh.");
-    Ok(Some(Section {
+    Ok((!table.is_empty()).then(|| Section {
         id: "mesh-locate",
         title: "Points in meshes",
         lead: "Probes of multi-material meshes by how they were chosen, and where each backend found them. A probe is lost if its \
                answer is wrong, is no one region, or differs from axis to axis."
             .to_owned(),
-        blocks: vec![block],
+        blocks: vec![Block::Table(table)],
     }))
 }

@@ -4,6 +4,7 @@ use predicament_records::{Env, Outcome, Plan, Record, Row, RunDir, RunWriter, Ta
 use predicament_tasks::built_in;
 use predicament_tasks::contacts::ContactRow;
 use predicament_tasks::cube_union::MassRow;
+use predicament_tasks::mesh_locate::MeshLocateRow;
 use predicament_tasks::polygon_locate::LocateRow;
 use predicament_tasks::snap::SnapRow;
 
@@ -74,6 +75,23 @@ fn snap() -> SnapRow {
     }
 }
 
+fn mesh_locate() -> MeshLocateRow {
+    MeshLocateRow {
+        suite: "mesh-points".to_owned(),
+        scene: "a".to_owned(),
+        scene_id: "0123456789abcdef".to_owned(),
+        backend: "exact".to_owned(),
+        triangles: 4,
+        kind: "vertex".to_owned(),
+        probes: 9,
+        in_region: 5,
+        on_mesh: 3,
+        contradictions: 1,
+        known: 8,
+        lost: 2,
+    }
+}
+
 /// The tables of all tasks, each once.
 fn tables() -> Vec<TableSpec> {
     let mut tables: Vec<TableSpec> = built_in().iter().flat_map(|task| task.own_tables()).collect();
@@ -97,11 +115,13 @@ fn columns_are_the_fields_in_their_order() {
     assert_eq!(header(&contact()), ContactRow::COLUMNS);
     assert_eq!(header(&mass()), MassRow::COLUMNS);
     assert_eq!(header(&snap()), SnapRow::COLUMNS);
+    assert_eq!(header(&mesh_locate()), MeshLocateRow::COLUMNS);
     let all = [
         TableSpec::of::<LocateRow>(),
         TableSpec::of::<MassRow>(),
         TableSpec::of::<ContactRow>(),
         TableSpec::of::<SnapRow>(),
+        TableSpec::of::<MeshLocateRow>(),
     ];
     assert_eq!(tables(), all);
 }
@@ -116,18 +136,27 @@ fn every_table_survives_the_disk() {
     let records = [Record::of(&contact()).unwrap(), Record::of(&mass()).unwrap(), Record::of(&locate()).unwrap()];
     writer.append(&records).unwrap();
     writer.write(&[snap()]).unwrap();
+    writer.write(&[mesh_locate()]).unwrap();
     writer.finish(Outcome::Complete).unwrap();
     let run = RunDir::open(folder.path()).unwrap();
     assert_eq!(run.rows(), Ok(vec![locate(), locate()]));
     assert_eq!(run.rows(), Ok(vec![contact()]));
     assert_eq!(run.rows(), Ok(vec![mass()]));
     assert_eq!(run.rows(), Ok(vec![snap()]));
+    assert_eq!(run.rows(), Ok(vec![mesh_locate()]));
 }
 
 #[test]
 fn rows_that_make_no_sense_are_not_written() {
     for contact in [ContactRow { registered: 8, ..contact() }, ContactRow { ended: 4, ..contact() }] {
         assert!(Record::of(&contact).is_err());
+    }
+    for row in [
+        MeshLocateRow { probes: 8, ..mesh_locate() },
+        MeshLocateRow { lost: 10, ..mesh_locate() },
+        MeshLocateRow { known: 10, ..mesh_locate() },
+    ] {
+        assert!(Record::of(&row).is_err());
     }
     let masses = [
         MassRow { true_volume: 0.0, ..mass() },
