@@ -3,13 +3,14 @@
 //!
 //! Degenerate queries are the vertices of the mesh, midpoints of edges, and points straight below vertices.
 //!
-//! Arguments: shapes of `torus`, `sphere`, `lattice`, and numbers of triangles; without any, a torus of 10^6.
+//! Arguments: the number of triangles, 10^6 if left out; `grid=X,Y,Z,FINE,FULL` for a grid of these sizes.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use predicament_algorithms::mesh_locate::{Location, MeshIndex, Scratch, locate_all};
 use predicament_exact::Exact;
+use predicament_grid::two_level::Sizes;
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Backend, Off, Predicates, Scene, Vertex};
 use predicament_sos::{PerMesh, Sos};
@@ -105,6 +106,11 @@ fn ask<P: Predicates>(name: &str, index: &MeshIndex, session: &P, kinds: &[(&'st
 
 fn main() {
     let n: usize = std::env::args().filter_map(|argument| argument.parse().ok()).next().unwrap_or(1_000_000);
+    let sizes = std::env::args().find_map(|argument| {
+        let numbers = argument.strip_prefix("grid=")?.split(',').map(|number| number.parse().expect("a number"));
+        let [x, y, z, fine, full] = numbers.collect::<Vec<u32>>()[..] else { panic!("grid=X,Y,Z,FINE,FULL") };
+        Some(Sizes { coarse: [x, y, z], fine, full })
+    });
     let (points, triangles) = torus(n);
     println!("torus, {} triangles", triangles.len());
     let kinds = queries(&points, &triangles);
@@ -122,8 +128,8 @@ fn main() {
         MaterialMesh::of_closed(points.len(), corners.clone()).expect("closed")
     });
     let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("one thread");
-    time("index, one thread", corners.len(), || one.install(|| MeshIndex::new(mesh.clone(), &scene)));
-    let index = time("index", corners.len(), || MeshIndex::new(mesh.clone(), &scene));
+    time("index, one thread", corners.len(), || one.install(|| MeshIndex::with_sizes(mesh.clone(), &scene, sizes)));
+    let index = time("index", corners.len(), || MeshIndex::with_sizes(mesh.clone(), &scene, sizes));
     let (slots, entries) = (index.grid().slots(), index.grid().all_entries());
     println!("  {slots} cells, {} refined, {entries} entries, {} bytes", index.grid().refined(), index.bytes());
     one.install(|| {

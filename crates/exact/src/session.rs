@@ -197,7 +197,8 @@ impl<'s, T: Tally> Session<'s, T> {
         self.constructed.compare(axis, a, b)
     }
 
-    /// In scenes of more bits, in projections, and where there are no integers.
+    /// In scenes of more bits, in projections, and where there are no integers: the static filter first, which needs nothing
+    /// but the points.
     #[inline(never)]
     fn next_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
         // (No vertex of a 2D scene is among the points of a 3D one, and the other way round.)
@@ -205,31 +206,43 @@ impl<'s, T: Tally> Session<'s, T> {
         if plane == Plane::Xy
             && let (Some(p), Some(q), Some(r)) = (at(a), at(b), at(c))
         {
-            if let Some((rows, _)) = self.integers2.of_query(&[*p, *q, *r], [a, b, c]) {
-                return (Orient2d::integer(rows, 2), stage::INTEGER);
+            let points = [*p, *q, *r];
+            if let Some(decided) = self.filter_orient2d(plane, points) {
+                return decided;
             }
-            return self.filter_orient2d(plane, [*p, *q, *r], [a, b, c]);
-        }
-        if let Some(rows) = self.integers3.of_scene(plane.axes().map(Axis::index), [a, b, c]) {
-            return (Orient2d::integer(rows, 2), stage::INTEGER);
+            return match self.integers2.of_query(&points, [a, b, c]) {
+                Some((rows, _)) => (Orient2d::integer(rows, 2), stage::INTEGER),
+                None => self.climb_orient2d(plane, [a, b, c]),
+            };
         }
         let at = |v| self.point2(plane, v);
         let (Some(p), Some(q), Some(r)) = (at(a), at(b), at(c)) else {
             return self.constructed.orient2d(plane, a, b, c);
         };
+        if let Some(decided) = self.filter_orient2d(plane, [p, q, r]) {
+            return decided;
+        }
+        if let Some(rows) = self.integers3.of_scene(plane.axes().map(Axis::index), [a, b, c]) {
+            return (Orient2d::integer(rows, 2), stage::INTEGER);
+        }
         match self.integers3.of_query(&[p, q, r], [a, b, c]) {
             Some((rows, _)) => (Orient2d::integer(rows, 2), stage::INTEGER),
-            None => self.filter_orient2d(plane, [p, q, r], [a, b, c]),
+            None => self.climb_orient2d(plane, [a, b, c]),
         }
     }
 
+    /// The sign, where the static filter or a difference of zero tells it.
     #[inline(always)]
-    fn filter_orient2d(&self, plane: Plane, points: [[f64; 2]; 3], vertices: [Vertex; 3]) -> (Sign, usize) {
+    fn filter_orient2d(&self, plane: Plane, points: [[f64; 2]; 3]) -> Option<(Sign, usize)> {
         let prepared = &self.orient2d[plane as usize];
-        match Orient2d::estimate(points).above(prepared.static_bound) {
-            Some(sign) => (sign, prepared.static_stage),
-            None => self.climb_orient2d(plane, vertices),
+        let estimate = Orient2d::estimate(points);
+        if let Some(sign) = estimate.above(prepared.static_bound) {
+            return Some((sign, prepared.static_stage));
         }
+        // A difference of doubles is zero only if they are equal: then its product is zero, and not rounded.
+        let [[ax, ay], [bx, by], [cx, cy]] = points;
+        let vanishes = estimate.determinant == 0.0 && (ax == cx || by == cy) && (ay == cy || bx == cx);
+        vanishes.then_some((Sign::Zero, stage::DOUBLE))
     }
 
     #[cold]
@@ -253,6 +266,15 @@ impl<'s, T: Tally> Session<'s, T> {
 
     #[inline(never)]
     fn next_orient3d(&self, determinant: f64, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        if determinant == 0.0 {
+            // A row of zeros, if the last point is where another one is.
+            let at = |v: Vertex| self.points3.get(v.index());
+            if let (Some(p), Some(q), Some(r), Some(last)) = (at(a), at(b), at(c), at(d))
+                && [p, q, r].contains(&last)
+            {
+                return (Sign::Zero, stage::DOUBLE);
+            }
+        }
         let integers = (&self.integers3, [0, 1, 2], [a, b, c, d]);
         let next = self.orient3d.next::<Orient3d, 3, 4, 3>(determinant, integers);
         next.unwrap_or_else(|| self.climb_orient3d([a, b, c, d]))

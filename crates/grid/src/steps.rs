@@ -84,6 +84,15 @@ impl Steps {
     }
 }
 
+impl Steps {
+    /// [`Steps::of`] of fewer than 2^32 steps, in the time of a conversion to 32 bits.
+    #[inline]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `as` saturates, which is the clamp we want
+    pub(crate) fn short(&self, x: f64) -> u32 {
+        (((x / 2.0 - self.origin) * self.scale) as u32).min((self.count - 1) as u32)
+    }
+}
+
 /// The smallest and the largest of some coordinates; nothing has no extent.
 pub(crate) fn extent(coordinates: impl Iterator<Item = f64>) -> [f64; 2] {
     coordinates.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])

@@ -79,7 +79,83 @@ pub(crate) fn orient2d<const SCHEME: usize>(points: Points, plane: Plane, args: 
         let [p, q] = [points.solid.get(p.index())?, points.solid.get(q.index())?];
         [[p[x], p[y]], [q[x], q[y]]]
     };
-    first::<SCHEME, ORIENT2D>(Two(rows))
+    first::<SCHEME, ORIENT2D>(Two(rows)).or_else(|| rest_of_orient2d::<SCHEME>(points, plane, args))
+}
+
+/// Breaks a tie of `orient2d` of vertices of which the two with larger indices are at one place in the plane: that of a vertex with another
+/// vertex' coordinates. The leading terms are differences of these two, so they are zero.
+#[cold]
+#[inline(never)]
+fn rest_of_orient2d<const SCHEME: usize>(points: Points, plane: Plane, args: [Vertex; 3]) -> Decided {
+    let (vertices, odd) = by_index(args)?;
+    // Columns ascend, so zx is xz, its mirror image.
+    let axes = match plane {
+        Plane::Xy => [Axis::X, Axis::Y],
+        Plane::Yz => [Axis::Y, Axis::Z],
+        Plane::Zx => [Axis::X, Axis::Z],
+    };
+    let (sign, place) =
+        rest(Scheme::ALL[SCHEME].terms(PredicateKind::Orient2d), |rows, columns| match (rows, columns) {
+            (&[i, j], &[column]) => {
+                let [p, q] = [i, j].map(|row| points.coordinate(axes[usize::from(column)], vertices[usize::from(row)]));
+                Some(order(p?, q?))
+            }
+            (&[_], &[]) => Some(Sign::Positive),
+            _ => None,
+        })?;
+    Some((if odd != (plane == Plane::Zx) { -sign } else { sign }, place))
+}
+
+/// Breaks a tie of `orient3d` of vertices of which those but the first by index are degenerate in all projections: on a vertical line, or two
+/// at one place.
+#[cold]
+#[inline(never)]
+fn rest_of_orient3d<const SCHEME: usize>(exact: &Exact, points: Points, args: [Vertex; 4]) -> Decided {
+    let (vertices, odd) = by_index(args)?;
+    let vertex = |row: u8| vertices[usize::from(row)];
+    let (sign, place) =
+        rest(Scheme::ALL[SCHEME].terms(PredicateKind::Orient3d), |rows, columns| match (rows, columns) {
+            (&[i, j, k], &[x, y]) => {
+                let (plane, orientation) = projection(AXES[usize::from(x)], AXES[usize::from(y)])?;
+                Some(exact.decide_orient2d(plane, vertex(i), vertex(j), vertex(k)).0 * orientation)
+            }
+            (&[i, j], &[column]) => {
+                let [p, q] = [i, j].map(|row| points.coordinate(AXES[usize::from(column)], vertex(row)));
+                Some(order(p?, q?))
+            }
+            (&[_], &[]) => Some(Sign::Positive),
+            _ => None,
+        })?;
+    Some((if odd { -sign } else { sign }, place))
+}
+
+/// The first term behind the leading ones that is not zero, by the signs of minors.
+fn rest(terms: &[Term], minor: impl Fn(&[u8], &[u8]) -> Option<Sign>) -> Decided {
+    let all = terms[0].rows.len();
+    for (place, term) in terms.iter().enumerate().skip_while(|(_, term)| term.rows.len() == all && term.rows[0] == 1) {
+        if term.lift.is_some() || term.gap.is_some() {
+            return None;
+        }
+        let sign = minor(term.rows, term.columns)? * term.sign;
+        if sign != Sign::Zero {
+            return Some((sign, place));
+        }
+    }
+    None
+}
+
+/// The vertices by index, and whether that takes an odd number of exchanges; none if one comes twice.
+fn by_index<const N: usize>(mut vertices: [Vertex; N]) -> Option<([Vertex; N], bool)> {
+    let mut odd = false;
+    for end in (1..N).rev() {
+        for i in 0..end {
+            if vertices[i + 1] < vertices[i] {
+                vertices.swap(i, i + 1);
+                odd = !odd;
+            }
+        }
+    }
+    vertices.windows(2).all(|pair| pair[0] != pair[1]).then_some((vertices, odd))
 }
 
 /// Breaks a tie of `orient3d`.
@@ -89,6 +165,7 @@ pub(crate) fn orient3d<const SCHEME: usize>(exact: &Exact, points: Points, args:
     let [a, b, c, d] = vertices;
     let at = |v: Vertex| points.solid.get(v.index());
     first::<SCHEME, ORIENT3D>(Three { exact, vertices, points: [at(a)?, at(b)?, at(c)?, at(d)?] })
+        .or_else(|| rest_of_orient3d::<SCHEME>(exact, points, args))
 }
 
 /// Breaks a tie of `incircle`.

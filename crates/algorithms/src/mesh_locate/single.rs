@@ -3,7 +3,7 @@
 use predicament_grid::Bounds;
 use predicament_grid::two_level::Ray;
 use predicament_mesh::OUTSIDE;
-use predicament_predicates::{Predicates, Scene, Vertex};
+use predicament_predicates::{Predicates, Scene, Sign, Vertex};
 
 use super::nearer::is_nearer;
 use super::planted::Planted;
@@ -26,6 +26,30 @@ impl Scratch {
     #[must_use]
     pub fn new() -> Scratch {
         Scratch::default()
+    }
+}
+
+/// The turns of edges that have been asked for, the last few.
+#[derive(Default)]
+struct Spokes {
+    edges: [Option<([Vertex; 2], Sign)>; 8],
+    next: usize,
+}
+
+impl Spokes {
+    /// The turn of an edge: that which was found before, or that which `ask` finds.
+    fn turn(&mut self, [u, v]: [Vertex; 2], ask: impl FnOnce() -> Sign) -> Sign {
+        for ([a, b], sign) in self.edges.iter().flatten() {
+            match (*a == u && *b == v, *a == v && *b == u) {
+                (true, _) => return *sign,
+                (_, true) => return -*sign,
+                _ => {}
+            }
+        }
+        let sign = ask();
+        self.edges[self.next % self.edges.len()] = Some(([u, v], sign));
+        self.next += 1;
+        sign
     }
 }
 
@@ -94,21 +118,33 @@ impl MeshIndex {
     /// Up from cell to cell, to the nearest triangle or a cell whose region is known.
     fn walk<P: Predicates + ?Sized, F: Planted>(&self, session: &P, labels: &Labels, q: Vertex) -> Location {
         let (scene, direction) = (session.scene(), Direction::of(Ray::UP));
-        let p = scene.point3(q);
+        let points: &[[f64; 3]] = scene.coordinates().as_chunks().0;
+        let (p, triangles) = (points[q.index()], self.mesh().triangles());
         let mut nearest: Option<Nearest> = None;
         let mut found = None;
+        let mut spokes = Spokes::default();
+        // The last step of the cells before.
+        let mut before = None;
         self.grid().along(p, Ray::UP, |slot, entries, last| {
             if entries.is_empty() && nearest.is_none() {
                 found = labels.get(slot).map(Location::In);
+                before = Some(last);
                 return found.is_some();
             }
             for &triangle in entries {
-                if nearest.is_some_and(|nearest| nearest.triangle == triangle) {
+                let corners = triangles[triangle as usize];
+                let Some(low) = may_meet(points, corners, p) else { continue };
+                if before.is_some_and(|before| self.grid().step(2, low) <= before) {
+                    // It was listed in the cell before: its box holds the point as seen from above, and reaches down there.
                     continue;
                 }
-                let corners = self.mesh().triangles()[triangle as usize];
-                let Some(is_near) = may_meet(scene, corners, p) else { continue };
-                match stab(session, direction, corners, q, is_near) {
+                let turn = |u: Vertex, v: Vertex| {
+                    let ask = || session.orient2d(direction.plane, u, v, q);
+                    // An edge over the point or under it is one of several triangles, and ties cost.
+                    let is_at = |v: Vertex| points[v.index()][0] == p[0] && points[v.index()][1] == p[1];
+                    if is_at(u) || is_at(v) { spokes.turn([u, v], ask) } else { ask() }
+                };
+                match stab(session, direction, corners, q, low <= p[2], turn) {
                     Stab::Missed => {}
                     Stab::On => {
                         // Entries are ascending, and the point's own cell lists all triangles that it is on.
@@ -116,19 +152,21 @@ impl MeshIndex {
                         return true;
                     }
                     Stab::Passed { from_behind } => {
-                        let other = nearest.map(|nearest| self.mesh().triangles()[nearest.triangle as usize]);
+                        let other = nearest.map(|nearest| triangles[nearest.triangle as usize]);
                         let is_nearer = other.is_none_or(|other| {
                             is_nearer(session, direction, corners, other)
                                 .is_some_and(|nearer| nearer != F::TAKES_THE_FARTHER)
                         });
                         if is_nearer {
                             let region = self.mesh().sides()[triangle as usize][usize::from(from_behind)];
-                            let high = corners.map(|v| scene.point3(v)[2]).into_iter().fold(f64::MIN, f64::max);
+                            let [a, b, c] = corners;
+                            let high = points[a.index()][2].max(points[b.index()][2]).max(points[c.index()][2]);
                             nearest = Some(Nearest { triangle, region, end: self.grid().step(2, high) });
                         }
                     }
                 }
             }
+            before = Some(last);
             // Triangles that were not listed so far are wholly above this cell.
             nearest.is_some_and(|nearest| nearest.end <= last)
         });
@@ -143,7 +181,7 @@ impl MeshIndex {
         let mut nearest: Option<(u32, u32)> = None;
         for &(triangle, is_near) in &scratch.triangles {
             let corners = self.mesh().triangles()[triangle as usize];
-            match stab(session, direction, corners, q, is_near) {
+            match stab(session, direction, corners, q, is_near, |u, v| session.orient2d(direction.plane, u, v, q)) {
                 Stab::Missed => {}
                 Stab::On => return Location::On(triangle),
                 Stab::Passed { from_behind } => {
@@ -181,7 +219,9 @@ impl MeshIndex {
             None => scratch.sums.push((region, by)),
         };
         for &(triangle, is_near) in &scratch.triangles {
-            match stab(session, direction, self.mesh().triangles()[triangle as usize], q, is_near) {
+            let corners = self.mesh().triangles()[triangle as usize];
+            let turn = |u, v| session.orient2d(direction.plane, u, v, q);
+            match stab(session, direction, corners, q, is_near, turn) {
                 Stab::Missed => {}
                 Stab::On => return Location::On(triangle),
                 Stab::Passed { from_behind } => {
@@ -230,13 +270,13 @@ impl MeshIndex {
     }
 }
 
-/// Whether the ray up from p is in the box of a triangle as seen from above, and some of the box is not below p; and then whether p is
-/// in the box.
-#[inline]
-fn may_meet(scene: &Scene, corners: [Vertex; 3], p: [f64; 3]) -> Option<bool> {
-    let [a, b, c] = corners.map(|v| scene.point3(v));
+/// The lowest coordinate of a triangle, if the ray up from p is in its box as seen from above, and some of the box is not below p.
+#[inline(always)]
+fn may_meet(points: &[[f64; 3]], [a, b, c]: [Vertex; 3], p: [f64; 3]) -> Option<f64> {
+    let (a, b, c) = (&points[a.index()], &points[b.index()], &points[c.index()]);
+    // Without branches: each comparison is as good as random.
     let low = |axis: usize| a[axis].min(b[axis]).min(c[axis]);
     let high = |axis: usize| a[axis].max(b[axis]).max(c[axis]);
     let over = (low(0) <= p[0]) & (p[0] <= high(0)) & (low(1) <= p[1]) & (p[1] <= high(1)) & (p[2] <= high(2));
-    over.then(|| low(2) <= p[2])
+    over.then(|| low(2))
 }

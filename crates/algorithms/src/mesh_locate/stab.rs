@@ -13,6 +13,7 @@ pub(super) struct Direction {
 }
 
 impl Direction {
+    #[inline(always)]
     pub(super) fn of(ray: Ray) -> Direction {
         let plane = [Plane::Yz, Plane::Zx, Plane::Xy][ray.axis];
         // A point below a triangle that is seen counterclockwise from above has a positive sign.
@@ -20,6 +21,7 @@ impl Direction {
     }
 
     /// Whether the ray goes to larger coordinates.
+    #[inline(always)]
     pub(super) fn is_up(self) -> bool {
         self.before == Sign::Positive
     }
@@ -41,21 +43,23 @@ pub(super) enum Stab {
 
 /// How the ray from `q` meets the triangle a, b, c; the point is in the box of the triangle, as seen along the ray.
 ///
-/// With `is_near` it is in the box along the ray too; else it is not on the triangle.
+/// With `is_near` it is in the box along the ray too; else it is not on the triangle. `turn` is `orient2d` in the plane across the ray, of
+/// an edge and q.
+#[inline]
 pub(super) fn stab<P: Predicates + ?Sized>(
     session: &P,
     direction: Direction,
     [a, b, c]: [Vertex; 3],
     q: Vertex,
     is_near: bool,
+    mut turn: impl FnMut(Vertex, Vertex) -> Sign,
 ) -> Stab {
-    let plane = direction.plane;
-    let first = session.orient2d(plane, a, b, q);
-    let second = session.orient2d(plane, b, c, q);
+    let first = turn(a, b);
+    let second = turn(b, c);
     if first * second == Sign::Negative {
         return Stab::Missed;
     }
-    let third = session.orient2d(plane, c, a, q);
+    let third = turn(c, a);
     let turns = if first == Sign::Zero { second } else { first };
     if third * turns == Sign::Negative {
         return Stab::Missed;

@@ -36,7 +36,7 @@ pub(super) fn build(boxes: &[Bounds<3>], sizes: Sizes) -> TwoLevel {
             counts[cell].fetch_add(1, Ordering::Relaxed);
         });
     });
-    let fine = frame.fine.iter().try_fold(1_u32, |product, &fine| product.checked_mul(fine));
+    let fine = frame.fine().iter().try_fold(1_u32, |product, &fine| product.checked_mul(fine));
     let fine = fine.expect("a coarse cell has fewer than 2^32 fine ones");
     let of_cell = |count: AtomicU32| if count.into_inner() > sizes.full { fine } else { 1 };
     let slots = sums(counts.into_iter().map(of_cell));
@@ -89,9 +89,9 @@ pub(super) fn each_slot(grid: &TwoLevel, one: &Bounds<3>, mut then: impl FnMut(u
             return;
         }
         // The part of the box's steps that is in this cell.
-        let origin = [0, 1, 2].map(|axis: usize| at[axis] * frame.fine[axis]);
+        let origin = [0, 1, 2].map(|axis: usize| at[axis] << frame.shift[axis]);
         let from = [0, 1, 2].map(|axis: usize| low[axis].max(origin[axis]) - origin[axis]);
-        let to = [0, 1, 2].map(|axis: usize| (high[axis] - origin[axis]).min(frame.fine[axis] - 1));
+        let to = [0, 1, 2].map(|axis: usize| (high[axis] - origin[axis]).min(frame.fine()[axis] - 1));
         for x in from[0]..=to[0] {
             for y in from[1]..=to[1] {
                 for z in from[2]..=to[2] {

@@ -108,15 +108,13 @@ pub(super) fn regions(grid: &TwoLevel) -> EmptyRegions {
 
 /// Joins the empty fine cells of one coarse cell.
 fn within(grid: &TwoLevel, cell: usize, parent: &mut [u32], is_empty: impl Fn(u32) -> bool) {
-    let (frame, first) = (&grid.frame, grid.slots[cell]);
-    for x in 0..frame.fine[0] {
-        for y in 0..frame.fine[1] {
-            for z in 0..frame.fine[2] {
+    let (frame, first, fine) = (&grid.frame, grid.slots[cell], grid.frame.fine());
+    for x in 0..fine[0] {
+        for y in 0..fine[1] {
+            for z in 0..fine[2] {
                 let own = first + frame.place([x, y, z]);
                 let after = [[x + 1, y, z], [x, y + 1, z], [x, y, z + 1]];
-                for next in
-                    after.into_iter().filter(|next| next.iter().zip(&frame.fine).all(|(step, fine)| step < fine))
-                {
+                for next in after.into_iter().filter(|next| next.iter().zip(&fine).all(|(step, fine)| step < fine)) {
                     join(parent, own, first + frame.place(next), &is_empty);
                 }
             }
@@ -133,12 +131,13 @@ fn across(grid: &TwoLevel, cells: [usize; 2], axis: usize, parent: &mut [u32], i
         return;
     }
     let others = [(axis + 1) % 3, (axis + 2) % 3];
-    for i in 0..frame.fine[others[0]] {
-        for j in 0..frame.fine[others[1]] {
+    let fine = frame.fine();
+    for i in 0..fine[others[0]] {
+        for j in 0..fine[others[1]] {
             let slot = |side: usize| {
                 let mut at = [0; 3];
                 // The last layer before the face, the first behind it.
-                at[axis] = if side == 0 { frame.fine[axis] - 1 } else { 0 };
+                at[axis] = if side == 0 { fine[axis] - 1 } else { 0 };
                 (at[others[0]], at[others[1]]) = (i, j);
                 let first = grid.slots[cells[side]];
                 if refined[side] { first + frame.place(at) } else { first }

@@ -1,11 +1,11 @@
 //! A uniform grid in space of two levels: cells that hold many boxes have a grid of their own.
 //!
 //! This is the grid of PinMesh and of 3D-EPUG-Overlay (Magalhães, *Exact and parallel intersection of 3D triangular meshes*,
-//! section 4.4): refining only the cells that need it makes it adaptive at the price of two divisions a look-up.
+//! section 4.4): refining only the cells that need it makes it adaptive at the price of one more look-up.
 //!
 //! # Why no incidence is lost
 //! Along each axis one monotone function (`Steps`, in `steps.rs`) maps a coordinate to one of coarse × fine steps; the coarse step is
-//! that divided by `fine`, which is monotone too. A box is listed in each cell between the steps of its lowest and those of
+//! that divided by the number of fine cells, a power of two, which is monotone too. A box is listed in each cell between the steps of its lowest and those of
 //! its highest coordinates. So each point of a box is in a cell that lists the box, whatever the coordinates and
 //! however they were rounded; and a cell that lists nothing has no point of any box.
 //!
@@ -44,8 +44,8 @@ struct Frame {
     steps: [Steps; 3],
     /// Coarse cells along each axis.
     coarse: [u32; 3],
-    /// Fine cells to a coarse one along each axis: one along those without extent.
-    fine: [u32; 3],
+    /// The exponents of 2 of the numbers of fine cells to a coarse one along each axis: zero along those without extent.
+    shift: [u32; 3],
 }
 
 /// A cell without finer ones.
@@ -77,6 +77,7 @@ impl Ray {
 
 impl Slot {
     /// From 0 to [`TwoLevel::slots`].
+    #[inline]
     #[must_use]
     pub const fn index(self) -> usize {
         self.0 as usize
@@ -86,22 +87,31 @@ impl Slot {
 impl Frame {
     fn new(boxes: &[Bounds<3>], sizes: Sizes) -> Frame {
         let all = boxes.iter().fold(Bounds::NOTHING, |all, one| all.union(one));
-        let (mut coarse, mut fine) = ([1; 3], [sizes.fine.max(1); 3]);
+        let fine = sizes.fine.max(1).checked_next_power_of_two().expect("fewer than 2^32 fine cells");
+        let (mut coarse, mut shift) = ([1; 3], [fine.trailing_zeros(); 3]);
         let steps = [0, 1, 2].map(|axis: usize| {
             let extent = if boxes.is_empty() { [0.0; 2] } else { [all.low[axis], all.high[axis]] };
-            let steps = Steps::new(extent, sizes.coarse[axis].max(1) as usize * fine[axis] as usize);
+            let steps = Steps::new(extent, sizes.coarse[axis].max(1) as usize * fine as usize);
             if steps.count() == 1 {
-                fine[axis] = 1;
+                shift[axis] = 0;
             }
-            coarse[axis] = number(steps.count()) / fine[axis];
+            coarse[axis] = number(steps.count()) >> shift[axis];
             steps
         });
-        Frame { steps, coarse, fine }
+        Frame { steps, coarse, shift }
     }
 
+    /// The number of fine cells to a coarse one along each axis.
+    fn fine(&self) -> [u32; 3] {
+        self.shift.map(|shift| 1 << shift)
+    }
+
+    // Written out: closures over arrays are not always inlined, and every query comes through here.
+
     /// The fine steps of a point.
-    fn steps(&self, p: [f64; 3]) -> [u32; 3] {
-        [0, 1, 2].map(|axis: usize| number(self.steps[axis].of(p[axis])))
+    #[inline]
+    fn steps(&self, [x, y, z]: [f64; 3]) -> [u32; 3] {
+        [self.steps[0].short(x), self.steps[1].short(y), self.steps[2].short(z)]
     }
 
     /// The fine steps from where to where a box goes.
@@ -115,6 +125,7 @@ impl Frame {
     }
 
     /// The number of a coarse cell: columns along z are contiguous.
+    #[inline]
     fn cell(&self, [x, y, z]: [u32; 3]) -> usize {
         (x as usize * self.coarse[1] as usize + y as usize) * self.coarse[2] as usize + z as usize
     }
@@ -127,19 +138,21 @@ impl Frame {
     }
 
     /// The coarse cell of a fine one, along each axis.
-    fn coarse_of(&self, steps: [u32; 3]) -> [u32; 3] {
-        [0, 1, 2].map(|axis: usize| steps[axis] / self.fine[axis])
+    #[inline]
+    fn coarse_of(&self, [x, y, z]: [u32; 3]) -> [u32; 3] {
+        [x >> self.shift[0], y >> self.shift[1], z >> self.shift[2]]
     }
 
     /// The first and the last fine steps of a coarse cell, or of one of its fine ones.
     fn steps_of(&self, cell: usize, place: Option<u32>) -> [[u32; 3]; 2] {
         let [ny, nz] = [self.coarse[1] as usize, self.coarse[2] as usize];
         let coarse = [cell / nz / ny, cell / nz % ny, cell % nz].map(number);
-        let first = [0, 1, 2].map(|axis: usize| coarse[axis] * self.fine[axis]);
+        let fine = self.fine();
+        let first = [0, 1, 2].map(|axis: usize| coarse[axis] * fine[axis]);
         match place {
-            None => [first, [0, 1, 2].map(|axis: usize| first[axis] + self.fine[axis] - 1)],
+            None => [first, [0, 1, 2].map(|axis: usize| first[axis] + fine[axis] - 1)],
             Some(place) => {
-                let [fy, fz] = [self.fine[1], self.fine[2]];
+                let [_, fy, fz] = fine;
                 let parts = [place / fz / fy, place / fz % fy, place % fz];
                 [[0, 1, 2].map(|axis: usize| first[axis] + parts[axis]); 2]
             }
@@ -147,8 +160,9 @@ impl Frame {
     }
 
     /// The place of a fine cell in its coarse one.
+    #[inline]
     fn place(&self, [x, y, z]: [u32; 3]) -> u32 {
-        (x * self.fine[1] + y) * self.fine[2] + z
+        (((x << self.shift[1]) + y) << self.shift[2]) + z
     }
 }
 
@@ -163,12 +177,14 @@ impl TwoLevel {
     }
 
     /// The cell of a point; what lies outside of all boxes goes to the nearest one.
+    #[inline]
     #[must_use]
     pub fn at(&self, p: [f64; 3]) -> Slot {
         self.slot_of(self.frame.steps(p))
     }
 
     /// The boxes that a cell lists, ascending.
+    #[inline]
     #[must_use]
     pub fn entries(&self, slot: Slot) -> &[u32] {
         &self.entries[self.starts[slot.index()] as usize..self.starts[slot.index() + 1] as usize]
@@ -203,7 +219,7 @@ impl TwoLevel {
     #[inline]
     #[must_use]
     pub fn step(&self, axis: usize, x: f64) -> u32 {
-        number(self.frame.steps[axis].of(x))
+        self.frame.steps[axis].short(x)
     }
 
     /// Visits the cells that a ray from a point passes, straight up an axis or straight down it, from the point's own cell on, each
@@ -214,7 +230,7 @@ impl TwoLevel {
     #[inline]
     pub fn along(&self, p: [f64; 3], ray: Ray, mut visit: impl FnMut(Slot, &[u32], u32) -> bool) {
         let mut steps = self.frame.steps(p);
-        let fine = self.frame.fine[ray.axis];
+        let within = (1 << self.frame.shift[ray.axis]) - 1;
         let top = number(self.frame.steps[ray.axis].count()) - 1;
         loop {
             let slot = self.slot_of(steps);
@@ -223,8 +239,8 @@ impl TwoLevel {
             let is_fine = self.is_refined(self.frame.cell(self.frame.coarse_of(steps)));
             let last = match (is_fine, ray.is_up) {
                 (true, _) => at,
-                (false, true) => at / fine * fine + fine - 1,
-                (false, false) => at / fine * fine,
+                (false, true) => at | within,
+                (false, false) => at & !within,
             };
             let is_end = if ray.is_up { last >= top } else { last == 0 };
             if visit(slot, self.entries(slot), last) || is_end {
@@ -263,17 +279,21 @@ impl TwoLevel {
         empty::regions(self)
     }
 
+    #[inline]
     fn is_refined(&self, cell: usize) -> bool {
         self.slots[cell + 1] - self.slots[cell] > 1
     }
 
+    #[inline]
     fn slot_of(&self, steps: [u32; 3]) -> Slot {
         let cell = self.frame.cell(self.frame.coarse_of(steps));
-        if self.is_refined(cell) {
-            let place = [0, 1, 2].map(|axis: usize| steps[axis] % self.frame.fine[axis]);
-            Slot(self.slots[cell] + self.frame.place(place))
+        let [first, next] = [self.slots[cell], self.slots[cell + 1]];
+        if next - first > 1 {
+            let within = self.frame.fine();
+            let [x, y, z] = steps;
+            Slot(first + self.frame.place([x & (within[0] - 1), y & (within[1] - 1), z & (within[2] - 1)]))
         } else {
-            Slot(self.slots[cell])
+            Slot(first)
         }
     }
 }

@@ -17,7 +17,7 @@ const MOST_STEPS: f64 = 1024.0;
 pub struct Sizes {
     /// Coarse cells along each axis, one or more.
     pub coarse: [u32; 3],
-    /// Fine cells to a coarse one along each axis, one or more.
+    /// Fine cells to a coarse one along each axis, one or more; rounded up to a power of two.
     pub fine: u32,
     /// A coarse cell of more boxes than this is refined.
     pub full: u32,
