@@ -1,22 +1,27 @@
-//! Points in multi-material meshes, phase by phase: the grid, its regions of empty cells, preparing a session, labels, and queries,
-//! random ones and degenerate ones, on one thread and on all.
+//! Points in multi-material meshes, phase by phase: checking the mesh, the grid with its regions of empty cells, preparing a session,
+//! labels, and queries, random ones and degenerate ones, on one thread and on all; and the memory that each takes.
 //!
-//! Degenerate queries are the vertices of the mesh, midpoints of edges, and points straight below vertices.
+//! Degenerate queries are the vertices of the mesh, midpoints of edges, and points on vertical lines through vertices.
 //!
-//! Arguments: the number of triangles, 10^6 if left out; `grid=X,Y,Z,FINE,FULL` for a grid of these sizes.
+//! Arguments: numbers of triangles, 10^6 if left out, up to 5 × 10^7 (which takes 20 minutes and 12 GiB); `grid=X,Y,Z,FINE,FULL` for a
+//! grid of these sizes; names of backends, `exact`, `sos` and `per-mesh`, all if left out.
+//!
+//! A program of another library can take part: the environment variable `PREDICAMENT_MESH_LOCATE` names one that is given the files of
+//! a mesh and of the four kinds of queries, in this order, and prints what it likes. A mesh is two 64-bit counts, of
+//! points and triangles, then coordinates as doubles, then 32-bit indices; queries are a 64-bit count, then coordinates; all little-endian.
 
 use std::hint::black_box;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use predicament_algorithms::mesh_locate::{Location, MeshIndex, Scratch, locate_all};
 use predicament_exact::Exact;
 use predicament_grid::two_level::Sizes;
 use predicament_mesh::MaterialMesh;
-use predicament_predicates::{Backend, Off, Predicates, Scene, Vertex};
+use predicament_predicates::{Backend, Dimension, Off, Predicates, Scene, Vertex};
 use predicament_sos::{PerMesh, Sos};
 
 const QUERIES: usize = 1_000_000;
-const ROUNDS: usize = 5;
 
 struct Random(u64);
 
@@ -53,17 +58,28 @@ fn torus(n: usize) -> (Vec<[f64; 3]>, Vec<[usize; 3]>) {
     (points, triangles)
 }
 
-fn time<T>(name: &str, per: usize, mut work: impl FnMut() -> T) -> T {
+/// Half as many rounds for each ten times as many triangles above a million; one at last.
+fn rounds(n: usize) -> usize {
+    if n <= 1_000_000 {
+        5
+    } else if n <= 10_000_000 {
+        3
+    } else {
+        1
+    }
+}
+
+fn time<T>(name: &str, rounds: usize, per: usize, mut work: impl FnMut() -> T) -> T {
     let mut times = Vec::new();
     let mut last = None;
-    for _ in 0..ROUNDS {
+    for _ in 0..rounds {
         drop(last.take());
         let start = Instant::now();
         last = Some(black_box(work()));
         times.push(start.elapsed());
     }
     times.sort_unstable();
-    let median: Duration = times[ROUNDS / 2];
+    let median: Duration = times[rounds / 2];
     #[allow(clippy::cast_precision_loss)] // about
     let each = median.as_secs_f64() * 1e9 / per as f64;
     println!("  {name:<36} {:>10.2} ms {each:>9.1} ns each", median.as_secs_f64() * 1e3);
@@ -88,57 +104,128 @@ fn queries(points: &[[f64; 3]], triangles: &[[usize; 3]]) -> [(&'static str, Vec
     [("random", random), ("vertices", vertices), ("midpoints", midpoints), ("below vertices", below)]
 }
 
-fn ask<P: Predicates>(name: &str, index: &MeshIndex, session: &P, kinds: &[(&'static str, Vec<Vertex>)]) {
+/// The kinds of queries by name.
+type Kinds = Vec<(&'static str, Vec<Vertex>)>;
+
+fn ask<P: Predicates>(name: &str, rounds: usize, index: &MeshIndex, session: &P, kinds: &Kinds) {
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("one thread");
     for (kind, queries) in kinds {
-        let labels = time(&format!("{name}: labels, {kind}"), queries.len(), || index.labels(session, queries));
-        let found = time(&format!("{name}: {kind}"), queries.len(), || {
+        let count = queries.len();
+        let labels =
+            time(&format!("{name}: labels, {kind}"), rounds, count, || one.install(|| index.labels(session, queries)));
+        let found = time(&format!("{name}: {kind}"), rounds, count, || {
             let mut scratch = Scratch::new();
-            queries
-                .iter()
-                .map(|&q| index.locate(session, &labels, q, &mut scratch))
-                .filter(|at| matches!(at, Location::In(1)))
-                .count()
+            let inside = |q: &&Vertex| index.locate(session, &labels, **q, &mut scratch) == Location::In(1);
+            queries.iter().filter(inside).count()
         });
         println!("    {found} inside");
-        time(&format!("{name}: {kind}, all threads"), queries.len(), || locate_all(index, session, queries, &|_| true));
+        time(&format!("{name}: {kind}, with labels"), rounds, count, || {
+            one.install(|| locate_all(index, session, queries, &|_| true))
+        });
+        time(&format!("{name}: {kind}, with labels, all threads"), rounds, count, || {
+            locate_all(index, session, queries, &|_| true)
+        });
     }
 }
 
+/// The largest memory of the process so far, where the system tells.
+fn peak() -> String {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find(|line| line.starts_with("VmHWM:"));
+    line.map_or_else(String::new, |line| line.split_whitespace().skip(1).collect::<Vec<_>>().join(" "))
+}
+
+/// Runs the program of another library on files of the same mesh and queries.
+fn peer(program: &str, points: &[[f64; 3]], triangles: &[[usize; 3]], kinds: &[(&'static str, Vec<[f64; 3]>); 4]) {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let doubles = |points: &[[f64; 3]]| points.as_flattened().iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>();
+    let count = |count: usize| (count as u64).to_le_bytes();
+    let mut mesh = [count(points.len()), count(triangles.len())].concat();
+    mesh.extend(doubles(points));
+    let index = |&index: &usize| u32::try_from(index).expect("fewer than 2^32 points").to_le_bytes();
+    mesh.extend(triangles.as_flattened().iter().flat_map(index));
+    let mut files = vec![folder.path().join("mesh.bin")];
+    std::fs::write(&files[0], mesh).expect("the mesh is written");
+    for (kind, queries) in kinds {
+        let file = folder.path().join(format!("{}.q", kind.replace(' ', "-")));
+        std::fs::write(&file, [&count(queries.len())[..], &doubles(queries)].concat()).expect("queries are written");
+        files.push(file);
+    }
+    let out = std::process::Command::new(program).args(&files).output().expect("the program runs");
+    print!("{}", String::from_utf8_lossy(&out.stdout).replace(&format!("{}/", folder.path().display()), "  "));
+}
+
+fn shape(n: usize, sizes: Option<Sizes>, backends: &[String]) {
+    let (points, triangles) = torus(n);
+    let (count, rounds) = (triangles.len(), rounds(n));
+    println!("torus, {count} triangles, {rounds} rounds, medians");
+    let kinds = queries(&points, &triangles);
+    if let Ok(program) = std::env::var("PREDICAMENT_MESH_LOCATE") {
+        peer(&program, &points, &triangles, &kinds);
+    }
+    let mut all = points.clone();
+    let mut named: Kinds = Vec::new();
+    for (kind, queries) in kinds {
+        let first = all.len();
+        all.extend(queries);
+        named.push((kind, (first..all.len()).map(Vertex::input).collect()));
+    }
+    let vertices = points.len();
+    drop(points);
+    let corners: Vec<[Vertex; 3]> = triangles.iter().map(|triangle| triangle.map(Vertex::input)).collect();
+    drop(triangles);
+    let whole = all.len();
+    let scene = Scene::new(Dimension::Three, all.into_flattened()).expect("finite");
+    let scene = scene.with_second_mesh((vertices..whole).map(Vertex::input));
+    let mesh = Arc::new(if rounds == 1 {
+        time("mesh: checked", 1, count, || MaterialMesh::of_closed(vertices, corners.clone()).expect("closed"))
+    } else {
+        time("mesh: copied and checked", rounds, count, || {
+            MaterialMesh::of_closed(vertices, corners.clone()).expect("closed")
+        })
+    });
+    drop(corners);
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("one thread");
+    let build = || MeshIndex::with_sizes(mesh.clone(), &scene, sizes);
+    drop(time("grid and regions of cells", rounds, count, || one.install(build)));
+    let index = time("grid and regions of cells, all threads", rounds, count, build);
+    let (slots, entries) = (index.grid().slots(), index.grid().all_entries());
+    println!(
+        "  {slots} cells, {} refined, {entries} entries, {} regions to be found",
+        index.grid().refined(),
+        index.references().len()
+    );
+    #[allow(clippy::cast_precision_loss)] // about
+    let each = index.bytes() as f64 / count as f64;
+    println!("  {} bytes, {each:.1} a triangle; the process so far {}", index.bytes(), peak());
+    let wants = |name: &str| backends.is_empty() || backends.iter().any(|wanted| wanted == name);
+    if wants("exact") {
+        let session = time("exact: prepare", rounds, whole, || Exact.prepare(&scene, Off).expect("in space"));
+        ask("exact", rounds, &index, &session, &named);
+    }
+    if wants("sos") {
+        let sos = Sos::default();
+        let session = time("sos: prepare", rounds, whole, || sos.prepare(&scene, Off).expect("in space"));
+        ask("sos", rounds, &index, &session, &named);
+    }
+    if wants("per-mesh") {
+        let session = time("per-mesh: prepare", rounds, whole, || PerMesh.prepare(&scene, Off).expect("in space"));
+        ask("per-mesh", rounds, &index, &session, &named);
+    }
+    println!("  the process at most {}", peak());
+}
+
 fn main() {
-    let n: usize = std::env::args().filter_map(|argument| argument.parse().ok()).next().unwrap_or(1_000_000);
-    let sizes = std::env::args().find_map(|argument| {
+    let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
+    let sizes = arguments.iter().find_map(|argument| {
         let numbers = argument.strip_prefix("grid=")?.split(',').map(|number| number.parse().expect("a number"));
         let [x, y, z, fine, full] = numbers.collect::<Vec<u32>>()[..] else { panic!("grid=X,Y,Z,FINE,FULL") };
         Some(Sizes { coarse: [x, y, z], fine, full })
     });
-    let (points, triangles) = torus(n);
-    println!("torus, {} triangles", triangles.len());
-    let kinds = queries(&points, &triangles);
-    let mut all = points.clone();
-    let mut named = Vec::new();
-    for (kind, queries) in kinds {
-        let first = all.len();
-        all.extend(queries);
-        named.push((kind, (first..all.len()).map(Vertex::input).collect::<Vec<_>>()));
+    let numbers: Vec<usize> = arguments.iter().filter_map(|argument| argument.parse().ok()).collect();
+    let is_backend = |argument: &&String| ["exact", "sos", "per-mesh"].contains(&argument.as_str());
+    let backends: Vec<String> = arguments.iter().filter(is_backend).cloned().collect();
+    for n in if numbers.is_empty() { vec![1_000_000] } else { numbers } {
+        shape(n, sizes, &backends);
     }
-    let scene = Scene::from_points3(&all).expect("finite");
-    let scene = scene.with_second_mesh((points.len()..all.len()).map(Vertex::input));
-    let corners: Vec<[Vertex; 3]> = triangles.iter().map(|triangle| triangle.map(Vertex::input)).collect();
-    let mesh = time("mesh: checked", corners.len(), || {
-        MaterialMesh::of_closed(points.len(), corners.clone()).expect("closed")
-    });
-    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("one thread");
-    time("index, one thread", corners.len(), || one.install(|| MeshIndex::with_sizes(mesh.clone(), &scene, sizes)));
-    let index = time("index", corners.len(), || MeshIndex::with_sizes(mesh.clone(), &scene, sizes));
-    let (slots, entries) = (index.grid().slots(), index.grid().all_entries());
-    println!("  {slots} cells, {} refined, {entries} entries, {} bytes", index.grid().refined(), index.bytes());
-    one.install(|| {
-        let session = time("exact: prepare", all.len(), || Exact.prepare(&scene, Off).expect("in space"));
-        ask("exact", &index, &session, &named);
-        let sos = Sos::default();
-        let session = time("sos: prepare", all.len(), || sos.prepare(&scene, Off).expect("in space"));
-        ask("sos", &index, &session, &named);
-        let session = time("per mesh: prepare", all.len(), || PerMesh.prepare(&scene, Off).expect("in space"));
-        ask("per mesh", &index, &session, &named);
-    });
 }

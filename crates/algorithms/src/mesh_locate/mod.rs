@@ -7,7 +7,8 @@
 //! * the ray meets a triangle iff three `orient2d` in the plane across the ray agree, and `orient3d` says that the point is
 //!   below;
 //! * of two triangles that it meets the nearer is found at a vertex of the part that their projections share: a corner of the
-//!   one over the other (`orient3d`), or a crossing of two edges (`orient3d` of the four ends). See `nearer.rs`.
+//!   one over the other (`orient3d`), or a crossing of two edges (`orient3d` of the four ends). See `nearer.rs`. Where neither is
+//!   nearer, as of two faces of a sheet without thickness, the sum below decides.
 //!
 //! # Zeros
 //! The same code serves exact, perturbed and tolerant sessions:

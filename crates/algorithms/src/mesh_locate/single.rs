@@ -97,7 +97,7 @@ impl MeshIndex {
         }
         match labels.of(self.grid().at(session.scene().point3(q))) {
             Some(region) => Location::In(region),
-            None => self.walk::<P, F>(session, labels, q),
+            None => self.walk::<P, F>(session, labels, q, scratch),
         }
     }
 
@@ -110,18 +110,24 @@ impl MeshIndex {
         scratch: &mut Scratch,
     ) -> Location {
         match session.reach() {
-            0.0 => self.walk::<P, Honest>(session, labels, q),
+            0.0 => self.walk::<P, Honest>(session, labels, q, scratch),
             reach => self.by_all::<P>(session, q, reach, scratch),
         }
     }
 
     /// Up from cell to cell, to the nearest triangle or a cell whose region is known.
-    fn walk<P: Predicates + ?Sized, F: Planted>(&self, session: &P, labels: &Labels, q: Vertex) -> Location {
+    fn walk<P: Predicates + ?Sized, F: Planted>(
+        &self,
+        session: &P,
+        labels: &Labels,
+        q: Vertex,
+        scratch: &mut Scratch,
+    ) -> Location {
         let (scene, direction) = (session.scene(), Direction::of(Ray::UP));
         let points: &[[f64; 3]] = scene.coordinates().as_chunks().0;
         let (p, triangles) = (points[q.index()], self.mesh().triangles());
         let mut nearest: Option<Nearest> = None;
-        let mut found = None;
+        let (mut found, mut coincide) = (None, false);
         let mut spokes = Spokes::default();
         // The last step of the cells before.
         let mut before = None;
@@ -153,10 +159,14 @@ impl MeshIndex {
                     }
                     Stab::Passed { from_behind } => {
                         let other = nearest.map(|nearest| triangles[nearest.triangle as usize]);
-                        let is_nearer = other.is_none_or(|other| {
-                            is_nearer(session, direction, corners, other)
-                                .is_some_and(|nearer| nearer != F::TAKES_THE_FARTHER)
+                        let is_nearer = other.map_or(Some(true), |other| {
+                            let is_nearer = is_nearer(session, direction, corners, other)?;
+                            Some(is_nearer != F::TAKES_THE_FARTHER)
                         });
+                        let Some(is_nearer) = is_nearer else {
+                            coincide = true;
+                            return true;
+                        };
                         if is_nearer {
                             let region = self.mesh().sides()[triangle as usize][usize::from(from_behind)];
                             let [a, b, c] = corners;
@@ -170,6 +180,10 @@ impl MeshIndex {
             // Triangles that were not listed so far are wholly above this cell.
             nearest.is_some_and(|nearest| nearest.end <= last)
         });
+        if coincide {
+            // Neither of two triangles is nearer: what is before both is a matter of sums.
+            return self.question(session, q, Ray::UP, scratch);
+        }
         found.unwrap_or(Location::In(nearest.map_or(OUTSIDE, |nearest| nearest.region)))
     }
 
@@ -186,7 +200,9 @@ impl MeshIndex {
                 Stab::On => return Location::On(triangle),
                 Stab::Passed { from_behind } => {
                     let other = nearest.map(|(nearest, _)| self.mesh().triangles()[nearest as usize]);
-                    if other.is_none_or(|other| is_nearer(session, direction, corners, other) == Some(true)) {
+                    let is_nearer = other.map_or(Some(true), |other| is_nearer(session, direction, corners, other));
+                    let Some(is_nearer) = is_nearer else { return self.question(session, q, Ray::UP, scratch) };
+                    if is_nearer {
                         nearest = Some((triangle, self.mesh().sides()[triangle as usize][usize::from(from_behind)]));
                     }
                 }

@@ -215,6 +215,31 @@ fn boxes_in_each_other_have_labels_for_what_is_between() {
 }
 
 #[test]
+fn faces_at_one_place_are_passed_together() {
+    // A tetrahedron, and over it a sheet: two faces on the same vertices, turned to both sides, in both orders.
+    let points =
+        [[0., 0., 0.], [8., 0., 0.], [0., 8., 0.], [0., 0., 8.], [-1., -1., 9.], [20., -1., 9.5], [-1., 20., 10.]];
+    let queries = [[1., 1., 1.], [1., 1., -1.], [1., 1., 7.], [1., 1., 8.5], [1., 1., 20.], [0., 0., 1.], [2., 2., 9.]];
+    let scene = Scene::from_points3(&[&points[..], &queries[..]].concat()).unwrap();
+    let queries: Vec<Vertex> = (points.len()..scene.len()).map(Vertex::input).collect();
+    let scene = scene.with_second_mesh(queries.iter().copied());
+    let solid = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+    for sheet in [[[4, 5, 6], [5, 4, 6]], [[5, 4, 6], [4, 5, 6]]] {
+        let triangles: Vec<[Vertex; 3]> =
+            sheet.iter().chain(&solid).map(|corners| corners.map(Vertex::input)).collect();
+        let index = MeshIndex::new(MaterialMesh::of_closed(points.len(), triangles).unwrap(), &scene);
+        let exact = Exact.prepare(&scene, Off).unwrap();
+        let outside = Location::In(0);
+        let expected = [Location::In(1), outside, outside, outside, outside, Location::On(3), outside];
+        assert_eq!(all_ways(&index, &exact, &queries), expected);
+        let sos = Sos::default();
+        let [first, ..] = all_ways(&index, &sos.prepare(&scene, Off).unwrap(), &queries)[..] else { panic!() };
+        assert_eq!(first, Location::In(1));
+        all_ways(&index, &PerMesh.prepare(&scene, Off).unwrap(), &queries);
+    }
+}
+
+#[test]
 fn a_surface_that_crosses_itself_is_told_as_a_contradiction_by_sums() {
     // Two boxes that overlap, both region 1.
     let mut points = Vec::new();

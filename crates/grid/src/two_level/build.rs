@@ -4,11 +4,9 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use rayon::prelude::*;
 
-use super::{Frame, Sizes, TwoLevel, number};
+use super::{Frame, PART, Sizes, TwoLevel, bounds, number};
 use crate::Bounds;
 
-/// Boxes that one thread takes at a time.
-const PART: usize = 4096;
 /// Slots below which lists are sorted on one thread.
 const SORTED: usize = 4096;
 
@@ -29,7 +27,7 @@ fn sums(counts: impl ExactSizeIterator<Item = u32>) -> Vec<u32> {
 }
 
 pub(super) fn build(boxes: &[Bounds<3>], sizes: Sizes) -> TwoLevel {
-    let frame = Frame::new(boxes, sizes);
+    let frame = Frame::new(&bounds(boxes), sizes);
     let counts = zeros(frame.count());
     boxes.par_iter().with_min_len(PART).for_each(|one| {
         each_coarse(&frame, one, |cell, _| {
@@ -66,9 +64,16 @@ pub(super) fn build(boxes: &[Bounds<3>], sizes: Sizes) -> TwoLevel {
     grid
 }
 
+/// A value for each axis. (Closures over arrays are not always inlined.)
+#[inline(always)]
+fn three(of: impl Fn(usize) -> u32) -> [u32; 3] {
+    [of(0), of(1), of(2)]
+}
+
 /// The coarse cells of a box, each with its place along the axes.
 fn each_coarse(frame: &Frame, one: &Bounds<3>, mut then: impl FnMut(usize, [u32; 3])) {
-    let [low, high] = frame.range(one).map(|steps| frame.coarse_of(steps));
+    let [low, high] = frame.range(one);
+    let [low, high] = [frame.coarse_of(low), frame.coarse_of(high)];
     for x in low[0]..=high[0] {
         for y in low[1]..=high[1] {
             for z in low[2]..=high[2] {
@@ -89,9 +94,9 @@ pub(super) fn each_slot(grid: &TwoLevel, one: &Bounds<3>, mut then: impl FnMut(u
             return;
         }
         // The part of the box's steps that is in this cell.
-        let origin = [0, 1, 2].map(|axis: usize| at[axis] << frame.shift[axis]);
-        let from = [0, 1, 2].map(|axis: usize| low[axis].max(origin[axis]) - origin[axis]);
-        let to = [0, 1, 2].map(|axis: usize| (high[axis] - origin[axis]).min(frame.fine()[axis] - 1));
+        let origin = three(|axis| at[axis] << frame.shift[axis]);
+        let from = three(|axis| low[axis].max(origin[axis]) - origin[axis]);
+        let to = three(|axis| (high[axis] - origin[axis]).min((1 << frame.shift[axis]) - 1));
         for x in from[0]..=to[0] {
             for y in from[1]..=to[1] {
                 for z in from[2]..=to[2] {

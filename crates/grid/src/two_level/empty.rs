@@ -1,5 +1,7 @@
 //! Regions of cells that list nothing.
 
+use rayon::prelude::*;
+
 use super::{NONE, Slot, TwoLevel};
 
 /// Regions of empty cells, numbered by their first slots.
@@ -58,41 +60,97 @@ impl EmptyRegions {
     }
 }
 
-/// Finds the regions by union-find; cells with a common face are neighbours.
+/// Layers of coarse cells that one thread joins at a time.
+const LAYERS: u32 = 8;
+
+/// A part of a union-find forest: each slot's parent, which is no later slot.
+struct Forest<'a> {
+    /// The first slot of this part.
+    first: u32,
+    parent: &'a mut [u32],
+}
+
+impl Forest<'_> {
+    /// The lowest of a class.
+    fn root(&mut self, mut slot: u32) -> u32 {
+        let at = |slot: u32| (slot - self.first) as usize;
+        while self.parent[at(slot)] != slot {
+            self.parent[at(slot)] = self.parent[at(self.parent[at(slot)])];
+            slot = self.parent[at(slot)];
+        }
+        slot
+    }
+
+    /// Makes one class of two, if both slots are empty.
+    fn join(&mut self, grid: &TwoLevel, a: u32, b: u32) {
+        if grid.is_empty(a) && grid.is_empty(b) {
+            let [a, b] = [self.root(a), self.root(b)];
+            self.parent[(a.max(b) - self.first) as usize] = a.min(b);
+        }
+    }
+}
+
+impl TwoLevel {
+    fn is_empty(&self, slot: u32) -> bool {
+        self.starts[slot as usize] == self.starts[slot as usize + 1]
+    }
+}
+
+/// Finds the regions by union-find, in slabs of their own first; cells with a common face are neighbours.
 ///
 /// Cells are the points that the monotone maps send to them. Of two neighbours' common face each point is in one of them, so that the
 /// way from one to the other leaves neither.
 pub(super) fn regions(grid: &TwoLevel) -> EmptyRegions {
     let frame = &grid.frame;
-    let is_empty = |slot: u32| grid.starts[slot as usize] == grid.starts[slot as usize + 1];
-    let mut parent: Vec<u32> = (0..super::number(grid.slots())).collect();
     let [nx, ny, nz] = frame.coarse;
-    for x in 0..nx {
-        for y in 0..ny {
-            for z in 0..nz {
-                let cell = frame.cell([x, y, z]);
-                if grid.is_refined(cell) {
-                    within(grid, cell, &mut parent, is_empty);
-                }
-                let after = [[x + 1, y, z], [x, y + 1, z], [x, y, z + 1]];
-                for (axis, next) in
-                    after.into_iter().enumerate().filter(|(axis, next)| next[*axis] < frame.coarse[*axis])
-                {
-                    across(grid, [cell, frame.cell(next)], axis, &mut parent, is_empty);
+    let mut parent: Vec<u32> = (0..super::number(grid.slots())).collect();
+    let first_slot = |x: u32| grid.slots[x as usize * ny as usize * nz as usize];
+    let mut slabs = Vec::new();
+    let mut rest = &mut parent[..];
+    for x in (0..nx).step_by(LAYERS as usize) {
+        let end = (x + LAYERS).min(nx);
+        let (part, others) = rest.split_at_mut((first_slot(end) - first_slot(x)) as usize);
+        slabs.push((x..end, Forest { first: first_slot(x), parent: part }));
+        rest = others;
+    }
+    slabs.into_par_iter().for_each(|(layers, mut forest)| {
+        for x in layers.clone() {
+            for y in 0..ny {
+                for z in 0..nz {
+                    let cell = frame.cell([x, y, z]);
+                    if grid.is_refined(cell) {
+                        within(grid, cell, &mut forest);
+                    }
+                    let after = [[x + 1, y, z], [x, y + 1, z], [x, y, z + 1]];
+                    for (axis, next) in after.into_iter().enumerate() {
+                        if next[axis] < frame.coarse[axis] && next[0] < layers.end {
+                            across(grid, [cell, frame.cell(next)], axis, &mut forest);
+                        }
+                    }
                 }
             }
         }
-    }
-    let mut regions = EmptyRegions { region: vec![NONE; parent.len()], first: Vec::new(), is_open: Vec::new() };
-    for slot in (0..super::number(parent.len())).filter(|&slot| is_empty(slot)) {
-        let root = root(&mut parent, slot);
-        if root == slot {
-            regions.region[slot as usize] = super::number(regions.first.len());
-            regions.first.push(Slot(slot));
-        } else {
-            // A region begins with its lowest slot.
-            regions.region[slot as usize] = regions.region[root as usize];
+    });
+    let mut forest = Forest { first: 0, parent: &mut parent };
+    for x in (LAYERS..nx).step_by(LAYERS as usize) {
+        for y in 0..ny {
+            for z in 0..nz {
+                across(grid, [[x - 1, y, z], [x, y, z]].map(|at| frame.cell(at)), 0, &mut forest);
+            }
         }
+    }
+    let mut regions = EmptyRegions { region: parent, first: Vec::new(), is_open: Vec::new() };
+    for slot in 0..super::number(grid.slots()) {
+        // A region begins with its lowest slot, and no parent is later.
+        let above = regions.region[slot as usize];
+        regions.region[slot as usize] = if !grid.is_empty(slot) {
+            NONE
+        } else if above == slot {
+            regions.first.push(Slot(slot));
+            super::number(regions.first.len() - 1)
+        } else {
+            regions.region[above as usize]
+        };
     }
     regions.is_open = vec![false; regions.first.len()];
     let last = [0, 1, 2].map(|axis: usize| super::number(frame.steps[axis].count()) - 1);
@@ -107,15 +165,24 @@ pub(super) fn regions(grid: &TwoLevel) -> EmptyRegions {
 }
 
 /// Joins the empty fine cells of one coarse cell.
-fn within(grid: &TwoLevel, cell: usize, parent: &mut [u32], is_empty: impl Fn(u32) -> bool) {
-    let (frame, first, fine) = (&grid.frame, grid.slots[cell], grid.frame.fine());
+fn within(grid: &TwoLevel, cell: usize, forest: &mut Forest<'_>) {
+    let (frame, first) = (&grid.frame, grid.slots[cell]);
+    let fine = frame.fine();
     for x in 0..fine[0] {
         for y in 0..fine[1] {
             for z in 0..fine[2] {
                 let own = first + frame.place([x, y, z]);
-                let after = [[x + 1, y, z], [x, y + 1, z], [x, y, z + 1]];
-                for next in after.into_iter().filter(|next| next.iter().zip(&fine).all(|(step, fine)| step < fine)) {
-                    join(parent, own, first + frame.place(next), &is_empty);
+                if !grid.is_empty(own) {
+                    continue;
+                }
+                if x + 1 < fine[0] {
+                    forest.join(grid, own, first + frame.place([x + 1, y, z]));
+                }
+                if y + 1 < fine[1] {
+                    forest.join(grid, own, first + frame.place([x, y + 1, z]));
+                }
+                if z + 1 < fine[2] {
+                    forest.join(grid, own, first + frame.place([x, y, z + 1]));
                 }
             }
         }
@@ -123,11 +190,11 @@ fn within(grid: &TwoLevel, cell: usize, parent: &mut [u32], is_empty: impl Fn(u3
 }
 
 /// Joins the empty cells on both sides of the face between two coarse cells.
-fn across(grid: &TwoLevel, cells: [usize; 2], axis: usize, parent: &mut [u32], is_empty: impl Fn(u32) -> bool) {
+fn across(grid: &TwoLevel, cells: [usize; 2], axis: usize, forest: &mut Forest<'_>) {
     let frame = &grid.frame;
     let refined = cells.map(|cell| grid.is_refined(cell));
     if refined == [false; 2] {
-        join(parent, grid.slots[cells[0]], grid.slots[cells[1]], &is_empty);
+        forest.join(grid, grid.slots[cells[0]], grid.slots[cells[1]]);
         return;
     }
     let others = [(axis + 1) % 3, (axis + 2) % 3];
@@ -142,23 +209,7 @@ fn across(grid: &TwoLevel, cells: [usize; 2], axis: usize, parent: &mut [u32], i
                 let first = grid.slots[cells[side]];
                 if refined[side] { first + frame.place(at) } else { first }
             };
-            join(parent, slot(0), slot(1), &is_empty);
+            forest.join(grid, slot(0), slot(1));
         }
     }
-}
-
-fn join(parent: &mut [u32], a: u32, b: u32, is_empty: &impl Fn(u32) -> bool) {
-    if is_empty(a) && is_empty(b) {
-        let [a, b] = [root(parent, a), root(parent, b)];
-        parent[a.max(b) as usize] = a.min(b);
-    }
-}
-
-/// The lowest of a class.
-fn root(parent: &mut [u32], mut slot: u32) -> u32 {
-    while parent[slot as usize] != slot {
-        parent[slot as usize] = parent[parent[slot as usize] as usize];
-        slot = parent[slot as usize];
-    }
-    slot
 }

@@ -18,6 +18,8 @@ mod build;
 mod empty;
 mod sizes;
 
+use rayon::prelude::*;
+
 use crate::Bounds;
 use crate::steps::Steps;
 
@@ -85,12 +87,12 @@ impl Slot {
 }
 
 impl Frame {
-    fn new(boxes: &[Bounds<3>], sizes: Sizes) -> Frame {
-        let all = boxes.iter().fold(Bounds::NOTHING, |all, one| all.union(one));
+    /// Cells over the smallest box that holds all boxes, of so many.
+    fn new(all: &Bounds<3>, sizes: Sizes) -> Frame {
         let fine = sizes.fine.max(1).checked_next_power_of_two().expect("fewer than 2^32 fine cells");
         let (mut coarse, mut shift) = ([1; 3], [fine.trailing_zeros(); 3]);
         let steps = [0, 1, 2].map(|axis: usize| {
-            let extent = if boxes.is_empty() { [0.0; 2] } else { [all.low[axis], all.high[axis]] };
+            let extent = if all.low[axis] > all.high[axis] { [0.0; 2] } else { [all.low[axis], all.high[axis]] };
             let steps = Steps::new(extent, sizes.coarse[axis].max(1) as usize * fine as usize);
             if steps.count() == 1 {
                 shift[axis] = 0;
@@ -296,6 +298,15 @@ impl TwoLevel {
             Slot(first)
         }
     }
+}
+
+/// Boxes that one thread takes at a time.
+const PART: usize = 4096;
+
+/// The smallest box that holds all boxes.
+fn bounds(boxes: &[Bounds<3>]) -> Bounds<3> {
+    let parts = boxes.par_chunks(PART).map(|part| part.iter().fold(Bounds::NOTHING, |all, one| all.union(one)));
+    parts.reduce(|| Bounds::NOTHING, |all, one| all.union(&one))
 }
 
 fn number(n: usize) -> u32 {

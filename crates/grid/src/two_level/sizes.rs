@@ -29,7 +29,7 @@ impl Sizes {
     #[must_use]
     pub fn of(boxes: &[Bounds<3>]) -> Sizes {
         const REST: Sizes = Sizes { coarse: [1; 3], fine: 4, full: 32 };
-        let all = boxes.iter().fold(Bounds::NOTHING, |all, one| all.union(one));
+        let all = super::bounds(boxes);
         // Halves, which do not overflow; what has no extent has one cell.
         let extent = [0, 1, 2].map(|axis: usize| (all.high[axis] / 2.0 - all.low[axis] / 2.0).max(0.0));
         let largest = extent.iter().copied().fold(0.0, f64::max);
@@ -45,12 +45,13 @@ impl Sizes {
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 1 to `MOST_STEPS`
             let coarse = relative.map(|relative| (relative * across).clamp(1.0, MOST_STEPS) as u32);
             let sizes = Sizes { coarse, ..REST };
-            let frame = Frame::new(boxes, Sizes { fine: 1, ..sizes });
+            let frame = Frame::new(&all, Sizes { fine: 1, ..sizes });
             let entries = |one: &Bounds<3>| {
                 let [low, high] = frame.range(one);
-                (0..3).map(|axis| u64::from(high[axis] - low[axis] + 1)).product::<u64>()
+                let along = |axis: usize| u64::from(high[axis] - low[axis] + 1);
+                along(0) * along(1) * along(2)
             };
-            let entries: u64 = boxes.par_iter().map(entries).sum();
+            let entries: u64 = boxes.par_iter().with_min_len(super::PART).map(entries).sum();
             if entries <= MOST_ENTRIES * boxes.len() as u64 || coarse == [1; 3] {
                 return sizes;
             }
