@@ -148,6 +148,11 @@ fn tetrahedra_that_cross_are_no_fault_of_a_backend() {
     expect(0, &["run", &suite, "-b", "exact,sos,tolerance", "--answers", "--out", &out]);
     let answers = read(&out, "answers.csv");
     assert_eq!(column(&answers, "answer"), ["in no one region"; 3]);
+    // Nor is a point within a band of the mesh, where the mesh contradicts itself.
+    let suite = std::fs::read_to_string(&suite).unwrap().replace("quick_stride = 0", "quick_stride = 1");
+    let (suite, out) = (write(&folder, "all.toml", &suite), at(&folder, "all"));
+    expect(0, &["run", &suite, "-b", "exact,tolerance", "--out", &out]);
+    assert_eq!(column(&read(&out, "summary.csv"), "in_band").iter().filter(|count| *count != "0").count(), 1);
     assert!(answers.contains("in no one region; winding numbers 0: -1, 1: 1, 2: 1"), "{answers}");
 }
 
