@@ -23,6 +23,7 @@ Examples:
   predicament solve mine.toml -f two-spheres -b sos --out out/contacts
   predicament solve crossings roads.geojson -b exact --out out/roads
   predicament solve contacts3d a.off b.ply -b tolerance --out out/contacts
+  predicament solve mesh-locate part.stl probes.csv --set quick_stride=0 --out out/inside      regions of points
   predicament solve orient2d survey.csv --set queries=all --round --out out/signs";
 
 /// Solve one scene, or a task on your own files, under one backend and write the answer
@@ -163,16 +164,15 @@ const SOLVED: &str = "solve";
 
 /// An error about files, with the cures of this command.
 fn own(error: CorpusError, task: &str) -> Failure {
+    let rounds =
+        error.cure.contains("write `round = true`").then(|| "add --round to read the nearest doubles".to_owned());
     if error.file == SOLVED {
-        let cure = match error.message.contains("can't be read") {
+        let cure = rounds.unwrap_or_else(|| match error.message.contains("can't be read") {
             true => "name a file that is there".to_owned(),
             false => format!("{}, with --set KEY=VALUE", error.cure),
-        };
+        });
         return Failure::usage(format!("{task}: {}; {cure}", error.message));
     }
-    let cure = match error.cure.find("write `round = true`") {
-        Some(_) => "add --round to read the nearest doubles".to_owned(),
-        None => error.cure.clone(),
-    };
+    let cure = rounds.unwrap_or_else(|| error.cure.clone());
     CorpusError { cure, ..error }.into()
 }

@@ -329,6 +329,30 @@ fn files_that_are_none_are_refused_where_they_are_wrong() {
     }
 }
 
+/// Surfaces that have no inside, as their regions are not closed, in each format.
+#[test]
+fn open_and_turned_surfaces_have_no_regions() {
+    let folder = tempdir().unwrap();
+    let open = Mesh { faces: tetrahedron().faces[..3].to_vec(), ..tetrahedron() };
+    for (what, mesh, count) in [("open", open, 1), ("turned", with_last(&[0, 2, 3]), 2)] {
+        for format in ALL {
+            let file = file(format, &mesh);
+            let path = at(&folder, file.name);
+            std::fs::write(&path, &file.bytes).unwrap();
+            let told = expect(104, &["solve", "mesh-locate", &path, "--out", &at(&folder, "out")]);
+            let said = told.stderr.trim_end().replace(&format!("{}/", folder.path().display()), "");
+            let [a, b] = [0, 2].map(|point| file.point(point));
+            let expected = format!(
+                "predicament: {}region 0 is not closed at the edge of vertices {a} and {b}: of the {count} triangle(s) there, {} among \
+                 them, more go one way around it than the other; close the mesh, turn the triangle over, or give each face its `regions`",
+                file.at_face(0),
+                file.face(0)
+            );
+            assert_eq!(said, expected, "{what} in {format:?}");
+        }
+    }
+}
+
 /// What is fine is fine: otherwise the tests above would say nothing.
 #[test]
 fn the_tetrahedron_is_read_from_every_format() {

@@ -116,10 +116,10 @@ fn class_of(
         // What the mesh itself contradicts is not the backend's.
         (Location::Contradiction, Place::Windings(_)) => (Class::Agree, EXACT),
         (Location::Contradiction, _) => (Class::Topology, "one region"),
-        (_, Place::Windings(_)) => (Class::SignFlip, EXACT),
+        (Location::In(_), Place::Windings(_)) => (Class::SignFlip, EXACT),
         (Location::In(region), Place::In(truth)) if region == *truth => (Class::Agree, EXACT),
         (Location::In(_), Place::In(_)) => (Class::SignFlip, EXACT),
-        (Location::On(_), Place::In(_)) => match zero {
+        (Location::On(_), Place::In(_) | Place::Windings(_)) => match zero {
             ZeroMeaning::Exact => (Class::Overreach, EXACT),
             ZeroMeaning::Band => (Class::InBand, EXACT),
             ZeroMeaning::Never => (Class::Inconsistent, "unbroken tie"),
@@ -187,6 +187,8 @@ pub(super) fn judge(
             (Location::In(region), Place::In(truth)) => region == *truth,
             // A point on a border is on it, or broken ties put it anywhere around; the truth by triangles says where.
             (_, Place::On(_)) => true,
+            // In tetrahedra that overlap.
+            (Location::Contradiction, Place::Windings(_)) => true,
             _ => matches!(answer, Location::On(_)) && zero == ZeroMeaning::Band,
         });
         law(fits, "tetrahedron", answer, by_solids.map_or_else(String::new, told));

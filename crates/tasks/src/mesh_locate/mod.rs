@@ -8,6 +8,7 @@ mod generate;
 mod judge;
 mod probes;
 mod read;
+mod regions;
 mod section;
 
 use std::path::{Path, PathBuf};
@@ -22,7 +23,7 @@ use predicament_algorithms::mesh_locate::{
 };
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
-use predicament_judge::solids::Materials;
+use predicament_judge::solids::{Materials, Place};
 use predicament_mesh::OUTSIDE;
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
 use predicament_records::{RunDir, TableSpec};
@@ -99,7 +100,7 @@ impl SceneFormat for MeshLocate {
     }
 
     fn file_keys(&self) -> &'static [&'static str] {
-        &["mesh"]
+        &["mesh", "probes"]
     }
 
     fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
@@ -225,11 +226,21 @@ impl Task for MeshLocate {
             prepared.map_err(|why| why.to_string()).and(told)
         };
         let place = Materials::new(scene, content.mesh.triangles(), content.mesh.sides()).locate(probe);
-        let about = Explanation { vertices: vec![probe], truth: vec![judge::told(&place)], ..Explanation::default() };
+        let (mut vertices, mut truth) = (vec![probe], judge::told(&place));
+        if let Place::On(triangles) = &place {
+            let corners = content.mesh.triangles()[triangles[0] as usize];
+            truth.push_str(&format!(
+                "; the corners of triangle {} are {}, {} and {}",
+                triangles[0], corners[0], corners[1], corners[2]
+            ));
+            vertices.extend(corners);
+        }
+        let about = Explanation { vertices, truth: vec![truth], ..Explanation::default() };
         Ok(about.with_answers(backends, ask))
     }
 
-    /// A CSV file: each probe with its coordinates, its region, and the triangle that it is on.
+    /// A CSV file: each probe with how it was chosen, its coordinates, the answer, and the region that it is in or the triangle
+    /// that it is on.
     fn write(
         &self,
         scene: &Scene,
@@ -238,15 +249,16 @@ impl Task for MeshLocate {
         folder: &Path,
     ) -> std::io::Result<Vec<PathBuf>> {
         let path = folder.join("probes.csv");
-        let mut lines = String::from("vertex,x,y,z,region,triangle\n");
+        let mut lines = String::from("vertex,kind,x,y,z,answer,region,triangle\n");
         for (probe, location) in content.probes.iter().zip(&answer.0) {
             let [x, y, z] = scene.point3(probe.vertex);
-            let [region, triangle] = match location {
-                Location::In(region) => [region.to_string(), String::new()],
-                Location::On(triangle) => [String::new(), triangle.to_string()],
-                Location::Contradiction => [String::new(), String::new()],
+            let [answer, region, triangle] = match location {
+                Location::In(region) => ["in", &region.to_string(), ""].map(str::to_owned),
+                Location::On(triangle) => ["on", "", &triangle.to_string()].map(str::to_owned),
+                Location::Contradiction => ["contradiction", "", ""].map(str::to_owned),
             };
-            lines.push_str(&format!("{},{x:?},{y:?},{z:?},{region},{triangle}\n", probe.vertex));
+            let (vertex, kind) = (probe.vertex, probe.kind.name());
+            lines.push_str(&format!("{vertex},{kind},{x:?},{y:?},{z:?},{answer},{region},{triangle}\n"));
         }
         std::fs::write(&path, lines)?;
         Ok(vec![path])

@@ -56,6 +56,15 @@ impl Probing {
         };
         at(Level::Quick).max(at(Level::Full))
     }
+
+    /// How many probes there are at a level for so many points and triangles, those beyond the largest double among them.
+    pub(super) fn exactly(&self, points: usize, triangles: usize, level: Level) -> usize {
+        let of_mesh = match level.of(self.stride) {
+            0 => 0,
+            stride => 4 * (points.div_ceil(stride) + triangles.div_ceil(stride)),
+        };
+        self.given.len() + of_mesh + level.of(self.random)
+    }
 }
 
 /// The scene of a mesh: the probes in even places (the first is in place 0), the mesh's vertices, the probes in odd places.

@@ -1,25 +1,26 @@
-//! `mesh`, or `points` with `triangles` and `regions`, or with `tetrahedra`; `probes`, and how to choose more.
+//! `mesh`, or `points` with `triangles`, each perhaps with `regions`; or `points` with `tetrahedra`; `probes`, and how to choose more.
 
 use predicament_corpus::{Context, Elsewhere, Level, Origin, Parts, PointSource, Source};
-use predicament_formats::{Cache, CorpusError, Decimals, Entry, Field, Fields, ImportNotes, Places, TableKind, mesh};
+use predicament_formats::{
+    Cache, CorpusError, Decimals, Entry, Field, Fields, ImportNotes, MOST_COORDINATES, Places, Position, TableKind,
+    mesh,
+};
 use predicament_judge::sign;
 use predicament_mesh::{MaterialError, MaterialMesh, OUTSIDE};
 use predicament_predicates::{Dimension, Question, Scene, Sign, Vertex};
 
 use super::probes::{Probing, Surface, with_probes};
+use super::regions::{Pairs, Regions};
 
 static MESH: TableKind = TableKind::new("reference to a mesh", &["path", "fetch"]);
-
-/// More regions than this are a slip of the pen.
-const MOST_REGIONS: u64 = 1 << 31;
 
 /// Simplices with their lines.
 type Simplices<const N: usize> = Vec<(usize, [Vertex; N])>;
 
 enum Where {
-    Triangles { points: PointSource, triangles: Simplices<3>, regions: Option<Vec<[u32; 2]>> },
+    Triangles { points: PointSource, triangles: Simplices<3>, regions: Option<Regions> },
     Tetrahedra { points: PointSource, tetrahedra: Simplices<4> },
-    File { origin: Origin, round: bool },
+    File { origin: Origin, round: bool, regions: Option<Regions> },
 }
 
 struct Written {
@@ -27,27 +28,40 @@ struct Written {
     line: usize,
     mesh: Where,
     probing: Probing,
+    /// Probes that are in a file.
+    probes: Option<PointSource>,
 }
 
 /// Reads a scene.
 pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
     let mut probing = Probing::read(fields)?;
+    let mut probes = None;
     if let Some(field) = fields.get("probes") {
-        probing.given = given(&field)?;
+        if field.is_table() {
+            probes = Some(PointSource::read(context, &field, fields.file())?);
+        } else {
+            probing.given = given(&field)?;
+        }
     }
     let mesh = match fields.get("mesh") {
         Some(field) => {
+            for key in ["points", "triangles", "tetrahedra"] {
+                if let Some(other) = fields.get(key) {
+                    return Err(other.error(format!("both `mesh` and `{key}`"), "remove this one: the file has them"));
+                }
+            }
             let table = field.fields(&MESH)?;
             let origin = match table.get("fetch") {
                 Some(key) => Origin::fetched(context, &key)?,
                 None => Origin::path(context, &table.required("path")?)?,
             };
             table.finish()?;
-            Where::File { origin, round: context.round() }
+            let regions = fields.get("regions").map(|field| Regions::read(context, &field)).transpose()?;
+            Where::File { origin, round: context.round(), regions }
         }
         None => written(context, fields)?,
     };
-    let written = Written { file: fields.file().to_owned(), line: fields.line(), mesh, probing };
+    let written = Written { file: fields.file().to_owned(), line: fields.line(), mesh, probing, probes };
     Ok(Source::elsewhere(written))
 }
 
@@ -58,10 +72,16 @@ fn written(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Where, Corp
     match (fields.get("triangles"), fields.get("tetrahedra")) {
         (Some(triangles), None) => {
             let triangles: Simplices<3> = simplices(&triangles, "a triangle")?;
-            let regions = fields.get("regions").map(|field| regions(&field, triangles.len())).transpose()?;
+            let regions = fields.get("regions").map(|field| Regions::read(context, &field)).transpose()?;
             Ok(Where::Triangles { points, triangles, regions })
         }
         (None, Some(tetrahedra)) => {
+            if let Some(regions) = fields.get("regions") {
+                return Err(regions.error(
+                    "`regions` beside `tetrahedra`",
+                    "remove it: each tetrahedron is a region, the first is 1",
+                ));
+            }
             Ok(Where::Tetrahedra { points, tetrahedra: simplices(&tetrahedra, "a tetrahedron")? })
         }
         (Some(_), Some(second)) => {
@@ -84,25 +104,6 @@ fn simplices<const N: usize>(field: &Field<'_, '_>, what: &str) -> Result<Simpli
     items.map(simplex).collect()
 }
 
-fn regions(field: &Field<'_, '_>, triangles: usize) -> Result<Vec<[u32; 2]>, CorpusError> {
-    const CURE: &str = "write for each triangle the region in front of it and the one behind, 0 for outside";
-    let pair = |item: Field<'_, '_>| {
-        let pair: Vec<u64> = item
-            .items("two numbers of regions")?
-            .map(|region| region.integer(0..=MOST_REGIONS))
-            .collect::<Result<_, _>>()?;
-        let [front, behind] = pair[..] else {
-            return Err(item.error(format!("{} regions of a triangle", pair.len()), CURE));
-        };
-        Ok([front, behind].map(|region| u32::try_from(region).expect("in range")))
-    };
-    let pairs: Vec<[u32; 2]> = field.items("pairs of numbers of regions")?.map(pair).collect::<Result<_, _>>()?;
-    if pairs.len() != triangles {
-        return Err(field.error(format!("{} pairs of regions for {triangles} triangles", pairs.len()), CURE));
-    }
-    Ok(pairs)
-}
-
 fn given(field: &Field<'_, '_>) -> Result<Vec<[f64; 3]>, CorpusError> {
     let point = |item: Field<'_, '_>| {
         let point: Vec<f64> = item.items("three coordinates")?.map(|x| x.coordinate()).collect::<Result<_, _>>()?;
@@ -114,21 +115,20 @@ fn given(field: &Field<'_, '_>) -> Result<Vec<[f64; 3]>, CorpusError> {
 
 impl Elsewhere for Written {
     fn load(&self, level: Level, cache: &Cache) -> Result<Parts, CorpusError> {
-        let (surface, notes) = match &self.mesh {
+        let (surface, mut notes) = match &self.mesh {
             Where::Triangles { points, triangles, regions } => {
-                let (points, notes) = self.points(points, cache)?;
+                let (points, notes) = self.points("points", points, cache)?;
                 let places = Places::of_lines(triangles.iter().map(|(line, _)| *line));
                 let corners: Vec<[Vertex; 3]> = triangles.iter().map(|(_, corners)| *corners).collect();
-                let sides = regions.clone().unwrap_or_else(|| vec![[OUTSIDE, 1]; corners.len()]);
-                let mesh = MaterialMesh::new(points.len(), corners, sides)
-                    .map_err(|why| wrong(&self.file, Some(self.line), &places, &why, |triangle| triangle))?;
-                (Surface { points, mesh, tetrahedra: Vec::new() }, notes)
+                let faces: Vec<usize> = (0..corners.len()).collect();
+                let place = Place { file: &self.file, line: Some(self.line), places: &places };
+                (place.surface(points, corners, &faces, regions.as_ref(), cache)?, notes)
             }
             Where::Tetrahedra { points, tetrahedra } => {
-                let (points, notes) = self.points(points, cache)?;
+                let (points, notes) = self.points("points", points, cache)?;
                 (self.tetrahedra(points, tetrahedra)?, notes)
             }
-            Where::File { origin, round } => {
+            Where::File { origin, round, regions } => {
                 let decimals = Decimals::new(*round);
                 let (file, bytes) = origin.bytes(cache)?;
                 let read = mesh::read(&file, bytes, &decimals)?;
@@ -139,14 +139,26 @@ impl Elsewhere for Written {
                     .enumerate()
                     .flat_map(|(face, corners)| std::iter::repeat_n(face, corners.len() - 2))
                     .collect();
-                let mesh = MaterialMesh::of_closed(read.points.len(), read.triangles)
-                    .map_err(|why| wrong(&file, None, &read.places, &why, |triangle| faces[triangle]))?;
+                let place = Place { file: &file, line: None, places: &read.places };
+                let surface = place.surface(read.points, read.triangles, &faces, regions.as_ref(), cache)?;
                 let mut notes = read.notes;
                 notes.rounded += decimals.rounded();
-                (Surface { points: read.points, mesh, tetrahedra: Vec::new() }, notes)
+                (surface, notes)
             }
         };
-        Ok(Parts { notes, ..with_probes(surface, &self.probing, level) })
+        let mut probing = self.probing.clone();
+        if let Some(probes) = &self.probes {
+            let (points, of_probes) = self.points("probes", probes, cache)?;
+            notes.add(&of_probes);
+            probing.given = points;
+        }
+        let probes = probing.exactly(surface.points.len(), surface.mesh.triangles().len(), level);
+        if 3 * (surface.points.len() + probes) > MOST_COORDINATES {
+            let message = format!("a mesh with {probes} probes: a scene has at most {MOST_COORDINATES} coordinates");
+            let cure = "choose fewer by `random` and `quick_stride` or `full_stride`";
+            return Err(CorpusError::file(&self.file, message, cure).at_line(self.line));
+        }
+        Ok(Parts { notes, ..with_probes(surface, &probing, level) })
     }
 
     fn fetch_entry(&self) -> Option<&Entry> {
@@ -154,14 +166,20 @@ impl Elsewhere for Written {
             Where::File { origin, .. } => origin.entry(),
             Where::Triangles { points, .. } | Where::Tetrahedra { points, .. } => points.entry(),
         }
+        .or(self.probes.as_ref().and_then(PointSource::entry))
     }
 }
 
 impl Written {
-    fn points(&self, points: &PointSource, cache: &Cache) -> Result<(Vec<[f64; 3]>, ImportNotes), CorpusError> {
+    fn points(
+        &self,
+        key: &str,
+        points: &PointSource,
+        cache: &Cache,
+    ) -> Result<(Vec<[f64; 3]>, ImportNotes), CorpusError> {
         let (dimension, coordinates, notes) = points.coordinates(cache)?;
         if dimension != Dimension::Three {
-            let message = "mesh-locate takes points of 3 coordinates, not of 2";
+            let message = format!("`{key}` have 2 coordinates each, and meshes are in space");
             return Err(points.error(message, "give every point 3 coordinates"));
         }
         let coordinates: Vec<[f64; 3]> = coordinates.as_chunks().0.to_vec();
@@ -196,45 +214,75 @@ impl Written {
         };
         let tetrahedra: Vec<[Vertex; 4]> = tetrahedra.iter().map(turned).collect::<Result<_, _>>()?;
         let mesh = MaterialMesh::of_tetrahedra(points.len(), &tetrahedra)
-            .map_err(|why| wrong(&self.file, Some(self.line), &places, &why, |_| usize::MAX))?;
+            .map_err(|why| Place { file: &self.file, line: Some(self.line), places: &places }.wrong(&why, &[], None))?;
         Ok(Surface { points, mesh, tetrahedra })
     }
 }
 
-/// The error at the first bad element.
-fn wrong(
-    file: &str,
+/// Where the faces of a mesh are written.
+struct Place<'p> {
+    file: &'p str,
+    /// The line of the scene, where the mesh is in a suite.
     line: Option<usize>,
-    places: &Places,
-    why: &MaterialError,
-    face: impl Fn(usize) -> usize,
-) -> CorpusError {
-    let name = |triangle: usize| places.face_name(face(triangle));
-    let (message, cure) = match why {
-        MaterialError::Open { edge: [a, b], region, triangle, triangles } => {
-            let [a, b] = [a, b].map(|v| places.point_name(v.index()));
-            let message = format!(
-                "region {region} is not closed at the edge of vertices {a} and {b}: of the {triangles} triangle(s) there, {} among them, more go \
-                 one way around it than the other",
-                name(*triangle)
-            );
-            (message, "close the mesh, turn the triangle over, or correct the regions beside it")
-        }
-        MaterialError::NoSuchVertex { triangle, vertex } => (
-            format!("triangle {} has vertex {vertex}, and the mesh has no such point", name(*triangle)),
-            "indices count from 0",
-        ),
-        MaterialError::Repeated { triangle, vertex } => {
-            (format!("triangle {} has vertex {vertex} twice", name(*triangle)), "remove it, and join its neighbours")
-        }
-        MaterialError::Overlap { tetrahedra: [s, t], .. } => {
-            let message = format!("{why} ({} and {})", places.face_name(*s), places.face_name(*t));
-            return CorpusError::file(file, message, "remove one of them")
-                .at(places.face(*t).or(line.map(predicament_formats::Position::Line)));
-        }
-        MaterialError::Empty => ("a mesh without triangles".to_owned(), "give it some"),
-        MaterialError::TooMany => (why.to_string(), "divide the mesh"),
-    };
-    let position = why.triangle().and_then(|triangle| places.face(face(triangle)));
-    CorpusError::file(file, message, cure).at(position.or(line.map(predicament_formats::Position::Line)))
+    places: &'p Places,
+}
+
+impl Place<'_> {
+    /// A mesh of triangles, `faces` saying which face each is of. Without `regions`, region 1 is behind all.
+    fn surface(
+        &self,
+        points: Vec<[f64; 3]>,
+        corners: Vec<[Vertex; 3]>,
+        faces: &[usize],
+        regions: Option<&Regions>,
+        cache: &Cache,
+    ) -> Result<Surface, CorpusError> {
+        let count = faces.last().map_or(0, |last| last + 1);
+        let pairs = regions.map(|regions| regions.load(cache, count)).transpose()?;
+        let side = |&face: &usize| pairs.as_ref().map_or([OUTSIDE, 1], |pairs| pairs.of(face));
+        let mesh = MaterialMesh::new(points.len(), corners, faces.iter().map(side).collect())
+            .map_err(|why| self.wrong(&why, faces, pairs.as_ref()))?;
+        Ok(Surface { points, mesh, tetrahedra: Vec::new() })
+    }
+
+    /// The error at the first bad element.
+    fn wrong(&self, why: &MaterialError, faces: &[usize], regions: Option<&Pairs>) -> CorpusError {
+        let Place { file, line, places } = *self;
+        let line = line.map(Position::Line);
+        let name = |triangle: usize| places.face_name(faces[triangle]);
+        let (message, cure) = match why {
+            MaterialError::Open { edge: [a, b], region, triangle, triangles } => {
+                let [a, b] = [a, b].map(|v| places.point_name(v.index()));
+                let message = format!(
+                    "region {region} is not closed at the edge of vertices {a} and {b}: of the {triangles} triangle(s) there, {} among them, more go \
+                     one way around it than the other",
+                    name(*triangle)
+                );
+                let beside = match regions {
+                    Some(regions) => format!("correct its regions at {}", regions.place(faces[*triangle])),
+                    None => "give each face its `regions`".to_owned(),
+                };
+                (message, format!("close the mesh, turn the triangle over, or {beside}"))
+            }
+            MaterialError::NoSuchVertex { triangle, vertex } => (
+                format!("triangle {} has vertex {vertex}, and the mesh has no such point", name(*triangle)),
+                "indices count from 0".to_owned(),
+            ),
+            MaterialError::Repeated { triangle, vertex } => (
+                format!("triangle {} has vertex {vertex} twice", name(*triangle)),
+                "remove it, and join its neighbours".to_owned(),
+            ),
+            MaterialError::Overlap { tetrahedra: [s, t], face: [a, b, c] } => {
+                let [first, second] = [s, t].map(|tetrahedron| places.face_name(*tetrahedron));
+                let message = format!(
+                    "tetrahedra {first} and {second} are on the same side of the face of vertices {a}, {b} and {c}"
+                );
+                return CorpusError::file(file, message, "remove one of them").at(places.face(*t).or(line));
+            }
+            MaterialError::Empty => ("a mesh without triangles".to_owned(), "give it some".to_owned()),
+            MaterialError::TooMany => (why.to_string(), "divide the mesh".to_owned()),
+        };
+        let position = why.triangle().and_then(|triangle| places.face(faces[triangle]));
+        CorpusError::file(file, message, cure).at(position.or(line))
+    }
 }

@@ -7,6 +7,7 @@ mod contacts;
 mod corpora;
 mod fmt;
 mod hostile;
+mod mesh_points;
 mod output;
 mod outside;
 mod own_data;
