@@ -147,13 +147,13 @@ impl<'s> Materials<'s> {
         let (ab, ac, aq) = (less(&b, &a), less(&c, &a), less(&point(q), &a));
         let normal = cross(&ab, &ac);
         if normal.iter().all(|x| x.cmp0().is_eq()) {
-            // Its corners are on a line. What passes it, passes it by no area: only its points count.
+            // Its corners are on a line, from the first over the second to the third: only its points count, no ray passes it.
             let from_q = [a, b, c].map(|corner| less(&corner, &point(q)));
             let is_between = |u: usize, v: usize| {
                 let is_on_line = cross(&from_q[u], &from_q[v]).iter().all(|x| x.cmp0().is_eq());
                 is_on_line && dot(&from_q[u], &from_q[v]).cmp0().is_le()
             };
-            let is_on = is_between(0, 1) || is_between(1, 2) || is_between(2, 0);
+            let is_on = is_between(0, 1) || is_between(1, 2);
             return Some(if is_on { Meeting::On } else { Meeting::Missed });
         }
         let determinant = dot(direction, &normal);
