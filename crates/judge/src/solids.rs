@@ -68,12 +68,14 @@ impl<'s> Materials<'s> {
         self.place(|triangle| Some(self.along_x(triangle, q))).expect("a ray beside all edges")
     }
 
-    /// Where a vertex of the scene is, by a ray in this direction; none where the ray touches the border of a triangle.
+    /// Where a vertex of the scene is, by a ray in this direction; none where the ray touches the border of a triangle, or
+    /// runs in its plane.
     ///
     /// # Panics
-    /// If the scene lacks the vertex.
+    /// If the scene lacks the vertex, or the direction is zero.
     #[must_use]
     pub fn winding(&self, q: Vertex, direction: [i32; 3]) -> Option<Place> {
+        assert_ne!(direction, [0; 3], "a ray has a direction");
         let direction = direction.map(Rational::from);
         self.place(|triangle| self.along(triangle, q, &direction))
     }
@@ -144,6 +146,16 @@ impl<'s> Materials<'s> {
         let [a, b, c] = triangle.map(point);
         let (ab, ac, aq) = (less(&b, &a), less(&c, &a), less(&point(q), &a));
         let normal = cross(&ab, &ac);
+        if normal.iter().all(|x| x.cmp0().is_eq()) {
+            // Its corners are on a line, from the first over the second to the third: only its points count, no ray passes it.
+            let from_q = [a, b, c].map(|corner| less(&corner, &point(q)));
+            let is_between = |u: usize, v: usize| {
+                let is_on_line = cross(&from_q[u], &from_q[v]).iter().all(|x| x.cmp0().is_eq());
+                is_on_line && dot(&from_q[u], &from_q[v]).cmp0().is_le()
+            };
+            let is_on = is_between(0, 1) || is_between(1, 2);
+            return Some(if is_on { Meeting::On } else { Meeting::Missed });
+        }
         let determinant = dot(direction, &normal);
         let height = dot(&aq, &normal);
         if determinant.cmp0().is_eq() {

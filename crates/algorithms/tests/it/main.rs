@@ -10,6 +10,7 @@ mod hull_plane;
 mod hull_signs;
 mod hull_space;
 mod mesh_locate;
+mod mesh_locate_scale;
 mod overlay;
 mod overlay_near;
 mod polygon_locate;

@@ -10,3 +10,4 @@ mod nearest;
 mod planted;
 mod random;
 mod sample;
+mod solids;
