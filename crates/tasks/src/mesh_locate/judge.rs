@@ -21,6 +21,8 @@ use crate::{Answer, AnswerLine, Asked, Case, Class, Finding, Outcome, Stop, Watc
 const BUDGET: u64 = 60_000_000;
 /// What the exact signs for one probe cost, in triangles looked at.
 const SIGNS: u64 = 20_000;
+/// How many probes beyond the sample that are in no one region the judge is asked about.
+const MOST_ASKED_LATER: usize = 100;
 /// How many probes are asked about along all axes, at the two levels of thoroughness.
 const TURNED: [usize; 2] = [300, 3_000];
 
@@ -168,9 +170,15 @@ pub(super) fn judge(
     asked.watch.done(0)?;
     let turned = turned(index, asked, answers, &probes)?;
     let sides = |triangle: u32| content.mesh.sides()[triangle as usize];
+    let judge = Materials::new(case.scene(), content.mesh.triangles(), content.mesh.sides());
+    let mut asked_later = 0;
     let mut rows: BTreeMap<ProbeKind, MeshLocateRow> = BTreeMap::new();
     for (at, &answer) in answers.iter().enumerate() {
-        let known = truth.of(at);
+        // What is in no one region may be so by the mesh itself: then the judge is asked, also about probes beyond the sample.
+        let is_open = answer == Location::Contradiction && truth.of(at).is_none() && asked_later < MOST_ASKED_LATER;
+        asked_later += usize::from(is_open);
+        let later = is_open.then(|| judge.locate(probes[at]));
+        let known = truth.of(at).or(later.as_ref().map(|place| (place, None)));
         let (mut class, mut check) = match known {
             Some((place, _)) => class_of(answer, place, zero, &sides),
             None if answer == Location::Contradiction => (Class::Topology, "one region"),
