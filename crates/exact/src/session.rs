@@ -128,6 +128,20 @@ impl<'s, T: Tally> Session<'s, T> {
         {
             return (Orient2d::integer(rows, 2), stage::INTEGER);
         }
+        // A projection: where the plane is a constant, so are the places of coordinates.
+        let at = |v: Vertex| self.points3.get(v.index());
+        if let (Some(a), Some(b), Some(c)) = (at(a), at(b), at(c)) {
+            let prepared = &self.orient2d[plane as usize];
+            let [i, j] = plane.axes().map(Axis::index);
+            let points = [[a[i], a[j]], [b[i], b[j]], [c[i], c[j]]];
+            let estimate = Orient2d::estimate(points);
+            if let Some(sign) = estimate.above(prepared.static_bound) {
+                return (sign, prepared.static_stage);
+            }
+            if estimate.determinant == 0.0 && vanishes(points) {
+                return (Sign::Zero, stage::DOUBLE);
+            }
+        }
         self.next_orient2d(plane, a, b, c)
     }
 
@@ -239,10 +253,7 @@ impl<'s, T: Tally> Session<'s, T> {
         if let Some(sign) = estimate.above(prepared.static_bound) {
             return Some((sign, prepared.static_stage));
         }
-        // A difference of doubles is zero only if they are equal: then its product is zero, and not rounded.
-        let [[ax, ay], [bx, by], [cx, cy]] = points;
-        let vanishes = estimate.determinant == 0.0 && (ax == cx || by == cy) && (ay == cy || bx == cx);
-        vanishes.then_some((Sign::Zero, stage::DOUBLE))
+        (estimate.determinant == 0.0 && vanishes(points)).then_some((Sign::Zero, stage::DOUBLE))
     }
 
     #[cold]
@@ -408,6 +419,13 @@ impl<'s, T: Tally> Session<'s, T> {
         self.tally.settled(kind, stage);
         sign
     }
+}
+
+/// Whether both products of `orient2d` have a factor of zero. A difference of doubles is zero only if they are equal: then its product is zero,
+/// and not rounded to it.
+#[inline(always)]
+fn vanishes([[ax, ay], [bx, by], [cx, cy]]: [[f64; 2]; 3]) -> bool {
+    ((ax == cx) | (by == cy)) & ((ay == cy) | (bx == cx))
 }
 
 impl<T: Tally> Predicates for Session<'_, T> {

@@ -94,15 +94,24 @@ fn rest_of_orient2d<const SCHEME: usize>(points: Points, plane: Plane, args: [Ve
         Plane::Yz => [Axis::Y, Axis::Z],
         Plane::Zx => [Axis::X, Axis::Z],
     };
-    let (sign, place) =
-        rest(Scheme::ALL[SCHEME].terms(PredicateKind::Orient2d), |rows, columns| match (rows, columns) {
-            (&[i, j], &[column]) => {
-                let [p, q] = [i, j].map(|row| points.coordinate(axes[usize::from(column)], vertices[usize::from(row)]));
-                Some(order(p?, q?))
-            }
-            (&[_], &[]) => Some(Sign::Positive),
-            _ => None,
-        })?;
+    let minor = |term: Term| match (term.rows, term.columns) {
+        (&[i, j], &[column]) => {
+            let [p, q] = [i, j].map(|row| points.coordinate(axes[usize::from(column)], vertices[usize::from(row)]));
+            Some(order(p?, q?) * term.sign)
+        }
+        (&[_], &[]) => Some(term.sign),
+        _ => None,
+    };
+    // A difference of the first and the last vertex, and a constant.
+    let [third, fourth] = const {
+        let terms = Scheme::ALL[SCHEME].terms(PredicateKind::Orient2d);
+        assert!(terms.len() == 4);
+        [terms[2], terms[3]]
+    };
+    let (sign, place) = match minor(third)? {
+        Sign::Zero => (minor(fourth)?, 3),
+        sign => (sign, 2),
+    };
     Some((if odd != (plane == Plane::Zx) { -sign } else { sign }, place))
 }
 

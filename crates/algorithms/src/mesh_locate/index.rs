@@ -21,6 +21,33 @@ pub struct MeshIndex {
     mesh: Arc<MaterialMesh>,
     grid: TwoLevel,
     empty: EmptyRegions,
+    shadows: Vec<Shadow>,
+}
+
+/// The box of a triangle as seen from above, or a little more than that: in 16 bytes, where corners are in 84 at four places.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shadow {
+    low: [f32; 2],
+    high: [f32; 2],
+}
+
+impl Shadow {
+    fn of(bounds: &Bounds<3>) -> Shadow {
+        // Rounded to the nearest, then outward where that was inward; what overflows is infinite or the largest.
+        #[allow(clippy::cast_possible_truncation)]
+        let down = |x: f64| if f64::from(x as f32) > x { (x as f32).next_down() } else { x as f32 };
+        #[allow(clippy::cast_possible_truncation)]
+        let up = |x: f64| if f64::from(x as f32) < x { (x as f32).next_up() } else { x as f32 };
+        let ([lx, ly, _], [hx, hy, _]) = (bounds.low, bounds.high);
+        Shadow { low: [down(lx), down(ly)], high: [up(hx), up(hy)] }
+    }
+
+    /// Whether a vertical line passes it.
+    #[inline(always)]
+    pub(super) fn has(&self, x: f64, y: f64) -> bool {
+        let ([lx, ly], [hx, hy]) = (self.low, self.high);
+        (f64::from(lx) <= x) & (x <= f64::from(hx)) & (f64::from(ly) <= y) & (y <= f64::from(hy))
+    }
 }
 
 /// The regions of the cells that list no triangle, as a session has found them.
@@ -86,9 +113,10 @@ impl MeshIndex {
             boxes[middle].high = boxes[middle].low;
         }
         let grid = TwoLevel::new(&boxes, sizes.unwrap_or_else(|| Sizes::of(&boxes)));
+        let shadows = boxes.par_iter().with_min_len(PART).map(Shadow::of).collect();
         drop(boxes);
         let empty = grid.empty_regions();
-        MeshIndex { mesh, grid, empty }
+        MeshIndex { mesh, grid, empty, shadows }
     }
 
     /// The mesh.
@@ -103,10 +131,15 @@ impl MeshIndex {
         &self.grid
     }
 
-    /// The memory that the grid and the regions of its cells take, in bytes; not that of the mesh.
+    /// The memory that the grid, the regions of its cells and the triangles' boxes take, in bytes; not that of the mesh.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.grid.bytes() + self.empty.bytes()
+        self.grid.bytes() + self.empty.bytes() + size_of_val(&self.shadows[..])
+    }
+
+    #[inline(always)]
+    pub(super) fn shadows(&self) -> &[Shadow] {
+        &self.shadows
     }
 
     /// A point in each region of empty cells of which the border of the grid does not tell where it is.

@@ -125,7 +125,7 @@ impl MeshIndex {
     ) -> Location {
         let (scene, direction) = (session.scene(), Direction::of(Ray::UP));
         let points: &[[f64; 3]] = scene.coordinates().as_chunks().0;
-        let (p, triangles) = (points[q.index()], self.mesh().triangles());
+        let (p, triangles, shadows) = (points[q.index()], self.mesh().triangles(), self.shadows());
         let mut nearest: Option<Nearest> = None;
         let (mut found, mut coincide) = (None, false);
         let mut spokes = Spokes::default();
@@ -138,6 +138,9 @@ impl MeshIndex {
                 return found.is_some();
             }
             for &triangle in entries {
+                if !shadows[triangle as usize].has(p[0], p[1]) {
+                    continue;
+                }
                 let corners = triangles[triangle as usize];
                 let Some(low) = may_meet(points, corners, p) else { continue };
                 if before.is_some_and(|before| self.grid().step(2, low) <= before) {
@@ -290,9 +293,12 @@ impl MeshIndex {
 #[inline(always)]
 fn may_meet(points: &[[f64; 3]], [a, b, c]: [Vertex; 3], p: [f64; 3]) -> Option<f64> {
     let (a, b, c) = (&points[a.index()], &points[b.index()], &points[c.index()]);
-    // Without branches: each comparison is as good as random.
-    let low = |axis: usize| a[axis].min(b[axis]).min(c[axis]);
-    let high = |axis: usize| a[axis].max(b[axis]).max(c[axis]);
-    let over = (low(0) <= p[0]) & (p[0] <= high(0)) & (low(1) <= p[1]) & (p[1] <= high(1)) & (p[2] <= high(2));
-    over.then(|| low(2))
+    // Without branches, each of which is as good as random; and without `min` and `max`, which look for NaN.
+    let is_beside = |axis: usize| {
+        let x = p[axis];
+        ((a[axis] < x) & (b[axis] < x) & (c[axis] < x)) | ((a[axis] > x) & (b[axis] > x) & (c[axis] > x))
+    };
+    let is_below = (a[2] < p[2]) & (b[2] < p[2]) & (c[2] < p[2]);
+    let over = !(is_beside(0) | is_beside(1) | is_below);
+    over.then(|| a[2].min(b[2]).min(c[2]))
 }
