@@ -51,7 +51,9 @@ fn lattice([nx, ny, nz]: [usize; 3]) -> Solids {
 /// Tetrahedra one above the other, each anywhere in its own layer, sheared so that their boxes overlap.
 fn layers(corners: &[[[i32; 3]; 4]], [sx, sy]: [i32; 2]) -> Solids {
     let mut solids = Solids::default();
-    for (layer, corners) in (0..).zip(corners) {
+    // One that has a volume, whatever the others have.
+    let solid = [[0, 0, 0], [7, 0, 0], [0, 7, 0], [0, 0, 7]];
+    for (layer, corners) in (0..).zip(corners.iter().chain([&solid])) {
         let first = solids.points.len();
         for [x, y, z] in corners {
             solids.points.push([*x, *y, z + 9 * layer + sx * x + sy * y].map(f64::from));
