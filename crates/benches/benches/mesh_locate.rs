@@ -3,7 +3,7 @@
 //!
 //! Degenerate queries are the vertices of the mesh, midpoints of edges, and points on vertical lines through vertices.
 //!
-//! Arguments: numbers of triangles, 10^6 if left out, up to 5 × 10^7 (which takes 20 minutes and 12 GiB); `grid=X,Y,Z,FINE,FULL` for a
+//! Arguments: numbers of triangles, 10^6 if left out, up to 5 × 10^7 (which takes a minute and 6 GiB); `grid=X,Y,Z,FINE,FULL` for a
 //! grid of these sizes; names of backends, `exact`, `sos` and `per-mesh`, all if left out.
 //!
 //! A program of another library can take part: the environment variable `PREDICAMENT_MESH_LOCATE` names one that is given the files of
