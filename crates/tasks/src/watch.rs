@@ -1,6 +1,7 @@
 //! Interrupts, deadlines and progress of long work.
 
-use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 use std::time::{Duration, Instant};
 
 /// Why work stopped early.
@@ -45,5 +46,24 @@ impl<'a> Watch<'a> {
         } else {
             Ok(())
         }
+    }
+
+    /// Runs something that tells how many items it has done so far, as long as the watch lets it.
+    ///
+    /// # Errors
+    /// [`Stop`] with the reason, once it was told to end.
+    pub(crate) fn counted<T>(&self, all: impl FnOnce(&(dyn Fn(usize) -> bool + Sync)) -> T) -> Result<T, Stop> {
+        let (before, stop) = (AtomicUsize::new(0), OnceLock::new());
+        let made = all(&|done| {
+            let news = done.saturating_sub(before.fetch_max(done, Relaxed));
+            match self.done(news as u64) {
+                Ok(()) => true,
+                Err(why) => {
+                    let _ = stop.set(why);
+                    false
+                }
+            }
+        });
+        stop.get().map_or(Ok(made), |&why| Err(why))
     }
 }

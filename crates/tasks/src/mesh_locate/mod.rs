@@ -12,8 +12,6 @@ mod regions;
 mod section;
 
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use predicament_algorithms::mesh_locate::planted::{
     FartherTriangle, MistakenCavity, Planted as Wrong, SkippedTriangle,
@@ -149,9 +147,9 @@ impl Task for MeshLocate {
         answer.0 = match how.purpose {
             Purpose::Judge => {
                 let session: &dyn Predicates = session;
-                watched(how.watch, |go_on| question_all(index, session, &probes, Ray::UP, go_on))?
+                how.watch.counted(|go_on| question_all(index, session, &probes, Ray::UP, go_on))?
             }
-            Purpose::Use => watched(how.watch, |go_on| locate_all(index, session, &probes, go_on))?,
+            Purpose::Use => how.watch.counted(|go_on| locate_all(index, session, &probes, go_on))?,
         };
         Ok(())
     }
@@ -271,26 +269,6 @@ impl Task for MeshLocate {
     fn section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error> {
         section::section(runs)
     }
-}
-
-/// Runs something that says how many probes it has done, as long as the watch lets it.
-fn watched(
-    watch: &Watch,
-    all: impl FnOnce(&(dyn Fn(usize) -> bool + Sync)) -> Vec<Location>,
-) -> Result<Vec<Location>, Stop> {
-    let before = AtomicUsize::new(0);
-    let stop = OnceLock::new();
-    let locations = all(&|done| {
-        let news = done.saturating_sub(before.fetch_max(done, Ordering::Relaxed));
-        match watch.done(news as u64) {
-            Ok(()) => true,
-            Err(why) => {
-                let _ = stop.set(why);
-                false
-            }
-        }
-    });
-    stop.get().map_or(Ok(locations), |&why| Err(why))
 }
 
 /// A location in words.

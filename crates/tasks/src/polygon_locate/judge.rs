@@ -15,7 +15,7 @@ use predicament_predicates::{PredicateKind, Query, Scene, Vertex, ZeroMeaning};
 use rayon::prelude::*;
 
 use super::section::LocateRow;
-use super::{Located, MapWithProbes, PolygonLocate, describe, watched};
+use super::{Located, MapWithProbes, PolygonLocate, describe};
 use crate::{Answer, AnswerLine, Asked, Case, Class, Finding, Outcome, Stop, Watch};
 
 /// What is true about a map and its probes.
@@ -46,7 +46,7 @@ impl Truth {
         let sample = judge::sample(probes.len(), borders.len());
         let places: Vec<usize> = sample.places().collect();
         let exact = places.par_iter().map(|&place| borders.locate(probes[place])).collect();
-        let by_signs = watched(watch, |go_on| question_all(index, &session, &probes, go_on))?;
+        let by_signs = watch.counted(|go_on| question_all(index, &session, &probes, go_on))?;
         Ok(Truth { flaws, surroundings, exact, sample, by_signs })
     }
 

@@ -10,8 +10,6 @@ mod probes;
 mod section;
 
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use predicament_algorithms::polygon_locate::planted::SkippedEdge;
 use predicament_algorithms::polygon_locate::{LocateIndex, Location, Locations, Scratch, locate_all, question_all};
@@ -125,8 +123,8 @@ impl Task for PolygonLocate {
         let (session, index) = (&*session, content.locate_index(session.scene()));
         let probes = content.vertices();
         answer.0 = match how.purpose {
-            Purpose::Judge => watched(how.watch, |go_on| question_all(index, session, &probes, go_on))?,
-            Purpose::Use => watched(how.watch, |go_on| locate_all(index, session, &probes, go_on))?,
+            Purpose::Judge => how.watch.counted(|go_on| question_all(index, session, &probes, go_on))?,
+            Purpose::Use => how.watch.counted(|go_on| locate_all(index, session, &probes, go_on))?,
         };
         Ok(())
     }
@@ -231,23 +229,6 @@ impl Task for PolygonLocate {
     fn section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error> {
         section::section(runs)
     }
-}
-
-/// Runs something that says how many probes it has done, as long as the watch lets it.
-fn watched(watch: &Watch, all: impl FnOnce(&(dyn Fn(usize) -> bool + Sync)) -> Locations) -> Result<Locations, Stop> {
-    let before = AtomicUsize::new(0);
-    let stop = OnceLock::new();
-    let locations = all(&|done| {
-        let news = done.saturating_sub(before.fetch_max(done, Ordering::Relaxed));
-        match watch.done(news as u64) {
-            Ok(()) => true,
-            Err(why) => {
-                let _ = stop.set(why);
-                false
-            }
-        }
-    });
-    stop.get().map_or(Ok(locations), |&why| Err(why))
 }
 
 /// A location in words: `in France; on Spain, Andorra`.
