@@ -1,4 +1,8 @@
 //! Point location: a walk from triangle to triangle.
+//!
+//! A visibility walk is short where triangles are of like size. It leaves a triangle by any side that the vertex is beyond, and
+//! where thousands of triangles share a far vertex it can go all the way round that one. So a walk that gets long begins
+//! again, straight: only through triangles that the segment to the vertex meets.
 
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
@@ -9,6 +13,9 @@ use super::mesh::{Edge, Mesh};
 pub(super) const WALK: &str = "a walk toward a vertex ends";
 /// The invariant of vertices on two sides of a triangle.
 const CORNER: &str = "a vertex on two sides of a triangle is in the place of their corner";
+
+/// After so many steps a walk begins again, straight.
+const LONG: u32 = 32;
 
 /// Where a vertex is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -53,7 +60,10 @@ pub(super) fn locate<P: Predicates + ?Sized>(
         }
     }
     let Some(mut entered) = next else { return Ok(Place::In(triangle)) };
-    for _ in 0..mesh.len() {
+    for step in 0..mesh.len() {
+        if step == LONG {
+            entered = straight(session, mesh, first[0], v).unwrap_or(entered);
+        }
         let triangle = entered.triangle();
         if mesh.is_infinite(triangle) {
             return Ok(Place::In(triangle));
@@ -75,6 +85,38 @@ pub(super) fn locate<P: Predicates + ?Sized>(
         }
     }
     Err(WALK)
+}
+
+/// Walks straight from the vertex opposite of an edge; the edge by which the last triangle is entered: one that the vertex is
+/// in, or an infinite one. None where signs contradict each other, or where no triangle at the start is towards the vertex.
+#[cold]
+#[inline(never)]
+fn straight<P: Predicates + ?Sized>(session: &P, mesh: &Mesh, edge: Edge, v: Vertex) -> Option<Edge> {
+    let start = mesh.apex(edge);
+    let side = |a: Vertex, b: Vertex, c: Vertex| session.orient2d(Plane::Xy, a, b, c);
+    // Around the start, counterclockwise, to the triangle that the segment goes into.
+    let around = std::iter::successors(Some(edge), |&edge| Some(mesh.across(edge.next()).next()));
+    let mut towards = around.take(mesh.len() as usize).filter(|edge| !mesh.is_infinite(edge.triangle()));
+    let edge = towards.find(|&edge| {
+        side(start, mesh.start(edge), v) != Sign::Negative && side(start, mesh.end(edge), v) == Sign::Negative
+    })?;
+    let is_beyond = |edge: Edge| side(mesh.start(edge), mesh.end(edge), v) == Sign::Negative;
+    if !is_beyond(edge) {
+        return Some(edge.next());
+    }
+    let mut entered = mesh.across(edge);
+    for _ in 0..mesh.len() {
+        let apex = mesh.apex(entered);
+        if mesh.is_infinite(entered.triangle()) || apex == v {
+            return Some(entered);
+        }
+        let next = if side(start, v, apex) == Sign::Negative { entered.previous() } else { entered.next() };
+        if !is_beyond(next) {
+            return Some(entered);
+        }
+        entered = mesh.across(next);
+    }
+    None
 }
 
 /// A vertex on two sides of a triangle.

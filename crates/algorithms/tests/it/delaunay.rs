@@ -2,7 +2,7 @@
 
 use predicament_algorithms::delaunay::{Delaunay2, Triangulation, delaunay2d, delaunay2d_in_order};
 use predicament_exact::Exact;
-use predicament_predicates::{Backend, Off, Plane, Predicates, Scene, Sign, Vertex};
+use predicament_predicates::{Backend, Counts, MAX_STAGES, Off, Plane, PredicateKind, Predicates, Scene, Sign, Vertex};
 use predicament_sos::Sos;
 use proptest::prelude::*;
 
@@ -181,6 +181,27 @@ proptest! {
             prop_assert_eq!(triangulation.answer(), delaunay2d_in_order(session, &left).answer());
         }
     }
+}
+
+#[test]
+fn walks_past_fans_are_short() {
+    // Points within two ulps of a line, across a power of two: thousands of triangles there share a vertex.
+    let n = 40_000;
+    let mut state = 1_u64;
+    let mut next = |below: u64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) % below
+    };
+    let mut point = || {
+        let x = 0.5 + f64::from(u32::try_from(next(1 << 31)).expect("31 bits")) / f64::from(1 << 27);
+        [x, f64::from_bits(x.to_bits() + next(5) - 2)]
+    };
+    let scene = Scene::from_points2(&(0..n).map(|_| point()).collect::<Vec<_>>()).unwrap();
+    let counts = Counts::new();
+    let session = Exact.prepare(&scene, &counts).unwrap();
+    assert!(delaunay2d(&session).count() > n);
+    let asked: u64 = (0..MAX_STAGES).map(|stage| counts.get(PredicateKind::Orient2d, stage)).sum();
+    assert!(asked < 14 * n as u64, "{asked} orient2d for {n} points");
 }
 
 #[test]
