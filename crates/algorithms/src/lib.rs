@@ -13,6 +13,7 @@
 //! * [`hull`]: convex hulls in the plane and in space.
 //! * [`interval`]: the cell of a line in which a point lies.
 //! * [`mesh_locate`]: points in the regions of a mesh, by ray casting through a grid.
+//! * [`mod@mesh_overlay`]: two meshes cut where they meet, and Boolean operations on solids.
 //! * [`overlay`]: arrangements of segments, and Boolean operations on polygons.
 //! * [`planted`]: faults planted in these, to prove the judge.
 //! * [`polygon_locate`]: points in the regions of a map, by ray casting.
@@ -30,6 +31,7 @@ pub mod delaunay;
 pub mod hull;
 pub mod interval;
 pub mod mesh_locate;
+pub mod mesh_overlay;
 pub mod overlay;
 mod parallel;
 pub mod planted;

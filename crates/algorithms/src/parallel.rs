@@ -15,3 +15,8 @@ pub fn each<R: Send>(count: usize, work: &(dyn Fn(usize) -> R + Sync)) -> Vec<R>
 pub fn pieces<T: Sync, R: Send>(items: &[T], piece: usize, work: &(dyn Fn(&[T]) -> R + Sync)) -> Vec<R> {
     items.par_chunks(piece).map(work).collect()
 }
+
+/// What `work` makes of each item, in their order: for work that is short.
+pub fn all<T: Sync, R: Send>(items: &[T], work: &(dyn Fn(&T) -> R + Sync)) -> Vec<R> {
+    items.par_iter().with_min_len(8192).map(work).collect()
+}

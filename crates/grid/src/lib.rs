@@ -10,6 +10,7 @@
 //! * [`Cells`]: the segments near a point, and the sum of those far above.
 //! * [`BoxIndex`]: the boxes near a box.
 //! * [`Raster`]: the segments through each cell of a grid.
+//! * [`shared()`]: the boxes of two sets that may meet one of the other set.
 //! * [`two_level`]: the boxes in each cell of a grid in space, whose full cells have grids of their own.
 
 mod bounds;
@@ -17,6 +18,7 @@ mod box_index;
 mod cells;
 mod columns;
 mod raster;
+mod shared;
 mod steps;
 pub mod two_level;
 
@@ -25,3 +27,4 @@ pub use box_index::BoxIndex;
 pub use cells::{Cell, Cells, End, Entry, Labels};
 pub use columns::Columns;
 pub use raster::Raster;
+pub use shared::{BoxOf, shared};

@@ -1,0 +1,251 @@
+//! Two multi-material meshes overlaid: 3D-EPUG-Overlay (Franklin and Magalhães, section 4.5; Magalhães, *Exact and parallel
+//! intersection of 3D triangular meshes*, 2017).
+//!
+//! # Steps
+//! 1. Triangles that may meet the other mesh are found by a bit for each cell of a fine grid (`near.rs`, [`predicament_grid::shared`]).
+//! 2. Edges of either mesh that pass through triangles of the other are found by `orient3d` of input vertices (`meet.rs`).
+//! 3. Their points are constructed in one call, in the order of the triangles, and sorted along their edges by `compare` (`points.rs`).
+//! 4. The region of the other mesh that each vertex is in follows from these, along edges that pass through nothing; what
+//!    is left is located (`regions.rs`, [`crate::mesh_locate`]).
+//! 5. Two triangles meet in a segment. Segments divide a triangle into faces; which, follows from what is beside what
+//!    (`arcs.rs`), and from the order of triangles around an edge where more than two share it (`radial.rs`). Faces are triangulated in the
+//!    coordinate plane in which the triangle is largest (`cut.rs`, [`mod@crate::triangulate`]).
+//! 6. [`MeshOverlay::solid`] takes the surface of a Boolean operation, [`MeshOverlay::regions`] all of it.
+//!
+//! # Zeros
+//! All this is for meshes between which nothing is degenerate, as under Simulation of Simplicity; in the paper one mesh moves by (ε, ε²,
+//! ε³), which is `sos:per-mesh` here. A session that says zero where an edge and a triangle touch can have that refused, with the edge and
+//! the triangle ([`Zeros::Refused`]), or taken for positive ([`Zeros::Positive`]), which is what programs do that compare with `>=`.
+//! Nothing is asked about two vertices, edges or triangles of one mesh but the order of triangles around an edge, and the plane that a triangle
+//! is seen in: each mesh may have coplanar triangles.
+//!
+//! # What is taken
+//! Meshes that do not cross themselves, whose triangles have an area. Others may break an invariant, which is named
+//! ([`Undone::Broken`]), or have a result with the faults of the mesh.
+//!
+//! # Wrong signs
+//! Each loop of the program ends after a number of steps that follows from the input.
+//!
+//! ```
+//! # use std::sync::Arc;
+//! # use predicament_algorithms::mesh_overlay::{Zeros, mesh_overlay};
+//! # use predicament_algorithms::overlay::Operation;
+//! # use predicament_exact::Exact;
+//! # use predicament_mesh::MaterialMesh;
+//! # use predicament_predicates::{Backend, Off, Scene, Vertex};
+//! let corners = [[0., 0., 0.], [4., 0., 0.], [0., 4., 0.], [0., 0., 4.]];
+//! let moved = corners.map(|[x, y, z]| [x + 0.5, y + 0.25, z + 0.125]);
+//! let scene = Scene::from_points3(&[corners, moved].concat())?;
+//! let triangles = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]].map(|triangle| triangle.map(Vertex::input));
+//! let first = Arc::new(MaterialMesh::of_closed(4, triangles.to_vec())?);
+//! let second = Arc::new(MaterialMesh::clone(&first).shifted(4));
+//! let mut session = Exact.prepare(&scene, Off)?;
+//! let overlay = mesh_overlay(&mut session, [first, second], Zeros::Refused)?;
+//! // The part of both is a smaller tetrahedron: one face of the first, three of the second, two of them cut off.
+//! assert_eq!(overlay.solid(Operation::Intersection).triangles.len(), 4);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod arcs;
+mod cut;
+mod known;
+mod meet;
+mod near;
+pub mod planted;
+mod points;
+mod radial;
+mod regions;
+mod result;
+
+use std::num::NonZero;
+use std::sync::Arc;
+
+use predicament_mesh::MaterialMesh;
+use predicament_predicates::{Construction, Predicates, Refused, Vertex};
+
+pub use result::{Regions, Solid, Source};
+
+use self::cut::Cutting;
+use self::meet::Question;
+use self::near::{Near, number};
+use self::planted::{Planted, Wrong};
+use self::points::Points;
+use crate::planted::Honest;
+
+/// What a zero between the two meshes is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Zeros {
+    /// Where an edge and a triangle touch, there is no result.
+    Refused,
+    /// Positive.
+    Positive,
+}
+
+/// An edge of one mesh that touches a triangle of the other: with an end, with a border, or along a part.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Touch {
+    /// The mesh of the edge: 0 for the first.
+    pub mesh: u8,
+    /// The ends of the edge.
+    pub edge: [Vertex; 2],
+    /// The place of the triangle in the other mesh.
+    pub triangle: u32,
+}
+
+/// Why there is no overlay.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Undone {
+    /// An edge and a triangle touch.
+    Touch(Touch),
+    /// The session does not construct a point.
+    Refused(Refused),
+    /// The first invariant that does not hold, as the statement that should.
+    Broken(&'static str),
+}
+
+impl From<Refused> for Undone {
+    fn from(why: Refused) -> Undone {
+        Undone::Refused(why)
+    }
+}
+
+impl std::fmt::Display for Undone {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Undone::Touch(Touch { mesh, edge: [a, b], triangle }) => write!(
+                f,
+                "the edge of vertices {a} and {b} of the {} mesh touches triangle {triangle} of the other",
+                ["first", "second"][usize::from(*mesh)]
+            ),
+            Undone::Refused(why) => why.fmt(f),
+            Undone::Broken(rule) => write!(f, "{rule}: that does not hold"),
+        }
+    }
+}
+
+impl std::error::Error for Undone {}
+
+/// A part of a triangle that is in one region of the other mesh.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Piece {
+    /// Turned as the triangle is.
+    pub triangle: [Vertex; 3],
+    /// The place of the triangle in its mesh.
+    pub of: u32,
+    /// The region of the other mesh.
+    pub region: u32,
+}
+
+/// Two meshes, cut where they meet.
+#[derive(Clone, Debug)]
+pub struct MeshOverlay {
+    meshes: [Arc<MaterialMesh>; 2],
+    /// For each triangle of either mesh one more than the region of the other that it is in; none where it is cut.
+    whole: [Vec<Option<NonZero<u32>>>; 2],
+    /// The pieces of triangles that are cut, in their order.
+    pieces: [Vec<Piece>; 2],
+    constructions: Vec<Construction>,
+    wrong: Wrong,
+}
+
+impl MeshOverlay {
+    /// The meshes.
+    #[must_use]
+    pub fn meshes(&self) -> &[Arc<MaterialMesh>; 2] {
+        &self.meshes
+    }
+
+    /// The pieces of the triangles of the first mesh, 0, or the second, 1, that the other one cuts, in their order.
+    ///
+    /// # Panics
+    /// If there is no such mesh.
+    #[must_use]
+    pub fn pieces(&self, mesh: usize) -> &[Piece] {
+        &self.pieces[mesh]
+    }
+
+    /// What was constructed in the session, in the order of the vertices.
+    #[must_use]
+    pub fn constructions(&self) -> &[Construction] {
+        &self.constructions
+    }
+}
+
+/// Overlays two meshes, over vertices of their own in one scene.
+///
+/// # Errors
+/// [`Undone`] where a session that says zero has that refused, does not construct a point, or has signs that break an invariant.
+pub fn mesh_overlay(
+    session: &mut dyn Predicates,
+    meshes: [Arc<MaterialMesh>; 2],
+    zeros: Zeros,
+) -> Result<MeshOverlay, Undone> {
+    mesh_overlay_planted::<Honest>(session, meshes, zeros)
+}
+
+/// [`mesh_overlay`] with a planted fault.
+///
+/// # Errors
+/// As [`mesh_overlay`].
+pub fn mesh_overlay_planted<F: Planted>(
+    session: &mut dyn Predicates,
+    meshes: [Arc<MaterialMesh>; 2],
+    zeros: Zeros,
+) -> Result<MeshOverlay, Undone> {
+    run(session, meshes, zeros, F::WRONG)
+}
+
+/// One function for all faults, so that it is compiled once.
+fn run(
+    session: &mut dyn Predicates,
+    meshes: [Arc<MaterialMesh>; 2],
+    zeros: Zeros,
+    wrong: Wrong,
+) -> Result<MeshOverlay, Undone> {
+    let before = session.scene().constructions().len();
+    let both = [&*meshes[0], &*meshes[1]];
+    let (near, bounds) = Near::of(session.scene(), both);
+    let near = [&near[0], &near[1]];
+    let hits = |mesh: u8| {
+        let [own, other] = [usize::from(mesh), usize::from(1 - mesh)];
+        let session = &*session;
+        Question { session, mesh, edges: near[own], of: both[other], triangles: near[other], zeros, wrong }.hits()
+    };
+    let [first, second] = [hits(0).map_err(Undone::Touch)?, hits(1).map_err(Undone::Touch)?];
+    let vertices = points::construct(session, [&first, &second], near, both)?;
+    let session = &*session;
+    let points = [
+        Points::new(session, near[0], first, &vertices[0], wrong),
+        Points::new(session, near[1], second, &vertices[1], wrong),
+    ];
+    let points = [&points[0], &points[1]];
+    let regions = regions::regions(session, &meshes, near, points, &bounds, wrong)?;
+    let mut whole = both.map(|mesh| {
+        let region = |&[v, ..]: &[Vertex; 3]| NonZero::new(regions[v.index()].wrapping_add(1));
+        crate::parallel::all(mesh.triangles(), &region)
+    });
+    let mut pieces = [Vec::new(), Vec::new()];
+    for own in 0..2 {
+        let cutting = Cutting {
+            session,
+            mesh: both[own],
+            near: near[own],
+            own: points[own],
+            other: both[1 - own],
+            other_near: near[1 - own],
+            others: points[1 - own],
+            regions: &regions,
+        };
+        let count = number(near[own].triangles.len());
+        let cut: Vec<u32> = (0..count).filter(|&place| cutting.is_cut(place)).collect();
+        for part in crate::parallel::each(cut.len(), &|at| cutting.pieces(cut[at])) {
+            pieces[own].extend(part.map_err(Undone::Broken)?);
+        }
+        cut.iter().for_each(|&place| whole[own][near[own].triangles[place as usize] as usize] = None);
+    }
+    if wrong == Wrong::DropsAPiece {
+        pieces[0].pop();
+    }
+    let constructions = session.scene().constructions()[before..].to_vec();
+    Ok(MeshOverlay { meshes, whole, pieces, constructions, wrong })
+}

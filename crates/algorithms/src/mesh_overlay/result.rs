@@ -1,0 +1,130 @@
+//! What users take from an overlay: Boolean operations, and the regions of both meshes together.
+
+use predicament_mesh::{MaterialMesh, OUTSIDE};
+use predicament_predicates::Vertex;
+use rayon::prelude::*;
+
+use super::planted::Wrong;
+use super::{MeshOverlay, Piece};
+use crate::overlay::Operation;
+
+/// Triangles that one thread takes at a time.
+const PART: usize = 32768;
+
+/// A solid: a closed surface, counterclockwise as seen from outside.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Solid {
+    /// By input vertices and constructed ones.
+    pub triangles: Vec<[Vertex; 3]>,
+    /// For each triangle what it is, or is a piece of.
+    pub sources: Vec<Source>,
+}
+
+/// The triangle of a mesh that a triangle of a result is, or is a piece of.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Source {
+    /// The first mesh, 0, or the second, 1.
+    pub mesh: u8,
+    /// Its place there.
+    pub triangle: u32,
+}
+
+impl MeshOverlay {
+    /// The result of an operation on what is inside of the meshes: in any of their regions.
+    ///
+    /// Triangles of the first mesh come first, whole ones before pieces, both in the order of the mesh.
+    #[must_use]
+    pub fn solid(&self, operation: Operation) -> Solid {
+        let mut solid = Solid::default();
+        for side in [0, 1] {
+            let pieces = self.pieces(side);
+            let take = |&Piece { triangle: [a, b, c], of, region }: &Piece| {
+                let inside = |own: u32| {
+                    let both = [own, region].map(|region| region != OUTSIDE);
+                    operation.holds(if side == 0 { both } else { [both[1], both[0]] })
+                };
+                let [front, behind] = self.meshes[side].sides()[of as usize].map(inside);
+                let source = Source { mesh: u8::from(side == 1), triangle: of };
+                match [front, behind] {
+                    [false, true] => Some(([a, b, c], source)),
+                    [true, false] if self.wrong == Wrong::ForgetsToTurn => Some(([a, b, c], source)),
+                    [true, false] => Some(([a, c, b], source)),
+                    _ => None,
+                }
+            };
+            let whole = |part: usize| {
+                let places = part * PART..self.whole[side].len().min((part + 1) * PART);
+                let taken = places.filter_map(|place| self.whole_piece(side, place)).filter_map(|piece| take(&piece));
+                taken.unzip::<_, _, Vec<_>, Vec<_>>()
+            };
+            let parts: Vec<_> = (0..self.whole[side].len().div_ceil(PART)).into_par_iter().map(whole).collect();
+            for (triangles, sources) in parts {
+                solid.triangles.extend(triangles);
+                solid.sources.extend(sources);
+            }
+            for (triangle, source) in pieces.iter().filter_map(take) {
+                solid.triangles.push(triangle);
+                solid.sources.push(source);
+            }
+        }
+        solid
+    }
+
+    /// All triangles with the regions of both meshes on either side, as a number for each pair of regions that comes up: the
+    /// triangles, their regions in front and behind, and the pairs by number; the first pair is outside of both.
+    #[must_use]
+    pub fn regions(&self) -> Regions {
+        let mut pairs: Vec<[u32; 2]> = vec![[OUTSIDE; 2]];
+        let all: Vec<(u8, Piece)> = [0_u8, 1]
+            .into_iter()
+            .flat_map(|side| {
+                let at = usize::from(side);
+                let whole = (0..self.whole[at].len()).filter_map(move |place| self.whole_piece(at, place));
+                whole.chain(self.pieces(at).iter().copied()).map(move |piece| (side, piece))
+            })
+            .collect();
+        let of = |(side, piece): &(u8, Piece)| {
+            let pair = |own: u32| if *side == 0 { [own, piece.region] } else { [piece.region, own] };
+            self.meshes[usize::from(*side)].sides()[piece.of as usize].map(pair)
+        };
+        pairs.extend(all.iter().flat_map(of));
+        pairs.sort_unstable();
+        pairs.dedup();
+        let number = |pair: [u32; 2]| super::near::number(pairs.partition_point(|other| *other < pair));
+        Regions {
+            triangles: all.iter().map(|(_, piece)| piece.triangle).collect(),
+            sides: all.iter().map(|one| of(one).map(number)).collect(),
+            sources: all.iter().map(|&(mesh, piece)| Source { mesh, triangle: piece.of }).collect(),
+            pairs,
+        }
+    }
+
+    fn whole_piece(&self, side: usize, place: usize) -> Option<Piece> {
+        let region = self.whole[side][place]?.get() - 1;
+        let triangle = self.meshes[side].triangles()[place];
+        Some(Piece { triangle, of: super::near::number(place), region })
+    }
+}
+
+/// The overlay of both meshes: each triangle with the regions of both on either side.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Regions {
+    /// By input vertices and constructed ones.
+    pub triangles: Vec<[Vertex; 3]>,
+    /// For each the place of the pair of regions in front of it, and of that behind it.
+    pub sides: Vec<[u32; 2]>,
+    /// For each what it is, or is a piece of.
+    pub sources: Vec<Source>,
+    /// A region of the first mesh and one of the second, ascending.
+    pub pairs: Vec<[u32; 2]>,
+}
+
+impl Regions {
+    /// A mesh of all of it, over so many vertices, where these are all input vertices.
+    ///
+    /// # Errors
+    /// As [`MaterialMesh::new`].
+    pub fn into_mesh(self, vertices: usize) -> Result<MaterialMesh, predicament_mesh::MaterialError> {
+        MaterialMesh::new(vertices, self.triangles, self.sides)
+    }
+}
