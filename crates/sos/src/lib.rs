@@ -18,6 +18,7 @@
 
 mod backend;
 mod constructed;
+mod crossed;
 pub mod derive;
 mod filter;
 pub mod infinitesimal;

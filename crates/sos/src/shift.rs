@@ -3,9 +3,12 @@
 //! A determinant of differences is linear in a translation (δx, δy, δz) of one of its points, and a translation of all others is that of
 //! the one by the opposite. So with one vertex of the one mesh and the rest of the other, the tie is broken by the first
 //! derivative that is not zero: with δ = (ε, ε², ε³), by x, y, z in turn. Derivatives of `orient2d` are differences of
-//! coordinates, those of `orient3d` are `orient2d` of the other three vertices.
+//! coordinates, those of `orient3d` are `orient2d` of the other three vertices. With p, q of the one mesh and u, v of the other,
+//! det(p − v, q − v, u − v) changes by δ · ((q − p) × (v − u)) as u and v move by δ, and by nothing more.
 
 use predicament_predicates::{Axis, Off, Plane, Predicates, Sign, Vertex};
+
+use crate::crossed;
 
 type Exact<'s> = predicament_exact::Session<'s, Off>;
 
@@ -60,7 +63,12 @@ pub(crate) fn orient2d(exact: &Exact, plane: Plane, args: [Vertex; 3]) -> Shifte
 
 /// Breaks a tie of `orient3d`.
 pub(crate) fn orient3d(exact: &Exact, args: [Vertex; 4]) -> Shifted {
-    let Some((at, moves)) = odd_one(exact, args)? else { return Some(None) };
+    let Some((at, moves)) = (match odd_one(exact, args) {
+        Some(odd) => odd,
+        None => return two_and_two(exact, args),
+    }) else {
+        return Some(None);
+    };
     let [mut a, mut b, mut c, d] = args;
     // Exchanged with the last, which turns the sign over, as does the derivative by the last.
     let sign = if at == 3 { -moves } else { moves };
@@ -74,6 +82,30 @@ pub(crate) fn orient3d(exact: &Exact, args: [Vertex; 4]) -> Shifted {
     let first = planes.find_map(|(plane, power)| {
         let derivative = exact.decide_orient2d(plane, a, b, c).0;
         (!derivative.is_zero()).then_some((derivative * sign, power))
+    });
+    Some(first)
+}
+
+/// Breaks a tie of `orient3d` about two vertices of either mesh.
+fn two_and_two(exact: &Exact, args: [Vertex; 4]) -> Shifted {
+    let second = exact.scene().second_mesh()?;
+    if args.iter().any(|v| v.is_constructed()) {
+        return None;
+    }
+    let [a, b, c, d] = args;
+    // Those that stay first: an even permutation of the arguments, or an odd one.
+    let (stay, move_, is_even) = match args.map(|v| second[v.index()]) {
+        [false, false, true, true] => ([a, b], [c, d], true),
+        [true, true, false, false] => ([c, d], [a, b], true),
+        [false, true, false, true] => ([a, c], [b, d], false),
+        [true, false, true, false] => ([b, d], [a, c], false),
+        [false, true, true, false] => ([a, d], [b, c], true),
+        [true, false, false, true] => ([b, c], [a, d], true),
+        _ => return None,
+    };
+    let first = (0..3).find_map(|axis| {
+        let derivative = crossed::along(exact.scene(), axis, stay, move_);
+        (!derivative.is_zero()).then_some((if is_even { derivative } else { -derivative }, axis + 1))
     });
     Some(first)
 }

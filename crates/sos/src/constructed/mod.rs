@@ -32,6 +32,7 @@
 
 mod certain;
 mod limit;
+mod linear;
 mod memo;
 mod moved;
 mod place;

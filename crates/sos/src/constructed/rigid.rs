@@ -7,6 +7,7 @@
 use predicament_predicates::{Question, Scene, Sign, Vertex};
 use rug::Integer;
 
+use super::linear;
 use super::moved::{Moved, inputs};
 use super::place::Place;
 use super::search::{Expression, integers};
@@ -31,6 +32,9 @@ pub(crate) fn decide(scene: &Scene, question: Question, args: &[Vertex]) -> Opti
     let moving = inputs.iter().filter(|v| second[v.index()]).count();
     if moving == 0 || moving == inputs.len() {
         return None;
+    }
+    if let Some(decided) = linear::decide(scene, second, question, &places) {
+        return decided;
     }
     let dimension = scene.dimension().count();
     let constructed = args.iter().any(|v| v.is_constructed());

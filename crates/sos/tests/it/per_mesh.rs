@@ -72,6 +72,65 @@ fn constructed_vertices_move_with_what_defines_them() {
     assert!(ties > 20, "{ties}");
 }
 
+/// Lines and planes of one mesh each: what an overlay of two meshes constructs.
+#[test]
+fn lines_and_planes_of_one_mesh_move_as_one() {
+    let (mut random, mut ties, mut zeros) = (Random(23), 0, 0);
+    for round in 0..120 {
+        let dimension = 2 + round % 2;
+        let side = 3_usize;
+        let numbers = random.numbers(side.pow(u32::try_from(dimension).unwrap()), 14);
+        let mut scene = grid_scene(dimension, side, &numbers).with_second_mesh((7..14).map(Vertex::input));
+        let [a, b, c, d, e, f, g] = std::array::from_fn(Vertex::input);
+        let [s, t, u, v, w, x, y] = std::array::from_fn(|i| Vertex::input(7 + i));
+        let definitions = if dimension == 2 {
+            vec![
+                Construction::Ssi([[a, b], [s, t]]),
+                Construction::Ssi([[c, d], [s, t]]),
+                Construction::Ssi([[a, b], [c, e]]),
+                Construction::Ssi([[u, v], [w, x]]),
+            ]
+        } else {
+            vec![
+                Construction::Lpi { line: [a, b], plane: [s, t, u] },
+                Construction::Lpi { line: [s, t], plane: [a, b, c] },
+                Construction::Lpi { line: [c, d], plane: [e, f, g] },
+                Construction::Lpi { line: [v, w], plane: [a, b, c] },
+                Construction::Tpi([[a, b, c], [d, e, f], [s, t, u]]),
+                Construction::Tpi([[c, d, e], [v, w, x], [s, t, y]]),
+            ]
+        };
+        // Those that meet, after the inputs that are asked about beside them.
+        let taken = |&definition: &Construction| {
+            let mut alone = scene.clone();
+            alone.construct(definition).unwrap();
+            PerMesh.prepare(&alone, Off).is_ok()
+        };
+        let definitions: Vec<Construction> = definitions.into_iter().filter(taken).collect();
+        let mut points: Vec<Vertex> = definitions.into_iter().map(|of| scene.construct(of).unwrap()).collect();
+        points.extend([a, c, g, s, v]);
+        let (exact, session) = (Exact.prepare(&scene, Off).unwrap(), PerMesh.prepare(&scene, Off).unwrap());
+        for question in questions(dimension) {
+            if matches!(question, Question::Incircle | Question::Insphere) {
+                continue;
+            }
+            for _ in 0..6 {
+                let mut left = points.clone();
+                let arity = question.kind().arity();
+                if left.len() < arity {
+                    continue;
+                }
+                let args: Vec<Vertex> = (0..arity).map(|_| left.swap_remove(random.below(left.len()))).collect();
+                let answer = ask_antisymmetric(&session, question, &args);
+                assert_eq!(answer, judge_per_mesh(&scene, question, &args), "{question:?} of {args:?} in {scene:?}");
+                ties += usize::from(question.ask(&exact, &args).is_zero() && !answer.is_zero());
+                zeros += usize::from(answer.is_zero());
+            }
+        }
+    }
+    assert!(ties > 200 && zeros > 50, "{ties} {zeros}");
+}
+
 #[test]
 fn a_mesh_keeps_its_own_ties_and_scenes_without_two_are_declined() {
     let flat = grid_scene(2, 3, &[0, 4, 8, 1]);
