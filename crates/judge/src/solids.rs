@@ -13,12 +13,16 @@
 //! vertices and edges. A box that does not hold the point, as seen along the ray, decides by comparing doubles, which is
 //! exact; all other signs are those of [integers](crate::sign). [`Materials::winding`] is a second computation, in rationals:
 //! along a ray of a direction of its own, in general position or not at all, it decides by barycentric coordinates. Both look at
-//! every triangle for every point. (The algorithm that these are held against sends a vertical ray, through a grid.)
+//! every triangle for every point. [`InIntegers`] is that second computation for points that are no doubles, without a division. (The algorithm that these are held against sends a vertical ray, through a grid.)
+
+mod integers;
 
 use std::collections::BTreeMap;
 
 use predicament_predicates::{Axis, Plane, Question, Scene, Sign, Vertex};
 use rug::Rational;
+
+pub use integers::InIntegers;
 
 use crate::{rational, sign};
 
@@ -65,7 +69,7 @@ impl<'s> Materials<'s> {
     /// If the scene lacks the vertex.
     #[must_use]
     pub fn locate(&self, q: Vertex) -> Place {
-        self.place(|triangle| Some(self.along_x(triangle, q))).expect("a ray beside all edges")
+        self.place(|_, triangle| Some(self.along_x(triangle, q))).expect("a ray beside all edges")
     }
 
     /// Where a vertex of the scene is, by a ray in this direction; none where the ray touches the border of a triangle, or
@@ -76,14 +80,20 @@ impl<'s> Materials<'s> {
     #[must_use]
     pub fn winding(&self, q: Vertex, direction: [i32; 3]) -> Option<Place> {
         assert_ne!(direction, [0; 3], "a ray has a direction");
-        let direction = direction.map(Rational::from);
-        self.place(|triangle| self.along(triangle, q, &direction))
+        let (q, direction) = (self.scene.point3(q).map(rational), direction.map(Rational::from));
+        self.place(|_, triangle| self.along(triangle, &q, &direction))
     }
 
-    fn place(&self, meet: impl Fn([Vertex; 3]) -> Option<Meeting>) -> Option<Place> {
+    /// The triangles in integers, to locate rational points.
+    #[must_use]
+    pub fn in_integers(&self) -> InIntegers<'_> {
+        InIntegers::new(self)
+    }
+
+    fn place(&self, meet: impl Fn(usize, [Vertex; 3]) -> Option<Meeting>) -> Option<Place> {
         let (mut on, mut windings) = (Vec::new(), BTreeMap::from([(0_u32, 1_i64)]));
         for (at, (&triangle, &[front, back])) in (0_u32..).zip(self.triangles.iter().zip(self.sides)) {
-            match meet(triangle)? {
+            match meet(at as usize, triangle)? {
                 Meeting::Missed => {}
                 Meeting::On => on.push(at),
                 Meeting::Passed(from_behind) => {
@@ -140,15 +150,15 @@ impl<'s> Materials<'s> {
     }
 
     /// The meeting with a ray in a direction: q + t d = a + v (b − a) + w (c − a), by Cramer's rule.
-    fn along(&self, triangle: [Vertex; 3], q: Vertex, direction: &[Rational; 3]) -> Option<Meeting> {
+    fn along(&self, triangle: [Vertex; 3], q: &[Rational; 3], direction: &[Rational; 3]) -> Option<Meeting> {
         let point = |v: Vertex| self.scene.point3(v).map(rational);
         let less = |p: &[Rational; 3], q: &[Rational; 3]| [0, 1, 2].map(|i: usize| Rational::from(&p[i] - &q[i]));
         let [a, b, c] = triangle.map(point);
-        let (ab, ac, aq) = (less(&b, &a), less(&c, &a), less(&point(q), &a));
+        let (ab, ac, aq) = (less(&b, &a), less(&c, &a), less(q, &a));
         let normal = cross(&ab, &ac);
         if normal.iter().all(|x| x.cmp0().is_eq()) {
             // Its corners are on a line, from the first over the second to the third: only its points count, no ray passes it.
-            let from_q = [a, b, c].map(|corner| less(&corner, &point(q)));
+            let from_q = [a, b, c].map(|corner| less(&corner, q));
             let is_between = |u: usize, v: usize| {
                 let is_on_line = cross(&from_q[u], &from_q[v]).iter().all(|x| x.cmp0().is_eq());
                 is_on_line && dot(&from_q[u], &from_q[v]).cmp0().is_le()

@@ -17,7 +17,7 @@
 //! * [`output`]: answers as files for other programs, vertices exactly.
 //! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
 //!   [`crossings`], [`triangulate`], [`hull`], [`mod@slice`], [`delaunay`],
-//!   [`overlay`], [`snap`], [`mesh_locate`]: the tasks.
+//!   [`overlay`], [`snap`], [`mesh_locate`], [`mesh_intersect`]: the tasks.
 
 mod any;
 mod budget;
@@ -41,6 +41,7 @@ pub mod cube_union;
 pub mod delaunay;
 pub mod hull;
 pub mod interval;
+pub mod mesh_intersect;
 pub mod mesh_locate;
 pub mod output;
 pub mod overlay;

@@ -11,6 +11,7 @@ use crate::cube_union::CubeUnion;
 use crate::delaunay::Delaunay2d;
 use crate::hull::{Hull2d, Hull3d};
 use crate::interval::Interval;
+use crate::mesh_intersect::MeshIntersect;
 use crate::mesh_locate::MeshLocate;
 use crate::overlay::Overlay2d;
 use crate::polygon_locate::PolygonLocate;
@@ -43,6 +44,7 @@ macro_rules! each_task {
             $do!(Overlay2d),
             $do!(Snap2d),
             $do!(MeshLocate),
+            $do!(MeshIntersect),
         ]
     };
 }

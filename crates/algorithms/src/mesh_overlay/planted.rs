@@ -9,8 +9,8 @@ pub enum Wrong {
     Nothing,
     /// The third edge of a triangle is not looked at.
     LooksAtTwoSides,
-    /// Points on an edge stay in the order in which they were found.
-    LeavesPointsUnsorted,
+    /// Points on an edge are sorted backwards.
+    SortsPointsBackwards,
     /// A cut triangle loses a piece.
     DropsAPiece,
     /// A component without cuts is taken to be outside.
@@ -47,7 +47,7 @@ macro_rules! fault {
 }
 
 fault!(LooksAtTwoSides, "mesh-overlay-two-sides", "the third edge of a triangle is not looked at");
-fault!(LeavesPointsUnsorted, "mesh-overlay-unsorted", "points on an edge stay in the order in which they were found");
+fault!(SortsPointsBackwards, "mesh-overlay-backwards", "points on an edge are sorted backwards");
 fault!(DropsAPiece, "mesh-overlay-drops-a-piece", "a cut triangle loses a piece");
 fault!(TakesComponentsForOutside, "mesh-overlay-components", "a component without cuts is taken to be outside");
 fault!(ForgetsToTurn, "mesh-overlay-turns", "pieces of the second mesh are not turned over in a difference");

@@ -50,13 +50,13 @@ impl Points {
             along[starts[hit.edge as usize] as usize] = number(place);
         }
         let mut points = Points { hits, vertices: vertices.to_vec(), along, ends };
-        if wrong == Wrong::LeavesPointsUnsorted {
-            return points;
-        }
         let many: Vec<u32> = (0..number(near.edges.len())).filter(|&edge| points.on(edge).len() > 1).collect();
         let sorted = crate::parallel::each(many.len(), &|at| {
             let mut places = points.on(many[at]).to_vec();
             points.sort(session, near.edges[many[at] as usize], &mut places);
+            if wrong == Wrong::SortsPointsBackwards {
+                places.reverse();
+            }
             places
         });
         for (edge, places) in many.into_iter().zip(sorted) {

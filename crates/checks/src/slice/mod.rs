@@ -184,6 +184,20 @@ impl Slices {
         flaws.0
     }
 
+    /// What violates the laws about pieces of faces, and about triangles that pass through each other, at most one entry a law: for parts that are not
+    /// what planes leave.
+    ///
+    /// # Panics
+    /// As [`Slices::flaws`].
+    #[must_use]
+    pub fn flaws_of_pieces(&self, expected: Expected) -> Vec<Flaw> {
+        let mut flaws = Flaws::default();
+        self.faces(expected, &mut flaws);
+        self.crossings(expected, &mut flaws);
+        flaws.0.sort_by_key(|flaw| flaw.check);
+        flaws.0
+    }
+
     /// How many triangles there are in all parts.
     #[must_use]
     pub fn triangles(&self) -> usize {

@@ -78,6 +78,17 @@ fn surfaces(shapes: Vec<(Shape, [u32; 2])>) -> Surface {
     }
 }
 
+/// A closed surface with these regions outside and inside of it.
+pub(crate) fn surface_of(shape: Shape, sides: [u32; 2]) -> Surface {
+    surfaces(vec![(shape, sides)])
+}
+
+/// A lattice of tetrahedra with about n faces.
+pub(crate) fn lattice_of_tetrahedra(n: usize) -> Surface {
+    let Lattice { points, tetrahedra } = lattice(side(n, 12));
+    of_tetrahedra(points, tetrahedra.into_iter().map(|(corners, _)| corners).collect())
+}
+
 fn sphere(n: usize, _: Changes, rng: &mut Random) -> Surface {
     surfaces(vec![(solids::sphere(n, rng), [OUTSIDE, 1])])
 }

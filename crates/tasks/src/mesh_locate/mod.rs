@@ -4,11 +4,11 @@
 //! it goes, also on lines through vertices and edges.
 
 mod content;
-mod generate;
+pub(crate) mod generate;
 mod judge;
-mod probes;
-mod read;
-mod regions;
+pub(crate) mod probes;
+pub(crate) mod read;
+pub(crate) mod regions;
 mod section;
 
 use std::path::{Path, PathBuf};

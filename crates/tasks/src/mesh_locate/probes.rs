@@ -14,11 +14,11 @@ const MOST_RANDOM: u64 = 100_000_000;
 const MOST_STRIDE: u64 = 1_000_000;
 
 /// A mesh over points of its own.
-pub(super) struct Surface {
-    pub(super) points: Vec<[f64; 3]>,
-    pub(super) mesh: MaterialMesh,
+pub(crate) struct Surface {
+    pub(crate) points: Vec<[f64; 3]>,
+    pub(crate) mesh: MaterialMesh,
     /// The tetrahedra that the mesh was made of, the first of which is region 1.
-    pub(super) tetrahedra: Vec<[Vertex; 4]>,
+    pub(crate) tetrahedra: Vec<[Vertex; 4]>,
 }
 
 /// How a mesh is probed.

@@ -15,12 +15,19 @@ use super::regions::{Pairs, Regions};
 static MESH: TableKind = TableKind::new("reference to a mesh", &["path", "fetch"]);
 
 /// Simplices with their lines.
-type Simplices<const N: usize> = Vec<(usize, [Vertex; N])>;
+pub(crate) type Simplices<const N: usize> = Vec<(usize, [Vertex; N])>;
 
 enum Where {
     Triangles { points: PointSource, triangles: Simplices<3>, regions: Option<Regions> },
     Tetrahedra { points: PointSource, tetrahedra: Simplices<4> },
-    File { origin: Origin, round: bool, regions: Option<Regions> },
+    File(MeshFile),
+}
+
+/// A mesh in a file, and perhaps its regions in another one.
+pub(crate) struct MeshFile {
+    pub(crate) origin: Origin,
+    pub(crate) round: bool,
+    pub(crate) regions: Option<Regions>,
 }
 
 struct Written {
@@ -50,14 +57,8 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
                     return Err(other.error(format!("both `mesh` and `{key}`"), "remove this one: the file has them"));
                 }
             }
-            let table = field.fields(&MESH)?;
-            let origin = match table.get("fetch") {
-                Some(key) => Origin::fetched(context, &key)?,
-                None => Origin::path(context, &table.required("path")?)?,
-            };
-            table.finish()?;
             let regions = fields.get("regions").map(|field| Regions::read(context, &field)).transpose()?;
-            Where::File { origin, round: context.round(), regions }
+            Where::File(MeshFile::read(context, &field, regions)?)
         }
         None => written(context, fields)?,
     };
@@ -91,7 +92,7 @@ fn written(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Where, Corp
     }
 }
 
-fn simplices<const N: usize>(field: &Field<'_, '_>, what: &str) -> Result<Simplices<N>, CorpusError> {
+pub(crate) fn simplices<const N: usize>(field: &Field<'_, '_>, what: &str) -> Result<Simplices<N>, CorpusError> {
     let items = field.items("arrays of the indices of points")?;
     let simplex = |item: Field<'_, '_>| {
         let corners = item.items("the indices of the corners")?.map(|corner| corner.point());
@@ -113,6 +114,42 @@ fn given(field: &Field<'_, '_>) -> Result<Vec<[f64; 3]>, CorpusError> {
     field.items("points of three coordinates")?.map(point).collect()
 }
 
+impl MeshFile {
+    /// A table with `path` or `fetch`.
+    pub(crate) fn read(
+        context: &Context<'_>,
+        field: &Field<'_, '_>,
+        regions: Option<Regions>,
+    ) -> Result<MeshFile, CorpusError> {
+        let table = field.fields(&MESH)?;
+        let origin = match table.get("fetch") {
+            Some(key) => Origin::fetched(context, &key)?,
+            None => Origin::path(context, &table.required("path")?)?,
+        };
+        table.finish()?;
+        Ok(MeshFile { origin, round: context.round(), regions })
+    }
+
+    /// The mesh, and what reading changed.
+    pub(crate) fn load(&self, cache: &Cache) -> Result<(Surface, ImportNotes), CorpusError> {
+        let decimals = Decimals::new(self.round);
+        let (file, bytes) = self.origin.bytes(cache)?;
+        let read = mesh::read(&file, bytes, &decimals)?;
+        // Which face each triangle is of.
+        let faces: Vec<usize> = read
+            .faces
+            .iter()
+            .enumerate()
+            .flat_map(|(face, corners)| std::iter::repeat_n(face, corners.len() - 2))
+            .collect();
+        let place = Place { file: &file, line: None, places: &read.places };
+        let surface = place.surface(read.points, read.triangles, &faces, self.regions.as_ref(), cache)?;
+        let mut notes = read.notes;
+        notes.rounded += decimals.rounded();
+        Ok((surface, notes))
+    }
+}
+
 impl Elsewhere for Written {
     fn load(&self, level: Level, cache: &Cache) -> Result<Parts, CorpusError> {
         let (surface, mut notes) = match &self.mesh {
@@ -128,23 +165,7 @@ impl Elsewhere for Written {
                 let (points, notes) = self.points("points", points, cache)?;
                 (self.tetrahedra(points, tetrahedra)?, notes)
             }
-            Where::File { origin, round, regions } => {
-                let decimals = Decimals::new(*round);
-                let (file, bytes) = origin.bytes(cache)?;
-                let read = mesh::read(&file, bytes, &decimals)?;
-                // Which face each triangle is of.
-                let faces: Vec<usize> = read
-                    .faces
-                    .iter()
-                    .enumerate()
-                    .flat_map(|(face, corners)| std::iter::repeat_n(face, corners.len() - 2))
-                    .collect();
-                let place = Place { file: &file, line: None, places: &read.places };
-                let surface = place.surface(read.points, read.triangles, &faces, regions.as_ref(), cache)?;
-                let mut notes = read.notes;
-                notes.rounded += decimals.rounded();
-                (surface, notes)
-            }
+            Where::File(of) => of.load(cache)?,
         };
         let mut probing = self.probing.clone();
         if let Some(probes) = &self.probes {
@@ -163,7 +184,7 @@ impl Elsewhere for Written {
 
     fn fetch_entry(&self) -> Option<&Entry> {
         match &self.mesh {
-            Where::File { origin, .. } => origin.entry(),
+            Where::File(of) => of.origin.entry(),
             Where::Triangles { points, .. } | Where::Tetrahedra { points, .. } => points.entry(),
         }
         .or(self.probes.as_ref().and_then(PointSource::entry))
@@ -220,16 +241,16 @@ impl Written {
 }
 
 /// Where the faces of a mesh are written.
-struct Place<'p> {
-    file: &'p str,
+pub(crate) struct Place<'p> {
+    pub(crate) file: &'p str,
     /// The line of the scene, where the mesh is in a suite.
-    line: Option<usize>,
-    places: &'p Places,
+    pub(crate) line: Option<usize>,
+    pub(crate) places: &'p Places,
 }
 
 impl Place<'_> {
     /// A mesh of triangles, `faces` saying which face each is of. Without `regions`, region 1 is behind all.
-    fn surface(
+    pub(crate) fn surface(
         &self,
         points: Vec<[f64; 3]>,
         corners: Vec<[Vertex; 3]>,

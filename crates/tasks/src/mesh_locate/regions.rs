@@ -13,14 +13,14 @@ const CURE: &str = "write for each face the region in front of it and the one be
 static PAIR: RowKind = RowKind { name: "pair", widths: 2..=2, numbers: "regions", cure: CURE };
 
 /// The value of `regions`.
-pub(super) enum Regions {
+pub(crate) enum Regions {
     Written(Pairs),
     File(Origin),
 }
 
 /// A pair of regions for each face, and where it is written.
 #[derive(Clone)]
-pub(super) struct Pairs {
+pub(crate) struct Pairs {
     pairs: Vec<[u32; 2]>,
     file: String,
     lines: Vec<usize>,
@@ -30,7 +30,7 @@ pub(super) struct Pairs {
 
 impl Regions {
     /// Reads an array of pairs, or `{ path = "regions.csv" }`.
-    pub(super) fn read(context: &Context<'_>, field: &Field<'_, '_>) -> Result<Regions, CorpusError> {
+    pub(crate) fn read(context: &Context<'_>, field: &Field<'_, '_>) -> Result<Regions, CorpusError> {
         if field.is_table() {
             let table = field.fields(&FILE)?;
             let origin = Origin::path(context, &table.required("path")?)?;

@@ -1,0 +1,81 @@
+//! Rational points in multi-material meshes: signs of determinants of integers.
+//!
+//! The middle of a piece of a triangle has denominators of hundreds of digits, and rationals spend their time on common factors.
+//! Here a point is three integers over a common weight, and only signs are looked at: nothing is divided.
+
+use rug::{Integer, Rational};
+
+use super::{Materials, Meeting, Place};
+use crate::rational;
+
+type Space = [Integer; 3];
+
+/// A mesh by the coordinates of its triangles, times a power of two that makes integers of all.
+pub struct InIntegers<'m> {
+    materials: &'m Materials<'m>,
+    scale: Integer,
+    corners: Vec<[Space; 3]>,
+}
+
+impl<'m> InIntegers<'m> {
+    pub(super) fn new(materials: &'m Materials<'m>) -> InIntegers<'m> {
+        let exact: Vec<[[Rational; 3]; 3]> =
+            materials.triangles.iter().map(|t| t.map(|v| materials.scene.point3(v).map(rational))).collect();
+        // Denominators are powers of two: the largest is a multiple of all.
+        let scale = exact.as_flattened().as_flattened().iter().map(Rational::denom).max().cloned();
+        let scale = scale.unwrap_or_else(|| Integer::from(1));
+        let whole = |x: &Rational| Integer::from(x.numer() * &scale) / x.denom();
+        let corners = exact.iter().map(|t| t.each_ref().map(|p| p.each_ref().map(whole))).collect();
+        InIntegers { materials, scale, corners }
+    }
+
+    /// Where a point is, by a ray in this direction; none where the ray touches the border of a triangle, runs in its plane, or
+    /// a triangle has no area.
+    ///
+    /// # Panics
+    /// If the direction is zero.
+    #[must_use]
+    pub fn winding(&self, q: &[Rational; 3], direction: [i32; 3]) -> Option<Place> {
+        assert_ne!(direction, [0; 3], "a ray has a direction");
+        let direction = direction.map(Integer::from);
+        let weight = q.iter().fold(Integer::from(1), |weight, x| weight.lcm(x.denom()));
+        let q = q.each_ref().map(|x| Integer::from(x.numer() * &weight) / x.denom() * &self.scale);
+        self.materials.place(|at, _| along(&self.corners[at], &q, &weight, &direction))
+    }
+}
+
+/// The meeting with a ray from q over its weight: q + t d = a + v (b - a) + w (c - a), by Cramer's rule.
+fn along([a, b, c]: &[Space; 3], q: &Space, weight: &Integer, direction: &Space) -> Option<Meeting> {
+    let less = |p: &Space, q: &Space| [0, 1, 2].map(|i: usize| Integer::from(&p[i] - &q[i]));
+    let (ab, ac) = (less(b, a), less(c, a));
+    let normal = cross(&ab, &ac);
+    let determinant = dot(direction, &normal);
+    let aq = [0, 1, 2].map(|i: usize| Integer::from(&q[i] - Integer::from(&a[i] * weight)));
+    let height = dot(&aq, &normal);
+    if determinant.is_zero() {
+        // Parallel to the ray: it is missed, unless the point is in its plane.
+        return height.cmp0().is_ne().then_some(Meeting::Missed);
+    }
+    let turned = cross(&aq, direction);
+    let (v, w) = (-dot(&ac, &turned), dot(&ab, &turned));
+    let u = Integer::from(&determinant * weight) - &v - &w;
+    let is_reversed = determinant.cmp0().is_lt();
+    let coordinates = [u, v, w].map(|x| if is_reversed { x.cmp0().reverse() } else { x.cmp0() });
+    // t has the sign of -height over the determinant.
+    let t = if is_reversed { height.cmp0() } else { height.cmp0().reverse() };
+    if t.is_lt() || coordinates.iter().any(|coordinate| coordinate.is_lt()) {
+        return Some(Meeting::Missed);
+    }
+    if t.is_eq() {
+        return Some(Meeting::On);
+    }
+    coordinates.iter().all(|coordinate| coordinate.is_gt()).then(|| Meeting::Passed(height.cmp0().is_lt()))
+}
+
+fn cross(p: &Space, q: &Space) -> Space {
+    [(1, 2), (2, 0), (0, 1)].map(|(j, k): (usize, usize)| Integer::from(&p[j] * &q[k]) - Integer::from(&p[k] * &q[j]))
+}
+
+fn dot(p: &Space, q: &Space) -> Integer {
+    (0..3).map(|i| Integer::from(&p[i] * &q[i])).sum()
+}

@@ -1,0 +1,277 @@
+//! `mesh-intersect`: two multi-material meshes, cut where they meet.
+//!
+//! 3D-EPUG-Overlay (Franklin and Magalhães, section 4.5). The answer is all of it: pieces of all triangles, each in a region of
+//! either mesh, of which Boolean operations take some.
+
+mod content;
+mod generate;
+mod judge;
+mod read;
+
+use std::path::{Path, PathBuf};
+
+use predicament_algorithms::mesh_overlay::planted::{
+    DropsAPiece, LooksAtTwoSides, Planted as Wrong, SortsPointsBackwards, TakesComponentsForOutside,
+};
+use predicament_algorithms::mesh_overlay::{Regions, Undone, Zeros, mesh_overlay_planted};
+use predicament_algorithms::overlay::Operation;
+use predicament_algorithms::planted::Honest;
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{Construction, Declined, PredicateKind, Predicates, Query, Question, Scene, Vertex};
+
+pub use content::TwoMeshes;
+
+use crate::{
+    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Refusal, Stop, Task,
+    Watch, digest, output,
+};
+
+/// The checks that have to find an edge that is taken to pass through a triangle beside it, or not.
+const SIDES_CHECKS: &[Catch] = &[(Class::Topology, "two triangles meet in one segment")];
+/// The checks that have to find points out of order.
+const BACKWARDS_CHECKS: &[Catch] = &[(Class::Topology, "vertices that no triangle parts are in one region")];
+/// The checks that have to find a missing piece.
+const DROPPED_CHECKS: &[Catch] = &[(Class::Topology, "region not closed"), (Class::Topology, "face area")];
+/// The checks that have to find a component in the wrong region.
+const COMPONENT_CHECKS: &[Catch] = &[(Class::Topology, "region of a piece")];
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct MeshIntersect;
+
+/// The overlay, and the vertices that were constructed.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Overlaid {
+    /// All pieces, with the regions of both meshes on either side.
+    pub regions: Regions,
+    /// The surface of each operation, in the order of [`Operation::ALL`].
+    pub solids: [Vec<[Vertex; 3]>; 4],
+    /// What was constructed.
+    pub constructions: Vec<Construction>,
+    /// How many constructions the scene had before.
+    pub before: usize,
+    /// What the session has rounded the constructed vertices to; none where it keeps them.
+    pub rounded: Option<Vec<[f64; 3]>>,
+    /// The first invariant that did not hold: then there is nothing else.
+    pub broken: Option<&'static str>,
+}
+
+/// What a zero is to a session: where the sign is that of a floating-point determinant, nothing that could be refused.
+fn zeros(session: &dyn Predicates, content: &TwoMeshes) -> Zeros {
+    let [[a, b, c], [d, ..]] = [0, 1].map(|mesh: usize| content.meshes[mesh].triangles()[0]);
+    let (question, args) = (Question::Orient3d, [a, b, c, d]);
+    let is_rounded = session.estimate(question, &args).is_some() || session.band(question).is_some();
+    if is_rounded { Zeros::Positive } else { Zeros::Refused }
+}
+
+impl Overlaid {
+    /// Overlays the meshes of a scene.
+    ///
+    /// # Errors
+    /// [`Halt::Refused`] where the session does not construct a vertex, or meshes touch and it says so.
+    fn of<F: Wrong>(session: &mut dyn Predicates, content: &TwoMeshes) -> Result<Overlaid, Halt> {
+        let before = session.scene().constructions().len();
+        let zeros = zeros(session, content);
+        let overlay = match mesh_overlay_planted::<F>(session, content.meshes.clone(), zeros) {
+            Ok(overlay) => overlay,
+            Err(Undone::Refused(why)) => return Err(why.into()),
+            Err(touch @ Undone::Touch(_)) => {
+                return Err(Halt::Refused(Refusal { check: "touch", why: Declined::scene(touch.to_string()) }));
+            }
+            Err(Undone::Broken(rule)) => return Ok(Overlaid { before, broken: Some(rule), ..Overlaid::default() }),
+        };
+        let constructions = overlay.constructions().to_vec();
+        let vertices = (0..constructions.len()).map(|at| Vertex::constructed(before + at));
+        let rounded = vertices.map(|v| session.rounded_point(v).and_then(|point| <[f64; 3]>::try_from(point).ok()));
+        let rounded: Option<Vec<[f64; 3]>> = rounded.collect();
+        Ok(Overlaid {
+            regions: overlay.regions(),
+            solids: Operation::ALL.map(|operation| overlay.solid(operation).triangles),
+            rounded: rounded.filter(|points| !points.is_empty()),
+            constructions,
+            before,
+            broken: None,
+        })
+    }
+}
+
+impl Answer for Overlaid {
+    fn digest(&self) -> u64 {
+        let number = |n: usize| (n as u64).to_le_bytes();
+        let pieces = self.regions.triangles.iter().zip(&self.regions.sides).flat_map(|(triangle, sides)| {
+            let pairs = sides.map(|side| self.regions.pairs[side as usize]);
+            let regions = pairs.into_iter().flatten().map(|region| region as usize);
+            triangle.map(Vertex::index).into_iter().chain(regions).collect::<Vec<_>>()
+        });
+        digest(pieces.flat_map(number).chain(self.broken.unwrap_or_default().bytes()))
+    }
+}
+
+impl SceneFormat for MeshIntersect {
+    fn name(&self) -> &'static str {
+        "mesh-intersect"
+    }
+
+    fn template(&self) -> String {
+        include_str!("template.txt").to_owned()
+    }
+
+    fn about(&self) -> &'static str {
+        "two multi-material meshes, cut where they meet (Franklin and Magalhães, 4.5)"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["points", "first", "second", "first_regions", "second_regions"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points"]
+    }
+
+    fn file_keys(&self) -> &'static [&'static str] {
+        &["first", "second"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        read::read(context, fields)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &generate::FAMILIES
+    }
+}
+
+impl Task for MeshIntersect {
+    type Content = TwoMeshes;
+    type Truth = ();
+    type Answer = Overlaid;
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]
+    }
+
+    fn constructs(&self) -> bool {
+        true
+    }
+
+    /// The truth is in the laws, and in the meshes.
+    fn truth(&self, _: &Scene, _: &TwoMeshes, watch: &Watch) -> Result<(), Stop> {
+        watch.done(0)
+    }
+
+    fn sampled(&self, (): &()) -> Option<String> {
+        None
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &TwoMeshes,
+        how: &How<'_>,
+        answer: &mut Overlaid,
+    ) -> Result<(), Halt> {
+        how.watch.done(0)?;
+        *answer = Overlaid::of::<Honest>(session, content)?;
+        how.watch.done(content.triangles() as u64)?;
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, MeshIntersect>,
+        asked: &Asked<'_>,
+        answer: &Overlaid,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        outcome.sampled = judge::sampled(case.content);
+        judge::judge(case, asked, answer, outcome)
+    }
+
+    fn planted(&self) -> Vec<Planted<MeshIntersect>> {
+        fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<MeshIntersect> {
+            Planted::new::<F>("sos", caught_by, |session, content: &TwoMeshes| Overlaid::of::<F>(session, content))
+        }
+        vec![
+            fault::<LooksAtTwoSides>(SIDES_CHECKS),
+            fault::<SortsPointsBackwards>(BACKWARDS_CHECKS),
+            fault::<DropsAPiece>(DROPPED_CHECKS),
+            fault::<TakesComponentsForOutside>(COMPONENT_CHECKS),
+        ]
+    }
+
+    fn describe(&self, _: &LoadedScene, content: &TwoMeshes, _: &Watch) -> Result<String, Stop> {
+        let [first, second] = content.meshes.each_ref().map(|mesh| (mesh.triangles().len(), mesh.regions() - 1));
+        Ok(format!("{} triangles around {} regions, and {} around {}\n", first.0, first.1, second.0, second.1))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &TwoMeshes,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let _ = query;
+        let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|answer| told(&answer));
+        Ok(Explanation::default().with_answers(backends, ask))
+    }
+
+    /// A mesh for each operation, all vertices exactly, and a JSON file of all pieces.
+    fn write(&self, scene: &Scene, _: &TwoMeshes, answer: &Overlaid, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+        let mut exact = scene.clone();
+        for definition in &answer.constructions {
+            exact.construct(*definition).map_err(std::io::Error::other)?;
+        }
+        // A session that rounds has its own points.
+        let (meshes, moved) = match &answer.rounded {
+            None => (exact.clone(), 0),
+            Some(rounded) => {
+                let coordinates = [scene.coordinates(), rounded.as_flattened()].concat();
+                (Scene::new(scene.dimension(), coordinates).map_err(std::io::Error::other)?, scene.len())
+            }
+        };
+        let place = |v: Vertex| match v.construction() {
+            Some(index) if moved > 0 => Vertex::input(moved + index - answer.before),
+            _ => v,
+        };
+        let mut files = Vec::new();
+        for (operation, solid) in Operation::ALL.iter().zip(&answer.solids) {
+            let faces: Vec<Vec<Vertex>> = solid.iter().map(|triangle| triangle.map(place).to_vec()).collect();
+            files.extend(output::mesh(&meshes, &faces, folder, operation.name())?);
+        }
+        let regions = &answer.regions;
+        let piece = |at: usize| {
+            let sides = regions.sides[at].map(|side| regions.pairs[side as usize]);
+            serde_json::json!({
+                "vertices": regions.triangles[at].map(|v| v.to_string()),
+                "mesh": regions.sources[at].mesh + 1,
+                "triangle": regions.sources[at].triangle,
+                "front": sides[0],
+                "behind": sides[1],
+            })
+        };
+        let pieces: Vec<serde_json::Value> = (0..regions.triangles.len()).map(piece).collect();
+        let path = folder.join("pieces.json");
+        std::fs::write(&path, format!("{}\n", serde_json::json!({ "pieces": pieces, "broken": answer.broken })))?;
+        files.push(path);
+        if answer.rounded.is_none() {
+            files.push(output::vertices(&exact, regions.triangles.as_flattened().iter().copied(), folder)?);
+        }
+        Ok(files)
+    }
+}
+
+fn told(answer: &Overlaid) -> String {
+    if let Some(rule) = answer.broken {
+        return format!("violated: {rule}");
+    }
+    let solids = Operation::ALL.iter().zip(&answer.solids);
+    let solids: Vec<String> = solids.map(|(of, solid)| format!("{} of {}", of.name(), solid.len())).collect();
+    format!(
+        "{} points, {} pieces; triangles: {}",
+        answer.constructions.len(),
+        answer.regions.triangles.len(),
+        solids.join(", ")
+    )
+}

@@ -1,0 +1,120 @@
+//! `first` and `second`: triangles of `points`, or meshes in files; `first_regions` and `second_regions`.
+
+use predicament_corpus::{Context, Elsewhere, Level, Parts, PointSource, Source};
+use predicament_formats::{Cache, CorpusError, Entry, Fields, ImportNotes, Places};
+use predicament_judge::sign;
+use predicament_mesh::MaterialMesh;
+use predicament_predicates::Plane::{Xy, Yz, Zx};
+use predicament_predicates::{Dimension, Question, Scene, Vertex};
+
+use super::content::with_meshes;
+use crate::mesh_locate::read::{MeshFile, Place, Simplices, simplices};
+use crate::mesh_locate::regions::Regions;
+
+/// One of the two meshes.
+enum Operand {
+    Triangles { triangles: Simplices<3>, regions: Option<Regions> },
+    File(MeshFile),
+}
+
+struct Written {
+    file: String,
+    line: usize,
+    /// Points that written triangles are of; none where both meshes are in files.
+    points: Option<PointSource>,
+    operands: [Operand; 2],
+}
+
+/// Reads a scene.
+pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+    let operand = |key: &'static str, regions: &'static str| {
+        let field = fields.required(key)?;
+        let regions = fields.get(regions).map(|field| Regions::read(context, &field)).transpose()?;
+        if field.is_table() {
+            return MeshFile::read(context, &field, regions).map(Operand::File);
+        }
+        Ok(Operand::Triangles { triangles: simplices(&field, "a triangle")?, regions })
+    };
+    let operands = [operand("first", "first_regions")?, operand("second", "second_regions")?];
+    let points = match fields.get("points") {
+        None if operands.iter().any(|operand| matches!(operand, Operand::Triangles { .. })) => {
+            return Err(fields.error("triangles without `points`", "give the points that they are of"));
+        }
+        points => points.map(|field| PointSource::read(context, &field, fields.file())).transpose()?,
+    };
+    Ok(Source::elsewhere(Written { file: fields.file().to_owned(), line: fields.line(), points, operands }))
+}
+
+impl Elsewhere for Written {
+    fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
+        let mut notes = ImportNotes::default();
+        let mut coordinates: Vec<[f64; 3]> = Vec::new();
+        if let Some(points) = &self.points {
+            let (dimension, read, of_points) = points.coordinates(cache)?;
+            if dimension != Dimension::Three {
+                let message = "`points` have 2 coordinates each, and meshes are in space";
+                return Err(points.error(message, "give every point 3 coordinates"));
+            }
+            coordinates = read.as_chunks().0.to_vec();
+            notes.add(&of_points);
+        }
+        let written = coordinates.clone();
+        let mut meshes = Vec::with_capacity(2);
+        for operand in &self.operands {
+            meshes.push(match operand {
+                Operand::Triangles { triangles, regions } => {
+                    let places = Places::of_lines(triangles.iter().map(|(line, _)| *line));
+                    let corners: Vec<[Vertex; 3]> = triangles.iter().map(|(_, corners)| *corners).collect();
+                    let faces: Vec<usize> = (0..corners.len()).collect();
+                    let place = Place { file: &self.file, line: Some(self.line), places: &places };
+                    place.surface(written.clone(), corners, &faces, regions.as_ref(), cache)?.mesh
+                }
+                Operand::File(of) => {
+                    let (surface, of_file) = of.load(cache)?;
+                    notes.add(&of_file);
+                    let first = coordinates.len();
+                    coordinates.extend(surface.points);
+                    surface.mesh.shifted(first)
+                }
+            });
+        }
+        let scene =
+            Scene::from_points3(&coordinates).map_err(|why| self.error(why.to_string(), "correct the points"))?;
+        let [first, second] = <[MaterialMesh; 2]>::try_from(meshes).expect("two operands");
+        self.check(&scene, [&first, &second])?;
+        Ok(Parts { notes, ..with_meshes(scene, [first, second]) })
+    }
+
+    fn fetch_entry(&self) -> Option<&Entry> {
+        let files = self.operands.iter().find_map(|operand| match operand {
+            Operand::File(of) => of.origin.entry(),
+            Operand::Triangles { .. } => None,
+        });
+        files.or(self.points.as_ref().and_then(PointSource::entry))
+    }
+}
+
+impl Written {
+    fn error(&self, message: impl Into<String>, cure: &str) -> CorpusError {
+        CorpusError::file(&self.file, message.into(), cure).at_line(self.line)
+    }
+
+    /// Whether each vertex is of one mesh, and each triangle has an area.
+    fn check(&self, scene: &Scene, meshes: [&MaterialMesh; 2]) -> Result<(), CorpusError> {
+        let mut of_first = vec![false; scene.len()];
+        meshes[0].triangles().as_flattened().iter().for_each(|v| of_first[v.index()] = true);
+        if let Some(v) = meshes[1].triangles().as_flattened().iter().find(|v| of_first[v.index()]) {
+            return Err(self.error(format!("point {v} is of both meshes"), "give each mesh points of its own"));
+        }
+        for (mesh, name) in meshes.into_iter().zip(["first", "second"]) {
+            let is_flat = |&[a, b, c]: &[Vertex; 3]| {
+                [Xy, Yz, Zx].into_iter().all(|plane| sign(scene, Question::Orient2d(plane), &[a, b, c]).is_zero())
+            };
+            if let Some(at) = mesh.triangles().iter().position(is_flat) {
+                let message = format!("triangle {at} of the {name} mesh has no area");
+                return Err(self.error(message, "remove it, and join its neighbours"));
+            }
+        }
+        Ok(())
+    }
+}
