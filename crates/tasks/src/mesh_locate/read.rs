@@ -2,13 +2,13 @@
 
 use predicament_corpus::{Context, Elsewhere, Level, Origin, Parts, PointSource, Source};
 use predicament_formats::{
-    Cache, CorpusError, Decimals, Entry, Field, Fields, ImportNotes, MOST_COORDINATES, Places, Position, TableKind,
-    mesh,
+    Cache, CorpusError, Entry, Field, Fields, ImportNotes, MOST_COORDINATES, Places, Position, TableKind,
 };
 use predicament_judge::sign;
 use predicament_mesh::{MaterialError, MaterialMesh, OUTSIDE};
 use predicament_predicates::{Dimension, Question, Scene, Sign, Vertex};
 
+use super::phases::MeshFile;
 use super::probes::{Probing, Surface, with_probes};
 use super::regions::{Pairs, Regions};
 
@@ -115,6 +115,7 @@ fn given(field: &Field<'_, '_>) -> Result<Vec<[f64; 3]>, CorpusError> {
 
 impl Elsewhere for Written {
     fn load(&self, level: Level, cache: &Cache) -> Result<Parts, CorpusError> {
+        let mut own = None;
         let (surface, mut notes) = match &self.mesh {
             Where::Triangles { points, triangles, regions } => {
                 let (points, notes) = self.points("points", points, cache)?;
@@ -129,9 +130,8 @@ impl Elsewhere for Written {
                 (self.tetrahedra(points, tetrahedra)?, notes)
             }
             Where::File { origin, round, regions } => {
-                let decimals = Decimals::new(*round);
-                let (file, bytes) = origin.bytes(cache)?;
-                let read = mesh::read(&file, bytes, &decimals)?;
+                let (file, read, rounded) =
+                    own.insert(MeshFile { origin: origin.clone(), round: *round, cache: cache.clone() }).read()?;
                 // Which face each triangle is of.
                 let faces: Vec<usize> = read
                     .faces
@@ -142,7 +142,7 @@ impl Elsewhere for Written {
                 let place = Place { file: &file, line: None, places: &read.places };
                 let surface = place.surface(read.points, read.triangles, &faces, regions.as_ref(), cache)?;
                 let mut notes = read.notes;
-                notes.rounded += decimals.rounded();
+                notes.rounded += rounded;
                 (surface, notes)
             }
         };
@@ -158,7 +158,7 @@ impl Elsewhere for Written {
             let cure = "choose fewer by `random` and `quick_stride` or `full_stride`";
             return Err(CorpusError::file(&self.file, message, cure).at_line(self.line));
         }
-        Ok(Parts { notes, ..with_probes(surface, &probing, level) })
+        Ok(Parts { notes, ..with_probes(surface, own, &probing, level) })
     }
 
     fn fetch_entry(&self) -> Option<&Entry> {
