@@ -319,7 +319,7 @@ fn phases_are_timed_one_by_one_and_the_report_plots_their_growth() {
         "{section}"
     );
     let growth = read(&pages, "growth.svg");
-    for line in ["1: torus: grid, a triangle", "2: torus: queries, sos, 2 threads, a query"] {
+    for line in ["1: torus: grid, a triangle", "2: torus: queries, sos, a query"] {
         assert!(growth.contains(line), "{growth}");
     }
     assert!(!growth.contains("file: "), "one size grows into nothing");

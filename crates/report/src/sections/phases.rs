@@ -63,7 +63,7 @@ pub fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
         title: "Phases",
         lead: "What the parts of an algorithm take, each by itself: the median of the samples, then the smallest and the largest, and \
                the memory of what the phase makes, for one of what it counts. Phases without a backend ask no predicate. Scenes whose \
-               names differ behind the last dash only, and that differ in size, are a line of the plot."
+               names differ behind the last dash only, and that differ in size, are a line of the plot, which has the times on one thread."
             .to_owned(),
         blocks: plot.into_iter().chain([Block::Table(table)]).collect(),
     }))
@@ -94,7 +94,7 @@ fn series(row: &PhaseRow) -> &str {
     row.scene.rsplit_once('-').map_or(&row.scene, |(stem, _)| stem)
 }
 
-/// Times over sizes, by series of at least two sizes, phase, backend and threads.
+/// Times on one thread over sizes, by series of at least two sizes, phase and backend.
 fn growth(timed: &[Timed<'_>]) -> Vec<(String, Vec<(f64, f64)>)> {
     let of = |row: &'_ PhaseRow| [row.suite.clone(), row.task.clone(), series(row).to_owned()];
     let mut sizes: BTreeMap<_, BTreeSet<u64>> = BTreeMap::new();
@@ -103,13 +103,13 @@ fn growth(timed: &[Timed<'_>]) -> Vec<(String, Vec<(f64, f64)>)> {
     }
     sizes.retain(|_, sizes| sizes.len() > 1);
     let mut lines: Vec<(String, Vec<(f64, f64)>)> = Vec::new();
-    for Timed { first, spread, .. } in timed.iter().filter(|timed| sizes.contains_key(&of(timed.first))) {
+    for Timed { first, spread, .. } in timed {
+        if first.threads > 1 || !sizes.contains_key(&of(first)) {
+            continue;
+        }
         let mut name = format!("{}: {}", series(first), first.phase);
         if !first.backend.is_empty() {
             name += &format!(", {}", first.backend);
-        }
-        if first.threads > 1 {
-            name += &format!(", {} threads", first.threads);
         }
         let name = format!("{name}, a {}", first.unit);
         let point = (approximately(first.size), spread.median);
