@@ -42,6 +42,7 @@ mod interrupt;
 mod judged;
 mod ledger;
 mod peers;
+mod phases;
 mod planning;
 mod precision;
 mod progress;

@@ -22,3 +22,23 @@ impl Fault for Honest {
     const NAME: &'static str = "honest";
     const WHAT: &'static str = "nothing is wrong";
 }
+
+/// A fault of the module's own trait `Planted`: the type and what it is about, its name, what is wrong, and the constant that it sets.
+macro_rules! fault {
+    ($type:ident, $about:literal, $name:literal, $what:literal, $constant:ident) => {
+        #[doc = $about]
+        #[derive(Clone, Copy, Debug)]
+        pub struct $type;
+
+        impl $crate::planted::Fault for $type {
+            const NAME: &'static str = $name;
+            const WHAT: &'static str = $what;
+        }
+
+        impl Planted for $type {
+            const $constant: bool = true;
+        }
+    };
+}
+
+pub(crate) use fault;

@@ -317,6 +317,48 @@ mod tests {
     }
 
     #[test]
+    fn an_open_edge_is_the_first_one_and_its_region_the_lowest() {
+        let error = |vertices, triangles, sides| MaterialMesh::new(vertices, triangles, sides).unwrap_err();
+        // Without its last face: around the edge of 0 and 2 more go one way than the other, or the other way.
+        for mirrored in [false, true] {
+            let mut open = tetrahedron();
+            open.pop();
+            if mirrored {
+                open.iter_mut().for_each(|triangle| triangle.swap(0, 1));
+            }
+            let expected = MaterialError::Open { edge: [v(0), v(2)], region: 0, triangle: 0, triangles: 1 };
+            assert_eq!(error(4, open, vec![[OUTSIDE, 1]; 3]), expected);
+        }
+        // In a tetrahedron, from the same corner on, another one, one face of which is turned over: the edge before is closed, and
+        // its last region is the first of the open one.
+        let around = |corners: [usize; 4]| tetrahedron().into_iter().map(move |of| of.map(|at| v(corners[at.index()])));
+        let mut triangles: Vec<[Vertex; 3]> = around([0, 1, 3, 4]).chain(around([0, 2, 5, 6])).collect();
+        let sides = [vec![[OUTSIDE, 1]; 4], vec![[1, 2]; 4]].concat();
+        triangles[5].swap(0, 1);
+        let expected = MaterialError::Open { edge: [v(0), v(2)], region: 1, triangle: 4, triangles: 2 };
+        assert_eq!(error(7, triangles, sides), expected);
+    }
+
+    #[test]
+    fn the_first_open_edge_is_found_on_any_number_of_threads() {
+        // The one is just before the middle of the vertices, the other right behind it, where a second thread begins.
+        let count = 4_000;
+        let mut triangles = Vec::new();
+        for first in (0..count).map(|at| 4 * at) {
+            triangles.extend(tetrahedron().into_iter().map(|of| of.map(|at| v(first + at.index()))));
+        }
+        for tetrahedron in [count / 2, count / 2 - 1] {
+            triangles.remove(4 * tetrahedron + 3);
+        }
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+        let first = 4 * (count / 2 - 1);
+        for _ in 0..10 {
+            let error = pool.install(|| MaterialMesh::of_closed(4 * count, triangles.clone()).unwrap_err());
+            assert!(matches!(error, MaterialError::Open { edge: [a, _], .. } if a == v(first)), "{error}");
+        }
+    }
+
+    #[test]
     fn tetrahedra_share_their_faces() {
         // Two on the face 0, 1, 2: one above, one below.
         let [below, above] = [[0, 1, 2, 3], [0, 2, 1, 4]].map(|corners| corners.map(v));

@@ -8,7 +8,7 @@ use predicament_predicates::{PredicateKind, Query, Scene};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 
-use crate::{Answer, AnyPlanted, Asked, Case, Contestant, Dispute, Explanation, Outcome, Stop, Task, Watch};
+use crate::{Answer, AnyPlanted, Asked, Case, Contestant, Dispute, Explanation, Outcome, Phase, Stop, Task, Watch};
 
 /// A [`Task`] whose types are hidden. Every task is one.
 pub trait AnyTask: SceneFormat {
@@ -46,6 +46,12 @@ pub trait AnyTask: SceneFormat {
     /// # Errors
     /// That of the file system.
     fn write_answer(&self, loaded: &LoadedScene, answer: &dyn Any, folder: &Path) -> std::io::Result<Vec<PathBuf>>;
+
+    /// [`Task::size`].
+    fn size_of(&self, loaded: &LoadedScene) -> usize;
+
+    /// [`Task::building`].
+    fn building_phases(&self, loaded: &LoadedScene) -> Vec<Phase>;
 
     /// [`Task::planted`].
     fn planted_faults(&self) -> Vec<Box<dyn AnyPlanted>>;
@@ -129,6 +135,14 @@ impl<T: Task> AnyTask for T {
 
     fn write_answer(&self, loaded: &LoadedScene, answer: &dyn Any, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
         self.write(&loaded.scene, content(self, loaded), typed::<T>(answer), folder)
+    }
+
+    fn size_of(&self, loaded: &LoadedScene) -> usize {
+        self.size(content(self, loaded))
+    }
+
+    fn building_phases(&self, loaded: &LoadedScene) -> Vec<Phase> {
+        self.building(&loaded.scene, content(self, loaded))
     }
 
     fn planted_faults(&self) -> Vec<Box<dyn AnyPlanted>> {

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use predicament_corpus::Content;
 use predicament_predicates::{Backend, Counts, Declined, Off, PredicateKind, Predicates, Refused, Scene};
 
-use crate::{Answer, AnyTask, Class, Outcome, Stop, Task, Watch};
+use crate::{Answer, AnyTask, Class, Outcome, Phase, Stop, Task, Watch};
 
 /// What an answer is for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -119,6 +119,11 @@ pub trait Stopwatch {
     /// small scene.
     fn passes(&mut self, count: u32) -> Duration {
         (0..count).map(|_| self.pass()).sum()
+    }
+
+    /// Times the parts of one pass, where the task has them: see [`Task::asking`].
+    fn phases(&mut self) -> Vec<Phase> {
+        Vec::new()
     }
 
     /// A digest of the last pass' answers: see [`Answer::digest`].
@@ -242,6 +247,14 @@ impl<B: Backend + 'static, T: Task> Stopwatch for Passes<'_, B, T> {
                 .sum();
         }
         self.on_one_session(count)
+    }
+
+    fn phases(&mut self) -> Vec<Phase> {
+        let Passes { solver, session, content, pool, .. } = self;
+        let content = solver.content(*content);
+        // A session with a clock of its own has no part of the algorithm on it.
+        let session = session.as_ref().filter(|session| session.own_nanoseconds().is_none());
+        session.map_or_else(Vec::new, |session| pool.install(|| solver.task.asking(session, content)))
     }
 
     fn digest(&self) -> u64 {

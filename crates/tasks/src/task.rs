@@ -7,7 +7,7 @@ use predicament_predicates::{Declined, PredicateKind, Predicates, Query, Scene, 
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 
-use crate::{Asked, Case, Contestant, Dispute, Halt, How, Outcome, Planted, Stop, Watch};
+use crate::{Asked, Case, Contestant, Dispute, Halt, How, Outcome, Phase, Planted, Stop, Watch};
 
 /// An answer to everything that a scene asks. It is reused from pass to pass
 /// where time is measured, so that memory is not.
@@ -126,6 +126,24 @@ pub trait Task: SceneFormat + Sized + 'static {
         answer: &Self::Answer,
         folder: &Path,
     ) -> std::io::Result<Vec<PathBuf>>;
+
+    /// How large a scene is, by which the growth of times is told: the number of queries where it has no better measure.
+    fn size(&self, content: &Self::Content) -> usize {
+        content.count()
+    }
+
+    /// Times the parts of using the algorithm that ask no predicate, one after the other, on all threads of the current
+    /// pool. `bench` has them for all backends at once.
+    fn building(&self, scene: &Scene, content: &Self::Content) -> Vec<Phase> {
+        let _ = (scene, content);
+        Vec::new()
+    }
+
+    /// Times the parts of [`solve`](Task::solve) that ask predicates, one after the other, on all threads of the current pool.
+    fn asking<P: Predicates>(&self, session: &P, content: &Self::Content) -> Vec<Phase> {
+        let _ = (session, content);
+        Vec::new()
+    }
 
     /// Its algorithm with faults planted in it, each of which its judge has to find.
     fn planted(&self) -> Vec<Planted<Self>> {

@@ -5,7 +5,7 @@
 //! `summary.csv`. Then the backends take turns, sample by sample, so that a
 //! noisy machine is noisy for all of them; each timed pass has to give the
 //! answers that were judged, or it is not a measurement. A backend is done when
-//! its median is known well enough.
+//! its median is known well enough. The parts of some algorithms are timed one by one after that: see `phases.rs`.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -17,15 +17,16 @@ use predicament_records::{
     self as records, FindingRow, Plan, PlannedScene, RunDir, RunWriter, Shard, SummaryRow, ThroughputRow,
 };
 use predicament_tasks::contacts::Complexes;
+use predicament_tasks::mesh_locate::ProbedMesh;
 use predicament_tasks::{AnyCase, Contestant, Stop, Stopwatch, Watch};
 
 use crate::contact_tables::{self, Primitives, on_threads};
 use crate::exit::{self, Failure};
 use crate::judged::JudgedRow;
-use crate::planning::{budget, env_of, free_folder, plan, tables};
+use crate::planning::{budget, env_of, free_folder, plan};
 use crate::select::Selector;
 use crate::tool::{Tool, engines};
-use crate::{expectations, interrupt, peers, progress, rows};
+use crate::{expectations, interrupt, peers, phases, progress, rows};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -34,7 +35,8 @@ Examples:
   predicament bench families -f orient2d --samples 21 --precision 0.01
   predicament bench families -b exact,sos,naive         built with `--features peers`, other crates take part
   predicament bench maps -f 10m -b exact,sos,naive      the same with maps, against `geo`
-  predicament bench contact-sizes --level full --samples 3 --threads 8 -b exact,sos,tolerance,tolerance:f32,naive";
+  predicament bench contact-sizes --level full --samples 3 --threads 8 -b exact,sos,tolerance,tolerance:f32,naive
+  predicament bench mesh-sizes --level full --samples 3 --threads 2 -b exact    points in meshes, phase by phase: phases.csv";
 
 /// Time backends against each other on judged answers
 #[derive(clap::Args)]
@@ -61,7 +63,7 @@ pub struct Args {
     #[arg(long, value_name = "RUN")]
     pub judged: Option<PathBuf>,
 
-    /// Time contacts on so many threads too; everything is timed on one
+    /// Time contacts and points in meshes on so many threads too; everything is timed on one
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: Option<u16>,
 
@@ -75,11 +77,15 @@ pub struct Args {
 }
 
 /// One backend at its starting line.
-struct Runner<'a> {
-    name: String,
+pub struct Runner<'a> {
+    /// The backend's name.
+    pub name: String,
     family: String,
     version: String,
-    watch: Box<dyn Stopwatch + 'a>,
+    /// The threads that it uses.
+    pub threads: usize,
+    /// Its passes.
+    pub watch: Box<dyn Stopwatch + 'a>,
     judged: u64,
     queries: u64,
     passes: u32,
@@ -100,7 +106,8 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-bench"));
     let plan =
         Plan { timed: true, engines: engines(&args.backends)?, ..plan(&selection, &scenes, &backends, Shard::WHOLE) };
-    let mut writer = RunWriter::create(&folder, &plan, &env_of(&backends), &tables(tool)).map_err(Failure::usage)?;
+    let mut writer =
+        RunWriter::create(&folder, &plan, &env_of(&backends), &phases::tables(tool)).map_err(Failure::usage)?;
     // A pass over a large scene looks at no flag.
     interrupt::listen_for(Duration::from_secs(3));
     let bar = progress::bar(scenes.len() as u64, "scenes");
@@ -185,6 +192,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
                         name: peer.name,
                         family: scene.family.clone(),
                         version: peer.version,
+                        threads: 1,
                         watch: timed.watch,
                         judged: timed.judged,
                         queries: peer.outcome.queries,
@@ -196,7 +204,9 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         }
         let samples =
             Samples { most: args.samples, least: Duration::from_millis(args.sample_ms), precision: args.precision };
-        if !samples.take(&scene, runners, &mut writer, &mut remarks)? {
+        let is_done = samples.take(&scene, &mut runners, &mut writer, &mut remarks)?
+            && phases::take(&samples, &scene, (&loaded, task), (&mut runners, &threads), &mut writer, &mut remarks)?;
+        if !is_done {
             ended = records::Outcome::Interrupted;
             break;
         }
@@ -253,7 +263,7 @@ impl Judged {
     }
 }
 
-/// Prepares one backend: contacts for each number of threads, all else for one.
+/// Prepares one backend: contacts and meshes with points for each number of threads, all else for one.
 fn start<'a>(
     loaded: &'a LoadedScene,
     backend: &'a dyn Contestant,
@@ -263,7 +273,8 @@ fn start<'a>(
 ) -> Result<Vec<Runner<'a>>, String> {
     let judged = judged.ok_or("there are no judged answers")?;
     let solver = backend.solver(loaded.task).ok_or("the backend was not told of the task")?;
-    let threads = if loaded.content::<Complexes>().is_some() { threads } else { &threads[..1] };
+    let is_parallel = loaded.content::<Complexes>().is_some() || loaded.content::<ProbedMesh>().is_some();
+    let threads = if is_parallel { threads } else { &threads[..1] };
     let runner = |&threads: &usize| {
         Ok(Runner {
             name: backend.name(),
@@ -272,6 +283,7 @@ fn start<'a>(
             watch: caught(|| solver.stopwatch(&loaded.scene, loaded.content.as_ref(), threads))
                 .map_err(|broken| broken.to_string())
                 .flatten()?,
+            threads,
             judged,
             queries: scene.queries,
             passes: 1,
@@ -296,9 +308,12 @@ fn empty<'a>(
     Ok(runners)
 }
 
-struct Samples {
-    most: u64,
-    least: Duration,
+/// How samples are taken.
+pub struct Samples {
+    /// How many, at most.
+    pub most: u64,
+    /// What a sample takes, at least.
+    pub least: Duration,
     precision: f64,
 }
 
@@ -314,7 +329,7 @@ impl Samples {
     fn take(
         &self,
         scene: &PlannedScene,
-        mut runners: Vec<Runner>,
+        runners: &mut Vec<Runner>,
         writer: &mut RunWriter,
         remarks: &mut Vec<String>,
     ) -> Result<bool, Failure> {
@@ -391,7 +406,7 @@ impl Samples {
     }
 
     /// Whether the median is known well enough.
-    fn is_known(&self, samples: &[f64]) -> bool {
+    pub fn is_known(&self, samples: &[f64]) -> bool {
         interval(samples).is_some_and(|[low, high]| high - low <= self.precision * (low + high))
     }
 }

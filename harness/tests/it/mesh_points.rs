@@ -252,3 +252,75 @@ fn findings_are_replayed_and_counted_in_the_report() {
     let row = section.lines().find(|line| line.contains("| ulp | naive:first |")).expect("a row");
     assert!(row.ends_with("| 1 |"), "one is lost: {row}");
 }
+
+#[test]
+fn phases_are_timed_one_by_one_and_the_report_plots_their_growth() {
+    let folder = tempdir().unwrap();
+    write(&folder, "m.off", OFF);
+    let torus = |n: usize| {
+        format!(
+            "[[generate]]\nname = \"torus-{n}\"\nfamily = \"locate-torus\"\ntask = \"mesh-locate\"\nn = {n}\nquick_stride = 0\nrandom = 30\n"
+        )
+    };
+    let read_one = "[[scene]]\nname = \"file\"\ntask = \"mesh-locate\"\nmesh = { path = \"m.off\" }\nrandom = 3\n";
+    let other =
+        "[[scene]]\nname = \"none\"\ntask = \"orient2d\"\npoints = [[0, 0], [1, 0], [0, 1]]\nqueries = [[0, 1, 2]]\n";
+    let suite = format!("title = \"t\"\n{}{}{read_one}{other}", torus(100), torus(400));
+    let suite = write(&folder, "s.toml", &suite);
+    let bench = |name: &str| {
+        let out = at(&folder, name);
+        let more = ["-b", "exact,sos", "--threads", "2", "--samples", "2", "--sample-ms", "0", "--out", &out];
+        expect(0, &[&["bench", &suite][..], &more].concat());
+        out
+    };
+    let (one, two) = (bench("one"), bench("two"));
+    let phases = read(&one, "phases.csv");
+    let of = |name: &str| column(&phases, name);
+    let rows: Vec<[String; 5]> = (0..of("scene").len())
+        .map(|row| ["scene", "phase", "backend", "threads", "sample"].map(|name| of(name)[row].clone()))
+        .collect();
+    let mut expected = Vec::new();
+    for (scene, first) in [("torus-100", 1), ("torus-400", 1), ("file", 0)] {
+        for sample in ["0", "1"] {
+            for (backend, phases) in [
+                ("", &["reading", "checking", "grid"][first..]),
+                ("exact", &["labels", "queries"]),
+                ("sos", &["labels", "queries"]),
+            ] {
+                for threads in ["1", "2"] {
+                    expected
+                        .extend(phases.iter().map(|phase| [scene, phase, backend, threads, sample].map(str::to_owned)));
+                }
+            }
+        }
+    }
+    assert_eq!(rows, expected);
+    for (phase, (unit, bytes)) in of("phase").iter().zip(of("unit").iter().zip(of("bytes"))) {
+        assert_eq!(unit == "query", phase == "queries");
+        assert_eq!(bytes.is_empty(), ["queries", "reading"].contains(&phase.as_str()), "{phase}");
+    }
+    let sizes = of("size").into_iter().zip(of("count")).zip(of("unit")).filter(|(_, unit)| unit == "triangle");
+    assert!(sizes.map(|((size, count), _)| (size == count).then_some(size)).all(|size| size.is_some()));
+    // All of a pass is timed on both numbers of threads as well.
+    let families = column(&read(&one, "throughput.csv"), "family");
+    assert!(
+        ["locate-torus", "locate-torus on 2 threads", "file on 2 threads"]
+            .iter()
+            .all(|name| families.contains(&(*name).to_owned()))
+    );
+    // Timings of two folders stand beside each other.
+    let pages = at(&folder, "pages");
+    expect(0, &["report", &one, &two, "--out", &pages]);
+    let page = read(&pages, "report.md");
+    let section = page.split("\n## Phases\n").nth(1).expect("the section");
+    assert!(
+        section.contains("(growth.svg)")
+            && section.contains("| 2 | mesh-locate | torus-400 (s) | 392 | grid (a triangle) | — | 2 |"),
+        "{section}"
+    );
+    let growth = read(&pages, "growth.svg");
+    for line in ["1: torus: grid, a triangle", "2: torus: queries, sos, a query"] {
+        assert!(growth.contains(line), "{growth}");
+    }
+    assert!(!growth.contains("file: "), "one size grows into nothing");
+}

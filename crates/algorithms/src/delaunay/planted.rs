@@ -1,6 +1,6 @@
 //! Faults planted in Delaunay triangulations. See [`crate::planted`].
 
-use crate::planted::{Fault, Honest};
+use crate::planted::{Fault, Honest, fault};
 
 /// What can be wrong here. A fault sets one of the constants.
 pub trait Planted: Fault {
@@ -19,23 +19,6 @@ pub trait Planted: Fault {
 }
 
 impl Planted for Honest {}
-
-macro_rules! fault {
-    ($type:ident, $about:literal, $name:literal, $what:literal, $constant:ident) => {
-        #[doc = $about]
-        #[derive(Clone, Copy, Debug)]
-        pub struct $type;
-
-        impl Fault for $type {
-            const NAME: &'static str = $name;
-            const WHAT: &'static str = $what;
-        }
-
-        impl Planted for $type {
-            const $constant: bool = true;
-        }
-    };
-}
 
 fault!(
     NeighboursOnly,

@@ -6,7 +6,7 @@ use predicament_grid::two_level::Ray;
 use predicament_predicates::{Predicates, Vertex};
 
 use super::planted::Planted;
-use super::{Location, MeshIndex, Scratch};
+use super::{Labels, Location, MeshIndex, Scratch};
 use crate::planted::Honest;
 
 /// The number of queries between two calls of the progress hook.
@@ -28,6 +28,30 @@ pub fn locate_all<P: Predicates + ?Sized>(
     locate_all_planted::<P, Honest>(index, session, queries, progress)
 }
 
+/// [`locate_all`] with labels that were found before.
+///
+/// # Panics
+/// As [`MeshIndex::locate`], and if the labels are not of this index.
+pub fn locate_labelled<P: Predicates + ?Sized>(
+    index: &MeshIndex,
+    session: &P,
+    labels: &Labels,
+    queries: &[Vertex],
+    progress: &(dyn Fn(usize) -> bool + Sync),
+) -> Vec<Location> {
+    labelled::<P, Honest>(index, session, labels, queries, progress)
+}
+
+fn labelled<P: Predicates + ?Sized, F: Planted>(
+    index: &MeshIndex,
+    session: &P,
+    labels: &Labels,
+    queries: &[Vertex],
+    progress: &(dyn Fn(usize) -> bool + Sync),
+) -> Vec<Location> {
+    gather(queries, progress, |q, scratch| index.planted_locate::<P, F>(session, labels, q, scratch))
+}
+
 /// [`locate_all`] with a planted fault.
 ///
 /// # Panics
@@ -39,7 +63,7 @@ pub fn locate_all_planted<P: Predicates + ?Sized, F: Planted>(
     progress: &(dyn Fn(usize) -> bool + Sync),
 ) -> Vec<Location> {
     let labels = index.planted_labels::<P, F>(session, queries);
-    gather(queries, progress, |q, scratch| index.planted_locate::<P, F>(session, &labels, q, scratch))
+    labelled::<P, F>(index, session, &labels, queries, progress)
 }
 
 /// [`locate_all`] by [`MeshIndex::question`]: every triangle in the way is asked about, so that a session that is

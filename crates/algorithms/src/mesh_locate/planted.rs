@@ -1,6 +1,6 @@
 //! Faults planted in the location of points in meshes. See [`crate::planted`].
 
-use crate::planted::{Fault, Honest};
+use crate::planted::{Fault, Honest, fault};
 
 /// What can be wrong here. A fault sets one of the constants.
 pub trait Planted: Fault {
@@ -14,33 +14,24 @@ pub trait Planted: Fault {
 
 impl Planted for Honest {}
 
-macro_rules! fault {
-    ($type:ident, $name:literal, $what:literal, $constant:ident) => {
-        #[doc = $what]
-        #[derive(Clone, Copy, Debug)]
-        pub struct $type;
-
-        impl Fault for $type {
-            const NAME: &'static str = $name;
-            const WHAT: &'static str = $what;
-        }
-
-        impl Planted for $type {
-            const $constant: bool = true;
-        }
-    };
-}
-
 fault!(
     SkippedTriangle,
+    "A triangle that most cells of the grid do not know.",
     "skipped-triangle",
     "the grid lists a triangle in the cell of one corner only",
     SKIPS_A_TRIANGLE
 );
 fault!(
     MistakenCavity,
+    "A cavity with the label of the outside.",
     "mistaken-cavity",
     "a set of empty cells inside of a region is taken for the outside",
     MISTAKES_A_CAVITY
 );
-fault!(FartherTriangle, "farther-triangle", "of two triangles above a point the farther is taken", TAKES_THE_FARTHER);
+fault!(
+    FartherTriangle,
+    "Rays that end at a triangle behind another.",
+    "farther-triangle",
+    "of two triangles above a point the farther is taken",
+    TAKES_THE_FARTHER
+);

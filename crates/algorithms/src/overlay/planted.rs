@@ -1,6 +1,6 @@
 //! Faults planted in overlays. See [`crate::planted`].
 
-use crate::planted::{Fault, Honest};
+use crate::planted::{Fault, Honest, fault};
 
 /// What can be wrong here. A fault sets one of the constants.
 pub trait Planted: Fault {
@@ -20,44 +20,39 @@ pub trait Planted: Fault {
 
 impl Planted for Honest {}
 
-macro_rules! fault {
-    ($(#[$about:meta])* $type:ident, $name:literal, $what:literal, $constant:ident) => {
-        $(#[$about])*
-        #[derive(Clone, Copy, Debug)]
-        pub struct $type;
-
-        impl Fault for $type {
-            const NAME: &'static str = $name;
-            const WHAT: &'static str = $what;
-        }
-
-        impl Planted for $type {
-            const $constant: bool = true;
-        }
-    };
-}
-
 fault!(
-    /// A broad phase that is strict where it has to be closed.
-    OpenBoxes, "open-boxes", "segments whose boxes only touch are not compared", BOXES_ARE_OPEN
+    OpenBoxes,
+    "A broad phase that is strict where it has to be closed.",
+    "open-boxes",
+    "segments whose boxes only touch are not compared",
+    BOXES_ARE_OPEN
 );
 fault!(
-    /// Touching vertices that divide nothing.
-    ForgottenTouches, "forgotten-touches", "a vertex on another segment does not divide it", FORGETS_TOUCHES
+    ForgottenTouches,
+    "Touching vertices that divide nothing.",
+    "forgotten-touches",
+    "a vertex on another segment does not divide it",
+    FORGETS_TOUCHES
 );
 fault!(
-    /// Chains in the order of ids.
-    UnsortedChains, "unsorted-chains", "the vertices on a segment are in the order of their ids", LEAVES_UNSORTED
+    UnsortedChains,
+    "Chains in the order of ids.",
+    "unsorted-chains",
+    "the vertices on a segment are in the order of their ids",
+    LEAVES_UNSORTED
 );
 fault!(
-    /// Winding numbers that do not count.
-    SingleCounts, "single-counts", "edges that several input edges pass are counted once", COUNTS_ONCE
+    SingleCounts,
+    "Winding numbers that do not count.",
+    "single-counts",
+    "edges that several input edges pass are counted once",
+    COUNTS_ONCE
 );
 fault!(
-    /// Components that are not in the faces around them.
-    OutsideNests, "outside-nests", "components in a face of another are taken to be outside", NESTS_OUTSIDE
+    OutsideNests,
+    "Components that are not in the faces around them.",
+    "outside-nests",
+    "components in a face of another are taken to be outside",
+    NESTS_OUTSIDE
 );
-fault!(
-    /// Results without holes.
-    DroppedHoles, "dropped-holes", "the holes of results are left out", DROPS_HOLES
-);
+fault!(DroppedHoles, "Results without holes.", "dropped-holes", "the holes of results are left out", DROPS_HOLES);

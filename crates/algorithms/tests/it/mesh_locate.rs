@@ -241,6 +241,47 @@ fn faces_at_one_place_are_passed_together() {
     }
 }
 
+/// In line with a triangle without area, and in its plane, is every point of its line: only those of its box are on it. Along each axis,
+/// upright and slanted.
+#[test]
+fn a_triangle_without_area_has_the_points_between_its_corners_only() {
+    // A tetrahedron; between two of its faces, at an edge from corner 0 to corner 3, a triangle with the edge's middle.
+    let triangles = [[0, 2, 1], [0, 1, 4], [4, 1, 3], [1, 2, 3], [2, 0, 3], [0, 4, 3]];
+    let upright = [[0., 0., 0.], [8., 0., 0.], [0., 8., 0.], [0., 0., 8.], [0., 0., 4.]];
+    let slanted = [[0., 0., 0.], [8., 0., 0.], [0., 8., 0.], [-4., -2., 8.], [-2., -1., 4.]];
+    let steps = [-4., -2., -1., 0., 2., 4., 6., 8., 12.];
+    let mut found = BTreeSet::new();
+    for corners in [upright, slanted] {
+        let [x, y, z] = corners[4];
+        let line = steps.map(|step| [x / 4. * step, y / 4. * step, z / 4. * step]);
+        // Beside the line, but in the box, and over and under the line as seen along some axis.
+        let beside = line.map(|[x, y, z]| [[x, y, z - 1.], [x - 0.25, y, z], [x, y - 0.25, z], [x, y, z + 0.5]]);
+        let queries = [&line[..], beside.as_flattened()].concat();
+        for turn in 0..3 {
+            let turned = |points: &[[f64; 3]]| -> Vec<[f64; 3]> {
+                points.iter().map(|p| [0, 1, 2].map(|axis: usize| p[(axis + turn) % 3])).collect()
+            };
+            let scene = Scene::from_points3(&turned(&[&corners[..], &queries].concat())).unwrap();
+            let triangles = triangles.map(|corners| corners.map(Vertex::input)).to_vec();
+            let index = MeshIndex::new(MaterialMesh::of_closed(5, triangles).unwrap(), &scene);
+            let judge = Materials::new(&scene, index.mesh().triangles(), index.mesh().sides());
+            let vertices: Vec<Vertex> = (5..scene.len()).map(Vertex::input).collect();
+            for session in [&Exact.prepare(&scene, Off).unwrap() as &dyn Predicates, &Judged::exact(&scene)] {
+                for (&q, answer) in vertices.iter().zip(all_ways(&index, session, &vertices)) {
+                    let truth = match judge.locate(q) {
+                        Place::In(region) => Location::In(region),
+                        Place::On(triangles) => Location::On(triangles[0]),
+                        Place::Windings(windings) => panic!("{windings:?}"),
+                    };
+                    assert_eq!(answer, truth, "{:?}", scene.point3(q));
+                    found.insert(answer);
+                }
+            }
+        }
+    }
+    assert!(found.contains(&Location::In(0)) && found.contains(&Location::In(1)) && found.len() > 4, "{found:?}");
+}
+
 #[test]
 fn a_surface_that_crosses_itself_is_told_as_a_contradiction_by_sums() {
     // Two boxes that overlap, both region 1.

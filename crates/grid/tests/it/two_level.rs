@@ -126,24 +126,83 @@ proptest! {
     }
 }
 
-/// Cells that list nothing, by flooding all fine steps of a lattice.
+/// Numbers as good as random.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, n: u32) -> u32 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        u32::try_from((self.0 >> 33) % u64::from(n)).unwrap()
+    }
+}
+
+/// Asserts that the regions of cells that list nothing are those of a flood through all fine steps of a lattice, each a unit. The
+/// first and the last of them are solid.
+fn flood_agrees(sides: [u32; 3], solid: &BTreeSet<[u32; 3]>, sizes: Sizes) {
+    let what = format!("{sizes:?} over {solid:?}");
+    // In the middle of their cells, so that each is in one; two corners span the whole.
+    let mut boxes: Vec<Box3> = solid
+        .iter()
+        .map(|at| Bounds { low: at.map(|x| f64::from(x) + 0.25), high: at.map(|x| f64::from(x) + 0.75) })
+        .collect();
+    boxes.push(Bounds { low: [0.0; 3], high: [0.5; 3] });
+    boxes.push(Bounds { low: sides.map(|side| f64::from(side) - 0.5), high: sides.map(f64::from) });
+    let grid = TwoLevel::new(&boxes, sizes);
+    let regions = grid.empty_regions();
+    let mut flood: BTreeMap<[u32; 3], usize> = BTreeMap::new();
+    let mut count = 0;
+    let [_, ny, nz] = sides;
+    for start in (0..sides.iter().product()).map(|n: u32| [n / nz / ny, n / nz % ny, n % nz]) {
+        if solid.contains(&start) || flood.contains_key(&start) {
+            continue;
+        }
+        let mut open = vec![start];
+        flood.insert(start, count);
+        while let Some(at) = open.pop() {
+            for axis in 0..3 {
+                for step in [at[axis].checked_sub(1), Some(at[axis] + 1).filter(|&x| x < sides[axis])] {
+                    let Some(x) = step else { continue };
+                    let mut next = at;
+                    next[axis] = x;
+                    if !solid.contains(&next) && flood.insert(next, count).is_none() {
+                        open.push(next);
+                    }
+                }
+            }
+        }
+        count += 1;
+    }
+    // A coarse cell with something in it is refined, so all empty steps are empty cells or in them.
+    let mut of_flood: BTreeMap<usize, usize> = BTreeMap::new();
+    for (at, flooded) in &flood {
+        let found = regions.of(grid.at(at.map(|x| f64::from(x) + 0.5)));
+        let found = found.unwrap_or_else(|| panic!("{at:?} is empty: {what}"));
+        assert_eq!(*of_flood.entry(*flooded).or_insert(found), found, "{what}");
+    }
+    assert_eq!(of_flood.values().collect::<BTreeSet<_>>().len(), count, "{what}");
+    assert_eq!(regions.len(), count, "{what}");
+    let is_at_border = |at: &[u32; 3]| (0..3).any(|axis| at[axis] == 0 || at[axis] == sides[axis] - 1);
+    let open: BTreeSet<usize> = flood.keys().filter(|at| is_at_border(at)).map(|at| of_flood[&flood[at]]).collect();
+    assert!((0..count).all(|region| regions.is_open(region) == open.contains(&region)), "{what}");
+    let named: Vec<_> = regions.first().iter().map(|&slot| regions.of(slot)).collect();
+    assert_eq!(named, (0..count).map(Some).collect::<Vec<_>>(), "a cell of each");
+    assert!(regions.first().is_sorted());
+    assert!(solid.iter().all(|at| regions.of(grid.at(at.map(|x| f64::from(x) + 0.5))).is_none()));
+}
+
 #[test]
 fn empty_regions_are_those_that_a_flood_finds() {
     // Points of 12 × 12 × 12 fine cells of a unit each; walls of unit boxes with gaps.
-    let mut state = 1_u64;
-    let mut below = |n: u64| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 33) % n
-    };
-    for round in 0..60 {
-        let side = 12_u32;
+    let mut random = Random(1);
+    for _ in 0..60 {
+        let side = 12;
         let mut solid: BTreeSet<[u32; 3]> = [[0; 3], [side - 1; 3]].into();
-        let axis = usize::try_from(below(3)).unwrap();
-        let wall = u32::try_from(below(10)).unwrap() + 1;
-        let holes = below(3);
+        let axis = random.below(3) as usize;
+        let wall = random.below(10) + 1;
+        let holes = random.below(3);
         for i in 0..side {
             for j in 0..side {
-                if below(144) >= holes {
+                if random.below(144) >= holes {
                     let mut at = [i; 3];
                     at[axis] = wall;
                     at[(axis + 1) % 3] = i;
@@ -152,61 +211,31 @@ fn empty_regions_are_those_that_a_flood_finds() {
                 }
             }
         }
-        for _ in 0..below(200) {
-            solid.insert([(); 3].map(|()| u32::try_from(below(12)).unwrap()));
+        for _ in 0..random.below(200) {
+            solid.insert([(); 3].map(|()| random.below(12)));
         }
-        // In the middle of their cells, so that each is in one; two corners span the whole.
-        let mut boxes: Vec<Box3> = solid
-            .iter()
-            .map(|at| Bounds { low: at.map(|x| f64::from(x) + 0.25), high: at.map(|x| f64::from(x) + 0.75) })
-            .collect();
-        boxes.push(Bounds { low: [0.0; 3], high: [0.5; 3] });
-        boxes.push(Bounds { low: [11.5; 3], high: [12.0; 3] });
         // As many fine cells, in coarse ones of several sizes.
-        for (coarse, fine, full) in [([6; 3], 2, 0), ([12; 3], 1, 0), ([3; 3], 4, 0), ([3; 3], 3, 0)] {
-            let grid = TwoLevel::new(&boxes, Sizes { coarse, fine, full });
-            let regions = grid.empty_regions();
-            let mut flood: BTreeMap<[u32; 3], usize> = BTreeMap::new();
-            let mut count = 0;
-            for start in (0..side.pow(3)).map(|n| [n / 144, n / 12 % 12, n % 12]) {
-                if solid.contains(&start) || flood.contains_key(&start) {
-                    continue;
-                }
-                let mut open = vec![start];
-                flood.insert(start, count);
-                while let Some(at) = open.pop() {
-                    for axis in 0..3 {
-                        for step in [at[axis].checked_sub(1), Some(at[axis] + 1).filter(|&x| x < side)] {
-                            let Some(x) = step else { continue };
-                            let mut next = at;
-                            next[axis] = x;
-                            if !solid.contains(&next) && flood.insert(next, count).is_none() {
-                                open.push(next);
-                            }
-                        }
-                    }
-                }
-                count += 1;
-            }
-            // A coarse cell with something in it is refined, so all empty steps are empty cells or in them.
-            let mut of_flood: BTreeMap<usize, usize> = BTreeMap::new();
-            for (at, flooded) in &flood {
-                let found = regions.of(grid.at(at.map(|x| f64::from(x) + 0.5)));
-                let found = found.unwrap_or_else(|| panic!("round {round}: {at:?} is empty"));
-                assert_eq!(*of_flood.entry(*flooded).or_insert(found), found, "round {round}, fine {fine}");
-            }
-            assert_eq!(of_flood.values().collect::<BTreeSet<_>>().len(), count, "round {round}, fine {fine}");
-            assert_eq!(regions.len(), count, "round {round}, fine {fine}");
-            let open: BTreeSet<usize> = flood
-                .keys()
-                .filter(|at| at.iter().any(|&x| x == 0 || x == side - 1))
-                .map(|at| of_flood[&flood[at]])
-                .collect();
-            assert!((0..count).all(|region| regions.is_open(region) == open.contains(&region)), "round {round}");
-            let named: Vec<_> = regions.first().iter().map(|&slot| regions.of(slot)).collect();
-            assert_eq!(named, (0..count).map(Some).collect::<Vec<_>>(), "a cell of each");
-            assert!(regions.first().is_sorted());
-            assert!(solid.iter().all(|at| regions.of(grid.at(at.map(|x| f64::from(x) + 0.5))).is_none()));
+        for (coarse, fine) in [([6; 3], 2), ([12; 3], 1), ([3; 3], 4), ([3; 3], 3)] {
+            flood_agrees([side; 3], &solid, Sizes { coarse, fine, full: 0 });
+        }
+    }
+}
+
+/// Slabs of eight coarse cells are joined apart, then with each other: across one seam or several, between coarse cells,
+/// fine ones, and the one and the other.
+#[test]
+fn empty_regions_lead_across_the_seams_of_slabs() {
+    let mut random = Random(2);
+    for round in 0..30 {
+        let sides = [34, 6, 6];
+        let mut solid: BTreeSet<[u32; 3]> = [[0; 3], [33, 5, 5]].into();
+        // From long ways to many pockets, some of which are at one border only.
+        for _ in 0..[100, 500, 1000][round % 3] {
+            solid.insert(sides.map(|side| random.below(side)));
+        }
+        // Of 17 coarse cells the last is a slab of its own.
+        for (coarse, fine) in [([17, 3, 3], 2), ([34, 6, 6], 1)] {
+            flood_agrees(sides, &solid, Sizes { coarse, fine, full: 0 });
         }
     }
 }

@@ -50,7 +50,7 @@ fn along([a, b, c]: &[Space; 3], q: &Space, weight: &Integer, direction: &Space)
     let (ab, ac) = (less(b, a), less(c, a));
     let normal = cross(&ab, &ac);
     let determinant = dot(direction, &normal);
-    let aq = [0, 1, 2].map(|i: usize| Integer::from(&q[i] - Integer::from(&a[i] * weight)));
+    let aq = [0, 1, 2].map(|i: usize| &q[i] - Integer::from(&a[i] * weight));
     let height = dot(&aq, &normal);
     if determinant.is_zero() {
         // Parallel to the ray: it is missed, unless the point is in its plane.

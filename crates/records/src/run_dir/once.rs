@@ -11,7 +11,7 @@ use csv::StringRecord;
 
 use super::csv_file::Text;
 use super::{Outcome, RunDir};
-use crate::{Error, PrecisionRow, Row, StageRow, SummaryRow};
+use crate::{Error, PhaseRow, PrecisionRow, Row, StageRow, SummaryRow};
 
 /// Suite, scene, id, task, backend.
 pub(super) type Pair = [String; 5];
@@ -187,10 +187,10 @@ fn drop_stages(
     left
 }
 
-/// Drops rows of the tables of tasks that an earlier folder has. A table that names no scene stays as it is.
+/// Drops rows of the tables of tasks that an earlier folder has. A table that names no scene stays as it is, and so do timings.
 fn drop_of_tasks(run: &mut RunDir, earlier: &[RunDir]) -> Result<(), Error> {
     let mut tables = std::mem::take(&mut run.tables);
-    for (file, table) in &mut tables {
+    for (file, table) in tables.iter_mut().filter(|(file, _)| *file != PhaseRow::FILE) {
         for before in earlier {
             let Some(first) = before.tables.get(file) else { continue };
             let (rows, own) = (by_key(first), by_key(table));

@@ -5,8 +5,8 @@ use std::io::Write;
 use std::path::Path;
 
 use predicament_records::{
-    Class, Env, FORMAT, FindingRow, Level, Outcome, Plan, PlannedScene, PrecisionRow, Record, Row, RunDir, RunWriter,
-    Shard, StageRow, Status, SummaryRow, TableSpec, ThroughputRow,
+    Class, Env, FORMAT, FindingRow, Level, Outcome, PhaseRow, Plan, PlannedScene, PrecisionRow, Record, Row, RunDir,
+    RunWriter, Shard, StageRow, Status, SummaryRow, TableSpec, ThroughputRow,
 };
 use serde::{Deserialize, Serialize};
 
@@ -119,6 +119,24 @@ fn stage() -> StageRow {
     }
 }
 
+fn phase() -> PhaseRow {
+    PhaseRow {
+        suite: "sizes".to_owned(),
+        scene: "torus-1e3".to_owned(),
+        scene_id: "0123abcd".to_owned(),
+        task: "mesh-locate".to_owned(),
+        size: 1000,
+        backend: String::new(),
+        threads: 2,
+        phase: "grid".to_owned(),
+        unit: "triangle".to_owned(),
+        count: 1000,
+        bytes: None,
+        sample: 0,
+        ns_per_unit: 0.1,
+    }
+}
+
 fn pair() -> PairRow {
     PairRow { scene: "a, \"b\"\nc".to_owned(), backend: "sos".to_owned(), ended: 5, asked: Some(7) }
 }
@@ -205,11 +223,20 @@ fn columns_are_the_fields_in_their_order() {
     assert_eq!(header(&throughput()), ThroughputRow::COLUMNS);
     assert_eq!(header(&stage()), StageRow::COLUMNS);
     assert_eq!(header(&precision()), PrecisionRow::COLUMNS);
+    assert_eq!(header(&phase()), PhaseRow::COLUMNS);
     // The class columns hold the counts of their classes.
     let row = serde_json::to_value(summary("")).unwrap();
     for class in Class::ALL {
         assert_eq!(row[class.name()], summary("").count(class), "{class}");
     }
+}
+
+#[test]
+fn phases_have_units_threads_and_times() {
+    assert_eq!(phase().check(), Ok(()));
+    assert!(PhaseRow { count: 0, ..phase() }.check().is_err());
+    assert!(PhaseRow { threads: 0, ..phase() }.check().is_err());
+    assert!([0.0, -1.0, f64::NAN].iter().all(|&ns_per_unit| PhaseRow { ns_per_unit, ..phase() }.check().is_err()));
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! One quantity over another, on logarithmic axes, a line for each of several.
 
+use std::ops::Range;
+
 use plotters::prelude::*;
 
 use super::{COLOURS, Decades, Drawn, INK, failed, page, power_of_ten, quiet, small};
@@ -45,7 +47,8 @@ pub fn curves(curves: &Curves) -> Result<Option<String>, Error> {
     };
     let (x, y) = (span(&mut points().map(|p| p.0)), span(&mut points().map(|p| p.1)));
     let mut svg = String::new();
-    draw(&mut svg, curves, (Decades(x), Decades(y))).map_err(failed)?;
+    let corner = free_corner(curves, [&x, &y]);
+    draw(&mut svg, curves, (Decades(x), Decades(y)), corner).map_err(failed)?;
     Ok(Some(page(&svg)))
 }
 
@@ -54,7 +57,32 @@ fn logarithms(&(x, y): &(f64, f64)) -> Option<(f64, f64)> {
     (point.0.is_finite() && point.1.is_finite()).then_some(point)
 }
 
-fn draw(svg: &mut String, curves: &Curves, (x, y): (Decades, Decades)) -> Drawn {
+/// The corner that the lines pass the least, for their names.
+fn free_corner(curves: &Curves, [x, y]: [&Range<f64>; 2]) -> SeriesLabelPosition {
+    const STEPS: u32 = 16;
+    // For each corner, the parts of lines in the quarter of the picture there.
+    let mut passed = [0_u32; 4];
+    let place = |range: &Range<f64>, at: f64| usize::from(at > f64::midpoint(range.start, range.end));
+    for curve in &curves.curves {
+        let points: Vec<(f64, f64)> = curve.points.iter().filter_map(logarithms).collect();
+        for pair in points.windows(2) {
+            for step in 0..=STEPS {
+                let part = f64::from(step) / f64::from(STEPS);
+                let between = |a: f64, b: f64| a + part * (b - a);
+                passed[2 * place(y, between(pair[0].1, pair[1].1)) + place(x, between(pair[0].0, pair[1].0))] += 1;
+            }
+        }
+    }
+    let corners = [
+        (passed[3], SeriesLabelPosition::UpperRight),
+        (passed[1], SeriesLabelPosition::LowerRight),
+        (passed[2], SeriesLabelPosition::UpperLeft),
+        (passed[0], SeriesLabelPosition::LowerLeft),
+    ];
+    corners.into_iter().min_by_key(|(passed, _)| *passed).map_or(SeriesLabelPosition::UpperRight, |(_, corner)| corner)
+}
+
+fn draw(svg: &mut String, curves: &Curves, (x, y): (Decades, Decades), corner: SeriesLabelPosition) -> Drawn {
     let root = SVGBackend::with_string(svg, SIZE).into_drawing_area();
     let mut chart =
         ChartBuilder::on(&root).margin(14).x_label_area_size(40).y_label_area_size(60).build_cartesian_2d(x, y)?;
@@ -72,13 +100,31 @@ fn draw(svg: &mut String, curves: &Curves, (x, y): (Decades, Decades)) -> Drawn 
             .label(&curve.name)
             .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], colour.stroke_width(2)));
     }
-    chart.configure_series_labels().label_font(small(FONT)).border_style(INK.mix(0.2)).draw()?;
+    chart.configure_series_labels().position(corner).label_font(small(FONT)).border_style(INK.mix(0.2)).draw()?;
     root.present()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_stand_where_no_line_is() {
+        let line = |points: &[(f64, f64)]| Curves {
+            x: "n".into(),
+            y: "ns".into(),
+            curves: vec![Curve { name: "one".into(), points: points.to_vec() }],
+        };
+        let place = |points: &[(f64, f64)]| {
+            let svg = curves(&line(points)).unwrap().unwrap();
+            let name = svg.split("<text ").find(|text| text.contains("\none\n")).expect("its name");
+            let at = |key: &str| name.split(key).nth(1).unwrap().split('"').nth(1).unwrap().parse::<u32>().unwrap();
+            [at("x=") > SIZE.0 / 2, at("y=") > SIZE.1 / 2]
+        };
+        assert_eq!(place(&[(1.0, 2.0), (1e4, 3.0)]), [true, false], "the line is low");
+        assert_eq!(place(&[(1.0, 2.0), (10.0, 90.0), (1e4, 99.0)]), [true, true], "it is high");
+        assert_eq!(place(&[(1e3, 1.0), (1e3, 99.0), (1.0, 1.0)]), [false, false], "it is on the right");
+    }
 
     #[test]
     fn lines_are_named_and_what_has_no_logarithm_is_left_out() {

@@ -7,6 +7,7 @@ mod headlines;
 mod invariants;
 mod maps;
 mod not_run;
+mod phases;
 mod precision;
 mod run;
 mod speed;
@@ -24,13 +25,9 @@ use crate::{Error, RunDir};
 pub fn sections(runs: &[RunDir], of_tasks: &[Section]) -> Result<Vec<Section>, Error> {
     let mut sections = vec![glance::section(runs), run::section(runs), counts::section(runs), findings::section(runs)];
     sections.extend(invariants::section(runs));
-    sections.extend([
-        speed::section(runs)?,
-        throughput::section(runs),
-        precision::section(runs),
-        stages::section(runs),
-        ties::section(runs)?,
-    ]);
+    sections.extend([speed::section(runs)?, throughput::section(runs)]);
+    sections.extend(phases::section(runs)?);
+    sections.extend([precision::section(runs), stages::section(runs), ties::section(runs)?]);
     sections.extend_from_slice(of_tasks);
     sections.push(not_run::section(runs)?);
     sections.extend(maps::section(runs));

@@ -3,7 +3,7 @@
 
 use crate::common::{self, Random, ask_antisymmetric, grid_scene, questions};
 use predicament_exact::Exact;
-use predicament_predicates::{Axis, Backend, Construction, Off, Plane, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Backend, Construction, Counts, Off, Plane, Question, Scene, Sign, Vertex};
 use predicament_sos::{PerMesh, infinitesimal::judge_per_mesh};
 
 fn scene(random: &mut Random, dimension: usize, points: usize) -> Scene {
@@ -129,6 +129,45 @@ fn lines_and_planes_of_one_mesh_move_as_one() {
         }
     }
     assert!(ties > 200 && zeros > 50, "{ties} {zeros}");
+}
+
+/// The first derivative that is not zero decides: that by x, y or z.
+#[test]
+fn ties_are_counted_by_the_power_that_decides() {
+    // Three points of each coordinate plane, with the origin, and a point of the other mesh on all three planes.
+    let points = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 0., 1.], [2., 0., 0.], [0., 2., 0.], [0., 0., 2.]];
+    let v = Vertex::input;
+    let scene = Scene::from_points3(&points).unwrap().with_second_mesh([4, 5, 6].map(v));
+    let power = |question: Question, args: &[usize]| {
+        let counts = Counts::new();
+        let session = PerMesh.prepare(&scene, &counts).unwrap();
+        assert!(!question.ask(&session, &args.iter().map(|&at| v(at)).collect::<Vec<_>>()).is_zero());
+        let stage = (0..PerMesh.stages().len()).find(|&stage| counts.get(question.kind(), stage) > 0).unwrap();
+        PerMesh.stages()[stage]
+    };
+    let powers = ["power 1", "power 2", "power 3"];
+    for (axis, expected) in [Axis::X, Axis::Y, Axis::Z].into_iter().zip(powers) {
+        // The origin and a point on another axis than this.
+        let other = 4 + (axis.index() + 1) % 3;
+        assert_eq!(power(Question::Compare(axis), &[0, other]), expected);
+        assert_eq!(power(Question::Compare(axis), &[other, 0]), expected);
+    }
+    // On the line along an axis a move along the other axis of the plane decides.
+    for (plane, along, expected) in [
+        (Plane::Xy, 0, powers[1]),
+        (Plane::Xy, 1, powers[0]),
+        (Plane::Yz, 1, powers[2]),
+        (Plane::Yz, 2, powers[1]),
+        (Plane::Zx, 0, powers[2]),
+        (Plane::Zx, 2, powers[0]),
+    ] {
+        assert_eq!(power(Question::Orient2d(plane), &[0, 1 + along, 4 + along]), expected, "{plane:?}, {along}");
+    }
+    // In a plane across an axis a move along that axis.
+    for (across, expected) in powers.into_iter().enumerate() {
+        let [one, other] = [(across + 1) % 3, (across + 2) % 3];
+        assert_eq!(power(Question::Orient3d, &[0, 1 + one, 1 + other, 4 + one]), expected);
+    }
 }
 
 #[test]

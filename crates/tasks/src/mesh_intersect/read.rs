@@ -8,13 +8,13 @@ use predicament_predicates::Plane::{Xy, Yz, Zx};
 use predicament_predicates::{Dimension, Question, Scene, Vertex};
 
 use super::content::with_meshes;
-use crate::mesh_locate::read::{MeshFile, Place, Simplices, simplices};
+use crate::mesh_locate::read::{MeshSource, Place, Simplices, simplices};
 use crate::mesh_locate::regions::Regions;
 
 /// One of the two meshes.
 enum Operand {
     Triangles { triangles: Simplices<3>, regions: Option<Regions> },
-    File(MeshFile),
+    File(MeshSource),
 }
 
 struct Written {
@@ -31,7 +31,7 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
         let field = fields.required(key)?;
         let regions = fields.get(regions).map(|field| Regions::read(context, &field)).transpose()?;
         if field.is_table() {
-            return MeshFile::read(context, &field, regions).map(Operand::File);
+            return MeshSource::read(context, &field, regions).map(Operand::File);
         }
         Ok(Operand::Triangles { triangles: simplices(&field, "a triangle")?, regions })
     };

@@ -7,6 +7,8 @@ use predicament_corpus::{Canon, Content};
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Scene, Vertex};
 
+use super::phases::MeshFile;
+
 /// A mesh with points to locate in it.
 ///
 /// Every probe is a vertex of its own, even where its coordinates are those of a vertex of the mesh. The probes are numbered in
@@ -20,6 +22,8 @@ pub struct ProbedMesh {
     pub tetrahedra: Vec<[Vertex; 4]>,
     /// What to locate.
     pub probes: Vec<Probe>,
+    /// Where the mesh was read, if it was.
+    file: Option<MeshFile>,
     index: OnceLock<MeshIndex>,
 }
 
@@ -27,7 +31,18 @@ impl ProbedMesh {
     /// A mesh and its probes.
     #[must_use]
     pub fn new(mesh: MaterialMesh, tetrahedra: Vec<[Vertex; 4]>, probes: Vec<Probe>) -> ProbedMesh {
-        ProbedMesh { mesh: Arc::new(mesh), tetrahedra, probes, index: OnceLock::new() }
+        ProbedMesh { mesh: Arc::new(mesh), tetrahedra, probes, file: None, index: OnceLock::new() }
+    }
+
+    /// The same, of a mesh that was read in this file.
+    #[must_use]
+    pub(super) fn of_file(self, file: Option<MeshFile>) -> ProbedMesh {
+        ProbedMesh { file, ..self }
+    }
+
+    /// The file that the mesh was read in.
+    pub(super) fn file(&self) -> Option<&MeshFile> {
+        self.file.as_ref()
     }
 
     /// The mesh with its grid. Built once: it asks no predicate, so all backends share it.

@@ -43,8 +43,9 @@ fn recipe(fields: &Fields<'_, '_>, shape: fn(usize, Changes, &mut Random) -> Sur
     let probing = Probing::read(fields)?;
     let changes = Changes { tilt: fields.bool_or("tilt", false)?, jitter: fields.bool_or("jitter", false)? };
     let probes = probing.clone();
-    let make =
-        move |making: &Making| with_probes(shape(making.n, changes, &mut making.random()), &probing, making.level);
+    let make = move |making: &Making| {
+        with_probes(shape(making.n, changes, &mut making.random()), None, &probing, making.level)
+    };
     // At most as many vertices as triangles; a few are made even for the smallest n.
     Ok(Recipe::new(make).with_coordinates(move |n| 3 * (n + 100 + probes.count(n + 100))))
 }

@@ -6,6 +6,7 @@
 mod content;
 pub(crate) mod generate;
 mod judge;
+mod phases;
 pub(crate) mod probes;
 pub(crate) mod read;
 pub(crate) mod regions;
@@ -32,8 +33,8 @@ pub use judge::Truth;
 pub use section::MeshLocateRow;
 
 use crate::{
-    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Purpose, Stop, Task,
-    Watch, digest,
+    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Phase, Planted, Purpose, Stop,
+    Task, Watch, digest,
 };
 
 /// The checks that have to find a triangle missing in the grid.
@@ -162,6 +163,18 @@ impl Task for MeshLocate {
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
         judge::judge(case, asked, &answer.0, outcome)
+    }
+
+    fn size(&self, content: &ProbedMesh) -> usize {
+        content.mesh.triangles().len()
+    }
+
+    fn building(&self, scene: &Scene, content: &ProbedMesh) -> Vec<Phase> {
+        phases::building(scene, content)
+    }
+
+    fn asking<P: Predicates>(&self, session: &P, content: &ProbedMesh) -> Vec<Phase> {
+        phases::asking(session, content)
     }
 
     fn planted(&self) -> Vec<Planted<MeshLocate>> {

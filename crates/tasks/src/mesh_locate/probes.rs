@@ -9,6 +9,7 @@ use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Dimension, Scene, Vertex};
 
 use super::content::{Probe, ProbeKind, ProbedMesh};
+use super::phases::MeshFile;
 
 const MOST_RANDOM: u64 = 100_000_000;
 const MOST_STRIDE: u64 = 1_000_000;
@@ -67,8 +68,8 @@ impl Probing {
     }
 }
 
-/// The scene of a mesh: the probes in even places (the first is in place 0), the mesh's vertices, the probes in odd places.
-pub(super) fn with_probes(surface: Surface, probing: &Probing, level: Level) -> Parts {
+/// The scene of a mesh, perhaps of a file: the probes in even places (the first is in place 0), the mesh's vertices, the probes in odd places.
+pub(super) fn with_probes(surface: Surface, file: Option<MeshFile>, probing: &Probing, level: Level) -> Parts {
     let Surface { points, mesh, tetrahedra } = surface;
     let mut places: Vec<([f64; 3], ProbeKind)> = probing.given.iter().map(|&point| (point, ProbeKind::Given)).collect();
     let mut rng = Random::new("probes", "mesh-locate", probing.seed);
@@ -90,7 +91,7 @@ pub(super) fn with_probes(surface: Surface, probing: &Probing, level: Level) -> 
     let leading = places.len().div_ceil(2);
     let shifted = |v: Vertex| Vertex::input(v.index() + leading);
     let tetrahedra = tetrahedra.into_iter().map(|corners| corners.map(shifted)).collect();
-    Parts::new(scene, ProbedMesh::new(mesh.shifted(leading), tetrahedra, probes))
+    Parts::new(scene, ProbedMesh::new(mesh.shifted(leading), tetrahedra, probes).of_file(file))
 }
 
 /// Probes at every n-th vertex, edge and triangle.

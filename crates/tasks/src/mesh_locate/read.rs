@@ -2,13 +2,13 @@
 
 use predicament_corpus::{Context, Elsewhere, Level, Origin, Parts, PointSource, Source};
 use predicament_formats::{
-    Cache, CorpusError, Decimals, Entry, Field, Fields, ImportNotes, MOST_COORDINATES, Places, Position, TableKind,
-    mesh,
+    Cache, CorpusError, Entry, Field, Fields, ImportNotes, MOST_COORDINATES, Places, Position, TableKind,
 };
 use predicament_judge::sign;
 use predicament_mesh::{MaterialError, MaterialMesh, OUTSIDE};
 use predicament_predicates::{Dimension, Question, Scene, Sign, Vertex};
 
+use super::phases::MeshFile;
 use super::probes::{Probing, Surface, with_probes};
 use super::regions::{Pairs, Regions};
 
@@ -20,11 +20,11 @@ pub(crate) type Simplices<const N: usize> = Vec<(usize, [Vertex; N])>;
 enum Where {
     Triangles { points: PointSource, triangles: Simplices<3>, regions: Option<Regions> },
     Tetrahedra { points: PointSource, tetrahedra: Simplices<4> },
-    File(MeshFile),
+    File(MeshSource),
 }
 
 /// A mesh in a file, and perhaps its regions in another one.
-pub(crate) struct MeshFile {
+pub(crate) struct MeshSource {
     pub(crate) origin: Origin,
     pub(crate) round: bool,
     pub(crate) regions: Option<Regions>,
@@ -58,7 +58,7 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
                 }
             }
             let regions = fields.get("regions").map(|field| Regions::read(context, &field)).transpose()?;
-            Where::File(MeshFile::read(context, &field, regions)?)
+            Where::File(MeshSource::read(context, &field, regions)?)
         }
         None => written(context, fields)?,
     };
@@ -114,27 +114,30 @@ fn given(field: &Field<'_, '_>) -> Result<Vec<[f64; 3]>, CorpusError> {
     field.items("points of three coordinates")?.map(point).collect()
 }
 
-impl MeshFile {
+impl MeshSource {
     /// A table with `path` or `fetch`.
     pub(crate) fn read(
         context: &Context<'_>,
         field: &Field<'_, '_>,
         regions: Option<Regions>,
-    ) -> Result<MeshFile, CorpusError> {
+    ) -> Result<MeshSource, CorpusError> {
         let table = field.fields(&MESH)?;
         let origin = match table.get("fetch") {
             Some(key) => Origin::fetched(context, &key)?,
             None => Origin::path(context, &table.required("path")?)?,
         };
         table.finish()?;
-        Ok(MeshFile { origin, round: context.round(), regions })
+        Ok(MeshSource { origin, round: context.round(), regions })
+    }
+
+    /// The file, which can be read again.
+    fn file(&self, cache: &Cache) -> MeshFile {
+        MeshFile { origin: self.origin.clone(), round: self.round, cache: cache.clone() }
     }
 
     /// The mesh, and what reading changed.
     pub(crate) fn load(&self, cache: &Cache) -> Result<(Surface, ImportNotes), CorpusError> {
-        let decimals = Decimals::new(self.round);
-        let (file, bytes) = self.origin.bytes(cache)?;
-        let read = mesh::read(&file, bytes, &decimals)?;
+        let (file, read, rounded) = self.file(cache).read()?;
         // Which face each triangle is of.
         let faces: Vec<usize> = read
             .faces
@@ -145,13 +148,14 @@ impl MeshFile {
         let place = Place { file: &file, line: None, places: &read.places };
         let surface = place.surface(read.points, read.triangles, &faces, self.regions.as_ref(), cache)?;
         let mut notes = read.notes;
-        notes.rounded += decimals.rounded();
+        notes.rounded += rounded;
         Ok((surface, notes))
     }
 }
 
 impl Elsewhere for Written {
     fn load(&self, level: Level, cache: &Cache) -> Result<Parts, CorpusError> {
+        let mut own = None;
         let (surface, mut notes) = match &self.mesh {
             Where::Triangles { points, triangles, regions } => {
                 let (points, notes) = self.points("points", points, cache)?;
@@ -165,7 +169,10 @@ impl Elsewhere for Written {
                 let (points, notes) = self.points("points", points, cache)?;
                 (self.tetrahedra(points, tetrahedra)?, notes)
             }
-            Where::File(of) => of.load(cache)?,
+            Where::File(of) => {
+                own = Some(of.file(cache));
+                of.load(cache)?
+            }
         };
         let mut probing = self.probing.clone();
         if let Some(probes) = &self.probes {
@@ -179,7 +186,7 @@ impl Elsewhere for Written {
             let cure = "choose fewer by `random` and `quick_stride` or `full_stride`";
             return Err(CorpusError::file(&self.file, message, cure).at_line(self.line));
         }
-        Ok(Parts { notes, ..with_probes(surface, &probing, level) })
+        Ok(Parts { notes, ..with_probes(surface, own, &probing, level) })
     }
 
     fn fetch_entry(&self) -> Option<&Entry> {

@@ -1,0 +1,122 @@
+//! The section about the parts of algorithms: their times one by one, and how these grow with the size of a scene.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{rank, run_head, run_label};
+use crate::groups::backends;
+use crate::table::{Block, Cell, Section, Table, Tone};
+use crate::{Curve, Curves, Error, RunDir, curves};
+use predicament_records::format::{nanoseconds, significant, thousands};
+use predicament_records::{PhaseRow, Spread, approximately};
+
+/// A phase of a scene on a number of threads, and its samples.
+struct Timed<'r> {
+    first: &'r PhaseRow,
+    /// The row of the first.
+    at: usize,
+    spread: Spread,
+}
+
+/// None where no phase was timed.
+pub fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
+    let order = backends(runs);
+    let mut table = Table::new("")
+        .words(run_head(runs))
+        .words(["task", "scene"])
+        .numbers(["size"])
+        .words(["phase", "backend"])
+        .numbers(["threads", "ns", "bytes"]);
+    let mut lines = Curves { x: "size of the scene".into(), y: "ns".into(), curves: Vec::new() };
+    for (index, run) in runs.iter().enumerate() {
+        let rows = run.rows::<PhaseRow>()?;
+        let timed = timed(&rows, &order);
+        for Timed { first, spread, .. } in &timed {
+            let none = || Cell::from("—").tone(Tone::Muted);
+            let each = |bytes: u64| significant(approximately(bytes) / approximately(first.count), 3);
+            let cells = [
+                first.task.as_str().into(),
+                Cell::from(first.scene.as_str()).detail(&*first.suite),
+                Cell::from(thousands(first.size)),
+                Cell::from(first.phase.as_str()).detail(format!("a {}", first.unit)),
+                if first.backend.is_empty() { none() } else { first.backend.as_str().into() },
+                Cell::count(first.threads),
+                Cell::from(nanoseconds(spread.median)).detail(format!(
+                    "{}–{}",
+                    nanoseconds(spread.min),
+                    nanoseconds(spread.max)
+                )),
+                first.bytes.map_or_else(none, |bytes| each(bytes).into()),
+            ];
+            table.push(run_label(runs, index).into_iter().chain(cells).collect());
+        }
+        let label = |name: String| if runs.len() > 1 { format!("{}: {name}", index + 1) } else { name };
+        lines.curves.extend(growth(&timed).into_iter().map(|(name, points)| Curve { name: label(name), points }));
+    }
+    if table.is_empty() {
+        return Ok(None);
+    }
+    let svg = if lines.curves.is_empty() { None } else { curves(&lines)? };
+    let alt = "Nanoseconds of each phase over the size of the scene, a line for each series of scenes";
+    let plot = svg.map(|svg| Block::Plot { svg, file: "growth.svg", alt });
+    Ok(Some(Section {
+        id: "phases",
+        title: "Phases",
+        lead: "What the parts of an algorithm take, each by itself: the median of the samples, then the smallest and the largest, and \
+               the memory of what the phase makes, for one of what it counts. Phases without a backend ask no predicate. Scenes whose \
+               names differ behind the last dash only, and that differ in size, are a line of the plot, which has the times on one thread."
+            .to_owned(),
+        blocks: plot.into_iter().chain([Block::Table(table)]).collect(),
+    }))
+}
+
+/// The phases in the order of scenes, sizes and backends, each as it came first.
+fn timed<'r>(rows: &'r [PhaseRow], order: &[&str]) -> Vec<Timed<'r>> {
+    let mut samples: BTreeMap<_, Vec<(usize, &PhaseRow)>> = BTreeMap::new();
+    for (at, row) in rows.iter().enumerate() {
+        let key = ([&row.suite, &row.task, &row.scene, &row.scene_id, &row.backend, &row.phase], row.threads);
+        samples.entry(key).or_default().push((at, row));
+    }
+    let spread = |rows: &[(usize, &PhaseRow)]| Spread::of(rows.iter().map(|(_, row)| row.ns_per_unit));
+    let of_samples = |rows: Vec<(usize, &'r PhaseRow)>| {
+        let (at, first) = rows[0];
+        Some(Timed { first, at, spread: spread(&rows)? })
+    };
+    let mut timed: Vec<Timed<'_>> = samples.into_values().filter_map(of_samples).collect();
+    timed.sort_by_key(|&Timed { first: row, at, .. }| {
+        let backend = if row.backend.is_empty() { 0 } else { 1 + rank(order, &row.backend) };
+        ((&row.suite, &row.task, series(row), row.size, &row.scene), backend, row.threads, at)
+    });
+    timed
+}
+
+/// Scenes that differ in size only have names that differ behind the last dash.
+fn series(row: &PhaseRow) -> &str {
+    row.scene.rsplit_once('-').map_or(&row.scene, |(stem, _)| stem)
+}
+
+/// Times on one thread over sizes, by series of at least two sizes, phase and backend.
+fn growth(timed: &[Timed<'_>]) -> Vec<(String, Vec<(f64, f64)>)> {
+    let of = |row: &'_ PhaseRow| [row.suite.clone(), row.task.clone(), series(row).to_owned()];
+    let mut sizes: BTreeMap<_, BTreeSet<u64>> = BTreeMap::new();
+    for Timed { first, .. } in timed {
+        sizes.entry(of(first)).or_default().insert(first.size);
+    }
+    sizes.retain(|_, sizes| sizes.len() > 1);
+    let mut lines: Vec<(String, Vec<(f64, f64)>)> = Vec::new();
+    for Timed { first, spread, .. } in timed {
+        if first.threads > 1 || !sizes.contains_key(&of(first)) {
+            continue;
+        }
+        let mut name = format!("{}: {}", series(first), first.phase);
+        if !first.backend.is_empty() {
+            name += &format!(", {}", first.backend);
+        }
+        let name = format!("{name}, a {}", first.unit);
+        let point = (approximately(first.size), spread.median);
+        match lines.iter_mut().find(|(known, _)| *known == name) {
+            Some((_, points)) => points.push(point),
+            None => lines.push((name, vec![point])),
+        }
+    }
+    lines
+}
