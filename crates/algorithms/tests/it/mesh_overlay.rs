@@ -30,7 +30,8 @@ impl All {
         // Ties of constructed vertices take it milliseconds each where all vertices move.
         let by_sos = !is_degenerate || size <= 24 || predicament_effort::whole();
         let sos = Sos::default();
-        let sos = by_sos.then(|| pair.check(&mut sos.prepare(scene, Off).unwrap(), Zeros::Refused)).unwrap_or_default();
+        let sos =
+            if by_sos { pair.check(&mut sos.prepare(scene, Off).unwrap(), Zeros::Refused) } else { Seen::default() };
         assert_eq!(sos.touching, 0, "{:?}", pair.shapes);
         let per_mesh = pair.check(&mut PerMesh.prepare(scene, Off).unwrap(), Zeros::Refused);
         assert_eq!(per_mesh.done, 1, "{:?}", pair.shapes);
@@ -202,8 +203,8 @@ fn lattices_of_tetrahedra_have_closed_regions() {
     let mut all = All::default();
     let lattice = Shape::lattice([2, 1, 1]);
     let one = Shape::lattice([1, 1, 1]);
-    all.check(&lattice, &one.clone().moved([0.5, 0.25, 0.125]));
-    all.check(&lattice, &one.clone().sheared(LEAN).moved([0.3125, 0.25, 0.4375]));
+    all.check(&one, &one.clone().moved([0.5, 0.25, 0.125]));
+    all.check(&one.clone().moved([0.25, 0., 0.]), &one.clone().sheared(LEAN).moved([0.3125, 0.25, 0.4375]));
     all.check(&one.clone().sheared(TURN), &Shape::cuboid([-1., 0., 1.], [3., 2., 4.]));
     all.check(&Shape::cuboid([-0.5, 0.25, 0.125], [1.5, 0.75, 1.5]), &lattice);
     // On each other, and next to each other.
@@ -225,7 +226,7 @@ fn edges_of_many_triangles_pass_through() {
     let large = Shape::tetrahedron([[-20., -15., 0.5], [30., -12., 0.25], [1., 40., 0.75], [3., 2., -30.]]);
     let slab = Shape::cuboid([-7., -8., -2.], [9., 10., 3.]);
     for axis in [axis, straight] {
-        for count in [8, 7, 5, 3] {
+        for count in [8, 7, 3] {
             let around: Vec<[f64; 3]> =
                 eight[..count].iter().zip(0_u8..).map(|(&[x, y], i)| [x, y, f64::from(i % 3)]).collect();
             let fan = Shape::fan(axis, &around, count == 8);
@@ -241,5 +242,5 @@ fn edges_of_many_triangles_pass_through() {
     all.check(&slab, &short);
     all.check(&short, &slab);
     let [exact, sos, per_mesh] = all.0;
-    assert!(exact.done > 20 && exact.touching > 1 && sos.refused < 3 && per_mesh.constructed > 900, "{all:?}");
+    assert!(exact.done > 20 && exact.touching > 1 && sos.refused < 3 && per_mesh.constructed > 700, "{all:?}");
 }

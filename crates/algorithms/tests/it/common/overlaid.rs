@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use predicament_algorithms::mesh_overlay::{MeshOverlay, Touch, Undone, Zeros, mesh_overlay};
+use predicament_algorithms::mesh_overlay::{MeshOverlay, Regions, Source, Touch, Undone, Zeros, mesh_overlay};
 use predicament_algorithms::overlay::Operation;
 use predicament_judge::solids::{Materials, Place};
 use predicament_judge::{Points, rational};
@@ -109,6 +109,10 @@ impl Pair {
         let at = |triangle: &[Vertex; 3]| triangle.map(|v| place[&v].clone());
         let inside = [0, 1].map(|mesh: usize| self.volumes[mesh].iter().sum::<Rational>());
         let both = self.common();
+        let regions = overlay.regions();
+        let each = regions.triangles.iter().zip(&regions.sources);
+        let volumes: BTreeMap<([Vertex; 3], Source), Rational> =
+            each.map(|(triangle, source)| ((*triangle, *source), volume(&[at(triangle)]))).collect();
         for operation in Operation::ALL {
             let solid = overlay.solid(operation);
             let wanted = match operation {
@@ -119,14 +123,15 @@ impl Pair {
             };
             let uses = solid.triangles.iter().map(|triangle| (*triangle, 1));
             assert!(is_closed(uses), "{operation:?} of {:?}", self.shapes);
-            let found = volume(&solid.triangles.iter().map(at).collect::<Vec<_>>());
-            assert_eq!(found, wanted, "{operation:?} of {:?}", self.shapes);
-            for (triangle, source) in solid.triangles.iter().zip(&solid.sources) {
-                self.assert_of(&at(triangle), usize::from(source.mesh), source.triangle as usize);
-            }
+            let turned = solid.triangles.iter().zip(&solid.sources).map(|(&[a, b, c], source)| {
+                let same = volumes.get(&([a, b, c], *source)).cloned();
+                same.unwrap_or_else(|| -volumes[&([a, c, b], *source)].clone())
+            });
+            assert_eq!(turned.sum::<Rational>(), wanted, "{operation:?} of {:?}", self.shapes);
         }
-        self.assert_regions(overlay, &at);
-        let (located, flat) = self.located(overlay, &at);
+        self.assert_regions(&regions, &volumes);
+        self.assert_parts(&regions, &at);
+        let (located, flat) = self.located(&regions, &at);
         Seen { done: 1, constructed: scene.constructions().len(), located, flat, ..Seen::default() }
     }
 
@@ -147,24 +152,23 @@ impl Pair {
         }
     }
 
-    /// Each region of the result is closed and as large as it should be, and pieces of a triangle are all of it.
-    fn assert_regions(&self, overlay: &MeshOverlay, at: &dyn Fn(&[Vertex; 3]) -> [Point; 3]) {
-        let regions = overlay.regions();
+    /// Each region of the result is closed and as large as it should be.
+    fn assert_regions(&self, regions: &Regions, volumes: &BTreeMap<([Vertex; 3], Source), Rational>) {
         assert_eq!(regions.pairs[0], [0, 0]);
         assert!(regions.pairs.is_sorted() && regions.sides.iter().all(|[front, behind]| front != behind));
         for (number, pair) in (0..).zip(&regions.pairs) {
-            let uses = |&(triangle, [front, behind]): &([Vertex; 3], [u32; 2])| {
-                (triangle, i32::from(behind == number) - i32::from(front == number))
-            };
-            let sided = regions.triangles.iter().copied().zip(regions.sides.iter().copied());
-            let uses: Vec<([Vertex; 3], i32)> = sided.map(|one| uses(&one)).filter(|(_, way)| *way != 0).collect();
-            assert!(is_closed(uses.iter().copied()), "{pair:?} of {:?}", self.shapes);
-            let turned = |&(triangle, way): &([Vertex; 3], i32)| volume(&[at(&triangle)]) * way;
-            let found: Rational = uses.iter().map(turned).sum();
+            let way = |&[front, behind]: &[u32; 2]| i32::from(behind == number) - i32::from(front == number);
+            let ways =
+                || regions.triangles.iter().copied().zip(regions.sides.iter().map(way)).filter(|(_, way)| *way != 0);
+            assert!(is_closed(ways()), "{pair:?} of {:?}", self.shapes);
+            let each = regions.triangles.iter().zip(&regions.sources).zip(&regions.sides);
+            let turned = each.filter(|(_, sides)| way(sides) != 0);
+            let turned = turned.map(|((triangle, source), sides)| volumes[&(*triangle, *source)].clone() * way(sides));
+            let found: Rational = turned.sum();
             let of = |mesh: usize| self.volumes[mesh].iter().sum::<Rational>();
             let by = |mesh: usize| {
                 let with = self.common.iter().filter(|(of, _)| of[mesh] == pair[mesh]).map(|(_, common)| common);
-                Rational::from(&self.volumes[mesh][pair[mesh] as usize - 1] - with.sum::<Rational>())
+                &self.volumes[mesh][pair[mesh] as usize - 1] - with.sum::<Rational>()
             };
             let wanted = match pair {
                 [0, 0] => self.common() - of(0) - of(1),
@@ -177,6 +181,10 @@ impl Pair {
         for (pair, common) in &self.common {
             assert!(regions.pairs.contains(pair) || common.cmp0().is_eq(), "{pair:?} of {:?}", self.shapes);
         }
+    }
+
+    /// Pieces of a triangle are in it, turned as it is, and together as large.
+    fn assert_parts(&self, regions: &Regions, at: &dyn Fn(&[Vertex; 3]) -> [Point; 3]) {
         let mut areas: BTreeMap<[usize; 2], Point> = BTreeMap::new();
         for (triangle, source) in regions.triangles.iter().zip(&regions.sources) {
             let (mesh, of) = (usize::from(source.mesh), source.triangle as usize);
@@ -196,8 +204,7 @@ impl Pair {
 
     /// Holds the regions of triangles against the judge, where points around the centroid are all in one region of the
     /// other mesh: how many there are, and how many triangles have no area.
-    fn located(&self, overlay: &MeshOverlay, at: &dyn Fn(&[Vertex; 3]) -> [Point; 3]) -> (usize, usize) {
-        let regions = overlay.regions();
+    fn located(&self, regions: &Regions, at: &dyn Fn(&[Vertex; 3]) -> [Point; 3]) -> (usize, usize) {
         let (mut queries, mut flat) = (Vec::new(), 0);
         for (place, triangle) in regions.triangles.iter().enumerate() {
             let corners = at(triangle);
@@ -287,7 +294,7 @@ impl Pair {
                     (true, true) => {}
                     (false, false) => return false,
                     (enters, _) => {
-                        let at = Rational::from(start / Rational::from(start - end));
+                        let at = start / Rational::from(start - end);
                         if enters { to = to.min(at) } else { from = from.max(at) }
                     }
                 }
@@ -297,7 +304,7 @@ impl Pair {
         if at_p.cmp0() == at_q.cmp0() {
             return false;
         }
-        let fraction = Rational::from(&at_p / Rational::from(&at_p - &at_q));
+        let fraction = &at_p / Rational::from(&at_p - &at_q);
         let way = minus(&q, &p);
         let meet = [0, 1, 2].map(|i: usize| &p[i] + Rational::from(&way[i] * &fraction));
         if fraction.cmp0().is_lt() || fraction > 1 {

@@ -75,7 +75,7 @@ impl Wedge {
         for side in &other.sides {
             polygon = kept(&polygon, |p| dot(side, p));
         }
-        polygon = kept(&polygon, |p| Rational::from(&other.base.1 - dot(&other.base.0, p)));
+        polygon = kept(&polygon, |p| &other.base.1 - dot(&other.base.0, p));
         let fan = polygon.windows(2).skip(1);
         fan.map(|pair| dot(&polygon[0], &cross(&pair[0], &pair[1])).abs()).sum::<Rational>() / 6
     }
@@ -100,7 +100,7 @@ fn kept(polygon: &[Point], height: impl Fn(&Point) -> Rational) -> Vec<Point> {
             kept.push(polygon[at].clone());
         }
         if heights[at].cmp0() != heights[next].cmp0() && heights[at].cmp0() == heights[next].cmp0().reverse() {
-            let fraction = Rational::from(&heights[at] / Rational::from(&heights[at] - &heights[next]));
+            let fraction = &heights[at] / Rational::from(&heights[at] - &heights[next]);
             kept.push(
                 [0, 1, 2]
                     .map(|i: usize| &polygon[at][i] + Rational::from(&polygon[next][i] - &polygon[at][i]) * &fraction),
