@@ -94,6 +94,25 @@ fn planted_faults_show() {
     assert_eq!(shows::<ForgetsToTurn>(), [0, 1, 2, 3]);
 }
 
+#[test]
+fn a_zero_is_refused_or_positive() {
+    // A corner of the second stands on a face of the first, and on nothing else: behind it, where zeros are positive.
+    let stands = Shape::tetrahedron([[3., 2., 8.], [2., 1., 12.], [7., 3., 12.], [4., 6., 12.]]);
+    let pair = Pair::new(Shape::cuboid([0.; 3], [8.; 3]), stands);
+    let corner = pair.scene.vertices().find(|&v| pair.scene.point3(v) == [3., 2., 8.]).unwrap();
+    let mut session = Exact.prepare(&pair.scene, Off).unwrap();
+    let Err(Undone::Touch(touch)) = mesh_overlay(&mut session, pair.meshes(), Zeros::Refused) else { panic!() };
+    assert!(touch.mesh == 1 && touch.edge.contains(&corner), "{touch:?}");
+    let overlay = mesh_overlay(&mut session, pair.meshes(), Zeros::Positive).unwrap();
+    assert_eq!(overlay.constructions().len(), 3, "each edge at the corner passes through");
+    pair.laws(session.scene(), &overlay);
+    // Beside the face there is nothing.
+    let stands = pair.shapes[1].clone().moved([0., 0., 0.5]);
+    let pair = Pair::new(pair.shapes[0].clone(), stands);
+    let mut session = Exact.prepare(&pair.scene, Off).unwrap();
+    assert!(mesh_overlay(&mut session, pair.meshes(), Zeros::Positive).unwrap().constructions().is_empty());
+}
+
 /// Says any signs, and constructs whatever it is told; or right about `orient3d`, with vertices where they are.
 struct Lies<'s, P> {
     liar: Liar<'s>,
@@ -189,6 +208,7 @@ fn signs_that_mean_nothing_end() {
         }
     }
     assert!(outcomes.len() > 5 && outcomes["done"] > 10, "{outcomes:?}");
+    assert!(outcomes.contains_key("vertices that no triangle parts are in one region"), "{outcomes:?}");
     // One that says nothing but zero.
     let pair = random_pair(&mut random);
     assert_eq!(outcome(mesh_overlay(&mut Takes(pair.scene.clone()), pair.meshes(), Zeros::Positive)), "done");

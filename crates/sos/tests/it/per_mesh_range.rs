@@ -51,6 +51,45 @@ fn edges_that_are_nearly_parallel() {
     assert!(seen.iter().all(|&count| count > 40), "{seen:?}");
 }
 
+/// Two edges in the plane z = 0, of which the first differs from the second by what rounding does.
+#[test]
+fn edges_that_rounding_makes_parallel() {
+    let (mut random, mut seen) = (Random(33), [0; 3]);
+    let mut fraction = || f64::from(u32::try_from(random.below(1 << 32)).unwrap()) / 3.0;
+    for scale in [1.0, 2f64.powi(-500), 2f64.powi(450)] {
+        for _ in 0..predicament_effort::scaled(2_000) {
+            let [p, q, u] = [(); 3].map(|()| [fraction() * scale, fraction() * scale, 0.0]);
+            let v = [0, 1, 2].map(|i: usize| u[i] + (q[i] - p[i]));
+            let session = moving(&[p, q, u, v], 2);
+            let session = PerMesh.prepare(&session, Off).unwrap();
+            let answer = session.orient3d(Vertex::input(0), Vertex::input(1), Vertex::input(2), Vertex::input(3));
+            assert_eq!(answer, agreed(&session, Question::Orient3d, &[0, 1, 2, 3].map(Vertex::input)));
+            seen[usize::from(answer != Sign::Zero) + usize::from(answer == Sign::Positive)] += 1;
+        }
+    }
+    assert!(seen[1] > 50 && seen[2] > 50, "{seen:?}");
+}
+
+/// Of two products about 2^-1075, the larger one is rounded to zero, and the other one is not: factors are rounded, one up and two
+/// down.
+#[test]
+fn products_that_underflow_to_the_wrong_order() {
+    let power = |power: i32| 2f64.powi(power);
+    let p = [-(power(-590) + power(-640)), -(power(-590) - power(-640)), 0.0];
+    let q = [power(-537), power(-537), 0.0];
+    let u = [-(power(-591) - power(-641)), 0.0, 0.0];
+    let v = [power(-538), power(-538), 0.0];
+    let by_doubles = [(q[0] - p[0]) * (v[1] - u[1]), (q[1] - p[1]) * (v[0] - u[0])];
+    assert!(by_doubles[0] > by_doubles[1]);
+    let scene = moving(&[p, q, u, v], 2);
+    let session = PerMesh.prepare(&scene, Off).unwrap();
+    let answer = agreed(&session, Question::Orient3d, &[0, 1, 2, 3].map(Vertex::input));
+    // With the doubles' order this would be the opposite.
+    let scene = moving(&[p, [q[0] * 2.0, q[1], 0.0], u, v], 2);
+    let opposite = agreed(&PerMesh.prepare(&scene, Off).unwrap(), Question::Orient3d, &[0, 1, 2, 3].map(Vertex::input));
+    assert_eq!(answer, -opposite);
+}
+
 const MAGNITUDES: [f64; 14] =
     [0.0, 5e-324, 1e-323, 1e-300, 1e-160, 1e-154, 1.0, 1.0 + f64::EPSILON, 3.0, 1e154, 1e300, -1.0, -5e-324, f64::MAX];
 
@@ -74,7 +113,7 @@ fn ties_of_vertices_of_any_magnitude() {
             ties += usize::from(question.ask(&exact, &args).is_zero() && !answer.is_zero());
         }
     }
-    assert!(ties > 50, "{ties}");
+    assert!(ties > 30, "{ties}");
 }
 
 #[test]
@@ -108,7 +147,7 @@ fn ties_of_points_of_lines_and_planes_of_any_magnitude() {
             zeros += usize::from(answer.is_zero());
         }
     }
-    assert!(ties > 30 && zeros > 50, "{ties} {zeros}");
+    assert!(ties > 20 && zeros > 30, "{ties} {zeros}");
 }
 
 /// The sign without any move.
