@@ -51,23 +51,27 @@ fn edges_that_are_nearly_parallel() {
     assert!(seen.iter().all(|&count| count > 40), "{seen:?}");
 }
 
-/// Two edges in the plane z = 0, of which the first differs from the second by what rounding does.
+/// Two edges in the plane z = 0, of which the first differs from the second by what rounding does; in doubles the order of the
+/// products is now and then the wrong one.
 #[test]
 fn edges_that_rounding_makes_parallel() {
-    let (mut random, mut seen) = (Random(33), [0; 3]);
+    let (mut random, mut seen) = (Random(33), [0; 2]);
     let mut fraction = || f64::from(u32::try_from(random.below(1 << 32)).unwrap()) / 3.0;
-    for scale in [1.0, 2f64.powi(-500), 2f64.powi(450)] {
-        for _ in 0..predicament_effort::scaled(2_000) {
-            let [p, q, u] = [(); 3].map(|()| [fraction() * scale, fraction() * scale, 0.0]);
+    for scale in [1.0, 2f64.powi(-400), 2f64.powi(450)] {
+        for _ in 0..predicament_effort::scaled(6_000) {
+            let [p, q, u] = [0.25, 1.0, 0.25].map(|by| [fraction() * by * scale, fraction() * by * scale, 0.0]);
             let v = [0, 1, 2].map(|i: usize| u[i] + (q[i] - p[i]));
-            let session = moving(&[p, q, u, v], 2);
-            let session = PerMesh.prepare(&session, Off).unwrap();
-            let answer = session.orient3d(Vertex::input(0), Vertex::input(1), Vertex::input(2), Vertex::input(3));
-            assert_eq!(answer, agreed(&session, Question::Orient3d, &[0, 1, 2, 3].map(Vertex::input)));
-            seen[usize::from(answer != Sign::Zero) + usize::from(answer == Sign::Positive)] += 1;
+            let scene = moving(&[p, q, u, v], 2);
+            let session = PerMesh.prepare(&scene, Off).unwrap();
+            let answer = agreed(&session, Question::Orient3d, &[0, 1, 2, 3].map(Vertex::input));
+            let [left, right] = [(q[0] - p[0]) * (v[1] - u[1]), (q[1] - p[1]) * (v[0] - u[0])];
+            if left != right {
+                seen[usize::from((left > right) == (answer == Sign::Positive))] += 1;
+            }
         }
     }
-    assert!(seen[1] > 50 && seen[2] > 50, "{seen:?}");
+    let [some, most] = [seen[0].min(seen[1]), seen[0].max(seen[1])];
+    assert!(some > 3 && most > 10 * some, "{seen:?}");
 }
 
 /// Of two products about 2^-1075, the larger one is rounded to zero, and the other one is not: factors are rounded, one up and two
