@@ -7,8 +7,11 @@ pub mod faces;
 pub mod hierarchy;
 pub mod liar;
 pub mod maps;
+pub mod overlaid;
 pub mod rings;
+pub mod shapes;
 pub mod turns;
+pub mod volumes;
 pub mod whim;
 
 use predicament_mesh::PolygonMap;

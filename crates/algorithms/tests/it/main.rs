@@ -11,6 +11,8 @@ mod hull_signs;
 mod hull_space;
 mod mesh_locate;
 mod mesh_locate_scale;
+mod mesh_overlay;
+mod mesh_overlay_signs;
 mod overlay;
 mod overlay_near;
 mod polygon_locate;

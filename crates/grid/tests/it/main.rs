@@ -4,4 +4,5 @@ mod box_index;
 mod cells;
 mod columns;
 mod raster;
+mod shared;
 mod two_level;

@@ -8,5 +8,6 @@ mod judged;
 mod laws;
 mod limits;
 mod per_mesh;
+mod per_mesh_range;
 mod substitution;
 mod tables;
