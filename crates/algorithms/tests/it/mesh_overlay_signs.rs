@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use predicament_algorithms::mesh_overlay::planted::{
-    DropsAPiece, ForgetsToTurn, LeavesPointsUnsorted, LooksAtTwoSides, Planted, TakesComponentsForOutside,
+    DropsAPiece, ForgetsToTurn, LooksAtTwoSides, Planted, SortsPointsBackwards, TakesComponentsForOutside,
 };
 use predicament_algorithms::mesh_overlay::{
     MeshOverlay, Piece, Regions, Solid, Undone, Zeros, mesh_overlay, mesh_overlay_planted,
@@ -88,7 +88,7 @@ fn shows<F: Planted>() -> Vec<usize> {
 #[test]
 fn planted_faults_show() {
     assert_eq!(shows::<LooksAtTwoSides>(), [0, 1, 3]);
-    assert_eq!(shows::<LeavesPointsUnsorted>(), [0, 1, 3]);
+    assert_eq!(shows::<SortsPointsBackwards>(), [0, 1, 3]);
     assert_eq!(shows::<DropsAPiece>(), [0, 1, 3]);
     assert_eq!(shows::<TakesComponentsForOutside>(), [2]);
     assert_eq!(shows::<ForgetsToTurn>(), [0, 1, 2, 3]);
