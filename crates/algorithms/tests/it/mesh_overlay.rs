@@ -32,7 +32,9 @@ impl All {
         let sos = Sos::default();
         let sos =
             if by_sos { pair.check(&mut sos.prepare(scene, Off).unwrap(), Zeros::Refused) } else { Seen::default() };
-        assert_eq!(sos.touching, 0, "{:?}", pair.shapes);
+        // Vertices of the first mesh have lower numbers and move by more: of a plane of either mesh, all to one side. So no edge
+        // that is parallel to a plane passes through a triangle of it, and nothing is declined.
+        assert_eq!((sos.touching, sos.refused, sos.done), (0, 0, usize::from(by_sos)), "{:?}", pair.shapes);
         let per_mesh = pair.check(&mut PerMesh.prepare(scene, Off).unwrap(), Zeros::Refused);
         assert_eq!(per_mesh.done, 1, "{:?}", pair.shapes);
         let seen = [exact, sos, per_mesh];
@@ -87,8 +89,8 @@ fn tetrahedra_and_boxes_anywhere() {
         let low = random.point(2);
         all.check(&first, &Shape::cuboid(low, low.map(|x| x + 3.0)));
     }
-    let [exact, sos, per_mesh] = all.0;
-    assert!(exact.touching > 5 && exact.done > 40 && sos.refused < 5 && per_mesh.constructed > 100, "{all:?}");
+    let [exact, _, per_mesh] = all.0;
+    assert!(exact.touching > 5 && exact.done > 40 && per_mesh.constructed > 100, "{all:?}");
 }
 
 /// A face of one is in the plane of a face of the other: where these are apart, nothing touches.
@@ -135,8 +137,8 @@ fn boxes_that_touch_in_every_way() {
     all.check(&unit(), &Shape::cuboid([0.; 3], [1.; 3]));
     all.check(&unit(), &Shape::cuboid([0., 0., 1.], [1., 2., 2.]));
     all.check(&Shape::cuboid([-1., 0., 0.], [3., 1., 1.]), &unit());
-    let [exact, sos, per_mesh] = all.0;
-    assert!(exact.touching > 20 && sos.refused < 3 && per_mesh.flat > 100 && per_mesh.located > 100, "{all:?}");
+    let [exact, _, per_mesh] = all.0;
+    assert!(exact.touching > 20 && per_mesh.flat > 100 && per_mesh.located > 100, "{all:?}");
 }
 
 fn comb() -> Shape {
@@ -168,8 +170,8 @@ fn shapes_that_are_not_convex() {
     all.check(&diagonal, &large);
     all.check(&large, &diagonal.clone().sheared(LEAN).moved([0.25, 0.5, -0.25]));
     all.check(&diagonal.clone().moved([0.5, 0.5, 0.25]), &ring());
-    let [exact, sos, per_mesh] = all.0;
-    assert!(exact.done > 5 && exact.touching > 5 && sos.refused < 5 && per_mesh.located > 200, "{all:?}");
+    let [exact, _, per_mesh] = all.0;
+    assert!(exact.done > 5 && exact.touching > 5 && per_mesh.located > 200, "{all:?}");
 }
 
 #[test]
@@ -190,8 +192,8 @@ fn spheres_and_tori() {
         all.check(&fine, &fine.clone().sheared(LEAN).moved([30., 20., 10.]));
         all.check(&fine.clone().sheared(TURN), &fine.clone().mapped(|p| p.map(|x| 5.0 * x)));
     }
-    let [exact, sos, per_mesh] = all.0;
-    assert!(exact.done > 2 && sos.refused == 0 && per_mesh.constructed > 200, "{all:?}");
+    let [exact, _, per_mesh] = all.0;
+    assert!(exact.done > 2 && per_mesh.constructed > 200, "{all:?}");
 }
 
 #[test]
@@ -217,8 +219,8 @@ fn components_that_are_apart_or_within() {
     ] {
         all.check(first, second);
     }
-    let [exact, sos, per_mesh] = all.0;
-    assert!(exact.touching == 1 && sos.refused == 0 && per_mesh.located > 100, "{all:?}");
+    let [exact, _, per_mesh] = all.0;
+    assert!(exact.touching == 1 && per_mesh.located > 100, "{all:?}");
 }
 
 #[test]
@@ -234,8 +236,8 @@ fn lattices_of_tetrahedra_have_closed_regions() {
     all.check(&one, &one);
     all.check(&one, &one.clone().moved([1., 0., 0.]));
     all.check(&one, &one.clone().moved([0., 0.5, 0.]));
-    let [exact, sos, per_mesh] = all.0;
-    assert!(exact.done > 0 && exact.touching > 2 && sos.refused < 3 && per_mesh.constructed > 100, "{all:?}");
+    let [exact, _, per_mesh] = all.0;
+    assert!(exact.done > 0 && exact.touching > 2 && per_mesh.constructed > 100, "{all:?}");
 }
 
 /// Tetrahedra around an edge that passes through triangles of the other mesh.
@@ -264,6 +266,6 @@ fn edges_of_many_triangles_pass_through() {
     let short = Shape::fan([[0., 0., 3.], [0., 0., -2.]], &eight.map(|[x, y]| [x, y, 0.0]), true);
     all.check(&slab, &short);
     all.check(&short, &slab);
-    let [exact, sos, per_mesh] = all.0;
-    assert!(exact.done > 15 && exact.touching > 1 && sos.refused < 3 && per_mesh.constructed > 500, "{all:?}");
+    let [exact, _, per_mesh] = all.0;
+    assert!(exact.done > 15 && exact.touching > 1 && per_mesh.constructed > 500, "{all:?}");
 }
