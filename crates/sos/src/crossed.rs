@@ -22,7 +22,7 @@ pub(crate) fn along(scene: &Scene, axis: usize, [p, q]: [Vertex; 2], [u, v]: [Ve
     let [left, right] = [first, second].map(|[a, b]| a * b);
     let (difference, size) = (left - right, left.abs() + right.abs());
     // 8·u is twice what is needed; 2^-900 is far above what a product that underflows is wrong by, over u.
-    if size > 2f64.powi(-900) && difference.abs() > size * (4.0 * f64::EPSILON) && size < f64::INFINITY {
+    if size > 2f64.powi(-900) && difference.abs() > size * (4.0 * f64::EPSILON) {
         return if difference > 0.0 { Sign::Positive } else { Sign::Negative };
     }
     let exactly = |a: f64, b: f64| {
