@@ -198,8 +198,9 @@ impl Pair {
     fn union<B: Backend>(&self, backend: &B) -> Run {
         let corners = self.corners.clone();
         let mut times = [Instant::now(); 5];
-        let meshes =
-            corners.map(|corners| Arc::new(MaterialMesh::of_closed(self.scene.len(), corners).expect("closed")));
+        let check = |corners| Arc::new(MaterialMesh::of_closed(self.scene.len(), corners).expect("closed"));
+        let [first, second] = corners;
+        let meshes: [Arc<MaterialMesh>; 2] = rayon::join(|| check(first), || check(second)).into();
         times[1] = Instant::now();
         let mut session = backend.prepare(&self.scene, Off).expect("in space");
         times[2] = Instant::now();

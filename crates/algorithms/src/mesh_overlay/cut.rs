@@ -4,10 +4,11 @@ use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
 use super::arcs::{CHAIN, Divided, Segment};
-use super::known::Known;
+use super::known::{AXES, Known};
 use super::meet::Hit;
 use super::near::{Near, number};
 use super::points::Points;
+use super::regions::VertexRegions;
 use super::{Piece, radial};
 use crate::triangulate::{Method, triangulate};
 
@@ -29,8 +30,8 @@ pub(super) struct Cutting<'a> {
     pub other_near: &'a Near,
     /// The points on the edges of the other mesh.
     pub others: &'a Points,
-    /// For each vertex of the scene the region of the other mesh that it is in.
-    pub regions: &'a [u32],
+    /// The regions of the other mesh that this mesh's vertices are in.
+    pub regions: &'a VertexRegions,
 }
 
 /// An end of a segment.
@@ -74,8 +75,10 @@ impl Cutting<'_> {
                 pieces.push(Piece { triangle: [a, b, c], of, region });
                 continue;
             }
-            let known =
-                || Known::new(self.session, corners, divided.vertices.iter().copied().zip(self.lines(place, &divided)));
+            let known = || {
+                let (lines, across) = self.lines(place, &divided);
+                Known::new(self.session, corners, divided.vertices.iter().copied().zip(lines), across)
+            };
             let (plane, known) = match &fill {
                 Some(fill) => fill,
                 None => fill.insert((projection(self.session, corners)?, known())),
@@ -91,8 +94,9 @@ impl Cutting<'_> {
         Ok(pieces)
     }
 
-    /// The lines that the nodes of a triangle are on: its edges, and where planes of the other mesh pass through it.
-    fn lines(&self, place: u32, divided: &Divided) -> Vec<u64> {
+    /// The lines that the nodes of a triangle are on, its edges and where planes of the other mesh pass through it; and for each axis those
+    /// of planes across it.
+    fn lines(&self, place: u32, divided: &Divided) -> (Vec<u64>, [u64; 3]) {
         let mut lines = divided.lines.clone();
         lines.resize(divided.vertices.len(), 0);
         let mut with: Vec<u32> = divided.ends.iter().map(|&(with, _)| with).collect();
@@ -124,7 +128,14 @@ impl Cutting<'_> {
                 lines[node as usize] |= 1 << line;
             }
         }
-        lines
+        let across = AXES.map(|axis| {
+            let is_across = |&place: &usize| {
+                let [a, b, c] = self.corners_of_other(with[place]);
+                plane[place] == place && [b, c].iter().all(|&v| self.session.compare(axis, a, v).is_zero())
+            };
+            (0..with.len().min(61)).filter(is_across).fold(0, |lines, place| lines | 1 << (3 + place))
+        });
+        (lines, across)
     }
 
     fn corners_of_other(&self, place: u32) -> [Vertex; 3] {
@@ -183,7 +194,7 @@ impl Cutting<'_> {
         let corners = self.mesh.triangles()[of as usize];
         for (corner, &edge) in self.near.edges_of[place as usize].iter().enumerate() {
             divided.vertices.push(corners[corner]);
-            divided.regions.push(self.regions[corners[corner].index()]);
+            divided.regions.push(self.regions.of(corners[corner]));
             divided.lines.push(1 << corner | 1 << ((corner + 2) % 3));
             let is_forward = self.near.edges[edge as usize][0] == corners[corner];
             let on = self.own.on(edge);

@@ -1,5 +1,5 @@
-//! A session that is not asked what is known: three points of one line have no turn, and two points of an edge across an axis
-//! have one coordinate there.
+//! A session that is not asked what is known: three points of one line have no turn, and two points of a line
+//! across an axis have one coordinate there.
 //!
 //! Points on an edge of a triangle are in line, and so are those where a plane of the other mesh passes through it, also if several coplanar
 //! triangles are in that plane. Such a zero holds for any perturbation, which makes it the dearest question there is: a perturbed
@@ -12,23 +12,25 @@ pub(super) struct Known<'a> {
     session: &'a dyn Predicates,
     /// By vertex, ascending: a bit for each line. The first three are the edges of the triangle.
     lines: Vec<(Vertex, u64)>,
-    /// For each axis the edges of the triangle whose ends are equal there, a bit for each.
+    /// For each axis the lines across it: of two points of such a line neither has the larger coordinate.
     level: [u64; 3],
 }
 
-const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+pub(super) const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
 impl<'a> Known<'a> {
-    /// A session that knows these lines, those along the edges of a triangle first.
+    /// A session that knows these lines, those along the edges of a triangle first, and which of the others are across each axis.
     pub fn new(
         session: &'a dyn Predicates,
         [a, b, c]: [Vertex; 3],
         lines: impl Iterator<Item = (Vertex, u64)>,
+        across: [u64; 3],
     ) -> Known<'a> {
         let mut lines: Vec<(Vertex, u64)> = lines.collect();
         lines.sort_unstable();
         let is_level = |axis: Axis, p: Vertex, q: Vertex| u64::from(session.compare(axis, p, q).is_zero());
-        let level = AXES.map(|axis| is_level(axis, a, b) | is_level(axis, b, c) << 1 | is_level(axis, c, a) << 2);
+        let edges = AXES.map(|axis| is_level(axis, a, b) | is_level(axis, b, c) << 1 | is_level(axis, c, a) << 2);
+        let level = [0, 1, 2].map(|axis: usize| edges[axis] | across[axis]);
         Known { session, lines, level }
     }
 

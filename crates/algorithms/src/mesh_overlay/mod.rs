@@ -70,6 +70,7 @@ use self::meet::Question;
 use self::near::{Near, number};
 use self::planted::{Planted, Wrong};
 use self::points::Points;
+use self::regions::Known;
 use crate::planted::Honest;
 
 /// What a zero between the two meshes is.
@@ -219,10 +220,10 @@ fn run(
         Points::new(session, near[1], second, &vertices[1], wrong),
     ];
     let points = [&points[0], &points[1]];
-    let regions = regions::regions(session, &meshes, near, points, &bounds, wrong)?;
-    let mut whole = both.map(|mesh| {
-        let region = |&[v, ..]: &[Vertex; 3]| NonZero::new(regions[v.index()].wrapping_add(1));
-        crate::parallel::all(mesh.triangles(), &region)
+    let regions = regions::regions(&Known { session, meshes: &meshes, near, points, bounds: &bounds, wrong })?;
+    let mut whole = [0, 1].map(|own: usize| {
+        let region = |&[v, ..]: &[Vertex; 3]| NonZero::new(regions[own].of(v).wrapping_add(1));
+        crate::parallel::all(both[own].triangles(), &region)
     });
     let mut pieces = [Vec::new(), Vec::new()];
     for own in 0..2 {
@@ -234,7 +235,7 @@ fn run(
             other: both[1 - own],
             other_near: near[1 - own],
             others: points[1 - own],
-            regions: &regions,
+            regions: &regions[own],
         };
         let count = number(near[own].triangles.len());
         let cut: Vec<u32> = (0..count).filter(|&place| cutting.is_cut(place)).collect();

@@ -60,89 +60,120 @@ impl Sets {
     }
 }
 
-/// For each vertex of the scene the region of the other mesh that it is in; of vertices of no triangle any.
-pub(super) fn regions(
-    session: &dyn Predicates,
-    meshes: &[Arc<MaterialMesh>; 2],
-    near: [&Near; 2],
-    points: [&Points; 2],
-    bounds: &[Bounds<3>; 2],
-    wrong: Wrong,
-) -> Result<Vec<u32>, Undone> {
-    let scene = session.scene();
-    let outside = number(scene.len());
-    let parent = |v: usize| {
-        let p = scene.point3(Vertex::input(v));
-        let here = Bounds { low: p, high: p };
-        if bounds.iter().all(|bounds| bounds.is_near(&here, 0.0)) { number(v) } else { outside }
-    };
-    let mut parents: Vec<u32> = (0..scene.len()).into_par_iter().with_min_len(PART).map(parent).collect();
-    parents.push(outside);
-    let mut sets = Sets { parent: parents };
-    let mut at_cut = vec![false; scene.len()];
-    for side in 0..2 {
-        for hit in &points[side].hits {
-            near[side].edges[hit.edge as usize].iter().for_each(|v| at_cut[v.index()] = true);
-        }
+/// The region of the other mesh that each vertex of a mesh is in.
+pub(super) struct VertexRegions {
+    /// The first vertex of the mesh.
+    first: usize,
+    of: Vec<u32>,
+}
+
+impl VertexRegions {
+    pub fn of(&self, v: Vertex) -> u32 {
+        self.of[v.index() - self.first]
     }
-    for side in 0..2 {
-        let is_cut = |a: Vertex, b: Vertex| {
-            at_cut[a.index()]
-                && at_cut[b.index()]
-                && near[side].edge(a, b).is_some_and(|edge| !points[side].on(edge).is_empty())
+}
+
+/// What all sets are made from.
+pub(super) struct Known<'a> {
+    pub session: &'a dyn Predicates,
+    pub meshes: &'a [Arc<MaterialMesh>; 2],
+    pub near: [&'a Near; 2],
+    pub points: [&'a Points; 2],
+    pub bounds: &'a [Bounds<3>; 2],
+    pub wrong: Wrong,
+}
+
+/// For each vertex of either mesh the region of the other that it is in. The two meshes are two tasks.
+pub(super) fn regions(known: &Known<'_>) -> Result<[VertexRegions; 2], Undone> {
+    let (first, second) = rayon::join(|| known.of_mesh(0), || known.of_mesh(1));
+    Ok([first?, second?])
+}
+
+impl Known<'_> {
+    fn of_mesh(&self, side: usize) -> Result<VertexRegions, Undone> {
+        let triangles = self.meshes[side].triangles();
+        let indices = |triangles: &[[Vertex; 3]]| {
+            let all = || triangles.as_flattened().iter().map(|v| v.index());
+            [all().min().unwrap_or(0), all().max().unwrap_or(0)]
         };
-        for &[a, b, c] in meshes[side].triangles() {
-            if [a, b, c].iter().all(|v| sets.parent[v.index()] == outside) {
-                continue;
-            }
-            for [a, b] in [[a, b], [b, c], [c, a]] {
-                if !is_cut(a, b) {
-                    sets.join(number(a.index()), number(b.index()));
-                }
-            }
-        }
-    }
-    let mut of_root = vec![UNKNOWN; scene.len() + 1];
-    of_root[outside as usize] = OUTSIDE;
-    for side in 0..2 {
-        for (v, region) in known(meshes, near, points, side) {
-            let root = sets.find(number(v.index())) as usize;
+        let wider = |a: [usize; 2], b: [usize; 2]| [a[0].min(b[0]), a[1].max(b[1])];
+        let [first, last] = triangles.par_chunks(PART).map(indices).reduce_with(wider).expect("a mesh has triangles");
+        // Vertices by their numbers from the first one on, then what is outside.
+        let (scene, count) = (self.session.scene(), last + 1 - first);
+        let at = |v: Vertex| number(v.index() - first);
+        let outside = number(count);
+        let parent = |v: usize| {
+            let p = scene.point3(Vertex::input(first + v));
+            let here = Bounds { low: p, high: p };
+            if self.bounds[1 - side].is_near(&here, 0.0) { number(v) } else { outside }
+        };
+        let mut parents: Vec<u32> = (0..count).into_par_iter().with_min_len(PART).map(parent).collect();
+        parents.push(outside);
+        let mut sets = Sets { parent: parents };
+        self.join(side, &mut sets, &at, outside);
+        let mut of_root = vec![UNKNOWN; count + 1];
+        of_root[outside as usize] = OUTSIDE;
+        for (v, region) in self.told(side) {
+            let root = sets.find(at(v)) as usize;
             if of_root[root] != UNKNOWN && of_root[root] != region {
                 return Err(Undone::Broken(ONE_REGION));
             }
             of_root[root] = region;
         }
-    }
-    for side in 0..2 {
         let mut unknown: BTreeMap<u32, Vertex> = BTreeMap::new();
-        for &[v, ..] in meshes[side].triangles() {
-            let root = sets.find(number(v.index()));
+        for &[v, ..] in triangles {
+            let root = sets.find(at(v));
             if of_root[root as usize] == UNKNOWN {
                 unknown.entry(root).or_insert(v);
             }
         }
-        for (root, region) in located(session, &meshes[1 - side], unknown, wrong)? {
+        for (root, region) in located(self.session, &self.meshes[1 - side], unknown, self.wrong)? {
             of_root[root as usize] = region;
         }
+        let of = |v: usize| of_root[sets.found(number(v)) as usize];
+        Ok(VertexRegions { first, of: (0..count).into_par_iter().with_min_len(PART).map(of).collect() })
     }
-    let of = |v: usize| of_root[sets.found(number(v)) as usize];
-    Ok((0..scene.len()).into_par_iter().with_min_len(PART).map(of).collect())
-}
 
-/// The regions that the ends of edges are in which pass through triangles.
-fn known(meshes: &[Arc<MaterialMesh>; 2], near: [&Near; 2], points: [&Points; 2], side: usize) -> Vec<(Vertex, u32)> {
-    let mut known = Vec::new();
-    let region = |at: u32, is_first: bool| {
-        let hit = points[side].hits[at as usize];
-        let [front, behind] = meshes[1 - side].sides()[near[1 - side].triangles[hit.triangle as usize] as usize];
-        if hit.is_first_behind == is_first { behind } else { front }
-    };
-    for (edge, ends) in (0..).zip(&near[side].edges) {
-        if let [first, .., last] | [first @ last] = points[side].on(edge) {
-            known.extend([(ends[0], region(*first, true)), (ends[1], region(*last, false))]);
+    /// Joins the ends of edges that pass through nothing.
+    fn join(&self, side: usize, sets: &mut Sets, at: &impl Fn(Vertex) -> u32, outside: u32) {
+        let (near, points) = (self.near[side], self.points[side]);
+        let mut at_cut = vec![false; outside as usize];
+        for hit in &points.hits {
+            near.edges[hit.edge as usize].iter().for_each(|&v| at_cut[at(v) as usize] = true);
+        }
+        let is_cut = |a: Vertex, b: Vertex| {
+            at_cut[at(a) as usize]
+                && at_cut[at(b) as usize]
+                && near.edge(a, b).is_some_and(|edge| !points.on(edge).is_empty())
+        };
+        for &[a, b, c] in self.meshes[side].triangles() {
+            if [a, b, c].iter().all(|&v| sets.parent[at(v) as usize] == outside) {
+                continue;
+            }
+            for [a, b] in [[a, b], [b, c], [c, a]] {
+                if !is_cut(a, b) {
+                    sets.join(at(a), at(b));
+                }
+            }
         }
     }
-    known
+
+    /// The regions that the ends of edges are in which pass through triangles.
+    fn told(&self, side: usize) -> Vec<(Vertex, u32)> {
+        let (meshes, near, points) = (self.meshes, self.near, self.points);
+        let mut known = Vec::new();
+        let region = |at: u32, is_first: bool| {
+            let hit = points[side].hits[at as usize];
+            let [front, behind] = meshes[1 - side].sides()[near[1 - side].triangles[hit.triangle as usize] as usize];
+            if hit.is_first_behind == is_first { behind } else { front }
+        };
+        for (edge, ends) in (0..).zip(&near[side].edges) {
+            if let [first, .., last] | [first @ last] = points[side].on(edge) {
+                known.extend([(ends[0], region(*first, true)), (ends[1], region(*last, false))]);
+            }
+        }
+        known
+    }
 }
 
 /// Locates one vertex of each set.
