@@ -20,7 +20,7 @@
 //! is seen in: each mesh may have coplanar triangles.
 //!
 //! # What is taken
-//! Meshes that do not cross themselves, whose triangles have an area. Others may break an invariant, which is named
+//! Meshes that do not cross themselves, are not inside out, and whose triangles have an area. Others may break an invariant, which is named
 //! ([`Undone::Broken`]), or have a result with the faults of the mesh.
 //!
 //! # Wrong signs
@@ -165,7 +165,7 @@ impl MeshOverlay {
         &self.pieces[mesh]
     }
 
-    /// What was constructed in the session, in the order of the vertices.
+    /// What the overlay was the first to construct in the session, in the order of the vertices: all of its points in a new session.
     #[must_use]
     pub fn constructions(&self) -> &[Construction] {
         &self.constructions
