@@ -23,9 +23,13 @@ impl Fault for Honest {
     const WHAT: &'static str = "nothing is wrong";
 }
 
-/// A fault of the module's own trait `Planted`: the type and what it is about, its name, what is wrong, and the constant that it sets.
+/// A fault of the module's own trait `Planted`: the type and what it is about, its name, what is wrong, and the constant that it sets: to
+/// true, or to a value of a type.
 macro_rules! fault {
     ($type:ident, $about:literal, $name:literal, $what:literal, $constant:ident) => {
+        fault!($type, $about, $name, $what, $constant: bool = true);
+    };
+    ($type:ident, $about:literal, $name:literal, $what:literal, $constant:ident: $of:ty = $value:expr) => {
         #[doc = $about]
         #[derive(Clone, Copy, Debug)]
         pub struct $type;
@@ -36,7 +40,7 @@ macro_rules! fault {
         }
 
         impl Planted for $type {
-            const $constant: bool = true;
+            const $constant: $of = $value;
         }
     };
 }

@@ -1,6 +1,6 @@
 //! Faults planted in the overlay of meshes.
 
-use crate::planted::{Fault, Honest};
+use crate::planted::{Fault, Honest, fault};
 
 /// What an overlay gets wrong.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -17,6 +17,8 @@ pub enum Wrong {
     TakesComponentsForOutside,
     /// Pieces of the second mesh are not turned over in a difference.
     ForgetsToTurn,
+    /// What is in front of a piece is said to be behind it.
+    SwapsSides,
 }
 
 /// A fault of an overlay.
@@ -29,25 +31,45 @@ impl Planted for Honest {
     const WRONG: Wrong = Wrong::Nothing;
 }
 
-macro_rules! fault {
-    ($fault:ident, $name:literal, $what:literal) => {
-        #[doc = $what]
-        #[derive(Clone, Copy, Debug)]
-        pub struct $fault;
-
-        impl Fault for $fault {
-            const NAME: &'static str = $name;
-            const WHAT: &'static str = $what;
-        }
-
-        impl Planted for $fault {
-            const WRONG: Wrong = Wrong::$fault;
-        }
-    };
-}
-
-fault!(LooksAtTwoSides, "mesh-overlay-two-sides", "the third edge of a triangle is not looked at");
-fault!(SortsPointsBackwards, "mesh-overlay-backwards", "points on an edge are sorted backwards");
-fault!(DropsAPiece, "mesh-overlay-drops-a-piece", "a cut triangle loses a piece");
-fault!(TakesComponentsForOutside, "mesh-overlay-components", "a component without cuts is taken to be outside");
-fault!(ForgetsToTurn, "mesh-overlay-turns", "pieces of the second mesh are not turned over in a difference");
+fault!(
+    LooksAtTwoSides,
+    "Edges that pass beside a triangle.",
+    "mesh-overlay-two-sides",
+    "the third edge of a triangle is not looked at",
+    WRONG: Wrong = Wrong::LooksAtTwoSides
+);
+fault!(
+    SortsPointsBackwards,
+    "Points on an edge in the wrong order.",
+    "mesh-overlay-backwards",
+    "points on an edge are sorted backwards",
+    WRONG: Wrong = Wrong::SortsPointsBackwards
+);
+fault!(
+    DropsAPiece,
+    "A piece that is lost.",
+    "mesh-overlay-drops-a-piece",
+    "a cut triangle loses a piece",
+    WRONG: Wrong = Wrong::DropsAPiece
+);
+fault!(
+    TakesComponentsForOutside,
+    "A component in the wrong region.",
+    "mesh-overlay-components",
+    "a component without cuts is taken to be outside",
+    WRONG: Wrong = Wrong::TakesComponentsForOutside
+);
+fault!(
+    ForgetsToTurn,
+    "Pieces that are inside out.",
+    "mesh-overlay-turns",
+    "pieces of the second mesh are not turned over in a difference",
+    WRONG: Wrong = Wrong::ForgetsToTurn
+);
+fault!(
+    SwapsSides,
+    "Regions on the wrong sides.",
+    "mesh-overlay-sides",
+    "what is in front of a piece is said to be behind it",
+    WRONG: Wrong = Wrong::SwapsSides
+);

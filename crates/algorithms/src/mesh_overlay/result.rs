@@ -85,7 +85,8 @@ impl MeshOverlay {
             .collect();
         let of = |(side, piece): &(u8, Piece)| {
             let pair = |own: u32| if *side == 0 { [own, piece.region] } else { [piece.region, own] };
-            self.meshes[usize::from(*side)].sides()[piece.of as usize].map(pair)
+            let [front, behind] = self.meshes[usize::from(*side)].sides()[piece.of as usize].map(pair);
+            if self.wrong == Wrong::SwapsSides { [behind, front] } else { [front, behind] }
         };
         pairs.extend(all.iter().flat_map(of));
         pairs.sort_unstable();

@@ -7,9 +7,11 @@
 use std::collections::BTreeMap;
 
 use predicament_algorithms::mesh_overlay::{Regions, Source};
+use predicament_algorithms::overlay::Operation;
 use predicament_checks::slice::{Expected, Part, Piece, Slices};
 use predicament_judge::solids::{Materials, Place};
 use predicament_judge::{Points, rational};
+use predicament_mesh::OUTSIDE;
 use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 use rug::Rational;
 
@@ -55,6 +57,7 @@ pub(super) fn judge(
     asked.watch.done(0)?;
     laws.closed(outcome);
     laws.sides(outcome);
+    laws.operations(outcome);
     asked.watch.done(0)?;
     let has_areas = asked.contract(PredicateKind::Orient3d).zero != ZeroMeaning::Never;
     laws.pieces(Expected { is_closed: false, has_areas, triangles_crossed: CROSSED[level] }, outcome);
@@ -161,6 +164,41 @@ impl Laws<'_> {
                 got,
                 "a piece is between the regions of its triangle, in one of the other mesh",
             );
+        }
+    }
+
+    /// The surface of an operation is the pieces with the inside of its result on one side, turned so that it is behind them.
+    fn operations(&self, outcome: &mut Outcome) {
+        let regions = self.regions();
+        // A triangle from its smallest corner on: turned the same way, it is the same.
+        let from_smallest = |[a, b, c]: [Vertex; 3]| {
+            let least = a.min(b).min(c);
+            if least == a {
+                [a, b, c]
+            } else if least == b {
+                [b, c, a]
+            } else {
+                [c, a, b]
+            }
+        };
+        for (operation, solid) in Operation::ALL.into_iter().zip(&self.answer.solids) {
+            let surface = regions.triangles.iter().zip(&regions.sides).filter_map(|(&[a, b, c], sides)| {
+                let inside = |side: u32| operation.holds(regions.pairs[side as usize].map(|region| region != OUTSIDE));
+                match sides.map(inside) {
+                    [false, true] => Some(from_smallest([a, b, c])),
+                    [true, false] => Some(from_smallest([a, c, b])),
+                    _ => None,
+                }
+            });
+            let mut wanted: Vec<[Vertex; 3]> = surface.collect();
+            let mut got: Vec<[Vertex; 3]> = solid.iter().map(|&triangle| from_smallest(triangle)).collect();
+            wanted.sort_unstable();
+            got.sort_unstable();
+            if wanted != got {
+                let got =
+                    format!("{}: {} triangles, where {} are its surface", operation.name(), got.len(), wanted.len());
+                note(outcome, "operation", got, "a result's surface is the pieces between its inside and its outside");
+            }
         }
     }
 

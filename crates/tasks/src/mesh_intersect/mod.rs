@@ -11,7 +11,8 @@ mod read;
 use std::path::{Path, PathBuf};
 
 use predicament_algorithms::mesh_overlay::planted::{
-    DropsAPiece, LooksAtTwoSides, Planted as Wrong, SortsPointsBackwards, TakesComponentsForOutside,
+    DropsAPiece, ForgetsToTurn, LooksAtTwoSides, Planted as Wrong, SortsPointsBackwards, SwapsSides,
+    TakesComponentsForOutside,
 };
 use predicament_algorithms::mesh_overlay::{Regions, Undone, Zeros, mesh_overlay_planted};
 use predicament_algorithms::overlay::Operation;
@@ -21,6 +22,8 @@ use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Construction, Declined, PredicateKind, Predicates, Query, Question, Scene, Vertex};
 
 pub use content::TwoMeshes;
+
+use crate::output::Placed;
 
 use crate::{
     Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Refusal, Stop, Task,
@@ -35,6 +38,10 @@ const BACKWARDS_CHECKS: &[Catch] = &[(Class::Topology, "vertices that no triangl
 const DROPPED_CHECKS: &[Catch] = &[(Class::Topology, "region not closed"), (Class::Topology, "face area")];
 /// The checks that have to find a component in the wrong region.
 const COMPONENT_CHECKS: &[Catch] = &[(Class::Topology, "region of a piece")];
+/// The checks that have to find pieces whose sides are exchanged.
+const SWAPPED_CHECKS: &[Catch] = &[(Class::Topology, "sides of a piece")];
+/// The checks that have to find a result whose surface is turned over in part.
+const TURNED_CHECKS: &[Catch] = &[(Class::Topology, "operation")];
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -82,13 +89,10 @@ impl Overlaid {
             Err(Undone::Broken(rule)) => return Ok(Overlaid { before, broken: Some(rule), ..Overlaid::default() }),
         };
         let constructions = overlay.constructions().to_vec();
-        let vertices = (0..constructions.len()).map(|at| Vertex::constructed(before + at));
-        let rounded = vertices.map(|v| session.rounded_point(v).and_then(|point| <[f64; 3]>::try_from(point).ok()));
-        let rounded: Option<Vec<[f64; 3]>> = rounded.collect();
         Ok(Overlaid {
             regions: overlay.regions(),
             solids: Operation::ALL.map(|operation| overlay.solid(operation).triangles),
-            rounded: rounded.filter(|points| !points.is_empty()),
+            rounded: output::rounded_points(session, before, constructions.len()),
             constructions,
             before,
             broken: None,
@@ -197,6 +201,8 @@ impl Task for MeshIntersect {
             fault::<SortsPointsBackwards>(BACKWARDS_CHECKS),
             fault::<DropsAPiece>(DROPPED_CHECKS),
             fault::<TakesComponentsForOutside>(COMPONENT_CHECKS),
+            fault::<SwapsSides>(SWAPPED_CHECKS),
+            fault::<ForgetsToTurn>(TURNED_CHECKS),
         ]
     }
 
@@ -219,26 +225,12 @@ impl Task for MeshIntersect {
 
     /// A mesh for each operation, all vertices exactly, and a JSON file of all pieces.
     fn write(&self, scene: &Scene, _: &TwoMeshes, answer: &Overlaid, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
-        let mut exact = scene.clone();
-        for definition in &answer.constructions {
-            exact.construct(*definition).map_err(std::io::Error::other)?;
-        }
-        // A session that rounds has its own points.
-        let (meshes, moved) = match &answer.rounded {
-            None => (exact.clone(), 0),
-            Some(rounded) => {
-                let coordinates = [scene.coordinates(), rounded.as_flattened()].concat();
-                (Scene::new(scene.dimension(), coordinates).map_err(std::io::Error::other)?, scene.len())
-            }
-        };
-        let place = |v: Vertex| match v.construction() {
-            Some(index) if moved > 0 => Vertex::input(moved + index - answer.before),
-            _ => v,
-        };
+        let placed = Placed::new(scene, &answer.constructions, answer.before, answer.rounded.as_deref())?;
         let mut files = Vec::new();
         for (operation, solid) in Operation::ALL.iter().zip(&answer.solids) {
-            let faces: Vec<Vec<Vertex>> = solid.iter().map(|triangle| triangle.map(place).to_vec()).collect();
-            files.extend(output::mesh(&meshes, &faces, folder, operation.name())?);
+            let faces: Vec<Vec<Vertex>> =
+                solid.iter().map(|triangle| triangle.map(|v| placed.place(v)).to_vec()).collect();
+            files.extend(output::mesh(&placed.meshes, &faces, folder, operation.name())?);
         }
         let regions = &answer.regions;
         let piece = |at: usize| {
@@ -256,7 +248,7 @@ impl Task for MeshIntersect {
         std::fs::write(&path, format!("{}\n", serde_json::json!({ "pieces": pieces, "broken": answer.broken })))?;
         files.push(path);
         if answer.rounded.is_none() {
-            files.push(output::vertices(&exact, regions.triangles.as_flattened().iter().copied(), folder)?);
+            files.push(output::vertices(&placed.exact, regions.triangles.as_flattened().iter().copied(), folder)?);
         }
         Ok(files)
     }

@@ -3,10 +3,12 @@
 //! Formats for meshes and maps hold doubles, or decimals that are read as doubles: a constructed vertex is rounded
 //! there to the nearest. Beside them `vertices.json` has every vertex as it is, and what it was constructed from.
 
+mod placed;
 mod plane;
 mod space;
 mod vertices;
 
+pub use placed::{Placed, rounded_points};
 pub use plane::plane;
 pub use space::mesh;
 pub use vertices::vertices;

@@ -21,6 +21,8 @@ use predicament_predicates::{PredicateKind, Predicates, Query, Refused, Scene, V
 
 pub use content::Solid;
 
+use crate::output::Placed;
+
 use crate::{
     Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
     output,
@@ -64,10 +66,8 @@ impl Cut {
     }
 
     fn with_points(session: &dyn Predicates, sliced: Sliced, before: usize) -> Cut {
-        let vertices = (0..sliced.constructions.len()).map(|at| Vertex::constructed(before + at));
-        let rounded = vertices.map(|v| session.rounded_point(v).and_then(|point| <[f64; 3]>::try_from(point).ok()));
-        let rounded: Option<Vec<[f64; 3]>> = rounded.collect();
-        Cut { rounded: rounded.filter(|points| !points.is_empty()), sliced, before }
+        let rounded = output::rounded_points(session, before, sliced.constructions.len());
+        Cut { rounded, sliced, before }
     }
 }
 
@@ -196,26 +196,11 @@ impl Task for Slice {
     /// Each part as meshes, all vertices exactly, and a JSON file of what each triangle is a piece of.
     fn write(&self, scene: &Scene, _: &Solid, answer: &Cut, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
         let parts = &answer.sliced.parts;
-        let mut exact = scene.clone();
-        for definition in &answer.sliced.constructions {
-            exact.construct(*definition).map_err(std::io::Error::other)?;
-        }
+        let placed = Placed::new(scene, &answer.sliced.constructions, answer.before, answer.rounded.as_deref())?;
         let mut files = Vec::new();
-        // A session that rounds has its own points.
-        let (meshes, moved) = match &answer.rounded {
-            None => (exact.clone(), 0),
-            Some(rounded) => {
-                let coordinates = [scene.coordinates(), rounded.as_flattened()].concat();
-                (Scene::new(scene.dimension(), coordinates).map_err(std::io::Error::other)?, scene.len())
-            }
-        };
-        let place = |v: Vertex| match v.construction() {
-            Some(index) if moved > 0 => Vertex::input(moved + index - answer.before),
-            _ => v,
-        };
         for (at, part) in parts.iter().enumerate() {
-            let faces: Vec<Vec<Vertex>> = part.triangles.iter().map(|t| t.map(place).to_vec()).collect();
-            files.extend(output::mesh(&meshes, &faces, folder, &format!("part-{at}"))?);
+            let faces: Vec<Vec<Vertex>> = part.triangles.iter().map(|t| t.map(|v| placed.place(v)).to_vec()).collect();
+            files.extend(output::mesh(&placed.meshes, &faces, folder, &format!("part-{at}"))?);
         }
         let path = folder.join("parts.json");
         let ids = |vertices: &[Vertex]| vertices.iter().map(ToString::to_string).collect::<Vec<_>>();
@@ -233,7 +218,7 @@ impl Task for Slice {
         files.push(path);
         if answer.rounded.is_none() {
             let used = parts.iter().flat_map(|part| part.triangles.as_flattened().iter().copied());
-            files.push(output::vertices(&exact, used, folder)?);
+            files.push(output::vertices(&placed.exact, used, folder)?);
         }
         Ok(files)
     }
