@@ -30,6 +30,7 @@ pub mod cube_union;
 pub mod delaunay;
 pub mod hull;
 pub mod interval;
+pub mod mesh_limit;
 pub mod mesh_locate;
 pub mod mesh_overlay;
 pub mod overlay;

@@ -67,7 +67,8 @@ pub use result::{Regions, Solid, Source};
 
 use self::cut::Cutting;
 use self::meet::Question;
-use self::near::{Near, number};
+use self::near::Near;
+pub(crate) use self::near::number;
 use self::planted::{Planted, Wrong};
 use self::points::Points;
 use self::regions::Known;

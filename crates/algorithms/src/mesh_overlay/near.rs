@@ -67,6 +67,6 @@ impl Near {
 }
 
 /// A place in a list as it is stored.
-pub(super) fn number(place: usize) -> u32 {
+pub(crate) fn number(place: usize) -> u32 {
     u32::try_from(place).expect("fewer than 2^32 sides of triangles")
 }

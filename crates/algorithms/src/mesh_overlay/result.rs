@@ -18,6 +18,8 @@ pub struct Solid {
     pub triangles: Vec<[Vertex; 3]>,
     /// For each triangle what it is, or is a piece of.
     pub sources: Vec<Source>,
+    /// For each triangle whether it faces the other way than what it is a piece of.
+    pub turned: Vec<bool>,
 }
 
 /// The triangle of a mesh that a triangle of a result is, or is a piece of.
@@ -46,9 +48,9 @@ impl MeshOverlay {
                 let [front, behind] = self.meshes[side].sides()[of as usize].map(inside);
                 let source = Source { mesh: u8::from(side == 1), triangle: of };
                 match [front, behind] {
-                    [false, true] => Some(([a, b, c], source)),
-                    [true, false] if self.wrong == Wrong::ForgetsToTurn => Some(([a, b, c], source)),
-                    [true, false] => Some(([a, c, b], source)),
+                    [false, true] => Some(([a, b, c], (source, false))),
+                    [true, false] if self.wrong == Wrong::ForgetsToTurn => Some(([a, b, c], (source, false))),
+                    [true, false] => Some(([a, c, b], (source, true))),
                     _ => None,
                 }
             };
@@ -58,13 +60,15 @@ impl MeshOverlay {
                 taken.unzip::<_, _, Vec<_>, Vec<_>>()
             };
             let parts: Vec<_> = (0..self.whole[side].len().div_ceil(PART)).into_par_iter().map(whole).collect();
-            for (triangles, sources) in parts {
+            for (triangles, labels) in parts {
                 solid.triangles.extend(triangles);
-                solid.sources.extend(sources);
+                solid.sources.extend(labels.iter().map(|(source, _)| source));
+                solid.turned.extend(labels.iter().map(|(_, is_turned)| is_turned));
             }
-            for (triangle, source) in pieces.iter().filter_map(take) {
+            for (triangle, (source, is_turned)) in pieces.iter().filter_map(take) {
                 solid.triangles.push(triangle);
                 solid.sources.push(source);
+                solid.turned.push(is_turned);
             }
         }
         solid

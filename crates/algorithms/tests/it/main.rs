@@ -9,6 +9,7 @@ mod delaunay_signs;
 mod hull_plane;
 mod hull_signs;
 mod hull_space;
+mod mesh_limit;
 mod mesh_locate;
 mod mesh_locate_scale;
 mod mesh_overlay;

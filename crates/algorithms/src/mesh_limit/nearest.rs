@@ -1,0 +1,135 @@
+//! The doubles nearest to a point where a line meets a plane, or three planes meet.
+//!
+//! A line and a plane meet at p + t·(q − p), t = n/(n − m), with the distances n and m of p and q from the plane: a quotient of integers, once all
+//! coordinates are integers in one unit.
+
+use predicament_arithmetic::{ExponentRange, Scaled, power_of_two};
+use predicament_predicates::{Construction, Scene};
+use rug::{Integer, Rational};
+
+/// A vector, or a point, in units of a power of two.
+type Space = [Integer; 3];
+
+/// Coordinates of so many bits have products of four differences in 128 bits.
+const SHORT: i32 = 26;
+
+/// The doubles nearest to a point, of two equally near ones the even one, and whether they are the point itself; none where line and
+/// plane meet in no single point, or the definition is of another kind, or of constructed vertices.
+///
+/// A coordinate beyond all doubles is the largest one. Rounding is monotone: of two points the one with the smaller coordinate has
+/// no larger one here.
+pub(super) fn nearest(scene: &Scene, definition: &Construction) -> Option<([f64; 3], bool)> {
+    if !definition.is_of_inputs() {
+        return None;
+    }
+    match definition {
+        Construction::Lpi { line: [p, q], plane: [a, b, c] } => {
+            let points = [p, q, a, b, c].map(|&v| scene.point3(v));
+            if let Some(point) = short(&points) {
+                return Some((point, true));
+            }
+            let Scaled { integers: [p, q, a, b, c], exponent } = Scaled::new(points)?;
+            let normal = normal([&a, &b, &c]);
+            let [n, m] = [&p, &q].map(|x| dot(&normal, &minus(x, &a)));
+            let weight = Integer::from(&n - &m);
+            let at = |i: usize| Integer::from(&p[i] * &weight) + Integer::from(&q[i] - &p[i]) * &n;
+            point([0, 1, 2].map(at), &weight, exponent)
+        }
+        Construction::Tpi(planes) => {
+            let [[a, b, c], [d, e, f], [g, h, i]] = planes.map(|plane| plane.map(|v| scene.point3(v)));
+            let Scaled { integers: [a, b, c, d, e, f, g, h, i], exponent } = Scaled::new([a, b, c, d, e, f, g, h, i])?;
+            // By Cramer's rule: offsets times cross products of the other two normals.
+            let normals = [normal([&a, &b, &c]), normal([&d, &e, &f]), normal([&g, &h, &i])];
+            let crossed = [(1, 2), (2, 0), (0, 1)].map(|(i, j): (usize, usize)| cross(&normals[i], &normals[j]));
+            let weight = dot(&normals[0], &crossed[0]);
+            let offsets = [dot(&normals[0], &a), dot(&normals[1], &d), dot(&normals[2], &g)];
+            let at = |axis: usize| -> Integer { (0..3).map(|i| Integer::from(&offsets[i] * &crossed[i][axis])).sum() };
+            point([0, 1, 2].map(at), &weight, exponent)
+        }
+        Construction::Ssi(_) => None,
+    }
+}
+
+/// Coordinates times a weight, in units of a power of two, as doubles.
+fn point(at: Space, weight: &Integer, exponent: i32) -> Option<([f64; 3], bool)> {
+    if weight.is_zero() {
+        return None;
+    }
+    let mut is_exact = true;
+    let point = at.map(|x| {
+        let (nearest, is_same) = rounded(&(Rational::from((x, weight.clone())) << exponent));
+        is_exact &= is_same;
+        nearest
+    });
+    Some((point, is_exact))
+}
+
+fn minus(a: &Space, b: &Space) -> Space {
+    [0, 1, 2].map(|i: usize| Integer::from(&a[i] - &b[i]))
+}
+
+fn dot(a: &Space, b: &Space) -> Integer {
+    (0..3).map(|i| Integer::from(&a[i] * &b[i])).sum()
+}
+
+fn cross(a: &Space, b: &Space) -> Space {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j): (usize, usize)| Integer::from(&a[i] * &b[j]) - Integer::from(&a[j] * &b[i]))
+}
+
+fn normal([a, b, c]: [&Space; 3]) -> Space {
+    cross(&minus(b, a), &minus(c, a))
+}
+
+/// The double nearest to a rational, of two equally near ones the even one, and whether it is the same.
+fn rounded(x: &Rational) -> (f64, bool) {
+    // Towards zero; the other candidate is the next one away from there.
+    let inner = x.to_f64();
+    let Some(here) = Rational::from_f64(inner) else { return (inner.clamp(f64::MIN, f64::MAX), false) };
+    if here == *x {
+        return (inner + 0.0, true);
+    }
+    let outer = if x.cmp0().is_lt() { inner.next_down() } else { inner.next_up() };
+    let Some(there) = Rational::from_f64(outer) else { return (inner, false) };
+    let nearer = (here - x).abs().cmp(&(there - x).abs());
+    let is_inner = nearer.is_lt() || (nearer.is_eq() && inner.to_bits().is_multiple_of(2));
+    (if is_inner { inner } else { outer }, false)
+}
+
+/// The point, where coordinates are few bits apart and it is a multiple of their unit.
+fn short(points: &[[f64; 3]; 5]) -> Option<[f64; 3]> {
+    let exponent = ExponentRange::of(points.as_flattened()).map_or(0, |range| range.lowest);
+    let largest = points.as_flattened().iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
+    // Units are normal doubles, and so are all multiples of up to SHORT bits.
+    if !(-900..=900).contains(&exponent) || largest >= power_of_two(exponent + SHORT - 1) {
+        return None;
+    }
+    let [p, q, a, b, c] = points.map(|point| point.map(|x| integer(x * power_of_two(-exponent))));
+    let minus = |a: [i128; 3], b: [i128; 3]| [0, 1, 2].map(|i: usize| a[i] - b[i]);
+    let [u, v] = [minus(b, a), minus(c, a)];
+    let cross = |i: usize, j: usize| u[i] * v[j] - u[j] * v[i];
+    let normal = [cross(1, 2), cross(2, 0), cross(0, 1)];
+    let height = |x: [i128; 3]| -> i128 { minus(x, a).iter().zip(&normal).map(|(x, n)| x * n).sum() };
+    let [n, m] = [height(p), height(q)];
+    let weight = n - m;
+    if weight == 0 {
+        return None;
+    }
+    let mut point = [0.0; 3];
+    for (axis, x) in point.iter_mut().enumerate() {
+        let above = (q[axis] - p[axis]) * n;
+        if above % weight != 0 {
+            return None;
+        }
+        // Between the coordinates of p and q, where these are on two sides of the plane; else perhaps too large.
+        let whole = i32::try_from(p[axis] + above / weight).ok()?;
+        *x = f64::from(whole) * power_of_two(exponent);
+    }
+    Some(point)
+}
+
+/// An integer of at most [`SHORT`] bits.
+#[allow(clippy::cast_possible_truncation)] // an integer
+fn integer(x: f64) -> i128 {
+    debug_assert!(x.trunc() == x && x.abs() < power_of_two(SHORT));
+    i128::from(x as i64)
+}

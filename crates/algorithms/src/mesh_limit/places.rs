@@ -1,0 +1,106 @@
+//! Where vertices are: the nearest doubles, and which vertices are at one place.
+
+use predicament_predicates::{Axis, Predicates, Scene, Vertex};
+
+use super::nearest::nearest;
+use crate::mesh_overlay::Undone;
+
+/// The invariant of constructed vertices.
+const POINT: &str = "each constructed vertex is a point where the meshes are";
+
+/// The doubles nearest to all vertices of a scene.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Places {
+    /// By the number of the construction: the doubles, and whether these are the point itself.
+    constructed: Vec<([f64; 3], bool)>,
+}
+
+impl Places {
+    /// The doubles nearest to the vertices that a scene constructs.
+    ///
+    /// # Errors
+    /// [`Undone::Broken`] where a line and a plane of input vertices meet in no single point, or a vertex is constructed otherwise.
+    pub fn new(scene: &Scene) -> Result<Places, Undone> {
+        let mut places = Places::default();
+        places.extend(scene)?;
+        Ok(places)
+    }
+
+    /// Adds what the scene has constructed since.
+    pub(super) fn extend(&mut self, scene: &Scene) -> Result<(), Undone> {
+        let new = &scene.constructions()[self.constructed.len()..];
+        let points = crate::parallel::all(new, &|definition| nearest(scene, definition));
+        for point in points {
+            self.constructed.push(point.ok_or(Undone::Broken(POINT))?);
+        }
+        Ok(())
+    }
+
+    /// The doubles nearest to a vertex; -0 comes as 0.
+    ///
+    /// # Panics
+    /// If the scene has no such vertex.
+    #[must_use]
+    pub fn nearest(&self, scene: &Scene, v: Vertex) -> [f64; 3] {
+        let point = v.construction().map_or_else(|| scene.point3(v), |index| self.constructed[index].0);
+        point.map(|x| x + 0.0)
+    }
+
+    /// Whether a vertex is where [`Places::nearest`] says.
+    ///
+    /// # Panics
+    /// If the scene has no such vertex.
+    #[must_use]
+    pub fn is_exact(&self, v: Vertex) -> bool {
+        v.construction().is_none_or(|index| self.constructed[index].1)
+    }
+}
+
+/// Which vertices stand for others at the same place.
+#[derive(Default)]
+pub(super) struct Same {
+    /// A vertex and the one that stands for it, ascending; those that stand for themselves are left out.
+    stands: Vec<[Vertex; 2]>,
+}
+
+impl Same {
+    /// Of these vertices at one place the first stands for all: an input vertex, if there is one.
+    pub fn of(session: &dyn Predicates, places: &Places, mut vertices: Vec<Vertex>) -> Same {
+        vertices.sort_unstable();
+        vertices.dedup();
+        let scene = session.scene();
+        let mut by_place: Vec<([f64; 3], Vertex)> =
+            vertices.into_iter().map(|v| (places.nearest(scene, v), v)).collect();
+        by_place.sort_unstable_by(|(a, v), (b, w)| {
+            let order = [0, 1, 2].into_iter().map(|axis: usize| a[axis].total_cmp(&b[axis]));
+            order.fold(std::cmp::Ordering::Equal, std::cmp::Ordering::then).then(v.cmp(w))
+        });
+        let is_same = |a: Vertex, b: Vertex| {
+            (places.is_exact(a) && places.is_exact(b))
+                || [Axis::X, Axis::Y, Axis::Z].into_iter().all(|axis| session.compare(axis, a, b).is_zero())
+        };
+        let mut stands = Vec::new();
+        let mut first: Vec<Vertex> = Vec::new();
+        for near in by_place.chunk_by(|a, b| a.0 == b.0) {
+            first.clear();
+            for &(_, v) in near {
+                match first.iter().find(|&&other| is_same(other, v)) {
+                    Some(&other) => stands.push([v, other]),
+                    None => first.push(v),
+                }
+            }
+        }
+        stands.sort_unstable();
+        Same { stands }
+    }
+
+    /// The vertex that stands for one.
+    pub fn stand(&self, v: Vertex) -> Vertex {
+        self.stands.binary_search_by_key(&v, |pair| pair[0]).map_or(v, |at| self.stands[at][1])
+    }
+
+    /// How many vertices another one stands for.
+    pub fn count(&self) -> usize {
+        self.stands.len()
+    }
+}
