@@ -4,7 +4,7 @@ use predicament_predicates::Vertex;
 
 /// Edges with the number of times that they are passed from the smaller vertex to the larger, less how often back.
 #[derive(Default)]
-pub(super) struct Chain {
+pub(crate) struct Chain {
     edges: Vec<([Vertex; 2], i32)>,
 }
 

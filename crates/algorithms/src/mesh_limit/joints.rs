@@ -12,7 +12,7 @@ use super::places::Places;
 use crate::sort::sort_by_sign;
 
 /// The vertices inside of edges.
-pub(super) struct Joints {
+pub(crate) struct Joints {
     /// By edge from the smaller vertex to the larger: what is inside, in this order.
     inside: HashMap<[Vertex; 2], Vec<Vertex>>,
 }

@@ -3,22 +3,27 @@
 //! A line and a plane meet at p + t·(q − p), t = n/(n − m), with the distances n and m of p and q from the plane: a quotient of integers, once all
 //! coordinates are integers in one unit.
 
+use std::cmp::Ordering;
+
 use predicament_arithmetic::{ExponentRange, Scaled, power_of_two};
 use predicament_predicates::{Construction, Scene};
-use rug::{Integer, Rational};
+use rug::{Complete, Integer, Rational};
 
 /// A vector, or a point, in units of a power of two.
 type Space = [Integer; 3];
 
+/// The nearest doubles, and where the point is from there.
+pub(super) type Nearest = ([f64; 3], [Ordering; 3]);
+
 /// Coordinates of so many bits have products of four differences in 128 bits.
 const SHORT: i32 = 26;
 
-/// The doubles nearest to a point, of two equally near ones the even one, and whether they are the point itself; none where line and
+/// The doubles nearest to a point, of two equally near ones the even one, and where the point is from there in each coordinate; none where line and
 /// plane meet in no single point, or the definition is of another kind, or of constructed vertices.
 ///
 /// A coordinate beyond all doubles is the largest one. Rounding is monotone: of two points the one with the smaller coordinate has
 /// no larger one here.
-pub(super) fn nearest(scene: &Scene, definition: &Construction) -> Option<([f64; 3], bool)> {
+pub(super) fn nearest(scene: &Scene, definition: &Construction) -> Option<Nearest> {
     if !definition.is_of_inputs() {
         return None;
     }
@@ -26,7 +31,7 @@ pub(super) fn nearest(scene: &Scene, definition: &Construction) -> Option<([f64;
         Construction::Lpi { line: [p, q], plane: [a, b, c] } => {
             let points = [p, q, a, b, c].map(|&v| scene.point3(v));
             if let Some(point) = short(&points) {
-                return Some((point, true));
+                return Some((point, [Ordering::Equal; 3]));
             }
             let Scaled { integers: [p, q, a, b, c], exponent } = Scaled::new(points)?;
             let normal = normal([&a, &b, &c]);
@@ -51,17 +56,16 @@ pub(super) fn nearest(scene: &Scene, definition: &Construction) -> Option<([f64;
 }
 
 /// Coordinates times a weight, in units of a power of two, as doubles.
-fn point(at: Space, weight: &Integer, exponent: i32) -> Option<([f64; 3], bool)> {
+fn point(at: Space, weight: &Integer, exponent: i32) -> Option<Nearest> {
     if weight.is_zero() {
         return None;
     }
-    let mut is_exact = true;
-    let point = at.map(|x| {
-        let (nearest, is_same) = rounded(&(Rational::from((x, weight.clone())) << exponent));
-        is_exact &= is_same;
-        nearest
-    });
-    Some((point, is_exact))
+    let mut sides = [Ordering::Equal; 3];
+    let mut nearest = [0.0; 3];
+    for (axis, x) in at.into_iter().enumerate() {
+        (nearest[axis], sides[axis]) = rounded(&(Rational::from((x, weight.clone())) << exponent));
+    }
+    Some((nearest, sides))
 }
 
 fn minus(a: &Space, b: &Space) -> Space {
@@ -80,19 +84,24 @@ fn normal([a, b, c]: [&Space; 3]) -> Space {
     cross(&minus(b, a), &minus(c, a))
 }
 
-/// The double nearest to a rational, of two equally near ones the even one, and whether it is the same.
-fn rounded(x: &Rational) -> (f64, bool) {
+/// The double nearest to a rational, of two equally near ones the even one, and where the rational is from there.
+fn rounded(x: &Rational) -> (f64, Ordering) {
     // Towards zero; the other candidate is the next one away from there.
-    let inner = x.to_f64();
-    let Some(here) = Rational::from_f64(inner) else { return (inner.clamp(f64::MIN, f64::MAX), false) };
-    if here == *x {
-        return (inner + 0.0, true);
-    }
+    let inner = x.to_f64().clamp(f64::MIN, f64::MAX);
     let outer = if x.cmp0().is_lt() { inner.next_down() } else { inner.next_up() };
-    let Some(there) = Rational::from_f64(outer) else { return (inner, false) };
-    let nearer = (here - x).abs().cmp(&(there - x).abs());
-    let is_inner = nearer.is_lt() || (nearer.is_eq() && inner.to_bits().is_multiple_of(2));
-    (if is_inner { inner } else { outer }, false)
+    let [here, there] = [inner, outer].map(Rational::from_f64);
+    let Some(here) = here else { return (inner, Ordering::Equal) };
+    let side = x.cmp(&here);
+    let is_inner = there.is_none_or(|there| {
+        let nearer = (&here - x).complete().abs().cmp(&(there - x).abs());
+        nearer.is_lt() || (nearer.is_eq() && inner.to_bits().is_multiple_of(2))
+    });
+    match (side, is_inner) {
+        // (-0 comes as 0.)
+        (Ordering::Equal, _) => (inner + 0.0, side),
+        (_, true) => (inner, side),
+        (_, false) => (outer, side.reverse()),
+    }
 }
 
 /// The point, where coordinates are few bits apart and it is a multiple of their unit.

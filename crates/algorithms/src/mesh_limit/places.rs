@@ -1,5 +1,7 @@
 //! Where vertices are: the nearest doubles, and which vertices are at one place.
 
+use std::cmp::Ordering;
+
 use predicament_predicates::{Axis, Predicates, Scene, Vertex};
 
 use super::nearest::nearest;
@@ -11,8 +13,8 @@ const POINT: &str = "each constructed vertex is a point where the meshes are";
 /// The doubles nearest to all vertices of a scene.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Places {
-    /// By the number of the construction: the doubles, and whether these are the point itself.
-    constructed: Vec<([f64; 3], bool)>,
+    /// By the number of the construction: the doubles, and where the point is from there.
+    constructed: Vec<([f64; 3], [Ordering; 3])>,
 }
 
 impl Places {
@@ -46,13 +48,25 @@ impl Places {
         point.map(|x| x + 0.0)
     }
 
+    /// In each coordinate of a vertex the double on the other side of its place than the nearest one; the nearest one where that is its
+    /// place.
+    pub(crate) fn beyond(&self, scene: &Scene, v: Vertex) -> [f64; 3] {
+        let nearest = self.nearest(scene, v);
+        let sides = v.construction().map_or([Ordering::Equal; 3], |index| self.constructed[index].1);
+        [0, 1, 2].map(|axis: usize| match sides[axis] {
+            Ordering::Less => nearest[axis].next_down(),
+            Ordering::Equal => nearest[axis],
+            Ordering::Greater => nearest[axis].next_up(),
+        })
+    }
+
     /// Whether a vertex is where [`Places::nearest`] says.
     ///
     /// # Panics
     /// If the scene has no such vertex.
     #[must_use]
     pub fn is_exact(&self, v: Vertex) -> bool {
-        v.construction().is_none_or(|index| self.constructed[index].1)
+        v.construction().is_none_or(|index| self.constructed[index].1 == [Ordering::Equal; 3])
     }
 }
 
@@ -73,7 +87,7 @@ impl Same {
             vertices.into_iter().map(|v| (places.nearest(scene, v), v)).collect();
         by_place.sort_unstable_by(|(a, v), (b, w)| {
             let order = [0, 1, 2].into_iter().map(|axis: usize| a[axis].total_cmp(&b[axis]));
-            order.fold(std::cmp::Ordering::Equal, std::cmp::Ordering::then).then(v.cmp(w))
+            order.fold(Ordering::Equal, Ordering::then).then(v.cmp(w))
         });
         let is_same = |a: Vertex, b: Vertex| {
             (places.is_exact(a) && places.is_exact(b))

@@ -9,8 +9,6 @@ pub enum Wrong {
     Nothing,
     /// Vertices at one place stay apart.
     KeepsVertices,
-    /// Opposite triangles stay.
-    KeepsOpposite,
     /// What faces each other in one plane stays.
     KeepsSheets,
     /// Vertices on edges stay there.
@@ -33,14 +31,6 @@ fault!(
     "mesh-limit-vertices",
     "vertices at one place stay apart",
     WRONG: Wrong = Wrong::KeepsVertices
-);
-
-fault!(
-    KeepsOpposite,
-    "Opposite triangles that stay.",
-    "mesh-limit-opposite",
-    "two opposite triangles stay",
-    WRONG: Wrong = Wrong::KeepsOpposite
 );
 
 fault!(

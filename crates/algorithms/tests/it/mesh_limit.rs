@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use predicament_algorithms::mesh_limit::planted::{KeepsJoints, KeepsOpposite, KeepsSheets, KeepsVertices, Planted};
+use predicament_algorithms::mesh_limit::planted::{KeepsJoints, KeepsSheets, KeepsVertices, Planted};
 use predicament_algorithms::mesh_limit::{Counts, Limit, limit_planted};
 use predicament_algorithms::mesh_overlay::{Zeros, mesh_overlay};
 use predicament_algorithms::overlay::Operation;
@@ -234,7 +234,6 @@ fn limits_of_cubes_are_their_cells() {
 #[test]
 fn faults_are_found() {
     assert!(!flaws::<KeepsVertices>(3).0.is_empty());
-    assert!(!flaws::<KeepsOpposite>(12).0.is_empty());
     assert!(!flaws::<KeepsSheets>(3).0.is_empty());
     assert!(!flaws::<KeepsJoints>(6).0.is_empty());
 }
