@@ -10,12 +10,13 @@
 //! the one mesh meets those of the other, the polynomial is linear: see `shift.rs`.
 
 use predicament_exact::Exact;
+use predicament_exact::constructed::{EXACT as CONSTRUCTED, FILTER};
 use predicament_predicates::{
     Axis, Backend, Construction, Constructs, Contract, Declined, MAX_STAGES, Off, Plane, PredicateKind, Predicates,
     Question, Refused, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 
-use crate::constructed::{self, rigid};
+use crate::constructed::{self, fixed, rigid};
 use crate::shift;
 
 /// Simulation of Simplicity between two meshes: the second has moved by (ε, ε², ε³).
@@ -40,6 +41,11 @@ static STAGES: [&str; EXACT + 5] = {
 };
 
 const _: () = assert!(EXACT + 5 <= MAX_STAGES);
+
+/// The stage of an answer about points of lines and planes by the power of ε that decides: 0 where the exact backend would have.
+fn stage_of(power: usize) -> usize {
+    if power == 0 { CONSTRUCTED } else { EXACT + power.min(5) - 1 }
+}
 
 impl Backend for PerMesh {
     type Session<'s, T: Tally + 's> = Session<'s, T>;
@@ -85,6 +91,51 @@ impl<T: Tally> Session<'_, T> {
         sign
     }
 
+    /// About constructed vertices, what the exact backend's filter leaves open.
+    #[inline(never)]
+    fn settle_constructed<const N: usize>(
+        &self,
+        question: Question,
+        args: [Vertex; N],
+        decided: fixed::Decided,
+        exact: impl FnOnce() -> (Sign, usize),
+    ) -> Sign {
+        let (sign, stage) = match decided {
+            None => return self.settle(question, args, exact()),
+            Some(Some((sign, power))) => (sign, stage_of(power)),
+            Some(None) => (Sign::Zero, CONSTRUCTED),
+        };
+        self.tally.settled(question.kind(), stage);
+        sign
+    }
+
+    /// Which vertices move; there are some.
+    fn second(&self) -> &[bool] {
+        self.exact.scene().second_mesh().unwrap_or_default()
+    }
+
+    #[inline(never)]
+    fn compare_constructed(&self, axis: Axis, [a, b]: [Vertex; 2]) -> Sign {
+        if let Some(sign) = self.exact.constructed().compare_by_filter(axis, a, b) {
+            self.tally.settled(PredicateKind::Compare, FILTER);
+            return sign;
+        }
+        let decided = fixed::compare(self.exact.scene(), self.second(), axis, [a, b]);
+        let exact = || (self.exact.constructed().compare_exactly(axis, [a, b]), CONSTRUCTED);
+        self.settle_constructed(Question::Compare(axis), [a, b], decided, exact)
+    }
+
+    #[inline(never)]
+    fn orient2d_constructed(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> Sign {
+        if let Some(sign) = self.exact.constructed().orient2d_by_filter(plane, a, b, c) {
+            self.tally.settled(PredicateKind::Orient2d, FILTER);
+            return sign;
+        }
+        let decided = fixed::orient2d(self.exact.scene(), self.second(), plane, [a, b, c]);
+        let exact = || (self.exact.constructed().orient2d_exactly(plane, [a, b, c]), CONSTRUCTED);
+        self.settle_constructed(Question::Orient2d(plane), [a, b, c], decided, exact)
+    }
+
     #[cold]
     #[inline(never)]
     fn tie<const N: usize>(&self, question: Question, args: [Vertex; N], exact_stage: usize) -> Sign {
@@ -97,7 +148,7 @@ impl<T: Tally> Session<'_, T> {
         };
         let decided = shifted.unwrap_or_else(|| rigid::decide(self.exact.scene(), question, &args));
         let (sign, stage) = match decided {
-            Some((sign, power)) => (sign, EXACT + power.clamp(1, 5) - 1),
+            Some((sign, power)) => (sign, stage_of(power.max(1))),
             None => (Sign::Zero, exact_stage),
         };
         self.tally.settled(question.kind(), stage);
@@ -115,10 +166,16 @@ impl<T: Tally> Predicates for Session<'_, T> {
     }
 
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        if a.is_constructed() || b.is_constructed() {
+            return self.compare_constructed(axis, [a, b]);
+        }
         self.settle(Question::Compare(axis), [a, b], self.exact.decide_compare(axis, a, b))
     }
 
     fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        if a.is_constructed() || b.is_constructed() || c.is_constructed() {
+            return self.orient2d_constructed(plane, [a, b, c]);
+        }
         self.settle(Question::Orient2d(plane), [a, b, c], self.exact.decide_orient2d(plane, a, b, c))
     }
 
