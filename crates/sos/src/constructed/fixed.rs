@@ -9,21 +9,20 @@
 //! # How many limbs
 //! Coordinates are taken from a vertex of the question, in units of a power of two. With these below 2^b and B = b + 1, in magnitude:
 //!
-//! | what | below |
-//! |---|---|
-//! | a difference, as u | 2^B |
-//! | n | 2^(2B + 1) |
-//! | w, N | 2^(3B + 3) |
-//! | a derivative: w, and u·n | 2^(3B + 4) |
-//! | a coordinate times w | 2^(4B + 4) |
-//! | a coordinate times the other's weight, less the same exchanged | 2^(7B + 8) |
-//! | a minor of two rows: eight products at most of two coordinates times w | 2^(8B + 11) |
-//! | three of these, times a weight | 2^(11B + 16) |
+//! | what | below | limbs: b = 61 | b = 124 |
+//! |---|---|---:|---:|
+//! | a difference, as u | 2^B | 1 | 2 |
+//! | n | 2^(2B + 1) | 2 | 4 |
+//! | w, N | 2^(3B + 3) | 3 | 6 |
+//! | a derivative: w, and u·n | 2^(3B + 4) | 3 | 6 |
+//! | a coordinate times w | 2^(4B + 4) | 4 | 8 |
+//! | a coordinate times the other's weight, less the same exchanged | 2^(7B + 8) | 7 | 14 |
+//! | a minor of two rows: eight products at most of two coordinates times w | 2^(8B + 11) | 8 | 16 |
+//! | three of these, times a weight | 2^(11B + 16) | 11 | 22 |
 //!
-//! With b = 61 that takes 1, 2, 3, 3, 4, 7, 8 and 11 limbs. All of it takes one limb where B is up to 7 in a comparison, up to 4 in
-//! a turn; two limbs up to 17 and up to 10.
+//! All of it takes one limb where B is up to 7 in a comparison, up to 4 in a turn; two limbs up to 17 and up to 10.
 
-use predicament_arithmetic::{Fixed, short_rows};
+use predicament_arithmetic::{ExponentRange, Fixed, short_rows, units};
 use predicament_predicates::{Axis, Construction, Plane, Scene, Sign, Vertex};
 
 /// The sign and the power of ε that decides, 0 where none has to move; none where it is zero however far the second mesh moves.
@@ -35,12 +34,16 @@ pub(crate) type Decided = Option<Option<(Sign, usize)>>;
 /// # Panics
 /// If the scene lacks a vertex.
 pub(crate) fn compare(scene: &Scene, second: &[bool], axis: Axis, args: [Vertex; 2]) -> Decided {
-    let given = Given::<2>::new::<11>(scene, second, args)?;
+    let named = Named::new(scene, second, args)?;
     let axes = [axis.index()];
-    Some(match given.bits {
-        0..=7 => order::<1, 1, 1>(&given.rows::<1, 1, 1, 1>(axes)),
-        8..=17 => order::<2, 2, 2>(&given.rows::<2, 2, 2, 1>(axes)),
-        _ => order::<3, 4, 7>(&given.rows::<2, 3, 4, 1>(axes)),
+    let points = named.points::<11>(scene);
+    let Some((points, bits)) = short(&points) else {
+        return Some(order::<6, 8, 14>(&named.rows::<2, 4, 6, 8, 1>(&long(&points)?, axes)));
+    };
+    Some(match bits {
+        0..=7 => order::<1, 1, 1>(&named.rows::<1, 1, 1, 1, 1>(&points, axes)),
+        8..=17 => order::<2, 2, 2>(&named.rows::<1, 2, 2, 2, 1>(&points, axes)),
+        _ => order::<3, 4, 7>(&named.rows::<1, 2, 3, 4, 1>(&points, axes)),
     })
 }
 
@@ -49,86 +52,109 @@ pub(crate) fn compare(scene: &Scene, second: &[bool], axis: Axis, args: [Vertex;
 /// # Panics
 /// If the scene lacks a vertex.
 pub(crate) fn orient2d(scene: &Scene, second: &[bool], plane: Plane, args: [Vertex; 3]) -> Decided {
-    let given = Given::<3>::new::<16>(scene, second, args)?;
+    let named = Named::new(scene, second, args)?;
     let axes = plane.axes().map(Axis::index);
-    Some(match given.bits {
-        0..=4 => turn::<1, 1, 1, 1>(&given.rows::<1, 1, 1, 2>(axes)),
-        5..=10 => turn::<2, 2, 2, 2>(&given.rows::<2, 2, 2, 2>(axes)),
-        _ => turn::<3, 4, 8, 11>(&given.rows::<2, 3, 4, 2>(axes)),
+    let points = named.points::<16>(scene);
+    let Some((points, bits)) = short(&points) else {
+        return Some(turn::<6, 8, 16, 22>(&named.rows::<2, 4, 6, 8, 2>(&long(&points)?, axes)));
+    };
+    Some(match bits {
+        0..=4 => turn::<1, 1, 1, 1>(&named.rows::<1, 1, 1, 1, 2>(&points, axes)),
+        5..=10 => turn::<2, 2, 2, 2>(&named.rows::<1, 2, 2, 2, 2>(&points, axes)),
+        _ => turn::<3, 4, 8, 11>(&named.rows::<1, 2, 3, 4, 2>(&points, axes)),
     })
 }
 
-type Point = [Fixed<1>; 3];
-
-/// The points of a question, by what defines them.
-struct Given<const N: usize> {
-    defined: [Defined; N],
-    /// So many bits have differences of coordinates at most: the B above.
-    bits: u32,
-}
-
-/// What defines a point.
-#[derive(Clone, Copy)]
-struct Defined {
-    /// Two points of a line and three of a plane; five times the point itself if it is an input vertex.
-    points: [Point; 5],
-    is_meet: bool,
+/// The points of a question, by the vertices that define them.
+struct Named<const N: usize> {
+    /// Two of a line and three of a plane; five times the point itself if it is an input vertex.
+    vertices: [[Vertex; 5]; N],
+    is_meet: [bool; N],
     /// Whether the line moves, and the plane; an input vertex itself for both.
-    moves: [bool; 2],
+    moves: [[bool; 2]; N],
 }
 
-impl<const N: usize> Given<N> {
-    /// None where a vertex has another definition, or one with vertices of both meshes, and where coordinates take more bits. S is 5·N + 1.
+type Point<const A: usize> = [Fixed<A>; 3];
+
+impl<const N: usize> Named<N> {
+    /// None where a vertex has another definition, or one with a line or a plane of both meshes.
     #[inline(always)]
-    fn new<const S: usize>(scene: &Scene, second: &[bool], args: [Vertex; N]) -> Option<Given<N>> {
-        const { assert!(S == 5 * N + 1, "five points each, and the origin") };
-        let mut sources = [[args[0]; 5]; N];
-        let mut moves = [[false; 2]; N];
+    fn new(scene: &Scene, second: &[bool], args: [Vertex; N]) -> Option<Named<N>> {
+        let (mut vertices, mut moves) = ([[args[0]; 5]; N], [[false; 2]; N]);
         for (at, &v) in args.iter().enumerate() {
-            sources[at] = match v.construction().map(|index| &scene.constructions()[index]) {
+            vertices[at] = match v.construction().map(|index| &scene.constructions()[index]) {
                 None => [v; 5],
                 Some(&Construction::Lpi { line: [p, q], plane: [a, b, c] }) => [p, q, a, b, c],
                 Some(_) => return None,
             };
-            let [p, q, a, b, c] = sources[at].map(|v| second[v.index()]);
+            let [p, q, a, b, c] = vertices[at].map(|v| second[v.index()]);
             if p != q || a != b || a != c {
                 return None;
             }
             moves[at] = [p, a];
         }
+        Some(Named { vertices, is_meet: args.map(Vertex::is_constructed), moves })
+    }
+
+    /// Their coordinates, and last those of the first one again: the origin. S is 5·N + 1.
+    #[inline(always)]
+    fn points<const S: usize>(&self, scene: &Scene) -> [[f64; 3]; S] {
+        const { assert!(S == 5 * N + 1, "five points each, and the origin") };
         let coordinates = scene.coordinates().as_chunks::<3>().0;
         let mut points = [[0.0; 3]; S];
-        for (point, v) in points.iter_mut().zip(sources.as_flattened()) {
+        for (point, v) in points.iter_mut().zip(self.vertices.as_flattened()) {
             *point = coordinates[v.index()];
         }
         points[S - 1] = points[0];
-        let rows = short_rows::<3, S>(points)?;
-        let (mut any, mut size) = (0, 0);
-        for row in &rows[..S - 1] {
-            for x in row {
-                let x = x.limbs()[0];
-                any |= x;
-                size |= x.cast_signed().unsigned_abs();
-            }
-        }
-        // The lowest bit that any of them has is the unit.
-        let low = any.trailing_zeros();
-        let shifted = |x: Fixed<1>| Fixed::from(x.limbs()[0].cast_signed() >> low);
-        let defined = std::array::from_fn(|at| Defined {
-            points: std::array::from_fn(|i| rows[5 * at + i].map(shifted)),
-            is_meet: args[at].is_constructed(),
-            moves: moves[at],
-        });
-        Some(Given { defined, bits: 65 - size.leading_zeros() - low })
+        points
     }
 
     #[inline(always)]
-    fn rows<const B: usize, const C: usize, const D: usize, const K: usize>(
+    fn rows<const A: usize, const B: usize, const C: usize, const D: usize, const K: usize>(
         &self,
+        points: &[Point<A>],
         axes: [usize; K],
     ) -> [Row<C, D, K>; N] {
-        std::array::from_fn(|at| self.defined[at].row::<B, C, D, K>(axes))
+        std::array::from_fn(|at| {
+            let [p, q, a, b, c] = std::array::from_fn(|i| points[5 * at + i]);
+            if self.is_meet[at] {
+                Row::meet::<A, B>([p, q], [a, b, c], self.moves[at], axes)
+            } else {
+                Row::input(p, self.moves[at][0], axes)
+            }
+        })
     }
+}
+
+/// Differences to the last point in units of some power of two, and B; none if they take more than a limb.
+#[inline(always)]
+fn short<const S: usize>(points: &[[f64; 3]; S]) -> Option<([Point<1>; S], u32)> {
+    let mut rows = short_rows::<3, S>(*points)?;
+    let (mut any, mut size) = (0, 0);
+    for x in rows.as_flattened() {
+        let x = x.limbs()[0];
+        any |= x;
+        size |= x.cast_signed().unsigned_abs();
+    }
+    // The lowest bit that any of them has is the unit.
+    let low = any.trailing_zeros();
+    for x in rows.as_flattened_mut() {
+        *x = Fixed::from(x.limbs()[0].cast_signed() >> low);
+    }
+    Some((rows, 65 - size.leading_zeros() - low))
+}
+
+/// Differences to the last point in units of some power of two; none if they take more than two limbs.
+#[inline(never)]
+fn long<const S: usize>(points: &[[f64; 3]; S]) -> Option<[Point<2>; S]> {
+    let range = ExponentRange::of(points.as_flattened())?;
+    // Coordinates are below 2^(highest − lowest) in these units, and differences below twice that.
+    if range.highest - range.lowest + 1 > 124 {
+        return None;
+    }
+    let whole = |x: f64| Fixed::from(units(x, range.lowest));
+    let origin = points[S - 1].map(whole);
+    Some(points.map(|point| minus(point.map(whole), origin)))
 }
 
 /// A weight, and for some axes a coordinate times it: a constant, and derivatives by the three coordinates of δ.
@@ -137,39 +163,48 @@ struct Row<const C: usize, const D: usize, const K: usize> {
     along: [[Fixed<D>; 4]; K],
 }
 
-impl Defined {
+impl<const C: usize, const D: usize, const K: usize> Row<C, D, K> {
+    /// An input vertex.
     #[inline(always)]
-    fn row<const B: usize, const C: usize, const D: usize, const K: usize>(&self, axes: [usize; K]) -> Row<C, D, K> {
-        let [p, q, a, b, c] = self.points;
+    fn input<const A: usize>(p: Point<A>, moves: bool, axes: [usize; K]) -> Row<C, D, K> {
         let mut along = [[Fixed::ZERO; 4]; K];
-        let [line_moves, plane_moves] = self.moves;
-        if !self.is_meet {
-            for (k, axis) in axes.into_iter().enumerate() {
-                along[k][0] = p[axis].extended();
-                if line_moves {
-                    along[k][1 + axis] = ONE.extended();
-                }
+        for (along, axis) in along.iter_mut().zip(axes) {
+            along[0] = p[axis].extended();
+            if moves {
+                along[1 + axis] = ONE.extended();
             }
-            return Row { weight: ONE.extended(), along };
         }
+        Row { weight: ONE.extended(), along }
+    }
+
+    /// Where a line meets a plane.
+    #[inline(always)]
+    fn meet<const A: usize, const B: usize>(
+        [p, q]: [Point<A>; 2],
+        [a, b, c]: [Point<A>; 3],
+        [line_moves, plane_moves]: [bool; 2],
+        axes: [usize; K],
+    ) -> Row<C, D, K> {
         let [u, v, w, way] = [minus(q, p), minus(b, a), minus(c, a), minus(a, p)];
-        let normal: [Fixed<B>; 3] =
-            [(1, 2), (2, 0), (0, 1)].map(|(i, j): (usize, usize)| v[i].times::<1, B>(w[j]).minus(v[j].times(w[i])));
-        let dot = |x: Point| -> Fixed<C> {
-            let [x, y, z] = [0, 1, 2].map(|axis: usize| normal[axis].times::<1, C>(x[axis]));
+        let minor = |i: usize, j: usize| v[i].times::<A, B>(w[j]).minus(v[j].times(w[i]));
+        let normal = [minor(1, 2), minor(2, 0), minor(0, 1)];
+        let dot = |x: Point<A>| -> Fixed<C> {
+            let [x, y, z] = [0, 1, 2].map(|axis: usize| normal[axis].times::<A, C>(x[axis]));
             x.plus(y).plus(z)
         };
         let [weight, distance] = [dot(u), dot(way)];
-        for (k, axis) in axes.into_iter().enumerate() {
-            along[k][0] = weight.times::<1, D>(p[axis]).plus(distance.times::<1, D>(u[axis]));
+        let mut along = [[Fixed::ZERO; 4]; K];
+        for (along, axis) in along.iter_mut().zip(axes) {
+            along[0] = weight.times::<A, D>(p[axis]).plus(distance.times(u[axis]));
             if line_moves {
-                along[k][1 + axis] = weight.extended();
+                along[1 + axis] = weight.extended();
             }
-            if line_moves != plane_moves && !u[axis].is_zero() {
-                for (derivative, normal) in along[k][1..].iter_mut().zip(normal) {
-                    let change = normal.times::<1, C>(u[axis]).extended();
-                    *derivative = if plane_moves { derivative.plus(change) } else { derivative.minus(change) };
-                }
+            if line_moves == plane_moves || u[axis].is_zero() {
+                continue;
+            }
+            for (derivative, normal) in along[1..].iter_mut().zip(normal) {
+                let change = normal.times::<A, C>(u[axis]).extended();
+                *derivative = if plane_moves { derivative.plus(change) } else { derivative.minus(change) };
             }
         }
         Row { weight, along }
@@ -179,7 +214,7 @@ impl Defined {
 const ONE: Fixed<1> = Fixed::from_limbs([1]);
 
 #[inline(always)]
-fn minus(a: Point, b: Point) -> Point {
+fn minus<const A: usize>(a: Point<A>, b: Point<A>) -> Point<A> {
     [a[0].minus(b[0]), a[1].minus(b[1]), a[2].minus(b[2])]
 }
 
