@@ -17,7 +17,7 @@ use predicament_predicates::{
 };
 
 use crate::constructed::{self, fixed, rigid};
-use crate::shift;
+use crate::shift::{self, PlaneTies};
 
 /// Simulation of Simplicity between two meshes: the second has moved by (ε, ε², ε³).
 ///
@@ -85,7 +85,7 @@ impl<T: Tally> Session<'_, T> {
     #[inline(always)]
     fn settle<const N: usize>(&self, question: Question, args: [Vertex; N], (sign, stage): (Sign, usize)) -> Sign {
         if sign.is_zero() {
-            return self.tie(question, args, stage);
+            return self.tie(question, args, || stage);
         }
         self.tally.settled(question.kind(), stage);
         sign
@@ -138,7 +138,7 @@ impl<T: Tally> Session<'_, T> {
 
     #[cold]
     #[inline(never)]
-    fn tie<const N: usize>(&self, question: Question, args: [Vertex; N], exact_stage: usize) -> Sign {
+    fn tie<const N: usize>(&self, question: Question, args: [Vertex; N], exact_stage: impl FnOnce() -> usize) -> Sign {
         // Between input vertices most ties are a derivative away; all others take polynomials.
         let shifted = match (question, &args[..]) {
             (Question::Compare(axis), &[a, b]) => shift::compare(&self.exact, axis, [a, b]),
@@ -147,12 +147,31 @@ impl<T: Tally> Session<'_, T> {
             _ => None,
         };
         let decided = shifted.unwrap_or_else(|| rigid::decide(self.exact.scene(), question, &args));
-        let (sign, stage) = match decided {
-            Some((sign, power)) => (sign, stage_of(power.max(1))),
-            None => (Sign::Zero, exact_stage),
-        };
-        self.tally.settled(question.kind(), stage);
-        sign
+        self.broken(question.kind(), decided, exact_stage)
+    }
+
+    /// Tallies a tie: by the power that decides, or by the exact backend's stage.
+    fn broken(&self, kind: PredicateKind, decided: Option<(Sign, usize)>, exact_stage: impl FnOnce() -> usize) -> Sign {
+        if let Some((sign, power)) = decided {
+            self.tally.settled(kind, stage_of(power.max(1)));
+            return sign;
+        }
+        if T::LISTENS {
+            self.tally.settled(kind, exact_stage());
+        }
+        Sign::Zero
+    }
+
+    /// What the exact backend's first filter leaves open. Where vertices of the two meshes are at one place, nothing has to be computed
+    /// to see that it is a tie.
+    #[cold]
+    #[inline(never)]
+    fn next_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        let exact = || self.exact.decide_orient3d(a, b, c, d);
+        if shift::has_twins(self.exact.scene(), [a, b, c, d]) {
+            return self.tie(Question::Orient3d, [a, b, c, d], || exact().1);
+        }
+        self.settle(Question::Orient3d, [a, b, c, d], exact())
     }
 }
 
@@ -180,7 +199,30 @@ impl<T: Tally> Predicates for Session<'_, T> {
     }
 
     fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.settle(Question::Orient3d, [a, b, c, d], self.exact.decide_orient3d(a, b, c, d))
+        match self.exact.filter_orient3d(a, b, c, d) {
+            Some((sign, stage)) if !sign.is_zero() => {
+                self.tally.settled(PredicateKind::Orient3d, stage);
+                sign
+            }
+            _ => self.next_orient3d(a, b, c, d),
+        }
+    }
+
+    fn orient3d_plane(&self, plane: [Vertex; 3], points: &[Vertex], out: &mut [Sign]) {
+        let [a, b, c] = plane;
+        if T::LISTENS {
+            // Which of the exact backend's stages settled a query is known only where it is asked alone.
+            return points.iter().zip(out).for_each(|(&d, out)| *out = self.orient3d(a, b, c, d));
+        }
+        self.exact.orient3d_plane(plane, points, out);
+        let mut ties = None;
+        for (&d, out) in points.iter().zip(out).filter(|(_, out)| out.is_zero()) {
+            let ties = ties.get_or_insert_with(|| PlaneTies::new(&self.exact, plane));
+            *out = match ties.as_ref().and_then(|ties| ties.of(&self.exact, d)) {
+                Some(decided) => self.broken(PredicateKind::Orient3d, decided, || 0),
+                None => self.orient3d(a, b, c, d),
+            };
+        }
     }
 
     fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
