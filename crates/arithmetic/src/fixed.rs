@@ -45,6 +45,16 @@ impl<const L: usize> Fixed<L> {
         self.0.iter().fold(0, |any, limb| any | limb) == 0
     }
 
+    /// The same number in as many limbs or more. Fewer do not compile.
+    #[inline(always)]
+    #[must_use]
+    pub fn extended<const M: usize>(self) -> Fixed<M> {
+        const { assert!(L <= M, "no limb is left out") };
+        let mut limbs = [if self.is_negative() { u64::MAX } else { 0 }; M];
+        limbs[..L].copy_from_slice(&self.0);
+        Fixed(limbs)
+    }
+
     /// The sum, modulo 2^(64L).
     #[inline(always)]
     #[must_use]
@@ -235,6 +245,13 @@ mod tests {
             check::<3, 2, 3>(c, b);
             check::<2, 3, 2>(b, c);
             check::<4, 4, 5>(d, d);
+        }
+
+        #[test]
+        fn more_limbs_are_the_same_number(a in fixed::<1>(), b in fixed::<2>(), c in fixed::<3>()) {
+            prop_assert_eq!([value(a.extended::<1>()), value(a.extended::<4>())], [value(a), value(a)]);
+            prop_assert_eq!([value(b.extended::<2>()), value(b.extended::<3>())], [value(b), value(b)]);
+            prop_assert_eq!(value(c.extended::<8>()), value(c));
         }
 
         #[test]

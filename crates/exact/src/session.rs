@@ -164,6 +164,18 @@ impl<'s, T: Tally> Session<'s, T> {
         self.next_orient3d(determinant, a, b, c, d)
     }
 
+    /// [`Session::decide_orient3d`] where the static filter decides, or doubles make no error; else none.
+    ///
+    /// # Panics
+    /// If the scene is 2D.
+    #[inline]
+    #[must_use]
+    pub fn filter_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Option<(Sign, usize)> {
+        let at = |v: Vertex| self.points3.get(v.index());
+        let sign = Orient3d::estimate([*at(a)?, *at(b)?, *at(c)?, *at(d)?]).above(self.orient3d.static_bound)?;
+        Some((sign, self.orient3d.static_stage))
+    }
+
     /// [`Predicates::incircle`] and the stage that settled it, not tallied.
     ///
     /// # Panics
@@ -277,7 +289,7 @@ impl<'s, T: Tally> Session<'s, T> {
 
     #[inline(never)]
     fn next_orient3d(&self, determinant: f64, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        if determinant == 0.0 {
+        if determinant == 0.0 || determinant.is_nan() {
             // A row of zeros, if the last point is where another one is.
             let at = |v: Vertex| self.points3.get(v.index());
             if let (Some(p), Some(q), Some(r), Some(last)) = (at(a), at(b), at(c), at(d))

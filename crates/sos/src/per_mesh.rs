@@ -10,13 +10,14 @@
 //! the one mesh meets those of the other, the polynomial is linear: see `shift.rs`.
 
 use predicament_exact::Exact;
+use predicament_exact::constructed::{EXACT as CONSTRUCTED, FILTER};
 use predicament_predicates::{
     Axis, Backend, Construction, Constructs, Contract, Declined, MAX_STAGES, Off, Plane, PredicateKind, Predicates,
     Question, Refused, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 
-use crate::constructed::{self, rigid};
-use crate::shift;
+use crate::constructed::{self, fixed, rigid};
+use crate::shift::{self, PlaneTies};
 
 /// Simulation of Simplicity between two meshes: the second has moved by (ε, ε², ε³).
 ///
@@ -40,6 +41,11 @@ static STAGES: [&str; EXACT + 5] = {
 };
 
 const _: () = assert!(EXACT + 5 <= MAX_STAGES);
+
+/// The stage of an answer about points of lines and planes by the power of ε that decides: 0 where the exact backend would have.
+fn stage_of(power: usize) -> usize {
+    if power == 0 { CONSTRUCTED } else { EXACT + power.min(5) - 1 }
+}
 
 impl Backend for PerMesh {
     type Session<'s, T: Tally + 's> = Session<'s, T>;
@@ -79,15 +85,60 @@ impl<T: Tally> Session<'_, T> {
     #[inline(always)]
     fn settle<const N: usize>(&self, question: Question, args: [Vertex; N], (sign, stage): (Sign, usize)) -> Sign {
         if sign.is_zero() {
-            return self.tie(question, args, stage);
+            return self.tie(question, args, || stage);
         }
         self.tally.settled(question.kind(), stage);
         sign
     }
 
+    /// About constructed vertices, what the exact backend's filter leaves open.
+    #[inline(never)]
+    fn settle_constructed<const N: usize>(
+        &self,
+        question: Question,
+        args: [Vertex; N],
+        decided: fixed::Decided,
+        exact: impl FnOnce() -> (Sign, usize),
+    ) -> Sign {
+        let (sign, stage) = match decided {
+            None => return self.settle(question, args, exact()),
+            Some(Some((sign, power))) => (sign, stage_of(power)),
+            Some(None) => (Sign::Zero, CONSTRUCTED),
+        };
+        self.tally.settled(question.kind(), stage);
+        sign
+    }
+
+    /// Which vertices move; there are some.
+    fn second(&self) -> &[bool] {
+        self.exact.scene().second_mesh().unwrap_or_default()
+    }
+
+    #[inline(never)]
+    fn compare_constructed(&self, axis: Axis, [a, b]: [Vertex; 2]) -> Sign {
+        if let Some(sign) = self.exact.constructed().compare_by_filter(axis, a, b) {
+            self.tally.settled(PredicateKind::Compare, FILTER);
+            return sign;
+        }
+        let decided = fixed::compare(self.exact.scene(), self.second(), axis, [a, b]);
+        let exact = || (self.exact.constructed().compare_exactly(axis, [a, b]), CONSTRUCTED);
+        self.settle_constructed(Question::Compare(axis), [a, b], decided, exact)
+    }
+
+    #[inline(never)]
+    fn orient2d_constructed(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> Sign {
+        if let Some(sign) = self.exact.constructed().orient2d_by_filter(plane, a, b, c) {
+            self.tally.settled(PredicateKind::Orient2d, FILTER);
+            return sign;
+        }
+        let decided = fixed::orient2d(self.exact.scene(), self.second(), plane, [a, b, c]);
+        let exact = || (self.exact.constructed().orient2d_exactly(plane, [a, b, c]), CONSTRUCTED);
+        self.settle_constructed(Question::Orient2d(plane), [a, b, c], decided, exact)
+    }
+
     #[cold]
     #[inline(never)]
-    fn tie<const N: usize>(&self, question: Question, args: [Vertex; N], exact_stage: usize) -> Sign {
+    fn tie<const N: usize>(&self, question: Question, args: [Vertex; N], exact_stage: impl FnOnce() -> usize) -> Sign {
         // Between input vertices most ties are a derivative away; all others take polynomials.
         let shifted = match (question, &args[..]) {
             (Question::Compare(axis), &[a, b]) => shift::compare(&self.exact, axis, [a, b]),
@@ -96,12 +147,31 @@ impl<T: Tally> Session<'_, T> {
             _ => None,
         };
         let decided = shifted.unwrap_or_else(|| rigid::decide(self.exact.scene(), question, &args));
-        let (sign, stage) = match decided {
-            Some((sign, power)) => (sign, EXACT + power.clamp(1, 5) - 1),
-            None => (Sign::Zero, exact_stage),
-        };
-        self.tally.settled(question.kind(), stage);
-        sign
+        self.broken(question.kind(), decided, exact_stage)
+    }
+
+    /// Tallies a tie: by the power that decides, or by the exact backend's stage.
+    fn broken(&self, kind: PredicateKind, decided: Option<(Sign, usize)>, exact_stage: impl FnOnce() -> usize) -> Sign {
+        if let Some((sign, power)) = decided {
+            self.tally.settled(kind, stage_of(power.max(1)));
+            return sign;
+        }
+        if T::LISTENS {
+            self.tally.settled(kind, exact_stage());
+        }
+        Sign::Zero
+    }
+
+    /// What the exact backend's first filter leaves open. Where vertices of the two meshes are at one place, nothing has to be computed
+    /// to see that it is a tie.
+    #[cold]
+    #[inline(never)]
+    fn next_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        let exact = || self.exact.decide_orient3d(a, b, c, d);
+        if shift::has_twins(self.exact.scene(), [a, b, c, d]) {
+            return self.tie(Question::Orient3d, [a, b, c, d], || exact().1);
+        }
+        self.settle(Question::Orient3d, [a, b, c, d], exact())
     }
 }
 
@@ -115,15 +185,44 @@ impl<T: Tally> Predicates for Session<'_, T> {
     }
 
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        if a.is_constructed() || b.is_constructed() {
+            return self.compare_constructed(axis, [a, b]);
+        }
         self.settle(Question::Compare(axis), [a, b], self.exact.decide_compare(axis, a, b))
     }
 
     fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        if a.is_constructed() || b.is_constructed() || c.is_constructed() {
+            return self.orient2d_constructed(plane, [a, b, c]);
+        }
         self.settle(Question::Orient2d(plane), [a, b, c], self.exact.decide_orient2d(plane, a, b, c))
     }
 
     fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.settle(Question::Orient3d, [a, b, c, d], self.exact.decide_orient3d(a, b, c, d))
+        match self.exact.filter_orient3d(a, b, c, d) {
+            Some((sign, stage)) if !sign.is_zero() => {
+                self.tally.settled(PredicateKind::Orient3d, stage);
+                sign
+            }
+            _ => self.next_orient3d(a, b, c, d),
+        }
+    }
+
+    fn orient3d_plane(&self, plane: [Vertex; 3], points: &[Vertex], out: &mut [Sign]) {
+        let [a, b, c] = plane;
+        if T::LISTENS {
+            // Which of the exact backend's stages settled a query is known only where it is asked alone.
+            return points.iter().zip(out).for_each(|(&d, out)| *out = self.orient3d(a, b, c, d));
+        }
+        self.exact.orient3d_plane(plane, points, out);
+        let mut ties = None;
+        for (&d, out) in points.iter().zip(out).filter(|(_, out)| out.is_zero()) {
+            let ties = ties.get_or_insert_with(|| PlaneTies::new(&self.exact, plane));
+            *out = match ties.as_ref().and_then(|ties| ties.of(&self.exact, d)) {
+                Some(decided) => self.broken(PredicateKind::Orient3d, decided, || 0),
+                None => self.orient3d(a, b, c, d),
+            };
+        }
     }
 
     fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {

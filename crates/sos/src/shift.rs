@@ -6,7 +6,7 @@
 //! coordinates, those of `orient3d` are `orient2d` of the other three vertices. With p, q of the one mesh and u, v of the other,
 //! det(p − v, q − v, u − v) changes by δ · ((q − p) × (v − u)) as u and v move by δ, and by nothing more.
 
-use predicament_predicates::{Axis, Off, Plane, Predicates, Sign, Vertex};
+use predicament_predicates::{Axis, Off, Plane, Predicates, Scene, Sign, Vertex};
 
 use crate::crossed;
 
@@ -61,6 +61,61 @@ pub(crate) fn orient2d(exact: &Exact, plane: Plane, args: [Vertex; 3]) -> Shifte
     Some(first.map(|(axis, sign)| (sign * moves, axis.index() + 1)))
 }
 
+/// Whether two of some input vertices are at one place in a scene in space: of the two meshes, if they are not one vertex.
+pub(crate) fn has_twins(scene: &Scene, args: [Vertex; 4]) -> bool {
+    if args.iter().any(|v| v.is_constructed()) {
+        return false;
+    }
+    let [a, b, c, d] = args.map(|v| scene.point3(v));
+    a == b || a == c || a == d || b == c || b == d || c == d
+}
+
+/// The sign of `orient3d` after the move, and the power that decides, for all points of a plane of input vertices of one mesh that are
+/// input vertices of the other: the first component of the normal that is not zero, as all of them move alike.
+pub(crate) struct PlaneTies {
+    /// Whether the plane moves.
+    moves: bool,
+    first: Option<(Sign, usize)>,
+}
+
+impl PlaneTies {
+    /// None where the plane has constructed vertices, or some of both meshes.
+    pub(crate) fn new(exact: &Exact, [a, b, c]: [Vertex; 3]) -> Option<PlaneTies> {
+        let second = exact.scene().second_mesh()?;
+        if [a, b, c].iter().any(|v| v.is_constructed()) {
+            return None;
+        }
+        let moves = second[a.index()];
+        if second[b.index()] != moves || second[c.index()] != moves {
+            return None;
+        }
+        Some(PlaneTies { moves, first: normal(exact, [a, b, c]) })
+    }
+
+    /// The tie of an input vertex; the inner none stands for one that no move breaks.
+    pub(crate) fn of(&self, exact: &Exact, d: Vertex) -> Shifted {
+        if d.is_constructed() {
+            return None;
+        }
+        let moves = exact.scene().second_mesh()?[d.index()];
+        if moves == self.moves {
+            return Some(None);
+        }
+        // The derivative by the last vertex is the normal's opposite.
+        let sign = if moves { Sign::Negative } else { Sign::Positive };
+        Some(self.first.map(|(first, power)| (first * sign, power)))
+    }
+}
+
+/// The first component of a plane's normal that is not zero, and the power of ε by which a move along that axis is multiplied.
+fn normal(exact: &Exact, [a, b, c]: [Vertex; 3]) -> Option<(Sign, usize)> {
+    let mut planes = [Plane::Yz, Plane::Zx, Plane::Xy].into_iter().zip(1..);
+    planes.find_map(|(plane, power)| {
+        let derivative = exact.decide_orient2d(plane, a, b, c).0;
+        (!derivative.is_zero()).then_some((derivative, power))
+    })
+}
+
 /// Breaks a tie of `orient3d`.
 pub(crate) fn orient3d(exact: &Exact, args: [Vertex; 4]) -> Shifted {
     let Some((at, moves)) = (match odd_one(exact, args) {
@@ -78,12 +133,7 @@ pub(crate) fn orient3d(exact: &Exact, args: [Vertex; 4]) -> Shifted {
         2 => c = d,
         _ => {}
     }
-    let mut planes = [Plane::Yz, Plane::Zx, Plane::Xy].into_iter().zip(1..);
-    let first = planes.find_map(|(plane, power)| {
-        let derivative = exact.decide_orient2d(plane, a, b, c).0;
-        (!derivative.is_zero()).then_some((derivative * sign, power))
-    });
-    Some(first)
+    Some(normal(exact, [a, b, c]).map(|(derivative, power)| (derivative * sign, power)))
 }
 
 /// Breaks a tie of `orient3d` about two vertices of either mesh.

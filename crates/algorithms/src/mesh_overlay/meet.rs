@@ -79,19 +79,23 @@ impl Question<'_> {
         let scene = self.session.scene();
         let bounds = Bounds::of(triangle.map(|v| scene.point3(v)));
         asked.edges.clear();
-        grid.within(&bounds, |_, entries| asked.edges.extend_from_slice(entries));
-        asked.edges.retain(|&edge| boxes[edge as usize].is_near(&bounds, 0.0));
+        grid.within(&bounds, |_, entries| {
+            asked.edges.extend(entries.iter().filter(|&&edge| boxes[edge as usize].is_near(&bounds, 0.0)));
+        });
         asked.edges.sort_unstable();
         asked.edges.dedup();
         asked.ask(self.session, &self.edges.edges, triangle);
-        for &edge in &asked.edges {
+        if asked.are_beside() {
+            return Ok(());
+        }
+        for (&edge, &places) in asked.edges.iter().zip(&asked.places) {
             let ends = self.edges.edges[edge as usize];
-            let sides = ends.map(|v| asked.side(v));
+            let sides = places.map(|place| asked.signs[place as usize]);
             let touch = || Touch { mesh: self.mesh, edge: ends, triangle: self.triangles.triangles[place] };
             let passes = match self.zeros {
                 Zeros::Positive => {
                     let sides = sides.map(or_positive);
-                    sides[0] != sides[1] && is_one_sign(self.turns(ends, triangle).map(or_positive))
+                    sides[0] != sides[1] && self.turns(ends, triangle, or_positive).is_ok_and(is_one_sign)
                 }
                 Zeros::Refused => {
                     if !sides[0].is_zero() && sides[0] == sides[1] {
@@ -103,10 +107,7 @@ impl Question<'_> {
                         }
                         return Err(touch());
                     }
-                    let turns = self.turns(ends, triangle);
-                    if turns.contains(&Sign::Positive) && turns.contains(&Sign::Negative) {
-                        continue;
-                    }
+                    let Ok(turns) = self.turns(ends, triangle, |sign| sign) else { continue };
                     if turns.contains(&Sign::Zero) || sides.contains(&Sign::Zero) {
                         return Err(touch());
                     }
@@ -121,41 +122,84 @@ impl Question<'_> {
         Ok(())
     }
 
-    /// On which sides the line of an edge passes the edges of a triangle.
-    fn turns(&self, [p, q]: [Vertex; 2], [a, b, c]: [Vertex; 3]) -> [Sign; 3] {
+    /// On which sides the line of an edge passes the edges of a triangle, with zeros as `seen`. It passes by where two are opposite.
+    fn turns(
+        &self,
+        [p, q]: [Vertex; 2],
+        [a, b, c]: [Vertex; 3],
+        seen: impl Fn(Sign) -> Sign,
+    ) -> Result<[Sign; 3], PassesBy> {
         let side = |u: Vertex, v: Vertex| {
-            if u < v { self.session.orient3d(p, q, u, v) } else { -self.session.orient3d(p, q, v, u) }
+            seen(if u < v { self.session.orient3d(p, q, u, v) } else { -self.session.orient3d(p, q, v, u) })
         };
-        if self.wrong == Wrong::LooksAtTwoSides {
-            let turn = side(a, b);
-            return [turn, side(b, c), turn];
+        let is_opposite = |a: Sign, b: Sign| !a.is_zero() && a == -b;
+        let first = side(a, b);
+        let second = side(b, c);
+        if is_opposite(first, second) {
+            return Err(PassesBy);
         }
-        [side(a, b), side(b, c), side(c, a)]
+        let third = if self.wrong == Wrong::LooksAtTwoSides { first } else { side(c, a) };
+        if is_opposite(first, third) || is_opposite(second, third) {
+            return Err(PassesBy);
+        }
+        Ok([first, second, third])
     }
 }
+
+/// A line that meets the plane of a triangle outside of it.
+struct PassesBy;
 
 /// What is asked about one triangle; kept to be used again.
 #[derive(Default)]
 struct Asked {
     edges: Vec<u32>,
+    /// For each edge the places of its ends.
+    places: Vec<[u32; 2]>,
+    /// Each vertex once.
     ends: Vec<Vertex>,
     signs: Vec<Sign>,
+    /// By a number made of the vertex, or one of the next: one more than its place. A power of two of them, half of them zero.
+    table: Vec<u32>,
 }
 
 impl Asked {
     /// Asks on which side of a triangle's plane the ends of all edges are, each vertex once.
     fn ask(&mut self, session: &dyn Predicates, edges: &[[Vertex; 2]], triangle: [Vertex; 3]) {
+        let size = (4 * self.edges.len()).next_power_of_two();
+        self.table.clear();
+        self.table.resize(size, 0);
         self.ends.clear();
-        self.ends.extend(self.edges.iter().flat_map(|&edge| edges[edge as usize]));
-        self.ends.sort_unstable();
-        self.ends.dedup();
+        self.places.clear();
+        for at in 0..self.edges.len() {
+            let places = edges[self.edges[at] as usize].map(|v| self.place(v));
+            self.places.push(places);
+        }
         self.signs.clear();
         self.signs.resize(self.ends.len(), Sign::Zero);
         session.orient3d_plane(triangle, &self.ends, &mut self.signs);
     }
 
-    fn side(&self, v: Vertex) -> Sign {
-        self.ends.binary_search(&v).map_or(Sign::Zero, |at| self.signs[at])
+    /// The place of a vertex among the ends, the last one if it is new.
+    fn place(&mut self, v: Vertex) -> u32 {
+        // (An odd number near 2^64 divided by the golden ratio; any other would do.)
+        let mixed = v.index().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32;
+        let mut slot = mixed & (self.table.len() - 1);
+        loop {
+            match self.table[slot].checked_sub(1) {
+                Some(place) if self.ends[place as usize] == v => return place,
+                Some(_) => slot = (slot + 1) & (self.table.len() - 1),
+                None => {
+                    self.ends.push(v);
+                    self.table[slot] = number(self.ends.len());
+                    return number(self.ends.len() - 1);
+                }
+            }
+        }
+    }
+
+    /// Whether all ends are on one side.
+    fn are_beside(&self) -> bool {
+        self.signs.first().is_none_or(|first| !first.is_zero() && self.signs.iter().all(|sign| sign == first))
     }
 }
 

@@ -117,11 +117,21 @@ impl<'s> Constructed<'s> {
     #[inline]
     #[must_use]
     pub fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> (Sign, usize) {
-        let at = |v| self.approximate(v).coordinate(axis);
-        match filter::compare(at(a), at(b), filter::COMPARE) {
+        match self.compare_by_filter(axis, a, b) {
             Some(sign) => (sign, FILTER),
             None => (self.compare_exactly(axis, [a, b]), EXACT),
         }
+    }
+
+    /// The sign of [`Constructed::compare`], or none if its filter leaves it open.
+    ///
+    /// # Panics
+    /// As there.
+    #[inline]
+    #[must_use]
+    pub fn compare_by_filter(&self, axis: Axis, a: Vertex, b: Vertex) -> Option<Sign> {
+        let at = |v| self.approximate(v).coordinate(axis);
+        filter::compare(at(a), at(b), filter::COMPARE)
     }
 
     /// The turn a, b, c in a coordinate plane, and the stage that settled it.
@@ -131,15 +141,25 @@ impl<'s> Constructed<'s> {
     #[inline]
     #[must_use]
     pub fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
+        match self.orient2d_by_filter(plane, a, b, c) {
+            Some(sign) => (sign, FILTER),
+            None => (self.orient2d_exactly(plane, [a, b, c]), EXACT),
+        }
+    }
+
+    /// The sign of [`Constructed::orient2d`], or none if its filter leaves it open.
+    ///
+    /// # Panics
+    /// As there.
+    #[inline]
+    #[must_use]
+    pub fn orient2d_by_filter(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Option<Sign> {
         let [first, second] = plane.axes();
         let at = |v| {
             let point = self.approximate(v);
             [point.coordinate(first), point.coordinate(second)]
         };
-        match filter::orient2d(at(a), at(b), at(c), filter::ORIENT2D) {
-            Some(sign) => (sign, FILTER),
-            None => (self.orient2d_exactly(plane, [a, b, c]), EXACT),
-        }
+        filter::orient2d(at(a), at(b), at(c), filter::ORIENT2D)
     }
 
     /// The side of d on the plane of a, b, c, and the stage that settled it.

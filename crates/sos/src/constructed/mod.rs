@@ -31,6 +31,7 @@
 //! is proved and affordable for the first, not for the second.
 
 mod certain;
+pub(crate) mod fixed;
 mod limit;
 mod linear;
 mod memo;

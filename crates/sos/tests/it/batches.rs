@@ -1,8 +1,9 @@
 //! Batches answer as their queries do one by one, also where they are full of ties.
 
 use crate::common::{Random, grid_scene, questions};
+use predicament_exact::Exact;
 use predicament_predicates::{Backend, Counts, Off, Predicates, QuerySet, Question, Sign, Vertex};
-use predicament_sos::{Scheme, Sos};
+use predicament_sos::{PerMesh, Scheme, Sos};
 
 const QUERIES: usize = 500;
 const VERTICES: usize = 60;
@@ -44,4 +45,37 @@ fn batches_are_queries_one_by_one() {
             check(&backend.prepare(&scene, &counts).unwrap(), dimension);
         }
     }
+}
+
+/// Of a plane of one mesh, of the other, and of both.
+#[test]
+fn batches_of_two_meshes_are_queries_one_by_one() {
+    for dimension in [2, 3] {
+        let side = 3;
+        let cells = side * side * if dimension == 3 { side } else { 1 };
+        let scene = grid_scene(dimension, side, &Random(4).numbers(cells, VERTICES));
+        let scene = scene.with_second_mesh((VERTICES / 2..VERTICES).map(Vertex::input));
+        check(&PerMesh.prepare(&scene, Off).unwrap(), dimension);
+        check(&PerMesh.prepare(&scene, &Counts::new()).unwrap(), dimension);
+    }
+    // Planes of one mesh; all else on either side of them, and in them.
+    let scene = grid_scene(3, 3, &Random(6).numbers(27, VERTICES));
+    let scene = scene.with_second_mesh((VERTICES / 2..VERTICES).map(Vertex::input));
+    let session = PerMesh.prepare(&scene, Off).unwrap();
+    let exact = Exact.prepare(&scene, Off).unwrap();
+    let points: Vec<Vertex> = (0..VERTICES).map(Vertex::input).collect();
+    let (mut random, mut ties) = (Random(7), [0; 2]);
+    for round in 0..400 {
+        let mesh = round % 2;
+        let plane = [(); 3].map(|()| Vertex::input(mesh * VERTICES / 2 + random.below(VERTICES / 2)));
+        let mut out = vec![Sign::Zero; VERTICES];
+        session.orient3d_plane(plane, &points, &mut out);
+        let [a, b, c] = plane;
+        for (&d, sign) in points.iter().zip(out) {
+            assert_eq!(sign, session.orient3d(a, b, c, d), "{plane:?} {d:?}");
+            let unmoved = exact.orient3d(a, b, c, d);
+            ties[mesh] += usize::from(unmoved.is_zero() && !sign.is_zero());
+        }
+    }
+    assert!(ties.iter().all(|&count| count > 500), "{ties:?}");
 }
