@@ -94,6 +94,23 @@ impl std::fmt::Display for MaterialError {
 
 impl std::error::Error for MaterialError {}
 
+/// Checks each triangle on its own.
+fn check_triangles(vertices: usize, triangles: &[[Vertex; 3]]) -> Result<(), MaterialError> {
+    if triangles.is_empty() {
+        return Err(MaterialError::Empty);
+    }
+    if triangles.len() >= (u32::MAX / 3) as usize {
+        return Err(MaterialError::TooMany);
+    }
+    let wrong = |(triangle, &[a, b, c]): (usize, &[Vertex; 3])| {
+        let missing = [a, b, c].into_iter().find(|v| v.index() >= vertices);
+        let twice = [(a, b), (b, c), (c, a)].into_iter().find(|(u, v)| u == v).map(|(v, _)| v);
+        let missing = missing.map(|vertex| MaterialError::NoSuchVertex { triangle, vertex });
+        missing.or(twice.map(|vertex| MaterialError::Repeated { triangle, vertex }))
+    };
+    triangles.iter().enumerate().find_map(wrong).map_or(Ok(()), Err)
+}
+
 /// Triangles with the regions in front of them and behind them; all boundaries of regions are closed.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct MaterialMesh {
@@ -120,21 +137,7 @@ impl MaterialMesh {
         sides: Vec<[u32; 2]>,
     ) -> Result<MaterialMesh, MaterialError> {
         assert_eq!(triangles.len(), sides.len(), "a pair of sides for each triangle");
-        if triangles.is_empty() {
-            return Err(MaterialError::Empty);
-        }
-        if triangles.len() >= (u32::MAX / 3) as usize {
-            return Err(MaterialError::TooMany);
-        }
-        let wrong = |(triangle, &[a, b, c]): (usize, &[Vertex; 3])| {
-            let missing = [a, b, c].into_iter().find(|v| v.index() >= vertices);
-            let twice = [(a, b), (b, c), (c, a)].into_iter().find(|(u, v)| u == v).map(|(v, _)| v);
-            let missing = missing.map(|vertex| MaterialError::NoSuchVertex { triangle, vertex });
-            missing.or(twice.map(|vertex| MaterialError::Repeated { triangle, vertex }))
-        };
-        if let Some(wrong) = triangles.iter().enumerate().find_map(wrong) {
-            return Err(wrong);
-        }
+        check_triangles(vertices, &triangles)?;
         if let Some(open) = open_edge(vertices, &triangles, &sides) {
             return Err(open);
         }
@@ -149,6 +152,18 @@ impl MaterialMesh {
     pub fn of_closed(vertices: usize, triangles: Vec<[Vertex; 3]>) -> Result<MaterialMesh, MaterialError> {
         let sides = vec![[OUTSIDE, 1]; triangles.len()];
         MaterialMesh::new(vertices, triangles, sides)
+    }
+
+    /// Some triangles of a closed surface, seen counterclockwise from outside: region 1 is behind them. That they are of such a surface is
+    /// not checked.
+    ///
+    /// # Errors
+    /// [`MaterialError::Empty`], [`MaterialError::TooMany`], [`MaterialError::NoSuchVertex`] and [`MaterialError::Repeated`], as
+    /// [`MaterialMesh::new`].
+    pub fn part_of_closed(vertices: usize, triangles: Vec<[Vertex; 3]>) -> Result<MaterialMesh, MaterialError> {
+        check_triangles(vertices, &triangles)?;
+        let sides = vec![[OUTSIDE, 1]; triangles.len()];
+        Ok(MaterialMesh { triangles, sides, regions: 2 })
     }
 
     /// The faces of tetrahedra, each of which is a region: the tetrahedron in place 0 is region 1.

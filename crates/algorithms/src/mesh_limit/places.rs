@@ -78,7 +78,8 @@ pub(super) struct Same {
 }
 
 impl Same {
-    /// Of these vertices at one place the first stands for all: an input vertex, if there is one.
+    /// Of these vertices at one place the first stands for all: an input vertex, if there is one. Input vertices of one mesh alone stay as
+    /// they are.
     pub fn of(session: &dyn Predicates, places: &Places, mut vertices: Vec<Vertex>) -> Same {
         vertices.sort_unstable();
         vertices.dedup();
@@ -95,7 +96,12 @@ impl Same {
         };
         let mut stands = Vec::new();
         let mut first: Vec<Vertex> = Vec::new();
+        let is_of_second = |v: Vertex| scene.second_mesh().is_some_and(|second| second[v.index()]);
         for near in by_place.chunk_by(|a, b| a.0 == b.0) {
+            let (first_of_all, last) = (near[0].1, near[near.len() - 1].1);
+            if near.len() == 1 || (!last.is_constructed() && is_of_second(first_of_all) == is_of_second(last)) {
+                continue;
+            }
             first.clear();
             for &(_, v) in near {
                 match first.iter().find(|&&other| is_same(other, v)) {

@@ -194,7 +194,24 @@ pub fn mesh_overlay_planted<F: Planted>(
     meshes: [Arc<MaterialMesh>; 2],
     zeros: Zeros,
 ) -> Result<MeshOverlay, Undone> {
-    run(session, meshes, zeros, F::WRONG)
+    run(session, meshes, zeros, Extent::Whole, F::WRONG)
+}
+
+/// How much of two meshes there is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Extent {
+    /// All of both.
+    Whole,
+    /// Of each all triangles above and below the box of the other one, and those that meet it, at least.
+    Columns,
+}
+
+/// [`mesh_overlay`] of parts of two closed meshes ([`Extent::Columns`]).
+pub(crate) fn overlay_of_columns(
+    session: &mut dyn Predicates,
+    meshes: [Arc<MaterialMesh>; 2],
+) -> Result<MeshOverlay, Undone> {
+    run(session, meshes, Zeros::Refused, Extent::Columns, Wrong::Nothing)
 }
 
 /// One function for all faults, so that it is compiled once.
@@ -202,6 +219,7 @@ fn run(
     session: &mut dyn Predicates,
     meshes: [Arc<MaterialMesh>; 2],
     zeros: Zeros,
+    extent: Extent,
     wrong: Wrong,
 ) -> Result<MeshOverlay, Undone> {
     let before = session.scene().constructions().len();
@@ -221,7 +239,7 @@ fn run(
         Points::new(session, near[1], second, &vertices[1], wrong),
     ];
     let points = [&points[0], &points[1]];
-    let regions = regions::regions(&Known { session, meshes: &meshes, near, points, bounds: &bounds, wrong })?;
+    let regions = regions::regions(&Known { session, meshes: &meshes, near, points, bounds: &bounds, extent, wrong })?;
     let mut whole = [0, 1].map(|own: usize| {
         let region = |&[v, ..]: &[Vertex; 3]| NonZero::new(regions[own].of(v).wrapping_add(1));
         crate::parallel::all(both[own].triangles(), &region)

@@ -12,11 +12,11 @@ use predicament_mesh::{MaterialMesh, OUTSIDE};
 use predicament_predicates::{Predicates, Vertex};
 use rayon::prelude::*;
 
-use super::Undone;
 use super::near::{Near, number};
 use super::planted::Wrong;
 use super::points::Points;
-use crate::mesh_locate::{Location, MeshIndex, locate_all};
+use super::{Extent, Undone};
+use crate::mesh_locate::{Location, MeshIndex, Ray, Scratch, locate_all};
 
 /// No region is known.
 const UNKNOWN: u32 = u32::MAX;
@@ -80,6 +80,7 @@ pub(super) struct Known<'a> {
     pub near: [&'a Near; 2],
     pub points: [&'a Points; 2],
     pub bounds: &'a [Bounds<3>; 2],
+    pub extent: Extent,
     pub wrong: Wrong,
 }
 
@@ -127,7 +128,7 @@ impl Known<'_> {
                 unknown.entry(root).or_insert(v);
             }
         }
-        for (root, region) in located(self.session, &self.meshes[1 - side], unknown, self.wrong)? {
+        for (root, region) in self.located(&self.meshes[1 - side], unknown)? {
             of_root[root as usize] = region;
         }
         let of = |v: usize| of_root[sets.found(number(v)) as usize];
@@ -174,27 +175,31 @@ impl Known<'_> {
         }
         known
     }
-}
 
-/// Locates one vertex of each set.
-fn located(
-    session: &dyn Predicates,
-    mesh: &Arc<MaterialMesh>,
-    unknown: BTreeMap<u32, Vertex>,
-    wrong: Wrong,
-) -> Result<Vec<(u32, u32)>, Undone> {
-    if unknown.is_empty() {
-        return Ok(Vec::new());
+    /// Locates one vertex of each set.
+    fn located(&self, mesh: &Arc<MaterialMesh>, unknown: BTreeMap<u32, Vertex>) -> Result<Vec<(u32, u32)>, Undone> {
+        if unknown.is_empty() {
+            return Ok(Vec::new());
+        }
+        if self.wrong == Wrong::TakesComponentsForOutside {
+            return Ok(unknown.into_keys().map(|root| (root, OUTSIDE)).collect());
+        }
+        let index = MeshIndex::new(Arc::clone(mesh), self.session.scene());
+        let queries: Vec<Vertex> = unknown.values().copied().collect();
+        let locations = match self.extent {
+            Extent::Whole => locate_all(&index, self.session, &queries, &|_| true),
+            // Nothing is known about cells without triangles; a ray straight up stays in the column.
+            Extent::Columns => {
+                let up = |&q: &Vertex| index.question(self.session, q, Ray::UP, &mut Scratch::default());
+                crate::parallel::all(&queries, &up)
+            }
+        };
+        let region = |(root, location)| match location {
+            Location::In(region) => Ok((root, region)),
+            Location::On(_) | Location::Contradiction => {
+                Err(Undone::Broken("a vertex is in one region of the other mesh"))
+            }
+        };
+        unknown.into_keys().zip(locations).map(region).collect()
     }
-    if wrong == Wrong::TakesComponentsForOutside {
-        return Ok(unknown.into_keys().map(|root| (root, OUTSIDE)).collect());
-    }
-    let index = MeshIndex::new(Arc::clone(mesh), session.scene());
-    let queries: Vec<Vertex> = unknown.values().copied().collect();
-    let locations = locate_all(&index, session, &queries, &|_| true);
-    let region = |(root, location)| match location {
-        Location::In(region) => Ok((root, region)),
-        Location::On(_) | Location::Contradiction => Err(Undone::Broken("a vertex is in one region of the other mesh")),
-    };
-    unknown.into_keys().zip(locations).map(region).collect()
 }

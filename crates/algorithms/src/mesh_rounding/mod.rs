@@ -19,6 +19,7 @@
 
 mod flaws;
 
+use predicament_mesh::{MaterialError, MaterialMesh};
 use predicament_predicates::{Axis, Backend, Declined, Off, Plane, Predicates, Scene, SceneError, Sign, Vertex};
 
 use self::flaws::Flaws;
@@ -36,6 +37,21 @@ pub struct Closed {
     pub points: Vec<[f64; 3]>,
     /// Counterclockwise as seen from outside.
     pub triangles: Vec<[u32; 3]>,
+}
+
+impl Closed {
+    /// Whether it is closed, and each triangle has three vertices that there are. An empty one is.
+    ///
+    /// # Errors
+    /// The first triangle, else the first edge, that is wrong.
+    pub fn check(&self) -> Result<(), MaterialError> {
+        if self.triangles.is_empty() {
+            return Ok(());
+        }
+        let vertex = |v: u32| Vertex::input(v as usize);
+        let triangles = self.triangles.iter().map(|triangle| triangle.map(vertex)).collect();
+        MaterialMesh::of_closed(self.points.len(), triangles).map(|_| ())
+    }
 }
 
 /// What rounding has done.
@@ -57,6 +73,17 @@ pub struct Counts {
     pub mended: usize,
     /// All of these that are left.
     pub left: usize,
+}
+
+/// A limit in doubles.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Rounded {
+    /// The mesh.
+    pub closed: Closed,
+    /// For each point the vertex of the limit that it was.
+    pub vertices: Vec<Vertex>,
+    /// What rounding has done.
+    pub counts: Counts,
 }
 
 /// Why there is no result.
@@ -83,14 +110,15 @@ impl std::error::Error for NotRounded {}
 ///
 /// # Errors
 /// [`NotRounded`], where the rounded mesh is no scene that the backend takes.
-pub fn rounded<E: Backend>(exact: &E, session: &dyn Predicates, limit: &Limit) -> Result<(Closed, Counts), NotRounded> {
+pub fn rounded<E: Backend>(exact: &E, session: &dyn Predicates, limit: &Limit) -> Result<Rounded, NotRounded> {
     let mut rounding = Rounding::new(session, limit);
     let moved = rounding.vertices.iter().filter(|vertex| vertex.is_moved).count();
     if moved == 0 {
         let triangles = std::mem::take(&mut rounding.triangles);
-        return Ok((Closed { points: rounding.points(), triangles }, Counts::default()));
+        let closed = Closed { points: rounding.points(), triangles };
+        return Ok(Rounded { closed, vertices: rounding.names, counts: Counts::default() });
     }
-    let mut best: Option<(Closed, Counts)> = None;
+    let mut best: Option<Rounded> = None;
     let mut first = Flaws::default();
     for pass in 0..PASSES {
         let scene = Scene::from_points3(&rounding.points()).map_err(NotRounded::Scene)?;
@@ -102,7 +130,7 @@ pub fn rounded<E: Backend>(exact: &E, session: &dyn Predicates, limit: &Limit) -
             first = flaws.clone();
         }
         let left = flaws.count();
-        if best.as_ref().is_none_or(|(_, counts)| left < counts.left) {
+        if best.as_ref().is_none_or(|best| left < best.counts.left) {
             let counts = Counts {
                 moved,
                 merged: built.merged,
@@ -113,7 +141,9 @@ pub fn rounded<E: Backend>(exact: &E, session: &dyn Predicates, limit: &Limit) -
                 mended: rounding.vertices.iter().filter(|vertex| vertex.way != 0).count(),
                 left,
             };
-            best = Some((compact(&rounding.points(), &built.triangles), counts));
+            let (closed, kept) = compact(&rounding.points(), &built.triangles);
+            let vertices = kept.into_iter().map(|v| rounding.names[v as usize]).collect();
+            best = Some(Rounded { closed, vertices, counts });
         }
         if left == 0 {
             break;
@@ -125,7 +155,7 @@ pub fn rounded<E: Backend>(exact: &E, session: &dyn Predicates, limit: &Limit) -
 
 /// A vertex on its way to doubles.
 #[derive(Clone, Copy)]
-struct Rounded {
+struct Place {
     /// The nearest doubles.
     nearest: [f64; 3],
     /// In each coordinate the double on the other side of its place; the nearest one where that is its place.
@@ -135,7 +165,7 @@ struct Rounded {
     way: u32,
 }
 
-impl Rounded {
+impl Place {
     fn point(&self) -> [f64; 3] {
         [0, 1, 2].map(|axis: usize| if self.way >> axis & 1 == 1 { self.other[axis] } else { self.nearest[axis] })
     }
@@ -153,7 +183,9 @@ impl Rounded {
 
 /// The vertices of a limit, its triangles by these, and how each triangle is turned in a coordinate plane.
 struct Rounding {
-    vertices: Vec<Rounded>,
+    vertices: Vec<Place>,
+    /// The vertex of the limit that each is.
+    names: Vec<Vertex>,
     triangles: Vec<[u32; 3]>,
     /// For triangles with a moved vertex.
     turns: Vec<Option<(Plane, Sign)>>,
@@ -170,7 +202,7 @@ struct Built {
 impl Rounding {
     fn new(session: &dyn Predicates, limit: &Limit) -> Rounding {
         let scene = session.scene();
-        let mut vertices = Vec::new();
+        let (mut vertices, mut names) = (Vec::new(), Vec::new());
         let mut of_input = vec![u32::MAX; scene.len()];
         let mut of_constructed = vec![u32::MAX; scene.constructions().len()];
         let mut place = |v: Vertex| {
@@ -183,7 +215,8 @@ impl Rounding {
                 let nearest = limit.places.nearest(scene, v);
                 let is_moved = !limit.places.is_exact(v);
                 let other = if is_moved { limit.places.beyond(scene, v) } else { nearest };
-                vertices.push(Rounded { nearest, other, is_moved, way: 0 });
+                names.push(v);
+                vertices.push(Place { nearest, other, is_moved, way: 0 });
             }
             *known
         };
@@ -197,11 +230,11 @@ impl Rounding {
             })
         };
         let turns = limit.solid.triangles.iter().zip(&triangles).map(turn).collect();
-        Rounding { vertices, triangles, turns }
+        Rounding { vertices, names, triangles, turns }
     }
 
     fn points(&self) -> Vec<[f64; 3]> {
-        self.vertices.iter().map(Rounded::point).collect()
+        self.vertices.iter().map(Place::point).collect()
     }
 
     /// The mesh of doubles as the vertices are now, without what has no area.
@@ -288,8 +321,8 @@ fn cancel(triangles: &mut Vec<([u32; 3], u32)>) {
     triangles.retain(|_| goes.next() == Some(false));
 }
 
-/// A mesh over the vertices that it has corners at.
-fn compact(points: &[[f64; 3]], triangles: &[([u32; 3], u32)]) -> Closed {
+/// A mesh over the vertices that it has corners at, and which these are.
+fn compact(points: &[[f64; 3]], triangles: &[([u32; 3], u32)]) -> (Closed, Vec<u32>) {
     let mut of = vec![u32::MAX; points.len()];
     let mut kept = Vec::new();
     let triangles = triangles.iter().map(|(triangle, _)| {
@@ -297,13 +330,13 @@ fn compact(points: &[[f64; 3]], triangles: &[([u32; 3], u32)]) -> Closed {
             let known = &mut of[v as usize];
             if *known == u32::MAX {
                 *known = number(kept.len());
-                kept.push(points[v as usize]);
+                kept.push(v);
             }
             *known
         })
     });
     let triangles = triangles.collect();
-    Closed { points: kept, triangles }
+    (Closed { points: kept.iter().map(|&v| points[v as usize]).collect(), triangles }, kept)
 }
 
 fn number(place: usize) -> u32 {
