@@ -39,6 +39,7 @@ pub mod overlay;
 mod parallel;
 pub mod planted;
 pub mod polygon_locate;
+pub mod sessions;
 pub mod slice;
 pub mod snap;
 pub mod sort;

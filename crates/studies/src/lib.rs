@@ -86,6 +86,7 @@
 pub mod audit;
 pub mod cascades;
 pub mod laws;
+pub mod mesh_cascades;
 pub mod parity;
 pub mod resolution;
 pub mod shrink;

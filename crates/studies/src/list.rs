@@ -8,6 +8,7 @@ use predicament_tasks::Contestant;
 use crate::audit::Audit;
 use crate::cascades::Cascades;
 use crate::laws::Laws;
+use crate::mesh_cascades::MeshCascades;
 use crate::parity::Parity;
 use crate::resolution::Resolution;
 use crate::{Error, Host, Report, Study};
@@ -19,6 +20,7 @@ pub const STUDIES: &[Entry] = &[
     Entry::of::<Audit>(),
     Entry::of::<Laws>(),
     Entry::of::<Cascades>(),
+    Entry::of::<MeshCascades>(),
 ];
 
 /// A study as a command line needs it.

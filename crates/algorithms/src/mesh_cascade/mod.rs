@@ -7,13 +7,14 @@
 mod columns;
 
 use predicament_mesh::MaterialError;
-use predicament_predicates::{Backend, Declined, Off, Predicates, SceneError};
+use predicament_predicates::{Declined, SceneError};
 
 use self::columns::Columns;
 use crate::mesh_limit::{self, limit};
-use crate::mesh_overlay::{Undone, overlay_of_columns};
+use crate::mesh_overlay::{Undone, Zeros, overlay_of_columns};
 use crate::mesh_rounding::{self, NotRounded, rounded};
 use crate::overlay::Operation;
+use crate::sessions::{Sessions, with};
 
 pub use crate::mesh_rounding::Closed;
 
@@ -57,31 +58,50 @@ impl std::fmt::Display for NoStep {
 
 impl std::error::Error for NoStep {}
 
-/// The result of an operation on two closed meshes, of which the `perturbed` backend moves the second as a whole; the `exact` one says zero where
-/// something is zero. No mesh at all is empty space.
-///
-/// Only what is above, below and beside the box of the other mesh is overlaid; the rest stays as it is, or goes. That the operands are closed
-/// is not checked ([`Closed::check`]).
-///
-/// # Errors
-/// [`NoStep`], with the first reason.
-pub fn combine<P: Backend, E: Backend>(
-    perturbed: &P,
-    exact: &E,
-    operands: [&Closed; 2],
-    operation: Operation,
-) -> Result<(Closed, Step), NoStep> {
-    let columns = Columns::of(operands);
-    if columns.near.iter().any(Vec::is_empty) {
-        return Ok((columns.joined(operands, operation, None), Step::default()));
+impl From<Declined> for NoStep {
+    fn from(why: Declined) -> NoStep {
+        NoStep::Declined(why)
     }
-    let scene = columns.scene(operands).map_err(NoStep::Scene)?;
-    let meshes = columns.meshes(operands)?;
-    let mut session = perturbed.prepare(&scene, Off).map_err(NoStep::Declined)?;
-    let overlay = overlay_of_columns(&mut session, meshes).map_err(NoStep::Undone)?;
-    let mut session = exact.prepare(session.scene(), Off).map_err(NoStep::Declined)?;
-    let limit = limit(&mut session, &overlay, overlay.solid(operation)).map_err(NoStep::Undone)?;
-    let result = rounded(exact, &session, &limit).map_err(NoStep::Rounding)?;
-    let step = Step { constructed: overlay.constructions().len(), limit: limit.counts, rounding: result.counts };
-    Ok((columns.joined(operands, operation, Some(&result)), step))
+}
+
+/// How steps are done.
+#[derive(Clone, Copy)]
+pub struct Cascade<'a> {
+    /// Moves the second mesh as a whole, so that nothing between the two touches.
+    pub perturbed: &'a dyn Sessions,
+    /// Says zero where something is zero.
+    pub exact: &'a dyn Sessions,
+    /// What a zero of the first is.
+    pub zeros: Zeros,
+}
+
+impl Cascade<'_> {
+    /// The result of an operation on two closed meshes. No mesh at all is empty space.
+    ///
+    /// Only what is above, below and beside the box of the other mesh is overlaid; the rest stays as it is, or goes. That the
+    /// operands are closed is not checked ([`Closed::check`]).
+    ///
+    /// Many steps on small meshes are best called from a thread of a rayon pool: from outside each of their short loops is handed to one.
+    ///
+    /// # Errors
+    /// [`NoStep`], with the first reason.
+    pub fn combine(&self, operands: [&Closed; 2], operation: Operation) -> Result<(Closed, Step), NoStep> {
+        let columns = Columns::of(operands);
+        if columns.near.iter().any(Vec::is_empty) {
+            return Ok((columns.joined(operands, operation, None), Step::default()));
+        }
+        let scene = columns.scene(operands).map_err(NoStep::Scene)?;
+        let meshes = columns.meshes(operands)?;
+        let (overlay, scene) = with(self.perturbed, &scene, &mut |session| {
+            let overlay = overlay_of_columns(session, meshes.clone(), self.zeros).map_err(NoStep::Undone)?;
+            Ok::<_, NoStep>((overlay, session.scene().clone()))
+        })?;
+        let (result, limit) = with(self.exact, &scene, &mut |session| {
+            let limit = limit(session, &overlay, overlay.solid(operation)).map_err(NoStep::Undone)?;
+            let result = rounded(self.exact, session, &limit).map_err(NoStep::Rounding)?;
+            Ok::<_, NoStep>((result, limit.counts))
+        })?;
+        let step = Step { constructed: overlay.constructions().len(), limit, rounding: result.counts };
+        Ok((columns.joined(operands, operation, Some(&result)), step))
+    }
 }

@@ -210,8 +210,9 @@ pub(crate) enum Extent {
 pub(crate) fn overlay_of_columns(
     session: &mut dyn Predicates,
     meshes: [Arc<MaterialMesh>; 2],
+    zeros: Zeros,
 ) -> Result<MeshOverlay, Undone> {
-    run(session, meshes, Zeros::Refused, Extent::Columns, Wrong::Nothing)
+    run(session, meshes, zeros, Extent::Columns, Wrong::Nothing)
 }
 
 /// One function for all faults, so that it is compiled once.

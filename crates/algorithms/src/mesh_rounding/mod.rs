@@ -20,15 +20,16 @@
 mod flaws;
 
 use predicament_mesh::{MaterialError, MaterialMesh};
-use predicament_predicates::{Axis, Backend, Declined, Off, Plane, Predicates, Scene, SceneError, Sign, Vertex};
+use predicament_predicates::{Axis, Declined, Plane, Predicates, Scene, SceneError, Sign, Vertex};
 
 use self::flaws::Flaws;
 use crate::mesh_limit::chain::Chain;
 use crate::mesh_limit::joints::Joints;
 use crate::mesh_limit::{Limit, Places};
+use crate::sessions::{Sessions, with};
 
 /// Ways of rounding that are tried.
-pub const PASSES: u32 = 24;
+pub const PASSES: u32 = 8;
 
 /// A closed mesh of doubles: an empty one is empty space.
 #[derive(Clone, PartialEq, Default, Debug)]
@@ -95,6 +96,12 @@ pub enum NotRounded {
     Declined(Declined),
 }
 
+impl From<Declined> for NotRounded {
+    fn from(why: Declined) -> NotRounded {
+        NotRounded::Declined(why)
+    }
+}
+
 impl std::fmt::Display for NotRounded {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
@@ -106,11 +113,11 @@ impl std::fmt::Display for NotRounded {
 
 impl std::error::Error for NotRounded {}
 
-/// The limit of a result in doubles. The session is the one of the limit; the backend is one that says zero where something is zero.
+/// The limit of a result in doubles. The session is the one of the limit; `exact` is what says zero where something is zero.
 ///
 /// # Errors
 /// [`NotRounded`], where the rounded mesh is no scene that the backend takes.
-pub fn rounded<E: Backend>(exact: &E, session: &dyn Predicates, limit: &Limit) -> Result<Rounded, NotRounded> {
+pub fn rounded(exact: &dyn Sessions, session: &dyn Predicates, limit: &Limit) -> Result<Rounded, NotRounded> {
     let mut rounding = Rounding::new(session, limit);
     let moved = rounding.vertices.iter().filter(|vertex| vertex.is_moved).count();
     if moved == 0 {
@@ -122,10 +129,12 @@ pub fn rounded<E: Backend>(exact: &E, session: &dyn Predicates, limit: &Limit) -
     let mut first = Flaws::default();
     for pass in 0..PASSES {
         let scene = Scene::from_points3(&rounding.points()).map_err(NotRounded::Scene)?;
-        let session = exact.prepare(&scene, Off).map_err(NotRounded::Declined)?;
-        let built = rounding.built(&session);
-        let flaws =
-            flaws::flaws(&session, &built.triangles, &|v| rounding.vertices[v as usize].is_moved, &rounding.turns);
+        let (built, flaws) = with(exact, &scene, &mut |session| {
+            let built = rounding.built(session);
+            let is_moved = |v: u32| rounding.vertices[v as usize].is_moved;
+            let flaws = flaws::flaws(session, &built.triangles, &is_moved, &rounding.turns);
+            Ok::<_, NotRounded>((built, flaws))
+        })?;
         if pass == 0 {
             first = flaws.clone();
         }

@@ -1,0 +1,246 @@
+//! The command line of the study of cascades of meshes, its survey and its rows.
+
+use std::path::{Path, PathBuf};
+
+use predicament_report::text::in_order;
+use predicament_report::{Curve, Curves, curves};
+use predicament_tasks::Contestant;
+use serde::Serialize;
+
+use super::survey::{Followed, Plan, follow};
+use super::{Cascade, Sample, table};
+use crate::{Error, File, Host, Study};
+
+/// Meshes that are combined again and again, by several backends.
+#[derive(Clone, Debug, clap::Args)]
+pub struct MeshCascades {
+    /// Cascades; all if left out
+    #[arg(short, long = "cascade", value_name = "CASCADE", value_enum, value_delimiter = ',')]
+    pub cascades: Vec<Cascade>,
+
+    /// Backends
+    #[arg(
+        short,
+        long = "backend",
+        value_name = "BACKEND",
+        value_delimiter = ',',
+        default_value = "sos:per-mesh,naive"
+    )]
+    pub backends: Vec<String>,
+
+    /// Steps of each cascade
+    #[arg(long, default_value_t = 53, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub steps: u32,
+
+    /// Steps after which everything is measured, spread evenly
+    #[arg(long, default_value_t = 10, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub samples: u32,
+
+    /// Points that are located after each of these
+    #[arg(long, default_value_t = 64, value_name = "N")]
+    pub probes: u32,
+
+    /// The seed of operands and points
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    pub seed: u64,
+
+    /// The folder to write; made if missing
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// The backend that takes limits.
+const EXACT: &str = "exact";
+
+/// The measurements of all cascades.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Measured {
+    /// Each cascade by each backend, in their order.
+    pub followed: Vec<Followed>,
+}
+
+impl Study for MeshCascades {
+    const NAME: &'static str = "mesh-cascades";
+    const ASKS: &'static str =
+        "Combine meshes again and again, and measure what is left: volume, crossings, points, time";
+    const HELP: &'static str = "\
+The result of each Boolean operation is an operand of the next. Cascades: `cubes` unites the cubes
+of a lattice one by one and takes them away again, so that nothing is left after an odd number of
+steps (1999: a lattice of 10 by 10 by 10); `shuffled` does so in random orders; `shave` cuts a
+sphere by half-spaces; `copies` unites a sphere with copies of itself.
+
+A step is an overlay by the signs of the backend, the limit of its result where the backend moves a
+mesh by an infinitesimal (vertices at one place, triangles without area and sheets without volume
+go; by `exact`), and the nearest doubles. Backends that break no ties take zero for positive.
+
+Everything is measured in rationals: volume, area and triangles against those that are counted
+(cubes, shuffled), open sides, triangles without area or through each other, points on the wrong
+side of the result by all operands. `cleared` is what limits have cleared, `moved` are vertices that
+were no doubles; `flaws` are triangles that turned over, folded or crossed when these went to the
+nearest doubles, `left` what was left of that after other doubles were tried.
+
+Written to the folder: mesh-cascades.csv, mesh-cascade-times.csv, mesh-cascades.md, plots. All but
+times are the same whenever it is run.
+
+Exit code 100 if sos:per-mesh has anything wrong before rounding has left a flaw. A mesh with such a
+flaw crosses itself: what comes then is shown, and not promised.
+
+Examples:
+  predicament mesh-cascades -c cubes --steps 1999 -b sos:per-mesh
+  predicament mesh-cascades -c shave,copies --steps 100 --out target/mesh-cascades";
+
+    type Measured = Measured;
+
+    fn backends(&self) -> Vec<String> {
+        let mut names = self.backends.clone();
+        if !names.iter().any(|name| name == EXACT) {
+            names.push(EXACT.to_owned());
+        }
+        names
+    }
+
+    /// One: the steps are timed.
+    fn threads(&self) -> Option<usize> {
+        Some(1)
+    }
+
+    fn out(&self) -> Option<&Path> {
+        self.out.as_deref()
+    }
+
+    fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Measured, Error> {
+        let names = self.backends();
+        if backends.len() != names.len() {
+            return Err(Error::unfit(format!("two of {} are one backend; name it one way", names.join(", "))));
+        }
+        let exact = backends[names.iter().position(|name| name == EXACT).unwrap_or(0)];
+        let plan = Plan {
+            steps: self.steps as usize,
+            samples: self.samples.min(self.steps) as usize,
+            probes: self.probes as usize,
+            seed: self.seed,
+        };
+        let cascades = if self.cascades.is_empty() { Cascade::ALL.to_vec() } else { self.cascades.clone() };
+        host.begin(u64::from(self.steps) * (self.backends.len() * cascades.len()) as u64, "steps");
+        let mut measured = Measured { followed: Vec::new() };
+        for cascade in cascades {
+            for &backend in &backends[..self.backends.len()] {
+                host.turn_to(&format!("{} by {}", cascade.name(), backend.name()));
+                measured.followed.push(follow(cascade, plan, backend, exact, host.watch())?);
+            }
+        }
+        Ok(measured)
+    }
+
+    fn rows(&self, measured: &Measured) -> Result<Vec<File>, Error> {
+        let all = || measured.followed.iter().flat_map(|one| one.samples.iter().map(move |sample| (one, sample)));
+        let rows = all().map(|(one, sample)| Row::of(one, sample));
+        let times = all().map(|(one, sample)| Time {
+            cascade: one.cascade.name(),
+            backend: &one.backend,
+            step: sample.step,
+            nanoseconds_a_step: sample.nanoseconds,
+        });
+        Ok(vec![File::csv("mesh-cascades.csv", rows)?, File::csv("mesh-cascade-times.csv", times)?])
+    }
+
+    fn page(&self, measured: &Measured) -> String {
+        table::page(self, measured)
+    }
+
+    fn plots(&self, measured: &Measured) -> Result<Vec<File>, Error> {
+        #[allow(clippy::cast_precision_loss)] // few of anything
+        let plots: [(&str, &str, fn(&Sample) -> f64); 3] = [
+            ("triangles", "triangles", |sample| sample.triangles as f64),
+            ("wrong", "open sides, crossings and wrong points", |sample| {
+                (sample.open + sample.crossing + sample.wrong) as f64
+            }),
+            ("time", "microseconds a step", |sample| sample.nanoseconds / 1e3),
+        ];
+        let mut files = Vec::new();
+        for cascade in in_order(measured.followed.iter().map(|one| one.cascade)) {
+            for (name, what, value) in &plots {
+                #[allow(clippy::cast_precision_loss)] // few steps
+                let curve = |one: &Followed| Curve {
+                    name: one.backend.clone(),
+                    points: one.samples.iter().map(|sample| (sample.step as f64, value(sample))).collect(),
+                };
+                let of_cascade = measured.followed.iter().filter(|one| one.cascade == cascade).map(curve);
+                // A name in the legend stands for a line.
+                let lines = of_cascade.filter(|curve| curve.points.iter().any(|(_, y)| *y > 0.0)).collect();
+                let drawn = curves(&Curves { x: "step".into(), y: (*what).into(), curves: lines });
+                let svg = drawn.map_err(Error::format)?;
+                files.extend(svg.map(|svg| File::new(format!("mesh-{}-{name}.svg", cascade.name()), svg)));
+            }
+        }
+        Ok(files)
+    }
+
+    fn holds(&self, measured: &Measured) -> bool {
+        // After rounding has left a flaw the next operand crosses itself, and nothing is promised.
+        let is_right = |sample: &Sample| sample.done.left > 0 || sample.is_clean();
+        let promised = measured.followed.iter().filter(|one| one.backend == "sos:per-mesh");
+        promised.into_iter().all(|one| (one.ended.is_none() || one.done.left > 0) && one.samples.iter().all(is_right))
+    }
+}
+
+#[derive(Serialize)]
+struct Row<'a> {
+    cascade: &'static str,
+    backend: &'a str,
+    step: usize,
+    triangles: usize,
+    points: usize,
+    volume: f64,
+    area: f64,
+    true_volume: Option<usize>,
+    true_area: Option<usize>,
+    is_true: bool,
+    open_sides: usize,
+    flat_triangles: usize,
+    crossings: usize,
+    wrong_points: usize,
+    constructed: usize,
+    cleared: usize,
+    moved: usize,
+    flaws: usize,
+    left: usize,
+    ended: String,
+}
+
+impl<'a> Row<'a> {
+    fn of(one: &'a Followed, sample: &Sample) -> Row<'a> {
+        let is_last = one.samples.last().is_some_and(|last| last.step == sample.step);
+        let ended = one.ended.as_ref().filter(|_| is_last);
+        Row {
+            cascade: one.cascade.name(),
+            backend: &one.backend,
+            step: sample.step,
+            triangles: sample.triangles,
+            points: sample.points,
+            volume: sample.volume.to_f64(),
+            area: sample.area,
+            true_volume: sample.truth.map(|[volume, _]| volume),
+            true_area: sample.truth.map(|[_, area]| area),
+            is_true: sample.is_true(),
+            open_sides: sample.open,
+            flat_triangles: sample.flat,
+            crossings: sample.crossing,
+            wrong_points: sample.wrong,
+            constructed: sample.done.constructed,
+            cleared: sample.done.cleared,
+            moved: sample.done.moved,
+            flaws: sample.done.flaws,
+            left: sample.done.left,
+            ended: ended.map(|(step, why)| format!("step {step}: {why}")).unwrap_or_default(),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Time<'a> {
+    cascade: &'static str,
+    backend: &'a str,
+    step: usize,
+    nanoseconds_a_step: f64,
+}

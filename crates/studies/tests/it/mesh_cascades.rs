@@ -1,0 +1,51 @@
+//! Cascades of meshes: what is promised holds, and rows are the same again.
+
+use predicament_exact::Exact;
+use predicament_sos::PerMesh;
+use predicament_studies::mesh_cascades::{Cascade, MeshCascades};
+use predicament_studies::{Quiet, Study};
+use predicament_tasks::{Contestant, Entry};
+
+fn study(cascades: &[Cascade], steps: u32) -> MeshCascades {
+    MeshCascades {
+        cascades: cascades.to_vec(),
+        backends: vec!["sos:per-mesh".to_owned()],
+        steps,
+        samples: 5,
+        probes: 16,
+        seed: 1,
+        out: None,
+    }
+}
+
+#[test]
+fn lattices_are_what_is_counted_and_spheres_have_their_points() {
+    let backends: [Box<dyn Contestant>; 2] = [Box::new(Entry::new(PerMesh)), Box::new(Entry::new(Exact))];
+    let backends = backends.each_ref().map(|backend| &**backend);
+    let study = study(&[Cascade::Cubes, Cascade::Shuffled], 15);
+    let measured = study.survey(&backends, &Quiet::new()).unwrap();
+    assert!(study.holds(&measured), "{}", study.page(&measured));
+    for one in &measured.followed {
+        assert_eq!((one.samples.len(), one.samples[4].triangles, &one.ended), (5, 0, &None));
+        assert!(one.samples.iter().all(|sample| sample.truth.is_some()));
+    }
+    // A sample that is not what it should be breaks the promise.
+    let mut doctored = measured.clone();
+    doctored.followed[0].samples[2].open = 1;
+    assert!(!study.holds(&doctored));
+    let mut doctored = measured;
+    doctored.followed[1].ended = Some((3, "for no reason".to_owned()));
+    assert!(!study.holds(&doctored));
+}
+
+#[test]
+fn a_sphere_is_shaved_twice_in_the_same_way() {
+    let backends: [Box<dyn Contestant>; 2] = [Box::new(Entry::new(PerMesh)), Box::new(Entry::new(Exact))];
+    let backends = backends.each_ref().map(|backend| &**backend);
+    let study = study(&[Cascade::Shave], 5);
+    let [first, second] = [(); 2].map(|()| study.survey(&backends, &Quiet::new()).unwrap());
+    assert!(study.holds(&first), "{}", study.page(&first));
+    assert!(first.followed[0].done.moved > 0);
+    let rows = |measured| study.rows(measured).unwrap()[0].text.clone();
+    assert_eq!(rows(&first), rows(&second));
+}
