@@ -62,12 +62,12 @@ pub(crate) fn orient2d(exact: &Exact, plane: Plane, args: [Vertex; 3]) -> Shifte
 }
 
 /// Whether two of some input vertices are at one place in a scene in space: of the two meshes, if they are not one vertex.
-pub(crate) fn has_twins(scene: &Scene, args: [Vertex; 4]) -> bool {
-    if args.iter().any(|v| v.is_constructed()) {
-        return false;
-    }
-    let [a, b, c, d] = args.map(|v| scene.point3(v));
-    a == b || a == c || a == d || b == c || b == d || c == d
+pub(crate) fn has_twins(scene: &Scene, [a, b, c, d]: [Vertex; 4]) -> bool {
+    let points = scene.coordinates().as_chunks::<3>().0;
+    let at = |v: Vertex| points.get(v.index());
+    let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d)) else { return false };
+    let is_one = |p: &[f64; 3], q: &[f64; 3]| (p[0] == q[0]) & (p[1] == q[1]) & (p[2] == q[2]);
+    is_one(a, b) | is_one(a, c) | is_one(a, d) | is_one(b, c) | is_one(b, d) | is_one(c, d)
 }
 
 /// The sign of `orient3d` after the move, and the power that decides, for all points of a plane of input vertices of one mesh that are
