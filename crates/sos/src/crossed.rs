@@ -8,9 +8,11 @@ use rug::Rational;
 /// By a filter, with u = 2^-53: a difference, a product and the last difference are each rounded by a relative u at most, so that the
 /// error is below 4·(1 + u)^3·u times the sum of both products' magnitudes. Where that sum is so small that a product may have underflowed, or
 /// overflows, rationals decide.
+#[inline]
 pub(crate) fn along(scene: &Scene, axis: usize, [p, q]: [Vertex; 2], [u, v]: [Vertex; 2]) -> Sign {
     let [i, j] = [(axis + 1) % 3, (axis + 2) % 3];
-    let [p, q, u, v] = [p, q, u, v].map(|v| scene.point3(v));
+    let points = scene.coordinates().as_chunks::<3>().0;
+    let [p, q, u, v] = [points[p.index()], points[q.index()], points[u.index()], points[v.index()]];
     let [first, second] = [[q[i] - p[i], v[j] - u[j]], [q[j] - p[j], v[i] - u[i]]];
     // A difference of doubles is zero only if it is zero, and so are factors of a product.
     match [is_zero(first), is_zero(second)] {
@@ -25,13 +27,21 @@ pub(crate) fn along(scene: &Scene, axis: usize, [p, q]: [Vertex; 2], [u, v]: [Ve
     if size > 2f64.powi(-900) && difference.abs() > size * (4.0 * f64::EPSILON) {
         return if difference > 0.0 { Sign::Positive } else { Sign::Negative };
     }
-    let exactly = |a: f64, b: f64| {
-        let [a, b] = [a, b].map(|x| Rational::from_f64(x).expect("coordinates are finite"));
-        a - b
+    exactly([[q[i], p[i]], [v[j], u[j]]], [[q[j], p[j]], [v[i], u[i]]])
+}
+
+/// The sign of a product of two differences, less another one.
+#[cold]
+#[inline(never)]
+fn exactly(first: [[f64; 2]; 2], second: [[f64; 2]; 2]) -> Sign {
+    let product = |differences: [[f64; 2]; 2]| {
+        let [a, b] = differences.map(|pair| {
+            let [a, b] = pair.map(|x| Rational::from_f64(x).expect("coordinates are finite"));
+            a - b
+        });
+        a * b
     };
-    let left = exactly(q[i], p[i]) * exactly(v[j], u[j]);
-    let right = exactly(q[j], p[j]) * exactly(v[i], u[i]);
-    left.cmp(&right).into()
+    product(first).cmp(&product(second)).into()
 }
 
 fn is_zero([a, b]: [f64; 2]) -> bool {

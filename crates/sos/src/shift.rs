@@ -16,20 +16,28 @@ type Exact<'s> = predicament_exact::Session<'s, Off>;
 /// is not the way to find it.
 pub(crate) type Shifted = Option<Option<(Sign, usize)>>;
 
+/// Which of N vertices move, a bit for each; none where one is constructed.
+#[inline(always)]
+fn moving<const N: usize>(exact: &Exact, args: [Vertex; N]) -> Option<u32> {
+    let second = exact.scene().second_mesh()?;
+    let mut moving = 0;
+    for (at, v) in args.into_iter().enumerate() {
+        // (The index of a constructed vertex is beyond those of all input vertices.)
+        moving |= u32::from(*second.get(v.index())?) << at;
+    }
+    Some(moving)
+}
+
 /// The one of N vertices that is of another mesh than the rest, and the sign of its move relative to them. The outer none stands
 /// for two and two, the inner one for vertices of one mesh.
+#[inline(always)]
 fn odd_one<const N: usize>(exact: &Exact, args: [Vertex; N]) -> Option<Option<(usize, Sign)>> {
-    let second = exact.scene().second_mesh()?;
-    if args.iter().any(|v| v.is_constructed()) {
-        return None;
-    }
-    let moves = args.map(|v| second[v.index()]);
-    let at = |moving: bool| moves.iter().position(|&moves| moves == moving);
-    match moves.iter().filter(|&&moves| moves).count() {
+    let moving = moving(exact, args)?;
+    match moving.count_ones() as usize {
         0 => Some(None),
         count if count == N => Some(None),
-        1 => at(true).map(|at| Some((at, Sign::Positive))),
-        count if count == N - 1 => at(false).map(|at| Some((at, Sign::Negative))),
+        1 => Some(Some((moving.trailing_zeros() as usize, Sign::Positive))),
+        count if count == N - 1 => Some(Some((moving.trailing_ones() as usize, Sign::Negative))),
         _ => None,
     }
 }
@@ -62,12 +70,12 @@ pub(crate) fn orient2d(exact: &Exact, plane: Plane, args: [Vertex; 3]) -> Shifte
 }
 
 /// Whether two of some input vertices are at one place in a scene in space: of the two meshes, if they are not one vertex.
-pub(crate) fn has_twins(scene: &Scene, args: [Vertex; 4]) -> bool {
-    if args.iter().any(|v| v.is_constructed()) {
-        return false;
-    }
-    let [a, b, c, d] = args.map(|v| scene.point3(v));
-    a == b || a == c || a == d || b == c || b == d || c == d
+pub(crate) fn has_twins(scene: &Scene, [a, b, c, d]: [Vertex; 4]) -> bool {
+    let points = scene.coordinates().as_chunks::<3>().0;
+    let at = |v: Vertex| points.get(v.index());
+    let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d)) else { return false };
+    let is_one = |p: &[f64; 3], q: &[f64; 3]| (p[0] == q[0]) & (p[1] == q[1]) & (p[2] == q[2]);
+    is_one(a, b) | is_one(a, c) | is_one(a, d) | is_one(b, c) | is_one(b, d) | is_one(c, d)
 }
 
 /// The sign of `orient3d` after the move, and the power that decides, for all points of a plane of input vertices of one mesh that are
@@ -138,19 +146,15 @@ pub(crate) fn orient3d(exact: &Exact, args: [Vertex; 4]) -> Shifted {
 
 /// Breaks a tie of `orient3d` about two vertices of either mesh.
 fn two_and_two(exact: &Exact, args: [Vertex; 4]) -> Shifted {
-    let second = exact.scene().second_mesh()?;
-    if args.iter().any(|v| v.is_constructed()) {
-        return None;
-    }
     let [a, b, c, d] = args;
     // Those that stay first: an even permutation of the arguments, or an odd one.
-    let (stay, move_, is_even) = match args.map(|v| second[v.index()]) {
-        [false, false, true, true] => ([a, b], [c, d], true),
-        [true, true, false, false] => ([c, d], [a, b], true),
-        [false, true, false, true] => ([a, c], [b, d], false),
-        [true, false, true, false] => ([b, d], [a, c], false),
-        [false, true, true, false] => ([a, d], [b, c], true),
-        [true, false, false, true] => ([b, c], [a, d], true),
+    let (stay, move_, is_even) = match moving(exact, args)? {
+        0b1100 => ([a, b], [c, d], true),
+        0b0011 => ([c, d], [a, b], true),
+        0b1010 => ([a, c], [b, d], false),
+        0b0101 => ([b, d], [a, c], false),
+        0b0110 => ([a, d], [b, c], true),
+        0b1001 => ([b, c], [a, d], true),
         _ => return None,
     };
     let first = (0..3).find_map(|axis| {

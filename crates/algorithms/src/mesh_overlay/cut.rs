@@ -4,20 +4,18 @@ use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
 use super::arcs::{CHAIN, Divided, Segment};
-use super::known::{AXES, Known};
+use super::known::Known;
 use super::meet::Hit;
 use super::near::{Near, number};
 use super::points::Points;
 use super::regions::VertexRegions;
 use super::{Piece, radial};
-use crate::triangulate::{Method, triangulate};
+use crate::triangulate::{MOST, Method, triangulate, triangulate_few};
 
 /// The invariant of two triangles.
 const SEGMENT: &str = "two triangles meet in one segment";
 /// The invariant of a triangle.
 const AREA: &str = "a triangle has an area in a coordinate plane";
-/// Loops of more vertices are triangulated by the sweep.
-const FEW: usize = 24;
 
 /// One mesh as it is cut by the other.
 pub(super) struct Cutting<'a> {
@@ -75,28 +73,32 @@ impl Cutting<'_> {
                 pieces.push(Piece { triangle: [a, b, c], of, region });
                 continue;
             }
-            let known = || {
-                let (lines, across) = self.lines(place, &divided);
-                Known::new(self.session, corners, divided.vertices.iter().copied().zip(lines), across)
-            };
             let (plane, known) = match &fill {
                 Some(fill) => fill,
-                None => fill.insert((projection(self.session, corners)?, known())),
+                None => fill.insert((projection(self.session, corners)?, self.known(place, &divided))),
             };
+            let add = |triangle: [Vertex; 3]| Piece { triangle, of, region };
+            if let [walk] = face {
+                let in_line = |a: Vertex, b: Vertex, c: Vertex| known.are_in_line(a, b, c);
+                let known: &dyn Predicates = known;
+                if let Some(made) = triangulate_few(known, plane.0, plane.1, &walk.vertices, in_line) {
+                    pieces.extend(made.into_iter().map(add));
+                    continue;
+                }
+            }
             let loops: Vec<Vec<Vertex>> = face.iter().map(|walk| walk.vertices.clone()).collect();
-            let method = if loops.len() == 1 && loops[0].len() <= FEW { Method::Ears } else { Method::Monotone };
+            let method = if loops.len() == 1 && loops[0].len() <= MOST { Method::Ears } else { Method::Monotone };
             let made = triangulate(known as &dyn Predicates, plane.0, plane.1, &loops, method);
             if let Some(broken) = made.broken {
                 return Err(broken);
             }
-            pieces.extend(made.triangles.into_iter().map(|triangle| Piece { triangle, of, region }));
+            pieces.extend(made.triangles.into_iter().map(add));
         }
         Ok(pieces)
     }
 
-    /// The lines that the nodes of a triangle are on, its edges and where planes of the other mesh pass through it; and for each axis those
-    /// of planes across it.
-    fn lines(&self, place: u32, divided: &Divided) -> (Vec<u64>, [u64; 3]) {
+    /// What is known of the lines that the nodes of a triangle are on, its edges and where planes of the other mesh pass through it.
+    fn known(&self, place: u32, divided: &Divided) -> Known<'_> {
         let mut lines = divided.lines.clone();
         lines.resize(divided.vertices.len(), 0);
         let mut with: Vec<u32> = divided.ends.iter().map(|&(with, _)| with).collect();
@@ -111,12 +113,13 @@ impl Cutting<'_> {
         };
         for at in self.others.within(place) {
             let edge = self.others.hits[at].edge;
-            let uses: Vec<u32> = self.other_near.uses(edge).map(|(with, _)| with).collect();
-            for pair in uses.windows(2) {
-                let corners = self.corners_of_other(pair[0]);
-                let [i, j] = [pair[0], pair[1]].map(|other| with.partition_point(|&with| with < other));
-                let [a, b, c] = corners;
-                if self.session.orient3d(a, b, c, self.apex(pair[1], edge)).is_zero() {
+            let mut uses = self.other_near.uses(edge).map(|(with, _)| with);
+            let mut before = uses.next();
+            for next in uses {
+                let Some(other) = before.replace(next) else { break };
+                let [a, b, c] = self.corners_of_other(other);
+                let [i, j] = [other, next].map(|other| with.partition_point(|&with| with < other));
+                if self.session.orient3d(a, b, c, self.apex(next, edge)).is_zero() {
                     let [i, j] = [find(&plane, i), find(&plane, j)];
                     plane[i.max(j)] = i.min(j);
                 }
@@ -128,14 +131,9 @@ impl Cutting<'_> {
                 lines[node as usize] |= 1 << line;
             }
         }
-        let across = AXES.map(|axis| {
-            let is_across = |&place: &usize| {
-                let [a, b, c] = self.corners_of_other(with[place]);
-                plane[place] == place && [b, c].iter().all(|&v| self.session.compare(axis, a, v).is_zero())
-            };
-            (0..with.len().min(61)).filter(is_across).fold(0, |lines, place| lines | 1 << (3 + place))
-        });
-        (lines, across)
+        let corners = self.mesh.triangles()[self.near.triangles[place as usize] as usize];
+        let planes = with.iter().map(|&other| self.corners_of_other(other)).collect();
+        Known::new(self.session, corners, divided.vertices.iter().copied().zip(lines), planes)
     }
 
     fn corners_of_other(&self, place: u32) -> [Vertex; 3] {

@@ -5,33 +5,53 @@
 //! triangles are in that plane. Such a zero holds for any perturbation, which makes it the dearest question there is: a perturbed
 //! session has to look at every power before it says so.
 
+use std::sync::OnceLock;
+
 use predicament_predicates::{Axis, Plane, Predicates, Scene, Sign, Vertex};
 
 /// A session that knows the lines that some vertices are on.
 pub(super) struct Known<'a> {
     session: &'a dyn Predicates,
+    corners: [Vertex; 3],
     /// By vertex, ascending: a bit for each line. The first three are the edges of the triangle.
     lines: Vec<(Vertex, u64)>,
-    /// For each axis the lines across it: of two points of such a line neither has the larger coordinate.
-    level: [u64; 3],
+    /// Three vertices of the plane through each of the other lines, from the fourth on.
+    planes: Vec<[Vertex; 3]>,
+    /// For each axis the lines across it: of two points of such a line neither has the larger coordinate. Most triangles take no order
+    /// of vertices, and so none of this.
+    level: OnceLock<[u64; 3]>,
 }
 
-pub(super) const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
 impl<'a> Known<'a> {
-    /// A session that knows these lines, those along the edges of a triangle first, and which of the others are across each axis.
+    /// A session that knows these lines in a triangle: those along its edges first, then those in planes of the other mesh.
     pub fn new(
         session: &'a dyn Predicates,
-        [a, b, c]: [Vertex; 3],
+        corners: [Vertex; 3],
         lines: impl Iterator<Item = (Vertex, u64)>,
-        across: [u64; 3],
+        planes: Vec<[Vertex; 3]>,
     ) -> Known<'a> {
         let mut lines: Vec<(Vertex, u64)> = lines.collect();
         lines.sort_unstable();
-        let is_level = |axis: Axis, p: Vertex, q: Vertex| u64::from(session.compare(axis, p, q).is_zero());
-        let edges = AXES.map(|axis| is_level(axis, a, b) | is_level(axis, b, c) << 1 | is_level(axis, c, a) << 2);
-        let level = [0, 1, 2].map(|axis: usize| edges[axis] | across[axis]);
-        Known { session, lines, level }
+        Known { session, corners, lines, planes, level: OnceLock::new() }
+    }
+
+    /// Whether three vertices are known to be on one line.
+    pub fn are_in_line(&self, a: Vertex, b: Vertex, c: Vertex) -> bool {
+        self.lines(a) & self.lines(b) & self.lines(c) != 0
+    }
+
+    fn level(&self) -> &[u64; 3] {
+        self.level.get_or_init(|| {
+            AXES.map(|axis| {
+                let is_level = |p: Vertex, q: Vertex| u64::from(self.session.compare(axis, p, q).is_zero());
+                let [a, b, c] = self.corners;
+                let edges = is_level(a, b) | is_level(b, c) << 1 | is_level(c, a) << 2;
+                let across = |&[a, b, c]: &[Vertex; 3]| is_level(a, b) & is_level(a, c);
+                self.planes.iter().take(61).zip(3..).fold(edges, |lines, (plane, line)| lines | across(plane) << line)
+            })
+        })
     }
 
     fn lines(&self, v: Vertex) -> u64 {
@@ -45,7 +65,7 @@ impl Predicates for Known<'_> {
     }
 
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        let level = self.level[AXES.iter().position(|&other| other == axis).unwrap_or_default()];
+        let level = self.level()[AXES.iter().position(|&other| other == axis).unwrap_or_default()];
         if level & self.lines(a) & self.lines(b) != 0 {
             return Sign::Zero;
         }
@@ -53,7 +73,7 @@ impl Predicates for Known<'_> {
     }
 
     fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        if self.lines(a) & self.lines(b) & self.lines(c) != 0 {
+        if self.are_in_line(a, b, c) {
             return Sign::Zero;
         }
         self.session.orient2d(plane, a, b, c)

@@ -80,7 +80,14 @@ impl Question<'_> {
         let bounds = Bounds::of(triangle.map(|v| scene.point3(v)));
         asked.edges.clear();
         grid.within(&bounds, |_, entries| {
-            asked.edges.extend(entries.iter().filter(|&&edge| boxes[edge as usize].is_near(&bounds, 0.0)));
+            // Without branches: whether a box is near is as good as random.
+            let mut count = asked.edges.len();
+            asked.edges.resize(count + entries.len(), 0);
+            for &edge in entries {
+                asked.edges[count] = edge;
+                count += usize::from(do_meet(&boxes[edge as usize], &bounds));
+            }
+            asked.edges.truncate(count);
         });
         asked.edges.sort_unstable();
         asked.edges.dedup();
@@ -201,6 +208,13 @@ impl Asked {
     fn are_beside(&self) -> bool {
         self.signs.first().is_none_or(|first| !first.is_zero() && self.signs.iter().all(|sign| sign == first))
     }
+}
+
+/// Whether two closed boxes have a point in common.
+#[inline(always)]
+fn do_meet(a: &Bounds<3>, b: &Bounds<3>) -> bool {
+    let along = |axis: usize| (a.low[axis] <= b.high[axis]) & (b.low[axis] <= a.high[axis]);
+    along(0) & along(1) & along(2)
 }
 
 fn or_positive(sign: Sign) -> Sign {

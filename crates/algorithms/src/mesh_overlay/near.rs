@@ -3,7 +3,6 @@
 use predicament_grid::{Bounds, shared};
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Scene, Vertex};
-use rayon::prelude::*;
 
 /// The triangles of a mesh that may meet the other one.
 pub(super) struct Near {
@@ -28,29 +27,44 @@ impl Near {
         });
         let counts = meshes.map(|mesh| mesh.triangles().len());
         let ([first, second], bounds) = shared(counts, [&box_of[0], &box_of[1]]);
-        ([Near::new(meshes[0], first), Near::new(meshes[1], second)], bounds)
+        let (first, second) = rayon::join(|| Near::new(meshes[0], first), || Near::new(meshes[1], second));
+        ([first, second], bounds)
     }
 
     fn new(mesh: &MaterialMesh, triangles: Vec<u32>) -> Near {
         let corners = |&place: &u32| mesh.triangles()[place as usize];
-        let mut sides: Vec<([Vertex; 2], u32)> = Vec::with_capacity(3 * triangles.len());
-        for (corners, here) in triangles.iter().map(corners).zip((0..).step_by(3)) {
-            for corner in 0..3 {
-                let [a, b] = [corners[corner as usize], corners[(corner as usize + 1) % 3]];
-                sides.push(([a.min(b), a.max(b)], here + corner));
-            }
+        let smallest = triangles.iter().flat_map(corners).map(Vertex::index).min().unwrap_or(0);
+        let largest = triangles.iter().flat_map(corners).map(Vertex::index).max().unwrap_or(0);
+        let side = |[a, b]: [Vertex; 2]| (a.min(b).index() - smallest, a.max(b));
+        let sides = || triangles.iter().map(corners).flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]).map(side);
+        // By the smaller vertex: counted, added up and filled; few have the same, and are sorted by the larger.
+        let mut starts = vec![0_u32; largest - smallest + 2];
+        sides().for_each(|(from, _)| starts[from + 1] += 1);
+        let mut sum = 0;
+        for start in &mut starts {
+            sum += *start;
+            *start = sum;
         }
-        sides.par_sort_unstable();
-        let (mut edges, mut ends) = (Vec::with_capacity(sides.len() / 2), Vec::with_capacity(sides.len() / 2));
+        let mut sorted = vec![(Vertex::input(0), 0); 3 * triangles.len()];
+        let mut filled = starts.clone();
+        for ((from, to), here) in sides().zip(0..) {
+            sorted[filled[from] as usize] = (to, here);
+            filled[from] += 1;
+        }
+        let (mut edges, mut ends) = (Vec::with_capacity(sorted.len() / 2), Vec::with_capacity(sorted.len() / 2));
         let mut edges_of = vec![[0; 3]; triangles.len()];
-        for of_edge in sides.chunk_by(|a, b| a.0 == b.0) {
-            for &(_, side) in of_edge {
-                edges_of[side as usize / 3][side as usize % 3] = number(edges.len());
+        for (from, places) in (smallest..).zip(starts.windows(2)) {
+            let of_vertex = &mut sorted[places[0] as usize..places[1] as usize];
+            of_vertex.sort_unstable();
+            for of_edge in of_vertex.chunk_by(|a, b| a.0 == b.0) {
+                for &(_, side) in of_edge {
+                    edges_of[side as usize / 3][side as usize % 3] = number(edges.len());
+                }
+                edges.push([Vertex::input(from), of_edge[0].0]);
+                ends.push(ends.last().unwrap_or(&0) + number(of_edge.len()));
             }
-            edges.push(of_edge[0].0);
-            ends.push(ends.last().unwrap_or(&0) + number(of_edge.len()));
         }
-        Near { triangles, edges, edges_of, ends, uses: sides.into_iter().map(|(_, side)| side).collect() }
+        Near { triangles, edges, edges_of, ends, uses: sorted.into_iter().map(|(_, side)| side).collect() }
     }
 
     /// The triangles at an edge: place here, and the corner that the edge begins at there.

@@ -38,6 +38,7 @@
 
 mod corners;
 mod ears;
+mod few;
 mod nesting;
 pub mod planted;
 mod projection;
@@ -47,6 +48,7 @@ mod view;
 
 use predicament_predicates::{Plane, Predicates, Vertex};
 
+pub use few::{MOST, triangulate_few};
 pub use nesting::oriented;
 pub use projection::projection;
 

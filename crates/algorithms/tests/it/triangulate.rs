@@ -2,11 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use predicament_algorithms::triangulate::{Method, Triangulation, oriented, projection, triangulate};
+use predicament_algorithms::triangulate::{
+    MOST, Method, Triangulation, oriented, projection, triangulate, triangulate_few,
+};
 use predicament_exact::Exact;
 use predicament_predicates::{Axis, Backend, Construction, Declined, Off, Plane, Predicates, Scene, Sign, Vertex};
 use predicament_sos::Sos;
 use proptest::prelude::*;
+use proptest::strategy::ValueTree;
 
 const METHODS: [Method; 2] = [Method::Ears, Method::Monotone];
 
@@ -219,6 +222,77 @@ fn constructed_vertices_and_planes_seen_from_behind() {
         assert_eq!((found.broken, found.triangles.len()), (None, 12));
         assert!(found.triangles.iter().all(|&[a, b, c]| exact.orient2d(Plane::Xy, a, b, c) != Sign::Negative));
     }
+}
+
+/// Distinct points around a middle, in order: what it sees of a loop is simple.
+fn star(points: &[[i32; 2]]) -> Option<Vec<[i32; 2]>> {
+    let half = |&[x, y]: &[i32; 2]| u8::from(y < 0 || y == 0 && x < 0);
+    let cross = |p: &[i32; 2], q: &[i32; 2]| p[0] * q[1] - p[1] * q[0];
+    let mut around: Vec<[i32; 2]> = points.iter().copied().filter(|p| *p != [0, 0]).collect();
+    around.sort_by(|p, q| half(p).cmp(&half(q)).then(0.cmp(&cross(p, q))));
+    around.dedup_by(|p, q| half(p) == half(q) && cross(p, q) == 0);
+    let is_around = (0..around.len()).all(|at| cross(&around[at], &around[(at + 1) % around.len()]) > 0);
+    (is_around && around.len() >= 3).then_some(around)
+}
+
+/// Loops with every kind of corner: what is answered is right, and where the loop is convex, it is what a mesh and an order would give.
+#[test]
+fn short_loops_need_no_order() {
+    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    let (mut convex, mut same, mut others, mut in_line) = (0, 0, 0, 0);
+    for case in 0..predicament_effort::scaled(6_000) {
+        let most = [3, 8, 40][case % 3];
+        let points = prop::collection::vec([-most..=most, -most..=most], 4..20);
+        let Some(points) = star(&points.new_tree(&mut runner).unwrap().current()) else { continue };
+        let (scene, count) = (scene(&points), points.len());
+        let exact = Exact.prepare(&scene, Off).unwrap();
+        let loops = vec![(case % count..count).chain(0..case % count).map(Vertex::input).collect::<Vec<_>>()];
+        let found = triangulate(&exact, Plane::Xy, false, &loops, Method::Ears);
+        let turn = |at: usize| {
+            let [a, b, c] = [0, 1, 2].map(|by| loops[0][(at + by) % count]);
+            exact.orient2d(Plane::Xy, a, b, c)
+        };
+        let is_convex = (0..count).all(|at| turn(at) == Sign::Positive);
+        let few = triangulate_few(&exact, Plane::Xy, false, &loops[0], |_, _, _| true);
+        let backwards: Vec<Vertex> = loops[0].iter().rev().copied().collect();
+        let reversed = triangulate_few(&exact, Plane::Xy, true, &backwards, |_, _, _| true);
+        assert_eq!(reversed.map(|made| made.len()), Some(count - 2));
+        if is_convex {
+            assert_eq!(few.as_ref(), Some(&found.triangles));
+            convex += 1;
+        }
+        // Three in line of which nobody knows are left to others.
+        let unknown = triangulate_few(&exact, Plane::Xy, false, &loops[0], |_, _, _| false);
+        assert!(unknown.is_none() || unknown == few);
+        assert!(unknown.is_none() || (0..count).all(|at| !turn(at).is_zero()));
+        in_line += usize::from(unknown.is_none());
+        let triangles = few.expect("a star has an ear");
+        if triangles == found.triangles {
+            same += 1
+        } else {
+            others += 1
+        }
+        let (_, flat) = check(&points, &loops, &Triangulation { triangles, broken: None });
+        assert_eq!(flat, 0);
+    }
+    assert!(convex > 10 && in_line > 10 && same > 10 * others, "{convex} {in_line} {same} {others}");
+}
+
+#[test]
+fn short_loops_that_are_none_are_left_to_others() {
+    let square = [[0, 0], [2, 0], [2, 2], [0, 2], [2, 0]];
+    let scene = scene(&square);
+    let exact = Exact.prepare(&scene, Off).unwrap();
+    let few = |of: &[usize]| {
+        let vertices: Vec<Vertex> = of.iter().copied().map(Vertex::input).collect();
+        triangulate_few(&exact, Plane::Xy, false, &vertices, |_, _, _| false)
+    };
+    assert_eq!(few(&[0, 1, 2, 3]).map(|made| made.len()), Some(2));
+    assert_eq!(few(&[3, 2, 1, 0]), None, "no corner is an ear");
+    assert_eq!(few(&[0, 1]), None);
+    assert_eq!(few(&[0, 1, 2, 1]), None, "a vertex comes twice");
+    assert_eq!(few(&[0, 1, 4, 2, 3]), None, "two vertices at one place");
+    assert_eq!(few(&(0..=MOST).collect::<Vec<_>>()), None, "too many");
 }
 
 /// Signs from a hash of the question.

@@ -266,3 +266,6 @@ fn first<const L: usize>(count: usize, coefficient: impl Fn(usize) -> Fixed<L>) 
 fn sign_of<const L: usize>(x: Fixed<L>) -> Sign {
     if x.is_negative() { Sign::Negative } else { Sign::Positive }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,150 @@
+//! All numbers of limbs, with numbers that fill them, against the exact backend and polynomials in integers of any size.
+
+use predicament_exact::Exact;
+use predicament_predicates::{Backend, Off, Predicates, Question};
+
+use super::*;
+use crate::constructed::rigid;
+
+/// A small generator for reproducible samples (xorshift).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0
+    }
+
+    fn below(&mut self, bound: usize) -> usize {
+        usize::try_from(self.next() >> 8).unwrap() % bound
+    }
+
+    /// An integer below 2^bits in magnitude, most of them not much below; more than 53 bits end in zeros.
+    fn whole(&mut self, bits: u32) -> f64 {
+        let digits = bits.min(53);
+        let magnitude =
+            2f64.powi((bits - digits).cast_signed()) * f64::from_bits(0x3ff0_0000_0000_0000 | self.next() >> 12);
+        // 1 to 2, of which so many digits are taken.
+        let magnitude = (magnitude * 2f64.powi(digits.cast_signed() - 1)).trunc();
+        if self.below(2) == 0 { magnitude } else { -magnitude }
+    }
+}
+
+/// What a question took: a place in this list.
+const COMPARE: [&str; 5] = ["one limb", "two limbs", "7 limbs", "14 limbs", "others"];
+
+/// How often each number of limbs was taken, and how often ties were broken in it.
+#[derive(Default, Debug)]
+struct Seen([[usize; 2]; COMPARE.len()]);
+
+impl Seen {
+    fn check<const N: usize, const S: usize>(
+        &mut self,
+        session: &predicament_exact::Session<'_, Off>,
+        (question, args): (Question, [Vertex; N]),
+        limits: [u32; 2],
+        decided: Decided,
+    ) {
+        let scene = session.scene();
+        let second = scene.second_mesh().unwrap();
+        let points = Named::new(scene, second, args).expect("flats of one mesh").points::<S>(scene);
+        let tier = match (short(&points), long(&points)) {
+            (Some((_, bits)), _) if bits <= limits[0] => 0,
+            (Some((_, bits)), _) if bits <= limits[1] => 1,
+            (Some(_), _) => 2,
+            (None, Some(_)) => 3,
+            (None, None) => 4,
+        };
+        assert_eq!(decided.is_some(), tier < 4);
+        let Some(decided) = decided else {
+            self.0[4][0] += 1;
+            return;
+        };
+        let unmoved = question.ask(session, &args);
+        let expected = if unmoved.is_zero() { rigid::decide(scene, question, &args) } else { Some((unmoved, 0)) };
+        assert_eq!(decided, expected, "{question:?} of {args:?} by {} in {scene:?}", COMPARE[tier]);
+        self.0[tier][usize::from(unmoved.is_zero() && decided.is_some())] += 1;
+    }
+}
+
+/// Asks about all points of lines and planes of two times seven points.
+fn ask_all(points: &[[f64; 3]; 14], [orders, turns]: [&mut Seen; 2]) {
+    let scene = Scene::from_points3(points).unwrap().with_second_mesh((7..14).map(Vertex::input));
+    let [a, b, c, d, e, f, g, s, t, u, v, w, x, y] = std::array::from_fn(Vertex::input);
+    let mut session = Exact.prepare(&scene, Off).unwrap();
+    let made: Vec<Vertex> = [
+        Construction::Lpi { line: [a, b], plane: [s, t, u] },
+        Construction::Lpi { line: [a, b], plane: [v, w, x] },
+        Construction::Lpi { line: [s, t], plane: [c, d, e] },
+        Construction::Lpi { line: [c, f], plane: [d, e, g] },
+        Construction::Lpi { line: [w, y], plane: [s, v, x] },
+    ]
+    .into_iter()
+    .filter_map(|of| session.construct(&[of]).ok())
+    .flatten()
+    .chain([a, s, y])
+    .collect();
+    let second = scene.second_mesh().unwrap();
+    for (at, &p) in made.iter().enumerate() {
+        for (next, &q) in made.iter().enumerate().skip(at + 1) {
+            for axis in [Axis::X, Axis::Y, Axis::Z] {
+                let decided = compare(session.scene(), second, axis, [p, q]);
+                orders.check::<2, 11>(&session, (Question::Compare(axis), [p, q]), [7, 17], decided);
+            }
+            for &r in &made[next + 1..] {
+                for plane in [Plane::Xy, Plane::Yz, Plane::Zx] {
+                    let decided = orient2d(session.scene(), second, plane, [q, p, r]);
+                    turns.check::<3, 16>(&session, (Question::Orient2d(plane), [q, p, r]), [4, 10], decided);
+                }
+            }
+        }
+    }
+}
+
+/// Without ties: a limb too few would lose the highest bits.
+#[test]
+fn numbers_that_fill_their_limbs() {
+    let (mut random, mut orders, mut turns) = (Random(11), Seen::default(), Seen::default());
+    for bits in [2, 3, 4, 5, 6, 7, 9, 10, 15, 16, 17, 30, 52, 57, 58, 59, 60, 61, 62, 63, 90, 121, 122, 123, 124, 180] {
+        for round in 0..predicament_effort::scaled(60) {
+            // Of many bits where some are as small as others are large.
+            let mut number = |small: bool| random.whole(if small { bits.min(20) } else { bits });
+            let points = std::array::from_fn(|i| [0, 1, 2].map(|axis| number((i + axis + round) % 5 == 0)));
+            ask_all(&points, [&mut orders, &mut turns]);
+        }
+    }
+    for seen in [orders, turns] {
+        assert!(seen.0.iter().all(|[count, _]| *count > 100), "{seen:?}");
+    }
+}
+
+/// Points of a small grid, each axis with a unit of its own: determinants that were zero stay zero.
+#[test]
+fn ties_in_any_number_of_limbs() {
+    let (mut random, mut orders, mut turns) = (Random(12), Seen::default(), Seen::default());
+    let tenths = 0.1;
+    let units = [
+        [1.0, 1.0, 1.0],
+        [3.0, 7.0, 5.0],
+        [21.0, 101.0, 1.0],
+        [1001.0, 4099.0, 77.0],
+        [tenths, 3.0 * tenths, 7.0 * tenths],
+        [1.0, 2f64.powi(40) + 1.0, 2f64.powi(80)],
+        [1e300, 1e300, 1e280],
+        [5e-324, 2f64.powi(-1000), 3.0 * 5e-324],
+        [1.0, 1e200, 1e-200],
+    ];
+    for unit in units {
+        for round in 0..predicament_effort::scaled(150) {
+            let side = [2, 3, 4][round % 3];
+            let mut digit = || f64::from(u32::try_from(random.below(side)).unwrap());
+            let points = std::array::from_fn(|_| unit.map(|unit| unit * digit()));
+            ask_all(&points, [&mut orders, &mut turns]);
+        }
+    }
+    for seen in [orders, turns] {
+        assert!(seen.0[..4].iter().all(|[_, ties]| *ties > 30) && seen.0[4][0] > 30, "{seen:?}");
+    }
+}
