@@ -39,10 +39,10 @@ fault!(
     LosesATriangle,
     "A hole in the union.",
     "mesh-intersect-loses-a-triangle",
-    "the union lacks its last triangle",
+    "the union lacks its first triangle",
     |answer| {
-        answer.solids[0].pop();
-        answer.sources[0].pop();
+        answer.solids[0] = answer.solids[0].split_off(usize::from(!answer.solids[0].is_empty()));
+        answer.sources[0] = answer.sources[0].split_off(usize::from(!answer.sources[0].is_empty()));
     }
 );
 fault!(

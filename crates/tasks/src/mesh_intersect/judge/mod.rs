@@ -30,8 +30,8 @@ const ADDED_UP: [usize; 2] = [1_500, 40_000];
 
 /// Points of space that are located, at the two levels.
 const PROBED: [usize; 2] = [8, 200];
-/// Meshes of more triangles are not overlaid again, at the two levels; of eight times as many where ties are not broken, which takes the most time.
-const AGAIN: [usize; 2] = [40, 400];
+/// Meshes of more triangles are not overlaid again, at the two levels; of 24 times as many where ties are not broken, which takes the most time.
+const AGAIN: [usize; 2] = [12, 100];
 
 type Point = [Rational; 3];
 
@@ -81,7 +81,7 @@ pub(super) fn judge(
     asked.watch.done(0)?;
     laws.probed(PROBED[level], outcome);
     asked.watch.done(0)?;
-    let many = if has_areas { 8 * AGAIN[level] } else { AGAIN[level] };
+    let many = if has_areas { 24 * AGAIN[level] } else { AGAIN[level] };
     if case.content.triangles() <= many {
         laws.again(asked, outcome)?;
     }

@@ -87,14 +87,25 @@ fn side(scene: &Scene, mesh: &MaterialMesh) -> Option<Flaw> {
             let sum: Rational = corners.iter().map(|corner| &corner[axis]).sum();
             sum / 3
         });
-        for direction in DIRECTIONS {
-            let Some((is_front, place)) = judge.beside(triangle, &middle, direction) else { continue };
-            let [front, behind] = mesh.sides()[triangle];
+        let [front, behind] = mesh.sides()[triangle];
+        for turn in [1, -1] {
+            let beside =
+                |those: &[u32]| DIRECTIONS.iter().find_map(|way| judge.beside(those, &middle, way.map(|x| x * turn)));
+            let own = u32::try_from(triangle).unwrap_or(u32::MAX);
+            let Some((is_front, place)) = beside(&[own]) else { continue };
             let region = if is_front { front } else { behind };
-            if place != Place::In(region) && !matches!(place, Place::On(_)) {
+            let wrong = match place {
+                Place::In(found) if found == region => None,
+                // Beyond all that lie on each other here is one region.
+                Place::On(others) => {
+                    let all: Vec<u32> = [own].into_iter().chain(others).collect();
+                    beside(&all).map(|(_, place)| place).filter(|place| matches!(place, Place::Windings(_)))
+                }
+                place => Some(place),
+            };
+            if let Some(place) = wrong {
                 return Some(Flaw::Side { triangle, is_front, region, place });
             }
-            break;
         }
     }
     None
