@@ -13,8 +13,9 @@
 //! vertices and edges. A box that does not hold the point, as seen along the ray, decides by comparing doubles, which is
 //! exact; all other signs are those of [integers](crate::sign). [`Materials::winding`] is a second computation, in rationals:
 //! along a ray of a direction of its own, in general position or not at all, it decides by barycentric coordinates. Both look at
-//! every triangle for every point. [`InIntegers`] is that second computation for points that are no doubles, without a division. (The algorithm that these are held against sends a vertical ray, through a grid.)
+//! every triangle for every point. [`InIntegers`] is that second computation for points that are no doubles, without a division. [`Boundary`] is for doubles in solids whose corners are rational. (The algorithm that these are held against sends a vertical ray, through a grid.)
 
+mod boundary;
 mod integers;
 
 use std::collections::BTreeMap;
@@ -22,6 +23,7 @@ use std::collections::BTreeMap;
 use predicament_predicates::{Axis, Plane, Question, Scene, Sign, Vertex};
 use rug::Rational;
 
+pub use boundary::Boundary;
 pub use integers::InIntegers;
 
 use crate::{rational, sign};

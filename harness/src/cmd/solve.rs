@@ -24,6 +24,8 @@ Examples:
   predicament solve crossings roads.geojson -b exact --out out/roads
   predicament solve contacts3d a.off b.ply -b tolerance --out out/contacts
   predicament solve mesh-locate part.stl probes.csv --set quick_stride=0 --out out/inside      regions of points
+  predicament solve mesh-intersect part.stl tool.off -b sos:per-mesh --out out/cut      union, intersection, differences
+  predicament solve mesh-intersect part.stl part.stl -b sos:per-mesh --set 'moved=[1, 0, 0]' --out out/step
   predicament solve orient2d survey.csv --set queries=all --round --out out/signs";
 
 /// Solve one scene, or a task on your own files, under one backend and write the answer
@@ -68,11 +70,20 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         .answer_any(task.name(), &loaded.scene, loaded.content.as_ref(), &mut |answer| {
             written = task.write_answer(&loaded, answer, &args.out);
         })
-        .map_err(|why| Failure::usage(format!("{}: {why}", backend.name())))?;
+        .map_err(|why| Failure::usage(format!("{}: {why}{}", backend.name(), cure(&why))))?;
     for path in written.map_err(|error| Failure::usage(format!("{}: {error}", args.out.display())))? {
         say!("{}", path.display());
     }
     Ok(exit::OK)
+}
+
+/// What helps where a backend has said that another kind is needed.
+fn cure(why: &str) -> &'static str {
+    if why.contains("backends that break ties") {
+        "; add -b sos:per-mesh, which moves the second mesh by an infinitesimal, or -b sos, which moves every vertex"
+    } else {
+        ""
+    }
 }
 
 /// The one scene that is selected.

@@ -36,11 +36,31 @@ impl<'m> InIntegers<'m> {
     /// If the direction is zero.
     #[must_use]
     pub fn winding(&self, q: &[Rational; 3], direction: [i32; 3]) -> Option<Place> {
+        self.but_for(&[], q, direction)
+    }
+
+    /// What is next to a point of triangles, on the side that a ray in this direction goes to: whether that is the front of the first of them, and
+    /// where that is by all other triangles. None where the ray touches the border of one, or runs in its plane or in that of the first.
+    ///
+    /// # Panics
+    /// If the direction is zero, or there is no such triangle.
+    #[must_use]
+    pub fn beside(&self, triangles: &[u32], q: &[Rational; 3], direction: [i32; 3]) -> Option<(bool, Place)> {
+        let [a, b, c] = &self.corners[*triangles.first()? as usize];
+        let less = |p: &Space| [0, 1, 2].map(|i: usize| Integer::from(&p[i] - &a[i]));
+        let ahead = dot(&direction.map(Integer::from), &cross(&less(b), &less(c)));
+        let place = self.but_for(triangles, q, direction)?;
+        ahead.cmp0().is_ne().then(|| (ahead.cmp0().is_gt(), place))
+    }
+
+    fn but_for(&self, left_out: &[u32], q: &[Rational; 3], direction: [i32; 3]) -> Option<Place> {
         assert_ne!(direction, [0; 3], "a ray has a direction");
         let direction = direction.map(Integer::from);
         let weight = q.iter().fold(Integer::from(1), |weight, x| weight.lcm(x.denom()));
         let q = q.each_ref().map(|x| Integer::from(x.numer() * &weight) / x.denom() * &self.scale);
-        self.materials.place(|at, _| along(&self.corners[at], &q, &weight, &direction))
+        let meet = |at: usize| along(&self.corners[at], &q, &weight, &direction);
+        let is_left_out = |at: usize| left_out.iter().any(|&other| other as usize == at);
+        self.materials.place(|at, _| if is_left_out(at) { Some(Meeting::Missed) } else { meet(at) })
     }
 }
 

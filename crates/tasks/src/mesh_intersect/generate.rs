@@ -1,12 +1,12 @@
 //! Pairs of meshes by size, and where the second one is.
 
 use predicament_corpus::{Family, Making, Random, Recipe};
-use predicament_formats::bits::{integer, power_of_two, step};
+use predicament_formats::bits::{power_of_two, step};
 use predicament_formats::{CorpusError, Fields};
-use predicament_mesh::{MaterialMesh, OUTSIDE};
-use predicament_predicates::Vertex;
+use predicament_mesh::OUTSIDE;
 
 use super::content::parts;
+use super::shapes::{checkers, combs, crowd, needles, terrain};
 use crate::mesh_locate::generate::{lattice_of_tetrahedra, surface_of};
 use crate::mesh_locate::probes::Surface;
 use crate::solids::{self, Shape};
@@ -28,9 +28,19 @@ enum Placed {
     Quarter,
     /// Turned a little around z, and rounded.
     Turned,
+    /// Moved by half a cell along each axis.
+    Half,
+    /// Larger by a part in 2^20, seen from the origin.
+    Offset,
+    /// Moved by two, in x: unit spheres touch in a vertex.
+    Tangent,
+    /// Moved by a little less.
+    Nearly,
+    /// 2^40 times as small, around the origin.
+    Tiny,
 }
 
-const PLACED: [(&str, Placed); 7] = [
+const PLACED: [(&str, Placed); 12] = [
     ("apart", Placed::Apart),
     ("same", Placed::Same),
     ("step", Placed::Step),
@@ -38,6 +48,11 @@ const PLACED: [(&str, Placed); 7] = [
     ("hair", Placed::Hair),
     ("quarter", Placed::Quarter),
     ("turned", Placed::Turned),
+    ("half", Placed::Half),
+    ("offset", Placed::Offset),
+    ("tangent", Placed::Tangent),
+    ("nearly", Placed::Nearly),
+    ("tiny", Placed::Tiny),
 ];
 
 macro_rules! family {
@@ -53,7 +68,7 @@ macro_rules! family {
 }
 
 /// The families of pairs.
-pub(super) static FAMILIES: [Family; 5] = [
+pub(super) static FAMILIES: [Family; 10] = [
     family!("intersect-spheres", "two spheres of about n triangles each", sphere),
     family!("intersect-tori", "two tori of about n triangles each", torus),
     family!(
@@ -63,6 +78,17 @@ pub(super) static FAMILIES: [Family; 5] = [
     ),
     family!("intersect-combs", "two prisms over combs of about n corners", combs),
     family!("intersect-tetrahedra", "two lattices of tetrahedra, each a region, about n triangles each", tetrahedra),
+    family!("intersect-shells", "two nests of cubes, every second one a cavity, of about n corners each", shells),
+    family!("intersect-checkers", "two heaps of cubes that share edges and corners, about n triangles each", checkers),
+    family!("intersect-needles", "two rows of long tetrahedra, about n triangles each", needles),
+    family!("intersect-crowds", "two crowds of tetrahedra, about n triangles each", crowd),
+    Family {
+        name: "intersect-terrains",
+        reported_as: Some("intersect-terrains"),
+        parameters: &["ground"],
+        about: "two solids under terrains of about n triangles each, over one ground or apart",
+        read: terrains,
+    },
 ];
 
 fn recipe(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Surface) -> Result<Recipe, CorpusError> {
@@ -96,6 +122,11 @@ fn place(placed: Placed, [x, y, z]: [f64; 3]) -> [f64; 3] {
         Placed::Quarter => [-y, x, z],
         // A rotation by the angle whose tangent is 1/64, but for a factor near 1.
         Placed::Turned => [x - y / 64.0, y + x / 64.0, z + x / 128.0],
+        Placed::Half => [x + 0.5, y + 0.5, z + 0.5],
+        Placed::Offset => [x, y, z].map(|x| x + x * power_of_two(-20)),
+        Placed::Tangent => [x + 2.0, y, z],
+        Placed::Nearly => [x + (2.0 - power_of_two(-40)), y, z],
+        Placed::Tiny => [x, y, z].map(|x| x * power_of_two(-40)),
     }
 }
 
@@ -115,50 +146,31 @@ fn cubes(n: usize, rng: &mut Random) -> Surface {
     closed(solids::lattice(n / 2, rng))
 }
 
-/// A prism whose bottom and top are triangulated by the strips between its teeth, which all end on the same lines.
-fn combs(n: usize, _: &mut Random) -> Surface {
-    let teeth = (n / 24).max(1);
-    let (mut points, mut corners): (Vec<[f64; 3]>, Vec<[Vertex; 3]>) = (Vec::new(), Vec::new());
-    let count = |i: usize| integer(i64::try_from(i).expect("scenes are smaller than memory"));
-    // Lines of vertices along the comb: its back, where teeth begin, and where they end, at the bottom and at the top.
-    let line = |points: &mut Vec<[f64; 3]>, y: f64, z: f64| -> Vec<Vertex> {
-        (0..2 * teeth)
-            .map(|at| {
-                points.push([count(at), y, z]);
-                Vertex::input(points.len() - 1)
-            })
-            .collect()
-    };
-    let [low, high] = [0.0, 1.0].map(|z| [-1.0, 0.0, 4.0].map(|y| line(&mut points, y, z)));
-    let mut square = |[a, b, c, d]: [Vertex; 4]| corners.extend([[a, b, c], [a, c, d]]);
-    let [low_back, low_root, low_tip] = &low;
-    let [high_back, high_root, high_tip] = &high;
-    let last = 2 * teeth - 1;
-    for at in 0..last {
-        let next = at + 1;
-        square([high_back[at], high_back[next], high_root[next], high_root[at]]);
-        square([low_root[at], low_root[next], low_back[next], low_back[at]]);
-        square([low_back[at], low_back[next], high_back[next], high_back[at]]);
-        if at % 2 == 0 {
-            square([high_root[at], high_root[next], high_tip[next], high_tip[at]]);
-            square([low_tip[at], low_tip[next], low_root[next], low_root[at]]);
-            square([low_tip[next], low_tip[at], high_tip[at], high_tip[next]]);
-            square([low_tip[at], low_root[at], high_root[at], high_tip[at]]);
-            square([low_root[next], low_tip[next], high_tip[next], high_root[next]]);
-        } else {
-            square([low_root[next], low_root[at], high_root[at], high_root[next]]);
-        }
-    }
-    square([low_root[0], low_back[0], high_back[0], high_root[0]]);
-    square([low_back[last], low_root[last], high_root[last], high_back[last]]);
-    let mesh = MaterialMesh::of_closed(points.len(), corners);
-    Surface {
-        mesh: mesh.unwrap_or_else(|why| panic!("a generator made no mesh: {why}")),
-        points,
-        tetrahedra: Vec::new(),
-    }
-}
-
 fn tetrahedra(n: usize, _: &mut Random) -> Surface {
     lattice_of_tetrahedra(n)
+}
+
+fn shells(n: usize, rng: &mut Random) -> Surface {
+    closed(solids::shells(n, rng))
+}
+
+/// Two terrains of heights of their own, over the same squares or over others.
+fn terrains(_: &str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
+    let is_shared = match fields.get("ground") {
+        None => false,
+        Some(field) => match field.str()? {
+            "shared" => true,
+            "apart" => false,
+            other => return Err(field.error(format!("no ground is called `{other}`"), "use \"shared\" or \"apart\"")),
+        },
+    };
+    let make = move |making: &Making| {
+        let mut random = making.random();
+        let [first, mut second] = [(); 2].map(|()| terrain(making.n, &mut random));
+        if !is_shared {
+            second.points.iter_mut().for_each(|point| *point = place(Placed::Apart, *point));
+        }
+        parts([first, second])
+    };
+    Ok(Recipe::new(make).with_coordinates(|n| 6 * (n + 200)))
 }

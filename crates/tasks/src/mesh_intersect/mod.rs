@@ -6,7 +6,10 @@
 mod content;
 mod generate;
 mod judge;
+mod memory;
+mod planted;
 mod read;
+mod shapes;
 
 use std::path::{Path, PathBuf};
 
@@ -14,7 +17,7 @@ use predicament_algorithms::mesh_overlay::planted::{
     DropsAPiece, ForgetsToTurn, LooksAtTwoSides, Planted as Wrong, SortsPointsBackwards, SwapsSides,
     TakesComponentsForOutside,
 };
-use predicament_algorithms::mesh_overlay::{Regions, Undone, Zeros, mesh_overlay_planted};
+use predicament_algorithms::mesh_overlay::{Regions, Source as OfMesh, Undone, Zeros, mesh_overlay_planted};
 use predicament_algorithms::overlay::Operation;
 use predicament_algorithms::planted::Honest;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
@@ -23,8 +26,8 @@ use predicament_predicates::{Construction, Declined, PredicateKind, Predicates, 
 
 pub use content::TwoMeshes;
 
+use self::planted::{AddsAFlap, JoinsPoints, LosesATriangle, RepeatsPieces, Spoils, TakesTheOtherDifference};
 use crate::output::Placed;
-
 use crate::{
     Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Refusal, Stop, Task,
     Watch, digest, output,
@@ -37,11 +40,36 @@ const BACKWARDS_CHECKS: &[Catch] = &[(Class::Topology, "vertices that no triangl
 /// The checks that have to find a missing piece.
 const DROPPED_CHECKS: &[Catch] = &[(Class::Topology, "region not closed"), (Class::Topology, "face area")];
 /// The checks that have to find a component in the wrong region.
-const COMPONENT_CHECKS: &[Catch] = &[(Class::Topology, "region of a piece")];
+const COMPONENT_CHECKS: &[Catch] = &[
+    (Class::Topology, "region of a piece"),
+    (Class::Topology, "point in a result"),
+    (Class::Topology, "meshes exchanged"),
+];
 /// The checks that have to find pieces whose sides are exchanged.
 const SWAPPED_CHECKS: &[Catch] = &[(Class::Topology, "sides of a piece")];
 /// The checks that have to find a result whose surface is turned over in part.
 const TURNED_CHECKS: &[Catch] = &[(Class::Topology, "operation")];
+
+/// The checks that have to find a hole in a result.
+const HOLE_CHECKS: &[Catch] = &[
+    (Class::Topology, "result not closed"),
+    (Class::Topology, "volumes of results"),
+    (Class::Topology, "areas of results"),
+    (Class::Topology, "a mesh with itself"),
+];
+/// The checks that have to find two points that are taken for one.
+const JOINED_CHECKS: &[Catch] = &[
+    (Class::Topology, "curve not closed"),
+    (Class::Topology, "corner of a result"),
+    (Class::Topology, "Euler characteristic"),
+];
+/// The checks that have to find a surface that is there twice, once each way.
+const FLAP_CHECKS: &[Catch] = &[(Class::Topology, "edge of a result")];
+/// The checks that have to find more pieces at an edge than there is room for.
+const REPEATED_CHECKS: &[Catch] =
+    &[(Class::Topology, "edge of a piece"), (Class::Topology, "segment of a curve"), (Class::Topology, "face area")];
+/// The checks that have to find another difference.
+const OTHER_CHECKS: &[Catch] = &[(Class::Topology, "difference by complement"), (Class::Topology, "point in a result")];
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -54,6 +82,8 @@ pub struct Overlaid {
     pub regions: Regions,
     /// The surface of each operation, in the order of [`Operation::ALL`].
     pub solids: [Vec<[Vertex; 3]>; 4],
+    /// For each triangle of these what it is, or is a piece of.
+    pub sources: [Vec<OfMesh>; 4],
     /// What was constructed.
     pub constructions: Vec<Construction>,
     /// How many constructions the scene had before.
@@ -78,20 +108,24 @@ impl Overlaid {
     /// # Errors
     /// [`Halt::Refused`] where the session does not construct a vertex, or meshes touch and it says so.
     fn of<F: Wrong>(session: &mut dyn Predicates, content: &TwoMeshes) -> Result<Overlaid, Halt> {
+        memory::affordable(session.scene(), content)?;
         let before = session.scene().constructions().len();
         let zeros = zeros(session, content);
         let overlay = match mesh_overlay_planted::<F>(session, content.meshes.clone(), zeros) {
             Ok(overlay) => overlay,
             Err(Undone::Refused(why)) => return Err(why.into()),
             Err(touch @ Undone::Touch(_)) => {
-                return Err(Halt::Refused(Refusal { check: "touch", why: Declined::scene(touch.to_string()) }));
+                let why = format!("{touch}; what touches is decided by backends that break ties");
+                return Err(Halt::Refused(Refusal { check: "touch", why: Declined::scene(why) }));
             }
             Err(Undone::Broken(rule)) => return Ok(Overlaid { before, broken: Some(rule), ..Overlaid::default() }),
         };
         let constructions = overlay.constructions().to_vec();
+        let solids = Operation::ALL.map(|operation| overlay.solid(operation));
         Ok(Overlaid {
             regions: overlay.regions(),
-            solids: Operation::ALL.map(|operation| overlay.solid(operation).triangles),
+            sources: solids.each_ref().map(|solid| solid.sources.clone()),
+            solids: solids.map(|solid| solid.triangles),
             rounded: output::rounded_points(session, before, constructions.len()),
             constructions,
             before,
@@ -126,7 +160,7 @@ impl SceneFormat for MeshIntersect {
     }
 
     fn keys(&self) -> &'static [&'static str] {
-        &["points", "first", "second", "first_regions", "second_regions"]
+        &["points", "first", "second", "first_regions", "second_regions", "moved", "check"]
     }
 
     fn coordinate_keys(&self) -> &'static [&'static str] {
@@ -196,6 +230,13 @@ impl Task for MeshIntersect {
         fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<MeshIntersect> {
             Planted::new::<F>("sos", caught_by, |session, content: &TwoMeshes| Overlaid::of::<F>(session, content))
         }
+        fn spoiled<F: Spoils>(backend: &'static str, caught_by: &'static [Catch]) -> Planted<MeshIntersect> {
+            Planted::new::<F>(backend, caught_by, |session, content: &TwoMeshes| {
+                let mut answer = Overlaid::of::<Honest>(session, content)?;
+                F::spoil(&mut answer);
+                Ok(answer)
+            })
+        }
         vec![
             fault::<LooksAtTwoSides>(SIDES_CHECKS),
             fault::<SortsPointsBackwards>(BACKWARDS_CHECKS),
@@ -203,6 +244,11 @@ impl Task for MeshIntersect {
             fault::<TakesComponentsForOutside>(COMPONENT_CHECKS),
             fault::<SwapsSides>(SWAPPED_CHECKS),
             fault::<ForgetsToTurn>(TURNED_CHECKS),
+            spoiled::<LosesATriangle>("sos", HOLE_CHECKS),
+            spoiled::<JoinsPoints>("exact", JOINED_CHECKS),
+            spoiled::<AddsAFlap>("exact", FLAP_CHECKS),
+            spoiled::<RepeatsPieces>("exact", REPEATED_CHECKS),
+            spoiled::<TakesTheOtherDifference>("exact", OTHER_CHECKS),
         ]
     }
 

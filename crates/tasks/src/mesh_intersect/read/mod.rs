@@ -1,12 +1,16 @@
-//! `first` and `second`: triangles of `points`, or meshes in files; `first_regions` and `second_regions`.
+//! `first` and `second`: triangles of `points`, or meshes in files; `first_regions` and `second_regions`, `moved` and `check`.
+
+mod check;
 
 use predicament_corpus::{Context, Elsewhere, Level, Parts, PointSource, Source};
-use predicament_formats::{Cache, CorpusError, Entry, Fields, ImportNotes, Places};
+use predicament_formats::{Cache, CorpusError, Entry, Field, Fields, ImportNotes, Places};
 use predicament_judge::sign;
+use predicament_judge::solids::Place as Located;
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::Plane::{Xy, Yz, Zx};
 use predicament_predicates::{Dimension, Question, Scene, Vertex};
 
+use self::check::Flaw;
 use super::content::with_meshes;
 use crate::mesh_locate::read::{MeshSource, Place, Simplices, simplices};
 use crate::mesh_locate::regions::Regions;
@@ -23,7 +27,14 @@ struct Written {
     /// Points that written triangles are of; none where both meshes are in files.
     points: Option<PointSource>,
     operands: [Operand; 2],
+    /// What is added to the points of the second mesh.
+    moved: Option<[f64; 3]>,
+    /// Whether meshes are checked; none for small ones only.
+    check: Option<bool>,
 }
+
+/// Meshes of more triangles together are checked only if that is asked for.
+const CHECKED: usize = 2_000;
 
 /// Reads a scene.
 pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
@@ -42,7 +53,20 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
         }
         points => points.map(|field| PointSource::read(context, &field, fields.file())).transpose()?,
     };
-    Ok(Source::elsewhere(Written { file: fields.file().to_owned(), line: fields.line(), points, operands }))
+    let moved = fields.get("moved").map(|field| moved(&field, &operands[1])).transpose()?;
+    let check = fields.get("check").map(|field| field.bool()).transpose()?;
+    let (file, line) = (fields.file().to_owned(), fields.line());
+    Ok(Source::elsewhere(Written { file, line, points, operands, moved, check }))
+}
+
+/// By how much the second mesh is moved.
+fn moved(field: &Field<'_, '_>, second: &Operand) -> Result<[f64; 3], CorpusError> {
+    if !matches!(second, Operand::File(_)) {
+        return Err(field.error("`moved` is for a second mesh in a file", "write the points where they should be"));
+    }
+    let by: Vec<f64> = field.items("three coordinates")?.map(|x| x.coordinate()).collect::<Result<_, _>>()?;
+    let count = by.len();
+    <[f64; 3]>::try_from(by).map_err(|_| field.error(format!("a move of {count} coordinates"), "give it three"))
 }
 
 impl Elsewhere for Written {
@@ -70,7 +94,12 @@ impl Elsewhere for Written {
                     place.surface(written.clone(), corners, &faces, regions.as_ref(), cache)?.mesh
                 }
                 Operand::File(of) => {
-                    let (surface, of_file) = of.load(cache)?;
+                    let (mut surface, of_file) = of.load(cache)?;
+                    if let (1, Some(by)) = (meshes.len(), self.moved) {
+                        for point in &mut surface.points {
+                            point.iter_mut().zip(by).for_each(|(x, by)| *x += by);
+                        }
+                    }
                     notes.add(&of_file);
                     let first = coordinates.len();
                     coordinates.extend(surface.points);
@@ -115,6 +144,36 @@ impl Written {
                 return Err(self.error(message, "remove it, and join its neighbours"));
             }
         }
+        let count: usize = meshes.iter().map(|mesh| mesh.triangles().len()).sum();
+        if self.check.unwrap_or(count <= CHECKED) {
+            for (mesh, name) in meshes.into_iter().zip(["first", "second"]) {
+                check::flaw(scene, mesh).map_or(Ok(()), |flaw| Err(self.flawed(flaw, name)))?;
+            }
+        }
         Ok(())
+    }
+
+    fn flawed(&self, flaw: Flaw, name: &str) -> CorpusError {
+        match flaw {
+            Flaw::Crossing([a, b]) => {
+                let message = format!("triangles {a} and {b} of the {name} mesh pass through each other");
+                self.error(message, "cut them where they cross, or write `check = false` to take the mesh as it is")
+            }
+            Flaw::Side { triangle, is_front, region, place } => {
+                let side = if is_front { "in front of" } else { "behind" };
+                let there = match place {
+                    Located::In(region) => format!("region {region}"),
+                    Located::Windings(windings) => {
+                        let each = windings.iter().map(|(region, winding)| format!("{winding} times region {region}"));
+                        each.collect::<Vec<_>>().join(" and ")
+                    }
+                    Located::On(_) => "another triangle".to_owned(),
+                };
+                let message = format!(
+                    "{side} triangle {triangle} of the {name} mesh is {there}, and it should be region {region}"
+                );
+                self.error(message, "turn over what is inside out, and join what overlaps; or write `check = false` to take the mesh as it is")
+            }
+        }
     }
 }

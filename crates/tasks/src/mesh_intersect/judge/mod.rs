@@ -1,0 +1,144 @@
+//! The overlay of two meshes against the laws that it satisfies, decided in rationals.
+//!
+//! Pieces of each triangle cover it once, no piece passes through another one, and each piece is in the region of the other mesh that its
+//! middle is in, as the judge of points in meshes says: that is all there is to it (`pieces.rs`, `located.rs`). The rest follows from this and is decided
+//! by other means: volumes and areas of results (`measures.rs`), how pieces hang together (`topology.rs`), points of space in results
+//! (`located.rs`), and the same overlay asked for in other ways (`again.rs`).
+
+mod again;
+mod located;
+mod measures;
+mod pieces;
+mod topology;
+
+use predicament_algorithms::mesh_overlay::{Regions, Source};
+use predicament_checks::slice::Expected;
+use predicament_judge::{Points, rational};
+use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
+use rug::Rational;
+
+use super::content::TwoMeshes;
+use super::{MeshIntersect, Overlaid};
+use crate::{Asked, Case, Class, Finding, Outcome, Stop};
+
+/// Triangles held against their neighbours, at the two levels.
+const CROSSED: [usize; 2] = [16, 2_000];
+/// Triangles that middles of pieces are held against, all together, at the two levels.
+const LOCATED: [usize; 2] = [2_000, 400_000];
+/// Overlays of more triangles have no volumes added up, at the two levels.
+const ADDED_UP: [usize; 2] = [1_500, 40_000];
+
+/// Points of space that are located, at the two levels.
+const PROBED: [usize; 2] = [8, 200];
+/// Meshes of more triangles are not overlaid again, at the two levels; of 24 times as many where ties are not broken, which takes the most time.
+const AGAIN: [usize; 2] = [12, 100];
+
+type Point = [Rational; 3];
+
+/// What is sampled.
+pub(super) fn sampled(content: &TwoMeshes) -> Option<String> {
+    (content.triangles() > CROSSED[0])
+        .then(|| "pieces cover all triangles, and regions are closed; regions and crossings: an even sample".to_owned())
+}
+
+/// Judges an overlay.
+pub(super) fn judge(
+    case: &Case<'_, MeshIntersect>,
+    asked: &Asked<'_>,
+    answer: &Overlaid,
+    outcome: &mut Outcome,
+) -> Result<(), Stop> {
+    if let Some(rule) = answer.broken {
+        note(outcome, rule, "violated".to_owned(), rule);
+        return Ok(());
+    }
+    let points = match points(case.scene(), answer) {
+        Ok(points) => points,
+        Err(v) => {
+            note(outcome, "vertex not finite", format!("{v} has no finite coordinates"), "every vertex is a point");
+            return Ok(());
+        }
+    };
+    let level = usize::from(asked.budget.thorough);
+    let laws = Laws { scene: case.scene(), content: case.content, answer, points };
+    asked.watch.done(0)?;
+    laws.closed(outcome);
+    laws.sides(outcome);
+    laws.operations(outcome);
+    asked.watch.done(0)?;
+    let has_areas = asked.contract(PredicateKind::Orient3d).zero != ZeroMeaning::Never;
+    laws.pieces(Expected { is_closed: false, has_areas, triangles_crossed: CROSSED[level] }, outcome);
+    asked.watch.done(0)?;
+    laws.located(LOCATED[level], outcome);
+    asked.watch.done(0)?;
+    if laws.regions().triangles.len() <= ADDED_UP[level] {
+        laws.volumes(outcome);
+        asked.watch.done(0)?;
+        laws.results(outcome);
+    }
+    asked.watch.done(0)?;
+    laws.topology(outcome);
+    asked.watch.done(0)?;
+    laws.probed(PROBED[level], outcome);
+    asked.watch.done(0)?;
+    let many = if has_areas { 24 * AGAIN[level] } else { AGAIN[level] };
+    if case.content.triangles() <= many {
+        laws.again(asked, outcome)?;
+    }
+    if outcome.findings.is_empty() {
+        outcome.counts.add(Class::Agree, outcome.queries);
+    }
+    Ok(())
+}
+
+fn note(outcome: &mut Outcome, check: &str, got: String, law: &str) {
+    outcome.counts.add(Class::Topology, 1);
+    outcome.findings.push(Finding::plain(Class::Topology, check, Vec::new(), got, law.to_owned()));
+}
+
+/// All points: those of the scene, then the constructed ones, as they are or as the session has rounded them.
+fn points(scene: &Scene, answer: &Overlaid) -> Result<Vec<Point>, Vertex> {
+    let mut all: Vec<Point> = scene.vertices().map(|v| scene.point3(v).map(rational)).collect();
+    let vertex = |at: usize| Vertex::constructed(answer.before + at);
+    if let Some(rounded) = &answer.rounded {
+        for (at, point) in rounded.iter().enumerate() {
+            if point.iter().any(|x| !x.is_finite()) {
+                return Err(vertex(at));
+            }
+            all.push(point.map(rational));
+        }
+        return Ok(all);
+    }
+    let mut exact = Points::of(scene);
+    let vertices = exact.construct(&answer.constructions).map_err(|why| vertex(why.index().unwrap_or(0)))?;
+    for v in vertices {
+        let point = exact.point(v).map(std::borrow::Cow::into_owned).ok_or(v)?;
+        all.push(<Point>::try_from(point).map_err(|_| v)?);
+    }
+    Ok(all)
+}
+
+struct Laws<'a> {
+    scene: &'a Scene,
+    content: &'a TwoMeshes,
+    answer: &'a Overlaid,
+    points: Vec<Point>,
+}
+
+impl Laws<'_> {
+    fn regions(&self) -> &Regions {
+        &self.answer.regions
+    }
+
+    fn place(&self, v: Vertex) -> usize {
+        v.construction().map_or(v.index(), |index| self.scene.len() + index - self.answer.before)
+    }
+
+    fn corners(&self, triangle: [Vertex; 3]) -> [&Point; 3] {
+        triangle.map(|v| &self.points[self.place(v)])
+    }
+}
+
+fn name(source: Source) -> String {
+    format!("triangle {} of the {} mesh", source.triangle, ["first", "second"][usize::from(source.mesh)])
+}

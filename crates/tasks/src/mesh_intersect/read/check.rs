@@ -1,0 +1,144 @@
+//! Whether a mesh bounds its regions: it does not cross itself, and is not inside out.
+//!
+//! The first is decided for all pairs of triangles whose boxes meet: no edge of one passes through the inside of the other. Parts may touch.
+//! Where edges cross edges and planes are shared, meshes overlap without such a passage; that, and what is inside out, shows in the second: in front of the middle
+//! of a triangle and behind it are the regions that it says, by the winding numbers of all other triangles. That is looked at for a sample of triangles, one of
+//! each component before all others.
+
+use predicament_judge::solids::{Materials, Place};
+use predicament_judge::{rational, sign};
+use predicament_mesh::MaterialMesh;
+use predicament_predicates::{Question, Scene, Sign, Vertex};
+use rug::Rational;
+
+/// Triangles whose sides are looked at.
+const SAMPLED: usize = 24;
+/// Directions of rays, in general position for most meshes.
+const DIRECTIONS: [[i32; 3]; 4] = [[83, 31, 17], [-29, 71, 43], [13, -47, 97], [-61, -7, 89]];
+
+/// What is wrong with a mesh.
+pub(super) enum Flaw {
+    /// These triangles pass through each other.
+    Crossing([usize; 2]),
+    /// This triangle has something else than this region in front of it, or behind it.
+    Side { triangle: usize, is_front: bool, region: u32, place: Place },
+}
+
+/// The first flaw of a mesh.
+pub(super) fn flaw(scene: &Scene, mesh: &MaterialMesh) -> Option<Flaw> {
+    crossing(scene, mesh).map(Flaw::Crossing).or_else(|| side(scene, mesh))
+}
+
+/// The first triangle that another one of a higher number passes through, with that.
+fn crossing(scene: &Scene, mesh: &MaterialMesh) -> Option<[usize; 2]> {
+    let boxes: Vec<[[f64; 2]; 3]> = mesh.triangles().iter().map(|triangle| bounds(scene, *triangle)).collect();
+    let mut order: Vec<usize> = (0..boxes.len()).collect();
+    order.sort_by(|&a, &b| boxes[a][0][0].total_cmp(&boxes[b][0][0]));
+    let mut found: Option<[usize; 2]> = None;
+    for (at, &first) in order.iter().enumerate() {
+        let beside = order[at + 1..].iter().take_while(|&&second| boxes[second][0][0] <= boxes[first][0][1]);
+        for &second in beside {
+            let is_near = (1..3).all(|axis| {
+                let [[low, high], [from, to]] = [boxes[first][axis], boxes[second][axis]];
+                low <= to && from <= high
+            });
+            let pair = [first.min(second), first.max(second)];
+            if is_near && found.is_none_or(|found| pair < found) {
+                let [a, b] = pair.map(|at| mesh.triangles()[at]);
+                if passes(scene, a, b) || passes(scene, b, a) {
+                    found = Some(pair);
+                }
+            }
+        }
+    }
+    found
+}
+
+fn bounds(scene: &Scene, triangle: [Vertex; 3]) -> [[f64; 2]; 3] {
+    let corners = triangle.map(|v| scene.point3(v));
+    [0, 1, 2].map(|axis| {
+        let [a, b, c] = corners.map(|corner| corner[axis]);
+        [a.min(b).min(c), a.max(b).max(c)]
+    })
+}
+
+/// Whether an edge of one triangle passes through the inside of another.
+fn passes(scene: &Scene, edges: [Vertex; 3], [a, b, c]: [Vertex; 3]) -> bool {
+    let ask = |args: [Vertex; 4]| sign(scene, Question::Orient3d, &args);
+    let sides = edges.map(|v| ask([a, b, c, v]));
+    (0..3).any(|at| {
+        let next = (at + 1) % 3;
+        let [p, q] = [edges[at], edges[next]];
+        let is_through = sides[at] != Sign::Zero && sides[at] == -sides[next];
+        is_through && {
+            let turns = [ask([p, q, a, b]), ask([p, q, b, c]), ask([p, q, c, a])];
+            turns[0] != Sign::Zero && turns == [turns[0]; 3]
+        }
+    })
+}
+
+/// The first triangle of a sample that has other regions on its sides.
+fn side(scene: &Scene, mesh: &MaterialMesh) -> Option<Flaw> {
+    let materials = Materials::new(scene, mesh.triangles(), mesh.sides());
+    let judge = materials.in_integers();
+    for triangle in sample(mesh) {
+        let corners = mesh.triangles()[triangle].map(|v| scene.point3(v).map(rational));
+        let middle = [0, 1, 2].map(|axis: usize| {
+            let sum: Rational = corners.iter().map(|corner| &corner[axis]).sum();
+            sum / 3
+        });
+        let [front, behind] = mesh.sides()[triangle];
+        for turn in [1, -1] {
+            let beside =
+                |those: &[u32]| DIRECTIONS.iter().find_map(|way| judge.beside(those, &middle, way.map(|x| x * turn)));
+            let own = u32::try_from(triangle).unwrap_or(u32::MAX);
+            let Some((is_front, place)) = beside(&[own]) else { continue };
+            let region = if is_front { front } else { behind };
+            let wrong = match place {
+                Place::In(found) if found == region => None,
+                // Beyond all that lie on each other here is one region.
+                Place::On(others) => {
+                    let all: Vec<u32> = [own].into_iter().chain(others).collect();
+                    beside(&all).map(|(_, place)| place).filter(|place| matches!(place, Place::Windings(_)))
+                }
+                place => Some(place),
+            };
+            if let Some(place) = wrong {
+                return Some(Flaw::Side { triangle, is_front, region, place });
+            }
+        }
+    }
+    None
+}
+
+/// The first triangle of each component, and others, evenly spread.
+fn sample(mesh: &MaterialMesh) -> Vec<usize> {
+    let count = mesh.triangles().iter().flatten().map(|v| v.index() + 1).max().unwrap_or(0);
+    let mut parent: Vec<usize> = (0..count).collect();
+    fn root(parent: &mut [usize], mut at: usize) -> usize {
+        while parent[at] != at {
+            parent[at] = parent[parent[at]];
+            at = parent[at];
+        }
+        at
+    }
+    for triangle in mesh.triangles() {
+        let [a, b, c] = triangle.map(|v| root(&mut parent, v.index()));
+        parent[b] = a;
+        let [a, c] = [a, c].map(|at| root(&mut parent, at));
+        parent[c] = a;
+    }
+    let (mut seen, mut chosen) = (vec![false; count], Vec::new());
+    for (at, triangle) in mesh.triangles().iter().enumerate() {
+        let root = root(&mut parent, triangle[0].index());
+        if !std::mem::replace(&mut seen[root], true) {
+            chosen.push(at);
+        }
+    }
+    chosen.truncate(SAMPLED / 2);
+    let step = mesh.triangles().len().div_ceil(SAMPLED - chosen.len()).max(1);
+    chosen.extend((0..mesh.triangles().len()).step_by(step));
+    chosen.sort_unstable();
+    chosen.dedup();
+    chosen
+}
