@@ -214,7 +214,7 @@ mod tests {
         assert_eq!((sample(other).wrong, sample(other).is_true()), (1, true), "another cube");
         // Two cubes that cross.
         let mut both = start.mesh.clone();
-        let moved = start.mesh.points.iter().map(|point| point.map(|x| x + 0.375));
+        let moved = start.mesh.points.iter().map(|&[x, y, z]| [x + 0.375, y + 0.25, z + 0.125]);
         both.points.extend(moved);
         both.triangles.extend(start.mesh.triangles.iter().map(|triangle| triangle.map(|v| v + 8)));
         assert!(sample(&both).crossing > 0);
