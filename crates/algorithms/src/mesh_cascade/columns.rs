@@ -85,16 +85,16 @@ impl Columns {
             }
             of[at]
         };
-        for mesh in 0..2 {
+        for (mesh, operand) in operands.into_iter().enumerate() {
             // Beyond the other mesh's box; with nothing near there, all of it is outside of the other one.
             if !operation.holds([mesh == 0, mesh == 1]) {
                 continue;
             }
             let near = if near.is_none() { &self.near[mesh][..] } else { &[] };
             for &triangle in near.iter().chain(&self.far[mesh]) {
-                let corners = operands[mesh].triangles[triangle as usize];
+                let corners = operand.triangles[triangle as usize];
                 let before = mesh * first;
-                result.triangles.push(corners.map(|v| place(before + v as usize, operands[mesh].points[v as usize])));
+                result.triangles.push(corners.map(|v| place(before + v as usize, operand.points[v as usize])));
             }
         }
         if let Some(Rounded { closed, vertices, .. }) = near {

@@ -49,6 +49,9 @@ pub struct MeshCascades {
     pub out: Option<PathBuf>,
 }
 
+/// What is plotted: the end of the file's name, what it is, and the value of a sample.
+type Plot = (&'static str, &'static str, fn(&Sample) -> f64);
+
 /// The backend that takes limits.
 const EXACT: &str = "exact";
 
@@ -150,7 +153,7 @@ Examples:
 
     fn plots(&self, measured: &Measured) -> Result<Vec<File>, Error> {
         #[allow(clippy::cast_precision_loss)] // few of anything
-        let plots: [(&str, &str, fn(&Sample) -> f64); 3] = [
+        let plots: [Plot; 3] = [
             ("triangles", "triangles", |sample| sample.triangles as f64),
             ("wrong", "open sides, crossings and wrong points", |sample| {
                 (sample.open + sample.crossing + sample.wrong) as f64
