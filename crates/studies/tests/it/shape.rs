@@ -24,7 +24,7 @@ fn report(study: &dyn Ready, host: &dyn Host) -> Result<Report, Error> {
 }
 
 /// Each study on a small amount of work, and its files.
-const SMALL: [(&str, &[&str]); 5] = [
+const SMALL: [(&str, &[&str]); 6] = [
     (
         "resolution --trials 2 --out x",
         &["resolution.csv", "location.csv", "resolution.md", "resolution.svg", "location.svg"],
@@ -43,6 +43,16 @@ const SMALL: [(&str, &[&str]); 5] = [
             "rotate-bits.svg",
             "rotate-time.svg",
             "rotate.wkt",
+        ],
+    ),
+    (
+        "mesh-cascades -c shave -b exact --steps 3 --samples 2 --probes 9",
+        &[
+            "mesh-cascades.csv",
+            "mesh-cascade-times.csv",
+            "mesh-cascades.md",
+            "mesh-shave-triangles.svg",
+            "mesh-shave-time.svg",
         ],
     ),
 ];
@@ -93,7 +103,7 @@ impl Host for Impatient<'_> {
 
 #[test]
 fn every_study_says_what_it_begins_and_stops_where_it_is_told() {
-    for ((line, _), unit) in SMALL.into_iter().zip(["features", "pairs", "decisions", "tuples", "steps"]) {
+    for ((line, _), unit) in SMALL.into_iter().zip(["features", "pairs", "decisions", "tuples", "steps", "steps"]) {
         let (cancel, quiet) = (AtomicBool::new(true), |_: u64| {});
         let host = Impatient { watch: Watch::new(&cancel, None, &quiet), told: RefCell::default() };
         assert_eq!(report(ready(line).as_ref(), &host), Err(Error::Stopped(Stop::Interrupted)), "{line}");
