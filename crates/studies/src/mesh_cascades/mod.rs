@@ -22,4 +22,4 @@ mod table;
 pub use cascade::{Cascade, Operand};
 pub use sample::{Done, Sample};
 pub use study::{Measured, MeshCascades};
-pub use survey::{Followed, Plan};
+pub use survey::Followed;

@@ -7,8 +7,9 @@ use predicament_report::{Curve, Curves, curves};
 use predicament_tasks::Contestant;
 use serde::Serialize;
 
-use super::survey::{Followed, Plan, follow};
+use super::survey::{Followed, follow};
 use super::{Cascade, Sample, table};
+use crate::cascades::Plan;
 use crate::{Error, File, Host, Study};
 
 /// Meshes that are combined again and again, by several backends.

@@ -13,19 +13,7 @@ use predicament_tasks::{Contestant, Watch};
 use super::cascade::{Cascade, Cells};
 use super::sample::{Done, Probe, Sample, measured};
 use crate::Error;
-
-/// How many steps are done, and how much is measured.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Plan {
-    /// Steps of each cascade.
-    pub steps: usize,
-    /// Steps after which everything is measured, spread evenly; the last is one.
-    pub samples: usize,
-    /// Points that are located after each measured step.
-    pub probes: usize,
-    /// The seed of operands and probes.
-    pub seed: u64,
-}
+use crate::cascades::Plan;
 
 /// What one backend made of one cascade.
 #[derive(Clone, PartialEq, Debug)]
