@@ -2,9 +2,11 @@
 
 use predicament_arithmetic::Plan;
 use predicament_predicates::{
-    Axis, Construction, Declined, Dimension, Plane, PredicateKind, Predicates, Refused, Scene, Sign, Tally, Vertex,
+    Axis, Construction, Declined, Dimension, Plane, PredicateKind, Predicates, Refused, Scene, Sessions, Sign, Tally,
+    Vertex,
 };
 
+use crate::Exact;
 use crate::batch::{self, Along, Batch, Sweep, View, Whole, Xy, Yz, Zx};
 use crate::constructed::Constructed;
 use crate::integers::Integers;
@@ -448,6 +450,10 @@ impl<T: Tally> Predicates for Session<'_, T> {
 
     fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
         self.construct_where(definitions, |_| Ok(()))
+    }
+
+    fn unperturbed(&self) -> Option<&dyn Sessions> {
+        Some(&Exact)
     }
 
     #[inline]

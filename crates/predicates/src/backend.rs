@@ -13,7 +13,7 @@
 
 use crate::{
     Axis, Band, Construction, Constructs, Contract, Declined, Dimension, Plane, PredicateKind, Question, Refused,
-    Scene, Sign, Tally, Vertex, contact,
+    Scene, Sessions, Sign, Tally, Vertex, contact,
 };
 
 /// A way to answer predicates: exact, perturbed, by tolerances. It prepares a session for a scene.
@@ -136,6 +136,12 @@ pub trait Predicates: Send + Sync {
     /// The time that all predicates so far have taken by the session's own clock, in nanoseconds; none where the
     /// caller's clock sees nothing else.
     fn own_nanoseconds(&self) -> Option<u64> {
+        None
+    }
+
+    /// What answers the same questions without the perturbation, with a zero where something is zero: the session's own backend, if it is
+    /// exact; none where signs are rounded. By it results are taken back to where the input is.
+    fn unperturbed(&self) -> Option<&dyn Sessions> {
         None
     }
 

@@ -2,7 +2,8 @@
 //! dynamic call a question.
 
 use crate::{
-    Axis, Band, Construction, Declined, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sign, Vertex,
+    Axis, Band, Construction, Declined, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sessions, Sign,
+    Vertex,
 };
 
 // A method that is left out would fall back to its default and pass over the session's own.
@@ -50,6 +51,10 @@ impl<P: Predicates + ?Sized> Predicates for Box<P> {
 
     fn own_nanoseconds(&self) -> Option<u64> {
         (**self).own_nanoseconds()
+    }
+
+    fn unperturbed(&self) -> Option<&dyn Sessions> {
+        (**self).unperturbed()
     }
 
     fn band(&self, question: Question) -> Option<Band> {

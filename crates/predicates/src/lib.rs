@@ -8,6 +8,7 @@
 //!   [`Constructs`]: what a backend does with those that come up while it runs,
 //!   [`Refused`]: why it did not construct one.
 //! * [`Backend`]: prepares a scene; [`Predicates`]: the session that answers.
+//! * [`Sessions`]: what prepares sessions for scenes that an algorithm makes itself.
 //! * [`Contract`]: what zero means; [`Band`]: how wide it is; [`Declined`]: why it refuses.
 //! * [`QuerySet`]: many questions as data; [`Query`]: one of them as text and back.
 //! * [`Broken`]: what a session throws where it cannot answer, such as one whose process has crashed.
@@ -27,6 +28,7 @@ mod interned;
 mod query;
 mod question;
 mod scene;
+mod sessions;
 mod sign;
 mod tally;
 mod vertex;
@@ -41,6 +43,7 @@ pub use contract::{Band, Contract, Declined, ZeroMeaning};
 pub use query::{ParseQueryError, Query};
 pub use question::{PredicateKind, QuerySet, Question};
 pub use scene::{Dimension, Scene, SceneError};
+pub use sessions::Sessions;
 pub use sign::Sign;
 pub use tally::{Counts, MAX_STAGES, Off, Tally};
 pub use vertex::{Axis, ParseVertexError, Plane, Vertex};

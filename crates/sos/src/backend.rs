@@ -4,7 +4,7 @@ use predicament_exact::Exact;
 use predicament_exact::stage::COMPARE;
 use predicament_predicates::{
     Axis, Backend, Construction, Constructs, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question,
-    Refused, Scene, Sign, Tally, Vertex, ZeroMeaning,
+    Refused, Scene, Sessions, Sign, Tally, Vertex, ZeroMeaning,
 };
 
 use crate::constructed::{self, Memo};
@@ -231,6 +231,10 @@ impl<T: Tally> Predicates for Session<'_, T> {
             Scheme::PerCoordinate => self.exact.construct_where(definitions, constructed::is_of_inputs),
             Scheme::EdelsbrunnerMucke => Err(Refused::session(constructed::others_only())),
         }
+    }
+
+    fn unperturbed(&self) -> Option<&dyn Sessions> {
+        Some(&Exact)
     }
 
     /// Circles and spheres are those of input vertices.

@@ -13,7 +13,7 @@ use predicament_exact::Exact;
 use predicament_exact::constructed::{EXACT as CONSTRUCTED, FILTER};
 use predicament_predicates::{
     Axis, Backend, Construction, Constructs, Contract, Declined, MAX_STAGES, Off, Plane, PredicateKind, Predicates,
-    Question, Refused, Scene, Sign, Tally, Vertex, ZeroMeaning,
+    Question, Refused, Scene, Sessions, Sign, Tally, Vertex, ZeroMeaning,
 };
 
 use crate::constructed::{self, fixed, rigid};
@@ -182,6 +182,10 @@ impl<T: Tally> Predicates for Session<'_, T> {
 
     fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
         self.exact.construct_where(definitions, constructed::is_of_inputs)
+    }
+
+    fn unperturbed(&self) -> Option<&dyn Sessions> {
+        Some(&Exact)
     }
 
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {

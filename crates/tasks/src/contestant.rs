@@ -63,7 +63,7 @@ impl dyn Contestant + '_ {
     /// The reason, where the backend declines or does not know the task.
     pub fn answer<T: Task>(&self, task: &T, scene: &Scene, content: &T::Content) -> Result<T::Answer, String> {
         let mut found = None;
-        self.answer_any(task.name(), scene, content, &mut |answer| {
+        self.answer_any(task.name(), scene, content, Purpose::Use, &mut |answer| {
             found = answer.downcast_ref::<T::Answer>().cloned()
         })?;
         found.ok_or_else(|| format!("two tasks are called `{}`", task.name()))
@@ -78,12 +78,13 @@ impl dyn Contestant + '_ {
         task: &str,
         scene: &Scene,
         content: &dyn Content,
+        purpose: Purpose,
         then: &mut dyn FnMut(&dyn Any),
     ) -> Result<(), String> {
         let solver = self.solver(task).ok_or_else(|| format!("{} knows no task `{task}`", self.name()))?;
         let (never, quiet) = (AtomicBool::new(false), |_: u64| {});
         let watch = Watch::new(&never, None, &quiet);
-        let how = How { purpose: Purpose::Use, watch: &watch };
+        let how = How { purpose, watch: &watch };
         let solved = solver.solve(scene, content, &Counts::new(), &how, &mut |_, answer| {
             then(answer);
             Ok(())

@@ -26,7 +26,7 @@ pub struct Planted<T: Task> {
     /// What is wrong, in one line.
     pub what: &'static str,
     /// The backend on which the fault shows: one of those that `selftest` takes for honest,
-    /// `exact`, `sos`, `sos:edelsbrunner-mucke` and `tolerance`.
+    /// `exact`, `sos`, `sos:edelsbrunner-mucke`, `sos:per-mesh` and `tolerance`.
     pub backend: &'static str,
     /// The checks that have to find it.
     pub caught_by: &'static [Catch],

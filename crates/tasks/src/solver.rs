@@ -20,6 +20,8 @@ pub enum Purpose {
     Judge,
     /// To be used: the fastest way, which is what is timed.
     Use,
+    /// To be written to files: with everything that users of these want.
+    Files,
 }
 
 /// How a task is solved.

@@ -34,7 +34,7 @@ Examples:
   predicament run -b fault:sos-swapped-term        a planted fault in a run of its own; `gate` turns red";
 
 /// Backends that must have no finding but the expected ones.
-const CLEAN: [&str; 4] = ["exact", "sos", "sos:edelsbrunner-mucke", "tolerance"];
+const CLEAN: [&str; 5] = ["exact", "sos", "sos:edelsbrunner-mucke", "sos:per-mesh", "tolerance"];
 
 /// Plant faults in backends and algorithms; each must be caught by its checks
 #[derive(clap::Args)]

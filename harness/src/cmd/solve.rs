@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use predicament_corpus::{Level, LoadedScene, Suite};
 use predicament_formats::{CorpusError, Manifest};
-use predicament_tasks::AnyTask;
+use predicament_tasks::{AnyTask, Purpose};
 
 use crate::exit::{self, Failure};
 use crate::out::program;
@@ -67,7 +67,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     std::fs::create_dir_all(&args.out).map_err(|error| Failure::usage(format!("{}: {error}", args.out.display())))?;
     let mut written = Ok(Vec::new());
     backend
-        .answer_any(task.name(), &loaded.scene, loaded.content.as_ref(), &mut |answer| {
+        .answer_any(task.name(), &loaded.scene, loaded.content.as_ref(), Purpose::Files, &mut |answer| {
             written = task.write_answer(&loaded, answer, &args.out);
         })
         .map_err(|why| Failure::usage(format!("{}: {why}{}", backend.name(), cure(&why))))?;

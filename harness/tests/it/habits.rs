@@ -22,7 +22,7 @@ fn a_script_reads_the_scorecard() {
     let only = ["selftest", "-f", "classics/kettner-a1$", "--only", "fault:sos-swapped-term", "--json"];
     let told = run(&only).stdout;
     let lines: Vec<Value> = told.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
-    assert_eq!(lines.len(), 5, "four honest backends and the fault: {told}");
+    assert_eq!(lines.len(), 6, "five honest backends and the fault: {told}");
     assert_eq!(lines[0]["name"], "exact");
     assert_eq!(lines[0]["verdict"], "clean");
 }

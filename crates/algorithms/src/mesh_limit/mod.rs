@@ -17,7 +17,7 @@
 //!
 //! # What is taken
 //! Results of sessions that move a mesh as a whole: a line that is parallel to a plane stays so, and each constructed vertex is a point
-//! in the limit. Where each vertex moves on its own that does not hold, and the limit is refused.
+//! in the limit. Where each vertex moves on its own that may not hold; the limit is refused where it does not.
 
 pub(crate) mod chain;
 pub(crate) mod joints;

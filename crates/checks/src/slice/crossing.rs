@@ -83,12 +83,19 @@ impl Slices {
         turns[0] != Ordering::Equal && turns == [turns[0]; 3]
     }
 
-    /// Whether edges of two triangles in one plane cross.
+    /// Whether edges of two triangles in one plane cross, or a corner of one is inside of the other.
     fn overlap(&self, plane: &Plane, first: [u32; 3], second: [u32; 3]) -> bool {
         let Some(axis) = plane.axis() else { return false };
         let turn = |a: u32, b: u32, c: u32| area(self.points([a, b, c]), axis).cmp0();
         let opposite = |x: Ordering, y: Ordering| x != Ordering::Equal && x == y.reverse();
         let edges = |[a, b, c]: [u32; 3]| [[a, b], [b, c], [c, a]];
+        let is_in = |p: u32, triangle: [u32; 3]| {
+            let turns = edges(triangle).map(|[a, b]| turn(a, b, p));
+            turns[0] != Ordering::Equal && turns == [turns[0]; 3]
+        };
+        if first.into_iter().any(|p| is_in(p, second)) || second.into_iter().any(|p| is_in(p, first)) {
+            return true;
+        }
         edges(first).into_iter().any(|[a, b]| {
             edges(second)
                 .into_iter()

@@ -54,7 +54,7 @@ impl Slices {
         }
     }
 
-    fn has_area(&self, triangle: &[u32; 3], flaws: &mut Flaws) {
+    pub(super) fn has_area(&self, triangle: &[u32; 3], flaws: &mut Flaws) {
         if normal(self.points(*triangle)).iter().all(Rational::is_zero) {
             flaws.add(Check::Degenerate, triangle, || "a triangle without area".to_owned());
         }

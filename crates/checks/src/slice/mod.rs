@@ -198,6 +198,23 @@ impl Slices {
         flaws.0
     }
 
+    /// What violates the laws about closed surfaces, at most one entry a law: each part is closed, each triangle has an area, and none passes
+    /// through another one, lies on it or has a corner inside of it. What `expected` says of faces is left out.
+    ///
+    /// # Panics
+    /// As [`Slices::flaws`].
+    #[must_use]
+    pub fn flaws_of_surface(&self, expected: Expected) -> Vec<Flaw> {
+        let mut flaws = Flaws::default();
+        self.closed(expected, &mut flaws);
+        self.parts.iter().flat_map(|part| &part.triangles).for_each(|triangle| self.has_area(triangle, &mut flaws));
+        if expected.triangles_crossed > 0 {
+            self.crossings(expected, &mut flaws);
+        }
+        flaws.0.sort_by_key(|flaw| flaw.check);
+        flaws.0
+    }
+
     /// How many triangles there are in all parts.
     #[must_use]
     pub fn triangles(&self) -> usize {

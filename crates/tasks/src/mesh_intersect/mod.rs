@@ -4,19 +4,20 @@
 //! either mesh, of which Boolean operations take some.
 
 mod content;
+mod files;
 mod generate;
 mod judge;
 mod memory;
 mod planted;
 mod read;
+mod section;
+mod settled;
 mod shapes;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::mesh_overlay::planted::{
-    DropsAPiece, ForgetsToTurn, LooksAtTwoSides, Planted as Wrong, SortsPointsBackwards, SwapsSides,
-    TakesComponentsForOutside,
-};
+use predicament_algorithms::mesh_limit::planted::Planted as WrongLimit;
+use predicament_algorithms::mesh_overlay::planted::Planted as Wrong;
 use predicament_algorithms::mesh_overlay::{Regions, Source as OfMesh, Undone, Zeros, mesh_overlay_planted};
 use predicament_algorithms::overlay::Operation;
 use predicament_algorithms::planted::Honest;
@@ -24,52 +25,18 @@ use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Construction, Declined, PredicateKind, Predicates, Query, Question, Scene, Vertex};
 
-pub use content::TwoMeshes;
+use predicament_records::{RunDir, TableSpec};
+use predicament_report::Section;
 
-use self::planted::{AddsAFlap, JoinsPoints, LosesATriangle, RepeatsPieces, Spoils, TakesTheOtherDifference};
+pub use content::TwoMeshes;
+pub use section::MeshIntersectRow;
+pub use settled::Settled;
+
 use crate::output::Placed;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Refusal, Stop, Task,
-    Watch, digest, output,
+    Answer, Asked, Case, Contestant, Explanation, Halt, How, Outcome, Planted, Purpose, Refusal, Stop, Task, Watch,
+    digest, output,
 };
-
-/// The checks that have to find an edge that is taken to pass through a triangle beside it, or not.
-const SIDES_CHECKS: &[Catch] = &[(Class::Topology, "two triangles meet in one segment")];
-/// The checks that have to find points out of order.
-const BACKWARDS_CHECKS: &[Catch] = &[(Class::Topology, "vertices that no triangle parts are in one region")];
-/// The checks that have to find a missing piece.
-const DROPPED_CHECKS: &[Catch] = &[(Class::Topology, "region not closed"), (Class::Topology, "face area")];
-/// The checks that have to find a component in the wrong region.
-const COMPONENT_CHECKS: &[Catch] = &[
-    (Class::Topology, "region of a piece"),
-    (Class::Topology, "point in a result"),
-    (Class::Topology, "meshes exchanged"),
-];
-/// The checks that have to find pieces whose sides are exchanged.
-const SWAPPED_CHECKS: &[Catch] = &[(Class::Topology, "sides of a piece")];
-/// The checks that have to find a result whose surface is turned over in part.
-const TURNED_CHECKS: &[Catch] = &[(Class::Topology, "operation")];
-
-/// The checks that have to find a hole in a result.
-const HOLE_CHECKS: &[Catch] = &[
-    (Class::Topology, "result not closed"),
-    (Class::Topology, "volumes of results"),
-    (Class::Topology, "areas of results"),
-    (Class::Topology, "a mesh with itself"),
-];
-/// The checks that have to find two points that are taken for one.
-const JOINED_CHECKS: &[Catch] = &[
-    (Class::Topology, "curve not closed"),
-    (Class::Topology, "corner of a result"),
-    (Class::Topology, "Euler characteristic"),
-];
-/// The checks that have to find a surface that is there twice, once each way.
-const FLAP_CHECKS: &[Catch] = &[(Class::Topology, "edge of a result")];
-/// The checks that have to find more pieces at an edge than there is room for.
-const REPEATED_CHECKS: &[Catch] =
-    &[(Class::Topology, "edge of a piece"), (Class::Topology, "segment of a curve"), (Class::Topology, "face area")];
-/// The checks that have to find another difference.
-const OTHER_CHECKS: &[Catch] = &[(Class::Topology, "difference by complement"), (Class::Topology, "point in a result")];
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -90,6 +57,8 @@ pub struct Overlaid {
     pub before: usize,
     /// What the session has rounded the constructed vertices to; none where it keeps them.
     pub rounded: Option<Vec<[f64; 3]>>,
+    /// The results without a perturbation, and in doubles, or what does not hold; none where they were not asked for, or the session rounds.
+    pub settled: Option<std::result::Result<Settled, String>>,
     /// The first invariant that did not hold: then there is nothing else.
     pub broken: Option<&'static str>,
 }
@@ -103,11 +72,15 @@ fn zeros(session: &dyn Predicates, content: &TwoMeshes) -> Zeros {
 }
 
 impl Overlaid {
-    /// Overlays the meshes of a scene.
+    /// Overlays the meshes of a scene; with `settles` the results without a perturbation are asked for, too.
     ///
     /// # Errors
     /// [`Halt::Refused`] where the session does not construct a vertex, or meshes touch and it says so.
-    fn of<F: Wrong>(session: &mut dyn Predicates, content: &TwoMeshes) -> Result<Overlaid, Halt> {
+    fn of<F: Wrong, L: WrongLimit>(
+        session: &mut dyn Predicates,
+        content: &TwoMeshes,
+        settles: bool,
+    ) -> Result<Overlaid, Halt> {
         memory::affordable(session.scene(), content)?;
         let before = session.scene().constructions().len();
         let zeros = zeros(session, content);
@@ -123,6 +96,7 @@ impl Overlaid {
         let constructions = overlay.constructions().to_vec();
         let solids = Operation::ALL.map(|operation| overlay.solid(operation));
         Ok(Overlaid {
+            settled: if settles { settled::settled::<L>(session, &overlay, &solids, before) } else { None },
             regions: overlay.regions(),
             sources: solids.each_ref().map(|solid| solid.sources.clone()),
             solids: solids.map(|solid| solid.triangles),
@@ -210,7 +184,8 @@ impl Task for MeshIntersect {
         answer: &mut Overlaid,
     ) -> Result<(), Halt> {
         how.watch.done(0)?;
-        *answer = Overlaid::of::<Honest>(session, content)?;
+        let settles = how.purpose != Purpose::Use;
+        *answer = Overlaid::of::<Honest, Honest>(session, content, settles)?;
         how.watch.done(content.triangles() as u64)?;
         Ok(())
     }
@@ -223,33 +198,20 @@ impl Task for MeshIntersect {
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
         outcome.sampled = judge::sampled(case.content);
+        section::rows(case, asked, answer, outcome);
         judge::judge(case, asked, answer, outcome)
     }
 
+    fn tables(&self) -> Vec<TableSpec> {
+        vec![TableSpec::of::<MeshIntersectRow>()]
+    }
+
+    fn section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error> {
+        section::section(runs)
+    }
+
     fn planted(&self) -> Vec<Planted<MeshIntersect>> {
-        fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<MeshIntersect> {
-            Planted::new::<F>("sos", caught_by, |session, content: &TwoMeshes| Overlaid::of::<F>(session, content))
-        }
-        fn spoiled<F: Spoils>(backend: &'static str, caught_by: &'static [Catch]) -> Planted<MeshIntersect> {
-            Planted::new::<F>(backend, caught_by, |session, content: &TwoMeshes| {
-                let mut answer = Overlaid::of::<Honest>(session, content)?;
-                F::spoil(&mut answer);
-                Ok(answer)
-            })
-        }
-        vec![
-            fault::<LooksAtTwoSides>(SIDES_CHECKS),
-            fault::<SortsPointsBackwards>(BACKWARDS_CHECKS),
-            fault::<DropsAPiece>(DROPPED_CHECKS),
-            fault::<TakesComponentsForOutside>(COMPONENT_CHECKS),
-            fault::<SwapsSides>(SWAPPED_CHECKS),
-            fault::<ForgetsToTurn>(TURNED_CHECKS),
-            spoiled::<LosesATriangle>("sos", HOLE_CHECKS),
-            spoiled::<JoinsPoints>("exact", JOINED_CHECKS),
-            spoiled::<AddsAFlap>("exact", FLAP_CHECKS),
-            spoiled::<RepeatsPieces>("exact", REPEATED_CHECKS),
-            spoiled::<TakesTheOtherDifference>("exact", OTHER_CHECKS),
-        ]
+        planted::all()
     }
 
     fn describe(&self, _: &LoadedScene, content: &TwoMeshes, _: &Watch) -> Result<String, Stop> {
@@ -269,11 +231,16 @@ impl Task for MeshIntersect {
         Ok(Explanation::default().with_answers(backends, ask))
     }
 
-    /// A mesh for each operation, all vertices exactly, and a JSON file of all pieces.
+    /// A mesh for each operation, in doubles where it is known without the perturbation and as the perturbation has it otherwise, what rounding has
+    /// done, all vertices exactly, and a JSON file of all pieces.
     fn write(&self, scene: &Scene, _: &TwoMeshes, answer: &Overlaid, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
         let placed = Placed::new(scene, &answer.constructions, answer.before, answer.rounded.as_deref())?;
         let mut files = Vec::new();
-        for (operation, solid) in Operation::ALL.iter().zip(&answer.solids) {
+        if let Some(Ok(settled)) = &answer.settled {
+            files.extend(files::settled(settled, folder)?);
+        }
+        let perturbed = if files.is_empty() { &answer.solids[..] } else { &[] };
+        for (operation, solid) in Operation::ALL.iter().zip(perturbed) {
             let faces: Vec<Vec<Vertex>> =
                 solid.iter().map(|triangle| triangle.map(|v| placed.place(v)).to_vec()).collect();
             files.extend(output::mesh(&placed.meshes, &faces, folder, operation.name())?);

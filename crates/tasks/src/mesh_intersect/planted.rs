@@ -1,13 +1,122 @@
-//! Faults planted in answers: what is judged about results, curves and other ways to ask can fail.
+//! Faults planted in the overlay, in limits, and in answers: what is judged can fail.
 //!
-//! The overlay is right, and what is handed over is not.
+//! Those in answers are of what is handed over, after the overlay was right.
 
+use predicament_algorithms::mesh_limit::planted::Planted as WrongLimit;
+use predicament_algorithms::mesh_limit::planted::{KeepsJoints, KeepsSheets, KeepsVertices};
+use predicament_algorithms::mesh_overlay::planted::{
+    DropsAPiece, ForgetsToTurn, LooksAtTwoSides, Planted as Wrong, SortsPointsBackwards, SwapsSides,
+    TakesComponentsForOutside,
+};
 use predicament_algorithms::overlay::Operation;
-use predicament_algorithms::planted::Fault;
+use predicament_algorithms::planted::{Fault, Honest};
 use predicament_mesh::OUTSIDE;
 use predicament_predicates::Vertex;
 
-use super::Overlaid;
+use super::content::TwoMeshes;
+use super::settled::Settled;
+use super::{MeshIntersect, Overlaid};
+use crate::{Catch, Class, Planted};
+
+/// The checks that have to find an edge that is taken to pass through a triangle beside it, or not.
+const SIDES_CHECKS: &[Catch] = &[(Class::Topology, "two triangles meet in one segment")];
+/// The checks that have to find points out of order.
+const BACKWARDS_CHECKS: &[Catch] = &[(Class::Topology, "vertices that no triangle parts are in one region")];
+/// The checks that have to find a missing piece.
+const DROPPED_CHECKS: &[Catch] = &[(Class::Topology, "region not closed"), (Class::Topology, "face area")];
+/// The checks that have to find a component in the wrong region.
+const COMPONENT_CHECKS: &[Catch] = &[
+    (Class::Topology, "region of a piece"),
+    (Class::Topology, "point in a result"),
+    (Class::Topology, "meshes exchanged"),
+];
+/// The checks that have to find pieces whose sides are exchanged.
+const SWAPPED_CHECKS: &[Catch] = &[(Class::Topology, "sides of a piece")];
+/// The checks that have to find a result whose surface is turned over in part.
+const TURNED_CHECKS: &[Catch] = &[(Class::Topology, "operation")];
+
+/// The checks that have to find a hole in a result.
+const HOLE_CHECKS: &[Catch] = &[
+    (Class::Topology, "result not closed"),
+    (Class::Topology, "volumes of results"),
+    (Class::Topology, "areas of results"),
+    (Class::Topology, "a mesh with itself"),
+];
+/// The checks that have to find two points that are taken for one.
+const JOINED_CHECKS: &[Catch] = &[
+    (Class::Topology, "curve not closed"),
+    (Class::Topology, "corner of a result"),
+    (Class::Topology, "Euler characteristic"),
+];
+/// The checks that have to find a surface that is there twice, once each way.
+const FLAP_CHECKS: &[Catch] = &[(Class::Topology, "edge of a result")];
+/// The checks that have to find more pieces at an edge than there is room for.
+const REPEATED_CHECKS: &[Catch] =
+    &[(Class::Topology, "edge of a piece"), (Class::Topology, "segment of a curve"), (Class::Topology, "face area")];
+/// The checks that have to find another difference.
+const OTHER_CHECKS: &[Catch] = &[(Class::Topology, "difference by complement"), (Class::Topology, "point in a result")];
+
+/// The checks that have to find vertices of a limit at one place.
+const VERTICES_CHECKS: &[Catch] = &[(Class::Topology, "vertices of a limit")];
+/// The checks that have to find what faces each other in a limit.
+const SHEETS_CHECKS: &[Catch] = &[(Class::Topology, "settled result crosses itself")];
+/// The checks that have to find an edge with a vertex on it.
+const JOINTS_CHECKS: &[Catch] = &[(Class::Topology, "settled result not closed")];
+/// The checks that have to find another limit.
+const OVER_CHECKS: &[Catch] = &[(Class::Topology, "areas of a limit"), (Class::Topology, "point in a result")];
+/// The checks that have to find a limit that is too large.
+const UNION_CHECKS: &[Catch] =
+    &[(Class::Topology, "limit of a mesh with itself"), (Class::Topology, "areas of a limit")];
+/// The checks that have to find a vertex elsewhere.
+const MOVED_CHECKS: &[Catch] = &[(Class::Topology, "place of a rounded vertex")];
+/// The checks that have to find a hole in doubles.
+const LOST_CHECKS: &[Catch] = &[(Class::Topology, "settled result not closed")];
+
+/// The algorithm and its results with all faults.
+pub(super) fn all() -> Vec<Planted<MeshIntersect>> {
+    fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<MeshIntersect> {
+        Planted::new::<F>("sos", caught_by, |session, content: &TwoMeshes| {
+            Overlaid::of::<F, Honest>(session, content, true)
+        })
+    }
+    fn spoiled<F: Spoils>(backend: &'static str, caught_by: &'static [Catch]) -> Planted<MeshIntersect> {
+        Planted::new::<F>(backend, caught_by, |session, content: &TwoMeshes| {
+            let mut answer = Overlaid::of::<Honest, Honest>(session, content, true)?;
+            F::spoil(&mut answer);
+            Ok(answer)
+        })
+    }
+    fn limit<F: WrongLimit>(caught_by: &'static [Catch]) -> Planted<MeshIntersect> {
+        Planted::new::<F>("sos:per-mesh", caught_by, |session, content: &TwoMeshes| {
+            Overlaid::of::<Honest, F>(session, content, true)
+        })
+    }
+    vec![
+        fault::<LooksAtTwoSides>(SIDES_CHECKS),
+        fault::<SortsPointsBackwards>(BACKWARDS_CHECKS),
+        fault::<DropsAPiece>(DROPPED_CHECKS),
+        fault::<TakesComponentsForOutside>(COMPONENT_CHECKS),
+        fault::<SwapsSides>(SWAPPED_CHECKS),
+        fault::<ForgetsToTurn>(TURNED_CHECKS),
+        spoiled::<LosesATriangle>("sos", HOLE_CHECKS),
+        spoiled::<JoinsPoints>("exact", JOINED_CHECKS),
+        spoiled::<AddsAFlap>("exact", FLAP_CHECKS),
+        spoiled::<RepeatsPieces>("exact", REPEATED_CHECKS),
+        spoiled::<TakesTheOtherDifference>("exact", OTHER_CHECKS),
+        limit::<KeepsVertices>(VERTICES_CHECKS),
+        limit::<KeepsSheets>(SHEETS_CHECKS),
+        limit::<KeepsJoints>(JOINTS_CHECKS),
+        spoiled::<TurnsALimitOver>("exact", OVER_CHECKS),
+        spoiled::<TakesTheUnionsLimit>("sos:per-mesh", UNION_CHECKS),
+        spoiled::<MovesAVertex>("exact", MOVED_CHECKS),
+        spoiled::<LosesARoundedTriangle>("exact", LOST_CHECKS),
+    ]
+}
+
+/// What is handed over without a perturbation.
+fn settled(answer: &mut Overlaid) -> Option<&mut Settled> {
+    answer.settled.as_mut()?.as_mut().ok()
+}
 
 /// A fault in an answer.
 pub(super) trait Spoils: Fault {
@@ -104,6 +213,50 @@ fault!(
                 _ => continue,
             }
             answer.sources[2].push(source);
+        }
+    }
+);
+fault!(
+    TurnsALimitOver,
+    "A limit inside out.",
+    "mesh-intersect-turns-a-limit-over",
+    "the limit of the union is inside out",
+    |answer| {
+        if let Some(settled) = settled(answer) {
+            settled.results[0].solid.triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
+        }
+    }
+);
+fault!(
+    TakesTheUnionsLimit,
+    "Another result's limit.",
+    "mesh-intersect-takes-the-unions-limit",
+    "the limit of the union is taken for that of the difference",
+    |answer| {
+        if let Some(settled) = settled(answer) {
+            settled.results[2] = settled.results[0].clone();
+        }
+    }
+);
+fault!(
+    MovesAVertex,
+    "A vertex in doubles elsewhere.",
+    "mesh-intersect-moves-a-vertex",
+    "the first vertex of the union in doubles is two ulps up",
+    |answer| {
+        if let Some(point) = settled(answer).and_then(|settled| settled.results[0].rounded.closed.points.first_mut()) {
+            point[2] = point[2].next_up().next_up();
+        }
+    }
+);
+fault!(
+    LosesARoundedTriangle,
+    "A hole in doubles.",
+    "mesh-intersect-loses-a-rounded-triangle",
+    "the union in doubles lacks its last triangle",
+    |answer| {
+        if let Some(settled) = settled(answer) {
+            settled.results[0].rounded.closed.triangles.pop();
         }
     }
 );

@@ -150,7 +150,7 @@ impl Task for MeshLocate {
                 let session: &dyn Predicates = session;
                 how.watch.counted(|go_on| question_all(index, session, &probes, Ray::UP, go_on))?
             }
-            Purpose::Use => how.watch.counted(|go_on| locate_all(index, session, &probes, go_on))?,
+            Purpose::Use | Purpose::Files => how.watch.counted(|go_on| locate_all(index, session, &probes, go_on))?,
         };
         Ok(())
     }

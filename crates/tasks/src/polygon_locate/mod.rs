@@ -124,7 +124,7 @@ impl Task for PolygonLocate {
         let probes = content.vertices();
         answer.0 = match how.purpose {
             Purpose::Judge => how.watch.counted(|go_on| question_all(index, session, &probes, go_on))?,
-            Purpose::Use => how.watch.counted(|go_on| locate_all(index, session, &probes, go_on))?,
+            Purpose::Use | Purpose::Files => how.watch.counted(|go_on| locate_all(index, session, &probes, go_on))?,
         };
         Ok(())
     }

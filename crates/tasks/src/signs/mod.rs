@@ -207,7 +207,7 @@ fn signs(session: &dyn Predicates, content: &SignQueries, how: &How<'_>, out: &m
     // What is timed is one batch where it can be, as users ask it.
     let size = match how.purpose {
         Purpose::Use if rayon::current_num_threads() == 1 => 256 * CHUNK,
-        Purpose::Use | Purpose::Judge => CHUNK,
+        Purpose::Use | Purpose::Judge | Purpose::Files => CHUNK,
     };
     let batch = |(chunk, out): (usize, &mut [Sign])| {
         queries.ask_batch(session, chunk * size..chunk * size + out.len(), out);

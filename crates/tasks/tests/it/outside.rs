@@ -15,8 +15,8 @@ use predicament_predicates::{Dimension, Plane, PredicateKind, Predicates, Query,
 use predicament_records::{Env, Outcome as Ended, Plan, Row, RunDir, RunWriter, TableSpec};
 use predicament_report::{Block, Cell, Section, Table, html, markdown};
 use predicament_tasks::{
-    Answer, AnyCase, AnyTask, Asked, Budget, Case, Class, Contestant, Explanation, Finding, Halt, How, Outcome, Stop,
-    Task, TaskList, Watch, built_in, digest,
+    Answer, AnyCase, AnyTask, Asked, Budget, Case, Class, Contestant, Explanation, Finding, Halt, How, Outcome,
+    Purpose, Stop, Task, TaskList, Watch, built_in, digest,
 };
 use serde::{Deserialize, Serialize};
 
@@ -360,7 +360,7 @@ fn its_answers_are_written_and_timed() {
     let folder = tempfile::tempdir().unwrap();
     let mut files = Vec::new();
     let write = &mut |answer: &dyn Any| files = LeftTurns.write_answer(&zigzag, answer, folder.path()).unwrap();
-    exact.answer_any("left-turns", &zigzag.scene, zigzag.content.as_ref(), write).unwrap();
+    exact.answer_any("left-turns", &zigzag.scene, zigzag.content.as_ref(), Purpose::Files, write).unwrap();
     assert_eq!(files, [folder.path().join("turns.txt")]);
     assert_eq!(std::fs::read_to_string(&files[0]).unwrap(), "2\n");
 

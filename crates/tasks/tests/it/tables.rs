@@ -4,6 +4,7 @@ use predicament_records::{Env, Outcome, Plan, Record, Row, RunDir, RunWriter, Ta
 use predicament_tasks::built_in;
 use predicament_tasks::contacts::ContactRow;
 use predicament_tasks::cube_union::MassRow;
+use predicament_tasks::mesh_intersect::MeshIntersectRow;
 use predicament_tasks::mesh_locate::MeshLocateRow;
 use predicament_tasks::polygon_locate::LocateRow;
 use predicament_tasks::snap::SnapRow;
@@ -92,6 +93,32 @@ fn mesh_locate() -> MeshLocateRow {
     }
 }
 
+fn mesh_intersect() -> MeshIntersectRow {
+    MeshIntersectRow {
+        suite: "intersections".to_owned(),
+        scene: "a".to_owned(),
+        scene_id: "0123456789abcdef".to_owned(),
+        backend: "sos:per-mesh".to_owned(),
+        operation: "union".to_owned(),
+        given: 24,
+        points: 8,
+        perturbed: 30,
+        limit: 20,
+        merged: 7,
+        flat: 4,
+        cancelled: 6,
+        covered: 5,
+        rounded: 19,
+        moved: 3,
+        collapsed: 1,
+        turned: 2,
+        folded: 9,
+        crossing: 10,
+        mended: 11,
+        left: 12,
+    }
+}
+
 /// The tables of all tasks, each once.
 fn tables() -> Vec<TableSpec> {
     let mut tables: Vec<TableSpec> = built_in().iter().flat_map(|task| task.own_tables()).collect();
@@ -116,12 +143,14 @@ fn columns_are_the_fields_in_their_order() {
     assert_eq!(header(&mass()), MassRow::COLUMNS);
     assert_eq!(header(&snap()), SnapRow::COLUMNS);
     assert_eq!(header(&mesh_locate()), MeshLocateRow::COLUMNS);
+    assert_eq!(header(&mesh_intersect()), MeshIntersectRow::COLUMNS);
     let all = [
         TableSpec::of::<LocateRow>(),
         TableSpec::of::<MassRow>(),
         TableSpec::of::<ContactRow>(),
         TableSpec::of::<SnapRow>(),
         TableSpec::of::<MeshLocateRow>(),
+        TableSpec::of::<MeshIntersectRow>(),
     ];
     assert_eq!(tables(), all);
 }
@@ -137,6 +166,7 @@ fn every_table_survives_the_disk() {
     writer.append(&records).unwrap();
     writer.write(&[snap()]).unwrap();
     writer.write(&[mesh_locate()]).unwrap();
+    writer.write(&[mesh_intersect()]).unwrap();
     writer.finish(Outcome::Complete).unwrap();
     let run = RunDir::open(folder.path()).unwrap();
     assert_eq!(run.rows(), Ok(vec![locate(), locate()]));
@@ -144,6 +174,7 @@ fn every_table_survives_the_disk() {
     assert_eq!(run.rows(), Ok(vec![mass()]));
     assert_eq!(run.rows(), Ok(vec![snap()]));
     assert_eq!(run.rows(), Ok(vec![mesh_locate()]));
+    assert_eq!(run.rows(), Ok(vec![mesh_intersect()]));
 }
 
 #[test]
@@ -156,6 +187,9 @@ fn rows_that_make_no_sense_are_not_written() {
         MeshLocateRow { lost: 10, ..mesh_locate() },
         MeshLocateRow { known: 10, ..mesh_locate() },
     ] {
+        assert!(Record::of(&row).is_err());
+    }
+    for row in [MeshIntersectRow { left: 22, ..mesh_intersect() }, MeshIntersectRow { flat: 25, ..mesh_intersect() }] {
         assert!(Record::of(&row).is_err());
     }
     let masses = [

@@ -7,6 +7,7 @@ use predicament_mesh::OUTSIDE;
 use predicament_predicates::{Scene, Vertex};
 use rug::Rational;
 
+use super::settled::Settlement;
 use super::{Laws, name, note};
 use crate::Outcome;
 
@@ -55,27 +56,30 @@ impl Laws<'_> {
     }
 
     /// Points of space are in a result if, and only if, the operation says so of what they are in: each is located in both meshes, and in the
-    /// surface of each result. Points on any of these are left out.
-    pub(super) fn probed(&self, count: usize, outcome: &mut Outcome) {
+    /// surface of each result, with a perturbation and without, and in doubles. Points on any of these are left out.
+    pub(super) fn probed(&self, count: usize, settlement: Option<&Settlement<'_>>, outcome: &mut Outcome) {
         let probes = self.probes(count);
         let count = self.scene.len();
         let points: Vec<[f64; 3]> = self.scene.vertices().map(|v| self.scene.point3(v)).chain(probes.clone()).collect();
         let Ok(scene) = Scene::from_points3(&points) else { return };
         let meshes = self.content.meshes.each_ref().map(|mesh| Materials::new(&scene, mesh.triangles(), mesh.sides()));
-        let results = self.answer.solids.each_ref().map(|solid| {
-            Boundary::new(solid.iter().map(|&triangle| self.corners(triangle).map(Clone::clone)).collect())
+        let perturbed = Operation::ALL.into_iter().zip(&self.answer.solids).map(|(operation, solid)| {
+            let corners = solid.iter().map(|&triangle| self.corners(triangle).map(Clone::clone)).collect();
+            (operation, "the surface", Boundary::new(corners))
         });
+        let settled = settlement.map(Settlement::boundaries).unwrap_or_default();
+        let results: Vec<_> = perturbed.chain(settled).collect();
         for (at, probe) in probes.into_iter().enumerate() {
             let places = meshes.each_ref().map(|mesh| mesh.locate(Vertex::input(count + at)));
             let [Place::In(first), Place::In(second)] = places else { continue };
             let inside = [first, second].map(|region| region != OUTSIDE);
-            for (operation, result) in Operation::ALL.into_iter().zip(&results) {
+            for (operation, what, result) in &results {
                 let Some(winding) = result.winding(probe) else { continue };
                 let wanted = operation.holds(inside);
                 if winding != i64::from(wanted) {
                     let [x, y, z] = probe;
                     let got = format!(
-                        "the surface of the {} goes {winding} times around ({x}, {y}, {z}), in region {first} of the first mesh and {second} of the second",
+                        "{what} of the {} goes {winding} times around ({x}, {y}, {z}), in region {first} of the first mesh and {second} of the second",
                         operation.name()
                     );
                     let law =

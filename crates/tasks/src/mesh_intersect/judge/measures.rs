@@ -109,7 +109,7 @@ impl Laws<'_> {
     }
 
     /// Whether the second mesh is the first again.
-    fn is_twice(&self) -> bool {
+    pub(super) fn is_twice(&self) -> bool {
         let [first, second] = &self.content.meshes;
         let at = |v: Vertex| self.scene.point3(v);
         first.sides() == second.sides()

@@ -3,12 +3,14 @@
 //! Pieces of each triangle cover it once, no piece passes through another one, and each piece is in the region of the other mesh that its
 //! middle is in, as the judge of points in meshes says: that is all there is to it (`pieces.rs`, `located.rs`). The rest follows from this and is decided
 //! by other means: volumes and areas of results (`measures.rs`), how pieces hang together (`topology.rs`), points of space in results
-//! (`located.rs`), and the same overlay asked for in other ways (`again.rs`).
+//! (`located.rs`), and the same overlay asked for in other ways (`again.rs`). What results are without the perturbation, and in doubles, is held
+//! against them (`settled.rs`).
 
 mod again;
 mod located;
 mod measures;
 mod pieces;
+mod settled;
 mod topology;
 
 use predicament_algorithms::mesh_overlay::{Regions, Source};
@@ -17,6 +19,7 @@ use predicament_judge::{Points, rational};
 use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 use rug::Rational;
 
+use self::settled::Settlement;
 use super::content::TwoMeshes;
 use super::{MeshIntersect, Overlaid};
 use crate::{Asked, Case, Class, Finding, Outcome, Stop};
@@ -79,7 +82,16 @@ pub(super) fn judge(
     asked.watch.done(0)?;
     laws.topology(outcome);
     asked.watch.done(0)?;
-    laws.probed(PROBED[level], outcome);
+    let settlement = laws.settlement(outcome);
+    if let Some(settlement) = &settlement {
+        settlement.surfaces(CROSSED[level], outcome);
+        asked.watch.done(0)?;
+        if laws.regions().triangles.len() <= ADDED_UP[level] {
+            settlement.planes(outcome);
+        }
+        asked.watch.done(0)?;
+    }
+    laws.probed(PROBED[level], settlement.as_ref(), outcome);
     asked.watch.done(0)?;
     let many = if has_areas { 24 * AGAIN[level] } else { AGAIN[level] };
     if case.content.triangles() <= many {
@@ -126,6 +138,23 @@ struct Laws<'a> {
 }
 
 impl Laws<'_> {
+    /// The results without a perturbation, if they were asked for and the session can say what they are.
+    fn settlement(&self, outcome: &mut Outcome) -> Option<Settlement<'_>> {
+        match self.answer.settled.as_ref()? {
+            Ok(settled) => {
+                let settlement = Settlement::new(self, settled);
+                if settlement.is_none() {
+                    note(outcome, "vertex of a limit", "one is no point".to_owned(), "every vertex is a point");
+                }
+                settlement
+            }
+            Err(why) => {
+                note(outcome, "limit", why.clone(), "where each constructed vertex is a point, a result has a limit");
+                None
+            }
+        }
+    }
+
     fn regions(&self) -> &Regions {
         &self.answer.regions
     }
