@@ -155,6 +155,11 @@ impl<B: Backend, T: Task> OnTask<B, T> {
         Ok(session)
     }
 
+    /// Another session of a scene that was prepared before.
+    fn prepared<'s>(&'s self, scene: &'s Scene) -> B::Session<'s, Off> {
+        self.prepare(scene, Off).unwrap_or_else(|refusal| panic!("prepared before, and declined now: {refusal}"))
+    }
+
     fn content<'a>(&self, content: &'a dyn Content) -> &'a T::Content {
         let content: &dyn Any = content;
         content.downcast_ref().expect("the content of a scene of this task")
@@ -252,11 +257,23 @@ impl<B: Backend + 'static, T: Task> Stopwatch for Passes<'_, B, T> {
     }
 
     fn phases(&mut self) -> Vec<Phase> {
-        let Passes { solver, session, content, pool, .. } = self;
+        let Passes { solver, session, scene, content, pool, .. } = self;
         let content = solver.content(*content);
+        let constructs = solver.task.constructs();
+        if constructs {
+            // The vertices of a pass would be found ready.
+            *session = None;
+        }
+        let session = session.get_or_insert_with(|| solver.prepared(scene));
         // A session with a clock of its own has no part of the algorithm on it.
-        let session = session.as_ref().filter(|session| session.own_nanoseconds().is_none());
-        session.map_or_else(Vec::new, |session| pool.install(|| solver.task.asking(session, content)))
+        let phases = match session.own_nanoseconds() {
+            None => pool.install(|| solver.task.asking(session, content)),
+            Some(_) => Vec::new(),
+        };
+        if constructs {
+            self.session = None;
+        }
+        phases
     }
 
     fn digest(&self) -> u64 {
@@ -268,9 +285,7 @@ impl<B: Backend + 'static, T: Task> Passes<'_, B, T> {
     fn on_one_session(&mut self, count: u32) -> Duration {
         let Passes { solver, session, scene, content, pool, answer } = self;
         let content = solver.content(*content);
-        let session = session.get_or_insert_with(|| {
-            solver.prepare(scene, Off).unwrap_or_else(|refusal| panic!("prepared before, and declined now: {refusal}"))
-        });
+        let session = session.get_or_insert_with(|| solver.prepared(scene));
         let never = std::sync::atomic::AtomicBool::new(false);
         let quiet = |_: u64| {};
         let watch = Watch::new(&never, None, &quiet);

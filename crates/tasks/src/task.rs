@@ -139,8 +139,9 @@ pub trait Task: SceneFormat + Sized + 'static {
         Vec::new()
     }
 
-    /// Times the parts of [`solve`](Task::solve) that ask predicates, one after the other, on all threads of the current pool.
-    fn asking<P: Predicates>(&self, session: &P, content: &Self::Content) -> Vec<Phase> {
+    /// Times the parts of [`solve`](Task::solve) that ask predicates, one after the other, on all threads of the current pool. A session that
+    /// solving adds vertices to is a new one.
+    fn asking<P: Predicates>(&self, session: &mut P, content: &Self::Content) -> Vec<Phase> {
         let _ = (session, content);
         Vec::new()
     }

@@ -166,6 +166,14 @@ impl MeshOverlay {
         &self.pieces[mesh]
     }
 
+    /// How much memory it takes besides the meshes, in bytes.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        let whole: usize = self.whole.iter().map(|whole| size_of_val(&whole[..])).sum();
+        let pieces: usize = self.pieces.iter().map(|pieces| size_of_val(&pieces[..])).sum();
+        whole + pieces + size_of_val(&self.constructions[..])
+    }
+
     /// What the overlay was the first to construct in the session, in the order of the vertices: all of its points in a new session.
     #[must_use]
     pub fn constructions(&self) -> &[Construction] {
@@ -194,7 +202,35 @@ pub fn mesh_overlay_planted<F: Planted>(
     meshes: [Arc<MaterialMesh>; 2],
     zeros: Zeros,
 ) -> Result<MeshOverlay, Undone> {
-    run(session, meshes, zeros, Extent::Whole, F::WRONG)
+    run(session, meshes, zeros, Extent::Whole, F::WRONG, &mut |_| {})
+}
+
+/// What an overlay does, in this order.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Step {
+    /// Triangles that may meet the other mesh are found.
+    Near,
+    /// Edges that pass through triangles are found.
+    Passages,
+    /// Their points are constructed, and sorted.
+    Points,
+    /// The region of each vertex is found.
+    Regions,
+    /// Triangles are cut.
+    Faces,
+}
+
+/// [`mesh_overlay`], which says when each step is done.
+///
+/// # Errors
+/// As [`mesh_overlay`].
+pub fn mesh_overlay_by_steps(
+    session: &mut dyn Predicates,
+    meshes: [Arc<MaterialMesh>; 2],
+    zeros: Zeros,
+    done: &mut dyn FnMut(Step),
+) -> Result<MeshOverlay, Undone> {
+    run(session, meshes, zeros, Extent::Whole, Wrong::Nothing, done)
 }
 
 /// How much of two meshes there is.
@@ -212,7 +248,7 @@ pub(crate) fn overlay_of_columns(
     meshes: [Arc<MaterialMesh>; 2],
     zeros: Zeros,
 ) -> Result<MeshOverlay, Undone> {
-    run(session, meshes, zeros, Extent::Columns, Wrong::Nothing)
+    run(session, meshes, zeros, Extent::Columns, Wrong::Nothing, &mut |_| {})
 }
 
 /// One function for all faults, so that it is compiled once.
@@ -222,10 +258,12 @@ fn run(
     zeros: Zeros,
     extent: Extent,
     wrong: Wrong,
+    done: &mut dyn FnMut(Step),
 ) -> Result<MeshOverlay, Undone> {
     let before = session.scene().constructions().len();
     let both = [&*meshes[0], &*meshes[1]];
     let (near, bounds) = Near::of(session.scene(), both);
+    done(Step::Near);
     let near = [&near[0], &near[1]];
     let hits = |mesh: u8| {
         let [own, other] = [usize::from(mesh), usize::from(1 - mesh)];
@@ -233,14 +271,17 @@ fn run(
         Question { session, mesh, edges: near[own], of: both[other], triangles: near[other], zeros, wrong }.hits()
     };
     let [first, second] = [hits(0).map_err(Undone::Touch)?, hits(1).map_err(Undone::Touch)?];
+    done(Step::Passages);
     let vertices = points::construct(session, [&first, &second], near, both)?;
     let session = &*session;
     let points = [
         Points::new(session, near[0], first, &vertices[0], wrong),
         Points::new(session, near[1], second, &vertices[1], wrong),
     ];
+    done(Step::Points);
     let points = [&points[0], &points[1]];
     let regions = regions::regions(&Known { session, meshes: &meshes, near, points, bounds: &bounds, extent, wrong })?;
+    done(Step::Regions);
     let mut whole = [0, 1].map(|own: usize| {
         let region = |&[v, ..]: &[Vertex; 3]| NonZero::new(regions[own].of(v).wrapping_add(1));
         crate::parallel::all(both[own].triangles(), &region)
@@ -268,5 +309,6 @@ fn run(
         pieces[0].pop();
     }
     let constructions = session.scene().constructions()[before..].to_vec();
+    done(Step::Faces);
     Ok(MeshOverlay { meshes, whole, pieces, constructions, wrong })
 }

@@ -1,5 +1,6 @@
 //! What users take from an overlay: Boolean operations, and the regions of both meshes together.
 
+use predicament_mesh::half_edge::{ConversionError, HalfEdgeMesh, IndexedFaces};
 use predicament_mesh::{MaterialMesh, OUTSIDE};
 use predicament_predicates::Vertex;
 use rayon::prelude::*;
@@ -29,6 +30,29 @@ pub struct Source {
     pub mesh: u8,
     /// Its place there.
     pub triangle: u32,
+}
+
+impl Solid {
+    /// The result as a half-edge mesh, with its labels: a face's marker is the mesh that it is of, 0 or 1, and its user data the place of its
+    /// triangle here, by which [`Solid::sources`] and [`Solid::turned`] say the rest. Vertices are those that are corners, ascending.
+    ///
+    /// # Errors
+    /// [`ConversionError`] where four triangles share an edge, as along the curves of a symmetric difference, or where parts of an operand
+    /// touch.
+    pub fn half_edges(&self) -> Result<HalfEdgeMesh, ConversionError> {
+        let mut vertices: Vec<Vertex> = self.triangles.as_flattened().to_vec();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let place = |v: &Vertex| super::near::number(vertices.partition_point(|other| other < v));
+        let faces: IndexedFaces = self.triangles.iter().map(|triangle| triangle.iter().map(place)).collect();
+        let mut mesh = HalfEdgeMesh::new(vertices, &faces)?;
+        let faces: Vec<_> = mesh.faces().collect();
+        for ((face, source), at) in faces.into_iter().zip(&self.sources).zip(0..) {
+            mesh.set_face_marker(face, source.mesh);
+            mesh.set_face_user_data(face, at);
+        }
+        Ok(mesh)
+    }
 }
 
 impl MeshOverlay {

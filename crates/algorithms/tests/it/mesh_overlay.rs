@@ -1,6 +1,7 @@
 //! Overlays of two meshes against volumes that are found without one, and against the laws of an overlay.
 
 use predicament_algorithms::mesh_overlay::{Zeros, mesh_overlay};
+use predicament_algorithms::overlay::Operation;
 use predicament_exact::Exact;
 use predicament_predicates::{Backend, Off};
 use predicament_sos::{PerMesh, Sos};
@@ -194,6 +195,37 @@ fn spheres_and_tori() {
     }
     let [exact, _, per_mesh] = all.0;
     assert!(exact.done > 2 && per_mesh.constructed > 200, "{all:?}");
+}
+
+#[test]
+fn results_as_half_edge_meshes_have_their_labels() {
+    let ball = Shape::sphere(10.0, 1);
+    let pair = Pair::without_truth(ball.clone(), ball.sheared(LEAN).moved([3., 2., 1.]));
+    let mut session = PerMesh.prepare(&pair.scene, Off).unwrap();
+    let overlay = mesh_overlay(&mut session, pair.meshes(), Zeros::Refused).unwrap();
+    for operation in [Operation::Union, Operation::Intersection, Operation::Difference] {
+        let solid = overlay.solid(operation);
+        let mesh = solid.half_edges().unwrap();
+        mesh.validate().unwrap();
+        assert_eq!(mesh.half_edges().filter(|&h| mesh.is_boundary(h)).count(), 0);
+        assert_eq!((mesh.face_count(), mesh.edge_count()), (solid.triangles.len(), solid.triangles.len() / 2 * 3));
+        let mut curve = 0;
+        for h in mesh.half_edges() {
+            let face = mesh.face(h).unwrap();
+            let place = mesh.face_user_data(face) as usize;
+            assert_eq!(mesh.face_marker(face), solid.sources[place].mesh);
+            assert!(solid.triangles[place].contains(&mesh.scene_vertex(mesh.end(h))));
+            let other = mesh.face(mesh.opposite(h)).unwrap();
+            if mesh.face_marker(other) != mesh.face_marker(face) {
+                // Surfaces of the two change on the curve, whose vertices are constructed.
+                assert!([mesh.start(h), mesh.end(h)].iter().all(|&v| mesh.scene_vertex(v).is_constructed()));
+                curve += 1;
+            }
+        }
+        assert_eq!(curve, 2 * overlay.constructions().len(), "{operation:?}");
+    }
+    // Four triangles at each edge of the curve.
+    assert!(overlay.solid(Operation::SymmetricDifference).half_edges().is_err());
 }
 
 #[test]

@@ -8,6 +8,7 @@ mod files;
 mod generate;
 mod judge;
 mod memory;
+mod phases;
 mod planted;
 mod read;
 mod section;
@@ -34,8 +35,8 @@ pub use settled::Settled;
 
 use crate::output::Placed;
 use crate::{
-    Answer, Asked, Case, Contestant, Explanation, Halt, How, Outcome, Planted, Purpose, Refusal, Stop, Task, Watch,
-    digest, output,
+    Answer, Asked, Case, Contestant, Explanation, Halt, How, Outcome, Phase, Planted, Purpose, Refusal, Stop, Task,
+    Watch, digest, output,
 };
 
 /// The task.
@@ -200,6 +201,14 @@ impl Task for MeshIntersect {
         outcome.sampled = judge::sampled(case.content);
         section::rows(case, asked, answer, outcome);
         judge::judge(case, asked, answer, outcome)
+    }
+
+    fn building(&self, _: &Scene, content: &TwoMeshes) -> Vec<Phase> {
+        phases::building(content)
+    }
+
+    fn asking<P: Predicates>(&self, session: &mut P, content: &TwoMeshes) -> Vec<Phase> {
+        phases::asking(session, content)
     }
 
     fn tables(&self) -> Vec<TableSpec> {

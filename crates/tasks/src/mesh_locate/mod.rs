@@ -173,7 +173,7 @@ impl Task for MeshLocate {
         phases::building(scene, content)
     }
 
-    fn asking<P: Predicates>(&self, session: &P, content: &ProbedMesh) -> Vec<Phase> {
+    fn asking<P: Predicates>(&self, session: &mut P, content: &ProbedMesh) -> Vec<Phase> {
         phases::asking(session, content)
     }
 
