@@ -6,7 +6,7 @@
 //! `report`, and questions across many scenes are the crate `studies`.
 //!
 //! * [`roster`]: all backends by name.
-//! * [`run`]: one backend on one scene, panics and refusals included.
+//! * [`run`]: one backend on one scene, panics and refusals included (of the crate `tasks`).
 //! * [`expect`]: which findings are expected.
 //! * [`faults`]: wrong backends that have to be caught, and by which check.
 
@@ -15,8 +15,7 @@ pub mod faults;
 pub mod roster;
 
 mod boxed;
-mod run;
 #[cfg(feature = "peers")]
 mod wild;
 
-pub use run::{caught, run, run_planted};
+pub use predicament_tasks::{caught, run, run_planted};

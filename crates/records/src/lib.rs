@@ -41,4 +41,4 @@ pub use run_dir::{NotRun, Outcome, Record, RunDir, RunWriter, TableSpec};
 pub use sampled::SampledRow;
 /// For deriving a [`Row`] in a crate that does not depend on `serde` itself.
 pub use serde;
-pub use stats::{Spread, approximately, geometric_mean};
+pub use stats::{Spread, approximately, geometric_mean, wilson};

@@ -41,6 +41,24 @@ pub fn geometric_mean(numbers: impl IntoIterator<Item = f64>) -> Option<f64> {
     (count > 0.0).then(|| (sum / count).exp())
 }
 
+/// Wilson's interval of a share at 95 %: the shares from which so many of `of` are not surprising. It is (0, 1) where `of` is zero.
+///
+/// (Wilson 1927; the normal quantile is 1.96.)
+#[must_use]
+pub fn wilson(count: u64, of: u64) -> [f64; 2] {
+    const Z: f64 = 1.959_963_984_540_054;
+    if of == 0 {
+        return [0.0, 1.0];
+    }
+    let n = approximately(of);
+    let share = approximately(count) / n;
+    let middle = share + Z * Z / (2.0 * n);
+    let reach = Z * (share * (1.0 - share) / n + Z * Z / (4.0 * n * n)).sqrt();
+    let [low, high] = [middle - reach, middle + reach].map(|x| x / (1.0 + Z * Z / n));
+    // At the ends rounding could leave a trace.
+    [if count == 0 { 0.0 } else { low.max(0.0) }, if count == of { 1.0 } else { high.min(1.0) }]
+}
+
 /// A count as a number to divide by: the nearest double, which above 2^53 is
 /// off by less than any report prints.
 #[must_use]
@@ -60,6 +78,17 @@ mod tests {
         assert_eq!(Spread::of([4.0, 1.0, 2.0, 100.0]).unwrap().median, 3.0);
         assert_eq!(Spread::of([]), None);
         assert_eq!(Spread::of([1.0, f64::NAN]), None);
+    }
+
+    #[test]
+    fn intervals_of_shares() {
+        // Values of a published table (Newcombe 1998, table I, method 3).
+        for (count, of, low, high) in [(81, 263, 0.2553, 0.3662), (15, 148, 0.0624, 0.1605), (0, 20, 0.0, 0.1611)] {
+            let [l, h] = wilson(count, of);
+            assert!((l - low).abs() < 5e-5 && (h - high).abs() < 5e-5, "{count} of {of}: {l}, {h}");
+        }
+        assert_eq!(wilson(0, 0), [0.0, 1.0]);
+        assert_eq!(wilson(7, 7)[1], 1.0);
     }
 
     #[test]

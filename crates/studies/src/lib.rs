@@ -8,6 +8,7 @@
 //! for the common shape, to [`laws`] for the shortest example of it, and to
 //! `harness/src/cmd/study.rs` for how the tool runs one.
 //!
+//! * [`compare`]: when should one use which backend?
 //! * [`laws`]: do answers about the same vertices fit each other?
 //! * [`parity`]: how often do registrations make closed curves cross an odd number of times?
 //! * [`resolution`]: how small can a feature be before tolerances lose it?
@@ -85,6 +86,7 @@
 
 pub mod audit;
 pub mod cascades;
+pub mod compare;
 pub mod laws;
 pub mod mesh_cascades;
 pub mod parity;

@@ -7,6 +7,7 @@ use predicament_tasks::Contestant;
 
 use crate::audit::Audit;
 use crate::cascades::Cascades;
+use crate::compare::Compare;
 use crate::laws::Laws;
 use crate::mesh_cascades::MeshCascades;
 use crate::parity::Parity;
@@ -15,6 +16,7 @@ use crate::{Error, Host, Report, Study};
 
 /// All studies, in the order of the help.
 pub const STUDIES: &[Entry] = &[
+    Entry::of::<Compare>(),
     Entry::of::<Resolution>(),
     Entry::of::<Parity>(),
     Entry::of::<Audit>(),

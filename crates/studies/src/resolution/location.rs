@@ -99,7 +99,8 @@ fn crossing(angle: f64, precision: Precision, random: &mut Random) -> Option<(Sc
     }
     let fraction = (at_a.clone() / (at_a - at_b)).to_f64();
     let scene = Scene::from_points2(&points).expect("the points are finite");
-    Some((scene.with_primitive_lengths(LENGTHS), fraction))
+    let second = [2, 3].map(predicament_predicates::Vertex::input);
+    Some((scene.with_primitive_lengths(LENGTHS).with_second_mesh(second), fraction))
 }
 
 /// Twice the signed area, exactly.

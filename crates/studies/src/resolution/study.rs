@@ -14,7 +14,12 @@ use crate::{Error, File, Host, Precision, Study};
 #[derive(Clone, Debug, clap::Args)]
 pub struct Resolution {
     /// Backends
-    #[arg(short = 'b', long = "backend", value_name = "BACKEND", default_value = "tolerance,tolerance:f32,exact")]
+    #[arg(
+        short = 'b',
+        long = "backend",
+        value_name = "BACKEND",
+        default_value = "tolerance,tolerance:f32,sos,sos:per-mesh,exact"
+    )]
     pub backends: Vec<String>,
 
     /// Positions to a size, and pairs of edges to an angle

@@ -86,6 +86,7 @@ fn place(feature: &Feature, size: f64, precision: Precision, random: &mut Random
     let scene = scene.expect("features are finite").with_primitive_lengths(LENGTHS);
     let complex = |given| Complex::new(&scene, given).expect("features are complexes");
     let (a, b) = (complex(&shape.a), complex(&shape.b));
+    let scene = scene.with_second_mesh(b.vertices().iter().copied());
     (scene, a, b)
 }
 

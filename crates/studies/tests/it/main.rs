@@ -4,6 +4,7 @@ mod audit;
 mod cascades;
 mod cascades_counts;
 mod cascades_pages;
+mod compare;
 mod laws;
 mod mesh_cascades;
 mod parity;

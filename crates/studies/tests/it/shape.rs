@@ -24,7 +24,8 @@ fn report(study: &dyn Ready, host: &dyn Host) -> Result<Report, Error> {
 }
 
 /// Each study on a small amount of work, and its files.
-const SMALL: [(&str, &[&str]); 6] = [
+const SMALL: [(&str, &[&str]); 7] = [
+    ("compare -b exact,tolerance -t orient2d --scenes 1 --samples 1 --out x", &["compare.csv", "compare.md"]),
     (
         "resolution --trials 2 --out x",
         &["resolution.csv", "location.csv", "resolution.md", "resolution.svg", "location.svg"],
@@ -103,7 +104,8 @@ impl Host for Impatient<'_> {
 
 #[test]
 fn every_study_says_what_it_begins_and_stops_where_it_is_told() {
-    for ((line, _), unit) in SMALL.into_iter().zip(["features", "pairs", "decisions", "tuples", "steps", "steps"]) {
+    let units = ["answers", "features", "pairs", "decisions", "tuples", "steps", "steps"];
+    for ((line, _), unit) in SMALL.into_iter().zip(units) {
         let (cancel, quiet) = (AtomicBool::new(true), |_: u64| {});
         let host = Impatient { watch: Watch::new(&cancel, None, &quiet), told: RefCell::default() };
         assert_eq!(report(ready(line).as_ref(), &host), Err(Error::Stopped(Stop::Interrupted)), "{line}");

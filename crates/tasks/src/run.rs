@@ -4,9 +4,8 @@ use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use predicament_predicates::{Broken, Counts, PredicateKind};
-use predicament_tasks::{
-    AnyCase, AnyPlanted, Asked, Budget, Class, Contestant, Halt, How, Outcome, Purpose, Refusal, Stop, Watch,
-};
+
+use crate::{AnyCase, AnyPlanted, Asked, Budget, Class, Contestant, Halt, How, Outcome, Purpose, Refusal, Stop, Watch};
 
 /// Runs one backend on one scene and judges what it answers. A panic is a
 /// finding about the backend and stays here, as do refusals and timeouts.

@@ -1,0 +1,70 @@
+//! What an answer takes: time in turns, and memory.
+
+use std::time::Duration;
+
+use predicament_corpus::LoadedScene;
+use predicament_records::approximately;
+use predicament_tasks::{Contestant, Watch};
+
+use super::memory::peak;
+use crate::Error;
+
+/// A sample takes this long at least, in passes.
+const LEAST: Duration = Duration::from_millis(2);
+
+/// What a backend takes on one scene.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub(super) struct Taken {
+    /// Nanoseconds for each of what the scene counts, sample by sample; none where the backend declines.
+    pub nanoseconds: Vec<f64>,
+    /// The most memory while it prepared and answered, in bytes.
+    pub bytes: Option<u64>,
+}
+
+/// Times backends on one scene, in turns, on one thread.
+pub(super) fn taken(
+    scene: &LoadedScene,
+    backends: &[&dyn Contestant],
+    samples: u32,
+    watch: &Watch<'_>,
+) -> Result<Vec<Taken>, Error> {
+    let content = scene.content.as_ref();
+    let count = approximately(content.count().max(1) as u64);
+    let mut taken: Vec<Taken> = Vec::new();
+    let mut stopwatches = Vec::new();
+    for backend in backends {
+        let solver = backend.solver(scene.task);
+        let mut bytes = None;
+        let mut stopwatch = None;
+        if let Some(solver) = solver {
+            bytes = peak(|| {
+                stopwatch = solver.stopwatch(&scene.scene, content, 1).ok();
+                // A backend may break off in the middle; then nothing is timed.
+                let warm = |stopwatch: &mut Box<dyn predicament_tasks::Stopwatch + '_>| stopwatch.pass();
+                let first = stopwatch.as_mut().map(|stopwatch| predicament_tasks::caught(|| warm(stopwatch)));
+                if !matches!(first, Some(Ok(_))) {
+                    stopwatch = None;
+                }
+            });
+        }
+        taken.push(Taken { nanoseconds: Vec::new(), bytes: if stopwatch.is_some() { bytes } else { None } });
+        stopwatches.push(stopwatch);
+        watch.done(0)?;
+    }
+    let mut passes = vec![1_u32; stopwatches.len()];
+    for sample in 0..=samples {
+        for ((stopwatch, taken), passes) in stopwatches.iter_mut().zip(&mut taken).zip(&mut passes) {
+            let Some(stopwatch) = stopwatch else { continue };
+            let elapsed = stopwatch.passes(*passes);
+            if sample == 0 {
+                // The first says how many passes a sample takes.
+                let once = elapsed.max(Duration::from_nanos(1));
+                *passes = u32::try_from(LEAST.as_nanos() / once.as_nanos() + 1).unwrap_or(u32::MAX);
+            } else {
+                taken.nanoseconds.push(elapsed.as_secs_f64() * 1e9 / f64::from(*passes) / count);
+            }
+        }
+        watch.done(0)?;
+    }
+    Ok(taken)
+}

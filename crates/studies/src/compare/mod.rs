@@ -1,0 +1,22 @@
+//! When should one use which? Backends of all philosophies on the same scenes, in one table.
+//!
+//! A suite says which of its scenes a backend gets wrong. Here the same question is asked of many random scenes of each kind, for all tasks:
+//! what a backend promises and how small a feature it can tell, how far off it says that things meet, which share of scenes it leaves with a
+//! broken topology, and by which check, what it declines, and what it takes in time and memory, on general input and on degenerate one.
+//!
+//! * [`Compare`]: the study.
+//! * [`INPUTS`]: the scenes.
+//! * [`Measure`]: a number with its interval, a row of `compare.csv`.
+
+mod clock;
+mod errors;
+mod inputs;
+mod measure;
+mod memory;
+mod study;
+mod survey;
+mod table;
+
+pub use inputs::{INPUTS, Input, Kind};
+pub use measure::Measure;
+pub use study::{Compare, Compared};

@@ -1,0 +1,180 @@
+//! The command line of the comparison, its survey and its rows.
+
+use std::path::{Path, PathBuf};
+
+use predicament_predicates::{PredicateKind, ZeroMeaning};
+use predicament_tasks::Contestant;
+
+use super::measure::{About, Measure};
+use super::{INPUTS, Input, survey, table};
+use crate::contacts::contacts;
+use crate::laws::Format;
+use crate::resolution::{self, FEATURES};
+use crate::{Error, File, Host, Precision, Study};
+
+/// Backends of all philosophies on the same scenes.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Compare {
+    /// Backends
+    #[arg(
+        short = 'b',
+        long = "backend",
+        value_name = "BACKEND",
+        default_value = "tolerance,tolerance:f32,sos,sos:per-mesh,exact,naive,epsilon:1e-10,shewchuk"
+    )]
+    pub backends: Vec<String>,
+
+    /// Tasks, several with commas; all if left out
+    #[arg(short = 't', long = "task", value_name = "TASK", value_delimiter = ',')]
+    pub tasks: Vec<String>,
+
+    /// Scenes of each kind for each task
+    #[arg(long, default_value_t = 20, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub scenes: u32,
+
+    /// Samples of each time; none if 0
+    #[arg(long, default_value_t = 7, value_name = "N")]
+    pub samples: u32,
+
+    /// Positions of each feature at each size; sizes of features are left out if 0
+    #[arg(long, default_value_t = 40, value_name = "N")]
+    pub trials: u32,
+
+    /// The seed of the first scene; the next ones follow
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    pub seed: u64,
+
+    /// The folder to write; made if missing
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+
+    /// Tables, or one CSV row for each number
+    #[arg(long, value_enum, default_value_t = Format::Md)]
+    pub format: Format,
+}
+
+/// All measures, and what the backends promise.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Compared {
+    /// In the order of inputs and backends; sizes of features come last.
+    pub measures: Vec<Measure>,
+    /// For each backend its name, its promise in a few words, and whether that is proved.
+    pub promises: Vec<(String, &'static str, bool)>,
+}
+
+impl Study for Compare {
+    const NAME: &'static str = "compare";
+    const ASKS: &'static str = "Compare the philosophies on the same scenes: promises, errors, topology, time, memory";
+    const HELP: &'static str = "\
+For each task there are scenes in general position, nearly degenerate ones and degenerate ones, so many of each kind,
+by consecutive seeds. Every backend answers all of them, and is judged as `run` judges. Contacts are held against where
+the simplices meet in rationals. Times are of one scene of each kind, eight times as large, on one thread, the backends in turns; memory is
+what the process takes more while a backend prepares and answers it, where the system says so (Linux). Intervals are
+Wilson's at 95 % for shares, and the least and the largest of the samples for times.
+
+Written to the folder: compare.csv (a row for each number, with its interval and what it is of), compare.md (the tables
+that are printed; each number is in a row of compare.csv).
+
+Exit codes: 0 if no backend with a proved promise has answered a question against it, 100 otherwise.
+
+Examples:
+  predicament compare --out target/compare
+  predicament compare -b tolerance,sos,exact -t contacts2d,contacts3d --scenes 200 --out target/contacts
+  predicament compare --samples 0 --trials 0 --out target/errors        errors only: the same bytes on every machine";
+
+    type Measured = Compared;
+
+    fn backends(&self) -> Vec<String> {
+        self.backends.clone()
+    }
+
+    fn out(&self) -> Option<&Path> {
+        Some(&self.out)
+    }
+
+    fn prints_rows(&self) -> bool {
+        self.format == Format::Csv
+    }
+
+    fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Compared, Error> {
+        let inputs = self.inputs()?;
+        let scenes = inputs.len() * self.scenes as usize * backends.len();
+        host.begin(scenes as u64, "answers");
+        let mut measures = Vec::new();
+        for input in inputs {
+            host.turn_to(input.task);
+            measures.extend(survey::measures(input, backends, [self.scenes, self.samples], self.seed, host.watch())?);
+        }
+        if self.trials > 0 && self.tasks.is_empty() {
+            host.begin((backends.len() * FEATURES.len()) as u64, "features");
+            for &backend in backends {
+                host.turn_to(&backend.name());
+                measures.extend(self.features(backend, host)?);
+            }
+        }
+        let promises = backends.iter().map(|backend| promise(*backend)).collect();
+        Ok(Compared { measures, promises })
+    }
+
+    fn rows(&self, measured: &Compared) -> Result<Vec<File>, Error> {
+        Ok(vec![File::csv("compare.csv", &measured.measures)?])
+    }
+
+    fn page(&self, measured: &Compared) -> String {
+        table::page(measured)
+    }
+
+    fn holds(&self, measured: &Compared) -> bool {
+        let proved = |backend: &str| measured.promises.iter().any(|(name, _, proved)| name == backend && *proved);
+        let is_broken = |row: &Measure| super::table::WRONG.contains(&row.measure.as_str()) && row.value > 0.0;
+        !measured.measures.iter().any(|row| is_broken(row) && proved(&row.backend))
+    }
+}
+
+impl Compare {
+    fn inputs(&self) -> Result<Vec<&'static Input>, Error> {
+        let known = |task: &String| INPUTS.iter().any(|input| input.task == task);
+        if let Some(unknown) = self.tasks.iter().find(|task| !known(task)) {
+            let mut names: Vec<&str> = INPUTS.iter().map(|input| input.task).collect();
+            names.dedup();
+            return Err(Error::unfit(format!("no task `{unknown}` is compared; there are {}", names.join(", "))));
+        }
+        let is_asked = |input: &&Input| self.tasks.is_empty() || self.tasks.iter().any(|task| task == input.task);
+        Ok(INPUTS.iter().filter(is_asked).collect())
+    }
+
+    /// The smallest size of each feature from which on a backend tells it.
+    fn features(&self, backend: &dyn Contestant, host: &dyn Host) -> Result<Vec<Measure>, Error> {
+        let name = backend.name();
+        let mut all = Vec::new();
+        for feature in FEATURES {
+            let dimension = format!("{}D", feature.dimension.count());
+            let about = About { task: "resolution", kind: &dimension, family: feature.name, backend: &name };
+            let ask: &resolution::Ask<'_> = &|scene, a, b| contacts(backend, scene, [a, b]);
+            let length = resolution::length(&name, feature.dimension);
+            let precision = Precision::of_backend(&name);
+            // One that declines has no sizes.
+            if let Ok(survey) = resolution::survey(feature, ask, length, precision, self.trials, self.seed) {
+                let smallest = survey.shares.first().map_or(0.0, |(size, _)| *size);
+                let safe = survey.safe().unwrap_or(f64::INFINITY);
+                let lost = survey.lost().unwrap_or(0.0);
+                // Sizes below the smallest are not looked at.
+                let value = if safe <= smallest { 0.0 } else { safe };
+                all.push(about.measure("smallest feature", "L", value, [lost, safe], self.trials.into()));
+            }
+            host.watch().done(1)?;
+        }
+        Ok(all)
+    }
+}
+
+/// What a backend promises about the sign of a determinant.
+fn promise(backend: &dyn Contestant) -> (String, &'static str, bool) {
+    let contract = backend.contract(PredicateKind::Orient2d);
+    let words = match contract.zero {
+        ZeroMeaning::Exact => "the sign; zero is zero",
+        ZeroMeaning::Never => "the sign of a perturbed scene; never zero",
+        ZeroMeaning::Band => "a sign is right; zero is within a band",
+    };
+    (backend.name(), words, contract.proved)
+}

@@ -1,0 +1,181 @@
+//! All backends on all scenes of an input: classes and checks, errors of contacts, time and memory.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use predicament_corpus::LoadedScene;
+use predicament_predicates::Counts;
+use predicament_records::approximately;
+use predicament_tasks::contacts::Complexes;
+use predicament_tasks::{AnyTask, Budget, Class, ClassCounts, Contestant, How, Outcome, Purpose, Watch, built_in, run};
+use rayon::prelude::*;
+
+use super::clock::taken;
+use super::errors::{Errors, exact_places, tail};
+use super::inputs::Input;
+use super::measure::{About, Measure};
+use crate::Error;
+
+/// What a backend did on all scenes of an input.
+#[derive(Default)]
+struct Seen {
+    scenes: u64,
+    queries: u64,
+    counts: ClassCounts,
+    declined: u64,
+    /// Scenes with a topology finding, by check.
+    checks: BTreeMap<String, u64>,
+    broken: u64,
+    /// Scenes with any finding.
+    wrong: u64,
+    errors: Errors,
+    /// Queries by the stage that settled them.
+    stages: BTreeMap<&'static str, u64>,
+}
+
+impl Seen {
+    fn add(&mut self, outcome: &Outcome) {
+        self.scenes += 1;
+        if outcome.counts.get(Class::Declined) > 0 {
+            self.declined += 1;
+            return;
+        }
+        self.queries += outcome.queries;
+        self.counts.merge(&outcome.counts);
+        self.wrong += u64::from(outcome.counts.findings() > 0);
+        let topology = outcome.findings.iter().filter(|finding| finding.class == Class::Topology);
+        let mut checks: Vec<&str> = topology.map(|finding| finding.check.as_str()).collect();
+        checks.sort_unstable();
+        checks.dedup();
+        self.broken += u64::from(!checks.is_empty());
+        for check in checks {
+            *self.checks.entry(check.to_owned()).or_default() += 1;
+        }
+        for &(stage, count) in &outcome.stages {
+            *self.stages.entry(stage).or_default() += count;
+        }
+    }
+}
+
+fn task_of(input: &Input) -> Result<&'static dyn AnyTask, Error> {
+    let task = built_in().into_iter().find(|task| task.name() == input.task);
+    task.ok_or_else(|| Error::unfit(format!("there is no task `{}`", input.task)))
+}
+
+/// The measures of all backends on an input, in the order of the backends.
+pub(super) fn measures(
+    input: &Input,
+    backends: &[&dyn Contestant],
+    [scenes, samples]: [u32; 2],
+    seed: u64,
+    watch: &Watch<'_>,
+) -> Result<Vec<Measure>, Error> {
+    let task = task_of(input)?;
+    let mut loaded: Vec<LoadedScene> =
+        (0..u64::from(scenes)).map(|at| input.scene(seed + at)).collect::<Result<_, Error>>()?;
+    // A family without chance makes one scene.
+    let mut known = BTreeSet::new();
+    loaded.retain(|scene| known.insert(scene.id.clone()));
+    let judged = loaded.par_iter().map(|scene| {
+        let case = task.case(scene, watch).map_err(Error::from)?;
+        let places = scene.content::<Complexes>().map(|content| exact_places(&scene.scene, content));
+        let of = |backend: &&dyn Contestant| -> Result<(Outcome, Errors), Error> {
+            let outcome = run(case.as_ref(), *backend, Budget::QUICK, watch).map_err(Error::from)?;
+            let errors = errors(scene, *backend, places.as_deref().unwrap_or_default(), watch);
+            watch.done(1)?;
+            Ok((outcome, errors))
+        };
+        backends.iter().map(of).collect::<Result<Vec<_>, Error>>()
+    });
+    let judged: Vec<Vec<(Outcome, Errors)>> = judged.collect::<Result<_, Error>>()?;
+    let mut seen: Vec<Seen> = backends.iter().map(|_| Seen::default()).collect();
+    for of_scene in judged {
+        for (seen, (outcome, errors)) in seen.iter_mut().zip(of_scene) {
+            seen.add(&outcome);
+            seen.errors.merge(errors);
+        }
+    }
+    let taken = match samples {
+        0 => Vec::new(),
+        samples => taken(&input.timed(seed)?, backends, samples, watch)?,
+    };
+    let mut all = Vec::new();
+    for (at, (backend, seen)) in backends.iter().zip(&seen).enumerate() {
+        let name = backend.name();
+        let about = About { task: input.task, kind: input.kind.name(), family: input.family, backend: &name };
+        all.extend(answers(&about, seen));
+        all.extend(located(&about, &seen.errors));
+        if let Some(taken) = taken.get(at) {
+            all.extend(about.median("time", "ns a query", &taken.nanoseconds));
+            let bytes = taken.bytes.map(approximately);
+            all.extend(bytes.map(|bytes| about.measure("memory", "bytes", bytes, [bytes; 2], 1)));
+        }
+    }
+    Ok(all)
+}
+
+/// What the answers were.
+fn answers(about: &About<'_>, seen: &Seen) -> Vec<Measure> {
+    let mut all = vec![about.share("declined", "share of scenes", 1.0, seen.declined, seen.scenes)];
+    let answered = seen.scenes - seen.declined;
+    if answered == 0 {
+        return all;
+    }
+    all.push(about.share("wrong scenes", "per 1000 scenes", 1000.0, seen.wrong, answered));
+    all.push(about.share("topology", "per 1000 scenes", 1000.0, seen.broken, answered));
+    for (check, &count) in &seen.checks {
+        all.push(about.share(&format!("topology: {check}"), "per 1000 scenes", 1000.0, count, answered));
+    }
+    let of_queries = [Class::SignFlip, Class::MissedZero, Class::Overreach, Class::Nan, Class::Inconsistent];
+    let judged: u64 = Class::ALL.iter().map(|&class| seen.counts.get(class)).sum();
+    for class in of_queries.into_iter().chain([Class::TieBroken, Class::InBand]) {
+        let count = seen.counts.get(class);
+        if count > 0 || of_queries[..3].contains(&class) {
+            all.push(about.share(class.name(), "per 10^6 answers", 1e6, count, judged.max(count)));
+        }
+    }
+    let settled: u64 = seen.stages.values().sum();
+    for (stage, &count) in &seen.stages {
+        all.push(about.share(&format!("stage: {stage}"), "share of queries", 1.0, count, settled));
+    }
+    all
+}
+
+/// How far off contacts were.
+fn located(about: &About<'_>, errors: &Errors) -> Vec<Measure> {
+    let mut all = Vec::new();
+    if errors.looked_at == 0 {
+        return all;
+    }
+    all.push(about.share("registered apart", "share of contacts", 1.0, errors.apart, errors.looked_at));
+    all.push(about.share("registered alone", "share of contacts", 1.0, errors.alone, errors.looked_at));
+    for (name, unit, of_all) in [
+        ("location", "scene units", &errors.location),
+        ("location", "L", &errors.location_over_l),
+        ("missed by", "L", &errors.missed_over_l),
+        ("weight", "of one", &errors.weight),
+    ] {
+        let of = of_all.len() as u64;
+        let Some(tail) = tail(of_all) else { continue };
+        all.push(about.measure(&format!("{name}: median"), unit, tail.median, [tail.quartile, tail.most], of));
+        all.push(about.measure(&format!("{name}: 99 %"), unit, tail.most, [tail.median, tail.max], of));
+        all.push(about.measure(&format!("{name}: max"), unit, tail.max, [tail.most, tail.max], of));
+    }
+    all
+}
+
+/// The errors of the contacts of a scene; nothing where it is of another task, or the backend declines it.
+fn errors(scene: &LoadedScene, backend: &dyn Contestant, places: &[Vec<f64>], watch: &Watch<'_>) -> Errors {
+    let mut errors = Errors::default();
+    let (Some(content), Some(solver)) = (scene.content::<Complexes>(), backend.solver(scene.task)) else {
+        return errors;
+    };
+    let how = How { purpose: Purpose::Use, watch };
+    // What is declined was counted before.
+    let _ = solver.solve(&scene.scene, scene.content.as_ref(), &Counts::new(), &how, &mut |_, answer| {
+        if let Some(found) = answer.downcast_ref() {
+            errors.add(&scene.scene, content, found, places);
+        }
+        Ok(())
+    });
+    errors
+}

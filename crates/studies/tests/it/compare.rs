@@ -1,0 +1,97 @@
+//! The comparison: errors of contacts are known where they are planted, a broken promise is seen, and rows are the same again.
+
+use predicament_studies::compare::{Compare, Compared, INPUTS, Kind};
+use predicament_studies::laws::Format;
+use predicament_studies::{Quiet, Study};
+use predicament_tasks::Contestant;
+
+use crate::backend;
+
+fn study(tasks: &[&str], scenes: u32) -> Compare {
+    Compare {
+        backends: Vec::new(),
+        tasks: tasks.iter().map(|task| (*task).to_owned()).collect(),
+        scenes,
+        samples: 0,
+        trials: 0,
+        seed: 5,
+        out: "nowhere".into(),
+        format: Format::Csv,
+    }
+}
+
+fn compared(study: &Compare, names: &[&str]) -> Compared {
+    let backends: Vec<Box<dyn Contestant>> = names.iter().map(|name| backend(name)).collect();
+    let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
+    study.survey(&backends, &Quiet::new()).unwrap()
+}
+
+/// A number about a backend; none if there is no row.
+fn value(of: &Compared, kind: Kind, backend: &str, measure: &str, unit: &str) -> Option<f64> {
+    let is = |row: &&predicament_studies::compare::Measure| {
+        row.kind == kind.name() && row.backend == backend && row.measure == measure && row.unit == unit
+    };
+    of.measures.iter().find(is).map(|row| row.value)
+}
+
+#[test]
+fn what_is_far_off_is_measured_as_far_off() {
+    let of = compared(&study(&["contacts2d"], 3), &["exact", "epsilon:1e-4", "fault:tolerance-mirrored-weight"]);
+    for kind in [Kind::General, Kind::Near, Kind::Degenerate] {
+        let location = |backend: &str| value(&of, kind, backend, "location: 99 %", "L").unwrap();
+        // Weights in plain floating point, of edges that may cross at small angles.
+        assert!(location("exact") < 1e-8, "{kind:?}: {}", location("exact"));
+        assert_eq!(value(&of, kind, "exact", "registered apart", "share of contacts"), Some(0.0));
+    }
+    // What is within a wide distance is registered, and lies elsewhere.
+    let wide = value(&of, Kind::Near, "epsilon:1e-4", "location: max", "L").unwrap();
+    assert!(wide > 1e-3, "{wide}");
+    // The fraction from the wrong end: half of an edge on average.
+    let weight = value(&of, Kind::Degenerate, "fault:tolerance-mirrored-weight", "weight: max", "of one").unwrap();
+    assert!(weight > 0.1, "{weight}");
+}
+
+#[test]
+fn a_broken_promise_is_seen() {
+    let small = study(&["contacts2d"], 2);
+    for (name, holds) in [("tolerance", true), ("fault:tolerance-wide-contacts", false)] {
+        let mut of = compared(&small, &[name]);
+        assert!(small.holds(&of));
+        // The fault does not say that it is proved.
+        of.promises[0].2 = true;
+        assert_eq!(small.holds(&of), holds, "{name}");
+        assert_eq!(value(&of, Kind::Near, name, "overreach", "per 10^6 answers").map(|x| x == 0.0), Some(holds));
+    }
+    // A control proves nothing, so that it breaks nothing.
+    let small = study(&["orient2d"], 1);
+    let of = compared(&small, &["naive", "exact"]);
+    assert_eq!(value(&of, Kind::Near, "naive", "wrong scenes", "per 1000 scenes"), Some(1000.0));
+    assert!(small.holds(&of));
+}
+
+#[test]
+fn rows_are_the_same_on_any_number_of_threads() {
+    let small = study(&["contacts3d", "mesh-locate"], 2);
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| small.rows(&compared(&small, &["sos", "tolerance"])).unwrap())
+    };
+    assert_eq!(on(1), on(3));
+}
+
+#[test]
+fn every_input_makes_scenes_of_two_sizes() {
+    let mut again = Vec::new();
+    for input in INPUTS {
+        let [small, large] = [input.scene(3).unwrap(), input.timed(3).unwrap()];
+        assert!(small.scene.len() < large.scene.len(), "{input:?}");
+        again.extend((small.id == input.scene(4).unwrap().id).then_some(input.family));
+    }
+    // Bricks, lattices, grids: their scenes are counted once.
+    assert!(3 * again.len() < INPUTS.len(), "{again:?}");
+    let of = compared(&study(&["polygon-locate"], 4), &["exact"]);
+    let declined = |kind: Kind| of.measures.iter().find(|row| row.kind == kind.name() && row.measure == "declined");
+    assert_eq!([Kind::General, Kind::Degenerate].map(|kind| declined(kind).unwrap().of), [4, 1]);
+    let unknown = study(&["orient4d"], 1).survey(&[], &Quiet::new()).unwrap_err();
+    assert!(unknown.to_string().contains("orient2d"), "{unknown}");
+}
