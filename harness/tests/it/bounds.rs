@@ -14,8 +14,8 @@ fn the_table_has_a_row_for_every_bound_and_every_constraint_at_every_epsilon() {
     let told = expect(0, &["bounds", "--format", "csv"]);
     let tables = column(&told.stdout, "table");
     let rows = |name: &str| tables.iter().filter(|table| *table == name).count();
-    // 42 quantities and m² ≤ 12L⁴, 6 statements about tolerances, 16 of tables, 4 of ours
-    assert_eq!(rows("bound"), 42 + 1 + 6 + 16 + 4);
+    // 42 quantities and m² ≤ 12L⁴, 6 statements about tolerances, 16 of tables, 6 of ours
+    assert_eq!(rows("bound"), 42 + 1 + 6 + 16 + 6);
     assert_eq!(rows("definition"), 9);
     assert_eq!(rows("constraint") % 5, 0);
     assert!(column(&told.stdout, "verdict").iter().all(|verdict| verdict != "undecided"));
