@@ -24,13 +24,14 @@ fn report(study: &dyn Ready, host: &dyn Host) -> Result<Report, Error> {
 }
 
 /// Each study on a small amount of work, and its files.
-const SMALL: [(&str, &[&str]); 6] = [
+const SMALL: [(&str, &[&str]); 7] = [
     (
         "resolution --trials 2 --out x",
         &["resolution.csv", "location.csv", "resolution.md", "resolution.svg", "location.svg"],
     ),
     ("parity --pairs 20 --shrink 1 --out x", &["parity.csv", "parity.md", "smallest.toml"]),
-    ("audit --decisions 200", &["audit.csv", "audit.md"]),
+    ("audit --decisions 200", &["audit.csv", "audit.md", "hierarchy.csv", "reads.csv"]),
+    ("worst --steps 20 --climbs 1", &["errors.csv", "guards.csv", "worst.md"]),
     ("laws -b exact,naive --tuples 2000", &["laws.csv", "laws.md"]),
     (
         "cascades -c rotate --steps 7 --samples 2 --probes 9",
