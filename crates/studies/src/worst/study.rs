@@ -29,6 +29,9 @@ pub struct Worst {
     pub out: Option<PathBuf>,
 }
 
+/// 60 errors and 8 guards, in both precisions.
+const BOUNDS: u64 = 2 * (60 + 8);
+
 /// All that was found.
 #[derive(Clone, Default, Debug)]
 pub struct Found {
@@ -68,7 +71,7 @@ Examples:
 
     fn survey(&self, _: &[&dyn Contestant], host: &dyn Host) -> Result<Found, Error> {
         let effort = [self.climbs, self.steps];
-        host.begin(150, "bounds");
+        host.begin(BOUNDS, "bounds");
         host.turn_to("errors");
         let errors = errors(effort, self.seed, host.watch())?;
         host.turn_to("guards");

@@ -30,7 +30,7 @@ const SMALL: [(&str, &[&str]); 7] = [
         &["resolution.csv", "location.csv", "resolution.md", "resolution.svg", "location.svg"],
     ),
     ("parity --pairs 20 --shrink 1 --out x", &["parity.csv", "parity.md", "smallest.toml"]),
-    ("audit --decisions 200", &["audit.csv", "audit.md", "hierarchy.csv", "reads.csv"]),
+    ("audit --decisions 200", &["audit.csv", "reads.csv", "hierarchy.csv", "audit.md"]),
     ("worst --steps 20 --climbs 1", &["errors.csv", "guards.csv", "worst.md"]),
     ("laws -b exact,naive --tuples 2000", &["laws.csv", "laws.md"]),
     (
@@ -104,7 +104,9 @@ impl Host for Impatient<'_> {
 
 #[test]
 fn every_study_says_what_it_begins_and_stops_where_it_is_told() {
-    for ((line, _), unit) in SMALL.into_iter().zip(["features", "pairs", "decisions", "tuples", "steps", "steps"]) {
+    for ((line, _), unit) in
+        SMALL.into_iter().zip(["features", "pairs", "decisions", "bounds", "tuples", "steps", "steps"])
+    {
         let (cancel, quiet) = (AtomicBool::new(true), |_: u64| {});
         let host = Impatient { watch: Watch::new(&cancel, None, &quiet), told: RefCell::default() };
         assert_eq!(report(ready(line).as_ref(), &host), Err(Error::Stopped(Stop::Interrupted)), "{line}");

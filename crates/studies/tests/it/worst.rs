@@ -15,7 +15,7 @@ fn errors_come_near_their_bounds_and_not_beyond() {
         assert!(row.share() <= 0.5 + 1e-6, "rounding to nearest loses half at most: {row:?}");
     }
     let reached = found.iter().filter(|row| row.share() > 0.02).count();
-    assert!(reached > 90, "{reached} of {} errors are more than a fiftieth of their bound", found.len());
+    assert!(reached > 60, "{reached} of {} errors are more than a fiftieth of their bound", found.len());
     assert_eq!(errors([1, 60], 1, host.watch()).unwrap(), found, "the same seed finds the same");
     let study = Worst { steps: 60, climbs: 1, seed: 1, out: None };
     let wrong = found.iter().cloned().map(|mut row| {
