@@ -39,6 +39,16 @@ impl Enclosure {
         (0..exponent).fold(Enclosure::exact(1.into()), |power, _| power * self.clone())
     }
 
+    /// One over the number.
+    ///
+    /// # Panics
+    /// Where the number may be zero or negative.
+    #[must_use]
+    pub fn reciprocal(&self) -> Enclosure {
+        assert!(self.lower > 0, "no reciprocal of what may not be positive");
+        Enclosure { lower: self.upper.clone().recip(), upper: self.lower.clone().recip() }
+    }
+
     /// The smaller of two numbers.
     #[must_use]
     pub fn min(self, other: Enclosure) -> Enclosure {
@@ -130,5 +140,7 @@ mod tests {
         assert_eq!(interval(-2, 3) * interval(-5, 1), interval(-15, 10));
         assert_eq!(interval(-2, 3) - interval(-5, 1), interval(-3, 8));
         assert_eq!(interval(-2, 3).min(interval(-5, 1)), interval(-5, 1));
+        let reciprocal = Enclosure { lower: (1, 4).into(), upper: (1, 2).into() };
+        assert_eq!(interval(2, 4).reciprocal(), reciprocal);
     }
 }

@@ -20,6 +20,10 @@ use crate::{Field, Ring, Root};
 /// The machine epsilon, 2⁻⁵² for doubles: every operation is charged with it,
 /// which is twice what rounding to nearest can lose.
 ///
+/// # Powers of two
+/// A product with a power of two rounds nothing, as nothing underflows. Constants
+/// know what they are, and ε is 2^−k; it is one for every binary format.
+///
 /// # Rule G
 /// Its c is 1 and that is no bound of |x₁/x₂|. It is one of what the paper
 /// divides for, the coordinates of a unit vector; of 1/m it is not, but of
@@ -38,6 +42,10 @@ struct State {
     nonnegative: bool,
     error: Error,
     relative: bool,
+    /// 2^k with a whole k, or ε times such: a factor that costs no rounding.
+    power_of_two: bool,
+    /// Of a sum or difference by rule B or D: its error but for its own rounding.
+    inherited: Option<Error>,
 }
 
 /// A bound of an error: aε + bε², with L or the magnitude left out.
@@ -77,27 +85,49 @@ impl Quantity {
         let value = value.into();
         let name = value.to_string();
         let nonnegative = value >= 0;
-        Quantity::exact(&name, Magnitude::new(value.abs(), 0), nonnegative)
+        let power = rules::is_power_of_two(&value);
+        Quantity::exact(&name, Magnitude::new(value.abs(), 0), nonnegative).power_of_two(power)
     }
 
     /// ε: a constant by rule J, and a power of two.
     #[must_use]
     pub fn epsilon() -> Quantity {
-        Quantity::exact("ε", Magnitude::epsilon(), true)
+        Quantity::exact("ε", Magnitude::epsilon(), true).power_of_two(true)
     }
 
     /// L, as the number that the tolerances are computed from: c = 1, p = 1, and
     /// no error, as the bounds are in terms of this very number.
     #[must_use]
     pub fn length() -> Quantity {
-        Quantity::exact("L", Magnitude::new(1, 1), true)
+        Quantity::given("L")
+    }
+
+    /// A length that is given as a number, not negative and at most L, without an
+    /// error: c = 1, p = 1.
+    #[must_use]
+    pub fn given(name: &str) -> Quantity {
+        Quantity::exact(name, Magnitude::new(1, 1), true)
     }
 
     fn exact(name: &str, magnitude: Magnitude, nonnegative: bool) -> Quantity {
         Quantity {
             expression: name.into(),
-            state: Some(State { magnitude, nonnegative, error: Error::none(), relative: true }),
+            state: Some(State {
+                magnitude,
+                nonnegative,
+                error: Error::none(),
+                relative: true,
+                power_of_two: false,
+                inherited: None,
+            }),
         }
+    }
+
+    fn power_of_two(mut self, is: bool) -> Quantity {
+        if let Some(state) = &mut self.state {
+            state.power_of_two = is;
+        }
+        self
     }
 
     /// s: how it is computed, with a pair of brackets for every operation.
@@ -158,6 +188,9 @@ impl Quantity {
     /// `smallest` times ε^e L^p. Not one of the paper's rules, but its reasoning
     /// in 4.1 and 5.4.4.
     ///
+    /// Of a sum or difference only what its operands bring grows by that: its own
+    /// rounding is relative to it ([`rules::bounded_below`]).
+    ///
     /// # Panics
     /// Where `smallest` isn't positive.
     #[must_use]
@@ -167,8 +200,13 @@ impl Quantity {
             && !state.relative
         {
             let factor = Rational::from(&state.magnitude.c / smallest);
-            state.error.a *= &factor;
-            state.error.b *= &factor;
+            match &state.inherited {
+                Some(inherited) => state.error = rules::bounded_below(inherited, &factor),
+                None => {
+                    state.error.a *= &factor;
+                    state.error.b *= &factor;
+                }
+            }
             state.relative = true;
         }
         self
@@ -194,7 +232,9 @@ impl Quantity {
 fn rule_b(x: &State, y: &State, nonnegative: bool) -> Option<State> {
     let [c1, c2] = x.magnitude.common(&y.magnitude)?;
     let error = rules::sum(&c1, &x.error, &c2, &y.error);
-    Some(State { magnitude: total(x, y, &c1, &c2), nonnegative, error, relative: false })
+    let inherited = Some(rules::inherited(&c1, &x.error, &c2, &y.error));
+    let magnitude = total(x, y, &c1, &c2);
+    Some(State { magnitude, nonnegative, error, relative: false, power_of_two: false, inherited })
 }
 
 fn total(x: &State, y: &State, c1: &Rational, c2: &Rational) -> Magnitude {
@@ -214,7 +254,8 @@ impl Add for Quantity {
             }
             let [c1, c2] = x.magnitude.common(&y.magnitude)?;
             let error = rules::sum_of_same_sign(&x.error, &y.error);
-            Some(State { magnitude: total(x, y, &c1, &c2), nonnegative, error, relative: true })
+            let magnitude = total(x, y, &c1, &c2);
+            Some(State { magnitude, nonnegative, error, relative: true, power_of_two: false, inherited: None })
         })
     }
 }
@@ -227,7 +268,8 @@ impl Sub for Quantity {
         self.binary('-', other, |x, y, _| {
             let state = rule_b(x, y, false)?;
             let exact = x.error.is_none() && y.error.is_none();
-            Some(if exact { State { error: rules::exact_difference(), relative: true, ..state } } else { state })
+            let relative = State { error: rules::exact_difference(), relative: true, inherited: None, ..state.clone() };
+            Some(if exact { relative } else { state })
         })
     }
 }
@@ -235,14 +277,20 @@ impl Sub for Quantity {
 impl Mul for Quantity {
     type Output = Quantity;
 
-    /// Rule F.
+    /// Rule F; without a rounding where a factor is a power of two.
     fn mul(self, other: Quantity) -> Quantity {
         self.binary('*', other, |x, y, same| {
             Some(State {
                 magnitude: x.magnitude.product(&y.magnitude),
                 nonnegative: same || (x.nonnegative && y.nonnegative),
-                error: rules::product(&x.error, &y.error),
+                error: match (x.power_of_two, y.power_of_two) {
+                    (true, _) => y.error.clone(),
+                    (_, true) => x.error.clone(),
+                    _ => rules::product(&x.error, &y.error),
+                },
                 relative: x.relative && y.relative,
+                power_of_two: x.power_of_two && y.power_of_two,
+                inherited: None,
             })
         })
     }
@@ -266,6 +314,8 @@ impl Div for Quantity {
                 nonnegative: x.nonnegative && y.nonnegative,
                 error: rules::quotient(&x.error, &y.error)?,
                 relative: true,
+                power_of_two: false,
+                inherited: None,
             })
         })
     }
@@ -300,7 +350,8 @@ impl Root for Quantity {
     fn sqrt(self) -> Quantity {
         let state = self.state.filter(|state| state.nonnegative && state.relative).and_then(|state| {
             let magnitude = state.magnitude.root()?;
-            Some(State { magnitude, nonnegative: true, error: rules::root(&state.error)?, relative: true })
+            let error = rules::root(&state.error)?;
+            Some(State { magnitude, nonnegative: true, error, relative: true, power_of_two: false, inherited: None })
         });
         Quantity { expression: format!("√{}", self.expression).into(), state }
     }

@@ -11,12 +11,13 @@
 //! Rules A and I change nothing, J and K start with [`Error::none`].
 //!
 //! # What is not as printed
-//! * B and D: the 1 stands outside the fraction, 1 + (c₁(a₁+b₁) + c₂(a₂+b₂))/(c₁+c₂).
-//! * H: the printed b is that of a value that is too large. For one that is too
-//!   small b₁/2 + a₁²/8 − a₁/2 is needed, which is more from a₁ = 2 + 2√2 on:
-//!   in 3D, the length of an edge has a₁ = 5.
+//! B and D: the 1 stands outside the fraction, 1 + (c₁(a₁+b₁) + c₂(a₂+b₂))/(c₁+c₂).
+//! The printed form is in [`as_printed`].
 //!
-//! The printed forms are in [`as_printed`].
+//! # What is ours
+//! * A product with a power of two rounds nothing ([`Quantity`](crate::Quantity)).
+//! * A sum or difference that is known to be large enough is off by its own rounding,
+//!   which is relative to it, and by what its operands bring ([`bounded_below`]).
 
 use rug::Rational;
 
@@ -83,10 +84,30 @@ fn rounded(x: Rational) -> Rational {
 #[must_use]
 pub fn sum(c1: &Rational, e1: &Error, c2: &Rational, e2: &Error) -> Error {
     let epsilon = largest_epsilon();
-    let a = mean(c1, &e1.a, c2, &e2.a) + 1;
-    let b = mean(c1, &Rational::from(&e1.a + &e1.b), c2, &Rational::from(&e2.a + &e2.b)) + 1;
-    let deviation = rounded(mean(c1, &e1.at(&epsilon), c2, &e2.at(&epsilon)));
-    second_order(a, b, &deviation)
+    let inherited = inherited(c1, e1, c2, e2);
+    let a = Rational::from(&inherited.a + 1);
+    let b = Rational::from(&inherited.a + &inherited.b) + 1;
+    second_order(a, b, &rounded(inherited.at(&epsilon)))
+}
+
+/// What a sum or difference has from its operands, without its own rounding:
+/// relative to c₁ + c₂.
+#[must_use]
+pub fn inherited(c1: &Rational, e1: &Error, c2: &Rational, e2: &Error) -> Error {
+    Error { a: mean(c1, &e1.a, c2, &e2.a), b: mean(c1, &e1.b, c2, &e2.b) }
+}
+
+/// A sum or difference that is at least 1/`factor` of what its inherited error is
+/// relative to, relative to itself.
+///
+/// Its own rounding is relative to it already. Only what is inherited grows by the
+/// factor, so that a number near 1 is little worse than rounded.
+#[must_use]
+pub fn bounded_below(inherited: &Error, factor: &Rational) -> Error {
+    let [a, b] = [&inherited.a, &inherited.b].map(|x| Rational::from(x * factor));
+    let grown = Error { a, b };
+    let b = Rational::from(&grown.a + &grown.b) + 1;
+    second_order(Rational::from(&grown.a + 1), b, &rounded(grown.at(&largest_epsilon())))
 }
 
 /// Rule C: a sum of two that aren't negative, relative to itself.
@@ -96,6 +117,12 @@ pub fn sum_of_same_sign(e1: &Error, e2: &Error) -> Error {
     let a = Rational::from((&e1.a).max(&e2.a)) + 1;
     let b = Rational::from(&e1.a + &e1.b).max(Rational::from(&e2.a + &e2.b)) + 1;
     second_order(a, b, &rounded(e1.at(&epsilon).max(e2.at(&epsilon))))
+}
+
+/// Whether a number is 2^k with a whole k, or minus that.
+#[must_use]
+pub fn is_power_of_two(x: &Rational) -> bool {
+    x.numer().clone().abs().is_power_of_two() && x.denom().is_power_of_two()
 }
 
 /// Rule E: a difference of two exact values, relative to itself.
@@ -135,6 +162,9 @@ pub fn quotient(e1: &Error, e2: &Error) -> Option<Error> {
 /// Rule H: a square root, relative to itself; none where the operand's error may
 /// be all of it.
 ///
+/// Its b is 1 + b₁/2 + |a₁/2 − a₁²/8|: a value that is too large needs a₁/2 − a₁²/8
+/// of the last, one that is too small a₁²/8 − a₁/2.
+///
 /// Above: √(1 + x) ≤ 1 + x/2 − x²/8 + x³/16. Below: 1 − √(1 − x) ≤ x/2 + x²/8 +
 /// x³/(16(1 − x)), of which (1 − ε) is left.
 #[must_use]
@@ -147,6 +177,8 @@ pub fn root(e: &Error) -> Option<Error> {
         let cube = Rational::from(x.square_ref()) * &x / 16;
         let (half_b, half_a) = (Rational::from(&e.b / 2), Rational::from(&e.a / 2));
         let eighth = Rational::from(e.a.square_ref()) / 8;
+        let bars = Rational::from(&half_a - &eighth).abs();
+        let papers = Rational::from(&half_b + &bars) + 1;
         let square = Rational::from(epsilon.square_ref());
         // terms of third order and more, without those that are negative
         let above = Rational::from(&half_b * &epsilon) + (&cube * Rational::from(&epsilon + 1)) / &square;
@@ -155,11 +187,11 @@ pub fn root(e: &Error) -> Option<Error> {
             + Rational::from(e.b.square_ref()) * &square / 8
             + cube / left / &square;
         let below = half_b + eighth - half_a + below;
-        Error { a, b: as_printed::root(e).b.max(above).max(below) }
+        Error { a, b: Rational::max(papers, above).max(below) }
     })
 }
 
-/// The columns as the paper prints them, where that is not sound.
+/// The column as the paper prints it, where that is not sound.
 pub mod as_printed {
     use rug::Rational;
 
@@ -174,12 +206,5 @@ pub mod as_printed {
             a: weighted(e1.a.clone(), e2.a.clone()) / &c + 1,
             b: (weighted(Rational::from(&e1.a + &e1.b), Rational::from(&e2.a + &e2.b)) + 1) / &c,
         }
-    }
-
-    /// Rule H: 1 + b₁/2 + a₁/2 − a₁²/8, too little from a₁ = 2 + 2√2 on.
-    #[must_use]
-    pub fn root(e: &Error) -> Error {
-        let half = |x: &Rational| Rational::from(x / 2);
-        Error { a: half(&e.a) + 1, b: half(&e.b) + half(&e.a) + 1 - Rational::from(e.a.square_ref()) / 8 }
     }
 }

@@ -19,7 +19,7 @@ use predicament_predicates::{
     ZeroMeaning, answer_by,
 };
 use predicament_sos::{Scheme, Sos, infinitesimal};
-use predicament_tolerance::Tolerance;
+use predicament_tolerance::{Misscaled, Tolerance};
 
 use predicament_judge::TieJudge;
 
@@ -80,11 +80,17 @@ pub enum Fault {
     ToleranceAsPrinted,
     /// Tolerance, right about what is registered, with the printed sign of an edge's weight.
     ToleranceMirroredWeight,
+    /// Tolerance, with κ twice the published, and claimed to be.
+    ToleranceDoubledKappa,
+    /// Tolerance, with λ twice the published.
+    ToleranceDoubledLambda,
+    /// Tolerance, with μ half of the published.
+    ToleranceHalvedMu,
 }
 
 impl Fault {
     /// All of them.
-    pub const ALL: [Fault; 23] = [
+    pub const ALL: [Fault; 26] = [
         Fault::SosSwappedTerm,
         Fault::SosBatchFlipped,
         Fault::SosLateSwappedTerm,
@@ -108,6 +114,9 @@ impl Fault {
         Fault::ToleranceWideContacts,
         Fault::ToleranceAsPrinted,
         Fault::ToleranceMirroredWeight,
+        Fault::ToleranceDoubledKappa,
+        Fault::ToleranceDoubledLambda,
+        Fault::ToleranceHalvedMu,
     ];
 
     /// The name after `fault:`.
@@ -137,6 +146,9 @@ impl Fault {
             Fault::ToleranceWideContacts => "tolerance-wide-contacts",
             Fault::ToleranceAsPrinted => "tolerance-as-printed",
             Fault::ToleranceMirroredWeight => "tolerance-mirrored-weight",
+            Fault::ToleranceDoubledKappa => "tolerance-doubled-kappa",
+            Fault::ToleranceDoubledLambda => "tolerance-doubled-lambda",
+            Fault::ToleranceHalvedMu => "tolerance-halved-mu",
         }
     }
 
@@ -169,6 +181,9 @@ impl Fault {
             Fault::ToleranceWideContacts => "vertices registered within twice the tolerance",
             Fault::ToleranceAsPrinted => "the interpolation weight of an edge's point with the printed sign",
             Fault::ToleranceMirroredWeight => "that sign in the weight alone, what is registered is right",
+            Fault::ToleranceDoubledKappa => "areas compared with twice the published kappa, and the band claimed so",
+            Fault::ToleranceDoubledLambda => "the squared area of two edges compared with twice the published lambda",
+            Fault::ToleranceHalvedMu => "volumes of edges with edges compared with half of the published mu",
         }
     }
 
@@ -196,7 +211,10 @@ impl Fault {
             | Fault::ToleranceNarrowContacts
             | Fault::ToleranceWideContacts
             | Fault::ToleranceAsPrinted
-            | Fault::ToleranceMirroredWeight => ZeroMeaning::Band,
+            | Fault::ToleranceMirroredWeight
+            | Fault::ToleranceDoubledKappa
+            | Fault::ToleranceDoubledLambda
+            | Fault::ToleranceHalvedMu => ZeroMeaning::Band,
         }
     }
 }
@@ -216,6 +234,9 @@ pub(crate) fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, V> {
             visitor.visit(Boxed::new(contacts::Faulty::tolerance(fault)), None)
         }
         Fault::ToleranceAsPrinted => visitor.visit(Tolerance::<f64>::as_printed(), None),
+        Fault::ToleranceDoubledKappa => visitor.visit(Tolerance::<f64>::misscaled(Misscaled::DoubledKappa), None),
+        Fault::ToleranceDoubledLambda => visitor.visit(Tolerance::<f64>::misscaled(Misscaled::DoubledLambda), None),
+        Fault::ToleranceHalvedMu => visitor.visit(Tolerance::<f64>::misscaled(Misscaled::HalvedMu), None),
         _ => match fault.poses_as() {
             ZeroMeaning::Never => {
                 let judge: Box<TieJudge> = Box::new(|scene, question, args| {
@@ -325,7 +346,10 @@ impl Session<'_> {
             | Fault::ToleranceNarrowContacts
             | Fault::ToleranceWideContacts
             | Fault::ToleranceAsPrinted
-            | Fault::ToleranceMirroredWeight => exact,
+            | Fault::ToleranceMirroredWeight
+            | Fault::ToleranceDoubledKappa
+            | Fault::ToleranceDoubledLambda
+            | Fault::ToleranceHalvedMu => exact,
         }
     }
 

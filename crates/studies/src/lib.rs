@@ -13,6 +13,7 @@
 //! * [`parity`]: how often do registrations make closed curves cross an odd number of times?
 //! * [`resolution`]: how small can a feature be before tolerances lose it?
 //! * [`audit`]: do the tolerance paper's algorithms keep their guarantee at their thresholds?
+//! * [`worst`]: how near do the worst inputs come to that paper's bounds?
 //! * [`cascades`]: what becomes of a polygon when results are operands of the next step?
 //! * [`Study`]: the shape of all of them; [`STUDIES`]: the list.
 //! * [`shrink`]: the smallest scene that still shows a finding.
@@ -92,6 +93,7 @@ pub mod mesh_cascades;
 pub mod parity;
 pub mod resolution;
 pub mod shrink;
+pub mod worst;
 
 mod contacts;
 mod error;

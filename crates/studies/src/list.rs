@@ -12,6 +12,7 @@ use crate::laws::Laws;
 use crate::mesh_cascades::MeshCascades;
 use crate::parity::Parity;
 use crate::resolution::Resolution;
+use crate::worst::Worst;
 use crate::{Error, Host, Report, Study};
 
 /// All studies, in the order of the help.
@@ -20,6 +21,7 @@ pub const STUDIES: &[Entry] = &[
     Entry::of::<Resolution>(),
     Entry::of::<Parity>(),
     Entry::of::<Audit>(),
+    Entry::of::<Worst>(),
     Entry::of::<Laws>(),
     Entry::of::<Cascades>(),
     Entry::of::<MeshCascades>(),

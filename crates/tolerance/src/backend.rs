@@ -12,7 +12,7 @@ use crate::contacts::{EdgeVertex, Pairs};
 use crate::extent::largest_extent;
 use crate::float::check_precision;
 use crate::quantities;
-use crate::{ContactTolerances, Float, Tolerances2d, Tolerances3d, circles};
+use crate::{ContactTolerances, Float, Misscaled, Tolerances2d, Tolerances3d, circles};
 
 const PLANES: [Plane; 3] = [Plane::Xy, Plane::Yz, Plane::Zx];
 const STAGES: [&str; 1] = ["float"];
@@ -48,6 +48,7 @@ const INPUT_ONLY: &str = "the tolerances are for input vertices, not for constru
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Tolerance<F = f64> {
     form: EdgeVertex,
+    misscaled: Option<Misscaled>,
     float: PhantomData<F>,
 }
 
@@ -59,14 +60,20 @@ impl<F> Tolerance<F> {
     /// The scheme as it has to be.
     #[must_use]
     pub const fn new() -> Tolerance<F> {
-        Tolerance { form: EdgeVertex::Corrected, float: PhantomData }
+        Tolerance { form: EdgeVertex::Corrected, misscaled: None, float: PhantomData }
     }
 
     /// The scheme with Algorithms 3 and 8 as the paper prints them, which is
     /// wrong: see [`as_printed`](crate::algorithms::as_printed).
     #[must_use]
     pub const fn as_printed() -> Tolerance<F> {
-        Tolerance { form: EdgeVertex::AsPrinted, float: PhantomData }
+        Tolerance { form: EdgeVertex::AsPrinted, misscaled: None, float: PhantomData }
+    }
+
+    /// The scheme with a tolerance that is not the paper's: a planted fault.
+    #[must_use]
+    pub const fn misscaled(by: Misscaled) -> Tolerance<F> {
+        Tolerance { form: EdgeVertex::Corrected, misscaled: Some(by), float: PhantomData }
     }
 }
 
@@ -95,11 +102,12 @@ impl<F: Float> Backend for Tolerance<F> {
 
     /// `tolerance`, `tolerance:f32`, or that of a planted fault for the printed form.
     fn name(&self) -> String {
-        let name = match self.form {
-            EdgeVertex::Corrected => "tolerance",
-            EdgeVertex::AsPrinted => "fault:tolerance-as-printed",
+        let name = match (self.form, self.misscaled) {
+            (_, Some(misscaled)) => format!("fault:tolerance-{}", misscaled.name()),
+            (EdgeVertex::Corrected, None) => "tolerance".to_owned(),
+            (EdgeVertex::AsPrinted, None) => "fault:tolerance-as-printed".to_owned(),
         };
-        if F::NAME == <f64 as Float>::NAME { name.into() } else { format!("{name}:{}", F::NAME) }
+        if F::NAME == <f64 as Float>::NAME { name } else { format!("{name}:{}", F::NAME) }
     }
 
     fn contract(&self, kind: PredicateKind) -> Contract {
@@ -134,15 +142,16 @@ impl<F: Float> Backend for Tolerance<F> {
             return Err(Declined::scene(declined.reason.clone()));
         }
         let circular = circles::prepared::<F>(scene);
-        Ok(Session {
-            scene,
-            tally,
-            planar,
-            spatial,
-            circular,
-            contacts: ContactTolerances::new(scene),
-            form: self.form,
-        })
+        let contacts = ContactTolerances::new(scene);
+        let (planar, spatial, contacts) = match self.misscaled {
+            None => (planar, spatial, contacts),
+            Some(by) => (
+                planar.into_iter().map(|plane| plane.map(|plane| by.plane(plane))).collect(),
+                spatial.map(|space| by.space(space)),
+                contacts.map(|contacts| by.contacts(contacts)),
+            ),
+        };
+        Ok(Session { scene, tally, planar, spatial, circular, contacts, form: self.form })
     }
 }
 

@@ -13,7 +13,7 @@
 //! * [`algorithms`]: Algorithms 2 to 5 and 7 to 12, over any [`Float`].
 //! * [`circles`]: bands for `incircle` and `insphere`, which are ours.
 //! * [`bounds`]: every bound and constraint of the paper, derived and decided.
-//! * [`struct@Tolerance`]: the backend.
+//! * [`struct@Tolerance`]: the backend; [`Misscaled`]: what it can be planted with.
 //!
 //! # Which ε
 //! The paper's ε is the machine epsilon, and so is the one here: the distance
@@ -30,6 +30,7 @@ pub mod circles;
 mod contacts;
 mod extent;
 mod float;
+mod planted;
 pub mod quantities;
 mod tolerances2d;
 mod tolerances3d;
@@ -37,5 +38,6 @@ mod tolerances3d;
 pub use backend::{Session, Tolerance};
 pub use contacts::ContactTolerances;
 pub use float::Float;
+pub use planted::Misscaled;
 pub use tolerances2d::Tolerances2d;
 pub use tolerances3d::Tolerances3d;

@@ -14,7 +14,7 @@ use super::table::{DECIMALS, State, first, state};
 const INTRODUCTION: &str = "\
 # Error bounds and tolerances, derived
 Printed by `predicament bounds`; a test compares this page with the command's
-output. `--format csv` has the same rows, with the expression of every quantity.
+output, up to the worst cases, which `predicament worst` searches for. `--format csv` has the same rows, with the expression of every quantity.
 
 The `tolerance` backend is *Robust Intersections under Floating Point* (Wang, Jiang,
 Schroeder and Teran). Its promise rests on bounds of rounding errors and on
@@ -30,16 +30,19 @@ bounds hold for ε < 10⁻⁵.
 
 What is not as the paper prints it:
 
-* Rules B and D have their 1 outside of the fraction in column b. Rule H's b is too
-  small from a₁ = 2 + 2√2 on (a root that comes out too small has b₁/2 + a₁²/8 − a₁/2),
-  which a length in space passes. Both change b alone, and no whole number below.
+* Rules B and D have their 1 outside of the fraction in column b. That changes b
+  alone, and no whole number below.
 * Each b has a 1 for all terms of third order and more. Where they are more than
   that, b is what they need at ε = 10⁻⁵.
 * Rule G has c = 1, which is right for a coordinate of a unit vector and not for
   1/m. The published bounds are those of u = û · (1/m), computed in this order.
 * Magnitudes may have a power of ε: c ε^e L^p. Only tolerances do, and with it
   Algorithms 1 and 6 run on the same numbers from √ε on. L is taken as the number
-  that they are computed from.
+  that they are computed from, and La and Lb as the numbers that L is.
+* A product with a power of two rounds nothing, and ε is one: 2^−k.
+* A difference that is bounded from below is off by its own rounding, which is
+  relative to it, and by what its operands bring, over the bound. Rule D has both
+  relative to c₁ + c₂: too much for 1 − 7ε^¼, a number near 1.
 ";
 
 /// The page.
@@ -98,13 +101,16 @@ fn bounds(page: &mut String, all: &[Derivation]) {
 `derived` is a·ε + b·ε² over ε, times c for E, rounded up to a whole number at ε = 10⁻⁵;
 `first` is the part before ε alone. What is larger or invalid:
 
-* R[T] ≤ 4ε of figure 5 is right for lengths. λ, φ, ν and ζ (εL⁴) have 6, μ, ξ and ρ
+* R[T] ≤ 4ε of figure 5 is right for lengths. λ, φ, ν and ζ (εL⁴) have 5, μ, ξ and ρ
   (ε^¾L³) have 8. Nothing uses the wrong ones: volumes and their tolerances have room.
-* R[L̂] of 5.1: with 1 − 7ε^¼ as small as 0.61 and its error relative to that, the
-  division brings 7ε. Rounding to nearest halves it, so that the factor 1 + 5ε
-  still makes L large enough.
 * √(ζ² − κ²) is the root of a difference whose error isn't relative to it. Nothing
-  uses its bound.",
+  uses its bound.
+
+R[L̂] ≤ 5ε of 4.1 and 5.1 holds for the numbers La and Lb. If these are differences
+of coordinates that were rounded, it is one ε more (the rows of ours): 5ε still
+hold in the plane, and in space where 5/2 · 7ε^¼ ≤ 1 − 7ε^¼, that is up to
+ε = 2.7·10⁻⁶. The backend rounds its sides up, so that L needs no more than the
+factor 1 + 5ε.",
     );
     table(
         page,

@@ -95,6 +95,17 @@ fn an_audit_passes_though_what_is_printed_does_not() {
 }
 
 #[test]
+fn every_planted_tolerance_and_driver_is_found() {
+    let folder = tempdir().unwrap();
+    let out = at(&folder, "out");
+    expect(0, &["audit", "--planted", "--decisions", "6000", "--out", &out]);
+    let found = column(&read(&out, "reads.csv"), "misread");
+    assert!(found.len() == 8 && found.iter().all(|n| n != "0"), "{found:?}");
+    // too few pairs to find anything: then it has to fail
+    expect(100, &["audit", "--planted", "--decisions", "1"]);
+}
+
+#[test]
 fn resolution_leaves_tables_and_plots() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "out");

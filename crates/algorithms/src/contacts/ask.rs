@@ -5,9 +5,14 @@ use predicament_predicates::Predicates;
 
 use super::{Contact, Weights};
 
+/// A pair's contact, if the session registers it, whatever its sub-pairs are.
+///
 /// Asks the question of the pair's ranks, the simplex of higher rank first; of
 /// two edges the one with the lower vertices.
-pub(super) fn ask<S: Predicates + ?Sized>(session: &S, [a, b]: [&Complex; 2], [s, t]: [Simplex; 2]) -> Option<Contact> {
+///
+/// # Panics
+/// If no hierarchy has pairs of these ranks.
+pub fn ask<S: Predicates + ?Sized>(session: &S, [a, b]: [&Complex; 2], [s, t]: [Simplex; 2]) -> Option<Contact> {
     let (on_a, on_b) = match (a.vertices_of(s), b.vertices_of(t)) {
         (&[p], &[q]) => session.vertex_vertex(p.min(q), p.max(q)).then_some((pad([1.0]), pad([1.0])))?,
         (&[e, f], &[p]) => (along(session.edge_vertex([e, f], p)?), pad([1.0])),

@@ -22,7 +22,7 @@ pub mod planted;
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Dimension, Predicates};
 
-use ask::ask;
+pub use ask::ask;
 use ended::Ended;
 use near::{Near, PIECE};
 
@@ -141,7 +141,11 @@ fn hierarchy<F: Planted, S: Predicates + ?Sized, const D: usize>(session: &S, co
         // A level's pairs come by the ranks of the first simplex: what is appended stays sorted.
         let start = all.registered.len();
         for &ranks in *pairs {
-            let (level, registered) = of_ranks(session, complexes, ranks, &near, &ended);
+            let (level, registered) = if F::SKIPS_VERTICES && ranks == [0, 0] {
+                (Level { ranks, candidates: 0, ended: 0, asked: 0, registered: 0 }, Vec::new())
+            } else {
+                of_ranks(session, complexes, ranks, &near, &ended)
+            };
             all.levels.push(level);
             all.registered.extend(registered);
         }

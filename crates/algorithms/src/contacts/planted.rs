@@ -8,6 +8,8 @@ pub trait Planted: Fault {
     const LOSES_SUB_PAIRS: bool = false;
     /// No pair has ever ended.
     const FORGETS_SUB_PAIRS: bool = false;
+    /// Vertices are never asked about with vertices.
+    const SKIPS_VERTICES: bool = false;
 }
 
 impl Planted for Honest {}
@@ -40,4 +42,17 @@ impl Fault for ForgottenSubPairs {
 
 impl Planted for ForgottenSubPairs {
     const FORGETS_SUB_PAIRS: bool = true;
+}
+
+/// Contacts that begin with edges and vertices: vertices are never compared.
+#[derive(Clone, Copy, Debug)]
+pub struct SkippedVertices;
+
+impl Fault for SkippedVertices {
+    const NAME: &'static str = "skipped-vertices";
+    const WHAT: &'static str = "the hierarchy begins with edges and vertices, no two vertices are registered";
+}
+
+impl Planted for SkippedVertices {
+    const SKIPS_VERTICES: bool = true;
 }

@@ -3,10 +3,12 @@
 use std::cmp::Ordering;
 
 use predicament_algorithms::contacts::Weights;
+use predicament_error_calculus::Enclosure;
 use predicament_predicates::{Band, Dimension, Predicates};
 use rug::Rational;
 
 use super::pair::{Feet, Pair, PairKind};
+use super::published::Published;
 use super::quantity::Quantity;
 
 /// Whether an answer keeps the guarantee, and if not, how it fails.
@@ -28,11 +30,14 @@ pub enum Verdict {
     BadWeight,
     /// Registered although a sub-pair was, or never to be asked about.
     Unasked,
+    /// A test of the algorithm that has to fail passed, or all that have to pass did
+    /// not: see [`Readings`](super::Readings).
+    Misread,
 }
 
 impl Verdict {
     /// All of them.
-    pub const ALL: [Verdict; 7] = [
+    pub const ALL: [Verdict; 8] = [
         Verdict::Agree,
         Verdict::InBand,
         Verdict::Overreach,
@@ -40,6 +45,7 @@ impl Verdict {
         Verdict::Unguarded,
         Verdict::BadWeight,
         Verdict::Unasked,
+        Verdict::Misread,
     ];
 
     /// Whether the guarantee held.
@@ -59,6 +65,7 @@ impl Verdict {
             Verdict::Unguarded => "unguarded",
             Verdict::BadWeight => "bad_weight",
             Verdict::Unasked => "unasked",
+            Verdict::Misread => "misread",
         }
     }
 }
@@ -85,9 +92,9 @@ impl Judgement {
     }
 }
 
-/// The bands of a session's contacts, and what follows from them, squared.
+/// The bands that contacts are held to, and what follows from them, squared.
 ///
-/// Sessions without bands have zeros: then the guarantee is that of exact
+/// They are the published ones, whatever the session says of its own. Sessions without bands have zeros: then the guarantee is that of exact
 /// arithmetic, a pair is registered if and only if it meets.
 #[derive(Clone, Debug)]
 pub struct Bands {
@@ -96,16 +103,35 @@ pub struct Bands {
     /// For each kind the lower bounds of its guarded quantities, squared; the
     /// last is for all that are left.
     bounds: [Vec<Rational>; 6],
+    /// What the tests of the algorithms are held to.
+    published: Option<Published>,
 }
 
 impl Bands {
-    /// Those of a session.
+    /// Those that a session has to keep.
     #[must_use]
     pub fn of<S: Predicates + ?Sized>(session: &S) -> Bands {
-        Bands::new(session.scene().dimension(), |ranks| session.contact_band(ranks))
+        match Published::of(session) {
+            Some(published) => Bands::published(published),
+            None => Bands::new(session.scene().dimension(), |_| None),
+        }
     }
 
-    /// By the ranks of the pair, the higher first.
+    /// The published ones, for whole pairs and for single tests.
+    #[must_use]
+    pub fn published(published: Published) -> Bands {
+        let dimension = published.dimension();
+        let of = |kind: PairKind| {
+            let symbol = published.distance(kind.ranks());
+            symbol.map_or_else(Default::default, |symbol| {
+                let [lower, _, upper] = published.limits(symbol).clone();
+                [lower, upper]
+            })
+        };
+        Bands { published: Some(published.clone()), ..Bands::squared(dimension, of) }
+    }
+
+    /// By the ranks of the pair, the higher first. Single tests are held to nothing.
     #[must_use]
     pub fn new(dimension: Dimension, band: impl Fn([u8; 2]) -> Option<Band>) -> Bands {
         let square = |x: f64| Rational::from_f64(x).expect("a tolerance is finite").square();
@@ -113,10 +139,52 @@ impl Bands {
             Some(band) => [square(band.lower), square(band.upper)],
             None => Default::default(),
         };
+        Bands::squared(dimension, of)
+    }
+
+    fn squared(dimension: Dimension, of: impl Fn(PairKind) -> [Rational; 2]) -> Bands {
         let kinds = [PairKind::VertexVertex, PairKind::EdgeVertex, PairKind::EdgeEdge, PairKind::TriangleVertex];
         let limits = kinds.map(of);
         let bounds = PairKind::ALL.map(|kind| bounds(kind, dimension, &limits));
-        Bands { limits, bounds }
+        Bands { limits, bounds, published: None }
+    }
+
+    /// The largest distance at which a pair may be registered.
+    #[must_use]
+    pub fn reach(&self) -> f64 {
+        let upper = self.limits.iter().map(|[_, upper]| upper).max().expect("four kinds");
+        Enclosure::exact(upper.clone()).sqrt().upper.to_f64().next_up()
+    }
+
+    /// Of a pair that is within T₊ or crosses, and of which no sub-pair is within T₋: the
+    /// smallest quotient of a guarded quantity and its lower bound, squared. None for
+    /// other pairs, of which nothing is claimed, and where nothing is guarded.
+    #[must_use]
+    pub fn guard(&self, pair: &Pair) -> Option<f64> {
+        let within = |pair: &Pair, feet: &Feet, limit: usize| {
+            let limits = self.limits.get(pair.kind() as usize).filter(|_| !pair.is_top());
+            limits.is_none_or(|limits| feet.distance_squared.compare(&limits[limit]) != Ordering::Greater)
+        };
+        let feet = pair.feet().filter(|feet| within(pair, feet, 1))?;
+        let mut sub_pairs = pair.sub_pairs();
+        let is_degenerate = sub_pairs.any(|sub_pair| sub_pair.feet().is_some_and(|feet| within(&sub_pair, &feet, 0)));
+        if is_degenerate { None } else { self.room(pair, &feet) }
+    }
+
+    /// Whether an answer breaks the promise of a single test, whatever the
+    /// sub-pairs are; never where no test is promised anything.
+    #[must_use]
+    pub fn misreads(&self, pair: &Pair, registered: bool) -> bool {
+        self.published
+            .as_ref()
+            .and_then(|published| published.read(pair).expected())
+            .is_some_and(|has| has != registered)
+    }
+
+    /// Whether tests are promised anything.
+    #[must_use]
+    pub fn has_readings(&self) -> bool {
+        self.published.is_some()
     }
 
     /// The verdict on a pair of which no sub-pair is registered.
@@ -139,6 +207,7 @@ impl Bands {
             (Some(_), true, false) => Verdict::InBand,
             (Some(_), false, false) => Verdict::Agree,
         };
+        let verdict = if verdict.is_legal() && self.misreads(pair, got.is_some()) { Verdict::Misread } else { verdict };
         let from_threshold = feet.as_ref().and_then(|feet| self.off(pair, feet));
         let registered = feet.zip(got).filter(|_| verdict != Verdict::Overreach);
         let room = registered.as_ref().and_then(|(feet, _)| self.room(pair, feet));

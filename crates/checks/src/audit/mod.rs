@@ -26,24 +26,34 @@
 //! registered is what meets, by the carriers of lowest dimension: the audit of
 //! exact signs. (Sessions that break ties promise something else.)
 //!
+//! Besides, every test of an algorithm is held to its own tolerance, whatever the
+//! sub-pairs are ([`Readings`]). That takes a session that is asked about pairs that
+//! have ended: what the hierarchy never asks shows what a tolerance is.
+//!
+//! What is promised is taken from the paper ([`Published`]), never from the session.
+//!
 //! * [`Bands::judge`]: one answer.
 //! * [`audit`]: all contacts of two complexes.
 
 mod judge;
 mod pair;
+pub mod published;
 mod quantity;
+mod reading;
 mod sweep;
 
 use std::collections::{HashMap, HashSet};
 
-use predicament_algorithms::contacts::{Contact, Contacts, levels};
+use predicament_algorithms::contacts::{Contact, Contacts, ask, levels};
 use predicament_mesh::{Complex, Faces, Simplex};
 use predicament_predicates::{Dimension, Predicates, Scene, Vertex};
 use rayon::prelude::*;
 
 pub use judge::{Bands, Judgement, Verdict};
 pub use pair::{Feet, Pair, PairKind};
+pub use published::{Published, Symbol};
 pub use quantity::Quantity;
+pub use reading::{Hit, Readings};
 
 /// A pair whose answer broke the guarantee.
 #[derive(Clone, PartialEq, Debug)]
@@ -70,6 +80,8 @@ pub struct Audit {
     /// Pairs that were not to be asked about as a sub-pair is registered, of
     /// those that are near.
     pub ended: u64,
+    /// Those of them that the session was asked about all the same.
+    pub read: u64,
     /// The largest error of a weight, by [`PairKind`].
     pub weight_errors: [f64; PairKind::ALL.len()],
     /// All answers that break the guarantee, in the order of levels and simplices.
@@ -98,11 +110,28 @@ impl Audit {
             *count += more;
         }
         self.ended += later.ended;
+        self.read += later.read;
         for (error, other) in self.weight_errors.iter_mut().zip(later.weight_errors) {
             *error = error.max(other);
         }
         self.findings.extend(later.findings);
         self.asked.extend(later.asked);
+    }
+
+    /// Asks about a pair that has ended, and holds the answer to the tests alone.
+    fn reread<S: Predicates + ?Sized>(
+        &mut self,
+        session: &S,
+        [a, b]: [&Complex; 2],
+        [s, t]: [Simplex; 2],
+        bands: &Bands,
+    ) {
+        let pair = pair(session.scene(), a.vertices_of(s), b.vertices_of(t));
+        let registered = ask(session, [a, b], [s, t]).is_some();
+        if bands.misreads(&pair, registered) {
+            self.counts[pair.kind() as usize][Verdict::Misread as usize] += 1;
+            self.findings.push(finding([s, t], &pair, Verdict::Misread, registered));
+        }
     }
 
     fn note(&mut self, kind: PairKind, judgement: Judgement) {
@@ -115,7 +144,8 @@ impl Audit {
 }
 
 /// Judges every registered pair, and every pair that is near enough to be
-/// registered and was to be asked about.
+/// registered and was to be asked about. Of those that have ended a sample is asked
+/// about by itself and held to the tests of its algorithm.
 ///
 /// # Panics
 /// If the complexes are not of the session's scene.
@@ -126,12 +156,16 @@ pub fn audit<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex, cont
     let registered: Registered = contacts.registered.iter().map(|contact| ([contact.a, contact.b], contact)).collect();
     let faces = [a, b].map(Faces::new);
     let judge =
-        |pairs: &[[Simplex; 2]]| {
+        |pairs: &[[Simplex; 2]], step: u64| {
             let mut audit = Audit::default();
             for &[s, t] in pairs {
                 let contact = registered.get(&[s, t]).copied();
                 if has_registered_faces(&registered, &faces, [s, t]) {
                     audit.ended += u64::from(contact.is_none());
+                    if contact.is_none() && (audit.ended - 1).is_multiple_of(step) && bands.has_readings() {
+                        audit.read += 1;
+                        audit.reread(session, [a, b], [s, t], &bands);
+                    }
                     continue;
                 }
                 audit.asked.extend(contact.map(|_| [s, t]));
@@ -148,9 +182,11 @@ pub fn audit<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex, cont
             audit
         };
     let mut audit = Audit::default();
+    let reach = session.reach().max(bands.reach());
     for &ranks in levels(scene.dimension()).iter().copied().flatten() {
-        let near = sweep::near(scene, [a, b], ranks, reach(session));
-        let pieces: Vec<Audit> = near.par_chunks(PIECE).map(judge).collect();
+        let near = sweep::near(scene, [a, b], ranks, reach);
+        let step = (near.len() / READ).max(1) as u64;
+        let pieces: Vec<Audit> = near.par_chunks(PIECE).map(|pairs| judge(pairs, step)).collect();
         pieces.into_iter().for_each(|piece| audit.add(piece));
     }
     let asked: HashSet<[Simplex; 2]> = std::mem::take(&mut audit.asked).into_iter().collect();
@@ -166,12 +202,9 @@ pub fn audit<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex, cont
 /// Pairs that one thread judges at a time.
 const PIECE: usize = 1 << 10;
 
-/// How near pairs have to be to be looked at. A session whose own reach is
-/// below its tolerances misses pairs, and has to be found out.
-fn reach<S: Predicates + ?Sized>(session: &S) -> f64 {
-    let bands = PairKind::ALL.into_iter().filter_map(|kind| session.contact_band(kind.ranks()));
-    bands.map(|band| band.upper).fold(session.reach(), f64::max)
-}
+/// Of the pairs of two ranks that have ended about so many are asked about all the
+/// same, at even steps.
+const READ: usize = 1 << 13;
 
 fn finding([a, b]: [Simplex; 2], pair: &Pair, verdict: Verdict, registered: bool) -> Finding {
     let distance = pair.distance_squared().to_f64().sqrt();

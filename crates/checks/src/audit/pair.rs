@@ -153,6 +153,17 @@ impl Pair {
         self.kind
     }
 
+    /// The dimension of its space.
+    #[must_use]
+    pub fn dimension(&self) -> Dimension {
+        self.dimension
+    }
+
+    /// The vertices of both simplices as integers, and the power of two that they are multiples of.
+    pub(super) fn points(&self) -> ([&Point; 5], i32) {
+        (self.points.each_ref(), self.exponent)
+    }
+
     /// Whether it crosses within no tolerance.
     #[must_use]
     pub fn is_top(&self) -> bool {
@@ -223,6 +234,22 @@ impl Pair {
         let of_s = (0..s.len()).filter(|_| s.len() > 1).map(|at| self.of(&without(s, at), t));
         let of_t = (0..t.len()).filter(|_| t.len() > 1).map(|at| self.of(s, &without(t, at)));
         of_s.chain(of_t).collect()
+    }
+
+    /// A face of the one with a face of the other, not both the whole: all that end
+    /// the pair where they are registered.
+    pub fn sub_pairs(&self) -> impl Iterator<Item = Pair> {
+        let [first, second] = self.kind.ranks().map(|rank| usize::from(rank) + 1);
+        let [s, t] = [&self.points[..first], &self.points[first..first + second]];
+        let chosen = |simplex: &[Point], bits: u32| -> Vec<Point> {
+            let points = simplex.iter().enumerate();
+            points.filter(|(i, _)| bits >> i & 1 == 1).map(|(_, point)| point.clone()).collect()
+        };
+        let [all_s, all_t] = [(1_u32 << first) - 1, (1_u32 << second) - 1];
+        let pairs = (1..=all_s).flat_map(move |of_s| (1..=all_t).map(move |of_t| [of_s, of_t]));
+        pairs
+            .filter(move |&pair| pair != [all_s, all_t])
+            .map(move |[of_s, of_t]| self.of(&chosen(s, of_s), &chosen(t, of_t)))
     }
 
     /// A pair of faces, over the same power of two.
@@ -341,12 +368,12 @@ fn inside<const N: usize>(values: &[Integer; N]) -> Option<Vec<Integer>> {
 }
 
 /// Twice the signed area in the plane.
-fn area(p: &Point, q: &Point, r: &Point) -> Integer {
+pub(super) fn area(p: &Point, q: &Point, r: &Point) -> Integer {
     let [[ax, ay, _], [bx, by, _]] = [minus(q, p), minus(r, p)];
     ax * by - ay * bx
 }
 
 /// Six times the signed volume.
-fn volume(a: &Point, b: &Point, c: &Point, d: &Point) -> Integer {
+pub(super) fn volume(a: &Point, b: &Point, c: &Point, d: &Point) -> Integer {
     dot(&cross(&minus(a, d), &minus(b, d)), &minus(c, d))
 }

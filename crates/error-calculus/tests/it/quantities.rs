@@ -119,9 +119,33 @@ fn a_lower_bound_makes_an_error_relative() {
     let one_minus = Quantity::one() - Quantity::constant(7) * Quantity::epsilon().sqrt();
     assert!(!one_minus.is_relative());
     let bound = one_minus.absolute().unwrap();
-    let half = Rational::from((1, 2));
-    let relative = one_minus.at_least(&half).relative().unwrap();
-    assert_eq!(relative.first, bound.first * 2);
+    // √ε and 7√ε bring 2 of 7√ε, which is at most 7 ε^½ at the largest ε; the rounding is 1.
+    let (half, root) = (Rational::from((1, 2)), largest_epsilon().to_f64().sqrt());
+    let relative = one_minus.clone().at_least(&half).relative().unwrap();
+    assert!((relative.first.to_f64() - (1.0 + 2.0 * 2.0 * 7.0 * root)).abs() < 1e-9, "{relative:?}");
+    assert!(relative.first < bound.first * 2, "twice its own rounding is too much");
+    // a product has nothing of its own to keep apart
+    let product = one_minus.clone() * one_minus;
+    let bound = product.absolute().unwrap();
+    assert_eq!(product.at_least(&half).relative().unwrap().first, bound.first * 2);
+}
+
+#[test]
+fn a_product_with_a_power_of_two_rounds_nothing() {
+    let [x, y, ..] = coordinates();
+    let u = x - y;
+    let [quarter, minus_two, three] = [(1, 4), (-2, 1), (3, 1)].map(|c| Quantity::constant(Rational::from(c)));
+    for power in [quarter.clone(), minus_two.clone(), Quantity::one(), Quantity::epsilon()] {
+        assert_eq!((power.clone() * u.clone()).error(), u.error());
+        assert_eq!((u.clone() * power.clone()).error(), u.error());
+        assert_eq!((power * three.clone()).error(), Some(&error(0, 0)));
+    }
+    assert_eq!(c(&(minus_two.clone() * u.clone())), 2);
+    let product = quarter * minus_two * Quantity::epsilon();
+    assert_eq!((product * u.clone()).error(), u.error(), "a product of such is one");
+    for other in [three, Quantity::length(), Quantity::epsilon().sqrt()] {
+        assert!((other * u.clone()).error().unwrap().a >= 2);
+    }
 }
 
 /// One step of a formula, on values made so far, counted from the last.

@@ -114,6 +114,9 @@ impl Fault {
                 (Class::Topology, "crossing parity"),
             ],
             Fault::ToleranceMirroredWeight => &[(Class::Inconsistent, "weights"), (Class::Topology, "crossing parity")],
+            Fault::ToleranceDoubledKappa => &[(Class::Overreach, "sign"), (Class::MissedZero, "reading")],
+            Fault::ToleranceDoubledLambda => &[(Class::MissedZero, "reading")],
+            Fault::ToleranceHalvedMu => &[(Class::Overreach, "reading")],
         }
     }
 }

@@ -6,12 +6,20 @@
 //! as the hierarchy would, its sub-pairs first, and each answer is judged by
 //! exact distances ([`Bands::judge`](predicament_checks::audit::Bands::judge)).
 //!
+//! The hierarchy leaves most tests no choice, so each is asked about by itself as well,
+//! with pairs at its own tolerance ([`read()`]). And the driver that goes through the
+//! levels is held to the same guarantee, on scenes of one pair ([`hierarchy()`]).
+//!
+//! All of it is held to the published tolerances, not to those of the code under audit.
+//!
 //! * [`Audit`]: the study.
 //! * [`Row`]: which algorithm, in which precision, over which form of
 //!   Algorithms 3 and 8; [`rows`]: all there are.
 //! * [`Scheme`]: the algorithms of one L, asked about lists of points.
 //! * [`audit()`]: a stream of pairs through one row; [`Tally`]: its counts.
 
+mod hierarchy;
+mod reads;
 mod row;
 mod scheme;
 mod stream;
@@ -20,9 +28,11 @@ mod table;
 mod tally;
 mod thresholds;
 
+pub use hierarchy::{Driver, Hierarchy, hierarchy};
+pub use reads::{NEAR_LIMIT, Reads, read};
 pub use row::{Algorithm, Form, Row, rows};
 pub use scheme::Scheme;
-pub use stream::audit;
+pub use stream::{audit, exactly};
 pub use study::{Audit, Audited};
 pub use tally::{NEAR, Tally, Violation};
 pub use thresholds::{ThresholdPairs, Thresholds};

@@ -1,7 +1,8 @@
 //! The rows of an audit: an algorithm, a precision, and a form of Algorithms 3 and 8.
 
-use predicament_checks::audit::PairKind;
+use predicament_checks::audit::{PairKind, Symbol};
 use predicament_predicates::Dimension;
+use predicament_tolerance::Misscaled;
 
 use crate::Precision;
 
@@ -41,13 +42,15 @@ impl Algorithm {
     }
 }
 
-/// Which form of Algorithms 3 and 8 decides edges with vertices.
+/// Which form of Algorithms 3 and 8 decides edges with vertices, and by which tolerances.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Form {
     /// û = B − A.
     Corrected,
     /// û = A − B.
     AsPrinted,
+    /// û = B − A, and a tolerance that is not the paper's.
+    Misscaled(Misscaled),
 }
 
 /// One stream of decisions.
@@ -62,12 +65,24 @@ pub struct Row {
 }
 
 impl Row {
+    /// Whether a tolerance is one that the row's form has wrong; every one where it has none wrong.
+    #[must_use]
+    pub fn concerns(self, symbol: Symbol) -> bool {
+        match self.form {
+            Form::Corrected | Form::AsPrinted => true,
+            Form::Misscaled(Misscaled::DoubledKappa) => symbol == Symbol::Kappa,
+            Form::Misscaled(Misscaled::DoubledLambda) => symbol == Symbol::Lambda,
+            Form::Misscaled(Misscaled::HalvedMu) => symbol == Symbol::Mu,
+        }
+    }
+
     /// `corrected`; `as printed` where the algorithm itself is, and else which
     /// printed algorithm is asked about its sub-pairs.
     #[must_use]
     pub fn variant(self) -> &'static str {
         match (self.form, self.algorithm.kind, self.algorithm.dimension) {
             (Form::Corrected, ..) => "corrected",
+            (Form::Misscaled(misscaled), ..) => misscaled.name(),
             (Form::AsPrinted, PairKind::EdgeVertex, _) => "as printed",
             (Form::AsPrinted, _, Dimension::Two) => "over printed 3",
             (Form::AsPrinted, _, Dimension::Three) => "over printed 8",

@@ -1,11 +1,14 @@
 //! The algorithms of the tolerance crate, asked about a pair of point lists.
 
-use super::Thresholds;
 use predicament_algorithms::contacts::Weights;
-use predicament_checks::audit::Bands;
-use predicament_predicates::{Band, Dimension};
+use predicament_checks::audit::{Bands, Published, Symbol};
+use predicament_error_calculus::Enclosure;
+use predicament_predicates::Dimension;
 use predicament_tolerance::algorithms::{as_printed, plane, space};
 use predicament_tolerance::{ContactTolerances, Float, Tolerances2d, Tolerances3d};
+use rug::Rational;
+
+use super::{Form, Thresholds};
 
 /// The paper's algorithms for one L. Points of the plane have z = 0.
 pub struct Scheme<F> {
@@ -18,13 +21,17 @@ pub struct Scheme<F> {
 impl<F: Float> Scheme<F> {
     /// The algorithms for the number of `F` that is nearest to this L.
     #[must_use]
-    pub fn new(dimension: Dimension, length: f64, printed: bool) -> Scheme<F> {
+    pub fn new(dimension: Dimension, length: f64, form: Form) -> Scheme<F> {
         let length = F::nearest(length);
         let tolerances = match dimension {
             Dimension::Two => ContactTolerances::Plane(Tolerances2d::from_length(length)),
             Dimension::Three => ContactTolerances::Space(Tolerances3d::from_length(length)),
         };
-        Scheme { tolerances, printed }
+        let tolerances = match form {
+            Form::Misscaled(misscaled) => misscaled.contacts(tolerances),
+            Form::Corrected | Form::AsPrinted => tolerances,
+        };
+        Scheme { tolerances, printed: form == Form::AsPrinted }
     }
 
     /// The dimension of the pairs.
@@ -36,25 +43,32 @@ impl<F: Float> Scheme<F> {
         }
     }
 
-    /// The bands that the answers are held to.
-    #[must_use]
-    pub fn bands(&self) -> Bands {
-        Bands::new(self.dimension(), |ranks| self.tolerances.band(ranks))
-    }
-
-    /// The distances that pairs are made at.
+    /// The tolerances that the paper publishes for the same L and ε.
     ///
     /// # Panics
-    /// Never: all tolerances have σ and τ.
+    /// Never: L is finite.
+    #[must_use]
+    pub fn published(&self) -> Published {
+        // ε = 2^-k, and 1023 is the exponent of one
+        let halvings = 1023 - u32::try_from(F::EPSILON.wide().to_bits() >> 52).expect("eleven bits");
+        let length = Rational::from_f64(self.tolerances.length().wide()).expect("finite");
+        Published::new(self.dimension(), halvings, &Enclosure::exact(length))
+    }
+
+    /// The bands that the answers are held to: the published ones.
+    #[must_use]
+    pub fn bands(&self) -> Bands {
+        Bands::published(self.published())
+    }
+
+    /// The distances that pairs are made at: the published ones.
     #[must_use]
     pub fn thresholds(&self) -> Thresholds {
-        let of = |ranks| {
-            let Band { lower, width, upper } = self.tolerances.band(ranks)?;
-            Some([lower, width, upper])
-        };
-        let [sigma, tau] = [[0, 0], [1, 0]].map(|ranks| of(ranks).expect("all tolerances have σ and τ"));
+        let published = self.published();
+        let [sigma, tau] = [Symbol::Sigma, Symbol::Tau].map(|symbol| published.rounded(symbol));
         // The plane's top-level pairs have no band of their own.
-        let [gamma, delta] = [[1, 1], [2, 0]].map(|ranks| of(ranks).unwrap_or(tau));
+        let of = |ranks| published.distance(ranks).map_or(tau, |symbol| published.rounded(symbol));
+        let [gamma, delta] = [of([1, 1]), of([2, 0])];
         Thresholds { length: self.tolerances.length().wide(), sigma, tau, delta, gamma }
     }
 

@@ -4,7 +4,7 @@
 //! its own, so what is counted does not depend on the number of threads.
 
 use crate::audit::ThresholdPairs;
-use predicament_checks::audit::Pair;
+use predicament_checks::audit::{Pair, Verdict};
 use predicament_predicates::Dimension;
 use predicament_tasks::{Stop, Watch};
 use predicament_tolerance::Float;
@@ -12,11 +12,11 @@ use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
 use super::tally::{NEAR, Tally, Violation};
-use super::{Form, Row, Scheme};
+use super::{Row, Scheme};
 use crate::Precision;
 
 /// Decisions to a chunk.
-const CHUNK: u64 = 1 << 12;
+pub(super) const CHUNK: u64 = 1 << 12;
 
 /// The counts of so many decisions of a row, each judged.
 ///
@@ -26,9 +26,8 @@ pub fn audit(row: Row, decisions: u64, seed: u64, watch: &Watch) -> Result<Tally
     let chunk = |at: u64| {
         let count = CHUNK.min(decisions - at * CHUNK);
         let tally = match row.precision {
-            Precision::Double => judge::<f64>(row, count, draw(row, seed, at), [-100, 100]),
-            // L⁶ has to be a normal number.
-            Precision::Single => judge::<f32>(row, count, draw(row, seed, at), [-12, 16]),
+            Precision::Double => judge::<f64>(row, count, draw("audit", row, seed, at)),
+            Precision::Single => judge::<f32>(row, count, draw("audit", row, seed, at)),
         };
         watch.done(count).map(|()| tally)
     };
@@ -37,14 +36,19 @@ pub fn audit(row: Row, decisions: u64, seed: u64, watch: &Watch) -> Result<Tally
 }
 
 /// The seed of a chunk, and a number that its L is made of.
-fn draw(row: Row, seed: u64, chunk: u64) -> [u64; 2] {
-    let name = format!("audit {} {} {} {seed} {chunk}", row.algorithm.number(), row.precision.name(), row.variant());
+pub(super) fn draw(what: &str, row: Row, seed: u64, chunk: u64) -> [u64; 2] {
+    let name = format!("{what} {} {} {} {seed} {chunk}", row.algorithm.number(), row.precision.name(), row.variant());
     let digest: [u8; 32] = Sha256::digest(name).into();
     [0, 8].map(|at| u64::from_le_bytes(std::array::from_fn(|i| digest[at + i])))
 }
 
-/// A length in [2^low, 2^high), each power of two as likely as the next.
-fn length([low, high]: [i32; 2], bits: u64) -> f64 {
+/// A length in [2⁻¹⁰⁰, 2¹⁰⁰), in single precision in [2⁻¹², 2¹⁶), each power of two as
+/// likely as the next: L⁶ has to be a normal number.
+pub(super) fn length(precision: Precision, bits: u64) -> f64 {
+    let [low, high]: [i32; 2] = match precision {
+        Precision::Double => [-100, 100],
+        Precision::Single => [-12, 16],
+    };
     #[allow(clippy::cast_precision_loss)] // 52 bits fit
     let fraction = (bits >> 12) as f64 * 2.0_f64.powi(-52);
     let span = u64::from(low.abs_diff(high));
@@ -53,9 +57,9 @@ fn length([low, high]: [i32; 2], bits: u64) -> f64 {
 }
 
 /// One chunk.
-fn judge<F: Float>(row: Row, decisions: u64, [seed, bits]: [u64; 2], lengths: [i32; 2]) -> Tally {
+fn judge<F: Float>(row: Row, decisions: u64, [seed, bits]: [u64; 2]) -> Tally {
     let dimension = row.algorithm.dimension;
-    let scheme = Scheme::<F>::new(dimension, length(lengths, bits), row.form == Form::AsPrinted);
+    let scheme = Scheme::<F>::new(dimension, length(row.precision, bits), row.form);
     let mut pairs = ThresholdPairs::new(seed, scheme.thresholds(), |x| F::nearest(x).wide());
     let bands = scheme.bands();
     let mut tally = Tally::default();
@@ -80,18 +84,21 @@ fn judge<F: Float>(row: Row, decisions: u64, [seed, bits]: [u64; 2], lengths: [i
         };
         tally.note(&judgement, got.is_some(), near);
         if !judgement.verdict.is_legal() && tally.first.is_none() {
-            tally.first = Some(Violation {
-                verdict: judgement.verdict,
-                length: scheme.tolerances.length().wide(),
-                pair: [first, second],
-                distance: pair.distance_squared().to_f64().sqrt(),
-            });
+            let length = scheme.tolerances.length().wide();
+            tally.first = Some(violation(judgement.verdict, length, &pair, [first, second]));
         }
     }
     tally
 }
 
-fn exactly(dimension: Dimension, first: &[[f64; 3]], second: &[[f64; 3]]) -> Pair {
+/// One that broke the guarantee.
+pub(super) fn violation(verdict: Verdict, length: f64, exact: &Pair, pair: [Vec<[f64; 3]>; 2]) -> Violation {
+    Violation { verdict, length, pair, distance: exact.distance_squared().to_f64().sqrt() }
+}
+
+/// The pair in integers; points of the plane have z = 0.
+#[must_use]
+pub fn exactly(dimension: Dimension, first: &[[f64; 3]], second: &[[f64; 3]]) -> Pair {
     match dimension {
         Dimension::Two => {
             let flat = |simplex: &[[f64; 3]]| simplex.iter().map(|&[x, y, _]| [x, y]).collect::<Vec<_>>();

@@ -2,33 +2,95 @@
 
 use std::fmt::Write as _;
 
-use super::study::{Audited, Record};
-use super::{Audit, Violation};
+use super::study::{Audited, DriverRecord, Measured, Read, ReadRecord, Record};
+use super::{Audit, Row, Violation};
 
-/// The table, and the first violation of each row that has any.
-pub(super) fn page(audit: &Audit, audited: &[Audited]) -> String {
-    let mut page = format!("`predicament audit --decisions {} --seed {}`\n\n", audit.decisions, audit.seed);
+/// The tables, and the first violation of each row that has any.
+pub(super) fn page(audit: &Audit, measured: &Measured) -> String {
+    let planted = if audit.planted { " --planted" } else { "" };
+    let mut page = format!("`predicament audit --decisions {} --seed {}{planted}`\n\n", audit.decisions, audit.seed);
+    if !audit.planted {
+        page += &whole_pairs(&measured.rows);
+        page += "\n";
+    }
+    page += &single_tests(&measured.reads);
+    page += "\n";
+    page += &drivers(measured);
+    let of_rows = measured.rows.iter().filter_map(|(row, tally)| Some((row, tally.first.as_ref()?)));
+    let of_reads = measured.reads.iter().filter_map(|(row, _, reads)| Some((row, reads.first.as_ref()?)));
+    page + &firsts(of_rows.chain(of_reads))
+}
+
+/// Each algorithm on pairs of which no sub-pair is registered.
+fn whole_pairs(audited: &[Audited]) -> String {
+    let mut page = String::new();
     page += "| Algorithm | precision | variant | decisions | ended | registered | not | near | agree | in band \
-             | overreach | missed | unguarded | bad weight | weight error | least guard |\n";
-    page += "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
+             | overreach | missed | unguarded | bad weight | misread | weight error | least guard |\n";
+    page += "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
     for row in audited {
         let Record { algorithm, pair, ranks, precision, variant, decisions, ended, registered, .. } = Record::of(row);
         let Record { not_registered, near, agree, in_band, overreach, missed, unguarded, .. } = Record::of(row);
-        let Record { bad_weight, weight_error, least_guard, .. } = Record::of(row);
+        let Record { bad_weight, misread, weight_error, least_guard, .. } = Record::of(row);
         #[allow(clippy::cast_precision_loss)] // a share to be read
         let near = format!("{:.1} %", near as f64 / decisions as f64 * 100.0);
         let guard = least_guard.map_or_else(|| "-".to_owned(), |guard| format!("{guard:.3}"));
         let _ = writeln!(
             page,
-            "| {algorithm} {pair} ({ranks}) | {precision} | {variant} | {decisions} | {ended} | {registered} | \
-             {not_registered} | {near} | {agree} | {in_band} | {overreach} | {missed} | {unguarded} | {bad_weight} | \
-             {weight_error:.1e} | {guard} |",
+            "| {algorithm} {pair} ({ranks}) | {precision} | {variant} | {decisions} | {ended} | \
+             {registered} | {not_registered} | {near} | {agree} | {in_band} | {overreach} | {missed} | {unguarded} | {bad_weight} | \
+             {misread} | {weight_error:.1e} | {guard} |",
         );
     }
     page += "\nEnded: besides the decisions, pairs of which a sub-pair is registered. Near: decisions with a distance \
              within 2^-20 of T- or T+, of the pair or, if it has no tolerance, of a facet. Least guard: the smallest \
              quotient of a guarded quantity and its lower bound, of registered pairs.\n";
-    let first = audited.iter().filter_map(|(row, tally)| Some((row, tally.first.as_ref()?)));
+    page
+}
+
+/// Each algorithm on pairs at each tolerance that it reads.
+fn single_tests(reads: &[Read]) -> String {
+    let mut page = "| Algorithm | precision | variant | reads | asked | registered | T- within | beyond | T within \
+                    | beyond | T+ within | beyond | misread |\n"
+        .to_owned();
+    page += "|---|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
+    for row in reads {
+        let ReadRecord { algorithm, pair, precision, variant, reads, asked, registered, misread, .. } =
+            ReadRecord::of(row);
+        let hits = row.2.hits.as_flattened().iter().map(u64::to_string).collect::<Vec<_>>().join(" | ");
+        let _ = writeln!(
+            page,
+            "| {algorithm} {pair} | {precision} | {variant} | {reads} | {asked} | {registered} | {hits} | {misread} |"
+        );
+    }
+    page += "\nPairs at a tolerance, asked about whatever their sub-pairs are. Within, beyond: values within 2^-10 of \
+             T-, T or T+, up to it or beyond. Misread: a test that has to fail passed, or all that have to pass did \
+             not.\n";
+    page
+}
+
+/// The drivers of the hierarchy.
+fn drivers(measured: &Measured) -> String {
+    let mut page = "| space | precision | driver | scenes | registered | ended | agree | in band | overreach | missed \
+                    | unguarded | bad weight | unasked | misread |\n"
+        .to_owned();
+    page += "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
+    for row in &measured.drivers {
+        let DriverRecord { dimension, precision, driver, scenes, registered, ended, .. } = DriverRecord::of(row);
+        let DriverRecord { agree, in_band, overreach, missed, unguarded, .. } = DriverRecord::of(row);
+        let DriverRecord { bad_weight, unasked, misread, .. } = DriverRecord::of(row);
+        let _ = writeln!(
+            page,
+            "| {dimension}D | {precision} | {driver} | {scenes} | {registered} | {ended} | {agree} | {in_band} | \
+             {overreach} | {missed} | {unguarded} | {bad_weight} | {unasked} | {misread} |"
+        );
+    }
+    page += "\nScenes of one pair and its faces, gone through by the driver of the hierarchy.\n";
+    page
+}
+
+/// The first decision of each row that has broken the guarantee.
+fn firsts<'a>(first: impl Iterator<Item = (&'a Row, &'a Violation)>) -> String {
+    let mut page = String::new();
     for (at, (row, violation)) in first.enumerate() {
         if at == 0 {
             page += "\nThe first decision of each row that breaks the guarantee:\n\n";

@@ -5,7 +5,8 @@
 //! thresholds of the hierarchy of Wang, Jiang, Schroeder and Teran: its own
 //! distance at T₋, T or T₊, its feet near the ends of the simplices, where the
 //! sub-pairs' thresholds are, edges nearly parallel and triangles thin enough
-//! for the guarded quantities to be near their bounds. What each pair is
+//! for the guarded quantities to be near their bounds. One in four is
+//! a few σ in size, with faces that nearly touch. What each pair is
 //! exactly is not known here; it is for exact arithmetic to say.
 //!
 //! Deterministic as all generators: ChaCha8, and + − · / √ only.
@@ -54,6 +55,7 @@ impl ThresholdPairs {
         loop {
             let pair = match ranks {
                 [0, 0] => self.vertex_vertex(),
+                _ if self.random.one_in(4) => Some(self.touching(ranks)),
                 [1, 0] => self.edge_vertex(),
                 [1, 1] => self.edge_edge2d(),
                 [2, 0] => self.triangle_vertex2d(),
@@ -73,6 +75,7 @@ impl ThresholdPairs {
         loop {
             let pair = match ranks {
                 [0, 0] => self.vertex_vertex(),
+                _ if self.random.one_in(4) => Some(self.touching(ranks)),
                 [1, 0] => self.edge_vertex(),
                 [1, 1] => self.edge_edge3d(),
                 [2, 0] => self.triangle_vertex3d(),
@@ -89,6 +92,31 @@ impl ThresholdPairs {
     fn vertex_vertex<const D: usize>(&mut self) -> Option<Simplices<D>> {
         let distance = self.aim(self.thresholds.sigma);
         Some([vec![[0.0; D]], vec![times(self.direction(), distance)]])
+    }
+
+    /// Two simplices a few σ in size, of which a point of a face of the one is next to
+    /// a point of a face of the other: what is not registered there is missed further up.
+    fn touching<const D: usize>(&mut self, ranks: [u8; 2]) -> Simplices<D> {
+        let side = self.thresholds.sigma[1] * self.random.between(2.0, 8.0);
+        let [first, second]: Simplices<D> = ranks
+            .map(|rank| (0..=rank).map(|_| std::array::from_fn(|_| side * self.random.between(-0.5, 0.5))).collect());
+        let off = self.thresholds.tau[0] * power_of_two(-self.random.integer(0, 5));
+        let off = times(self.direction(), off * self.random.unit());
+        let target = plus(self.on_a_face(&first), off);
+        let by = plus(target, times(self.on_a_face(&second), -1.0));
+        [first, second.into_iter().map(|vertex| plus(vertex, by)).collect()]
+    }
+
+    /// A point of a face, each face as likely as the next.
+    fn on_a_face<const D: usize>(&mut self, simplex: &[[f64; D]]) -> [f64; D] {
+        let all = (1_i64 << simplex.len()) - 1;
+        let chosen = self.random.integer(1, all);
+        let weights: Vec<f64> = (0..simplex.len())
+            .map(|i| if chosen >> i & 1 == 1 { self.random.between(0.125, 1.0) } else { 0.0 })
+            .collect();
+        let sum: f64 = weights.iter().sum();
+        let parts = simplex.iter().zip(&weights).map(|(vertex, weight)| times(*vertex, weight / sum));
+        parts.fold([0.0; D], plus)
     }
 
     /// A foot on the edge, near its ends, or beyond them.

@@ -4,9 +4,13 @@ use std::sync::atomic::AtomicBool;
 
 use predicament_checks::audit::{Bands, Pair, PairKind, Verdict};
 use predicament_predicates::{Band, Dimension};
-use predicament_studies::audit::ThresholdPairs;
-use predicament_studies::audit::{Algorithm, Form, Row, Scheme, Tally, audit, rows};
+use predicament_studies::Precision;
+use predicament_studies::audit::{
+    Algorithm, Driver, Form, Hierarchy, Row, Scheme, Tally, ThresholdPairs, audit, hierarchy, read, rows,
+};
+use predicament_tasks::contacts::thresholds;
 use predicament_tasks::{Stop, Watch};
+use predicament_tolerance::Misscaled;
 use rug::Rational;
 
 fn tally(row: Row, decisions: u64, seed: u64) -> Tally {
@@ -52,6 +56,8 @@ fn as_printed_feet_are_on_the_wrong_side() {
             PairKind::EdgeVertex => assert_eq!(broken, [true, true, false], "{row:?}: {tally:?}"),
             // what rests on "no degeneracy was registered" falls with it
             PairKind::EdgeEdge => assert_eq!(broken, [true, false, true], "{row:?}: {tally:?}"),
+            // Algorithms 11 and 12 miss crossings
+            PairKind::TriangleEdge | PairKind::TetrahedronVertex => assert!(broken[0], "{row:?}: {tally:?}"),
             _ => {}
         }
         assert_eq!(tally.first.is_some(), tally.violations() > 0);
@@ -74,11 +80,11 @@ fn an_interrupt_stops_a_row() {
 }
 
 /// The violations of a row with what is promised changed to other bands.
-fn violations_with(kind: PairKind, promise: impl Fn(Band) -> Band) -> [u64; 7] {
-    let scheme = Scheme::<f64>::new(Dimension::Three, 1.0, false);
+fn violations_with(kind: PairKind, promise: impl Fn(Band) -> Band) -> [u64; 8] {
+    let scheme = Scheme::<f64>::new(Dimension::Three, 1.0, Form::Corrected);
     let bands = Bands::new(Dimension::Three, |ranks| scheme.tolerances.band(ranks).map(&promise));
     let mut pairs = ThresholdPairs::new(5, scheme.thresholds(), |x| x);
-    let mut counts = [0; 7];
+    let mut counts = [0; 8];
     for _ in 0..3000 {
         let [s, t] = pairs.space(kind.ranks());
         if !scheme.has_registered_faces(&s, &t) {
@@ -102,7 +108,7 @@ fn promises_that_are_not_kept_are_told_apart() {
 /// How near distances are to a threshold, against plain rationals.
 #[test]
 fn closeness_is_that_of_exact_distances() {
-    let scheme = Scheme::<f64>::new(Dimension::Three, 1.0, false);
+    let scheme = Scheme::<f64>::new(Dimension::Three, 1.0, Form::Corrected);
     let bands = scheme.bands();
     let mut pairs = ThresholdPairs::new(9, scheme.thresholds(), |x| x);
     let mut compared = 0;
@@ -129,4 +135,63 @@ fn closeness_is_that_of_exact_distances() {
         }
     }
     assert!(compared > 400, "{compared}");
+}
+
+#[test]
+fn every_tolerance_is_hit_on_both_sides_of_each_limit() {
+    let (cancel, quiet) = (AtomicBool::new(false), |_: u64| {});
+    let mut tests = 0;
+    for row in with(Form::Corrected) {
+        for &symbol in thresholds::reads(row.algorithm.kind, row.algorithm.dimension) {
+            let reads = read(row, symbol, 600, 3, &Watch::new(&cancel, None, &quiet)).unwrap();
+            let name = format!("{row:?} {}: {reads:?}", symbol.name());
+            assert!(reads.is_complete(), "{name}");
+            assert_eq!((reads.asked, reads.misread), (600, 0), "{name}");
+            assert!(reads.registered > 60 && reads.registered < 540, "{name}");
+            tests += 1;
+        }
+    }
+    assert_eq!(tests, 2 * 17, "Algorithms 2 to 5 and 7 to 12 read 17 tolerances, in two precisions");
+}
+
+#[test]
+fn a_tolerance_that_is_off_by_two_is_found_in_either_precision() {
+    let (cancel, quiet) = (AtomicBool::new(false), |_: u64| {});
+    let mut found = 0;
+    for misscaled in Misscaled::ALL {
+        for row in rows().into_iter().filter(|row| row.form == Form::Corrected) {
+            let row = Row { form: Form::Misscaled(misscaled), ..row };
+            let symbols = thresholds::reads(row.algorithm.kind, row.algorithm.dimension);
+            for &symbol in symbols.iter().filter(|symbol| row.concerns(**symbol)) {
+                let reads = read(row, symbol, 600, 3, &Watch::new(&cancel, None, &quiet)).unwrap();
+                assert!(reads.misread > 0 && reads.first.is_some(), "{row:?} {}: {reads:?}", symbol.name());
+                found += 1;
+            }
+        }
+    }
+    assert_eq!(found, 2 * (2 + 1 + 1), "kappa in Algorithms 4 and 5, lambda in 9, mu in 11");
+}
+
+fn driven(driver: Driver, dimension: Dimension, precision: Precision) -> Hierarchy {
+    let (cancel, quiet) = (AtomicBool::new(false), |_: u64| {});
+    hierarchy(driver, dimension, precision, 120, 5, &Watch::new(&cancel, None, &quiet)).unwrap()
+}
+
+#[test]
+fn the_driver_keeps_the_guarantee_and_its_faults_break_it() {
+    for dimension in [Dimension::Two, Dimension::Three] {
+        for precision in Precision::ALL {
+            let honest = driven(Driver::Honest, dimension, precision);
+            assert_eq!((honest.scenes, honest.violations()), (120, 0), "{honest:?}");
+            assert!(honest.registered > 60 && honest.ended > 60, "{honest:?}");
+            for (driver, verdict) in [
+                (Driver::LostSubPair, Verdict::Missed),
+                (Driver::ForgottenSubPairs, Verdict::Unasked),
+                (Driver::SkippedVertices, Verdict::Missed),
+            ] {
+                let found = driven(driver, dimension, precision);
+                assert!(found.count(verdict) > 0, "{dimension:?} {}: {found:?}", driver.name());
+            }
+        }
+    }
 }

@@ -9,6 +9,7 @@ mod laws;
 mod mesh_cascades;
 mod parity;
 mod shape;
+mod worst;
 
 use predicament_oracle::roster;
 use predicament_tasks::Contestant;

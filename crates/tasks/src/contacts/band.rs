@@ -12,6 +12,12 @@
 //! | the same, not a number | `nan` | `nan` | `weights` |
 //! | registered although a sub-pair is | `inconsistent` | `inconsistent` | `unasked` |
 //! | registered, and never near | `overreach` | `overreach` | `unasked` |
+//! | registered although a test of its algorithm had to fail | `overreach` | `overreach` | `reading` |
+//! | not registered although all had to pass | `missed_zero` | `missed_zero` | `reading` |
+//!
+//! The last two are of pairs that have ended as well: a sample of them is asked about
+//! by itself. The tolerances are those that the paper publishes, for the lengths in the
+//! scene, and not those that the backend says it has.
 //!
 //! A backend that has no bands for contacts is held to exact contacts: nothing
 //! else could be what it promises.
@@ -56,6 +62,8 @@ pub(crate) fn broken<S: Predicates + ?Sized>(
             Verdict::BadWeight => (Class::Inconsistent, "weights"),
             Verdict::Unasked if got.ended_by(pair).is_some() => (Class::Inconsistent, "unasked"),
             Verdict::Unasked => (Class::Overreach, "unasked"),
+            Verdict::Misread if finding.registered => (Class::Overreach, "reading"),
+            Verdict::Misread => (Class::MissedZero, "reading"),
             Verdict::Agree | Verdict::InBand => return None,
         };
         Some((pair, class))

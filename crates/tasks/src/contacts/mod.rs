@@ -18,7 +18,7 @@ mod topology;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::contacts::planted::{ForgottenSubPairs, LostSubPair};
+use predicament_algorithms::contacts::planted::{ForgottenSubPairs, LostSubPair, SkippedVertices};
 use predicament_algorithms::contacts::{Contact, Contacts as Registered, Weights, contacts, contacts_planted};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
@@ -29,6 +29,7 @@ use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 
 pub use content::Complexes;
+pub use generate::thresholds;
 pub use judge::Truth;
 pub use section::ContactRow;
 
@@ -39,6 +40,8 @@ use pairs::{Pair, closure};
 
 /// The checks that have to find a missing pair.
 const LOST_CHECKS: &[Catch] = &[(Class::MissedZero, "contact"), (Class::Topology, "crossing parity")];
+/// The checks that have to find a level that was never gone through.
+const SKIPPED_CHECKS: &[Catch] = &[(Class::MissedZero, "band")];
 /// The checks that have to find a pair that was not to be asked about.
 const FORGOTTEN_CHECKS: &[Catch] = &[(Class::Inconsistent, "unasked"), (Class::Topology, "loose ends")];
 
@@ -160,6 +163,9 @@ impl Task for Contacts {
             }),
             Planted::new::<ForgottenSubPairs>("tolerance", FORGOTTEN_CHECKS, |session, content: &Complexes| {
                 Ok(contacts_planted::<ForgottenSubPairs, _>(&*session, &content.a, &content.b))
+            }),
+            Planted::new::<SkippedVertices>("tolerance", SKIPPED_CHECKS, |session, content: &Complexes| {
+                Ok(contacts_planted::<SkippedVertices, _>(&*session, &content.a, &content.b))
             }),
         ]
     }

@@ -1,5 +1,6 @@
 //! The class of every single answer, for pictures: judging a scene counts classes and keeps a few findings.
 
+use predicament_checks::audit::published;
 use predicament_predicates::{Scene, Sign};
 use rayon::prelude::*;
 
@@ -25,7 +26,8 @@ pub fn classes(
     let contract = backend.contract(queries.kind());
     let mut classes = Vec::new();
     let asked = backend.with_session(scene, &mut |session| {
-        let given = Given { scene, queries, truth, answers: &answers, session: &*session, contract };
+        let band = published::band(&*session, queries.question());
+        let given = Given { scene, queries, truth, answers: &answers, session: &*session, contract, band };
         let of = |query| (given.answers[query], class(&given, backend.tie_judge(), query));
         classes = (0..queries.len()).into_par_iter().map(of).collect();
     });

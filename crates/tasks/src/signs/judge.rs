@@ -3,8 +3,9 @@
 //! What is judged is the answer that was given, in a batch or not. Samples are
 //! spread evenly over all queries.
 
+use predicament_checks::audit::published;
 use predicament_judge::{self as judge, TieJudge};
-use predicament_predicates::{Contract, Counts, Predicates, QuerySet, Scene, Sign};
+use predicament_predicates::{Band, Contract, Counts, Predicates, QuerySet, Scene, Sign};
 use rayon::prelude::*;
 
 use super::error::{distance_over_l, largest_edge};
@@ -19,6 +20,8 @@ pub(super) struct Given<'a> {
     pub answers: &'a [Sign],
     pub session: &'a dyn Predicates,
     pub contract: Contract,
+    /// The band that the answers are held to, the published one; none where none is claimed.
+    pub band: Option<Band>,
 }
 
 /// Judges all answers.
@@ -31,7 +34,8 @@ pub(super) fn judge(
     let queries = &case.content.queries;
     let contract = asked.contract(queries.kind());
     let (scene, truth, session) = (case.scene(), case.truth.as_slice(), asked.session);
-    let given = Given { scene, queries, truth, answers, session, contract };
+    let band = published::band(session, queries.question());
+    let given = Given { scene, queries, truth, answers, session, contract, band };
     let ties = asked.backend.tie_judge();
     if asked.budget.answers {
         outcome.answers = answers::lines(&given, ties, asked.backend);
@@ -97,8 +101,7 @@ impl Given<'_> {
         if got.is_zero() && self.session.estimate(question, args).is_some_and(f64::is_nan) {
             return Class::Nan;
         }
-        let band = self.session.band(question);
-        classify(self.contract.zero, band, got, truth, |limit| judge::is_within(self.scene, question, args, limit))
+        classify(self.contract.zero, self.band, got, truth, |limit| judge::is_within(self.scene, question, args, limit))
     }
 }
 

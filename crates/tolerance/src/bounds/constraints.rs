@@ -248,8 +248,7 @@ fn space() -> Vec<Constraint> {
     let mut all = lengths(&FIGURE_5, ["5.2", "5.3"], [7, 42, 31]);
     all.push(room("5.3", sigma_hat, 9));
     all.push(Constraint::greater("5.3", Origin::Paper, "min(τ₊ − τ, τ − τ₋) > 131εL²/τ", move |at| {
-        // both sides times τ, which is positive
-        [at.room(tau) * at.width(tau), at.times(131)]
+        [at.room(tau), at.times(131) * at.width(tau).reciprocal()]
     }));
     let squares = move |at: &At| at.times(261) + at.times(9) * at.width(tau).power(2);
     all.push(Constraint::greater("5.3", Origin::Ours, "τ² − τ₋² > 261εL² + 9ετ²", move |at| {
@@ -288,8 +287,8 @@ fn circles() -> Vec<Constraint> {
             }),
         ]
     };
-    let mut all: Vec<_> = of("incircle", crate::circles::INCIRCLE, "⁴", 129, 6).into();
-    all.extend(of("insphere", crate::circles::INSPHERE, "⁵", 1129, 7));
+    let mut all: Vec<_> = of("incircle", crate::circles::INCIRCLE, "⁴", 129, 5).into();
+    all.extend(of("insphere", crate::circles::INSPHERE, "⁵", 1129, 6));
     all
 }
 

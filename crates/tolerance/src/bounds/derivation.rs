@@ -119,7 +119,7 @@ pub fn derivations() -> Vec<Derivation> {
     for symbol in ["incircle", "insphere"] {
         derived.push(Derivation::new("ours", symbol, Kind::Absolute, None, find(&computed, "ours", symbol)));
     }
-    for (symbol, relative) in band_widths() {
+    for (symbol, relative) in with_rounded_sides().into_iter().chain(band_widths()) {
         derived.push(Derivation::new("ours", symbol, Kind::Relative, None, relative));
     }
     derived
@@ -182,8 +182,8 @@ fn of_tolerances(stated: Published) -> Derivation {
         value.clone()
     };
     let quantity = match (stated.section, stated.symbol) {
-        ("4.1", _) => length(Quantity::epsilon().sqrt()),
-        ("5.1", "L̂") => length(Quantity::epsilon().sqrt().sqrt()),
+        ("4.1", _) => length(Quantity::epsilon().sqrt(), side),
+        ("5.1", "L̂") => length(Quantity::epsilon().sqrt().sqrt(), side),
         // all lengths of figure 5 are made alike
         ("5.1", "ζ") => value("σ"),
         ("5.1", "ζ²") => value("σ").square(),
@@ -193,18 +193,33 @@ fn of_tolerances(stated: Published) -> Derivation {
     Derivation::new(stated.section, stated.symbol, stated.kind, Some(stated.figure), quantity)
 }
 
-/// L̂, with both sides a difference of coordinates and 1 − 7√ε (or 7ε^¼) bounded
-/// from below at the largest ε.
-fn length(root: Quantity) -> Quantity {
-    let side = |name: &str| {
-        let [high, low] = ["high", "low"].map(|end| Quantity::coordinate(&format!("{name}_{end}")));
-        (high - low).nonnegative()
-    };
+/// La and Lb as the numbers that Algorithms 1 and 6 are given.
+fn side(name: &str) -> Quantity {
+    Quantity::given(name)
+}
+
+/// La and Lb as differences of coordinates, rounded.
+fn rounded_side(name: &str) -> Quantity {
+    let [high, low] = ["high", "low"].map(|end| Quantity::coordinate(&format!("{name}_{end}")));
+    (high - low).nonnegative()
+}
+
+/// L̂ of 4.1 and 5.1 with sides that are rounded differences.
+fn with_rounded_sides() -> [(&'static str, Quantity); 2] {
+    let root = Quantity::epsilon().sqrt();
+    [
+        ("L̂ of 4.1, sides rounded", length(root.clone(), rounded_side)),
+        ("L̂ of 5.1, sides rounded", length(root.sqrt(), rounded_side)),
+    ]
+}
+
+/// L̂, with 1 − 7√ε (or 7ε^¼) bounded from below at the largest ε.
+fn length(root: Quantity, side: fn(&str) -> Quantity) -> Quantity {
     let magnitude = root.magnitude().expect("a root of ε").clone();
     let quarter = Enclosure::exact(largest_epsilon()).sqrt().sqrt();
     let quarters = u32::try_from(magnitude.epsilon_quarters).expect("a positive power");
     let smallest = Rational::from(1) - quarter.power(quarters).upper * 7;
-    algorithms::length([side("A"), side("B")], root, Quantity::constant(7), |difference| {
+    algorithms::length([side("La"), side("Lb")], root, Quantity::constant(7), |difference| {
         difference.at_least(&smallest).nonnegative()
     })
 }

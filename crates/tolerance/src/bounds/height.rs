@@ -32,12 +32,6 @@ fn one_plus(at: &At, k: i32) -> Enclosure {
     number(1) + at.times(k)
 }
 
-/// x with d x = 1, for an exact d that isn't zero.
-fn reciprocal(d: &Enclosure) -> Enclosure {
-    assert!(d.lower == d.upper, "exact");
-    number(d.lower.clone().recip())
-}
-
 /// g(2γ²m²/35) < 0 where m² ≥ c εL⁴: (2/35 − 6ε/5) G² > 94√(6/5) ε^¼ (1 + ε) G +
 /// 47² √ε (1 + ε), with G = γm over ε^¾; then for every larger G, as the left
 /// side less the right is a parabola that opens upward and is negative at zero.
@@ -65,7 +59,7 @@ pub(super) fn constraints() -> Vec<Constraint> {
     let (known, direct_least) = (least.clone(), least);
     let direct = move |least: &Rational, at: &At, sign: i32| {
         // γ√((1 ± 10ε)(1 ± ε)/(1 ∓ ε) (λ₋ ± 129)) and 47ε^¼, over ε^¾
-        let factor = one_plus(at, sign * R_GAMMA_SQUARED) * one_plus(at, sign) * reciprocal(&one_plus(at, -sign));
+        let factor = one_plus(at, sign * R_GAMMA_SQUARED) * one_plus(at, sign) * one_plus(at, -sign).reciprocal();
         let m_squared = number(least + Rational::from(sign) * E_M_SQUARED);
         let height = number(middle.clone()) * (factor * m_squared).sqrt();
         [height, number(E_D_HAT) * at.fourth.clone(), number(least.clone()).sqrt()]

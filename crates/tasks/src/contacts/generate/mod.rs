@@ -6,6 +6,7 @@
 
 mod polygons;
 mod surfaces;
+pub mod thresholds;
 
 use predicament_corpus::{Family, Parts, Random, Recipe};
 use predicament_formats::bits::rounded;
@@ -34,7 +35,7 @@ const fn family(name: &'static str, parameters: &'static [&'static str], about: 
 }
 
 /// The families of complexes in the plane.
-pub(super) static PLANE: [Family; 4] = [
+pub(super) static PLANE: [Family; 5] = [
     family(
         "polygons-uniform",
         &["bits"],
@@ -56,10 +57,13 @@ pub(super) static PLANE: [Family; 4] = [
     family("copy-shifted", &["shift"], "a polygon against a copy moved by so many sigma", |_, fields| {
         Ok(Pair::CopyShifted(shift(fields)?).recipe())
     }),
+    family("thresholds-plane", &[], "pairs at the tolerances that Algorithms 2 to 5 compare with", |_, _| {
+        Ok(Pair::Thresholds(Dimension::Two).recipe())
+    }),
 ];
 
 /// The families of complexes in space.
-pub(super) static SPACE: [Family; 3] = [
+pub(super) static SPACE: [Family; 4] = [
     family(
         "surfaces-uniform",
         &["bits"],
@@ -71,6 +75,9 @@ pub(super) static SPACE: [Family; 3] = [
     }),
     family("surfaces-shifted", &["shift"], "a closed surface against a copy moved by so many sigma", |_, fields| {
         Ok(Pair::SurfacesShifted(shift(fields)?).recipe())
+    }),
+    family("thresholds-space", &[], "pairs at the tolerances that Algorithms 7 to 12 compare with", |_, _| {
+        Ok(Pair::Thresholds(Dimension::Three).recipe())
     }),
 ];
 
@@ -88,6 +95,8 @@ enum Pair {
     SurfacesDegen,
     /// Moved by so many σ.
     SurfacesShifted(f64),
+    /// One pair for each test of each algorithm, over and over.
+    Thresholds(Dimension),
 }
 
 /// A complex with the coordinates of its own points, numbered from 0.
@@ -107,7 +116,7 @@ impl Shape {
 impl Pair {
     fn recipe(self) -> Recipe {
         // A few points are made even for the smallest n.
-        Recipe::new(move |making| self.make(making.n, &mut making.random())).with_coordinates(|n| 6 * n + 1000)
+        Recipe::new(move |making| self.make(making.n, &mut making.random())).with_coordinates(|n| 9 * n + 1000)
     }
 
     fn dimension(self) -> Dimension {
@@ -116,6 +125,7 @@ impl Pair {
                 Dimension::Two
             }
             Pair::SurfacesUniform(_) | Pair::SurfacesDegen | Pair::SurfacesShifted(_) => Dimension::Three,
+            Pair::Thresholds(dimension) => dimension,
         }
     }
 
@@ -135,6 +145,7 @@ impl Pair {
             Pair::SurfacesUniform(bits) => [(); 2].map(|()| surfaces::lumpy(n, rng).rounded(bits)),
             Pair::SurfacesDegen => [surfaces::boxes(n, rng), surfaces::boxes(n, rng)],
             Pair::SurfacesShifted(by) => self.with_copy(surfaces::lumpy(n, rng), by),
+            Pair::Thresholds(dimension) => thresholds::shapes(dimension, n, rng),
         };
         let start = a.coordinates.len() / self.dimension().count();
         let scene = self.scene([a.coordinates, b.coordinates].concat());

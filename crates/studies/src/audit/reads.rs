@@ -1,0 +1,105 @@
+//! Each test of each algorithm by itself, with pairs at its tolerance.
+
+use predicament_checks::audit::{Bands, Symbol, Verdict};
+use predicament_corpus::Random;
+use predicament_tasks::contacts::thresholds;
+use predicament_tasks::{Stop, Watch};
+use predicament_tolerance::Float;
+use rayon::prelude::*;
+
+use super::stream::{CHUNK, draw, exactly, length, violation};
+use super::tally::Violation;
+use super::{Row, Scheme};
+use crate::Precision;
+
+/// A value is at a limit if it is within this part of it, 2⁻¹⁰.
+pub const NEAR_LIMIT: f64 = 1.0 / 1024.0;
+
+/// What became of the pairs at one tolerance of one algorithm.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Reads {
+    /// Pairs that the algorithm was asked about.
+    pub asked: u64,
+    /// Pairs that it registered.
+    pub registered: u64,
+    /// Values at T₋, T and T₊: up to it, and beyond.
+    pub hits: [[u64; 2]; 3],
+    /// Answers that a single test cannot have led to.
+    pub misread: u64,
+    /// The first of them.
+    pub first: Option<Violation>,
+}
+
+impl Reads {
+    /// Whether every limit was hit on both sides.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.hits.as_flattened().iter().all(|&hits| hits > 0)
+    }
+
+    fn plus(mut self, later: Reads) -> Reads {
+        self.asked += later.asked;
+        self.registered += later.registered;
+        self.misread += later.misread;
+        for (hits, more) in self.hits.as_flattened_mut().iter_mut().zip(later.hits.as_flattened()) {
+            *hits += more;
+        }
+        self.first = self.first.or(later.first);
+        self
+    }
+}
+
+/// Asks a row's algorithm about so many pairs at one of the tolerances that it reads,
+/// whatever their sub-pairs are.
+///
+/// # Errors
+/// [`Stop`] where the watch says so; it is told of pairs.
+///
+/// # Panics
+/// If the algorithm does not read it.
+pub fn read(row: Row, symbol: Symbol, pairs: u64, seed: u64, watch: &Watch) -> Result<Reads, Stop> {
+    let what = format!("read {}", symbol.name());
+    let chunk = |at: u64| {
+        let count = CHUNK.min(pairs - at * CHUNK);
+        let drawn = draw(&what, row, seed, at);
+        let reads = match row.precision {
+            Precision::Double => judge::<f64>(row, symbol, count, drawn),
+            Precision::Single => judge::<f32>(row, symbol, count, drawn),
+        };
+        watch.done(count).map(|()| reads)
+    };
+    let chunks = (0..pairs.div_ceil(CHUNK)).into_par_iter().map(chunk);
+    chunks.try_reduce(Reads::default, |reads, later| Ok(reads.plus(later)))
+}
+
+fn judge<F: Float>(row: Row, symbol: Symbol, count: u64, [seed, bits]: [u64; 2]) -> Reads {
+    let dimension = row.algorithm.dimension;
+    let kind = row.algorithm.kind;
+    let scheme = Scheme::<F>::new(dimension, length(row.precision, bits), row.form);
+    let published = scheme.published();
+    let bands = Bands::published(published.clone());
+    let mut random = Random::new("thresholds", "reads", seed);
+    let mut reads = Reads { asked: count, ..Reads::default() };
+    let away = scheme.tolerances.length().wide() / 4.0;
+    for _ in 0..count {
+        // Three of four are about the origin, where coordinates have the most digits.
+        let origin = if random.one_in(4) { [(); 3].map(|()| random.between(-away, away)) } else { [0.0; 3] };
+        let place = |point: [f64; 3]| -> [f64; 3] {
+            std::array::from_fn(|i| if i < dimension.count() { F::nearest(point[i] + origin[i]).wide() } else { 0.0 })
+        };
+        let [first, second] = thresholds::pair(&mut random, &published, kind, symbol)
+            .map(|simplex| simplex.into_iter().map(place).collect::<Vec<_>>());
+        let registered = scheme.ask(&first, &second).is_some();
+        let pair = exactly(dimension, &first, &second);
+        for hit in published.read(&pair).hits(&published, NEAR_LIMIT).filter(|hit| hit.symbol == symbol) {
+            reads.hits[hit.limit][usize::from(hit.beyond)] += 1;
+        }
+        reads.registered += u64::from(registered);
+        if bands.misreads(&pair, registered) {
+            reads.misread += 1;
+            let length = scheme.tolerances.length().wide();
+            reads.first.get_or_insert_with(|| violation(Verdict::Misread, length, &pair, [first, second]));
+        }
+    }
+    reads
+}

@@ -1,0 +1,178 @@
+//! The command line of the search, its survey and its page.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use predicament_tasks::Contestant;
+use serde::Serialize;
+
+use super::{Guard, Observed, errors, guards};
+use crate::{Error, File, Host, Precision, Study};
+
+/// The bounds of the tolerance paper against the worst inputs that a search finds.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Worst {
+    /// Steps of each climb
+    #[arg(long, default_value_t = 4000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub steps: u64,
+
+    /// Climbs for each bound
+    #[arg(long, default_value_t = 6, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub climbs: u64,
+
+    /// The seed of the beginnings and changes
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    pub seed: u64,
+
+    /// The folder to write; made if missing
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// 60 errors and 8 guards, in both precisions.
+const BOUNDS: u64 = 2 * (60 + 8);
+
+/// All that was found.
+#[derive(Clone, Default, Debug)]
+pub struct Found {
+    /// The largest errors.
+    pub errors: Vec<Observed>,
+    /// The least guards.
+    pub guards: Vec<Guard>,
+}
+
+impl Study for Worst {
+    const NAME: &'static str = "worst";
+    const ASKS: &'static str = "Search for the inputs that come nearest to the bounds of the tolerance paper";
+    const HELP: &'static str = "\
+By climbing: from a random beginning one thing is changed at a time, and what is no better is
+kept. Two kinds of bounds are climbed towards:
+
+Errors of what Algorithms 1 to 12 compute, in double and in single precision, against rationals
+(roots are enclosed to 2^-192). The bounds are those of `bounds`, which charge every operation
+with epsilon; rounding to nearest loses half of that at most, so that half is what can be reached.
+
+Guards: quantities that the paper bounds from below where no sub-pair is within its T-, over
+their bounds, with exact distances.
+
+Written to the folder: errors.csv, guards.csv, worst.md (the tables that are printed).
+
+Exit code 100 if an error is beyond its bound or a guarded quantity below its own.
+
+Examples:
+  predicament worst
+  predicament worst --steps 200 --climbs 2 --out target/worst";
+
+    type Measured = Found;
+
+    fn out(&self) -> Option<&Path> {
+        self.out.as_deref()
+    }
+
+    fn survey(&self, _: &[&dyn Contestant], host: &dyn Host) -> Result<Found, Error> {
+        let effort = [self.climbs, self.steps];
+        host.begin(BOUNDS, "bounds");
+        host.turn_to("errors");
+        let errors = errors(effort, self.seed, host.watch())?;
+        host.turn_to("guards");
+        let guards = guards(effort, self.seed, host.watch())?;
+        Ok(Found { errors, guards })
+    }
+
+    fn rows(&self, found: &Found) -> Result<Vec<File>, Error> {
+        Ok(vec![
+            File::csv("errors.csv", found.errors.iter().map(ErrorRow::of))?,
+            File::csv("guards.csv", found.guards.iter().map(GuardRow::of))?,
+        ])
+    }
+
+    fn page(&self, found: &Found) -> String {
+        let Worst { steps, climbs, seed, .. } = self;
+        let mut page = format!("`predicament worst --steps {steps} --climbs {climbs} --seed {seed}`\n\n");
+        page += "| Algorithm | section | bound | derived | f64 | of it | f32 | of it |\n";
+        page += "|---|---|---|---:|---:|---:|---:|---:|\n";
+        for double in found.errors.iter().filter(|row| row.precision == Precision::Double) {
+            let is_single = |row: &&Observed| {
+                (row.section, &row.name, row.precision) == (double.section, &double.name, Precision::Single)
+            };
+            let Some(single) = found.errors.iter().find(is_single) else { continue };
+            let _ = writeln!(
+                page,
+                "| {} | {} | {} | {:.2} | {:.2} | {:.2} | {:.2} | {:.2} |",
+                double.algorithm,
+                double.section,
+                double.name,
+                double.derived,
+                double.observed,
+                double.share(),
+                single.observed,
+                single.share(),
+            );
+        }
+        page += "\nOver ε: the bound, and the largest error that was found, which is of itself for R and over L^p for \
+                 E.\n\n";
+        page += "| Algorithm | f64 | f32 |\n|---|---:|---:|\n";
+        for double in found.guards.iter().filter(|row| row.precision == Precision::Double) {
+            let is_single = |row: &&Guard| (row.algorithm, row.precision) == (double.algorithm, Precision::Single);
+            let Some(single) = found.guards.iter().find(is_single) else { continue };
+            let (number, name) = (double.algorithm.number(), double.algorithm.kind.name());
+            let _ = writeln!(page, "| {number} {name} | {:.3} | {:.3} |", double.least, single.least);
+        }
+        page + "\nThe least guard: a guarded quantity over its lower bound, of pairs within T₊ or crossing of which no \
+                sub-pair is within T₋.\n"
+    }
+
+    /// A guard comes from rounded quotients: some 2⁻⁴⁰ of it are no violation.
+    fn holds(&self, found: &Found) -> bool {
+        found.errors.iter().all(|row| row.share() <= 1.0) && found.guards.iter().all(|row| row.least >= 1.0 - 1e-12)
+    }
+}
+
+/// The columns of an error.
+#[derive(Serialize)]
+struct ErrorRow<'a> {
+    algorithm: u8,
+    section: &'static str,
+    bound: &'a str,
+    precision: &'static str,
+    derived: f64,
+    observed: f64,
+    share: f64,
+}
+
+impl<'a> ErrorRow<'a> {
+    fn of(row: &'a Observed) -> ErrorRow<'a> {
+        ErrorRow {
+            algorithm: row.algorithm,
+            section: row.section,
+            bound: &row.name,
+            precision: row.precision.name(),
+            derived: row.derived,
+            observed: row.observed,
+            share: row.share(),
+        }
+    }
+}
+
+/// The columns of a guard.
+#[derive(Serialize)]
+struct GuardRow {
+    algorithm: u8,
+    pair: &'static str,
+    precision: &'static str,
+    least: f64,
+    vertices: String,
+}
+
+impl GuardRow {
+    fn of(row: &Guard) -> GuardRow {
+        let vertices = row.pair.iter().flatten().map(|[x, y, z]| format!("{x:e} {y:e} {z:e}"));
+        GuardRow {
+            algorithm: row.algorithm.number(),
+            pair: row.algorithm.kind.name(),
+            precision: row.precision.name(),
+            least: row.least,
+            vertices: vertices.collect::<Vec<_>>().join("; "),
+        }
+    }
+}
