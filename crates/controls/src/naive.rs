@@ -39,11 +39,12 @@ impl Float for Naive {
 impl Backend for Naive {
     type Session<'s, T: Tally + 's> = Session<'s, Naive, T>;
 
-    /// `naive`, or `naive:first`.
+    /// `naive`, `naive:first` or `naive:nalgebra`.
     fn name(&self) -> String {
         match self.pivot {
             Pivot::Last => "naive",
             Pivot::First => "naive:first",
+            Pivot::Homogeneous => "naive:nalgebra",
         }
         .to_owned()
     }

@@ -29,6 +29,7 @@ sos:per-mesh            the second of two meshes moved by (eps, eps^2, eps^3), f
 tolerance               the hierarchical tolerances of Wang et al.
 tolerance:f32           the same in single precision, for scenes whose coordinates it holds exactly
 naive, naive:first      plain floating point, pivot at the last or the first argument
+naive:nalgebra          the determinant of the homogeneous matrix, by the crate nalgebra
 epsilon:EPS             plain floating point, zero where |det| < EPS (1e-10 if left out)
 shewchuk                the crate `robust` as it is
 fault:NAME              a planted fault; `predicament selftest --list` names them
@@ -69,6 +70,7 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, String> {
         "tolerance" | "tolerance:f64" => visitor.visit(Tolerance::<f64>::new(), None),
         "tolerance:f32" => visitor.visit(Tolerance::<f32>::new(), None),
         "naive" | "naive:last" => visitor.visit(Naive { pivot: Pivot::Last }, None),
+        "naive:nalgebra" => visitor.visit(Naive { pivot: Pivot::Homogeneous }, None),
         "naive:first" => visitor.visit(Naive { pivot: Pivot::First }, None),
         "epsilon" => visitor.visit(Epsilon::default(), None),
         "shewchuk" => visitor.visit(Shewchuk, None),

@@ -9,6 +9,7 @@
 //! `harness/src/cmd/study.rs` for how the tool runs one.
 //!
 //! * [`compare`]: when should one use which backend?
+//! * [`stress`]: where do backends break as one knob is turned?
 //! * [`laws`]: do answers about the same vertices fit each other?
 //! * [`parity`]: how often do registrations make closed curves cross an odd number of times?
 //! * [`resolution`]: how small can a feature be before tolerances lose it?
@@ -93,6 +94,7 @@ pub mod mesh_cascades;
 pub mod parity;
 pub mod resolution;
 pub mod shrink;
+pub mod stress;
 pub mod worst;
 
 mod contacts;

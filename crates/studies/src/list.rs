@@ -12,12 +12,14 @@ use crate::laws::Laws;
 use crate::mesh_cascades::MeshCascades;
 use crate::parity::Parity;
 use crate::resolution::Resolution;
+use crate::stress::Stress;
 use crate::worst::Worst;
 use crate::{Error, Host, Report, Study};
 
 /// All studies, in the order of the help.
 pub const STUDIES: &[Entry] = &[
     Entry::of::<Compare>(),
+    Entry::of::<Stress>(),
     Entry::of::<Resolution>(),
     Entry::of::<Parity>(),
     Entry::of::<Audit>(),

@@ -52,6 +52,31 @@ fn all_agree_on_small_integers() {
     check!(LAST, FIRST, Epsilon::default(), Shewchuk);
 }
 
+/// A library of linear algebra divides on its way: signs are the same there, values up to rounding.
+#[test]
+fn homogeneous_matrices_have_the_same_signs() {
+    let homogeneous = Naive { pivot: Pivot::Homogeneous };
+    assert_eq!(homogeneous.name(), "naive:nalgebra");
+    let turn = [[0.0, 0.0], [2.0, 1.0], [1.0, 3.0]];
+    let circle = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [1.0, 1.0]];
+    let below = [[0.0, 0.0, 0.0], [3.0, 0.0, 1.0], [0.0, 2.0, 1.0], [1.0, 1.0, -4.0]];
+    let sphere = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, -4.0], [1.0, 1.0, -1.0]];
+    for ((sign, value), wanted) in [
+        (ask2(&homogeneous, TURN, &turn), 5.0),
+        (ask2(&homogeneous, Question::Incircle, &circle), 96.0),
+        (ask3(&homogeneous, Question::Orient3d, &below), 29.0),
+        (ask3(&homogeneous, Question::Insphere, &sphere), 576.0),
+    ] {
+        assert_eq!(sign, Sign::Positive);
+        assert!((value - wanted).abs() < 1e-9, "{value}");
+    }
+    // Far from the origin nothing is subtracted first: the turn of a small triangle drowns.
+    let far = turn.map(|p: [f64; 2]| p.map(|x| x + 2.0_f64.powi(40)));
+    assert_eq!(ask2(&LAST, TURN, &far), (Sign::Positive, 5.0));
+    let (_, value) = ask2(&homogeneous, TURN, &far);
+    assert_ne!(value, 5.0);
+}
+
 proptest! {
     /// Integers small enough for plain floating point to be exact, in every
     /// predicate and projection: there both pivots are Shewchuk's signs.

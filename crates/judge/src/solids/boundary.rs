@@ -45,6 +45,30 @@ impl Boundary {
         }
         Some(winding)
     }
+
+    /// Whether a point is at most this far from the plane of a triangle in whose box it is, the box being larger by as much: each point that is
+    /// nearer to the surface is.
+    #[must_use]
+    pub fn is_near(&self, q: [f64; 3], distance: f64) -> bool {
+        let exact = q.map(crate::rational);
+        let squared = crate::rational(distance).square();
+        self.triangles.iter().zip(&self.boxes).any(|([a, b, c], bounds)| {
+            let is_in = bounds
+                .iter()
+                .zip(q)
+                .all(|([low, high], x)| (low - distance).next_down() <= x && x <= (high + distance).next_up());
+            if !is_in {
+                return false;
+            }
+            let minus = |p: &Point, q: &Point| [0, 1, 2].map(|i: usize| Rational::from(&p[i] - &q[i]));
+            let [u, v, w] = [minus(b, a), minus(c, a), minus(&exact, a)];
+            let minor = |i: usize, j: usize| Rational::from(&u[i] * &v[j]) - Rational::from(&u[j] * &v[i]);
+            let normal = [minor(1, 2), minor(2, 0), minor(0, 1)];
+            let along: Rational = normal.iter().zip(&w).map(|(x, y)| Rational::from(x * y)).sum();
+            let length: Rational = normal.iter().map(|x| Rational::from(x * x)).sum();
+            along.square() <= length * &squared
+        })
+    }
 }
 
 /// 1 where the ray leaves the solid here, -1 where it enters, 0 where it passes beside; none where that is not told apart.

@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 pub struct Measure {
     /// The task; `resolution` for sizes of features.
     pub task: String,
-    /// `general`, `near` or `degenerate`; the feature's dimension for sizes of features.
+    /// `general`, `near` or `degenerate`; the feature's dimension for sizes of features; the knob in `stress.csv`.
     pub kind: String,
-    /// What made the scenes; the feature for sizes of features.
+    /// What made the scenes; the feature for sizes of features; where the knob is in `stress.csv`.
     pub family: String,
     /// The backend's name, with its parameters.
     pub backend: String,

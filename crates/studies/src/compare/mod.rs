@@ -20,3 +20,5 @@ mod table;
 pub use inputs::{INPUTS, Input, Kind};
 pub use measure::Measure;
 pub use study::{Compare, Compared};
+pub(crate) use survey::{Group, measures_of};
+pub(crate) use table::WRONG;

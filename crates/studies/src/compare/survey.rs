@@ -56,9 +56,9 @@ impl Seen {
     }
 }
 
-fn task_of(input: &Input) -> Result<&'static dyn AnyTask, Error> {
-    let task = built_in().into_iter().find(|task| task.name() == input.task);
-    task.ok_or_else(|| Error::unfit(format!("there is no task `{}`", input.task)))
+fn task_of(name: &str) -> Result<&'static dyn AnyTask, Error> {
+    let task = built_in().into_iter().find(|task| task.name() == name);
+    task.ok_or_else(|| Error::unfit(format!("there is no task `{name}`")))
 }
 
 /// The measures of all backends on an input, in the order of the backends.
@@ -69,12 +69,33 @@ pub(super) fn measures(
     seed: u64,
     watch: &Watch<'_>,
 ) -> Result<Vec<Measure>, Error> {
-    let task = task_of(input)?;
     let mut loaded: Vec<LoadedScene> =
         (0..u64::from(scenes)).map(|at| input.scene(seed + at)).collect::<Result<_, Error>>()?;
     // A family without chance makes one scene.
     let mut known = BTreeSet::new();
     loaded.retain(|scene| known.insert(scene.id.clone()));
+    let timed = (samples > 0).then(|| input.timed(seed)).transpose()?;
+    let group = Group { task: input.task, kind: input.kind.name(), family: input.family };
+    measures_of(&group, &loaded, timed.as_ref(), backends, samples, watch)
+}
+
+/// What scenes have in common, as columns of their measures.
+pub(crate) struct Group<'a> {
+    pub task: &'a str,
+    pub kind: &'a str,
+    pub family: &'a str,
+}
+
+/// The measures of all backends on these scenes; times and memory are of one scene.
+pub(crate) fn measures_of(
+    group: &Group<'_>,
+    loaded: &[LoadedScene],
+    timed: Option<&LoadedScene>,
+    backends: &[&dyn Contestant],
+    samples: u32,
+    watch: &Watch<'_>,
+) -> Result<Vec<Measure>, Error> {
+    let task = task_of(group.task)?;
     let judged = loaded.par_iter().map(|scene| {
         let case = task.case(scene, watch).map_err(Error::from)?;
         let places = scene.content::<Complexes>().map(|content| exact_places(&scene.scene, content));
@@ -94,14 +115,14 @@ pub(super) fn measures(
             seen.errors.merge(errors);
         }
     }
-    let taken = match samples {
-        0 => Vec::new(),
-        samples => taken(&input.timed(seed)?, backends, samples, watch)?,
+    let taken = match timed {
+        None => Vec::new(),
+        Some(timed) => taken(timed, backends, samples, watch)?,
     };
     let mut all = Vec::new();
     for (at, (backend, seen)) in backends.iter().zip(&seen).enumerate() {
         let name = backend.name();
-        let about = About { task: input.task, kind: input.kind.name(), family: input.family, backend: &name };
+        let about = About { task: group.task, kind: group.kind, family: group.family, backend: &name };
         all.extend(answers(&about, seen));
         all.extend(located(&about, &seen.errors));
         if let Some(taken) = taken.get(at) {

@@ -8,7 +8,7 @@ use super::{Compared, Measure};
 const KINDS: [&str; 3] = ["general", "near", "degenerate"];
 
 /// The classes of answers that no backend promises.
-pub(super) const WRONG: [&str; 5] = ["sign_flip", "missed_zero", "overreach", "nan", "inconsistent"];
+pub(crate) const WRONG: [&str; 5] = ["sign_flip", "missed_zero", "overreach", "nan", "inconsistent"];
 
 /// All tables.
 pub(super) fn page(compared: &Compared) -> String {

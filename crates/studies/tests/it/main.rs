@@ -9,6 +9,7 @@ mod laws;
 mod mesh_cascades;
 mod parity;
 mod shape;
+mod stress;
 mod worst;
 
 use predicament_oracle::roster;

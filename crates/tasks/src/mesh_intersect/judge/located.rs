@@ -65,28 +65,28 @@ impl Laws<'_> {
         let meshes = self.content.meshes.each_ref().map(|mesh| Materials::new(&scene, mesh.triangles(), mesh.sides()));
         let perturbed = Operation::ALL.into_iter().zip(&self.answer.solids).map(|(operation, solid)| {
             let corners = solid.iter().map(|&triangle| self.corners(triangle).map(Clone::clone)).collect();
-            (operation, "the surface", Boundary::new(corners))
+            (operation, Boundary::new(corners))
         });
-        let settled = settlement.map(Settlement::boundaries).unwrap_or_default();
-        let results: Vec<_> = perturbed.chain(settled).collect();
+        let results: Vec<_> = perturbed.collect();
         for (at, probe) in probes.into_iter().enumerate() {
             let places = meshes.each_ref().map(|mesh| mesh.locate(Vertex::input(count + at)));
             let [Place::In(first), Place::In(second)] = places else { continue };
             let inside = [first, second].map(|region| region != OUTSIDE);
-            for (operation, what, result) in &results {
-                let Some(winding) = result.winding(probe) else { continue };
-                let wanted = operation.holds(inside);
-                if winding != i64::from(wanted) {
-                    let [x, y, z] = probe;
-                    let got = format!(
-                        "{what} of the {} goes {winding} times around ({x}, {y}, {z}), in region {first} of the first mesh and {second} of the second",
-                        operation.name()
-                    );
-                    let law =
-                        "a result goes once around what the operation says is in it, and not around anything else";
-                    note(outcome, "point in a result", got, law);
-                    return;
-                }
+            let of_perturbed = results.iter().find_map(|(operation, result)| {
+                let winding = result.winding(probe)?;
+                let is_wrong = winding != i64::from(operation.holds(inside));
+                is_wrong.then_some(("the surface", *operation, winding))
+            });
+            let wrong = of_perturbed.or_else(|| settlement?.probed(probe, inside));
+            if let Some((what, operation, winding)) = wrong {
+                let [x, y, z] = probe;
+                let got = format!(
+                    "{what} of the {} goes {winding} times around ({x}, {y}, {z}), in region {first} of the first mesh and {second} of the second",
+                    operation.name()
+                );
+                let law = "a result goes once around what the operation says is in it, and not around anything else";
+                note(outcome, "point in a result", got, law);
+                return;
             }
         }
     }

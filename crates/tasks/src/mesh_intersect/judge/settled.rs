@@ -27,8 +27,9 @@ pub(super) struct Settlement<'a> {
     settled: &'a Settled,
     /// By the number of the construction, from the first of the answer on.
     constructed: Vec<Point>,
-    /// By operation.
+    /// By operation: of the limit and in doubles.
     surfaces: Vec<[Surface; 2]>,
+    boundaries: Vec<[Boundary; 2]>,
 }
 
 /// A result as a list of triangles over points.
@@ -42,7 +43,13 @@ impl Surface {
         triangle.map(|v| &self.points[v as usize])
     }
 
-    /// How often the surface goes around a point; none where a ray does not tell.
+    /// The largest coordinate, rounded; at least the smallest normal double.
+    fn reach(&self) -> f64 {
+        let all = self.points.iter().flatten().map(|x| x.to_f64().abs());
+        all.fold(f64::MIN_POSITIVE, f64::max)
+    }
+
+    /// The surface, to ask how often it goes around a point.
     fn boundary(&self) -> Boundary {
         Boundary::new(self.triangles.iter().map(|&triangle| self.corners(triangle).map(Clone::clone)).collect())
     }
@@ -52,9 +59,10 @@ impl<'a> Settlement<'a> {
     /// The results, if all of their vertices are points.
     pub fn new(laws: &'a Laws<'a>, settled: &'a Settled) -> Option<Settlement<'a>> {
         let constructed = points(laws.scene, &settled.constructions)?;
-        let mut settlement = Settlement { laws, settled, constructed, surfaces: Vec::new() };
+        let mut settlement = Settlement { laws, settled, constructed, surfaces: Vec::new(), boundaries: Vec::new() };
         settlement.surfaces =
             settled.results.iter().map(|result| [settlement.limit(result), in_doubles(&result.rounded)]).collect();
+        settlement.boundaries = settlement.surfaces.iter().map(|both| both.each_ref().map(Surface::boundary)).collect();
         Some(settlement)
     }
 
@@ -157,15 +165,24 @@ impl<'a> Settlement<'a> {
         }
     }
 
-    /// The surfaces by operation, as something to ask how often they go around a point.
-    pub fn boundaries(&self) -> Vec<(Operation, &'static str, Boundary)> {
-        let of = |((operation, result), [limit, doubles]): ((Operation, &Result), &[Surface; 2])| {
-            let limit = [(operation, "the limit", limit.boundary())];
-            // What crosses itself goes around some points as it likes.
-            let has_no_flaw = result.rounded.counts.left == 0;
-            limit.into_iter().chain(has_no_flaw.then(|| (operation, "the result in doubles", doubles.boundary())))
-        };
-        self.settled.by_operation().zip(&self.surfaces).flat_map(of).collect()
+    /// Holds a point of space against the limits and the results in doubles; the first surface that does not go around it as the operation says.
+    pub fn probed(&self, probe: [f64; 3], inside: [bool; 2]) -> Option<(&'static str, Operation, i64)> {
+        for (((operation, result), [limit, doubles]), [of_limit, of_doubles]) in
+            self.settled.by_operation().zip(&self.surfaces).zip(&self.boundaries)
+        {
+            let wanted = i64::from(operation.holds(inside));
+            if let Some(winding) = of_limit.winding(probe).filter(|winding| *winding != wanted) {
+                return Some(("the limit", operation, winding));
+            }
+            // What crosses itself goes around some points as it likes, and rounding moves each vertex by an ulp in each coordinate: a point that is
+            // nearer than that may change sides.
+            let reach = limit.reach().max(doubles.reach()) * 2.0_f64.powi(-50);
+            let is_known = result.rounded.counts.left == 0 && !of_limit.is_near(probe, reach);
+            if is_known && let Some(winding) = of_doubles.winding(probe).filter(|winding| *winding != wanted) {
+                return Some(("the result in doubles", operation, winding));
+            }
+        }
+        None
     }
 }
 
