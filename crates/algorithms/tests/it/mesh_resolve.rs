@@ -226,7 +226,7 @@ fn flaws_of_boxes<F: Planted>(cases: u64) -> Vec<String> {
 
 #[test]
 fn boxes_are_their_cells() {
-    let flaws = flaws_of_boxes::<Honest>(predicament_effort::cases(800).into());
+    let flaws = flaws_of_boxes::<Honest>(predicament_effort::cases(400).into());
     assert!(flaws.is_empty(), "{} flaws, first: {}", flaws.len(), flaws[0]);
 }
 
@@ -271,7 +271,7 @@ fn misplaced(mesh: &Closed, surface: Vec<[Point; 3]>, random: &mut Random, reach
 #[test]
 fn soups_are_where_they_go_around() {
     let mut looked_at = 0;
-    for seed in 1..=u64::from(predicament_effort::cases(800)) {
+    for seed in 1..=u64::from(predicament_effort::cases(400)) {
         let mesh = soup(seed, &|random| random.point(4));
         let found = resolve::<Honest>(&mesh).unwrap_or_else(|why| panic!("{seed}: {why}"));
         assert_eq!(flaw(&found.surface), None, "{seed}");

@@ -1,12 +1,21 @@
 //! What is said to be wrong with two triangles, by hand-made pairs and by clipping in rationals.
 
+use std::sync::Arc;
+
+use predicament_algorithms::mesh_limit::limit;
+use predicament_algorithms::mesh_overlay::{Zeros, mesh_overlay};
 use predicament_algorithms::mesh_rounding::flaws::{Flaw, Flaws, flaw, flaws};
+use predicament_algorithms::mesh_rounding::planted::{LooksForNothing, Planted};
+use predicament_algorithms::mesh_rounding::{Counts, Rounded, rounded_planted};
+use predicament_algorithms::overlay::Operation;
+use predicament_algorithms::planted::Honest;
 use predicament_exact::Exact;
 use predicament_judge::rational;
-use predicament_predicates::{Backend, Off, Plane, Predicates, Scene, Sign};
+use predicament_predicates::{Backend, Off, Plane, Predicates, Scene, Sign, Vertex};
+use predicament_sos::PerMesh;
 
-use crate::common::shapes::Random;
-use crate::common::touching::is_proper;
+use crate::common::shapes::{Random, Shape};
+use crate::common::touching::{improper, is_proper};
 
 const FIRST: [u32; 3] = [0, 1, 2];
 
@@ -122,4 +131,49 @@ fn flaws_are_counted_by_kind() {
     assert_eq!(counted(&[FIRST, [4, 5, 6]], 2), of(0, 0, 1, &[0, 1, 2, 4, 5, 6]), "the other one has moved");
     assert_eq!(counted(&[FIRST, [4, 5, 6]], 3), of(0, 0, 0, &[]), "nothing has moved");
     assert_eq!(counted(&[[0, 2, 1]], 2), of(1, 0, 0, &[0, 1, 2]));
+}
+
+/// The union of a sphere and the same with points an ulp beside its own, in doubles.
+fn united<F: Planted>(seed: u64) -> Rounded {
+    let mut random = Random(seed);
+    let mut sphere = Shape::sphere(1e9, 1);
+    let scale = 3e9 + random.whole(1 << 20);
+    sphere.points.as_flattened_mut().iter_mut().for_each(|x| *x /= scale);
+    let mut other = sphere.clone();
+    other.points.as_flattened_mut().iter_mut().for_each(|x| {
+        *x = [x.next_down(), *x, x.next_up()][usize::try_from(random.below(3)).unwrap()];
+    });
+    let both = sphere.clone().and(&other);
+    let (first, all) = (sphere.points.len(), both.points.len());
+    let scene = Scene::from_points3(&both.points).unwrap().with_second_mesh((first..all).map(Vertex::input));
+    let meshes = [Arc::new(sphere.mesh(0, all)), Arc::new(other.mesh(first, all))];
+    let mut session = PerMesh.prepare(&scene, Off).unwrap();
+    let overlay = mesh_overlay(&mut session, meshes, Zeros::Refused).unwrap();
+    let perturbed = session.scene().clone();
+    let mut exact = Exact.prepare(&perturbed, Off).unwrap();
+    let limit = limit(&mut exact, &overlay, overlay.solid(Operation::Union)).unwrap();
+    rounded_planted::<F>(&Exact, &exact, &limit).unwrap()
+}
+
+/// Whether a mesh crosses itself, by all pairs in rationals.
+fn crosses(rounded: &Rounded) -> bool {
+    let mesh = &rounded.closed;
+    let corners = |triangle: &[u32; 3]| triangle.map(|v| mesh.points[v as usize].map(rational));
+    !improper(&mesh.triangles.iter().map(corners).collect::<Vec<_>>()).is_empty()
+}
+
+#[test]
+fn flaws_are_left_where_the_mesh_crosses_itself() {
+    let mut missed = 0;
+    for seed in 1..=u64::from(predicament_effort::cases(160)) {
+        let rounded = united::<Honest>(seed);
+        // What has only turned over crosses nothing.
+        assert!(rounded.counts.left > 0 || !crosses(&rounded), "{seed}: {:?}", rounded.counts);
+        let Counts { turned, folded, crossing, .. } = rounded.counts;
+        if turned + folded + crossing > 0 {
+            let faulty = united::<LooksForNothing>(seed);
+            missed += usize::from(faulty.counts.left == 0 && crosses(&faulty));
+        }
+    }
+    assert!(missed > 0, "the fault is not found");
 }

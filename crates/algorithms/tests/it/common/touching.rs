@@ -47,20 +47,25 @@ pub fn is_proper(first: &[Point; 3], second: &[Point; 3]) -> bool {
 
 /// The pairs of triangles of a surface that are not as they should be.
 pub fn improper(surface: &[[Point; 3]]) -> Vec<[usize; 2]> {
-    let is_apart = |first: &[Point; 3], second: &[Point; 3]| {
-        let bounds = |of: &[Point; 3], axis: usize| {
-            let along = of.each_ref().map(|p| p[axis].clone());
-            [along.iter().min().unwrap().clone(), along.iter().max().unwrap().clone()]
-        };
-        (0..3).any(|axis| {
-            let [[a, b], [c, d]] = [bounds(first, axis), bounds(second, axis)];
-            b < c || d < a
+    // Conversion rounds toward zero, by less than a step.
+    let around = |triangle: &[Point; 3]| {
+        [0, 1, 2].map(|axis: usize| {
+            let along = triangle.each_ref().map(|p| p[axis].to_f64());
+            let low = along.iter().fold(f64::INFINITY, |low, &x| low.min(x)).next_down();
+            [low, along.iter().fold(f64::NEG_INFINITY, |high, &x| high.max(x)).next_up()]
         })
+    };
+    let boxes: Vec<[[f64; 2]; 3]> = surface.iter().map(around).collect();
+    let is_apart = |at: usize, other: usize| {
+        boxes[at]
+            .iter()
+            .zip(&boxes[other])
+            .any(|([low, high], [other_low, other_high])| high < other_low || other_high < low)
     };
     let mut all = Vec::new();
     for (at, first) in surface.iter().enumerate() {
         for (other, second) in surface.iter().enumerate().skip(at + 1) {
-            if !is_apart(first, second) && !is_proper(first, second) {
+            if !is_apart(at, other) && !is_proper(first, second) {
                 all.push([at, other]);
             }
         }
