@@ -16,7 +16,7 @@
 //!
 //! # Back to doubles
 //! [`rounded`] rounds a resolution ([`mod@crate::mesh_rounding`]), resolves what crosses then, and so on (Valque, *Iterated snap rounding in space*; Devillers, Lazard and Lenhart, *Rounding meshes in
-//! 3D*, subdivide in advance instead), [`PASSES`] times at most.
+//! 3D*, subdivide in advance instead), [`PASSES`] times at most, and not for long where pairs that meet become more. What has the fewest stays.
 //!
 //! **Guaranteed**, if it ends with nothing [left](Counts::left): the mesh is closed, no triangle is without area, triangles meet in common corners and edges only, the winding number is 0 or 1
 //! everywhere off the surface, and each point of the surface is within [`Counts::farthest`] in each coordinate of a point of the surface that was given.
@@ -182,18 +182,28 @@ pub(crate) fn rounded_since(
     mut is_suspect: bool,
 ) -> Result<(Closed, Counts), Unresolved> {
     let mut counts = Counts::default();
+    let mut best: Option<(Closed, Counts)> = None;
+    let mut worse = 0;
     for pass in 0..=PASSES {
         let scene = Scene::from_points3(&mesh.points).map_err(Unresolved::Scene)?;
         let next = with(exact, &scene, &mut |session| {
             let Found { faces, pairs } = find(session, &mesh, &|v| moved[v as usize], Wrong::Nothing);
             counts.left = pairs.len();
-            if pass == PASSES || (pairs.is_empty() && !is_suspect) {
+            let fewest = best.as_ref().map_or(usize::MAX, |(_, best)| best.left);
+            worse = if pairs.len() < fewest { 0 } else { worse + 1 };
+            // (Of two without any the later one: it goes around everything once.)
+            if pairs.len() <= fewest {
+                best = Some((mesh.clone(), counts));
+            }
+            let most = MOST.max(fewest.saturating_mul(GROWTH));
+            let is_done = pairs.is_empty() && !is_suspect;
+            if is_done || pass == PASSES || worse > WORSE || pairs.len() > most {
                 return Ok::<_, Unresolved>(None);
             }
             let Kept { triangles, places, counts: of_pass } = kept(session, &faces, &pairs, Wrong::Nothing)?;
             counts.add(&of_pass);
-            let ways = if pass + 1 < PASSES { WAYS } else { mesh_rounding::PASSES };
             let surface = (&triangles[..], &places);
+            let ways = mesh_rounding::PASSES;
             let made =
                 mesh_rounding::of_triangles(exact, session, surface, ways, mesh_rounding::planted::Wrong::Nothing)?;
             counts.farthest += farthest(session, &triangles, &places);
@@ -203,11 +213,15 @@ pub(crate) fn rounded_since(
         (mesh, moved) = (closed, now);
         is_suspect = made.left > 0;
     }
-    Ok((mesh, counts))
+    Ok(best.expect("there is a first pass"))
 }
 
-/// Ways of rounding that are tried in each pass but the last.
-const WAYS: u32 = 4;
+/// Passes that leave no fewer pairs than one before them, after which nothing more is tried.
+const WORSE: usize = 3;
+/// Nothing more is tried where a pass leaves so many times the fewest pairs,
+const GROWTH: usize = 8;
+/// and more than this.
+const MOST: usize = 256;
 
 /// The largest distance along a coordinate of a vertex from where it may go: at most an ulp.
 fn farthest(session: &dyn Predicates, triangles: &[[Vertex; 3]], places: &Places) -> f64 {

@@ -42,7 +42,7 @@ pub struct MeshCascades {
     pub probes: u32,
 
     /// What becomes of a result that crosses itself once its vertices are doubles
-    #[arg(long, value_enum, default_value_t = Rounding::Resolved, value_name = "HOW")]
+    #[arg(long, value_enum, default_value_t = Rounding::Counted, value_name = "HOW")]
     pub rounding: Rounding,
 
     /// The seed of operands and points
@@ -58,9 +58,9 @@ pub struct MeshCascades {
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug, clap::ValueEnum)]
 pub enum Rounding {
     /// Flaws are counted
-    Counted,
-    /// Triangles that cross are cut, and the result is rounded again until none do
     #[default]
+    Counted,
+    /// Triangles that cross are cut, and the result is rounded again, until none do or they become more
     Resolved,
 }
 
@@ -95,10 +95,10 @@ Everything is measured in rationals: volume, area and triangles against those th
 (cubes, shuffled), open sides, triangles without area or through each other, points on the wrong
 side of the result by all operands. `cleared` is what limits have cleared, `moved` are vertices that
 were no doubles; `flaws` are triangles that turned over, folded or crossed when these went to the
-nearest doubles. By default results that cross themselves then are resolved and rounded again, until
-they do not: `cut` are the triangles that were cut for that, and `left` is what crosses after the
-last of 16 roundings. With --rounding counted nothing is cut, and `left` are the flaws that other
-doubles beside each place do not mend.
+nearest doubles, `left` what was left of that after other doubles were tried. With --rounding
+resolved, results that cross themselves then are cut where they do and rounded again, 16 times at
+most, and not for long where crossings become more: `cut` are the triangles that were cut for that,
+and `left` are the pairs that cross in the end.
 
 Written to the folder: mesh-cascades.csv, mesh-cascade-times.csv, mesh-cascades.md, plots. All but
 times are the same whenever it is run.
@@ -109,7 +109,7 @@ flaw crosses itself: what comes then is shown, and not promised.
 Examples:
   predicament mesh-cascades -c cubes --steps 1999 -b sos:per-mesh
   predicament mesh-cascades -c shave,copies --steps 100 --out target/mesh-cascades
-  predicament mesh-cascades -c copies --steps 24 --rounding counted";
+  predicament mesh-cascades -c copies --steps 24 --rounding resolved";
 
     type Measured = Measured;
 
