@@ -102,7 +102,7 @@ fn sentences(one: &Followed) -> Vec<String> {
     }
     if let Some(done) = one.samples.last().map(|last| last.done).filter(|done| done.resolved > 0) {
         all.push(format!(
-            "{} results crossed themselves and were resolved, in {} roundings at most; no point moved farther than {} by these in all",
+            "{} results with flaws were resolved and rounded again, {} times at most; no point moved farther than {} by these in all",
             done.resolved,
             done.passes,
             significant(done.farthest, 3)

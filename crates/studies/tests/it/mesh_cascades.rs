@@ -55,7 +55,7 @@ fn a_sphere_is_shaved_twice_in_the_same_way() {
 fn what_rounding_leaves_is_resolved() {
     let backends: [Box<dyn Contestant>; 2] = [Box::new(Entry::new(PerMesh)), Box::new(Entry::new(Exact))];
     let backends = backends.each_ref().map(|backend| &**backend);
-    let resolved = study(&[Cascade::Copies], 5);
+    let resolved = MeshCascades { samples: 1, probes: 4, ..study(&[Cascade::Copies], 5) };
     let measured = resolved.survey(&backends, &Quiet::new()).unwrap();
     assert!(resolved.holds(&measured), "{}", resolved.page(&measured));
     let done = measured.followed[0].done;
