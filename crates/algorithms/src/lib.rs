@@ -14,6 +14,8 @@
 //! * [`interval`]: the cell of a line in which a point lies.
 //! * [`mesh_locate`]: points in the regions of a mesh, by ray casting through a grid.
 //! * [`mod@mesh_overlay`]: two meshes cut where they meet, and Boolean operations on solids.
+//! * [`mesh_limit`], [`mesh_rounding`], [`mesh_cascade`]: the results of these as meshes of doubles, step after step.
+//! * [`mod@mesh_resolve`]: a mesh that crosses itself, without that.
 //! * [`overlay`]: arrangements of segments, and Boolean operations on polygons.
 //! * [`planted`]: faults planted in these, to prove the judge.
 //! * [`polygon_locate`]: points in the regions of a map, by ray casting.
@@ -34,6 +36,7 @@ pub mod mesh_cascade;
 pub mod mesh_limit;
 pub mod mesh_locate;
 pub mod mesh_overlay;
+pub mod mesh_resolve;
 pub mod mesh_rounding;
 pub mod overlay;
 mod parallel;

@@ -72,17 +72,21 @@ impl Columns {
         Ok([mesh(0)?, mesh(1)?])
     }
 
-    /// The result of an operation: what is far, as far as it is kept, and the result of what is near; none where one of both has nothing near.
-    pub fn joined(&self, operands: [&Closed; 2], operation: Operation, near: Option<&Rounded>) -> Closed {
+    /// The result of an operation: what is far, as far as it is kept, and the result of what is near; none where one of both has nothing near. With it for
+    /// each point whether a vertex has moved there.
+    pub fn joined(&self, operands: [&Closed; 2], operation: Operation, near: Option<&Rounded>) -> (Closed, Vec<bool>) {
         // Vertices by mesh and number, then new ones.
         let [first, second] = operands.map(|mesh| mesh.points.len());
         let mut of = vec![u32::MAX; first + second + near.map_or(0, |near| near.vertices.len())];
         let mut result = Closed::default();
-        let mut place = |at: usize, point: [f64; 3]| {
+        let mut moved = Vec::new();
+        let mut place = |at: usize, point: [f64; 3], has_moved: bool| {
             if of[at] == u32::MAX {
                 of[at] = u32::try_from(result.points.len()).expect("fewer than 2^32 vertices");
                 result.points.push(point);
+                moved.push(false);
             }
+            moved[of[at] as usize] |= has_moved;
             of[at]
         };
         for (mesh, operand) in operands.into_iter().enumerate() {
@@ -94,10 +98,10 @@ impl Columns {
             for &triangle in near.iter().chain(&self.far[mesh]) {
                 let corners = operand.triangles[triangle as usize];
                 let before = mesh * first;
-                result.triangles.push(corners.map(|v| place(before + v as usize, operand.points[v as usize])));
+                result.triangles.push(corners.map(|v| place(before + v as usize, operand.points[v as usize], false)));
             }
         }
-        if let Some(Rounded { closed, vertices, .. }) = near {
+        if let Some(Rounded { closed, vertices, moved, .. }) = near {
             let counts = self.vertices.each_ref().map(Vec::len);
             let name = |at: usize| match vertices[at].construction() {
                 Some(_) => first + second + at,
@@ -108,9 +112,11 @@ impl Columns {
                 }
             };
             for corners in &closed.triangles {
-                result.triangles.push(corners.map(|v| place(name(v as usize), closed.points[v as usize])));
+                result
+                    .triangles
+                    .push(corners.map(|v| place(name(v as usize), closed.points[v as usize], moved[v as usize])));
             }
         }
-        result
+        (result, moved)
     }
 }

@@ -3,6 +3,9 @@
 //! Each step is an overlay of the two meshes ([`mod@crate::mesh_overlay`]), one of which moves by an infinitesimal, the limit of its result
 //! ([`mod@crate::mesh_limit`]), and the limit rounded to doubles ([`mod@crate::mesh_rounding`]). Where the vertices of a result are
 //! doubles, a step is exact: then results are those of the operations on point sets, regularised, whatever was done before.
+//!
+//! Where they are not, the mesh of doubles may cross itself, and then it is no operand. With [`Rounding::Resolved`] what crosses is resolved and rounded
+//! again ([`mod@crate::mesh_resolve`]), until nothing does.
 
 mod columns;
 
@@ -12,6 +15,7 @@ use predicament_predicates::{Declined, SceneError};
 use self::columns::Columns;
 use crate::mesh_limit::{self, limit};
 use crate::mesh_overlay::{Undone, Zeros, overlay_of_columns};
+use crate::mesh_resolve::{self, Unresolved, rounded_since};
 use crate::mesh_rounding::{self, NotRounded, rounded};
 use crate::overlay::Operation;
 use crate::sessions::{Sessions, with};
@@ -19,7 +23,7 @@ use crate::sessions::{Sessions, with};
 pub use crate::mesh_rounding::Closed;
 
 /// What a step has done.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Step {
     /// Points that were constructed.
     pub constructed: usize,
@@ -27,6 +31,26 @@ pub struct Step {
     pub limit: mesh_limit::Counts,
     /// What rounding has done.
     pub rounding: mesh_rounding::Counts,
+    /// What was resolved of what rounding has left; none where that was not asked for.
+    pub resolved: Option<mesh_resolve::Counts>,
+}
+
+impl Step {
+    /// Flaws that the result has: pairs that cross after resolution, where that was asked for; else also folds and triangles that have turned over.
+    #[must_use]
+    pub fn left(&self) -> usize {
+        self.resolved.map_or(self.rounding.left, |resolved| resolved.left)
+    }
+}
+
+/// What becomes of flaws of rounding.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Rounding {
+    /// They are counted.
+    #[default]
+    Counted,
+    /// They are resolved, and what comes of that is rounded again.
+    Resolved,
 }
 
 /// Why there is no result.
@@ -42,6 +66,8 @@ pub enum NoStep {
     Undone(Undone),
     /// A result is no mesh of doubles.
     Rounding(NotRounded),
+    /// A result crosses itself, and that is not resolved.
+    Unresolved(Unresolved),
 }
 
 impl std::fmt::Display for NoStep {
@@ -52,6 +78,7 @@ impl std::fmt::Display for NoStep {
             NoStep::Declined(why) => why.fmt(f),
             NoStep::Undone(why) => why.fmt(f),
             NoStep::Rounding(why) => why.fmt(f),
+            NoStep::Unresolved(why) => why.fmt(f),
         }
     }
 }
@@ -73,6 +100,8 @@ pub struct Cascade<'a> {
     pub exact: &'a dyn Sessions,
     /// What a zero of the first is.
     pub zeros: Zeros,
+    /// What becomes of flaws of rounding.
+    pub rounding: Rounding,
 }
 
 impl Cascade<'_> {
@@ -88,7 +117,8 @@ impl Cascade<'_> {
     pub fn combine(&self, operands: [&Closed; 2], operation: Operation) -> Result<(Closed, Step), NoStep> {
         let columns = Columns::of(operands);
         if columns.near.iter().any(Vec::is_empty) {
-            return Ok((columns.joined(operands, operation, None), Step::default()));
+            let (joined, _) = columns.joined(operands, operation, None);
+            return Ok((joined, Step::default()));
         }
         let scene = columns.scene(operands).map_err(NoStep::Scene)?;
         let meshes = columns.meshes(operands)?;
@@ -101,7 +131,18 @@ impl Cascade<'_> {
             let result = rounded(self.exact, session, &limit).map_err(NoStep::Rounding)?;
             Ok::<_, NoStep>((result, limit.counts))
         })?;
-        let step = Step { constructed: overlay.constructions().len(), limit, rounding: result.counts };
-        Ok((columns.joined(operands, operation, Some(&result)), step))
+        let (mut joined, moved) = columns.joined(operands, operation, Some(&result));
+        let rounding = result.counts;
+        let mut resolved = None;
+        if self.rounding == Rounding::Resolved {
+            let mut counts = mesh_resolve::Counts::default();
+            if rounding.moved > 0 {
+                (joined, counts) =
+                    rounded_since(self.exact, joined, moved, rounding.left > 0).map_err(NoStep::Unresolved)?;
+            }
+            resolved = Some(counts);
+        }
+        let step = Step { constructed: overlay.constructions().len(), limit, rounding, resolved };
+        Ok((joined, step))
     }
 }

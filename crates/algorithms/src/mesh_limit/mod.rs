@@ -22,10 +22,10 @@
 pub(crate) mod chain;
 pub(crate) mod joints;
 mod nearest;
-mod places;
-mod plane;
+pub(crate) mod places;
+pub(crate) mod plane;
 pub mod planted;
-mod sheets;
+pub(crate) mod sheets;
 
 use predicament_grid::{Bounds, shared};
 use predicament_predicates::{Predicates, Vertex};

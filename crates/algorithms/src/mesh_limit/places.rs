@@ -29,7 +29,7 @@ impl Places {
     }
 
     /// Adds what the scene has constructed since.
-    pub(super) fn extend(&mut self, scene: &Scene) -> Result<(), Undone> {
+    pub(crate) fn extend(&mut self, scene: &Scene) -> Result<(), Undone> {
         let new = &scene.constructions()[self.constructed.len()..];
         let points = crate::parallel::all(new, &|definition| nearest(scene, definition));
         for point in points {
@@ -72,7 +72,7 @@ impl Places {
 
 /// Which vertices stand for others at the same place.
 #[derive(Default)]
-pub(super) struct Same {
+pub(crate) struct Same {
     /// A vertex and the one that stands for it, ascending; those that stand for themselves are left out.
     stands: Vec<[Vertex; 2]>,
 }

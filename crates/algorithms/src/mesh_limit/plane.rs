@@ -8,7 +8,7 @@ use super::places::Places;
 
 /// What a segment in the plane is a part of.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Line {
+pub(crate) enum Line {
     /// The line of two input vertices.
     Edge([Vertex; 2]),
     /// Where the plane of three input vertices passes through this one.
@@ -18,7 +18,7 @@ pub(super) enum Line {
 /// A session about vertices of a plane, each an input vertex of a 2D scene at the nearest doubles; all signs are those of the session in space.
 ///
 /// Nearest doubles are in the order of the coordinates, where they are not equal: boxes of segments that meet have a point in common there too.
-pub(super) struct InPlane<'a> {
+pub(crate) struct InPlane<'a> {
     session: &'a mut dyn Predicates,
     plane: Plane,
     /// The input vertices, then what was constructed.
@@ -98,7 +98,9 @@ impl Predicates for InPlane<'_> {
     }
 
     fn orient2d(&self, _: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        self.session.orient2d(self.plane, self.vertex(a), self.vertex(b), self.vertex(c))
+        let [a, b, c] = [a, b, c].map(|v| self.vertex(v));
+        // A point without segments is two vertices of the scene.
+        if a == b || b == c || c == a { Sign::Zero } else { self.session.orient2d(self.plane, a, b, c) }
     }
 
     fn orient3d(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {

@@ -156,7 +156,7 @@ fn facing(
 }
 
 /// The coordinate plane in which a triangle is largest, and its turn there.
-pub(super) fn view(session: &dyn Predicates, places: &Places, [a, b, c]: [Vertex; 3]) -> Result<(Plane, Sign), Undone> {
+pub(crate) fn view(session: &dyn Predicates, places: &Places, [a, b, c]: [Vertex; 3]) -> Result<(Plane, Sign), Undone> {
     let [p, q, r] = [a, b, c].map(|v| places.nearest(session.scene(), v));
     let area = |plane: Plane| {
         let [i, j] = plane.axes().map(Axis::index);

@@ -4,16 +4,21 @@ use predicament_grid::{Bounds, BoxIndex, shared};
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
 /// The flaws of a mesh of doubles.
-#[derive(Clone, Default, Debug)]
-pub(super) struct Flaws {
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Flaws {
+    /// Triangles that have turned over.
     pub turned: usize,
+    /// Pairs of triangles with a common edge, of which one lies on the other.
     pub folded: usize,
+    /// Other pairs of triangles that have more in common than corners and edges.
     pub crossing: usize,
     /// The vertices of such triangles, ascending.
     pub vertices: Vec<u32>,
 }
 
 impl Flaws {
+    /// All of them.
+    #[must_use]
     pub fn count(&self) -> usize {
         self.turned + self.folded + self.crossing
     }
@@ -23,8 +28,13 @@ impl Flaws {
     }
 }
 
-/// The flaws of triangles with a moved vertex, each with the place of what it is a part of, and how that was turned.
-pub(super) fn flaws(
+/// The flaws of triangles with a moved vertex, each with the place of what it is a part of, and how that was turned in a coordinate plane.
+///
+/// The session has to say zero where something is zero.
+///
+/// # Panics
+/// If a triangle has a vertex or a place that there is not.
+pub fn flaws(
     session: &dyn Predicates,
     triangles: &[([u32; 3], u32)],
     is_moved: &(dyn Fn(u32) -> bool + Sync),
@@ -41,35 +51,44 @@ pub(super) fn flaws(
             }
         }
     }
-    let moved: Vec<usize> = (0..triangles.len()).filter(|&at| triangles[at].0.iter().any(|&v| is_moved(v))).collect();
-    let box_of = |at: usize| Bounds::of(triangles[at].0.map(|v| session.scene().point3(vertex(v))));
-    let ([_, near], _) =
-        shared([moved.len(), triangles.len()], [&|at: usize| box_of(moved[at]), &|at: usize| box_of(at)]);
-    let index = BoxIndex::new(near.iter().map(|&at| box_of(at as usize)).collect());
-    let pairs_of = |&first: &usize| {
-        let mut found = Vec::new();
-        index.near(&box_of(first), 0.0, &mut found);
-        let others = found.into_iter().map(|at| near[at as usize] as usize);
-        // Of two moved ones once.
-        let others = others
-            .filter(|&other| other != first && (other > first || !triangles[other].0.iter().any(|&v| is_moved(v))));
-        let flaw = |other: usize| flaw(session, triangles[first].0, triangles[other].0).map(|flaw| (flaw, other));
-        others.filter_map(flaw).collect::<Vec<_>>()
-    };
-    let pairs = crate::parallel::each(moved.len(), &|at| pairs_of(&moved[at]));
-    for (first, found) in moved.iter().zip(pairs) {
-        for (flaw, other) in found {
-            match flaw {
-                Flaw::Fold => flaws.folded += 1,
-                Flaw::Crossing => flaws.crossing += 1,
-            }
-            flaws.note(triangles[*first].0);
-            flaws.note(triangles[other].0);
+    for (pair, flaw) in pairs(session, triangles.len(), &|at| triangles[at].0, is_moved) {
+        match flaw {
+            Flaw::Fold => flaws.folded += 1,
+            Flaw::Crossing => flaws.crossing += 1,
         }
+        pair.into_iter().for_each(|at| flaws.note(triangles[at as usize].0));
     }
     flaws.vertices.sort_unstable();
     flaws.vertices.dedup();
     flaws
+}
+
+/// The pairs of triangles, by their places, of which one has a moved vertex and that have more in common than corners and edges.
+pub(crate) fn pairs(
+    session: &dyn Predicates,
+    count: usize,
+    triangle: &(dyn Fn(usize) -> [u32; 3] + Sync),
+    is_moved: &(dyn Fn(u32) -> bool + Sync),
+) -> Vec<([u32; 2], Flaw)> {
+    let has_moved = |at: usize| triangle(at).into_iter().any(is_moved);
+    let moved: Vec<usize> = (0..count).filter(|&at| has_moved(at)).collect();
+    let box_of = |at: usize| Bounds::of(triangle(at).map(|v| session.scene().point3(vertex(v))));
+    let ([_, near], _) = shared([moved.len(), count], [&|at: usize| box_of(moved[at]), &|at: usize| box_of(at)]);
+    let index = BoxIndex::new(near.iter().map(|&at| box_of(at as usize)).collect());
+    let pairs_of = |first: usize| {
+        let mut found = Vec::new();
+        index.near(&box_of(first), 0.0, &mut found);
+        let others = found.into_iter().map(|at| near[at as usize] as usize);
+        // Of two moved ones once.
+        let others = others.filter(|&other| other != first && (other > first || !has_moved(other)));
+        let number = |at: usize| u32::try_from(at).expect("fewer than 2^32 triangles");
+        let flaw = |other: usize| {
+            let flaw = flaw(session, triangle(first), triangle(other))?;
+            Some(([number(first), number(other)], flaw))
+        };
+        others.filter_map(flaw).collect::<Vec<_>>()
+    };
+    crate::parallel::each(moved.len(), &|at| pairs_of(moved[at])).into_iter().flatten().collect()
 }
 
 fn vertex(v: u32) -> Vertex {
@@ -77,13 +96,19 @@ fn vertex(v: u32) -> Vertex {
 }
 
 /// What is wrong with two triangles.
-enum Flaw {
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Flaw {
+    /// One lies on the other along a common edge, or they have the same corners.
     Fold,
+    /// They have another point in common.
     Crossing,
 }
 
 /// What two triangles have in common besides their common vertices and edge, if anything.
-fn flaw(session: &dyn Predicates, first: [u32; 3], second: [u32; 3]) -> Option<Flaw> {
+///
+/// # Panics
+/// If the scene has no such vertex.
+pub fn flaw(session: &dyn Predicates, first: [u32; 3], second: [u32; 3]) -> Option<Flaw> {
     let common: Vec<u32> = first.into_iter().filter(|v| second.contains(v)).collect();
     let [t, u] = [first.map(vertex), second.map(vertex)];
     match common[..] {

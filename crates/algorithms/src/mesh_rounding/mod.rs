@@ -17,15 +17,18 @@
 //! only, or where they have met before and none of them has a moved vertex; none is turned over, and each vertex is within one ulp of its place in each coordinate. That flaws do not stay is not guaranteed:
 //! for that, vertices would have to move farther (Valque, *Iterated snap rounding in space*), or triangles be divided.
 
-mod flaws;
+pub mod flaws;
+pub mod planted;
 
 use predicament_mesh::{MaterialError, MaterialMesh};
 use predicament_predicates::{Axis, Declined, Plane, Predicates, Scene, SceneError, Sign, Vertex};
 
 use self::flaws::Flaws;
+use self::planted::{Planted, Wrong};
 use crate::mesh_limit::chain::Chain;
 use crate::mesh_limit::joints::Joints;
 use crate::mesh_limit::{Limit, Places};
+use crate::planted::Honest;
 use crate::sessions::{Sessions, with};
 
 /// Ways of rounding that are tried.
@@ -83,6 +86,8 @@ pub struct Rounded {
     pub closed: Closed,
     /// For each point the vertex of the limit that it was.
     pub vertices: Vec<Vertex>,
+    /// For each point whether a vertex has moved there.
+    pub moved: Vec<bool>,
     /// What rounding has done.
     pub counts: Counts,
 }
@@ -118,21 +123,48 @@ impl std::error::Error for NotRounded {}
 /// # Errors
 /// [`NotRounded`], where the rounded mesh is no scene that the backend takes.
 pub fn rounded(exact: &dyn Sessions, session: &dyn Predicates, limit: &Limit) -> Result<Rounded, NotRounded> {
-    let mut rounding = Rounding::new(session, limit);
+    rounded_planted::<Honest>(exact, session, limit)
+}
+
+/// [`rounded`] with a planted fault.
+///
+/// # Errors
+/// As [`rounded`].
+pub fn rounded_planted<F: Planted>(
+    exact: &dyn Sessions,
+    session: &dyn Predicates,
+    limit: &Limit,
+) -> Result<Rounded, NotRounded> {
+    of_triangles(exact, session, (&limit.solid.triangles, &limit.places), PASSES, F::WRONG)
+}
+
+/// A closed surface in doubles, by at most so many ways.
+pub(crate) fn of_triangles(
+    exact: &dyn Sessions,
+    session: &dyn Predicates,
+    (triangles, places): (&[[Vertex; 3]], &Places),
+    passes: u32,
+    wrong: Wrong,
+) -> Result<Rounded, NotRounded> {
+    let mut rounding = Rounding::new(session, triangles, places);
     let moved = rounding.vertices.iter().filter(|vertex| vertex.is_moved).count();
     if moved == 0 {
         let triangles = std::mem::take(&mut rounding.triangles);
         let closed = Closed { points: rounding.points(), triangles };
-        return Ok(Rounded { closed, vertices: rounding.names, counts: Counts::default() });
+        let moved = vec![false; closed.points.len()];
+        return Ok(Rounded { closed, vertices: rounding.names, moved, counts: Counts::default() });
     }
     let mut best: Option<Rounded> = None;
     let mut first = Flaws::default();
-    for pass in 0..PASSES {
+    for pass in 0..passes {
         let scene = Scene::from_points3(&rounding.points()).map_err(NotRounded::Scene)?;
         let (built, flaws) = with(exact, &scene, &mut |session| {
             let built = rounding.built(session);
-            let is_moved = |v: u32| rounding.vertices[v as usize].is_moved;
-            let flaws = flaws::flaws(session, &built.triangles, &is_moved, &rounding.turns);
+            let is_moved = |v: u32| built.moved[v as usize];
+            let flaws = match wrong {
+                Wrong::LooksForNothing => Flaws::default(),
+                Wrong::Nothing => flaws::flaws(session, &built.triangles, &is_moved, &rounding.turns),
+            };
             Ok::<_, NotRounded>((built, flaws))
         })?;
         if pass == 0 {
@@ -151,8 +183,9 @@ pub fn rounded(exact: &dyn Sessions, session: &dyn Predicates, limit: &Limit) ->
                 left,
             };
             let (closed, kept) = compact(&rounding.points(), &built.triangles);
-            let vertices = kept.into_iter().map(|v| rounding.names[v as usize]).collect();
-            best = Some(Rounded { closed, vertices, counts });
+            let vertices = kept.iter().map(|&v| rounding.names[v as usize]).collect();
+            let moved = kept.iter().map(|&v| built.moved[v as usize]).collect();
+            best = Some(Rounded { closed, vertices, moved, counts });
         }
         if left == 0 {
             break;
@@ -204,12 +237,14 @@ struct Rounding {
 struct Built {
     /// With the place of the triangle that each is, or is a part of.
     triangles: Vec<([u32; 3], u32)>,
+    /// For each vertex whether it has moved, or stands for one that has.
+    moved: Vec<bool>,
     merged: usize,
     collapsed: usize,
 }
 
 impl Rounding {
-    fn new(session: &dyn Predicates, limit: &Limit) -> Rounding {
+    fn new(session: &dyn Predicates, named: &[[Vertex; 3]], places: &Places) -> Rounding {
         let scene = session.scene();
         let (mut vertices, mut names) = (Vec::new(), Vec::new());
         let mut of_input = vec![u32::MAX; scene.len()];
@@ -221,15 +256,15 @@ impl Rounding {
             };
             if *known == u32::MAX {
                 *known = number(vertices.len());
-                let nearest = limit.places.nearest(scene, v);
-                let is_moved = !limit.places.is_exact(v);
-                let other = if is_moved { limit.places.beyond(scene, v) } else { nearest };
+                let nearest = places.nearest(scene, v);
+                let is_moved = !places.is_exact(v);
+                let other = if is_moved { places.beyond(scene, v) } else { nearest };
                 names.push(v);
                 vertices.push(Place { nearest, other, is_moved, way: 0 });
             }
             *known
         };
-        let triangles: Vec<[u32; 3]> = limit.solid.triangles.iter().map(|triangle| triangle.map(&mut place)).collect();
+        let triangles: Vec<[u32; 3]> = named.iter().map(|triangle| triangle.map(&mut place)).collect();
         let turn = |(named, triangle): (&[Vertex; 3], &[u32; 3])| {
             triangle.iter().any(|&v| vertices[v as usize].is_moved).then(|| {
                 let [a, b, c] = *named;
@@ -238,7 +273,7 @@ impl Rounding {
                 turns.into_iter().find(|(_, turn)| !turn.is_zero()).unwrap_or(turns[0])
             })
         };
-        let turns = limit.solid.triangles.iter().zip(&triangles).map(turn).collect();
+        let turns = named.iter().zip(&triangles).map(turn).collect();
         Rounding { vertices, names, triangles, turns }
     }
 
@@ -254,9 +289,11 @@ impl Rounding {
         let key = |v: u32| points[v as usize].map(|x| (x + 0.0).to_bits());
         order.sort_unstable_by_key(|&v| (key(v), v));
         let mut stand: Vec<u32> = (0..number(points.len())).collect();
+        let mut moved: Vec<bool> = self.vertices.iter().map(|vertex| vertex.is_moved).collect();
         let mut merged = 0;
         for same in order.chunk_by(|&v, &w| key(v) == key(w)) {
             same[1..].iter().for_each(|&v| stand[v as usize] = same[0]);
+            moved[same[0] as usize] = same.iter().any(|&v| moved[v as usize]);
             merged += same.len() - 1;
         }
         let mut triangles: Vec<([u32; 3], u32)> =
@@ -292,7 +329,7 @@ impl Rounding {
             });
             triangles = pieces.collect();
         }
-        Built { triangles, merged, collapsed }
+        Built { triangles, moved, merged, collapsed }
     }
 }
 

@@ -10,6 +10,7 @@ pub mod maps;
 pub mod overlaid;
 pub mod rings;
 pub mod shapes;
+pub mod touching;
 pub mod turns;
 pub mod volumes;
 pub mod whim;

@@ -14,6 +14,8 @@ mod mesh_locate;
 mod mesh_locate_scale;
 mod mesh_overlay;
 mod mesh_overlay_signs;
+mod mesh_resolve;
+mod mesh_rounding;
 mod overlay;
 mod overlay_near;
 mod polygon_locate;

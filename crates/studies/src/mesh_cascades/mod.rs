@@ -6,7 +6,7 @@
 //!
 //! * [`Cascade`] makes the steps. All operands are doubles that are known beforehand.
 //! * A backend does them, as [`predicament_algorithms::mesh_cascade`] has it: the overlay by its signs, the limit by exact
-//!   ones, then the nearest doubles.
+//!   ones, then the nearest doubles. Where these make a result cross itself, it is resolved ([`predicament_algorithms::mesh_resolve`]).
 //! * [`Sample`] is what is measured after a step.
 //!
 //! # What is true
@@ -21,5 +21,5 @@ mod table;
 
 pub use cascade::{Cascade, Operand};
 pub use sample::{Done, Sample};
-pub use study::{Measured, MeshCascades};
+pub use study::{Measured, MeshCascades, Rounding};
 pub use survey::Followed;

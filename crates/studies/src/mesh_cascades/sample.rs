@@ -45,7 +45,7 @@ pub struct Sample {
 }
 
 /// Sums over steps.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Done {
     /// Points constructed.
     pub constructed: usize,
@@ -55,18 +55,32 @@ pub struct Done {
     pub moved: usize,
     /// Triangles turned over, folds and crossings, where all vertices go to the nearest doubles.
     pub flaws: usize,
-    /// Those that are left.
+    /// Triangles that were cut to resolve them.
+    pub cut: usize,
+    /// Steps of which the result was resolved and rounded again.
+    pub resolved: usize,
+    /// The most often in one step.
+    pub passes: usize,
+    /// What resolved results have moved in all, at most, in each coordinate.
+    pub farthest: f64,
+    /// Flaws that are left.
     pub left: usize,
 }
 
 impl Done {
     pub(super) fn add(&mut self, step: &Step) {
-        let Step { constructed, limit, rounding } = step;
+        let Step { constructed, limit, rounding, resolved } = step;
         self.constructed += constructed;
         self.cleared += limit.flat + limit.cancelled + limit.covered + limit.divided;
         self.moved += rounding.moved;
         self.flaws += rounding.turned + rounding.folded + rounding.crossing;
-        self.left += rounding.left;
+        if let Some(resolved) = resolved {
+            self.cut += resolved.cut;
+            self.resolved += usize::from(resolved.passes > 0);
+            self.passes = self.passes.max(resolved.passes);
+            self.farthest += resolved.farthest;
+        }
+        self.left += step.left();
     }
 }
 

@@ -41,6 +41,10 @@ pub struct MeshCascades {
     #[arg(long, default_value_t = 64, value_name = "N")]
     pub probes: u32,
 
+    /// What becomes of a result that crosses itself once its vertices are doubles
+    #[arg(long, value_enum, default_value_t = Rounding::Counted, value_name = "HOW")]
+    pub rounding: Rounding,
+
     /// The seed of operands and points
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub seed: u64,
@@ -48,6 +52,16 @@ pub struct MeshCascades {
     /// The folder to write; made if missing
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+}
+
+/// What becomes of flaws of rounding.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, clap::ValueEnum)]
+pub enum Rounding {
+    /// Flaws are counted
+    #[default]
+    Counted,
+    /// Triangles that cross are cut, and the result is rounded again, until none do or they become more
+    Resolved,
 }
 
 /// What is plotted: the end of the file's name, what it is, and the value of a sample.
@@ -81,7 +95,10 @@ Everything is measured in rationals: volume, area and triangles against those th
 (cubes, shuffled), open sides, triangles without area or through each other, points on the wrong
 side of the result by all operands. `cleared` is what limits have cleared, `moved` are vertices that
 were no doubles; `flaws` are triangles that turned over, folded or crossed when these went to the
-nearest doubles, `left` what was left of that after other doubles were tried.
+nearest doubles, `left` what was left of that after other doubles were tried. With --rounding
+resolved, results that cross themselves then are cut where they do and rounded again, 16 times at
+most, and not for long where crossings become more: `cut` are the triangles that were cut for that,
+and `left` are the pairs that cross in the end.
 
 Written to the folder: mesh-cascades.csv, mesh-cascade-times.csv, mesh-cascades.md, plots. All but
 times are the same whenever it is run.
@@ -91,7 +108,8 @@ flaw crosses itself: what comes then is shown, and not promised.
 
 Examples:
   predicament mesh-cascades -c cubes --steps 1999 -b sos:per-mesh
-  predicament mesh-cascades -c shave,copies --steps 100 --out target/mesh-cascades";
+  predicament mesh-cascades -c shave,copies --steps 100 --out target/mesh-cascades
+  predicament mesh-cascades -c copies --steps 24 --rounding resolved";
 
     type Measured = Measured;
 
@@ -124,13 +142,17 @@ Examples:
             probes: self.probes as usize,
             seed: self.seed,
         };
+        let rounding = match self.rounding {
+            Rounding::Counted => predicament_algorithms::mesh_cascade::Rounding::Counted,
+            Rounding::Resolved => predicament_algorithms::mesh_cascade::Rounding::Resolved,
+        };
         let cascades = if self.cascades.is_empty() { Cascade::ALL.to_vec() } else { self.cascades.clone() };
         host.begin(u64::from(self.steps) * (self.backends.len() * cascades.len()) as u64, "steps");
         let mut measured = Measured { followed: Vec::new() };
         for cascade in cascades {
             for &backend in &backends[..self.backends.len()] {
                 host.turn_to(&format!("{} by {}", cascade.name(), backend.name()));
-                measured.followed.push(follow(cascade, plan, backend, exact, host.watch())?);
+                measured.followed.push(follow(cascade, plan, rounding, backend, exact, host.watch())?);
             }
         }
         Ok(measured)
@@ -208,6 +230,10 @@ struct Row<'a> {
     cleared: usize,
     moved: usize,
     flaws: usize,
+    steps_resolved: usize,
+    most_passes: usize,
+    cut: usize,
+    farthest: f64,
     left: usize,
     ended: String,
 }
@@ -235,6 +261,10 @@ impl<'a> Row<'a> {
             cleared: sample.done.cleared,
             moved: sample.done.moved,
             flaws: sample.done.flaws,
+            steps_resolved: sample.done.resolved,
+            most_passes: sample.done.passes,
+            cut: sample.done.cut,
+            farthest: sample.done.farthest,
             left: sample.done.left,
             ended: ended.map(|(step, why)| format!("step {step}: {why}")).unwrap_or_default(),
         }

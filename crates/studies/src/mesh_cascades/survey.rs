@@ -38,10 +38,11 @@ impl Sessions for Of<'_> {
     }
 }
 
-/// Does the steps of a cascade by a backend; limits are taken by the `exact` one, if this one breaks ties, else by itself.
+/// Does the steps of a cascade by a backend; limits are taken, and flaws of rounding resolved, by the `exact` one, if this one breaks ties, else by itself.
 pub(super) fn follow(
     cascade: Cascade,
     plan: Plan,
+    rounding: steps::Rounding,
     backend: &dyn Contestant,
     exact: &dyn Contestant,
     watch: &Watch<'_>,
@@ -53,6 +54,7 @@ pub(super) fn follow(
         perturbed: &own,
         exact: if breaks_ties { &exact } else { &own },
         zeros: if breaks_ties { Zeros::Refused } else { Zeros::Positive },
+        rounding,
     };
     let mut cells = start.cell.map(|_| Cells::default());
     if let Some(cells) = &mut cells {

@@ -32,6 +32,8 @@ pub(super) fn page(study: &MeshCascades, measured: &Measured) -> String {
             "cleared",
             "moved",
             "flaws",
+            "cut",
+            "passes",
             "left",
             "time",
         ];
@@ -48,7 +50,7 @@ pub(super) fn page(study: &MeshCascades, measured: &Measured) -> String {
 
 fn row(one: &Followed) -> Vec<String> {
     let Some(last) = one.samples.last() else {
-        return std::iter::once(one.backend.clone()).chain(std::iter::repeat_n("-".to_owned(), 15)).collect();
+        return std::iter::once(one.backend.clone()).chain(std::iter::repeat_n("-".to_owned(), 17)).collect();
     };
     let worst = |of: fn(&Sample) -> usize| one.samples.iter().map(of).max().unwrap_or(0).to_string();
     #[allow(clippy::cast_precision_loss)] // few samples
@@ -70,6 +72,8 @@ fn row(one: &Followed) -> Vec<String> {
         last.done.cleared.to_string(),
         last.done.moved.to_string(),
         last.done.flaws.to_string(),
+        last.done.cut.to_string(),
+        last.done.passes.to_string(),
         last.done.left.to_string(),
         significant(time, 3),
     ]
@@ -94,6 +98,14 @@ fn sentences(one: &Followed) -> Vec<String> {
     if let Some(step) = first(|sample| sample.done.left > 0) {
         all.push(format!(
             "rounding has left triangles that are turned over, folded or crossed, first seen after step {step}"
+        ));
+    }
+    if let Some(done) = one.samples.last().map(|last| last.done).filter(|done| done.resolved > 0) {
+        all.push(format!(
+            "{} results with flaws were resolved and rounded again, {} times at most; no point moved farther than {} by these in all",
+            done.resolved,
+            done.passes,
+            significant(done.farthest, 3)
         ));
     }
     all.extend(one.ended.as_ref().map(|(step, why)| format!("step {step} cannot be done: {why}")));

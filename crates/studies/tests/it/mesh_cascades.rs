@@ -2,7 +2,7 @@
 
 use predicament_exact::Exact;
 use predicament_sos::PerMesh;
-use predicament_studies::mesh_cascades::{Cascade, MeshCascades};
+use predicament_studies::mesh_cascades::{Cascade, MeshCascades, Rounding};
 use predicament_studies::{Quiet, Study};
 use predicament_tasks::{Contestant, Entry};
 
@@ -13,6 +13,7 @@ fn study(cascades: &[Cascade], steps: u32) -> MeshCascades {
         steps,
         samples: 5,
         probes: 16,
+        rounding: Rounding::Resolved,
         seed: 1,
         out: None,
     }
@@ -48,4 +49,19 @@ fn a_sphere_is_shaved_twice_in_the_same_way() {
     assert!(first.followed[0].done.moved > 0);
     let rows = |measured| study.rows(measured).unwrap()[0].text.clone();
     assert_eq!(rows(&first), rows(&second));
+}
+
+#[test]
+fn what_rounding_leaves_is_resolved() {
+    let backends: [Box<dyn Contestant>; 2] = [Box::new(Entry::new(PerMesh)), Box::new(Entry::new(Exact))];
+    let backends = backends.each_ref().map(|backend| &**backend);
+    let resolved = MeshCascades { samples: 1, probes: 4, ..study(&[Cascade::Copies], 5) };
+    let measured = resolved.survey(&backends, &Quiet::new()).unwrap();
+    assert!(resolved.holds(&measured), "{}", resolved.page(&measured));
+    let done = measured.followed[0].done;
+    assert!(done.left == 0 && done.resolved > 0 && done.cut > 0, "{done:?}");
+    assert!(measured.followed[0].samples.iter().all(|sample| sample.is_clean()));
+    let counted = MeshCascades { rounding: Rounding::Counted, ..resolved };
+    let measured = counted.survey(&backends, &Quiet::new()).unwrap();
+    assert!(measured.followed[0].done.left > 0);
 }

@@ -1,0 +1,55 @@
+//! Triangles by their corners, each with the number of times that a surface passes it.
+
+use std::collections::BTreeMap;
+
+use predicament_predicates::{Plane, Predicates, Sign, Vertex};
+
+/// An oriented triangle with an area.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Face {
+    pub corners: [Vertex; 3],
+    /// How often the surface passes it as it is oriented, less how often the other way round: one at least.
+    pub times: i32,
+}
+
+/// The faces that triangles add up to, in the order of their first: pairs of opposite ones are gone, as is what has a vertex twice or no area.
+pub(super) fn summed(session: &dyn Predicates, triangles: impl Iterator<Item = [Vertex; 3]>) -> Vec<Face> {
+    let mut places = BTreeMap::new();
+    let mut all: Vec<Face> = Vec::new();
+    for corners in triangles {
+        let [a, b, c] = corners;
+        if a == b || b == c || c == a {
+            continue;
+        }
+        let mut sorted = corners;
+        sorted.sort_unstable();
+        let at = *places.entry(sorted).or_insert(all.len());
+        if at == all.len() {
+            all.push(Face { corners, times: 0 });
+        }
+        let known = all[at].corners;
+        let is_same = [[a, b, c], [b, c, a], [c, a, b]].contains(&known);
+        all[at].times += if is_same { 1 } else { -1 };
+    }
+    all.retain(|face| face.times != 0 && !is_flat(session, face.corners));
+    all.iter_mut().filter(|face| face.times < 0).for_each(|face| {
+        face.corners.swap(1, 2);
+        face.times = -face.times;
+    });
+    all
+}
+
+fn is_flat(session: &dyn Predicates, [a, b, c]: [Vertex; 3]) -> bool {
+    [Plane::Xy, Plane::Yz, Plane::Zx].into_iter().all(|plane| session.orient2d(plane, a, b, c).is_zero())
+}
+
+/// The turn of three vertices in a coordinate plane; zero where two of them are one.
+pub(super) fn turn(session: &dyn Predicates, plane: Plane, [a, b, c]: [Vertex; 3]) -> Sign {
+    if a == b || b == c || c == a { Sign::Zero } else { session.orient2d(plane, a, b, c) }
+}
+
+/// The side of a triangle's plane on which a vertex is: positive behind it; zero for a corner.
+pub(super) fn side(session: &dyn Predicates, corners: [Vertex; 3], v: Vertex) -> Sign {
+    let [a, b, c] = corners;
+    if corners.contains(&v) { Sign::Zero } else { session.orient3d(a, b, c, v) }
+}
