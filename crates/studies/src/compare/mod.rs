@@ -9,6 +9,7 @@
 //! * [`Measure`]: a number with its interval, a row of `compare.csv`.
 
 mod clock;
+mod conditioning;
 mod errors;
 mod inputs;
 mod measure;
@@ -17,6 +18,7 @@ mod study;
 mod survey;
 mod table;
 
+pub use conditioning::Conditioned;
 pub use inputs::{INPUTS, Input, Kind};
 pub use measure::Measure;
 pub use study::{Compare, Compared};

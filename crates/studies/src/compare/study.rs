@@ -6,7 +6,7 @@ use predicament_predicates::{PredicateKind, ZeroMeaning};
 use predicament_tasks::Contestant;
 
 use super::measure::{About, Measure};
-use super::{INPUTS, Input, survey, table};
+use super::{Conditioned, INPUTS, Input, conditioning, survey, table};
 use crate::contacts::contacts;
 use crate::laws::Format;
 use crate::resolution::{self, FEATURES};
@@ -40,6 +40,10 @@ pub struct Compare {
     #[arg(long, default_value_t = 40, value_name = "N")]
     pub trials: u32,
 
+    /// Queries of each predicate for each distance from a degeneracy; error against conditioning is left out if 0
+    #[arg(long, default_value_t = 400, value_name = "N")]
+    pub queries: usize,
+
     /// The seed of the first scene; the next ones follow
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub seed: u64,
@@ -58,6 +62,8 @@ pub struct Compare {
 pub struct Compared {
     /// In the order of inputs and backends; sizes of features come last.
     pub measures: Vec<Measure>,
+    /// Errors by how degenerate queries are.
+    pub conditioning: Vec<Conditioned>,
     /// For each backend its name, its promise in a few words, and whether that is proved.
     pub promises: Vec<(String, &'static str, bool)>,
 }
@@ -73,13 +79,15 @@ what the process takes more while a backend prepares and answers it, where the s
 Wilson's at 95 % for shares, and the least and the largest of the samples for times.
 
 Written to the folder: compare.csv (a row for each number, with its interval and what it is of), compare.md (the tables
-that are printed; each number is in a row of compare.csv).
+that are printed; each number is in a row of compare.csv), conditioning.csv and plots of it (wrong answers by how degenerate
+queries are, each backend's band beside them), error-time.svg (scenes that are wrong against time, over all inputs).
 
 Exit codes: 0 if no backend with a proved promise has answered a question against it, 100 otherwise.
 
 Examples:
   predicament compare --out target/compare
   predicament compare -b tolerance,sos,exact -t contacts2d,contacts3d --scenes 200 --out target/contacts
+  predicament compare -b exact,epsilon:1e-16,epsilon:1e-12,epsilon:1e-8,tolerance,tolerance:f32 --out target/curves
   predicament compare --samples 0 --trials 0 --out target/errors        errors only: the same bytes on every machine";
 
     type Measured = Compared;
@@ -112,16 +120,31 @@ Examples:
                 measures.extend(self.features(backend, host)?);
             }
         }
+        let mut conditioned = Vec::new();
+        if self.queries > 0 && self.tasks.is_empty() {
+            host.begin(conditioning::steps(backends.len()) as u64, "scenes");
+            conditioned = conditioning::conditioning(backends, self.queries, self.seed, host.watch())?;
+        }
         let promises = backends.iter().map(|backend| promise(*backend)).collect();
-        Ok(Compared { measures, promises })
+        Ok(Compared { measures, conditioning: conditioned, promises })
     }
 
     fn rows(&self, measured: &Compared) -> Result<Vec<File>, Error> {
-        Ok(vec![File::csv("compare.csv", &measured.measures)?])
+        let mut files = vec![File::csv("compare.csv", &measured.measures)?];
+        if !measured.conditioning.is_empty() {
+            files.push(File::csv("conditioning.csv", &measured.conditioning)?);
+        }
+        Ok(files)
+    }
+
+    fn plots(&self, measured: &Compared) -> Result<Vec<File>, Error> {
+        let mut files = conditioning::plots(&measured.conditioning)?;
+        files.extend(table::error_against_time(measured)?);
+        Ok(files)
     }
 
     fn page(&self, measured: &Compared) -> String {
-        table::page(measured)
+        table::page(measured) + &conditioning::page(&measured.conditioning)
     }
 
     fn holds(&self, measured: &Compared) -> bool {

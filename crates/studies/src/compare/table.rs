@@ -2,7 +2,10 @@
 
 use std::fmt::Write as _;
 
+use predicament_report::{Curve, Curves, curves};
+
 use super::{Compared, Measure};
+use crate::{Error, File};
 
 /// The kinds of input in their order.
 const KINDS: [&str; 3] = ["general", "near", "degenerate"];
@@ -172,6 +175,30 @@ fn sizes(page: &mut String, compared: &Compared) {
         page.push('\n');
     }
     page.push_str("\n0: it is told at the smallest size that is looked at, 10^-9 L.\n");
+}
+
+/// Run time against error: for each backend the geometric mean of its times and the mean share of scenes that it answers against its promise. Backends
+/// that differ in a parameter alone are one curve; what is never wrong is drawn at a tenth of a scene in a thousand.
+pub(super) fn error_against_time(compared: &Compared) -> Result<Option<File>, Error> {
+    let mut lines: Vec<Curve> = Vec::new();
+    for (backend, ..) in &compared.promises {
+        let of = |measure: &'static str| {
+            compared.measures.iter().filter(move |row| row.backend == *backend && row.measure == measure)
+        };
+        let Some(time) = predicament_records::geometric_mean(of("time").map(|row| row.value)) else { continue };
+        let wrong: Vec<f64> = of("wrong scenes").map(|row| row.value).collect();
+        let mean = wrong.iter().sum::<f64>() / predicament_records::approximately(wrong.len().max(1) as u64);
+        let name = backend.split(':').next().unwrap_or(backend).to_owned();
+        let point = (time, mean.max(0.1));
+        match lines.iter_mut().find(|line| line.name == name) {
+            Some(line) => line.points.push(point),
+            None => lines.push(Curve { name, points: vec![point] }),
+        }
+    }
+    lines.iter_mut().for_each(|line| line.points.sort_by(|a, b| a.0.total_cmp(&b.0)));
+    let (x, y) = ("ns a query, geometric mean".into(), "scenes in 1000 against the promise".into());
+    let svg = curves(&Curves { x, y, curves: lines }).map_err(Error::format)?;
+    Ok(svg.map(|svg| File::new("error-time.svg", svg)))
 }
 
 fn largest(compared: &Compared, backend: &str, is_asked: impl Fn(&Measure) -> bool) -> Option<f64> {

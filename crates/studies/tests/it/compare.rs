@@ -14,6 +14,7 @@ fn study(tasks: &[&str], scenes: u32) -> Compare {
         scenes,
         samples: 0,
         trials: 0,
+        queries: 0,
         seed: 5,
         out: "nowhere".into(),
         format: Format::Csv,

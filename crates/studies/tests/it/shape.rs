@@ -25,7 +25,10 @@ fn report(study: &dyn Ready, host: &dyn Host) -> Result<Report, Error> {
 
 /// Each study on a small amount of work, and its files.
 const SMALL: [(&str, &[&str]); 9] = [
-    ("compare -b exact,tolerance -t orient2d --scenes 1 --samples 1 --out x", &["compare.csv", "compare.md"]),
+    (
+        "compare -b exact,tolerance -t orient2d --scenes 1 --samples 1 --out x",
+        &["compare.csv", "compare.md", "error-time.svg"],
+    ),
     (
         "stress -b exact,naive -t orient2d -k noise,scale --scenes 1 --tuples 10 --out x",
         &["stress.csv", "breaks.csv", "stress-laws.csv", "stress.md", "stress-noise.svg"],

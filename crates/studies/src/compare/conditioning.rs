@@ -1,0 +1,227 @@
+//! Error against conditioning: the share of wrong answers by how degenerate a query is.
+//!
+//! How degenerate is log2(|determinant| / permanent), in rationals: 0 for not at all, about -53 where plain doubles lose the sign. Queries are of
+//! general scenes and of such that miss a degeneracy by 2^0 to 2^48 ulps, so that every decade has some.
+
+use std::collections::BTreeMap;
+
+use predicament_corpus::LoadedScene;
+use predicament_judge::{log2_relative, verdict};
+use predicament_predicates::{Sign, ZeroMeaning};
+use predicament_records::{approximately, wilson};
+use predicament_report::{Curve, Curves, curves};
+use predicament_tasks::signs::SignQueries;
+use predicament_tasks::{Contestant, Watch};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::inputs::{Input, Kind};
+use crate::{Error, File};
+
+/// The predicates, by task.
+const TASKS: [&str; 4] = ["orient2d", "orient3d", "incircle", "insphere"];
+/// Ulps, as exponents of two, by which degeneracies are missed.
+const MISSED_BY: [u32; 13] = [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48];
+/// The place of exact zeros.
+const ZERO: i32 = -1100;
+/// Binary digits to a bin.
+const BIN: i32 = 4;
+
+/// Answers of a backend to queries that are about as degenerate as each other: a row of `conditioning.csv`.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct Conditioned {
+    /// The task.
+    pub task: String,
+    /// The backend's name, with its parameters.
+    pub backend: String,
+    /// The least log2(|determinant| / permanent) of the bin, which has four binary digits; -1100 for exact zeros.
+    pub log2_relative_det: i32,
+    /// Answers.
+    pub answers: u64,
+    /// Those that are not as promised.
+    pub wrong: u64,
+    /// Zeros of a band: legal ones.
+    pub in_band: u64,
+    /// The share of wrong answers, with its 95 % interval.
+    pub share: f64,
+    /// The interval's lower end.
+    pub low: f64,
+    /// The interval's upper end.
+    pub high: f64,
+}
+
+#[derive(Clone, Copy, Default)]
+struct Bin {
+    answers: u64,
+    wrong: u64,
+    in_band: u64,
+}
+
+/// All backends on all predicates, with so many queries for each miss.
+pub(super) fn conditioning(
+    backends: &[&dyn Contestant],
+    queries: usize,
+    seed: u64,
+    watch: &Watch<'_>,
+) -> Result<Vec<Conditioned>, Error> {
+    let mut all = Vec::new();
+    for task in TASKS {
+        let near = |exponent: &u32| {
+            let keys: &'static str = NEAR[MISSED_BY.iter().position(|other| other == exponent).unwrap_or(0)];
+            Input { task, kind: Kind::Near, family: "near", n: queries, keys }.scene(seed)
+        };
+        let mut scenes: Vec<LoadedScene> = MISSED_BY.iter().map(near).collect::<Result<_, Error>>()?;
+        let general = |family: &'static str| Input { task, kind: Kind::General, family, n: queries, keys: "" };
+        scenes.push(general("uniform").scene(seed)?);
+        scenes.push(general("degen").scene(seed)?);
+        for backend in backends {
+            let of_scenes: Vec<BTreeMap<i32, Bin>> = scenes.par_iter().map(|scene| bins(*backend, scene)).collect();
+            watch.done(scenes.len() as u64)?;
+            let mut bins: BTreeMap<i32, Bin> = BTreeMap::new();
+            for (at, bin) in of_scenes.into_iter().flatten() {
+                let sum = bins.entry(at).or_default();
+                sum.answers += bin.answers;
+                sum.wrong += bin.wrong;
+                sum.in_band += bin.in_band;
+            }
+            all.extend(bins.into_iter().map(|(at, bin)| {
+                let [low, high] = wilson(bin.wrong, bin.answers);
+                Conditioned {
+                    task: task.to_owned(),
+                    backend: backend.name(),
+                    log2_relative_det: at,
+                    answers: bin.answers,
+                    wrong: bin.wrong,
+                    in_band: bin.in_band,
+                    share: approximately(bin.wrong) / approximately(bin.answers),
+                    low,
+                    high,
+                }
+            }));
+        }
+    }
+    Ok(all)
+}
+
+/// The keys of near scenes, in the order of [`MISSED_BY`].
+const NEAR: [&str; MISSED_BY.len()] = [
+    "ulps = 1",
+    "ulps = 16",
+    "ulps = 256",
+    "ulps = 4096",
+    "ulps = 65536",
+    "ulps = 1048576",
+    "ulps = 16777216",
+    "ulps = 268435456",
+    "ulps = 4294967296",
+    "ulps = 68719476736",
+    "ulps = 1099511627776",
+    "ulps = 17592186044416",
+    "ulps = 281474976710656",
+];
+
+/// The answers of a backend to a scene by how degenerate queries are; none where it declines.
+fn bins(backend: &dyn Contestant, scene: &LoadedScene) -> BTreeMap<i32, Bin> {
+    let mut bins: BTreeMap<i32, Bin> = BTreeMap::new();
+    let Some(SignQueries { queries, .. }) = scene.content::<SignQueries>() else { return bins };
+    let question = queries.question();
+    let zero = backend.contract(question.kind()).zero;
+    // What is declined is counted by the comparison.
+    let _ = backend.with_session(&scene.scene, &mut |session| {
+        if session.supports(question.kind()).is_err() {
+            return;
+        }
+        for at in 0..queries.len() {
+            let args = queries.args(at);
+            let truth = verdict(&scene.scene, question, args);
+            let exact = Sign::from(truth.determinant.cmp0());
+            // From -1100 on, which no determinant of these scenes reaches; bins are small whole numbers.
+            #[allow(clippy::cast_possible_truncation)]
+            let place = log2_relative(&truth).map_or(ZERO, |x| (x.max(-1000.0).floor() as i32).div_euclid(BIN) * BIN);
+            let said = question.ask(session, args);
+            let bin = bins.entry(place).or_default();
+            bin.answers += 1;
+            let is_band = said.is_zero() && zero == ZeroMeaning::Band && !exact.is_zero();
+            let is_broken_tie = exact.is_zero() && zero == ZeroMeaning::Never && !said.is_zero();
+            bin.in_band += u64::from(is_band);
+            bin.wrong += u64::from(said != exact && !is_band && !is_broken_tie);
+        }
+    });
+    bins
+}
+
+/// A plot for each task: wrong answers in a million by how degenerate queries are.
+pub(super) fn plots(measured: &[Conditioned]) -> Result<Vec<File>, Error> {
+    let mut files = Vec::new();
+    for task in TASKS {
+        let mut backends: Vec<&str> = Vec::new();
+        for row in measured.iter().filter(|row| row.task == task) {
+            if !backends.contains(&row.backend.as_str()) {
+                backends.push(&row.backend);
+            }
+        }
+        let curve = |backend: &&str, value: &dyn Fn(&Conditioned) -> u64, name: String| {
+            let of = measured.iter().filter(|row| row.task == task && row.backend == *backend);
+            let not_zero = of.filter(|row| row.log2_relative_det > ZERO);
+            let points = not_zero
+                .map(|row| {
+                    (f64::from(-row.log2_relative_det), 1e6 * approximately(value(row)) / approximately(row.answers))
+                })
+                .filter(|(x, y)| *x > 0.0 && *y > 0.0);
+            Curve { name, points: points.collect() }
+        };
+        let wrong = backends.iter().map(|backend| curve(backend, &|row| row.wrong, (*backend).to_owned()));
+        let bands = backends.iter().map(|backend| curve(backend, &|row| row.in_band, format!("{backend}, in band")));
+        let lines: Vec<Curve> = wrong.chain(bands).filter(|curve| !curve.points.is_empty()).collect();
+        let (x, y) = ("-log2(|det| / permanent)".into(), "wrong answers in 10^6".into());
+        let svg = curves(&Curves { x, y, curves: lines }).map_err(Error::format)?;
+        files.extend(svg.map(|svg| File::new(format!("conditioning-{task}.svg"), svg)));
+    }
+    Ok(files)
+}
+
+/// The bins in which backends are wrong, as Markdown.
+pub(super) fn page(measured: &[Conditioned]) -> String {
+    let mut page = String::new();
+    if measured.is_empty() {
+        return page;
+    }
+    page += "\n## Error against conditioning\n\nThe bins of log2(|det| / permanent) in which a backend is wrong, and those in which it answers with a zero of its band; exact zeros apart. Rows of `conditioning.csv`.\n\n\
+             | task | backend | wrong from | to | wrong in the worst bin | band from | to | exact zeros wrong |\n|---|---|---:|---:|---:|---:|---:|---:|\n";
+    let mut seen: Vec<(&str, &str)> = Vec::new();
+    for row in measured {
+        let pair = (row.task.as_str(), row.backend.as_str());
+        if seen.contains(&pair) {
+            continue;
+        }
+        seen.push(pair);
+        let of: Vec<&Conditioned> =
+            measured.iter().filter(|other| (other.task.as_str(), other.backend.as_str()) == pair).collect();
+        let range = |is: &dyn Fn(&Conditioned) -> bool| {
+            let mut places =
+                of.iter().filter(|row| row.log2_relative_det > ZERO && is(row)).map(|row| row.log2_relative_det);
+            places.next().map(|first| [first, places.last().unwrap_or(first) + BIN])
+        };
+        let cell = |range: Option<[i32; 2]>, at: usize| range.map_or("-".to_owned(), |range| range[at].to_string());
+        let (wrong, band) = (range(&|row| row.wrong > 0), range(&|row| row.in_band > 0));
+        let worst = of.iter().filter(|row| row.log2_relative_det > ZERO).map(|row| row.share).fold(0.0, f64::max);
+        let zeros = of.iter().find(|row| row.log2_relative_det == ZERO);
+        let zeros = zeros.map_or("-".to_owned(), |row| format!("{:.0} %", 100.0 * row.share));
+        page += &format!(
+            "| {} | {} | {} | {} | {:.1} % | {} | {} | {zeros} |\n",
+            pair.0,
+            pair.1,
+            cell(wrong, 0),
+            cell(wrong, 1),
+            100.0 * worst,
+            cell(band, 0),
+            cell(band, 1)
+        );
+    }
+    page
+}
+
+/// How many steps there are to a survey.
+pub(super) fn steps(backends: usize) -> usize {
+    TASKS.len() * backends * (MISSED_BY.len() + 2)
+}
