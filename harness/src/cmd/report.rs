@@ -11,7 +11,8 @@ use crate::tool::Tool;
 const EXAMPLES: &str = "\
 Examples:
   predicament report out/run --out out/report
-  predicament report out/run out/bench --out out/report    errors and timings on one page";
+  predicament report out/run out/bench --out out/report    errors and timings on one page
+  predicament report out/run out/compare --out out/report  with the comparison of backends that `compare` has written";
 
 /// Write Markdown, one self-contained HTML page, plots and their figures as CSV from run folders
 ///
@@ -19,7 +20,7 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// Folders written by `run` or `bench`; earlier ones come first where several have the same
+    /// Folders written by `run` or `bench`; earlier ones come first where several have the same. Folders written by `compare` add its table
     #[arg(required = true, value_name = "RUN")]
     pub runs: Vec<PathBuf>,
 
@@ -30,11 +31,24 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
-    let runs = RunDir::open_all(&args.runs).map_err(Failure::usage)?;
+    let (mut folders, mut compared) = (Vec::new(), Vec::new());
+    for folder in &args.runs {
+        match predicament_studies::compare::section(folder).map_err(Failure::usage)? {
+            Some(section) if !folder.join("plan.json").exists() => compared.push(section),
+            _ => folders.push(folder.clone()),
+        }
+    }
+    if folders.is_empty() {
+        return Err(Failure::usage(
+            "there is no run among the folders; name one that `run` or `bench` has written, too",
+        ));
+    }
+    let runs = RunDir::open_all(&folders).map_err(Failure::usage)?;
     for warning in runs.iter().flat_map(|run| &run.warnings) {
         note!("{warning}");
     }
-    write_pages(&runs, &tool.sections(&runs).map_err(Failure::usage)?, &args.out).map_err(Failure::usage)?;
+    compared.extend(tool.sections(&runs).map_err(Failure::usage)?);
+    write_pages(&runs, &compared, &args.out).map_err(Failure::usage)?;
     say!("{}", args.out.join("report.html").display());
     Ok(exit::OK)
 }

@@ -1,11 +1,11 @@
 //! Error against conditioning: the share of wrong answers by how degenerate a query is.
 //!
 //! How degenerate is log2(|determinant| / permanent), in rationals: 0 for not at all, about -53 where plain doubles lose the sign. Queries are of
-//! general scenes and of such that miss a degeneracy by 2^0 to 2^48 ulps, so that every decade has some.
+//! general scenes and of degenerate ones with noise of 2^-52 to 2^-4 of their extent, so that every decade has some.
 
 use std::collections::BTreeMap;
 
-use predicament_corpus::LoadedScene;
+use predicament_corpus::{LoadedScene, Random};
 use predicament_judge::{log2_relative, verdict};
 use predicament_predicates::{Sign, ZeroMeaning};
 use predicament_records::{approximately, wilson};
@@ -16,12 +16,13 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::inputs::{Input, Kind};
+use crate::stress::{Knob, moved};
 use crate::{Error, File};
 
 /// The predicates, by task.
 const TASKS: [&str; 4] = ["orient2d", "orient3d", "incircle", "insphere"];
-/// Ulps, as exponents of two, by which degeneracies are missed.
-const MISSED_BY: [u32; 13] = [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48];
+/// Noise, as exponents of two, in units of a scene's extent.
+const NOISE: [i32; 13] = [-52, -48, -44, -40, -36, -32, -28, -24, -20, -16, -12, -8, -4];
 /// The place of exact zeros.
 const ZERO: i32 = -1100;
 /// Binary digits to a bin.
@@ -57,8 +58,11 @@ struct Bin {
     in_band: u64,
 }
 
-/// All backends on all predicates, with so many queries for each miss.
-pub(super) fn conditioning(
+/// All backends on all predicates, with so many queries for each noise.
+///
+/// # Errors
+/// [`Error::Stopped`] where the watch says so.
+pub fn conditioning(
     backends: &[&dyn Contestant],
     queries: usize,
     seed: u64,
@@ -66,14 +70,16 @@ pub(super) fn conditioning(
 ) -> Result<Vec<Conditioned>, Error> {
     let mut all = Vec::new();
     for task in TASKS {
-        let near = |exponent: &u32| {
-            let keys: &'static str = NEAR[MISSED_BY.iter().position(|other| other == exponent).unwrap_or(0)];
-            Input { task, kind: Kind::Near, family: "near", n: queries, keys }.scene(seed)
+        let of = |family: &'static str| Input { task, kind: Kind::General, family, n: queries, keys: "" }.scene(seed);
+        let noisy = |&exponent: &i32| {
+            let degenerate = of("degen")?;
+            let mut random = Random::new("conditioning", task, seed + u64::from(exponent.unsigned_abs()));
+            let scene = &degenerate.scene;
+            let coordinates = Knob::Noise.turned(exponent, scene.dimension(), scene.coordinates(), &mut random);
+            moved(degenerate, coordinates)
         };
-        let mut scenes: Vec<LoadedScene> = MISSED_BY.iter().map(near).collect::<Result<_, Error>>()?;
-        let general = |family: &'static str| Input { task, kind: Kind::General, family, n: queries, keys: "" };
-        scenes.push(general("uniform").scene(seed)?);
-        scenes.push(general("degen").scene(seed)?);
+        let mut scenes: Vec<LoadedScene> = NOISE.iter().map(noisy).collect::<Result<_, Error>>()?;
+        scenes.extend([of("uniform")?, of("degen")?]);
         for backend in backends {
             let of_scenes: Vec<BTreeMap<i32, Bin>> = scenes.par_iter().map(|scene| bins(*backend, scene)).collect();
             watch.done(scenes.len() as u64)?;
@@ -102,23 +108,6 @@ pub(super) fn conditioning(
     }
     Ok(all)
 }
-
-/// The keys of near scenes, in the order of [`MISSED_BY`].
-const NEAR: [&str; MISSED_BY.len()] = [
-    "ulps = 1",
-    "ulps = 16",
-    "ulps = 256",
-    "ulps = 4096",
-    "ulps = 65536",
-    "ulps = 1048576",
-    "ulps = 16777216",
-    "ulps = 268435456",
-    "ulps = 4294967296",
-    "ulps = 68719476736",
-    "ulps = 1099511627776",
-    "ulps = 17592186044416",
-    "ulps = 281474976710656",
-];
 
 /// The answers of a backend to a scene by how degenerate queries are; none where it declines.
 fn bins(backend: &dyn Contestant, scene: &LoadedScene) -> BTreeMap<i32, Bin> {
@@ -223,5 +212,5 @@ pub(super) fn page(measured: &[Conditioned]) -> String {
 
 /// How many steps there are to a survey.
 pub(super) fn steps(backends: usize) -> usize {
-    TASKS.len() * backends * (MISSED_BY.len() + 2)
+    TASKS.len() * backends * (NOISE.len() + 2)
 }

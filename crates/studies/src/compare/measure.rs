@@ -60,3 +60,16 @@ impl About<'_> {
         Some(self.measure(measure, unit, median, [min, max], samples as u64))
     }
 }
+
+/// The rows of a file.
+///
+/// # Errors
+/// One line with the file, and the line that is wrong.
+pub(super) fn read(path: &std::path::Path) -> Result<Vec<Measure>, String> {
+    let mut rows = csv::Reader::from_path(path).map_err(|why| format!("{}: {why}", path.display()))?;
+    let row = |(at, row): (usize, Result<Measure, csv::Error>)| {
+        // Under a header, from one on.
+        row.map_err(|why| format!("{}:{}: {why}; write it anew with `predicament compare`", path.display(), at + 2))
+    };
+    rows.deserialize().enumerate().map(row).collect()
+}

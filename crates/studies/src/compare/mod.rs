@@ -14,13 +14,15 @@ mod errors;
 mod inputs;
 mod measure;
 mod memory;
+mod section;
 mod study;
 mod survey;
 mod table;
 
-pub use conditioning::Conditioned;
+pub use conditioning::{Conditioned, conditioning};
 pub use inputs::{INPUTS, Input, Kind};
 pub use measure::Measure;
+pub use section::section;
 pub use study::{Compare, Compared};
 pub(crate) use survey::{Group, measures_of};
 pub(crate) use table::WRONG;

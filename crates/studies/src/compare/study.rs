@@ -40,7 +40,7 @@ pub struct Compare {
     #[arg(long, default_value_t = 40, value_name = "N")]
     pub trials: u32,
 
-    /// Queries of each predicate for each distance from a degeneracy; error against conditioning is left out if 0
+    /// Queries of each predicate for each noise on degenerate scenes; error against conditioning is left out if 0
     #[arg(long, default_value_t = 400, value_name = "N")]
     pub queries: usize,
 

@@ -224,7 +224,7 @@ fn mean(compared: &Compared, backend: &str, measures: &[&str], times: f64, unit:
 }
 
 /// A number in three digits.
-fn short(value: Option<f64>) -> String {
+pub(super) fn short(value: Option<f64>) -> String {
     match value {
         None => "–".to_owned(),
         Some(0.0) => "0".to_owned(),

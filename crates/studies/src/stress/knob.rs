@@ -97,7 +97,7 @@ impl Knob {
     }
 
     /// The coordinates where the knob is at a position.
-    pub(super) fn turned(
+    pub(crate) fn turned(
         self,
         position: i32,
         dimension: Dimension,

@@ -20,4 +20,5 @@ mod table;
 pub use breaks::BreakPoint;
 pub use knob::Knob;
 pub use laws::{Law, Violations};
+pub(crate) use moved::moved;
 pub use study::{Stress, Stressed};

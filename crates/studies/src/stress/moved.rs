@@ -9,7 +9,7 @@ use predicament_tasks::contacts::Complexes;
 use crate::Error;
 
 /// The scene over other points: the second of two meshes and the lengths of primitives are found anew.
-pub(super) fn moved(mut loaded: LoadedScene, coordinates: Vec<f64>) -> Result<LoadedScene, Error> {
+pub(crate) fn moved(mut loaded: LoadedScene, coordinates: Vec<f64>) -> Result<LoadedScene, Error> {
     let scene = Scene::new(loaded.scene.dimension(), coordinates).map_err(Error::unfit)?;
     let second: Option<Vec<Vertex>> = loaded
         .scene

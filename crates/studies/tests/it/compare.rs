@@ -2,7 +2,7 @@
 
 use predicament_studies::compare::{Compare, Compared, INPUTS, Kind};
 use predicament_studies::laws::Format;
-use predicament_studies::{Quiet, Study};
+use predicament_studies::{Host, Quiet, Study};
 use predicament_tasks::Contestant;
 
 use crate::backend;
@@ -95,4 +95,51 @@ fn every_input_makes_scenes_of_two_sizes() {
     assert_eq!([Kind::General, Kind::Degenerate].map(|kind| declined(kind).unwrap().of), [4, 1]);
     let unknown = study(&["orient4d"], 1).survey(&[], &Quiet::new()).unwrap_err();
     assert!(unknown.to_string().contains("orient2d"), "{unknown}");
+}
+
+#[test]
+fn a_folder_is_a_section_of_a_report() {
+    let folder = std::env::temp_dir().join(format!("predicament-compare-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    assert_eq!(predicament_studies::compare::section(&folder), Ok(None));
+    let small = study(&["contacts2d"], 1);
+    let of = compared(&small, &["exact", "epsilon:1e-4"]);
+    let [file] = <[_; 1]>::try_from(small.rows(&of).unwrap()).unwrap();
+    std::fs::write(folder.join(&file.name), &file.text).unwrap();
+    let section = predicament_studies::compare::section(&folder).unwrap().unwrap();
+    assert_eq!(section.id, "compare");
+    // Three kinds of input, two backends.
+    let shown = format!("{:?}", section.blocks);
+    assert_eq!(shown.matches("epsilon:1e-4").count(), 3, "{shown}");
+    std::fs::write(folder.join("compare.csv"), file.text.replace(",1.0,", ",one,")).unwrap();
+    let why = predicament_studies::compare::section(&folder).unwrap_err();
+    assert!(why.contains("compare.csv:"), "{why}");
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+#[test]
+fn plain_doubles_are_wrong_where_queries_are_nearly_degenerate() {
+    let backends = ["exact", "sos", "tolerance", "naive"].map(backend);
+    let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
+    let quiet = Quiet::new();
+    let found = predicament_studies::compare::conditioning(&backends, 60, 1, quiet.watch()).unwrap();
+    for row in &found {
+        assert!(row.low <= row.share && row.share <= row.high, "{row:?}");
+        if row.backend != "naive" {
+            assert_eq!(row.wrong, 0, "{row:?}");
+        } else if row.log2_relative_det >= -44 {
+            // Rounding errors are far below: u is 2^-53.
+            assert_eq!(row.wrong, 0, "{row:?}");
+        }
+        assert!(row.in_band == 0 || row.backend == "tolerance", "{row:?}");
+    }
+    let naive = |task: &str| {
+        found.iter().filter(|row| row.task == task && row.backend == "naive").map(|row| row.wrong).sum::<u64>()
+    };
+    for task in ["orient2d", "orient3d", "incircle", "insphere"] {
+        assert!(naive(task) > 0, "{task}");
+        let bins = found.iter().filter(|row| row.task == task && row.backend == "exact").count();
+        assert!(bins > 8, "{task}: {bins}");
+    }
+    assert!(found.iter().any(|row| row.backend == "tolerance" && row.in_band > 0));
 }

@@ -1,0 +1,71 @@
+//! The comparison in a report.
+
+use std::path::Path;
+
+use predicament_report::{Block, Cell, Section, Table, Tone};
+
+use super::Measure;
+use super::measure::read;
+use super::table::{WRONG, short};
+
+/// The file that a folder of this study has.
+const FILE: &str = "compare.csv";
+
+/// The section of a report from a folder that the study has written; none where the folder has no such file.
+///
+/// # Errors
+/// One line with the file, and the line that is wrong.
+pub fn section(folder: &Path) -> Result<Option<Section>, String> {
+    let path = folder.join(FILE);
+    if !path.exists() {
+        return Ok(None);
+    }
+    let measures = read(&path)?;
+    let mut table = Table::new("Backends on scenes of each kind").words(["task", "input", "backend"]).numbers([
+        "wrong answers in 10^6",
+        "topology in 1000 scenes",
+        "declined",
+        "location, 99 %, L",
+        "ns",
+        "KiB",
+    ]);
+    let mut seen: Vec<[&str; 4]> = Vec::new();
+    for row in &measures {
+        let key = [row.task.as_str(), row.kind.as_str(), row.family.as_str(), row.backend.as_str()];
+        if row.task == "resolution" || seen.contains(&key) {
+            continue;
+        }
+        seen.push(key);
+        let own: Vec<&Measure> = measures
+            .iter()
+            .filter(|other| [other.task.as_str(), &other.kind, &other.family, &other.backend] == key)
+            .collect();
+        let of = |measure: &str, unit: &str| {
+            own.iter().find(|row| row.measure == measure && (unit.is_empty() || row.unit == unit)).map(|row| row.value)
+        };
+        let signs: Vec<f64> = WRONG.iter().filter_map(|class| of(class, "")).collect();
+        let signs = (!signs.is_empty()).then(|| signs.iter().sum::<f64>());
+        let topology = of("topology", "");
+        let tone = |value: Option<f64>| if value.is_some_and(|x| x > 0.0) { Tone::Bad } else { Tone::Muted };
+        table.push(vec![
+            Cell::from(row.task.as_str()),
+            Cell::from(row.kind.as_str()).detail(&*row.family),
+            Cell::from(row.backend.as_str()),
+            Cell::from(short(signs).as_str()).tone(tone(signs)),
+            Cell::from(short(topology).as_str()).tone(tone(topology)),
+            Cell::from(of("declined", "").map_or_else(|| "–".to_owned(), |x| format!("{:.0} %", 100.0 * x)).as_str()),
+            Cell::from(short(of("location: 99 %", "L")).as_str()),
+            Cell::from(short(of("time", "")).as_str()),
+            Cell::from(short(of("memory", "").map(|bytes| bytes / 1024.0)).as_str()),
+        ]);
+    }
+    Ok(Some(Section {
+        id: "compare",
+        title: "Which backend for what",
+        lead: format!(
+            "Backends of all philosophies on the same scenes. Each number is the value of a row of {}, which has its interval and what it is of.",
+            path.display()
+        ),
+        blocks: vec![Block::Table(table)],
+    }))
+}
