@@ -17,6 +17,7 @@ use predicament_records::{
     self as records, FindingRow, Plan, PlannedScene, RunDir, RunWriter, Shard, SummaryRow, ThroughputRow,
 };
 use predicament_tasks::contacts::Complexes;
+use predicament_tasks::mesh_intersect::TwoMeshes;
 use predicament_tasks::mesh_locate::ProbedMesh;
 use predicament_tasks::{AnyCase, Contestant, Stop, Stopwatch, Watch};
 
@@ -63,7 +64,7 @@ pub struct Args {
     #[arg(long, value_name = "RUN")]
     pub judged: Option<PathBuf>,
 
-    /// Time contacts and points in meshes on so many threads too; everything is timed on one
+    /// Time contacts, points in meshes and intersections of meshes on so many threads too; everything is timed on one
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: Option<u16>,
 
@@ -263,7 +264,7 @@ impl Judged {
     }
 }
 
-/// Prepares one backend: contacts and meshes with points for each number of threads, all else for one.
+/// Prepares one backend: contacts and meshes with points or other meshes for each number of threads, all else for one.
 fn start<'a>(
     loaded: &'a LoadedScene,
     backend: &'a dyn Contestant,
@@ -273,7 +274,9 @@ fn start<'a>(
 ) -> Result<Vec<Runner<'a>>, String> {
     let judged = judged.ok_or("there are no judged answers")?;
     let solver = backend.solver(loaded.task).ok_or("the backend was not told of the task")?;
-    let is_parallel = loaded.content::<Complexes>().is_some() || loaded.content::<ProbedMesh>().is_some();
+    let is_parallel = loaded.content::<Complexes>().is_some()
+        || loaded.content::<ProbedMesh>().is_some()
+        || loaded.content::<TwoMeshes>().is_some();
     let threads = if is_parallel { threads } else { &threads[..1] };
     let runner = |&threads: &usize| {
         Ok(Runner {
