@@ -1,7 +1,8 @@
 //! Error against conditioning: the share of wrong answers by how degenerate a query is.
 //!
 //! How degenerate is log2(|determinant| / permanent), in rationals: 0 for not at all, about -53 where plain doubles lose the sign. Queries are of
-//! general scenes and of degenerate ones with noise of 2^-52 to 2^-4 of their extent, so that every decade has some.
+//! general scenes, of such that miss a degeneracy by 4 to 2^20 ulps, and of degenerate ones with noise of 2^-52 to 2^-4 of their extent, so that
+//! every decade has some.
 
 use std::collections::BTreeMap;
 
@@ -23,6 +24,8 @@ use crate::{Error, File};
 const TASKS: [&str; 4] = ["orient2d", "orient3d", "incircle", "insphere"];
 /// Noise, as exponents of two, in units of a scene's extent.
 const NOISE: [i32; 13] = [-52, -48, -44, -40, -36, -32, -28, -24, -20, -16, -12, -8, -4];
+/// Keys of nearly degenerate scenes.
+const NEAR: [&str; 3] = ["ulps = 4", "ulps = 1024", "ulps = 1048576"];
 /// The place of exact zeros.
 const ZERO: i32 = -1100;
 /// Binary digits to a bin.
@@ -70,7 +73,10 @@ pub fn conditioning(
 ) -> Result<Vec<Conditioned>, Error> {
     let mut all = Vec::new();
     for task in TASKS {
-        let of = |family: &'static str| Input { task, kind: Kind::General, family, n: queries, keys: "" }.scene(seed);
+        let keyed = |family: &'static str, keys: &'static str| {
+            Input { task, kind: Kind::General, family, n: queries, keys }.scene(seed)
+        };
+        let of = |family: &'static str| keyed(family, "");
         let noisy = |&exponent: &i32| {
             let degenerate = of("degen")?;
             let mut random = Random::new("conditioning", task, seed + u64::from(exponent.unsigned_abs()));
@@ -79,6 +85,7 @@ pub fn conditioning(
             moved(degenerate, coordinates)
         };
         let mut scenes: Vec<LoadedScene> = NOISE.iter().map(noisy).collect::<Result<_, Error>>()?;
+        scenes.extend(NEAR.iter().map(|keys| keyed("near", keys)).collect::<Result<Vec<_>, Error>>()?);
         scenes.extend([of("uniform")?, of("degen")?]);
         for backend in backends {
             let of_scenes: Vec<BTreeMap<i32, Bin>> = scenes.par_iter().map(|scene| bins(*backend, scene)).collect();
@@ -212,5 +219,5 @@ pub(super) fn page(measured: &[Conditioned]) -> String {
 
 /// How many steps there are to a survey.
 pub(super) fn steps(backends: usize) -> usize {
-    TASKS.len() * backends * (NOISE.len() + 2)
+    TASKS.len() * backends * (NOISE.len() + NEAR.len() + 2)
 }
