@@ -8,6 +8,7 @@ mod compare;
 mod laws;
 mod mesh_cascades;
 mod parity;
+mod parity_space;
 mod shape;
 mod worst;
 
