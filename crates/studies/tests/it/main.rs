@@ -5,6 +5,7 @@ mod cascades;
 mod cascades_counts;
 mod cascades_pages;
 mod compare;
+mod cut;
 mod laws;
 mod mesh_cascades;
 mod parity;
