@@ -17,7 +17,7 @@ mod surfaces;
 mod table;
 mod volume;
 
-pub use pieces::{Pieces, pieces};
+pub use pieces::{Pieces, SLIVER, pieces};
 pub use sides::{Sides, sides};
 pub use study::{Cut, Measured, Row};
 pub use surfaces::{Placement, Scene, Shape};
