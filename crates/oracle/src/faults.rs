@@ -70,7 +70,8 @@ pub enum Fault {
     CompareGreaterOnTies,
     /// Exact, but an edge goes on beyond its ends.
     ContactsEndlessEdge,
-    /// Exact, but of two edges only the second is asked whether it crosses the other's line.
+    /// Exact, but of two edges only the second is asked whether it crosses the other's line, and an edge
+    /// pierces every triangle near it whose plane it crosses.
     ContactsOneSided,
     /// Tolerance, with vertices registered within half of what is promised.
     ToleranceNarrowContacts,
@@ -176,7 +177,9 @@ impl Fault {
             Fault::ToleranceWide => "the band twice what it should be",
             Fault::CompareGreaterOnTies => "equal coordinates compare as greater, both ways round",
             Fault::ContactsEndlessEdge => "a vertex on an edge's line counts as on the edge",
-            Fault::ContactsOneSided => "edges meet where the second crosses the first's line",
+            Fault::ContactsOneSided => {
+                "edges meet where the second crosses the first's line, in space triangles where an edge crosses their plane"
+            }
             Fault::ToleranceNarrowContacts => "vertices registered within half the tolerance only",
             Fault::ToleranceWideContacts => "vertices registered within twice the tolerance",
             Fault::ToleranceAsPrinted => "the interpolation weight of an edge's point with the printed sign",

@@ -16,6 +16,7 @@
 //! * [`audit`]: do the tolerance paper's algorithms keep their guarantee at their thresholds?
 //! * [`worst`]: how near do the worst inputs come to that paper's bounds?
 //! * [`cascades`]: what becomes of a polygon when results are operands of the next step?
+//! * [`cut`]: what is a tetrahedral mesh worth that is cut by the contacts of a backend?
 //! * [`Study`]: the shape of all of them; [`STUDIES`]: the list.
 //! * [`shrink`]: the smallest scene that still shows a finding.
 //!
@@ -89,6 +90,7 @@
 pub mod audit;
 pub mod cascades;
 pub mod compare;
+pub mod cut;
 pub mod laws;
 pub mod mesh_cascades;
 pub mod parity;

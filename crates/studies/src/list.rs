@@ -8,6 +8,7 @@ use predicament_tasks::Contestant;
 use crate::audit::Audit;
 use crate::cascades::Cascades;
 use crate::compare::Compare;
+use crate::cut::Cut;
 use crate::laws::Laws;
 use crate::mesh_cascades::MeshCascades;
 use crate::parity::Parity;
@@ -22,6 +23,7 @@ pub const STUDIES: &[Entry] = &[
     Entry::of::<Stress>(),
     Entry::of::<Resolution>(),
     Entry::of::<Parity>(),
+    Entry::of::<Cut>(),
     Entry::of::<Audit>(),
     Entry::of::<Worst>(),
     Entry::of::<Laws>(),

@@ -6,6 +6,7 @@
 //! * [`piercings`]: a closed curve pierces a closed surface as often inwards
 //!   as outwards.
 //! * [`loose_ends`]: the intersection curves of two closed surfaces have none.
+//! * [`boundaries`]: the boundary of a triangle pierces a closed surface an even number of times.
 //! * [`clusters`], [`collapses`]: what merging does to the features themselves.
 //!   These are no faults of the registrations; they are what they cost.
 //!
@@ -33,6 +34,7 @@
 //! crossings is there without being registered, or registered without being
 //! there: [`Crossings::unfaithful`] names them.
 
+mod boundaries;
 mod clusters;
 mod crossings;
 mod embedded;
@@ -41,6 +43,7 @@ mod orient;
 mod piercings;
 mod seated;
 
+pub use boundaries::{Boundaries, boundaries};
 pub use clusters::{Cluster, Collapse, clusters, collapses};
 pub use crossings::{Crossings, Unfaithful, crossings};
 pub use embedded::is_embedded;

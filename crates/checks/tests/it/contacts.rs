@@ -6,7 +6,7 @@ use predicament_algorithms::arrangement::Arrangement;
 use predicament_algorithms::contacts::{Contact, Contacts, contacts};
 use predicament_algorithms::polygon_locate::LocateIndex;
 use predicament_checks::contacts::{
-    Crossings, NotOriented, Piercings, Seat, Side, clusters, collapses, crossings, is_embedded, loose_ends,
+    Crossings, NotOriented, Piercings, Seat, Side, boundaries, clusters, collapses, crossings, is_embedded, loose_ends,
     oriented_surface, piercings,
 };
 use predicament_checks::tiling::map_flaws;
@@ -310,6 +310,41 @@ fn a_lost_piercing_leaves_loose_ends() {
 }
 
 #[test]
+fn a_lost_piercing_makes_boundaries_odd() {
+    let pair = surfaces(&TWO_OCTAHEDRA);
+    let found = pair.contacts(&Exact);
+    let right = boundaries(pair.complexes(), &found).unwrap();
+    assert!(right.checked >= 6 && right.degenerate == 0 && right.odd.is_empty(), "{right:?}");
+    for lost in 0..found.registered.len() {
+        let mut damaged = found.clone();
+        let edge = damaged.registered.remove(lost);
+        let side = if edge.a.rank == 1 { Side::A } else { Side::B };
+        let wrong = boundaries(pair.complexes(), &damaged).unwrap();
+        assert_eq!(wrong.odd.len(), 2, "the edge's two triangles");
+        assert!(wrong.odd.iter().all(|&(of, _)| of == side), "{wrong:?}");
+    }
+    let mut merged = found;
+    merged.registered.splice(0..0, vertex_pairs(&[[0, 0]]).registered);
+    assert_eq!(boundaries(pair.complexes(), &merged).unwrap().degenerate, 8, "four triangles of each surface");
+}
+
+#[test]
+fn surfaces_that_cross_or_touch_themselves_are_not_embedded() {
+    let embedded = |points: &[[f64; 3]]| {
+        let pair = surfaces(points);
+        let exact = Exact.prepare(&pair.scene, Off).unwrap();
+        pair.complexes().map(|complex| is_embedded(&exact, complex))
+    };
+    assert_eq!(embedded(&TWO_OCTAHEDRA), [true; 2]);
+    // One vertex on another, edges that cross, an edge through a triangle.
+    for through in [[-8.0, 0.0, 0.0], [0.0, 0.0, 8.0], [0.0, 9.0, 9.0], [-4.0, 9.0, 0.0], [-4.0, 9.0, 1.0]] {
+        let mut points = TWO_OCTAHEDRA;
+        points[0] = through;
+        assert_eq!(embedded(&points), [false, true], "{through:?}");
+    }
+}
+
+#[test]
 fn an_open_surface_has_a_border() {
     let scene = Scene::from_points3(&TWO_OCTAHEDRA).unwrap();
     let of = |from, faces: usize| {
@@ -320,6 +355,7 @@ fn an_open_surface_has_a_border() {
     let none = Contacts::default();
     let refused = loose_ends([&a, &b], &none, &Arrangement::new([&a, &b], &none)).unwrap_err();
     assert!(matches!(refused, NotOriented::Border { side: Side::B, degree: 1, .. }), "{refused}");
+    assert_eq!(boundaries([&a, &b], &none), Err(refused));
 }
 
 #[test]
@@ -392,10 +428,13 @@ proptest! {
             let ends = loose(&pair.contacts(&Exact));
             prop_assert_eq!(&ends.loose, &vec![], "{:?}", ends);
         }
+        let odd = |contacts: &Contacts| boundaries(pair.complexes(), contacts).unwrap().odd;
+        prop_assert_eq!(odd(&pair.contacts(&Exact)), vec![]);
         for scheme in [Scheme::PerCoordinate, Scheme::EdelsbrunnerMucke] {
             let ends = loose(&pair.contacts(&Sos { scheme }));
             prop_assert_eq!(&ends.loose, &vec![], "{}", scheme);
             prop_assert_eq!(ends.overlaps, 0);
+            prop_assert_eq!(odd(&pair.contacts(&Sos { scheme })), vec![]);
         }
     }
 

@@ -131,6 +131,11 @@ impl<P: Predicates> Predicates for Session<P> {
     }
 
     fn triangle_edge(&self, triangle: [Vertex; 3], edge: [Vertex; 2]) -> Option<([f64; 3], f64)> {
+        if self.fault == Fault::ContactsOneSided {
+            let [a, b, c] = triangle;
+            let [p, q] = edge.map(|v| self.honest.orient3d(a, b, c, v));
+            return (p != Sign::Zero && p == -q).then_some(([1.0 / 3.0; 3], 0.5));
+        }
         self.honest.triangle_edge(triangle, edge)
     }
 

@@ -15,12 +15,14 @@
 //! * [`search`]: many pairs, counted.
 //! * [`shrink_odd`]: the smallest pair that a find can be reduced to;
 //!   [`smallest`]: the smallest of many, by what they show.
+//! * [`space`]: all of this for closed surfaces.
 
 mod examine;
 mod pair;
 mod random;
 mod search;
 mod smallest;
+pub mod space;
 mod study;
 mod suite;
 mod table;
@@ -30,4 +32,4 @@ pub use pair::{PolygonPair, shrink_odd};
 pub use random::{Recipe, random_pair};
 pub use search::{Census, Found, Row, SeatCounts, search};
 pub use smallest::{Kind, Small, smallest};
-pub use study::{Parity, Searched};
+pub use study::{Measured, Parity, PlaneSearched, Searched, SpaceSearched};

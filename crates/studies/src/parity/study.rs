@@ -5,12 +5,16 @@ use std::path::{Path, PathBuf};
 
 use predicament_tasks::Contestant;
 
-use super::{Census, Found, Kind, Recipe, Small, search, smallest, suite, table};
+use super::{Census, Found, Kind, Recipe, Small, search, smallest, space, suite, table};
 use crate::{Error, File, Host, Precision, Study};
 
 /// Random polygons that cross an odd number of times once merged.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Parity {
+    /// Closed polygons of the plane (2) or closed surfaces in space (3)
+    #[arg(long, default_value_t = 2, value_name = "D", value_parser = clap::value_parser!(u8).range(2..=3))]
+    pub dimension: u8,
+
     /// Pairs of each recipe, in each precision
     #[arg(long, default_value_t = 40_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pairs: u64,
@@ -34,13 +38,27 @@ pub struct Parity {
 
 /// The finds in one precision.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Searched {
+pub struct Searched<C, K, S> {
     /// The precision of the tolerances.
     pub precision: Precision,
     /// The counts, and all finds.
-    pub census: Census,
+    pub census: C,
     /// The smallest pairs that finds were shrunk to.
-    pub smallest: BTreeMap<Kind, Small>,
+    pub smallest: BTreeMap<K, S>,
+}
+
+/// The finds among polygons.
+pub type PlaneSearched = Searched<Census, Kind, Small>;
+/// The finds among surfaces.
+pub type SpaceSearched = Searched<space::Census, space::Kind, space::Small>;
+
+/// The finds in each precision.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Measured {
+    /// Of polygons.
+    Plane(Vec<PlaneSearched>),
+    /// Of surfaces.
+    Space(Vec<SpaceSearched>),
 }
 
 /// So many pairs of each recipe between two looks at the watch.
@@ -60,17 +78,23 @@ about where merged points sit. There are three recipes, and pairs for the tolera
 Written to the folder: parity.csv and parity.md (the counts), smallest.toml (the smallest pairs found
 with an odd number of crossings, as a suite that `predicament run` reads; empty of scenes without --shrink).
 
+With `--dimension 3` the pairs are closed surfaces, which cross in closed curves: counted are curves with
+loose ends and triangles whose boundary pierces the other surface an odd number of times, for four recipes,
+with parity-space.csv in the place of parity.csv.
+
 Examples:
   predicament parity --out target/parity
   predicament parity --pairs 2000 --shrink 50 --out target/parity
+  predicament parity --dimension 3 --pairs 2000 --out target/parity-space
   predicament run target/parity/smallest.toml -b exact,sos,tolerance,tolerance:f32";
 
-    type Measured = Vec<Searched>;
+    type Measured = Measured;
 
-    /// Exact, perturbed, and the tolerances of each precision.
+    /// Exact, perturbed, and the tolerances of each precision; in space also perturbed mesh by mesh.
     fn backends(&self) -> Vec<String> {
         let tolerances = Precision::ALL.map(Precision::tolerance);
-        ["exact", "sos"].into_iter().chain(tolerances).map(ToOwned::to_owned).collect()
+        let per_mesh = (self.dimension == 3).then_some("sos:per-mesh");
+        ["exact", "sos"].into_iter().chain(tolerances).chain(per_mesh).map(ToOwned::to_owned).collect()
     }
 
     fn threads(&self) -> Option<usize> {
@@ -81,29 +105,48 @@ Examples:
         Some(&self.out)
     }
 
-    fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Vec<Searched>, Error> {
-        let [exact, sos, tolerances @ ..] = backends else {
+    fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Measured, Error> {
+        let [exact, sos, double, single, more @ ..] = backends else {
             return Err(Error::unfit("parity needs exact, sos and the tolerances"));
         };
-        let one = |(precision, tolerance): (Precision, &&dyn Contestant)| {
-            let backends = [*exact, *sos, *tolerance];
+        let precisions = Precision::ALL.into_iter().zip([*double, *single]);
+        if let [per_mesh] = more {
+            let backends = [*exact, *sos, *per_mesh, *double, *single];
+            let one = |(precision, tolerance): (Precision, &dyn Contestant)| {
+                let census = self.count_surfaces(&backends, precision, host)?;
+                let smallest = self.shrink_surfaces([tolerance, *exact], precision, &census, host)?;
+                Ok(Searched { precision, census, smallest })
+            };
+            return Ok(Measured::Space(precisions.map(one).collect::<Result<_, Error>>()?));
+        }
+        let one = |(precision, tolerance): (Precision, &dyn Contestant)| {
+            let backends = [*exact, *sos, tolerance];
             let census = self.count(backends, precision, host)?;
             let smallest = self.shrink(backends, precision, &census, host)?;
             Ok(Searched { precision, census, smallest })
         };
-        Precision::ALL.into_iter().zip(tolerances).map(one).collect()
+        Ok(Measured::Plane(precisions.map(one).collect::<Result<_, Error>>()?))
     }
 
-    fn rows(&self, measured: &Vec<Searched>) -> Result<Vec<File>, Error> {
-        Ok(vec![table::csv(measured)?])
+    fn rows(&self, measured: &Measured) -> Result<Vec<File>, Error> {
+        Ok(vec![match measured {
+            Measured::Plane(searched) => table::csv(searched)?,
+            Measured::Space(searched) => space::csv(searched)?,
+        }])
     }
 
-    fn page(&self, measured: &Vec<Searched>) -> String {
-        table::page(self, measured)
+    fn page(&self, measured: &Measured) -> String {
+        match measured {
+            Measured::Plane(searched) => table::page(self, searched),
+            Measured::Space(searched) => space::page(self, searched),
+        }
     }
 
-    fn suites(&self, measured: &Vec<Searched>) -> Result<Vec<File>, Error> {
-        Ok(vec![suite::smallest(self, measured)?])
+    fn suites(&self, measured: &Measured) -> Result<Vec<File>, Error> {
+        Ok(vec![match measured {
+            Measured::Plane(searched) => suite::smallest(self, searched)?,
+            Measured::Space(searched) => space::suite(self, searched)?,
+        }])
     }
 }
 
@@ -138,6 +181,47 @@ impl Parity {
         let mut kept = BTreeMap::new();
         for some in chosen.chunks(FINDS) {
             for (kind, small) in smallest([tolerance, exact], precision, self.seed, some) {
+                small.keep(&mut kept, kind);
+            }
+            host.watch().done(some.len() as u64)?;
+        }
+        Ok(kept)
+    }
+
+    fn count_surfaces(
+        &self,
+        backends: &[&dyn Contestant],
+        precision: Precision,
+        host: &dyn Host,
+    ) -> Result<space::Census, Error> {
+        let recipes = space::Recipe::ALL.len() as u64;
+        host.begin(self.pairs * recipes, "pairs");
+        let mut census = space::Census::default();
+        let mut from = 0;
+        while from < self.pairs {
+            let to = (from + PART).min(self.pairs);
+            census = census.and(space::search(backends, precision, self.seed, from..to));
+            host.watch().done((to - from) * recipes)?;
+            from = to;
+        }
+        Ok(census)
+    }
+
+    fn shrink_surfaces(
+        &self,
+        [tolerance, exact]: [&dyn Contestant; 2],
+        precision: Precision,
+        census: &space::Census,
+        host: &dyn Host,
+    ) -> Result<BTreeMap<space::Kind, space::Small>, Error> {
+        let place = census.backends.iter().position(|name| *name == tolerance.name());
+        let finds: Vec<&space::Found> = census.found.iter().filter(|found| Some(found.backend) == place).collect();
+        let step = finds.len().div_ceil(self.shrink.max(1)).max(1);
+        let chosen: Vec<&space::Found> = finds.into_iter().step_by(step).take(self.shrink).collect();
+        host.begin(chosen.len() as u64, "finds");
+        let mut kept = BTreeMap::new();
+        for some in chosen.chunks(FINDS) {
+            for (kind, small) in space::smallest([tolerance, exact], precision, self.seed, some) {
                 small.keep(&mut kept, kind);
             }
             host.watch().done(some.len() as u64)?;

@@ -3,8 +3,9 @@
 use predicament_formats::{exact_coordinate, hexfloat};
 use serde::Serialize;
 
+use super::study::PlaneSearched;
 use super::table::{all, scene_name, seats};
-use super::{Kind, Parity, PolygonPair, Searched, Small};
+use super::{Kind, Parity, PolygonPair, Small};
 use crate::{Error, File, Precision};
 
 #[derive(Serialize)]
@@ -32,7 +33,7 @@ struct Closed {
 }
 
 /// The smallest pairs.
-pub(super) fn smallest(parity: &Parity, searched: &[Searched]) -> Result<File, Error> {
+pub(super) fn smallest(parity: &Parity, searched: &[PlaneSearched]) -> Result<File, Error> {
     let seed = parity.seed;
     let scene = |(at, (precision, kind, small)): (usize, (Precision, &Kind, &Small))| {
         let PolygonPair { polygons: [a, b] } = &small.pair;
@@ -67,7 +68,7 @@ pub(super) fn smallest(parity: &Parity, searched: &[Searched]) -> Result<File, E
 }
 
 /// A coordinate as it is read back without loss: a decimal if it is one, else a hex float.
-fn coordinate(x: f64) -> toml::Value {
+pub(super) fn coordinate(x: f64) -> toml::Value {
     // adding zero takes the sign of a negative one
     let text = (x + 0.0).to_string();
     match text.parse::<i64>() {

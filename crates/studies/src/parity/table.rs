@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
+use super::study::PlaneSearched;
 use super::{Census, Kind, Parity, Row, Searched, Small};
 use crate::{Error, File, Precision};
 
@@ -73,7 +74,7 @@ fn line<'a>(precision: Precision, census: &Census, row: &'a Row) -> Line<'a> {
 }
 
 /// One row for each precision and backend.
-pub(super) fn csv(searched: &[Searched]) -> Result<File, Error> {
+pub(super) fn csv(searched: &[PlaneSearched]) -> Result<File, Error> {
     let rows = searched
         .iter()
         .flat_map(|Searched { precision, census, .. }| census.rows.iter().map(|row| line(*precision, census, row)));
@@ -81,7 +82,7 @@ pub(super) fn csv(searched: &[Searched]) -> Result<File, Error> {
 }
 
 /// A count with commas between thousands.
-fn thousands(count: usize) -> String {
+pub(super) fn thousands(count: usize) -> String {
     let digits = count.to_string();
     let mut text = String::new();
     for (at, digit) in digits.chars().enumerate() {
@@ -94,7 +95,7 @@ fn thousands(count: usize) -> String {
 }
 
 /// The counts, as Markdown.
-pub(super) fn page(parity: &Parity, searched: &[Searched]) -> String {
+pub(super) fn page(parity: &Parity, searched: &[PlaneSearched]) -> String {
     let mut page = String::new();
     let mut say = |line: String| writeln!(page, "{line}").expect("memory");
     for Searched { precision, census, .. } in searched {
@@ -141,7 +142,7 @@ pub(super) fn page(parity: &Parity, searched: &[Searched]) -> String {
 }
 
 /// All smallest pairs, in the order of their numbers.
-pub(super) fn all(searched: &[Searched]) -> impl Iterator<Item = (Precision, &Kind, &Small)> {
+pub(super) fn all(searched: &[PlaneSearched]) -> impl Iterator<Item = (Precision, &Kind, &Small)> {
     searched.iter().flat_map(|one| one.smallest.iter().map(|(kind, small)| (one.precision, kind, small)))
 }
 

@@ -24,7 +24,7 @@ fn report(study: &dyn Ready, host: &dyn Host) -> Result<Report, Error> {
 }
 
 /// Each study on a small amount of work, and its files.
-const SMALL: [(&str, &[&str]); 9] = [
+const SMALL: [(&str, &[&str]); 10] = [
     (
         "compare -b exact,tolerance -t orient2d --scenes 1 --samples 1 --out x",
         &["compare.csv", "compare.md", "error-time.svg"],
@@ -38,6 +38,7 @@ const SMALL: [(&str, &[&str]); 9] = [
         &["resolution.csv", "location.csv", "resolution.md", "resolution.svg", "location.svg"],
     ),
     ("parity --pairs 20 --shrink 1 --out x", &["parity.csv", "parity.md", "smallest.toml"]),
+    ("cut --cubes 4 -b exact", &["cut.csv", "cut-times.csv", "cut.md"]),
     ("audit --decisions 200", &["audit.csv", "reads.csv", "hierarchy.csv", "audit.md"]),
     ("worst --steps 20 --climbs 1", &["errors.csv", "guards.csv", "worst.md"]),
     ("laws -b exact,naive --tuples 2000", &["laws.csv", "laws.md"]),
@@ -112,7 +113,7 @@ impl Host for Impatient<'_> {
 
 #[test]
 fn every_study_says_what_it_begins_and_stops_where_it_is_told() {
-    let units = ["answers", "answers", "features", "pairs", "decisions", "bounds", "tuples", "steps", "steps"];
+    let units = ["answers", "answers", "features", "pairs", "cuts", "decisions", "bounds", "tuples", "steps", "steps"];
     for ((line, _), unit) in SMALL.into_iter().zip(units) {
         let (cancel, quiet) = (AtomicBool::new(true), |_: u64| {});
         let host = Impatient { watch: Watch::new(&cancel, None, &quiet), told: RefCell::default() };

@@ -70,7 +70,9 @@ fn polygons_are_closed_and_simple() {
 
 #[test]
 fn surfaces_are_closed() {
-    for (name, characteristic) in [("surfaces-uniform", 2), ("surfaces-degen", 2 * 8), ("surfaces-shifted-1", 2)] {
+    for (name, characteristic) in
+        [("surfaces-uniform", 2), ("surfaces-near", 2), ("surfaces-degen", 2 * 8), ("surfaces-shifted-1", 2)]
+    {
         let loaded = generated(name);
         for complex in complexes(&loaded) {
             let mut around: BTreeMap<[Vertex; 2], usize> = BTreeMap::new();
@@ -117,6 +119,22 @@ fn near_polygons_are_near_and_not_all_the_same() {
     let near: Vec<f64> = b.vertices().iter().map(nearest).filter(|&far| far < 3.0).collect();
     let within = |limit: f64| near.iter().filter(|&&far| far < limit).count();
     assert!(within(1e-9) > 5 && within(1.0) > within(1e-9) + 5 && near.len() > within(1.0) + 10, "{near:?}");
+}
+
+#[test]
+fn near_surfaces_are_near_vertices_and_triangles() {
+    let loaded = generated("surfaces-near");
+    let [a, b] = complexes(&loaded);
+    let sigma = 6.5 * 2.0_f64.powi(-13) * 2.0 * a.primitive_length(&loaded.scene);
+    let distance = |p: Vertex, q: Vertex| {
+        let [p, q] = [p, q].map(|v| loaded.scene.point(v));
+        p.iter().zip(q).map(|(p, q)| (p - q) * (p - q)).sum::<f64>().sqrt()
+    };
+    let nearest = |&q: &Vertex| a.vertices().iter().map(|&p| distance(p, q)).fold(f64::INFINITY, f64::min) / sigma;
+    let all: Vec<f64> = b.vertices().iter().map(nearest).collect();
+    let within = |limit: f64| all.iter().filter(|&&far| far < limit).count();
+    assert!(within(1e-9) > 2 && within(1.0) > within(1e-9) && within(4.0) > within(1.0) + 2, "{all:?}");
+    assert!(all.len() > within(4.0) + 5, "the others are beside edges and triangles: {all:?}");
 }
 
 #[test]

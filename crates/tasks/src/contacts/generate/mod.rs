@@ -63,12 +63,18 @@ pub(super) static PLANE: [Family; 5] = [
 ];
 
 /// The families of complexes in space.
-pub(super) static SPACE: [Family; 4] = [
+pub(super) static SPACE: [Family; 5] = [
     family(
         "surfaces-uniform",
         &["bits"],
         "two closed surfaces that cross everywhere, in general position",
         |_, fields| Ok(Pair::SurfacesUniform(bits(fields)?).recipe()),
+    ),
+    family(
+        "surfaces-near",
+        &[],
+        "a closed surface with its vertices within a few sigma of another's vertices, edges and triangles",
+        |_, _| Ok(Pair::SurfacesNear.recipe()),
     ),
     family("surfaces-degen", &[], "boxes on integers that share corners, edges and parts of faces", |_, _| {
         Ok(Pair::SurfacesDegen.recipe())
@@ -92,6 +98,7 @@ enum Pair {
     CopyShifted(f64),
     /// With coordinates of so many significant bits.
     SurfacesUniform(u32),
+    SurfacesNear,
     SurfacesDegen,
     /// Moved by so many σ.
     SurfacesShifted(f64),
@@ -124,7 +131,9 @@ impl Pair {
             Pair::PolygonsUniform(_) | Pair::PolygonsNear | Pair::PolygonsDegen | Pair::CopyShifted(_) => {
                 Dimension::Two
             }
-            Pair::SurfacesUniform(_) | Pair::SurfacesDegen | Pair::SurfacesShifted(_) => Dimension::Three,
+            Pair::SurfacesUniform(_) | Pair::SurfacesNear | Pair::SurfacesDegen | Pair::SurfacesShifted(_) => {
+                Dimension::Three
+            }
             Pair::Thresholds(dimension) => dimension,
         }
     }
@@ -143,6 +152,11 @@ impl Pair {
             Pair::PolygonsDegen => [polygons::skyline(n, true, rng), polygons::skyline(n, false, rng)],
             Pair::CopyShifted(by) => self.with_copy(polygons::wavy(n, rng), by),
             Pair::SurfacesUniform(bits) => [(); 2].map(|()| surfaces::lumpy(n, rng).rounded(bits)),
+            Pair::SurfacesNear => {
+                let a = surfaces::lumpy(n, rng);
+                let b = surfaces::near(&a, self.sigma_of(&a), rng);
+                [a, b]
+            }
             Pair::SurfacesDegen => [surfaces::boxes(n, rng), surfaces::boxes(n, rng)],
             Pair::SurfacesShifted(by) => self.with_copy(surfaces::lumpy(n, rng), by),
             Pair::Thresholds(dimension) => thresholds::shapes(dimension, n, rng),

@@ -50,6 +50,37 @@ pub(super) fn lumpy(n: usize, rng: &mut Random) -> Shape {
     Shape { coordinates, simplices: Simplices { triangles, ..Simplices::default() } }
 }
 
+/// A surface along another, with a vertex for each of the other's: at most 2σ,
+/// along each axis, beside that vertex, a point of an edge there or a point of
+/// a triangle there, or just there up to rounding.
+///
+/// Such points are nearer to the vertex than to any other corner. Where
+/// neighbours move towards each other, or triangles are folded by σ, the
+/// surface can cross itself: no law about its contacts needs that it does not.
+pub(super) fn near(other: &Shape, sigma: f64, rng: &mut Random) -> Shape {
+    let around = other.coordinates.as_chunks::<3>().0;
+    let mut corners: Vec<[usize; 3]> = vec![[0; 3]; around.len()];
+    for triangle in &other.simplices.triangles {
+        let [a, b, c] = triangle.map(Vertex::index);
+        for [p, q, r] in [[a, b, c], [b, c, a], [c, a, b]] {
+            corners[p] = [p, q, r];
+        }
+    }
+    let coordinates = corners.into_iter().flat_map(|corners| {
+        let [p, q, r] = corners.map(|at| around[at]);
+        let (s, t) = match rng.integer(0, 3) {
+            0 | 1 => (0.0, 0.0),
+            2 => (rng.between(0.1, 0.4), 0.0),
+            _ => (rng.between(0.1, 0.25), rng.between(0.1, 0.25)),
+        };
+        let reach = if rng.one_in(4) { 0.0 } else { 2.0 };
+        let beside: [f64; 3] =
+            std::array::from_fn(|i| p[i] + s * (q[i] - p[i]) + t * (r[i] - p[i]) + rng.between(-reach, reach) * sigma);
+        beside
+    });
+    Shape { coordinates: coordinates.collect(), simplices: other.simplices.clone() }
+}
+
 /// The rows of a random rotation, up to rounding.
 fn rotation(rng: &mut Random) -> [[f64; 3]; 3] {
     loop {

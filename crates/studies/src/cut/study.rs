@@ -1,0 +1,224 @@
+//! The command line of the study of cuts, and its survey.
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use predicament_algorithms::contacts::Contacts;
+use predicament_predicates::{PredicateKind, Predicates, ZeroMeaning};
+use predicament_report::text::in_order;
+use predicament_tasks::Contestant;
+
+use super::{Pieces, Placement, Scene, Shape, Sides, pieces, sides, table};
+use crate::contacts::contacts;
+use crate::{Error, File, Host, Study};
+
+/// A lattice of tetrahedra cut by surfaces.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Cut {
+    /// Surfaces; all if left out
+    #[arg(short, long = "shape", value_name = "SHAPE", value_enum, value_delimiter = ',')]
+    pub shapes: Vec<Shape>,
+
+    /// Placements; all if left out
+    #[arg(short, long = "placement", value_name = "PLACEMENT", value_enum, value_delimiter = ',')]
+    pub placements: Vec<Placement>,
+
+    /// Backends
+    #[arg(
+        short,
+        long = "backend",
+        value_name = "BACKEND",
+        value_delimiter = ',',
+        default_value = "exact,sos,sos:per-mesh,tolerance"
+    )]
+    pub backends: Vec<String>,
+
+    /// Cubes of the lattice along each axis, of six tetrahedra each
+    #[arg(long, default_value_t = 12, value_name = "N", value_parser = clap::value_parser!(u32).range(4..=100))]
+    pub cubes: u32,
+
+    /// The seed of places and moves
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    pub seed: u64,
+
+    /// Threads; all if left out
+    #[arg(long, value_name = "N")]
+    pub threads: Option<usize>,
+
+    /// The folder to write; made if missing
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// A cut by one backend.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The surface.
+    pub shape: Shape,
+    /// How it lies.
+    pub placement: Placement,
+    /// The backend's name.
+    pub backend: String,
+    /// Tetrahedra of the lattice.
+    pub tetrahedra: usize,
+    /// Triangles of the surface.
+    pub triangles: usize,
+    /// The volume inside, to the nearest double.
+    pub truth: f64,
+    /// The volume of the lattice.
+    pub whole: f64,
+    /// What came of it, or why the backend declined.
+    pub made: Result<Made, String>,
+}
+
+/// The contacts, and what was made of them.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Made {
+    /// The registered pairs.
+    pub contacts: Contacts,
+    /// The sides of vertices.
+    pub sides: Sides,
+    /// The pieces.
+    pub pieces: Pieces,
+    /// What the contacts took.
+    pub registering: Duration,
+    /// What sides and pieces took.
+    pub cutting: Duration,
+}
+
+impl Made {
+    /// Registered pairs of these ranks, either way round if the two differ.
+    #[must_use]
+    pub fn registered(&self, [s, t]: [u8; 2]) -> usize {
+        let is = |[a, b]: [u8; 2]| [a, b] == [s, t] || [b, a] == [s, t];
+        self.contacts.registered.iter().filter(|contact| is([contact.a.rank, contact.b.rank])).count()
+    }
+
+    /// Vertices of the surface that were asked about in tetrahedra.
+    #[must_use]
+    pub fn asked_in_tetrahedra(&self) -> u64 {
+        self.contacts.levels.iter().filter(|level| level.ranks == [3, 0]).map(|level| level.asked).sum()
+    }
+}
+
+/// All cuts.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// Each scene by each backend, in their order.
+    pub rows: Vec<Row>,
+}
+
+/// The backend that locates a vertex where there may be ties.
+const TIES: &str = "sos";
+
+impl Study for Cut {
+    const NAME: &'static str = "cut";
+    const ASKS: &'static str = "Cut a lattice of tetrahedra by a surface, and count lost volume, slivers and parts";
+    const HELP: &'static str = "\
+A lattice of tetrahedra is cut by a triangulated surface, with nothing but the contacts that a backend
+registers: vertices of the lattice on the surface, points where its edges pass through it, vertices of
+the surface in tetrahedra (Algorithm 12). A vertex that edges without a degenerate contact connect
+to others has its side by the number of points between; one of each connected set is located by a ray
+(with sos, or with the backend's own broken ties).
+
+An edge whose points contradict the sides of its ends makes its tetrahedra inconsistent: they have no
+pieces, and their volume is lost. A tetrahedron is cut in two pieces or in none, so no volume is there twice.
+The volume inside is held against the true one, in rationals. A tetrahedron is cut by a plane or two, the
+surface may have a bend there: what exact contacts are off by is the method, not the contacts.
+
+Written to the folder: cut.csv, cut-times.csv, cut.md. All but times are the same whenever it is run.
+
+Exit code 100 if a backend whose zeros are exact or never has an inconsistent tetrahedron.
+
+Examples:
+  predicament cut
+  predicament cut --cubes 26 --out target/cut
+  predicament cut -s sphere -p near -b tolerance,fault:contacts-one-sided";
+
+    type Measured = Measured;
+
+    fn backends(&self) -> Vec<String> {
+        let mut names = self.backends.clone();
+        if !names.iter().any(|name| name == TIES) {
+            names.push(TIES.to_owned());
+        }
+        names
+    }
+
+    fn threads(&self) -> Option<usize> {
+        self.threads
+    }
+
+    fn out(&self) -> Option<&Path> {
+        self.out.as_deref()
+    }
+
+    fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Measured, Error> {
+        let ties = backends.iter().find(|backend| backend.name() == TIES).copied();
+        let ties = ties.ok_or_else(|| Error::unfit("cut needs sos"))?;
+        let shapes = if self.shapes.is_empty() { Shape::ALL.to_vec() } else { in_order(self.shapes.iter().copied()) };
+        let placements = if self.placements.is_empty() {
+            Placement::ALL.to_vec()
+        } else {
+            in_order(self.placements.iter().copied())
+        };
+        let asked = &backends[..self.backends.len().min(backends.len())];
+        host.begin((shapes.len() * placements.len() * asked.len()) as u64, "cuts");
+        let mut rows = Vec::new();
+        for shape in shapes {
+            for &placement in &placements {
+                let scene = Scene::new(shape, placement, self.cubes, self.seed);
+                for &backend in asked {
+                    host.turn_to(&format!("{}, {} by {}", shape.name(), placement.name(), backend.name()));
+                    rows.push(Row {
+                        shape,
+                        placement,
+                        backend: backend.name(),
+                        tetrahedra: scene.complexes.a.tetrahedra().len(),
+                        triangles: scene.complexes.b.triangles().len(),
+                        truth: scene.inside.to_f64(),
+                        whole: f64::from(self.cubes).powi(3),
+                        made: make(&scene, backend, ties),
+                    });
+                    host.watch().done(1)?;
+                }
+            }
+        }
+        Ok(Measured { rows })
+    }
+
+    fn rows(&self, measured: &Measured) -> Result<Vec<File>, Error> {
+        table::csv(measured)
+    }
+
+    fn page(&self, measured: &Measured) -> String {
+        table::page(self, measured)
+    }
+
+    fn holds(&self, measured: &Measured) -> bool {
+        measured.rows.iter().all(|row| {
+            let promises = row.backend == "exact" || row.backend.starts_with(TIES);
+            !promises || row.made.as_ref().is_ok_and(|made| made.pieces.inconsistent == 0)
+        })
+    }
+}
+
+fn make(scene: &Scene, backend: &dyn Contestant, ties: &dyn Contestant) -> Result<Made, String> {
+    let both = scene.complexes.both();
+    let start = Instant::now();
+    let registered = contacts(backend, &scene.scene, both)?;
+    let registering = start.elapsed();
+    // Vertices on the surface are on a side only where the backend's own ties say so.
+    let breaks = backend.contract(PredicateKind::Orient3d).zero == ZeroMeaning::Never;
+    let locator = if breaks { backend } else { ties };
+    let start = Instant::now();
+    let mut found = None;
+    locator
+        .with_session(&scene.scene, &mut |session: &mut dyn Predicates| {
+            found = Some(sides(&*session, both, &registered));
+        })
+        .map_err(|why| why.to_string())?;
+    let sides = found.ok_or("nothing was located")?;
+    let pieces = pieces(&scene.scene, both[0], &sides);
+    Ok(Made { contacts: registered, sides, pieces, registering, cutting: start.elapsed() })
+}

@@ -1,0 +1,84 @@
+//! Two closed surfaces merged by what a backend registers.
+
+use predicament_algorithms::arrangement::Arrangement;
+use predicament_algorithms::contacts::Contacts;
+use predicament_checks::contacts::{Boundaries, LooseEnds, boundaries, loose_ends};
+use predicament_tasks::Contestant;
+
+use super::SurfacePair;
+use crate::contacts::contacts;
+
+/// How registrations can contradict each other.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Broken {
+    /// A curve comes to a piercing and has no way on.
+    NoWay,
+    /// A curve comes to a piercing, and the two triangles overlap: they have
+    /// more than one other point in common, and none of them is the next.
+    NoDirection,
+    /// The boundary of a triangle passes through the other surface an odd number of times.
+    Odd,
+}
+
+impl Broken {
+    /// All, in the order of reports.
+    pub const ALL: [Broken; 3] = [Broken::NoWay, Broken::NoDirection, Broken::Odd];
+
+    /// The name in reports.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Broken::NoWay => "a curve without a way on",
+            Broken::NoDirection => "a curve without a direction",
+            Broken::Odd => "an odd boundary",
+        }
+    }
+}
+
+/// Two surfaces, merged.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Examined {
+    /// The registered pairs.
+    pub contacts: Contacts,
+    /// Where curves of intersection end.
+    pub ends: LooseEnds,
+    /// How often boundaries of triangles pierce.
+    pub boundaries: Boundaries,
+}
+
+impl Examined {
+    /// How many contradictions of this sort there are.
+    #[must_use]
+    pub fn count(&self, broken: Broken) -> usize {
+        let ends = |way: bool| self.ends.loose.iter().filter(|end| (end.others == 0) == way).count();
+        match broken {
+            Broken::NoWay => ends(true),
+            Broken::NoDirection => ends(false),
+            Broken::Odd => self.boundaries.odd.len(),
+        }
+    }
+
+    /// The contradictions that there are, in order.
+    #[must_use]
+    pub fn broken(&self) -> Vec<Broken> {
+        Broken::ALL.into_iter().filter(|&broken| self.count(broken) > 0).collect()
+    }
+}
+
+/// Registers the contacts of two surfaces with this backend, merges them, and
+/// counts.
+///
+/// # Errors
+/// The reason, where the backend declines.
+///
+/// # Panics
+/// If a surface is not closed.
+pub fn examine(backend: &dyn Contestant, pair: &SurfacePair) -> Result<Examined, String> {
+    let (scene, complexes) = pair.scene();
+    let both = complexes.both();
+    let contacts = contacts(backend, &scene, both)?;
+    let arrangement = Arrangement::new(both, &contacts);
+    let ends = loose_ends(both, &contacts, &arrangement).expect("surfaces are closed");
+    let boundaries = boundaries(both, &contacts).expect("surfaces are closed");
+    Ok(Examined { contacts, ends, boundaries })
+}
