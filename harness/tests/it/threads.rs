@@ -9,7 +9,7 @@ const SOME: [&[&str]; 2] = [
     &[
         "run",
         "-f",
-        "kettner-[ab]|wide-scaled-orient2d|grid-incircle|tilings|contacts/(surfaces|polygons)-degen|cubes/slide|snaps/drifting|mesh-points/two-tetrahedra",
+        "kettner-[ab]|wide-scaled-orient2d|grid-incircle|tilings|contacts/(surfaces|polygons)-degen|cubes/slide|snaps/drifting|mesh-points/two-tetrahedra|intersections/tetrahedra$",
         "-b",
         "exact,sos,naive,tolerance",
     ],
