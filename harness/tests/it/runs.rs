@@ -126,6 +126,7 @@ fn every_scene_has_one_precision_plan_whatever_the_backends() {
         "imports.csv",
         "snap.csv",
         "mesh_locate.csv",
+        "mesh_intersect.csv",
     ] {
         write(&folder, &format!("old/{file}"), &read(&one, file));
     }
