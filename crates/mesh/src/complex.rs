@@ -5,7 +5,9 @@
 //! faces. Every simplex is stored once, with its vertices in ascending order,
 //! so what is computed about it can't depend on how it was written down.
 
-use predicament_predicates::{Axis, Dimension, Scene, Vertex};
+use predicament_predicates::{Dimension, Scene, Vertex};
+
+use crate::length::longest;
 
 /// Why a list of simplices is not a complex of a scene.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -192,29 +194,8 @@ impl Complex {
     #[must_use]
     pub fn primitive_length(&self, scene: &Scene) -> f64 {
         // The extent of a simplex along an axis is that of one of its edges.
-        let axes: &[Axis] = match scene.dimension() {
-            Dimension::Two => &[Axis::X, Axis::Y],
-            Dimension::Three => &[Axis::X, Axis::Y, Axis::Z],
-        };
-        let extent = |&[a, b]: &[Vertex; 2]| {
-            let along = |&axis: &Axis| distance_up(scene.coordinate(axis, a), scene.coordinate(axis, b));
-            axes.iter().map(along).fold(0.0, f64::max)
-        };
-        self.edges.iter().map(extent).fold(0.0, f64::max)
+        longest(scene, self.edges.iter().copied())
     }
-}
-
-/// |a − b|, rounded up; infinite where no double is large enough.
-///
-/// `predicament-arithmetic` has the like. Here it is on its own, so that truths
-/// about meshes depend on no arithmetic under test.
-fn distance_up(a: f64, b: f64) -> f64 {
-    let (high, low) = (a.max(b), a.min(b));
-    let distance = high - low;
-    // What was rounded off is a double (Knuth's two-sum), or no number after an overflow.
-    let seen = distance - high;
-    let rounded_off = (high - (distance - seen)) - (low + seen);
-    if rounded_off > 0.0 { distance.next_up() } else { distance }
 }
 
 /// Given simplices and faces of larger ones: checked, sorted, each once; and

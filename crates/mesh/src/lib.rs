@@ -5,6 +5,7 @@
 mod complex;
 mod faces;
 pub mod half_edge;
+mod length;
 mod materials;
 mod polygon;
 mod subdivision;

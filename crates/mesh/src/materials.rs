@@ -12,7 +12,9 @@
 
 use rayon::prelude::*;
 
-use predicament_predicates::Vertex;
+use predicament_predicates::{Scene, Vertex};
+
+use crate::length::longest;
 
 /// The region outside of everything.
 pub const OUTSIDE: u32 = 0;
@@ -143,6 +145,12 @@ impl MaterialMesh {
         }
         let regions = sides.as_flattened().iter().max().map_or(0, |&region| region + 1);
         Ok(MaterialMesh { triangles, sides, regions })
+    }
+
+    /// The largest side of the bounding box of a triangle, rounded up so that no exact coordinate difference within a triangle is larger.
+    #[must_use]
+    pub fn primitive_length(&self, scene: &Scene) -> f64 {
+        longest(scene, self.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]))
     }
 
     /// A closed surface, seen counterclockwise from outside: region 1 is inside of it.

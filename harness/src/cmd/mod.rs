@@ -11,6 +11,7 @@ pub mod map;
 pub mod new;
 pub mod replay;
 pub mod report;
+pub mod resolve;
 pub mod run;
 pub mod selftest;
 pub mod shell;

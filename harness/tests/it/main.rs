@@ -21,6 +21,7 @@ mod paths;
 #[cfg(feature = "peers")]
 mod peers;
 mod pictures;
+mod resolve;
 mod runs;
 mod studies;
 mod threads;

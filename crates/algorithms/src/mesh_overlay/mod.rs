@@ -16,6 +16,7 @@
 //! All this is for meshes between which nothing is degenerate, as under Simulation of Simplicity; in the paper one mesh moves by (ε, ε²,
 //! ε³), which is `sos:per-mesh` here. A session that says zero where an edge and a triangle touch can have that refused, with the edge and
 //! the triangle ([`Zeros::Refused`]), or taken for positive ([`Zeros::Positive`]), which is what programs do that compare with `>=`.
+//! A session that registers contacts has its own way ([`mesh_overlay_registered`]).
 //! Nothing is asked about two vertices, edges or triangles of one mesh but the order of triangles around an edge, and the plane that a triangle
 //! is seen in: each mesh may have coplanar triangles.
 //!
@@ -55,18 +56,21 @@ pub mod planted;
 mod points;
 mod radial;
 mod regions;
+mod registered;
 mod result;
 
 use std::num::NonZero;
 use std::sync::Arc;
 
+use predicament_grid::Bounds;
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Construction, Predicates, Refused, Vertex};
 
+pub use registered::{Registered, mesh_overlay_registered};
 pub use result::{Regions, Solid, Source};
 
 use self::cut::Cutting;
-use self::meet::Question;
+use self::meet::{Hit, Question};
 use self::near::Near;
 pub(crate) use self::near::number;
 use self::planted::{Planted, Wrong};
@@ -99,6 +103,8 @@ pub struct Touch {
 pub enum Undone {
     /// An edge and a triangle touch.
     Touch(Touch),
+    /// Two simplices that are less than an edge and a triangle are registered as in contact: the vertices of the first mesh's, and of the second's.
+    Contact([Vec<Vertex>; 2]),
     /// The session does not construct a point.
     Refused(Refused),
     /// The first invariant that does not hold, as the statement that should.
@@ -119,6 +125,14 @@ impl std::fmt::Display for Undone {
                 "the edge of vertices {a} and {b} of the {} mesh touches triangle {triangle} of the other",
                 ["first", "second"][usize::from(*mesh)]
             ),
+            Undone::Contact(simplices) => {
+                let [first, second] = simplices.each_ref().map(|simplex| {
+                    let kind = ["vertex", "edge", "triangle"].get(simplex.len().wrapping_sub(1)).unwrap_or(&"simplex");
+                    let vertices: Vec<String> = simplex.iter().map(Vertex::to_string).collect();
+                    format!("{kind} {}", vertices.join(" "))
+                });
+                write!(f, "{first} of the first mesh is within the tolerance of {second} of the second")
+            }
             Undone::Refused(why) => why.fmt(f),
             Undone::Broken(rule) => write!(f, "{rule}: that does not hold"),
         }
@@ -270,8 +284,22 @@ fn run(
         let session = &*session;
         Question { session, mesh, edges: near[own], of: both[other], triangles: near[other], zeros, wrong }.hits()
     };
-    let [first, second] = [hits(0).map_err(Undone::Touch)?, hits(1).map_err(Undone::Touch)?];
+    let hits = [hits(0).map_err(Undone::Touch)?, hits(1).map_err(Undone::Touch)?];
     done(Step::Passages);
+    finish(session, &meshes, before, (near, &bounds), hits, (extent, wrong), done)
+}
+
+/// The steps after it is known what passes through what.
+fn finish(
+    session: &mut dyn Predicates,
+    meshes: &[Arc<MaterialMesh>; 2],
+    before: usize,
+    (near, bounds): ([&Near; 2], &[Bounds<3>; 2]),
+    [first, second]: [Vec<Hit>; 2],
+    (extent, wrong): (Extent, Wrong),
+    done: &mut dyn FnMut(Step),
+) -> Result<MeshOverlay, Undone> {
+    let both = [&*meshes[0], &*meshes[1]];
     let vertices = points::construct(session, [&first, &second], near, both)?;
     let session = &*session;
     let points = [
@@ -280,7 +308,7 @@ fn run(
     ];
     done(Step::Points);
     let points = [&points[0], &points[1]];
-    let regions = regions::regions(&Known { session, meshes: &meshes, near, points, bounds: &bounds, extent, wrong })?;
+    let regions = regions::regions(&Known { session, meshes, near, points, bounds, extent, wrong })?;
     done(Step::Regions);
     let mut whole = [0, 1].map(|own: usize| {
         let region = |&[v, ..]: &[Vertex; 3]| NonZero::new(regions[own].of(v).wrapping_add(1));
@@ -310,5 +338,5 @@ fn run(
     }
     let constructions = session.scene().constructions()[before..].to_vec();
     done(Step::Faces);
-    Ok(MeshOverlay { meshes, whole, pieces, constructions, wrong })
+    Ok(MeshOverlay { meshes: meshes.clone(), whole, pieces, constructions, wrong })
 }

@@ -13,6 +13,7 @@ mod mesh_limit;
 mod mesh_locate;
 mod mesh_locate_scale;
 mod mesh_overlay;
+mod mesh_overlay_registered;
 mod mesh_overlay_signs;
 mod mesh_resolve;
 mod mesh_rounding;

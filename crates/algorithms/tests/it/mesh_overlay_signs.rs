@@ -177,7 +177,7 @@ fn outcome(result: Result<MeshOverlay, Undone>) -> &'static str {
             told(&overlay);
             "done"
         }
-        Err(Undone::Touch(_)) => "touch",
+        Err(Undone::Touch(_) | Undone::Contact(_)) => "touch",
         Err(Undone::Refused(_)) => "refused",
         Err(Undone::Broken(rule)) => rule,
     }

@@ -50,6 +50,12 @@ pub(super) fn parts([first, second]: [Surface; 2]) -> Parts {
 
 /// A scene with these meshes over its points.
 pub(super) fn with_meshes(scene: Scene, meshes: [MaterialMesh; 2]) -> Parts {
+    Parts::new(for_both(scene, &meshes), TwoMeshes { meshes: meshes.map(Arc::new) })
+}
+
+/// A scene that says which vertices are the second mesh's, for perturbations that move it, and how long primitives are, for tolerances.
+pub(super) fn for_both(scene: Scene, meshes: &[MaterialMesh; 2]) -> Scene {
+    let lengths = meshes.each_ref().map(|mesh| mesh.primitive_length(&scene));
     let second: Vec<_> = meshes[1].triangles().as_flattened().to_vec();
-    Parts::new(scene.with_second_mesh(second), TwoMeshes { meshes: meshes.map(Arc::new) })
+    scene.with_primitive_lengths(lengths).with_second_mesh(second)
 }

@@ -7,6 +7,7 @@ mod content;
 mod files;
 mod generate;
 mod judge;
+mod manner;
 mod memory;
 mod phases;
 mod planted;
@@ -14,24 +15,30 @@ mod read;
 mod section;
 mod settled;
 mod shapes;
+mod surface;
 
 use std::path::{Path, PathBuf};
 
 use predicament_algorithms::mesh_limit::planted::Planted as WrongLimit;
 use predicament_algorithms::mesh_overlay::planted::Planted as Wrong;
-use predicament_algorithms::mesh_overlay::{Regions, Source as OfMesh, Undone, Zeros, mesh_overlay_planted};
+use predicament_algorithms::mesh_overlay::{
+    Regions, Source as OfMesh, Undone, mesh_overlay_planted, mesh_overlay_registered,
+};
 use predicament_algorithms::overlay::Operation;
 use predicament_algorithms::planted::Honest;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
-use predicament_predicates::{Construction, Declined, PredicateKind, Predicates, Query, Question, Scene, Vertex};
+use predicament_predicates::{Construction, Declined, PredicateKind, Predicates, Query, Scene, Vertex};
 
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 
+use manner::{Manner, manner};
+
 pub use content::TwoMeshes;
 pub use section::MeshIntersectRow;
 pub use settled::Settled;
+pub use surface::flaw_of;
 
 use crate::output::Placed;
 use crate::{
@@ -58,18 +65,12 @@ pub struct Overlaid {
     pub before: usize,
     /// What the session has rounded the constructed vertices to; none where it keeps them.
     pub rounded: Option<Vec<[f64; 3]>>,
+    /// Where contacts with these vertices were registered; none where none were. What is judged is the points that are defined.
+    pub registered: Option<Vec<[f64; 3]>>,
     /// The results without a perturbation, and in doubles, or what does not hold; none where they were not asked for, or the session rounds.
     pub settled: Option<std::result::Result<Settled, String>>,
     /// The first invariant that did not hold: then there is nothing else.
     pub broken: Option<&'static str>,
-}
-
-/// What a zero is to a session: where the sign is that of a floating-point determinant, nothing that could be refused.
-fn zeros(session: &dyn Predicates, content: &TwoMeshes) -> Zeros {
-    let [[a, b, c], [d, ..]] = [0, 1].map(|mesh: usize| content.meshes[mesh].triangles()[0]);
-    let (question, args) = (Question::Orient3d, [a, b, c, d]);
-    let is_rounded = session.estimate(question, &args).is_some() || session.band(question).is_some();
-    if is_rounded { Zeros::Positive } else { Zeros::Refused }
 }
 
 impl Overlaid {
@@ -84,11 +85,17 @@ impl Overlaid {
     ) -> Result<Overlaid, Halt> {
         memory::affordable(session.scene(), content)?;
         let before = session.scene().constructions().len();
-        let zeros = zeros(session, content);
-        let overlay = match mesh_overlay_planted::<F>(session, content.meshes.clone(), zeros) {
-            Ok(overlay) => overlay,
+        let overlaid = match manner(session, content) {
+            Manner::Signs(zeros) => {
+                mesh_overlay_planted::<F>(session, content.meshes.clone(), zeros).map(|overlay| (overlay, None))
+            }
+            Manner::Contacts => mesh_overlay_registered(session, content.meshes.clone(), &mut |_| {})
+                .map(|(overlay, registered)| (overlay, Some(registered))),
+        };
+        let (overlay, registered) = match overlaid {
+            Ok(overlaid) => overlaid,
             Err(Undone::Refused(why)) => return Err(why.into()),
-            Err(touch @ Undone::Touch(_)) => {
+            Err(touch @ (Undone::Touch(_) | Undone::Contact(_))) => {
                 let why = format!("{touch}; what touches is decided by backends that break ties");
                 return Err(Halt::Refused(Refusal { check: "touch", why: Declined::scene(why) }));
             }
@@ -102,6 +109,8 @@ impl Overlaid {
             sources: solids.each_ref().map(|solid| solid.sources.clone()),
             solids: solids.map(|solid| solid.triangles),
             rounded: output::rounded_points(session, before, constructions.len()),
+            registered: registered
+                .and_then(|registered| output::rounded_points(&registered, before, constructions.len())),
             constructions,
             before,
             broken: None,
@@ -243,7 +252,12 @@ impl Task for MeshIntersect {
     /// A mesh for each operation, in doubles where it is known without the perturbation and as the perturbation has it otherwise, what rounding has
     /// done, all vertices exactly, and a JSON file of all pieces.
     fn write(&self, scene: &Scene, _: &TwoMeshes, answer: &Overlaid, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
-        let placed = Placed::new(scene, &answer.constructions, answer.before, answer.rounded.as_deref())?;
+        let placed = Placed::new(
+            scene,
+            &answer.constructions,
+            answer.before,
+            answer.rounded.as_ref().or(answer.registered.as_ref()).map(|points| &points[..]),
+        )?;
         let mut files = Vec::new();
         if let Some(Ok(settled)) = &answer.settled {
             files.extend(files::settled(settled, folder)?);

@@ -3,14 +3,14 @@
 use std::time::{Duration, Instant};
 
 use predicament_algorithms::mesh_limit::limit;
-use predicament_algorithms::mesh_overlay::{MeshOverlay, Solid, Step, mesh_overlay_by_steps};
+use predicament_algorithms::mesh_overlay::{MeshOverlay, Solid, Step, mesh_overlay_by_steps, mesh_overlay_registered};
 use predicament_algorithms::mesh_rounding::rounded;
 use predicament_algorithms::overlay::Operation;
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Predicates, Vertex};
 
 use super::content::TwoMeshes;
-use super::{memory, zeros};
+use super::{Manner, manner, memory};
 use crate::Phase;
 
 /// The phase that asks no predicate.
@@ -40,12 +40,17 @@ pub(super) fn asking<P: Predicates>(session: &mut P, content: &TwoMeshes) -> Vec
     }
     let count = content.triangles();
     let phase = |name: &'static str, elapsed: Duration| Phase { name, unit: "triangle", count, elapsed, bytes: None };
-    let zeros = zeros(session, content);
+    let manner = manner(session, content);
     let (mut phases, mut clock) = (Vec::new(), Instant::now());
-    let overlaid = mesh_overlay_by_steps(session, content.meshes.clone(), zeros, &mut |step| {
+    let mut done = |step| {
         phases.push(phase(name(step), clock.elapsed()));
         clock = Instant::now();
-    });
+    };
+    let meshes = content.meshes.clone();
+    let overlaid = match manner {
+        Manner::Signs(zeros) => mesh_overlay_by_steps(session, meshes, zeros, &mut done),
+        Manner::Contacts => mesh_overlay_registered(session, meshes, &mut done).map(|(overlay, _)| overlay),
+    };
     let Ok(overlay) = overlaid else { return Vec::new() };
     if let Some(last) = phases.last_mut() {
         *last = last.with_bytes(overlay.bytes());

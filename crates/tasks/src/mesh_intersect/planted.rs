@@ -11,7 +11,7 @@ use predicament_algorithms::mesh_overlay::planted::{
 use predicament_algorithms::overlay::Operation;
 use predicament_algorithms::planted::{Fault, Honest};
 use predicament_mesh::OUTSIDE;
-use predicament_predicates::Vertex;
+use predicament_predicates::{Construction, Vertex};
 
 use super::content::TwoMeshes;
 use super::settled::Settled;
@@ -72,6 +72,16 @@ const MOVED_CHECKS: &[Catch] = &[(Class::Topology, "place of a rounded vertex")]
 /// The checks that have to find a hole in doubles.
 const LOST_CHECKS: &[Catch] = &[(Class::Topology, "settled result not closed")];
 
+/// The checks that have to find two places that are taken for one.
+const MERGED_CHECKS: &[Catch] = &[(Class::Topology, "areas of a limit")];
+/// The checks that have to find a triangle through others.
+const PASSING_CHECKS: &[Catch] =
+    &[(Class::Topology, "settled result crosses itself"), (Class::Topology, "place of a rounded vertex")];
+/// The checks that have to find a triangle with its back.
+const SHEET_CHECKS: &[Catch] = &[(Class::Topology, "sheet")];
+/// The checks that have to find a vertex that is nowhere.
+const NOWHERE_CHECKS: &[Catch] = &[(Class::Topology, "vertex of a limit")];
+
 /// The algorithm and its results with all faults.
 pub(super) fn all() -> Vec<Planted<MeshIntersect>> {
     fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<MeshIntersect> {
@@ -110,6 +120,10 @@ pub(super) fn all() -> Vec<Planted<MeshIntersect>> {
         spoiled::<TakesTheUnionsLimit>("sos:per-mesh", UNION_CHECKS),
         spoiled::<MovesAVertex>("exact", MOVED_CHECKS),
         spoiled::<LosesARoundedTriangle>("exact", LOST_CHECKS),
+        spoiled::<MergesPlaces>("exact", MERGED_CHECKS),
+        spoiled::<PassesThrough>("exact", PASSING_CHECKS),
+        spoiled::<AddsASheet>("exact", SHEET_CHECKS),
+        spoiled::<LosesAPlace>("exact", NOWHERE_CHECKS),
     ]
 }
 
@@ -257,6 +271,64 @@ fault!(
     |answer| {
         if let Some(settled) = settled(answer) {
             settled.results[0].rounded.closed.triangles.pop();
+        }
+    }
+);
+fault!(
+    MergesPlaces,
+    "Two places of a limit that are taken for one.",
+    "mesh-intersect-merges-places",
+    "in the limit of the union the corner of its last triangle stands for that of its first one, too",
+    |answer| {
+        let Some(settled) = settled(answer) else { return };
+        let triangles = &mut settled.results[0].solid.triangles;
+        let (Some(&[first, ..]), Some(&last)) = (triangles.first(), triangles.last()) else { return };
+        let [.., other] = last;
+        triangles.iter_mut().flatten().filter(|v| **v == first).for_each(|v| *v = other);
+        // (What has a vertex twice now has no area.)
+        triangles.retain(|[a, b, c]| a != b && b != c && c != a);
+    }
+);
+fault!(
+    PassesThrough,
+    "A rounded triangle that passes through others.",
+    "mesh-intersect-passes-through",
+    "the first vertex of the union in doubles is beyond the one that is farthest from it",
+    |answer| {
+        let Some(settled) = settled(answer) else { return };
+        let points = &mut settled.results[0].rounded.closed.points;
+        let Some(&first) = points.first() else { return };
+        let far = |p: &[f64; 3]| (0..3).map(|axis| (p[axis] - first[axis]).abs()).fold(0.0, f64::max);
+        if let Some(&farthest) = points.iter().max_by(|p, q| far(p).total_cmp(&far(q))) {
+            // (Not in line with anything.)
+            let step = [1.25, 1.125, 1.375];
+            points[0] = [0, 1, 2].map(|axis| first[axis] + step[axis] * (farthest[axis] - first[axis]));
+        }
+    }
+);
+fault!(
+    AddsASheet,
+    "A rounded triangle with its back.",
+    "mesh-intersect-adds-a-sheet",
+    "a triangle of the union in doubles is there again, and turned over",
+    |answer| {
+        if let Some(settled) = settled(answer)
+            && let Some(&[a, b, c]) = settled.results[0].rounded.closed.triangles.first()
+        {
+            settled.results[0].rounded.closed.triangles.extend([[a, b, c], [a, c, b]]);
+        }
+    }
+);
+fault!(
+    LosesAPlace,
+    "A vertex of a limit that is nowhere.",
+    "mesh-intersect-loses-a-place",
+    "the line of the first constructed vertex is one in its plane",
+    |answer| {
+        if let Some(settled) = settled(answer)
+            && let Some(Construction::Lpi { line, plane: [a, b, _] }) = settled.constructions.first_mut()
+        {
+            *line = [*a, *b];
         }
     }
 );

@@ -94,6 +94,7 @@ impl Pair {
                 assert!(self.do_touch(touch), "{touch:?} of {:?}", self.shapes);
                 Seen { touching: 1, ..Seen::default() }
             }
+            Err(Undone::Contact(simplices)) => panic!("{simplices:?}: signs register nothing"),
             Err(Undone::Refused(_)) => Seen { refused: 1, ..Seen::default() },
             Err(Undone::Broken(rule)) => panic!("{rule}: {:?}", self.shapes),
         }

@@ -19,6 +19,7 @@ use rug::Rational;
 
 use super::measures::{Measure, Sums, add};
 use super::{Laws, MeshIntersect, TwoMeshes, name, note, points};
+use crate::mesh_intersect::content::for_both;
 use crate::{Asked, Outcome, Stop};
 
 /// What triangles of a box around the origin are, by corners whose bits are their coordinates' signs, seen counterclockwise from outside.
@@ -45,8 +46,7 @@ struct Other {
 
 impl Other {
     fn new(points: &[[f64; 3]], meshes: [MaterialMesh; 2]) -> Option<Other> {
-        let second: Vec<Vertex> = meshes[1].triangles().as_flattened().to_vec();
-        let scene = Scene::from_points3(points).ok()?.with_second_mesh(second);
+        let scene = for_both(Scene::from_points3(points).ok()?, &meshes);
         Some(Other { scene, content: TwoMeshes { meshes: meshes.map(Arc::new) } })
     }
 }
@@ -74,7 +74,10 @@ impl Laws<'_> {
         let answer = match asked.backend.answer(&MeshIntersect, &other.scene, &other.content) {
             Ok(answer) => answer,
             Err(why) => {
-                note(outcome, check, why, law);
+                // A box is longer than the meshes, and tolerances grow with lengths.
+                if asked.contract(PredicateKind::Orient3d).zero != ZeroMeaning::Band {
+                    note(outcome, check, why, law);
+                }
                 return None;
             }
         };

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_algorithms::mesh_rounding::Rounded;
 use predicament_algorithms::overlay::Operation;
-use predicament_checks::slice::{Check, Expected, Part, Piece, Slices};
+use predicament_checks::slice::Check;
 use predicament_judge::solids::Boundary;
 use predicament_judge::{Points, rational};
 use predicament_predicates::{Construction, Scene, Vertex};
@@ -17,6 +17,7 @@ use rug::Rational;
 use super::{Laws, Point, note};
 use crate::Outcome;
 use crate::mesh_intersect::settled::{Result, Settled};
+use crate::mesh_intersect::surface::flaws;
 
 /// A plane: the axis along which its normal's component is one, the other two, and the distance along that axis.
 type Plane = (usize, Point);
@@ -211,14 +212,7 @@ fn whole(surface: &Surface, of: &str, crossed: usize, outcome: &mut Outcome) {
             break;
         }
     }
-    // Each triangle is its own face.
-    let number = surface.triangles.len();
-    let part =
-        Part { triangles: surface.triangles.clone(), pieces: (0..number).map(Piece::Face).collect(), open: Vec::new() };
-    let faces = surface.triangles.iter().map(|triangle| triangle.to_vec()).collect();
-    let slices = Slices { points: surface.points.clone(), faces, planes: Vec::new(), parts: vec![part] };
-    let expected = Expected { is_closed: false, has_areas: true, triangles_crossed: crossed };
-    for flaw in slices.flaws_of_surface(expected) {
+    for flaw in flaws(surface.points.clone(), &surface.triangles, crossed) {
         let check = match flaw.check {
             Check::Closed => "settled result not closed",
             Check::SelfIntersection => "settled result crosses itself",

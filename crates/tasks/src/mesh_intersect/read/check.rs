@@ -24,6 +24,27 @@ pub(super) enum Flaw {
     Side { triangle: usize, is_front: bool, region: u32, place: Place },
 }
 
+impl Flaw {
+    /// What is wrong with a mesh of this name.
+    pub fn told(&self, mesh: &str) -> String {
+        match self {
+            Flaw::Crossing([a, b]) => format!("triangles {a} and {b} of {mesh} pass through each other"),
+            Flaw::Side { triangle, is_front, region, place } => {
+                let side = if *is_front { "in front of" } else { "behind" };
+                let there = match place {
+                    Place::In(region) => format!("region {region}"),
+                    Place::Windings(windings) => {
+                        let each = windings.iter().map(|(region, winding)| format!("{winding} times region {region}"));
+                        each.collect::<Vec<_>>().join(" and ")
+                    }
+                    Place::On(_) => "another triangle".to_owned(),
+                };
+                format!("{side} triangle {triangle} of {mesh} is {there}, and it should be region {region}")
+            }
+        }
+    }
+}
+
 /// The first flaw of a mesh.
 pub(super) fn flaw(scene: &Scene, mesh: &MaterialMesh) -> Option<Flaw> {
     crossing(scene, mesh).map(Flaw::Crossing).or_else(|| side(scene, mesh))

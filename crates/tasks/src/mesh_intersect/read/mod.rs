@@ -5,7 +5,6 @@ mod check;
 use predicament_corpus::{Context, Elsewhere, Level, Parts, PointSource, Source};
 use predicament_formats::{Cache, CorpusError, Entry, Field, Fields, ImportNotes, Places};
 use predicament_judge::sign;
-use predicament_judge::solids::Place as Located;
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::Plane::{Xy, Yz, Zx};
 use predicament_predicates::{Dimension, Question, Scene, Vertex};
@@ -147,33 +146,21 @@ impl Written {
         let count: usize = meshes.iter().map(|mesh| mesh.triangles().len()).sum();
         if self.check.unwrap_or(count <= CHECKED) {
             for (mesh, name) in meshes.into_iter().zip(["first", "second"]) {
-                check::flaw(scene, mesh).map_or(Ok(()), |flaw| Err(self.flawed(flaw, name)))?;
+                check::flaw(scene, mesh).map_or(Ok(()), |flaw| Err(self.flawed(&flaw, name)))?;
             }
         }
         Ok(())
     }
 
-    fn flawed(&self, flaw: Flaw, name: &str) -> CorpusError {
-        match flaw {
-            Flaw::Crossing([a, b]) => {
-                let message = format!("triangles {a} and {b} of the {name} mesh pass through each other");
-                self.error(message, "cut them where they cross, or write `check = false` to take the mesh as it is")
+    fn flawed(&self, flaw: &Flaw, name: &str) -> CorpusError {
+        let cure = match flaw {
+            Flaw::Crossing(_) => {
+                "cut them where they cross (`resolve` does so), or write `check = false` to take the mesh as it is"
             }
-            Flaw::Side { triangle, is_front, region, place } => {
-                let side = if is_front { "in front of" } else { "behind" };
-                let there = match place {
-                    Located::In(region) => format!("region {region}"),
-                    Located::Windings(windings) => {
-                        let each = windings.iter().map(|(region, winding)| format!("{winding} times region {region}"));
-                        each.collect::<Vec<_>>().join(" and ")
-                    }
-                    Located::On(_) => "another triangle".to_owned(),
-                };
-                let message = format!(
-                    "{side} triangle {triangle} of the {name} mesh is {there}, and it should be region {region}"
-                );
-                self.error(message, "turn over what is inside out, and join what overlaps; or write `check = false` to take the mesh as it is")
+            Flaw::Side { .. } => {
+                "turn over what is inside out, and join what overlaps (`resolve` does the latter); or write `check = false` to take the mesh as it is"
             }
-        }
+        };
+        self.error(flaw.told(&format!("the {name} mesh")), cure)
     }
 }

@@ -1,0 +1,93 @@
+//! `resolve`: meshes that cross themselves, and what cannot be resolved.
+
+use crate::common::{at, expect, read, write};
+use tempfile::tempdir;
+
+/// Two cubes of side 2, one of them moved by (1, 0.5, 0.25): what they have in common is 1 by 1.5 by 1.75.
+fn two_cubes() -> String {
+    let corner = |from: [f64; 3], at: u8| {
+        let [x, y, z] = [0, 1, 2].map(|axis| from[axis] + f64::from(at >> axis & 1) * 2.0);
+        format!("{x} {y} {z}\n")
+    };
+    let faces = [
+        [0, 2, 3],
+        [0, 3, 1],
+        [4, 5, 7],
+        [4, 7, 6],
+        [0, 1, 5],
+        [0, 5, 4],
+        [2, 6, 7],
+        [2, 7, 3],
+        [0, 4, 6],
+        [0, 6, 2],
+        [1, 3, 7],
+        [1, 7, 5],
+    ];
+    let mut text = "OFF\n16 24 0\n".to_owned();
+    text.extend([[0.0; 3], [1.0, 0.5, 0.25]].into_iter().flat_map(|from| (0..8).map(move |at| corner(from, at))));
+    let face = |first: usize| faces.map(move |[a, b, c]| format!("3 {} {} {}\n", a + first, b + first, c + first));
+    text.extend(face(0).into_iter().chain(face(8)));
+    text
+}
+
+/// Six times the volume of an OFF file of triangles, by its own numbers.
+fn volume(off: &str) -> f64 {
+    let mut lines = off.lines().skip(1);
+    let row = |line: &str| line.split_ascii_whitespace().map(|x| x.parse::<f64>().unwrap()).collect::<Vec<f64>>();
+    let counts: Vec<usize> = lines.next().unwrap().split_ascii_whitespace().map(|x| x.parse().unwrap()).collect();
+    let points: Vec<Vec<f64>> = lines.by_ref().take(counts[0]).map(row).collect();
+    let corners =
+        |line: &str| -> Vec<usize> { line.split_ascii_whitespace().skip(1).map(|x| x.parse().unwrap()).collect() };
+    let minor = |p: &[f64], q: &[f64], i: usize, j: usize| p[i] * q[j] - p[j] * q[i];
+    let six = |line: &str| {
+        let [a, b, c] = corners(line)[..] else { panic!("a triangle: {line}") };
+        let [a, b, c] = [&points[a], &points[b], &points[c]];
+        a[0] * minor(b, c, 1, 2) + a[1] * minor(b, c, 2, 0) + a[2] * minor(b, c, 0, 1)
+    };
+    lines.take(counts[1]).map(six).sum()
+}
+
+#[test]
+fn cubes_that_overlap_become_one_mesh() {
+    let folder = tempdir().unwrap();
+    let mesh = write(&folder, "two.off", &two_cubes());
+    let out = at(&folder, "one.off");
+    let told = expect(0, &["resolve", &mesh, "--out", &out]);
+    assert!(told.stdout.contains("triangles cut") && told.stdout.contains("does not cross itself"), "{}", told.stdout);
+    // All of it is in doubles: six times 16 less 2.625, and nothing rounds.
+    let text = std::fs::read_to_string(&out).unwrap();
+    assert_eq!(volume(&two_cubes()), 6.0 * 16.0);
+    assert_eq!(volume(&text), 6.0 * 13.375);
+    // Again there is nothing to do, and what was refused is taken.
+    let again = expect(0, &["resolve", &out, "--out", &at(&folder, "again.stl")]);
+    assert!(again.stdout.contains("\n0 pairs crossed; 0 triangles cut"), "{}", again.stdout);
+    let pair = ["solve", "mesh-intersect", "-b", "sos:per-mesh"];
+    let refused = expect(2, &[&pair[..], &[&mesh, &out, "--out", &at(&folder, "cut")]].concat());
+    assert!(
+        refused.stderr.contains("pass through each other") && refused.stderr.contains("`resolve`"),
+        "{}",
+        refused.stderr
+    );
+    expect(0, &[&pair[..], &[&out, &out, "--out", &at(&folder, "cut")]].concat());
+    assert_eq!(volume(&read(&at(&folder, "cut"), "intersection.off")), 6.0 * 13.375);
+}
+
+#[test]
+fn what_bounds_nothing_is_named() {
+    let folder = tempdir().unwrap();
+    let whole = two_cubes();
+    let open = whole.replacen("16 24 0", "16 23 0", 1);
+    let open = open.trim_end().rsplit_once('\n').unwrap().0.to_owned() + "\n";
+    let out = at(&folder, "out.off");
+    for (name, text, out, code, wanted) in [
+        ("open.off", open.as_str(), out.as_str(), 104, "open at the edge of points 9 (line 12)"),
+        ("decimal.off", &whole.replacen("0 0 0\n", "0.1 0 0\n", 1), &out, 104, "--round"),
+        ("empty.off", "OFF\n0 0 0\n", &out, 104, "triangles"),
+        ("two.off", &whole, "out.txt", 2, "name a .off, .obj, .ply or .stl file"),
+    ] {
+        let mesh = write(&folder, name, text);
+        let told = expect(code, &["resolve", &mesh, "--out", out]);
+        assert!(told.stderr.contains(wanted), "{name}: {}", told.stderr);
+    }
+    assert!(!std::path::Path::new(&out).exists());
+}
