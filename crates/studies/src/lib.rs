@@ -99,6 +99,7 @@ pub mod shrink;
 pub mod stress;
 pub mod worst;
 
+mod common;
 mod contacts;
 mod error;
 mod host;
@@ -107,6 +108,7 @@ mod precision;
 mod report;
 mod study;
 
+pub use common::Common;
 pub use error::Error;
 pub use host::{Host, Quiet};
 pub use list::{Entry, Ready, STUDIES};

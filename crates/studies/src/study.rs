@@ -8,7 +8,7 @@ use std::path::Path;
 
 use predicament_tasks::Contestant;
 
-use crate::{Error, File, Host, Report};
+use crate::{Common, Error, File, Host, Report};
 
 /// A question that is answered by measuring backends.
 pub trait Study: clap::Args {
@@ -29,14 +29,19 @@ pub trait Study: clap::Args {
         Vec::new()
     }
 
+    /// Seed, threads and folder, where it has those that studies have in common.
+    fn common(&self) -> Option<&Common> {
+        None
+    }
+
     /// Threads to measure on; all cores if `None`.
     fn threads(&self) -> Option<usize> {
-        None
+        self.common().and_then(|common| common.threads)
     }
 
     /// The folder that its files go to; nothing is written if `None`.
     fn out(&self) -> Option<&Path> {
-        None
+        self.common().and_then(|common| common.out.as_deref())
     }
 
     /// Measures. The result must not depend on the number of threads.

@@ -103,7 +103,7 @@ impl<F: Float> Backend for Tolerance<F> {
     /// `tolerance`, `tolerance:f32`, or that of a planted fault for the printed form.
     fn name(&self) -> String {
         let name = match (self.form, self.misscaled) {
-            (_, Some(misscaled)) => format!("fault:tolerance-{}", misscaled.name()),
+            (_, Some(misscaled)) => format!("fault:{}", misscaled.fault),
             (EdgeVertex::Corrected, None) => "tolerance".to_owned(),
             (EdgeVertex::AsPrinted, None) => "fault:tolerance-as-printed".to_owned(),
         };

@@ -59,6 +59,15 @@ impl<F: Float> ContactTolerances<F> {
         }
     }
 
+    /// All of Figure 1 or 5, by the symbols that the paper has.
+    #[must_use]
+    pub fn bands(&self) -> Vec<(&'static str, Band)> {
+        match *self {
+            ContactTolerances::Plane(tolerances) => tolerances.bands().to_vec(),
+            ContactTolerances::Space(tolerances) => tolerances.bands().to_vec(),
+        }
+    }
+
     /// The tolerance that is a distance, by the ranks of a pair: σ, τ, and in
     /// space δ or γ.
     #[must_use]

@@ -63,6 +63,16 @@ impl<F: Float> Tolerances2d<F> {
         }
     }
 
+    /// All of Figure 1, by the symbols that the paper has.
+    #[must_use]
+    pub fn bands(mut self) -> [(&'static str, Band); 4] {
+        self.bands_mut().map(|(symbol, band)| (symbol, *band))
+    }
+
+    pub(crate) fn bands_mut(&mut self) -> [(&'static str, &mut Band); 4] {
+        [("σ", &mut self.sigma), ("τ", &mut self.tau), ("σ̂", &mut self.sigma_hat), ("κ", &mut self.kappa)]
+    }
+
     /// Whether `F` has room for everything that Algorithms 2 to 5 compute, as
     /// the paper assumes "no underflow or overflow"; L = 0 needs none.
     ///

@@ -88,6 +88,29 @@ impl<F: Float> Tolerances3d<F> {
         }
     }
 
+    /// All of Figure 5, by the symbols that the paper has.
+    #[must_use]
+    pub fn bands(mut self) -> [(&'static str, Band); 12] {
+        self.bands_mut().map(|(symbol, band)| (symbol, *band))
+    }
+
+    pub(crate) fn bands_mut(&mut self) -> [(&'static str, &mut Band); 12] {
+        [
+            ("σ", &mut self.sigma),
+            ("τ", &mut self.tau),
+            ("δ", &mut self.delta),
+            ("γ", &mut self.gamma),
+            ("σ̂", &mut self.sigma_hat),
+            ("λ", &mut self.lambda),
+            ("φ", &mut self.phi),
+            ("ν", &mut self.nu),
+            ("ζ", &mut self.zeta),
+            ("μ", &mut self.mu),
+            ("ξ", &mut self.xi),
+            ("ρ", &mut self.rho),
+        ]
+    }
+
     /// Whether `F` has room for everything that Algorithms 7 to 12 compute, as
     /// the paper assumes "no underflow or overflow"; L = 0 needs none.
     ///

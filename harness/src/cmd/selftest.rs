@@ -4,8 +4,10 @@
 //! corpora like any other; each faulty algorithm runs on an honest backend. A
 //! fault names the checks that have to find it: one that finds nothing means that
 //! the corpora have a hole or that the check does not work, whatever else finds
-//! the fault. The real backends of proved contracts run beside them and must
-//! come out clean, or the score would mean nothing.
+//! the fault. The real backends of proved contracts run on every scene on which a
+//! check finds what it has to, and must come out clean, or the score would mean nothing.
+//! That they are clean on all others is for `run` and `gate` to say, but for the one that
+//! is not among the backends of a run: it is run on every scene that it is for.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -23,8 +25,9 @@ use crate::tool::Tool;
 use crate::{expectations, interrupt, progress};
 
 const EXAMPLES: &str = "\
-Honest backends run on every scene. A fault runs until all checks that have to find it have found it; what else would find
-it later is not tried.
+A fault runs until all checks that have to find it have found it; what else would find it later is not tried. Honest
+backends run on each scene that a check finds a fault on, sos:per-mesh on each with two meshes; `run` and `gate` hold
+the others to all scenes.
 
 Examples:
   predicament selftest
@@ -34,7 +37,10 @@ Examples:
   predicament run -b fault:sos-swapped-term        a planted fault in a run of its own; `gate` turns red";
 
 /// Backends that must have no finding but the expected ones.
-const CLEAN: [&str; 5] = ["exact", "sos", "sos:edelsbrunner-mucke", "sos:per-mesh", "tolerance"];
+const CLEAN: [&str; 5] = ["exact", "sos", "sos:edelsbrunner-mucke", TWO_MESHES, "tolerance"];
+
+/// The one of them that no run has unless it is named: it is held to every scene with two meshes here.
+const TWO_MESHES: &str = "sos:per-mesh";
 
 /// Plant faults in backends and algorithms; each must be caught by its checks
 #[derive(clap::Args)]
@@ -45,7 +51,7 @@ pub struct Args {
     #[arg(short = 'f', long = "filter", value_name = "RE")]
     pub filter: Option<String>,
 
-    /// Only these faults by name, several with commas; honest backends run in any case
+    /// Only these faults by name, several with commas
     #[arg(long, value_name = "FAULT", value_delimiter = ',')]
     pub only: Vec<String>,
 
@@ -64,12 +70,14 @@ struct Entry {
     what: &'static str,
     /// None for an honest backend.
     caught_by: Option<&'static [Catch]>,
+    /// What is planted in a backend.
+    fault: Option<Fault>,
     caught: BTreeMap<(Class, String), u64>,
 }
 
 impl Entry {
     fn new(name: String, what: &'static str, caught_by: Option<&'static [Catch]>) -> Entry {
-        Entry { name, what, caught_by, caught: BTreeMap::new() }
+        Entry { name, what, caught_by, fault: None, caught: BTreeMap::new() }
     }
 
     fn note(&mut self, outcome: &Outcome, known: &BTreeSet<(Class, String)>) {
@@ -78,9 +86,24 @@ impl Entry {
         }
     }
 
-    /// Whether it is run on the next scene: an honest backend always, a fault until all its checks have found it.
+    /// Whether it is a fault that is run on the next scene: until all its checks have found it.
     fn is_open(&self) -> bool {
-        self.caught_by.is_none() || self.caught.is_empty() || !self.missed().is_empty()
+        self.caught_by.is_some() && (self.caught.is_empty() || !self.missed().is_empty())
+    }
+
+    /// Whether it is a backend with a fault that is run on the next scene of this task.
+    fn is_open_in(&self, task: &str) -> bool {
+        self.fault.is_some_and(|fault| fault.shows_in(task)) && self.is_open()
+    }
+
+    /// Whether an outcome has a catch that is missed so far.
+    fn gains(&self, outcome: &Outcome) -> bool {
+        let caught_by = self.caught_by.unwrap_or_default();
+        self.caught.is_empty() && catches(outcome).next().is_some()
+            || catches(outcome).any(|catch| {
+                let is_wanted = caught_by.iter().any(|&(class, check)| (class, check) == (catch.0, catch.1.as_str()));
+                is_wanted && !self.caught.contains_key(&catch)
+            })
     }
 
     /// The checks that should have found it and did not.
@@ -95,9 +118,11 @@ impl Entry {
 /// Honest backends, faulty backends, faulty algorithms, in this order.
 fn entries(tool: &Tool) -> Vec<Entry> {
     let honest = CLEAN.iter().map(|name| Entry::new((*name).to_owned(), "nothing is wrong", None));
-    let backends = Fault::ALL
-        .into_iter()
-        .map(|fault| Entry::new(format!("fault:{}", fault.name()), fault.what(), Some(fault.caught_by())));
+    let backend = |fault: Fault| {
+        let name = format!("fault:{}", fault.name());
+        Entry { fault: Some(fault), ..Entry::new(name, fault.what(), Some(fault.caught_by())) }
+    };
+    let backends = Fault::planted().map(backend);
     let mut entries: Vec<Entry> = honest.chain(backends).collect();
     for planted in tool.tasks().iter().flat_map(|task| task.planted_faults()) {
         let name = algorithm(planted.name());
@@ -140,7 +165,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let selector = Selector { filter: args.filter, ..Selector::everything() };
     let selection = selector.select(tool)?;
     let mut scenes = selection.plan(Shard::WHOLE)?;
-    let backends = entries.iter().filter(|entry| !entry.name.starts_with("algorithm:"));
+    let backends = entries.iter().filter(|entry| !is_algorithm(&entry.name));
     let contestants: Result<Vec<Box<dyn Contestant>>, String> =
         backends.map(|entry| tool.backend(&entry.name)).collect();
     let contestants = contestants.map_err(Failure::usage)?;
@@ -150,61 +175,80 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let quiet = |_: u64| {};
     let interrupted = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
     for scene in &mut scenes {
+        bar.inc(1);
+        let planted = tool.task(scene.plan.task.as_str()).planted_faults();
+        let open = |name: &str| entries.iter().any(|entry| entry.name == name && entry.is_open());
+        let is_needed = entries.iter().any(|entry| entry.is_open_in(&scene.plan.task))
+            || planted.iter().any(|planted| open(&algorithm(planted.name())));
         let loaded = scene.take(&selection)?;
+        let has_two = loaded.scene.second_mesh().is_some();
+        if !is_needed && !has_two {
+            continue;
+        }
         let watch = Watch::new(interrupt::flag(), None, &quiet);
         let case = tool.task(loaded.task).case(&loaded, &watch).map_err(interrupted)?;
-        let budget = crate::planning::budget(Level::Quick);
+        let found = faulty(case.as_ref(), &contestants, &watch, &entries).map_err(interrupted)?;
+        let gains = found.iter().any(|(at, outcome)| entries[*at].gains(outcome));
+        let is_held = |entry: &Entry| entry.caught_by.is_none() && (gains || has_two && entry.name == TWO_MESHES);
+        let honest = run_backends(case.as_ref(), &contestants, &watch, &entries, is_held).map_err(interrupted)?;
         // What an honest backend is known to show catches no fault.
         let mut known: BTreeSet<(Class, String)> = BTreeSet::new();
-        let outcomes: Result<Vec<Option<Outcome>>, Stop> = contestants
-            .par_iter()
-            .zip(&entries)
-            .map(|(contestant, entry)| {
-                let run = || predicament_oracle::run(case.as_ref(), contestant.as_ref(), budget, &watch);
-                entry.is_open().then(run).transpose()
-            })
-            .collect();
-        for (outcome, entry) in outcomes.map_err(interrupted)?.into_iter().zip(&mut entries) {
-            let Some(outcome) = outcome else { continue };
-            if entry.caught_by.is_none() {
-                let of = |class| {
-                    let mut of = expected.matching(&loaded.suite, &loaded.name, &entry.name, Level::Quick.name());
-                    of.any(|entry| entry.class == class)
-                };
-                let expected: BTreeSet<_> = catches(&outcome).filter(|&(class, _)| of(class)).collect();
-                entry.note(&outcome, &expected);
-                known.extend(expected);
-            } else {
-                entry.note(&outcome, &known);
-            }
+        for (at, outcome) in honest {
+            let entry = &mut entries[at];
+            let of = |class| {
+                let mut of = expected.matching(&loaded.suite, &loaded.name, &entry.name, Level::Quick.name());
+                of.any(|entry| entry.class == class)
+            };
+            let expected: BTreeSet<_> = catches(&outcome).filter(|&(class, _)| of(class)).collect();
+            entry.note(&outcome, &expected);
+            known.extend(expected);
         }
-        algorithms(case.as_ref(), &contestants, &known, &watch, &mut entries).map_err(interrupted)?;
-        bar.inc(1);
+        // Without a gain nothing was held against the honest ones, and nothing is missed.
+        for (at, outcome) in found.into_iter().filter(|_| gains) {
+            entries[at].note(&outcome, &known);
+        }
     }
     bar.finish_and_clear();
     Ok(scorecard(&entries, is_whole, args.json))
 }
 
-/// The algorithm of a scene's task with each of its faults.
-fn algorithms(
+/// What became of entries, by their places.
+type Found = Vec<(usize, Outcome)>;
+
+fn is_algorithm(name: &str) -> bool {
+    name.starts_with("algorithm:")
+}
+
+/// The backends of these entries, which come first.
+fn run_backends(
     case: &dyn AnyCase,
     contestants: &[Box<dyn Contestant>],
-    known: &BTreeSet<(Class, String)>,
     watch: &Watch,
-    entries: &mut [Entry],
-) -> Result<(), Stop> {
+    entries: &[Entry],
+    which: impl Fn(&Entry) -> bool + Sync,
+) -> Result<Found, Stop> {
+    let budget = crate::planning::budget(Level::Quick);
+    let chosen = contestants.par_iter().enumerate().filter(|(at, _)| which(&entries[*at]));
+    chosen.map(|(at, one)| Ok((at, predicament_oracle::run(case, one.as_ref(), budget, watch)?))).collect()
+}
+
+/// Backends with a fault, and the algorithm of the scene's task with each of its faults: those that are open.
+fn faulty(
+    case: &dyn AnyCase,
+    contestants: &[Box<dyn Contestant>],
+    watch: &Watch,
+    entries: &[Entry],
+) -> Result<Found, Stop> {
+    let mut found = run_backends(case, contestants, watch, entries, |entry| entry.is_open_in(case.task().name()))?;
     for planted in case.task().planted_faults() {
         let name = algorithm(planted.name());
-        if !entries.iter().any(|entry| entry.name == name && entry.is_open()) {
-            continue;
-        }
+        let Some(at) = entries.iter().position(|entry| entry.name == name && entry.is_open()) else { continue };
         let honest = contestants.iter().find(|contestant| contestant.name() == planted.backend());
         let honest = honest.unwrap_or_else(|| panic!("{} runs on no honest backend", planted.name()));
         let budget = crate::planning::budget(Level::Quick);
-        let outcome = predicament_oracle::run_planted(case, planted.as_ref(), honest.as_ref(), budget, watch)?;
-        entries.iter_mut().filter(|entry| entry.name == name).for_each(|entry| entry.note(&outcome, known));
+        found.push((at, predicament_oracle::run_planted(case, planted.as_ref(), honest.as_ref(), budget, watch)?));
     }
-    Ok(())
+    Ok(found)
 }
 
 fn scorecard(entries: &[Entry], is_whole: bool, as_json: bool) -> u8 {

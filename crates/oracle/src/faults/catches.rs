@@ -3,14 +3,16 @@
 //! A fault that another check finds as well shows nothing about the one that
 //! was made for it: `selftest` is red if any of these finds nothing.
 
+use predicament_predicates::Dimension;
 use predicament_tasks::{Catch, Class};
+use predicament_tolerance::Misscaled;
 
 use super::Fault;
 
 impl Fault {
     /// The checks that have to find it on the embedded corpora.
     #[must_use]
-    pub const fn caught_by(self) -> &'static [Catch] {
+    pub fn caught_by(self) -> &'static [Catch] {
         match self {
             Fault::SosSwappedTerm => &[
                 (Class::SignFlip, "perturbed contact"),
@@ -114,9 +116,43 @@ impl Fault {
                 (Class::Topology, "crossing parity"),
             ],
             Fault::ToleranceMirroredWeight => &[(Class::Inconsistent, "weights"), (Class::Topology, "crossing parity")],
-            Fault::ToleranceDoubledKappa => &[(Class::Overreach, "sign"), (Class::MissedZero, "reading")],
-            Fault::ToleranceDoubledLambda => &[(Class::MissedZero, "reading")],
-            Fault::ToleranceHalvedMu => &[(Class::Overreach, "reading")],
+            Fault::Misscaled(misscaled) => misscaled_caught_by(misscaled),
         }
+    }
+
+    /// Whether it can show in a task, by its name: a fault in what is asked about pairs of simplices
+    /// shows where they are asked about.
+    #[must_use]
+    pub fn shows_in(self, task: &str) -> bool {
+        match self {
+            Fault::Misscaled(Misscaled { dimension: Dimension::Two, symbol, .. }) => {
+                task == "contacts2d" || symbol == "κ" && task == "orient2d"
+            }
+            Fault::Misscaled(Misscaled { dimension: Dimension::Three, symbol, .. }) => {
+                task == "contacts3d" || symbol == "ξ" && task == "orient3d"
+            }
+            Fault::ContactsEndlessEdge
+            | Fault::ContactsOneSided
+            | Fault::ToleranceNarrowContacts
+            | Fault::ToleranceWideContacts
+            | Fault::ToleranceAsPrinted
+            | Fault::ToleranceMirroredWeight => task.starts_with("contacts"),
+            _ => true,
+        }
+    }
+}
+
+/// By what the tolerance is for: whether up to it a pair is registered, or beyond it only, and whether a
+/// predicate is banded by it.
+fn misscaled_caught_by(misscaled: Misscaled) -> &'static [Catch] {
+    match (misscaled.symbol, misscaled.halved) {
+        ("σ", false) => &[(Class::Overreach, "band")],
+        ("σ", true) => &[(Class::MissedZero, "band")],
+        ("τ" | "δ" | "γ", false) => &[(Class::Overreach, "reading")],
+        ("τ", true) => &[(Class::MissedZero, "reading")],
+        ("δ" | "γ", true) => &[(Class::MissedZero, "band")],
+        ("κ" | "ξ", false) => &[(Class::Overreach, "sign"), (Class::MissedZero, "reading")],
+        (_, false) => &[(Class::MissedZero, "reading")],
+        (_, true) => &[(Class::Overreach, "reading")],
     }
 }

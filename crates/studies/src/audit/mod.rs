@@ -10,7 +10,9 @@
 //! with pairs at its own tolerance ([`read()`]). And the driver that goes through the
 //! levels is held to the same guarantee, on scenes of one pair ([`hierarchy()`]).
 //!
-//! All of it is held to the published tolerances, not to those of the code under audit.
+//! All of it is held to the published tolerances, not to those of the code under audit. The
+//! numbers of that are held to the published ones besides ([`constants()`]): one that is off can hide
+//! behind another test.
 //!
 //! * [`Audit`]: the study.
 //! * [`Row`]: which algorithm, in which precision, over which form of
@@ -18,6 +20,7 @@
 //! * [`Scheme`]: the algorithms of one L, asked about lists of points.
 //! * [`audit()`]: a stream of pairs through one row; [`Tally`]: its counts.
 
+mod constants;
 mod hierarchy;
 mod reads;
 mod row;
@@ -28,6 +31,7 @@ mod table;
 mod tally;
 mod thresholds;
 
+pub use constants::{Constant, NEAR_CONSTANT, constants};
 pub use hierarchy::{Driver, Hierarchy, hierarchy};
 pub use reads::{NEAR_LIMIT, Reads, read};
 pub use row::{Algorithm, Form, Row, rows};

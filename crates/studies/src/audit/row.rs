@@ -64,15 +64,27 @@ pub struct Row {
     pub form: Form,
 }
 
+impl Form {
+    /// What is wrong with its tolerances, `corrected` if nothing.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Form::Corrected => "corrected",
+            Form::AsPrinted => "as printed",
+            Form::Misscaled(misscaled) => misscaled.name(),
+        }
+    }
+}
+
 impl Row {
     /// Whether a tolerance is one that the row's form has wrong; every one where it has none wrong.
     #[must_use]
     pub fn concerns(self, symbol: Symbol) -> bool {
         match self.form {
             Form::Corrected | Form::AsPrinted => true,
-            Form::Misscaled(Misscaled::DoubledKappa) => symbol == Symbol::Kappa,
-            Form::Misscaled(Misscaled::DoubledLambda) => symbol == Symbol::Lambda,
-            Form::Misscaled(Misscaled::HalvedMu) => symbol == Symbol::Mu,
+            Form::Misscaled(misscaled) => {
+                misscaled.dimension == self.algorithm.dimension && misscaled.symbol == symbol.name()
+            }
         }
     }
 
@@ -81,9 +93,7 @@ impl Row {
     #[must_use]
     pub fn variant(self) -> &'static str {
         match (self.form, self.algorithm.kind, self.algorithm.dimension) {
-            (Form::Corrected, ..) => "corrected",
-            (Form::Misscaled(misscaled), ..) => misscaled.name(),
-            (Form::AsPrinted, PairKind::EdgeVertex, _) => "as printed",
+            (Form::Corrected | Form::Misscaled(_), ..) | (Form::AsPrinted, PairKind::EdgeVertex, _) => self.form.name(),
             (Form::AsPrinted, _, Dimension::Two) => "over printed 3",
             (Form::AsPrinted, _, Dimension::Three) => "over printed 8",
         }

@@ -1,7 +1,5 @@
 //! The command line of the audit, its survey and its rows.
 
-use std::path::{Path, PathBuf};
-
 use predicament_checks::audit::{Symbol, Verdict};
 use predicament_predicates::Dimension;
 use predicament_tasks::Contestant;
@@ -9,8 +7,10 @@ use predicament_tasks::contacts::thresholds;
 use predicament_tolerance::Misscaled;
 use serde::Serialize;
 
-use super::{Algorithm, Driver, Form, Hierarchy, Reads, Row, Tally, audit, hierarchy, read, rows, table};
-use crate::{Error, File, Host, Precision, Study};
+use super::{
+    Algorithm, Constant, Driver, Form, Hierarchy, Reads, Row, Tally, audit, constants, hierarchy, read, rows, table,
+};
+use crate::{Common, Error, File, Host, Precision, Study};
 
 /// The tolerance paper's algorithms at their thresholds, judged by exact distances.
 #[derive(Clone, Debug, clap::Args)]
@@ -19,17 +19,13 @@ pub struct Audit {
     #[arg(long, default_value_t = 1_000_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub decisions: u64,
 
-    /// The seed of the pairs
-    #[arg(long, default_value_t = 1, value_name = "N")]
-    pub seed: u64,
-
     /// Tolerances and drivers with a known fault instead; each has to be found
     #[arg(long)]
     pub planted: bool,
 
-    /// The folder to write; made if missing
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
+    /// Seed, threads and folder
+    #[command(flatten)]
+    pub common: Common,
 }
 
 /// A row and its counts.
@@ -50,6 +46,8 @@ pub struct Measured {
     pub reads: Vec<Read>,
     /// Drivers of the hierarchy.
     pub drivers: Vec<Driven>,
+    /// The tolerances themselves.
+    pub constants: Vec<Constant>,
 }
 
 /// One pair at each tolerance for so many decisions.
@@ -61,7 +59,7 @@ impl Audit {
     fn read_rows(&self) -> Vec<(Row, Symbol)> {
         let forms: Vec<Form> = match self.planted {
             false => vec![Form::Corrected],
-            true => Misscaled::ALL.into_iter().map(Form::Misscaled).collect(),
+            true => Misscaled::visible().map(Form::Misscaled).collect(),
         };
         let rows = forms.into_iter().flat_map(|form| {
             Algorithm::all().flat_map(move |algorithm| {
@@ -73,6 +71,13 @@ impl Audit {
             symbols.filter(move |symbol| row.concerns(**symbol)).map(move |&symbol| (row, symbol))
         };
         rows.flat_map(with).collect()
+    }
+
+    fn constants(&self) -> Vec<Constant> {
+        match self.planted {
+            false => constants(Form::Corrected),
+            true => Misscaled::ALL.into_iter().flat_map(|misscaled| constants(Form::Misscaled(misscaled))).collect(),
+        }
     }
 
     fn drivers(&self) -> Vec<(Driver, Dimension, Precision)> {
@@ -98,10 +103,12 @@ Each tolerance that an algorithm reads has pairs of its own besides, a tenth as 
 asked about whatever their sub-pairs are: a test by itself. And the driver of the hierarchy is
 held to the guarantee on scenes of one pair, a fiftieth as many.
 
-All of it is held to the tolerances that the paper publishes. With --planted it is tolerances and
-drivers with a known fault that are audited; each has to be found.
+All of it is held to the tolerances that the paper publishes, and so are the tolerances themselves.
+With --planted it is tolerances that are twice or half of what they should be and drivers with a
+known fault that are audited; each has to be found.
 
-Written to the folder: audit.csv, reads.csv, hierarchy.csv, audit.md (the tables that are printed).
+Written to the folder: audit.csv, reads.csv, hierarchy.csv, constants.csv, audit.md (the tables that
+are printed).
 
 Exit code 100 if an algorithm that is not as printed breaks the guarantee, and with --planted if a
 fault does not.
@@ -113,8 +120,8 @@ Examples:
 
     type Measured = Measured;
 
-    fn out(&self) -> Option<&Path> {
-        self.out.as_deref()
+    fn common(&self) -> Option<&Common> {
+        Some(&self.common)
     }
 
     fn survey(&self, _: &[&dyn Contestant], host: &dyn Host) -> Result<Measured, Error> {
@@ -127,12 +134,12 @@ Examples:
             |row: Row| format!("Algorithm {} {} {}", row.algorithm.number(), row.precision.name(), row.variant());
         let one = |row: Row| -> Result<Audited, Error> {
             host.turn_to(&name(row));
-            Ok((row, audit(row, self.decisions, self.seed, host.watch())?))
+            Ok((row, audit(row, self.decisions, self.common.seed, host.watch())?))
         };
         let rows = rows.into_iter().map(one).collect::<Result<_, _>>()?;
         let one = |(row, symbol): (Row, Symbol)| -> Result<Read, Error> {
             host.turn_to(&format!("{} {}", name(row), symbol.name()));
-            Ok((row, symbol, read(row, symbol, pairs, self.seed, host.watch())?))
+            Ok((row, symbol, read(row, symbol, pairs, self.common.seed, host.watch())?))
         };
         let reads = reads.into_iter().map(one).collect::<Result<_, _>>()?;
         let one = |(driver, dimension, precision): (Driver, Dimension, Precision)| -> Result<Driven, Error> {
@@ -141,11 +148,11 @@ Examples:
                 driver,
                 dimension,
                 precision,
-                hierarchy(driver, dimension, precision, scenes, self.seed, host.watch())?,
+                hierarchy(driver, dimension, precision, scenes, self.common.seed, host.watch())?,
             ))
         };
         let drivers = drivers.into_iter().map(one).collect::<Result<_, _>>()?;
-        Ok(Measured { rows, reads, drivers })
+        Ok(Measured { rows, reads, drivers, constants: self.constants() })
     }
 
     fn rows(&self, measured: &Measured) -> Result<Vec<File>, Error> {
@@ -153,6 +160,7 @@ Examples:
             File::csv("audit.csv", measured.rows.iter().map(Record::of))?,
             File::csv("reads.csv", measured.reads.iter().map(ReadRecord::of))?,
             File::csv("hierarchy.csv", measured.drivers.iter().map(DriverRecord::of))?,
+            File::csv("constants.csv", measured.constants.iter().map(ConstantRecord::of))?,
         ])
     }
 
@@ -165,6 +173,7 @@ Examples:
         measured.rows.iter().all(|(row, tally)| row.form == Form::AsPrinted || tally.violations() == 0)
             && measured.reads.iter().all(|(.., reads)| is_found(reads.misread))
             && measured.drivers.iter().all(|(.., found)| is_found(found.violations()))
+            && measured.constants.iter().all(|constant| constant.is_published() != self.planted)
     }
 }
 
@@ -212,6 +221,35 @@ impl ReadRecord {
     }
 }
 
+/// The columns of a constant.
+#[derive(Serialize)]
+pub(super) struct ConstantRecord {
+    pub dimension: usize,
+    pub precision: &'static str,
+    pub variant: &'static str,
+    pub tolerance: &'static str,
+    pub lower: f64,
+    pub width: f64,
+    pub upper: f64,
+    pub is_published: bool,
+}
+
+impl ConstantRecord {
+    pub(super) fn of(constant: &Constant) -> ConstantRecord {
+        let [lower, width, upper] = constant.quotients;
+        ConstantRecord {
+            dimension: constant.dimension.count(),
+            precision: constant.precision.name(),
+            variant: constant.form.name(),
+            tolerance: constant.symbol.name(),
+            lower,
+            width,
+            upper,
+            is_published: constant.is_published(),
+        }
+    }
+}
+
 /// The columns of a driver.
 #[derive(Serialize)]
 pub(super) struct DriverRecord {
@@ -233,6 +271,8 @@ pub(super) struct DriverRecord {
 
 impl DriverRecord {
     pub(super) fn of((driver, dimension, precision, found): &Driven) -> DriverRecord {
+        let [agree, in_band, overreach, missed, unguarded, bad_weight, unasked, misread] =
+            Verdict::ALL.map(|verdict| found.count(verdict));
         DriverRecord {
             dimension: dimension.count(),
             precision: precision.name(),
@@ -240,14 +280,14 @@ impl DriverRecord {
             scenes: found.scenes,
             registered: found.registered,
             ended: found.ended,
-            agree: found.count(Verdict::Agree),
-            in_band: found.count(Verdict::InBand),
-            overreach: found.count(Verdict::Overreach),
-            missed: found.count(Verdict::Missed),
-            unguarded: found.count(Verdict::Unguarded),
-            bad_weight: found.count(Verdict::BadWeight),
-            unasked: found.count(Verdict::Unasked),
-            misread: found.count(Verdict::Misread),
+            agree,
+            in_band,
+            overreach,
+            missed,
+            unguarded,
+            bad_weight,
+            unasked,
+            misread,
         }
     }
 }
@@ -281,6 +321,8 @@ impl Record {
     pub(super) fn of((row, tally): &Audited) -> Record {
         let Row { algorithm, precision, .. } = *row;
         let [first, second] = algorithm.kind.ranks();
+        let [agree, in_band, overreach, missed, unguarded, bad_weight, _, misread] =
+            Verdict::ALL.map(|verdict| tally.count(verdict));
         Record {
             algorithm: algorithm.number(),
             dimension: algorithm.dimension.count(),
@@ -293,13 +335,13 @@ impl Record {
             registered: tally.registered,
             not_registered: tally.decisions() - tally.registered,
             near: tally.near,
-            agree: tally.count(Verdict::Agree),
-            in_band: tally.count(Verdict::InBand),
-            overreach: tally.count(Verdict::Overreach),
-            missed: tally.count(Verdict::Missed),
-            unguarded: tally.count(Verdict::Unguarded),
-            bad_weight: tally.count(Verdict::BadWeight),
-            misread: tally.count(Verdict::Misread),
+            agree,
+            in_band,
+            overreach,
+            missed,
+            unguarded,
+            bad_weight,
+            misread,
             weight_error: tally.weight_error,
             least_guard: tally.room,
         }

@@ -2,13 +2,14 @@
 
 use std::fmt::Write as _;
 
-use super::study::{Audited, DriverRecord, Measured, Read, ReadRecord, Record};
+use super::study::{Audited, ConstantRecord, DriverRecord, Measured, Read, ReadRecord, Record};
 use super::{Audit, Row, Violation};
 
 /// The tables, and the first violation of each row that has any.
 pub(super) fn page(audit: &Audit, measured: &Measured) -> String {
     let planted = if audit.planted { " --planted" } else { "" };
-    let mut page = format!("`predicament audit --decisions {} --seed {}{planted}`\n\n", audit.decisions, audit.seed);
+    let mut page =
+        format!("`predicament audit --decisions {} --seed {}{planted}`\n\n", audit.decisions, audit.common.seed);
     if !audit.planted {
         page += &whole_pairs(&measured.rows);
         page += "\n";
@@ -16,6 +17,8 @@ pub(super) fn page(audit: &Audit, measured: &Measured) -> String {
     page += &single_tests(&measured.reads);
     page += "\n";
     page += &drivers(measured);
+    page += "\n";
+    page += &constants(measured);
     let of_rows = measured.rows.iter().filter_map(|(row, tally)| Some((row, tally.first.as_ref()?)));
     let of_reads = measured.reads.iter().filter_map(|(row, _, reads)| Some((row, reads.first.as_ref()?)));
     page + &firsts(of_rows.chain(of_reads))
@@ -65,6 +68,25 @@ fn single_tests(reads: &[Read]) -> String {
     page += "\nPairs at a tolerance, asked about whatever their sub-pairs are. Within, beyond: values within 2^-10 of \
              T-, T or T+, up to it or beyond. Misread: a test that has to fail passed, or all that have to pass did \
              not.\n";
+    page
+}
+
+/// The tolerances beside the published ones.
+fn constants(measured: &Measured) -> String {
+    let mut page = "| figure | precision | variant | tolerance | T- | T | T+ | as published |\n".to_owned();
+    page += "|---|---|---|---|---:|---:|---:|---|\n";
+    for constant in &measured.constants {
+        let ConstantRecord { dimension, precision, variant, tolerance, lower, width, upper, is_published } =
+            ConstantRecord::of(constant);
+        let figure = if dimension == 2 { 1 } else { 5 };
+        let said = if is_published { "yes" } else { "no" };
+        let _ = writeln!(
+            page,
+            "| {figure} | {precision} | {variant} | {tolerance} | {lower:.6} | {width:.6} | {upper:.6} | {said} |"
+        );
+    }
+    page += "\nT-, T and T+ over the published, for the L of 16 for which they are furthest apart. As published: within \
+             2^-20.\n";
     page
 }
 

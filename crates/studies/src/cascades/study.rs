@@ -1,7 +1,5 @@
 //! The command line of the study of cascades, its survey and its rows.
 
-use std::path::{Path, PathBuf};
-
 use predicament_report::text::in_order;
 use predicament_tasks::Contestant;
 use rug::Rational;
@@ -10,7 +8,7 @@ use serde::Serialize;
 use super::method::FLOAT;
 use super::survey::{Course, Followed, Plan};
 use super::{Cascade, Keep, Method, Sample, plots, table};
-use crate::{Error, File, Host, Study};
+use crate::{Common, Error, File, Host, Study};
 
 /// Polygons that are combined again and again, by several methods.
 #[derive(Clone, Debug, clap::Args)]
@@ -36,13 +34,9 @@ pub struct Cascades {
     #[arg(long, default_value_t = 64, value_name = "N")]
     pub probes: u32,
 
-    /// The seed of operands and points
-    #[arg(long, default_value_t = 1, value_name = "N")]
-    pub seed: u64,
-
-    /// The folder to write; made if missing
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
+    /// Seed, threads and folder
+    #[command(flatten)]
+    pub common: Common,
 }
 
 /// All philosophies.
@@ -125,8 +119,8 @@ Examples:
         Some(1)
     }
 
-    fn out(&self) -> Option<&Path> {
-        self.out.as_deref()
+    fn common(&self) -> Option<&Common> {
+        Some(&self.common)
     }
 
     fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Measured, Error> {
@@ -139,7 +133,7 @@ Examples:
             steps: self.steps as usize,
             samples: self.samples.min(self.steps) as usize,
             probes: self.probes as usize,
-            seed: self.seed,
+            seed: self.common.seed,
         };
         let exact = Method::exact();
         let methods = in_order(self.methods.iter());
@@ -184,7 +178,7 @@ Examples:
     /// The operands, for other programs to do the same.
     fn suites(&self, measured: &Measured) -> Result<Vec<File>, Error> {
         let operands = |one: &Followed| {
-            let (start, steps) = one.cascade.steps(self.steps as usize, self.seed);
+            let (start, steps) = one.cascade.steps(self.steps as usize, self.common.seed);
             let first = format!("start;{}\n", wkt(&start));
             let rest = steps.iter().map(|step| format!("{};{}\n", step.operation.name(), wkt(&step.corners)));
             File::new(format!("{}.wkt", one.cascade.name()), std::iter::once(first).chain(rest).collect::<String>())

@@ -8,8 +8,9 @@
 //! cannot be cut, or a part that comes apart.
 //!
 //! * [`Cut`]: the study; [`Scene`]: a lattice and a surface with a known volume.
-//! * [`Pieces`]: tetrahedra cut by contacts.
+//! * [`Pieces`]: tetrahedra cut by contacts; [`Exactly`]: what some of them should have inside, in rationals.
 
+mod exactly;
 mod pieces;
 mod sides;
 mod study;
@@ -17,7 +18,8 @@ mod surfaces;
 mod table;
 mod volume;
 
+pub use exactly::{Deviation, Exactly, ROUNDING};
 pub use pieces::{Pieces, SLIVER, pieces};
 pub use sides::{Sides, sides};
-pub use study::{Cut, Measured, Row};
+pub use study::{Cut, Made, Measured, Row};
 pub use surfaces::{Placement, Scene, Shape};

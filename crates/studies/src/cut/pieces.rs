@@ -28,12 +28,27 @@ pub struct Pieces {
     pub many: usize,
     /// Edges that change sides without a point on them; their middle is taken.
     pub missing: usize,
+    /// For each tetrahedron what is inside as a share; none for those without pieces.
+    pub shares: Vec<Option<f64>>,
     /// How many connected parts the pieces inside have, across faces: one if nothing is cut off.
     pub parts: [usize; 2],
 }
 
 /// A piece is a sliver if it has less of its tetrahedron's volume than this.
 pub const SLIVER: f64 = 1e-6;
+
+impl Pieces {
+    /// A planted fault: the least share of these tetrahedra for the largest. As all tetrahedra
+    /// of a lattice have one volume, the total stays the same.
+    pub fn exchange(&mut self, tetrahedra: impl Iterator<Item = usize>) {
+        let known = tetrahedra.filter_map(|at| Some((at, self.shares[at]?)));
+        let mut sorted: Vec<(usize, f64)> = known.collect();
+        sorted.sort_by(|(_, a), (_, b)| a.total_cmp(b));
+        if let [(least, _), .., (most, _)] = sorted[..] {
+            self.shares.swap(least, most);
+        }
+    }
+}
 
 /// Cuts each tetrahedron. A piece is what is on one side of the surface
 /// through the points on its edges; a quadrilateral is divided along the
@@ -46,7 +61,7 @@ pub const SLIVER: f64 = 1e-6;
 #[must_use]
 pub fn pieces(scene: &Scene, lattice: &Complex, sides: &Sides) -> Pieces {
     let place = |v: Vertex| lattice.vertices().binary_search(&v).expect("a tetrahedron's vertex");
-    let mut all = Pieces::default();
+    let mut all = Pieces { shares: vec![None; lattice.tetrahedra().len()], ..Pieces::default() };
     let mut contradicted = vec![false; lattice.edges().len()];
     sides.contradicted.iter().for_each(|&edge| contradicted[edge as usize] = true);
     for (at, edge) in lattice.edges().iter().enumerate() {
@@ -94,6 +109,7 @@ pub fn pieces(scene: &Scene, lattice: &Complex, sides: &Sides) -> Pieces {
             }
         }
         all.inside += inside * whole;
+        all.shares[at] = Some(inside);
     }
     all.parts = [0, 1].map(|side| parts(lattice, sides, &has, side));
     all

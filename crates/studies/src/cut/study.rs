@@ -1,6 +1,5 @@
 //! The command line of the study of cuts, and its survey.
 
-use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use predicament_algorithms::contacts::Contacts;
@@ -8,9 +7,9 @@ use predicament_predicates::{PredicateKind, Predicates, ZeroMeaning};
 use predicament_report::text::in_order;
 use predicament_tasks::Contestant;
 
-use super::{Pieces, Placement, Scene, Shape, Sides, pieces, sides, table};
+use super::{Deviation, Exactly, Pieces, Placement, Scene, Shape, Sides, pieces, sides, table};
 use crate::contacts::contacts;
-use crate::{Error, File, Host, Study};
+use crate::{Common, Error, File, Host, Study};
 
 /// A lattice of tetrahedra cut by surfaces.
 #[derive(Clone, Debug, clap::Args)]
@@ -37,17 +36,18 @@ pub struct Cut {
     #[arg(long, default_value_t = 12, value_name = "N", value_parser = clap::value_parser!(u32).range(4..=100))]
     pub cubes: u32,
 
-    /// The seed of places and moves
-    #[arg(long, default_value_t = 1, value_name = "N")]
-    pub seed: u64,
+    /// Tetrahedra of each scene that are held one by one to what they should have inside, at even steps among those near
+    /// the surface
+    #[arg(long, default_value_t = 300, value_name = "N")]
+    pub checked: usize,
 
-    /// Threads; all if left out
-    #[arg(long, value_name = "N")]
-    pub threads: Option<usize>,
+    /// In each cut, exchange what two tetrahedra have inside: the total stays right, and each has to be found
+    #[arg(long)]
+    pub planted: bool,
 
-    /// The folder to write; made if missing
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
+    /// Seed, threads and folder
+    #[command(flatten)]
+    pub common: Common,
 }
 
 /// A cut by one backend.
@@ -67,6 +67,8 @@ pub struct Row {
     pub truth: f64,
     /// The volume of the lattice.
     pub whole: f64,
+    /// How many tetrahedra are near the surface: those checked are some of them.
+    pub near: usize,
     /// What came of it, or why the backend declined.
     pub made: Result<Made, String>,
 }
@@ -80,6 +82,8 @@ pub struct Made {
     pub sides: Sides,
     /// The pieces.
     pub pieces: Pieces,
+    /// What the shares of single tetrahedra are off by.
+    pub deviation: Deviation,
     /// What the contacts took.
     pub registering: Duration,
     /// What sides and pieces took.
@@ -124,16 +128,20 @@ to others has its side by the number of points between; one of each connected se
 An edge whose points contradict the sides of its ends makes its tetrahedra inconsistent: they have no
 pieces, and their volume is lost. A tetrahedron is cut in two pieces or in none, so no volume is there twice.
 The volume inside is held against the true one, in rationals. A tetrahedron is cut by a plane or two, the
-surface may have a bend there: what exact contacts are off by is the method, not the contacts.
+surface may have a bend there: what exact contacts are off by is the method, not the contacts. So a sample
+of the tetrahedra near the surface (--checked) is held one by one to what exact contacts make of them, in
+rationals: off are those whose share inside differs by more than 2^-44, or that have no pieces.
 
 Written to the folder: cut.csv, cut-times.csv, cut.md. All but times are the same whenever it is run.
 
-Exit code 100 if a backend whose zeros are exact or never has an inconsistent tetrahedron.
+Exit code 100 if a backend whose zeros are exact or never has an inconsistent tetrahedron, or one that is
+off; with --planted if an exchange is not found.
 
 Examples:
   predicament cut
   predicament cut --cubes 26 --out target/cut
-  predicament cut -s sphere -p near -b tolerance,fault:contacts-one-sided";
+  predicament cut -s sphere -p near -b tolerance,fault:contacts-one-sided
+  predicament cut --cubes 6 --planted";
 
     type Measured = Measured;
 
@@ -145,12 +153,8 @@ Examples:
         names
     }
 
-    fn threads(&self) -> Option<usize> {
-        self.threads
-    }
-
-    fn out(&self) -> Option<&Path> {
-        self.out.as_deref()
+    fn common(&self) -> Option<&Common> {
+        Some(&self.common)
     }
 
     fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Measured, Error> {
@@ -167,7 +171,8 @@ Examples:
         let mut rows = Vec::new();
         for shape in shapes {
             for &placement in &placements {
-                let scene = Scene::new(shape, placement, self.cubes, self.seed);
+                let scene = Scene::new(shape, placement, self.cubes, self.common.seed);
+                let exactly = Exactly::new(&scene.scene, scene.complexes.both(), self.checked);
                 for &backend in asked {
                     host.turn_to(&format!("{}, {} by {}", shape.name(), placement.name(), backend.name()));
                     rows.push(Row {
@@ -178,7 +183,8 @@ Examples:
                         triangles: scene.complexes.b.triangles().len(),
                         truth: scene.inside.to_f64(),
                         whole: f64::from(self.cubes).powi(3),
-                        made: make(&scene, backend, ties),
+                        near: exactly.near,
+                        made: make(&scene, backend, ties).map(|made| self.held(made, &exactly)),
                     });
                     host.watch().done(1)?;
                 }
@@ -196,10 +202,27 @@ Examples:
     }
 
     fn holds(&self, measured: &Measured) -> bool {
-        measured.rows.iter().all(|row| {
-            let promises = row.backend == "exact" || row.backend.starts_with(TIES);
-            !promises || row.made.as_ref().is_ok_and(|made| made.pieces.inconsistent == 0)
+        let is_sound = |made: &Made| made.pieces.inconsistent == 0 && made.deviation.off == 0;
+        measured.rows.iter().all(|row| match &row.made {
+            Ok(made) if self.planted => made.deviation.off > 0,
+            made => !promises(&row.backend) || made.as_ref().is_ok_and(is_sound),
         })
+    }
+}
+
+/// Whether zeros are exact or never, so that all contacts fit together.
+fn promises(backend: &str) -> bool {
+    backend == "exact" || backend.starts_with(TIES)
+}
+
+impl Cut {
+    /// With its tetrahedra held to the exact ones.
+    fn held(&self, mut made: Made, exactly: &Exactly) -> Made {
+        if self.planted {
+            made.pieces.exchange(exactly.shares.iter().map(|(at, _)| *at));
+        }
+        made.deviation = exactly.hold(&made.pieces.shares);
+        made
     }
 }
 
@@ -220,5 +243,6 @@ fn make(scene: &Scene, backend: &dyn Contestant, ties: &dyn Contestant) -> Resul
         .map_err(|why| why.to_string())?;
     let sides = found.ok_or("nothing was located")?;
     let pieces = pieces(&scene.scene, both[0], &sides);
-    Ok(Made { contacts: registered, sides, pieces, registering, cutting: start.elapsed() })
+    let cutting = start.elapsed();
+    Ok(Made { contacts: registered, sides, pieces, deviation: Deviation::default(), registering, cutting })
 }

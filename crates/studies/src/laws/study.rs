@@ -7,7 +7,7 @@ use predicament_tasks::Contestant;
 use serde::Serialize;
 
 use super::{Row, Survey, survey, table};
-use crate::{Error, File, Host, Study};
+use crate::{Common, Error, File, Host, Study};
 
 /// The default backends: those whose promise is proved.
 const DEFAULT: &str = "exact,sos,sos:edelsbrunner-mucke,tolerance";
@@ -23,17 +23,13 @@ pub struct Laws {
     #[arg(long, default_value_t = 1_000_000, value_name = "N")]
     pub tuples: u64,
 
-    /// The seed of the scenes
-    #[arg(long, default_value_t = 1, value_name = "N")]
-    pub seed: u64,
-
-    /// Threads; all cores if left out
-    #[arg(long, value_name = "N")]
-    pub threads: Option<usize>,
-
     /// A table of violations with the first of each, or one CSV row for each backend and law
     #[arg(long, value_enum, default_value_t = Format::Md)]
     pub format: Format,
+
+    /// Seed, threads and folder
+    #[command(flatten)]
+    pub common: Common,
 }
 
 /// What to print.
@@ -81,12 +77,12 @@ Examples:
         self.backends.clone()
     }
 
-    fn threads(&self) -> Option<usize> {
-        self.threads
+    fn common(&self) -> Option<&Common> {
+        Some(&self.common)
     }
 
     fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Vec<Surveyed>, Error> {
-        let plan = Survey { tuples: self.tuples, seed: self.seed };
+        let plan = Survey { tuples: self.tuples, seed: self.common.seed };
         host.begin(plan.total() * backends.len() as u64, "tuples");
         let _muted = Muted::new();
         let one = |backend: &&dyn Contestant| {

@@ -1,7 +1,5 @@
 //! The command line of the study of cascades of meshes, its survey and its rows.
 
-use std::path::{Path, PathBuf};
-
 use predicament_report::text::in_order;
 use predicament_report::{Curve, Curves, curves};
 use predicament_tasks::Contestant;
@@ -10,7 +8,7 @@ use serde::Serialize;
 use super::survey::{Followed, follow};
 use super::{Cascade, Sample, table};
 use crate::cascades::Plan;
-use crate::{Error, File, Host, Study};
+use crate::{Common, Error, File, Host, Study};
 
 /// Meshes that are combined again and again, by several backends.
 #[derive(Clone, Debug, clap::Args)]
@@ -45,13 +43,9 @@ pub struct MeshCascades {
     #[arg(long, value_enum, default_value_t = Rounding::Counted, value_name = "HOW")]
     pub rounding: Rounding,
 
-    /// The seed of operands and points
-    #[arg(long, default_value_t = 1, value_name = "N")]
-    pub seed: u64,
-
-    /// The folder to write; made if missing
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
+    /// Seed, threads and folder
+    #[command(flatten)]
+    pub common: Common,
 }
 
 /// What becomes of flaws of rounding.
@@ -126,8 +120,8 @@ Examples:
         Some(1)
     }
 
-    fn out(&self) -> Option<&Path> {
-        self.out.as_deref()
+    fn common(&self) -> Option<&Common> {
+        Some(&self.common)
     }
 
     fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Measured, Error> {
@@ -140,7 +134,7 @@ Examples:
             steps: self.steps as usize,
             samples: self.samples.min(self.steps) as usize,
             probes: self.probes as usize,
-            seed: self.seed,
+            seed: self.common.seed,
         };
         let rounding = match self.rounding {
             Rounding::Counted => predicament_algorithms::mesh_cascade::Rounding::Counted,

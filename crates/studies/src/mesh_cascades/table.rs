@@ -13,7 +13,7 @@ pub(super) fn page(study: &MeshCascades, measured: &Measured) -> String {
         "{} steps, measured after {} of them; seed {}; times in microseconds a step\n",
         study.steps,
         study.samples.min(study.steps),
-        study.seed
+        study.common.seed
     );
     for cascade in in_order(measured.followed.iter().map(|one| one.cascade)) {
         let all: Vec<&Followed> = measured.followed.iter().filter(|one| one.cascade == cascade).collect();

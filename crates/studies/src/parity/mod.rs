@@ -18,6 +18,7 @@
 //! * [`space`]: all of this for closed surfaces.
 
 mod examine;
+mod kind;
 mod pair;
 mod random;
 mod search;
@@ -28,8 +29,9 @@ mod suite;
 mod table;
 
 pub use examine::{Examined, examine};
+pub use kind::Kind;
 pub use pair::{PolygonPair, shrink_odd};
 pub use random::{Recipe, random_pair};
 pub use search::{Census, Found, Row, SeatCounts, search};
-pub use smallest::{Kind, Small, smallest};
+pub use smallest::{Find, Small, Smallest, smallest};
 pub use study::{Measured, Parity, PlaneSearched, Searched, SpaceSearched};

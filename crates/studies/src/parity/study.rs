@@ -1,12 +1,11 @@
 //! The command line of the study of parity, and its survey.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
 
 use predicament_tasks::Contestant;
 
-use super::{Census, Found, Kind, Recipe, Small, search, smallest, space, suite, table};
-use crate::{Error, File, Host, Precision, Study};
+use super::{Census, Find, Kind, PolygonPair, Recipe, Small, Smallest, search, smallest, space, suite, table};
+use crate::{Common, Error, File, Host, Precision, Study};
 
 /// Random polygons that cross an odd number of times once merged.
 #[derive(Clone, Debug, clap::Args)]
@@ -19,21 +18,13 @@ pub struct Parity {
     #[arg(long, default_value_t = 40_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pairs: u64,
 
-    /// The seed of the pairs
-    #[arg(long, default_value_t = 1, value_name = "N")]
-    pub seed: u64,
-
     /// Finds to shrink in each precision, evenly spread over all
     #[arg(long, default_value_t = 200, value_name = "N")]
     pub shrink: usize,
 
-    /// Threads; all if left out
-    #[arg(long, value_name = "N")]
-    pub threads: Option<usize>,
-
-    /// The folder to write; made if missing
-    #[arg(long, value_name = "DIR")]
-    pub out: PathBuf,
+    /// Seed, threads and folder
+    #[command(flatten)]
+    pub common: Common,
 }
 
 /// The finds in one precision.
@@ -47,10 +38,15 @@ pub struct Searched<C, K, S> {
     pub smallest: BTreeMap<K, S>,
 }
 
+/// All smallest pairs, in the order of their numbers.
+pub(super) fn all<C, K, S>(searched: &[Searched<C, K, S>]) -> impl Iterator<Item = (Precision, &K, &S)> {
+    searched.iter().flat_map(|one| one.smallest.iter().map(|(kind, small)| (one.precision, kind, small)))
+}
+
 /// The finds among polygons.
-pub type PlaneSearched = Searched<Census, Kind, Small>;
+pub type PlaneSearched = Searched<Census, Kind, Small<PolygonPair, Recipe>>;
 /// The finds among surfaces.
-pub type SpaceSearched = Searched<space::Census, space::Kind, space::Small>;
+pub type SpaceSearched = Searched<space::Census, space::Kind, Small<space::SurfacePair, space::Recipe>>;
 
 /// The finds in each precision.
 #[derive(Clone, PartialEq, Debug)]
@@ -97,12 +93,8 @@ Examples:
         ["exact", "sos"].into_iter().chain(tolerances).chain(per_mesh).map(ToOwned::to_owned).collect()
     }
 
-    fn threads(&self) -> Option<usize> {
-        self.threads
-    }
-
-    fn out(&self) -> Option<&Path> {
-        Some(&self.out)
+    fn common(&self) -> Option<&Common> {
+        Some(&self.common)
     }
 
     fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Measured, Error> {
@@ -114,7 +106,9 @@ Examples:
             let backends = [*exact, *sos, *per_mesh, *double, *single];
             let one = |(precision, tolerance): (Precision, &dyn Contestant)| {
                 let census = self.count_surfaces(&backends, precision, host)?;
-                let smallest = self.shrink_surfaces([tolerance, *exact], precision, &census, host)?;
+                let place = census.backends.iter().position(|name| *name == tolerance.name());
+                let finds = census.found.iter().filter(|found| Some(found.backend) == place).collect();
+                let smallest = self.shrink([tolerance, *exact], precision, finds, host)?;
                 Ok(Searched { precision, census, smallest })
             };
             return Ok(Measured::Space(precisions.map(one).collect::<Result<_, Error>>()?));
@@ -122,7 +116,10 @@ Examples:
         let one = |(precision, tolerance): (Precision, &dyn Contestant)| {
             let backends = [*exact, *sos, tolerance];
             let census = self.count(backends, precision, host)?;
-            let smallest = self.shrink(backends, precision, &census, host)?;
+            // Finds of exact and perturbed signs are a fault of ours, and are counted; here are those of tolerances.
+            let name = tolerance.name();
+            let finds = census.found.iter().filter(|found| found.backend == name).collect();
+            let smallest = self.shrink([tolerance, *exact], precision, finds, host)?;
             Ok(Searched { precision, census, smallest })
         };
         Ok(Measured::Plane(precisions.map(one).collect::<Result<_, Error>>()?))
@@ -144,8 +141,8 @@ Examples:
 
     fn suites(&self, measured: &Measured) -> Result<Vec<File>, Error> {
         Ok(vec![match measured {
-            Measured::Plane(searched) => suite::smallest(self, searched)?,
-            Measured::Space(searched) => space::suite(self, searched)?,
+            Measured::Plane(searched) => suite::polygons(self, searched)?,
+            Measured::Space(searched) => suite::surfaces(self, searched)?,
         }])
     }
 }
@@ -158,29 +155,27 @@ impl Parity {
         let mut from = 0;
         while from < self.pairs {
             let to = (from + PART).min(self.pairs);
-            census = census.and(search(&backends, precision, self.seed, from..to));
+            census = census.and(search(&backends, precision, self.common.seed, from..to));
             host.watch().done((to - from) * recipes)?;
             from = to;
         }
         Ok(census)
     }
 
-    fn shrink(
+    /// Shrinks some of the finds of a tolerance backend.
+    fn shrink<F: Find>(
         &self,
-        [exact, _, tolerance]: [&dyn Contestant; 3],
+        [tolerance, exact]: [&dyn Contestant; 2],
         precision: Precision,
-        census: &Census,
+        finds: Vec<&F>,
         host: &dyn Host,
-    ) -> Result<BTreeMap<Kind, Small>, Error> {
-        // exact and perturbed finds are a fault of ours, and are counted; here are those of tolerances
-        let name = tolerance.name();
-        let finds: Vec<&Found> = census.found.iter().filter(|found| found.backend == name).collect();
+    ) -> Result<Smallest<F>, Error> {
         let step = finds.len().div_ceil(self.shrink.max(1)).max(1);
-        let chosen: Vec<&Found> = finds.into_iter().step_by(step).take(self.shrink).collect();
+        let chosen: Vec<&F> = finds.into_iter().step_by(step).take(self.shrink).collect();
         host.begin(chosen.len() as u64, "finds");
-        let mut kept = BTreeMap::new();
+        let mut kept = Smallest::<F>::new();
         for some in chosen.chunks(FINDS) {
-            for (kind, small) in smallest([tolerance, exact], precision, self.seed, some) {
+            for (kind, small) in smallest([tolerance, exact], precision, self.common.seed, some) {
                 small.keep(&mut kept, kind);
             }
             host.watch().done(some.len() as u64)?;
@@ -200,32 +195,10 @@ impl Parity {
         let mut from = 0;
         while from < self.pairs {
             let to = (from + PART).min(self.pairs);
-            census = census.and(space::search(backends, precision, self.seed, from..to));
+            census = census.and(space::search(backends, precision, self.common.seed, from..to));
             host.watch().done((to - from) * recipes)?;
             from = to;
         }
         Ok(census)
-    }
-
-    fn shrink_surfaces(
-        &self,
-        [tolerance, exact]: [&dyn Contestant; 2],
-        precision: Precision,
-        census: &space::Census,
-        host: &dyn Host,
-    ) -> Result<BTreeMap<space::Kind, space::Small>, Error> {
-        let place = census.backends.iter().position(|name| *name == tolerance.name());
-        let finds: Vec<&space::Found> = census.found.iter().filter(|found| Some(found.backend) == place).collect();
-        let step = finds.len().div_ceil(self.shrink.max(1)).max(1);
-        let chosen: Vec<&space::Found> = finds.into_iter().step_by(step).take(self.shrink).collect();
-        host.begin(chosen.len() as u64, "finds");
-        let mut kept = BTreeMap::new();
-        for some in chosen.chunks(FINDS) {
-            for (kind, small) in space::smallest([tolerance, exact], precision, self.seed, some) {
-                small.keep(&mut kept, kind);
-            }
-            host.watch().done(some.len() as u64)?;
-        }
-        Ok(kept)
     }
 }

@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::study::PlaneSearched;
-use super::{Census, Kind, Parity, Row, Searched, Small};
+use super::study::{PlaneSearched, all};
+use super::{Census, Kind, Parity, Row, Searched};
 use crate::{Error, File, Precision};
 
 #[derive(Serialize)]
@@ -103,7 +103,7 @@ pub(super) fn page(parity: &Parity, searched: &[PlaneSearched]) -> String {
             "{} pairs for tolerances in {}, seed {}, {} draws refused:\n",
             thousands(census.pairs),
             precision.name(),
-            parity.seed,
+            parity.common.seed,
             thousands(census.refused)
         ));
         say("| backend | declined | vertex-vertex | edge-vertex | edge-edge | odd, seat A | odd, seat B | odd, middle | \
@@ -139,11 +139,6 @@ pub(super) fn page(parity: &Parity, searched: &[PlaneSearched]) -> String {
         say(format!("| {}{bound} | {count} | {a} | {b} | {odd} | {with} |", scene_name(precision, at + 1)));
     }
     page
-}
-
-/// All smallest pairs, in the order of their numbers.
-pub(super) fn all(searched: &[PlaneSearched]) -> impl Iterator<Item = (Precision, &Kind, &Small)> {
-    searched.iter().flat_map(|one| one.smallest.iter().map(|(kind, small)| (one.precision, kind, small)))
 }
 
 /// The name of a scene in page and suite.

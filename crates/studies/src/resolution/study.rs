@@ -1,14 +1,12 @@
 //! The command line of the study of resolution, its survey and its rows.
 
-use std::path::{Path, PathBuf};
-
 use predicament_predicates::Dimension;
 use predicament_tasks::Contestant;
 use serde::Serialize;
 
 use super::{Ask, FEATURES, Feature, Location, Survey, length, location, plots, survey, table};
 use crate::contacts::contacts;
-use crate::{Error, File, Host, Precision, Study};
+use crate::{Common, Error, File, Host, Precision, Study};
 
 /// Features of every size and shallow crossings, as backends register them.
 #[derive(Clone, Debug, clap::Args)]
@@ -26,13 +24,9 @@ pub struct Resolution {
     #[arg(long, default_value_t = 200, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub trials: u32,
 
-    /// The seed of the positions
-    #[arg(long, default_value_t = 1, value_name = "N")]
-    pub seed: u64,
-
-    /// The folder to write; made if missing
-    #[arg(long, value_name = "DIR")]
-    pub out: PathBuf,
+    /// Seed, threads and folder
+    #[command(flatten)]
+    pub common: Common,
 }
 
 /// Shares of features that survive, and errors of crossings.
@@ -66,8 +60,8 @@ Examples:
         self.backends.clone()
     }
 
-    fn out(&self) -> Option<&Path> {
-        Some(&self.out)
+    fn common(&self) -> Option<&Common> {
+        Some(&self.common)
     }
 
     fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Resolved, Error> {
@@ -79,7 +73,7 @@ Examples:
                     backend,
                     &format!("`{}`", feature.name),
                     feature.dimension,
-                    |ask, length, precision| survey(feature, ask, length, precision, self.trials, self.seed),
+                    |ask, length, precision| survey(feature, ask, length, precision, self.trials, self.common.seed),
                 );
                 resolved.features.push((feature, backend.name(), shares?));
                 host.watch().done(1)?;
@@ -87,7 +81,7 @@ Examples:
         }
         for &backend in backends {
             let errors = Resolution::ask(backend, "shallow crossings", Dimension::Two, |ask, length, precision| {
-                location(ask, length, precision, self.trials, self.seed)
+                location(ask, length, precision, self.trials, self.common.seed)
             });
             resolved.crossings.push((backend.name(), errors?));
             host.watch().done(1)?;

@@ -1,13 +1,12 @@
 //! The command line of the search, its survey and its page.
 
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
 
 use predicament_tasks::Contestant;
 use serde::Serialize;
 
 use super::{Guard, Observed, errors, guards};
-use crate::{Error, File, Host, Precision, Study};
+use crate::{Common, Error, File, Host, Precision, Study};
 
 /// The bounds of the tolerance paper against the worst inputs that a search finds.
 #[derive(Clone, Debug, clap::Args)]
@@ -20,13 +19,9 @@ pub struct Worst {
     #[arg(long, default_value_t = 6, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub climbs: u64,
 
-    /// The seed of the beginnings and changes
-    #[arg(long, default_value_t = 1, value_name = "N")]
-    pub seed: u64,
-
-    /// The folder to write; made if missing
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
+    /// Seed, threads and folder
+    #[command(flatten)]
+    pub common: Common,
 }
 
 /// 60 errors and 8 guards, in both precisions.
@@ -65,17 +60,17 @@ Examples:
 
     type Measured = Found;
 
-    fn out(&self) -> Option<&Path> {
-        self.out.as_deref()
+    fn common(&self) -> Option<&Common> {
+        Some(&self.common)
     }
 
     fn survey(&self, _: &[&dyn Contestant], host: &dyn Host) -> Result<Found, Error> {
         let effort = [self.climbs, self.steps];
         host.begin(BOUNDS, "bounds");
         host.turn_to("errors");
-        let errors = errors(effort, self.seed, host.watch())?;
+        let errors = errors(effort, self.common.seed, host.watch())?;
         host.turn_to("guards");
-        let guards = guards(effort, self.seed, host.watch())?;
+        let guards = guards(effort, self.common.seed, host.watch())?;
         Ok(Found { errors, guards })
     }
 
@@ -87,7 +82,7 @@ Examples:
     }
 
     fn page(&self, found: &Found) -> String {
-        let Worst { steps, climbs, seed, .. } = self;
+        let Worst { steps, climbs, common: Common { seed, .. } } = self;
         let mut page = format!("`predicament worst --steps {steps} --climbs {climbs} --seed {seed}`\n\n");
         page += "| Algorithm | section | bound | derived | f64 | of it | f32 | of it |\n";
         page += "|---|---|---|---:|---:|---:|---:|---:|\n";

@@ -6,7 +6,7 @@ use predicament_algorithms::overlay::Operation;
 use predicament_checks::overlay::Operands;
 use predicament_judge::rational;
 use predicament_studies::cascades::{Cascade, Cascades, Keep, Measured, Method};
-use predicament_studies::{Quiet, Study};
+use predicament_studies::{Common, Quiet, Study};
 use predicament_tasks::Contestant;
 use rug::Rational;
 
@@ -21,8 +21,7 @@ pub(crate) fn cascades(cascade: Cascade, methods: &[&str], steps: u32) -> Cascad
         steps,
         samples: steps,
         probes: 16,
-        seed: 1,
-        out: None,
+        common: Common { seed: 1, ..Common::default() },
     }
 }
 

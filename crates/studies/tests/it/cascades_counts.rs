@@ -6,8 +6,8 @@ use predicament_algorithms::overlay::{Edge, Method, Polygon, Region, Rule, combi
 use predicament_exact::Exact as Backend;
 use predicament_judge::{nearest, rational};
 use predicament_predicates::{Backend as _, Construction, Off, Plane, Predicates as _, Scene, Vertex};
-use predicament_studies::Study as _;
 use predicament_studies::cascades::{Cascade, Cascades, Followed, Measured, Operand};
+use predicament_studies::{Common, Study as _};
 use rug::{Integer, Rational};
 
 use crate::cascades::{Exact, cascades, exactly, measured};
@@ -125,7 +125,12 @@ fn what_no_operand_comes_near_is_on_pixels_too() {
 fn coarse_pixels_leave_nothing_that_crosses() {
     for seed in 2..4 {
         let methods = ["exact+snap:5", "exact+snap:6"];
-        let study = Cascades { seed, samples: 25, probes: 0, ..cascades(Cascade::Stars, &methods, 50) };
+        let study = Cascades {
+            common: Common { seed, ..Common::default() },
+            samples: 25,
+            probes: 0,
+            ..cascades(Cascade::Stars, &methods, 50)
+        };
         let found = measured(&study);
         assert!(study.holds(&found), "seed {seed}");
         let touches = found.followed.iter().flat_map(|one| &one.samples).map(|sample| sample.defects.touches);

@@ -3,22 +3,29 @@
 use predicament_algorithms::contacts::{Contact, Contacts};
 use predicament_mesh::Simplex;
 use predicament_predicates::Predicates;
-use predicament_studies::cut::{Cut, Measured, Pieces, Placement, Row, Scene, Shape, pieces, sides};
-use predicament_studies::{Quiet, Study};
+use predicament_studies::cut::{Cut, Deviation, Made, Measured, Pieces, Placement, Row, Scene, Shape, pieces, sides};
+use predicament_studies::{Common, Quiet, Study};
 use predicament_tasks::Contestant;
 
 use crate::backend;
 
 fn cuts(backends: &[&str]) -> Measured {
-    let cut = Cut {
+    survey(&cut(backends))
+}
+
+fn cut(backends: &[&str]) -> Cut {
+    Cut {
         shapes: Vec::new(),
         placements: Vec::new(),
         backends: backends.iter().map(|&name| name.to_owned()).collect(),
         cubes: 6,
-        seed: 3,
-        threads: None,
-        out: None,
-    };
+        checked: 100,
+        planted: false,
+        common: Common { seed: 3, ..Common::default() },
+    }
+}
+
+fn survey(cut: &Cut) -> Measured {
     let made: Vec<Box<dyn Contestant>> = cut.backends().iter().map(|name| backend(name)).collect();
     let made: Vec<&dyn Contestant> = made.iter().map(AsRef::as_ref).collect();
     cut.survey(&made, &Quiet::new()).unwrap()
@@ -39,6 +46,14 @@ fn right_contacts_lose_no_volume() {
         assert_eq!((row.tetrahedra, row.whole), (6 * 216, 216.0));
         assert_eq!((pieces.inconsistent, pieces.undecided, made.sides.unknown), (0, 0, 0), "{name}");
         assert!((pieces.sum - row.whole).abs() < 1e-9 && pieces.lost == 0.0, "{name}");
+        // One by one they are what exact contacts make of them, up to rounding.
+        let Deviation { checked, off, .. } = made.deviation;
+        assert!((40..=100).contains(&checked) && row.near > 100, "{name}: {checked} of {}", row.near);
+        if row.backend != "tolerance" {
+            assert_eq!(off, 0, "{name}: {:?}", made.deviation);
+        } else if row.placement == Placement::Near {
+            assert!(off > 10, "{name}: {:?}", made.deviation);
+        }
         // What is off is the bends of the surface within tetrahedra: a plane has none.
         let bound =
             if row.shape == Shape::Plane && row.placement != Placement::General { 0.2 } else { 0.2 * row.truth };
@@ -77,6 +92,21 @@ fn wrong_contacts_lose_volume() {
         } else {
             assert!(made.pieces.inconsistent > 10 && made.pieces.lost > 1.0, "{name}: {:?}", made.pieces);
         }
+    }
+}
+
+#[test]
+fn volume_that_is_in_the_wrong_tetrahedron_is_found() {
+    let right = Cut { shapes: vec![Shape::Sphere], ..cut(&["exact", "sos"]) };
+    let planted = Cut { planted: true, ..right.clone() };
+    let [honest, wrong] = [&right, &planted].map(survey);
+    assert!(right.holds(&honest) && planted.holds(&wrong));
+    assert!(!right.holds(&wrong) && !planted.holds(&honest));
+    for (honest, wrong) in honest.rows.iter().zip(&wrong.rows) {
+        let [honest, wrong] = [honest, wrong].map(|row| row.made.as_ref().unwrap());
+        let total = |made: &Made| made.pieces.shares.iter().map(|share| share.unwrap()).sum::<f64>();
+        assert!((total(honest) - total(wrong)).abs() < 1e-9 && honest.pieces.inside == wrong.pieces.inside);
+        assert_eq!((honest.deviation.off, wrong.deviation.off), (0, 2));
     }
 }
 

@@ -3,7 +3,7 @@
 use predicament_exact::Exact;
 use predicament_sos::PerMesh;
 use predicament_studies::mesh_cascades::{Cascade, MeshCascades, Rounding};
-use predicament_studies::{Quiet, Study};
+use predicament_studies::{Common, Quiet, Study};
 use predicament_tasks::{Contestant, Entry};
 
 fn study(cascades: &[Cascade], steps: u32) -> MeshCascades {
@@ -14,8 +14,7 @@ fn study(cascades: &[Cascade], steps: u32) -> MeshCascades {
         samples: 5,
         probes: 16,
         rounding: Rounding::Resolved,
-        seed: 1,
-        out: None,
+        common: Common { seed: 1, ..Common::default() },
     }
 }
 

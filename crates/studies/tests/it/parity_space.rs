@@ -1,8 +1,9 @@
 //! Broken curves of intersection: the smallest scenes found, and the search that found them.
 
 use predicament_studies::Precision;
+use predicament_studies::parity::smallest;
 use predicament_studies::parity::space::{
-    Broken, Census, Recipe, Surface, SurfacePair, examine, random_surfaces, search, shrink_broken, smallest,
+    Broken, Census, Recipe, Surface, SurfacePair, examine, random_surfaces, search, shrink_broken,
 };
 use predicament_studies::shrink::Shrink;
 use predicament_tasks::Contestant;

@@ -39,7 +39,7 @@ const SMALL: [(&str, &[&str]); 10] = [
     ),
     ("parity --pairs 20 --shrink 1 --out x", &["parity.csv", "parity.md", "smallest.toml"]),
     ("cut --cubes 4 -b exact", &["cut.csv", "cut-times.csv", "cut.md"]),
-    ("audit --decisions 200", &["audit.csv", "reads.csv", "hierarchy.csv", "audit.md"]),
+    ("audit --decisions 200", &["audit.csv", "reads.csv", "hierarchy.csv", "constants.csv", "audit.md"]),
     ("worst --steps 20 --climbs 1", &["errors.csv", "guards.csv", "worst.md"]),
     ("laws -b exact,naive --tuples 2000", &["laws.csv", "laws.md"]),
     (

@@ -3,7 +3,7 @@
 use predicament_studies::Host;
 use predicament_studies::worst::Found;
 use predicament_studies::worst::{Worst, errors, guards};
-use predicament_studies::{Quiet, Study};
+use predicament_studies::{Common, Quiet, Study};
 
 #[test]
 fn errors_come_near_their_bounds_and_not_beyond() {
@@ -17,7 +17,7 @@ fn errors_come_near_their_bounds_and_not_beyond() {
     let reached = found.iter().filter(|row| row.share() > 0.02).count();
     assert!(reached > 60, "{reached} of {} errors are more than a fiftieth of their bound", found.len());
     assert_eq!(errors([1, 60], 1, host.watch()).unwrap(), found, "the same seed finds the same");
-    let study = Worst { steps: 60, climbs: 1, seed: 1, out: None };
+    let study = Worst { steps: 60, climbs: 1, common: Common::default() };
     let wrong = found.iter().cloned().map(|mut row| {
         row.derived /= 64.0;
         row

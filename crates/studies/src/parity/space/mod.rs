@@ -7,23 +7,20 @@
 //!
 //! * [`SurfacePair`]: two closed surfaces; [`random_surfaces`]: those of the recipes.
 //! * [`examine`]: what a backend's registrations make of a pair.
-//! * [`search`]: many pairs, counted; [`shrink_broken`]: the smallest that a find can be reduced to;
-//!   [`smallest`]: the smallest of many, by what they show.
+//! * [`search`]: many pairs, counted; [`shrink_broken`]: the smallest that a find can be reduced to.
 
 mod examine;
+mod kind;
 mod pair;
 mod random;
 mod search;
 mod shapes;
-mod smallest;
-mod suite;
 mod table;
 
 pub use examine::{Broken, Examined, examine};
+pub use kind::Kind;
 pub use pair::{Surface, SurfacePair, shrink_broken};
 pub use random::{Recipe, random_surfaces};
 pub use search::{Census, Found, Row, search};
-pub use smallest::{Kind, Small, smallest};
 
-pub(super) use suite::smallest as suite;
-pub(super) use table::{csv, page};
+pub(super) use table::{csv, page, scene_name, ways};

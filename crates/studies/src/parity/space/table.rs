@@ -5,9 +5,9 @@ use std::fmt::Write as _;
 use predicament_records::wilson;
 use serde::Serialize;
 
-use super::super::study::{Parity, Searched};
+use super::super::study::{Parity, Searched, SpaceSearched, all};
 use super::super::table::thousands;
-use super::{Broken, Census, Kind, Recipe, Row, Small};
+use super::{Broken, Census, Kind, Recipe, Row};
 use crate::{Error, File, Precision};
 
 #[derive(Serialize)]
@@ -80,7 +80,7 @@ fn rows(census: &Census) -> impl Iterator<Item = (Recipe, &str, &Row)> {
 }
 
 /// One row for each precision, recipe and backend.
-pub(in super::super) fn csv(searched: &[Searched<Census, Kind, Small>]) -> Result<File, Error> {
+pub(in super::super) fn csv(searched: &[SpaceSearched]) -> Result<File, Error> {
     let lines = searched.iter().flat_map(|Searched { precision, census, .. }| {
         rows(census).map(|(recipe, backend, row)| line(*precision, recipe, backend, row))
     });
@@ -94,11 +94,11 @@ fn share(count: usize, row: &Row) -> String {
 }
 
 /// The counts, as Markdown.
-pub(in super::super) fn page(parity: &Parity, searched: &[Searched<Census, Kind, Small>]) -> String {
+pub(in super::super) fn page(parity: &Parity, searched: &[SpaceSearched]) -> String {
     let mut page = String::new();
     let mut say = |line: String| writeln!(page, "{line}").expect("memory");
     for Searched { precision, census, .. } in searched {
-        let (seed, name) = (parity.seed, precision.name());
+        let (seed, name) = (parity.common.seed, precision.name());
         say(format!(
             "Pairs for tolerances in {name}, seed {seed}; in brackets the interval of the share (Wilson, 95 %):\n"
         ));
@@ -134,13 +134,8 @@ pub(in super::super) fn page(parity: &Parity, searched: &[Searched<Census, Kind,
     page
 }
 
-/// All smallest pairs, in the order of their numbers.
-pub(super) fn all(searched: &[Searched<Census, Kind, Small>]) -> impl Iterator<Item = (Precision, &Kind, &Small)> {
-    searched.iter().flat_map(|one| one.smallest.iter().map(|(kind, small)| (one.precision, kind, small)))
-}
-
 /// The name of a scene in page and suite.
-pub(super) fn scene_name(precision: Precision, number: usize) -> String {
+pub(in super::super) fn scene_name(precision: Precision, number: usize) -> String {
     format!("broken-{}-{number}", precision.name())
 }
 
@@ -150,7 +145,7 @@ fn points(points: &[[f64; 3]]) -> String {
 }
 
 /// The ways in which a pair is broken.
-pub(super) fn ways(kind: &Kind) -> String {
+pub(in super::super) fn ways(kind: &Kind) -> String {
     let names: Vec<&str> = kind.ways.iter().map(|way| Broken::name(*way)).collect();
     names.join(", ")
 }

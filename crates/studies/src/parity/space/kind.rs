@@ -1,0 +1,41 @@
+//! What broken pairs of surfaces have in common.
+
+use predicament_tasks::Contestant;
+
+use super::super::Find;
+use super::{Broken, Found, Recipe, SurfacePair, examine, random_surfaces, shrink_broken};
+use crate::Precision;
+use crate::shrink::Shrunk;
+
+/// What a broken pair has in common with others: how it is broken, and the levels of its contacts.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Kind {
+    /// The ways in which it is broken.
+    pub ways: Vec<Broken>,
+    /// Whether contacts of each level are registered.
+    pub registered: [bool; 4],
+}
+
+impl Find for Found {
+    type Pair = SurfacePair;
+    type Recipe = Recipe;
+    type Kind = Kind;
+
+    fn from(&self) -> (Recipe, u64) {
+        (self.recipe, self.number)
+    }
+
+    fn pair(&self, precision: Precision, seed: u64) -> SurfacePair {
+        random_surfaces(self.recipe, precision, seed, self.number).0
+    }
+
+    fn shrunk(&self, backends: [&dyn Contestant; 2], pair: SurfacePair, limit: usize) -> Shrunk<SurfacePair> {
+        shrink_broken(backends, pair, &self.ways, limit)
+    }
+
+    fn kind(backend: &dyn Contestant, pair: &SurfacePair) -> Kind {
+        let examined = examine(backend, pair).expect("it was examined before");
+        let has = |level| examined.contacts.registered.iter().any(|contact| contact.a.rank + contact.b.rank == level);
+        Kind { ways: examined.broken(), registered: [0, 1, 2, 3].map(has) }
+    }
+}
