@@ -100,6 +100,7 @@ pub mod stress;
 pub mod worst;
 
 mod contacts;
+mod coordinate;
 mod error;
 mod host;
 mod list;

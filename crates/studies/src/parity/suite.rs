@@ -1,11 +1,11 @@
 //! The smallest odd pairs, as a suite that can be run.
 
-use predicament_formats::{exact_coordinate, hexfloat};
 use serde::Serialize;
 
 use super::study::PlaneSearched;
 use super::table::{all, scene_name, seats};
 use super::{Kind, Parity, PolygonPair, Small};
+use crate::coordinate::coordinate;
 use crate::{Error, File, Precision};
 
 #[derive(Serialize)]
@@ -65,15 +65,4 @@ pub(super) fn smallest(parity: &Parity, searched: &[PlaneSearched]) -> Result<Fi
         scene: all(searched).enumerate().map(scene).collect(),
     };
     Ok(File::new("smallest.toml", toml::to_string(&suite).map_err(Error::format)?))
-}
-
-/// A coordinate as it is read back without loss: a decimal if it is one, else a hex float.
-pub(super) fn coordinate(x: f64) -> toml::Value {
-    // adding zero takes the sign of a negative one
-    let text = (x + 0.0).to_string();
-    match text.parse::<i64>() {
-        Ok(whole) => toml::Value::Integer(whole),
-        Err(_) if exact_coordinate(&text) == Ok(x) => toml::Value::String(text),
-        Err(_) => toml::Value::String(hexfloat::format(x)),
-    }
 }

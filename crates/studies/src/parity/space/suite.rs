@@ -3,9 +3,9 @@
 use serde::Serialize;
 
 use super::super::study::{Parity, Searched};
-use super::super::suite::coordinate;
 use super::table::{all, scene_name, ways};
 use super::{Census, Kind, Small};
+use crate::coordinate::coordinate;
 use crate::{Error, File, Precision};
 
 #[derive(Serialize)]

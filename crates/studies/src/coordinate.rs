@@ -1,0 +1,14 @@
+//! Coordinates in suites that studies write.
+
+use predicament_formats::{exact_coordinate, hexfloat};
+
+/// A coordinate as it is read back without loss: a decimal if it is one, else a hex float.
+pub(crate) fn coordinate(x: f64) -> toml::Value {
+    // adding zero takes the sign of a negative one
+    let text = (x + 0.0).to_string();
+    match text.parse::<i64>() {
+        Ok(whole) => toml::Value::Integer(whole),
+        Err(_) if exact_coordinate(&text) == Ok(x) => toml::Value::String(text),
+        Err(_) => toml::Value::String(hexfloat::format(x)),
+    }
+}
