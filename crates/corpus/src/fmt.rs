@@ -23,7 +23,7 @@ pub fn fmt(vocabulary: &Vocabulary, file: &str, text: &str) -> Result<String, Co
     let fields = Fields::new(&document, &SUITE, root.get_ref(), 0);
     let mut keys: Vec<&'static str> =
         vocabulary.tasks().iter().flat_map(|task| task.coordinate_keys()).copied().collect();
-    keys.push(PLACES);
+    keys.push(WRITTEN);
     keys.sort_unstable();
     keys.dedup();
     let mut edits = Vec::new();
@@ -44,7 +44,7 @@ pub fn fmt(vocabulary: &Vocabulary, file: &str, text: &str) -> Result<String, Co
 }
 
 /// The key of every generator for its points, written out.
-const PLACES: &str = "places";
+const WRITTEN: &str = "coordinates";
 
 /// One literal and what replaces it.
 struct Edit<'t> {

@@ -7,8 +7,9 @@ pub(crate) fn coordinate(x: f64) -> toml::Value {
     // adding zero takes the sign of a negative one
     let text = (x + 0.0).to_string();
     match text.parse::<i64>() {
-        Ok(whole) => toml::Value::Integer(whole),
-        Err(_) if exact_coordinate(&text) == Ok(x) => toml::Value::String(text),
-        Err(_) => toml::Value::String(hexfloat::format(x)),
+        // Beyond 2^53 the shortest digits may be those of no double.
+        Ok(whole) if exact_coordinate(&text) == Ok(x) => toml::Value::Integer(whole),
+        _ if exact_coordinate(&text) == Ok(x) => toml::Value::String(text),
+        _ => toml::Value::String(hexfloat::format(x)),
     }
 }

@@ -46,14 +46,14 @@ pub struct Report {
 }
 
 impl Report {
-    /// Writes all files to a folder; folders that are missing are made.
+    /// Writes all files to a folder that exists; other folders are made.
     ///
     /// # Errors
     /// One line with the path that cannot be written.
     pub fn write(&self, folder: &Path) -> Result<(), String> {
         self.files.iter().try_for_each(|file| {
             let path = folder.join(&file.name);
-            if let Some(parent) = path.parent() {
+            if let Some(parent) = path.parent().filter(|parent| *parent != folder) {
                 std::fs::create_dir_all(parent).map_err(|error| format!("{}: {error}", parent.display()))?;
             }
             replace(&path, file.text.as_bytes()).map_err(|error| error.to_string())

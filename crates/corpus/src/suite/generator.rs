@@ -30,7 +30,7 @@ struct Places {
 }
 
 impl Places {
-    /// Reads `places`.
+    /// Reads `coordinates`.
     fn read(field: &Field<'_, '_>) -> Result<Places, CorpusError> {
         let (dimension, coordinates) = read_points(field)?;
         Ok(Places { dimension, coordinates, file: field.file().to_owned(), line: field.line() })
@@ -39,7 +39,7 @@ impl Places {
     /// The scene with its points there.
     fn of(&self, made: Parts) -> Result<Parts, CorpusError> {
         let error = |message: String| {
-            let cure = "write as many points as the family makes, or remove `places`";
+            let cure = "write as many points as the family makes, or remove `coordinates`";
             CorpusError::file(&self.file, message, cure).at_line(self.line)
         };
         if made.scene.dimension() != self.dimension {
@@ -68,7 +68,7 @@ pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<Scen
     let seed = fields.integer_or("seed", 0, 0..=u64::MAX)?;
     let recipe = (family.read)(task.name(), &fields)?;
     let amount = amount(&fields, &recipe)?;
-    let places = fields.get("places").map(|field| Places::read(&field)).transpose()?;
+    let places = fields.get("coordinates").map(|field| Places::read(&field)).transpose()?;
     let name = match fields.get("name") {
         Some(field) => {
             let name = field.string()?;

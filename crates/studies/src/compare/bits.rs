@@ -25,14 +25,16 @@ pub(super) fn bits(
     (kinds, constructs): (&[PredicateKind], bool),
     stages: &[(&'static str, u64)],
 ) -> Option<i32> {
-    if stages.is_empty() {
-        return None;
-    }
-    if stages.iter().all(|(stage, _)| FLOAT.contains(stage)) {
+    // Some count nothing, such as those of contacts: then all stages that the backend has may have settled them.
+    let is_float = |stage: &&str| FLOAT.contains(stage);
+    let mut settled = stages.iter().map(|(stage, _)| stage);
+    let all_float =
+        if stages.is_empty() { backend.stages().iter().all(|s| is_float(&s)) } else { settled.all(|s| is_float(&s)) };
+    if all_float {
         return Some(if Precision::of_backend(&backend.name()) == Precision::Single { SINGLE } else { DOUBLE });
     }
     let has_ladder = predicament_exact::stage::NAMES.iter().all(|stage| backend.stages().contains(stage));
-    (has_ladder && !constructs).then(|| exact(scene, kinds))
+    (has_ladder && !constructs && !stages.is_empty()).then(|| exact(scene, kinds))
 }
 
 /// A bound on the bits of the largest determinant that these predicates have in a scene.

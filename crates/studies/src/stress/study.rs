@@ -170,12 +170,12 @@ Examples:
     }
 
     fn rows(&self, measured: &Stressed) -> Result<Vec<File>, Error> {
-        Ok(vec![
-            File::csv("stress.csv", &measured.measures)?,
-            File::csv("breaks.csv", &measured.breaks)?,
-            File::csv("limits.csv", &measured.limits)?,
-            File::csv("stress-laws.csv", &measured.violations)?,
-        ])
+        let mut files = vec![File::csv("stress.csv", &measured.measures)?, File::csv("breaks.csv", &measured.breaks)?];
+        if !measured.limits.is_empty() {
+            files.push(File::csv("limits.csv", &measured.limits)?);
+        }
+        files.push(File::csv("stress-laws.csv", &measured.violations)?);
+        Ok(files)
     }
 
     fn page(&self, measured: &Stressed) -> String {

@@ -44,7 +44,7 @@ fn head(position: &Position) -> String {
 fn table(position: &Position, seed: u64) -> Result<String, Error> {
     let loaded = position.scene(seed)?;
     let name = format!("{}-{}-{seed}", position.task, position.input.of.kind.name());
-    Ok(format!("\n{}places = [\n{}]\n", position.input.table(&name, seed), places(&loaded.scene)))
+    Ok(format!("\n{}coordinates = [\n{}]\n", position.input.table(&name, seed), places(&loaded.scene)))
 }
 
 /// The points, one a line, without loss.

@@ -116,9 +116,9 @@ mod tests {
             }
         }
         let mut random = Random::new("knob", "test", 1);
-        let turned = turned(Knob::Pythagorean, 2, Dimension::Two, &points, &mut random);
+        let twice = turned(Knob::Pythagorean, 2, Dimension::Two, &points, &mut random);
         // Lengths are 25 times as large, exactly.
-        for (p, q) in points.as_chunks::<2>().0.iter().zip(turned.as_chunks::<2>().0) {
+        for (p, q) in points.as_chunks::<2>().0.iter().zip(twice.as_chunks::<2>().0) {
             assert_eq!(625.0 * (p[0] * p[0] + p[1] * p[1]), q[0] * q[0] + q[1] * q[1]);
         }
         assert_eq!(turned(Knob::Precision, 50, Dimension::Two, &points, &mut random), [0.0, 2.0, 4.0, -4.0, 0.0, 6.0]);

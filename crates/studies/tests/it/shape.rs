@@ -34,7 +34,6 @@ const SMALL: [(&str, &[&str]); 10] = [
         &[
             "stress.csv",
             "breaks.csv",
-            "limits.csv",
             "stress-laws.csv",
             "stress.md",
             "stress-noise.svg",
