@@ -25,11 +25,12 @@ pub(super) fn bits(
     (kinds, constructs): (&[PredicateKind], bool),
     stages: &[(&'static str, u64)],
 ) -> Option<i32> {
-    // Some count nothing, such as those of contacts: then all stages that the backend has may have settled them.
-    let is_float = |stage: &&str| FLOAT.contains(stage);
-    let mut settled = stages.iter().map(|(stage, _)| stage);
-    let all_float =
-        if stages.is_empty() { backend.stages().iter().all(|s| is_float(&s)) } else { settled.all(|s| is_float(&s)) };
+    // Some count nothing, such as those of contacts: then each stage that the backend has may have settled them.
+    let all_float = if stages.is_empty() {
+        backend.stages().iter().all(|stage| FLOAT.contains(stage))
+    } else {
+        stages.iter().all(|(stage, _)| FLOAT.contains(stage))
+    };
     if all_float {
         return Some(if Precision::of_backend(&backend.name()) == Precision::Single { SINGLE } else { DOUBLE });
     }

@@ -68,7 +68,7 @@ fn error_and_time(compared: &Compared, backend: &str) -> Option<[f64; 3]> {
         own.map(|row| row.value).collect()
     };
     let count = |values: &[f64]| predicament_records::approximately(values.len().max(1) as u64);
-    let time = predicament_records::geometric_mean(of("time").into_iter())?;
+    let time = predicament_records::geometric_mean(of("time"))?;
     let scenes = of("wrong scenes");
     let answers = WRONG.iter().flat_map(|class| of(class)).sum::<f64>() / count(&scenes);
     Some([time, scenes.iter().sum::<f64>() / count(&scenes), answers])
