@@ -22,6 +22,8 @@ pub struct Ledger {
     pub wholes: BTreeMap<String, BTreeSet<String>>,
     pub done: Vec<SummaryRow>,
     pub precision: Vec<PrecisionRow>,
+    /// Backends of the tool that run only where they are named, and were not.
+    pub left_out: Vec<String>,
     pub folder: PathBuf,
     pub writer: RunWriter,
 }
@@ -126,6 +128,9 @@ impl Ledger {
         for (task, scenes) in &self.wholes {
             let (file, count) = (AnswerRow::FILE, scenes.len());
             note!("{file} has no lines of {count} scenes of {task}, whose answers are wholes: `solve` writes those");
+        }
+        if !self.left_out.is_empty() {
+            say!("not run: {}; `-b {}` runs them", self.left_out.join(", "), self.left_out.join(","));
         }
         Ok(if ended != records::Outcome::Complete {
             exit::INCOMPLETE

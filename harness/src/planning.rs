@@ -55,6 +55,7 @@ pub fn plan(selection: &Selection, scenes: &[Planned], backends: &[Box<dyn Conte
         ladder: Exact.stages().iter().map(|&stage| stage.to_owned()).collect(),
         shard,
         not_selected: selection.not_selected.clone(),
+        left_out: Vec::new(),
         findings_per_class: budget(selection.level).findings_per_class as u64,
     }
 }

@@ -157,6 +157,12 @@ impl Tool {
         Ok(picked)
     }
 
+    /// The house's backends that do not run where `-b` names none; nothing where it names some.
+    pub fn left_out(&self, names: &[String]) -> Vec<String> {
+        let more: &[&str] = if names.is_empty() { roster::MORE } else { &[] };
+        more.iter().map(|&name| name.to_owned()).collect()
+    }
+
     /// The backends of an earlier run, also those that were engines named by file.
     pub fn pick_planned(&self, plan: &Plan) -> Result<Vec<Box<dyn Contestant>>, Failure> {
         self.pick(&plan.backends.iter().map(|backend| plan.backend_argument(backend)).collect::<Vec<_>>())

@@ -20,6 +20,12 @@ pub trait Content: Any + Debug + Send + Sync {
     /// Feeds everything that makes the content what it is to the content id: a
     /// text that no other task begins with, then the values.
     fn canon(&self, canon: &mut Canon);
+
+    /// The scene with what the content tells it about its points, which have moved, and the content over it; none where
+    /// the content holds nothing that depends on where points are.
+    fn moved(&self, scene: Scene) -> (Scene, Option<Arc<dyn Content>>) {
+        (scene, None)
+    }
 }
 
 /// A scene with its content.

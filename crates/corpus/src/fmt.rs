@@ -23,6 +23,7 @@ pub fn fmt(vocabulary: &Vocabulary, file: &str, text: &str) -> Result<String, Co
     let fields = Fields::new(&document, &SUITE, root.get_ref(), 0);
     let mut keys: Vec<&'static str> =
         vocabulary.tasks().iter().flat_map(|task| task.coordinate_keys()).copied().collect();
+    keys.push(WRITTEN);
     keys.sort_unstable();
     keys.dedup();
     let mut edits = Vec::new();
@@ -41,6 +42,9 @@ pub fn fmt(vocabulary: &Vocabulary, file: &str, text: &str) -> Result<String, Co
     again.parse().map_err(|error| CorpusError { cure: "write each point on a line of its own".into(), ..error })?;
     Ok(rewritten)
 }
+
+/// The key of every generator for its points, written out.
+const WRITTEN: &str = "coordinates";
 
 /// One literal and what replaces it.
 struct Edit<'t> {

@@ -157,7 +157,7 @@ impl std::fmt::Debug for Vocabulary {
 /// The keys of every `[[scene]]` table.
 const SCENE: [&str; 6] = ["name", "task", "round", "tags", "source", "analysis"];
 /// The keys of every `[[generate]]` table besides those.
-const GENERATOR: [&str; 4] = ["family", "n", "n_full", "seed"];
+const GENERATOR: [&str; 5] = ["family", "n", "n_full", "seed", "coordinates"];
 
 impl Vocabulary {
     /// The tasks, in the order of messages and reports.

@@ -4,9 +4,9 @@ use std::any::Any;
 use std::sync::Arc;
 
 use predicament_formats::ImportNotes;
-use predicament_predicates::Scene;
+use predicament_predicates::{Scene, Vertex};
 
-use crate::Content;
+use crate::{Content, content_id};
 
 /// A scene with its content, ready for a task, and all that its suite says about it.
 #[derive(Clone, Debug)]
@@ -43,9 +43,43 @@ impl LoadedScene {
         any.downcast_ref()
     }
 
+    /// The same scene with its points elsewhere, and the content id of that.
+    ///
+    /// # Errors
+    /// Those of [`moved`].
+    pub fn moved(self, coordinates: Vec<f64>) -> Result<LoadedScene, String> {
+        let (scene, content) = moved(&self.scene, &self.content, coordinates)?;
+        Ok(LoadedScene { id: content_id(&scene, content.as_ref()), scene, content, ..self })
+    }
+
     /// The number of questions: see [`Content::count`].
     #[must_use]
     pub fn count(&self) -> usize {
         self.content.count()
     }
+}
+
+/// A scene and its content with the points elsewhere, in their order. Which vertices are of the second of two meshes stays.
+///
+/// # Errors
+/// One line, where the coordinates make no scene, are not as many as the scene has, or the scene has constructed vertices.
+pub fn moved(
+    scene: &Scene,
+    content: &Arc<dyn Content>,
+    coordinates: Vec<f64>,
+) -> Result<(Scene, Arc<dyn Content>), String> {
+    if !scene.constructions().is_empty() {
+        return Err("the scene has constructed vertices, which do not move".to_owned());
+    }
+    let (had, has) = (scene.coordinates().len(), coordinates.len());
+    if had != has {
+        return Err(format!("the scene has {had} coordinates, and {has} are given"));
+    }
+    let mut elsewhere = Scene::new(scene.dimension(), coordinates).map_err(|error| error.to_string())?;
+    if let Some(second) = scene.second_mesh() {
+        let vertices = second.iter().enumerate().filter(|(_, is)| **is).map(|(at, _)| Vertex::input(at));
+        elsewhere = elsewhere.with_second_mesh(vertices.collect::<Vec<_>>());
+    }
+    let (elsewhere, other) = content.moved(elsewhere);
+    Ok((elsewhere, other.unwrap_or_else(|| Arc::clone(content))))
 }

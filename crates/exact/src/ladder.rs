@@ -86,6 +86,58 @@ impl Prepared {
         self.rest::<P, D, N>(points)
     }
 
+    /// The sign of a query by the stages up to `last`, in their order; none where they leave it open.
+    #[inline(always)]
+    pub fn decide_to<P: Predicate<D, N>, const D: usize, const N: usize, const E: usize>(
+        &self,
+        points: &[[f64; D]; N],
+        integers: (&Integers<E>, [usize; D], [Vertex; N]),
+        last: usize,
+    ) -> Option<(Sign, usize)> {
+        let estimate = P::estimate(*points);
+        if last >= self.static_stage
+            && let Some(sign) = estimate.above(self.static_bound)
+        {
+            return Some((sign, self.static_stage));
+        }
+        if last >= stage::SEMI_STATIC
+            && let Some(sign) = estimate.certain(self.semi_static_bound)
+        {
+            return Some((sign, stage::SEMI_STATIC));
+        }
+        if last >= stage::INTEGER { self.exactly_to::<P, D, N, E>(points, integers, last) } else { None }
+    }
+
+    /// The sign of what both filters have left open, by the exact stages up to `last`.
+    #[inline(never)]
+    fn exactly_to<P: Predicate<D, N>, const D: usize, const N: usize, const E: usize>(
+        &self,
+        points: &[[f64; D]; N],
+        (integers, axes, vertices): (&Integers<E>, [usize; D], [Vertex; N]),
+        last: usize,
+    ) -> Option<(Sign, usize)> {
+        if let Some((rows, bits)) = integers.of_query(points, vertices) {
+            return Some((P::integer(rows, self.limbs_of::<P, D, N>(bits)), stage::INTEGER));
+        }
+        if let Some(rows) = integers.of_scene(axes, vertices) {
+            return Some((P::integer(rows, self.limbs), stage::INTEGER));
+        }
+        let Some(lowest) = self.two_limbs else {
+            if let Some(sign) = P::short(*points) {
+                return Some((sign, stage::INTEGER));
+            }
+            return (last >= stage::DYADIC).then(|| (P::dyadic(*points), stage::DYADIC));
+        };
+        let rows = Rows::new(points, lowest);
+        match rows.shortened() {
+            Some((rows, bits)) => Some((P::integer(rows, self.limbs_of::<P, D, N>(bits)), stage::INTEGER)),
+            None if last >= stage::WIDE_INTEGER => {
+                Some((wide_integer::<P, D, N>(rows.whole(), self.limbs), stage::WIDE_INTEGER))
+            }
+            None => None,
+        }
+    }
+
     /// What fits in one limb neither in units of the scene nor, as it is, in
     /// units of the query. (Not inlined, so that filters need no stack.)
     #[inline(never)]

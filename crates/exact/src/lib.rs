@@ -20,6 +20,8 @@
 //! predicates take coordinates and no scene. [`rational`] is not on the ladder: it
 //! returns the exact values of determinants.
 //!
+//! [`Partial`] is a control: the first rungs alone.
+//!
 //! [`Session`] also decides without tallying (`decide_…`), for backends that
 //! stand on this one and count their own stages.
 
@@ -33,6 +35,7 @@ pub mod form;
 pub mod integer;
 mod integers;
 mod ladder;
+mod partial;
 mod precision;
 mod predicate;
 mod products;
@@ -44,5 +47,6 @@ pub mod stage;
 mod truncate;
 
 pub use backend::Exact;
+pub use partial::{Partial, PartialSession};
 pub use precision::{Choice, Precision};
 pub use session::Session;

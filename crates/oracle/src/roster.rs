@@ -5,7 +5,7 @@
 
 use predicament_controls::{Epsilon, Naive, Pivot, Shewchuk};
 use predicament_engines::Engine;
-use predicament_exact::Exact;
+use predicament_exact::{Exact, Partial};
 use predicament_sos::{PerMesh, Scheme, Sos, infinitesimal};
 use predicament_tolerance::Tolerance;
 
@@ -20,9 +20,13 @@ use crate::faults;
 pub const DEFAULT: &[&str] =
     &["exact", "sos", "sos:edelsbrunner-mucke", "tolerance", "naive", "naive:first", "epsilon:1e-10", "shewchuk"];
 
+/// The backends of the house without a parameter that do not run by default, in the order of the help.
+pub const MORE: &[&str] = &["sos:per-mesh", "tolerance:f32", "naive:nalgebra"];
+
 /// What can be written after `-b`, for help texts.
 pub const HELP: &str = "\
 exact                   the sign of the real determinant
+exact:stages=K          the first K of its 6 stages, then the sign of the double determinant: a control
 sos                     Simulation of Simplicity, x_i + eps^(2^i) (Franklin)
 sos:edelsbrunner-mucke  Simulation of Simplicity, last coordinate strongest
 sos:per-mesh            the second of two meshes moved by (eps, eps^2, eps^3), for contacts
@@ -77,6 +81,12 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, String> {
         _ => {
             if let Some(engine) = name.strip_prefix(predicament_engines::PREFIX) {
                 return Ok(visitor.visit(Boxed::new(Engine::find(engine)?), None));
+            }
+            if let Some(stages) = name.strip_prefix("exact:stages=") {
+                let partial = stages.parse().ok().and_then(Partial::new);
+                let partial = partial
+                    .ok_or_else(|| format!("`{name}`: write a number of stages from 1 to {}", Partial::STAGES))?;
+                return Ok(visitor.visit(Boxed::new(partial), None));
             }
             if let Some(eps) = name.strip_prefix("epsilon:") {
                 let eps: f64 =

@@ -175,6 +175,9 @@ pub struct Plan {
     pub shard: Shard,
     /// What was left out on purpose.
     pub not_selected: Vec<NotSelected>,
+    /// The backends of the tool that do not run where none is named, and were not: they have to be named.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<String>,
     /// How many findings of each class are kept for each scene and backend.
     pub findings_per_class: u64,
 }

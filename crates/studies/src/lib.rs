@@ -101,6 +101,7 @@ pub mod worst;
 
 mod common;
 mod contacts;
+mod coordinate;
 mod error;
 mod host;
 mod list;

@@ -10,7 +10,7 @@ use crate::Error;
 /// A file that a study writes.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct File {
-    /// Its name, with the extension.
+    /// Its name, with the extension; a path where it goes to another folder than the rest.
     pub name: String,
     /// Its contents.
     pub text: String,
@@ -46,13 +46,17 @@ pub struct Report {
 }
 
 impl Report {
-    /// Writes all files to a folder that exists.
+    /// Writes all files to a folder that exists; other folders are made.
     ///
     /// # Errors
     /// One line with the path that cannot be written.
     pub fn write(&self, folder: &Path) -> Result<(), String> {
         self.files.iter().try_for_each(|file| {
-            replace(&folder.join(&file.name), file.text.as_bytes()).map_err(|error| error.to_string())
+            let path = folder.join(&file.name);
+            if let Some(parent) = path.parent().filter(|parent| *parent != folder) {
+                std::fs::create_dir_all(parent).map_err(|error| format!("{}: {error}", parent.display()))?;
+            }
+            replace(&path, file.text.as_bytes()).map_err(|error| error.to_string())
         })
     }
 }

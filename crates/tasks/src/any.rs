@@ -8,7 +8,10 @@ use predicament_predicates::{PredicateKind, Query, Scene};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 
-use crate::{Answer, AnyPlanted, Asked, Case, Contestant, Dispute, Explanation, Outcome, Phase, Stop, Task, Watch};
+use crate::{
+    Answer, AnyPlanted, Asked, Case, Compared, Contestant, Dispute, Explanation, Knob, Outcome, Phase, Stop, Task,
+    Turns, Watch,
+};
 
 /// A [`Task`] whose types are hidden. Every task is one.
 pub trait AnyTask: SceneFormat {
@@ -52,6 +55,15 @@ pub trait AnyTask: SceneFormat {
 
     /// [`Task::building`].
     fn building_phases(&self, loaded: &LoadedScene) -> Vec<Phase>;
+
+    /// [`Task::constructs`].
+    fn constructs_vertices(&self) -> bool;
+
+    /// [`Task::compared`].
+    fn compared_on(&self) -> &'static [Compared];
+
+    /// [`Task::turns`].
+    fn turned_by(&self, knob: Knob) -> Turns;
 
     /// [`Task::planted`].
     fn planted_faults(&self) -> Vec<Box<dyn AnyPlanted>>;
@@ -143,6 +155,18 @@ impl<T: Task> AnyTask for T {
 
     fn building_phases(&self, loaded: &LoadedScene) -> Vec<Phase> {
         self.building(&loaded.scene, content(self, loaded))
+    }
+
+    fn constructs_vertices(&self) -> bool {
+        self.constructs()
+    }
+
+    fn compared_on(&self) -> &'static [Compared] {
+        self.compared()
+    }
+
+    fn turned_by(&self, knob: Knob) -> Turns {
+        self.turns(knob)
     }
 
     fn planted_faults(&self) -> Vec<Box<dyn AnyPlanted>> {

@@ -14,6 +14,7 @@
 //! * [`Contestant`], [`Entry`], [`Solver`]: a backend picked at run time. [`built_in`] is the
 //!   one list where backends and tasks meet.
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
+//! * [`Compared`], [`Knob`]: the scenes on which a task is compared, and the ways in which they can be made harder.
 //! * [`output`]: answers as files for other programs, vertices exactly.
 //! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
 //!   [`crossings`], [`triangulate`], [`hull`], [`mod@slice`], [`delaunay`],
@@ -22,9 +23,11 @@
 mod any;
 mod budget;
 mod case;
+mod compared;
 mod contestant;
 mod counts;
 mod digest;
+mod knob;
 mod list;
 mod map_source;
 mod outcome;
@@ -56,9 +59,11 @@ pub mod triangulate;
 pub use any::{AnyCase, AnyTask};
 pub use budget::Budget;
 pub use case::{Asked, Case, Dispute};
+pub use compared::{Compared, Kind};
 pub use contestant::{Contestant, Entry};
 pub use counts::ClassCounts;
 pub use digest::digest;
+pub use knob::{Knob, Turns};
 pub use list::{TaskList, built_in, solvers, vocabulary};
 pub use outcome::{AnswerLine, Finding, Outcome, finding_id, ids, symbol};
 pub use phases::Phase;

@@ -7,7 +7,7 @@ use predicament_predicates::{Declined, PredicateKind, Predicates, Query, Scene, 
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 
-use crate::{Asked, Case, Contestant, Dispute, Halt, How, Outcome, Phase, Planted, Stop, Watch};
+use crate::{Asked, Case, Compared, Contestant, Dispute, Halt, How, Knob, Outcome, Phase, Planted, Stop, Turns, Watch};
 
 /// An answer to everything that a scene asks. It is reused from pass to pass
 /// where time is measured, so that memory is not.
@@ -144,6 +144,18 @@ pub trait Task: SceneFormat + Sized + 'static {
     fn asking<P: Predicates>(&self, session: &mut P, content: &Self::Content) -> Vec<Phase> {
         let _ = (session, content);
         Vec::new()
+    }
+
+    /// The scenes on which `compare` holds backends against each other and from which `stress` begins, at most one of each
+    /// [kind](crate::Kind); none where the task takes no part.
+    fn compared(&self) -> &'static [Compared] {
+        &[]
+    }
+
+    /// How far `stress` can turn a knob until its scenes are no scenes of the task any more.
+    fn turns(&self, knob: Knob) -> Turns {
+        let _ = knob;
+        Turns::Nowhere("the task does not say how far")
     }
 
     /// Its algorithm with faults planted in it, each of which its judge has to find.

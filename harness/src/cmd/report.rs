@@ -1,9 +1,10 @@
 //! `report`: pages from run folders.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use predicament_records::RunDir;
-use predicament_report::write_pages;
+use predicament_report::{Section, write_pages};
+use predicament_studies::compare;
 
 use crate::exit::{self, Failure};
 use crate::tool::Tool;
@@ -12,7 +13,8 @@ const EXAMPLES: &str = "\
 Examples:
   predicament report out/run --out out/report
   predicament report out/run out/bench --out out/report    errors and timings on one page
-  predicament report out/run out/compare --out out/report  with the comparison of backends that `compare` has written";
+  predicament compare --out out/run/compare                then every report of out/run has the table of backends
+  predicament report out/run out/compare --out out/report  with the comparison of backends that `compare` has written elsewhere";
 
 /// Write Markdown, one self-contained HTML page, plots and their figures as CSV from run folders
 ///
@@ -20,7 +22,7 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// Folders written by `run` or `bench`; earlier ones come first where several have the same. Folders written by `compare` add its table
+    /// Folders written by `run` or `bench`; earlier ones come first where several have the same. Folders written by `compare` add its table, as do those in RUN/compare
     #[arg(required = true, value_name = "RUN")]
     pub runs: Vec<PathBuf>,
 
@@ -33,7 +35,7 @@ pub struct Args {
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let (mut folders, mut compared) = (Vec::new(), Vec::new());
     for folder in &args.runs {
-        match predicament_studies::compare::section(folder).map_err(Failure::usage)? {
+        match compare::section(folder).map_err(Failure::usage)? {
             Some(section) if !folder.join("plan.json").exists() => compared.push(section),
             _ => folders.push(folder.clone()),
         }
@@ -42,6 +44,9 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         return Err(Failure::usage(
             "there is no run among the folders; name one that `run` or `bench` has written, too",
         ));
+    }
+    if compared.is_empty() {
+        compared.push(beside(&folders)?);
     }
     let runs = RunDir::open_all(&folders).map_err(Failure::usage)?;
     for warning in runs.iter().flat_map(|run| &run.warnings) {
@@ -52,3 +57,19 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     say!("{}", args.out.join("report.html").display());
     Ok(exit::OK)
 }
+
+/// The comparison of backends that is in a folder of a run, or in `compare` in it: the first there is, or how to make it.
+fn beside(runs: &[PathBuf]) -> Result<Section, Failure> {
+    for folder in runs {
+        for place in [folder.clone(), folder.join(COMPARISON)] {
+            if let Some(section) = compare::section(&place).map_err(Failure::usage)? {
+                return Ok(section);
+            }
+        }
+    }
+    let first = runs.first().map_or(Path::new("RUN"), PathBuf::as_path);
+    Ok(compare::missing(&first.join(COMPARISON)))
+}
+
+/// The folder of a comparison in that of a run.
+const COMPARISON: &str = "compare";

@@ -35,7 +35,7 @@ pub struct Args {
     #[command(flatten)]
     pub selector: Selector,
 
-    /// Backends, several with commas or by repeating; all if left out
+    /// Backends, several with commas or by repeating; if left out those that run by default, and the end says which others there are
     #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
     pub backends: Vec<String>,
 
@@ -265,6 +265,7 @@ impl Job {
         let plan = Plan {
             answers: args.answers,
             engines: engines.clone(),
+            left_out: tool.left_out(&args.backends),
             ..plan(&selection, &scenes, &backends, args.shard)
         };
         let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-run"));
@@ -273,7 +274,8 @@ impl Job {
         tell_not_selected(&selection.not_selected, "run");
         let (level, answers) = (selection.level, args.answers);
         let (done, precision, wholes) = (Vec::new(), Vec::new(), BTreeMap::new());
-        let ledger = Ledger { level, answers, wholes, done, precision, folder, writer };
+        let left_out = plan.left_out;
+        let ledger = Ledger { level, answers, wholes, done, precision, left_out, folder, writer };
         Ok(Job { selection, scenes, backends, engines, ledger })
     }
 
@@ -304,13 +306,13 @@ impl Job {
                 lost.scene
             )));
         }
-        let answers = plan.answers;
+        let (answers, left_out) = (plan.answers, plan.left_out.clone());
         let (writer, before) = RunWriter::resume(folder, &tables_with(tool, answers)).map_err(Failure::usage)?;
         // What a run that was killed has left of its worker.
         let _ = std::fs::remove_dir_all(folder.join(WORKER));
         let RunDir { summary: done, precision, .. } = before;
         let (folder, wholes) = (folder.clone(), BTreeMap::new());
-        let ledger = Ledger { level, answers, wholes, done, precision, folder, writer };
+        let ledger = Ledger { level, answers, wholes, done, precision, left_out, folder, writer };
         Ok(Job { selection, scenes, backends, engines, ledger })
     }
 }

@@ -516,3 +516,46 @@ fn contacts_are_judged_replayed_timed_and_reported() {
     let markdown = read(&report, "report.md");
     assert!(markdown.contains("## Contacts") && markdown.contains("% ended"), "{markdown}");
 }
+
+#[test]
+fn a_run_of_default_backends_says_which_others_there_are() {
+    let folder = tempdir().unwrap();
+    let (all, one, pages) = (at(&folder, "all"), at(&folder, "one"), at(&folder, "pages"));
+    let line = "not run: sos:per-mesh, tolerance:f32, naive:nalgebra; `-b sos:per-mesh,tolerance:f32,naive:nalgebra` runs them\n";
+    let scenes = ["run", "classics", "-f", "kettner-a1$"];
+    let told = run(&[&scenes[..], &["--out", &all]].concat());
+    assert!(told.stdout.ends_with(line), "{}", told.stdout);
+    let told = run(&[&scenes[..], &["-b", "exact", "--out", &one]].concat());
+    assert!(!told.stdout.contains("not run:"), "{}", told.stdout);
+    for (out, is_said) in [(&all, true), (&one, false)] {
+        expect(0, &["report", out, "--out", &pages]);
+        let page = read(&pages, "report.md");
+        assert_eq!(page.contains("Backends that were not named") && page.contains("naive:nalgebra"), is_said, "{page}");
+    }
+}
+
+#[test]
+fn a_report_has_the_comparison_in_the_run_s_folder_or_says_how_to_make_it() {
+    let folder = tempdir().unwrap();
+    let (out, pages) = (at(&folder, "run"), at(&folder, "pages"));
+    run(&["run", "classics", "-f", "kettner-a1$", "-b", "exact", "--out", &out]);
+    let page = || {
+        expect(0, &["report", &out, "--out", &pages]);
+        read(&pages, "report.md")
+    };
+    let compared = at(&folder, "run/compare");
+    let without = page();
+    let command = format!("predicament compare --out {compared}");
+    assert!(without.contains("Which backend for what") && without.contains(&command), "{without}");
+    let few = ["-b", "exact,naive", "-t", "orient2d", "--scenes", "1", "--samples", "0"];
+    expect(0, &[&["compare"][..], &few, &["--out", &compared]].concat());
+    let with = page();
+    assert!(with.contains("Backends on scenes of each kind") && !with.contains(&command), "{with}");
+    // Beside the tables of the run, too, and once where it is named as well.
+    std::fs::rename(format!("{compared}/compare.csv"), format!("{out}/compare.csv")).unwrap();
+    assert!(page().contains("Backends on scenes of each kind"));
+    let named = at(&folder, "named");
+    expect(0, &[&["compare"][..], &few, &["--out", &named]].concat());
+    expect(0, &["report", &out, &named, "--out", &pages]);
+    assert_eq!(read(&pages, "report.md").matches("Backends on scenes of each kind").count(), 1);
+}

@@ -115,3 +115,27 @@ fn resolution_leaves_tables_and_plots() {
     assert!(column(&read(&out, "location.csv"), "backend").iter().all(|name| name == "tolerance"));
     assert!(expect(2, &["resolution", "--trials", "0", "--out", &out]).stderr.contains("--trials"));
 }
+
+/// What `stress --suites` writes is what `run` takes.
+#[test]
+fn a_break_point_is_kept_as_a_suite() {
+    let folder = tempdir().unwrap();
+    let (out, suites, again) = (at(&folder, "out"), at(&folder, "kept/scale"), at(&folder, "again"));
+    let few =
+        ["-b", "exact,naive", "-t", "insphere", "-k", "scale", "--scenes", "1", "--samples", "0", "--tuples", "0"];
+    expect(0, &[&["stress"][..], &few, &["--suites", &suites, "--out", &out]].concat());
+    let breaks = read(&out, "breaks.csv");
+    let down = breaks.lines().find(|line| line.contains(",down,naive,")).unwrap();
+    let at = down.split(',').nth(5).unwrap();
+    let run_at = |position: &str| {
+        let suite = format!("{suites}/scale_{position}.toml");
+        run(&["run", &suite, "-b", "exact,naive", "--out", &format!("{again}{position}")]);
+        let summary = read(&format!("{again}{position}"), "summary.csv");
+        // What underflows to zero is an overreach.
+        let classes = ["sign_flip", "missed_zero", "overreach"].map(|class| column(&summary, class));
+        let backends = column(&summary, "backend").into_iter().enumerate();
+        backends.map(|(at, backend)| (backend, classes.iter().any(|class| class[at] != "0"))).collect::<Vec<_>>()
+    };
+    assert_eq!(run_at(at), [("exact".to_owned(), false), ("naive".to_owned(), true)]);
+    assert_eq!(run_at("0"), [("exact".to_owned(), false), ("naive".to_owned(), false)]);
+}

@@ -1,9 +1,11 @@
 //! `[[generate]]` tables.
 
-use predicament_formats::{Cache, CorpusError, Field, Fields, MOST_COORDINATES};
+use predicament_formats::{Cache, CorpusError, Field, Fields, MOST_COORDINATES, read_points};
+use predicament_predicates::Dimension;
 
 use super::Context;
 use super::scene::{SceneDef, check_name, define};
+use crate::loaded::moved;
 use crate::{Elsewhere, Family, Level, Making, Parts, Recipe, SceneFormat, Source};
 
 /// More queries than this don't fit a scene's vertex ids.
@@ -15,11 +17,47 @@ struct Generated {
     making: Making,
     /// How many queries at level quick, and at level full.
     amount: [usize; 2],
+    /// Where its points are instead, if they are written.
+    places: Option<Places>,
+}
+
+/// The points of a generated scene, written out.
+struct Places {
+    dimension: Dimension,
+    coordinates: Vec<f64>,
+    file: String,
+    line: usize,
+}
+
+impl Places {
+    /// Reads `coordinates`.
+    fn read(field: &Field<'_, '_>) -> Result<Places, CorpusError> {
+        let (dimension, coordinates) = read_points(field)?;
+        Ok(Places { dimension, coordinates, file: field.file().to_owned(), line: field.line() })
+    }
+
+    /// The scene with its points there.
+    fn of(&self, made: Parts) -> Result<Parts, CorpusError> {
+        let error = |message: String| {
+            let cure = "write as many points as the family makes, or remove `coordinates`";
+            CorpusError::file(&self.file, message, cure).at_line(self.line)
+        };
+        if made.scene.dimension() != self.dimension {
+            let [made, has] = [made.scene.dimension(), self.dimension].map(Dimension::count);
+            return Err(error(format!("the family makes points of {made} coordinates, and these have {has}")));
+        }
+        let (scene, content) = moved(&made.scene, &made.content, self.coordinates.clone()).map_err(error)?;
+        Ok(Parts { scene, content, ..made })
+    }
 }
 
 impl Elsewhere for Generated {
     fn load(&self, level: Level, _: &Cache) -> Result<Parts, CorpusError> {
-        Ok(self.recipe.make(&Making { n: level.of(self.amount), level, ..self.making }))
+        let made = self.recipe.make(&Making { n: level.of(self.amount), level, ..self.making });
+        match &self.places {
+            Some(places) => places.of(made),
+            None => Ok(made),
+        }
     }
 }
 
@@ -30,6 +68,7 @@ pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<Scen
     let seed = fields.integer_or("seed", 0, 0..=u64::MAX)?;
     let recipe = (family.read)(task.name(), &fields)?;
     let amount = amount(&fields, &recipe)?;
+    let places = fields.get("coordinates").map(|field| Places::read(&field)).transpose()?;
     let name = match fields.get("name") {
         Some(field) => {
             let name = field.string()?;
@@ -40,7 +79,14 @@ pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<Scen
     };
     let reported_as = family.reported_as.map_or_else(|| name.clone(), str::to_owned);
     let making = Making { family: family.name, task: task.name(), seed, n: 0, level: Level::Quick };
-    define(context, fields, name, task.name(), &reported_as, Source::elsewhere(Generated { recipe, making, amount }))
+    define(
+        context,
+        fields,
+        name,
+        task.name(),
+        &reported_as,
+        Source::elsewhere(Generated { recipe, making, amount, places }),
+    )
 }
 
 /// `n` and `n_full`; recipes of a fixed size have neither.

@@ -142,6 +142,36 @@ fn a_scene_is_what_its_task_reads() {
 }
 
 #[test]
+fn a_generated_scene_has_its_points_where_they_are_written() {
+    let table = |places: &str| {
+        let text = format!("[[generate]]\nfamily = \"row\"\ntask = \"first\"\nn = 2\nheight = 4\n{places}");
+        parse(&text).and_then(|suite| suite.scenes[0].load(Level::Quick, &Cache::new("nowhere")))
+    };
+    let made = table("").unwrap();
+    let rows: Vec<String> = made.scene.coordinates().chunks(2).map(|p| format!("[{}, {}]", p[0], p[1])).collect();
+    let same = table(&format!("coordinates = [{}]\n", rows.join(", "))).unwrap();
+    assert_eq!((&same.id, same.scene.coordinates()), (&made.id, made.scene.coordinates()));
+    let moved = table("coordinates = [[5, \"0x1.8p+1\"], [7, 8]]\n").unwrap();
+    assert_eq!(moved.scene.coordinates(), [5.0, 3.0, 7.0, 8.0]);
+    assert_eq!(moved.content(), Some(&Height(4)));
+    assert_ne!(moved.id, made.id);
+    assert_eq!(made.moved(vec![5.0, 3.0, 7.0, 8.0]).unwrap().id, moved.id);
+    for (places, message) in [
+        ("coordinates = [[5, 6]]\n", "s.toml:7: the scene has 4 coordinates, and 2 are given; write as many points"),
+        (
+            "coordinates = [[5, 6, 7], [1, 2, 3]]\n",
+            "s.toml:7: the family makes points of 2 coordinates, and these have 3",
+        ),
+        ("coordinates = [[5, 0.1], [7, 8]]\n", "s.toml:7: "),
+    ] {
+        let error = table(places).map(drop).unwrap_err().to_string();
+        assert!(error.starts_with(message), "{error}");
+    }
+    let text = "title = \"t\"\n[[generate]]\nfamily = \"row\"\ntask = \"first\"\nn = 1\ncoordinates = [[0.1, 1]]\n";
+    assert!(fmt(&both(), "s.toml", text).unwrap().contains("coordinates = [[\"0x1.999999999999ap-4\", 1]]"));
+}
+
+#[test]
 fn what_no_task_knows_is_refused() {
     for (text, message) in [
         (

@@ -8,5 +8,6 @@ mod dyadic;
 mod equality;
 mod exponents;
 mod left_open;
+mod partial;
 mod session;
 mod truth;

@@ -1,23 +1,43 @@
 //! Backends by name.
 
-use predicament_oracle::roster::{DEFAULT, backend};
+use predicament_oracle::roster::{DEFAULT, HELP, MORE, WILD, backend};
 use predicament_predicates::{Construction, Dimension, Plane, Question, Scene, Sign, Vertex};
 
 #[test]
 fn every_backend_has_the_name_it_is_picked_by() {
-    for name in DEFAULT.iter().copied().chain(["sos:per-mesh", "tolerance:f32", "fault:tolerance-as-printed"]) {
+    for name in
+        DEFAULT.iter().copied().chain(MORE.iter().copied()).chain(["exact:stages=3", "fault:tolerance-as-printed"])
+    {
         assert_eq!(backend(name).unwrap().name(), name);
     }
 }
 
 #[test]
 fn mistakes_are_answered_with_what_there_is() {
-    let error = |name| backend(name).err().unwrap();
+    let error = |name: &str| backend(name).err().unwrap();
     assert!(error("exat").contains("sos:edelsbrunner-mucke"));
     assert!(error("epsilon:tiny").contains("`tiny` is no number"));
     assert!(error("epsilon:-1").contains("epsilon:-1"));
     assert!(error("epsilon:nan").contains("epsilon:nan"));
+    for stages in ["0", "7", "x"] {
+        let name = format!("exact:stages={stages}");
+        assert!(error(&name).contains("from 1 to 6"), "{}", error(&name));
+    }
     assert!(error("fault:none").contains("selftest --list"));
+}
+
+/// What the help names without a parameter runs by default or is said not to.
+#[test]
+fn every_backend_of_the_help_runs_by_default_or_is_left_out_by_name() {
+    let lines = HELP.lines().take_while(|line| !line.contains("--features peers"));
+    let names = lines.flat_map(|line| line.split("  ").next().unwrap().split(", "));
+    let plain: Vec<&str> = names.filter(|name| !name.contains(char::is_uppercase)).collect();
+    assert!(plain.len() > 8, "{plain:?}");
+    for name in &plain {
+        let name = backend(name).unwrap().name();
+        assert!(DEFAULT.contains(&&*name) != MORE.contains(&&*name), "{name}");
+    }
+    assert!(MORE.iter().all(|name| plain.contains(name) && !WILD.contains(name)));
 }
 
 /// `sos:per-mesh` is one of the backends behind a pointer: it counts, refuses and constructs as it is.

@@ -66,6 +66,7 @@ fn plan() -> Plan {
         ladder: vec!["filter".to_owned(), "wide integer".to_owned()],
         shard: Shard::new(2, 3).unwrap(),
         not_selected: Vec::new(),
+        left_out: Vec::new(),
         findings_per_class: 5,
     }
 }

@@ -14,7 +14,7 @@ const FEW: usize = 5;
 
 pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
     let mut blocks = Vec::new();
-    let skipped = not_selected(runs);
+    let (skipped, unnamed) = (not_selected(runs), left_out(runs));
     let scenes_of_class = |class: Class, caption: &str| {
         scenes(runs, caption, |run| {
             let rows = run.summary.iter().filter(|row| row.count(class) > 0);
@@ -26,7 +26,7 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
     });
     let declined = scenes_of_class(Class::Declined, "Declined by the backend");
     let timeout = scenes_of_class(Class::Timeout, "Out of time");
-    for table in [skipped, planned, declined, timeout] {
+    for table in [skipped, unnamed, planned, declined, timeout] {
         if !table.is_empty() {
             blocks.push(Block::Table(table));
         }
@@ -87,6 +87,19 @@ fn not_selected(runs: &[RunDir]) -> Table {
     for (index, run) in runs.iter().enumerate() {
         for skipped in run.plan.not_selected.iter().collect::<BTreeSet<_>>() {
             let cells = [Cell::from(skipped.suite.as_str()), skipped.reason.as_str().into()];
+            table.push(run_label(runs, index).into_iter().chain(cells).collect());
+        }
+    }
+    table
+}
+
+/// Backends of the tool that run only where they are named.
+fn left_out(runs: &[RunDir]) -> Table {
+    let mut table = Table::new("Backends that were not named").words(run_head(runs)).words(["not run", "to run them"]);
+    for (index, run) in runs.iter().enumerate() {
+        let names = run.plan.left_out.join(", ");
+        if !names.is_empty() {
+            let cells = [Cell::from(names), Cell::code(format!("-b {}", run.plan.left_out.join(",")))];
             table.push(run_label(runs, index).into_iter().chain(cells).collect());
         }
     }

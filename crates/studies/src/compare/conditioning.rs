@@ -12,12 +12,12 @@ use predicament_predicates::{Sign, ZeroMeaning};
 use predicament_records::{approximately, wilson};
 use predicament_report::{Curve, Curves, curves};
 use predicament_tasks::signs::SignQueries;
-use predicament_tasks::{Contestant, Watch};
+use predicament_tasks::{Compared, Contestant, Kind, Knob, Watch};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::inputs::{Input, Kind};
-use crate::stress::{Knob, moved};
+use super::inputs::Input;
+use crate::stress::turned;
 use crate::{Error, File};
 
 /// The predicates, by task.
@@ -74,15 +74,15 @@ pub fn conditioning(
     let mut all = Vec::new();
     for task in TASKS {
         let keyed = |family: &'static str, keys: &'static str| {
-            Input { task, kind: Kind::General, family, n: queries, keys }.scene(seed)
+            Input { task, of: Compared { kind: Kind::General, family, n: queries, keys } }.scene(seed)
         };
         let of = |family: &'static str| keyed(family, "");
         let noisy = |&exponent: &i32| {
             let degenerate = of("degen")?;
             let mut random = Random::new("conditioning", task, seed + u64::from(exponent.unsigned_abs()));
             let scene = &degenerate.scene;
-            let coordinates = Knob::Noise.turned(exponent, scene.dimension(), scene.coordinates(), &mut random);
-            moved(degenerate, coordinates)
+            let coordinates = turned(Knob::Noise, exponent, scene.dimension(), scene.coordinates(), &mut random);
+            degenerate.moved(coordinates).map_err(Error::unfit)
         };
         let mut scenes: Vec<LoadedScene> = NOISE.iter().map(noisy).collect::<Result<_, Error>>()?;
         scenes.extend(NEAR.iter().map(|keys| keyed("near", keys)).collect::<Result<Vec<_>, Error>>()?);

@@ -1,97 +1,40 @@
-//! The scenes that are compared on: for each task general ones, nearly degenerate ones, and degenerate ones.
+//! The scenes of a comparison: what each task names, of every seed.
 
 use predicament_corpus::{Level, LoadedScene, Suite};
 use predicament_formats::{Cache, Manifest};
-use predicament_tasks::vocabulary;
+use predicament_tasks::{AnyTask, Compared, built_in, vocabulary};
 
 use crate::Error;
-
-/// How special the position of a scene's primitives is.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub enum Kind {
-    /// Nothing is near to anything.
-    General,
-    /// What nearly touches does so by a few roundings, or by a few tolerances.
-    Near,
-    /// Zeros everywhere.
-    Degenerate,
-}
-
-impl Kind {
-    /// The name in tables.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Kind::General => "general",
-            Kind::Near => "near",
-            Kind::Degenerate => "degenerate",
-        }
-    }
-}
 
 /// Scenes of one kind for one task.
 #[derive(Clone, Copy, Debug)]
 pub struct Input {
     /// The task.
     pub task: &'static str,
-    /// How special they are.
-    pub kind: Kind,
-    /// What makes them.
-    pub family: &'static str,
-    /// About how large each is, in the family's own unit.
-    pub n: usize,
-    /// Other keys, in TOML.
-    pub keys: &'static str,
+    /// How special they are, and what makes them.
+    pub of: Compared,
 }
 
-const fn input(task: &'static str, kind: Kind, family: &'static str, n: usize, keys: &'static str) -> Input {
-    Input { task, kind, family, n, keys }
+/// The inputs of all tasks that name some, in the order of the tasks.
+#[must_use]
+pub fn inputs() -> Vec<Input> {
+    let of_task = |task: &'static dyn AnyTask| task.compared_on().iter().map(|&of| Input { task: task.name(), of });
+    built_in().into_iter().flat_map(of_task).collect()
 }
 
-/// All of them, by task. Coordinates of contacts are singles, so that single precision can take them.
-pub const INPUTS: &[Input] = &[
-    input("orient2d", Kind::General, "uniform", 1000, ""),
-    input("orient2d", Kind::Near, "near", 1000, ""),
-    input("orient2d", Kind::Degenerate, "degen", 1000, ""),
-    input("orient3d", Kind::General, "uniform", 1000, ""),
-    input("orient3d", Kind::Near, "near", 1000, ""),
-    input("orient3d", Kind::Degenerate, "degen", 1000, ""),
-    input("incircle", Kind::General, "uniform", 1000, ""),
-    input("incircle", Kind::Near, "near", 1000, ""),
-    input("incircle", Kind::Degenerate, "degen", 1000, ""),
-    input("insphere", Kind::General, "uniform", 500, ""),
-    input("insphere", Kind::Near, "near", 500, ""),
-    input("insphere", Kind::Degenerate, "degen", 500, ""),
-    input("contacts2d", Kind::General, "polygons-uniform", 120, "bits = 24"),
-    input("contacts2d", Kind::Near, "polygons-near", 120, ""),
-    input("contacts2d", Kind::Degenerate, "polygons-degen", 120, ""),
-    input("contacts3d", Kind::General, "surfaces-uniform", 160, "bits = 24"),
-    input("contacts3d", Kind::Near, "surfaces-shifted", 160, "shift = 1.0"),
-    input("contacts3d", Kind::Degenerate, "surfaces-degen", 160, ""),
-    input("polygon-locate", Kind::General, "tiling", 6, ""),
-    input("polygon-locate", Kind::Degenerate, "bricks", 6, ""),
-    input("crossings", Kind::General, "segments-uniform", 60, ""),
-    input("crossings", Kind::Near, "segments-near", 30, ""),
-    input("crossings", Kind::Degenerate, "segments-lattice", 30, ""),
-    input("overlay2d", Kind::General, "overlay-stars", 24, ""),
-    input("overlay2d", Kind::Near, "overlay-shifted", 24, ""),
-    input("overlay2d", Kind::Degenerate, "overlay-squares", 16, ""),
-    input("delaunay2d", Kind::General, "delaunay-uniform", 60, ""),
-    input("delaunay2d", Kind::Near, "delaunay-near-ring", 60, ""),
-    input("delaunay2d", Kind::Degenerate, "delaunay-grid", 64, ""),
-    input("hull3d", Kind::General, "hull-ball", 60, ""),
-    input("hull3d", Kind::Near, "hull-slab", 60, ""),
-    input("hull3d", Kind::Degenerate, "hull-lattice", 64, ""),
-    input("slice", Kind::General, "slice-torus", 48, "cut = \"random\""),
-    input("slice", Kind::Degenerate, "slice-lattice", 24, "cut = \"vertices\""),
-    input("cube-union", Kind::General, "cubes-uniform", 30, ""),
-    input("cube-union", Kind::Degenerate, "cubes-degen", 30, ""),
-    input("mesh-locate", Kind::General, "locate-torus", 48, "random = 60\nquick_stride = 0"),
-    input("mesh-locate", Kind::Degenerate, "locate-tetrahedra", 48, "random = 0\nquick_stride = 3"),
-    input("mesh-intersect", Kind::General, "intersect-spheres", 40, "placed = \"apart\""),
-    input("mesh-intersect", Kind::Near, "intersect-spheres", 24, "placed = \"ulp\""),
-    input("mesh-intersect", Kind::Degenerate, "intersect-cubes", 24, "placed = \"step\""),
-];
+/// The tasks that name inputs, of these names or, of none, all.
+///
+/// # Errors
+/// [`Error::Unfit`] with the names that there are, where one is unknown; `done` is what is done with a task.
+pub(crate) fn tasks(asked: &[String], done: &str) -> Result<Vec<&'static dyn AnyTask>, Error> {
+    let all: Vec<&'static dyn AnyTask> = built_in().into_iter().filter(|task| !task.compared_on().is_empty()).collect();
+    if let Some(unknown) = asked.iter().find(|name| all.iter().all(|task| task.name() != name.as_str())) {
+        let names: Vec<&str> = all.iter().map(|task| task.name()).collect();
+        return Err(Error::unfit(format!("no task `{unknown}` is {done}; there are {}", names.join(", "))));
+    }
+    let is_asked = |task: &&'static dyn AnyTask| asked.is_empty() || asked.iter().any(|name| name == task.name());
+    Ok(all.into_iter().filter(is_asked).collect())
+}
 
 /// So many times as large is the scene that is timed.
 const TIMED: usize = 8;
@@ -102,7 +45,7 @@ impl Input {
     /// # Errors
     /// [`Error::Unfit`] where no such scene is made.
     pub fn scene(&self, seed: u64) -> Result<LoadedScene, Error> {
-        self.of_size(self.n, seed)
+        self.of_size(self.of.n, seed)
     }
 
     /// A larger scene, to be timed.
@@ -110,15 +53,26 @@ impl Input {
     /// # Errors
     /// As [`Input::scene`].
     pub fn timed(&self, seed: u64) -> Result<LoadedScene, Error> {
-        self.of_size(TIMED * self.n, seed)
+        self.of_size(TIMED * self.of.n, seed)
+    }
+
+    /// The scene's table in a suite, where it has this name.
+    #[must_use]
+    pub fn table(&self, name: &str, seed: u64) -> String {
+        self.table_of_size(name, self.of.n, seed)
+    }
+
+    fn table_of_size(&self, name: &str, n: usize, seed: u64) -> String {
+        let Input { task, of: Compared { family, keys, .. } } = self;
+        let table = format!(
+            "[[generate]]\nname = \"{name}\"\nfamily = \"{family}\"\ntask = \"{task}\"\nn = {n}\nseed = {seed}\n"
+        );
+        if keys.is_empty() { table } else { format!("{table}{keys}\n") }
     }
 
     fn of_size(&self, n: usize, seed: u64) -> Result<LoadedScene, Error> {
-        let Input { task, family, keys, .. } = self;
-        let text = format!(
-            "title = \"compare\"\n[[generate]]\nname = \"{}-{seed}\"\nfamily = \"{family}\"\ntask = \"{task}\"\nn = {n}\nseed = {seed}\n{keys}\n",
-            self.kind.name()
-        );
+        let name = format!("{}-{seed}", self.of.kind.name());
+        let text = format!("title = \"compare\"\n{}", self.table_of_size(&name, n, seed));
         let suite = Suite::parse(vocabulary(), "compare", &text, None, &Manifest::default()).map_err(Error::unfit)?;
         // A generator needs nothing of a cache.
         suite.scenes[0].load(Level::Quick, &Cache::new("compare")).map_err(Error::unfit)

@@ -5,9 +5,10 @@
 //! broken topology, and by which check, what it declines, and what it takes in time and memory, on general input and on degenerate one.
 //!
 //! * [`Compare`]: the study.
-//! * [`INPUTS`]: the scenes.
+//! * [`Input`]: the scenes, which each task names itself.
 //! * [`Measure`]: a number with its interval, a row of `compare.csv`.
 
+mod bits;
 mod clock;
 mod conditioning;
 mod errors;
@@ -20,9 +21,10 @@ mod survey;
 mod table;
 
 pub use conditioning::{Conditioned, conditioning};
-pub use inputs::{INPUTS, Input, Kind};
+pub(crate) use inputs::tasks;
+pub use inputs::{Input, inputs};
 pub use measure::Measure;
-pub use section::section;
+pub use section::{missing, section};
 pub use study::{Compare, Compared};
 pub(crate) use survey::{Group, measures_of};
-pub(crate) use table::WRONG;
+pub(crate) use table::{WRONG, short};

@@ -11,6 +11,17 @@ use super::table::{WRONG, short};
 /// The file that a folder of this study has.
 const FILE: &str = "compare.csv";
 
+const ID: &str = "compare";
+const TITLE: &str = "Which backend for what";
+
+/// The section of a report without a comparison: how to make one in this folder.
+#[must_use]
+pub fn missing(folder: &Path) -> Section {
+    let lead = "No comparison of backends is in the folders of these runs. This command makes one, and then every report has its table:";
+    let command = format!("predicament compare --out {}", folder.display());
+    Section { id: ID, title: TITLE, lead: lead.to_owned(), blocks: vec![Block::Command(command)] }
+}
+
 /// The section of a report from a folder that the study has written; none where the folder has no such file.
 ///
 /// # Errors
@@ -25,6 +36,7 @@ pub fn section(folder: &Path) -> Result<Option<Section>, String> {
         "wrong answers in 10^6",
         "topology in 1000 scenes",
         "declined",
+        "bits",
         "location, 99 %, L",
         "ns",
         "KiB",
@@ -54,14 +66,15 @@ pub fn section(folder: &Path) -> Result<Option<Section>, String> {
             Cell::from(short(signs).as_str()).tone(tone(signs)),
             Cell::from(short(topology).as_str()).tone(tone(topology)),
             Cell::from(of("declined", "").map_or_else(|| "–".to_owned(), |x| format!("{:.0} %", 100.0 * x)).as_str()),
+            Cell::from(short(of("bits", "")).as_str()),
             Cell::from(short(of("location: 99 %", "L")).as_str()),
             Cell::from(short(of("time", "")).as_str()),
             Cell::from(short(of("memory", "").map(|bytes| bytes / 1024.0)).as_str()),
         ]);
     }
     Ok(Some(Section {
-        id: "compare",
-        title: "Which backend for what",
+        id: ID,
+        title: TITLE,
         lead: format!(
             "Backends of all philosophies on the same scenes. Each number is the value of a row of {}, which has its interval and what it is of.",
             path.display()

@@ -6,7 +6,7 @@ use predicament_predicates::{PredicateKind, ZeroMeaning};
 use predicament_tasks::Contestant;
 
 use super::measure::{About, Measure};
-use super::{Conditioned, INPUTS, Input, conditioning, survey, table};
+use super::{Conditioned, Input, conditioning, inputs, survey, table, tasks};
 use crate::contacts::contacts;
 use crate::laws::Format;
 use crate::resolution::{self, FEATURES};
@@ -111,7 +111,7 @@ Examples:
         let mut measures = Vec::new();
         for input in inputs {
             host.turn_to(input.task);
-            measures.extend(survey::measures(input, backends, [self.scenes, self.samples], self.seed, host.watch())?);
+            measures.extend(survey::measures(&input, backends, [self.scenes, self.samples], self.seed, host.watch())?);
         }
         if self.trials > 0 && self.tasks.is_empty() {
             host.begin((backends.len() * FEATURES.len()) as u64, "features");
@@ -155,15 +155,9 @@ Examples:
 }
 
 impl Compare {
-    fn inputs(&self) -> Result<Vec<&'static Input>, Error> {
-        let known = |task: &String| INPUTS.iter().any(|input| input.task == task);
-        if let Some(unknown) = self.tasks.iter().find(|task| !known(task)) {
-            let mut names: Vec<&str> = INPUTS.iter().map(|input| input.task).collect();
-            names.dedup();
-            return Err(Error::unfit(format!("no task `{unknown}` is compared; there are {}", names.join(", "))));
-        }
-        let is_asked = |input: &&Input| self.tasks.is_empty() || self.tasks.iter().any(|task| task == input.task);
-        Ok(INPUTS.iter().filter(is_asked).collect())
+    fn inputs(&self) -> Result<Vec<Input>, Error> {
+        let tasks = tasks(&self.tasks, "compared")?;
+        Ok(inputs().into_iter().filter(|input| tasks.iter().any(|task| task.name() == input.task)).collect())
     }
 
     /// The smallest size of each feature from which on a backend tells it.

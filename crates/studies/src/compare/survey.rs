@@ -9,6 +9,7 @@ use predicament_tasks::contacts::Complexes;
 use predicament_tasks::{AnyTask, Budget, Class, ClassCounts, Contestant, How, Outcome, Purpose, Watch, built_in, run};
 use rayon::prelude::*;
 
+use super::bits::bits;
 use super::clock::taken;
 use super::errors::{Errors, exact_places, tail};
 use super::inputs::Input;
@@ -30,16 +31,22 @@ struct Seen {
     errors: Errors,
     /// Queries by the stage that settled them.
     stages: BTreeMap<&'static str, u64>,
+    /// The most bits of the scenes whose bits are known, how many these are, and how many are not.
+    bits: (i32, u64, u64),
 }
 
 impl Seen {
-    fn add(&mut self, outcome: &Outcome) {
+    fn add(&mut self, outcome: &Outcome, bits: Option<i32>) {
         self.scenes += 1;
         if outcome.counts.get(Class::Declined) > 0 {
             self.declined += 1;
             return;
         }
         self.queries += outcome.queries;
+        match bits {
+            Some(bits) => self.bits = (self.bits.0.max(bits), self.bits.1 + 1, self.bits.2),
+            None => self.bits.2 += 1,
+        }
         self.counts.merge(&outcome.counts);
         self.wrong += u64::from(outcome.counts.findings() > 0);
         let topology = outcome.findings.iter().filter(|finding| finding.class == Class::Topology);
@@ -75,7 +82,7 @@ pub(super) fn measures(
     let mut known = BTreeSet::new();
     loaded.retain(|scene| known.insert(scene.id.clone()));
     let timed = (samples > 0).then(|| input.timed(seed)).transpose()?;
-    let group = Group { task: input.task, kind: input.kind.name(), family: input.family };
+    let group = Group { task: input.task, kind: input.of.kind.name(), family: input.of.family };
     measures_of(&group, &loaded, timed.as_ref(), backends, samples, watch)
 }
 
@@ -99,19 +106,21 @@ pub(crate) fn measures_of(
     let judged = loaded.par_iter().map(|scene| {
         let case = task.case(scene, watch).map_err(Error::from)?;
         let places = scene.content::<Complexes>().map(|content| exact_places(&scene.scene, content));
-        let of = |backend: &&dyn Contestant| -> Result<(Outcome, Errors), Error> {
+        let asked = (&*task.kinds(&scene.scene), task.constructs_vertices());
+        let of = |backend: &&dyn Contestant| -> Result<(Outcome, Option<i32>, Errors), Error> {
             let outcome = run(case.as_ref(), *backend, Budget::QUICK, watch).map_err(Error::from)?;
             let errors = errors(scene, *backend, places.as_deref().unwrap_or_default(), watch);
+            let bits = bits(*backend, &scene.scene, asked, &outcome.stages);
             watch.done(1)?;
-            Ok((outcome, errors))
+            Ok((outcome, bits, errors))
         };
         backends.iter().map(of).collect::<Result<Vec<_>, Error>>()
     });
-    let judged: Vec<Vec<(Outcome, Errors)>> = judged.collect::<Result<_, Error>>()?;
+    let judged: Vec<Vec<(Outcome, Option<i32>, Errors)>> = judged.collect::<Result<_, Error>>()?;
     let mut seen: Vec<Seen> = backends.iter().map(|_| Seen::default()).collect();
     for of_scene in judged {
-        for (seen, (outcome, errors)) in seen.iter_mut().zip(of_scene) {
-            seen.add(&outcome);
+        for (seen, (outcome, bits, errors)) in seen.iter_mut().zip(of_scene) {
+            seen.add(&outcome, bits);
             seen.errors.merge(errors);
         }
     }
@@ -157,6 +166,12 @@ fn answers(about: &About<'_>, seen: &Seen) -> Vec<Measure> {
     let settled: u64 = seen.stages.values().sum();
     for (stage, &count) in &seen.stages {
         all.push(about.share(&format!("stage: {stage}"), "share of queries", 1.0, count, settled));
+    }
+    // Known of some scenes only, it would be that of the easy ones.
+    let (bits, known, unknown) = seen.bits;
+    if known > 0 && unknown == 0 {
+        let bits = f64::from(bits);
+        all.push(about.measure("bits", "at most", bits, [bits; 2], known));
     }
     all
 }

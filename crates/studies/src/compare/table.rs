@@ -3,12 +3,13 @@
 use std::fmt::Write as _;
 
 use predicament_report::{Curve, Curves, curves};
+use predicament_tasks::Kind;
 
 use super::{Compared, Measure};
 use crate::{Error, File};
 
-/// The kinds of input in their order.
-const KINDS: [&str; 3] = ["general", "near", "degenerate"];
+/// What the measures of stages begin with.
+const STAGE: &str = "stage: ";
 
 /// The classes of answers that no backend promises.
 pub(crate) const WRONG: [&str; 5] = ["sign_flip", "missed_zero", "overreach", "nan", "inconsistent"];
@@ -19,7 +20,9 @@ pub(super) fn page(compared: &Compared) -> String {
     let mut page = String::from("# Which backend for what\n\n");
     page += "Each number is the value of a row of `compare.csv`, which has its interval and what it is of. Topology: scenes in a thousand that \
              violate a law. Signs: answers in a million that are wrong by the backend's own promise. Times: nanoseconds for each query, \
-             primitive or triangle of a scene.\n\n";
+             primitive or triangle of a scene. Bits: of the widest arithmetic that settled an answer, 53 (24 in single precision) where floating point \
+             settled all of them, else at most degree times the bits of differences and the growth of sums; `–` where that is not known: of \
+             constructed points, and of libraries that do not say what they compute in.\n\n";
     page += "| backend | promise | proved | smallest feature, 2D, L | 3D, L | location, 99 %, L | missed by, 99 %, L | weight, 99 % | declined | topology | signs |\n";
     page += "|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n";
     for (backend, promise, proved) in &compared.promises {
@@ -49,22 +52,62 @@ pub(super) fn page(compared: &Compared) -> String {
         of_task(&mut page, compared, task);
     }
     sizes(&mut page, compared);
+    errors_and_times(&mut page, compared);
     page
+}
+
+/// Backends whose names differ in a parameter alone: `exact:stages=2` and `exact:stages=3`, `epsilon:1e-10` and `epsilon:1e-12`.
+fn curve_of(backend: &str) -> &str {
+    backend.split('=').next().filter(|name| *name != backend).or(backend.split(':').next()).unwrap_or(backend)
+}
+
+/// The geometric mean of a backend's times, the mean of its scenes in a thousand that are wrong, and of answers in a million; none without times.
+fn error_and_time(compared: &Compared, backend: &str) -> Option<[f64; 3]> {
+    let of = |measure: &str| -> Vec<f64> {
+        let own = compared.measures.iter().filter(|row| row.backend == backend && row.measure == measure);
+        own.map(|row| row.value).collect()
+    };
+    let count = |values: &[f64]| predicament_records::approximately(values.len().max(1) as u64);
+    let time = predicament_records::geometric_mean(of("time"))?;
+    let scenes = of("wrong scenes");
+    let answers = WRONG.iter().flat_map(|class| of(class)).sum::<f64>() / count(&scenes);
+    Some([time, scenes.iter().sum::<f64>() / count(&scenes), answers])
+}
+
+/// Run time against error, as numbers.
+fn errors_and_times(page: &mut String, compared: &Compared) {
+    let rows: Vec<(&str, [f64; 3])> = compared
+        .promises
+        .iter()
+        .filter_map(|(backend, ..)| Some((backend.as_str(), error_and_time(compared, backend)?)))
+        .collect();
+    if rows.is_empty() {
+        return;
+    }
+    page.push_str(
+        "\n## Run time against error\n\nMeans over the inputs that a backend answers; `error-time.svg` draws them, with one curve for backends that differ in a parameter.\n\n\
+         | backend | ns, geometric mean | scenes in 1000 against the promise | signs |\n|---|---:|---:|---:|\n",
+    );
+    for (backend, [time, scenes, signs]) in rows {
+        let _ =
+            writeln!(page, "| {backend} | {} | {} | {} |", short(Some(time)), short(Some(scenes)), short(Some(signs)));
+    }
 }
 
 /// A task: topology, signs, and time by kind of input.
 fn of_task(page: &mut String, compared: &Compared, task: &str) {
     let rows: Vec<&Measure> = compared.measures.iter().filter(|row| row.task == task).collect();
-    let kinds: Vec<&str> = KINDS.into_iter().filter(|kind| rows.iter().any(|row| row.kind == *kind)).collect();
+    let kinds: Vec<&str> =
+        Kind::ALL.into_iter().map(Kind::name).filter(|kind| rows.iter().any(|row| row.kind == *kind)).collect();
     let families = kinds.iter().map(|kind| rows.iter().find(|row| row.kind == *kind).map_or("", |row| &row.family));
     let _ = writeln!(page, "\n## {task}\n\n{}\n", families.collect::<Vec<_>>().join(", "));
     let _ = write!(page, "| backend |");
-    for measure in ["topology", "signs", "declined", "time, ns", "memory, KiB"] {
+    for measure in ["topology", "signs", "declined", "bits", "time, ns", "memory, KiB"] {
         for kind in &kinds {
             let _ = write!(page, " {measure}, {kind} |");
         }
     }
-    let _ = writeln!(page, "\n|---|{}", "---:|".repeat(5 * kinds.len()));
+    let _ = writeln!(page, "\n|---|{}", "---:|".repeat(6 * kinds.len()));
     for (backend, ..) in &compared.promises {
         let own: Vec<&Measure> = rows.iter().copied().filter(|row| row.backend == *backend).collect();
         let value = |kind: &str, measure: &str| {
@@ -86,6 +129,9 @@ fn of_task(page: &mut String, compared: &Compared, task: &str) {
             );
         }
         for kind in &kinds {
+            let _ = write!(page, " {} |", short(value(kind, "bits")));
+        }
+        for kind in &kinds {
             let _ = write!(page, " {} |", short(value(kind, "time")));
         }
         for kind in &kinds {
@@ -93,8 +139,30 @@ fn of_task(page: &mut String, compared: &Compared, task: &str) {
         }
         page.push('\n');
     }
+    stages(page, &rows);
     places(page, &rows);
     checks(page, &rows);
+}
+
+/// The shares of queries that each stage settled, largest first.
+fn stages(page: &mut String, rows: &[&Measure]) {
+    let mut inputs: Vec<(&str, &str)> = Vec::new();
+    for row in rows.iter().filter(|row| row.measure.starts_with(STAGE)) {
+        if !inputs.contains(&(&row.kind, &row.backend)) {
+            inputs.push((&row.kind, &row.backend));
+        }
+    }
+    if inputs.is_empty() {
+        return;
+    }
+    page.push_str("\n| input | backend | stages |\n|---|---|---|\n");
+    for (kind, backend) in inputs {
+        let is_own = |row: &&&Measure| row.kind == kind && row.backend == backend && row.measure.starts_with(STAGE);
+        let mut own: Vec<&Measure> = rows.iter().filter(is_own).copied().collect();
+        own.sort_by(|a, b| b.value.total_cmp(&a.value));
+        let cell = |row: &&Measure| format!("{} {} %", &row.measure[STAGE.len()..], short(Some(100.0 * row.value)));
+        let _ = writeln!(page, "| {kind} | {backend} | {} |", own.iter().map(cell).collect::<Vec<_>>().join(", "));
+    }
 }
 
 /// How far off contacts are.
@@ -182,13 +250,8 @@ fn sizes(page: &mut String, compared: &Compared) {
 pub(super) fn error_against_time(compared: &Compared) -> Result<Option<File>, Error> {
     let mut lines: Vec<Curve> = Vec::new();
     for (backend, ..) in &compared.promises {
-        let of = |measure: &'static str| {
-            compared.measures.iter().filter(move |row| row.backend == *backend && row.measure == measure)
-        };
-        let Some(time) = predicament_records::geometric_mean(of("time").map(|row| row.value)) else { continue };
-        let wrong: Vec<f64> = of("wrong scenes").map(|row| row.value).collect();
-        let mean = wrong.iter().sum::<f64>() / predicament_records::approximately(wrong.len().max(1) as u64);
-        let name = backend.split(':').next().unwrap_or(backend).to_owned();
+        let Some([time, mean, _]) = error_and_time(compared, backend) else { continue };
+        let name = curve_of(backend).to_owned();
         let point = (time, mean.max(0.1));
         match lines.iter_mut().find(|line| line.name == name) {
             Some(line) => line.points.push(point),
@@ -224,7 +287,7 @@ fn mean(compared: &Compared, backend: &str, measures: &[&str], times: f64, unit:
 }
 
 /// A number in three digits.
-pub(super) fn short(value: Option<f64>) -> String {
+pub(crate) fn short(value: Option<f64>) -> String {
     match value {
         None => "–".to_owned(),
         Some(0.0) => "0".to_owned(),

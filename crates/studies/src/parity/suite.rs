@@ -1,10 +1,10 @@
 //! The smallest pairs, as a suite that can be run.
 
-use predicament_formats::{exact_coordinate, hexfloat};
 use serde::Serialize;
 
 use super::study::{PlaneSearched, SpaceSearched, all};
 use super::{Kind, Parity, PolygonPair, Recipe, Small, space, table};
+use crate::coordinate::coordinate;
 use crate::{Error, File, Precision};
 
 #[derive(Serialize)]
@@ -104,15 +104,4 @@ fn source<P, R>(parity: &Parity, dimension: &str, recipe: &str, small: &Small<P,
 
 fn points<'a, const D: usize>(points: impl Iterator<Item = &'a [f64; D]>) -> Vec<Vec<toml::Value>> {
     points.map(|point| point.iter().copied().map(coordinate).collect()).collect()
-}
-
-/// A coordinate as it is read back without loss: a decimal if it is one, else a hex float.
-fn coordinate(x: f64) -> toml::Value {
-    // adding zero takes the sign of a negative one
-    let text = (x + 0.0).to_string();
-    match text.parse::<i64>() {
-        Ok(whole) => toml::Value::Integer(whole),
-        Err(_) if exact_coordinate(&text) == Ok(x) => toml::Value::String(text),
-        Err(_) => toml::Value::String(hexfloat::format(x)),
-    }
 }

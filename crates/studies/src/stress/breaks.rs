@@ -1,8 +1,8 @@
 //! Where backends break.
 
+use predicament_tasks::Knob;
 use serde::{Deserialize, Serialize};
 
-use super::Knob;
 use crate::compare::Measure;
 
 /// Where a backend breaks on a task as a knob is turned: a row of `breaks.csv`.

@@ -5,20 +5,23 @@
 //! begins to answer against its promise, and what it did before.
 //!
 //! * [`Stress`]: the study.
-//! * [`Knob`]: what is turned, and how far.
+//! * [`Knob`](predicament_tasks::Knob): what is turned, and how far; each task says how far its scenes can be.
+//! * [`Limit`]: a knob that does not fit a task.
 //! * [`BreakPoint`]: where a backend breaks.
 //! * `laws.rs`: what must not change where points move exactly (metamorphic laws).
 
 mod breaks;
-mod knob;
 mod laws;
-mod moved;
+mod limits;
 mod plots;
+mod scenes;
 mod study;
+mod suites;
 mod table;
+mod turned;
 
 pub use breaks::BreakPoint;
-pub use knob::Knob;
 pub use laws::{Law, Violations};
-pub(crate) use moved::moved;
+pub use limits::Limit;
 pub use study::{Stress, Stressed};
+pub(crate) use turned::turned;

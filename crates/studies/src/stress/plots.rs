@@ -1,8 +1,9 @@
-//! A plot for each knob: scenes that are answered against a promise, by position, the mean of all tasks.
+//! Plots for each knob by position: scenes that are answered against a promise, the mean of all tasks, and the time over that at rest.
 
 use predicament_report::{Curve, Curves, curves};
+use predicament_tasks::Knob;
 
-use super::{Knob, Stressed};
+use super::Stressed;
 use crate::{Error, File};
 
 /// The plots of knobs with anything to draw.
@@ -19,8 +20,7 @@ pub(super) fn all(stressed: &Stressed) -> Result<Vec<File>, Error> {
                 };
                 let values: Vec<f64> = stressed.measures.iter().filter(is).map(|row| row.value).collect();
                 let count = predicament_records::approximately(values.len() as u64);
-                // On a logarithmic axis: of a position that is at rest nothing is drawn.
-                let at = f64::from(if knob == Knob::Noise { position + 1076 } else { position.abs() });
+                let at = drawn_at(knob, position);
                 (!values.is_empty() && at > 0.0).then(|| (at, values.iter().sum::<f64>() / count))
             });
             Curve { name: backend.clone(), points: points.collect() }
@@ -31,6 +31,40 @@ pub(super) fn all(stressed: &Stressed) -> Result<Vec<File>, Error> {
         let y = "scenes in 1000 answered against the promise".into();
         let svg = curves(&Curves { x, y, curves: lines }).map_err(Error::format)?;
         files.extend(svg.map(|svg| File::new(format!("stress-{}.svg", knob.name()), svg)));
+        files.extend(time(stressed, knob)?);
     }
     Ok(files)
+}
+
+/// Where a position is on a logarithmic axis: one that is at rest, at 0, is not drawn.
+fn drawn_at(knob: Knob, position: i32) -> f64 {
+    f64::from(if knob == Knob::Noise { position + 1076 } else { position.abs() })
+}
+
+/// The time over that at rest, the geometric mean of the tasks that a position has.
+fn time(stressed: &Stressed, knob: Knob) -> Result<Option<File>, Error> {
+    let of = |backend: &str| -> Vec<&crate::compare::Measure> {
+        let is =
+            |row: &&crate::compare::Measure| row.kind == knob.name() && row.backend == backend && row.measure == "time";
+        stressed.measures.iter().filter(is).collect()
+    };
+    let curve = |(backend, _): &(String, bool)| {
+        let own = of(backend);
+        let at = |task: &str, position: i32| {
+            own.iter().find(|row| row.task == task && row.family == position.to_string()).map(|row| row.value)
+        };
+        let rest = knob.positions()[0];
+        let mut tasks: Vec<&str> = own.iter().map(|row| row.task.as_str()).collect();
+        tasks.dedup();
+        let points = knob.positions().iter().filter_map(|&position| {
+            let over = tasks.iter().filter_map(|task| Some(at(task, position)? / at(task, rest)?));
+            let mean = predicament_records::geometric_mean(over)?;
+            Some((drawn_at(knob, position), mean)).filter(|(x, _)| *x > 0.0)
+        });
+        Curve { name: backend.clone(), points: points.collect() }
+    };
+    let lines: Vec<Curve> = stressed.backends.iter().map(curve).filter(|curve| !curve.points.is_empty()).collect();
+    let x = format!("{}: {}", knob.name(), knob.unit());
+    let svg = curves(&Curves { x, y: "time over that at rest".into(), curves: lines }).map_err(Error::format)?;
+    Ok(svg.map(|svg| File::new(format!("stress-{}-time.svg", knob.name()), svg)))
 }

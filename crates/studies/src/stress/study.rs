@@ -2,29 +2,17 @@
 
 use std::path::{Path, PathBuf};
 
-use predicament_corpus::{LoadedScene, Random};
-use predicament_tasks::Contestant;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use predicament_corpus::LoadedScene;
+use predicament_tasks::{AnyTask, Contestant, Knob};
 
 use super::breaks::{At, break_point};
-use super::moved::moved;
-use super::{BreakPoint, Knob, Violations, laws, plots, table};
-use crate::compare::{Group, INPUTS, Input, Kind, Measure, measures_of};
+use super::limits::{Limit, limits};
+use super::scenes::Position;
+use super::{BreakPoint, Violations, laws, plots, suites, table};
+use crate::compare::{Group, Measure, measures_of, tasks};
 use crate::laws::Format;
 use crate::{Error, File, Host, Study};
-
-/// The tasks whose scenes stay scenes where their points move.
-const TASKS: [&str; 10] = [
-    "orient2d",
-    "orient3d",
-    "incircle",
-    "insphere",
-    "contacts2d",
-    "contacts3d",
-    "crossings",
-    "delaunay2d",
-    "hull3d",
-    "mesh-intersect",
-];
 
 /// One knob at a time, until backends break.
 #[derive(Clone, Debug, clap::Args)]
@@ -43,15 +31,15 @@ pub struct Stress {
     pub tasks: Vec<String>,
 
     /// Knobs, several with commas; all if left out
-    #[arg(short = 'k', long = "knob", value_enum, value_name = "KNOB", value_delimiter = ',')]
+    #[arg(short = 'k', long = "knob", value_parser = knob(), value_name = "KNOB", value_delimiter = ',')]
     pub knobs: Vec<Knob>,
 
     /// Scenes at each position of a knob
     #[arg(long, default_value_t = 3, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub scenes: u32,
 
-    /// Samples of the time at each position; none if 0
-    #[arg(long, default_value_t = 0, value_name = "N")]
+    /// Samples of the time at each position, of the first scene; none if 0
+    #[arg(long, default_value_t = 3, value_name = "N")]
     pub samples: u32,
 
     /// Tuples for each metamorphic law and predicate; none if 0
@@ -66,9 +54,20 @@ pub struct Stress {
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
 
+    /// A folder for the scenes of each position, as a suite that `run` takes; made if missing
+    #[arg(long, value_name = "DIR")]
+    pub suites: Option<PathBuf>,
+
     /// Tables, or one CSV row for each number
     #[arg(long, value_enum, default_value_t = Format::Md)]
     pub format: Format,
+}
+
+/// Reads the name of a knob.
+fn knob() -> impl TypedValueParser<Value = Knob> {
+    let value = |knob: Knob| PossibleValue::new(knob.name()).help(knob.about());
+    let named = |name: String| Knob::ALL.into_iter().find(|knob| knob.name() == name).ok_or("no such knob");
+    PossibleValuesParser::new(Knob::ALL.map(value)).try_map(named)
 }
 
 /// All measures, break points, and violations of laws.
@@ -78,6 +77,8 @@ pub struct Stressed {
     pub measures: Vec<Measure>,
     /// For each task, knob, way and backend.
     pub breaks: Vec<BreakPoint>,
+    /// For each task and knob that does not fit it, or not to the end.
+    pub limits: Vec<Limit>,
     /// By backend, predicate and law.
     pub violations: Vec<Violations>,
     /// The backends by name, and whether their promise is proved.
@@ -89,7 +90,8 @@ impl Study for Stress {
     const ASKS: &'static str =
         "Turn one knob at a time until backends break: noise, translation, scale, aspect, precision, rotation";
     const HELP: &'static str = "\
-A scene is made for each task, general or degenerate as the knob needs it, and its points are moved as the knob says.
+A scene is made for each task, general or degenerate as the knob needs it, and its points are moved as the knob says, as far
+as the scene stays one of the task (a mesh that is rounded crosses itself): what does not fit is listed with the reason.
 What is true is found anew for each scene. A backend holds where it answers every scene of a position as it promises; its
 break point is between the last position where it does and the first where it does not.
 
@@ -97,15 +99,23 @@ Metamorphic laws need no truth: signs are the same where points are scaled by a 
 otherwise, opposite where they are reflected, times the determinant's sign under an integer matrix; and incircle is
 orient3d of lifted points.
 
+Times are of the first scene of each position, on one thread, the backends in turns; the median of --samples, with the least
+and the largest for an interval.
+
 Written to the folder: stress.csv (a row for each number, with its interval; `kind` is the knob, `family` its position),
-breaks.csv, stress-laws.csv, stress.md (the tables that are printed), a plot for each knob.
+breaks.csv, limits.csv (knobs that do not fit a task), stress-laws.csv, stress.md (the tables that are printed), plots for each
+knob: scenes that are wrong, and the time. With --suites also a suite for each position of each knob, with its points
+written out: `predicament run` keeps a break point as a regression.
 
 Exit codes: 0 if no backend with a proved promise breaks or violates a law, 100 otherwise.
 
 Examples:
   predicament stress --out target/stress
   predicament stress -k noise,translation -t orient2d,orient3d --scenes 50 --out target/noise
-  predicament stress -k size --samples 7 --out target/growth            time along a knob";
+  predicament stress -k size --samples 9 --out target/growth            times that are worth quoting
+  predicament stress --samples 0 --out target/breaks                    no times: the same bytes on every machine
+  predicament stress -k scale -t incircle --suites target/scale --out target/stress
+  predicament run target/scale/scale_-250.toml -b naive,exact           the scenes of one position";
 
     type Measured = Stressed;
 
@@ -122,22 +132,18 @@ Examples:
     }
 
     fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Stressed, Error> {
-        let (tasks, knobs) = (self.tasks()?, self.knobs());
-        let positions: usize = knobs.iter().map(|knob| knob.positions().len()).sum();
-        host.begin((tasks.len() * positions * self.scenes as usize * backends.len()) as u64, "answers");
+        let (tasks, knobs) = (tasks(&self.tasks, "stressed")?, self.knobs());
+        let positions = self.positions(&tasks);
+        host.begin((positions.len() * self.scenes as usize * backends.len()) as u64, "answers");
         let (mut measures, mut places) = (Vec::new(), Vec::new());
-        for &task in &tasks {
-            for &knob in &knobs {
-                host.turn_to(&format!("{task}, {}", knob.name()));
-                for &position in knob.positions().iter().filter(|&&position| knob.is_for(task, position)) {
-                    let of = self.at(task, knob, position, backends, host)?;
-                    places.extend(of.iter().map(|_| (knob, position)));
-                    measures.extend(of);
-                }
-            }
+        for position in &positions {
+            host.turn_to(&format!("{}, {}", position.task, position.knob.name()));
+            let of = self.at(position, backends, host)?;
+            places.extend(of.iter().map(|_| (position.knob, position.at)));
+            measures.extend(of);
         }
         let mut breaks = Vec::new();
-        for &task in &tasks {
+        for task in tasks.iter().map(|task| task.name()) {
             for &knob in &knobs {
                 let ways: &[&str] = if knob == Knob::Scale { &["down", "up"] } else { &["up"] };
                 for (way, backend) in ways.iter().flat_map(|way| backends.iter().map(move |backend| (way, backend))) {
@@ -148,6 +154,7 @@ Examples:
                 }
             }
         }
+        let limits = limits(&tasks, &knobs);
         let mut violations = Vec::new();
         if self.tuples > 0 {
             host.begin(backends.len() as u64, "backends");
@@ -159,15 +166,16 @@ Examples:
         let proved = |backend: &&dyn Contestant| {
             (backend.name(), backend.contract(predicament_predicates::PredicateKind::Orient2d).proved)
         };
-        Ok(Stressed { measures, breaks, violations, backends: backends.iter().map(proved).collect() })
+        Ok(Stressed { measures, breaks, limits, violations, backends: backends.iter().map(proved).collect() })
     }
 
     fn rows(&self, measured: &Stressed) -> Result<Vec<File>, Error> {
-        Ok(vec![
-            File::csv("stress.csv", &measured.measures)?,
-            File::csv("breaks.csv", &measured.breaks)?,
-            File::csv("stress-laws.csv", &measured.violations)?,
-        ])
+        let mut files = vec![File::csv("stress.csv", &measured.measures)?, File::csv("breaks.csv", &measured.breaks)?];
+        if !measured.limits.is_empty() {
+            files.push(File::csv("limits.csv", &measured.limits)?);
+        }
+        files.push(File::csv("stress-laws.csv", &measured.violations)?);
+        Ok(files)
     }
 
     fn page(&self, measured: &Stressed) -> String {
@@ -176,6 +184,11 @@ Examples:
 
     fn plots(&self, measured: &Stressed) -> Result<Vec<File>, Error> {
         plots::all(measured)
+    }
+
+    fn suites(&self, _: &Stressed) -> Result<Vec<File>, Error> {
+        let Some(folder) = &self.suites else { return Ok(Vec::new()) };
+        suites::all(folder, &self.positions(&tasks(&self.tasks, "stressed")?), self.seed, self.scenes)
     }
 
     fn holds(&self, measured: &Stressed) -> bool {
@@ -187,41 +200,21 @@ Examples:
 }
 
 impl Stress {
-    fn tasks(&self) -> Result<Vec<&'static str>, Error> {
-        if let Some(unknown) = self.tasks.iter().find(|task| !TASKS.contains(&task.as_str())) {
-            return Err(Error::unfit(format!("no task `{unknown}` is stressed; there are {}", TASKS.join(", "))));
-        }
-        let is_asked = |task: &&str| self.tasks.is_empty() || self.tasks.iter().any(|asked| asked == task);
-        Ok(TASKS.into_iter().filter(is_asked).collect())
-    }
-
     fn knobs(&self) -> Vec<Knob> {
         Knob::ALL.into_iter().filter(|knob| self.knobs.is_empty() || self.knobs.contains(knob)).collect()
     }
 
+    /// All positions of knobs at which these tasks have scenes.
+    fn positions(&self, tasks: &[&'static dyn AnyTask]) -> Vec<Position> {
+        let knobs = self.knobs();
+        tasks.iter().flat_map(|task| knobs.iter().flat_map(|&knob| Position::all(*task, knob))).collect()
+    }
+
     /// The measures of all backends where a knob is at a position.
-    fn at(
-        &self,
-        task: &'static str,
-        knob: Knob,
-        position: i32,
-        backends: &[&dyn Contestant],
-        host: &dyn Host,
-    ) -> Result<Vec<Measure>, Error> {
-        let kind = if knob.is_of_degenerate() { Kind::Degenerate } else { Kind::General };
-        let input = INPUTS.iter().find(|input| input.task == task && input.kind == kind);
-        let Some(input) = input else { return Ok(Vec::new()) };
-        let times = if knob == Knob::Size { usize::try_from(position).unwrap_or(1) } else { 1 };
-        let small = Input { n: (input.n / 4).max(12) * times, ..*input };
-        let scene = |at: u32| -> Result<LoadedScene, Error> {
-            let seed = self.seed + u64::from(at);
-            let loaded = small.scene(seed)?;
-            let mut random = Random::new(knob.name(), task, seed);
-            let coordinates = knob.turned(position, loaded.scene.dimension(), loaded.scene.coordinates(), &mut random);
-            moved(loaded, coordinates)
-        };
-        let scenes: Vec<LoadedScene> = (0..self.scenes).map(scene).collect::<Result<_, Error>>()?;
-        let group = Group { task, kind: knob.name(), family: &position.to_string() };
+    fn at(&self, position: &Position, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Vec<Measure>, Error> {
+        let seeds = (0..self.scenes).map(|at| self.seed + u64::from(at));
+        let scenes: Vec<LoadedScene> = seeds.map(|seed| position.scene(seed)).collect::<Result<_, Error>>()?;
+        let group = Group { task: position.task, kind: position.knob.name(), family: &position.at.to_string() };
         let timed = if self.samples > 0 { scenes.first() } else { None };
         measures_of(&group, &scenes, timed, backends, self.samples, host.watch())
     }

@@ -2,14 +2,17 @@
 
 use std::fmt::Write as _;
 
-use super::{Knob, Stressed};
+use predicament_tasks::Knob;
+
+use super::{BreakPoint, Stressed};
+use crate::compare::short;
 
 /// All tables.
 pub(super) fn page(stressed: &Stressed) -> String {
     // A String takes everything.
     let mut page = String::from("# Where backends break\n\n");
     page += "For each knob the position at which a backend first answers a scene against its promise (in parentheses the last one before), `-` where \
-             it never does, `d` and the position where it only declines. Each is a row of `breaks.csv`; shares with their intervals are in `stress.csv`.\n";
+             it never does, `d` and the position where it only declines, `n/a` where the knob does not fit the task. Each is a row of `breaks.csv`; shares with their intervals are in `stress.csv`.\n";
     let mut ways: Vec<(&str, &str)> = Vec::new();
     for row in &stressed.breaks {
         if !ways.contains(&(&row.knob, &row.way)) {
@@ -36,22 +39,73 @@ pub(super) fn page(stressed: &Stressed) -> String {
                 let is = |row: &&super::BreakPoint| {
                     row.task == task && row.knob == knob && row.way == way && row.backend == *backend
                 };
-                let cell = stressed.breaks.iter().find(is).map_or_else(String::new, |row| {
-                    match (row.breaks_at, row.holds_to, row.declines_at) {
-                        (Some(at), Some(before), _) => format!("{at} ({before})"),
-                        (Some(at), None, _) => format!("{at}"),
-                        (None, _, Some(at)) => format!("d {at}"),
-                        (None, Some(_), None) => "-".to_owned(),
-                        (None, None, None) => String::new(),
-                    }
+                let cell = stressed.breaks.iter().find(is).map_or_else(String::new, place);
+                let _ = write!(page, " {cell} |");
+            }
+            page.push('\n');
+        }
+    }
+    limits(&mut page, stressed);
+    times(&mut page, stressed);
+    laws(&mut page, stressed);
+    page
+}
+
+/// Where a backend breaks, in a cell.
+fn place(row: &BreakPoint) -> String {
+    match (row.breaks_at, row.holds_to, row.declines_at) {
+        (Some(at), Some(before), _) => format!("{at} ({before})"),
+        (Some(at), None, _) => format!("{at}"),
+        (None, _, Some(at)) => format!("d {at}"),
+        (None, Some(_), None) => "-".to_owned(),
+        (None, None, None) => "n/a".to_owned(),
+    }
+}
+
+/// Knobs that do not fit a task, or not to the end.
+fn limits(page: &mut String, stressed: &Stressed) {
+    if stressed.limits.is_empty() {
+        return;
+    }
+    page.push_str("\n## Not applicable\n\nKnobs that are not turned for a task, or not to the end, as its scenes would be no scenes of it. Rows of `limits.csv`.\n\n| task | knob | turned | why not further |\n|---|---|---|---|\n");
+    for row in &stressed.limits {
+        let to = row.to.map_or_else(|| "not at all".to_owned(), |to| format!("to {to}"));
+        let _ = writeln!(page, "| {} | {} | {to} | {} |", row.task, row.knob, row.why);
+    }
+}
+
+/// The time at rest and at the last position, for each knob that takes time.
+fn times(page: &mut String, stressed: &Stressed) {
+    let timed: Vec<&crate::compare::Measure> = stressed.measures.iter().filter(|row| row.measure == "time").collect();
+    if timed.is_empty() {
+        return;
+    }
+    page.push_str("\n## Time along the knobs\n\nNanoseconds for each query, primitive or triangle at rest, and how many times as long at the position at which it takes longest (in parentheses). All are rows of `stress.csv`.\n\n| knob | task |");
+    for (backend, _) in &stressed.backends {
+        let _ = write!(page, " {backend} |");
+    }
+    let _ = writeln!(page, "\n|---|---|{}", "---:|".repeat(stressed.backends.len()));
+    let mut of: Vec<(&str, &str)> = Vec::new();
+    for row in &timed {
+        if !of.contains(&(&row.kind, &row.task)) {
+            of.push((&row.kind, &row.task));
+        }
+    }
+    for knob in Knob::ALL.map(Knob::name) {
+        for &(_, task) in of.iter().filter(|(of, _)| *of == knob) {
+            let _ = write!(page, "| {knob} | {task} |");
+            for (backend, _) in &stressed.backends {
+                let own = || timed.iter().filter(|row| row.kind == knob && row.task == task && row.backend == *backend);
+                let longest = own().max_by(|a, b| a.value.total_cmp(&b.value));
+                let cell = own().next().zip(longest).map_or("–".to_owned(), |(rest, longest)| {
+                    let times = short(Some(longest.value / rest.value));
+                    format!("{}, {times} ({})", short(Some(rest.value)), longest.family)
                 });
                 let _ = write!(page, " {cell} |");
             }
             page.push('\n');
         }
     }
-    laws(&mut page, stressed);
-    page
 }
 
 fn laws(page: &mut String, stressed: &Stressed) {

@@ -1,9 +1,9 @@
 //! The comparison: errors of contacts are known where they are planted, a broken promise is seen, and rows are the same again.
 
-use predicament_studies::compare::{Compare, Compared, INPUTS, Kind};
+use predicament_studies::compare::{Compare, Compared, inputs};
 use predicament_studies::laws::Format;
 use predicament_studies::{Host, Quiet, Study};
-use predicament_tasks::Contestant;
+use predicament_tasks::{Contestant, Kind, built_in};
 
 use crate::backend;
 
@@ -38,7 +38,7 @@ fn value(of: &Compared, kind: Kind, backend: &str, measure: &str, unit: &str) ->
 #[test]
 fn what_is_far_off_is_measured_as_far_off() {
     let of = compared(&study(&["contacts2d"], 3), &["exact", "epsilon:1e-4", "fault:tolerance-mirrored-weight"]);
-    for kind in [Kind::General, Kind::Near, Kind::Degenerate] {
+    for kind in Kind::ALL {
         let location = |backend: &str| value(&of, kind, backend, "location: 99 %", "L").unwrap();
         // Weights in plain floating point, of edges that may cross at small angles.
         assert!(location("exact") < 1e-8, "{kind:?}: {}", location("exact"));
@@ -83,18 +83,85 @@ fn rows_are_the_same_on_any_number_of_threads() {
 #[test]
 fn every_input_makes_scenes_of_two_sizes() {
     let mut again = Vec::new();
-    for input in INPUTS {
+    let inputs = inputs();
+    for input in &inputs {
         let [small, large] = [input.scene(3).unwrap(), input.timed(3).unwrap()];
         assert!(small.scene.len() < large.scene.len(), "{input:?}");
-        again.extend((small.id == input.scene(4).unwrap().id).then_some(input.family));
+        again.extend((small.id == input.scene(4).unwrap().id).then_some(input.of.family));
     }
     // Bricks, lattices, grids: their scenes are counted once.
-    assert!(3 * again.len() < INPUTS.len(), "{again:?}");
+    assert!(3 * again.len() < inputs.len(), "{again:?}");
     let of = compared(&study(&["polygon-locate"], 4), &["exact"]);
     let declined = |kind: Kind| of.measures.iter().find(|row| row.kind == kind.name() && row.measure == "declined");
     assert_eq!([Kind::General, Kind::Degenerate].map(|kind| declined(kind).unwrap().of), [4, 1]);
     let unknown = study(&["orient4d"], 1).survey(&[], &Quiet::new()).unwrap_err();
     assert!(unknown.to_string().contains("orient2d"), "{unknown}");
+}
+
+/// A task joins by itself: nothing here names one.
+#[test]
+fn every_task_is_compared_on_general_and_degenerate_scenes() {
+    let inputs = inputs();
+    for task in built_in() {
+        let kinds: Vec<Kind> =
+            inputs.iter().filter(|input| input.task == task.name()).map(|input| input.of.kind).collect();
+        assert!(kinds.is_sorted() && kinds.windows(2).all(|pair| pair[0] < pair[1]), "{}: {kinds:?}", task.name());
+        assert!(kinds.contains(&Kind::General) && kinds.contains(&Kind::Degenerate), "{}: {kinds:?}", task.name());
+    }
+}
+
+#[test]
+fn bits_are_those_of_the_arithmetic_that_was_needed() {
+    let small = study(&["orient3d", "crossings", "contacts2d"], 1);
+    let of = compared(&small, &["exact", "naive", "shewchuk", "tolerance:f32"]);
+    let bits = |task: &str, kind: Kind, backend: &str| {
+        let is = |row: &&predicament_studies::compare::Measure| {
+            row.task == task && row.kind == kind.name() && row.backend == backend && row.measure == "bits"
+        };
+        of.measures.iter().find(is).map(|row| row.value)
+    };
+    // Filters settle what is in general position. Three differences of 53 bits each are far longer than a double.
+    assert_eq!(bits("orient3d", Kind::General, "exact"), Some(53.0));
+    let near = bits("orient3d", Kind::Near, "exact").unwrap();
+    assert!((150.0..200.0).contains(&near), "{near}");
+    for kind in Kind::ALL {
+        assert_eq!(bits("orient3d", kind, "naive"), Some(53.0));
+        assert_eq!(bits("orient3d", kind, "shewchuk"), None, "it does not say");
+    }
+    assert_eq!(bits("contacts2d", Kind::General, "tolerance:f32"), Some(24.0));
+    // Crossings of a lattice compare points that are constructed.
+    assert_eq!(bits("crossings", Kind::Degenerate, "exact"), None);
+    let page = small.page(&of);
+    assert!(page.contains("| bits, general |") && page.contains("| near | exact | "), "{page}");
+    // The shares of stages are of all queries.
+    let shares = of.measures.iter().filter(|row| {
+        [&*row.task, &row.kind, &row.backend] == ["orient3d", "near", "exact"] && row.measure.starts_with("stage: ")
+    });
+    let sum: f64 = shares.map(|row| row.value).sum();
+    assert!((sum - 1.0).abs() < 1e-12, "{sum}");
+}
+
+#[test]
+fn fewer_stages_are_a_curve_that_ends_without_an_error() {
+    let names: Vec<String> = (1..=6).map(|stages| format!("exact:stages={stages}")).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let small = Compare { samples: 1, ..study(&["insphere"], 1) };
+    let mut of = compared(&small, &names);
+    let wrong: Vec<f64> =
+        names.iter().map(|name| value(&of, Kind::Near, name, "sign_flip", "per 10^6 answers").unwrap()).collect();
+    assert!(wrong[0] > 0.0 && wrong.windows(2).all(|pair| pair[0] >= pair[1]), "{wrong:?}");
+    assert_eq!(wrong[5], 0.0);
+    assert!(of.promises.iter().all(|(_, _, proved)| !proved), "a control");
+    let plots = small.plots(&of).unwrap();
+    let curve = &plots.iter().find(|file| file.name == "error-time.svg").unwrap().text;
+    assert!(curve.contains("exact:stages") && !curve.contains("exact:stages="), "one curve: {curve}");
+    let page = small.page(&of);
+    let table = &page[page.find("## Run time against error").unwrap()..];
+    assert!(names.iter().all(|name| table.contains(&format!("| {name} | "))), "{table}");
+    // Without times there is nothing to draw against.
+    of.measures.retain(|row| row.measure != "time");
+    assert!(!small.page(&of).contains("Run time against error"));
+    assert!(small.plots(&of).unwrap().is_empty());
 }
 
 #[test]

@@ -30,8 +30,16 @@ const SMALL: [(&str, &[&str]); 10] = [
         &["compare.csv", "compare.md", "error-time.svg"],
     ),
     (
-        "stress -b exact,naive -t orient2d -k noise,scale --scenes 1 --tuples 10 --out x",
-        &["stress.csv", "breaks.csv", "stress-laws.csv", "stress.md", "stress-noise.svg"],
+        "stress -b exact,naive -t orient2d -k noise,scale --scenes 1 --samples 1 --tuples 10 --out x",
+        &[
+            "stress.csv",
+            "breaks.csv",
+            "stress-laws.csv",
+            "stress.md",
+            "stress-noise.svg",
+            "stress-noise-time.svg",
+            "stress-scale-time.svg",
+        ],
     ),
     (
         "resolution --trials 2 --out x",

@@ -1,9 +1,11 @@
 //! Stress: backends break where it is known that they do, and what is proved does not.
 
+use predicament_corpus::{Level, Suite};
+use predicament_formats::{Cache, Manifest};
 use predicament_studies::laws::Format;
-use predicament_studies::stress::{BreakPoint, Knob, Stress, Stressed};
+use predicament_studies::stress::{BreakPoint, Stress, Stressed};
 use predicament_studies::{Quiet, Study};
-use predicament_tasks::Contestant;
+use predicament_tasks::{Contestant, Knob, Turns, built_in, vocabulary};
 
 use crate::backend;
 
@@ -16,6 +18,7 @@ fn study(tasks: &[&str], knobs: &[Knob]) -> Stress {
         samples: 0,
         tuples: 60,
         seed: 3,
+        suites: None,
         out: "nowhere".into(),
         format: Format::Csv,
     }
@@ -82,6 +85,124 @@ fn meshes_and_contacts_stay_what_they_are() {
     }
     let again = stressed(&study, &["sos:per-mesh"]);
     assert_eq!(study.rows(&found).unwrap(), study.rows(&again).unwrap());
-    let unknown = Stress { tasks: vec!["overlay2d".to_owned()], ..study }.survey(&[], &Quiet::new()).unwrap_err();
+    let unknown = Stress { tasks: vec!["orient4d".to_owned()], ..study }.survey(&[], &Quiet::new()).unwrap_err();
     assert!(unknown.to_string().contains("contacts3d"), "{unknown}");
+}
+
+#[test]
+fn a_knob_that_does_not_fit_a_task_is_listed_with_the_reason() {
+    let mut fits = 0;
+    for task in built_in() {
+        for knob in Knob::ALL {
+            let why = match task.turned_by(knob) {
+                Turns::Everywhere => {
+                    fits += 1;
+                    continue;
+                }
+                Turns::UpTo(last, why) => {
+                    assert!(
+                        knob.positions().iter().any(|at| at.abs() > last),
+                        "{}: {knob:?} is everywhere",
+                        task.name()
+                    );
+                    why
+                }
+                Turns::Nowhere(why) => why,
+            };
+            assert!(!why.contains("does not say"), "{}: {knob:?}", task.name());
+            let study = Stress { scenes: 1, ..study(&[task.name()], &[knob]) };
+            // No backend: what fits is known without an answer.
+            let found = stressed(&study, &[]);
+            let [row] = &found.limits[..] else { panic!("{:?}", found.limits) };
+            assert_eq!((&*row.task, &*row.knob, &*row.why), (task.name(), knob.name(), why));
+            assert!(study.page(&found).contains(&format!("| {} | {} | ", task.name(), knob.name())));
+        }
+    }
+    assert!(fits > 100, "{fits}");
+    let found = stressed(&Stress { tuples: 0, scenes: 1, ..study(&["cube-union"], &[Knob::Turn]) }, &["exact"]);
+    assert!(found.measures.is_empty());
+    assert!(table_row(&found, "cube-union").contains(" n/a |"));
+}
+
+/// The first row of a task in the page.
+fn table_row(of: &Stressed, task: &str) -> String {
+    let page = study(&[], &[]).page(of);
+    page.lines().find(|line| line.starts_with(&format!("| {task} |"))).unwrap().to_owned()
+}
+
+/// Scenes at the last position of a knob are scenes of their task: what is proved answers them as it promises.
+#[test]
+fn algorithms_hold_where_their_scenes_are_moved_as_far_as_they_can_be() {
+    for (task, knob) in [
+        ("interval", Knob::Translation),
+        ("triangulate", Knob::Precision),
+        ("slice", Knob::Pythagorean),
+        ("cube-union", Knob::Scale),
+        ("polygon-locate", Knob::Noise),
+        ("snap2d", Knob::Translation),
+        ("overlay2d", Knob::Turn),
+        ("mesh-locate", Knob::Turn),
+    ] {
+        let study = Stress { tuples: 0, scenes: 1, ..study(&[task], &[knob]) };
+        let found = stressed(&study, &["exact", "sos"]);
+        assert!(!found.measures.is_empty() && study.holds(&found), "{task}, {knob:?}: {:?}", found.breaks);
+    }
+}
+
+#[test]
+fn the_scenes_of_each_position_are_suites_that_are_read_back() {
+    let study = Stress {
+        tuples: 0,
+        scenes: 1,
+        suites: Some("suites".into()),
+        ..study(&["orient2d", "contacts2d", "polygon-locate"], &[Knob::Scale, Knob::Noise])
+    };
+    let found = stressed(&study, &["naive"]);
+    let suites = study.suites(&found).unwrap();
+    assert_eq!(suites.len(), Knob::Scale.positions().len() + Knob::Noise.positions().len());
+    let load = |name: &str| {
+        let file = suites.iter().find(|file| file.name.ends_with(&format!("suites/{name}"))).unwrap();
+        let suite = Suite::parse(vocabulary(), name, &file.text, None, &Manifest::default()).unwrap();
+        let cache = Cache::new("nowhere");
+        suite.scenes.iter().map(|scene| scene.load(Level::Quick, &cache).unwrap()).collect::<Vec<_>>()
+    };
+    let (rest, scaled) = (load("scale_0.toml"), load("scale_-50.toml"));
+    assert_eq!(rest.len(), 3);
+    let factor = 1.0 / f64::from(1 << 25) / f64::from(1 << 25);
+    for (one, other) in rest.iter().zip(&scaled) {
+        assert_eq!((&one.name, one.task, one.count()), (&other.name, other.task, other.count()));
+        let times: Vec<f64> = one.scene.coordinates().iter().map(|x| x * factor).collect();
+        assert_eq!(other.scene.coordinates(), times);
+        assert_ne!(one.id, other.id);
+        // Lengths of primitives are those of the points where they are.
+        let lengths = |loaded: &predicament_corpus::LoadedScene| loaded.scene.primitive_lengths();
+        assert_eq!(lengths(other), lengths(one).map(|lengths| lengths.map(|length| length * factor)));
+    }
+    // A break point can be kept: plain doubles are wrong there as they were.
+    let noisy = load("noise_-53.toml");
+    let turns = noisy.iter().find(|scene| scene.task == "orient2d").unwrap();
+    let kept = Stress { scenes: 1, ..study.clone() };
+    let wrong = |of: &Stressed| {
+        let is = |row: &&predicament_studies::compare::Measure| {
+            [&*row.task, &row.kind, &row.family, &row.measure] == ["orient2d", "noise", "-53", "sign_flip"]
+        };
+        of.measures.iter().find(is).map(|row| row.value * f64::from(u32::try_from(row.of).unwrap()) / 1e6).unwrap()
+    };
+    let task = built_in().into_iter().find(|task| task.name() == "orient2d").unwrap();
+    let quiet = Quiet::new();
+    let watch = predicament_studies::Host::watch(&quiet);
+    let case = task.case(turns, watch).unwrap();
+    let outcome =
+        predicament_tasks::run(case.as_ref(), backend("naive").as_ref(), predicament_tasks::Budget::QUICK, watch);
+    let flips = outcome.unwrap().counts.get(predicament_tasks::Class::SignFlip);
+    assert_eq!(f64::from(u32::try_from(flips).unwrap()), wrong(&stressed(&kept, &["naive"])).round());
+}
+
+#[test]
+fn times_are_measured_and_shown() {
+    let study = Stress { tuples: 0, scenes: 1, samples: 1, ..study(&["orient2d"], &[Knob::Size]) };
+    let found = stressed(&study, &["exact"]);
+    assert_eq!(found.measures.iter().filter(|row| row.measure == "time").count(), Knob::Size.positions().len());
+    assert!(study.page(&found).contains("## Time along the knobs"));
+    assert!(study.plots(&found).unwrap().iter().any(|file| file.name == "stress-size-time.svg"));
 }

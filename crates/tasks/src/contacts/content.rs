@@ -1,6 +1,7 @@
 //! `a` and `b`: two complexes in one scene, whose contacts are asked for.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use predicament_corpus::{
     Canon, Content, Context, Elsewhere, Level, Origin, Parts, PointSource, Source as SceneSource,
@@ -71,6 +72,12 @@ impl Content for Complexes {
             canon.vertices(complex.triangles().as_flattened());
             canon.vertices(complex.tetrahedra().as_flattened());
         }
+    }
+
+    /// The lengths of primitives are other ones.
+    fn moved(&self, scene: Scene) -> (Scene, Option<Arc<dyn Content>>) {
+        let (scene, complexes) = self.clone().in_scene(scene);
+        (scene, Some(Arc::new(complexes)))
     }
 }
 

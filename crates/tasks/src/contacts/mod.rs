@@ -34,7 +34,8 @@ pub use judge::Truth;
 pub use section::ContactRow;
 
 use crate::{
-    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
+    Task, Turns, Watch, digest,
 };
 use pairs::{Pair, closure};
 
@@ -116,6 +117,34 @@ impl Task for Contacts {
     type Content = Complexes;
     type Truth = Truth;
     type Answer = Registered;
+
+    // Coordinates are singles, so that single precision can take them.
+    fn compared(&self) -> &'static [Compared] {
+        match self.dimension {
+            Dimension::Two => {
+                const {
+                    &[
+                        Compared::general("polygons-uniform", 120).with("bits = 24"),
+                        Compared::near("polygons-near", 120),
+                        Compared::degenerate("polygons-degen", 120),
+                    ]
+                }
+            }
+            Dimension::Three => {
+                const {
+                    &[
+                        Compared::general("surfaces-uniform", 160).with("bits = 24"),
+                        Compared::near("surfaces-shifted", 160).with("shift = 1.0"),
+                        Compared::degenerate("surfaces-degen", 160),
+                    ]
+                }
+            }
+        }
+    }
+
+    fn turns(&self, _: Knob) -> Turns {
+        Turns::Everywhere
+    }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]

@@ -21,8 +21,8 @@ pub use content::Segments;
 
 use crate::segment_source::named;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
-    output,
+    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
+    Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find a missing crossing which only the perturbation makes.
@@ -83,6 +83,20 @@ impl Task for Crossings {
     type Content = Segments;
     type Truth = Vec<Along>;
     type Answer = Crossed;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("segments-uniform", 60),
+                Compared::near("segments-near", 30),
+                Compared::degenerate("segments-lattice", 30),
+            ]
+        }
+    }
+
+    fn turns(&self, _: Knob) -> Turns {
+        Turns::Everywhere
+    }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d]

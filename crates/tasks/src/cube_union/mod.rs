@@ -24,7 +24,8 @@ pub use judge::Truth;
 pub use section::MassRow;
 
 use crate::{
-    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
+    Task, Turns, Watch, digest,
 };
 
 /// The checks that have to find a cube missing at the border of a cell.
@@ -96,6 +97,20 @@ impl Task for CubeUnion {
     type Content = Cubes;
     type Truth = Truth;
     type Answer = Union;
+
+    fn compared(&self) -> &'static [Compared] {
+        const { &[Compared::general("cubes-uniform", 30), Compared::degenerate("cubes-degen", 30)] }
+    }
+
+    fn turns(&self, knob: Knob) -> Turns {
+        match knob {
+            Knob::Size => Turns::Everywhere,
+            Knob::Scale => Turns::UpTo(250, "volumes are no doubles"),
+            Knob::Translation => Turns::UpTo(16, "corners are rounded, and cubes are no longer of one size"),
+            Knob::Noise | Knob::Aspect | Knob::Precision => Turns::Nowhere("cubes have to stay cubes of one size"),
+            Knob::Pythagorean | Knob::Turn => Turns::Nowhere("the faces of cubes are across the axes"),
+        }
+    }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare]

@@ -23,8 +23,8 @@ pub use content::Sites;
 pub use judge::Truth;
 
 use crate::{
-    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
-    output,
+    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
+    Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find triangles that stay though a vertex is in their circle.
@@ -99,6 +99,20 @@ impl Task for Delaunay2d {
     type Content = Sites;
     type Truth = Truth;
     type Answer = Triangles;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("delaunay-uniform", 60),
+                Compared::near("delaunay-near-ring", 60),
+                Compared::degenerate("delaunay-grid", 64),
+            ]
+        }
+    }
+
+    fn turns(&self, _: Knob) -> Turns {
+        Turns::Everywhere
+    }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Incircle]

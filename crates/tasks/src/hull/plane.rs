@@ -13,8 +13,8 @@ use super::cloud::{self, Cloud, Method};
 use super::judge::{Found, Truth, judge};
 use super::{generate, template};
 use crate::{
-    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
-    output,
+    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
+    Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find a vertex in the middle of an edge.
@@ -79,6 +79,20 @@ impl Task for Hull2d {
     type Content = Cloud<PlaneMethod>;
     type Truth = Truth;
     type Answer = Polygon;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("hull-square", 60),
+                Compared::near("hull-sliver", 60),
+                Compared::degenerate("hull-grid", 64),
+            ]
+        }
+    }
+
+    fn turns(&self, _: Knob) -> Turns {
+        Turns::Everywhere
+    }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d]

@@ -13,8 +13,8 @@ use super::cloud::{self, Cloud, Method};
 use super::judge::{Found, Truth, judge};
 use super::{generate, template};
 use crate::{
-    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
-    output,
+    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
+    Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find faces in one plane.
@@ -83,6 +83,20 @@ impl Task for Hull3d {
     type Content = Cloud<SpaceMethod>;
     type Truth = Truth;
     type Answer = Surface;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("hull-ball", 60),
+                Compared::near("hull-slab", 60),
+                Compared::degenerate("hull-lattice", 64),
+            ]
+        }
+    }
+
+    fn turns(&self, _: Knob) -> Turns {
+        Turns::Everywhere
+    }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]

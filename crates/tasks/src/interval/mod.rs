@@ -19,7 +19,8 @@ use rayon::prelude::*;
 pub use content::Cells;
 
 use crate::{
-    Answer, Asked, Case, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+    Answer, Asked, Case, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop, Task,
+    Turns, Watch, digest,
 };
 
 /// Probes between two looks at the watch.
@@ -92,6 +93,21 @@ impl Task for Interval {
     type Content = Cells;
     type Truth = Vec<Found>;
     type Answer = CellsFound;
+
+    fn compared(&self) -> &'static [Compared] {
+        const { &[Compared::general("cells-uniform", 60), Compared::degenerate("cells-degen", 60)] }
+    }
+
+    fn turns(&self, knob: Knob) -> Turns {
+        match knob {
+            Knob::Scale | Knob::Aspect | Knob::Size => Turns::Everywhere,
+            Knob::Translation => Turns::UpTo(32, "ends of cells are rounded to one place"),
+            Knob::Precision => Turns::UpTo(29, "ends of cells are rounded to one place"),
+            Knob::Noise | Knob::Pythagorean | Knob::Turn => {
+                Turns::Nowhere("the ends of cells have to stay in their order along the axis")
+            }
+        }
+    }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare]

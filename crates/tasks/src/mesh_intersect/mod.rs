@@ -42,8 +42,8 @@ pub use surface::flaw_of;
 
 use crate::output::Placed;
 use crate::{
-    Answer, Asked, Case, Contestant, Explanation, Halt, How, Outcome, Phase, Planted, Purpose, Refusal, Stop, Task,
-    Watch, digest, output,
+    Answer, Asked, Case, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Planted, Purpose, Refusal,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -168,6 +168,24 @@ impl Task for MeshIntersect {
     type Content = TwoMeshes;
     type Truth = ();
     type Answer = Overlaid;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("intersect-spheres", 40).with("placed = \"apart\""),
+                Compared::near("intersect-spheres", 24).with("placed = \"ulp\""),
+                Compared::degenerate("intersect-cubes", 24).with("placed = \"step\""),
+            ]
+        }
+    }
+
+    fn turns(&self, knob: Knob) -> Turns {
+        match knob {
+            Knob::Translation => Turns::UpTo(32, "meshes that are rounded cross themselves"),
+            Knob::Precision => Turns::Nowhere("meshes that are rounded cross themselves"),
+            _ => Turns::Everywhere,
+        }
+    }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]

@@ -75,6 +75,12 @@ impl Content for ProbedMesh {
             canon.count(probe.vertex.index());
         }
     }
+
+    /// The index is another one.
+    fn moved(&self, scene: Scene) -> (Scene, Option<Arc<dyn Content>>) {
+        let (mesh, tetrahedra, probes) = (self.mesh.clone(), self.tetrahedra.clone(), self.probes.clone());
+        (scene, Some(Arc::new(ProbedMesh { mesh, tetrahedra, probes, file: None, index: OnceLock::new() })))
+    }
 }
 
 /// A point to locate.

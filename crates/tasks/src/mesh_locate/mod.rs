@@ -33,8 +33,8 @@ pub use judge::Truth;
 pub use section::MeshLocateRow;
 
 use crate::{
-    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Phase, Planted, Purpose, Stop,
-    Task, Watch, digest,
+    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Planted,
+    Purpose, Stop, Task, Turns, Watch, digest,
 };
 
 /// The checks that have to find a triangle missing in the grid.
@@ -119,6 +119,23 @@ impl Task for MeshLocate {
     type Content = ProbedMesh;
     type Truth = Truth;
     type Answer = Located;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("locate-torus", 48).with("random = 60\nquick_stride = 0"),
+                Compared::degenerate("locate-tetrahedra", 48).with("random = 0\nquick_stride = 3"),
+            ]
+        }
+    }
+
+    fn turns(&self, knob: Knob) -> Turns {
+        match knob {
+            Knob::Translation => Turns::UpTo(32, "a mesh that is rounded crosses itself"),
+            Knob::Precision => Turns::UpTo(29, "a mesh that is rounded crosses itself"),
+            Knob::Noise | Knob::Scale | Knob::Aspect | Knob::Size | Knob::Pythagorean | Knob::Turn => Turns::Everywhere,
+        }
+    }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]

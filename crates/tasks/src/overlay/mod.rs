@@ -22,8 +22,8 @@ use predicament_predicates::{PredicateKind, Predicates, Query, Refused, Scene, V
 pub use content::{Layered, Layers};
 
 use crate::{
-    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
-    output,
+    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
+    Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find segments that are not compared.
@@ -157,6 +157,20 @@ impl Task for Overlay2d {
     type Content = Layered;
     type Truth = ();
     type Answer = Overlaid;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("overlay-stars", 24),
+                Compared::near("overlay-shifted", 24),
+                Compared::degenerate("overlay-squares", 16),
+            ]
+        }
+    }
+
+    fn turns(&self, _: Knob) -> Turns {
+        Turns::Everywhere
+    }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d]

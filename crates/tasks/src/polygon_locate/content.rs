@@ -1,6 +1,6 @@
 //! `map`: a map and how to probe it.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use predicament_algorithms::polygon_locate::LocateIndex;
 use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts};
@@ -64,6 +64,11 @@ impl Content for MapWithProbes {
             canon.text(probe.kind.name());
             canon.count(probe.vertex.index());
         }
+    }
+
+    /// The index is another one.
+    fn moved(&self, scene: Scene) -> (Scene, Option<Arc<dyn Content>>) {
+        (scene, Some(Arc::new(MapWithProbes::new(self.map.clone(), self.probes.clone()))))
     }
 }
 

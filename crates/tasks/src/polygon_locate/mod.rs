@@ -25,8 +25,8 @@ pub use judge::Truth;
 pub use section::LocateRow;
 
 use crate::{
-    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Purpose, Stop, Task,
-    Watch, digest,
+    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Purpose,
+    Stop, Task, Turns, Watch, digest,
 };
 
 /// The checks that have to find an edge missing in the grid.
@@ -96,6 +96,19 @@ impl Task for PolygonLocate {
     type Content = MapWithProbes;
     type Truth = Truth;
     type Answer = Located;
+
+    fn compared(&self) -> &'static [Compared] {
+        const { &[Compared::general("tiling", 6), Compared::degenerate("bricks", 6)] }
+    }
+
+    fn turns(&self, knob: Knob) -> Turns {
+        match knob {
+            Knob::Translation => Turns::UpTo(44, "vertices are rounded to one place"),
+            Knob::Precision => Turns::UpTo(45, "vertices are rounded to one place"),
+            Knob::Size => Turns::UpTo(4, "a map of n courses has n² regions"),
+            Knob::Noise | Knob::Scale | Knob::Aspect | Knob::Pythagorean | Knob::Turn => Turns::Everywhere,
+        }
+    }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d]

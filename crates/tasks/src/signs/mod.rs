@@ -35,7 +35,8 @@ pub use degeneracy::{Histogram, degeneracy};
 pub use truth::truth;
 
 use crate::{
-    Answer, Asked, Case, Contestant, Dispute, Explanation, Halt, How, Outcome, Purpose, Stop, Task, Watch, digest,
+    Answer, Asked, Case, Compared, Contestant, Dispute, Explanation, Halt, How, Knob, Outcome, Purpose, Stop, Task,
+    Turns, Watch, digest,
 };
 
 /// Queries to a chunk: small enough to stop soon, large enough to cost nothing.
@@ -135,6 +136,33 @@ impl Task for Signs {
     type Content = SignQueries;
     type Truth = Vec<Sign>;
     type Answer = Answers;
+
+    fn compared(&self) -> &'static [Compared] {
+        match self.kind {
+            PredicateKind::Insphere => {
+                const {
+                    &[
+                        Compared::general("uniform", 500),
+                        Compared::near("near", 500),
+                        Compared::degenerate("degen", 500),
+                    ]
+                }
+            }
+            _ => {
+                const {
+                    &[
+                        Compared::general("uniform", 1000),
+                        Compared::near("near", 1000),
+                        Compared::degenerate("degen", 1000),
+                    ]
+                }
+            }
+        }
+    }
+
+    fn turns(&self, _: Knob) -> Turns {
+        Turns::Everywhere
+    }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![self.kind]

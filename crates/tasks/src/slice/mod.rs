@@ -24,8 +24,8 @@ pub use content::Solid;
 use crate::output::Placed;
 
 use crate::{
-    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
-    output,
+    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
+    Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find split points that faces do not share.
@@ -122,6 +122,25 @@ impl Task for Slice {
     type Content = Solid;
     type Truth = ();
     type Answer = Cut;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("slice-torus", 48).with("cut = \"random\""),
+                Compared::degenerate("slice-lattice", 24).with("cut = \"vertices\""),
+            ]
+        }
+    }
+
+    fn turns(&self, knob: Knob) -> Turns {
+        match knob {
+            Knob::Scale | Knob::Aspect | Knob::Size => Turns::Everywhere,
+            Knob::Translation => Turns::UpTo(32, "a mesh that is rounded crosses itself"),
+            Knob::Precision => Turns::UpTo(29, "a mesh that is rounded crosses itself"),
+            Knob::Pythagorean => Turns::UpTo(8, "coordinates have more than 53 bits, and faces do not stay flat"),
+            Knob::Noise | Knob::Turn => Turns::Nowhere("faces of four corners do not stay flat"),
+        }
+    }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]

@@ -22,7 +22,8 @@ pub use section::SnapRow;
 
 use crate::segment_source::named;
 use crate::{
-    Answer, Asked, Case, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest, output,
+    Answer, Asked, Case, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop, Task,
+    Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -158,6 +159,24 @@ impl Task for Snap2d {
     type Content = Drawn;
     type Truth = judge::Truth;
     type Answer = Chains;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("snap-uniform", 30).with("pixel = 8"),
+                Compared::near("snap-near", 30).with("pixel = 8"),
+                Compared::degenerate("snap-lattice", 30).with("pixel = 4"),
+            ]
+        }
+    }
+
+    fn turns(&self, knob: Knob) -> Turns {
+        match knob {
+            Knob::Scale => Turns::Nowhere("pixels keep their size"),
+            Knob::Translation => Turns::UpTo(40, "middles of pixels are no doubles"),
+            _ => Turns::Everywhere,
+        }
+    }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d]

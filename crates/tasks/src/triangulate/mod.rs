@@ -23,8 +23,8 @@ pub use content::Polygons;
 pub use judge::Truth;
 
 use crate::{
-    Answer, Asked, Case, Catch, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
-    output,
+    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
+    Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find flat corners cut off.
@@ -105,6 +105,24 @@ impl Task for Triangulate {
     type Content = Polygons;
     type Truth = Truth;
     type Answer = Triangulated;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("polygon-star", 60),
+                Compared::near("polygon-sliver", 60),
+                Compared::degenerate("polygon-comb", 60),
+            ]
+        }
+    }
+
+    fn turns(&self, knob: Knob) -> Turns {
+        match knob {
+            Knob::Translation => Turns::UpTo(32, "a polygon that is rounded crosses itself"),
+            Knob::Precision => Turns::UpTo(37, "a polygon that is rounded crosses itself"),
+            Knob::Noise | Knob::Scale | Knob::Aspect | Knob::Size | Knob::Pythagorean | Knob::Turn => Turns::Everywhere,
+        }
+    }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d]

@@ -1,0 +1,125 @@
+//! Ways to make scenes harder, and how far scenes of a task can be moved so.
+
+/// One way to make scenes harder.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Knob {
+    /// Degenerate scenes, each coordinate moved at random by up to so much of the scene's extent.
+    Noise,
+    /// General scenes, moved away from the origin by 2^k of their extent.
+    Translation,
+    /// General scenes, times 2^k.
+    Scale,
+    /// General scenes, the last coordinate times 2^-k.
+    Aspect,
+    /// General scenes of k times as many primitives.
+    Size,
+    /// General scenes, coordinates rounded to k bits of their extent.
+    Precision,
+    /// Degenerate scenes of integers, turned k times by the angle of a Pythagorean triangle, and five times as large (in space 25 times): exactly,
+    /// as long as coordinates have no more than 53 bits.
+    Pythagorean,
+    /// Degenerate scenes, turned by k sixteenths of a right angle.
+    Turn,
+}
+
+impl Knob {
+    /// All of them.
+    pub const ALL: [Knob; 8] = [
+        Knob::Noise,
+        Knob::Translation,
+        Knob::Scale,
+        Knob::Aspect,
+        Knob::Size,
+        Knob::Precision,
+        Knob::Pythagorean,
+        Knob::Turn,
+    ];
+
+    /// The name in tables.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Knob::Noise => "noise",
+            Knob::Translation => "translation",
+            Knob::Scale => "scale",
+            Knob::Aspect => "aspect",
+            Knob::Size => "size",
+            Knob::Precision => "precision",
+            Knob::Pythagorean => "pythagorean",
+            Knob::Turn => "turn",
+        }
+    }
+
+    /// What it does to which scenes, in a sentence.
+    #[must_use]
+    pub const fn about(self) -> &'static str {
+        match self {
+            Knob::Noise => "Degenerate scenes, each coordinate moved at random by up to so much of the extent.",
+            Knob::Translation => "General scenes, moved away from the origin.",
+            Knob::Scale => "General scenes, times a power of two.",
+            Knob::Aspect => "General scenes, the last coordinate times 2^-k.",
+            Knob::Size => "General scenes of more primitives.",
+            Knob::Precision => "General scenes, coordinates rounded.",
+            Knob::Pythagorean => "Degenerate scenes of integers, turned by the angle of a Pythagorean triangle.",
+            Knob::Turn => "Degenerate scenes, turned by sixteenths of a right angle.",
+        }
+    }
+
+    /// What its numbers are.
+    #[must_use]
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Knob::Noise => "log2 of the noise over the extent (none: -1075)",
+            Knob::Translation => "log2 of the way over the extent",
+            Knob::Scale | Knob::Aspect => "log2 of the factor",
+            Knob::Size => "times as many",
+            Knob::Precision => "bits lost of 53",
+            Knob::Pythagorean => "times",
+            Knob::Turn => "sixteenths of a right angle",
+        }
+    }
+
+    /// Where it can be, from easy to hard as far as that is known.
+    #[must_use]
+    pub const fn positions(self) -> &'static [i32] {
+        match self {
+            Knob::Noise => &[-1075, -53, -50, -46, -40, -34, -27, -20, -10],
+            Knob::Translation => &[0, 8, 16, 24, 32, 40, 44, 48, 52],
+            Knob::Scale => &[0, -50, -100, -150, -250, -350, -500, 50, 100, 150, 250, 350, 500],
+            Knob::Aspect => &[0, 5, 10, 15, 20, 25, 30, 40, 50],
+            Knob::Size => &[1, 2, 4, 8],
+            Knob::Precision => &[0, 13, 23, 29, 37, 41, 45, 47],
+            Knob::Pythagorean => &[0, 1, 2, 4, 8, 12],
+            Knob::Turn => &[0, 1, 2, 3, 5, 8, 11, 16],
+        }
+    }
+
+    /// Whether it begins with degenerate scenes.
+    #[must_use]
+    pub const fn is_of_degenerate(self) -> bool {
+        matches!(self, Knob::Noise | Knob::Pythagorean | Knob::Turn)
+    }
+}
+
+/// How far a knob can be turned until the scenes of a task are no scenes of it any more.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Turns {
+    /// To each of its positions.
+    Everywhere,
+    /// To positions of at most this magnitude, and what is wrong beyond them.
+    UpTo(i32, &'static str),
+    /// Nowhere, and why.
+    Nowhere(&'static str),
+}
+
+impl Turns {
+    /// Whether a scene at this position is one of the task.
+    #[must_use]
+    pub fn reaches(self, position: i32) -> bool {
+        match self {
+            Turns::Everywhere => true,
+            Turns::UpTo(last, _) => position.abs() <= last,
+            Turns::Nowhere(_) => false,
+        }
+    }
+}
