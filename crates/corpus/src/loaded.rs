@@ -46,7 +46,7 @@ impl LoadedScene {
     /// The same scene with its points elsewhere, and the content id of that.
     ///
     /// # Errors
-    /// Those of [`moved`].
+    /// One line, where the coordinates make no scene, are not as many as the scene has, or the scene has constructed vertices.
     pub fn moved(self, coordinates: Vec<f64>) -> Result<LoadedScene, String> {
         let (scene, content) = moved(&self.scene, &self.content, coordinates)?;
         Ok(LoadedScene { id: content_id(&scene, content.as_ref()), scene, content, ..self })
@@ -63,7 +63,7 @@ impl LoadedScene {
 ///
 /// # Errors
 /// One line, where the coordinates make no scene, are not as many as the scene has, or the scene has constructed vertices.
-pub fn moved(
+pub(crate) fn moved(
     scene: &Scene,
     content: &Arc<dyn Content>,
     coordinates: Vec<f64>,
