@@ -13,7 +13,7 @@ pub struct Common {
     #[arg(long, value_name = "N")]
     pub threads: Option<usize>,
 
-    /// The folder to write; made if missing. Without it nothing is written
+    /// The folder to write; made if missing
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }

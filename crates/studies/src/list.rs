@@ -66,7 +66,8 @@ impl Entry {
 
 fn command<S: Study>() -> Command {
     // Arguments come with the first line of their type's documentation, which is for readers of the code.
-    S::augment_args(Command::new(S::NAME)).about(S::ASKS).long_about(None).after_help(S::HELP)
+    let command = S::augment_args(Command::new(S::NAME)).about(S::ASKS).long_about(None).after_help(S::HELP);
+    if S::NEEDS_FOLDER { command.mut_arg("out", |out| out.required(true)) } else { command }
 }
 
 fn parse<S: Study + 'static>(matches: &ArgMatches) -> Result<Box<dyn Ready>, clap::Error> {

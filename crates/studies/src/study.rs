@@ -21,6 +21,9 @@ pub trait Study: clap::Args {
     /// What it does, what it writes, its exit codes and examples: the end of the help.
     const HELP: &'static str;
 
+    /// Whether it is refused without a folder: what it finds is in its files.
+    const NEEDS_FOLDER: bool = false;
+
     /// What was measured.
     type Measured;
 

@@ -98,9 +98,11 @@ fn an_audit_passes_though_what_is_printed_does_not() {
 fn every_planted_tolerance_and_driver_is_found() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "out");
-    expect(0, &["audit", "--planted", "--decisions", "6000", "--out", &out]);
+    expect(0, &["audit", "--planted", "--decisions", "3000", "--out", &out]);
     let found = column(&read(&out, "reads.csv"), "misread");
-    assert!(found.len() == 8 && found.iter().all(|n| n != "0"), "{found:?}");
+    assert!(found.len() == 2 * (17 + 9) && found.iter().all(|n| n != "0"), "{found:?}");
+    let numbers = column(&read(&out, "constants.csv"), "is_published");
+    assert!(numbers.len() == 64 && numbers.iter().all(|said| said == "false"), "{numbers:?}");
     // too few pairs to find anything: then it has to fail
     expect(100, &["audit", "--planted", "--decisions", "1"]);
 }

@@ -84,6 +84,7 @@ Examples:
   predicament parity --dimension 3 --pairs 2000 --out target/parity-space
   predicament run target/parity/smallest.toml -b exact,sos,tolerance,tolerance:f32";
 
+    const NEEDS_FOLDER: bool = true;
     type Measured = Measured;
 
     /// Exact, perturbed, and the tolerances of each precision; in space also perturbed mesh by mesh.

@@ -54,6 +54,7 @@ Examples:
   predicament resolution --out target/resolution
   predicament resolution -b tolerance,exact --trials 1000 --out target/resolution";
 
+    const NEEDS_FOLDER: bool = true;
     type Measured = Resolved;
 
     fn backends(&self) -> Vec<String> {
