@@ -88,8 +88,8 @@ fn what_touches_is_named() {
         let Became::Contact(simplices) = by_contacts(&cube, &other) else { panic!("they touch") };
         assert_eq!(rank(&simplices), ranks, "{simplices:?}");
     }
-    // Apart by far more than the tolerance.
-    let apart = by_contacts(&cube, &cube.clone().moved([2.0 + 1e-3, 0.5, 0.25]));
+    // Apart by more than σ, which is 0.0032 here; a thousandth is not.
+    let apart = by_contacts(&cube, &cube.clone().moved([2.0625, 0.5, 0.25]));
     assert_eq!(apart, Became::Same { constructed: 0 });
 }
 
