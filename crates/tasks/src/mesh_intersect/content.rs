@@ -38,6 +38,12 @@ impl Content for TwoMeshes {
             }
         }
     }
+
+    /// The lengths of primitives are other ones.
+    fn moved(&self, scene: Scene) -> (Scene, Option<Arc<dyn Content>>) {
+        let [first, second] = &self.meshes;
+        (for_both(scene, [first, second]), None)
+    }
 }
 
 /// A scene of two meshes, each over points of its own.
@@ -50,12 +56,35 @@ pub(super) fn parts([first, second]: [Surface; 2]) -> Parts {
 
 /// A scene with these meshes over its points.
 pub(super) fn with_meshes(scene: Scene, meshes: [MaterialMesh; 2]) -> Parts {
-    Parts::new(for_both(scene, &meshes), TwoMeshes { meshes: meshes.map(Arc::new) })
+    let [first, second] = &meshes;
+    Parts::new(for_both(scene, [first, second]), TwoMeshes { meshes: meshes.map(Arc::new) })
 }
 
 /// A scene that says which vertices are the second mesh's, for perturbations that move it, and how long primitives are, for tolerances.
-pub(super) fn for_both(scene: Scene, meshes: &[MaterialMesh; 2]) -> Scene {
-    let lengths = meshes.each_ref().map(|mesh| mesh.primitive_length(&scene));
+pub(super) fn for_both(scene: Scene, meshes: [&MaterialMesh; 2]) -> Scene {
+    let lengths = meshes.map(|mesh| mesh.primitive_length(&scene));
     let second: Vec<_> = meshes[1].triangles().as_flattened().to_vec();
     scene.with_primitive_lengths(lengths).with_second_mesh(second)
+}
+
+#[cfg(test)]
+mod tests {
+    use predicament_predicates::Vertex;
+
+    use super::*;
+
+    #[test]
+    fn lengths_follow_the_points() {
+        let faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]].map(|face| face.map(Vertex::input));
+        let mesh = MaterialMesh::of_closed(4, faces.to_vec()).unwrap();
+        let corners = [[0., 0., 0.], [4., 0., 0.], [0., 2., 0.], [0., 0., 1.]];
+        let both: Vec<[f64; 3]> = corners.into_iter().chain(corners.map(|point| point.map(|x| x / 4.0))).collect();
+        let Parts { scene, content, .. } =
+            with_meshes(Scene::from_points3(&both).unwrap(), [mesh.clone(), mesh.shifted(4)]);
+        assert_eq!(scene.primitive_lengths(), Some([4.0, 1.0]));
+        let twice: Vec<[f64; 3]> = both.iter().map(|point| point.map(|x| 2.0 * x)).collect();
+        let (moved, same) = content.moved(Scene::from_points3(&twice).unwrap());
+        assert_eq!((moved.primitive_lengths(), same.is_none()), (Some([8.0, 2.0]), true));
+        assert_eq!(moved.second_mesh(), scene.second_mesh());
+    }
 }

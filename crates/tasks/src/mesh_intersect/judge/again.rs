@@ -46,7 +46,8 @@ struct Other {
 
 impl Other {
     fn new(points: &[[f64; 3]], meshes: [MaterialMesh; 2]) -> Option<Other> {
-        let scene = for_both(Scene::from_points3(points).ok()?, &meshes);
+        let [first, second] = &meshes;
+        let scene = for_both(Scene::from_points3(points).ok()?, [first, second]);
         Some(Other { scene, content: TwoMeshes { meshes: meshes.map(Arc::new) } })
     }
 }
