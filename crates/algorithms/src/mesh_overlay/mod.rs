@@ -66,7 +66,7 @@ use predicament_grid::Bounds;
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Construction, Predicates, Refused, Vertex};
 
-pub use registered::{Registered, mesh_overlay_registered};
+pub use registered::{Registered, mesh_overlay_registered, mesh_overlay_registered_planted};
 pub use result::{Regions, Solid, Source};
 
 use self::cut::Cutting;

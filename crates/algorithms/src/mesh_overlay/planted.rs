@@ -19,6 +19,8 @@ pub enum Wrong {
     ForgetsToTurn,
     /// What is in front of a piece is said to be behind it.
     SwapsSides,
+    /// A registered contact is lost.
+    LosesAContact,
 }
 
 /// A fault of an overlay.
@@ -72,4 +74,11 @@ fault!(
     "mesh-overlay-sides",
     "what is in front of a piece is said to be behind it",
     WRONG: Wrong = Wrong::SwapsSides
+);
+fault!(
+    LosesAContact,
+    "A contact that is lost.",
+    "mesh-overlay-loses-a-contact",
+    "of the registered contacts of edges of the first mesh the last one is lost",
+    WRONG: Wrong = Wrong::LosesAContact
 );

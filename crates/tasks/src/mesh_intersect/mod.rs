@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 use predicament_algorithms::mesh_limit::planted::Planted as WrongLimit;
 use predicament_algorithms::mesh_overlay::planted::Planted as Wrong;
 use predicament_algorithms::mesh_overlay::{
-    Regions, Source as OfMesh, Undone, mesh_overlay_planted, mesh_overlay_registered,
+    Regions, Source as OfMesh, Undone, mesh_overlay_planted, mesh_overlay_registered_planted,
 };
 use predicament_algorithms::overlay::Operation;
 use predicament_algorithms::planted::Honest;
@@ -89,7 +89,7 @@ impl Overlaid {
             Manner::Signs(zeros) => {
                 mesh_overlay_planted::<F>(session, content.meshes.clone(), zeros).map(|overlay| (overlay, None))
             }
-            Manner::Contacts => mesh_overlay_registered(session, content.meshes.clone(), &mut |_| {})
+            Manner::Contacts => mesh_overlay_registered_planted::<F>(session, content.meshes.clone())
                 .map(|(overlay, registered)| (overlay, Some(registered))),
         };
         let (overlay, registered) = match overlaid {

@@ -5,7 +5,7 @@
 use predicament_algorithms::mesh_limit::planted::Planted as WrongLimit;
 use predicament_algorithms::mesh_limit::planted::{KeepsJoints, KeepsSheets, KeepsVertices};
 use predicament_algorithms::mesh_overlay::planted::{
-    DropsAPiece, ForgetsToTurn, LooksAtTwoSides, Planted as Wrong, SortsPointsBackwards, SwapsSides,
+    DropsAPiece, ForgetsToTurn, LooksAtTwoSides, LosesAContact, Planted as Wrong, SortsPointsBackwards, SwapsSides,
     TakesComponentsForOutside,
 };
 use predicament_algorithms::overlay::Operation;
@@ -20,7 +20,7 @@ use crate::{Catch, Class, Planted};
 
 /// The checks that have to find an edge that is taken to pass through a triangle beside it, or not.
 const SIDES_CHECKS: &[Catch] = &[(Class::Topology, "two triangles meet in one segment")];
-/// The checks that have to find points out of order.
+/// The checks that have to find points out of order, or too few of them.
 const BACKWARDS_CHECKS: &[Catch] = &[(Class::Topology, "vertices that no triangle parts are in one region")];
 /// The checks that have to find a missing piece.
 const DROPPED_CHECKS: &[Catch] = &[(Class::Topology, "region not closed"), (Class::Topology, "face area")];
@@ -84,8 +84,8 @@ const NOWHERE_CHECKS: &[Catch] = &[(Class::Topology, "vertex of a limit")];
 
 /// The algorithm and its results with all faults.
 pub(super) fn all() -> Vec<Planted<MeshIntersect>> {
-    fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<MeshIntersect> {
-        Planted::new::<F>("sos", caught_by, |session, content: &TwoMeshes| {
+    fn fault<F: Wrong>(backend: &'static str, caught_by: &'static [Catch]) -> Planted<MeshIntersect> {
+        Planted::new::<F>(backend, caught_by, |session, content: &TwoMeshes| {
             Overlaid::of::<F, Honest>(session, content, true)
         })
     }
@@ -102,12 +102,13 @@ pub(super) fn all() -> Vec<Planted<MeshIntersect>> {
         })
     }
     vec![
-        fault::<LooksAtTwoSides>(SIDES_CHECKS),
-        fault::<SortsPointsBackwards>(BACKWARDS_CHECKS),
-        fault::<DropsAPiece>(DROPPED_CHECKS),
-        fault::<TakesComponentsForOutside>(COMPONENT_CHECKS),
-        fault::<SwapsSides>(SWAPPED_CHECKS),
-        fault::<ForgetsToTurn>(TURNED_CHECKS),
+        fault::<LooksAtTwoSides>("sos", SIDES_CHECKS),
+        fault::<SortsPointsBackwards>("sos", BACKWARDS_CHECKS),
+        fault::<DropsAPiece>("sos", DROPPED_CHECKS),
+        fault::<TakesComponentsForOutside>("sos", COMPONENT_CHECKS),
+        fault::<SwapsSides>("sos", SWAPPED_CHECKS),
+        fault::<ForgetsToTurn>("sos", TURNED_CHECKS),
+        fault::<LosesAContact>("tolerance", BACKWARDS_CHECKS),
         spoiled::<LosesATriangle>("sos", HOLE_CHECKS),
         spoiled::<JoinsPoints>("exact", JOINED_CHECKS),
         spoiled::<AddsAFlap>("exact", FLAP_CHECKS),
