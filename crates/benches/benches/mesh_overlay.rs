@@ -331,8 +331,10 @@ fn main() {
         pair("spheres", [sphere, moved], &["exact", "sos", "sos:per-mesh"]);
     }
     if wants("same") {
-        let sphere = Closed::sphere(6);
-        pair("a sphere with itself", [sphere.clone(), sphere], &["sos:per-mesh"]);
+        for level in [6, 8] {
+            let sphere = Closed::sphere(level);
+            pair("a sphere with itself", [sphere.clone(), sphere], &["sos:per-mesh"]);
+        }
     }
     if wants("cubes") {
         let cubes = Closed::stacks(9);

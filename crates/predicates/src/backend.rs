@@ -145,6 +145,12 @@ pub trait Predicates: Send + Sync {
         None
     }
 
+    /// Whether the session answers as if all vertices of the scene's [second mesh](Scene::with_second_mesh) had moved by (ε, ε², ε³), and
+    /// no others: then nothing changes within a mesh.
+    fn moves_second_mesh(&self) -> bool {
+        false
+    }
+
     /// The tolerance band of this question, for sessions whose zero is a band.
     /// (In space each projection of `orient2d` can have its own.)
     fn band(&self, question: Question) -> Option<Band> {

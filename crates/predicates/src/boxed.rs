@@ -57,6 +57,10 @@ impl<P: Predicates + ?Sized> Predicates for Box<P> {
         (**self).unperturbed()
     }
 
+    fn moves_second_mesh(&self) -> bool {
+        (**self).moves_second_mesh()
+    }
+
     fn band(&self, question: Question) -> Option<Band> {
         (**self).band(question)
     }

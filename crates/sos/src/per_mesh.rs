@@ -188,6 +188,10 @@ impl<T: Tally> Predicates for Session<'_, T> {
         Some(&Exact)
     }
 
+    fn moves_second_mesh(&self) -> bool {
+        true
+    }
+
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
         if a.is_constructed() || b.is_constructed() {
             return self.compare_constructed(axis, [a, b]);

@@ -212,7 +212,7 @@ impl Asked {
 
 /// Whether two closed boxes have a point in common.
 #[inline(always)]
-fn do_meet(a: &Bounds<3>, b: &Bounds<3>) -> bool {
+pub(super) fn do_meet(a: &Bounds<3>, b: &Bounds<3>) -> bool {
     let along = |axis: usize| (a.low[axis] <= b.high[axis]) & (b.low[axis] <= a.high[axis]);
     along(0) & along(1) & along(2)
 }

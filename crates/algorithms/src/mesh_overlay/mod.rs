@@ -2,7 +2,8 @@
 //! intersection of 3D triangular meshes*, 2017).
 //!
 //! # Steps
-//! 1. Triangles that may meet the other mesh are found by a bit for each cell of a fine grid (`near.rs`, [`predicament_grid::shared`]).
+//! 1. Triangles that may meet the other mesh are found by a bit for each cell of a fine grid (`near.rs`, [`predicament_grid::shared`]);
+//!    of a large part that both meshes have, most are set aside where one of them moves as a whole (`same.rs`).
 //! 2. Edges of either mesh that pass through triangles of the other are found by `orient3d` of input vertices (`meet.rs`).
 //! 3. Their points are constructed in one call, in the order of the triangles, and sorted along their edges by `compare` (`points.rs`).
 //! 4. The region of the other mesh that each vertex is in follows from these, along edges that pass through nothing; what
@@ -58,6 +59,7 @@ mod radial;
 mod regions;
 mod registered;
 mod result;
+mod same;
 
 use std::num::NonZero;
 use std::sync::Arc;
@@ -276,7 +278,8 @@ fn run(
 ) -> Result<MeshOverlay, Undone> {
     let before = session.scene().constructions().len();
     let both = [&*meshes[0], &*meshes[1]];
-    let (near, bounds) = Near::of(session.scene(), both);
+    let asked = if extent == Extent::Whole { same::asked_about(session, both, wrong) } else { None };
+    let (near, bounds) = Near::of(session.scene(), both, asked);
     done(Step::Near);
     let near = [&near[0], &near[1]];
     let hits = |mesh: u8| {

@@ -3,6 +3,10 @@
 use predicament_grid::{Bounds, shared};
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Scene, Vertex};
+use rayon::prelude::*;
+
+/// Triangles that one thread takes at a time.
+const PART: usize = 16384;
 
 /// The triangles of a mesh that may meet the other one.
 pub(super) struct Near {
@@ -19,14 +23,32 @@ pub(super) struct Near {
 }
 
 impl Near {
-    /// What is near in both meshes, and their boxes. All that meets is in it.
-    pub fn of(scene: &Scene, meshes: [&MaterialMesh; 2]) -> ([Near; 2], [Bounds<3>; 2]) {
+    /// What is near in both meshes, and their boxes. All that meets is in it, but for two triangles neither of which is `asked` about.
+    pub fn of(scene: &Scene, meshes: [&MaterialMesh; 2], asked: Option<[Vec<u32>; 2]>) -> ([Near; 2], [Bounds<3>; 2]) {
         let box_of = meshes.map(|mesh| {
             let triangles = mesh.triangles();
             move |place: usize| Bounds::of(triangles[place].map(|v| scene.point3(v)))
         });
         let counts = meshes.map(|mesh| mesh.triangles().len());
-        let ([first, second], bounds) = shared(counts, [&box_of[0], &box_of[1]]);
+        let ([first, second], bounds) = match asked {
+            None => shared(counts, [&box_of[0], &box_of[1]]),
+            Some(asked) => {
+                let [few, others] = [0, 1].map(|mesh: usize| {
+                    let (asked, box_of) = (&asked[mesh], &box_of[mesh]);
+                    move |at: usize| box_of(asked[at] as usize)
+                });
+                let ([first, seconds], [bounds, _]) = shared([counts[0], asked[1].len()], [&box_of[0], &others]);
+                let ([firsts, second], [_, other_bounds]) = shared([asked[0].len(), counts[1]], [&few, &box_of[1]]);
+                let joined = |all: Vec<u32>, places: Vec<u32>, asked: &[u32]| {
+                    let mut all: Vec<u32> =
+                        all.into_iter().chain(places.into_iter().map(|at| asked[at as usize])).collect();
+                    all.sort_unstable();
+                    all.dedup();
+                    all
+                };
+                ([joined(first, firsts, &asked[0]), joined(second, seconds, &asked[1])], [bounds, other_bounds])
+            }
+        };
         let (first, second) = rayon::join(|| Near::new(meshes[0], first), || Near::new(meshes[1], second));
         ([first, second], bounds)
     }
@@ -78,6 +100,16 @@ impl Near {
     pub fn edge(&self, a: Vertex, b: Vertex) -> Option<u32> {
         self.edges.binary_search(&[a.min(b), a.max(b)]).ok().map(number)
     }
+}
+
+/// The first and the last vertex that a mesh has.
+pub(super) fn span(mesh: &MaterialMesh) -> [usize; 2] {
+    let indices = |triangles: &[[Vertex; 3]]| {
+        let all = || triangles.as_flattened().iter().map(|v| v.index());
+        [all().min().unwrap_or(0), all().max().unwrap_or(0)]
+    };
+    let wider = |a: [usize; 2], b: [usize; 2]| [a[0].min(b[0]), a[1].max(b[1])];
+    mesh.triangles().par_chunks(PART).map(indices).reduce_with(wider).expect("a mesh has triangles")
 }
 
 /// A place in a list as it is stored.

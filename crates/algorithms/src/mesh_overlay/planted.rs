@@ -21,6 +21,10 @@ pub enum Wrong {
     SwapsSides,
     /// A registered contact is lost.
     LosesAContact,
+    /// Of what both meshes have, no vertex is asked whether it is clear.
+    TakesVerticesForClear,
+    /// Of what both meshes have, no triangles are looked at whether they are apart.
+    TakesTrianglesForApart,
 }
 
 /// A fault of an overlay.
@@ -81,4 +85,18 @@ fault!(
     "mesh-overlay-loses-a-contact",
     "of the registered contacts of edges of the first mesh the last one is lost",
     WRONG: Wrong = Wrong::LosesAContact
+);
+fault!(
+    TakesVerticesForClear,
+    "Edges and triangles around a vertex that pass through each other, set aside.",
+    "mesh-overlay-clear",
+    "what both meshes have is set aside wherever it is",
+    WRONG: Wrong = Wrong::TakesVerticesForClear
+);
+fault!(
+    TakesTrianglesForApart,
+    "Edges and triangles that touch in a mesh, set aside.",
+    "mesh-overlay-apart",
+    "what both meshes have is set aside although it touches itself",
+    WRONG: Wrong = Wrong::TakesTrianglesForApart
 );

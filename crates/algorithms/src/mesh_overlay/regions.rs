@@ -12,7 +12,7 @@ use predicament_mesh::{MaterialMesh, OUTSIDE};
 use predicament_predicates::{Predicates, Vertex};
 use rayon::prelude::*;
 
-use super::near::{Near, number};
+use super::near::{Near, number, span};
 use super::planted::Wrong;
 use super::points::Points;
 use super::{Extent, Undone};
@@ -93,12 +93,7 @@ pub(super) fn regions(known: &Known<'_>) -> Result<[VertexRegions; 2], Undone> {
 impl Known<'_> {
     fn of_mesh(&self, side: usize) -> Result<VertexRegions, Undone> {
         let triangles = self.meshes[side].triangles();
-        let indices = |triangles: &[[Vertex; 3]]| {
-            let all = || triangles.as_flattened().iter().map(|v| v.index());
-            [all().min().unwrap_or(0), all().max().unwrap_or(0)]
-        };
-        let wider = |a: [usize; 2], b: [usize; 2]| [a[0].min(b[0]), a[1].max(b[1])];
-        let [first, last] = triangles.par_chunks(PART).map(indices).reduce_with(wider).expect("a mesh has triangles");
+        let [first, last] = span(&self.meshes[side]);
         // Vertices by their numbers from the first one on, then what is outside.
         let (scene, count) = (self.session.scene(), last + 1 - first);
         let at = |v: Vertex| number(v.index() - first);

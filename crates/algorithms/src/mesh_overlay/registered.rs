@@ -69,7 +69,7 @@ fn run(
     session.supports_contacts().map_err(declined)?;
     let scene = session.scene();
     let both = [&*meshes[0], &*meshes[1]];
-    let (near, bounds) = Near::of(scene, both);
+    let (near, bounds) = Near::of(scene, both, None);
     done(Step::Near);
     let near = [&near[0], &near[1]];
     let complexes = both.map(|mesh| {

@@ -14,6 +14,7 @@ mod mesh_locate;
 mod mesh_locate_scale;
 mod mesh_overlay;
 mod mesh_overlay_registered;
+mod mesh_overlay_same;
 mod mesh_overlay_signs;
 mod mesh_resolve;
 mod mesh_rounding;

@@ -189,7 +189,17 @@ impl TwoLevel {
     #[inline]
     #[must_use]
     pub fn entries(&self, slot: Slot) -> &[u32] {
-        &self.entries[self.starts[slot.index()] as usize..self.starts[slot.index() + 1] as usize]
+        self.list(slot.index())
+    }
+
+    /// The boxes that a cell lists, by the number of the cell, ascending. Two boxes that meet are listed together somewhere.
+    ///
+    /// # Panics
+    /// If there are no more than so many [slots](TwoLevel::slots).
+    #[inline]
+    #[must_use]
+    pub fn list(&self, slot: usize) -> &[u32] {
+        &self.entries[self.starts[slot] as usize..self.starts[slot + 1] as usize]
     }
 
     /// The number of cells without finer ones.
