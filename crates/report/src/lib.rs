@@ -27,6 +27,7 @@ mod rungs;
 mod sections;
 mod table;
 pub mod text;
+mod web;
 
 pub use page::{html, markdown, write_pages};
 pub use pixel_map::{PixelMap, PixelMapError, data_uri, side_by_side};

@@ -7,14 +7,15 @@ use std::path::Path;
 use minijinja::syntax::SyntaxConfig;
 use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value, context};
 
-use crate::sections::{headlines, sections};
+use crate::sections::{FIRST, UNFOLDED, headlines, sections};
 use crate::table::{Block, Headline, Section};
-use crate::{Error, RunDir, figures};
+use crate::{Error, RunDir, figures, web};
 
 const HTML: &str = "page.html";
 const MARKDOWN: &str = "page.md";
 
-/// One HTML page that needs nothing else: style and pictures are inside, and there are no scripts.
+/// One HTML page that needs nothing else: style, pictures, scripts and the rows of its tables are inside. Without scripts it shows
+/// the same but for the search in the findings.
 /// `of_tasks` are the sections of single tasks.
 ///
 /// # Errors
@@ -75,7 +76,13 @@ fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Error> {
 fn render(template: &str, runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> {
     let sections: Vec<Value> = sections(runs, of_tasks)?.iter().map(Section::value).collect();
     let headlines: Vec<Value> = headlines(runs).iter().map(Headline::value).collect();
-    let page = context! { headlines => headlines, sections => sections };
+    let mut page = context! { headlines => headlines, sections => sections, first => FIRST, unfolded => UNFOLDED };
+    if template == HTML {
+        let rows = Value::from_safe_string(web::rows(runs)?);
+        let [style, scripts] =
+            [web::STYLE, &web::SCRIPTS.concat()].map(|text| Value::from_safe_string(text.to_owned()));
+        page = context! { rows => rows, style => style, scripts => scripts, ..page };
+    }
     let filled = environment().and_then(|env| env.get_template(template)?.render(page));
     filled.map_err(|error| Error::new(template.as_ref(), error.to_string()))
 }

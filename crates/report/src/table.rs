@@ -21,6 +21,14 @@ pub enum Tone {
     Notable,
     /// Wrong.
     Bad,
+    /// What a backend promises and may: a tie broken, a value within a tolerance.
+    Legal,
+    /// Little is wrong.
+    Heat1,
+    /// More is wrong.
+    Heat2,
+    /// Much is wrong.
+    Heat3,
 }
 
 impl Tone {
@@ -31,6 +39,10 @@ impl Tone {
             Tone::Good => "good",
             Tone::Notable => "notable",
             Tone::Bad => "bad",
+            Tone::Legal => "legal",
+            Tone::Heat1 => "heat1",
+            Tone::Heat2 => "heat2",
+            Tone::Heat3 => "heat3",
         }
     }
 }
@@ -43,6 +55,11 @@ pub struct Cell {
     detail: String,
     tone: Tone,
     code: bool,
+    /// What a browser says about it when asked.
+    title: String,
+    /// The anchor that it leads to in a browser; empty for none.
+    link: String,
+    framed: bool,
 }
 
 impl Cell {
@@ -68,8 +85,34 @@ impl Cell {
         Cell { detail: detail.into(), ..self }
     }
 
+    /// The cell with an explanation, which a browser shows when asked.
+    #[must_use]
+    pub fn title(self, title: impl Into<String>) -> Cell {
+        Cell { title: title.into(), ..self }
+    }
+
+    /// The cell as a link to an anchor of the page, such as `#findings`; in a browser only.
+    #[must_use]
+    pub fn link(self, anchor: impl Into<String>) -> Cell {
+        Cell { link: anchor.into(), ..self }
+    }
+
+    /// The cell in a frame; in a browser only.
+    #[must_use]
+    pub fn framed(self) -> Cell {
+        Cell { framed: true, ..self }
+    }
+
     fn value(&self) -> Value {
-        context! { text => &self.text, detail => &self.detail, tone => self.tone.class(), code => self.code }
+        context! {
+            text => &self.text,
+            detail => &self.detail,
+            tone => self.tone.class(),
+            code => self.code,
+            title => &self.title,
+            link => &self.link,
+            framed => self.framed,
+        }
     }
 }
 
@@ -92,12 +135,20 @@ pub struct Table {
     columns: Vec<String>,
     numeric: Vec<bool>,
     rows: Vec<Vec<Cell>>,
+    /// Whether cells are small and coloured, and heads stand upright.
+    heat: bool,
 }
 
 impl Table {
     /// A table with this caption, which may be empty.
     pub fn new(caption: impl Into<String>) -> Table {
         Table { caption: caption.into(), ..Table::default() }
+    }
+
+    /// The table as small coloured cells; in a browser only.
+    #[must_use]
+    pub fn heat(self) -> Table {
+        Table { heat: true, ..self }
     }
 
     /// Adds columns of words, to be aligned on the left.
@@ -134,7 +185,7 @@ impl Table {
             let cells = row.iter().zip(&self.numeric);
             cells.map(|(cell, &numeric)| context! { numeric => numeric, ..cell.value() }).collect::<Vec<Value>>()
         });
-        context! { kind => "table", caption => &self.caption, columns => columns, rows => rows.collect::<Vec<_>>() }
+        context! { kind => "table", heat => self.heat, caption => &self.caption, columns => columns, rows => rows.collect::<Vec<_>>() }
     }
 }
 

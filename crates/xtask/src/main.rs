@@ -6,6 +6,7 @@
 //! look after one thing that cargo can't: `rug` builds GMP, and GMP's
 //! configure needs `m4`.
 
+mod browser;
 mod cpu;
 #[cfg(test)]
 mod house;
@@ -25,10 +26,13 @@ Commands:
   demo   build the tool, run the embedded corpora, leave a report to open
   test   format, clippy, tests, doc tests, docs, the embedded corpora through the gate, the example crate
   nightly
-         heavy tests whole, the peers, the benches, cargo package, the oldest compiler, a minute of each fuzz target
+         heavy tests whole, the peers, the benches, cargo package, the report in a browser, the oldest compiler, a minute of each fuzz target
   engines [NAME...]
          install and build engines of other languages (CGAL, GEOS, libigl, ...) for `run -b engine:NAME`: by apt,
          pip and npm, into their folders where the client can
+  browser
+         the report in Chromium: opened, searched, sorted, printed, in light and dark, at three widths, with 100,000
+         findings too; screenshots in target/browser. Says what is missing where there is no Chromium, Node.js or npm
   setup  only make sure that what the build needs is there (m4, a C compiler, make)
   help   this text
 
@@ -50,6 +54,7 @@ fn main() -> ExitCode {
         "demo" => m4::ensure().and_then(|()| steps::demo()),
         "test" => m4::ensure().and_then(|()| steps::test()),
         "nightly" => m4::ensure().and_then(|()| steps::nightly()),
+        "browser" => m4::ensure().and_then(|()| browser::check(false)),
         "engines" => m4::ensure().and_then(|()| steps::engines(&rest)),
         "setup" => m4::ensure(),
         "help" | "-h" | "--help" => {

@@ -222,6 +222,7 @@ pub fn nightly() -> Result<(), String> {
         ),
         // Into a folder of its own: packages are compiled as somebody else's.
         cargo("packages", &["package", "--workspace", "--allow-dirty", "--target-dir", "target/package-check"]),
+        crate::browser::check(true),
         minimum_version(),
         fuzz(),
     ];
@@ -267,12 +268,14 @@ fn fuzz() -> Result<(), String> {
     if failed.is_empty() { Ok(()) } else { Err(failed.join("; ")) }
 }
 
-fn root() -> PathBuf {
+/// The folder of the workspace.
+pub fn root() -> PathBuf {
     // xtask lives in crates/xtask of the workspace that it serves.
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-fn fresh(dir: &str) -> Result<PathBuf, String> {
+/// A folder under that of the workspace, made anew; returned as it was named.
+pub fn fresh(dir: &str) -> Result<PathBuf, String> {
     let full = root().join(dir);
     if full.exists() {
         std::fs::remove_dir_all(&full).map_err(|error| format!("{}: {error}", full.display()))?;
@@ -282,7 +285,7 @@ fn fresh(dir: &str) -> Result<PathBuf, String> {
 }
 
 /// Where cargo builds: wherever the environment or a configuration file says.
-fn target_directory() -> Result<PathBuf, String> {
+pub fn target_directory() -> Result<PathBuf, String> {
     let output = Command::new(cargo_path())
         .args(["metadata", "--format-version", "1", "--no-deps"])
         .current_dir(root())
@@ -304,7 +307,7 @@ fn cargo_path() -> String {
 }
 
 /// True if this can be run, and ends well.
-fn answers(program: &str, args: &[&str]) -> bool {
+pub fn answers(program: &str, args: &[&str]) -> bool {
     let program = if program == "cargo" { cargo_path() } else { program.to_owned() };
     let ran =
         Command::new(program).args(args).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status();
@@ -323,7 +326,11 @@ fn cargo(what: &str, args: &[&str]) -> Result<(), String> {
     step(what, &cargo_command(args), &[])
 }
 
-fn step(what: &str, words: &[String], env: &[(&str, &str)]) -> Result<(), String> {
+/// Runs a command, says what it is for and how long it took.
+///
+/// # Errors
+/// If it does not start, or fails.
+pub fn step(what: &str, words: &[String], env: &[(&str, &str)]) -> Result<(), String> {
     let name = Path::new(&words[0]).file_stem().unwrap_or_default().to_string_lossy().into_owned();
     println!("\n== {what}: {name} {}", words[1..].join(" "));
     let (start, cpu) = (Instant::now(), cpu::of_children());

@@ -347,27 +347,3 @@ fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Option<bool> {
     let (determinant, sum) = (left - right, left.abs() + right.abs());
     (sum > LEAST && determinant.abs() > ERROR * sum && sum < f64::INFINITY).then_some(determinant > 0.0)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn turns_are_told_where_rounding_could_not_decide() {
-        assert_eq!(turn([0.0, 0.0], [1.0, 0.0], [0.0, 1.0]), Some(true));
-        assert_eq!(turn([0.0, 0.0], [0.0, 1.0], [1.0, 0.0]), Some(false));
-        assert_eq!(turn([0.1, 0.1], [0.2, 0.2], [0.3, 0.3]), None);
-        assert_eq!(turn([0.0, 0.0], [1e-140, 0.0], [0.0, 1e-140]), None);
-        assert_eq!(turn([0.0, 0.0], [1e200, 0.0], [0.0, 1e200]), None);
-    }
-
-    #[test]
-    fn triangles_that_touch_are_not_separated() {
-        let t = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-        let moved = |by: f64| t.map(|[x, y, z]| [x + by, y, z]);
-        assert!(are_separated([0, 1], t, moved(2.0)));
-        assert!(!are_separated([0, 1], t, moved(1.0)), "a corner on a corner");
-        assert!(!are_separated([0, 1], t, moved(0.5)));
-        assert!(!are_separated([2, 0], t, moved(2.0)), "seen as a line");
-    }
-}

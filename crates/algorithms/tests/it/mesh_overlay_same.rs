@@ -130,6 +130,15 @@ fn a_mesh_that_touches_itself() {
     assert!(check(&shape, &shape) > 4, "most of it is set aside");
 }
 
+/// Where products of coordinates underflow or overflow, lines separate nothing; boxes and diagonals still do.
+#[test]
+fn a_mesh_at_any_scale() {
+    for exponent in [-1000, -540, -300, 300, 600, 1000] {
+        let shape = sphere().mapped(|p| p.map(|x| x * 2_f64.powi(exponent)));
+        assert!(check(&shape, &shape) > 2, "2^{exponent}");
+    }
+}
+
 /// All vertices on spikes: next to nothing is a graph over the yz plane.
 #[test]
 fn a_mesh_of_folds() {

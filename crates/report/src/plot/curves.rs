@@ -48,7 +48,7 @@ pub fn curves(curves: &Curves) -> Result<Option<String>, Error> {
     let (x, y) = (span(&mut points().map(|p| p.0)), span(&mut points().map(|p| p.1)));
     let mut svg = String::new();
     let corner = free_corner(curves, [&x, &y]);
-    draw(&mut svg, curves, (Decades(x), Decades(y)), corner).map_err(failed)?;
+    draw(&mut svg, curves, (Decades::from(x), Decades::from(y)), corner).map_err(failed)?;
     Ok(Some(page(&svg)))
 }
 

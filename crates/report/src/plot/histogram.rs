@@ -48,7 +48,7 @@ fn draw(svg: &mut String, bars: &Bars, top: f64) -> Drawn {
         .margin(14)
         .x_label_area_size(40)
         .y_label_area_size(60)
-        .build_cartesian_2d(0.0..number(bars.places.len()), Decades(ground..top))?;
+        .build_cartesian_2d(0.0..number(bars.places.len()), Decades::from(ground..top))?;
     let mut mesh = chart.configure_mesh();
     quiet(&mut mesh, FONT);
     mesh.disable_x_mesh()

@@ -7,6 +7,8 @@
 
 mod curves;
 mod histogram;
+mod labels;
+mod overall;
 mod ranges;
 mod scatter;
 
@@ -20,6 +22,7 @@ use plotters::prelude::*;
 use crate::Error;
 pub use curves::{Curve, Curves, curves};
 pub use histogram::{Bars, histogram};
+pub(crate) use overall::overall;
 pub use ranges::{Bar, ranges};
 pub use scatter::scatter;
 
@@ -73,16 +76,27 @@ fn page(svg: &str) -> String {
                  .scatter text{font-variant-numeric:tabular-nums}</style>";
     let open = svg.find('>').map_or(0, |end| end + 1);
     let (head, body) = svg.split_at(open);
-    let head = head.replacen("<svg", "<svg class=\"scatter\" role=\"img\"", 1);
+    let head = head.replacen("<svg", "<svg class=\"scatter\"", 1);
     format!("{head}{style}{body}")
 }
 
 /// An axis of common logarithms, with a tick at each power of ten.
-struct Decades(Range<f64>);
+struct Decades {
+    range: Range<f64>,
+    /// Whether there are ticks at 2 and 5 times each power of ten, too.
+    is_fine: bool,
+}
+
+impl Decades {
+    /// With more ticks where there are no two decades.
+    fn finely(range: Range<f64>) -> Decades {
+        Decades { is_fine: range.end - range.start < 2.0, range }
+    }
+}
 
 impl From<Range<f64>> for Decades {
     fn from(range: Range<f64>) -> Decades {
-        Decades(range)
+        Decades { range, is_fine: false }
     }
 }
 
@@ -91,7 +105,7 @@ impl Ranged for Decades {
     type ValueType = f64;
 
     fn map(&self, value: &f64, (from, to): (i32, i32)) -> i32 {
-        let share = (value - self.0.start) / (self.0.end - self.0.start);
+        let share = (value - self.range.start) / (self.range.end - self.range.start);
         // A pixel near those that are given.
         #[allow(clippy::cast_possible_truncation)]
         let offset = (share * f64::from(to - from)).round() as i32;
@@ -103,11 +117,15 @@ impl Ranged for Decades {
             return Vec::new();
         }
         let next = |tick: &f64| Some(tick + 1.0);
-        std::iter::successors(Some(self.0.start.ceil()), next).take_while(|&tick| tick <= self.0.end).collect()
+        let powers =
+            std::iter::successors(Some(self.range.start.floor()), next).take_while(|&tick| tick <= self.range.end);
+        let factors: &[f64] = if self.is_fine { &[1.0, 2.0, 5.0] } else { &[1.0] };
+        let ticks = powers.flat_map(|power| factors.iter().map(move |factor| power + factor.log10()));
+        ticks.filter(|tick| self.range.contains(tick) || *tick == self.range.end).collect()
     }
 
     fn range(&self) -> Range<f64> {
-        self.0.clone()
+        self.range.clone()
     }
 }
 

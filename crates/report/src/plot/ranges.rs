@@ -56,7 +56,7 @@ fn draw(svg: &mut String, bars: &[Bar], x: &str, [low, high]: [f64; 2]) -> Drawn
         .margin_top(30)
         .x_label_area_size(40)
         .y_label_area_size(NAMES)
-        .build_cartesian_2d(Decades(low..high), f64::from(rows)..0.0)?;
+        .build_cartesian_2d(Decades::from(low..high), f64::from(rows)..0.0)?;
     let mut mesh = chart.configure_mesh();
     quiet(&mut mesh, FONT);
     mesh.disable_y_mesh().disable_y_axis().x_label_formatter(&|x| power_of_ten(*x)).x_desc(x).draw()?;

@@ -13,16 +13,11 @@ use crate::groups::backends;
 use crate::{Error, RunDir};
 use predicament_records::format::per_million;
 
+use super::labels::{LINE, Label, spread, width};
 use super::{Area, COLOURS, Chart, Decades, Drawn, INK, failed, page, power_of_ten, quiet};
 
 const PANEL: (u32, u32) = (380, 320);
 const PANELS_IN_A_ROW: usize = 3;
-/// The height of a label, and so the least distance between two.
-const LINE: i32 = 14;
-/// About the width of a letter in a label.
-const LETTER: i32 = 7;
-/// Marks nearer than this in x can have labels that touch.
-const LABEL_WIDTH: i32 = 100;
 
 /// Nanoseconds per query against wrong answers per million, as an SVG
 /// picture; none where no backend was both checked and timed on any family.
@@ -106,7 +101,7 @@ fn draw_panel(area: &Area, marks: &[Mark], title: &str, scale: Scale, order: &[&
         .margin(10)
         .x_label_area_size(40)
         .y_label_area_size(52)
-        .build_cartesian_2d(Decades(left..right), Decades(bottom..top))?;
+        .build_cartesian_2d(Decades::from(left..right), Decades::from(bottom..top))?;
     let mut mesh = chart.configure_mesh();
     quiet(&mut mesh, 11);
     mesh.x_label_formatter(&|x| if *x <= f64::from(scale.zero) { "0".to_owned() } else { power_of_ten(*x) })
@@ -150,13 +145,12 @@ fn draw_marks(area: &Area, chart: &mut Chart, marks: &[Mark], scale: Scale, orde
             families if mark.is_partial => format!("{} ({families})", mark.backend),
             _ => mark.backend.to_owned(),
         };
-        labels.push(Label { text, at: (at.0 - dx, at.1 - dy), y: at.1 - dy, colour });
+        labels.push(Label::new(text, (at.0 - dx, at.1 - dy), colour));
     }
     spread(&mut labels, (y_range.start - dy + LINE / 2, y_range.end - dy - LINE / 2));
     let edge = x_range.end - dx;
     for label in &labels {
-        let width = i32::try_from(label.text.chars().count()).unwrap_or(i32::MAX).saturating_mul(LETTER);
-        let on_the_left = width > edge - label.at.0;
+        let on_the_left = width(&label.text) > edge - label.at.0;
         let (offset, side) = if on_the_left { (-9, HPos::Right) } else { (9, HPos::Left) };
         let x = label.at.0 + offset;
         if (label.y - label.at.1).abs() > LINE / 2 {
@@ -166,51 +160,4 @@ fn draw_marks(area: &Area, chart: &mut Chart, marks: &[Mark], scale: Scale, orde
         area.draw(&Text::new(label.text.clone(), (x, label.y), style))?;
     }
     Ok(())
-}
-
-/// The name beside a mark.
-struct Label {
-    text: String,
-    at: (i32, i32),
-    y: i32,
-    colour: RGBColor,
-}
-
-/// Moves labels up and down until none covers another: from the top each is
-/// pushed below those that it would touch, then what stuck out at the bottom
-/// is pushed back up.
-fn spread(labels: &mut [Label], (top, bottom): (i32, i32)) {
-    labels.sort_by_key(|label| (label.at.1, label.at.0));
-    for i in 0..labels.len() {
-        let others = labels[..i].iter().filter(|other| touch(other, &labels[i]));
-        labels[i].y = others.fold(labels[i].y.max(top), |y, other| y.max(other.y + LINE));
-    }
-    for i in (0..labels.len()).rev() {
-        let others = labels[i + 1..].iter().filter(|other| touch(other, &labels[i]));
-        labels[i].y = others.fold(labels[i].y.min(bottom), |y, other| y.min(other.y - LINE));
-    }
-}
-
-fn touch(a: &Label, b: &Label) -> bool {
-    (a.at.0 - b.at.0).abs() < LABEL_WIDTH
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn labels_don_t_cover_each_other() {
-        let label = |x, y| Label { text: String::new(), at: (x, y), y, colour: INK };
-        let mut labels =
-            [label(10, 100), label(12, 101), label(300, 101), label(11, 99), label(10, 196), label(9, 197)];
-        spread(&mut labels, (0, 200));
-        for (i, a) in labels.iter().enumerate() {
-            assert!((0..=200).contains(&a.y), "label {i} is at {}", a.y);
-            for b in &labels[..i] {
-                assert!(!touch(a, b) || (a.y - b.y).abs() >= LINE, "{} and {}", a.y, b.y);
-            }
-        }
-        assert_eq!(labels.iter().find(|label| label.at.0 == 300).unwrap().y, 101);
-    }
 }

@@ -5,11 +5,12 @@ use std::collections::BTreeMap;
 use super::rank;
 use crate::figures::{Price, Prices, all_prices};
 use crate::groups::{REFERENCE, backends};
+use crate::plot::overall;
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Class, RunDir};
+use crate::{Class, Error, RunDir};
 use predicament_records::format::{counted, factor, length, thousands};
 
-pub fn section(runs: &[RunDir]) -> Section {
+pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
     let rows = || runs.iter().flat_map(|run| &run.summary);
     let occurred: Vec<Class> = Class::ALL.into_iter().filter(|&class| rows().any(|row| row.count(class) > 0)).collect();
     let order = backends(runs);
@@ -36,12 +37,13 @@ pub fn section(runs: &[RunDir]) -> Section {
         let time = prices.iter().map(|prices| time(prices, backend));
         table.push([Cell::code(backend)].into_iter().chain(classes).chain(time).collect());
     }
-    Section {
-        id: "glance",
-        title: "Backends at a glance",
-        lead: lead(prices.as_ref()),
-        blocks: vec![Block::table_or(table, "No scene was checked.")],
+    let mut blocks = Vec::new();
+    if let Some(svg) = overall(runs)? {
+        let alt = "Times over the reference's against wrong answers per million, over all tasks";
+        blocks.push(Block::Plot { svg, file: "overall.svg", alt });
     }
+    blocks.push(Block::table_or(table, "No scene was checked."));
+    Ok(Section { id: "glance", title: "Backends at a glance", lead: lead(prices.as_ref()), blocks })
 }
 
 fn time(prices: &Prices, backend: &str) -> Cell {
@@ -68,6 +70,10 @@ fn lead(prices: Option<&Prices>) -> String {
             counted(length(compared), "compared backend"),
             thousands(length(*of)),
         );
+        if compared > 1 {
+            lead += " The plot has the compared backends, with Wilson's interval at 95 % of what is wrong; those that were never wrong are at \
+                     the bottom, up to what may be. What is above and to the right of the dashed line is beaten.";
+        }
         if compared < prices.len() {
             lead += " A backend that did too few of them is partial: its mean is over its own pairs, and not to be compared \
                      with the others.";

@@ -1,14 +1,41 @@
-//! The two numbers on top of a report: unexpected findings, and the cost of exact answers.
+//! The numbers on top of a report: unexpected findings, what was not run, and the cost of exact answers.
+
+use std::collections::BTreeSet;
 
 use super::some_of;
-use crate::RunDir;
 use crate::figures::{Price, Prices, all_prices};
 use crate::groups::REFERENCE;
 use crate::table::{Headline, Tone};
+use crate::{Class, Outcome, RunDir};
 use predicament_records::format::{counted, factor, length, thousands};
 
-pub fn headlines(runs: &[RunDir]) -> [Headline; 2] {
-    [unexpected(runs), price(runs)]
+pub fn headlines(runs: &[RunDir]) -> [Headline; 3] {
+    [unexpected(runs), not_run(runs), price(runs)]
+}
+
+/// What is missing, so that it is not taken for a success.
+fn not_run(runs: &[RunDir]) -> Headline {
+    let missing: usize = runs.iter().map(|run| run.not_run().len()).sum();
+    let broken_off = runs.iter().filter(|run| run.outcome != Outcome::Complete).count();
+    let of = |class: Class| runs.iter().flat_map(|run| &run.summary).filter(|row| row.count(class) > 0).count();
+    let suites: BTreeSet<&str> =
+        runs.iter().flat_map(|run| &run.plan.not_selected).map(|skipped| &*skipped.suite).collect();
+    let backends: BTreeSet<&str> = runs.iter().flat_map(|run| &run.plan.left_out).map(String::as_str).collect();
+    let mut parts = vec![
+        format!("{} declined", thousands(length(of(Class::Declined)))),
+        format!("{} out of time", thousands(length(of(Class::Timeout)))),
+        format!("{} of the tool not selected", counted(length(suites.len()), "suite")),
+        format!("{} not named", counted(length(backends.len()), "backend")),
+    ];
+    if broken_off > 0 {
+        parts.insert(0, format!("{} broken off", counted(length(broken_off), "run")));
+    }
+    Headline {
+        number: thousands(length(missing)),
+        label: "pairs of scene and backend planned and not run",
+        detail: parts.join("; "),
+        tone: if missing + broken_off > 0 { Tone::Bad } else { Tone::Good },
+    }
 }
 
 fn unexpected(runs: &[RunDir]) -> Headline {
@@ -18,15 +45,12 @@ fn unexpected(runs: &[RunDir]) -> Headline {
     let queries: u64 = answered.map(|row| row.queries).sum();
     let wrong: u64 = runs.iter().flat_map(|run| &run.summary).map(crate::SummaryRow::wrong).sum();
     let missing: usize = runs.iter().map(|run| run.not_run().len()).sum();
-    let mut detail = format!(
+    let detail = format!(
         "of {} of scene and backend; {} of {} answers are wrong, expected ones included",
         counted(length(pairs), "pair"),
         thousands(wrong),
         thousands(queries)
     );
-    if missing > 0 {
-        detail += &format!("; {} planned and not run", thousands(length(missing)));
-    }
     Headline {
         number: thousands(length(failed)),
         label: "unexpected results",

@@ -4,6 +4,7 @@ mod counts;
 mod findings;
 mod glance;
 mod headlines;
+mod heat;
 mod invariants;
 mod maps;
 mod not_run;
@@ -21,14 +22,22 @@ use crate::layout::{rank, run_head, run_label, some_of};
 use crate::table::Section;
 use crate::{Error, RunDir};
 
-/// All sections, in reading order; `of_tasks` are those of single tasks.
+/// The sections of the first screen, which are never folded.
+pub const FIRST: [&str; 3] = ["heat", "glance", "compare"];
+/// The other sections that are open at first.
+pub const UNFOLDED: [&str; 2] = ["findings", "speed"];
+
+/// All sections, in reading order; `of_tasks` are those of single tasks, and of the comparison of backends, which comes with the first.
 pub fn sections(runs: &[RunDir], of_tasks: &[Section]) -> Result<Vec<Section>, Error> {
-    let mut sections = vec![glance::section(runs), run::section(runs), counts::section(runs), findings::section(runs)];
+    let (first, of_tasks): (Vec<_>, Vec<_>) = of_tasks.iter().cloned().partition(|section| FIRST.contains(&section.id));
+    let mut sections = vec![heat::section(runs), glance::section(runs)?];
+    sections.extend(first);
+    sections.extend([findings::section(runs), run::section(runs), counts::section(runs)]);
     sections.extend(invariants::section(runs));
     sections.extend([speed::section(runs)?, throughput::section(runs)]);
     sections.extend(phases::section(runs)?);
     sections.extend([precision::section(runs), stages::section(runs), ties::section(runs)?]);
-    sections.extend_from_slice(of_tasks);
+    sections.extend(of_tasks);
     sections.push(not_run::section(runs)?);
     sections.extend(maps::section(runs));
     Ok(sections)

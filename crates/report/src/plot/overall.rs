@@ -1,0 +1,126 @@
+//! The plot of the first screen: what backends cost beside a reference against what they get wrong, over all tasks together.
+//!
+//! Only backends that did the same are in it, so that it compares like with like. Zero has no logarithm: what is never wrong stands on a
+//! shelf at the bottom, with the interval of its rate above it.
+
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use predicament_records::format::significant;
+use predicament_records::wilson;
+
+use super::labels::{LINE, Label, stack};
+use super::{COLOURS, Decades, Drawn, INK, failed, page, power_of_ten, quiet};
+use crate::figures::{Price, Prices, all_prices};
+use crate::groups::{REFERENCE, backends};
+use crate::{Error, RunDir};
+
+const SIZE: (u32, u32) = (640, 340);
+
+/// Times over the reference's against wrong answers per million with Wilson's interval at 95 %, as an SVG picture; none where
+/// fewer than two backends are compared.
+///
+/// # Errors
+/// If the picture can't be drawn.
+pub fn overall(runs: &[RunDir]) -> Result<Option<String>, Error> {
+    let Some(Prices { prices, .. }) = all_prices(runs) else { return Ok(None) };
+    let marks: Vec<Mark> = prices.iter().filter(|price| !price.is_partial).filter_map(Mark::of).collect();
+    if marks.len() < 2 {
+        return Ok(None);
+    }
+    let mut svg = String::new();
+    draw(&mut svg, &marks, &backends(runs)).map_err(failed)?;
+    Ok(Some(page(&svg)))
+}
+
+/// Logarithms of a backend's time and of its rate of wrong answers.
+struct Mark<'r> {
+    backend: &'r str,
+    time: f64,
+    /// None on the shelf.
+    rate: Option<f64>,
+    /// From where to where the rate may be; from none on the shelf.
+    interval: (Option<f64>, f64),
+}
+
+impl<'r> Mark<'r> {
+    fn of(price: &Price<'r>) -> Option<Mark<'r>> {
+        let (wrong, queries) = (price.errors.wrong.min(price.errors.queries), price.errors.queries);
+        let [low, high] = wilson(wrong, queries).map(|share| (1e6 * share).log10());
+        #[allow(clippy::cast_precision_loss)] // a share, for a picture
+        let rate = (wrong > 0).then(|| (1e6 * wrong as f64 / queries as f64).log10());
+        let interval = (rate.is_some().then_some(low), high);
+        (queries > 0 && price.ratio > 0.0).then(|| Mark {
+            backend: price.backend,
+            time: price.ratio.log10(),
+            rate,
+            interval,
+        })
+    }
+}
+
+fn draw(svg: &mut String, marks: &[Mark], order: &[&str]) -> Drawn {
+    let fold = |values: &mut dyn Iterator<Item = f64>| {
+        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
+    };
+    let (fastest, slowest) = fold(&mut marks.iter().map(|mark| mark.time));
+    let (least, most) = fold(&mut marks.iter().flat_map(|mark| mark.interval.0.into_iter().chain([mark.interval.1])));
+    let shelf = least.floor() - 1.0;
+    let (left, right) = (fastest.min(0.0) - 0.15, slowest.max(0.0) + 0.15);
+    let (bottom, top) = (shelf - 0.5, (most + 0.1).ceil());
+    let root = SVGBackend::with_string(svg, SIZE).into_drawing_area();
+    let mut chart = ChartBuilder::on(&root)
+        .margin(10)
+        .margin_right(180)
+        .x_label_area_size(40)
+        .y_label_area_size(60)
+        .build_cartesian_2d(Decades::finely(left..right), Decades::from(bottom..top))?;
+    let mut mesh = chart.configure_mesh();
+    quiet(&mut mesh, 12);
+    let label = |y: &f64| if *y <= shelf { "0".to_owned() } else { power_of_ten(*y) };
+    mesh.x_label_formatter(&|x| format!("{}×", significant(10_f64.powf(*x), 1)))
+        .y_label_formatter(&label)
+        .x_desc(format!("time of a query over {REFERENCE}'s"))
+        .y_desc("wrong answers per million")
+        .draw()?;
+    chart.draw_series([Rectangle::new([(left, bottom), (right, shelf + 0.5)], INK.mix(0.05).filled())])?;
+    frontier(&mut chart, marks, (shelf, right, top))?;
+    let mut labels = Vec::new();
+    for mark in marks {
+        let colour = COLOURS[order.iter().position(|b| *b == mark.backend).unwrap_or(0) % COLOURS.len()];
+        let place = (mark.time, mark.rate.unwrap_or(shelf));
+        let low = (mark.time, mark.interval.0.unwrap_or(shelf));
+        chart.draw_series([PathElement::new(
+            vec![low, (mark.time, mark.interval.1)],
+            colour.mix(0.5).stroke_width(2),
+        )])?;
+        chart.draw_series([Circle::new(place, 5, colour.filled())])?;
+        labels.push(Label::new(mark.backend.to_owned(), chart.backend_coord(&place), colour));
+    }
+    // All names in one column beside the plot, each with a line from its mark.
+    let (x_range, y_range) = chart.plotting_area().get_pixel_range();
+    labels.sort_by_key(|label| (label.at.1, std::cmp::Reverse(label.at.0)));
+    stack(&mut labels, (y_range.start, y_range.end - LINE / 2));
+    for label in &labels {
+        let from = x_range.end + 8;
+        root.draw(&PathElement::new(vec![label.at, (from, label.y)], label.colour.mix(0.5)))?;
+        let style = ("sans-serif", 13).into_font().color(&label.colour).pos(Pos::new(HPos::Left, VPos::Center));
+        root.draw(&Text::new(label.text.clone(), (from + 4, label.y), style))?;
+    }
+    root.present()
+}
+
+/// A staircase: what is above and to the right of it is beaten.
+fn frontier(chart: &mut super::Chart, marks: &[Mark], (shelf, right, top): (f64, f64, f64)) -> Drawn {
+    let mut places: Vec<(f64, f64)> = marks.iter().map(|mark| (mark.time, mark.rate.unwrap_or(shelf))).collect();
+    places.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let (mut stairs, mut height) = (Vec::new(), top);
+    for (x, y) in places {
+        if y < height {
+            stairs.extend([(x, height), (x, y)]);
+            height = y;
+        }
+    }
+    stairs.push((right, height));
+    chart.draw_series(DashedLineSeries::new(stairs, 5, 4, INK.mix(0.5).stroke_width(1)))?;
+    Ok(())
+}

@@ -1,0 +1,103 @@
+//! What a page in a browser has beside its text: scripts, and rows as compressed columns.
+//!
+//! A row of a table costs a browser far more than a row of data: a page with all findings as a table would be tens of megabytes
+//! and take minutes to open. So rows are columns here, words by their numbers in a dictionary, compressed, and the table makes
+//! those that are in sight. Everything is inside of the page: it works from a disk without a network.
+
+use std::collections::BTreeMap;
+use std::io::Write as _;
+
+use flate2::Compression;
+use flate2::write::DeflateEncoder;
+use serde_json::{Map, Value, json};
+
+use crate::pixel_map::base64;
+use crate::{Error, RunDir};
+
+/// The scripts of a page, in this order: libraries, then what the page does with them.
+pub const SCRIPTS: [&str; 2] = [include_str!("../web/vendor/tabulator.js"), include_str!("../web/app.js")];
+/// The style of a page.
+pub const STYLE: &str = include_str!("../web/style.css");
+
+/// The findings of all runs, as JSON in columns that is compressed (raw DEFLATE) and written in base 64.
+///
+/// # Errors
+/// If memory can't be written to, which does not happen.
+pub fn rows(runs: &[RunDir]) -> Result<String, Error> {
+    let failed = |error: std::io::Error| Error::new("rows of the page".as_ref(), error.to_string());
+    let text = json!({ "findings": findings(runs) }).to_string();
+    let mut encoder = DeflateEncoder::new(Vec::new(), Compression::best());
+    encoder.write_all(text.as_bytes()).map_err(failed)?;
+    Ok(base64(&encoder.finish().map_err(failed)?))
+}
+
+/// The columns of `findings.csv` that a reader looks at, with the number of the run.
+fn findings(runs: &[RunDir]) -> Value {
+    let mut rows: Vec<(usize, &crate::FindingRow)> =
+        runs.iter().enumerate().flat_map(|(run, folder)| folder.findings.iter().map(move |row| (run, row))).collect();
+    rows.sort_by_key(|(run, f)| (*run, [&f.suite, &f.scene, &f.scene_id, &f.task, &f.backend, &f.finding_id]));
+    let mut columns = Map::new();
+    let mut words = |name: &str, of: &dyn Fn(usize, &crate::FindingRow) -> String| {
+        columns.insert(name.to_owned(), dictionary(rows.iter().map(|(run, row)| of(*run, row))));
+    };
+    words("run", &|run, _| (run + 1).to_string());
+    words("folder", &|run, _| runs[run].path.display().to_string());
+    words("finding", &|_, row| row.finding_id.clone());
+    words("class", &|_, row| row.class.name().to_owned());
+    words("backend", &|_, row| row.backend.clone());
+    words("suite", &|_, row| row.suite.clone());
+    words("scene", &|_, row| row.scene.clone());
+    words("task", &|_, row| row.task.clone());
+    words("check", &|_, row| row.check.clone());
+    words("query", &|_, row| row.query.clone());
+    words("got", &|_, row| row.got.clone());
+    words("truth", &|_, row| row.truth.clone());
+    words("stage", &|_, row| row.stage.clone());
+    columns.insert("degeneracy".to_owned(), numbers(rows.iter().map(|(_, row)| row.log2_relative_det)));
+    columns.insert("distance".to_owned(), numbers(rows.iter().map(|(_, row)| row.distance_over_l)));
+    json!({ "rows": rows.len(), "columns": columns })
+}
+
+/// Words by their places in the list of those that there are.
+fn dictionary(words: impl Iterator<Item = String>) -> Value {
+    let (mut places, mut list): (BTreeMap<String, usize>, Vec<String>) = (BTreeMap::new(), Vec::new());
+    let at: Vec<usize> = words
+        .map(|word| {
+            *places.entry(word).or_insert_with_key(|word| {
+                list.push(word.clone());
+                list.len() - 1
+            })
+        })
+        .collect();
+    json!({ "words": list, "at": at })
+}
+
+/// Numbers, `null` where there is none. What JSON has no number for is text: `-inf`, `inf` and `NaN`.
+fn numbers(values: impl Iterator<Item = Option<f64>>) -> Value {
+    let value = |x: Option<f64>| match x {
+        None => Value::Null,
+        Some(x) if x.is_finite() => json!(x),
+        Some(x) => json!(x.to_string()),
+    };
+    json!({ "numbers": values.map(value).collect::<Vec<_>>() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_kept_once_and_numbers_without_a_name_in_json_are_text() {
+        let of = dictionary(["b", "a", "b"].into_iter().map(str::to_owned));
+        assert_eq!(of, json!({ "words": ["b", "a"], "at": [0, 1, 0] }));
+        let of = numbers([Some(-1.5), None, Some(f64::NEG_INFINITY), Some(f64::NAN)].into_iter());
+        assert_eq!(of, json!({ "numbers": [-1.5, null, "-inf", "NaN"] }));
+    }
+
+    #[test]
+    fn no_script_ends_the_element_that_it_is_in() {
+        for script in SCRIPTS {
+            assert!(!script.to_lowercase().contains("</script"), "a page would end there");
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! The report in a real browser: opened, searched, printed and looked at, by Chromium where there is one.
+
+use std::path::Path;
+
+use crate::steps::{answers, fresh, root, step, target_directory};
+
+/// Where the browser's work is.
+const FOLDER: &str = "target/browser";
+/// What the page of many findings has.
+const MANY: usize = 100_000;
+/// Where Debian has it.
+const CHROMIUM: &str = "/usr/bin/chromium";
+
+/// Makes a page of the embedded corpora and one of very many findings, and uses both in a browser. Says what is missing where there is
+/// no browser, which is an error only if one is needed.
+pub fn check(is_needed: bool) -> Result<(), String> {
+    let missing: Vec<&str> = [("node", "node"), ("npm", "npm"), (CHROMIUM, "chromium (Debian's package)")]
+        .into_iter()
+        .filter_map(|(program, name)| (!answers(program, &["--version"])).then_some(name))
+        .collect();
+    if !missing.is_empty() {
+        let message = format!("the report in a browser: NOT RUN: there is no {}", missing.join(", no "));
+        if is_needed {
+            return Err(message);
+        }
+        println!("\n== {message}");
+        return Ok(());
+    }
+    let folder = root().join(fresh(FOLDER)?);
+    let own = root().join("crates/xtask/browser");
+    for file in ["package.json", "check.mjs"] {
+        std::fs::copy(own.join(file), folder.join(file)).map_err(|error| format!("{file}: {error}"))?;
+    }
+    let words = |words: &[&str]| words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>();
+    let at = folder.display().to_string();
+    step("fetch what drives the browser", &words(&["npm", "install", "--silent", "--prefix", &at]), &[])?;
+    let build = ["cargo", "build", "--profile", "ci", "--bin", "predicament"];
+    step("build the tool", &words(&build), &[])?;
+    let tool = target_directory()?.join("ci").join("predicament").display().to_string();
+    let path = |name: &str| folder.join(name).display().to_string();
+    let (run, many) = (path("run"), path("many"));
+    step("run the embedded corpora", &words(&[&tool, "run", "--out", &run]), &[])?;
+    multiplied(Path::new(&run), Path::new(&many))?;
+    let script = path("check.mjs");
+    for (run, name, least) in [(&run, "report", 1), (&many, "many-report", MANY)] {
+        let (out, shots) = (path(name), path(&format!("{name}-screenshots")));
+        step(&format!("write {name}"), &words(&[&tool, "report", run, "--out", &out]), &[])?;
+        let page = format!("{out}/report.html");
+        step(&format!("use {name}"), &words(&["node", &script, &page, &shots, &least.to_string()]), &[])?;
+    }
+    Ok(())
+}
+
+/// A run folder with the same findings again and again, each with an id of its own, until there are [`MANY`].
+fn multiplied(run: &Path, many: &Path) -> Result<(), String> {
+    let failed = |path: &Path| {
+        let path = path.display().to_string();
+        move |error: std::io::Error| format!("{path}: {error}")
+    };
+    std::fs::create_dir_all(many).map_err(failed(many))?;
+    for entry in std::fs::read_dir(run).map_err(failed(run))? {
+        let path = entry.map_err(failed(run))?.path();
+        if let Some(name) = path.file_name().filter(|_| path.is_file()) {
+            std::fs::copy(&path, many.join(name)).map_err(failed(&path))?;
+        }
+    }
+    let file = many.join("findings.csv");
+    let text = std::fs::read_to_string(&file).map_err(failed(&file))?;
+    let (head, rows) = text.split_once('\n').ok_or("findings.csv is empty")?;
+    // Rows in one line each that begin with their id.
+    let rows: Vec<&str> = rows.lines().filter(|row| row.split_once(',').is_some_and(|(id, _)| is_id(id))).collect();
+    if rows.is_empty() {
+        return Err("findings.csv has no findings".to_owned());
+    }
+    let mut all = format!("{head}\n");
+    for (number, row) in rows.iter().cycle().take(MANY).enumerate() {
+        let (_, rest) = row.split_once(',').ok_or("a row has an id")?;
+        all += &format!("{number:012x},{rest}\n");
+    }
+    std::fs::write(&file, &all).map_err(failed(&file))?;
+    // A run folder knows the sizes and digests of its files.
+    let output = std::process::Command::new("sha256sum").arg(&file).output().map_err(failed(&file))?;
+    let digest = String::from_utf8_lossy(&output.stdout).chars().take(64).collect::<String>();
+    let state = many.join("state.json");
+    let text = std::fs::read_to_string(&state).map_err(failed(&state))?;
+    let text = replaced(&text, &[all.len().to_string(), format!("\"{digest}\"")]);
+    std::fs::write(&state, text).map_err(failed(&state))
+}
+
+/// A state with other values of `findings.csv`, in the order in which they come.
+fn replaced(state: &str, values: &[String]) -> String {
+    const KEY: &str = "\"findings.csv\": ";
+    let mut parts = state.split(KEY);
+    let mut text = parts.next().unwrap_or_default().to_owned();
+    for (part, value) in parts.zip(values) {
+        let end = part.find([',', '\n']).unwrap_or(0);
+        text += &format!("{KEY}{value}{}", &part[end..]);
+    }
+    text
+}
+
+fn is_id(text: &str) -> bool {
+    text.len() == 12 && text.chars().all(|c| c.is_ascii_hexdigit())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_state_gets_other_values() {
+        let state = "{\n  \"findings.csv\": 12,\n  \"z.csv\": 3\n }, {\n  \"findings.csv\": \"ab\"\n}";
+        let wanted = "{\n  \"findings.csv\": 34,\n  \"z.csv\": 3\n }, {\n  \"findings.csv\": \"cd\"\n}";
+        assert_eq!(replaced(state, &["34".to_owned(), "\"cd\"".to_owned()]), wanted);
+    }
+}
