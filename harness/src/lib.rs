@@ -35,6 +35,7 @@ mod cli;
 mod cmd;
 mod conformance;
 mod contact_tables;
+mod details;
 pub mod example;
 mod exit;
 mod expectations;

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::comparison::Comparison;
 use crate::groups::{ByPair, Errors, Pair, REFERENCE, answered, backends, timed};
-use crate::{Error, RunDir};
+use crate::{Error, RunDir, Spread};
 use predicament_records::geometric_mean;
 
 /// The backends on one task in one run: a panel of the plot.
@@ -46,6 +46,8 @@ pub struct Mark<'r> {
     pub errors: Errors,
     /// The geometric mean of the families' times, in nanoseconds per query.
     pub ns: f64,
+    /// The same of the shortest and of the longest sample of each family.
+    pub range: [f64; 2],
     /// The same of the reference over the very same families; none where it did not do all of them.
     pub reference: Option<f64>,
     /// Whether it is compared, and no other compared backend is at least as good in both and better in one.
@@ -66,17 +68,20 @@ pub fn panels(runs: &[RunDir]) -> Vec<Panel<'_>> {
                 pairs.filter(|pair| errors.get(pair).is_some_and(|of| of.contains_key(backend))).collect()
             };
             let comparison = Comparison::of(order.iter().map(|&backend| (backend, did(backend))).collect());
-            let mean = |backend: &str, pairs: &BTreeSet<Pair>| {
-                let times: Option<Vec<f64>> = pairs.iter().map(|pair| value(&times, pair, backend)).collect();
+            let mean_of = |backend: &str, pairs: &BTreeSet<Pair>, time: fn(Spread) -> f64| {
+                let times: Option<Vec<f64>> = pairs.iter().map(|pair| value(&times, pair, backend).map(time)).collect();
                 geometric_mean(times?)
             };
+            let mean = |backend: &str, pairs: &BTreeSet<Pair>| mean_of(backend, pairs, |spread| spread.median);
             let mut marks: Vec<Mark> = comparison
                 .each()
                 .filter_map(|(backend, pairs, is_partial)| {
                     let errors = pairs.iter().filter_map(|pair| value(&errors, pair, backend));
                     let (families, errors) = (pairs.len(), Errors::sum(errors));
                     let (ns, reference) = (mean(backend, pairs)?, mean(REFERENCE, pairs));
-                    Some(Mark { backend, is_partial, families, errors, ns, reference, on_frontier: false })
+                    let range =
+                        [mean_of(backend, pairs, |spread| spread.min)?, mean_of(backend, pairs, |spread| spread.max)?];
+                    Some(Mark { backend, is_partial, families, errors, ns, range, reference, on_frontier: false })
                 })
                 .collect();
             let partial = comparison.partial.iter().map(|(backend, pairs)| Partial {
@@ -144,7 +149,7 @@ pub fn prices<'r>(runs: &'r [RunDir], reference: &str, keep: impl Fn(&str, &str)
             let Some(base) = times.get(reference) else { continue };
             for (&backend, ns) in &times {
                 if keep(pair[0], backend) && value(&errors, &pair, backend).is_some() {
-                    ratios.entry(pair).or_default().entry(backend).or_default().push(ns / base);
+                    ratios.entry(pair).or_default().entry(backend).or_default().push(ns.median / base.median);
                 }
             }
         }
@@ -175,7 +180,7 @@ pub fn all_prices(runs: &[RunDir]) -> Option<Prices<'_>> {
 /// The file that holds all figures.
 pub const FILE: &str = "figures.csv";
 
-const COLUMNS: [&str; 14] = [
+const COLUMNS: [&str; 16] = [
     "panel",
     "run",
     "backend",
@@ -190,13 +195,15 @@ const COLUMNS: [&str; 14] = [
     "reference_ns_per_query",
     "ratio",
     "frontier",
+    "ns_per_query_min",
+    "ns_per_query_max",
 ];
 
 /// `figures.csv`: the marks of all panels, and before them, as panel `all`, what the backends cost over all tasks.
 ///
 /// `basis` is on how many families (for `all`: pairs of task and family) the panel compares, `families` how many are
 /// behind the row: as many where `standing` is `compared`, its own where it is `partial`. `ratio` is the time over the
-/// reference's on the very same families.
+/// reference's on the very same families. `ns_per_query_min` and `ns_per_query_max` are means of the shortest and the longest samples.
 ///
 /// # Errors
 /// If memory can't be written to, which does not happen.
@@ -211,7 +218,7 @@ pub fn csv(runs: &[RunDir]) -> Result<String, Error> {
             let Errors { queries, wrong, failed } = price.errors;
             let counts = [price.pairs.to_string(), queries.to_string(), wrong.to_string(), failed.to_string()];
             let head = ["all".to_owned(), String::new(), price.backend.to_owned(), standing(price.is_partial)];
-            let rest = ["", REFERENCE, "", &price.ratio.to_string(), ""].map(str::to_owned);
+            let rest = ["", REFERENCE, "", &price.ratio.to_string(), "", "", ""].map(str::to_owned);
             let record = head.into_iter().chain([pairs.to_string()]).chain(counts).chain(rest);
             writer.write_record(record.collect::<Vec<_>>()).map_err(fail)?;
         }
@@ -226,6 +233,7 @@ pub fn csv(runs: &[RunDir]) -> Result<String, Error> {
             let ratio = mark.reference.map(|reference| mark.ns / reference);
             let times = [number(Some(mark.ns)), REFERENCE.to_owned(), number(mark.reference), number(ratio)];
             let record = head.into_iter().chain(counts).chain(times).chain([mark.on_frontier.to_string()]);
+            let record = record.chain(mark.range.map(|ns| number(Some(ns))));
             writer.write_record(record.collect::<Vec<_>>()).map_err(fail)?;
         }
     }

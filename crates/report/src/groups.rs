@@ -101,7 +101,7 @@ fn timing<'r>(scenes: &[Vec<&'r ThroughputRow>]) -> Option<Timing<'r>> {
 }
 
 /// The nanoseconds per query of one run: of each family, of the backends that were timed on as many scenes as any.
-pub fn timed(run: &RunDir) -> ByPair<'_, f64> {
+pub fn timed(run: &RunDir) -> ByPair<'_, Spread> {
     let mut found: ByPair<Timing> = BTreeMap::new();
     for ([task, family, backend], timing) in timings(run) {
         found.entry([task, family]).or_default().insert(backend, timing);
@@ -109,7 +109,7 @@ pub fn timed(run: &RunDir) -> ByPair<'_, f64> {
     let whole = |backends: BTreeMap<_, Timing<'_>>| {
         let all = backends.values().map(|timing| timing.scenes).max();
         let whole = backends.into_iter().filter(|(_, timing)| Some(timing.scenes) == all);
-        whole.map(|(backend, timing)| (backend, timing.spread.median)).collect()
+        whole.map(|(backend, timing)| (backend, timing.spread)).collect()
     };
     found.into_iter().map(|(pair, backends)| (pair, whole(backends))).collect()
 }

@@ -8,6 +8,7 @@
 //! * [`Section`], [`Table`], [`Block`] and [`Cell`] are a page as data;
 //!   [`layout`] has what sections about runs share.
 //! * [`scatter`], [`curves`], [`histogram`] and [`ranges`] are plots as SVG.
+//! * [`picture`] draws the points of a finding; [`Detail`] is what a page says about one.
 //! * [`PixelMap`] shows the signs of a predicate over a raster.
 //!
 //! Runs are read together by [`RunDir::open_all`](predicament_records::RunDir::open_all), so that each scene on each
@@ -21,6 +22,7 @@ mod figures;
 mod groups;
 pub mod layout;
 mod page;
+pub mod picture;
 mod pixel_map;
 mod plot;
 mod rungs;
@@ -33,5 +35,6 @@ pub use page::{html, markdown, write_pages};
 pub use pixel_map::{PixelMap, PixelMapError, data_uri, side_by_side};
 pub use plot::{Bar, Bars, Curve, Curves, curves, histogram, ranges, scatter};
 pub use table::{Block, Cell, Headline, Section, Table, Tone};
+pub use web::Detail;
 
 use predicament_records::{Class, Env, Error, FindingRow, Outcome, PrecisionRow, RunDir, Spread, Status, SummaryRow};

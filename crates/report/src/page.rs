@@ -9,19 +9,19 @@ use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value, context};
 
 use crate::sections::{FIRST, UNFOLDED, headlines, sections};
 use crate::table::{Block, Headline, Section};
-use crate::{Error, RunDir, figures, web};
+use crate::{Detail, Error, RunDir, figures, web};
 
 const HTML: &str = "page.html";
 const MARKDOWN: &str = "page.md";
 
 /// One HTML page that needs nothing else: style, pictures, scripts and the rows of its tables are inside. Without scripts it shows
 /// the same but for the search in the findings.
-/// `of_tasks` are the sections of single tasks.
+/// `of_tasks` are the sections of single tasks, `details` what is known of single findings.
 ///
 /// # Errors
 /// If the plot can't be drawn or the page can't be filled in.
-pub fn html(runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> {
-    render(HTML, runs, of_tasks)
+pub fn html(runs: &[RunDir], of_tasks: &[Section], details: &[Detail]) -> Result<String, Error> {
+    render(HTML, runs, of_tasks, details)
 }
 
 /// The report as one page of Markdown. Plots are files beside it; pixel maps are left out.
@@ -29,7 +29,7 @@ pub fn html(runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> {
 /// # Errors
 /// If the plot can't be drawn or the page can't be filled in.
 pub fn markdown(runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> {
-    render(MARKDOWN, runs, of_tasks)
+    render(MARKDOWN, runs, of_tasks, &[])
 }
 
 /// Writes `report.html`, `report.md`, `figures.csv` and the plots, each where there is something to
@@ -38,11 +38,16 @@ pub fn markdown(runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> 
 ///
 /// # Errors
 /// If a page can't be made or written.
-pub fn write_pages(runs: &[RunDir], of_tasks: &[Section], folder: impl AsRef<Path>) -> Result<(), Error> {
+pub fn write_pages(
+    runs: &[RunDir],
+    of_tasks: &[Section],
+    details: &[Detail],
+    folder: impl AsRef<Path>,
+) -> Result<(), Error> {
     let folder = folder.as_ref();
     std::fs::create_dir_all(folder).map_err(Error::io(folder))?;
     let mut files = vec![
-        ("report.html", html(runs, of_tasks)?),
+        ("report.html", html(runs, of_tasks, details)?),
         ("report.md", markdown(runs, of_tasks)?),
         (figures::FILE, figures::csv(runs)?),
     ];
@@ -73,12 +78,12 @@ fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     file.write_all(bytes).and_then(|()| file.sync_all()).map_err(Error::io(path))
 }
 
-fn render(template: &str, runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> {
+fn render(template: &str, runs: &[RunDir], of_tasks: &[Section], details: &[Detail]) -> Result<String, Error> {
     let sections: Vec<Value> = sections(runs, of_tasks)?.iter().map(Section::value).collect();
     let headlines: Vec<Value> = headlines(runs).iter().map(Headline::value).collect();
     let mut page = context! { headlines => headlines, sections => sections, first => FIRST, unfolded => UNFOLDED };
     if template == HTML {
-        let rows = Value::from_safe_string(web::rows(runs)?);
+        let rows = Value::from_safe_string(web::rows(runs, details)?);
         let [style, scripts] =
             [web::STYLE, &web::SCRIPTS.concat()].map(|text| Value::from_safe_string(text.to_owned()));
         page = context! { rows => rows, style => style, scripts => scripts, ..page };
@@ -144,7 +149,7 @@ mod tests {
 
     #[test]
     fn no_runs_make_a_page_too() {
-        for page in [html(&[], &[]).unwrap(), markdown(&[], &[]).unwrap()] {
+        for page in [html(&[], &[], &[]).unwrap(), markdown(&[], &[]).unwrap()] {
             assert!(page.contains("No scene was checked."));
         }
     }

@@ -19,13 +19,24 @@ pub const SCRIPTS: [&str; 2] = [include_str!("../web/vendor/tabulator.js"), incl
 /// The style of a page.
 pub const STYLE: &str = include_str!("../web/style.css");
 
-/// The findings of all runs, as JSON in columns that is compressed (raw DEFLATE) and written in base 64.
+/// What a page says about one finding when it is asked.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Detail {
+    /// The finding's id.
+    pub finding: String,
+    /// The points, the truth and all answers, in lines.
+    pub lines: Vec<String>,
+    /// Pictures as SVG, each with what there is to see.
+    pub pictures: Vec<(String, String)>,
+}
+
+/// The findings of all runs, and the details of some, as JSON in columns that is compressed (raw DEFLATE) and written in base 64.
 ///
 /// # Errors
 /// If memory can't be written to, which does not happen.
-pub fn rows(runs: &[RunDir]) -> Result<String, Error> {
+pub fn rows(runs: &[RunDir], details: &[Detail]) -> Result<String, Error> {
     let failed = |error: std::io::Error| Error::new("rows of the page".as_ref(), error.to_string());
-    let text = json!({ "findings": findings(runs) }).to_string();
+    let text = json!({ "findings": findings(runs), "details": told(details) }).to_string();
     let mut encoder = DeflateEncoder::new(Vec::new(), Compression::best());
     encoder.write_all(text.as_bytes()).map_err(failed)?;
     Ok(base64(&encoder.finish().map_err(failed)?))
@@ -56,6 +67,15 @@ fn findings(runs: &[RunDir]) -> Value {
     columns.insert("degeneracy".to_owned(), numbers(rows.iter().map(|(_, row)| row.log2_relative_det)));
     columns.insert("distance".to_owned(), numbers(rows.iter().map(|(_, row)| row.distance_over_l)));
     json!({ "rows": rows.len(), "columns": columns })
+}
+
+/// Details by the ids of their findings.
+fn told(details: &[Detail]) -> Value {
+    let told = details.iter().map(|detail| {
+        let pictures: Vec<Value> = detail.pictures.iter().map(|(alt, svg)| json!({ "alt": alt, "svg": svg })).collect();
+        (detail.finding.clone(), json!({ "text": detail.lines.join("\n"), "pictures": pictures }))
+    });
+    Value::Object(told.collect())
 }
 
 /// Words by their places in the list of those that there are.

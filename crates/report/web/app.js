@@ -78,7 +78,8 @@
 
   const findings = async () => {
     const place = $("search");
-    const data = rowsOf((await unpack()).findings);
+    const { findings, details } = await unpack();
+    const data = rowsOf(findings);
     if (!place || data.length === 0) return;
     const columns = data.some((row) => row.run !== "1") ? ["run"] : [];
     const { Tabulator, ...modules } = TabulatorModules;
@@ -136,7 +137,15 @@
       const list = make("dl", {}, terms.flatMap((term) => shownRow(term, row[term])));
       const quoted = (text) => (/^[\w./:@%+=-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
       const replay = `predicament replay ${row.finding} --run ${quoted(row.folder)}`;
-      detail.replaceChildren(make("div", { className: "finding" }, [list, command(replay)]));
+      const more = details[row.finding];
+      const drawn = (more?.pictures ?? []).map(({ alt, svg }) => {
+        const figure = make("figure", {}, [make("figcaption", { textContent: alt })]);
+        // Pictures are made by the tool, as the rest of the page is.
+        figure.insertAdjacentHTML("afterbegin", svg);
+        return figure;
+      });
+      const told = more ? [make("pre", { textContent: more.text })] : [];
+      detail.replaceChildren(make("div", { className: "finding" }, [list, ...drawn, ...told, command(replay)]));
     };
     tabulator.on("rowClick", (_, row) => show(row.getData()));
     tabulator.on("rowSelected", (row) => show(row.getData()));

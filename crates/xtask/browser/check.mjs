@@ -78,11 +78,23 @@ for (const width of [1400, 800, 400]) {
   await page.fill("input[type=search]", id);
   check((await counted(page)).shown === 1, `a search for ${id} shows ${(await counted(page)).shown}`);
   await page.locator("#findings-table .tabulator-row").first().click();
-  const command = await page.textContent("#finding pre");
+  const command = await page.locator("#finding pre").last().textContent();
   check(command.includes(`predicament replay ${id} --run `), `the command is ${command}`);
   await page.fill("input[type=search]", "there is nothing like this");
   check((await counted(page)).shown === 0, "nothing is shown where nothing is found");
   await page.click("text=all findings");
+
+  // Some findings have pictures and their points.
+  const told = await page.evaluate(async () => {
+    const rows = document.querySelectorAll("#findings-table .tabulator-row");
+    let found = 0;
+    for (const row of [...rows].slice(0, 40)) {
+      row.click();
+      found += document.querySelectorAll("#finding figure svg").length > 0 && document.querySelectorAll("#finding pre").length > 1;
+    }
+    return found;
+  });
+  check(told > 0 || Number(least) > 1, "some of the first findings have pictures and points");
 
   // Sorted by a number both ways, what has none at the end or the start.
   const degeneracies = async () => (await page.locator("#findings-table .tabulator-cell[tabulator-field=degeneracy]").allTextContents())

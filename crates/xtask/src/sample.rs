@@ -7,8 +7,9 @@ fn read(file: &str) -> String {
     std::fs::read_to_string(&path).unwrap_or_else(|why| panic!("{}: {why}", path.display())).replace("\r\n", "\n")
 }
 
-/// The cells of the first table about backends of a page, row by row.
+/// The cells of the first table about backends of a page, after their heading if there is one, row by row.
 fn table(page: &str) -> Vec<Vec<&str>> {
+    let page = page.split_once("## Backends at a glance").map_or(page, |(_, rest)| rest);
     let lines =
         page.lines().skip_while(|line| !line.starts_with("| backend |")).take_while(|line| line.starts_with('|'));
     lines.map(|line| line.trim_matches('|').split('|').map(str::trim).collect()).collect()

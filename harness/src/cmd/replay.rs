@@ -7,7 +7,7 @@ use predicament_corpus::{Level, LoadedScene};
 use predicament_formats::{hex, hexfloat};
 use predicament_predicates::{Class, Query, Vertex};
 use predicament_records::{FindingRow, Plan, RunDir};
-use predicament_tasks::Contestant;
+use predicament_tasks::{Contestant, Explanation};
 use sha2::{Digest, Sha256};
 
 use crate::exit::{self, Failure};
@@ -165,21 +165,26 @@ fn changed(plan: &Plan, suite: &str) -> bool {
 /// Asks one query of all backends.
 fn explain(tool: &Tool, loaded: &LoadedScene, query: &Query, backends: &[&dyn Contestant]) -> Result<(), Failure> {
     let told = tool.task(loaded.task).explain_query(loaded, query, backends).map_err(Failure::usage)?;
-    print_points(loaded, &told.vertices);
-    for line in &told.truth {
-        say!("  {:<24} {line}", "truth");
+    for line in point_lines(loaded, &told.vertices).into_iter().chain(lines(&told)) {
+        say!("  {line}");
     }
+    Ok(())
+}
+
+/// The truth and the answers, in columns.
+pub fn lines(told: &Explanation) -> Vec<String> {
+    let mut lines: Vec<String> = told.truth.iter().map(|line| format!("{:<24} {line}", "truth")).collect();
     let heads = (!told.heads.is_empty()).then(|| ("backend".to_owned(), told.heads.clone()));
-    let rows: Vec<(String, Vec<String>)> = heads.into_iter().chain(told.rows).collect();
+    let rows: Vec<(String, Vec<String>)> = heads.into_iter().chain(told.rows.iter().cloned()).collect();
     let width = |column: usize| {
         let cells = rows.iter().filter(|(_, cells)| cells.len() > 1).filter_map(|(_, cells)| cells.get(column));
         cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
     };
     for (name, cells) in &rows {
         let cells: Vec<String> = cells.iter().enumerate().map(|(at, cell)| format!("{cell:<0$}", width(at))).collect();
-        say!("{}", format!("  {name:<24} {}", cells.join("  ")).trim_end());
+        lines.push(format!("{name:<24} {}", cells.join("  ")).trim_end().to_owned());
     }
-    Ok(())
+    lines
 }
 
 /// The coordinates of vertices, those of constructed ones by what defines them.
@@ -198,10 +203,4 @@ pub fn point_lines(loaded: &LoadedScene, ids: &[Vertex]) -> Vec<String> {
         lines.push(format!("vertex {:>8}  ({})  = ({})", id.to_string(), decimal.join(", "), hex.join(", ")));
     }
     lines
-}
-
-fn print_points(loaded: &LoadedScene, ids: &[Vertex]) {
-    for line in point_lines(loaded, ids) {
-        say!("  {line}");
-    }
 }

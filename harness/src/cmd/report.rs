@@ -6,6 +6,7 @@ use predicament_records::RunDir;
 use predicament_report::{Section, write_pages};
 use predicament_studies::compare;
 
+use crate::details::details;
 use crate::exit::{self, Failure};
 use crate::tool::Tool;
 
@@ -53,7 +54,13 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         note!("{warning}");
     }
     compared.extend(tool.sections(&runs).map_err(Failure::usage)?);
-    write_pages(&runs, &compared, &args.out).map_err(Failure::usage)?;
+    let (told, missing) = details(&runs, tool)?;
+    if missing > 0 {
+        note!(
+            "{missing} findings that the page would show with their points are of scenes that are not there any more, or need data"
+        );
+    }
+    write_pages(&runs, &compared, &told, &args.out).map_err(Failure::usage)?;
     say!("{}", args.out.join("report.html").display());
     Ok(exit::OK)
 }

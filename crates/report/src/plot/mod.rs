@@ -28,12 +28,12 @@ pub use scatter::scatter;
 
 /// Stands for the colour of the text around the picture, which no fixed
 /// colour can be on both light and dark pages.
-const INK: RGBColor = RGBColor(1, 2, 3);
+pub(crate) const INK: RGBColor = RGBColor(1, 2, 3);
 const INK_IN_SVG: &str = "#010203";
 
 /// The Okabe-Ito colours without black and yellow, its blue lightened, then two that fit: told
 /// apart by every kind of colour vision, on light and dark ground.
-const COLOURS: [RGBColor; 8] = [
+pub(crate) const COLOURS: [RGBColor; 8] = [
     RGBColor(46, 134, 204),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
@@ -46,9 +46,9 @@ const COLOURS: [RGBColor; 8] = [
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Chart<'c, 'a> = ChartContext<'c, SVGBackend<'a>, Cartesian2d<Decades, Decades>>;
-type Drawn = Result<(), DrawingAreaErrorKind<std::io::Error>>;
+pub(crate) type Drawn = Result<(), DrawingAreaErrorKind<std::io::Error>>;
 
-fn failed(error: DrawingAreaErrorKind<std::io::Error>) -> Error {
+pub(crate) fn failed(error: DrawingAreaErrorKind<std::io::Error>) -> Error {
     Error::new("plot".as_ref(), error.to_string())
 }
 
@@ -68,7 +68,7 @@ fn quiet<X: Ranged, Y: Ranged, B: DrawingBackend>(mesh: &mut MeshStyle<'_, '_, X
 
 /// The drawn picture with the colours of the page around it, or of the
 /// system's scheme where it stands alone.
-fn page(svg: &str) -> String {
+pub(crate) fn page(svg: &str) -> String {
     let svg = svg.replace(INK_IN_SVG, "currentColor");
     // Beside a page the file stands alone and has to look up the ground itself.
     let style = "<style>.scatter{color:#222;max-width:100%;height:auto}\

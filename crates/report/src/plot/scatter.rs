@@ -2,8 +2,8 @@
 //!
 //! One panel for each task, on common logarithmic axes, because a task's times
 //! are comparable with each other only. Zero has no logarithm: backends
-//! without a wrong answer stand in a column of their own at the left. A panel
-//! compares what all its backends did; marks of backends that did less are hollow.
+//! without a wrong answer stand on a shelf of their own at the bottom. A mark has the range of its samples and Wilson's interval of its
+//! rate. A panel compares what all its backends did; marks of backends that did less are hollow.
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -11,15 +11,16 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use crate::figures::{Mark, Panel, panels};
 use crate::groups::backends;
 use crate::{Error, RunDir};
-use predicament_records::format::per_million;
+use predicament_records::format::{per_million, significant};
+use predicament_records::wilson;
 
-use super::labels::{LINE, Label, spread, width};
+use super::labels::{LINE, Label, stack};
 use super::{Area, COLOURS, Chart, Decades, Drawn, INK, failed, page, power_of_ten, quiet};
 
-const PANEL: (u32, u32) = (380, 320);
+const PANEL: (u32, u32) = (460, 300);
 const PANELS_IN_A_ROW: usize = 3;
 
-/// Nanoseconds per query against wrong answers per million, as an SVG
+/// Wrong answers per million against nanoseconds per query, as an SVG
 /// picture; none where no backend was both checked and timed on any family.
 ///
 /// # Errors
@@ -49,7 +50,8 @@ fn draw(svg: &mut String, runs: &[RunDir], panels: &[Panel]) -> Drawn {
         if timed_runs {
             title = format!("{title}, run {}", panel.run + 1);
         }
-        draw_panel(area, &panel.marks, &title, scale, &order)?;
+        // Times of different tasks say nothing about each other.
+        draw_panel(area, &panel.marks, &title, scale.with_times_of(&panel.marks), &order)?;
     }
     root.present()
 }
@@ -57,11 +59,12 @@ fn draw(svg: &mut String, runs: &[RunDir], panels: &[Panel]) -> Drawn {
 /// The powers of ten that the axes span.
 #[derive(Clone, Copy)]
 struct Scale {
-    /// Where zero wrong answers stand: a decade below the smallest rate.
+    /// Where zero wrong answers stand: a decade below the smallest rate that there is or may be.
     zero: i32,
     most_wrong: i32,
-    fastest: i32,
-    slowest: i32,
+    /// Logarithms, not whole ones.
+    fastest: f64,
+    slowest: f64,
 }
 
 impl Scale {
@@ -74,18 +77,29 @@ impl Scale {
             #[allow(clippy::cast_possible_truncation)]
             low.is_finite().then(|| (low.log10().floor() as i32, high.log10().ceil() as i32))
         };
-        let rates: Vec<f64> = marks().filter_map(rate).filter(|&rate| rate > 0.0).collect();
-        let times: Vec<f64> = marks().map(|mark| mark.ns).collect();
+        let rates: Vec<f64> = marks().flat_map(|mark| rate(mark).into_iter().chain(interval(mark))).collect();
+        let rates: Vec<f64> = rates.into_iter().filter(|&rate| rate > 0.0).collect();
         let (least_wrong, most_wrong) = decades(&rates).unwrap_or((1, 2));
-        let (fastest, slowest) = decades(&times).unwrap_or((0, 1));
         let zero = least_wrong - 1;
-        Scale { zero, most_wrong: most_wrong.max(zero + 2), fastest, slowest: slowest.max(fastest + 1) }
+        Scale { zero, most_wrong: most_wrong.max(zero + 2), fastest: 0.0, slowest: 1.0 }
+    }
+
+    /// The times of one panel.
+    fn with_times_of(self, marks: &[Mark]) -> Scale {
+        let times = || marks.iter().flat_map(|mark| mark.range).map(f64::log10);
+        let (fastest, slowest) = (times().fold(f64::INFINITY, f64::min), times().fold(f64::NEG_INFINITY, f64::max));
+        // A decade at least, so that there are ticks, and noise does not look like more.
+        let room = (0.08 * (slowest - fastest)).max((1.0 - (slowest - fastest)) / 2.0);
+        Scale { fastest: fastest - room, slowest: slowest + room, ..self }
     }
 
     /// The place of a mark: logarithms, with zero at its own place.
     fn place(self, mark: &Mark) -> (f64, f64) {
-        let x = rate(mark).filter(|&rate| rate > 0.0).map_or(f64::from(self.zero), f64::log10);
-        (x, mark.ns.log10())
+        (mark.ns.log10(), self.height(rate(mark).unwrap_or(0.0)))
+    }
+
+    fn height(self, rate: f64) -> f64 {
+        if rate > 0.0 { rate.log10() } else { f64::from(self.zero) }
     }
 }
 
@@ -93,24 +107,34 @@ fn rate(mark: &Mark) -> Option<f64> {
     per_million(mark.errors.wrong, mark.errors.queries)
 }
 
+/// Wilson's interval at 95 % of the rate, from zero where there is no wrong answer.
+fn interval(mark: &Mark) -> [f64; 2] {
+    let wrong = mark.errors.wrong.min(mark.errors.queries);
+    let [low, high] = wilson(wrong, mark.errors.queries).map(|share| 1e6 * share);
+    [if wrong == 0 { 0.0 } else { low }, high]
+}
+
 fn draw_panel(area: &Area, marks: &[Mark], title: &str, scale: Scale, order: &[&str]) -> Drawn {
-    let (left, right) = (f64::from(scale.zero) - 0.5, f64::from(scale.most_wrong) + 0.2);
-    let (bottom, top) = (f64::from(scale.fastest), f64::from(scale.slowest));
+    let (left, right) = (scale.fastest, scale.slowest);
+    let (bottom, top) = (f64::from(scale.zero) - 0.5, f64::from(scale.most_wrong) + 0.2);
     let mut chart = ChartBuilder::on(area)
         .caption(title, ("sans-serif", 15).into_font().style(FontStyle::Bold).color(&INK))
         .margin(10)
+        .margin_right(150)
         .x_label_area_size(40)
         .y_label_area_size(52)
-        .build_cartesian_2d(Decades::from(left..right), Decades::from(bottom..top))?;
+        .build_cartesian_2d(Decades::finely(left..right), Decades::from(bottom..top))?;
     let mut mesh = chart.configure_mesh();
     quiet(&mut mesh, 11);
-    mesh.x_label_formatter(&|x| if *x <= f64::from(scale.zero) { "0".to_owned() } else { power_of_ten(*x) })
-        .y_label_formatter(&|y| power_of_ten(*y))
-        .x_desc("wrong answers per million queries")
-        .y_desc("ns per query")
-        .draw()?;
+    mesh.x_label_formatter(&|x| {
+        if x.fract().abs() < 1e-9 { power_of_ten(*x) } else { significant(10_f64.powf(*x), 1) }
+    })
+    .y_label_formatter(&|y| if *y <= f64::from(scale.zero) { "0".to_owned() } else { power_of_ten(*y) })
+    .x_desc("ns per query")
+    .y_desc("wrong answers per million queries")
+    .draw()?;
     let edge = f64::from(scale.zero) + 0.5;
-    chart.draw_series([Rectangle::new([(left, bottom), (edge, top)], INK.mix(0.05).filled())])?;
+    chart.draw_series([Rectangle::new([(left, bottom), (right, edge)], INK.mix(0.05).filled())])?;
     draw_frontier(&mut chart, marks, scale)?;
     draw_marks(area, &mut chart, marks, scale, order)
 }
@@ -120,12 +144,12 @@ fn draw_frontier(chart: &mut Chart, marks: &[Mark], scale: Scale) -> Drawn {
     let mut corners: Vec<(f64, f64)> = marks.iter().filter(|m| m.on_frontier).map(|m| scale.place(m)).collect();
     corners.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
     let mut stairs = Vec::new();
-    let mut height = f64::from(scale.slowest);
+    let mut height = f64::from(scale.most_wrong) + 0.2;
     for (x, y) in corners {
         stairs.extend([(x, height), (x, y)]);
         height = y;
     }
-    stairs.push((f64::from(scale.most_wrong) + 0.2, height));
+    stairs.push((scale.slowest, height));
     chart.draw_series(DashedLineSeries::new(stairs, 5, 4, INK.mix(0.5).stroke_width(1)))?;
     Ok(())
 }
@@ -139,6 +163,11 @@ fn draw_marks(area: &Area, chart: &mut Chart, marks: &[Mark], scale: Scale, orde
         let colour = COLOURS[order.iter().position(|b| *b == mark.backend).unwrap_or(0) % COLOURS.len()];
         let place = scale.place(mark);
         let style = if mark.is_partial { colour.stroke_width(1) } else { colour.filled() };
+        let [low, high] = interval(mark).map(|rate| scale.height(rate));
+        let [from, to] = mark.range.map(f64::log10);
+        for ends in [vec![(place.0, low), (place.0, high)], vec![(from, place.1), (to, place.1)]] {
+            chart.draw_series([PathElement::new(ends, colour.mix(0.4).stroke_width(2))])?;
+        }
         chart.draw_series([Circle::new(place, 4, style)])?;
         let at = chart.backend_coord(&place);
         let text = match mark.families {
@@ -147,17 +176,14 @@ fn draw_marks(area: &Area, chart: &mut Chart, marks: &[Mark], scale: Scale, orde
         };
         labels.push(Label::new(text, (at.0 - dx, at.1 - dy), colour));
     }
-    spread(&mut labels, (y_range.start - dy + LINE / 2, y_range.end - dy - LINE / 2));
-    let edge = x_range.end - dx;
+    // All names in one column beside the plot, each with a line from its mark.
+    labels.sort_by_key(|label| (label.at.1, std::cmp::Reverse(label.at.0)));
+    stack(&mut labels, (y_range.start - dy, y_range.end - dy - LINE / 2));
+    let edge = x_range.end - dx + 6;
     for label in &labels {
-        let on_the_left = width(&label.text) > edge - label.at.0;
-        let (offset, side) = if on_the_left { (-9, HPos::Right) } else { (9, HPos::Left) };
-        let x = label.at.0 + offset;
-        if (label.y - label.at.1).abs() > LINE / 2 {
-            area.draw(&PathElement::new(vec![label.at, (x, label.y)], label.colour.mix(0.6)))?;
-        }
-        let style = ("sans-serif", 12).into_font().color(&label.colour).pos(Pos::new(side, VPos::Center));
-        area.draw(&Text::new(label.text.clone(), (x, label.y), style))?;
+        area.draw(&PathElement::new(vec![label.at, (edge, label.y)], label.colour.mix(0.4)))?;
+        let style = ("sans-serif", 12).into_font().color(&label.colour).pos(Pos::new(HPos::Left, VPos::Center));
+        area.draw(&Text::new(label.text.clone(), (edge + 3, label.y), style))?;
     }
     Ok(())
 }

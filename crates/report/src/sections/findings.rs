@@ -34,7 +34,8 @@ pub fn section(runs: &[RunDir]) -> Section {
         id: "findings",
         title: "Findings",
         lead: format!(
-            "The first {FEW} of each class for each backend; findings.csv has more. The degeneracy is log2 of \
+            "In a browser all findings can be searched and chosen from, and some show their points, a picture, and the answer of each backend. Tables \
+             have the first {FEW} of each class for each backend; findings.csv has more. The degeneracy is log2 of \
              |determinant| / permanent: the farther below zero, the nearer the query is to a tie; −∞ is an exact \
              tie. Distances are in units of L, the largest extent of the scene."
         ),

@@ -15,7 +15,7 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
             blocks.push(Block::Note(note.to_owned(), Tone::Notable));
         }
         Some(svg) => {
-            let alt = "Nanoseconds per query against wrong answers per million queries, a panel for each task";
+            let alt = "Wrong answers per million queries against nanoseconds per query, a panel for each task";
             blocks.push(Block::Plot { svg, file: "scatter.svg", alt });
             blocks.push(Block::Table(table(runs)));
             let partial = partial(runs);
@@ -30,7 +30,8 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
         lead: format!(
             "One mark for each backend and task: the geometric mean of the families' times, and wrong answers per million \
              of their queries, over the families that all compared backends of the panel were checked and timed on; the \
-             title says how many of how many these are. Beside it stands {REFERENCE} on the very same families. A \
+             title says how many of how many these are. A mark has lines from its shortest to its longest samples, and over Wilson's interval at 95 % of what is wrong; what was never wrong stands on the \
+             shelf at the bottom. In the table {REFERENCE} stands beside it on the very same families. A \
              backend that did too few of them is partial: a hollow mark over its own families; a table of its own \
              has all that did the same. The dashed line is the Pareto frontier: of the compared backends, what is above or \
              to the right of it is beaten by one on it. figures.csv, beside this page, has the same figures in full."

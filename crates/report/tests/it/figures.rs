@@ -43,7 +43,7 @@ fn with_families_that_sos_lacks() -> Vec<RunDir> {
 /// `figures.csv`, row by row, by column.
 fn figures(runs: &[RunDir]) -> Vec<std::collections::BTreeMap<String, String>> {
     let folder = tempfile::tempdir().unwrap();
-    write_pages(runs, &[], folder.path()).unwrap();
+    write_pages(runs, &[], &[], folder.path()).unwrap();
     let mut reader = csv::Reader::from_path(folder.path().join("figures.csv")).unwrap();
     reader.deserialize().map(Result::unwrap).collect()
 }
@@ -198,11 +198,11 @@ fn what_was_timed_twice_is_one_pair() {
 fn a_page_that_can_t_be_written_leaves_the_earlier_one() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);
-    write_pages(&runs()[..1], &[], folder.path()).unwrap();
+    write_pages(&runs()[..1], &[], &[], folder.path()).unwrap();
     let before = std::fs::read_to_string(at("report.md")).unwrap();
     // No file can be written where a folder is, as none can on a full disk.
     std::fs::create_dir(at("scatter.svg.next")).unwrap();
-    let error = write_pages(&runs(), &[], folder.path()).unwrap_err();
+    let error = write_pages(&runs(), &[], &[], folder.path()).unwrap_err();
     assert_eq!(error.path, at("scatter.svg.next"));
     assert_eq!(std::fs::read_to_string(at("report.md")).unwrap(), before);
     let mut names: Vec<String> = std::fs::read_dir(folder.path())
@@ -212,6 +212,6 @@ fn a_page_that_can_t_be_written_leaves_the_earlier_one() {
     names.sort();
     assert_eq!(names, ["figures.csv", "report.html", "report.md", "scatter.svg.next", "ties.svg"]);
     std::fs::remove_dir(at("scatter.svg.next")).unwrap();
-    write_pages(&runs(), &[], folder.path()).unwrap();
+    write_pages(&runs(), &[], &[], folder.path()).unwrap();
     assert_ne!(std::fs::read_to_string(at("report.md")).unwrap(), before);
 }

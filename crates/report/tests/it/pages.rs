@@ -52,7 +52,7 @@ fn a_section_of_a_task_stands_where_it_belongs_on_both_pages() {
                     | a\\_b (a\\_b) | `a_b` | 1,234 |\n\nNo toy was found.\n\n**a\\_b**\n\n\
                     ```\npredicament toy\n```\n\n![a toy](toy.svg)\n\n";
     assert_eq!(section, expected);
-    let page = html(&runs(), &[of_a_task("a_b")]).unwrap();
+    let page = html(&runs(), &[of_a_task("a_b")], &[]).unwrap();
     let places = ["ties", "toy", "not-run"].map(|id| page.find(&format!("<section id=\"{id}\">")).unwrap());
     assert!(places.is_sorted(), "{places:?}");
     assert!(page.contains("<a href=\"#toy\">") && page.contains("<svg class=\"toy\">") && page.contains("1,234"));
@@ -125,7 +125,7 @@ fn html_has_every_section_and_needs_nothing_else() {
     let mut runs = runs();
     let png = PixelMap::new(2, 1, &[-1, 1], &[false, true]).unwrap().to_png(1).unwrap();
     runs[0].maps.push(("near-7".to_owned(), png.clone()));
-    let page = html(&runs, &[of_a_task("toys")]).unwrap();
+    let page = html(&runs, &[of_a_task("toys")], &[]).unwrap();
     for id in [
         "heat",
         "glance",
@@ -176,7 +176,7 @@ fn names_can_t_smuggle_markup_into_a_page() {
     runs[1].throughput[0].backend = evil.to_owned();
     runs[0].summary[0].suite = evil.to_owned();
     let sections = [of_a_task(evil)];
-    let page = html(&runs, &sections).unwrap();
+    let page = html(&runs, &sections, &[]).unwrap();
     assert!(!without_scripts(&page).contains("<script"));
     assert!(page.contains("&lt;script&gt;"));
     assert_balanced(&page);
@@ -214,7 +214,7 @@ fn the_order_of_rows_changes_nothing() {
         run.throughput.sort_by(|a, b| b.backend.cmp(&a.backend));
         run.precision.reverse();
     }
-    assert_eq!(html(&forward, &[]).unwrap(), html(&backward, &[]).unwrap());
+    assert_eq!(html(&forward, &[], &[]).unwrap(), html(&backward, &[], &[]).unwrap());
     assert_eq!(markdown(&forward, &[]).unwrap(), markdown(&backward, &[]).unwrap());
 }
 
@@ -242,7 +242,7 @@ fn without_both_times_and_answers_there_is_no_plot() {
 fn pages_are_written_beside_their_plot() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("new/report");
-    write_pages(&runs(), &[of_a_task("toys")], &out).unwrap();
+    write_pages(&runs(), &[of_a_task("toys")], &[], &out).unwrap();
     let plot = std::fs::read_to_string(out.join("scatter.svg")).unwrap();
     assert!(plot.starts_with("<svg") && plot.contains("shewchuk") && !plot.contains("#010203"));
     let ties = std::fs::read_to_string(out.join("ties.svg")).unwrap();

@@ -386,7 +386,7 @@ fn its_rows_reach_the_report() {
     let page = markdown(&runs, std::slice::from_ref(&section)).unwrap();
     assert!(page.contains("## Left turns\n\nTurns to the left.\n"), "{page}");
     assert!(page.contains("| zigzag | exact | 2 | 2 |\n| zigzag | naive | 2 | 2 |\n"), "{page}");
-    assert!(html(&runs, &[section]).unwrap().contains("<section id=\"left-turns\">"));
+    assert!(html(&runs, &[section], &[]).unwrap().contains("<section id=\"left-turns\">"));
     // Other columns, of the same length, in a folder that does not say what it has written: it would be refused.
     let [path, state] = [TurnRow::FILE, "state.json"].map(|file| folder.path().join(file));
     let text = std::fs::read_to_string(&path).unwrap();

@@ -62,7 +62,7 @@ fn every_section_of_a_task_is_on_both_pages_once() {
     let sections = sections(&runs);
     let ids: Vec<&str> = sections.iter().map(|section| section.id).collect();
     assert_eq!(ids, ["locate", "cubes", "contacts"]);
-    let (page, text) = (html(&runs, &sections).unwrap(), page(&runs));
+    let (page, text) = (html(&runs, &sections, &[]).unwrap(), page(&runs));
     for section in sections {
         for mark in [format!("<section id=\"{}\">", section.id), format!("<a href=\"#{}\">", section.id)] {
             assert_eq!(page.matches(&mark).count(), 1, "{mark}");
