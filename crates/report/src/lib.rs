@@ -20,6 +20,7 @@
 mod comparison;
 mod figures;
 mod groups;
+mod latex;
 pub mod layout;
 mod page;
 pub mod picture;
@@ -27,6 +28,7 @@ mod pixel_map;
 mod plot;
 mod rungs;
 mod sections;
+mod splice;
 mod table;
 pub mod text;
 mod web;
@@ -34,6 +36,8 @@ mod web;
 pub use page::{html, markdown, write_pages};
 pub use pixel_map::{PixelMap, PixelMapError, data_uri, side_by_side};
 pub use plot::{Bar, Bars, Curve, Curves, curves, histogram, ranges, scatter};
+pub use sections::against;
+pub use splice::splice;
 pub use table::{Block, Cell, Headline, Section, Table, Tone};
 pub use web::Detail;
 

@@ -9,10 +9,11 @@ use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value, context};
 
 use crate::sections::{FIRST, UNFOLDED, headlines, sections};
 use crate::table::{Block, Headline, Section};
-use crate::{Detail, Error, RunDir, figures, web};
+use crate::{Detail, Error, RunDir, figures, latex, web};
 
 const HTML: &str = "page.html";
 const MARKDOWN: &str = "page.md";
+const MARKDOWN_SECTION: &str = "section.md";
 
 /// One HTML page that needs nothing else: style, pictures, scripts and the rows of its tables are inside. Without scripts it shows
 /// the same but for the search in the findings.
@@ -32,7 +33,7 @@ pub fn markdown(runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> 
     render(MARKDOWN, runs, of_tasks, &[])
 }
 
-/// Writes `report.html`, `report.md`, `figures.csv` and the plots, each where there is something to
+/// Writes `report.html`, `report.md`, `figures.csv`, `tables.tex` and the plots, each where there is something to
 /// plot (`scatter.svg`, `ties.svg`), into a folder, which is made if need be. All are written beside their place first
 /// and then renamed: what fails leaves the files of an earlier report as they were.
 ///
@@ -50,6 +51,7 @@ pub fn write_pages(
         ("report.html", html(runs, of_tasks, details)?),
         ("report.md", markdown(runs, of_tasks)?),
         (figures::FILE, figures::csv(runs)?),
+        (latex::FILE, latex::latex(runs, of_tasks)?),
     ];
     let blocks = sections(runs, of_tasks)?.into_iter().flat_map(|section| section.blocks);
     files.extend(blocks.filter_map(|block| match block {
@@ -92,6 +94,13 @@ fn render(template: &str, runs: &[RunDir], of_tasks: &[Section], details: &[Deta
     filled.map_err(|error| Error::new(template.as_ref(), error.to_string()))
 }
 
+/// A section without its heading, in Markdown.
+pub(crate) fn markdown_of(section: &Section) -> Result<String, Error> {
+    let filled = environment()
+        .and_then(|env| env.get_template(MARKDOWN_SECTION)?.render(context! { section => section.value() }));
+    filled.map_err(|error| Error::new(MARKDOWN_SECTION.as_ref(), error.to_string()))
+}
+
 fn environment() -> Result<Environment<'static>, minijinja::Error> {
     let mut env = Environment::new();
     env.set_undefined_behavior(UndefinedBehavior::Strict);
@@ -102,6 +111,8 @@ fn environment() -> Result<Environment<'static>, minijinja::Error> {
     env.add_filter("breakable", breakable);
     env.add_template(HTML, include_str!("../templates/page.html"))?;
     env.add_template(MARKDOWN, include_str!("../templates/page.md"))?;
+    env.add_template("body.md", include_str!("../templates/body.md"))?;
+    env.add_template(MARKDOWN_SECTION, include_str!("../templates/section.md"))?;
     Ok(env)
 }
 

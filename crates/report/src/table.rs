@@ -103,6 +103,18 @@ impl Cell {
         Cell { framed: true, ..self }
     }
 
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+
+    pub(crate) fn detail_text(&self) -> &str {
+        &self.detail
+    }
+
+    pub(crate) fn is_code(&self) -> bool {
+        self.code
+    }
+
     fn value(&self) -> Value {
         context! {
             text => &self.text,
@@ -169,6 +181,19 @@ impl Table {
     pub fn push(&mut self, row: Vec<Cell>) {
         debug_assert_eq!(row.len(), self.columns.len(), "a cell for each column");
         self.rows.push(row);
+    }
+
+    pub(crate) fn caption(&self) -> &str {
+        &self.caption
+    }
+
+    /// Heads, and whether there are numbers below.
+    pub(crate) fn columns(&self) -> impl Iterator<Item = (&str, bool)> {
+        self.columns.iter().map(String::as_str).zip(self.numeric.iter().copied())
+    }
+
+    pub(crate) fn rows(&self) -> &[Vec<Cell>] {
+        &self.rows
     }
 
     /// Whether there are no rows.

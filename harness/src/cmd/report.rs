@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use predicament_records::RunDir;
-use predicament_report::{Section, write_pages};
+use predicament_report::{Section, against, splice, write_pages};
 use predicament_studies::compare;
 
 use crate::details::details;
@@ -15,6 +15,8 @@ Examples:
   predicament report out/run --out out/report
   predicament report out/run out/bench --out out/report    errors and timings on one page
   predicament compare --out out/run/compare                then every report of out/run has the table of backends
+  predicament report out/run --against out/main --out out/report   what changed since an earlier run
+  predicament report out/run --splice README.md             the same tables in a page of your own
   predicament report out/run out/compare --out out/report  with the comparison of backends that `compare` has written elsewhere";
 
 /// Write Markdown, one self-contained HTML page, plots and their figures as CSV from run folders
@@ -30,6 +32,14 @@ pub struct Args {
     /// Where the pages go; files of an earlier report are replaced
     #[arg(long, value_name = "DIR", default_value = "predicament-report")]
     pub out: PathBuf,
+
+    /// Show what changed since this earlier run, or these: scenes, classes and times
+    #[arg(long, value_name = "RUN")]
+    pub against: Vec<PathBuf>,
+
+    /// Put sections into a Markdown page of your own, between `<!-- predicament: SECTION -->` and `<!-- /predicament -->`; `SECTION tables` for its tables alone
+    #[arg(long, value_name = "FILE")]
+    pub splice: Vec<PathBuf>,
 }
 
 /// Runs the command.
@@ -56,11 +66,24 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     compared.extend(tool.sections(&runs).map_err(Failure::usage)?);
     let (told, missing) = details(&runs, tool)?;
     if missing > 0 {
-        note!(
-            "{missing} findings that the page would show with their points are of scenes that are not there any more, or need data"
-        );
+        note!("{missing} findings are on the page without their points: they can't be asked again alone");
+    }
+    if !args.against.is_empty() {
+        compared.push(against(&runs, &RunDir::open_all(&args.against).map_err(Failure::usage)?));
+    }
+    // All pages are made before any is written.
+    let mut spliced = Vec::new();
+    for page in &args.splice {
+        let named = |why: String| Failure::usage(format!("{}: {why}", page.display()));
+        let text = std::fs::read_to_string(page).map_err(|why| named(why.to_string()))?;
+        let (text, _) = splice(&text, &runs, &compared).map_err(|why| named(why.message))?;
+        spliced.push((page, text));
     }
     write_pages(&runs, &compared, &told, &args.out).map_err(Failure::usage)?;
+    for (page, text) in spliced {
+        std::fs::write(page, text).map_err(|why| Failure::usage(format!("{}: {why}", page.display())))?;
+        note!("{} has the sections that its marks name", page.display());
+    }
     say!("{}", args.out.join("report.html").display());
     Ok(exit::OK)
 }

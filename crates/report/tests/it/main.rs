@@ -1,4 +1,5 @@
 //! The integration tests, as one binary: each further one would link the crate and compile what they share again.
 
+mod against;
 mod figures;
 mod pages;

@@ -1,0 +1,164 @@
+//! Runs beside earlier ones: what came, what went, what changed, and what takes longer.
+
+use std::collections::BTreeMap;
+
+use super::rank;
+use crate::groups::{backends, timed};
+use crate::table::{Block, Cell, Section, Table, Tone};
+use crate::{Class, RunDir, SummaryRow};
+use predicament_records::format::{factor, length, significant, thousands};
+
+/// How many changed pairs are named.
+const MANY: usize = 200;
+/// The normal quantile of 95 %, on both sides.
+const Z: f64 = 1.959_963_984_540_054;
+
+/// What distinguishes these runs from earlier ones: pairs of scene and backend by their classes, and times by task and backend.
+#[must_use]
+pub fn against(runs: &[RunDir], earlier: &[RunDir]) -> Section {
+    let [now, before] = [runs, earlier].map(pairs);
+    let changed: Vec<Change> = now
+        .iter()
+        .filter_map(|(key, row)| {
+            let old = before.get(key)?;
+            (classes(old) != classes(row) || old.status != row.status).then_some((*key, *old, *row))
+        })
+        .collect();
+    let only = |these: &Pairs, those: &Pairs| these.keys().filter(|key| !those.contains_key(*key)).count();
+    let (added, removed) = (only(&now, &before), only(&before, &now));
+    let unchanged = now.len() - added - changed.len();
+    let mut counts = Table::new("Pairs of scene and backend").numbers(["unchanged", "changed", "added", "removed"]);
+    counts.push(vec![
+        Cell::count(length(unchanged)),
+        Cell::count(length(changed.len())).tone(if changed.is_empty() { Tone::Muted } else { Tone::Notable }),
+        Cell::count(length(added)),
+        Cell::count(length(removed)),
+    ]);
+    let mut blocks = vec![Block::Table(counts)];
+    let order = backends(runs);
+    for table in [changes(changed, &order), times(runs, earlier, &order)] {
+        if !table.is_empty() {
+            blocks.push(Block::Table(table));
+        }
+    }
+    Section {
+        id: "against",
+        title: "Beside the earlier run",
+        lead: "A pair is changed if it has other counts of any class, or another status; of an added or a changed scene the content id is another one. A ratio of \
+               times is the geometric mean over the families that were timed in both, with its interval at 95 % from how much families differ; where the interval \
+               is without 1, and only there, the times differ by more than families do."
+            .to_owned(),
+        blocks,
+    }
+}
+
+type Key<'r> = [&'r str; 5];
+type Pairs<'r> = BTreeMap<Key<'r>, &'r SummaryRow>;
+type Change<'r> = (Key<'r>, &'r SummaryRow, &'r SummaryRow);
+
+/// Rows by suite, scene, content, task and backend.
+fn pairs(runs: &[RunDir]) -> Pairs<'_> {
+    let rows = runs.iter().flat_map(|run| &run.summary);
+    rows.map(|row| ([&*row.suite, &*row.scene, &*row.scene_id, &*row.task, &*row.backend], row)).collect()
+}
+
+fn classes(row: &SummaryRow) -> Vec<u64> {
+    Class::ALL.into_iter().map(|class| row.count(class)).collect()
+}
+
+/// What changed, first what is not expected any more.
+fn changes(mut changed: Vec<Change<'_>>, order: &[&str]) -> Table {
+    changed.sort_by_key(|(key, _, new)| (new.status.passes(), *key, rank(order, key[4])));
+    let mut caption = "Changed".to_owned();
+    if changed.len() > MANY {
+        caption += &format!(": the first {MANY} of {}", thousands(length(changed.len())));
+    }
+    let mut table = Table::new(caption).words(["suite", "scene", "task", "backend", "before", "now"]);
+    for ([suite, scene, _, task, backend], old, new) in changed.into_iter().take(MANY) {
+        let differing: Vec<Class> =
+            Class::ALL.into_iter().filter(|&class| old.count(class) != new.count(class)).collect();
+        let tell = |row: &SummaryRow| {
+            let counts = differing.iter().map(|&class| format!("{class} {}", thousands(row.count(class))));
+            Cell::from(counts.collect::<Vec<_>>().join(", ")).detail(row.status.name())
+        };
+        let tone = if new.status.passes() { Tone::Plain } else { Tone::Bad };
+        table.push(vec![
+            suite.into(),
+            scene.into(),
+            task.into(),
+            Cell::code(backend),
+            tell(old).tone(Tone::Muted),
+            tell(new).tone(tone),
+        ]);
+    }
+    table
+}
+
+/// Times over those of earlier runs by task and backend.
+fn times(runs: &[RunDir], earlier: &[RunDir], order: &[&str]) -> Table {
+    let [now, before] = [runs, earlier].map(medians);
+    let mut ratios: BTreeMap<(&str, usize), Vec<f64>> = BTreeMap::new();
+    for ([task, family, backend], ns) in &now {
+        if let Some(old) = before.get(&[*task, *family, *backend]) {
+            ratios.entry((task, rank(order, backend))).or_default().push((ns / old).ln());
+        }
+    }
+    let mut table = Table::new("Times over the earlier ones")
+        .words(["task", "backend"])
+        .numbers(["families", "ratio", "from", "to"]);
+    for ((task, backend), logs) in ratios {
+        let (mean, half) = mean_and_half(&logs);
+        let interval = half.map(|half| [mean - half, mean + half].map(f64::exp));
+        let tone = match interval {
+            Some([low, _]) if low > 1.0 => Tone::Notable,
+            Some([_, high]) if high < 1.0 => Tone::Good,
+            _ => Tone::Plain,
+        };
+        let end = |at: usize| interval.map_or_else(Cell::default, |ends| Cell::from(significant(ends[at], 3)));
+        table.push(vec![
+            task.into(),
+            Cell::code(order.get(backend).copied().unwrap_or_default()),
+            thousands(length(logs.len())).into(),
+            Cell::from(factor(mean.exp())).tone(tone),
+            end(0),
+            end(1),
+        ]);
+    }
+    table
+}
+
+/// Nanoseconds per query by task, family and backend; of several runs the first that timed it.
+fn medians(runs: &[RunDir]) -> BTreeMap<[&str; 3], f64> {
+    let mut all = BTreeMap::new();
+    for run in runs {
+        for ([task, family], of) in timed(run) {
+            for (backend, spread) in of {
+                all.entry([task, family, backend]).or_insert(spread.median);
+            }
+        }
+    }
+    all
+}
+
+/// The mean of some numbers, and half of the width of its interval; none of fewer than three.
+fn mean_and_half(values: &[f64]) -> (f64, Option<f64>) {
+    #[allow(clippy::cast_precision_loss)] // a few hundred
+    let count = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / count;
+    let squares: f64 = values.iter().map(|x| (x - mean) * (x - mean)).sum();
+    (mean, (values.len() >= 3).then(|| Z * (squares / (count - 1.0) / count).sqrt()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_interval_takes_three() {
+        assert_eq!(mean_and_half(&[1.0, 3.0]), (2.0, None));
+        let (mean, half) = mean_and_half(&[1.0, 2.0, 3.0]);
+        // A deviation of 1, over the root of three.
+        assert_eq!(mean, 2.0);
+        assert!((half.unwrap() - 1.96 / 3_f64.sqrt()).abs() < 1e-4);
+    }
+}

@@ -1,0 +1,87 @@
+//! Runs beside earlier ones, sections in pages of one's own, and tables for papers.
+
+use predicament_records::{Class, RunDir, Status};
+use predicament_report::{Section, against, html, markdown, splice, write_pages};
+
+fn runs() -> Vec<RunDir> {
+    ["../tasks/tests/data/checked", "../tasks/tests/data/timed"].map(|path| RunDir::open(path).unwrap()).into()
+}
+
+fn said(section: Section) -> String {
+    markdown(&[], &[section]).unwrap()
+}
+
+#[test]
+fn a_run_beside_itself_has_changed_in_nothing() {
+    let page = said(against(&runs(), &runs()));
+    let pairs: usize = runs().iter().map(|run| run.summary.len()).sum();
+    assert!(page.contains(&format!("| {pairs} | 0 | 0 | 0 |")), "{page}");
+    assert!(!page.contains("### Changed"), "{page}");
+    assert!(page.contains("### Times over the earlier ones"), "{page}");
+    assert!(page.lines().filter(|line| line.contains("1.0×")).count() > 2, "{page}");
+}
+
+/// A planted regression: one scene has wrong answers that it had not, one takes twice as long, one is gone.
+#[test]
+fn what_changed_is_named() {
+    let earlier = runs();
+    let mut now = runs();
+    let row = now[0].summary.iter_mut().find(|row| row.status == Status::Ok && row.has_answers()).unwrap();
+    *row.count_mut(Class::SignFlip) += 7;
+    row.status = Status::Unexpected;
+    let (scene, backend) = (row.scene.clone(), row.backend.clone());
+    let gone = now[0].summary.iter().position(|row| row.status == Status::Expected).unwrap();
+    now[0].summary.remove(gone);
+    let timed = now[1].throughput[0].backend.clone();
+    for row in now[1].throughput.iter_mut().filter(|row| row.backend == timed) {
+        row.ns_per_query *= 2.0;
+    }
+    let page = said(against(&now, &earlier));
+    let pairs: usize = now.iter().map(|run| run.summary.len()).sum();
+    assert!(page.contains(&format!("| {} | 1 | 0 | 1 |", pairs - 1)), "{page}");
+    let changed = page.lines().find(|line| line.contains("sign\\_flip 7")).unwrap();
+    assert!(changed.contains(&scene) && changed.contains(&format!("`{backend}`")) && changed.contains("sign\\_flip 0"));
+    assert!(changed.contains("unexpected"), "{changed}");
+    let slower: Vec<&str> =
+        page.lines().filter(|line| line.contains(&format!("| `{timed}` |")) && line.contains("2.0×")).collect();
+    assert!(!slower.is_empty(), "{page}");
+    // First on both pages.
+    let page = html(&now, &[against(&now, &earlier)], &[]).unwrap();
+    let place = |id: &str| page.find(&format!("<section id=\"{id}\">")).unwrap();
+    assert!(place("against") < place("heat"));
+}
+
+#[test]
+fn sections_go_where_their_marks_are() {
+    let page = "Before\n<!-- predicament: glance tables -->\nold\n<!-- /predicament -->\nbetween\n\
+                <!-- predicament: ties -->\n<!-- /predicament -->\nafter\n";
+    let (once, count) = splice(page, &runs(), &[]).unwrap();
+    assert_eq!(count, 2);
+    assert!(once.starts_with("Before\n<!-- predicament: glance tables -->\n| backend |"), "{once}");
+    assert!(once.contains("|\n<!-- /predicament -->\nbetween\n<!-- predicament: ties -->\n"), "{once}");
+    assert!(once.ends_with("<!-- /predicament -->\nafter\n") && !once.contains("old"), "{once}");
+    // The rows are those of the whole page.
+    let whole = markdown(&runs(), &[]).unwrap();
+    assert!(once.lines().filter(|line| line.starts_with("| `")).all(|line| whole.contains(line)));
+    assert_eq!(splice(&once, &runs(), &[]).unwrap().0, once, "and again");
+}
+
+#[test]
+fn marks_that_name_nothing_are_refused() {
+    let refused = |page: &str| splice(page, &runs(), &[]).unwrap_err().message;
+    assert!(refused("no marks").contains("there is no mark"));
+    assert!(refused("\n<!-- predicament: nothing -->\n<!-- /predicament -->").starts_with("line 2: no section"));
+    assert!(refused("<!-- predicament: glance -->\n").contains("<!-- /predicament -->"));
+    assert!(refused("<!-- predicament: glance").contains("-->"));
+}
+
+#[test]
+fn tables_for_papers_have_the_same_cells() {
+    let folder = tempfile::tempdir().unwrap();
+    write_pages(&runs(), &[], &[], folder.path()).unwrap();
+    let tex = std::fs::read_to_string(folder.path().join("tables.tex")).unwrap();
+    assert_eq!(tex.matches("\\begin{tabular}").count(), tex.matches("\\end{tabular}").count());
+    assert!(tex.contains("\\label{tab:glance-1}") && tex.contains("\\toprule"), "{tex}");
+    assert!(tex.contains("1,100,000 & 2,502"), "numbers of the page");
+    assert!(!tex.lines().any(|line| !line.starts_with('%') && line.replace("\\_", "").contains('_')), "{tex}");
+}
