@@ -74,6 +74,7 @@ fn escaped(text: &str) -> String {
             '—' => out += "---",
             '∞' => out += "$\\infty$",
             '✗' => out += "$\\times$",
+            '\u{a0}' => out.push('~'),
             '\n' | '\r' => out.push(' '),
             _ => out.push(c),
         }
@@ -88,7 +89,7 @@ mod tests {
 
     #[test]
     fn nothing_is_a_command_that_was_text() {
-        assert_eq!(escaped("a_b & 50 % \\x −3 0.4×"), "a\\_b \\& 50 \\% \\textbackslash{}x $-$3 0.4$\\times$");
+        assert_eq!(escaped("a_b & 50\u{a0}% \\x −3 0.4×"), "a\\_b \\& 50~\\% \\textbackslash{}x $-$3 0.4$\\times$");
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! The two pages: one for browsers and printers, one for terminals and forges.
 
+use std::borrow::Cow;
 use std::fs::File;
 use std::io::Write as _;
 use std::path::Path;
@@ -47,11 +48,11 @@ pub fn write_pages(
 ) -> Result<(), Error> {
     let folder = folder.as_ref();
     std::fs::create_dir_all(folder).map_err(Error::io(folder))?;
-    let mut files = vec![
-        ("report.html", html(runs, of_tasks, details)?),
-        ("report.md", markdown(runs, of_tasks)?),
-        (figures::FILE, figures::csv(runs)?),
-        (latex::FILE, latex::latex(runs, of_tasks)?),
+    let mut files: Vec<(Cow<'static, str>, String)> = vec![
+        ("report.html".into(), html(runs, of_tasks, details)?),
+        ("report.md".into(), markdown(runs, of_tasks)?),
+        (figures::FILE.into(), figures::csv(runs)?),
+        (latex::FILE.into(), latex::latex(runs, of_tasks)?),
     ];
     let blocks = sections(runs, of_tasks)?.into_iter().flat_map(|section| section.blocks);
     files.extend(blocks.filter_map(|block| match block {
@@ -69,7 +70,7 @@ pub fn write_pages(
         }
     }
     for (name, _) in &files {
-        std::fs::rename(next(name), folder.join(name)).map_err(Error::io(&folder.join(name)))?;
+        std::fs::rename(next(name), folder.join(&**name)).map_err(Error::io(&folder.join(&**name)))?;
     }
     Ok(())
 }

@@ -3,6 +3,8 @@
 //! Both kinds of page are made from the same data, so that they can't
 //! disagree; a template decides only what a table looks like.
 
+use std::borrow::Cow;
+
 use minijinja::{Value, context};
 
 use predicament_records::format::thousands;
@@ -119,12 +121,22 @@ impl Cell {
         context! {
             text => &self.text,
             detail => &self.detail,
-            tone => self.tone.class(),
             code => self.code,
             title => &self.title,
             link => &self.link,
-            framed => self.framed,
         }
+    }
+
+    /// The attribute `class` of the cell, with a blank before it; empty where there is none. Tables of a page have a hundred thousand
+    /// cells, so it is as short as it can be.
+    fn class(&self, numeric: bool) -> Value {
+        let classes = [if numeric { "n" } else { "" }, self.tone.class(), if self.framed { "framed" } else { "" }];
+        let classes: Vec<&str> = classes.into_iter().filter(|class| !class.is_empty()).collect();
+        Value::from_safe_string(match classes[..] {
+            [] => String::new(),
+            [one] => format!(" class={one}"),
+            _ => format!(" class=\"{}\"", classes.join(" ")),
+        })
     }
 }
 
@@ -208,7 +220,9 @@ impl Table {
             columns.map(|(head, &numeric)| context! { head => head, numeric => numeric }).collect();
         let rows = self.rows.iter().map(|row| {
             let cells = row.iter().zip(&self.numeric);
-            cells.map(|(cell, &numeric)| context! { numeric => numeric, ..cell.value() }).collect::<Vec<Value>>()
+            cells
+                .map(|(cell, &numeric)| context! { class => cell.class(numeric), ..cell.value() })
+                .collect::<Vec<Value>>()
         });
         context! { kind => "table", heat => self.heat, caption => &self.caption, columns => columns, rows => rows.collect::<Vec<_>>() }
     }
@@ -228,9 +242,9 @@ pub enum Block {
         /// The picture.
         svg: String,
         /// The name of the file that [`write_pages`](crate::write_pages) puts it in.
-        file: &'static str,
+        file: Cow<'static, str>,
         /// What there is to see.
-        alt: &'static str,
+        alt: Cow<'static, str>,
     },
     /// A PNG as a data address; not in Markdown.
     Image {
@@ -253,7 +267,7 @@ impl Block {
             Block::Note(text, tone) => context! { kind => "note", text => text, tone => tone.class() },
             Block::Command(text) => context! { kind => "command", text => text },
             Block::Plot { svg, file, alt } => {
-                context! { kind => "plot", svg => Value::from_safe_string(svg.clone()), file => *file, alt => *alt }
+                context! { kind => "plot", svg => Value::from_safe_string(svg.clone()), file => &**file, alt => &**alt }
             }
             Block::Image { name, uri } => {
                 context! { kind => "image", name => name, uri => Value::from_safe_string(uri.clone()) }

@@ -103,6 +103,7 @@ mod common;
 mod contacts;
 mod coordinate;
 mod error;
+mod folder;
 mod host;
 mod list;
 mod precision;

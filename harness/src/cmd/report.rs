@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use predicament_records::RunDir;
 use predicament_report::{Section, against, splice, write_pages};
-use predicament_studies::compare;
+use predicament_studies::{compare, stress};
 
 use crate::details::details;
 use crate::exit::{self, Failure};
@@ -15,6 +15,7 @@ Examples:
   predicament report out/run --out out/report
   predicament report out/run out/bench --out out/report    errors and timings on one page
   predicament compare --out out/run/compare                then every report of out/run has the table of backends
+  predicament stress --out out/run/stress                  and where they break
   predicament report out/run --against out/main --out out/report   what changed since an earlier run
   predicament report out/run --splice README.md             the same tables in a page of your own
   predicament report out/run out/compare --out out/report  with the comparison of backends that `compare` has written elsewhere";
@@ -25,7 +26,7 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// Folders written by `run` or `bench`; earlier ones come first where several have the same. Folders written by `compare` add its table, as do those in RUN/compare
+    /// Folders written by `run` or `bench`; earlier ones come first where several have the same. Folders written by `compare` and `stress` add their sections, as do RUN/compare and RUN/stress
     #[arg(required = true, value_name = "RUN")]
     pub runs: Vec<PathBuf>,
 
@@ -46,9 +47,11 @@ pub struct Args {
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let (mut folders, mut compared) = (Vec::new(), Vec::new());
     for folder in &args.runs {
-        match compare::section(folder).map_err(Failure::usage)? {
-            Some(section) if !folder.join("plan.json").exists() => compared.push(section),
-            _ => folders.push(folder.clone()),
+        let of_studies = studied(folder)?;
+        if of_studies.is_empty() || folder.join("plan.json").exists() {
+            folders.push(folder.clone());
+        } else {
+            compared.extend(of_studies);
         }
     }
     if folders.is_empty() {
@@ -56,8 +59,17 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             "there is no run among the folders; name one that `run` or `bench` has written, too",
         ));
     }
-    if compared.is_empty() {
-        compared.push(beside(&folders)?);
+    for folder in &folders {
+        for place in [folder.clone(), folder.join(COMPARISON), folder.join(STRESS)] {
+            for section in studied(&place)? {
+                if compared.iter().all(|other: &Section| other.id != section.id) {
+                    compared.push(section);
+                }
+            }
+        }
+    }
+    if compared.iter().all(|section| section.id != COMPARISON) {
+        compared.push(compare::missing(&folders[0].join(COMPARISON)));
     }
     let runs = RunDir::open_all(&folders).map_err(Failure::usage)?;
     for warning in runs.iter().flat_map(|run| &run.warnings) {
@@ -88,18 +100,13 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     Ok(exit::OK)
 }
 
-/// The comparison of backends that is in a folder of a run, or in `compare` in it: the first there is, or how to make it.
-fn beside(runs: &[PathBuf]) -> Result<Section, Failure> {
-    for folder in runs {
-        for place in [folder.clone(), folder.join(COMPARISON)] {
-            if let Some(section) = compare::section(&place).map_err(Failure::usage)? {
-                return Ok(section);
-            }
-        }
-    }
-    let first = runs.first().map_or(Path::new("RUN"), PathBuf::as_path);
-    Ok(compare::missing(&first.join(COMPARISON)))
+/// What studies have written into a folder.
+fn studied(folder: &Path) -> Result<Vec<Section>, Failure> {
+    let sections = [compare::section(folder), stress::section(folder)];
+    sections.into_iter().filter_map(|section| section.map_err(Failure::usage).transpose()).collect()
 }
 
-/// The folder of a comparison in that of a run.
+/// The folder of a stress study in that of a run.
+const STRESS: &str = "stress";
+/// The folder of a comparison in that of a run, and its section.
 const COMPARISON: &str = "compare";

@@ -395,7 +395,8 @@ fn a_run_and_a_bench_of_it_have_as_many_answers_as_were_asked() {
         let page = read(&report, "report.md");
         assert!(page.contains(&format!("of {rows} pairs of scene and backend")), "{folders:?}: {page}");
         assert!(page.contains(&format!(" of {} answers are wrong", text(asked))), "{folders:?}: {page}");
-        let glance = page.lines().find(|line| line.starts_with("| `sos` |")).unwrap();
+        let glance = page.split("\n## Backends at a glance\n").nth(1).unwrap();
+        let glance = glance.lines().find(|line| line.starts_with("| `sos` |")).unwrap();
         assert!(glance.contains(&format!(" | {ties} | ")), "{folders:?}: {glance}");
         let stages = page.split("\n## Stages\n").nth(1).unwrap().split("\n## ").next().unwrap();
         let bricks = stages.lines().filter(|line| line.contains("| polygon-locate | bricks | sos |"));
@@ -447,6 +448,27 @@ fn a_report_has_errors_and_timings_on_one_page() {
         }
     }
     assert!(html.contains("<svg") && !html.contains("src=\"http"));
+    assert!(read(&report, "tables.tex").contains("\\begin{tabular}"));
+}
+
+#[test]
+fn a_report_beside_an_earlier_run_and_in_a_page_of_ones_own() {
+    let folder = tempdir().unwrap();
+    let (before, now, report) = (at(&folder, "before"), at(&folder, "now"), at(&folder, "report"));
+    let page = at(&folder, "page.md");
+    run(&["run", "-f", "kettner-pixels-a", "-b", "exact,naive", "--out", &before]);
+    run(&["run", "-f", "kettner-pixels-a|tilings/bricks", "-b", "exact", "--out", &now]);
+    std::fs::write(&page, "Mine\n<!-- predicament: glance tables -->\n<!-- /predicament -->\n").unwrap();
+    expect(0, &["report", &now, "--against", &before, "--splice", &page, "--out", &report]);
+    let markdown = read(&report, "report.md");
+    // One pair is there as before, one is new, and one is gone.
+    assert!(markdown.contains("## Beside the earlier run") && markdown.contains("| 1 | 0 | 1 | 1 |"), "{markdown}");
+    let spliced = std::fs::read_to_string(&page).unwrap();
+    assert!(spliced.starts_with("Mine\n") && spliced.contains("\n| `exact` | "), "{spliced}");
+    std::fs::write(&page, "no marks\n").unwrap();
+    let said = expect(2, &["report", &now, "--splice", &page, "--out", &report]).stderr;
+    assert!(said.contains("page.md") && said.contains("there is no mark"), "{said}");
+    assert_eq!(std::fs::read_to_string(&page).unwrap(), "no marks\n");
 }
 
 #[test]

@@ -40,7 +40,7 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
     let mut blocks = Vec::new();
     if let Some(svg) = overall(runs)? {
         let alt = "Times over the reference's against wrong answers per million, over all tasks";
-        blocks.push(Block::Plot { svg, file: "overall.svg", alt });
+        blocks.push(Block::Plot { svg, file: "overall.svg".into(), alt: alt.into() });
     }
     blocks.push(Block::table_or(table, "No scene was checked."));
     Ok(Section { id: "glance", title: "Backends at a glance", lead: lead(prices.as_ref()), blocks })

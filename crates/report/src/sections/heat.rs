@@ -77,7 +77,7 @@ impl Sums {
             (_, failed) => format!("{} ✗{}", share(rate), thousands(failed)),
         };
         let mut title = format!(
-            "{backend} on {suite}, {}: {} wrong of {}, {}, {} ties broken or within a tolerance",
+            "{backend} on {suite} (its rows in summary.csv), {}: {} wrong of {}, {}, {} ties broken or within a tolerance",
             counted(self.scenes, "scene"),
             thousands(self.wrong),
             counted(self.queries, "answer"),
@@ -110,10 +110,10 @@ impl Sums {
 /// A share that is given in millionths, short: as a percentage where that is not too small.
 fn share(per_million: f64) -> String {
     match per_million {
-        rate if rate > 1e6 => ">100 %".to_owned(),
-        rate if rate >= 95_000.0 => format!("{:.0} %", rate / 1e4),
-        rate if rate >= 950.0 => format!("{} %", significant(rate / 1e4, 1)),
-        rate => format!("{} ppm", significant(rate, 1)),
+        rate if rate > 1e6 => ">100\u{a0}%".to_owned(),
+        rate if rate >= 95_000.0 => format!("{:.0}\u{a0}%", rate / 1e4),
+        rate if rate >= 950.0 => format!("{}\u{a0}%", significant(rate / 1e4, 1)),
+        rate => format!("{}\u{a0}ppm", significant(rate, 1)),
     }
 }
 
@@ -146,6 +146,7 @@ mod tests {
     #[test]
     fn shares_are_short() {
         let shares = [2e6, 1e6, 123_456.0, 12_345.0, 1_234.0, 123.0, 0.123].map(share);
+        let shares = shares.map(|share| share.replace('\u{a0}', " "));
         assert_eq!(shares, [">100 %", "100 %", "12 %", "1 %", "0.1 %", "100 ppm", "0.1 ppm"]);
     }
 

@@ -57,7 +57,7 @@ pub fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     }
     let svg = if lines.curves.is_empty() { None } else { curves(&lines)? };
     let alt = "Nanoseconds of each phase over the size of the scene, a line for each series of scenes";
-    let plot = svg.map(|svg| Block::Plot { svg, file: "growth.svg", alt });
+    let plot = svg.map(|svg| Block::Plot { svg, file: "growth.svg".into(), alt: alt.into() });
     Ok(Some(Section {
         id: "phases",
         title: "Phases",

@@ -16,7 +16,7 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
         }
         Some(svg) => {
             let alt = "Wrong answers per million queries against nanoseconds per query, a panel for each task";
-            blocks.push(Block::Plot { svg, file: "scatter.svg", alt });
+            blocks.push(Block::Plot { svg, file: "scatter.svg".into(), alt: alt.into() });
             blocks.push(Block::Table(table(runs)));
             let partial = partial(runs);
             if !partial.is_empty() {

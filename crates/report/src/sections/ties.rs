@@ -103,7 +103,7 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
         blocks.push(Block::Table(table));
         if let Some(svg) = histogram(&bars)? {
             let alt = "How many questions the first, second, … term of the perturbation decided, over all tasks";
-            blocks.push(Block::Plot { svg, file: "ties.svg", alt });
+            blocks.push(Block::Plot { svg, file: "ties.svg".into(), alt: alt.into() });
         }
         blocks.push(Block::Table(depths));
     }

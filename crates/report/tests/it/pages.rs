@@ -23,7 +23,7 @@ fn of_a_task(text: &str) -> Section {
             Block::table_or(Table::new("").words(["nobody"]), "No toy was found."),
             Block::Note(text.to_owned(), Tone::Bad),
             Block::Command("predicament toy".to_owned()),
-            Block::Plot { svg: "<svg class=\"toy\"></svg>".to_owned(), file: "toy.svg", alt: "a toy" },
+            Block::Plot { svg: "<svg class=\"toy\"></svg>".to_owned(), file: "toy.svg".into(), alt: "a toy".into() },
         ],
     }
 }

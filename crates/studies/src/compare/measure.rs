@@ -66,10 +66,5 @@ impl About<'_> {
 /// # Errors
 /// One line with the file, and the line that is wrong.
 pub(super) fn read(path: &std::path::Path) -> Result<Vec<Measure>, String> {
-    let mut rows = csv::Reader::from_path(path).map_err(|why| format!("{}: {why}", path.display()))?;
-    let row = |(at, row): (usize, Result<Measure, csv::Error>)| {
-        // Under a header, from one on.
-        row.map_err(|why| format!("{}:{}: {why}; write it anew with `predicament compare`", path.display(), at + 2))
-    };
-    rows.deserialize().enumerate().map(row).collect()
+    crate::folder::rows_of(path, "compare")
 }

@@ -7,6 +7,7 @@ use predicament_report::{Block, Cell, Section, Table, Tone};
 use super::Measure;
 use super::measure::read;
 use super::table::{WRONG, short};
+use crate::folder::plots_in;
 
 /// The file that a folder of this study has.
 const FILE: &str = "compare.csv";
@@ -72,13 +73,16 @@ pub fn section(folder: &Path) -> Result<Option<Section>, String> {
             Cell::from(short(of("memory", "").map(|bytes| bytes / 1024.0)).as_str()),
         ]);
     }
+    let mut blocks = plots_in(folder, "error-time", "Scenes that are wrong against time, over all inputs")?;
+    blocks.push(Block::Table(table));
+    blocks.extend(plots_in(folder, "conditioning", "Wrong answers in a million by how degenerate queries are")?);
     Ok(Some(Section {
         id: ID,
         title: TITLE,
         lead: format!(
-            "Backends of all philosophies on the same scenes. Each number is the value of a row of {}, which has its interval and what it is of.",
+            "Backends of all philosophies on the same scenes. Each number is the value of a row of {}, which has its interval and what it is of. The plots are what backends get wrong against what they cost, with curves where a backend has a parameter, and against how degenerate a query is, with each backend's band.",
             path.display()
         ),
-        blocks: vec![Block::Table(table)],
+        blocks,
     }))
 }

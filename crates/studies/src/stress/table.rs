@@ -52,7 +52,7 @@ pub(super) fn page(stressed: &Stressed) -> String {
 }
 
 /// Where a backend breaks, in a cell.
-fn place(row: &BreakPoint) -> String {
+pub(super) fn place(row: &BreakPoint) -> String {
     match (row.breaks_at, row.holds_to, row.declines_at) {
         (Some(at), Some(before), _) => format!("{at} ({before})"),
         (Some(at), None, _) => format!("{at}"),

@@ -206,3 +206,29 @@ fn times_are_measured_and_shown() {
     assert!(study.page(&found).contains("## Time along the knobs"));
     assert!(study.plots(&found).unwrap().iter().any(|file| file.name == "stress-size-time.svg"));
 }
+
+#[test]
+fn a_folder_is_a_section_of_a_report() {
+    let folder = std::env::temp_dir().join(format!("predicament-stress-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    assert_eq!(predicament_studies::stress::section(&folder), Ok(None));
+    let study = study(&["orient2d"], &[Knob::Scale, Knob::Noise]);
+    let of = stressed(&study, &["exact", "epsilon:1e-10"]);
+    for file in study.rows(&of).unwrap().into_iter().chain(study.plots(&of).unwrap()) {
+        std::fs::write(folder.join(&file.name), &file.text).unwrap();
+    }
+    let section = predicament_studies::stress::section(&folder).unwrap().unwrap();
+    assert_eq!(section.id, "stress");
+    // Noise, and scale both ways, each with its cells; plots after them.
+    let shown = format!("{:?}", section.blocks);
+    for caption in ["noise: ", "scale: ", "scale, down: "] {
+        assert_eq!(shown.matches(&format!("caption: \"{caption}")).count(), 1, "{shown}");
+    }
+    let breaks = of.breaks.iter().find(|row| row.backend == "epsilon:1e-10" && row.breaks_at.is_some()).unwrap();
+    assert!(shown.contains(&format!("text: \"{}", breaks.breaks_at.unwrap())), "{shown}");
+    assert!(shown.contains("file: \"stress-noise.svg\""), "{shown}");
+    std::fs::write(folder.join("breaks.csv"), "task,knob\nx,y\n").unwrap();
+    let why = predicament_studies::stress::section(&folder).unwrap_err();
+    assert!(why.contains("breaks.csv:2") && why.contains("predicament stress"), "{why}");
+    std::fs::remove_dir_all(&folder).unwrap();
+}

@@ -1,0 +1,78 @@
+//! Break points in a report.
+
+use std::path::Path;
+
+use predicament_report::{Block, Cell, Section, Table, Tone};
+use predicament_tasks::Knob;
+
+use super::BreakPoint;
+use super::table::place;
+use crate::folder::{plots_in, rows_of};
+
+/// The file that a folder of this study has.
+const FILE: &str = "breaks.csv";
+
+/// The section of a report from a folder that the study has written; none where the folder has no such file.
+///
+/// # Errors
+/// One line with the file, and what is wrong.
+pub fn section(folder: &Path) -> Result<Option<Section>, String> {
+    let path = folder.join(FILE);
+    if !path.exists() {
+        return Ok(None);
+    }
+    let rows: Vec<BreakPoint> = rows_of(&path, "stress")?;
+    let (mut ways, mut backends, mut tasks): (Vec<[&str; 2]>, Vec<&str>, Vec<&str>) = Default::default();
+    for row in &rows {
+        let way = [row.knob.as_str(), row.way.as_str()];
+        if !ways.contains(&way) {
+            ways.push(way);
+        }
+        if !backends.contains(&row.backend.as_str()) {
+            backends.push(&row.backend);
+        }
+        if !tasks.contains(&row.task.as_str()) {
+            tasks.push(&row.task);
+        }
+    }
+    let mut blocks = Vec::new();
+    for [knob, way] in ways {
+        let unit = Knob::ALL.iter().find(|of| of.name() == knob).map_or("", |knob| knob.unit());
+        let down = if way == "down" { ", down" } else { "" };
+        let mut table = Table::new(format!("{knob}{down}: {unit}")).words(["task"]).numbers(backends.iter().copied());
+        for task in &tasks {
+            let of = |backend: &&str| {
+                let is = |row: &&BreakPoint| {
+                    row.task == *task && row.knob == knob && row.way == way && row.backend == *backend
+                };
+                rows.iter().find(is).map_or_else(Cell::default, |row| {
+                    let tone = match (row.breaks_at, row.declines_at) {
+                        (Some(_), _) => Tone::Notable,
+                        (None, Some(_)) => Tone::Muted,
+                        (None, None) => Tone::Good,
+                    };
+                    Cell::from(place(row)).tone(tone)
+                })
+            };
+            table.push(std::iter::once(Cell::from(*task)).chain(backends.iter().map(of)).collect());
+        }
+        blocks.push(Block::Table(table));
+        if down.is_empty() {
+            blocks.extend(plots_in(
+                folder,
+                &format!("stress-{knob}"),
+                &format!("Shares of wrong scenes, and times, as {knob} is turned"),
+            )?);
+        }
+    }
+    Ok(Some(Section {
+        id: "stress",
+        title: "Where backends break",
+        lead: format!(
+            "One knob at a time: the position at which a backend first answers a scene against its promise, in parentheses the last one before; - where it never does; d where it \
+             only declines; n/a where the knob does not fit the task. Each is a row of {}.",
+            path.display()
+        ),
+        blocks,
+    }))
+}
