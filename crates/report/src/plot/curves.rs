@@ -64,7 +64,10 @@ fn free_corner(curves: &Curves, [x, y]: [&Range<f64>; 2]) -> SeriesLabelPosition
     let mut passed = [0_u32; 4];
     let place = |range: &Range<f64>, at: f64| usize::from(at > f64::midpoint(range.start, range.end));
     for curve in &curves.curves {
-        let points: Vec<(f64, f64)> = curve.points.iter().filter_map(logarithms).collect();
+        let mut points: Vec<(f64, f64)> = curve.points.iter().filter_map(logarithms).collect();
+        if let [only] = points[..] {
+            points.push(only);
+        }
         for pair in points.windows(2) {
             for step in 0..=STEPS {
                 let part = f64::from(step) / f64::from(STEPS);
@@ -95,6 +98,8 @@ fn draw(svg: &mut String, curves: &Curves, (x, y): (Decades, Decades), corner: S
         .draw()?;
     for (curve, colour) in curves.curves.iter().zip(COLOURS.iter().cycle()) {
         let points: Vec<_> = curve.points.iter().filter_map(logarithms).collect();
+        // A line of one point is not to be seen without a mark.
+        chart.draw_series(points.iter().map(|&point| Circle::new(point, 3, colour.filled())))?;
         chart
             .draw_series(LineSeries::new(points, colour.stroke_width(2)))?
             .label(&curve.name)
@@ -142,6 +147,7 @@ mod tests {
         let points =
             svg.lines().filter(|line| line.contains("<polyline") && line.contains("stroke-width=\"2\"")).count();
         assert!(points >= 2, "two lines: {svg}");
+        assert_eq!(svg.matches("<circle").count(), 4, "a mark for each point: {svg}");
         let nothing = Curves { curves: vec![curve("one", &[(0.0, 1.0)])], ..lines };
         assert_eq!(curves(&nothing), Ok(None));
     }

@@ -46,10 +46,10 @@ pub fn section(folder: &Path) -> Result<Option<Section>, String> {
                     row.task == *task && row.knob == knob && row.way == way && row.backend == *backend
                 };
                 rows.iter().find(is).map_or_else(Cell::default, |row| {
-                    let tone = match (row.breaks_at, row.declines_at) {
-                        (Some(_), _) => Tone::Notable,
-                        (None, Some(_)) => Tone::Muted,
-                        (None, None) => Tone::Good,
+                    let tone = match (row.breaks_at, row.declines_at, row.holds_to) {
+                        (Some(_), ..) => Tone::Notable,
+                        (None, None, Some(_)) => Tone::Good,
+                        (None, ..) => Tone::Muted,
                     };
                     Cell::from(place(row)).tone(tone)
                 })
