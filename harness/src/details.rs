@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_corpus::{Level, LoadedScene};
 use predicament_judge::verdict;
-use predicament_predicates::{Axis, PredicateKind, Query, Question, Vertex};
+use predicament_predicates::{Axis, Plane, Query, Question, Vertex};
 use predicament_records::{FindingRow, RunDir};
 use predicament_report::Detail;
 use predicament_report::picture::{Named, pulled_apart, to_scale};
@@ -18,8 +18,8 @@ use crate::exit::Failure;
 use crate::select::Selector;
 use crate::tool::Tool;
 
-/// So many findings of each class, backend and task.
-const FEW: usize = 2;
+/// So many findings of each class, backend and task, each of a suite of its own.
+const FEW: usize = 3;
 /// Scenes of more queries are not loaded again.
 const MOST_QUERIES: u64 = 100_000;
 
@@ -46,7 +46,7 @@ pub fn details(runs: &[RunDir], tool: &Tool) -> Result<(Vec<Detail>, usize), Fai
     Ok((told, missing))
 }
 
-/// The first few findings about single queries of each class, backend and task, by suite and scene.
+/// A few findings about single queries of each class, backend and task, the first of each of the first suites; by suite and scene.
 fn chosen(run: &RunDir) -> BTreeMap<(&str, &str), Vec<&FindingRow>> {
     let small: BTreeSet<(&str, &str)> = run
         .plan
@@ -61,12 +61,11 @@ fn chosen(run: &RunDir) -> BTreeMap<(&str, &str), Vec<&FindingRow>> {
         .filter(|row| !row.query.is_empty() && small.contains(&(&*row.suite, &*row.scene_id)))
         .collect();
     findings.sort_by_key(|row| [&row.suite, &row.scene, &row.scene_id, &row.task, &row.finding_id]);
-    let mut counts: BTreeMap<(&str, &str, &str), usize> = BTreeMap::new();
+    let mut suites: BTreeMap<(&str, &str, &str), BTreeSet<&str>> = BTreeMap::new();
     let mut chosen: BTreeMap<(&str, &str), Vec<&FindingRow>> = BTreeMap::new();
     for row in findings {
-        let count = counts.entry((row.class.name(), &row.backend, &row.task)).or_default();
-        if *count < FEW {
-            *count += 1;
+        let seen = suites.entry((row.class.name(), &row.backend, &row.task)).or_default();
+        if seen.len() < FEW && seen.insert(&row.suite) {
             chosen.entry((&row.suite, &row.scene)).or_default().push(row);
         }
     }
@@ -99,37 +98,95 @@ fn detail(tool: &Tool, loaded: &LoadedScene, finding: &FindingRow, backends: &[&
     Some(Detail { finding: finding.finding_id.clone(), lines: text, pictures })
 }
 
-/// Pictures of a query about input vertices in a plane.
+/// Pictures of a query about input vertices.
 fn drawn(loaded: &LoadedScene, query: &Query) -> Option<Vec<(String, String)>> {
     let (question, args) = query.question()?;
     if args.iter().any(|v| v.is_constructed()) {
         return None;
     }
-    let axes = match question {
-        Question::Orient2d(plane) => plane.axes(),
-        Question::Incircle => [Axis::X, Axis::Y],
-        _ => return None,
-    };
+    // How far the last point is on which side, from the exact determinant.
+    let exact = |question: Question, args: &[Vertex]| verdict(&loaded.scene, question, args).determinant.to_f64();
+    let determinant = exact(question, args);
     let place = |axis: Axis| [Axis::X, Axis::Y, Axis::Z].iter().position(|&other| other == axis).unwrap_or(0);
-    let at = |v: Vertex| axes.map(|axis| loaded.scene.point(v)[place(axis)]);
+    let flat = |axes: [Axis; 2]| -> Vec<[f64; 2]> {
+        args.iter().map(|&v| axes.map(|axis| loaded.scene.point(v)[place(axis)])).collect()
+    };
+    let space = || -> Vec<[f64; 3]> { args.iter().map(|&v| loaded.scene.point3(v)).collect() };
+    let (seen, apart, [on, up]) = match question {
+        Question::Orient2d(plane) => {
+            let points = flat(plane.axes());
+            let apart = along_line(&points, determinant)?;
+            (Some((points, None)), apart, ["line a b", "left is up"])
+        }
+        Question::Incircle => {
+            let points = flat([Axis::X, Axis::Y]);
+            let area = exact(Question::Orient2d(Plane::Xy), &args[..3]);
+            let (circle, apart) = along_circle(&points, determinant, area)?;
+            (Some((points, Some(circle))), apart, ["circle a b c", "outside is up"])
+        }
+        Question::Orient3d => (None, across_plane(&space(), determinant)?, ["plane a b c", "above is up"]),
+        Question::Insphere => {
+            let volume = exact(Question::Orient3d, &args[..4]);
+            (None, across_sphere(&space(), determinant, volume)?, ["sphere a b c d", "outside is up"])
+        }
+        Question::Compare(_) => return None,
+    };
     let named = |points: &[[f64; 2]]| -> Vec<Named> {
         let of = args.iter().zip('a'..).zip(points);
         of.map(|((v, letter), &at)| Named { name: format!("{letter} = {v}"), at }).collect()
     };
-    let points: Vec<[f64; 2]> = args.iter().map(|&v| at(v)).collect();
-    // How far the last point is on which side, from the exact determinant.
-    let exact = verdict(&loaded.scene, question, args).determinant.to_f64();
-    let (circle, apart, [on, up]) = match question.kind() {
-        PredicateKind::Orient2d => (None, along_line(&points, exact)?, ["line a b", "left is up"]),
-        _ => {
-            let area = verdict(&loaded.scene, Question::Orient2d(predicament_predicates::Plane::Xy), &args[..3]);
-            let (circle, apart) = along_circle(&points, exact, area.determinant.to_f64())?;
-            (Some(circle), apart, ["circle a b c", "outside is up"])
-        }
-    };
-    let alt = format!("{}, to scale", question.kind().name());
+    let mut pictures = Vec::new();
+    if let Some((points, circle)) = seen {
+        let alt = format!("{}, to scale", question.kind().name());
+        pictures.push((alt, to_scale(&named(&points), circle).ok()?));
+    }
     let across = format!("across the {on} at a scale of its own, from the exact determinant; {up}");
-    Some(vec![(alt, to_scale(&named(&points), circle).ok()?), (across, pulled_apart(&named(&apart), on).ok()?)])
+    pictures.push((across, pulled_apart(&named(&apart), on).ok()?));
+    Some(pictures)
+}
+
+fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|i: usize| a[i] - b[i])
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// Points by how far they are in the direction from a to b, d with its exact distance from the plane of a, b and c: a determinant that is positive is below.
+fn across_plane(points: &[[f64; 3]], determinant: f64) -> Option<Vec<[f64; 2]>> {
+    let [a, b, c, d] = *points else { return None };
+    let (along, normal) = (minus(b, a), cross(minus(b, a), minus(c, a)));
+    let (length, area) = (dot(along, along).sqrt(), dot(normal, normal).sqrt());
+    let of = |p: [f64; 3]| dot(minus(p, a), along) / length;
+    let apart = vec![[0.0, 0.0], [length, 0.0], [of(c), 0.0], [of(d), -determinant / area]];
+    apart.as_flattened().iter().all(|x| x.is_finite()).then_some(apart)
+}
+
+/// Points by their distances from a, e with its exact distance from the sphere of a, b, c and d to the outside.
+fn across_sphere(points: &[[f64; 3]], power: f64, volume: f64) -> Option<Vec<[f64; 2]>> {
+    let [a, b, c, d, _] = *points else { return None };
+    let [b, c, d] = [b, c, d].map(|p| minus(p, a));
+    let scaled = |p: [f64; 3], by: f64| p.map(|x| x * by);
+    let [u, v, w] = [(cross(c, d), b), (cross(d, b), c), (cross(b, c), d)].map(|(of, p)| scaled(of, dot(p, p)));
+    let twice = 2.0 * dot(b, cross(c, d));
+    let from_a = [0, 1, 2].map(|i: usize| (u[i] + v[i] + w[i]) / twice);
+    let radius = dot(from_a, from_a).sqrt();
+    // As for a circle, with the volume in place of the area.
+    let outside = -power / volume / (2.0 * radius);
+    let mut apart: Vec<[f64; 2]> = points
+        .iter()
+        .map(|&p| {
+            let by = minus(p, a);
+            [dot(by, by).sqrt(), 0.0]
+        })
+        .collect();
+    apart[4][1] = outside;
+    apart.as_flattened().iter().all(|x| x.is_finite()).then_some(apart)
 }
 
 /// Points by how far they are along the line from a to b, c with its exact distance from it: half of a turn that is positive is to the left.
@@ -182,5 +239,29 @@ mod tests {
         assert_eq!(apart[3][1], 1.5, "outside, about by 1");
         assert!(along_circle(&points, 1e-20, 2.0).unwrap().1[3][1] < 0.0, "inside");
         assert_eq!(along_circle(&[[0.0; 2]; 4], 0.0, 0.0), None);
+    }
+
+    /// The signs are those of the judge's determinants.
+    #[test]
+    fn the_last_point_is_above_the_plane_or_outside_of_the_sphere() {
+        let at = |points: &[[f64; 3]], question: Question| {
+            let scene = predicament_predicates::Scene::from_points3(points).unwrap();
+            let args: Vec<Vertex> = (0..points.len()).map(Vertex::input).collect();
+            verdict(&scene, question, &args).determinant.to_f64()
+        };
+        let plane = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        for height in [0.5, -0.25] {
+            let points = [&plane[..], &[[1.0, 0.0, height]]].concat();
+            let apart = across_plane(&points, at(&points, Question::Orient3d)).unwrap();
+            assert_eq!(apart[3], [1.0, height]);
+        }
+        let sphere = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0]];
+        for (z, outside) in [(-1.5, 0.625), (-0.5, -0.375)] {
+            let points = [&sphere[..], &[[0.0, 0.0, z]]].concat();
+            let volume = at(&sphere, Question::Orient3d);
+            let apart = across_sphere(&points, at(&points, Question::Insphere), volume).unwrap();
+            // About by a half: half of what the squares differ by.
+            assert!((apart[4][1] - outside).abs() < 1e-12, "{apart:?}");
+        }
     }
 }

@@ -87,13 +87,15 @@ fn marks(root: &DrawingArea<SVGBackend<'_>, plotters::coord::Shift>, view: &View
         let colour = COLOURS[if at + 1 == points.len() { 1 } else { 0 }];
         let place = view.place(point.at);
         root.draw(&Circle::new(place, 4, colour.filled()))?;
-        // Names of points at one place go below each other.
-        let mut name = (place.0 + 7, place.1 - 7);
+        // Names of points at one place go below each other, those at the right edge to the left of theirs.
+        let is_left = place.0 + 60 > i32::try_from(SIZE.0).unwrap_or(i32::MAX);
+        let mut name = (if is_left { place.0 - 7 } else { place.0 + 7 }, place.1 - 7);
         while taken.iter().any(|other| (other.0 - name.0).abs() < 60 && (other.1 - name.1).abs() < 13) {
             name.1 += 13;
         }
         taken.push(name);
-        let style = ("sans-serif", 12).into_font().color(&colour).pos(Pos::new(HPos::Left, VPos::Center));
+        let side = if is_left { HPos::Right } else { HPos::Left };
+        let style = ("sans-serif", 12).into_font().color(&colour).pos(Pos::new(side, VPos::Center));
         root.draw(&Text::new(point.name.clone(), name, style))?;
     }
     Ok(())
