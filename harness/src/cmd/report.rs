@@ -81,7 +81,8 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         note!("{missing} findings are on the page without their points: they can't be asked again alone");
     }
     if !args.against.is_empty() {
-        compared.push(against(&runs, &RunDir::open_all(&args.against).map_err(Failure::usage)?));
+        let earlier = RunDir::open_all(&args.against).map_err(Failure::usage)?;
+        compared.push(against(&runs, &earlier).map_err(Failure::usage)?);
     }
     // All pages are made before any is written.
     let mut spliced = Vec::new();

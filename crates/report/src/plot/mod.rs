@@ -22,7 +22,7 @@ use plotters::prelude::*;
 use crate::Error;
 pub use curves::{Curve, Curves, curves};
 pub use histogram::{Bars, histogram};
-pub(crate) use overall::overall;
+pub(crate) use overall::{beside, overall};
 pub use ranges::{Bar, ranges};
 pub use scatter::scatter;
 

@@ -10,7 +10,7 @@ use predicament_records::wilson;
 
 use super::labels::{LINE, Label, stack};
 use super::{COLOURS, Decades, Drawn, INK, failed, page, power_of_ten, quiet};
-use crate::figures::{Price, Prices, all_prices};
+use crate::figures::{Price, all_prices};
 use crate::groups::{REFERENCE, backends};
 use crate::{Error, RunDir};
 
@@ -22,13 +22,24 @@ const SIZE: (u32, u32) = (640, 340);
 /// # Errors
 /// If the picture can't be drawn.
 pub fn overall(runs: &[RunDir]) -> Result<Option<String>, Error> {
-    let Some(Prices { prices, .. }) = all_prices(runs) else { return Ok(None) };
-    let marks: Vec<Mark> = prices.iter().filter(|price| !price.is_partial).filter_map(Mark::of).collect();
-    if marks.len() < 2 {
+    beside(runs, &[])
+}
+
+/// [`overall`] with the marks of earlier runs as rings, each with a line to where its backend is now; none if these have no marks.
+///
+/// # Errors
+/// If the picture can't be drawn.
+pub fn beside(runs: &[RunDir], earlier: &[RunDir]) -> Result<Option<String>, Error> {
+    let (now, before) = (all_prices(runs), all_prices(earlier));
+    let [marks, ghosts] = [now.as_ref(), before.as_ref()].map(|prices| -> Vec<Mark> {
+        let prices = prices.into_iter().flat_map(|of| &of.prices);
+        prices.filter(|price| !price.is_partial).filter_map(Mark::of).collect()
+    });
+    if marks.len() < 2 || ghosts.is_empty() && !earlier.is_empty() {
         return Ok(None);
     }
     let mut svg = String::new();
-    draw(&mut svg, &marks, &backends(runs)).map_err(failed)?;
+    draw(&mut svg, &marks, &ghosts, &backends(runs)).map_err(failed)?;
     Ok(Some(page(&svg)))
 }
 
@@ -58,12 +69,13 @@ impl<'r> Mark<'r> {
     }
 }
 
-fn draw(svg: &mut String, marks: &[Mark], order: &[&str]) -> Drawn {
+fn draw(svg: &mut String, marks: &[Mark], ghosts: &[Mark], order: &[&str]) -> Drawn {
     let fold = |values: &mut dyn Iterator<Item = f64>| {
         values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
     };
-    let (fastest, slowest) = fold(&mut marks.iter().map(|mark| mark.time));
-    let (least, most) = fold(&mut marks.iter().flat_map(|mark| mark.interval.0.into_iter().chain([mark.interval.1])));
+    let both = || marks.iter().chain(ghosts);
+    let (fastest, slowest) = fold(&mut both().map(|mark| mark.time));
+    let (least, most) = fold(&mut both().flat_map(|mark| mark.interval.0.into_iter().chain([mark.interval.1])));
     let shelf = least.floor() - 1.0;
     let (left, right) = (fastest.min(0.0) - 0.15, slowest.max(0.0) + 0.15);
     let (bottom, top) = (shelf - 0.5, (most + 0.1).ceil());
@@ -93,6 +105,11 @@ fn draw(svg: &mut String, marks: &[Mark], order: &[&str]) -> Drawn {
             vec![low, (mark.time, mark.interval.1)],
             colour.mix(0.5).stroke_width(2),
         )])?;
+        if let Some(ghost) = ghosts.iter().find(|ghost| ghost.backend == mark.backend) {
+            let before = (ghost.time, ghost.rate.unwrap_or(shelf));
+            chart.draw_series([PathElement::new(vec![before, place], colour.stroke_width(1))])?;
+            chart.draw_series([Circle::new(before, 7, colour.stroke_width(1))])?;
+        }
         chart.draw_series([Circle::new(place, 5, colour.filled())])?;
         labels.push(Label::new(mark.backend.to_owned(), chart.backend_coord(&place), colour));
     }

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 
 use super::rank;
 use crate::groups::{backends, timed};
+use crate::plot::beside;
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Class, RunDir, SummaryRow};
+use crate::{Class, Error, RunDir, SummaryRow};
 use predicament_records::format::{factor, length, significant, thousands};
 
 /// How many changed pairs are named.
@@ -14,8 +15,10 @@ const MANY: usize = 200;
 const Z: f64 = 1.959_963_984_540_054;
 
 /// What distinguishes these runs from earlier ones: pairs of scene and backend by their classes, and times by task and backend.
-#[must_use]
-pub fn against(runs: &[RunDir], earlier: &[RunDir]) -> Section {
+///
+/// # Errors
+/// If the plot can't be drawn.
+pub fn against(runs: &[RunDir], earlier: &[RunDir]) -> Result<Section, Error> {
     let [now, before] = [runs, earlier].map(pairs);
     let changed: Vec<Change> = now
         .iter()
@@ -41,15 +44,19 @@ pub fn against(runs: &[RunDir], earlier: &[RunDir]) -> Section {
             blocks.push(Block::Table(table));
         }
     }
-    Section {
+    if let Some(svg) = beside(runs, earlier)? {
+        let alt = "Times over the reference's against wrong answers per million: rings are the earlier run";
+        blocks.push(Block::Plot { svg, file: "against.svg".into(), alt: alt.into() });
+    }
+    Ok(Section {
         id: "against",
         title: "Beside the earlier run",
-        lead: "A pair is changed if it has other counts of any class, or another status; of an added or a changed scene the content id is another one. A ratio of \
-               times is the geometric mean over the families that were timed in both, with its interval at 95 % from how much families differ; where the interval \
-               is without 1, and only there, the times differ by more than families do."
+        lead: "A pair is changed if it has other counts of any class, or another status; a scene of other contents is removed and added. A ratio of \
+               times is the geometric mean over the families that were timed in both, with its interval at 95 % from how much families differ. Where 1 is not in the \
+               interval, times differ by more than that. In the plot rings are the earlier run."
             .to_owned(),
         blocks,
-    }
+    })
 }
 
 type Key<'r> = [&'r str; 5];

@@ -13,7 +13,7 @@ fn said(section: Section) -> String {
 
 #[test]
 fn a_run_beside_itself_has_changed_in_nothing() {
-    let page = said(against(&runs(), &runs()));
+    let page = said(against(&runs(), &runs()).unwrap());
     let pairs: usize = runs().iter().map(|run| run.summary.len()).sum();
     assert!(page.contains(&format!("| {pairs} | 0 | 0 | 0 |")), "{page}");
     assert!(!page.contains("### Changed"), "{page}");
@@ -36,7 +36,7 @@ fn what_changed_is_named() {
     for row in now[1].throughput.iter_mut().filter(|row| row.backend == timed) {
         row.ns_per_query *= 2.0;
     }
-    let page = said(against(&now, &earlier));
+    let page = said(against(&now, &earlier).unwrap());
     let pairs: usize = now.iter().map(|run| run.summary.len()).sum();
     assert!(page.contains(&format!("| {} | 1 | 0 | 1 |", pairs - 1)), "{page}");
     let changed = page.lines().find(|line| line.contains("sign\\_flip 7")).unwrap();
@@ -46,9 +46,13 @@ fn what_changed_is_named() {
         page.lines().filter(|line| line.contains(&format!("| `{timed}` |")) && line.contains("2.0×")).collect();
     assert!(!slower.is_empty(), "{page}");
     // First on both pages.
-    let page = html(&now, &[against(&now, &earlier)], &[]).unwrap();
+    let page = html(&now, &[against(&now, &earlier).unwrap()], &[]).unwrap();
     let place = |id: &str| page.find(&format!("<section id=\"{id}\">")).unwrap();
     assert!(place("against") < place("heat"));
+    // A ring for each backend beside its mark, which the plot of the run alone has not.
+    let plot = |id: &str| page[place(id)..].split("</svg>").next().unwrap().to_owned();
+    let [both, alone] = ["against", "glance"].map(|id| plot(id).matches("<circle").count());
+    assert_eq!(both, 2 * alone, "{alone}");
 }
 
 #[test]
