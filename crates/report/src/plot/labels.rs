@@ -1,9 +1,15 @@
 //! Names beside marks, none of which covers another.
 
-use plotters::prelude::RGBColor;
+use std::cmp::Reverse;
+use std::ops::Range;
+
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use super::{Area, Drawn};
 
 /// The height of a label, and so the least distance between two.
-pub const LINE: i32 = 14;
+const LINE: i32 = 14;
 
 /// The name beside a mark.
 pub struct Label {
@@ -22,9 +28,22 @@ impl Label {
     }
 }
 
+/// Draws all names in one column beside a plot, whose right edge and height these are, each with a line from its mark.
+pub fn names(area: &Area, mut labels: Vec<Label>, edge: i32, height: Range<i32>) -> Drawn {
+    labels.sort_by_key(|label| (label.at.1, Reverse(label.at.0)));
+    stack(&mut labels, (height.start, height.end - LINE / 2));
+    let edge = edge + 8;
+    for label in labels {
+        area.draw(&PathElement::new(vec![label.at, (edge, label.y)], label.colour.mix(0.5)))?;
+        let style = ("sans-serif", 12).into_font().color(&label.colour).pos(Pos::new(HPos::Left, VPos::Center));
+        area.draw(&Text::new(label.text, (edge + 4, label.y), style))?;
+    }
+    Ok(())
+}
+
 /// Moves labels of one column, in their order, up and down until none covers another: from the top each is pushed below the one
 /// before it, then what stuck out at the bottom is pushed back up.
-pub fn stack(labels: &mut [Label], (top, bottom): (i32, i32)) {
+fn stack(labels: &mut [Label], (top, bottom): (i32, i32)) {
     let mut least = top;
     for label in labels.iter_mut() {
         label.y = label.y.max(least);

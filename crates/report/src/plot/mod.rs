@@ -66,6 +66,21 @@ fn quiet<X: Ranged, Y: Ranged, B: DrawingBackend>(mesh: &mut MeshStyle<'_, '_, X
         .axis_desc_style(small(size));
 }
 
+/// A staircase from the top of a plot to its right edge: what is above and to the right of it is beaten.
+fn frontier(chart: &mut Chart, mut places: Vec<(f64, f64)>, (right, top): (f64, f64)) -> Drawn {
+    places.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let (mut stairs, mut height) = (Vec::new(), top);
+    for (x, y) in places {
+        if y < height {
+            stairs.extend([(x, height), (x, y)]);
+            height = y;
+        }
+    }
+    stairs.push((right, height));
+    chart.draw_series(DashedLineSeries::new(stairs, 5, 4, INK.mix(0.5).stroke_width(1)))?;
+    Ok(())
+}
+
 /// The drawn picture with the colours of the page around it, or of the
 /// system's scheme where it stands alone.
 pub(crate) fn page(svg: &str) -> String {

@@ -4,12 +4,11 @@
 //! shelf at the bottom, with the interval of its rate above it.
 
 use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
 use predicament_records::format::significant;
 use predicament_records::wilson;
 
-use super::labels::{LINE, Label, stack};
-use super::{COLOURS, Decades, Drawn, INK, failed, page, power_of_ten, quiet};
+use super::labels::{Label, names};
+use super::{COLOURS, Decades, Drawn, INK, failed, frontier, page, power_of_ten, quiet};
 use crate::figures::{Price, all_prices};
 use crate::groups::{REFERENCE, backends};
 use crate::{Error, RunDir};
@@ -95,7 +94,8 @@ fn draw(svg: &mut String, marks: &[Mark], ghosts: &[Mark], order: &[&str]) -> Dr
         .y_desc("wrong answers per million")
         .draw()?;
     chart.draw_series([Rectangle::new([(left, bottom), (right, shelf + 0.5)], INK.mix(0.05).filled())])?;
-    frontier(&mut chart, marks, (shelf, right, top))?;
+    let places = marks.iter().map(|mark| (mark.time, mark.rate.unwrap_or(shelf)));
+    frontier(&mut chart, places.collect(), (right, top))?;
     let mut labels = Vec::new();
     for mark in marks {
         let colour = COLOURS[order.iter().position(|b| *b == mark.backend).unwrap_or(0) % COLOURS.len()];
@@ -113,31 +113,7 @@ fn draw(svg: &mut String, marks: &[Mark], ghosts: &[Mark], order: &[&str]) -> Dr
         chart.draw_series([Circle::new(place, 5, colour.filled())])?;
         labels.push(Label::new(mark.backend.to_owned(), chart.backend_coord(&place), colour));
     }
-    // All names in one column beside the plot, each with a line from its mark.
     let (x_range, y_range) = chart.plotting_area().get_pixel_range();
-    labels.sort_by_key(|label| (label.at.1, std::cmp::Reverse(label.at.0)));
-    stack(&mut labels, (y_range.start, y_range.end - LINE / 2));
-    for label in &labels {
-        let from = x_range.end + 8;
-        root.draw(&PathElement::new(vec![label.at, (from, label.y)], label.colour.mix(0.5)))?;
-        let style = ("sans-serif", 13).into_font().color(&label.colour).pos(Pos::new(HPos::Left, VPos::Center));
-        root.draw(&Text::new(label.text.clone(), (from + 4, label.y), style))?;
-    }
+    names(&root, labels, x_range.end, y_range)?;
     root.present()
-}
-
-/// A staircase: what is above and to the right of it is beaten.
-fn frontier(chart: &mut super::Chart, marks: &[Mark], (shelf, right, top): (f64, f64, f64)) -> Drawn {
-    let mut places: Vec<(f64, f64)> = marks.iter().map(|mark| (mark.time, mark.rate.unwrap_or(shelf))).collect();
-    places.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    let (mut stairs, mut height) = (Vec::new(), top);
-    for (x, y) in places {
-        if y < height {
-            stairs.extend([(x, height), (x, y)]);
-            height = y;
-        }
-    }
-    stairs.push((right, height));
-    chart.draw_series(DashedLineSeries::new(stairs, 5, 4, INK.mix(0.5).stroke_width(1)))?;
-    Ok(())
 }

@@ -6,7 +6,6 @@
 //! rate. A panel compares what all its backends did; marks of backends that did less are hollow.
 
 use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::figures::{Mark, Panel, panels};
 use crate::groups::backends;
@@ -14,8 +13,8 @@ use crate::{Error, RunDir};
 use predicament_records::format::{per_million, significant};
 use predicament_records::wilson;
 
-use super::labels::{LINE, Label, stack};
-use super::{Area, COLOURS, Chart, Decades, Drawn, INK, failed, page, power_of_ten, quiet};
+use super::labels::{Label, names};
+use super::{Area, COLOURS, Chart, Decades, Drawn, INK, failed, frontier, page, power_of_ten, quiet};
 
 const PANEL: (u32, u32) = (460, 300);
 const PANELS_IN_A_ROW: usize = 3;
@@ -135,23 +134,9 @@ fn draw_panel(area: &Area, marks: &[Mark], title: &str, scale: Scale, order: &[&
     .draw()?;
     let edge = f64::from(scale.zero) + 0.5;
     chart.draw_series([Rectangle::new([(left, bottom), (right, edge)], INK.mix(0.05).filled())])?;
-    draw_frontier(&mut chart, marks, scale)?;
+    let places = marks.iter().filter(|mark| mark.on_frontier).map(|mark| scale.place(mark));
+    frontier(&mut chart, places.collect(), (right, top))?;
     draw_marks(area, &mut chart, marks, scale, order)
-}
-
-/// A staircase: what is above and to the right of it is beaten.
-fn draw_frontier(chart: &mut Chart, marks: &[Mark], scale: Scale) -> Drawn {
-    let mut corners: Vec<(f64, f64)> = marks.iter().filter(|m| m.on_frontier).map(|m| scale.place(m)).collect();
-    corners.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    let mut stairs = Vec::new();
-    let mut height = f64::from(scale.most_wrong) + 0.2;
-    for (x, y) in corners {
-        stairs.extend([(x, height), (x, y)]);
-        height = y;
-    }
-    stairs.push((scale.slowest, height));
-    chart.draw_series(DashedLineSeries::new(stairs, 5, 4, INK.mix(0.5).stroke_width(1)))?;
-    Ok(())
 }
 
 fn draw_marks(area: &Area, chart: &mut Chart, marks: &[Mark], scale: Scale, order: &[&str]) -> Drawn {
@@ -176,14 +161,5 @@ fn draw_marks(area: &Area, chart: &mut Chart, marks: &[Mark], scale: Scale, orde
         };
         labels.push(Label::new(text, (at.0 - dx, at.1 - dy), colour));
     }
-    // All names in one column beside the plot, each with a line from its mark.
-    labels.sort_by_key(|label| (label.at.1, std::cmp::Reverse(label.at.0)));
-    stack(&mut labels, (y_range.start - dy, y_range.end - dy - LINE / 2));
-    let edge = x_range.end - dx + 6;
-    for label in &labels {
-        area.draw(&PathElement::new(vec![label.at, (edge, label.y)], label.colour.mix(0.4)))?;
-        let style = ("sans-serif", 12).into_font().color(&label.colour).pos(Pos::new(HPos::Left, VPos::Center));
-        area.draw(&Text::new(label.text.clone(), (edge + 3, label.y), style))?;
-    }
-    Ok(())
+    names(area, labels, x_range.end - dx, y_range.start - dy..y_range.end - dy)
 }
