@@ -31,6 +31,7 @@
 mod out;
 
 mod bounds;
+mod child;
 mod cli;
 mod cmd;
 mod conformance;
@@ -42,8 +43,10 @@ mod expectations;
 mod interrupt;
 mod judged;
 mod ledger;
+mod one_scene;
 mod peers;
 mod phases;
+mod pixels;
 mod planning;
 mod precision;
 mod progress;

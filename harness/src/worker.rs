@@ -8,7 +8,7 @@
 use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::process::{Child, ChildStderr, Command, ExitStatus, Stdio};
+use std::process::{Child, ChildStderr, ExitStatus};
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
@@ -19,32 +19,17 @@ use predicament_engines::PREFIX;
 use predicament_records::{FindingRow, Outcome, PlannedScene, Record, RunDir, StageRow, Status, SummaryRow};
 use predicament_tasks::{Class, Finding, finding_id};
 
+use crate::child::{self, End, FAREWELL, wait};
 use crate::exit::{CORPUS, Failure, INCOMPLETE, NOTHING_SELECTED, OK, UNEXPECTED, UNEXPECTED_PASS, USAGE};
 use crate::interrupt;
 use crate::out::program;
 use crate::planning::tables_with;
 use crate::tool::Tool;
 
-/// The variable that tells a process that it is a worker.
-const VARIABLE: &str = "PREDICAMENT_WORKER";
-
-/// Where this process is a worker, it ends with the process that it works for.
-pub fn end_with_parent() {
-    if std::env::var_os(VARIABLE).is_some() {
-        std::thread::spawn(|| {
-            let _ = std::io::copy(&mut std::io::stdin(), &mut std::io::sink());
-            interrupt::leave();
-        });
-    }
-}
-
 /// The codes of a worker that has done its work: with the last one, an engine has run out of time.
 const FINE: [u8; 4] = [OK, UNEXPECTED, UNEXPECTED_PASS, INCOMPLETE];
 /// The codes of a worker that could not: there is no room on the disk, or the suite is another one by now.
 const UNABLE: [u8; 3] = [USAGE, NOTHING_SELECTED, CORPUS];
-/// How long a worker may take to end, and to end its engines, before it is killed.
-const FAREWELL: Duration = Duration::from_secs(2);
-
 /// The scene, suite and time limit of a worker.
 pub struct Worker<'a> {
     pub permutations: Option<usize>,
@@ -74,13 +59,6 @@ pub struct Found {
     pub maps: Vec<(String, Vec<u8>)>,
 }
 
-/// How a worker came to its end.
-enum End {
-    Exit(Option<ExitStatus>),
-    Limit(Duration),
-    Interrupt,
-}
-
 impl Worker<'_> {
     /// Runs one backend; none where the tool was interrupted.
     pub fn run(&self, tool: &Tool, backend: &str) -> Result<Option<Found>, Failure> {
@@ -91,7 +69,7 @@ impl Worker<'_> {
         let run = folder.join("run");
         let mut child = self.command(backend, &run)?;
         let said = Said::of(child.stderr.take());
-        let found = match self.wait(&mut child) {
+        let found = match wait(&mut child, self.limit) {
             End::Interrupt => None,
             End::Limit(limit) => {
                 Some(self.fate(backend, Class::Timeout, "time limit", format!("took longer than {limit:?}")))
@@ -126,11 +104,10 @@ impl Worker<'_> {
     }
 
     fn command(&self, backend: &str, run: &Path) -> Result<Child, Failure> {
-        let program = std::env::current_exe().map_err(|error| Failure::usage(format!("this program: {error}")))?;
-        let mut command = Command::new(program);
+        let mut command = child::command()?;
         let filter = format!("^{}$", regex::escape(&format!("{}/{}", self.scene.suite, self.scene.scene)));
         let argument = self.engines.get(backend).map_or_else(|| backend.to_owned(), |file| format!("{PREFIX}{file}"));
-        command.args(["--quiet", "run", &self.suite, "-f", &filter, "-b", &argument]);
+        command.args(["run", &self.suite, "-f", &filter, "-b", &argument]);
         command.args(["--level", self.level.name(), "--isolate", "never"]).arg("--out").arg(run);
         if self.answers {
             command.arg("--answers");
@@ -144,40 +121,7 @@ impl Worker<'_> {
         if let Some(cache) = self.cache {
             command.arg("--cache").arg(cache);
         }
-        // It ends with the other end of this pipe: nothing is left behind when this process is killed.
-        command.env(VARIABLE, "1").stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
-        let child = command.spawn().map_err(|error| Failure::usage(format!("a worker did not start: {error}")))?;
-        // Where memory runs out, Linux ends this process first. Elsewhere there is no such file.
-        let _ = std::fs::write(format!("/proc/{}/oom_score_adj", child.id()), "1000");
-        Ok(child)
-    }
-
-    /// Waits for the end, and makes one where the time is over.
-    fn wait(&self, child: &mut Child) -> End {
-        let start = Instant::now();
-        loop {
-            let end = match child.try_wait() {
-                Ok(Some(status)) => return End::Exit(Some(status)),
-                Ok(None) if interrupt::flag().load(Ordering::Relaxed) => End::Interrupt,
-                Ok(None) => match self.limit.filter(|limit| start.elapsed() > *limit) {
-                    Some(limit) => End::Limit(limit),
-                    None => {
-                        std::thread::sleep(Duration::from_millis(2));
-                        continue;
-                    }
-                },
-                Err(_) => End::Exit(None),
-            };
-            // At the end of its input it ends its engines and itself, if it still can.
-            drop(child.stdin.take());
-            let asked = Instant::now();
-            while asked.elapsed() < FAREWELL && matches!(child.try_wait(), Ok(None)) {
-                std::thread::sleep(Duration::from_millis(2));
-            }
-            let _ = child.kill();
-            let _ = child.wait();
-            return end;
-        }
+        child::start(command)
     }
 
     /// The rows of a worker that left none.

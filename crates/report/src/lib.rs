@@ -9,6 +9,7 @@
 //!   [`layout`] has what sections about runs share.
 //! * [`scatter`], [`curves`], [`histogram`] and [`ranges`] are plots as SVG.
 //! * [`picture`] draws the points of a finding; [`Detail`] is what a page says about one.
+//! * [`drawing`]: scenes and results as pictures, in the plane and in space.
 //! * [`PixelMap`] shows the signs of a predicate over a raster.
 //!
 //! Runs are read together by [`RunDir::open_all`](predicament_records::RunDir::open_all), so that each scene on each
@@ -18,6 +19,7 @@
 //! printed, and nothing asks for the time.
 
 mod comparison;
+pub mod drawing;
 mod figures;
 mod groups;
 mod latex;
@@ -25,6 +27,7 @@ pub mod layout;
 mod page;
 pub mod picture;
 mod pixel_map;
+mod pixel_sheet;
 mod plot;
 mod rungs;
 mod sections;
@@ -34,11 +37,12 @@ pub mod text;
 mod web;
 
 pub use page::{html, markdown, write_pages};
-pub use pixel_map::{PixelMap, PixelMapError, data_uri, side_by_side};
+pub use pixel_map::{PixelMap, PixelMapError, Standing, data_uri, side_by_side};
+pub use pixel_sheet::{Column, sheet};
 pub use plot::{Bar, Bars, Curve, Curves, curves, histogram, ranges, scatter};
 pub use sections::against;
 pub use splice::splice;
 pub use table::{Block, Cell, Headline, Section, Table, Tone};
-pub use web::Detail;
+pub use web::{Detail, Strip};
 
 use predicament_records::{Class, Env, Error, FindingRow, Outcome, PrecisionRow, RunDir, Spread, Status, SummaryRow};

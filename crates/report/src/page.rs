@@ -91,26 +91,30 @@ fn render(template: &str, runs: &[RunDir], of_tasks: &[Section], details: &[Deta
             [web::STYLE, &web::SCRIPTS.concat()].map(|text| Value::from_safe_string(text.to_owned()));
         page = context! { rows => rows, style => style, scripts => scripts, ..page };
     }
-    let filled = environment().and_then(|env| env.get_template(template)?.render(page));
+    fill(template, page)
+}
+
+/// A page from one of the templates.
+pub(crate) fn fill(template: &str, context: Value) -> Result<String, Error> {
+    let filled = environment().and_then(|env| env.get_template(template)?.render(context));
     filled.map_err(|error| Error::new(template.as_ref(), error.to_string()))
 }
 
 /// A section without its heading, in Markdown.
 pub(crate) fn markdown_of(section: &Section) -> Result<String, Error> {
-    let filled = environment()
-        .and_then(|env| env.get_template(MARKDOWN_SECTION)?.render(context! { section => section.value() }));
-    filled.map_err(|error| Error::new(MARKDOWN_SECTION.as_ref(), error.to_string()))
+    fill(MARKDOWN_SECTION, context! { section => section.value() })
 }
 
 fn environment() -> Result<Environment<'static>, minijinja::Error> {
     let mut env = Environment::new();
     env.set_undefined_behavior(UndefinedBehavior::Strict);
     env.set_syntax(SyntaxConfig::builder().trim_blocks(true).lstrip_blocks(true).build()?);
-    env.set_auto_escape_callback(|name| if name == HTML { AutoEscape::Html } else { AutoEscape::None });
+    env.set_auto_escape_callback(|name| if name.ends_with(".html") { AutoEscape::Html } else { AutoEscape::None });
     env.add_filter("plain", plain);
     env.add_filter("code", code);
     env.add_filter("breakable", breakable);
     env.add_template(HTML, include_str!("../templates/page.html"))?;
+    env.add_template("view.html", include_str!("../templates/view.html"))?;
     env.add_template(MARKDOWN, include_str!("../templates/page.md"))?;
     env.add_template("body.md", include_str!("../templates/body.md"))?;
     env.add_template(MARKDOWN_SECTION, include_str!("../templates/section.md"))?;

@@ -64,7 +64,11 @@ pub fn pulled_apart(points: &[Named], on: &str) -> Result<String, Error> {
         let right = i32::try_from(SIZE.0).unwrap_or(i32::MAX);
         root.draw(&PathElement::new(vec![(0, zero), (right, zero)], INK.mix(0.4)))?;
         let style = ("sans-serif", 11).into_font().color(&INK).pos(Pos::new(HPos::Right, VPos::Bottom));
-        root.draw(&Text::new(on.to_owned(), (right - 4, zero - 2), style))?;
+        root.draw(&Text::new(
+            format!("horizontal: {on}"),
+            (right - 4, i32::try_from(SIZE.1).unwrap_or(i32::MAX) - 3),
+            style,
+        ))?;
         view.bar(root, 0, " along")?;
         view.bar(root, 1, " across")?;
         marks(root, &view, points)

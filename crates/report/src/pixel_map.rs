@@ -9,10 +9,22 @@
 use std::fmt;
 
 /// The palette: index 0 is the gap between maps, then negative, zero and
-/// positive, right, then wrong.
-const PALETTE: [[u8; 3]; 7] =
-    [[255, 255, 255], [230, 120, 90], [250, 225, 110], [110, 165, 225], [120, 20, 10], [130, 95, 0], [10, 40, 110]];
+/// positive, right, then wrong; then what is the same, what differs and may, and what is wrong.
+const PALETTE: [[u8; 3]; 10] = [
+    [255, 255, 255],
+    [230, 120, 90],
+    [250, 225, 110],
+    [110, 165, 225],
+    [120, 20, 10],
+    [130, 95, 0],
+    [10, 40, 110],
+    [235, 237, 240],
+    [150, 190, 170],
+    [90, 10, 60],
+];
 const GAP: u8 = 0;
+/// The first colour of differences.
+const SAME: u8 = 7;
 
 /// The largest picture: what a browser still shows, and memory still holds.
 const MAX_PIXELS: usize = 1 << 28;
@@ -24,6 +36,17 @@ pub struct PixelMap {
     height: usize,
     /// Palette indices.
     pixels: Vec<u8>,
+}
+
+/// How an answer stands to the truth.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Standing {
+    /// The exact sign.
+    Same,
+    /// Another sign, as the backend's promise allows.
+    Legal,
+    /// Not what the promise allows.
+    Wrong,
 }
 
 /// Why there is no picture.
@@ -68,6 +91,28 @@ impl PixelMap {
         };
         let pixels = signs.iter().zip(wrong).map(colour).collect::<Result<_, _>>()?;
         Ok(PixelMap { width, height, pixels })
+    }
+
+    /// A map of where answers differ from the truth, row by row from the top.
+    ///
+    /// # Errors
+    /// If the length doesn't fit.
+    pub fn difference(width: usize, height: usize, standings: &[Standing]) -> Result<PixelMap, PixelMapError> {
+        let size = width.checked_mul(height).filter(|&size| size > 0).ok_or(PixelMapError::BadSize)?;
+        if standings.len() != size {
+            return Err(PixelMapError::WrongLength);
+        }
+        let colour = |standing: &Standing| match standing {
+            Standing::Same => SAME,
+            Standing::Legal => SAME + 1,
+            Standing::Wrong => SAME + 2,
+        };
+        Ok(PixelMap { width, height, pixels: standings.iter().map(colour).collect() })
+    }
+
+    /// Its width and its height, in queries.
+    pub(crate) fn extent(&self) -> (usize, usize) {
+        (self.width, self.height)
     }
 
     /// The map as an indexed PNG, each query a square of `zoom` × `zoom` pixels.
@@ -117,7 +162,9 @@ pub fn side_by_side(maps: &[PixelMap], zoom: usize, gap: usize) -> Result<Vec<u8
     let mut encoder = png::Encoder::new(&mut bytes, png_width, png_height);
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Four);
-    encoder.set_palette(PALETTE.as_flattened());
+    // Only colours that may be there: the bytes of a map do not depend on those of other kinds.
+    let colours = maps.iter().flat_map(|map| &map.pixels).any(|&pixel| pixel >= SAME);
+    encoder.set_palette(PALETTE[..if colours { PALETTE.len() } else { usize::from(SAME) }].as_flattened());
     let written = encoder.write_header().and_then(|mut png| {
         png.write_image_data(&packed)?;
         png.finish()
@@ -180,6 +227,13 @@ mod tests {
     }
 
     #[test]
+    fn differences_have_colours_of_their_own() {
+        let map = PixelMap::difference(3, 1, &[Standing::Same, Standing::Legal, Standing::Wrong]).unwrap();
+        assert_eq!(decode(&map.to_png(1).unwrap()).1, PALETTE[7..]);
+        assert_eq!(PixelMap::difference(2, 1, &[Standing::Same]), Err(PixelMapError::WrongLength));
+    }
+
+    #[test]
     fn decodes_back_to_the_same_pixels() {
         let signs: Vec<i8> = (0_i8..35).map(|i| i % 3 - 1).collect();
         let wrong: Vec<bool> = (0..35).map(|i| i % 4 == 1).collect();
@@ -219,8 +273,8 @@ mod tests {
     #[test]
     fn right_and_wrong_differ_in_grey() {
         let luma = |[r, g, b]: [u8; 3]| 0.2126 * f64::from(r) + 0.7152 * f64::from(g) + 0.0722 * f64::from(b);
-        let darkest_right = PALETTE[1..4].iter().map(|&c| luma(c)).fold(f64::INFINITY, f64::min);
-        let lightest_wrong = PALETTE[4..].iter().map(|&c| luma(c)).fold(0.0, f64::max);
+        let darkest_right = PALETTE[1..4].iter().chain(&PALETTE[7..9]).map(|&c| luma(c)).fold(f64::INFINITY, f64::min);
+        let lightest_wrong = PALETTE[4..7].iter().chain(&PALETTE[9..]).map(|&c| luma(c)).fold(0.0, f64::max);
         assert!(darkest_right - lightest_wrong > 30.0, "{darkest_right} and {lightest_wrong}");
     }
 

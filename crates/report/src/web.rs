@@ -11,16 +11,22 @@ use flate2::Compression;
 use flate2::write::DeflateEncoder;
 use serde_json::{Map, Value, json};
 
+use crate::drawing;
 use crate::pixel_map::base64;
 use crate::{Error, RunDir};
 
 /// The scripts of a page, in this order: libraries, then what the page does with them.
-pub const SCRIPTS: [&str; 2] = [include_str!("../web/vendor/tabulator.js"), include_str!("../web/app.js")];
+pub const SCRIPTS: [&str; 4] = [
+    include_str!("../web/vendor/tabulator.js"),
+    drawing::SCRIPTS[0],
+    drawing::SCRIPTS[1],
+    include_str!("../web/app.js"),
+];
 /// The style of a page.
 pub const STYLE: &str = include_str!("../web/style.css");
 
 /// What a page says about one finding when it is asked.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Detail {
     /// The finding's id.
     pub finding: String,
@@ -28,6 +34,19 @@ pub struct Detail {
     pub lines: Vec<String>,
     /// Pictures as SVG, each with what there is to see.
     pub pictures: Vec<(String, String)>,
+    /// Drawings in space as data ([`Drawing::json`](crate::drawing::Drawing::json)), each with what there is to see, for a view that turns.
+    pub views: Vec<(String, Value)>,
+    /// Strips of signs: those of one question about the vertices in all orders.
+    pub strips: Vec<Strip>,
+}
+
+/// The signs of one question about the vertices in all orders, a row for the truth and for each backend.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Strip {
+    /// The names of the vertices, in the order of the question.
+    pub vertices: Vec<String>,
+    /// A name and its signs, `+`, `0` or `-`, in the lexicographic order of permutations.
+    pub rows: Vec<(String, String)>,
 }
 
 /// The findings of all runs, and the details of some, as JSON in columns that is compressed (raw DEFLATE) and written in base 64.
@@ -73,7 +92,11 @@ fn findings(runs: &[RunDir]) -> Value {
 fn told(details: &[Detail]) -> Value {
     let told = details.iter().map(|detail| {
         let pictures: Vec<Value> = detail.pictures.iter().map(|(alt, svg)| json!({ "alt": alt, "svg": svg })).collect();
-        (detail.finding.clone(), json!({ "text": detail.lines.join("\n"), "pictures": pictures }))
+        let views: Vec<Value> = detail.views.iter().map(|(alt, of)| json!({ "alt": alt, "drawing": of })).collect();
+        let strips: Vec<Value> =
+            detail.strips.iter().map(|strip| json!({ "vertices": strip.vertices, "rows": strip.rows })).collect();
+        let of = json!({ "text": detail.lines.join("\n"), "pictures": pictures, "views": views, "strips": strips });
+        (detail.finding.clone(), of)
     });
     Value::Object(told.collect())
 }

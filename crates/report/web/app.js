@@ -74,6 +74,25 @@
     const x = cell.getValue();
     return x === null ? "" : typeof x === "number" ? (digits === 0 ? x.toExponential(1) : x.toFixed(digits)) : x.replace("-inf", "−∞");
   };
+  // The permutations of so many things, in lexicographic order.
+  const orders = (things) => (things.length === 0 ? [[]] : things.flatMap((first, at) => orders(things.toSpliced(at, 1)).map((rest) => [first, ...rest])));
+  // Signs of one question about the vertices in all orders: a row for each backend, a cell for each order.
+  const strip = ({ vertices, rows }) => {
+    const all = orders(vertices).map((order) => order.join(" "));
+    const names = { "-": "negative", 0: "zero", "+": "positive" };
+    const truth = rows[0][1];
+    const lines = rows.map(([name, signs]) => {
+      const cells = [...signs].map((sign, at) => make("i", { className: `s${names[sign]}${sign === truth[at] ? "" : " differs"}`, title: `${name}: ${names[sign]} for ${all[at]}` }));
+      const kinds = new Set(signs);
+      const verdict = kinds.size === 1 ? `always ${names[signs[0]]}` : "contradicts itself";
+      const bar = make("div", { className: "cells" }, cells);
+      bar.setAttribute("role", "img");
+      bar.setAttribute("aria-label", `${name}: ${verdict}`);
+      return make("div", { className: "row" }, [make("span", { textContent: name }), bar, make("span", { textContent: verdict, className: kinds.size === 1 ? "" : "bad" })]);
+    });
+    const says = make("p", { className: "lead", textContent: `The question about ${vertices.join(" ")} in all ${all.length} orders, each sign turned back where the order is odd: who contradicts nothing has one sign. Framed where it is not the exact one.` });
+    return make("div", { className: "strip" }, [says, ...lines]);
+  };
   const CHOICES = ["class", "backend", "suite", "task", "check"];
 
   const findings = async () => {
@@ -144,8 +163,10 @@
         figure.insertAdjacentHTML("afterbegin", svg);
         return figure;
       });
-      const told = more ? [make("pre", { textContent: more.text })] : [];
-      detail.replaceChildren(make("div", { className: "finding" }, [list, ...drawn, ...told, command(replay)]));
+      const told = more?.text ? [make("pre", { textContent: more.text })] : [];
+      const strips = (more?.strips ?? []).map(strip);
+      const turned = (more?.views ?? []).map(({ alt, drawing }) => make("figure", { className: "turned" }, [make("figcaption", { textContent: alt }), predicamentView(drawing)]));
+      detail.replaceChildren(make("div", { className: "finding" }, [list, ...drawn, ...turned, ...strips, ...told, command(replay)]));
     };
     tabulator.on("rowClick", (_, row) => show(row.getData()));
     tabulator.on("rowSelected", (row) => show(row.getData()));

@@ -8,6 +8,7 @@ use predicament_predicates::{PredicateKind, Query, Scene};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 
+use crate::output::Canvas;
 use crate::{
     Answer, AnyPlanted, Asked, Case, Compared, Contestant, Dispute, Explanation, Knob, Outcome, Phase, Stop, Task,
     Turns, Watch,
@@ -49,6 +50,12 @@ pub trait AnyTask: SceneFormat {
     /// # Errors
     /// That of the file system.
     fn write_answer(&self, loaded: &LoadedScene, answer: &dyn Any, folder: &Path) -> std::io::Result<Vec<PathBuf>>;
+
+    /// [`Task::draw`], with an answer of the task's type.
+    ///
+    /// # Errors
+    /// Where a vertex of the answer is no point.
+    fn draw_scene(&self, loaded: &LoadedScene, answer: Option<&dyn Any>, canvas: &mut Canvas) -> std::io::Result<()>;
 
     /// [`Task::size`].
     fn size_of(&self, loaded: &LoadedScene) -> usize;
@@ -147,6 +154,10 @@ impl<T: Task> AnyTask for T {
 
     fn write_answer(&self, loaded: &LoadedScene, answer: &dyn Any, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
         self.write(&loaded.scene, content(self, loaded), typed::<T>(answer), folder)
+    }
+
+    fn draw_scene(&self, loaded: &LoadedScene, answer: Option<&dyn Any>, canvas: &mut Canvas) -> std::io::Result<()> {
+        self.draw(&loaded.scene, content(self, loaded), answer.map(typed::<T>), canvas)
     }
 
     fn size_of(&self, loaded: &LoadedScene) -> usize {

@@ -3,10 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use predicament_corpus::{Content, LoadedScene, SceneFormat};
-use predicament_predicates::{Declined, PredicateKind, Predicates, Query, Scene, Vertex};
+use predicament_predicates::{Declined, PredicateKind, Predicates, Query, Scene, Sign, Vertex};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
+use predicament_report::drawing::Role;
 
+use crate::output::Canvas;
 use crate::{Asked, Case, Compared, Contestant, Dispute, Halt, How, Knob, Outcome, Phase, Planted, Stop, Turns, Watch};
 
 /// An answer to everything that a scene asks. It is reused from pass to pass
@@ -127,6 +129,21 @@ pub trait Task: SceneFormat + Sized + 'static {
         folder: &Path,
     ) -> std::io::Result<Vec<PathBuf>>;
 
+    /// Draws a scene, and an answer to it if there is one: its points, where a task has nothing else to show.
+    ///
+    /// # Errors
+    /// Where a vertex of the answer is no point.
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &Self::Content,
+        answer: Option<&Self::Answer>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        let _ = (content, answer);
+        canvas.points(scene, "points", Role::Given, scene.vertices()).map(|_| ())
+    }
+
     /// How large a scene is, by which the growth of times is told: the number of queries where it has no better measure.
     fn size(&self, content: &Self::Content) -> usize {
         content.count()
@@ -189,6 +206,9 @@ pub struct Explanation {
     pub heads: Vec<String>,
     /// For each backend its name and its cells.
     pub rows: Vec<(String, Vec<String>)>,
+    /// For each backend its name and its signs of all permutations of the vertices, in lexicographic order, each sign turned where the
+    /// permutation is odd: one who contradicts nothing has one sign. The exact signs come first.
+    pub permutations: Vec<(String, Vec<Sign>)>,
 }
 
 impl Explanation {

@@ -2,23 +2,35 @@
 
 use std::path::PathBuf;
 
-use predicament_predicates::Sign;
-use predicament_records::replace;
-use predicament_report::{PixelMap, side_by_side};
-use predicament_tasks::signs::{SignQueries, classes};
-use predicament_tasks::{AnyCase, Class, Contestant, Watch};
+use predicament_corpus::LoadedScene;
+use predicament_predicates::{Axis, Plane, Query, Sign};
+use predicament_records::{RunDir, replace};
+use predicament_report::{Column, sheet, side_by_side};
+use predicament_tasks::signs::{SignQueries, truth};
+use predicament_tasks::{AnyCase, Contestant, Watch};
 
+use super::replay;
 use crate::exit::{self, Failure};
 use crate::interrupt;
 use crate::out::program;
+use crate::pixels::{Raster, Step, Tile, Walk, axes, exact, tile};
 use crate::select::Selector;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
+A scene of a square number of queries is drawn as it is; with --query, or for a finding, one vertex of one query walks over a square of
+neighbouring doubles (--step) along two axes (--plane), and the rest of the scene stays what it is.
+
+A .png file has the backends side by side. An .svg file has their names and counts too, the exact signs first, and under each map where it
+differs from them: pale where the backend's promise allows it, dark where it is wrong.
+
 Examples:
   predicament map kettner-pixels-a --out map.png
   predicament map kettner-pixels-a -b naive,naive:first,exact,tolerance --zoom 2 --out map.png
-  predicament map neighbours --suite mine.toml --out map.png";
+  predicament map neighbours --suite mine.toml --out map.png
+  predicament map kettner-a1-global --query 'orient2d(xy; 0 1 2)' --out around.svg
+  predicament map near-orient3d --query 'orient3d(0 1 2 3)' --plane yz --step 4ulp --out slice.svg
+  predicament map --finding 3fa9 --run out/run --side 128 --out finding.svg";
 
 /// Draw a square grid of queries, one pixel a query: red/yellow/blue for -/0/+, dark where it is wrong
 ///
@@ -28,8 +40,9 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The scene's name; its number of queries has to be a square
-    pub scene: String,
+    /// The scene's name; without --query its number of queries has to be a square
+    #[arg(required_unless_present = "finding")]
+    pub scene: Option<String>,
 
     /// The suite, by name or as a TOML file of your own; all that need no download if left out
     #[arg(long, value_name = "SUITE")]
@@ -44,78 +57,155 @@ pub struct Args {
     )]
     pub backends: Vec<String>,
 
+    /// A query about vertices of the scene, one of which walks
+    #[arg(long, value_name = "QUERY")]
+    pub query: Option<Query>,
+
+    /// The id of a finding about one query of a predicate, or a prefix of it
+    #[arg(long, value_name = "ID", requires = "run", conflicts_with_all = ["scene", "suite", "query"])]
+    pub finding: Option<String>,
+
+    /// The run that found it
+    #[arg(long, value_name = "DIR", requires = "finding")]
+    pub run: Option<PathBuf>,
+
+    /// Which vertex of the query walks, from 0 on; the last one if left out
+    #[arg(long = "move", value_name = "PLACE")]
+    pub place: Option<usize>,
+
+    /// The axes that it walks along; those of the predicate, or xy, if left out
+    #[arg(long, value_name = "xy|yz|zx")]
+    pub plane: Option<Plane>,
+
+    /// From place to place: some doubles, such as 1ulp, or a length, such as 1e-9
+    #[arg(long, default_value = "1ulp", value_name = "STEP", value_parser = step)]
+    pub step: Step,
+
+    /// So many places in a row
+    #[arg(long, default_value_t = 96, value_name = "N", value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(1..=2048))]
+    pub side: usize,
+
     /// Screen pixels to a query
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub zoom: usize,
 
-    /// The PNG file to write
+    /// The PNG or SVG file to write
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
 }
 
 /// Runs the command.
 pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
+    let is_svg = args.out.extension().is_some_and(|extension| extension == "svg");
     let backends = tool.pick(&args.backends)?;
-    let suites = args.suite.iter().cloned().collect();
-    let selection = Selector { suites, ..Selector::everything() }.select(tool)?;
-    let Some(def) = selection.defs().into_iter().find(|def| def.name == args.scene) else {
-        return Err(Failure::nothing(format!(
-            "no scene is called `{}`; `{} corpus list --scenes` names them",
-            args.scene,
-            program()
-        )));
+    let (loaded, query) = what(&args, tool)?;
+    let Raster { scene, content, side } = match &query {
+        None => square(&loaded)?,
+        Some(query) => walk(&args, &loaded, query)?.raster()?,
     };
-    let loaded = selection.load(def)?;
     let quiet = |_: u64| {};
     let stopped = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
-    let case = tool.task(loaded.task).case(&loaded, &Watch::new(interrupt::flag(), None, &quiet)).map_err(stopped)?;
-    let mut maps = Vec::new();
-    for backend in &backends {
-        let tile = tile(case.as_ref(), backend.as_ref())?;
-        say!("{:<24} {}", backend.name(), tile.caption);
-        maps.push(tile.map);
+    let signs = truth(&scene, &content.queries, &Watch::new(interrupt::flag(), None, &quiet)).map_err(stopped)?;
+    let mut tiles: Vec<(String, Tile)> = Vec::new();
+    if is_svg {
+        tiles.push(("exact signs".to_owned(), exact(&signs, side)?));
     }
-    let png = side_by_side(&maps, args.zoom, 8).map_err(Failure::usage)?;
-    replace(&args.out, &png).map_err(Failure::usage)?;
+    for backend in &backends {
+        let tile = tile(&scene, &content, &signs, side, backend.as_ref())?;
+        say!("{:<24} {}", backend.name(), tile.caption());
+        tiles.push((backend.name(), tile));
+    }
+    let bytes = if is_svg {
+        let what = query.map_or_else(String::new, |query| format!(" {query}"));
+        let title = format!("{}/{}{what}", loaded.suite, loaded.name);
+        let zoom = if args.zoom == 1 { (192 / side).max(1) } else { args.zoom };
+        sheet(&title, &columns(tiles), zoom).map_err(Failure::usage)?.into_bytes()
+    } else {
+        let maps: Vec<_> = tiles.into_iter().map(|(_, tile)| tile.map).collect();
+        side_by_side(&maps, args.zoom, 8).map_err(Failure::usage)?
+    };
+    replace(&args.out, &bytes).map_err(Failure::usage)?;
     say!("{}", args.out.display());
     Ok(exit::OK)
 }
 
-/// One backend's picture.
-pub struct Tile {
-    /// The pixels.
-    pub map: PixelMap,
-    /// How many of each sign, how many that differ from the exact one, and how many that are wrong.
-    pub caption: String,
+/// What stands on a sheet.
+pub fn columns(tiles: Vec<(String, Tile)>) -> Vec<Column> {
+    let column = |(name, tile): (String, Tile)| {
+        let [negative, zero, positive] = tile.signs;
+        let lines = vec![
+            format!("{negative} negative"),
+            format!("{zero} zero"),
+            format!("{positive} positive"),
+            format!("{} differ, {} wrong", tile.differ, tile.wrong),
+        ];
+        Column { name, answers: tile.map, difference: tile.difference, lines }
+    };
+    tiles.into_iter().map(column).collect()
 }
 
-/// Draws one backend's answers to a square of queries.
-pub fn tile(case: &dyn AnyCase, backend: &dyn Contestant) -> Result<Tile, Failure> {
-    let loaded = case.loaded();
-    let asked = loaded.content::<SignQueries>().zip(case.truth().downcast_ref::<Vec<Sign>>());
-    let Some((content, truth)) = asked else {
+/// The scene, and the query whose vertex walks.
+fn what(args: &Args, tool: &Tool) -> Result<(LoadedScene, Option<Query>), Failure> {
+    if let (Some(id), Some(folder)) = (&args.finding, &args.run) {
+        let run = RunDir::open(folder).map_err(Failure::usage)?;
+        let finding = replay::find(&run, id, folder)?;
+        let loaded = replay::load(&run, finding, None, tool)?;
+        let query = finding.query.split(" | ").next().unwrap_or_default();
+        let query = query.parse().map_err(|_| {
+            Failure::usage(format!(
+                "finding {} is about a whole scene; `show --finding` draws those",
+                finding.finding_id
+            ))
+        })?;
+        return Ok((loaded, Some(query)));
+    }
+    let name = args.scene.as_deref().unwrap_or_default();
+    let suites = args.suite.iter().cloned().collect();
+    let selection = Selector { suites, ..Selector::everything() }.select(tool)?;
+    let Some(def) = selection.defs().into_iter().find(|def| def.name == name) else {
+        return Err(Failure::nothing(format!(
+            "no scene is called `{name}`; `{} corpus list --scenes` names them",
+            program()
+        )));
+    };
+    Ok((selection.load(def)?, args.query.clone()))
+}
+
+fn walk<'a>(args: &Args, loaded: &'a LoadedScene, query: &'a Query) -> Result<Walk<'a>, Failure> {
+    let Some((question, vertices)) = query.question() else {
+        return Err(Failure::usage(format!("`{query}` asks for no sign; name a query such as 'orient2d(xy; 0 1 2)'")));
+    };
+    let axes: [Axis; 2] = args.plane.map_or_else(|| axes(question, &loaded.scene), Plane::axes);
+    let place = args.place.unwrap_or(vertices.len() - 1);
+    Ok(Walk { scene: &loaded.scene, query, place, axes, step: args.step, side: args.side })
+}
+
+/// The queries of a scene as they are.
+fn square(loaded: &LoadedScene) -> Result<Raster, Failure> {
+    let Some(content) = loaded.content::<SignQueries>() else {
         return Err(Failure::usage(format!("`{}` asks for no signs; only sign scenes can be drawn", loaded.name)));
     };
-    let queries = &content.queries;
-    let side = queries.len().isqrt();
-    if side == 0 || side * side != queries.len() {
-        return Err(Failure::usage(format!("`{}` has {} queries, which is no square", loaded.name, queries.len())));
+    let count = content.queries.len();
+    let side = count.isqrt();
+    if side == 0 || side * side != count {
+        let message = format!("`{}` has {count} queries, which is no square", loaded.name);
+        return Err(Failure::usage(format!("{message}; choose one with --query, whose last vertex walks then")));
     }
-    let answers = classes(backend, &loaded.scene, content, truth)
-        .map_err(|why| Failure::usage(format!("{}: {why}", backend.name())))?;
-    let count = |sign: Sign| answers.iter().filter(|(answer, _)| *answer == sign).count();
-    let differ = answers.iter().zip(truth).filter(|((answer, _), truth)| answer != *truth).count();
-    // The first queries are those of the lowest row: y grows upwards, as in every plot.
-    let answers: Vec<(Sign, Class)> = answers.chunks(side).rev().flatten().copied().collect();
-    let wrong: Vec<bool> = answers.iter().map(|(_, class)| !class.is_legal()).collect();
-    let caption = format!(
-        "{:>8} -  {:>8} 0  {:>8} +  {:>8} differ from the exact sign, {} wrong",
-        count(Sign::Negative),
-        count(Sign::Zero),
-        count(Sign::Positive),
-        differ,
-        wrong.iter().filter(|&&wrong| wrong).count()
-    );
-    let signs: Vec<i8> = answers.iter().map(|(sign, _)| sign.as_i8()).collect();
-    Ok(Tile { map: PixelMap::new(side, side, &signs, &wrong).map_err(Failure::usage)?, caption })
+    Ok(Raster { scene: loaded.scene.clone(), content: content.clone(), side })
+}
+
+/// Draws one backend's answers to a scene of a square number of queries.
+pub fn of_square(case: &dyn AnyCase, backend: &dyn Contestant) -> Result<Tile, Failure> {
+    let Raster { scene, content, side } = square(case.loaded())?;
+    let signs = case.truth().downcast_ref::<Vec<Sign>>().map_or(&[][..], Vec::as_slice);
+    tile(&scene, &content, signs, side, backend)
+}
+
+fn step(text: &str) -> Result<Step, String> {
+    let bad = || "write some doubles, such as 1ulp, or a length, such as 1e-9".to_owned();
+    if let Some(ulps) = text.strip_suffix("ulp") {
+        return ulps.trim().parse().ok().filter(|&ulps| ulps > 0).map(Step::Ulps).ok_or_else(bad);
+    }
+    let length = text.parse::<f64>().ok().filter(|length| *length > 0.0 && length.is_finite());
+    length.map(Step::Length).ok_or_else(bad)
 }

@@ -15,5 +15,6 @@ pub mod resolve;
 pub mod run;
 pub mod selftest;
 pub mod shell;
+pub mod show;
 pub mod solve;
 pub mod study;

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use predicament_corpus::{Level, LoadedScene};
 use predicament_formats::{hex, hexfloat};
-use predicament_predicates::{Class, Query, Vertex};
+use predicament_predicates::{Class, Query, Sign, Vertex};
 use predicament_records::{FindingRow, Plan, RunDir};
 use predicament_tasks::{Contestant, Explanation};
 use sha2::{Digest, Sha256};
@@ -49,7 +49,7 @@ pub struct Args {
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let run = RunDir::open(&args.run).map_err(Failure::usage)?;
     let finding = find(&run, &args.id, &args.run)?;
-    let loaded = load(&run, finding, args, tool)?;
+    let loaded = load(&run, finding, args.cache.as_deref(), tool)?;
     say!("finding   {} ({})", finding.finding_id, finding.class.name());
     say!("scene     {}/{} ({})", finding.suite, finding.scene, finding.scene_id);
     for (key, text) in [("source", &loaded.source), ("analysis", &loaded.analysis)] {
@@ -123,7 +123,8 @@ fn whole(run: &RunDir, finding: &FindingRow, args: &Args, tool: &Tool) -> exit::
     Ok(exit::OK)
 }
 
-fn find<'a>(run: &'a RunDir, id: &str, folder: &Path) -> Result<&'a FindingRow, Failure> {
+/// The finding with this id, or the only one that it begins.
+pub fn find<'a>(run: &'a RunDir, id: &str, folder: &Path) -> Result<&'a FindingRow, Failure> {
     let mut hits = run.findings.iter().filter(|row| row.finding_id.starts_with(id));
     match (hits.next(), hits.find(|row| !row.finding_id.eq(id))) {
         (None, _) => Err(Failure::nothing(format!(
@@ -137,10 +138,12 @@ fn find<'a>(run: &'a RunDir, id: &str, folder: &Path) -> Result<&'a FindingRow, 
     }
 }
 
-fn load(run: &RunDir, finding: &FindingRow, args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
+/// The scene of a finding, as it was in its run.
+pub fn load(run: &RunDir, finding: &FindingRow, cache: Option<&Path>, tool: &Tool) -> Result<LoadedScene, Failure> {
     let level: Level = run.plan.level.to_string().parse().map_err(Failure::usage)?;
     let suite = run.plan.paths.get(&finding.suite).unwrap_or(&finding.suite).clone();
-    let selection = Selector { suites: vec![suite], filter: None, level, cache: args.cache.clone() }.select(tool)?;
+    let selection =
+        Selector { suites: vec![suite], filter: None, level, cache: cache.map(Path::to_path_buf) }.select(tool)?;
     let Some(def) = selection.defs().into_iter().find(|def| def.name == finding.scene) else {
         return Err(Failure::nothing(format!("suite `{}` has no scene `{}` any more", finding.suite, finding.scene)));
     };
@@ -184,7 +187,18 @@ pub fn lines(told: &Explanation) -> Vec<String> {
         let cells: Vec<String> = cells.iter().enumerate().map(|(at, cell)| format!("{cell:<0$}", width(at))).collect();
         lines.push(format!("{name:<24} {}", cells.join("  ")).trim_end().to_owned());
     }
+    if told.permutations.iter().any(|(_, of)| of.iter().any(|sign| *sign != of[0])) {
+        lines.push("of all orders of the vertices, turned back where they are odd:".to_owned());
+        // Those that begin with one vertex stand together.
+        let grouped = |of: &[Sign]| of.chunks(group(of.len())).map(signs).collect::<Vec<_>>().join(" ");
+        lines.extend(told.permutations.iter().map(|(name, of)| format!("{name:<24} {}", grouped(of))));
+    }
     lines
+}
+
+/// Signs as a word.
+pub fn signs(of: &[Sign]) -> String {
+    of.iter().map(|sign| ["-", "0", "+"][usize::from(sign.as_i8() >= 0) + usize::from(sign.as_i8() > 0)]).collect()
 }
 
 /// The coordinates of vertices, those of constructed ones by what defines them.
@@ -203,4 +217,12 @@ pub fn point_lines(loaded: &LoadedScene, ids: &[Vertex]) -> Vec<String> {
         lines.push(format!("vertex {:>8}  ({})  = ({})", id.to_string(), decimal.join(", "), hex.join(", ")));
     }
     lines
+}
+
+/// How many of all orders begin with one vertex: n! orders are of n vertices.
+fn group(orders: usize) -> usize {
+    (1..=5)
+        .map(|n| (n, (1..=n).product::<usize>()))
+        .find(|(_, all)| *all == orders)
+        .map_or(orders.max(1), |(n, all)| all / n)
 }

@@ -16,7 +16,7 @@ use crate::planning::{budget, env_of, free_folder, plan, tables_with};
 use crate::select::{NOT_NAMED, Planned, Selection, Selector};
 use crate::tool::{Tool, engines};
 use crate::worker::Worker;
-use crate::{expectations, interrupt, progress, worker};
+use crate::{child, expectations, interrupt, progress};
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -123,7 +123,7 @@ pub fn seconds(text: &str) -> Result<Duration, String> {
 
 /// Runs the command.
 pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
-    worker::end_with_parent();
+    child::end_with_parent();
     set_threads(args.threads)?;
     let expected = expectations::load(tool, args.expected.as_ref())?;
     let Job { selection, mut scenes, backends, engines, mut ledger } = match &args.resume {

@@ -23,6 +23,7 @@ mod peers;
 mod pictures;
 mod resolve;
 mod runs;
+mod show;
 mod studies;
 mod threads;
 mod tutorial;

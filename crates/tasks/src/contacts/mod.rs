@@ -27,12 +27,14 @@ use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Declined, Dimension, PredicateKind, Predicates, Query, Scene, Vertex};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
+use predicament_report::drawing::{Role, Shape};
 
 pub use content::Complexes;
 pub use generate::thresholds;
 pub use judge::Truth;
 pub use section::ContactRow;
 
+use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
     Task, Turns, Watch, digest,
@@ -261,6 +263,27 @@ impl Task for Contacts {
         Ok(vec![json, obj])
     }
 
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &Complexes,
+        answer: Option<&Registered>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        for (name, role, complex) in [("first", Role::Given, &content.a), ("second", Role::Second, &content.b)] {
+            canvas.faces(scene, &format!("{name}: triangles"), role, complex.triangles())?;
+            canvas.lines(scene, &format!("{name}: edges"), role, complex.edges())?;
+        }
+        let Some(answer) = answer else { return Ok(()) };
+        // Where on each simplex of the first complex a contact is registered.
+        let place = |contact: &Contact| {
+            let [s, _] = vertices_of(content, [contact.a, contact.b]);
+            vec![vec![weighted(scene, s, &contact.on_a)]]
+        };
+        canvas.places("contacts", Role::Mark, Shape::Points, answer.registered.iter().map(place));
+        Ok(())
+    }
+
     fn tables(&self) -> Vec<TableSpec> {
         vec![TableSpec::of::<ContactRow>()]
     }
@@ -288,6 +311,15 @@ fn object_file(scene: &Scene, content: &Complexes) -> String {
         text.extend(complex.triangles().iter().map(|triangle| line("f", triangle)));
     }
     text
+}
+
+/// A point of a simplex by its weights, in doubles: near enough for a picture.
+fn weighted(scene: &Scene, simplex: &[Vertex], weights: &Weights) -> [f64; 3] {
+    let mut place = [0.0; 3];
+    for (&v, weight) in simplex.iter().zip(weights) {
+        scene.point(v).iter().zip(&mut place).for_each(|(x, at)| *at += weight * x);
+    }
+    place
 }
 
 fn vertices_of(content: &Complexes, [s, t]: Pair) -> [&[Vertex]; 2] {

@@ -16,9 +16,11 @@ use predicament_algorithms::crossings::{Along, crossings, crossings_planted};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Scene, Vertex};
+use predicament_report::drawing::Role;
 
 pub use content::Segments;
 
+use crate::output::Canvas;
 use crate::segment_source::named;
 use crate::{
     Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
@@ -195,6 +197,30 @@ impl Task for Crossings {
         let ends = content.0.iter().flatten().copied();
         let vertices = output::vertices(&scene, ends.chain(crossings), folder)?;
         Ok(vec![path, vertices])
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &Segments,
+        answer: Option<&Crossed>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        canvas.lines(scene, "segments", Role::Given, &content.0)?;
+        let Some(answer) = answer else { return Ok(()) };
+        let mut scene = scene.clone();
+        let mut crossings = Vec::new();
+        for (at, along) in answer.0.iter().enumerate() {
+            // Each pair is in the lists of both.
+            for &other in along.iter().flatten().filter(|&&other| other as usize > at) {
+                let lines = [content.0[at], content.0[other as usize]];
+                let v = scene.construct(Construction::Ssi(lines)).map_err(std::io::Error::other)?;
+                // Segments that wrong signs make cross may be parallel: their lines have no point.
+                crossings.extend(predicament_judge::point(&scene, v).is_some().then_some(v));
+            }
+        }
+        canvas.points(&scene, "crossings", Role::Found, crossings)?;
+        Ok(())
     }
 }
 

@@ -15,14 +15,16 @@ use predicament_algorithms::cube_union::planted::DroppedBorderCube;
 use predicament_algorithms::cube_union::{Mass, ScaledCubes, cube_union_by, cube_union_planted};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
-use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
+use predicament_report::drawing::{Role, Shape};
 
 pub use content::Cubes;
 pub use judge::Truth;
 pub use section::MassRow;
 
+use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
     Task, Turns, Watch, digest,
@@ -192,6 +194,13 @@ impl Task for CubeUnion {
         Ok(vec![path])
     }
 
+    fn draw(&self, scene: &Scene, content: &Cubes, _: Option<&Union>, canvas: &mut Canvas) -> std::io::Result<()> {
+        let corners = |cube: usize| [2 * cube, 2 * cube + 1].map(|at| scene.point3(Vertex::input(at)));
+        let faces = (0..content.cubes).flat_map(|cube| faces(corners(cube)));
+        canvas.places("cubes", Role::Given, Shape::Areas, faces.map(|face| vec![face.to_vec()]));
+        Ok(())
+    }
+
     fn tables(&self) -> Vec<TableSpec> {
         vec![TableSpec::of::<MassRow>()]
     }
@@ -199,4 +208,18 @@ impl Task for CubeUnion {
     fn section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error> {
         section::section(runs)
     }
+}
+
+/// The six faces of the cube with these corners.
+fn faces([low, high]: [[f64; 3]; 2]) -> Vec<[[f64; 3]; 4]> {
+    let side = |axis: usize, at: f64| {
+        let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+        [[low[u], low[v]], [high[u], low[v]], [high[u], high[v]], [low[u], high[v]]].map(|[x, y]| {
+            let mut corner = [at; 3];
+            corner[u] = x;
+            corner[v] = y;
+            corner
+        })
+    };
+    (0..3).flat_map(|axis| [side(axis, low[axis]), side(axis, high[axis])]).collect()
 }

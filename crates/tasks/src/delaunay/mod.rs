@@ -18,10 +18,12 @@ use predicament_algorithms::planted::Honest;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Refused, Scene, Vertex};
+use predicament_report::drawing::Role;
 
 pub use content::Sites;
 pub use judge::Truth;
 
+use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
     Task, Turns, Watch, digest, output,
@@ -217,6 +219,27 @@ impl Task for Delaunay2d {
         let crossings = (0..found.crossings.len()).map(Vertex::constructed);
         files.push(output::vertices(&exact, scene.vertices().chain(crossings), folder)?);
         Ok(files)
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &Sites,
+        answer: Option<&Triangles>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        let mut exact = scene.clone();
+        if let Some(Triangles(found)) = answer {
+            for definition in &found.crossings {
+                exact.construct(*definition).map_err(std::io::Error::other)?;
+            }
+            canvas.faces(&exact, "triangles", Role::Found, &found.triangles)?;
+            canvas.lines(&exact, "constrained edges", Role::Second, &found.constrained)?;
+        } else {
+            canvas.lines(scene, "constraints", Role::Second, &content.constraints)?;
+        }
+        canvas.points(scene, "points", Role::Given, scene.vertices())?;
+        Ok(())
     }
 }
 

@@ -8,10 +8,12 @@ use predicament_checks::hull::plane_flaws;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
+use predicament_report::drawing::Role;
 
 use super::cloud::{self, Cloud, Method};
 use super::judge::{Found, Truth, judge};
 use super::{generate, template};
+use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
     Task, Turns, Watch, digest, output,
@@ -174,5 +176,18 @@ impl Task for Hull2d {
         let mut files = output::plane(scene, &[vec![hull.clone()]], folder, "hull")?;
         files.push(output::vertices(scene, hull.iter().copied(), folder)?);
         Ok(files)
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        _: &Cloud<PlaneMethod>,
+        answer: Option<&Polygon>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        let hull = answer.map(|answer| answer.0.vertices.clone()).filter(|hull| hull.len() > 1);
+        canvas.areas(scene, "hull", Role::Found, hull.map(|hull| vec![hull]))?;
+        canvas.points(scene, "points", Role::Given, scene.vertices())?;
+        Ok(())
     }
 }

@@ -8,10 +8,12 @@ use predicament_checks::hull::space_flaws;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
+use predicament_report::drawing::Role;
 
 use super::cloud::{self, Cloud, Method};
 use super::judge::{Found, Truth, judge};
 use super::{generate, template};
+use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
     Task, Turns, Watch, digest, output,
@@ -183,5 +185,18 @@ impl Task for Hull3d {
         let mut files = output::mesh(scene, &answer.0.faces, folder, "hull")?;
         files.push(output::vertices(scene, answer.0.vertices.iter().copied(), folder)?);
         Ok(files)
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        _: &Cloud<SpaceMethod>,
+        answer: Option<&Surface>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        let faces = answer.into_iter().flat_map(|answer| &answer.0.faces);
+        canvas.faces(scene, "hull", Role::Found, faces)?;
+        canvas.points(scene, "points", Role::Given, scene.vertices())?;
+        Ok(())
     }
 }

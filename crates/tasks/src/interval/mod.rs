@@ -14,10 +14,12 @@ use predicament_algorithms::interval::{Place, cells_at, cells_at_planted};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
+use predicament_report::drawing::Role;
 use rayon::prelude::*;
 
 pub use content::Cells;
 
+use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop, Task,
     Turns, Watch, digest,
@@ -185,6 +187,12 @@ impl Task for Interval {
             content.probes.iter().zip(&answer.0).map(|(probe, cells)| format!("{probe},\"{}\"\n", describe(cells)));
         std::fs::write(&path, "probe,cells\n".to_owned() + &lines.collect::<String>())?;
         Ok(vec![path])
+    }
+
+    fn draw(&self, scene: &Scene, content: &Cells, _: Option<&CellsFound>, canvas: &mut Canvas) -> std::io::Result<()> {
+        canvas.lines(scene, "cells", Role::Given, &content.cells)?;
+        canvas.points(scene, "probes", Role::Mark, content.probes.iter().copied())?;
+        Ok(())
     }
 }
 

@@ -32,6 +32,7 @@ use predicament_predicates::{Construction, Declined, PredicateKind, Predicates, 
 
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
+use predicament_report::drawing::{Role, Shape};
 
 use manner::{Manner, manner};
 
@@ -40,7 +41,7 @@ pub use section::MeshIntersectRow;
 pub use settled::Settled;
 pub use surface::flaw_of;
 
-use crate::output::Placed;
+use crate::output::{Canvas, Placed};
 use crate::{
     Answer, Asked, Case, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Planted, Purpose, Refusal,
     Stop, Task, Turns, Watch, digest, output,
@@ -305,6 +306,38 @@ impl Task for MeshIntersect {
             files.push(output::vertices(&placed.exact, regions.triangles.as_flattened().iter().copied(), folder)?);
         }
         Ok(files)
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &TwoMeshes,
+        answer: Option<&Overlaid>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        let given = [("first", Role::Given), ("second", Role::Second)];
+        for ((name, role), mesh) in given.into_iter().zip(&content.meshes) {
+            canvas.faces(scene, name, role, mesh.triangles())?.is_shown = answer.is_none();
+        }
+        let Some(answer) = answer else { return Ok(()) };
+        if let Some(Ok(settled)) = &answer.settled {
+            for (operation, result) in settled.by_operation() {
+                let closed = &result.rounded.closed;
+                let face = |triangle: &[u32; 3]| vec![triangle.map(|v| closed.points[v as usize]).to_vec()];
+                let layer =
+                    canvas.places(operation.name(), Role::Found, Shape::Areas, closed.triangles.iter().map(face));
+                layer.is_shown = operation == Operation::Union;
+            }
+            return Ok(());
+        }
+        let rounded = answer.rounded.as_ref().or(answer.registered.as_ref());
+        let placed = Placed::new(scene, &answer.constructions, answer.before, rounded.map(|points| &points[..]))?;
+        for (operation, solid) in Operation::ALL.into_iter().zip(&answer.solids) {
+            let faces = solid.iter().map(|triangle| triangle.map(|v| placed.place(v)));
+            let layer = canvas.faces(&placed.meshes, operation.name(), Role::Found, faces)?;
+            layer.is_shown = operation == Operation::Union;
+        }
+        Ok(())
     }
 }
 

@@ -27,11 +27,13 @@ use predicament_mesh::OUTSIDE;
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
+use predicament_report::drawing::Role;
 
 pub use content::{Probe, ProbeKind, ProbedMesh};
 pub use judge::Truth;
 pub use section::MeshLocateRow;
 
+use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Planted,
     Purpose, Stop, Task, Turns, Watch, digest,
@@ -43,6 +45,15 @@ const SKIPPED_CHECKS: &[Catch] = &[(Class::SignFlip, "exact location"), (Class::
 const CAVITY_CHECKS: &[Catch] = &[(Class::SignFlip, "exact location")];
 /// The checks that have to find a ray that ends at the wrong triangle.
 const FARTHER_CHECKS: &[Catch] = &[(Class::SignFlip, "exact location")];
+
+/// What a drawing of an answer has of the probes.
+type LocationLayer = (&'static str, Role, fn(&Location) -> bool);
+const LAYERS: [LocationLayer; 4] = [
+    ("outside", Role::Given, |location| *location == Location::In(OUTSIDE)),
+    ("in a region", Role::Found, |location| matches!(location, Location::In(region) if *region != OUTSIDE)),
+    ("on the mesh", Role::Second, |location| matches!(location, Location::On(_))),
+    ("contradictory", Role::Mark, |location| *location == Location::Contradiction),
+];
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -290,6 +301,26 @@ impl Task for MeshLocate {
         }
         std::fs::write(&path, lines)?;
         Ok(vec![path])
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &ProbedMesh,
+        answer: Option<&Located>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        let probes = || content.probes.iter().map(|probe| probe.vertex);
+        canvas.faces(scene, "mesh", Role::Faint, content.mesh.triangles())?;
+        let Some(Located(answer)) = answer else {
+            canvas.points(scene, "probes", Role::Second, probes())?;
+            return Ok(());
+        };
+        for (name, role, is) in LAYERS {
+            let of = probes().zip(answer).filter(|(_, location)| is(location));
+            canvas.points(scene, name, role, of.map(|(v, _)| v))?;
+        }
+        Ok(())
     }
 
     fn tables(&self) -> Vec<TableSpec> {

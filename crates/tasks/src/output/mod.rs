@@ -1,13 +1,15 @@
-//! Answers as files that other programs read, and their vertices exactly.
+//! Answers as files that other programs read, their vertices exactly, and drawings.
 //!
 //! Formats for meshes and maps hold doubles, or decimals that are read as doubles: a constructed vertex is rounded
 //! there to the nearest. Beside them `vertices.json` has every vertex as it is, and what it was constructed from.
 
+mod canvas;
 mod placed;
 mod plane;
 mod space;
 mod vertices;
 
+pub use canvas::Canvas;
 pub use placed::{Placed, rounded_points};
 pub use plane::plane;
 pub use space::mesh;

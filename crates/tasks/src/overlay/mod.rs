@@ -18,9 +18,11 @@ use predicament_algorithms::planted::Honest;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Refused, Scene, Vertex};
+use predicament_report::drawing::Role;
 
 pub use content::{Layered, Layers};
 
+use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
     Task, Turns, Watch, digest, output,
@@ -281,6 +283,40 @@ impl Task for Overlay2d {
         files.push(path);
         files.push(output::vertices(&shown, arrangement.vertices.iter().map(|&v| at(v)), folder)?);
         Ok(files)
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &Layered,
+        answer: Option<&Overlaid>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        match &content.layers {
+            Layers::Segments(segments) => {
+                canvas.lines(scene, "segments", Role::Given, segments)?;
+            }
+            Layers::Polygons(operands, _) => {
+                for (name, role, loops) in
+                    [("first", Role::Given, &operands[0]), ("second", Role::Second, &operands[1])]
+                {
+                    canvas.areas(scene, name, role, [loops.clone()])?;
+                }
+            }
+        }
+        let Some(answer) = answer else { return Ok(()) };
+        let (shown, at) = shown(scene, answer)?;
+        if content.operands().is_some() {
+            let ring = |one: &Vec<Edge>| one.iter().map(|edge| at(edge.from)).collect::<Vec<_>>();
+            for (operation, made) in Operation::ALL.into_iter().zip(&answer.regions) {
+                let areas = made.regions.iter().map(|region| region.loops().map(ring).collect());
+                let layer = canvas.areas(&shown, operation.name(), Role::Found, areas)?;
+                layer.is_shown = operation == Operation::Intersection;
+            }
+        }
+        let nodes = answer.overlay.arrangement.vertices.iter().map(|&v| at(v));
+        canvas.points(&shown, "vertices of the arrangement", Role::Mark, nodes)?;
+        Ok(())
     }
 }
 

@@ -16,14 +16,16 @@ use predicament_algorithms::polygon_locate::{LocateIndex, Location, Locations, S
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_mesh::PolygonMap;
-use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
+use predicament_report::drawing::Role;
 
 pub use content::{MapWithProbes, Probe, ProbeKind};
 pub use judge::Truth;
 pub use section::LocateRow;
 
+use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Purpose,
     Stop, Task, Turns, Watch, digest,
@@ -32,6 +34,14 @@ use crate::{
 /// The checks that have to find an edge missing in the grid.
 const SKIPPED_CHECKS: &[Catch] =
     &[(Class::MissedZero, "missed-boundary"), (Class::Topology, "double"), (Class::Topology, "misplaced")];
+
+/// What a drawing of an answer has of the probes, by how many regions they are in or on.
+type CountLayer = (&'static str, Role, fn(usize) -> bool);
+const LAYERS: [CountLayer; 3] = [
+    ("in no region", Role::Faint, |count| count == 0),
+    ("in one region", Role::Found, |count| count == 1),
+    ("in several, or on a boundary", Role::Mark, |count| count > 1),
+];
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -233,6 +243,29 @@ impl Task for PolygonLocate {
         let path = folder.join("probes.geojson");
         std::fs::write(&path, format!("{json}\n"))?;
         Ok(vec![path])
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &MapWithProbes,
+        answer: Option<&Located>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        let rings =
+            |region: &predicament_mesh::Region| region.rings.iter().map(|ring| ring.vertices().to_vec()).collect();
+        canvas.areas(scene, "regions", Role::Given, content.map.regions().iter().map(rings))?;
+        let probes = || content.probes.iter().map(|probe| probe.vertex);
+        let Some(answer) = answer else {
+            canvas.points(scene, "probes", Role::Second, probes())?;
+            return Ok(());
+        };
+        let located: Vec<(Vertex, usize)> =
+            probes().zip(answer.0.iter()).map(|(v, at)| (v, at.inside.len() + at.boundary.len())).collect();
+        for (name, role, is) in LAYERS {
+            canvas.points(scene, name, role, located.iter().filter(|(_, count)| is(*count)).map(|(v, _)| *v))?;
+        }
+        Ok(())
     }
 
     fn tables(&self) -> Vec<TableSpec> {

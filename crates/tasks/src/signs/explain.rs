@@ -1,7 +1,7 @@
-//! Explains one query: its exact value, and the answer and stage of each backend.
+//! Explains one query: its exact value, the answer and stage of each backend, and whether its answers to permutations fit together.
 
 use predicament_judge as judge;
-use predicament_predicates::{Query, Scene};
+use predicament_predicates::{Query, Question, Scene, Sign, Vertex};
 
 use crate::{Contestant, Explanation};
 
@@ -29,5 +29,69 @@ pub(super) fn explain(scene: &Scene, query: &Query, backends: &[&dyn Contestant]
         truth: vec![format!("exact sign {}, |det| / permanent {degeneracy}", verdict.sign())],
         heads: ["sign", "stage", "estimate", "band (lower, width, upper)"].map(str::to_owned).to_vec(),
         rows: backends.iter().map(row).collect(),
+        permutations: permuted(scene, question, args, backends),
     })
+}
+
+/// The signs of all permutations by the truth and by each backend that answers, turned where the permutation is odd.
+fn permuted(
+    scene: &Scene,
+    question: Question,
+    args: &[Vertex],
+    backends: &[&dyn Contestant],
+) -> Vec<(String, Vec<Sign>)> {
+    let orders = permutations(args.len());
+    let signs = |ask: &dyn Fn(&[Vertex]) -> Sign| -> Vec<Sign> {
+        let asked = |(order, is_odd): &(Vec<usize>, bool)| {
+            let sign = ask(&order.iter().map(|&at| args[at]).collect::<Vec<Vertex>>());
+            if *is_odd { -sign } else { sign }
+        };
+        orders.iter().map(asked).collect()
+    };
+    let mut rows = vec![("exact sign".to_owned(), signs(&|args| judge::verdict(scene, question, args).sign()))];
+    for backend in backends {
+        let mut told = None;
+        let asked = backend.with_session(scene, &mut |session| {
+            if session.supports(question.kind()).is_ok() {
+                told = Some(signs(&|args| question.ask(session, args)));
+            }
+        });
+        // Who declines has said so in the rows.
+        rows.extend(asked.ok().and(told).map(|signs| (backend.name(), signs)));
+    }
+    rows
+}
+
+/// All orders of so many places, in lexicographic order, each with whether it is odd.
+fn permutations(count: usize) -> Vec<(Vec<usize>, bool)> {
+    if count == 0 {
+        return vec![(Vec::new(), false)];
+    }
+    let of_rest = permutations(count - 1);
+    let first = |first: usize| {
+        of_rest.iter().map(move |(rest, is_odd)| {
+            let rest = rest.iter().map(|&at| at + usize::from(at >= first));
+            (std::iter::once(first).chain(rest).collect(), is_odd ^ (first % 2 == 1))
+        })
+    };
+    (0..count).flat_map(first).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn permutations_are_in_order_and_half_of_them_are_odd() {
+        for (count, all) in [(1, 1), (2, 2), (3, 6), (4, 24), (5, 120)] {
+            let orders = permutations(count);
+            assert_eq!(orders.len(), all);
+            assert!(orders.is_sorted_by(|a, b| a.0 < b.0));
+            for (order, is_odd) in orders {
+                let inversions =
+                    (0..count).flat_map(|j| (0..j).map(move |i| (i, j))).filter(|&(i, j)| order[i] > order[j]);
+                assert_eq!(inversions.count() % 2 == 1, is_odd, "{order:?}");
+            }
+        }
+    }
 }

@@ -11,6 +11,7 @@ mod classes;
 mod constructed;
 mod content;
 mod degeneracy;
+mod draw;
 mod error;
 mod explain;
 pub mod families;
@@ -34,6 +35,7 @@ pub use content::SignQueries;
 pub use degeneracy::{Histogram, degeneracy};
 pub use truth::truth;
 
+use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Compared, Contestant, Dispute, Explanation, Halt, How, Knob, Outcome, Purpose, Stop, Task,
     Turns, Watch, digest,
@@ -225,6 +227,16 @@ impl Task for Signs {
         folder: &Path,
     ) -> std::io::Result<Vec<PathBuf>> {
         write::write(scene, &content.queries, &answer.0, folder)
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &SignQueries,
+        _: Option<&Answers>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        draw::draw(scene, &content.queries, canvas)
     }
 }
 

@@ -18,10 +18,11 @@ use predicament_algorithms::slice::{Sliced, Source, slice, slice_planted};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source as SceneSource};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Refused, Scene, Vertex};
+use predicament_report::drawing::Role;
 
 pub use content::Solid;
 
-use crate::output::Placed;
+use crate::output::{Canvas, Placed};
 
 use crate::{
     Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
@@ -240,6 +241,29 @@ impl Task for Slice {
             files.push(output::vertices(&placed.exact, used, folder)?);
         }
         Ok(files)
+    }
+
+    fn draw(&self, scene: &Scene, content: &Solid, answer: Option<&Cut>, canvas: &mut Canvas) -> std::io::Result<()> {
+        let face = |face: &[u32]| face.iter().map(|&v| Vertex::input(v as usize)).collect::<Vec<Vertex>>();
+        let given = content.faces.iter().map(face);
+        let Some(answer) = answer else {
+            canvas.faces(scene, "faces", Role::Given, given)?;
+            canvas.faces(scene, "points of planes", Role::Mark, &content.planes)?;
+            return Ok(());
+        };
+        let parts = &answer.sliced.parts;
+        let placed = Placed::new(scene, &answer.sliced.constructions, answer.before, answer.rounded.as_deref())?;
+        let place = |v| placed.place(v);
+        for (at, part) in parts.iter().enumerate() {
+            let role = [Role::Found, Role::Second, Role::Given, Role::Mark][at % 4];
+            let faces = part.triangles.iter().map(|triangle| triangle.map(place));
+            canvas.faces(&placed.meshes, &format!("part {at}"), role, faces)?;
+        }
+        let open =
+            parts.iter().flat_map(|part| &part.open).map(|around| around.iter().map(|&v| place(v)).collect::<Vec<_>>());
+        canvas.lines(&placed.meshes, "open loops", Role::Mark, open)?;
+        canvas.faces(scene, "faces that were given", Role::Faint, given)?.hide();
+        Ok(())
     }
 }
 

@@ -7,6 +7,7 @@ mod content;
 mod judge;
 mod section;
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use predicament_algorithms::overlay::{self, Arrangement, Edge, arrange};
@@ -16,10 +17,12 @@ use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Scene};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
+use predicament_report::drawing::{Role, Shape};
 
 pub use content::{Drawn, method_name};
 pub use section::SnapRow;
 
+use crate::output::Canvas;
 use crate::segment_source::named;
 use crate::{
     Answer, Asked, Case, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop, Task,
@@ -291,6 +294,31 @@ impl Task for Snap2d {
         std::fs::write(&path, format!("{text}\n"))?;
         let vertices = output::vertices(scene, content.segments.iter().flatten().copied(), folder)?;
         Ok(vec![path, vertices])
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &Drawn,
+        answer: Option<&Chains>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        canvas.lines(scene, "segments", Role::Given, &content.segments)?;
+        let Some(answer) = answer else { return Ok(()) };
+        let centre = |&at: &u32| {
+            let [x, y] = answer.snapped.centre(at, content.pixel);
+            [x, y, 0.0]
+        };
+        let chains = answer.snapped.chains.iter().map(|chain| vec![chain.iter().map(centre).collect()]);
+        canvas.places("chains", Role::Found, Shape::Lines, chains);
+        let half = 2_f64.powi(content.pixel) / 2.0;
+        let pixel = |[x, y, _]: [f64; 3]| {
+            let corner = |[i, j]: [f64; 2]| [x + i * half, y + j * half, 0.0];
+            vec![[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(corner).to_vec()]
+        };
+        let hot: BTreeSet<u32> = answer.snapped.chains.iter().flatten().copied().collect();
+        canvas.places("hot pixels", Role::Faint, Shape::Areas, hot.iter().map(|at| pixel(centre(at))));
+        Ok(())
     }
 
     fn tables(&self) -> Vec<TableSpec> {

@@ -18,10 +18,12 @@ use predicament_algorithms::triangulate::{Triangulation, oriented, projection, t
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Dimension, Plane, PredicateKind, Predicates, Query, Scene, Vertex};
+use predicament_report::drawing::Role;
 
 pub use content::Polygons;
 pub use judge::Truth;
 
+use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
     Task, Turns, Watch, digest, output,
@@ -220,6 +222,20 @@ impl Task for Triangulate {
         let corners = content.polygons.iter().flatten().flatten().copied();
         files.push(output::vertices(scene, corners, folder)?);
         Ok(files)
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &Polygons,
+        answer: Option<&Triangulated>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        let triangles = answer.into_iter().flat_map(|answer| &answer.0).flat_map(|found| &found.triangles);
+        canvas.faces(scene, "triangles", Role::Found, triangles)?;
+        let closed = |ring: &Vec<Vertex>| ring.iter().chain(ring.first()).copied().collect::<Vec<Vertex>>();
+        canvas.lines(scene, "loops", Role::Given, content.polygons.iter().flatten().map(closed))?;
+        Ok(())
     }
 }
 

@@ -1,105 +1,40 @@
-//! What a report says about single findings: their points, the truth, the answer of each backend, and a picture.
-//!
-//! A few findings of each class and backend are asked again, alone, as `replay` does. What can't be, because a scene has changed, needs data
-//! that are not there, or is too large to be loaded for a page, is left out and counted.
+//! Pictures of one query: to scale, and with what nearly coincides pulled apart by the exact determinant.
 
-use std::collections::{BTreeMap, BTreeSet};
-
-use predicament_corpus::{Level, LoadedScene};
+use predicament_corpus::LoadedScene;
 use predicament_judge::verdict;
 use predicament_predicates::{Axis, Plane, Query, Question, Vertex};
-use predicament_records::{FindingRow, RunDir};
-use predicament_report::Detail;
 use predicament_report::picture::{Named, pulled_apart, to_scale};
-use predicament_tasks::{Contestant, Explanation};
 
-use crate::cmd::replay::{lines, point_lines};
-use crate::exit::Failure;
-use crate::select::Selector;
-use crate::tool::Tool;
-
-/// So many findings of each class, backend and task, each of a suite of its own.
-const FEW: usize = 3;
-/// Scenes of more queries are not loaded again.
-const MOST_QUERIES: u64 = 100_000;
-
-/// Details of a few findings of each class, backend and task, and how many of those that were chosen have none.
-pub fn details(runs: &[RunDir], tool: &Tool) -> Result<(Vec<Detail>, usize), Failure> {
-    let (mut told, mut missing) = (Vec::new(), 0);
-    for run in runs {
-        let backends = tool.pick_planned(&run.plan)?;
-        let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
-        for ((suite, scene), findings) in chosen(run) {
-            match load(run, suite, scene, &findings, tool) {
-                Some(loaded) => {
-                    for finding in findings {
-                        match detail(tool, &loaded, finding, &backends) {
-                            Some(detail) => told.push(detail),
-                            None => missing += 1,
-                        }
-                    }
-                }
-                None => missing += findings.len(),
-            }
-        }
+/// How far the last vertex is from what it is asked about, by the exact determinant; none for what has no distance.
+pub fn distance(loaded: &LoadedScene, query: &Query) -> Option<f64> {
+    let (question, args) = query.question()?;
+    if args.iter().any(|v| v.is_constructed()) {
+        return None;
     }
-    Ok((told, missing))
+    let exact = |question: Question, args: &[Vertex]| verdict(&loaded.scene, question, args).determinant.to_f64();
+    let determinant = exact(question, args);
+    let space = || -> Vec<[f64; 3]> { args.iter().map(|&v| loaded.scene.point3(v)).collect() };
+    let apart = match question {
+        Question::Orient2d(plane) => along_line(&flat(loaded, args, plane.axes()), determinant)?,
+        Question::Incircle => {
+            let points = flat(loaded, args, [Axis::X, Axis::Y]);
+            along_circle(&points, determinant, exact(Question::Orient2d(Plane::Xy), &args[..3]))?.1
+        }
+        Question::Orient3d => across_plane(&space(), determinant)?,
+        Question::Insphere => across_sphere(&space(), determinant, exact(Question::Orient3d, &args[..4]))?,
+        Question::Compare(_) => return None,
+    };
+    apart.last().map(|place| place[1].abs())
 }
 
-/// A few findings about single queries of each class, backend and task, the first of each of the first suites; by suite and scene.
-fn chosen(run: &RunDir) -> BTreeMap<(&str, &str), Vec<&FindingRow>> {
-    let small: BTreeSet<(&str, &str)> = run
-        .plan
-        .scenes
-        .iter()
-        .filter(|scene| scene.queries <= MOST_QUERIES)
-        .map(|scene| (&*scene.suite, &*scene.scene_id))
-        .collect();
-    let mut findings: Vec<&FindingRow> = run
-        .findings
-        .iter()
-        .filter(|row| !row.query.is_empty() && small.contains(&(&*row.suite, &*row.scene_id)))
-        .collect();
-    findings.sort_by_key(|row| [&row.suite, &row.scene, &row.scene_id, &row.task, &row.finding_id]);
-    let mut suites: BTreeMap<(&str, &str, &str), BTreeSet<&str>> = BTreeMap::new();
-    let mut chosen: BTreeMap<(&str, &str), Vec<&FindingRow>> = BTreeMap::new();
-    for row in findings {
-        let seen = suites.entry((row.class.name(), &row.backend, &row.task)).or_default();
-        if seen.len() < FEW && seen.insert(&row.suite) {
-            chosen.entry((&row.suite, &row.scene)).or_default().push(row);
-        }
-    }
-    chosen
-}
-
-/// The scene as it was; none where it is not there any more.
-fn load(run: &RunDir, suite: &str, scene: &str, findings: &[&FindingRow], tool: &Tool) -> Option<LoadedScene> {
-    let level: Level = run.plan.level.to_string().parse().ok()?;
-    let suite = run.plan.paths.get(suite).map_or(suite, String::as_str).to_owned();
-    let selection = Selector { suites: vec![suite], filter: None, level, cache: None }.select(tool).ok()?;
-    let def = selection.defs().into_iter().find(|def| def.name == scene)?;
-    let loaded = selection.load(def).ok()?;
-    findings.iter().all(|finding| finding.scene_id == loaded.id).then_some(loaded)
-}
-
-fn detail(tool: &Tool, loaded: &LoadedScene, finding: &FindingRow, backends: &[&dyn Contestant]) -> Option<Detail> {
-    let (mut text, mut pictures) = (Vec::new(), Vec::new());
-    for written in finding.query.split(" | ") {
-        let query: Query = written.parse().ok()?;
-        let told: Explanation = tool.task(loaded.task).explain_query(loaded, &query, backends).ok()?;
-        if !text.is_empty() {
-            text.push(String::new());
-        }
-        text.push(written.to_owned());
-        text.extend(point_lines(loaded, &told.vertices));
-        text.extend(lines(&told));
-        pictures.extend(drawn(loaded, &query).unwrap_or_default());
-    }
-    Some(Detail { finding: finding.finding_id.clone(), lines: text, pictures })
+/// The coordinates of vertices along two axes.
+fn flat(loaded: &LoadedScene, args: &[Vertex], axes: [Axis; 2]) -> Vec<[f64; 2]> {
+    let place = |axis: Axis| [Axis::X, Axis::Y, Axis::Z].iter().position(|&other| other == axis).unwrap_or(0);
+    args.iter().map(|&v| axes.map(|axis| loaded.scene.point(v)[place(axis)])).collect()
 }
 
 /// Pictures of a query about input vertices.
-fn drawn(loaded: &LoadedScene, query: &Query) -> Option<Vec<(String, String)>> {
+pub fn drawn(loaded: &LoadedScene, query: &Query) -> Option<Vec<(String, String)>> {
     let (question, args) = query.question()?;
     if args.iter().any(|v| v.is_constructed()) {
         return None;
@@ -107,19 +42,15 @@ fn drawn(loaded: &LoadedScene, query: &Query) -> Option<Vec<(String, String)>> {
     // How far the last point is on which side, from the exact determinant.
     let exact = |question: Question, args: &[Vertex]| verdict(&loaded.scene, question, args).determinant.to_f64();
     let determinant = exact(question, args);
-    let place = |axis: Axis| [Axis::X, Axis::Y, Axis::Z].iter().position(|&other| other == axis).unwrap_or(0);
-    let flat = |axes: [Axis; 2]| -> Vec<[f64; 2]> {
-        args.iter().map(|&v| axes.map(|axis| loaded.scene.point(v)[place(axis)])).collect()
-    };
     let space = || -> Vec<[f64; 3]> { args.iter().map(|&v| loaded.scene.point3(v)).collect() };
     let (seen, apart, [on, up]) = match question {
         Question::Orient2d(plane) => {
-            let points = flat(plane.axes());
+            let points = flat(loaded, args, plane.axes());
             let apart = along_line(&points, determinant)?;
             (Some((points, None)), apart, ["line a b", "left is up"])
         }
         Question::Incircle => {
-            let points = flat([Axis::X, Axis::Y]);
+            let points = flat(loaded, args, [Axis::X, Axis::Y]);
             let area = exact(Question::Orient2d(Plane::Xy), &args[..3]);
             let (circle, apart) = along_circle(&points, determinant, area)?;
             (Some((points, Some(circle))), apart, ["circle a b c", "outside is up"])
@@ -167,15 +98,22 @@ fn across_plane(points: &[[f64; 3]], determinant: f64) -> Option<Vec<[f64; 2]>> 
     apart.as_flattened().iter().all(|x| x.is_finite()).then_some(apart)
 }
 
-/// Points by their distances from a, e with its exact distance from the sphere of a, b, c and d to the outside.
-fn across_sphere(points: &[[f64; 3]], power: f64, volume: f64) -> Option<Vec<[f64; 2]>> {
-    let [a, b, c, d, _] = *points else { return None };
+/// The centre of the sphere of a, b, c and d as an offset from a, and its radius.
+pub fn sphere(points: [[f64; 3]; 4]) -> Option<([f64; 3], f64)> {
+    let [a, b, c, d] = points;
     let [b, c, d] = [b, c, d].map(|p| minus(p, a));
     let scaled = |p: [f64; 3], by: f64| p.map(|x| x * by);
     let [u, v, w] = [(cross(c, d), b), (cross(d, b), c), (cross(b, c), d)].map(|(of, p)| scaled(of, dot(p, p)));
     let twice = 2.0 * dot(b, cross(c, d));
     let from_a = [0, 1, 2].map(|i: usize| (u[i] + v[i] + w[i]) / twice);
     let radius = dot(from_a, from_a).sqrt();
+    radius.is_finite().then_some((from_a, radius))
+}
+
+/// Points by their distances from a, e with its exact distance from the sphere of a, b, c and d to the outside.
+fn across_sphere(points: &[[f64; 3]], power: f64, volume: f64) -> Option<Vec<[f64; 2]>> {
+    let [a, b, c, d, _] = *points else { return None };
+    let (_, radius) = sphere([a, b, c, d])?;
     // As for a circle, with the volume in place of the area.
     let outside = -power / volume / (2.0 * radius);
     let mut apart: Vec<[f64; 2]> = points

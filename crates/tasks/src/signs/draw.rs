@@ -1,0 +1,44 @@
+//! Drawings of sign scenes: the points, and what each query is about.
+
+use predicament_predicates::{PredicateKind, QuerySet, Scene, Vertex};
+use predicament_report::drawing::Role;
+
+use crate::output::Canvas;
+
+/// Of more queries the lines would cover each other.
+const MOST_QUERIES: usize = 50;
+/// More points have no names.
+const MOST_NAMES: usize = 50;
+
+/// Points, those that are asked about in a colour of their own, and what the first queries ask them about: the line, the triangle or
+/// the tetrahedron of all vertices but the last.
+pub(super) fn draw(scene: &Scene, queries: &QuerySet, canvas: &mut Canvas) -> std::io::Result<()> {
+    let few = 0..queries.len().min(MOST_QUERIES);
+    let bases: Vec<&[Vertex]> = few.map(|query| queries.args(query)).map(|args| &args[..args.len() - 1]).collect();
+    match queries.kind() {
+        PredicateKind::Compare => {}
+        PredicateKind::Orient2d => {
+            canvas.lines(scene, "lines", Role::Faint, &bases)?;
+        }
+        PredicateKind::Orient3d | PredicateKind::Incircle => {
+            canvas.faces(scene, "triangles", Role::Faint, &bases)?;
+        }
+        PredicateKind::Insphere => {
+            let faces = |base: &&[Vertex]| {
+                (0..4).map(|left: usize| [0, 1, 2].map(|at| base[(left + 1 + at) % 4])).collect::<Vec<_>>()
+            };
+            canvas.faces(scene, "tetrahedra", Role::Faint, bases.iter().flat_map(faces))?;
+        }
+    }
+    let constructed = (0..scene.constructions().len()).map(Vertex::constructed);
+    // Three planes that should meet may have no point in common.
+    let constructed: Vec<Vertex> = constructed.filter(|&v| predicament_judge::point(scene, v).is_some()).collect();
+    for (name, role, vertices) in
+        [("points", Role::Given, scene.vertices().collect()), ("constructed", Role::Mark, constructed)]
+    {
+        let is_few = vertices.len() <= MOST_NAMES;
+        let names: Vec<String> = vertices.iter().filter(|_| is_few).map(ToString::to_string).collect();
+        canvas.points(scene, name, role, vertices)?.label(names);
+    }
+    Ok(())
+}

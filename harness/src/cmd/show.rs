@@ -1,0 +1,189 @@
+//! `show`: a scene, a result or a finding as a picture, or as a page with a view that turns.
+
+use std::path::{Path, PathBuf};
+
+use predicament_corpus::LoadedScene;
+use predicament_predicates::{Query, Scene, Vertex};
+use predicament_records::{RunDir, replace};
+use predicament_report::drawing::{Drawing, Look, Role, Window};
+use predicament_tasks::output::Canvas;
+use predicament_tasks::{AnyTask, Purpose};
+
+use super::replay;
+use super::solve::cure;
+use crate::child;
+use crate::exit::{self, Failure};
+use crate::one_scene::OneScene;
+use crate::tool::Tool;
+
+const EXAMPLES: &str = "\
+What is shown is chosen as for `solve`: a scene of a suite with -f, a task on files of yours, or with --finding what one finding is
+about. Without -b it is the scene, with -b the answer of that backend, too.
+
+The name of the file says what is written: .svg is a picture, .html a page with a view that turns and zooms and needs nothing else,
+.json the same as data (docs/REPORT.md). A picture in space is without perspective. Coordinates are taken from exact ones: with --around
+they are offsets from that vertex, and --radius magnifies what nearly coincides there.
+
+Examples:
+  predicament show tilings -f '/tiling$' --out tiling.svg
+  predicament show slices -f '/sphere-through-vertices$' -b exact --out parts.html
+  predicament show mesh-intersect a.off b.off -b sos:per-mesh --layer difference --out difference.svg --look 30,25
+  predicament show lecture -f orientation-inversion --around 2 --radius 1e-15 --out near.svg
+  predicament show --finding 3fa9 --run out/run --out finding.html";
+
+/// Draw a scene, the answer of a backend to it, or what a finding is about
+#[derive(clap::Args)]
+#[command(
+    after_help = EXAMPLES,
+    override_usage = "predicament show [OPTIONS] --out <FILE> SUITE -f RE\n       \
+                      predicament show [OPTIONS] --out <FILE> TASK FILE...\n       \
+                      predicament show [OPTIONS] --out <FILE> --finding ID --run DIR"
+)]
+pub struct Args {
+    #[command(flatten)]
+    pub scene: OneScene,
+
+    /// The backend whose answer is shown; the scene alone if left out
+    #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
+    pub backend: Option<String>,
+
+    /// The file to write: .svg, .html or .json
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+
+    /// A layer of the picture; may be repeated. The first error message about one names them all
+    #[arg(long = "layer", value_name = "NAME")]
+    pub layers: Vec<String>,
+
+    /// In space: from where a picture is taken, as degrees around the z axis and above the horizon
+    #[arg(long, value_name = "AZIMUTH,ELEVATION", default_value = "30,25", allow_hyphen_values = true, value_parser = look)]
+    pub look: Look,
+
+    /// A vertex that offsets are taken from, such as 7 or c0
+    #[arg(long, value_name = "VERTEX")]
+    pub around: Option<Vertex>,
+
+    /// How far a picture reaches around that vertex; all of the scene if left out
+    #[arg(long, value_name = "LENGTH", requires = "around", value_parser = length)]
+    pub radius: Option<f64>,
+
+    /// The id of a finding, or a prefix of it
+    #[arg(long, value_name = "ID", requires = "run", conflicts_with_all = ["suites", "filter"])]
+    pub finding: Option<String>,
+
+    /// The run that found it
+    #[arg(long, value_name = "DIR", requires = "finding")]
+    pub run: Option<PathBuf>,
+}
+
+/// What is written, by the file's name.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Svg,
+    Html,
+    Json,
+}
+
+/// A picture of more would be too large for browsers; a view takes more.
+const MOST_PARTS: usize = 200_000;
+
+/// Runs the command.
+pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
+    child::end_with_parent();
+    let kind = kind(&args.out)?;
+    let (loaded, query) = what(args, tool)?;
+    if let Some(v) = args.around.filter(|&v| !loaded.scene.has(v)) {
+        return Err(Failure::usage(format!("--around {v}: `{}` has no such vertex", loaded.name)));
+    }
+    let task = tool.task(loaded.task);
+    let mut canvas = Canvas::new(&loaded.scene, args.around).map_err(Failure::usage)?;
+    draw(args, tool, task, &loaded, &mut canvas)?;
+    if let Some(query) = &query {
+        asked(&loaded.scene, query, &mut canvas).map_err(Failure::usage)?;
+    }
+    let mut drawing = canvas.finish();
+    choose(&mut drawing, &args.layers)?;
+    let window = args.radius.map_or(Window::Whole, Window::Around);
+    if kind == Kind::Svg && drawing.parts() > MOST_PARTS {
+        let message = format!("{} parts are too many for an SVG picture", drawing.parts());
+        return Err(Failure::usage(format!("{message}; write a view to an .html file, or choose layers with --layer")));
+    }
+    let text = match kind {
+        Kind::Svg => drawing.svg(args.look, window),
+        Kind::Html => drawing.page(&format!("{}/{}", loaded.suite, loaded.name)).map_err(Failure::usage)?,
+        Kind::Json => format!("{}\n", drawing.json()),
+    };
+    replace(&args.out, text.as_bytes()).map_err(Failure::usage)?;
+    say!("{}", args.out.display());
+    Ok(exit::OK)
+}
+
+/// The scene, and the query of a finding.
+fn what(args: &Args, tool: &Tool) -> Result<(LoadedScene, Option<Query>), Failure> {
+    let (Some(id), Some(folder)) = (&args.finding, &args.run) else { return Ok((args.scene.load(tool)?, None)) };
+    let run = RunDir::open(folder).map_err(Failure::usage)?;
+    let finding = replay::find(&run, id, folder)?;
+    let loaded = replay::load(&run, finding, args.scene.selector.cache.as_deref(), tool)?;
+    // A finding about several queries has the first one shown; one about a whole scene has none.
+    let query = finding.query.split(" | ").next().filter(|query| !query.is_empty()).map(str::parse).transpose();
+    Ok((loaded, query.map_err(|error| Failure::usage(format!("findings.csv was changed: {error}")))?))
+}
+
+fn draw(
+    args: &Args,
+    tool: &Tool,
+    task: &dyn AnyTask,
+    loaded: &LoadedScene,
+    canvas: &mut Canvas,
+) -> Result<(), Failure> {
+    let Some(name) = &args.backend else { return task.draw_scene(loaded, None, canvas).map_err(Failure::usage) };
+    let backend = tool.backend(name).map_err(Failure::usage)?;
+    let mut drawn = Ok(());
+    backend
+        .answer_any(task.name(), &loaded.scene, loaded.content.as_ref(), Purpose::Files, &mut |answer| {
+            drawn = task.draw_scene(loaded, Some(answer), canvas);
+        })
+        .map_err(|why| Failure::usage(format!("{}: {why}{}", backend.name(), cure(&why))))?;
+    drawn.map_err(Failure::usage)
+}
+
+/// A layer of the vertices of a query, named by letters in their order.
+fn asked(scene: &Scene, query: &Query, canvas: &mut Canvas) -> std::io::Result<()> {
+    let vertices: Vec<Vertex> = query.vertices().filter(|&v| scene.has(v)).collect();
+    let names: Vec<String> = vertices.iter().zip('a'..='z').map(|(v, letter)| format!("{letter} = {v}")).collect();
+    canvas.points(scene, "query", Role::Mark, vertices)?.label(names);
+    Ok(())
+}
+
+/// Shows the layers with these names and no others; what the task shows if there is no name.
+fn choose(drawing: &mut Drawing, names: &[String]) -> Result<(), Failure> {
+    let known: Vec<String> = drawing.layers.iter().map(|layer| layer.name.clone()).collect();
+    if let Some(unknown) = names.iter().find(|name| !known.contains(name)) {
+        return Err(Failure::usage(format!("--layer {unknown}: the drawing has {}", known.join(", "))));
+    }
+    if !names.is_empty() {
+        drawing.layers.iter_mut().for_each(|layer| layer.is_shown = names.contains(&layer.name));
+    }
+    Ok(())
+}
+
+fn kind(out: &Path) -> Result<Kind, Failure> {
+    match out.extension().and_then(|extension| extension.to_str()) {
+        Some("svg") => Ok(Kind::Svg),
+        Some("html") => Ok(Kind::Html),
+        Some("json") => Ok(Kind::Json),
+        _ => Err(Failure::usage(format!("--out {}: name a file that ends in .svg, .html or .json", out.display()))),
+    }
+}
+
+fn look(text: &str) -> Result<Look, String> {
+    let degrees = |text: &str| text.trim().parse::<f64>().ok().filter(|degrees| degrees.is_finite());
+    let found = text.split_once(',').and_then(|(azimuth, elevation)| Some((degrees(azimuth)?, degrees(elevation)?)));
+    let (azimuth, elevation) = found.ok_or("write two angles in degrees, such as 30,25")?;
+    Ok(Look { azimuth, elevation })
+}
+
+fn length(text: &str) -> Result<f64, String> {
+    let length = text.parse::<f64>().ok().filter(|length| *length > 0.0 && length.is_finite());
+    length.ok_or_else(|| "write a length above 0, such as 1e-15".to_owned())
+}

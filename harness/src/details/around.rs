@@ -1,0 +1,53 @@
+//! A raster around the last vertex of a finding's query, as every backend answers it.
+
+use predicament_corpus::LoadedScene;
+use predicament_predicates::Query;
+use predicament_records::FindingRow;
+use predicament_report::sheet;
+use predicament_tasks::signs::truth;
+use predicament_tasks::{Contestant, Watch};
+
+use super::apart::distance;
+use crate::cmd::map::columns;
+use crate::interrupt;
+use crate::pixels::{Step, Walk, axes, exact, tile};
+
+/// Places in a row.
+const SIDE: usize = 40;
+/// Screen pixels to a place.
+const ZOOM: usize = 3;
+/// Scenes of more vertices are prepared too slowly for a page.
+const MOST_VERTICES: usize = 20_000;
+
+/// The sheet, with what there is to see; none where the finding is about no sign, or no backend answers.
+pub fn picture(loaded: &LoadedScene, finding: &FindingRow, backends: &[&dyn Contestant]) -> Option<(String, String)> {
+    let query: Query = finding.query.split(" | ").next()?.parse().ok()?;
+    let (question, args) = query.question()?;
+    if loaded.scene.len() > MOST_VERTICES {
+        return None;
+    }
+    let axes = axes(question, &loaded.scene);
+    let walker = args[args.len() - 1];
+    // What the vertex is asked about goes through the picture.
+    #[allow(clippy::cast_precision_loss)] // a few dozen
+    let length = distance(loaded, &query).map_or(0.0, |distance| 3.0 * distance / SIDE as f64);
+    let largest = loaded.scene.point(walker).iter().map(|x| x.abs()).fold(0.0, f64::max);
+    let step = if length.is_finite() && length > largest * f64::EPSILON { Step::Length(length) } else { Step::Ulps(1) };
+    let walk = Walk { scene: &loaded.scene, query: &query, place: args.len() - 1, axes, step, side: SIDE };
+    let raster = walk.raster().ok()?;
+    let quiet = |_: u64| {};
+    let signs = truth(&raster.scene, &raster.content.queries, &Watch::new(interrupt::flag(), None, &quiet)).ok()?;
+    let mut tiles = vec![("exact signs".to_owned(), exact(&signs, SIDE).ok()?)];
+    // Who declines has said so elsewhere.
+    let answered = |backend: &&dyn Contestant| {
+        tile(&raster.scene, &raster.content, &signs, SIDE, *backend).ok().map(|tile| (backend.name(), tile))
+    };
+    tiles.extend(backends.iter().filter_map(answered));
+    let [x, y] = axes.map(|axis| axis.name());
+    let places = match step {
+        Step::Ulps(_) => "neighbouring doubles".to_owned(),
+        Step::Length(length) => format!("places {length:.1e} apart"),
+    };
+    let alt = format!("{query} while {walker} walks over {SIDE} x {SIDE} {places} in {x} and {y}");
+    Some((alt, sheet("red negative, yellow zero, blue positive; dark is wrong", &columns(tiles), ZOOM).ok()?))
+}

@@ -1,0 +1,134 @@
+//! What a report says about single findings: their points, the truth, the answer of each backend, and a picture.
+//!
+//! A few findings of each class and backend are asked again, alone, as `replay` does. What can't be, because a scene has changed, needs data
+//! that are not there, or is too large to be loaded for a page, is left out and counted.
+
+mod apart;
+mod around;
+mod result;
+mod shape;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use predicament_corpus::{Level, LoadedScene};
+use predicament_predicates::Query;
+use predicament_records::{FindingRow, RunDir};
+use predicament_report::{Detail, Strip};
+use predicament_tasks::{Class, Contestant, Explanation};
+
+use crate::cmd::replay::{lines, point_lines, signs};
+use crate::exit::Failure;
+use crate::select::Selector;
+use crate::tool::Tool;
+
+/// So many findings of each class, backend and task, each of a suite of its own.
+const FEW: usize = 3;
+/// Answers to scenes of more queries, triangles or points are not drawn.
+const MOST_DRAWN: u64 = 500;
+/// Scenes of more queries are not loaded again.
+const MOST_QUERIES: u64 = 100_000;
+
+/// Details of a few findings of each class, backend and task, and how many of those that were chosen have none.
+pub fn details(runs: &[RunDir], tool: &Tool) -> Result<(Vec<Detail>, usize), Failure> {
+    let (mut told, mut missing) = (Vec::new(), 0);
+    // One raster for each class and task is enough of them.
+    let mut drawn = BTreeSet::new();
+    for run in runs {
+        let backends = tool.pick_planned(&run.plan)?;
+        let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
+        for ((suite, scene), findings) in chosen(run) {
+            match load(run, suite, scene, &findings, tool) {
+                Some(loaded) => {
+                    for finding in findings {
+                        let detail = match finding.query.as_str() {
+                            "" => answered(run, &loaded, finding),
+                            _ => detail(tool, &loaded, finding, &backends),
+                        };
+                        match detail {
+                            Some(mut detail) => {
+                                if !finding.query.is_empty() && drawn.insert((finding.class.name(), &finding.task)) {
+                                    detail.pictures.extend(around::picture(&loaded, finding, &backends));
+                                }
+                                told.push(detail);
+                            }
+                            None => missing += 1,
+                        }
+                    }
+                }
+                None => missing += findings.len(),
+            }
+        }
+    }
+    Ok((told, missing))
+}
+
+/// A finding about a whole scene: what its backend answers.
+fn answered(run: &RunDir, loaded: &LoadedScene, finding: &FindingRow) -> Option<Detail> {
+    let mut detail = Detail { finding: finding.finding_id.clone(), ..Detail::default() };
+    result::draw(run, loaded, finding, &mut detail)?;
+    Some(detail)
+}
+
+/// A few findings about single queries of each class, backend and task, the first of each of the first suites, and one about a whole scene
+/// of each class and task; by suite and scene.
+fn chosen(run: &RunDir) -> BTreeMap<(&str, &str), Vec<&FindingRow>> {
+    let sizes: BTreeMap<(&str, &str), u64> =
+        run.plan.scenes.iter().map(|scene| ((&*scene.suite, &*scene.scene_id), scene.queries)).collect();
+    let is_small =
+        |row: &&FindingRow, most: u64| sizes.get(&(&*row.suite, &*row.scene_id)).is_some_and(|&size| size <= most);
+    let mut findings: Vec<&FindingRow> = run.findings.iter().filter(|row| is_small(row, MOST_QUERIES)).collect();
+    findings.sort_by_key(|row| [&row.suite, &row.scene, &row.scene_id, &row.task, &row.finding_id]);
+    let mut suites: BTreeMap<(&str, &str, &str), BTreeSet<&str>> = BTreeMap::new();
+    let mut whole: BTreeSet<(&str, &str)> = BTreeSet::new();
+    let mut chosen: BTreeMap<(&str, &str), Vec<&FindingRow>> = BTreeMap::new();
+    for row in findings {
+        let is_chosen = if row.query.is_empty() {
+            // What never ended, or broke, has no answer to be drawn.
+            let is_answered = !matches!(row.class, Class::Timeout | Class::Panic);
+            is_answered && is_small(&row, MOST_DRAWN) && whole.insert((row.class.name(), &row.task))
+        } else {
+            let seen = suites.entry((row.class.name(), &row.backend, &row.task)).or_default();
+            seen.len() < FEW && seen.insert(&row.suite)
+        };
+        if is_chosen {
+            chosen.entry((&row.suite, &row.scene)).or_default().push(row);
+        }
+    }
+    chosen
+}
+
+/// The scene as it was; none where it is not there any more.
+fn load(run: &RunDir, suite: &str, scene: &str, findings: &[&FindingRow], tool: &Tool) -> Option<LoadedScene> {
+    let level: Level = run.plan.level.to_string().parse().ok()?;
+    let suite = run.plan.paths.get(suite).map_or(suite, String::as_str).to_owned();
+    let selection = Selector { suites: vec![suite], filter: None, level, cache: None }.select(tool).ok()?;
+    let def = selection.defs().into_iter().find(|def| def.name == scene)?;
+    let loaded = selection.load(def).ok()?;
+    findings.iter().all(|finding| finding.scene_id == loaded.id).then_some(loaded)
+}
+
+fn detail(tool: &Tool, loaded: &LoadedScene, finding: &FindingRow, backends: &[&dyn Contestant]) -> Option<Detail> {
+    let mut detail = Detail { finding: finding.finding_id.clone(), ..Detail::default() };
+    for written in finding.query.split(" | ") {
+        let query: Query = written.parse().ok()?;
+        let told: Explanation = tool.task(loaded.task).explain_query(loaded, &query, backends).ok()?;
+        if !detail.lines.is_empty() {
+            detail.lines.push(String::new());
+        }
+        detail.lines.push(written.to_owned());
+        detail.lines.extend(point_lines(loaded, &told.vertices));
+        detail.lines.extend(lines(&told));
+        detail.pictures.extend(apart::drawn(loaded, &query).unwrap_or_default());
+        detail.pictures.extend(shape::picture(loaded, &query));
+        detail.views.extend(shape::view(loaded, &query));
+        detail.strips.extend(strip(&query, &told));
+    }
+    Some(detail)
+}
+
+/// The signs of all permutations, where there are any.
+fn strip(query: &Query, told: &Explanation) -> Option<Strip> {
+    let vertices = query.vertices().map(|v| v.to_string()).collect();
+    let rows: Vec<(String, String)> = told.permutations.iter().map(|(name, of)| (name.clone(), signs(of))).collect();
+    (!rows.is_empty()).then_some(Strip { vertices, rows })
+}

@@ -1,0 +1,55 @@
+//! Drawings of whole answers: the scene of a finding as its backend has answered it.
+//!
+//! Wrong signs can lead an algorithm anywhere: so the answer is drawn by a process of its own, under a time limit.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use predicament_corpus::LoadedScene;
+use predicament_engines::PREFIX;
+use predicament_predicates::Dimension;
+use predicament_records::{FindingRow, RunDir};
+use predicament_report::Detail;
+
+use crate::child::{self, End};
+
+/// Seconds for one answer.
+const LIMIT: Duration = Duration::from_secs(5);
+
+/// Puts the answer of the finding's backend to its scene, as a picture or a view, into what is said about the finding.
+pub fn draw(run: &RunDir, loaded: &LoadedScene, finding: &FindingRow, detail: &mut Detail) -> Option<()> {
+    let is_space = loaded.scene.dimension() == Dimension::Three;
+    let file = Temporary::new(if is_space { "json" } else { "svg" });
+    let mut command = child::command().ok()?;
+    let suite = run.plan.paths.get(&finding.suite).unwrap_or(&finding.suite);
+    let filter = format!("^{}$", regex::escape(&format!("{}/{}", finding.suite, finding.scene)));
+    let backend = run.plan.engines.get(&finding.backend);
+    let backend = backend.map_or_else(|| finding.backend.clone(), |engine| format!("{PREFIX}{engine}"));
+    command.args(["show", suite, "-f", &filter, "-b", &backend, "--level", &run.plan.level.to_string()]);
+    command.arg("--out").arg(&file.0);
+    let mut child = child::start(command).ok()?;
+    let End::Exit(Some(status)) = child::wait(&mut child, Some(LIMIT)) else { return None };
+    let text = status.success().then(|| std::fs::read_to_string(&file.0).ok()).flatten()?;
+    let alt = format!("{}/{} as {} answers it", finding.suite, finding.scene, finding.backend);
+    if is_space {
+        detail.views.push((alt, serde_json::from_str(&text).ok()?));
+    } else {
+        detail.pictures.push((alt, text));
+    }
+    Some(())
+}
+
+/// A file that is removed in the end.
+struct Temporary(PathBuf);
+
+impl Temporary {
+    fn new(extension: &str) -> Temporary {
+        Temporary(std::env::temp_dir().join(format!("predicament-show-{}.{extension}", std::process::id())))
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_file(&self.0);
+    }
+}

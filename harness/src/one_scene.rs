@@ -1,0 +1,139 @@
+//! One scene: of a suite, or of a task on files of the user's.
+
+use std::path::Path;
+
+use predicament_corpus::{Level, LoadedScene, Suite};
+use predicament_formats::{CorpusError, Manifest};
+use predicament_tasks::AnyTask;
+
+use crate::exit::Failure;
+use crate::out::program;
+use crate::select::Selector;
+use crate::tool::Tool;
+
+/// The part of a command line that selects one scene.
+#[derive(clap::Args)]
+pub struct OneScene {
+    #[command(flatten)]
+    pub selector: Selector,
+
+    /// For a task on files: another key of the scene, as `KEY=VALUE`; VALUE is TOML, or a word
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+
+    /// For a task on files: take the nearest doubles of decimals that are none
+    #[arg(long)]
+    pub round: bool,
+}
+
+impl OneScene {
+    /// The scene that is selected, or that of a task on files.
+    pub fn load(&self, tool: &Tool) -> Result<LoadedScene, Failure> {
+        match files(self, tool)? {
+            Some((task, files)) => of_files(self, tool, task, files),
+            None => of_suite(self, tool),
+        }
+    }
+}
+
+/// The one scene that is selected.
+fn of_suite(args: &OneScene, tool: &Tool) -> Result<LoadedScene, Failure> {
+    if let Some(option) = [("--set", !args.set.is_empty()), ("--round", args.round)].iter().find(|(_, is)| *is) {
+        let message = format!("{} is for a task on files; write the key in the suite", option.0);
+        return Err(Failure::usage(message));
+    }
+    let selection = args.selector.select(tool)?;
+    let defs = selection.defs();
+    match defs.as_slice() {
+        [def] => selection.load(def),
+        [] => {
+            let message = format!("no scene is selected; `{} corpus list --scenes` names them", program());
+            Err(Failure::nothing(message))
+        }
+        [first, second, ..] => {
+            let message = format!("{}/{} and {}/{} are selected", first.suite, first.name, second.suite, second.name);
+            Err(Failure::usage(format!("{message}; choose one scene with -f")))
+        }
+    }
+}
+
+/// A task and files of the user's.
+type OnFiles<'a> = (&'static dyn AnyTask, &'a [String]);
+
+/// The task and the files, where those are named and no suites.
+fn files<'a>(args: &'a OneScene, tool: &Tool) -> Result<Option<OnFiles<'a>>, Failure> {
+    let Some((first, files)) = args.selector.suites.split_first() else { return Ok(None) };
+    let Some(task) = tool.tasks().iter().copied().find(|task| task.name() == first) else { return Ok(None) };
+    // A suite can have the name of a task.
+    let Some(second) = files.first() else { return Ok(None) };
+    let library = tool.library()?;
+    let is_suite = second.ends_with(".toml") || library.suites().iter().any(|suite| suite.name == *second);
+    Ok((!is_suite).then_some((task, files)))
+}
+
+/// The scene of a task on files.
+fn of_files(args: &OneScene, tool: &Tool, task: &dyn AnyTask, files: &[String]) -> Result<LoadedScene, Failure> {
+    if args.selector.filter.is_some() {
+        return Err(Failure::usage("-f chooses a scene of a suite, and files are no suites; leave it out"));
+    }
+    let (name, keys) = (task.name(), task.file_keys());
+    if files.len() > keys.len() {
+        let takes = if keys.len() == 1 { "one file".to_owned() } else { format!("{} files", keys.len()) };
+        return Err(Failure::usage(format!(
+            "{name} takes {takes}, {}, and {} are named",
+            keys.join(" and "),
+            files.len()
+        )));
+    }
+    // A literal string of TOML has no escapes: names with quotes in them need the other kind.
+    let quoted = |text: &str| toml::Value::String(text.to_owned()).to_string();
+    let mut text = format!("title = \"A file\"\n[[scene]]\nname = \"solved\"\ntask = {}\n", quoted(name));
+    for (key, file) in keys.iter().zip(files) {
+        let path = std::path::absolute(file).map_err(|error| Failure::usage(format!("{file}: {error}")))?;
+        text += &format!("{key} = {{ path = {} }}\n", quoted(&path.display().to_string()));
+    }
+    if args.round {
+        text += "round = true\n";
+    }
+    for pair in &args.set {
+        let Some((key, value)) = pair.split_once('=') else {
+            return Err(Failure::usage(format!("--set {pair}: write KEY=VALUE, such as queries=all")));
+        };
+        let is_key = !key.is_empty() && key.chars().all(|c| c.is_ascii_alphanumeric() || "_-".contains(c));
+        if value.contains(['\n', '\r']) {
+            return Err(Failure::usage(format!("--set {key}: the value has a line break; write it in one line")));
+        }
+        if !is_key {
+            return Err(Failure::usage(format!(
+                "--set {pair}: `{key}` is no key; write KEY=VALUE, such as queries=all"
+            )));
+        }
+        let is_toml = format!("x = {value}").parse::<toml::Table>().is_ok_and(|table| table.len() == 1);
+        text += &format!("{key} = {}\n", if is_toml { value.to_owned() } else { quoted(value) });
+    }
+    let own = |error: CorpusError| own(error, name);
+    let suite =
+        Suite::parse(tool.vocabulary(), SOLVED, &text, Some(Path::new(".")), &Manifest::default()).map_err(own)?;
+    let [def] = suite.scenes.as_slice() else {
+        return Err(Failure::usage("--set makes one scene another; set keys of the scene only"));
+    };
+    def.load(Level::Quick, &args.selector.cache()?).map_err(own)
+}
+
+/// The name of the suite that is not written down.
+const SOLVED: &str = "solve";
+
+/// An error about files, with the cures of this command.
+fn own(error: CorpusError, task: &str) -> Failure {
+    let rounds =
+        error.cure.contains("write `round = true`").then(|| "add --round to read the nearest doubles".to_owned());
+    if error.file == SOLVED {
+        let cure = rounds.unwrap_or_else(|| match error.message.contains("can't be read") {
+            true => "name a file that is there".to_owned(),
+            false => format!("{}, with --set KEY=VALUE", error.cure),
+        });
+        return Failure::usage(format!("{task}: {}; {cure}", error.message));
+    }
+    let cure = rounds.unwrap_or_else(|| error.cure.clone());
+    CorpusError { cure, ..error }.into()
+}

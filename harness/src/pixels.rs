@@ -1,0 +1,253 @@
+//! One query as a raster: one of its vertices walks over a square of neighbouring places, and every backend answers at each.
+//!
+//! Kettner, Mehlhorn, Pion, Schirra and Yap have shown so what doubles make of an orientation. The scene stays what it is, its extent and
+//! the order of its vertices, too: backends that look at either answer as they do in the scene.
+
+use predicament_predicates::{Axis, Dimension, Query, QuerySet, Question, Scene, Sign, Vertex};
+use predicament_report::{PixelMap, Standing};
+use predicament_tasks::signs::{SignQueries, classes};
+use predicament_tasks::{Class, Contestant};
+
+use crate::exit::Failure;
+
+const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+
+/// From one place of a raster to the next.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Step {
+    /// So many doubles.
+    Ulps(u64),
+    /// A length, which is rounded at every place.
+    Length(f64),
+}
+
+/// What is drawn of a query.
+#[derive(Clone, Debug)]
+pub struct Walk<'a> {
+    pub scene: &'a Scene,
+    pub query: &'a Query,
+    /// Which of the query's vertices walks, from 0 on.
+    pub place: usize,
+    /// Along which axes, to the right and upwards.
+    pub axes: [Axis; 2],
+    pub step: Step,
+    pub side: usize,
+}
+
+/// A scene and queries in a raster, the lowest row first.
+pub struct Raster {
+    pub scene: Scene,
+    pub content: SignQueries,
+    pub side: usize,
+}
+
+impl Walk<'_> {
+    /// The scene with all places of the walking vertex instead of itself, and a query for each.
+    pub fn raster(&self) -> Result<Raster, Failure> {
+        let (scene, side) = (self.scene, self.side);
+        let (question, args) = self
+            .query
+            .question()
+            .ok_or_else(|| Failure::usage(format!("`{}` asks for no sign; name a query of a predicate", self.query)))?;
+        if let Some(bad) = args.iter().find(|v| v.is_constructed() || !scene.has(**v)) {
+            return Err(Failure::usage(format!("{}: {bad} is no input vertex of the scene", self.query)));
+        }
+        scene.has_dimension_for(question.kind()).map_err(|why| Failure::usage(why.to_string()))?;
+        let &walker = args
+            .get(self.place)
+            .ok_or_else(|| Failure::usage(format!("{} has {} vertices, from 0 on", self.query, args.len())))?;
+        if args.iter().filter(|&&v| v == walker).count() > 1 {
+            return Err(Failure::usage(format!("{}: {walker} is there twice; move another vertex", self.query)));
+        }
+        let places = self.places(walker)?;
+        let count = side * side;
+        // The places take the walking vertex's place in the order of vertices.
+        let moved =
+            |v: Vertex| Vertex::input(if v.index() > walker.index() { v.index() + count - 1 } else { v.index() });
+        let width = scene.dimension().count();
+        let (before, after) = scene.coordinates().split_at(walker.index() * width);
+        let coordinates = [before, &places.concat(), &after[width..]].concat();
+        let mut made = Scene::new(scene.dimension(), coordinates).map_err(Failure::usage)?;
+        if let Some(lengths) = scene.primitive_lengths() {
+            made = made.with_primitive_lengths(lengths);
+        }
+        if let Some(second) = scene.second_mesh() {
+            let second = scene.vertices().filter(|v| second[v.index()] && *v != walker).map(moved);
+            made = made.with_second_mesh(second.collect::<Vec<_>>());
+        }
+        let asked = (0..count).flat_map(|at| {
+            args.iter().map(move |&v| if v == walker { Vertex::input(walker.index() + at) } else { moved(v) })
+        });
+        let queries = QuerySet::new(question, asked.collect());
+        Ok(Raster { scene: made, content: SignQueries { queries, expected: None }, side })
+    }
+
+    /// The coordinates of all places, row after row from below; the vertex itself is in the middle.
+    fn places(&self, walker: Vertex) -> Result<Vec<Vec<f64>>, Failure> {
+        let at = self.scene.point(walker);
+        let [right, up] = self.axes.map(|axis| AXES.iter().position(|&other| other == axis).unwrap_or(0));
+        if let Some(missing) = [right, up].into_iter().find(|&axis| axis >= at.len()) {
+            return Err(Failure::usage(format!("the scene has no {} axis", AXES[missing].name())));
+        }
+        let half = i64::try_from(self.side / 2).map_err(Failure::usage)?;
+        let along = |axis: usize| -> Result<Vec<f64>, Failure> {
+            let places: Vec<f64> = (-half..-half + i64::try_from(self.side).map_err(Failure::usage)?)
+                .map(|steps| stepped(at[axis], steps, self.step))
+                .collect();
+            match places.iter().find(|x| !x.is_finite()) {
+                Some(_) => Err(Failure::usage("the raster reaches beyond all doubles; take a smaller step or side")),
+                None => Ok(places),
+            }
+        };
+        let (columns, rows) = (along(right)?, along(up)?);
+        let place = |y: f64, x: f64| {
+            let mut place = at.to_vec();
+            (place[right], place[up]) = (x, y);
+            place
+        };
+        Ok(rows.iter().flat_map(|&y| columns.iter().map(move |&x| place(y, x))).collect())
+    }
+}
+
+/// The axes of a raster where nobody has named any: those that the question looks at.
+pub fn axes(question: Question, scene: &Scene) -> [Axis; 2] {
+    match (question, scene.dimension()) {
+        (Question::Orient2d(plane), _) => plane.axes(),
+        (Question::Compare(Axis::Z), Dimension::Three) => [Axis::Z, Axis::X],
+        _ => [Axis::X, Axis::Y],
+    }
+}
+
+/// The double so many steps away.
+fn stepped(x: f64, steps: i64, step: Step) -> f64 {
+    match step {
+        // Steps are far fewer than 2^53.
+        #[allow(clippy::cast_precision_loss)]
+        Step::Length(length) => x + steps as f64 * length,
+        Step::Ulps(ulps) => {
+            // Doubles in their order as integers, with one zero.
+            let bits = x.to_bits().cast_signed();
+            let place = if bits < 0 { i64::MIN - bits } else { bits };
+            let moved = i128::from(place) + i128::from(steps) * i128::from(ulps);
+            let Ok(moved) = i64::try_from(moved) else { return f64::INFINITY };
+            f64::from_bits(if moved < 0 { i64::MIN.wrapping_sub(moved).cast_unsigned() } else { moved.cast_unsigned() })
+        }
+    }
+}
+
+/// One backend's picture.
+pub struct Tile {
+    /// The pixels.
+    pub map: PixelMap,
+    /// Where it differs from the truth.
+    pub difference: PixelMap,
+    /// How many negative, zero and positive.
+    pub signs: [usize; 3],
+    /// How many differ from the exact sign.
+    pub differ: usize,
+    /// How many are not what the backend's promise allows.
+    pub wrong: usize,
+}
+
+impl Tile {
+    /// How many of each sign, how many that differ from the exact one, and how many that are wrong.
+    pub fn caption(&self) -> String {
+        let [negative, zero, positive] = self.signs;
+        format!(
+            "{negative:>8} -  {zero:>8} 0  {positive:>8} +  {:>8} differ from the exact sign, {} wrong",
+            self.differ, self.wrong
+        )
+    }
+}
+
+/// Draws one backend's answers to a square of queries.
+pub fn tile(
+    scene: &Scene,
+    content: &SignQueries,
+    truth: &[Sign],
+    side: usize,
+    backend: &dyn Contestant,
+) -> Result<Tile, Failure> {
+    let answers =
+        classes(backend, scene, content, truth).map_err(|why| Failure::usage(format!("{}: {why}", backend.name())))?;
+    of(&answers, truth, side)
+}
+
+/// The picture of the truth.
+pub fn exact(truth: &[Sign], side: usize) -> Result<Tile, Failure> {
+    let answers: Vec<(Sign, Class)> = truth.iter().map(|&sign| (sign, Class::Agree)).collect();
+    of(&answers, truth, side)
+}
+
+fn of(answers: &[(Sign, Class)], truth: &[Sign], side: usize) -> Result<Tile, Failure> {
+    let count = |sign: Sign| answers.iter().filter(|(answer, _)| *answer == sign).count();
+    // The first queries are those of the lowest row: y grows upwards, as in every plot.
+    let pixels: Vec<(Sign, Class, Sign)> = answers
+        .chunks(side)
+        .zip(truth.chunks(side))
+        .rev()
+        .flat_map(|(row, truth)| row.iter().zip(truth))
+        .map(|(&(sign, class), &truth)| (sign, class, truth))
+        .collect();
+    let signs: Vec<i8> = pixels.iter().map(|(sign, ..)| sign.as_i8()).collect();
+    let wrong: Vec<bool> = pixels.iter().map(|(_, class, _)| !class.is_legal()).collect();
+    let standings: Vec<Standing> = pixels
+        .iter()
+        .map(|(sign, class, truth)| match (sign == truth, class.is_legal()) {
+            (true, true) => Standing::Same,
+            (false, true) => Standing::Legal,
+            (_, false) => Standing::Wrong,
+        })
+        .collect();
+    Ok(Tile {
+        map: PixelMap::new(side, side, &signs, &wrong).map_err(Failure::usage)?,
+        difference: PixelMap::difference(side, side, &standings).map_err(Failure::usage)?,
+        signs: [Sign::Negative, Sign::Zero, Sign::Positive].map(count),
+        differ: answers.iter().zip(truth).filter(|((answer, _), truth)| answer != *truth).count(),
+        wrong: wrong.iter().filter(|&&wrong| wrong).count(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn doubles_are_counted_through_zero() {
+        let tiny = f64::from_bits(1);
+        for (x, steps, to) in [
+            (1.0, 1, 1.0 + f64::EPSILON),
+            (1.0, -1, 1.0 - f64::EPSILON / 2.0),
+            (tiny, -1, 0.0),
+            (tiny, -2, -tiny),
+            (-tiny, 2, tiny),
+            (0.0, 1, tiny),
+            (-0.0, -1, -tiny),
+            (-1.0, 1, -1.0 + f64::EPSILON / 2.0),
+        ] {
+            assert_eq!(stepped(x, steps, Step::Ulps(1)), to, "{x:?} and {steps}");
+        }
+        assert_eq!(stepped(f64::MAX, 1, Step::Ulps(1)), f64::INFINITY);
+        assert_eq!(stepped(1.0, 3, Step::Length(0.5)), 2.5);
+    }
+
+    #[test]
+    fn the_walking_vertex_keeps_its_place_among_the_others() {
+        let scene = Scene::from_points2(&[[0.0, 0.0], [5.0, 5.0], [1.0, 1.0], [9.0, 0.0]]).unwrap();
+        let query: Query = "orient2d(xy; 0 2 3)".parse().unwrap();
+        let walk =
+            Walk { scene: &scene, query: &query, place: 1, axes: [Axis::X, Axis::Y], step: Step::Length(1.0), side: 3 };
+        let raster = walk.raster().unwrap();
+        assert_eq!(raster.scene.len(), 3 + 9);
+        // The lowest row from left to right, the vertex itself in the middle.
+        let at = |query: usize| {
+            raster.content.queries.args(query).iter().map(|&v| raster.scene.point(v).to_vec()).collect::<Vec<_>>()
+        };
+        assert_eq!(at(0), [vec![0.0, 0.0], vec![0.0, 0.0], vec![9.0, 0.0]]);
+        assert_eq!(at(4), [vec![0.0, 0.0], vec![1.0, 1.0], vec![9.0, 0.0]]);
+        assert_eq!(at(5)[1], [2.0, 1.0]);
+        assert!(Walk { place: 3, ..walk.clone() }.raster().is_err());
+        assert!(Walk { axes: [Axis::X, Axis::Z], ..walk.clone() }.raster().is_err());
+        assert!(Walk { step: Step::Length(f64::MAX), side: 5, ..walk }.raster().is_err());
+    }
+}
