@@ -113,8 +113,8 @@ pub fn run(folder: &Path, largest: usize, threads: usize) -> Outcome<()> {
         y: "CPU microseconds, MiB".into(),
         curves: time.into_iter().chain(memory).collect(),
     };
-    if let Some(svg) = curves(&lines)? {
-        std::fs::write(folder.join("cubes.svg"), svg)?;
+    if let Some(picture) = curves(&lines)? {
+        std::fs::write(folder.join("cubes.svg"), picture.svg)?;
     }
     println!("\n{}", folder.display());
     Ok(())

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use plotters::prelude::*;
 
-use super::{COLOURS, Decades, Drawn, INK, failed, page, power_of_ten, quiet, small};
-use crate::Error;
+use super::{COLOURS, Decades, Drawing, Drawn, INK, failed, power_of_ten, quiet, small};
+use crate::{Error, Picture};
 
 const SIZE: (u32, u32) = (760, 380);
 
@@ -32,11 +32,11 @@ pub struct Curves {
     pub curves: Vec<Curve>,
 }
 
-/// Lines as an SVG picture; none where no point has logarithms.
+/// Lines as a picture; none where no point has logarithms.
 ///
 /// # Errors
 /// If the picture can't be drawn.
-pub fn curves(curves: &Curves) -> Result<Option<String>, Error> {
+pub fn curves(curves: &Curves) -> Result<Option<Picture>, Error> {
     let points = || curves.curves.iter().flat_map(|curve| curve.points.iter().filter_map(logarithms));
     if points().next().is_none() {
         return Ok(None);
@@ -46,10 +46,10 @@ pub fn curves(curves: &Curves) -> Result<Option<String>, Error> {
         low.floor()..high.ceil().max(low.floor() + 1.0)
     };
     let (x, y) = (span(&mut points().map(|p| p.0)), span(&mut points().map(|p| p.1)));
-    let mut svg = String::new();
+    let mut drawing = Drawing::default();
     let corner = free_corner(curves, [&x, &y]);
-    draw(&mut svg, curves, (Decades::from(x), Decades::from(y)), corner).map_err(failed)?;
-    Ok(Some(page(&svg)))
+    draw(&mut drawing, curves, (Decades::from(x), Decades::from(y)), corner).map_err(failed)?;
+    Ok(Some(drawing.picture()?))
 }
 
 fn logarithms(&(x, y): &(f64, f64)) -> Option<(f64, f64)> {
@@ -85,8 +85,8 @@ fn free_corner(curves: &Curves, [x, y]: [&Range<f64>; 2]) -> SeriesLabelPosition
     corners.into_iter().min_by_key(|(passed, _)| *passed).map_or(SeriesLabelPosition::UpperRight, |(_, corner)| corner)
 }
 
-fn draw(svg: &mut String, curves: &Curves, (x, y): (Decades, Decades), corner: SeriesLabelPosition) -> Drawn {
-    let root = SVGBackend::with_string(svg, SIZE).into_drawing_area();
+fn draw(drawing: &mut Drawing, curves: &Curves, (x, y): (Decades, Decades), corner: SeriesLabelPosition) -> Drawn {
+    let root = drawing.area(SIZE);
     let mut chart =
         ChartBuilder::on(&root).margin(14).x_label_area_size(40).y_label_area_size(60).build_cartesian_2d(x, y)?;
     let mut mesh = chart.configure_mesh();
@@ -121,7 +121,7 @@ mod tests {
             curves: vec![Curve { name: "one".into(), points: points.to_vec() }],
         };
         let place = |points: &[(f64, f64)]| {
-            let svg = curves(&line(points)).unwrap().unwrap();
+            let svg = curves(&line(points)).unwrap().unwrap().svg;
             let name = svg.split("<text ").find(|text| text.contains("\none\n")).expect("its name");
             let at = |key: &str| name.split(key).nth(1).unwrap().split('"').nth(1).unwrap().parse::<u32>().unwrap();
             [at("x=") > SIZE.0 / 2, at("y=") > SIZE.1 / 2]
@@ -142,7 +142,7 @@ mod tests {
                 curve("two", &[(1e-2, 0.5), (1.0, 0.1)]),
             ],
         };
-        let svg = curves(&lines).unwrap().unwrap();
+        let svg = curves(&lines).unwrap().unwrap().svg;
         assert!(["one", "two", "angle", "error"].iter().all(|text| svg.contains(text)));
         let points =
             svg.lines().filter(|line| line.contains("<polyline") && line.contains("stroke-width=\"2\"")).count();

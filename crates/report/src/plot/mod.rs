@@ -1,4 +1,6 @@
-//! Plots as SVG, for files and for pages.
+//! Plots, for files and for pages: as SVG, and as PDF for papers.
+//!
+//! Each draws into a [`Drawing`], of which both are made.
 //!
 //! * [`scatter`]: speed against error.
 //! * [`ranges`]: from where something is lost to where it is safe.
@@ -6,12 +8,17 @@
 //! * [`histogram`]: how often, by place.
 
 mod curves;
+mod drawing;
+mod helvetica;
 mod histogram;
 mod labels;
 mod overall;
+mod pdf;
 mod ranges;
 mod scatter;
 
+use std::convert::Infallible;
+use std::fmt::Display;
 use std::ops::Range;
 
 use plotters::chart::{ChartContext, MeshStyle};
@@ -21,6 +28,7 @@ use plotters::prelude::*;
 
 use crate::Error;
 pub use curves::{Curve, Curves, curves};
+pub(crate) use drawing::{Drawing, Recorder};
 pub use histogram::{Bars, histogram};
 pub(crate) use overall::{beside, overall};
 pub use ranges::{Bar, ranges};
@@ -44,11 +52,27 @@ pub(crate) const COLOURS: [RGBColor; 8] = [
     RGBColor(150, 130, 60),
 ];
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Chart<'c, 'a> = ChartContext<'c, SVGBackend<'a>, Cartesian2d<Decades, Decades>>;
-pub(crate) type Drawn = Result<(), DrawingAreaErrorKind<std::io::Error>>;
+/// A plot for pages and files.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Picture {
+    /// As SVG, for pages and the web.
+    pub svg: String,
+    /// As PDF, for papers, where there is one.
+    pub pdf: Option<Vec<u8>>,
+}
 
-pub(crate) fn failed(error: DrawingAreaErrorKind<std::io::Error>) -> Error {
+/// SVG alone.
+impl From<String> for Picture {
+    fn from(svg: String) -> Picture {
+        Picture { svg, pdf: None }
+    }
+}
+
+pub(crate) type Area<'a> = DrawingArea<Recorder<'a>, Shift>;
+type Chart<'c, 'a> = ChartContext<'c, Recorder<'a>, Cartesian2d<Decades, Decades>>;
+pub(crate) type Drawn = Result<(), DrawingAreaErrorKind<Infallible>>;
+
+pub(crate) fn failed(error: impl Display) -> Error {
     Error::new("plot".as_ref(), error.to_string())
 }
 
@@ -83,7 +107,7 @@ fn frontier(chart: &mut Chart, mut places: Vec<(f64, f64)>, (right, top): (f64, 
 
 /// The drawn picture with the colours of the page around it, or of the
 /// system's scheme where it stands alone.
-pub(crate) fn page(svg: &str) -> String {
+fn page(svg: &str) -> String {
     let svg = svg.replace(INK_IN_SVG, "currentColor");
     // Beside a page the file stands alone and has to look up the ground itself.
     let style = "<style>.scatter{color:#222;max-width:100%;height:auto}\

@@ -55,9 +55,9 @@ pub fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     if table.is_empty() {
         return Ok(None);
     }
-    let svg = if lines.curves.is_empty() { None } else { curves(&lines)? };
+    let picture = if lines.curves.is_empty() { None } else { curves(&lines)? };
     let alt = "Nanoseconds of each phase over the size of the scene, a line for each series of scenes";
-    let plot = svg.map(|svg| Block::Plot { svg, file: "growth.svg".into(), alt: alt.into() });
+    let plot = picture.map(|picture| Block::Plot { picture, file: "growth.svg".into(), alt: alt.into() });
     Ok(Some(Section {
         id: "phases",
         title: "Phases",

@@ -23,7 +23,11 @@ fn of_a_task(text: &str) -> Section {
             Block::table_or(Table::new("").words(["nobody"]), "No toy was found."),
             Block::Note(text.to_owned(), Tone::Bad),
             Block::Command("predicament toy".to_owned()),
-            Block::Plot { svg: "<svg class=\"toy\"></svg>".to_owned(), file: "toy.svg".into(), alt: "a toy".into() },
+            Block::Plot {
+                picture: "<svg class=\"toy\"></svg>".to_owned().into(),
+                file: "toy.svg".into(),
+                alt: "a toy".into(),
+            },
         ],
     }
 }
@@ -248,6 +252,10 @@ fn pages_are_written_beside_their_plot() {
     let ties = std::fs::read_to_string(out.join("ties.svg")).unwrap();
     assert!(ties.starts_with("<svg") && ties.contains("sos"), "{ties}");
     assert_eq!(std::fs::read_to_string(out.join("toy.svg")).unwrap(), "<svg class=\"toy\"></svg>");
+    for name in ["scatter.pdf", "ties.pdf"] {
+        assert!(std::fs::read(out.join(name)).unwrap().starts_with(b"%PDF-"), "{name}");
+    }
+    assert!(!out.join("toy.pdf").exists(), "the toy has none");
     let page = std::fs::read_to_string(out.join("report.md")).unwrap();
     assert!(page.contains("(toy.svg)") && page.contains("(scatter.svg)") && page.contains("(ties.svg)"));
     assert!(std::fs::read_to_string(out.join("report.html")).unwrap().contains("<svg class=\"scatter\""));

@@ -29,8 +29,8 @@ pub(super) fn all(stressed: &Stressed) -> Result<Vec<File>, Error> {
         let lines: Vec<Curve> = stressed.backends.iter().map(curve).filter(drawn).collect();
         let x = format!("{}: {}", knob.name(), knob.unit());
         let y = "scenes in 1000 answered against the promise".into();
-        let svg = curves(&Curves { x, y, curves: lines }).map_err(Error::format)?;
-        files.extend(svg.map(|svg| File::new(format!("stress-{}.svg", knob.name()), svg)));
+        let picture = curves(&Curves { x, y, curves: lines }).map_err(Error::format)?;
+        files.extend(File::plot(format!("stress-{}", knob.name()), picture));
         files.extend(time(stressed, knob)?);
     }
     Ok(files)
@@ -42,7 +42,7 @@ fn drawn_at(knob: Knob, position: i32) -> f64 {
 }
 
 /// The time over that at rest, the geometric mean of the tasks that a position has.
-fn time(stressed: &Stressed, knob: Knob) -> Result<Option<File>, Error> {
+fn time(stressed: &Stressed, knob: Knob) -> Result<Vec<File>, Error> {
     let of = |backend: &str| -> Vec<&crate::compare::Measure> {
         let is =
             |row: &&crate::compare::Measure| row.kind == knob.name() && row.backend == backend && row.measure == "time";
@@ -65,6 +65,6 @@ fn time(stressed: &Stressed, knob: Knob) -> Result<Option<File>, Error> {
     };
     let lines: Vec<Curve> = stressed.backends.iter().map(curve).filter(|curve| !curve.points.is_empty()).collect();
     let x = format!("{}: {}", knob.name(), knob.unit());
-    let svg = curves(&Curves { x, y: "time over that at rest".into(), curves: lines }).map_err(Error::format)?;
-    Ok(svg.map(|svg| File::new(format!("stress-{}-time.svg", knob.name()), svg)))
+    let picture = curves(&Curves { x, y: "time over that at rest".into(), curves: lines }).map_err(Error::format)?;
+    Ok(File::plot(format!("stress-{}-time", knob.name()), picture))
 }
