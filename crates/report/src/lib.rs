@@ -7,7 +7,7 @@
 //! * [`markdown`], [`html`] and [`write_pages`] make the report.
 //! * [`Section`], [`Table`], [`Block`] and [`Cell`] are a page as data;
 //!   [`layout`] has what sections about runs share.
-//! * [`scatter`], [`curves`], [`histogram`] and [`ranges`] are plots as SVG.
+//! * [`scatter`], [`curves`], [`histogram`] and [`ranges`] are plots as SVG and PDF, a [`Picture`] each.
 //! * [`picture`] draws the points of a finding; [`Detail`] is what a page says about one.
 //! * [`drawing`]: scenes and results as pictures, in the plane and in space.
 //! * [`PixelMap`] shows the signs of a predicate over a raster.
@@ -39,7 +39,7 @@ mod web;
 pub use page::{html, markdown, write_pages};
 pub use pixel_map::{PixelMap, PixelMapError, Standing, data_uri, side_by_side};
 pub use pixel_sheet::{Column, sheet};
-pub use plot::{Bar, Bars, Curve, Curves, curves, histogram, ranges, scatter};
+pub use plot::{Bar, Bars, Curve, Curves, Picture, XAxis, curves, histogram, ranges, scatter};
 pub use sections::against;
 pub use splice::splice;
 pub use table::{Block, Cell, Headline, Section, Table, Tone};

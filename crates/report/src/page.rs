@@ -35,7 +35,7 @@ pub fn markdown(runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> 
 }
 
 /// Writes `report.html`, `report.md`, `figures.csv`, `tables.tex` and the plots, each where there is something to
-/// plot (`scatter.svg`, `ties.svg`), into a folder, which is made if need be. All are written beside their place first
+/// plot and as SVG and PDF (`scatter.svg`, `scatter.pdf`), into a folder, which is made if need be. All are written beside their place first
 /// and then renamed: what fails leaves the files of an earlier report as they were.
 ///
 /// # Errors
@@ -48,20 +48,23 @@ pub fn write_pages(
 ) -> Result<(), Error> {
     let folder = folder.as_ref();
     std::fs::create_dir_all(folder).map_err(Error::io(folder))?;
-    let mut files: Vec<(Cow<'static, str>, String)> = vec![
-        ("report.html".into(), html(runs, of_tasks, details)?),
-        ("report.md".into(), markdown(runs, of_tasks)?),
-        (figures::FILE.into(), figures::csv(runs)?),
-        (latex::FILE.into(), latex::latex(runs, of_tasks)?),
+    let mut files: Vec<(Cow<'static, str>, Vec<u8>)> = vec![
+        ("report.html".into(), html(runs, of_tasks, details)?.into()),
+        ("report.md".into(), markdown(runs, of_tasks)?.into()),
+        (figures::FILE.into(), figures::csv(runs)?.into()),
+        (latex::FILE.into(), latex::latex(runs, of_tasks)?.into()),
     ];
     let blocks = sections(runs, of_tasks)?.into_iter().flat_map(|section| section.blocks);
-    files.extend(blocks.filter_map(|block| match block {
-        Block::Plot { svg, file, .. } => Some((file, svg)),
-        _ => None,
-    }));
+    for block in blocks {
+        if let Block::Plot { picture, file, .. } = block {
+            let pdf = Path::new(&*file).with_extension("pdf").to_string_lossy().into_owned();
+            files.extend(picture.pdf.map(|bytes| (pdf.into(), bytes)));
+            files.push((file, picture.svg.into()));
+        }
+    }
     let next = |name: &str| folder.join(format!("{name}.next"));
-    for (at, (name, text)) in files.iter().enumerate() {
-        if let Err(error) = write_whole(&next(name), text.as_bytes()) {
+    for (at, (name, bytes)) in files.iter().enumerate() {
+        if let Err(error) = write_whole(&next(name), bytes) {
             // What is left over is of no use; that it can't be removed is not what went wrong.
             for (name, _) in &files[..=at] {
                 let _ = std::fs::remove_file(next(name));
@@ -87,9 +90,10 @@ fn render(template: &str, runs: &[RunDir], of_tasks: &[Section], details: &[Deta
     let mut page = context! { headlines => headlines, sections => sections, first => FIRST, unfolded => UNFOLDED };
     if template == HTML {
         let rows = Value::from_safe_string(web::rows(runs, details)?);
+        let libraries = Value::from_safe_string(web::libraries()?);
         let [style, scripts] =
             [web::STYLE, &web::SCRIPTS.concat()].map(|text| Value::from_safe_string(text.to_owned()));
-        page = context! { rows => rows, style => style, scripts => scripts, ..page };
+        page = context! { rows => rows, libraries => libraries, style => style, scripts => scripts, ..page };
     }
     fill(template, page)
 }

@@ -7,7 +7,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::Error;
-use crate::plot::{COLOURS, Drawn, INK, failed, page};
+use crate::plot::{Area, COLOURS, Drawn, INK, Recording, failed};
 use predicament_records::format::significant;
 
 const SIZE: (u32, u32) = (360, 240);
@@ -75,16 +75,13 @@ pub fn pulled_apart(points: &[Named], on: &str) -> Result<String, Error> {
     })
 }
 
-fn draw(content: impl FnOnce(&DrawingArea<SVGBackend<'_>, plotters::coord::Shift>) -> Drawn) -> Result<String, Error> {
-    let mut svg = String::new();
-    {
-        let root = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
-        content(&root).and_then(|()| root.present()).map_err(failed)?;
-    }
-    Ok(page(&svg))
+fn draw(content: impl FnOnce(&Area) -> Drawn) -> Result<String, Error> {
+    let mut recording = Recording::default();
+    content(&recording.area(SIZE)).map_err(failed)?;
+    recording.svg()
 }
 
-fn marks(root: &DrawingArea<SVGBackend<'_>, plotters::coord::Shift>, view: &View, points: &[Named]) -> Drawn {
+fn marks(root: &Area, view: &View, points: &[Named]) -> Drawn {
     let mut taken: Vec<(i32, i32)> = Vec::new();
     for (at, point) in points.iter().enumerate() {
         // What is asked about, the last point, stands out.
@@ -137,7 +134,7 @@ impl View {
     }
 
     /// A bar and how much it stands for along an axis.
-    fn bar(&self, root: &DrawingArea<SVGBackend<'_>, plotters::coord::Shift>, axis: usize, what: &str) -> Drawn {
+    fn bar(&self, root: &Area, axis: usize, what: &str) -> Drawn {
         let bottom = i32::try_from(SIZE.1).unwrap_or(i32::MAX) - 8;
         let text = format!("{}{what}", length(f64::from(BAR) / self.scale[axis]));
         let (ends, at) = if axis == 0 {

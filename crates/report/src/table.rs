@@ -9,6 +9,8 @@ use minijinja::{Value, context};
 
 use predicament_records::format::thousands;
 
+use crate::Picture;
+
 /// How much a cell is emphasised.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Tone {
@@ -240,8 +242,8 @@ pub enum Block {
     /// A plot; Markdown, which can't hold it, refers to the file instead.
     Plot {
         /// The picture.
-        svg: String,
-        /// The name of the file that [`write_pages`](crate::write_pages) puts it in.
+        picture: Picture,
+        /// The name of the file that [`write_pages`](crate::write_pages) puts its SVG in; its PDF goes beside it.
         file: Cow<'static, str>,
         /// What there is to see.
         alt: Cow<'static, str>,
@@ -266,8 +268,8 @@ impl Block {
             Block::Table(table) => table.value(),
             Block::Note(text, tone) => context! { kind => "note", text => text, tone => tone.class() },
             Block::Command(text) => context! { kind => "command", text => text },
-            Block::Plot { svg, file, alt } => {
-                context! { kind => "plot", svg => Value::from_safe_string(svg.clone()), file => &**file, alt => &**alt }
+            Block::Plot { picture, file, alt } => {
+                context! { kind => "plot", svg => Value::from_safe_string(picture.svg.clone()), file => &**file, alt => &**alt }
             }
             Block::Image { name, uri } => {
                 context! { kind => "image", name => name, uri => Value::from_safe_string(uri.clone()) }

@@ -15,15 +15,18 @@ use crate::drawing;
 use crate::pixel_map::base64;
 use crate::{Error, RunDir};
 
-/// The scripts of a page, in this order: libraries, then what the page does with them.
+/// The libraries of a page, in this order. They are compressed within it: a page has a few megabytes, and they are a third of one.
+const LIBRARIES: [&str; 3] =
+    [include_str!("../web/vendor/tabulator.js"), include_str!("../web/vendor/uplot.js"), drawing::SCRIPTS[0]];
+/// What the page does with them, in this order.
 pub const SCRIPTS: [&str; 4] = [
-    include_str!("../web/vendor/tabulator.js"),
-    drawing::SCRIPTS[0],
+    include_str!("../web/libraries.js"),
     drawing::SCRIPTS[1],
+    include_str!("../web/plots.js"),
     include_str!("../web/app.js"),
 ];
 /// The style of a page.
-pub const STYLE: &str = include_str!("../web/style.css");
+pub const STYLE: &str = concat!(include_str!("../web/style.css"), include_str!("../web/vendor/uplot.css"));
 
 /// What a page says about one finding when it is asked.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -54,8 +57,19 @@ pub struct Strip {
 /// # Errors
 /// If memory can't be written to, which does not happen.
 pub fn rows(runs: &[RunDir], details: &[Detail]) -> Result<String, Error> {
+    packed(&json!({ "findings": findings(runs), "details": told(details) }).to_string())
+}
+
+/// The libraries, as [`rows`] are.
+///
+/// # Errors
+/// If memory can't be written to, which does not happen.
+pub fn libraries() -> Result<String, Error> {
+    packed(&LIBRARIES.concat())
+}
+
+fn packed(text: &str) -> Result<String, Error> {
     let failed = |error: std::io::Error| Error::new("rows of the page".as_ref(), error.to_string());
-    let text = json!({ "findings": findings(runs), "details": told(details) }).to_string();
     let mut encoder = DeflateEncoder::new(Vec::new(), Compression::best());
     encoder.write_all(text.as_bytes()).map_err(failed)?;
     Ok(base64(&encoder.finish().map_err(failed)?))
@@ -139,7 +153,7 @@ mod tests {
 
     #[test]
     fn no_script_ends_the_element_that_it_is_in() {
-        for script in SCRIPTS {
+        for script in SCRIPTS.into_iter().chain(drawing::SCRIPTS) {
             assert!(!script.to_lowercase().contains("</script"), "a page would end there");
         }
     }

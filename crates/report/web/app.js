@@ -50,11 +50,7 @@
   addEventListener("afterprint", () => { for (const details of folded) details.open = false; });
 
   // Rows: columns of words in dictionaries and of numbers, compressed.
-  const unpack = async () => {
-    const bytes = Uint8Array.from(atob($("rows").textContent.trim()), (c) => c.charCodeAt(0));
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
-    return JSON.parse(await new Response(stream).text());
-  };
+  const unpack = async () => JSON.parse(await predicamentText("rows"));
   const rowsOf = ({ rows, columns }) => {
     const all = Array.from({ length: rows }, (_, id) => ({ id }));
     for (const [name, column] of Object.entries(columns)) {
@@ -98,6 +94,7 @@
   const findings = async () => {
     const place = $("search");
     const { findings, details } = await unpack();
+    await predicamentLibraries;
     const data = rowsOf(findings);
     if (!place || data.length === 0) return;
     const columns = data.some((row) => row.run !== "1") ? ["run"] : [];

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use predicament_report::Block;
+use predicament_report::{Block, Picture};
 use serde::de::DeserializeOwned;
 
 /// The rows of a table that `predicament COMMAND` writes.
@@ -37,7 +37,14 @@ pub fn plots_in(folder: &Path, name: &str, alt: &str) -> Result<Vec<Block>, Stri
     files.sort();
     let plot = |(stem, path): (String, std::path::PathBuf)| {
         let svg = std::fs::read_to_string(&path).map_err(|why| failed(&path, why))?;
-        Ok(Block::Plot { svg, file: format!("{stem}.svg").into(), alt: format!("{alt} ({stem})").into() })
+        let beside = path.with_extension("pdf");
+        let pdf = match std::fs::read(&beside) {
+            // Earlier versions wrote none.
+            Err(why) if why.kind() == std::io::ErrorKind::NotFound => None,
+            read => Some(read.map_err(|why| failed(&beside, why))?),
+        };
+        let picture = Picture { svg, pdf };
+        Ok(Block::Plot { picture, file: format!("{stem}.svg").into(), alt: format!("{alt} ({stem})").into() })
     };
     files.into_iter().map(plot).collect()
 }

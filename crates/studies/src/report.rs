@@ -1,8 +1,10 @@
 //! The files of a study.
 
-use predicament_records::replace;
+use std::fmt::Display;
 use std::path::Path;
 
+use predicament_records::replace;
+use predicament_report::Picture;
 use serde::Serialize;
 
 use crate::Error;
@@ -13,13 +15,26 @@ pub struct File {
     /// Its name, with the extension; a path where it goes to another folder than the rest.
     pub name: String,
     /// Its contents.
-    pub text: String,
+    pub bytes: Vec<u8>,
 }
 
 impl File {
     /// A file with this name.
-    pub fn new(name: impl Into<String>, text: impl Into<String>) -> File {
-        File { name: name.into(), text: text.into() }
+    pub fn new(name: impl Into<String>, contents: impl Into<Vec<u8>>) -> File {
+        File { name: name.into(), bytes: contents.into() }
+    }
+
+    /// A plot, where there is one, as SVG and as PDF, with this name before the extension.
+    pub fn plot(name: impl Display, picture: impl Into<Option<Picture>>) -> Vec<File> {
+        let Some(Picture { svg, pdf }) = picture.into() else { return Vec::new() };
+        let svg = File::new(format!("{name}.svg"), svg);
+        [svg].into_iter().chain(pdf.map(|pdf| File::new(format!("{name}.pdf"), pdf))).collect()
+    }
+
+    /// Its contents as text; nothing if they are none.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        std::str::from_utf8(&self.bytes).unwrap_or_default()
     }
 
     /// Rows as CSV, under a header of their fields' names.
@@ -29,8 +44,7 @@ impl File {
     pub fn csv(name: impl Into<String>, rows: impl IntoIterator<Item = impl Serialize>) -> Result<File, Error> {
         let mut csv = csv::Writer::from_writer(Vec::new());
         rows.into_iter().try_for_each(|row| csv.serialize(row)).map_err(Error::format)?;
-        let bytes = csv.into_inner().map_err(Error::format)?;
-        Ok(File { name: name.into(), text: String::from_utf8(bytes).map_err(Error::format)? })
+        Ok(File::new(name, csv.into_inner().map_err(Error::format)?))
     }
 }
 
@@ -56,7 +70,7 @@ impl Report {
             if let Some(parent) = path.parent().filter(|parent| *parent != folder) {
                 std::fs::create_dir_all(parent).map_err(|error| format!("{}: {error}", parent.display()))?;
             }
-            replace(&path, file.text.as_bytes()).map_err(|error| error.to_string())
+            replace(&path, &file.bytes).map_err(|error| error.to_string())
         })
     }
 }

@@ -65,7 +65,7 @@ pub trait Study: clap::Args {
     /// The tables, as Markdown.
     fn page(&self, measured: &Self::Measured) -> String;
 
-    /// Plots, as SVG.
+    /// Plots, as SVG and PDF.
     ///
     /// # Errors
     /// [`Error::Format`].
@@ -101,8 +101,7 @@ pub trait Study: clap::Args {
     fn report(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Report, Error> {
         let measured = self.survey(backends, host)?;
         let (rows, page) = (self.rows(&measured)?, self.page(&measured));
-        let printed =
-            if self.prints_rows() { rows.iter().map(|file| file.text.as_str()).collect() } else { page.clone() };
+        let printed = if self.prints_rows() { rows.iter().map(File::text).collect() } else { page.clone() };
         let page = File::new(format!("{}.md", Self::NAME), page);
         let (plots, suites) = (self.plots(&measured)?, self.suites(&measured)?);
         let files = rows.into_iter().chain([page]).chain(plots).chain(suites).collect();

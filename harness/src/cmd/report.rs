@@ -20,7 +20,7 @@ Examples:
   predicament report out/run --splice README.md             the same tables in a page of your own
   predicament report out/run out/compare --out out/report  with the comparison of backends that `compare` has written elsewhere";
 
-/// Write Markdown, one self-contained HTML page, plots and their figures as CSV from run folders
+/// Write Markdown, one self-contained HTML page, plots as SVG and PDF, and their figures as CSV from run folders
 ///
 /// A scene on a backend that several folders have counts once: in the first folder. Where they disagree, it is an error.
 #[derive(clap::Args)]

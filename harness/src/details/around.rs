@@ -23,7 +23,7 @@ const MOST_VERTICES: usize = 20_000;
 pub fn picture(loaded: &LoadedScene, finding: &FindingRow, backends: &[&dyn Contestant]) -> Option<(String, String)> {
     let query: Query = finding.query.split(" | ").next()?.parse().ok()?;
     let (question, args) = query.question()?;
-    if loaded.scene.len() > MOST_VERTICES {
+    if loaded.scene.len() > MOST_VERTICES || args.iter().any(|v| v.is_constructed()) {
         return None;
     }
     let axes = axes(question, &loaded.scene);

@@ -10,11 +10,12 @@ use predicament_engines::PREFIX;
 use predicament_predicates::Dimension;
 use predicament_records::{FindingRow, RunDir};
 use predicament_report::Detail;
+use predicament_tasks::Class;
 
 use crate::child::{self, End};
 
 /// Seconds for one answer.
-const LIMIT: Duration = Duration::from_secs(5);
+const LIMIT: Duration = Duration::from_secs(2);
 
 /// Puts the answer of the finding's backend to its scene, as a picture or a view, into what is said about the finding.
 pub fn draw(run: &RunDir, loaded: &LoadedScene, finding: &FindingRow, detail: &mut Detail) -> Option<()> {
@@ -25,12 +26,18 @@ pub fn draw(run: &RunDir, loaded: &LoadedScene, finding: &FindingRow, detail: &m
     let filter = format!("^{}$", regex::escape(&format!("{}/{}", finding.suite, finding.scene)));
     let backend = run.plan.engines.get(&finding.backend);
     let backend = backend.map_or_else(|| finding.backend.clone(), |engine| format!("{PREFIX}{engine}"));
-    command.args(["show", suite, "-f", &filter, "-b", &backend, "--level", &run.plan.level.to_string()]);
+    command.args(["show", suite, "-f", &filter, "--level", &run.plan.level.to_string()]);
+    // Who declines has no answer: the scene is seen.
+    let is_declined = finding.class == Class::Declined;
+    if !is_declined {
+        command.args(["-b", &backend]);
+    }
     command.arg("--out").arg(&file.0);
     let mut child = child::start(command).ok()?;
     let End::Exit(Some(status)) = child::wait(&mut child, Some(LIMIT)) else { return None };
     let text = status.success().then(|| std::fs::read_to_string(&file.0).ok()).flatten()?;
-    let alt = format!("{}/{} as {} answers it", finding.suite, finding.scene, finding.backend);
+    let answers = if is_declined { String::new() } else { format!(" as {} answers it", finding.backend) };
+    let alt = format!("{}/{}{answers}", finding.suite, finding.scene);
     if is_space {
         detail.views.push((alt, serde_json::from_str(&text).ok()?));
     } else {

@@ -265,7 +265,7 @@ fn phases_are_timed_one_by_one_and_the_report_plots_their_growth() {
     let read_one = "[[scene]]\nname = \"file\"\ntask = \"mesh-locate\"\nmesh = { path = \"m.off\" }\nrandom = 3\n";
     let other =
         "[[scene]]\nname = \"none\"\ntask = \"orient2d\"\npoints = [[0, 0], [1, 0], [0, 1]]\nqueries = [[0, 1, 2]]\n";
-    let suite = format!("title = \"t\"\n{}{}{read_one}{other}", torus(100), torus(400));
+    let suite = format!("title = \"t\"\n{}{}{}{read_one}{other}", torus(100), torus(200), torus(400));
     let suite = write(&folder, "s.toml", &suite);
     let bench = |name: &str| {
         let out = at(&folder, name);
@@ -280,7 +280,7 @@ fn phases_are_timed_one_by_one_and_the_report_plots_their_growth() {
         .map(|row| ["scene", "phase", "backend", "threads", "sample"].map(|name| of(name)[row].clone()))
         .collect();
     let mut expected = Vec::new();
-    for (scene, first) in [("torus-100", 1), ("torus-400", 1), ("file", 0)] {
+    for (scene, first) in [("torus-100", 1), ("torus-200", 1), ("torus-400", 1), ("file", 0)] {
         for sample in ["0", "1"] {
             for (backend, phases) in [
                 ("", &["reading", "checking", "grid"][first..]),
@@ -314,13 +314,16 @@ fn phases_are_timed_one_by_one_and_the_report_plots_their_growth() {
     let page = read(&pages, "report.md");
     let section = page.split("\n## Phases\n").nth(1).expect("the section");
     assert!(
-        section.contains("(growth.svg)")
+        section.contains("(growth-mesh-locate-torus.svg)")
             && section.contains("| 2 | mesh-locate | torus-400 (s) | 392 | grid (a triangle) | — | 2 |"),
         "{section}"
     );
-    let growth = read(&pages, "growth.svg");
-    for line in ["1: torus: grid, a triangle", "2: torus: queries, sos, a query"] {
+    for (file, line) in [
+        ("growth-mesh-locate-torus.svg", "1: grid, a triangle"),
+        ("growth-mesh-locate-torus-sos.svg", "2: queries, a query"),
+    ] {
+        let growth = read(&pages, file);
         assert!(growth.contains(line), "{growth}");
     }
-    assert!(!growth.contains("file: "), "one size grows into nothing");
+    assert!(!section.contains("(growth-mesh-locate-file"), "one size grows into nothing");
 }

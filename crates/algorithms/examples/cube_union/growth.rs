@@ -112,9 +112,10 @@ pub fn run(folder: &Path, largest: usize, threads: usize) -> Outcome<()> {
         x: "cubes".into(),
         y: "CPU microseconds, MiB".into(),
         curves: time.into_iter().chain(memory).collect(),
+        ..Curves::default()
     };
-    if let Some(svg) = curves(&lines)? {
-        std::fs::write(folder.join("cubes.svg"), svg)?;
+    if let Some(picture) = curves(&lines)? {
+        std::fs::write(folder.join("cubes.svg"), picture.svg)?;
     }
     println!("\n{}", folder.display());
     Ok(())

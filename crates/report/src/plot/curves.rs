@@ -3,9 +3,10 @@
 use std::ops::Range;
 
 use plotters::prelude::*;
+use serde_json::{Value, json};
 
-use super::{COLOURS, Decades, Drawn, INK, failed, page, power_of_ten, quiet, small};
-use crate::Error;
+use super::{COLOURS, Decades, Drawn, INK, Recording, failed, power_of_ten, quiet, small};
+use crate::{Error, Picture};
 
 const SIZE: (u32, u32) = (760, 380);
 
@@ -22,7 +23,7 @@ pub struct Curve {
 }
 
 /// Lines with what their axes mean.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Default)]
 pub struct Curves {
     /// The horizontal axis.
     pub x: String,
@@ -30,14 +31,37 @@ pub struct Curves {
     pub y: String,
     /// The lines.
     pub curves: Vec<Curve>,
+    /// How places are spread over the horizontal axis.
+    pub spread: XAxis,
 }
 
-/// Lines as an SVG picture; none where no point has logarithms.
+/// How places are spread over a horizontal axis.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum XAxis {
+    /// Equal factors are equally far apart.
+    #[default]
+    Logarithmic,
+    /// Equal differences are equally far apart: for exponents, and for places below zero.
+    Linear,
+}
+
+impl XAxis {
+    /// Where a number is, as decades or as itself, if it is anywhere.
+    fn place(self, x: f64) -> Option<f64> {
+        let place = match self {
+            XAxis::Logarithmic => x.log10(),
+            XAxis::Linear => x,
+        };
+        place.is_finite().then_some(place)
+    }
+}
+
+/// Lines as a picture; none where no point has logarithms.
 ///
 /// # Errors
 /// If the picture can't be drawn.
-pub fn curves(curves: &Curves) -> Result<Option<String>, Error> {
-    let points = || curves.curves.iter().flat_map(|curve| curve.points.iter().filter_map(logarithms));
+pub fn curves(curves: &Curves) -> Result<Option<Picture>, Error> {
+    let points = || curves.curves.iter().flat_map(|curve| curves.places(curve));
     if points().next().is_none() {
         return Ok(None);
     }
@@ -45,16 +69,56 @@ pub fn curves(curves: &Curves) -> Result<Option<String>, Error> {
         let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
         low.floor()..high.ceil().max(low.floor() + 1.0)
     };
-    let (x, y) = (span(&mut points().map(|p| p.0)), span(&mut points().map(|p| p.1)));
-    let mut svg = String::new();
+    let y = span(&mut points().map(|p| p.1));
+    let x = match curves.spread {
+        XAxis::Logarithmic => span(&mut points().map(|p| p.0)),
+        XAxis::Linear => {
+            let all = || points().map(|p| p.0);
+            let (low, high) = (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
+            low..if high > low { high } else { low + 1.0 }
+        }
+    };
+    let mut recording = Recording::default();
     let corner = free_corner(curves, [&x, &y]);
-    draw(&mut svg, curves, (Decades::from(x), Decades::from(y)), corner).map_err(failed)?;
-    Ok(Some(page(&svg)))
+    draw(&mut recording, curves, (axis(curves.spread, x), Decades::from(y)), corner).map_err(failed)?;
+    let mut picture = recording.picture()?;
+    carry(&mut picture.svg, curves);
+    Ok(Some(picture))
 }
 
-fn logarithms(&(x, y): &(f64, f64)) -> Option<(f64, f64)> {
-    let point = (x.log10(), y.log10());
-    (point.0.is_finite() && point.1.is_finite()).then_some(point)
+/// Puts the numbers of the lines into the picture, as its metadata: a page makes a plot of them that answers to the pointer.
+fn carry(svg: &mut String, curves: &Curves) {
+    let line = |curve: &Curve| {
+        let points: Vec<[f64; 2]> =
+            curve.points.iter().filter(|&point| curves.place(point).is_some()).map(|&(x, y)| [x, y]).collect();
+        json!({ "name": curve.name, "points": points })
+    };
+    let lines: Vec<Value> = curves.curves.iter().map(line).collect();
+    let data =
+        json!({ "x": curves.x, "y": curves.y, "linear": curves.spread == XAxis::Linear, "curves": lines }).to_string();
+    // JSON as text of XML.
+    let data = data.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    if let Some(end) = svg.find('>') {
+        svg.insert_str(end + 1, &format!("<metadata>{data}</metadata>"));
+    }
+}
+
+impl Curves {
+    /// Where a point is in the plot; none for one with a coordinate that has no logarithm.
+    fn place(&self, &(x, y): &(f64, f64)) -> Option<(f64, f64)> {
+        Some((self.spread.place(x)?, XAxis::Logarithmic.place(y)?))
+    }
+
+    fn places<'c>(&'c self, curve: &'c Curve) -> impl Iterator<Item = (f64, f64)> + 'c {
+        curve.points.iter().filter_map(|point| self.place(point))
+    }
+}
+
+fn axis(spread: XAxis, range: Range<f64>) -> Decades {
+    match spread {
+        XAxis::Logarithmic => Decades::from(range),
+        XAxis::Linear => Decades::linear(range),
+    }
 }
 
 /// The corner that the lines pass the least, for their names.
@@ -64,7 +128,7 @@ fn free_corner(curves: &Curves, [x, y]: [&Range<f64>; 2]) -> SeriesLabelPosition
     let mut passed = [0_u32; 4];
     let place = |range: &Range<f64>, at: f64| usize::from(at > f64::midpoint(range.start, range.end));
     for curve in &curves.curves {
-        let mut points: Vec<(f64, f64)> = curve.points.iter().filter_map(logarithms).collect();
+        let mut points: Vec<(f64, f64)> = curves.places(curve).collect();
         if let [only] = points[..] {
             points.push(only);
         }
@@ -85,19 +149,22 @@ fn free_corner(curves: &Curves, [x, y]: [&Range<f64>; 2]) -> SeriesLabelPosition
     corners.into_iter().min_by_key(|(passed, _)| *passed).map_or(SeriesLabelPosition::UpperRight, |(_, corner)| corner)
 }
 
-fn draw(svg: &mut String, curves: &Curves, (x, y): (Decades, Decades), corner: SeriesLabelPosition) -> Drawn {
-    let root = SVGBackend::with_string(svg, SIZE).into_drawing_area();
+fn draw(recording: &mut Recording, curves: &Curves, (x, y): (Decades, Decades), corner: SeriesLabelPosition) -> Drawn {
+    let root = recording.area(SIZE);
     let mut chart =
         ChartBuilder::on(&root).margin(14).x_label_area_size(40).y_label_area_size(60).build_cartesian_2d(x, y)?;
     let mut mesh = chart.configure_mesh();
     quiet(&mut mesh, FONT);
-    mesh.x_label_formatter(&|x| power_of_ten(*x))
-        .y_label_formatter(&|y| power_of_ten(*y))
-        .x_desc(&curves.x)
-        .y_desc(&curves.y)
-        .draw()?;
+    mesh.x_label_formatter(&|x| match curves.spread {
+        XAxis::Logarithmic => power_of_ten(*x),
+        XAxis::Linear => format!("{x}"),
+    })
+    .y_label_formatter(&|y| power_of_ten(*y))
+    .x_desc(&curves.x)
+    .y_desc(&curves.y)
+    .draw()?;
     for (curve, colour) in curves.curves.iter().zip(COLOURS.iter().cycle()) {
-        let points: Vec<_> = curve.points.iter().filter_map(logarithms).collect();
+        let points: Vec<_> = curves.places(curve).collect();
         // A line of one point is not to be seen without a mark.
         chart.draw_series(points.iter().map(|&point| Circle::new(point, 3, colour.filled())))?;
         chart
@@ -119,9 +186,10 @@ mod tests {
             x: "n".into(),
             y: "ns".into(),
             curves: vec![Curve { name: "one".into(), points: points.to_vec() }],
+            ..Curves::default()
         };
         let place = |points: &[(f64, f64)]| {
-            let svg = curves(&line(points)).unwrap().unwrap();
+            let svg = curves(&line(points)).unwrap().unwrap().svg;
             let name = svg.split("<text ").find(|text| text.contains("\none\n")).expect("its name");
             let at = |key: &str| name.split(key).nth(1).unwrap().split('"').nth(1).unwrap().parse::<u32>().unwrap();
             [at("x=") > SIZE.0 / 2, at("y=") > SIZE.1 / 2]
@@ -141,14 +209,31 @@ mod tests {
                 curve("one", &[(1e-3, 0.0), (1e-2, 1e-5), (0.1, 1e-4)]),
                 curve("two", &[(1e-2, 0.5), (1.0, 0.1)]),
             ],
+            ..Curves::default()
         };
-        let svg = curves(&lines).unwrap().unwrap();
+        let svg = curves(&lines).unwrap().unwrap().svg;
         assert!(["one", "two", "angle", "error"].iter().all(|text| svg.contains(text)));
         let points =
             svg.lines().filter(|line| line.contains("<polyline") && line.contains("stroke-width=\"2\"")).count();
         assert!(points >= 2, "two lines: {svg}");
         assert_eq!(svg.matches("<circle").count(), 4, "a mark for each point: {svg}");
+        let data = svg.split("<metadata>").nth(1).and_then(|rest| rest.split("</metadata>").next()).unwrap();
+        let data: Value = serde_json::from_str(data).unwrap();
+        let carried = json!([[1e-2, 1e-5], [0.1, 1e-4]]);
+        assert_eq!((&data["curves"][0]["points"], &data["x"]), (&carried, &json!("angle")), "zero has no logarithm");
         let nothing = Curves { curves: vec![curve("one", &[(0.0, 1.0)])], ..lines };
         assert_eq!(curves(&nothing), Ok(None));
+    }
+
+    #[test]
+    fn exponents_are_spread_evenly() {
+        let points = [(-50.0, 1.0), (0.0, 10.0), (50.0, 100.0)];
+        let line = Curve { name: "one".into(), points: points.to_vec() };
+        let lines = Curves { x: "log2".into(), y: "ns".into(), curves: vec![line], spread: XAxis::Linear };
+        let svg = curves(&lines).unwrap().unwrap().svg;
+        let x: Vec<f64> =
+            svg.split("cx=\"").skip(1).map(|rest| rest.split('"').next().unwrap().parse().unwrap()).collect();
+        assert!((x[1] - x[0] - (x[2] - x[1])).abs() <= 1.0, "{x:?}");
+        assert!(svg.contains("\n-20\n") && svg.contains("\"linear\":true"), "{svg}");
     }
 }

@@ -3,8 +3,8 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{COLOURS, Decades, Drawn, failed, page, power_of_ten, quiet, small};
-use crate::Error;
+use super::{COLOURS, Decades, Drawn, Recording, failed, power_of_ten, quiet, small};
+use crate::{Error, Picture};
 
 const SIZE: (u32, u32) = (760, 300);
 /// Of letters.
@@ -25,25 +25,25 @@ pub struct Bars {
     pub series: Vec<(String, Vec<f64>)>,
 }
 
-/// Bars as an SVG picture; none where nothing was counted.
+/// Bars as a picture; none where nothing was counted.
 ///
 /// # Errors
 /// If the picture can't be drawn.
-pub fn histogram(bars: &Bars) -> Result<Option<String>, Error> {
+pub fn histogram(bars: &Bars) -> Result<Option<Picture>, Error> {
     let highest = bars.series.iter().flat_map(|(_, counts)| counts).fold(0.0_f64, |a, &b| a.max(b));
     if highest < 1.0 {
         return Ok(None);
     }
-    let mut svg = String::new();
-    draw(&mut svg, bars, highest.log10().floor() + 1.0).map_err(failed)?;
-    Ok(Some(page(&svg)))
+    let mut recording = Recording::default();
+    draw(&mut recording, bars, highest.log10().floor() + 1.0).map_err(failed)?;
+    Ok(Some(recording.picture()?))
 }
 
-fn draw(svg: &mut String, bars: &Bars, top: f64) -> Drawn {
+fn draw(recording: &mut Recording, bars: &Bars, top: f64) -> Drawn {
     let number = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
     // A single count stands a little above the ground.
     let ground = -0.3;
-    let root = SVGBackend::with_string(svg, SIZE).into_drawing_area();
+    let root = recording.area(SIZE);
     let mut chart = ChartBuilder::on(&root)
         .margin(14)
         .x_label_area_size(40)
@@ -89,7 +89,7 @@ mod tests {
             places: vec!["first".into(), "second".into()],
             series: vec![("one".into(), vec![10.0, 0.0]), ("two".into(), vec![1.0, 200.0])],
         };
-        let svg = histogram(&bars).unwrap().unwrap();
+        let svg = histogram(&bars).unwrap().unwrap().svg;
         for text in ["place", "count", "first", "second", "one", "two", "100"] {
             assert!(svg.contains(text), "{text}");
         }

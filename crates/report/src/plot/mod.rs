@@ -1,4 +1,6 @@
-//! Plots as SVG, for files and for pages.
+//! Plots, for files and for pages: as SVG, and as PDF for papers.
+//!
+//! Each draws into a [`Recording`], of which both are made.
 //!
 //! * [`scatter`]: speed against error.
 //! * [`ranges`]: from where something is lost to where it is safe.
@@ -6,12 +8,17 @@
 //! * [`histogram`]: how often, by place.
 
 mod curves;
+mod helvetica;
 mod histogram;
 mod labels;
 mod overall;
+mod pdf;
 mod ranges;
+mod recording;
 mod scatter;
 
+use std::convert::Infallible;
+use std::fmt::Display;
 use std::ops::Range;
 
 use plotters::chart::{ChartContext, MeshStyle};
@@ -20,10 +27,11 @@ use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint};
 use plotters::prelude::*;
 
 use crate::Error;
-pub use curves::{Curve, Curves, curves};
+pub use curves::{Curve, Curves, XAxis, curves};
 pub use histogram::{Bars, histogram};
 pub(crate) use overall::{beside, overall};
 pub use ranges::{Bar, ranges};
+pub(crate) use recording::{Recorder, Recording};
 pub use scatter::scatter;
 
 /// Stands for the colour of the text around the picture, which no fixed
@@ -44,11 +52,27 @@ pub(crate) const COLOURS: [RGBColor; 8] = [
     RGBColor(150, 130, 60),
 ];
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Chart<'c, 'a> = ChartContext<'c, SVGBackend<'a>, Cartesian2d<Decades, Decades>>;
-pub(crate) type Drawn = Result<(), DrawingAreaErrorKind<std::io::Error>>;
+/// A plot for pages and files.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Picture {
+    /// As SVG, for pages and the web.
+    pub svg: String,
+    /// As PDF, for papers, where there is one.
+    pub pdf: Option<Vec<u8>>,
+}
 
-pub(crate) fn failed(error: DrawingAreaErrorKind<std::io::Error>) -> Error {
+/// SVG alone.
+impl From<String> for Picture {
+    fn from(svg: String) -> Picture {
+        Picture { svg, pdf: None }
+    }
+}
+
+pub(crate) type Area<'a> = DrawingArea<Recorder<'a>, Shift>;
+type Chart<'c, 'a> = ChartContext<'c, Recorder<'a>, Cartesian2d<Decades, Decades>>;
+pub(crate) type Drawn = Result<(), DrawingAreaErrorKind<Infallible>>;
+
+pub(crate) fn failed(error: impl Display) -> Error {
     Error::new("plot".as_ref(), error.to_string())
 }
 
@@ -98,20 +122,40 @@ pub(crate) fn page(svg: &str) -> String {
 /// An axis of common logarithms, with a tick at each power of ten.
 struct Decades {
     range: Range<f64>,
-    /// Whether there are ticks at 2 and 5 times each power of ten, too.
-    is_fine: bool,
+    ticks: Ticks,
+}
+
+/// Where an axis has ticks.
+enum Ticks {
+    /// At each power of ten.
+    Powers,
+    /// At 2 and 5 times each power of ten, too.
+    Fine,
+    /// At multiples of a round number: the axis is no logarithm.
+    Multiples(f64),
 }
 
 impl Decades {
     /// With more ticks where there are no two decades.
     fn finely(range: Range<f64>) -> Decades {
-        Decades { is_fine: range.end - range.start < 2.0, range }
+        let ticks = if range.end - range.start < 2.0 { Ticks::Fine } else { Ticks::Powers };
+        Decades { range, ticks }
+    }
+}
+
+impl Decades {
+    /// An axis of numbers themselves, with about ten ticks.
+    fn linear(range: Range<f64>) -> Decades {
+        let least = (range.end - range.start) / 10.0;
+        let power = 10_f64.powf(least.log10().floor());
+        let step = [1.0, 2.0, 5.0, 10.0].into_iter().map(|digit| digit * power).find(|&step| step >= least);
+        Decades { range, ticks: Ticks::Multiples(step.unwrap_or(power)) }
     }
 }
 
 impl From<Range<f64>> for Decades {
     fn from(range: Range<f64>) -> Decades {
-        Decades { range, is_fine: false }
+        Decades { range, ticks: Ticks::Powers }
     }
 }
 
@@ -131,10 +175,18 @@ impl Ranged for Decades {
         if hint.weight().allow_light_points() {
             return Vec::new();
         }
+        let factors: &[f64] = match self.ticks {
+            Ticks::Powers => &[1.0],
+            Ticks::Fine => &[1.0, 2.0, 5.0],
+            Ticks::Multiples(step) => {
+                let first = (self.range.start / step).ceil();
+                let multiples = std::iter::successors(Some(first), |n| Some(n + 1.0)).map(|n| n * step);
+                return multiples.take_while(|&tick| tick <= self.range.end).collect();
+            }
+        };
         let next = |tick: &f64| Some(tick + 1.0);
         let powers =
             std::iter::successors(Some(self.range.start.floor()), next).take_while(|&tick| tick <= self.range.end);
-        let factors: &[f64] = if self.is_fine { &[1.0, 2.0, 5.0] } else { &[1.0] };
         let ticks = powers.flat_map(|power| factors.iter().map(move |factor| power + factor.log10()));
         ticks.filter(|tick| self.range.contains(tick) || *tick == self.range.end).collect()
     }

@@ -8,19 +8,19 @@ use predicament_records::format::significant;
 use predicament_records::wilson;
 
 use super::labels::{Label, names};
-use super::{COLOURS, Decades, Drawn, INK, failed, frontier, page, power_of_ten, quiet};
+use super::{COLOURS, Decades, Drawn, INK, Recording, failed, frontier, power_of_ten, quiet};
 use crate::figures::{Price, all_prices};
 use crate::groups::{REFERENCE, backends};
-use crate::{Error, RunDir};
+use crate::{Error, Picture, RunDir};
 
 const SIZE: (u32, u32) = (640, 340);
 
-/// Times over the reference's against wrong answers per million with Wilson's interval at 95 %, as an SVG picture; none where
+/// Times over the reference's against wrong answers per million with Wilson's interval at 95 %, as a picture; none where
 /// fewer than two backends are compared.
 ///
 /// # Errors
 /// If the picture can't be drawn.
-pub fn overall(runs: &[RunDir]) -> Result<Option<String>, Error> {
+pub fn overall(runs: &[RunDir]) -> Result<Option<Picture>, Error> {
     beside(runs, &[])
 }
 
@@ -28,7 +28,7 @@ pub fn overall(runs: &[RunDir]) -> Result<Option<String>, Error> {
 ///
 /// # Errors
 /// If the picture can't be drawn.
-pub fn beside(runs: &[RunDir], earlier: &[RunDir]) -> Result<Option<String>, Error> {
+pub fn beside(runs: &[RunDir], earlier: &[RunDir]) -> Result<Option<Picture>, Error> {
     let (now, before) = (all_prices(runs), all_prices(earlier));
     let [marks, ghosts] = [now.as_ref(), before.as_ref()].map(|prices| -> Vec<Mark> {
         let prices = prices.into_iter().flat_map(|of| &of.prices);
@@ -37,9 +37,9 @@ pub fn beside(runs: &[RunDir], earlier: &[RunDir]) -> Result<Option<String>, Err
     if marks.len() < 2 || ghosts.is_empty() && !earlier.is_empty() {
         return Ok(None);
     }
-    let mut svg = String::new();
-    draw(&mut svg, &marks, &ghosts, &backends(runs)).map_err(failed)?;
-    Ok(Some(page(&svg)))
+    let mut recording = Recording::default();
+    draw(&mut recording, &marks, &ghosts, &backends(runs)).map_err(failed)?;
+    Ok(Some(recording.picture()?))
 }
 
 /// Logarithms of a backend's time and of its rate of wrong answers.
@@ -68,7 +68,7 @@ impl<'r> Mark<'r> {
     }
 }
 
-fn draw(svg: &mut String, marks: &[Mark], ghosts: &[Mark], order: &[&str]) -> Drawn {
+fn draw(recording: &mut Recording, marks: &[Mark], ghosts: &[Mark], order: &[&str]) -> Drawn {
     let fold = |values: &mut dyn Iterator<Item = f64>| {
         values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
     };
@@ -78,7 +78,7 @@ fn draw(svg: &mut String, marks: &[Mark], ghosts: &[Mark], order: &[&str]) -> Dr
     let shelf = least.floor() - 1.0;
     let (left, right) = (fastest.min(0.0) - 0.15, slowest.max(0.0) + 0.15);
     let (bottom, top) = (shelf - 0.5, (most + 0.1).ceil());
-    let root = SVGBackend::with_string(svg, SIZE).into_drawing_area();
+    let root = recording.area(SIZE);
     let mut chart = ChartBuilder::on(&root)
         .margin(10)
         .margin_right(180)

@@ -4,8 +4,8 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{COLOURS, Decades, Drawn, failed, page, power_of_ten, quiet, small};
-use crate::Error;
+use super::{COLOURS, Decades, Drawn, Recording, failed, power_of_ten, quiet, small};
+use crate::{Error, Picture};
 
 const WIDTH: u32 = 760;
 const ROW: u32 = 16;
@@ -30,17 +30,17 @@ pub struct Bar {
     pub to: Option<f64>,
 }
 
-/// Bars over `x`, from 10^`low` to 10^`high`, as an SVG picture.
+/// Bars over `x`, from 10^`low` to 10^`high`, as a picture.
 ///
 /// # Errors
 /// If the picture can't be drawn.
-pub fn ranges(bars: &[Bar], x: &str, [low, high]: [i32; 2]) -> Result<String, Error> {
-    let mut svg = String::new();
-    draw(&mut svg, bars, x, [low, high].map(f64::from)).map_err(failed)?;
-    Ok(page(&svg))
+pub fn ranges(bars: &[Bar], x: &str, [low, high]: [i32; 2]) -> Result<Picture, Error> {
+    let mut recording = Recording::default();
+    draw(&mut recording, bars, x, [low, high].map(f64::from)).map_err(failed)?;
+    recording.picture()
 }
 
-fn draw(svg: &mut String, bars: &[Bar], x: &str, [low, high]: [f64; 2]) -> Drawn {
+fn draw(recording: &mut Recording, bars: &[Bar], x: &str, [low, high]: [f64; 2]) -> Drawn {
     let groups: Vec<&[Bar]> = bars.chunk_by(|a, b| a.name == b.name).collect();
     let mut backends: Vec<&str> = Vec::new();
     for bar in bars {
@@ -50,7 +50,7 @@ fn draw(svg: &mut String, bars: &[Bar], x: &str, [low, high]: [f64; 2]) -> Drawn
     }
     let rows = u32::try_from(bars.len() + groups.len()).unwrap_or(u32::MAX);
     let size = (WIDTH, rows.saturating_mul(ROW).saturating_add(FRAME));
-    let root = SVGBackend::with_string(svg, size).into_drawing_area();
+    let root = recording.area(size);
     let mut chart = ChartBuilder::on(&root)
         .margin(10)
         .margin_top(30)
@@ -99,7 +99,7 @@ mod tests {
             bar("a gap", "two", None, None),
             bar("a tip", "one", None, Some(1e-3)),
         ];
-        let svg = ranges(&bars, "size", [-9, 0]).unwrap();
+        let svg = ranges(&bars, "size", [-9, 0]).unwrap().svg;
         for text in ["a gap", "a tip", "one", "two", "size"] {
             assert!(svg.contains(text), "{text}");
         }

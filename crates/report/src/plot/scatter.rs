@@ -9,32 +9,32 @@ use plotters::prelude::*;
 
 use crate::figures::{Mark, Panel, panels};
 use crate::groups::backends;
-use crate::{Error, RunDir};
+use crate::{Error, Picture, RunDir};
 use predicament_records::format::{per_million, significant};
 use predicament_records::wilson;
 
 use super::labels::{Label, names};
-use super::{Area, COLOURS, Chart, Decades, Drawn, INK, failed, frontier, page, power_of_ten, quiet};
+use super::{Area, COLOURS, Chart, Decades, Drawn, INK, Recording, failed, frontier, power_of_ten, quiet};
 
 const PANEL: (u32, u32) = (460, 300);
 const PANELS_IN_A_ROW: usize = 3;
 
-/// Wrong answers per million against nanoseconds per query, as an SVG
+/// Wrong answers per million against nanoseconds per query, as a
 /// picture; none where no backend was both checked and timed on any family.
 ///
 /// # Errors
 /// If the picture can't be drawn.
-pub fn scatter(runs: &[RunDir]) -> Result<Option<String>, Error> {
+pub fn scatter(runs: &[RunDir]) -> Result<Option<Picture>, Error> {
     let panels = panels(runs);
     if panels.is_empty() {
         return Ok(None);
     }
-    let mut svg = String::new();
-    draw(&mut svg, runs, &panels).map_err(failed)?;
-    Ok(Some(page(&svg)))
+    let mut recording = Recording::default();
+    draw(&mut recording, runs, &panels).map_err(failed)?;
+    Ok(Some(recording.picture()?))
 }
 
-fn draw(svg: &mut String, runs: &[RunDir], panels: &[Panel]) -> Drawn {
+fn draw(recording: &mut Recording, runs: &[RunDir], panels: &[Panel]) -> Drawn {
     let columns = panels.len().min(PANELS_IN_A_ROW);
     let rows = panels.len().div_ceil(columns);
     let scale = Scale::of(panels);
@@ -43,7 +43,7 @@ fn draw(svg: &mut String, runs: &[RunDir], panels: &[Panel]) -> Drawn {
 
     // At most a few panels: the products are small.
     let size = |n: usize, each: u32| u32::try_from(n).unwrap_or(u32::MAX).saturating_mul(each);
-    let root = SVGBackend::with_string(svg, (size(columns, PANEL.0), size(rows, PANEL.1))).into_drawing_area();
+    let root = recording.area((size(columns, PANEL.0), size(rows, PANEL.1)));
     for (area, panel) in root.split_evenly((rows, columns)).iter().zip(panels) {
         let mut title = format!("{}, {} of {} families", panel.task, panel.families, panel.of);
         if timed_runs {

@@ -44,9 +44,9 @@ pub fn against(runs: &[RunDir], earlier: &[RunDir]) -> Result<Section, Error> {
             blocks.push(Block::Table(table));
         }
     }
-    if let Some(svg) = beside(runs, earlier)? {
+    if let Some(picture) = beside(runs, earlier)? {
         let alt = "Times over the reference's against wrong answers per million: rings are the earlier run";
-        blocks.push(Block::Plot { svg, file: "against.svg".into(), alt: alt.into() });
+        blocks.push(Block::Plot { picture, file: "against.svg".into(), alt: alt.into() });
     }
     Ok(Section {
         id: "against",

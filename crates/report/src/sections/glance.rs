@@ -38,9 +38,9 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
         table.push([Cell::code(backend)].into_iter().chain(classes).chain(time).collect());
     }
     let mut blocks = Vec::new();
-    if let Some(svg) = overall(runs)? {
+    if let Some(picture) = overall(runs)? {
         let alt = "Times over the reference's against wrong answers per million, over all tasks";
-        blocks.push(Block::Plot { svg, file: "overall.svg".into(), alt: alt.into() });
+        blocks.push(Block::Plot { picture, file: "overall.svg".into(), alt: alt.into() });
     }
     blocks.push(Block::table_or(table, "No scene was checked."));
     Ok(Section { id: "glance", title: "Backends at a glance", lead: lead(prices.as_ref()), blocks })

@@ -26,7 +26,7 @@ pub fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
         .numbers(["size"])
         .words(["phase", "backend"])
         .numbers(["threads", "ns", "bytes"]);
-    let mut lines = Curves { x: "size of the scene".into(), y: "ns".into(), curves: Vec::new() };
+    let mut plots: Vec<(String, Curves)> = Vec::new();
     for (index, run) in runs.iter().enumerate() {
         let rows = run.rows::<PhaseRow>()?;
         let timed = timed(&rows, &order);
@@ -50,22 +50,33 @@ pub fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
             table.push(run_label(runs, index).into_iter().chain(cells).collect());
         }
         let label = |name: String| if runs.len() > 1 { format!("{}: {name}", index + 1) } else { name };
-        lines.curves.extend(growth(&timed).into_iter().map(|(name, points)| Curve { name: label(name), points }));
+        for (of, phase, points) in growth(&timed) {
+            let at = plots.iter().position(|(known, _)| *known == of).unwrap_or_else(|| {
+                plots.push((of, Curves { x: "size of the scene".into(), y: "ns".into(), ..Curves::default() }));
+                plots.len() - 1
+            });
+            plots[at].1.curves.push(Curve { name: label(phase), points });
+        }
     }
     if table.is_empty() {
         return Ok(None);
     }
-    let svg = if lines.curves.is_empty() { None } else { curves(&lines)? };
-    let alt = "Nanoseconds of each phase over the size of the scene, a line for each series of scenes";
-    let plot = svg.map(|svg| Block::Plot { svg, file: "growth.svg".into(), alt: alt.into() });
+    let mut blocks = Vec::new();
+    for (of, lines) in plots {
+        let alt = format!("{of}: nanoseconds of each phase over the size of the scene");
+        let file = format!("growth-{}.svg", of.replace([':', ' ', ',', '/'], "-").replace("--", "-"));
+        let plot = |picture| Block::Plot { picture, file: file.into(), alt: alt.into() };
+        blocks.extend(curves(&lines)?.map(plot));
+    }
+    blocks.push(Block::Table(table));
     Ok(Some(Section {
         id: "phases",
         title: "Phases",
         lead: "What the parts of an algorithm take, each by itself: the median of the samples, then the smallest and the largest, and \
                the memory of what the phase makes, for one of what it counts. Phases without a backend ask no predicate. Scenes whose \
-               names differ behind the last dash only, and that differ in size, are a line of the plot, which has the times on one thread."
+               names differ behind the last dash only, and that differ in size, are a plot for each backend, which has the times on one thread."
             .to_owned(),
-        blocks: plot.into_iter().chain([Block::Table(table)]).collect(),
+        blocks,
     }))
 }
 
@@ -94,28 +105,31 @@ fn series(row: &PhaseRow) -> &str {
     row.scene.rsplit_once('-').map_or(&row.scene, |(stem, _)| stem)
 }
 
-/// Times on one thread over sizes, by series of at least two sizes, phase and backend.
-fn growth(timed: &[Timed<'_>]) -> Vec<(String, Vec<(f64, f64)>)> {
+/// So many sizes show how times grow.
+const FEWEST: usize = 3;
+
+/// Times on one thread over sizes: the series of at least three sizes with its backend, the phase, and the points.
+fn growth(timed: &[Timed<'_>]) -> Vec<(String, String, Vec<(f64, f64)>)> {
     let of = |row: &'_ PhaseRow| [row.suite.clone(), row.task.clone(), series(row).to_owned()];
     let mut sizes: BTreeMap<_, BTreeSet<u64>> = BTreeMap::new();
     for Timed { first, .. } in timed {
         sizes.entry(of(first)).or_default().insert(first.size);
     }
-    sizes.retain(|_, sizes| sizes.len() > 1);
-    let mut lines: Vec<(String, Vec<(f64, f64)>)> = Vec::new();
+    sizes.retain(|_, sizes| sizes.len() >= FEWEST);
+    let mut lines: Vec<(String, String, Vec<(f64, f64)>)> = Vec::new();
     for Timed { first, spread, .. } in timed {
         if first.threads > 1 || !sizes.contains_key(&of(first)) {
             continue;
         }
-        let mut name = format!("{}: {}", series(first), first.phase);
+        let mut plot = format!("{} {}", first.task, series(first));
         if !first.backend.is_empty() {
-            name += &format!(", {}", first.backend);
+            plot += &format!(", {}", first.backend);
         }
-        let name = format!("{name}, a {}", first.unit);
+        let phase = format!("{}, a {}", first.phase, first.unit);
         let point = (approximately(first.size), spread.median);
-        match lines.iter_mut().find(|(known, _)| *known == name) {
-            Some((_, points)) => points.push(point),
-            None => lines.push((name, vec![point])),
+        match lines.iter_mut().find(|(of, name, _)| *of == plot && *name == phase) {
+            Some((_, _, points)) => points.push(point),
+            None => lines.push((plot, phase, vec![point])),
         }
     }
     lines

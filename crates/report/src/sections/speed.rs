@@ -14,9 +14,9 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
             let note = "No backend was both checked and timed on the same task and family.";
             blocks.push(Block::Note(note.to_owned(), Tone::Notable));
         }
-        Some(svg) => {
+        Some(picture) => {
             let alt = "Wrong answers per million queries against nanoseconds per query, a panel for each task";
-            blocks.push(Block::Plot { svg, file: "scatter.svg".into(), alt: alt.into() });
+            blocks.push(Block::Plot { picture, file: "scatter.svg".into(), alt: alt.into() });
             blocks.push(Block::Table(table(runs)));
             let partial = partial(runs);
             if !partial.is_empty() {

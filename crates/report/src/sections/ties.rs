@@ -101,9 +101,9 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
             series: series.collect(),
         };
         blocks.push(Block::Table(table));
-        if let Some(svg) = histogram(&bars)? {
+        if let Some(picture) = histogram(&bars)? {
             let alt = "How many questions the first, second, … term of the perturbation decided, over all tasks";
-            blocks.push(Block::Plot { svg, file: "ties.svg".into(), alt: alt.into() });
+            blocks.push(Block::Plot { picture, file: "ties.svg".into(), alt: alt.into() });
         }
         blocks.push(Block::Table(depths));
     }

@@ -66,7 +66,7 @@ fn a_backend_that_did_little_is_partial_and_takes_nothing_from_the_others() {
     // The same rule where ties are compared with exact: sos did two of five families, and nobody else breaks ties.
     assert!(page.contains("| 3 | 1.3× (partial: 2 families) |"), "{page}");
 
-    let [before, after] = [self::runs(), runs].map(|runs| scatter(&runs).unwrap().unwrap());
+    let [before, after] = [self::runs(), runs].map(|runs| scatter(&runs).unwrap().unwrap().svg);
     assert!(before.contains("orient2d, 2 of 2 families") && after.contains("orient2d, 5 of 5 families"));
     // Marks have a radius of 4; one of them is hollow, and says on how many families it stands.
     let hollow =
@@ -210,7 +210,10 @@ fn a_page_that_can_t_be_written_leaves_the_earlier_one() {
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
         .collect();
     names.sort();
-    assert_eq!(names, ["figures.csv", "report.html", "report.md", "scatter.svg.next", "tables.tex", "ties.svg"]);
+    assert_eq!(
+        names,
+        ["figures.csv", "report.html", "report.md", "scatter.svg.next", "tables.tex", "ties.pdf", "ties.svg"]
+    );
     std::fs::remove_dir(at("scatter.svg.next")).unwrap();
     write_pages(&runs(), &[], &[], folder.path()).unwrap();
     assert_ne!(std::fs::read_to_string(at("report.md")).unwrap(), before);

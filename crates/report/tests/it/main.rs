@@ -3,3 +3,4 @@
 mod against;
 mod figures;
 mod pages;
+mod pdf;

@@ -23,7 +23,11 @@ fn of_a_task(text: &str) -> Section {
             Block::table_or(Table::new("").words(["nobody"]), "No toy was found."),
             Block::Note(text.to_owned(), Tone::Bad),
             Block::Command("predicament toy".to_owned()),
-            Block::Plot { svg: "<svg class=\"toy\"></svg>".to_owned(), file: "toy.svg".into(), alt: "a toy".into() },
+            Block::Plot {
+                picture: "<svg class=\"toy\"></svg>".to_owned().into(),
+                file: "toy.svg".into(),
+                alt: "a toy".into(),
+            },
         ],
     }
 }
@@ -248,16 +252,24 @@ fn pages_are_written_beside_their_plot() {
     let ties = std::fs::read_to_string(out.join("ties.svg")).unwrap();
     assert!(ties.starts_with("<svg") && ties.contains("sos"), "{ties}");
     assert_eq!(std::fs::read_to_string(out.join("toy.svg")).unwrap(), "<svg class=\"toy\"></svg>");
+    for name in ["scatter.pdf", "ties.pdf"] {
+        assert!(std::fs::read(out.join(name)).unwrap().starts_with(b"%PDF-"), "{name}");
+    }
+    assert!(!out.join("toy.pdf").exists(), "the toy has none");
     let page = std::fs::read_to_string(out.join("report.md")).unwrap();
     assert!(page.contains("(toy.svg)") && page.contains("(scatter.svg)") && page.contains("(ties.svg)"));
     assert!(std::fs::read_to_string(out.join("report.html")).unwrap().contains("<svg class=\"scatter\""));
 }
 
-/// A page without its own two scripts, which are its last elements: the rows and what is done with them.
+/// A page without its own scripts, which are its last elements: libraries, rows, and what is done with them.
 fn without_scripts(page: &str) -> String {
-    let (text, rows) = page.split_once("<script type=\"application/octet-stream\" id=\"rows\">").expect("rows");
-    let (rows, rest) = rows.split_once("</script>\n<script>\n").expect("scripts");
-    assert!(rows.chars().all(|c| c.is_ascii_alphanumeric() || "+/=".contains(c)), "rows are in base 64");
+    let [libraries, rows] =
+        ["libraries", "rows"].map(|id| format!("<script type=\"application/octet-stream\" id=\"{id}\">"));
+    let (text, packed) = page.split_once(&libraries).expect("libraries");
+    let (libraries, packed) = packed.split_once("</script>\n").expect("their end");
+    let (rows, rest) = packed.strip_prefix(&rows).expect("rows").split_once("</script>\n<script>\n").expect("scripts");
+    let is_packed = |text: &str| text.chars().all(|c| c.is_ascii_alphanumeric() || "+/=".contains(c));
+    assert!(is_packed(libraries) && is_packed(rows), "both are in base 64");
     let (_, end) = rest.split_once("</script>").expect("scripts end");
     assert_eq!(end.trim(), "</body>\n</html>");
     format!("{text}{end}")

@@ -33,8 +33,9 @@ pub(super) fn all(measured: &Measured) -> Result<Vec<File>, Error> {
             // A name in the legend stands for a line.
             let drawn = |curve: &Curve| curve.points.iter().any(|(_, y)| *y > 0.0);
             let lines = of_cascade.map(curve).filter(drawn).collect();
-            let svg = curves(&Curves { x: "step".into(), y: (*what).into(), curves: lines }).map_err(Error::format)?;
-            files.extend(svg.map(|svg| File::new(format!("{}-{name}.svg", cascade.name()), svg)));
+            let picture = curves(&Curves { x: "step".into(), y: (*what).into(), curves: lines, ..Curves::default() })
+                .map_err(Error::format)?;
+            files.extend(File::plot(format!("{}-{name}", cascade.name()), picture));
         }
     }
     Ok(files)

@@ -91,8 +91,8 @@ Everything is measured in rationals: crossings that are left in the result, loop
 corners turned by rounding, the area against that of `exact`, points on the wrong side, bits.
 
 Written to the folder: cascades.csv (the measurements), times.csv, cascades.md (the tables that are
-printed), plots, and the operands of each cascade as WKT (`union;POLYGON ((…))`, a step a line),
-for other programs. All but times are the same whenever it is run.
+printed), plots as SVG and PDF, and the operands of each cascade as WKT (`union;POLYGON ((…))`,
+a step a line), for other programs. All but times are the same whenever it is run.
 
 Exit code 100 if exact or sos has a point on the wrong side, a crossing or a loop turned over, or
 if snap rounding leaves a crossing.

@@ -170,8 +170,8 @@ pub(super) fn plots(measured: &[Conditioned]) -> Result<Vec<File>, Error> {
         let bands = backends.iter().map(|backend| curve(backend, &|row| row.in_band, format!("{backend}, in band")));
         let lines: Vec<Curve> = wrong.chain(bands).filter(|curve| !curve.points.is_empty()).collect();
         let (x, y) = ("-log2(|det| / permanent)".into(), "wrong answers in 10^6".into());
-        let svg = curves(&Curves { x, y, curves: lines }).map_err(Error::format)?;
-        files.extend(svg.map(|svg| File::new(format!("conditioning-{task}.svg"), svg)));
+        let picture = curves(&Curves { x, y, curves: lines, ..Curves::default() }).map_err(Error::format)?;
+        files.extend(File::plot(format!("conditioning-{task}"), picture));
     }
     Ok(files)
 }

@@ -81,6 +81,7 @@ Wilson's at 95 % for shares, and the least and the largest of the samples for ti
 Written to the folder: compare.csv (a row for each number, with its interval and what it is of), compare.md (the tables
 that are printed; each number is in a row of compare.csv), conditioning.csv and plots of it (wrong answers by how degenerate
 queries are, each backend's band beside them), error-time.svg (scenes that are wrong against time, over all inputs).
+Each plot is there as PDF, too.
 
 Exit codes: 0 if no backend with a proved promise has answered a question against it, 100 otherwise.
 

@@ -247,7 +247,7 @@ fn sizes(page: &mut String, compared: &Compared) {
 
 /// Run time against error: for each backend the geometric mean of its times and the mean share of scenes that it answers against its promise. Backends
 /// that differ in a parameter alone are one curve; what is never wrong is drawn at a tenth of a scene in a thousand.
-pub(super) fn error_against_time(compared: &Compared) -> Result<Option<File>, Error> {
+pub(super) fn error_against_time(compared: &Compared) -> Result<Vec<File>, Error> {
     let mut lines: Vec<Curve> = Vec::new();
     for (backend, ..) in &compared.promises {
         let Some([time, mean, _]) = error_and_time(compared, backend) else { continue };
@@ -260,8 +260,8 @@ pub(super) fn error_against_time(compared: &Compared) -> Result<Option<File>, Er
     }
     lines.iter_mut().for_each(|line| line.points.sort_by(|a, b| a.0.total_cmp(&b.0)));
     let (x, y) = ("ns a query, geometric mean".into(), "scenes in 1000 against the promise".into());
-    let svg = curves(&Curves { x, y, curves: lines }).map_err(Error::format)?;
-    Ok(svg.map(|svg| File::new("error-time.svg", svg)))
+    let picture = curves(&Curves { x, y, curves: lines, ..Curves::default() }).map_err(Error::format)?;
+    Ok(File::plot("error-time", picture))
 }
 
 fn largest(compared: &Compared, backend: &str, is_asked: impl Fn(&Measure) -> bool) -> Option<f64> {

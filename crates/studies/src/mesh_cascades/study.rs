@@ -94,7 +94,7 @@ resolved, results that cross themselves then are cut where they do and rounded a
 most, and not for long where crossings become more: `cut` are the triangles that were cut for that,
 and `left` are the pairs that cross in the end.
 
-Written to the folder: mesh-cascades.csv, mesh-cascade-times.csv, mesh-cascades.md, plots. All but
+Written to the folder: mesh-cascades.csv, mesh-cascade-times.csv, mesh-cascades.md, plots as SVG and PDF. All but
 times are the same whenever it is run.
 
 Exit code 100 if sos:per-mesh has anything wrong before rounding has left a flaw. A mesh with such a
@@ -188,9 +188,9 @@ Examples:
                 let of_cascade = measured.followed.iter().filter(|one| one.cascade == cascade).map(curve);
                 // A name in the legend stands for a line.
                 let lines = of_cascade.filter(|curve| curve.points.iter().any(|(_, y)| *y > 0.0)).collect();
-                let drawn = curves(&Curves { x: "step".into(), y: (*what).into(), curves: lines });
-                let svg = drawn.map_err(Error::format)?;
-                files.extend(svg.map(|svg| File::new(format!("mesh-{}-{name}.svg", cascade.name()), svg)));
+                let drawn = curves(&Curves { x: "step".into(), y: (*what).into(), curves: lines, ..Curves::default() });
+                let picture = drawn.map_err(Error::format)?;
+                files.extend(File::plot(format!("mesh-{}-{name}", cascade.name()), picture));
             }
         }
         Ok(files)

@@ -5,13 +5,13 @@ use predicament_report::{Bar, Curve, Curves, curves, ranges};
 use super::{Feature, Location, Resolved, Survey};
 use crate::{Error, File};
 
-/// `resolution.svg`, and `location.svg` where anything was registered.
+/// `resolution` and, where anything was registered, `location`.
 pub(super) fn all(measured: &Resolved) -> Result<Vec<File>, Error> {
     let bars: Vec<Bar> = measured.features.iter().map(bar).collect();
     let sizes = ranges(&bars, "size over L: from where none survives to where all do", [-9, 0]);
-    let mut files = vec![File::new("resolution.svg", sizes.map_err(Error::format)?)];
+    let mut files = File::plot("resolution", sizes.map_err(Error::format)?);
     let errors = curves(&lines(&measured.crossings)).map_err(Error::format)?;
-    files.extend(errors.map(|svg| File::new("location.svg", svg)));
+    files.extend(File::plot("location", errors));
     Ok(files)
 }
 
@@ -29,5 +29,6 @@ fn lines(crossings: &[(String, Vec<Location>)]) -> Curves {
         x: "angle between the edges, radians".into(),
         y: "worst distance along the edge, over L".into(),
         curves: crossings.iter().map(curve).collect(),
+        ..Curves::default()
     }
 }

@@ -48,7 +48,7 @@ what it is, and nothing more degenerate beside it.
 
 Written to the folder: resolution.csv (share that survives, by size), location.csv (distance along
 the edge between a crossing and where it is registered, by angle), resolution.md (the tables that
-are printed), resolution.svg, location.svg.
+are printed), resolution.svg, location.svg, and both as PDF.
 
 Examples:
   predicament resolution --out target/resolution

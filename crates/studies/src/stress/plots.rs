@@ -1,6 +1,6 @@
 //! Plots for each knob by position: scenes that are answered against a promise, the mean of all tasks, and the time over that at rest.
 
-use predicament_report::{Curve, Curves, curves};
+use predicament_report::{Curve, Curves, XAxis, curves};
 use predicament_tasks::Knob;
 
 use super::Stressed;
@@ -20,29 +20,36 @@ pub(super) fn all(stressed: &Stressed) -> Result<Vec<File>, Error> {
                 };
                 let values: Vec<f64> = stressed.measures.iter().filter(is).map(|row| row.value).collect();
                 let count = predicament_records::approximately(values.len() as u64);
-                let at = drawn_at(knob, position);
-                (!values.is_empty() && at > 0.0).then(|| (at, values.iter().sum::<f64>() / count))
+                let at = drawn_at(knob, position).filter(|_| !values.is_empty())?;
+                Some((at, values.iter().sum::<f64>() / count))
             });
-            Curve { name: backend.clone(), points: points.collect() }
+            Curve { name: backend.clone(), points: sorted(points) }
         };
         let drawn = |curve: &Curve| curve.points.iter().any(|(_, y)| *y > 0.0);
         let lines: Vec<Curve> = stressed.backends.iter().map(curve).filter(drawn).collect();
         let x = format!("{}: {}", knob.name(), knob.unit());
         let y = "scenes in 1000 answered against the promise".into();
-        let svg = curves(&Curves { x, y, curves: lines }).map_err(Error::format)?;
-        files.extend(svg.map(|svg| File::new(format!("stress-{}.svg", knob.name()), svg)));
+        let picture = curves(&Curves { x, y, curves: lines, spread: XAxis::Linear }).map_err(Error::format)?;
+        files.extend(File::plot(format!("stress-{}", knob.name()), picture));
         files.extend(time(stressed, knob)?);
     }
     Ok(files)
 }
 
-/// Where a position is on a logarithmic axis: one that is at rest, at 0, is not drawn.
-fn drawn_at(knob: Knob, position: i32) -> f64 {
-    f64::from(if knob == Knob::Noise { position + 1076 } else { position.abs() })
+/// Where a position is on the axis; no noise at all is nowhere on one of exponents.
+fn drawn_at(knob: Knob, position: i32) -> Option<f64> {
+    (knob != Knob::Noise || position > -1075).then(|| f64::from(position))
+}
+
+/// Points from left to right: some knobs turn both ways.
+fn sorted(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+    let mut points: Vec<(f64, f64)> = points.collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    points
 }
 
 /// The time over that at rest, the geometric mean of the tasks that a position has.
-fn time(stressed: &Stressed, knob: Knob) -> Result<Option<File>, Error> {
+fn time(stressed: &Stressed, knob: Knob) -> Result<Vec<File>, Error> {
     let of = |backend: &str| -> Vec<&crate::compare::Measure> {
         let is =
             |row: &&crate::compare::Measure| row.kind == knob.name() && row.backend == backend && row.measure == "time";
@@ -59,12 +66,13 @@ fn time(stressed: &Stressed, knob: Knob) -> Result<Option<File>, Error> {
         let points = knob.positions().iter().filter_map(|&position| {
             let over = tasks.iter().filter_map(|task| Some(at(task, position)? / at(task, rest)?));
             let mean = predicament_records::geometric_mean(over)?;
-            Some((drawn_at(knob, position), mean)).filter(|(x, _)| *x > 0.0)
+            Some((drawn_at(knob, position)?, mean))
         });
-        Curve { name: backend.clone(), points: points.collect() }
+        Curve { name: backend.clone(), points: sorted(points) }
     };
     let lines: Vec<Curve> = stressed.backends.iter().map(curve).filter(|curve| !curve.points.is_empty()).collect();
     let x = format!("{}: {}", knob.name(), knob.unit());
-    let svg = curves(&Curves { x, y: "time over that at rest".into(), curves: lines }).map_err(Error::format)?;
-    Ok(svg.map(|svg| File::new(format!("stress-{}-time.svg", knob.name()), svg)))
+    let picture = curves(&Curves { x, y: "time over that at rest".into(), curves: lines, spread: XAxis::Linear })
+        .map_err(Error::format)?;
+    Ok(File::plot(format!("stress-{}-time", knob.name()), picture))
 }

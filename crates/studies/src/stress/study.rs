@@ -104,7 +104,7 @@ and the largest for an interval.
 
 Written to the folder: stress.csv (a row for each number, with its interval; `kind` is the knob, `family` its position),
 breaks.csv, limits.csv (knobs that do not fit a task), stress-laws.csv, stress.md (the tables that are printed), plots for each
-knob: scenes that are wrong, and the time. With --suites also a suite for each position of each knob, with its points
+knob as SVG and PDF: scenes that are wrong, and the time. With --suites also a suite for each position of each knob, with its points
 written out: `predicament run` keeps a break point as a regression.
 
 Exit codes: 0 if no backend with a proved promise breaks or violates a law, 100 otherwise.

@@ -25,7 +25,7 @@ fn planted() -> (impl Study<Measured = Measured>, Measured) {
 }
 
 fn file(files: Vec<File>, name: &str) -> Option<String> {
-    files.into_iter().find(|file| file.name == name).map(|file| file.text)
+    files.into_iter().find(|file| file.name == name).map(|file| file.text().to_owned())
 }
 
 #[test]

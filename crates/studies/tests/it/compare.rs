@@ -153,7 +153,7 @@ fn fewer_stages_are_a_curve_that_ends_without_an_error() {
     assert_eq!(wrong[5], 0.0);
     assert!(of.promises.iter().all(|(_, _, proved)| !proved), "a control");
     let plots = small.plots(&of).unwrap();
-    let curve = &plots.iter().find(|file| file.name == "error-time.svg").unwrap().text;
+    let curve = plots.iter().find(|file| file.name == "error-time.svg").unwrap().text();
     assert!(curve.contains("exact:stages") && !curve.contains("exact:stages="), "one curve: {curve}");
     let page = small.page(&of);
     let table = &page[page.find("## Run time against error").unwrap()..];
@@ -172,13 +172,13 @@ fn a_folder_is_a_section_of_a_report() {
     let small = study(&["contacts2d"], 1);
     let of = compared(&small, &["exact", "epsilon:1e-4"]);
     let [file] = <[_; 1]>::try_from(small.rows(&of).unwrap()).unwrap();
-    std::fs::write(folder.join(&file.name), &file.text).unwrap();
+    std::fs::write(folder.join(&file.name), &file.bytes).unwrap();
     let section = predicament_studies::compare::section(&folder).unwrap().unwrap();
     assert_eq!(section.id, "compare");
     // Three kinds of input, two backends.
     let shown = format!("{:?}", section.blocks);
     assert_eq!(shown.matches("epsilon:1e-4").count(), 3, "{shown}");
-    std::fs::write(folder.join("compare.csv"), file.text.replace(",1.0,", ",one,")).unwrap();
+    std::fs::write(folder.join("compare.csv"), file.text().replace(",1.0,", ",one,")).unwrap();
     let why = predicament_studies::compare::section(&folder).unwrap_err();
     assert!(why.contains("compare.csv:"), "{why}");
     std::fs::remove_dir_all(&folder).unwrap();

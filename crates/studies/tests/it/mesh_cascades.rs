@@ -46,7 +46,7 @@ fn a_sphere_is_shaved_twice_in_the_same_way() {
     let [first, second] = [(); 2].map(|()| study.survey(&backends, &Quiet::new()).unwrap());
     assert!(study.holds(&first), "{}", study.page(&first));
     assert!(first.followed[0].done.moved > 0);
-    let rows = |measured| study.rows(measured).unwrap()[0].text.clone();
+    let rows = |measured| study.rows(measured).unwrap()[0].text().to_owned();
     assert_eq!(rows(&first), rows(&second));
 }
 

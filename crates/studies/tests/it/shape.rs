@@ -27,7 +27,7 @@ fn report(study: &dyn Ready, host: &dyn Host) -> Result<Report, Error> {
 const SMALL: [(&str, &[&str]); 10] = [
     (
         "compare -b exact,tolerance -t orient2d --scenes 1 --samples 1 --out x",
-        &["compare.csv", "compare.md", "error-time.svg"],
+        &["compare.csv", "compare.md", "error-time.svg", "error-time.pdf"],
     ),
     (
         "stress -b exact,naive -t orient2d -k noise,scale --scenes 1 --samples 1 --tuples 10 --out x",
@@ -37,13 +37,24 @@ const SMALL: [(&str, &[&str]); 10] = [
             "stress-laws.csv",
             "stress.md",
             "stress-noise.svg",
+            "stress-noise.pdf",
             "stress-noise-time.svg",
+            "stress-noise-time.pdf",
             "stress-scale-time.svg",
+            "stress-scale-time.pdf",
         ],
     ),
     (
         "resolution --trials 2 --out x",
-        &["resolution.csv", "location.csv", "resolution.md", "resolution.svg", "location.svg"],
+        &[
+            "resolution.csv",
+            "location.csv",
+            "resolution.md",
+            "resolution.svg",
+            "resolution.pdf",
+            "location.svg",
+            "location.pdf",
+        ],
     ),
     ("parity --pairs 20 --shrink 1 --out x", &["parity.csv", "parity.md", "smallest.toml"]),
     ("cut --cubes 4 -b exact", &["cut.csv", "cut-times.csv", "cut.md"]),
@@ -57,9 +68,13 @@ const SMALL: [(&str, &[&str]); 10] = [
             "times.csv",
             "cascades.md",
             "rotate-area.svg",
+            "rotate-area.pdf",
             "rotate-wrong.svg",
+            "rotate-wrong.pdf",
             "rotate-bits.svg",
+            "rotate-bits.pdf",
             "rotate-time.svg",
+            "rotate-time.pdf",
             "rotate.wkt",
         ],
     ),
@@ -70,7 +85,9 @@ const SMALL: [(&str, &[&str]); 10] = [
             "mesh-cascade-times.csv",
             "mesh-cascades.md",
             "mesh-shave-triangles.svg",
+            "mesh-shave-triangles.pdf",
             "mesh-shave-time.svg",
+            "mesh-shave-time.pdf",
         ],
     ),
 ];
@@ -88,17 +105,17 @@ fn every_study_makes_its_files_and_a_page() {
     for (line, files) in SMALL {
         let one = report(ready(line).as_ref(), &Quiet::new()).unwrap();
         assert_eq!(one.files.iter().map(|file| file.name.as_str()).collect::<Vec<_>>(), files, "{line}");
-        assert!(one.files.iter().all(|file| !file.text.is_empty()), "{line}");
+        assert!(one.files.iter().all(|file| !file.bytes.is_empty()), "{line}");
         assert_eq!(one.holds, !line.starts_with("laws"), "{line}");
         let page = one.files.iter().find(|file| file.name.ends_with(".md")).unwrap();
-        assert_eq!(one.printed, page.text, "{line}");
+        assert_eq!(one.printed, page.text(), "{line}");
     }
 }
 
 #[test]
 fn rows_are_printed_where_the_arguments_ask_for_them() {
     let rows = report(ready("laws -b exact --tuples 0 --format csv").as_ref(), &Quiet::new()).unwrap();
-    assert_eq!(rows.printed, rows.files[0].text);
+    assert_eq!(rows.printed, rows.files[0].text());
     assert!(rows.printed.starts_with("backend,law,predicates,tuples,violations,panics,first\n"), "{}", rows.printed);
 }
 

@@ -2,6 +2,7 @@
 
 use predicament_corpus::{Level, Suite};
 use predicament_formats::{Cache, Manifest};
+use predicament_report::Block;
 use predicament_studies::laws::Format;
 use predicament_studies::stress::{BreakPoint, Stress, Stressed};
 use predicament_studies::{Quiet, Study};
@@ -162,7 +163,7 @@ fn the_scenes_of_each_position_are_suites_that_are_read_back() {
     assert_eq!(suites.len(), Knob::Scale.positions().len() + Knob::Noise.positions().len());
     let load = |name: &str| {
         let file = suites.iter().find(|file| file.name.ends_with(&format!("suites/{name}"))).unwrap();
-        let suite = Suite::parse(vocabulary(), name, &file.text, None, &Manifest::default()).unwrap();
+        let suite = Suite::parse(vocabulary(), name, file.text(), None, &Manifest::default()).unwrap();
         let cache = Cache::new("nowhere");
         suite.scenes.iter().map(|scene| scene.load(Level::Quick, &cache).unwrap()).collect::<Vec<_>>()
     };
@@ -215,7 +216,7 @@ fn a_folder_is_a_section_of_a_report() {
     let study = study(&["orient2d"], &[Knob::Scale, Knob::Noise]);
     let of = stressed(&study, &["exact", "epsilon:1e-10"]);
     for file in study.rows(&of).unwrap().into_iter().chain(study.plots(&of).unwrap()) {
-        std::fs::write(folder.join(&file.name), &file.text).unwrap();
+        std::fs::write(folder.join(&file.name), &file.bytes).unwrap();
     }
     let section = predicament_studies::stress::section(&folder).unwrap().unwrap();
     assert_eq!(section.id, "stress");
@@ -227,6 +228,15 @@ fn a_folder_is_a_section_of_a_report() {
     let breaks = of.breaks.iter().find(|row| row.backend == "epsilon:1e-10" && row.breaks_at.is_some()).unwrap();
     assert!(shown.contains(&format!("text: \"{}", breaks.breaks_at.unwrap())), "{shown}");
     assert!(shown.contains("file: \"stress-noise.svg\""), "{shown}");
+    let plots = section.blocks.iter().filter_map(|block| match block {
+        Block::Plot { picture, .. } => Some(picture),
+        _ => None,
+    });
+    let mut plots = plots.peekable();
+    assert!(
+        plots.peek().is_some()
+            && plots.all(|picture| picture.pdf.as_ref().is_some_and(|pdf| pdf.starts_with(b"%PDF-")))
+    );
     std::fs::write(folder.join("breaks.csv"), "task,knob\nx,y\n").unwrap();
     let why = predicament_studies::stress::section(&folder).unwrap_err();
     assert!(why.contains("breaks.csv:2") && why.contains("predicament stress"), "{why}");
