@@ -100,6 +100,7 @@ impl Worker<'_> {
             RunDir::open(run).ok().filter(|dir| dir.outcome != Outcome::Unfinished && dir.not_run().is_empty())?;
         let more = tables_with(tool, self.answers).into_iter().flat_map(|table| dir.records(table)).collect();
         let RunDir { summary, findings, stages, maps, .. } = dir;
+        let (summary, findings, stages) = (summary.into(), findings.into(), stages.into());
         Some(Found { summary, findings, stages, more, maps })
     }
 

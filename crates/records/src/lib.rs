@@ -9,7 +9,7 @@
 //! * [`RunWriter`] makes a run folder and appends to it; a run that was killed
 //!   explains itself and can be resumed. [`RunDir`] reads one.
 //! * [`SummaryRow`], [`FindingRow`], [`ThroughputRow`], [`StageRow`] and [`PrecisionRow`]
-//!   are the rows that every run has; tasks add tables of their own through [`Row`].
+//!   are the rows that every run has; tasks add tables of their own through [`Row`]. [`Rows`] know their lines.
 //! * [`Plan`] and [`Env`] say what was to be done, and where.
 //! * [`junit`] is what build servers read.
 
@@ -19,6 +19,7 @@ mod error;
 pub mod format;
 mod imported;
 mod junit;
+mod lined;
 mod phases;
 mod plan;
 mod replace;
@@ -32,12 +33,13 @@ pub use env::Env;
 pub use error::Error;
 pub use imported::ImportRow;
 pub use junit::junit;
+pub use lined::Rows;
 pub use phases::PhaseRow;
 pub use plan::{FORMAT, Level, NotSelected, Plan, PlannedScene, Shard};
 pub use predicament_predicates::{Class, Status};
 pub use replace::replace;
 pub use rows::{FindingRow, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
-pub use run_dir::{NotRun, Outcome, Record, RunDir, RunWriter, TableSpec};
+pub use run_dir::{Lined, NotRun, Outcome, Record, RunDir, RunWriter, TableSpec};
 pub use sampled::SampledRow;
 /// For deriving a [`Row`] in a crate that does not depend on `serde` itself.
 pub use serde;

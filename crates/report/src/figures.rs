@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::comparison::Comparison;
 use crate::groups::{ByPair, Errors, Pair, REFERENCE, answered, backends, timed};
 use crate::{Error, RunDir, Spread};
-use predicament_records::geometric_mean;
+use predicament_records::{Lined, geometric_mean};
 
 /// The backends on one task in one run: a panel of the plot.
 #[derive(Clone, PartialEq, Debug)]
@@ -239,4 +239,16 @@ pub fn csv(runs: &[RunDir]) -> Result<String, Error> {
     }
     let bytes = writer.into_inner().map_err(|error| Error::new(FILE.as_ref(), error.to_string()))?;
     String::from_utf8(bytes).map_err(|error| Error::new(FILE.as_ref(), error.to_string()))
+}
+
+/// The rows of the file with their lines.
+pub fn lined(runs: &[RunDir]) -> Result<Lined, Error> {
+    let fail = |error: csv::Error| Error::new(FILE.as_ref(), error.to_string());
+    let text = csv(runs)?;
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let columns = reader.headers().map_err(fail)?.iter().map(str::to_owned).collect();
+    // No field has a line end: each row is a line, under the header.
+    let rows =
+        (2..).zip(reader.records()).map(|(line, record)| Ok((line, record?.iter().map(str::to_owned).collect())));
+    Ok(Lined { columns, rows: rows.collect::<Result<_, _>>().map_err(fail)? })
 }

@@ -24,6 +24,7 @@ mod figures;
 mod groups;
 mod latex;
 pub mod layout;
+mod origin;
 mod page;
 pub mod picture;
 mod pixel_map;
@@ -36,6 +37,7 @@ mod table;
 pub mod text;
 mod web;
 
+pub use origin::Origin;
 pub use page::{html, markdown, write_pages};
 pub use pixel_map::{PixelMap, PixelMapError, Standing, data_uri, side_by_side};
 pub use pixel_sheet::{Column, sheet};

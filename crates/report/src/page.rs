@@ -13,6 +13,7 @@ use crate::table::{Block, Headline, Section};
 use crate::{Detail, Error, RunDir, figures, latex, web};
 
 const HTML: &str = "page.html";
+const MORE: &str = "more.html";
 const MARKDOWN: &str = "page.md";
 const MARKDOWN_SECTION: &str = "section.md";
 
@@ -85,11 +86,15 @@ fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Error> {
 }
 
 fn render(template: &str, runs: &[RunDir], of_tasks: &[Section], details: &[Detail]) -> Result<String, Error> {
-    let sections: Vec<Value> = sections(runs, of_tasks)?.iter().map(Section::value).collect();
+    let whole = sections(runs, of_tasks)?;
+    let mut rest = (template == HTML).then(Vec::new);
+    let sections: Vec<Value> = whole.iter().map(|section| section.value(rest.as_mut())).collect();
     let headlines: Vec<Value> = headlines(runs).iter().map(Headline::value).collect();
     let mut page = context! { headlines => headlines, sections => sections, first => FIRST, unfolded => UNFOLDED };
     if template == HTML {
-        let rows = Value::from_safe_string(web::rows(runs, details)?);
+        let rest = rest.into_iter().flatten().map(|rows| fill(MORE, context! { rows => rows }));
+        let rest = rest.collect::<Result<Vec<_>, _>>()?;
+        let rows = Value::from_safe_string(web::rows(runs, &whole, details, &rest)?);
         let libraries = Value::from_safe_string(web::libraries()?);
         let [style, scripts] =
             [web::STYLE, &web::SCRIPTS.concat()].map(|text| Value::from_safe_string(text.to_owned()));
@@ -106,7 +111,7 @@ pub(crate) fn fill(template: &str, context: Value) -> Result<String, Error> {
 
 /// A section without its heading, in Markdown.
 pub(crate) fn markdown_of(section: &Section) -> Result<String, Error> {
-    fill(MARKDOWN_SECTION, context! { section => section.value() })
+    fill(MARKDOWN_SECTION, context! { section => section.value(None) })
 }
 
 fn environment() -> Result<Environment<'static>, minijinja::Error> {
@@ -118,6 +123,8 @@ fn environment() -> Result<Environment<'static>, minijinja::Error> {
     env.add_filter("code", code);
     env.add_filter("breakable", breakable);
     env.add_template(HTML, include_str!("../templates/page.html"))?;
+    env.add_template("rows.html", include_str!("../templates/rows.html"))?;
+    env.add_template(MORE, include_str!("../templates/more.html"))?;
     env.add_template("view.html", include_str!("../templates/view.html"))?;
     env.add_template(MARKDOWN, include_str!("../templates/page.md"))?;
     env.add_template("body.md", include_str!("../templates/body.md"))?;

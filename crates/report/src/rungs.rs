@@ -49,7 +49,7 @@ mod tests {
             settled: 1,
         };
         run.stages =
-            ["filter", "dyadic", "term 4", "term 12", "integer", "term 1", "double", "float"].map(row).to_vec();
+            ["filter", "dyadic", "term 4", "term 12", "integer", "term 1", "double", "float"].map(row).to_vec().into();
         let runs = |ladder: &[&str]| {
             let mut run = run.clone();
             run.plan.ladder = ladder.iter().map(|&rung| rung.to_owned()).collect();

@@ -4,12 +4,18 @@
 //! disagree; a template decides only what a table looks like.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 use minijinja::{Value, context};
+use serde_json::json;
 
-use predicament_records::format::thousands;
+use predicament_records::format::{length, thousands};
 
-use crate::Picture;
+use crate::{Origin, Picture};
+
+/// A table with more rows is long: a page shows the first [`FEW`], and the others when it is asked.
+const LONG: usize = 60;
+const FEW: usize = 30;
 
 /// How much a cell is emphasised.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -161,6 +167,10 @@ pub struct Table {
     columns: Vec<String>,
     numeric: Vec<bool>,
     rows: Vec<Vec<Cell>>,
+    /// What the columns from this one on are from.
+    origins: Vec<(usize, Origin)>,
+    /// Rows that are from elsewhere.
+    rows_from: BTreeMap<usize, Origin>,
     /// Whether cells are small and coloured, and heads stand upright.
     heat: bool,
 }
@@ -175,6 +185,17 @@ impl Table {
     #[must_use]
     pub fn heat(self) -> Table {
         Table { heat: true, ..self }
+    }
+
+    /// Says what the columns are from that are added from here on, up to where another origin is given.
+    #[must_use]
+    pub fn of(mut self, origin: Origin) -> Table {
+        self.origins.push((self.columns.len(), origin));
+        self
+    }
+
+    pub(crate) fn origins(&self) -> impl Iterator<Item = &Origin> {
+        self.origins.iter().map(|(_, origin)| origin).chain(self.rows_from.values())
     }
 
     /// Adds columns of words, to be aligned on the left.
@@ -197,6 +218,12 @@ impl Table {
         self.rows.push(row);
     }
 
+    /// Adds a row whose cells are from elsewhere than the table's others.
+    pub fn push_from(&mut self, origin: Origin, row: Vec<Cell>) {
+        self.rows_from.insert(self.rows.len(), origin);
+        self.push(row);
+    }
+
     pub(crate) fn caption(&self) -> &str {
         &self.caption
     }
@@ -216,17 +243,29 @@ impl Table {
         self.rows.is_empty()
     }
 
-    fn value(&self) -> Value {
+    /// The table for a template. Of a long table the rows after the first few go to `rest`, where there is one.
+    fn value(&self, rest: Option<&mut Vec<Value>>) -> Value {
         let columns = self.columns.iter().zip(&self.numeric);
         let columns: Vec<Value> =
             columns.map(|(head, &numeric)| context! { head => head, numeric => numeric }).collect();
-        let rows = self.rows.iter().map(|row| {
+        let rows = self.rows.iter().enumerate().map(|(at, row)| {
             let cells = row.iter().zip(&self.numeric);
-            cells
-                .map(|(cell, &numeric)| context! { class => cell.class(numeric), ..cell.value() })
-                .collect::<Vec<Value>>()
+            let cells = cells.map(|(cell, &numeric)| context! { class => cell.class(numeric), ..cell.value() });
+            let from = self.rows_from.get(&at).map(|origin| json!([(0, origin.json())]).to_string());
+            context! { cells => cells.collect::<Vec<Value>>(), from => from.unwrap_or_default() }
         });
-        context! { kind => "table", heat => self.heat, caption => &self.caption, columns => columns, rows => rows.collect::<Vec<_>>() }
+        let mut rows: Vec<Value> = rows.collect();
+        let mut more = Value::from(());
+        if let Some(rest) = rest
+            && rows.len() > LONG
+        {
+            let of = thousands(length(rows.len()));
+            more = context! { at => rest.len(), shown => FEW, of => of };
+            rest.push(rows.split_off(FEW).into());
+        }
+        let origins: Vec<_> = self.origins.iter().map(|(at, origin)| (at, origin.json())).collect();
+        let from = if origins.is_empty() { String::new() } else { json!(origins).to_string() };
+        context! { kind => "table", from => from, heat => self.heat, caption => &self.caption, columns => columns, rows => rows, more => more }
     }
 }
 
@@ -263,9 +302,9 @@ impl Block {
         if table.is_empty() { Block::Note(nothing.to_owned(), Tone::Notable) } else { Block::Table(table) }
     }
 
-    fn value(&self) -> Value {
+    fn value(&self, rest: Option<&mut Vec<Value>>) -> Value {
         match self {
-            Block::Table(table) => table.value(),
+            Block::Table(table) => table.value(rest),
             Block::Note(text, tone) => context! { kind => "note", text => text, tone => tone.class() },
             Block::Command(text) => context! { kind => "command", text => text },
             Block::Plot { picture, file, alt } => {
@@ -292,8 +331,9 @@ pub struct Section {
 }
 
 impl Section {
-    pub(crate) fn value(&self) -> Value {
-        let blocks: Vec<Value> = self.blocks.iter().map(Block::value).collect();
+    /// The section for a template; rows of long tables go to `rest`, where there is one.
+    pub(crate) fn value(&self, mut rest: Option<&mut Vec<Value>>) -> Value {
+        let blocks: Vec<Value> = self.blocks.iter().map(|block| block.value(rest.as_deref_mut())).collect();
         context! { id => self.id, title => self.title, lead => &self.lead, blocks => blocks }
     }
 }

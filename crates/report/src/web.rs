@@ -12,17 +12,20 @@ use flate2::write::DeflateEncoder;
 use serde_json::{Map, Value, json};
 
 use crate::drawing;
+use crate::origin::sources;
 use crate::pixel_map::base64;
+use crate::table::Section;
 use crate::{Error, RunDir};
 
 /// The libraries of a page, in this order. They are compressed within it: a page has a few megabytes, and they are a third of one.
 const LIBRARIES: [&str; 3] =
     [include_str!("../web/vendor/tabulator.js"), include_str!("../web/vendor/uplot.js"), drawing::SCRIPTS[0]];
 /// What the page does with them, in this order.
-pub const SCRIPTS: [&str; 4] = [
+pub const SCRIPTS: [&str; 5] = [
     include_str!("../web/libraries.js"),
     drawing::SCRIPTS[1],
     include_str!("../web/plots.js"),
+    include_str!("../web/sources.js"),
     include_str!("../web/app.js"),
 ];
 /// The style of a page.
@@ -52,12 +55,15 @@ pub struct Strip {
     pub rows: Vec<(String, String)>,
 }
 
-/// The findings of all runs, and the details of some, as JSON in columns that is compressed (raw DEFLATE) and written in base 64.
+/// The findings of all runs, the details of some, what tables are from, and the rows of long tables that are not in sight, as JSON in columns that is compressed (raw DEFLATE) and written in base 64.
 ///
 /// # Errors
 /// If memory can't be written to, which does not happen.
-pub fn rows(runs: &[RunDir], details: &[Detail]) -> Result<String, Error> {
-    packed(&json!({ "findings": findings(runs), "details": told(details) }).to_string())
+pub fn rows(runs: &[RunDir], sections: &[Section], details: &[Detail], rest: &[String]) -> Result<String, Error> {
+    let sources = sources(runs, sections)?;
+    packed(
+        &json!({ "findings": findings(runs), "details": told(details), "sources": sources, "rest": rest }).to_string(),
+    )
 }
 
 /// The libraries, as [`rows`] are.
@@ -77,12 +83,14 @@ fn packed(text: &str) -> Result<String, Error> {
 
 /// The columns of `findings.csv` that a reader looks at, with the number of the run.
 fn findings(runs: &[RunDir]) -> Value {
-    let mut rows: Vec<(usize, &crate::FindingRow)> =
-        runs.iter().enumerate().flat_map(|(run, folder)| folder.findings.iter().map(move |row| (run, row))).collect();
-    rows.sort_by_key(|(run, f)| (*run, [&f.suite, &f.scene, &f.scene_id, &f.task, &f.backend, &f.finding_id]));
+    let mut rows: Vec<(usize, &crate::FindingRow, Option<u64>)> = Vec::new();
+    for (run, folder) in runs.iter().enumerate() {
+        rows.extend(folder.findings.lined().map(|(line, row)| (run, row, line)));
+    }
+    rows.sort_by_key(|(run, f, _)| (*run, [&f.suite, &f.scene, &f.scene_id, &f.task, &f.backend, &f.finding_id]));
     let mut columns = Map::new();
     let mut words = |name: &str, of: &dyn Fn(usize, &crate::FindingRow) -> String| {
-        columns.insert(name.to_owned(), dictionary(rows.iter().map(|(run, row)| of(*run, row))));
+        columns.insert(name.to_owned(), dictionary(rows.iter().map(|(run, row, _)| of(*run, row))));
     };
     words("run", &|run, _| (run + 1).to_string());
     words("folder", &|run, _| runs[run].path.display().to_string());
@@ -97,8 +105,9 @@ fn findings(runs: &[RunDir]) -> Value {
     words("got", &|_, row| row.got.clone());
     words("truth", &|_, row| row.truth.clone());
     words("stage", &|_, row| row.stage.clone());
-    columns.insert("degeneracy".to_owned(), numbers(rows.iter().map(|(_, row)| row.log2_relative_det)));
-    columns.insert("distance".to_owned(), numbers(rows.iter().map(|(_, row)| row.distance_over_l)));
+    columns.insert("degeneracy".to_owned(), numbers(rows.iter().map(|(_, row, _)| row.log2_relative_det)));
+    columns.insert("distance".to_owned(), numbers(rows.iter().map(|(_, row, _)| row.distance_over_l)));
+    columns.insert("line".to_owned(), json!({ "numbers": rows.iter().map(|(_, _, line)| *line).collect::<Vec<_>>() }));
     json!({ "rows": rows.len(), "columns": columns })
 }
 
@@ -116,7 +125,7 @@ fn told(details: &[Detail]) -> Value {
 }
 
 /// Words by their places in the list of those that there are.
-fn dictionary(words: impl Iterator<Item = String>) -> Value {
+pub(crate) fn dictionary(words: impl Iterator<Item = String>) -> Value {
     let (mut places, mut list): (BTreeMap<String, usize>, Vec<String>) = (BTreeMap::new(), Vec::new());
     let at: Vec<usize> = words
         .map(|word| {

@@ -89,14 +89,27 @@
     const says = make("p", { className: "lead", textContent: `The question about ${vertices.join(" ")} in all ${all.length} orders, each sign turned back where the order is odd: who contradicts nothing has one sign. Framed where it is not the exact one.` });
     return make("div", { className: "strip" }, [says, ...lines]);
   };
+  // Long tables have their first rows, and the others when somebody asks.
+  const longTables = (rest) => {
+    for (const says of document.querySelectorAll("p.more")) {
+      const button = make("button", { type: "button", textContent: "show all" });
+      button.onclick = () => {
+        says.previousElementSibling.querySelector("tbody").insertAdjacentHTML("beforeend", rest[says.dataset.rows]);
+        says.remove();
+      };
+      says.append(" ", button);
+    }
+  };
   const CHOICES = ["class", "backend", "suite", "task", "check"];
 
   const findings = async () => {
     const place = $("search");
-    const { findings, details } = await unpack();
-    await predicamentLibraries;
+    const { findings, details, sources, rest } = await unpack();
     const data = rowsOf(findings);
+    predicamentSources(sources, data);
+    longTables(rest);
     if (!place || data.length === 0) return;
+    await predicamentLibraries;
     const columns = data.some((row) => row.run !== "1") ? ["run"] : [];
     const { Tabulator, ...modules } = TabulatorModules;
     Tabulator.registerModule(Object.values(modules));
@@ -150,7 +163,8 @@
     const show = (row) => {
       const shownRow = (term, value) => (value === null || value === "" ? [] : [make("dt", { textContent: term }), make("dd", {}, [make("code", { textContent: value })])]);
       const terms = ["finding", "class", "backend", "suite", "scene", "task", "check", "query", "got", "truth", "stage", "degeneracy", "distance"];
-      const list = make("dl", {}, terms.flatMap((term) => shownRow(term, row[term])));
+      const from = row.line === null ? [] : shownRow("recorded in", `${row.folder}/findings.csv, line ${row.line}`);
+      const list = make("dl", {}, [...terms.flatMap((term) => shownRow(term, row[term])), ...from]);
       const quoted = (text) => (/^[\w./:@%+=-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
       const replay = `predicament replay ${row.finding} --run ${quoted(row.folder)}`;
       const more = details[row.finding];

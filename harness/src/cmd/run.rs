@@ -310,7 +310,8 @@ impl Job {
         let (writer, before) = RunWriter::resume(folder, &tables_with(tool, answers)).map_err(Failure::usage)?;
         // What a run that was killed has left of its worker.
         let _ = std::fs::remove_dir_all(folder.join(WORKER));
-        let RunDir { summary: done, precision, .. } = before;
+        let RunDir { summary, precision, .. } = before;
+        let (done, precision) = (summary.into(), precision.into());
         let (folder, wholes) = (folder.clone(), BTreeMap::new());
         let ledger = Ledger { level, answers, wholes, done, precision, left_out, folder, writer };
         Ok(Job { selection, scenes, backends, engines, ledger })

@@ -8,7 +8,7 @@ use csv::{ReaderBuilder, StringRecord, WriterBuilder};
 
 use super::state::digest;
 use super::tables::{Record, TableSpec};
-use crate::{Error, Row};
+use crate::{Error, Row, Rows};
 
 /// A table that is appended to.
 pub(super) struct CsvFile {
@@ -66,12 +66,14 @@ pub(super) struct Text {
     pub header: StringRecord,
     /// Each row with its line.
     pub rows: Vec<(u64, StringRecord)>,
+    /// Whether the file has rows that are not here.
+    pub is_part: bool,
 }
 
 impl Text {
     /// The rows by their type.
-    pub fn typed<R: Row>(&self) -> Result<Vec<R>, Error> {
-        let Text { path, header, rows } = self;
+    pub fn typed<R: Row>(&self) -> Result<Rows<R>, Error> {
+        let Text { path, header, rows, is_part } = self;
         if *header != *R::COLUMNS {
             let expected = R::COLUMNS.join(",");
             return Err(Error::at(path, 1, format!("the columns must be {expected}")));
@@ -79,9 +81,9 @@ impl Text {
         let typed = rows.iter().map(|(line, record)| {
             let row: R = record.deserialize(Some(header)).map_err(|e| failed(path, &e))?;
             row.check().map_err(|message| Error::at(path, *line, message))?;
-            Ok(row)
+            Ok((*line, row))
         });
-        typed.collect()
+        Ok(Rows::read(typed.collect::<Result<Vec<_>, Error>>()?, *is_part))
     }
 }
 
@@ -159,15 +161,38 @@ pub(super) fn read(path: &Path, extent: Extent, written: Option<&String>) -> Res
     let header = reader.headers().map_err(|e| failed(path, &e))?.clone();
     let mut rows = Vec::new();
     let mut record = StringRecord::new();
+    let mut lines = Lines { bytes: &bytes, at: 0, line: 1 };
     loop {
-        let line = reader.position().line();
+        let start = reader.position().byte();
         match reader.read_record(&mut record) {
             Ok(false) => break,
-            Ok(true) => rows.push((line, record.clone())),
+            Ok(true) => rows.push((lines.of(start), record.clone())),
             Err(error) => return Err(failed(path, &error)),
         }
     }
-    Ok((Text { path: path.to_owned(), header, rows }, warning))
+    Ok((Text { path: path.to_owned(), header, rows, is_part: false }, warning))
+}
+
+/// Lines as an editor counts them. The CSV reader starts a record where the one before has ended, which is before the line feed
+/// of a line that ends in two characters, and before lines that are empty.
+struct Lines<'b> {
+    bytes: &'b [u8],
+    at: usize,
+    line: u64,
+}
+
+impl Lines<'_> {
+    /// The line of a record that starts here or after line ends that are here; it is not before the last one that was asked for.
+    fn of(&mut self, start: u64) -> u64 {
+        let start = usize::try_from(start).unwrap_or(usize::MAX);
+        while let Some(byte) = self.bytes.get(self.at)
+            && (self.at < start || matches!(byte, b'\r' | b'\n'))
+        {
+            self.line += u64::from(*byte == b'\n');
+            self.at += 1;
+        }
+        self.line
+    }
 }
 
 fn failed(path: &Path, error: &csv::Error) -> Error {

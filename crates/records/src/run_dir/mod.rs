@@ -15,6 +15,7 @@
 //! The folder says that the run is incomplete until somebody says otherwise.
 
 mod csv_file;
+mod lined;
 mod lock;
 mod once;
 mod reader;
@@ -22,6 +23,7 @@ mod state;
 mod tables;
 mod writer;
 
+pub use lined::Lined;
 pub use reader::{NotRun, RunDir};
 pub use state::Outcome;
 pub use tables::{Record, TableSpec};

@@ -202,6 +202,7 @@ fn drop_of_tasks(run: &mut RunDir, earlier: &[RunDir]) -> Result<(), Error> {
                 return Err(disagree(run, before, file, &format!("{} has other rows", key.join(" "))));
             }
             let places = key_columns(table);
+            table.is_part |= !repeated.is_empty();
             table.rows.retain(|(_, row)| !repeated.contains(&key(row, &places)));
         }
     }

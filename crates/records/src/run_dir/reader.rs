@@ -13,7 +13,9 @@ use super::state::{Outcome, State};
 use super::tables::{Record, TableSpec};
 use super::{ENV, MAPS, PLAN, TABLES};
 use crate::rows::{MOST, NO_COUNT};
-use crate::{Env, Error, FORMAT, FindingRow, Plan, PrecisionRow, Row, SampledRow, StageRow, SummaryRow, ThroughputRow};
+use crate::{
+    Env, Error, FORMAT, FindingRow, Plan, PrecisionRow, Row, Rows, SampledRow, StageRow, SummaryRow, ThroughputRow,
+};
 
 /// A run that was read back. Rows stand in the order of their files.
 #[derive(Clone, PartialEq, Debug)]
@@ -27,15 +29,15 @@ pub struct RunDir {
     /// How it ended.
     pub outcome: Outcome,
     /// `summary.csv`.
-    pub summary: Vec<SummaryRow>,
+    pub summary: Rows<SummaryRow>,
     /// `findings.csv`.
-    pub findings: Vec<FindingRow>,
+    pub findings: Rows<FindingRow>,
     /// `throughput.csv`.
-    pub throughput: Vec<ThroughputRow>,
+    pub throughput: Rows<ThroughputRow>,
     /// `stages.csv`.
-    pub stages: Vec<StageRow>,
+    pub stages: Rows<StageRow>,
     /// `precision.csv`; empty if the folder was made before there was such a table.
-    pub precision: Vec<PrecisionRow>,
+    pub precision: Rows<PrecisionRow>,
     /// The PNG pictures in `maps/` with their names, sorted.
     pub maps: Vec<(String, Vec<u8>)>,
     /// The tables of single tasks, as text.
@@ -116,8 +118,8 @@ impl RunDir {
     ///
     /// # Errors
     /// The file and line of the first row that is not of this type.
-    pub fn rows<R: Row>(&self) -> Result<Vec<R>, Error> {
-        self.tables.get(R::FILE).map_or(Ok(Vec::new()), csv_file::Text::typed)
+    pub fn rows<R: Row>(&self) -> Result<Rows<R>, Error> {
+        self.tables.get(R::FILE).map_or(Ok(Rows::default()), csv_file::Text::typed)
     }
 
     /// The rows of a task's table as text; none where the folder has no such table, or it has other columns.
@@ -179,9 +181,9 @@ impl RunDir {
     }
 }
 
-fn read_table<R: Row>(folder: &Path, state: &State, warnings: &mut Vec<String>) -> Result<Vec<R>, Error> {
+fn read_table<R: Row>(folder: &Path, state: &State, warnings: &mut Vec<String>) -> Result<Rows<R>, Error> {
     if !state.committed.contains_key(R::FILE) && !folder.join(R::FILE).exists() {
-        return Ok(Vec::new());
+        return Ok(Rows::default());
     }
     read_text(folder, R::FILE, state, warnings)?.typed()
 }
@@ -193,7 +195,8 @@ fn read_text(folder: &Path, file: &str, state: &State, warnings: &mut Vec<String
         Some(&length) => Extent::First(length),
         None => Extent::Lines,
     };
-    let (text, warning) = csv_file::read(&folder.join(file), extent, state.digests.get(file))?;
+    let (mut text, warning) = csv_file::read(&folder.join(file), extent, state.digests.get(file))?;
+    text.is_part = warning.is_some();
     warnings.extend(warning);
     if let Some((_, key)) = UNIQUE.iter().find(|(of, _)| *of == file) {
         text.check_unique(key)?;

@@ -185,3 +185,37 @@ fn what_another_folder_has_is_not_missing() {
         assert_eq!(rows(&open(&order).unwrap())[4], 3);
     }
 }
+
+/// Each row that counts is found in the line of its file, however the lines end, and what an earlier folder has is not named.
+#[test]
+fn rows_know_their_lines() {
+    let folder = tempdir().unwrap();
+    let (one, two) = (copy(&folder, "one", &[]), copy(&folder, "two", &[]));
+    // The first folder lacks two rows in the middle, and has line ends of two characters and an empty line.
+    let path = one.join("summary.csv");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let mut lines: Vec<&str> = text.lines().collect();
+    let missing: Vec<&str> = lines.splice(5..7, [""]).collect();
+    std::fs::write(&path, lines.join("\r\n") + "\r\n").unwrap();
+    let runs = open(&[&one, &two]).unwrap();
+    let mut checked = 0;
+    for run in &runs {
+        for file in ["summary.csv", "stages.csv", "precision.csv", "throughput.csv", "contacts.csv", "masses.csv"] {
+            let text = std::fs::read_to_string(run.path.join(file)).unwrap();
+            let lines: Vec<&str> = text.lines().collect();
+            let lined = run.lined(file).unwrap().unwrap();
+            assert_eq!(lined.columns.join(","), lines[0], "{file}");
+            for (line, row) in lined.rows {
+                let at = usize::try_from(line).unwrap() - 1;
+                assert_eq!(row.join(","), lines[at].replace('"', ""), "{file}:{line}");
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked > 40, "{checked} rows");
+    let left: Vec<String> =
+        runs[1].lined("summary.csv").unwrap().unwrap().rows.into_iter().map(|(_, row)| row.join(",")).collect();
+    assert_eq!(left, missing, "only what the first folder lacks");
+    assert!(runs[1].summary.is_part() && !runs[0].summary.is_part());
+    assert_eq!(runs[0].lined("no.csv"), Ok(None));
+}

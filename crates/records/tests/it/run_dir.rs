@@ -205,8 +205,10 @@ fn every_table_survives_the_disk() {
     assert_eq!(run.findings[1].log2_relative_det, None);
     let pairs = vec![pair(), PairRow { asked: None, ..pair() }];
     assert_eq!(run.records(MORE[0]), pairs.iter().map(|row| Record::of(row).unwrap()).collect::<Vec<_>>());
-    assert_eq!(run.rows(), Ok(pairs));
-    assert_eq!((run.throughput, run.stages, run.precision), (vec![throughput()], vec![stage()], vec![precision()]));
+    assert_eq!(run.rows::<PairRow>().unwrap(), pairs);
+    assert_eq!(run.throughput, [throughput()]);
+    assert_eq!(run.stages, [stage()]);
+    assert_eq!(run.precision, [precision()]);
     assert_eq!(run.maps, [("a map".to_owned(), b"not really a PNG".to_vec())]);
     assert_eq!(run.warnings, Vec::<String>::new());
 }
@@ -446,7 +448,8 @@ fn a_resumed_run_forgets_the_scene_that_was_not_committed() {
     assert_eq!(RunDir::open(folder.path()).unwrap().findings.len(), 1, "what was committed");
 
     let (mut writer, done) = resume(folder.path()).unwrap();
-    assert_eq!((done.findings, done.summary), (vec![finding()], vec![summary("one")]));
+    assert_eq!(done.findings, [finding()]);
+    assert_eq!(done.summary, [summary("one")]);
     assert_eq!(done.warnings, Vec::<String>::new());
     writer.write(&[summary("two")]).unwrap();
     writer.finish(Outcome::Complete).unwrap();
@@ -478,7 +481,8 @@ fn a_table_younger_than_the_folder_is_empty_and_started_when_resumed() {
     assert_eq!(RunDir::open(folder.path()).unwrap().precision, []);
 
     let (mut writer, done) = resume(folder.path()).unwrap();
-    assert_eq!((done.precision, done.summary), (vec![], vec![summary("one")]));
+    assert_eq!(done.precision, []);
+    assert_eq!(done.summary, [summary("one")]);
     writer.write(&[precision()]).unwrap();
     drop(writer); // killed once more, before a commit
     let (mut writer, done) = resume(folder.path()).unwrap();
@@ -496,7 +500,7 @@ fn a_table_younger_than_the_folder_is_empty_and_started_when_resumed() {
 fn tables_of_tasks_grow_and_shrink_with_the_others() {
     let folder = tempfile::tempdir().unwrap();
     drop(RunWriter::create(folder.path(), &plan(), &Env::default(), &[]).unwrap());
-    assert_eq!(RunDir::open(folder.path()).unwrap().rows::<PairRow>(), Ok(vec![]), "there is no such table");
+    assert_eq!(RunDir::open(folder.path()).unwrap().rows::<PairRow>().unwrap(), [], "there is no such table");
     let (mut writer, _) = RunWriter::resume(folder.path(), &[]).unwrap();
     let error = writer.write(&[pair()]).unwrap_err().to_string();
     assert!(error.contains("pairs.csv: a run folder has no such table"), "{error}");
@@ -511,7 +515,7 @@ fn tables_of_tasks_grow_and_shrink_with_the_others() {
     drop(writer);
     assert_eq!(RunDir::open(folder.path()).unwrap().rows::<PairRow>().unwrap().len(), 1, "what was committed");
     let (writer, done) = resume(folder.path()).unwrap();
-    assert_eq!(done.rows(), Ok(vec![pair()]));
+    assert_eq!(done.rows::<PairRow>().unwrap(), [pair()]);
     writer.finish(Outcome::Complete).unwrap();
     append(folder.path(), PairRow::FILE, "half,a");
     assert!(RunDir::open(folder.path()).unwrap_err().to_string().contains("6 bytes were added"));

@@ -6,7 +6,7 @@ use super::rank;
 use crate::groups::{backends, timed};
 use crate::plot::beside;
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Class, Error, RunDir, SummaryRow};
+use crate::{Class, Error, Origin, RunDir, SummaryRow};
 use predicament_records::format::{factor, length, significant, thousands};
 
 /// How many changed pairs are named.
@@ -80,7 +80,10 @@ fn changes(mut changed: Vec<Change<'_>>, order: &[&str]) -> Table {
     if changed.len() > MANY {
         caption += &format!(": the first {MANY} of {}", thousands(length(changed.len())));
     }
-    let mut table = Table::new(caption).words(["suite", "scene", "task", "backend", "before", "now"]);
+    let mut table = Table::new(caption)
+        .words(["suite", "scene", "task", "backend", "before"])
+        .of(Origin::of("summary.csv").keys(["suite", "scene", "task", "backend"]))
+        .words(["now"]);
     for ([suite, scene, _, task, backend], old, new) in changed.into_iter().take(MANY) {
         let differing: Vec<Class> =
             Class::ALL.into_iter().filter(|&class| old.count(class) != new.count(class)).collect();
@@ -112,6 +115,7 @@ fn times(runs: &[RunDir], earlier: &[RunDir], order: &[&str]) -> Table {
     }
     let mut table = Table::new("Times over the earlier ones")
         .words(["task", "backend"])
+        .of(Origin::of("throughput.csv").keys(["task", "backend"]))
         .numbers(["families", "ratio", "from", "to"]);
     for ((task, backend), logs) in ratios {
         let (mean, half) = mean_and_half(&logs);

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::{rank, run_head, run_label};
 use crate::groups::backends;
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Class, RunDir, Status, SummaryRow};
+use crate::{Class, Origin, RunDir, Status, SummaryRow};
 use predicament_records::format::{length, per_million, significant, thousands};
 
 /// How many unexpected scenes are listed.
@@ -70,8 +70,11 @@ fn alarming(runs: &[RunDir], order: &[&str]) -> Table {
     if count > MANY {
         caption += &format!(": the first {MANY} of {}", thousands(length(count)));
     }
-    let mut table =
-        Table::new(caption).words(run_head(runs)).words(["suite", "scene", "task", "backend", "status", "classes"]);
+    let mut table = Table::new(caption)
+        .words(run_head(runs))
+        .words(["suite", "scene", "task", "backend"])
+        .of(Origin::of("summary.csv").keys(["suite", "scene", "task", "backend"]).under("scene", "scene_id"))
+        .words(["status", "classes"]);
     let mut left = MANY;
     for (index, run) in runs.iter().enumerate() {
         let mut rows: Vec<&SummaryRow> = run.summary.iter().filter(|row| !row.status.passes()).collect();
@@ -99,6 +102,7 @@ fn table(caption: &str, runs: &[RunDir], labels: &[&str], classes: &[Class]) -> 
     Table::new(caption)
         .words(run_head(runs))
         .words(labels.iter().copied())
+        .of(Origin::of("summary.csv").keys(labels.iter().copied()))
         .numbers(["scenes", "expected", "unexpected", "queries"])
         .numbers(classes.iter().map(|class| class.name()))
         .numbers(["wrong per million"])

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::{rank, run_head, run_label};
 use crate::groups::backends;
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Class, FindingRow, RunDir};
+use crate::{Class, FindingRow, Origin, RunDir};
 use predicament_records::format::{counted, length, significant, thousands};
 
 /// How many findings of a class are shown for each backend.
@@ -57,6 +57,7 @@ fn few_of(runs: &[RunDir], class: Class, order: &[&str]) -> Table {
 
     let mut table = Table::new(caption)
         .words(run_head(runs))
+        .of(Origin::of("findings.csv").keys(["finding"]))
         .words(["finding", "backend", "scene", "task", "check", "query", "got", "truth"])
         .numbers(["degeneracy", "distance / L"])
         .words(["stage"]);

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::rank;
-use crate::figures::{Price, Prices, all_prices};
+use crate::figures::{FILE, Price, Prices, all_prices};
 use crate::groups::{REFERENCE, backends};
 use crate::plot::overall;
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Class, Error, RunDir};
+use crate::{Class, Error, Origin, RunDir};
 use predicament_records::format::{counted, factor, length, thousands};
 
 pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
@@ -22,9 +22,13 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
         }
     }
     let prices = all_prices(runs);
-    let mut table = Table::new("").words(["backend"]).numbers(occurred.iter().map(|class| class.name()));
+    let mut table = Table::new("")
+        .words(["backend"])
+        .of(Origin::of("summary.csv").keys(["backend"]))
+        .numbers(occurred.iter().map(|class| class.name()));
     if prices.is_some() {
-        table = table.numbers([format!("time / {REFERENCE}")]);
+        let origin = Origin::of(FILE).keys(["backend"]).only("panel", "all");
+        table = table.of(origin).numbers([format!("time / {REFERENCE}")]);
     }
     for (backend, of) in counts {
         let backend = order.get(backend).copied().unwrap_or_default();

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::rank;
 use crate::groups::backends;
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Class, RunDir, SummaryRow};
+use crate::{Class, Origin, RunDir, SummaryRow};
 use predicament_records::format::{counted, per_million, significant, thousands};
 
 pub fn section(runs: &[RunDir]) -> Section {
@@ -17,7 +17,11 @@ pub fn section(runs: &[RunDir]) -> Section {
     for row in runs.iter().flat_map(|run| &run.summary) {
         sums.entry((rank(&order, &row.backend), &row.suite)).or_default().add(row);
     }
-    let mut table = Table::new("").heat().words(["backend"]).numbers(suites.iter().copied());
+    let mut table = Table::new("")
+        .heat()
+        .words(["backend"])
+        .of(Origin::of("summary.csv").keys(["backend"]).across("suite"))
+        .numbers(suites.iter().copied());
     for (at, backend) in order.iter().enumerate() {
         let cells: Vec<Cell> = suites
             .iter()
@@ -77,7 +81,7 @@ impl Sums {
             (_, failed) => format!("{} ✗{}", share(rate), thousands(failed)),
         };
         let mut title = format!(
-            "{backend} on {suite} (its rows in summary.csv), {}: {} wrong of {}, {}, {} ties broken or within a tolerance",
+            "{backend} on {suite}, {}: {} wrong of {}, {}, {} ties broken or within a tolerance",
             counted(self.scenes, "scene"),
             thousands(self.wrong),
             counted(self.queries, "answer"),

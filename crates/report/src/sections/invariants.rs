@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::rank;
 use crate::groups::backends;
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Class, RunDir};
+use crate::{Class, Origin, RunDir};
 use predicament_records::format::{length, thousands};
 
 /// A scene, with the number of its queries first: the least is the smallest scene.
@@ -54,7 +54,14 @@ fn of_task(
 ) -> Table {
     let of_task = |&backend: &usize| answered.get(&(task, backend)).map_or(0, |scenes| length(scenes.len()));
     let columns: Vec<usize> = (0..order.len()).filter(|backend| of_task(backend) > 0).collect();
-    let mut table = Table::new(task).words(["broken"]).words(columns.iter().map(|&backend| order[backend]));
+    let mut table = Table::new(task)
+        .words(["broken"])
+        .of(Origin::of("findings.csv")
+            .key("broken", "check")
+            .across("backend")
+            .only("class", "topology")
+            .only("task", task))
+        .words(columns.iter().map(|&backend| order[backend]));
     for (check, by_backend) in checks {
         let cell = |backend: &usize| match by_backend.get(backend) {
             None => Cell::from("").tone(Tone::Muted),
@@ -66,6 +73,7 @@ fn of_task(
         table.push(std::iter::once(Cell::from(*check)).chain(columns.iter().map(cell)).collect());
     }
     let total = columns.iter().map(|backend| Cell::from(thousands(of_task(backend))).tone(Tone::Muted));
-    table.push(std::iter::once(Cell::from("scenes answered").tone(Tone::Muted)).chain(total).collect());
+    let origin = Origin::of("summary.csv").only("task", task).across("backend");
+    table.push_from(origin, std::iter::once(Cell::from("scenes answered").tone(Tone::Muted)).chain(total).collect());
     table
 }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{rank, run_head, run_label, some_of};
 use crate::groups::backends;
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Class, Error, RunDir};
+use crate::{Class, Error, Origin, RunDir};
 use predicament_records::format::{length, thousands};
 use predicament_records::{ImportRow, SampledRow};
 
@@ -64,7 +64,7 @@ fn sampled(runs: &[RunDir]) -> Result<Table, Error> {
 /// Scenes that are not in every point what their files say.
 fn imported(runs: &[RunDir]) -> Result<Table, Error> {
     let mut table = Table::new("Changed while they were read").words(run_head(runs)).words(["suite", "scene", "task"]);
-    table = table.numbers([
+    table = table.of(Origin::of("imports.csv").keys(["suite", "scene", "task"])).numbers([
         "decimals rounded",
         "third coordinates left out",
         "repeated points dropped",
@@ -112,6 +112,7 @@ fn scenes(runs: &[RunDir], caption: &str, list: impl Fn(&RunDir) -> Vec<[String;
     let mut table = Table::new(caption)
         .words(run_head(runs))
         .words(["suite", "task", "backend"])
+        .of(Origin::of("summary.csv").keys(["suite", "task", "backend"]))
         .numbers(["scenes"])
         .words(["which"]);
     for (index, run) in runs.iter().enumerate() {

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{rank, run_head, run_label};
 use crate::groups::backends;
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Curve, Curves, Error, RunDir, curves};
+use crate::{Curve, Curves, Error, Origin, RunDir, curves};
 use predicament_records::format::{nanoseconds, significant, thousands};
 use predicament_records::{PhaseRow, Spread, approximately};
 
@@ -23,6 +23,7 @@ pub fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let mut table = Table::new("")
         .words(run_head(runs))
         .words(["task", "scene"])
+        .of(Origin::of("phases.csv").keys(["task", "scene", "phase", "backend", "threads"]).under("scene", "suite"))
         .numbers(["size"])
         .words(["phase", "backend"])
         .numbers(["threads", "ns", "bytes"]);

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::{run_head, run_label, some_of};
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{PrecisionRow, RunDir};
+use crate::{Origin, PrecisionRow, RunDir};
 
 /// How many families are named in a line.
 const FEW: usize = 4;
@@ -21,6 +21,7 @@ pub fn section(runs: &[RunDir]) -> Section {
     let mut table = Table::new("")
         .words(run_head(runs))
         .words(["suite", "families"])
+        .of(Origin::of("precision.csv").keys(["suite", "orient2d", "orient3d", "incircle", "insphere"]))
         .numbers(["scenes", "bits", "lowest bit"])
         .words(["orient2d", "orient3d", "incircle", "insphere"]);
     for (index, run) in runs.iter().enumerate() {

@@ -1,10 +1,10 @@
 //! The section about speed and error: the scatter plot and its numbers.
 
 use super::{run_head, run_label};
-use crate::figures::{Mark, panels};
+use crate::figures::{FILE, Mark, panels};
 use crate::groups::{REFERENCE, backends};
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Error, RunDir, scatter};
+use crate::{Error, Origin, RunDir, scatter};
 use predicament_records::format::{factor, nanoseconds, per_million, significant};
 
 pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
@@ -44,6 +44,7 @@ fn table(runs: &[RunDir]) -> Table {
     let mut table = Table::new("The marks of the plot")
         .words(run_head(runs))
         .words(["task", "backend"])
+        .of(Origin::of(FILE).key("task", "panel").keys(["run", "backend"]))
         .numbers(["families", "queries", "wrong", "wrong per million", "ns per query"])
         .numbers([format!("{REFERENCE} on the same"), "ratio".to_owned()])
         .words(["frontier"]);
@@ -82,7 +83,9 @@ fn partial(runs: &[RunDir]) -> Table {
     let mut table = Table::new("Partial backends: ns per query over the families that each of them did")
         .words(run_head(runs))
         .words(["task", "partial"])
+        .of(Origin::of("throughput.csv").keys(["task"]).key("partial", "backend"))
         .numbers(["families"])
+        .of(Origin::of("throughput.csv").keys(["task"]).across("backend"))
         .numbers(columns.iter().copied());
     for panel in &panels {
         for of in &panel.partial {

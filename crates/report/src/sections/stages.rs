@@ -3,10 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{rank, run_head, run_label};
-use crate::RunDir;
 use crate::groups::backends;
 use crate::rungs::{rung, rungs};
 use crate::table::{Block, Cell, Section, Table, Tone};
+use crate::{Origin, RunDir};
 use predicament_records::format::percent;
 
 /// What a rung settled, and the deepest of its stages where they have numbers.
@@ -31,6 +31,7 @@ pub fn section(runs: &[RunDir]) -> Section {
     let mut table = Table::new("")
         .words(run_head(runs))
         .words(["task", "family", "backend"])
+        .of(Origin::of("stages.csv").keys(["task", "family", "backend"]))
         .numbers(["queries settled"])
         .numbers(columns.iter().copied());
     for (index, run) in runs.iter().enumerate() {

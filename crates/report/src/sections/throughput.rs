@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use super::{run_head, run_label};
-use crate::RunDir;
 use crate::groups::{REFERENCE, Timing, backends, timings};
 use crate::table::{Block, Cell, Section, Table, Tone};
+use crate::{Origin, RunDir};
 use predicament_records::format::{factor, nanoseconds};
 
 pub fn section(runs: &[RunDir]) -> Section {
@@ -13,7 +13,11 @@ pub fn section(runs: &[RunDir]) -> Section {
     let timed: BTreeSet<&str> = timings.iter().flat_map(|t| t.keys()).map(|[_, _, backend]| *backend).collect();
     let columns: Vec<&str> = backends(runs).into_iter().filter(|backend| timed.contains(backend)).collect();
 
-    let mut table = Table::new("").words(run_head(runs)).words(["task", "family"]).numbers(columns.iter().copied());
+    let mut table = Table::new("")
+        .words(run_head(runs))
+        .words(["task", "family"])
+        .of(Origin::of("throughput.csv").keys(["task", "family"]).across("backend"))
+        .numbers(columns.iter().copied());
     for (index, timings) in timings.iter().enumerate() {
         let groups: BTreeSet<[&str; 2]> = timings.keys().map(|[task, family, _]| [*task, *family]).collect();
         for [task, family] in groups {

@@ -8,7 +8,7 @@ use crate::groups::backends;
 use crate::plot::{Bars, histogram};
 use crate::rungs::rung;
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Error, RunDir};
+use crate::{Error, Origin, RunDir};
 use predicament_records::approximately;
 use predicament_records::format::{factor, percent};
 
@@ -53,9 +53,15 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
     let order = backends(runs);
     let mut table = Table::new("Answers that are ties, and time over that of exact on the same families")
         .words(["task", "backend"])
-        .numbers(["queries", "ties", "share", "deepest term", "time / exact"]);
+        .of(Origin::of("summary.csv").keys(["task", "backend"]))
+        .numbers(["queries", "ties", "share"])
+        .of(Origin::of("stages.csv").keys(["task", "backend"]))
+        .numbers(["deepest term"])
+        .of(Origin::of("throughput.csv").keys(["task", "backend"]))
+        .numbers([format!("time / {UNPERTURBED}")]);
     let mut depths = Table::new("The term that decided, counting every question that an algorithm or a law asked")
         .words(["task", "backend"])
+        .of(Origin::of("stages.csv").keys(["task", "backend"]))
         .numbers(PLACE_NAMES.map(|place| format!("term {place}")))
         .numbers(DEGREES);
     let mut pictured: BTreeMap<usize, [u64; PLACES.len()]> = BTreeMap::new();

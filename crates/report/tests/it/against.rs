@@ -31,7 +31,7 @@ fn what_changed_is_named() {
     row.status = Status::Unexpected;
     let (scene, backend) = (row.scene.clone(), row.backend.clone());
     let gone = now[0].summary.iter().position(|row| row.status == Status::Expected).unwrap();
-    now[0].summary.remove(gone);
+    now[0].summary.edit(|rows| drop(rows.remove(gone)));
     let timed = now[1].throughput[0].backend.clone();
     for row in now[1].throughput.iter_mut().filter(|row| row.backend == timed) {
         row.ns_per_query *= 2.0;

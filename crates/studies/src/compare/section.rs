@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use predicament_report::{Block, Cell, Section, Table, Tone};
+use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 
 use super::Measure;
 use super::measure::read;
@@ -33,15 +33,22 @@ pub fn section(folder: &Path) -> Result<Option<Section>, String> {
         return Ok(None);
     }
     let measures = read(&path)?;
-    let mut table = Table::new("Backends on scenes of each kind").words(["task", "input", "backend"]).numbers([
-        "wrong answers in 10^6",
-        "topology in 1000 scenes",
-        "declined",
-        "bits",
-        "location, 99 %, L",
-        "ns",
-        "KiB",
-    ]);
+    let origin = Origin::at(&path).keys(["task", "backend"]).key("input", "kind").under("input", "family");
+    let measures_of = [("topology in 1000 scenes", "topology"), ("declined", "declined"), ("bits", "bits")];
+    let origin = origin.named(
+        "measure",
+        measures_of.into_iter().chain([("location, 99 %, L", "location: 99 %"), ("ns", "time"), ("KiB", "memory")]),
+    );
+    let mut table =
+        Table::new("Backends on scenes of each kind").words(["task", "input", "backend"]).of(origin).numbers([
+            "wrong answers in 10^6",
+            "topology in 1000 scenes",
+            "declined",
+            "bits",
+            "location, 99 %, L",
+            "ns",
+            "KiB",
+        ]);
     let mut seen: Vec<[&str; 4]> = Vec::new();
     for row in &measures {
         let key = [row.task.as_str(), row.kind.as_str(), row.family.as_str(), row.backend.as_str()];

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use predicament_report::{Block, Cell, Section, Table, Tone};
+use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 use predicament_tasks::Knob;
 
 use super::BreakPoint;
@@ -39,7 +39,10 @@ pub fn section(folder: &Path) -> Result<Option<Section>, String> {
     for [knob, way] in ways {
         let unit = Knob::ALL.iter().find(|of| of.name() == knob).map_or("", |knob| knob.unit());
         let down = if way == "down" { ", down" } else { "" };
-        let mut table = Table::new(format!("{knob}{down}: {unit}")).words(["task"]).numbers(backends.iter().copied());
+        let mut table = Table::new(format!("{knob}{down}: {unit}"))
+            .words(["task"])
+            .of(Origin::at(&path).keys(["task"]).across("backend").only("knob", knob).only("way", way))
+            .numbers(backends.iter().copied());
         for task in &tasks {
             let of = |backend: &&str| {
                 let is = |row: &&BreakPoint| {

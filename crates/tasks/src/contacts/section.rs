@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use predicament_records::format::percent;
 use predicament_records::{Error, Row, RunDir};
 use predicament_report::layout::{backends, rank, run_head, run_label};
-use predicament_report::{Block, Cell, Section, Table};
+use predicament_report::{Block, Cell, Origin, Section, Table};
 use serde::{Deserialize, Serialize};
 
 /// `contacts.csv`: the pairs of two complexes by their ranks.
@@ -93,6 +93,7 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let mut table = Table::new("Registered pairs, and the share of the candidates that had ended before")
         .words(run_head(runs))
         .words(["scene", "task", "backend"])
+        .of(Origin::of(ContactRow::FILE).keys(["scene", "task", "backend"]).under("scene", "suite"))
         .numbers((0..LEVELS).map(|level| format!("level {level}")));
     for (index, run) in runs.iter().enumerate() {
         let mut rows: BTreeMap<_, [Option<Level>; LEVELS]> = BTreeMap::new();

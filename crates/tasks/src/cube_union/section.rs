@@ -3,7 +3,7 @@
 use predicament_records::format::significant;
 use predicament_records::{Error, Row, RunDir};
 use predicament_report::layout::{backends, rank, run_head, run_label};
-use predicament_report::{Block, Cell, Section, Table, Tone};
+use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 use serde::{Deserialize, Serialize};
 
 /// `masses.csv`: what a union of cubes measures.
@@ -71,15 +71,11 @@ impl Row for MassRow {
 /// The section of a report.
 pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let order = backends(runs);
-    let mut table = Table::new("").words(run_head(runs)).words(["scene", "backend"]).numbers([
-        "cubes",
-        "volume",
-        "area",
-        "edge length",
-        "corners",
-        "edge-face",
-        "three-face",
-    ]);
+    let mut table = Table::new("")
+        .words(run_head(runs))
+        .words(["scene", "backend"])
+        .of(Origin::of(MassRow::FILE).keys(["scene", "backend"]).under("scene", "suite"))
+        .numbers(["cubes", "volume", "area", "edge length", "corners", "edge-face", "three-face"]);
     for (index, run) in runs.iter().enumerate() {
         let mut rows = run.rows::<MassRow>()?;
         rows.sort_by_cached_key(|r| ([r.suite.clone(), r.scene.clone(), r.scene_id.clone()], rank(&order, &r.backend)));

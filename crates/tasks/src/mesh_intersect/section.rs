@@ -3,7 +3,7 @@
 use predicament_algorithms::overlay::Operation;
 use predicament_records::{Error, Row, RunDir};
 use predicament_report::layout::{backends, rank, run_head, run_label};
-use predicament_report::{Block, Cell, Section, Table, Tone};
+use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 use serde::{Deserialize, Serialize};
 
 use super::{MeshIntersect, Overlaid};
@@ -140,6 +140,7 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let mut table = Table::new("Results of operations on meshes")
         .words(run_head(runs))
         .words(["scene", "operation", "backend"])
+        .of(Origin::of(MeshIntersectRow::FILE).keys(["scene", "operation", "backend"]).under("scene", "suite"))
         .numbers(["triangles", "points", "perturbed", "limit", "in doubles", "moved", "flaws", "left"]);
     for (index, run) in runs.iter().enumerate() {
         let mut rows = run.rows::<MeshIntersectRow>()?;

@@ -3,7 +3,7 @@
 use predicament_algorithms::mesh_locate::Location;
 use predicament_records::{Error, Row, RunDir};
 use predicament_report::layout::{backends, rank, run_head, run_label};
-use predicament_report::{Block, Cell, Section, Table, Tone};
+use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 use serde::{Deserialize, Serialize};
 
 use super::MeshLocate;
@@ -104,6 +104,7 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let mut table = Table::new("Probes of meshes")
         .words(run_head(runs))
         .words(["scene", "probes at", "backend"])
+        .of(Origin::of(MeshLocateRow::FILE).keys(["scene", "backend"]).key("probes at", "kind").under("scene", "suite"))
         .numbers(["probes", "in a region", "on the mesh", "contradictions", "known", "lost"]);
     for (index, run) in runs.iter().enumerate() {
         let mut rows = run.rows::<MeshLocateRow>()?;

@@ -2,7 +2,7 @@
 
 use predicament_records::{Error, Row, RunDir};
 use predicament_report::layout::{backends, rank, run_head, run_label};
-use predicament_report::{Block, Cell, Section, Table, Tone};
+use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 use serde::{Deserialize, Serialize};
 
 /// `locate.csv`: in how many regions of a tiling the probes were found.
@@ -52,14 +52,11 @@ impl Row for LocateRow {
 /// The section of a report.
 pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let order = backends(runs);
-    let mut table = Table::new("").words(run_head(runs)).words(["scene", "surroundings", "backend"]).numbers([
-        "probes",
-        "in none",
-        "in one",
-        "in many",
-        "on boundary",
-        "violations",
-    ]);
+    let mut table = Table::new("")
+        .words(run_head(runs))
+        .words(["scene", "surroundings", "backend"])
+        .of(Origin::of(LocateRow::FILE).keys(["scene", "surroundings", "backend"]).under("scene", "suite"))
+        .numbers(["probes", "in none", "in one", "in many", "on boundary", "violations"]);
     for (index, run) in runs.iter().enumerate() {
         let mut rows = run.rows::<LocateRow>()?;
         rows.sort_by_cached_key(|r| {

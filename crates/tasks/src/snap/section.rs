@@ -2,7 +2,7 @@
 
 use predicament_records::{Error, Row, RunDir};
 use predicament_report::layout::{run_head, run_label};
-use predicament_report::{Block, Cell, Section, Table, Tone};
+use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 use serde::{Deserialize, Serialize};
 
 /// `snap.csv`: a drawing after it was rounded.
@@ -58,6 +58,7 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let mut table = Table::new("Drawings after rounding")
         .words(run_head(runs))
         .words(["scene", "method", "backend"])
+        .of(Origin::of(SnapRow::FILE).keys(["scene", "method", "backend"]).under("scene", "suite"))
         .numbers(["hot pixels", "merged", "edges", "new crossings", "drift / side"]);
     for (index, run) in runs.iter().enumerate() {
         for row in run.rows::<SnapRow>()? {

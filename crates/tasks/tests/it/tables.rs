@@ -169,12 +169,12 @@ fn every_table_survives_the_disk() {
     writer.write(&[mesh_intersect()]).unwrap();
     writer.finish(Outcome::Complete).unwrap();
     let run = RunDir::open(folder.path()).unwrap();
-    assert_eq!(run.rows(), Ok(vec![locate(), locate()]));
-    assert_eq!(run.rows(), Ok(vec![contact()]));
-    assert_eq!(run.rows(), Ok(vec![mass()]));
-    assert_eq!(run.rows(), Ok(vec![snap()]));
-    assert_eq!(run.rows(), Ok(vec![mesh_locate()]));
-    assert_eq!(run.rows(), Ok(vec![mesh_intersect()]));
+    assert_eq!(run.rows().unwrap(), vec![locate(), locate()]);
+    assert_eq!(run.rows().unwrap(), vec![contact()]);
+    assert_eq!(run.rows().unwrap(), vec![mass()]);
+    assert_eq!(run.rows().unwrap(), vec![snap()]);
+    assert_eq!(run.rows().unwrap(), vec![mesh_locate()]);
+    assert_eq!(run.rows().unwrap(), vec![mesh_intersect()]);
 }
 
 #[test]
