@@ -8,12 +8,14 @@ use crate::steps::{answers, fresh, root, step, target_directory};
 const FOLDER: &str = "target/browser";
 /// What the page of many findings has.
 const MANY: usize = 100_000;
+/// Run folders that were written by hand.
+const SMALL: [&str; 2] = ["crates/tasks/tests/data/checked", "crates/tasks/tests/data/timed"];
 /// Where Debian has it.
 const CHROMIUM: &str = "/usr/bin/chromium";
 
 /// Makes a page of the embedded corpora and one of very many findings, and uses both in a browser. Says what is missing where there is
-/// no browser, which is an error only if one is needed.
-pub fn check(is_needed: bool) -> Result<(), String> {
+/// no browser, which is an error only if one is needed. A small page is compared with pictures that were looked at; `accept` makes it the new ones.
+pub fn check(is_needed: bool, accept: bool) -> Result<(), String> {
     let missing: Vec<&str> = [("node", "node"), ("npm", "npm"), (CHROMIUM, "chromium (Debian's package)")]
         .into_iter()
         .filter_map(|(program, name)| (!answers(program, &["--version"])).then_some(name))
@@ -28,8 +30,11 @@ pub fn check(is_needed: bool) -> Result<(), String> {
     }
     let folder = root().join(fresh(FOLDER)?);
     let own = root().join("crates/xtask/browser");
-    for file in ["package.json", "check.mjs"] {
-        std::fs::copy(own.join(file), folder.join(file)).map_err(|error| format!("{file}: {error}"))?;
+    for entry in std::fs::read_dir(&own).map_err(|error| format!("{}: {error}", own.display()))? {
+        let path = entry.map_err(|error| format!("{}: {error}", own.display()))?.path();
+        if let Some(file) = path.file_name().filter(|_| path.is_file()) {
+            std::fs::copy(&path, folder.join(file)).map_err(|error| format!("{}: {error}", path.display()))?;
+        }
     }
     let words = |words: &[&str]| words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>();
     let at = folder.display().to_string();
@@ -41,14 +46,27 @@ pub fn check(is_needed: bool) -> Result<(), String> {
     let (run, many) = (path("run"), path("many"));
     step("run the embedded corpora", &words(&[&tool, "run", "--out", &run]), &[])?;
     multiplied(Path::new(&run), Path::new(&many))?;
+    // Plots that answer to the pointer come from a study.
+    let stress = ["stress", "-q", "-t", "orient2d", "--knob", "scale", "--scenes", "1", "--out"];
+    step("turn a knob", &words(&[&[&tool[..]], &stress[..], &[&format!("{run}/stress")]].concat()), &[])?;
     let script = path("check.mjs");
+    // A page of run folders that were written by hand looks the same everywhere.
+    let (out, shots) = (path("small"), path("small-screenshots"));
+    step("write a small page", &words(&[&[&tool, "report"][..], &SMALL, &["--out", &out]].concat()), &[])?;
+    let small = format!("{out}/report.html");
+    let references = own.join("references").display().to_string();
+    let compared = ["node", &script, &small, &shots, "--references", &references];
+    let accepted = if accept { &["--accept"][..] } else { &[] };
+    step("compare it with references", &words(&[&compared[..], accepted].concat()), &[])?;
     for (run, name, least) in [(&run, "report", 1), (&many, "many-report", MANY)] {
         let (out, shots) = (path(name), path(&format!("{name}-screenshots")));
         step(&format!("write {name}"), &words(&[&tool, "report", run, "--out", &out]), &[])?;
         let page = format!("{out}/report.html");
-        step(&format!("use {name}"), &words(&["node", &script, &page, &shots, &least.to_string()]), &[])?;
+        step(&format!("use {name}"), &words(&["node", &script, &page, &shots, "--least", &least.to_string()]), &[])?;
     }
-    Ok(())
+    let page = format!("{}/report.html", path("report"));
+    let planted = ["node", &path("faults.mjs"), &page, &path("faults"), &references, &small];
+    step("plant faults", &words(&planted), &[])
 }
 
 /// A run folder with the same findings again and again, each with an id of its own, until there are [`MANY`].

@@ -30,9 +30,10 @@ Commands:
   engines [NAME...]
          install and build engines of other languages (CGAL, GEOS, libigl, ...) for `run -b engine:NAME`: by apt,
          pip and npm, into their folders where the client can
-  browser
-         the report in Chromium: opened, searched, sorted, printed, in light and dark, at three widths, with 100,000
-         findings too; screenshots in target/browser. Says what is missing where there is no Chromium, Node.js or npm
+  browser [--accept]
+         the report in Chromium: opened, searched, sorted, turned, printed, in light and dark, at three widths, with
+         100,000 findings too, compared with pictures of it, and with faults planted; screenshots in target/browser.
+         --accept makes new pictures to compare with. Says what is missing where there is no Chromium, Node.js or npm
   setup  only make sure that what the build needs is there (m4, a C compiler, make)
   help   this text
 
@@ -46,7 +47,8 @@ fn main() -> ExitCode {
     let mut args = std::env::args().skip(1);
     let command = args.next().unwrap_or_else(|| "help".to_owned());
     let rest: Vec<String> = args.collect();
-    if let Some(extra) = rest.first().filter(|_| command != "engines") {
+    let is_known = |argument: &str| command == "engines" || command == "browser" && argument == "--accept";
+    if let Some(extra) = rest.iter().find(|argument| !is_known(argument)) {
         eprintln!("xtask: unexpected argument `{extra}`; see `cargo xtask help`");
         return ExitCode::from(2);
     }
@@ -54,7 +56,7 @@ fn main() -> ExitCode {
         "demo" => m4::ensure().and_then(|()| steps::demo()),
         "test" => m4::ensure().and_then(|()| steps::test()),
         "nightly" => m4::ensure().and_then(|()| steps::nightly()),
-        "browser" => m4::ensure().and_then(|()| browser::check(false)),
+        "browser" => m4::ensure().and_then(|()| browser::check(false, !rest.is_empty())),
         "engines" => m4::ensure().and_then(|()| steps::engines(&rest)),
         "setup" => m4::ensure(),
         "help" | "-h" | "--help" => {

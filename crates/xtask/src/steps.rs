@@ -222,7 +222,7 @@ pub fn nightly() -> Result<(), String> {
         ),
         // Into a folder of its own: packages are compiled as somebody else's.
         cargo("packages", &["package", "--workspace", "--allow-dirty", "--target-dir", "target/package-check"]),
-        crate::browser::check(true),
+        crate::browser::check(true, false),
         minimum_version(),
         fuzz(),
     ];

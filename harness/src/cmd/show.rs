@@ -17,12 +17,14 @@ use crate::one_scene::OneScene;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
-What is shown is chosen as for `solve`: a scene of a suite with -f, a task on files of yours, or with --finding what one finding is
-about. Without -b it is the scene, with -b the answer of that backend, too.
+What is shown is chosen as for `solve`: a scene of a suite with -f, a task on files of yours, or
+with --finding what one finding is about. Without -b it is the scene, with -b the answer of that
+backend, too.
 
-The name of the file says what is written: .svg is a picture, .html a page with a view that turns and zooms and needs nothing else,
-.json the same as data (docs/REPORT.md). A picture in space is without perspective. Coordinates are taken from exact ones: with --around
-they are offsets from that vertex, and --radius magnifies what nearly coincides there.
+The name of the file says what is written: .svg is a picture, .html a page with a view that turns
+and zooms and needs nothing else, .json the same as data (docs/REPORT.md). A picture in space is
+without perspective. Coordinates are taken from exact ones: with --around they are offsets from
+that vertex, and --radius magnifies what nearly coincides there.
 
 Examples:
   predicament show tilings -f '/tiling$' --out tiling.svg

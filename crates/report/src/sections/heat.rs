@@ -34,9 +34,8 @@ pub fn section(runs: &[RunDir]) -> Section {
     Section {
         id: "heat",
         title: "Where something is wrong",
-        lead: "The share of answers that are wrong, by backend and suite; ✗ and a number are failed checks of whole scenes. Blue is what a backend \
-               promises and may: ties broken, values within a tolerance. A dash was declined; an empty cell was not run. A frame is \
-               a result that is not expected. A cell leads to its findings."
+        lead: "The share of answers that are wrong, by backend and suite; ✗ and a number are failed checks of whole scenes. Ties broken and values within a tolerance \
+               are what a backend promises and may. An empty cell was not run. A cell leads to its findings."
             .to_owned(),
         blocks: vec![Block::table_or(table, "No scene was checked.")],
     }

@@ -109,15 +109,18 @@ fn series(row: &PhaseRow) -> &str {
 /// So many sizes show how times grow.
 const FEWEST: usize = 3;
 
+/// A line of a plot: the plot, the line's name, and its points.
+type Line = (String, String, Vec<(f64, f64)>);
+
 /// Times on one thread over sizes: the series of at least three sizes with its backend, the phase, and the points.
-fn growth(timed: &[Timed<'_>]) -> Vec<(String, String, Vec<(f64, f64)>)> {
+fn growth(timed: &[Timed<'_>]) -> Vec<Line> {
     let of = |row: &'_ PhaseRow| [row.suite.clone(), row.task.clone(), series(row).to_owned()];
     let mut sizes: BTreeMap<_, BTreeSet<u64>> = BTreeMap::new();
     for Timed { first, .. } in timed {
         sizes.entry(of(first)).or_default().insert(first.size);
     }
     sizes.retain(|_, sizes| sizes.len() >= FEWEST);
-    let mut lines: Vec<(String, String, Vec<(f64, f64)>)> = Vec::new();
+    let mut lines: Vec<Line> = Vec::new();
     for Timed { first, spread, .. } in timed {
         if first.threads > 1 || !sizes.contains_key(&of(first)) {
             continue;
