@@ -27,7 +27,7 @@ pub fn html(runs: &[RunDir], of_tasks: &[Section], details: &[Detail]) -> Result
     render(HTML, runs, of_tasks, details)
 }
 
-/// The report as one page of Markdown. Plots are files beside it; pixel maps are left out.
+/// The report as one page of Markdown. Plots are files beside it; pixel maps, and all but the first rows of long tables, are left out.
 ///
 /// # Errors
 /// If the plot can't be drawn or the page can't be filled in.
@@ -87,12 +87,12 @@ fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Error> {
 
 fn render(template: &str, runs: &[RunDir], of_tasks: &[Section], details: &[Detail]) -> Result<String, Error> {
     let whole = sections(runs, of_tasks)?;
-    let mut rest = (template == HTML).then(Vec::new);
-    let sections: Vec<Value> = whole.iter().map(|section| section.value(rest.as_mut())).collect();
+    let mut rest = Vec::new();
+    let sections: Vec<Value> = whole.iter().map(|section| section.value(Some(&mut rest))).collect();
     let headlines: Vec<Value> = headlines(runs).iter().map(Headline::value).collect();
     let mut page = context! { headlines => headlines, sections => sections, first => FIRST, unfolded => UNFOLDED };
     if template == HTML {
-        let rest = rest.into_iter().flatten().map(|rows| fill(MORE, context! { rows => rows }));
+        let rest = rest.into_iter().map(|rows| fill(MORE, context! { rows => rows }));
         let rest = rest.collect::<Result<Vec<_>, _>>()?;
         let rows = Value::from_safe_string(web::rows(runs, &whole, details, &rest)?);
         let libraries = Value::from_safe_string(web::libraries()?);

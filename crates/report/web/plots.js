@@ -47,8 +47,8 @@
       },
       series: [
         { label: data.x, value: (_, x) => number(x) },
-        ...data.curves.map(({ name }, at) => ({
-          label: name, stroke: COLOURS[at % COLOURS.length], width: 1.5, spanGaps: true, points: { show: true, size: 5 }, value: (_, y) => number(y),
+        ...data.curves.map(({ name, band }, at) => ({
+          label: name, stroke: COLOURS[at % COLOURS.length], width: 1.5, fill: band ? `${COLOURS[at % COLOURS.length]}26` : undefined, spanGaps: true, points: { show: true, size: 5 }, value: (_, y) => number(y),
         })),
       ],
       axes: [axis(data.x, data.linear ? { values: (_, splits) => splits } : {}), axis(data.y, { size: 64 })],

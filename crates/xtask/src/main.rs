@@ -11,7 +11,6 @@ mod cpu;
 #[cfg(test)]
 mod house;
 mod m4;
-#[cfg(test)]
 mod sample;
 mod steps;
 
@@ -34,6 +33,8 @@ Commands:
          the report in Chromium: opened, searched, sorted, turned, printed, in light and dark, at three widths, with
          100,000 findings too, compared with pictures of it, and with faults planted; screenshots in target/browser.
          --accept makes new pictures to compare with. Says what is missing where there is no Chromium, Node.js or npm
+  sample the sample report anew: embedded and fetched suites, times, comparison and knobs; `reports/sample` and the
+         table of README (20 minutes)
   setup  only make sure that what the build needs is there (m4, a C compiler, make)
   help   this text
 
@@ -58,6 +59,7 @@ fn main() -> ExitCode {
         "nightly" => m4::ensure().and_then(|()| steps::nightly()),
         "browser" => m4::ensure().and_then(|()| browser::check(false, !rest.is_empty())),
         "engines" => m4::ensure().and_then(|()| steps::engines(&rest)),
+        "sample" => m4::ensure().and_then(|()| sample::make()),
         "setup" => m4::ensure(),
         "help" | "-h" | "--help" => {
             print!("{HELP}");

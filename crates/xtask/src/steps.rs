@@ -322,7 +322,7 @@ fn cargo_command<S: AsRef<str>>(args: &[S]) -> Vec<String> {
     std::iter::once(cargo_path()).chain(args.iter().map(|word| word.as_ref().to_owned())).collect()
 }
 
-fn cargo(what: &str, args: &[&str]) -> Result<(), String> {
+pub fn cargo(what: &str, args: &[&str]) -> Result<(), String> {
     step(what, &cargo_command(args), &[])
 }
 

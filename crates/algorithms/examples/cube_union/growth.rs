@@ -100,10 +100,10 @@ pub fn run(folder: &Path, largest: usize, threads: usize) -> Outcome<()> {
         }
     }
     writer.flush()?;
-    let curve = |name: String, density: f64, value: fn(&Row) -> f64| Curve {
-        name,
+    let curve = |name: String, density: f64, value: fn(&Row) -> f64| {
         #[allow(clippy::cast_precision_loss)] // far from 2^53
-        points: rows.iter().filter(|row| row.density == density).map(|row| (row.cubes as f64, value(row))).collect(),
+        let points = rows.iter().filter(|row| row.density == density).map(|row| (row.cubes as f64, value(row)));
+        Curve::new(name, points.collect::<Vec<_>>())
     };
     let time =
         DENSITIES.map(|density| curve(format!("CPU microseconds, density {density}"), density, Row::microseconds));

@@ -14,12 +14,28 @@ const SIZE: (u32, u32) = (760, 380);
 const FONT: u32 = 12;
 
 /// A line.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Default)]
 pub struct Curve {
     /// Its name.
     pub name: String,
-    /// Its points; those with a coordinate that has no logarithm are left out.
+    /// Its points; those with a coordinate that has no logarithm are left out. A line without points is a name alone, which says
+    /// what there is nothing of.
     pub points: Vec<(f64, f64)>,
+    /// Whether it is the upper end of a band, and all below it is shaded.
+    pub is_band: bool,
+}
+
+impl Curve {
+    /// A line with this name.
+    pub fn new(name: impl Into<String>, points: impl Into<Vec<(f64, f64)>>) -> Curve {
+        Curve { name: name.into(), points: points.into(), is_band: false }
+    }
+
+    /// The line as the upper end of a band.
+    #[must_use]
+    pub fn band(self) -> Curve {
+        Curve { is_band: true, ..self }
+    }
 }
 
 /// Lines with what their axes mean.
@@ -91,7 +107,7 @@ fn carry(svg: &mut String, curves: &Curves) {
     let line = |curve: &Curve| {
         let points: Vec<[f64; 2]> =
             curve.points.iter().filter(|&point| curves.place(point).is_some()).map(|&(x, y)| [x, y]).collect();
-        json!({ "name": curve.name, "points": points })
+        json!({ "name": curve.name, "points": points, "band": curve.is_band })
     };
     let lines: Vec<Value> = curves.curves.iter().map(line).collect();
     let data =
@@ -150,6 +166,7 @@ fn free_corner(curves: &Curves, [x, y]: [&Range<f64>; 2]) -> SeriesLabelPosition
 }
 
 fn draw(recording: &mut Recording, curves: &Curves, (x, y): (Decades, Decades), corner: SeriesLabelPosition) -> Drawn {
+    let floor = y.range.start;
     let root = recording.area(SIZE);
     let mut chart =
         ChartBuilder::on(&root).margin(14).x_label_area_size(40).y_label_area_size(60).build_cartesian_2d(x, y)?;
@@ -165,6 +182,9 @@ fn draw(recording: &mut Recording, curves: &Curves, (x, y): (Decades, Decades), 
     .draw()?;
     for (curve, colour) in curves.curves.iter().zip(COLOURS.iter().cycle()) {
         let points: Vec<_> = curves.places(curve).collect();
+        if curve.is_band {
+            chart.draw_series(AreaSeries::new(points.iter().copied(), floor, colour.mix(0.15)))?;
+        }
         // A line of one point is not to be seen without a mark.
         chart.draw_series(points.iter().map(|&point| Circle::new(point, 3, colour.filled())))?;
         chart
@@ -185,7 +205,7 @@ mod tests {
         let line = |points: &[(f64, f64)]| Curves {
             x: "n".into(),
             y: "ns".into(),
-            curves: vec![Curve { name: "one".into(), points: points.to_vec() }],
+            curves: vec![Curve::new("one", points)],
             ..Curves::default()
         };
         let place = |points: &[(f64, f64)]| {
@@ -201,7 +221,7 @@ mod tests {
 
     #[test]
     fn lines_are_named_and_what_has_no_logarithm_is_left_out() {
-        let curve = |name: &str, points: &[(f64, f64)]| Curve { name: name.into(), points: points.to_vec() };
+        let curve = |name: &str, points: &[(f64, f64)]| Curve::new(name, points);
         let lines = Curves {
             x: "angle".into(),
             y: "error".into(),
@@ -228,7 +248,7 @@ mod tests {
     #[test]
     fn exponents_are_spread_evenly() {
         let points = [(-50.0, 1.0), (0.0, 10.0), (50.0, 100.0)];
-        let line = Curve { name: "one".into(), points: points.to_vec() };
+        let line = Curve::new("one", points);
         let lines = Curves { x: "log2".into(), y: "ns".into(), curves: vec![line], spread: XAxis::Linear };
         let svg = curves(&lines).unwrap().unwrap().svg;
         let x: Vec<f64> =

@@ -56,7 +56,7 @@ pub fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
                 plots.push((of, Curves { x: "size of the scene".into(), y: "ns".into(), ..Curves::default() }));
                 plots.len() - 1
             });
-            plots[at].1.curves.push(Curve { name: label(phase), points });
+            plots[at].1.curves.push(Curve::new(label(phase), points));
         }
     }
     if table.is_empty() {

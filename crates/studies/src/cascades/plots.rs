@@ -27,7 +27,7 @@ pub(super) fn all(measured: &Measured) -> Result<Vec<File>, Error> {
             let curve = |one: &Followed| {
                 #[allow(clippy::cast_precision_loss)] // few steps
                 let point = |sample: &Sample| Some((sample.step as f64, value(one, sample)?));
-                Curve { name: one.method.to_string(), points: one.samples.iter().filter_map(point).collect() }
+                Curve::new(one.method.to_string(), one.samples.iter().filter_map(point).collect::<Vec<_>>())
             };
             let of_cascade = measured.followed.iter().filter(|one| one.cascade == cascade);
             // A name in the legend stands for a line.

@@ -10,7 +10,7 @@ use predicament_corpus::{LoadedScene, Random};
 use predicament_judge::{log2_relative, verdict};
 use predicament_predicates::{Sign, ZeroMeaning};
 use predicament_records::{approximately, wilson};
-use predicament_report::{Curve, Curves, curves};
+use predicament_report::{Curve, Curves, XAxis, curves};
 use predicament_tasks::signs::SignQueries;
 use predicament_tasks::{Compared, Contestant, Kind, Knob, Watch};
 use rayon::prelude::*;
@@ -146,7 +146,7 @@ fn bins(backend: &dyn Contestant, scene: &LoadedScene) -> BTreeMap<i32, Bin> {
     bins
 }
 
-/// A plot for each task: wrong answers in a million by how degenerate queries are.
+/// A plot for each task: wrong answers in a million by how degenerate queries are, and as bands the zeros that a tolerance may answer.
 pub(super) fn plots(measured: &[Conditioned]) -> Result<Vec<File>, Error> {
     let mut files = Vec::new();
     for task in TASKS {
@@ -164,13 +164,18 @@ pub(super) fn plots(measured: &[Conditioned]) -> Result<Vec<File>, Error> {
                     (f64::from(-row.log2_relative_det), 1e6 * approximately(value(row)) / approximately(row.answers))
                 })
                 .filter(|(x, y)| *x > 0.0 && *y > 0.0);
-            Curve { name, points: points.collect() }
+            Curve::new(name, points.collect::<Vec<_>>())
         };
         let wrong = backends.iter().map(|backend| curve(backend, &|row| row.wrong, (*backend).to_owned()));
-        let bands = backends.iter().map(|backend| curve(backend, &|row| row.in_band, format!("{backend}, in band")));
-        let lines: Vec<Curve> = wrong.chain(bands).filter(|curve| !curve.points.is_empty()).collect();
-        let (x, y) = ("-log2(|det| / permanent)".into(), "wrong answers in 10^6".into());
-        let picture = curves(&Curves { x, y, curves: lines, ..Curves::default() }).map_err(Error::format)?;
+        let bands =
+            backends.iter().map(|backend| curve(backend, &|row| row.in_band, format!("{backend}, in its band")).band());
+        let (lines, never): (Vec<Curve>, Vec<Curve>) = wrong.partition(|curve| !curve.points.is_empty());
+        let bands = bands.filter(|curve| !curve.points.is_empty());
+        let never: Vec<&str> = never.iter().map(|curve| curve.name.as_str()).collect();
+        let never = (!never.is_empty()).then(|| Curve::new(format!("never wrong: {}", never.join(", ")), []));
+        let lines = lines.into_iter().chain(bands).chain(never).collect();
+        let (x, y) = ("-log2(|det| / permanent)".into(), "answers in 10^6".into());
+        let picture = curves(&Curves { x, y, curves: lines, spread: XAxis::Linear }).map_err(Error::format)?;
         files.extend(File::plot(format!("conditioning-{task}"), picture));
     }
     Ok(files)

@@ -82,7 +82,11 @@ pub fn section(folder: &Path) -> Result<Option<Section>, String> {
     }
     let mut blocks = plots_in(folder, "error-time", "Scenes that are wrong against time, over all inputs")?;
     blocks.push(Block::Table(table));
-    blocks.extend(plots_in(folder, "conditioning", "Wrong answers in a million by how degenerate queries are")?);
+    blocks.extend(plots_in(
+        folder,
+        "conditioning",
+        "Wrong answers in a million by how degenerate queries are; shaded: zeros within a band, which are promised",
+    )?);
     Ok(Some(Section {
         id: ID,
         title: TITLE,

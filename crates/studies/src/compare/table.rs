@@ -255,7 +255,7 @@ pub(super) fn error_against_time(compared: &Compared) -> Result<Vec<File>, Error
         let point = (time, mean.max(0.1));
         match lines.iter_mut().find(|line| line.name == name) {
             Some(line) => line.points.push(point),
-            None => lines.push(Curve { name, points: vec![point] }),
+            None => lines.push(Curve::new(name, [point])),
         }
     }
     lines.iter_mut().for_each(|line| line.points.sort_by(|a, b| a.0.total_cmp(&b.0)));

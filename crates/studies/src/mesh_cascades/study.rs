@@ -181,10 +181,10 @@ Examples:
         for cascade in in_order(measured.followed.iter().map(|one| one.cascade)) {
             for (name, what, value) in &plots {
                 #[allow(clippy::cast_precision_loss)] // few steps
-                let curve = |one: &Followed| Curve {
-                    name: one.backend.clone(),
-                    points: one.samples.iter().map(|sample| (sample.step as f64, value(sample))).collect(),
+                let points = |one: &Followed| -> Vec<_> {
+                    one.samples.iter().map(|sample| (sample.step as f64, value(sample))).collect()
                 };
+                let curve = |one: &Followed| Curve::new(one.backend.clone(), points(one));
                 let of_cascade = measured.followed.iter().filter(|one| one.cascade == cascade).map(curve);
                 // A name in the legend stands for a line.
                 let lines = of_cascade.filter(|curve| curve.points.iter().any(|(_, y)| *y > 0.0)).collect();

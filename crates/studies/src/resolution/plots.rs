@@ -21,9 +21,9 @@ fn bar((feature, backend, survey): &(&Feature, String, Survey)) -> Bar {
 }
 
 fn lines(crossings: &[(String, Vec<Location>)]) -> Curves {
-    let curve = |(backend, locations): &(String, Vec<Location>)| Curve {
-        name: backend.clone(),
-        points: locations.iter().filter(|at| at.registered > 0).map(|at| (at.angle, at.worst)).collect(),
+    let curve = |(backend, locations): &(String, Vec<Location>)| {
+        let points = locations.iter().filter(|at| at.registered > 0).map(|at| (at.angle, at.worst));
+        Curve::new(backend.clone(), points.collect::<Vec<_>>())
     };
     Curves {
         x: "angle between the edges, radians".into(),

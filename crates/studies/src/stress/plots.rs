@@ -23,7 +23,7 @@ pub(super) fn all(stressed: &Stressed) -> Result<Vec<File>, Error> {
                 let at = drawn_at(knob, position).filter(|_| !values.is_empty())?;
                 Some((at, values.iter().sum::<f64>() / count))
             });
-            Curve { name: backend.clone(), points: sorted(points) }
+            Curve::new(backend.clone(), sorted(points))
         };
         let drawn = |curve: &Curve| curve.points.iter().any(|(_, y)| *y > 0.0);
         let lines: Vec<Curve> = stressed.backends.iter().map(curve).filter(drawn).collect();
@@ -68,7 +68,7 @@ fn time(stressed: &Stressed, knob: Knob) -> Result<Vec<File>, Error> {
             let mean = predicament_records::geometric_mean(over)?;
             Some((drawn_at(knob, position)?, mean))
         });
-        Curve { name: backend.clone(), points: sorted(points) }
+        Curve::new(backend.clone(), sorted(points))
     };
     let lines: Vec<Curve> = stressed.backends.iter().map(curve).filter(|curve| !curve.points.is_empty()).collect();
     let x = format!("{}: {}", knob.name(), knob.unit());

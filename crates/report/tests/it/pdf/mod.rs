@@ -7,7 +7,7 @@ use reader::{File, Value};
 
 /// A plot of each kind that needs no run.
 fn plots() -> [Picture; 3] {
-    let curve = |name: &str, points: &[(f64, f64)]| Curve { name: name.into(), points: points.to_vec() };
+    let curve = |name: &str, points: &[(f64, f64)]| Curve::new(name, points);
     let lines = Curves {
         x: "angle (between edges), \\ and /".into(),
         y: "error".into(),
