@@ -331,6 +331,11 @@ pub fn cargo(what: &str, args: &[&str]) -> Result<(), String> {
 /// # Errors
 /// If it does not start, or fails.
 pub fn step(what: &str, words: &[String], env: &[(&str, &str)]) -> Result<(), String> {
+    step_ending(what, words, env, &[0])
+}
+
+/// The same for a program that may end with any of these codes.
+pub fn step_ending(what: &str, words: &[String], env: &[(&str, &str)], fine: &[i32]) -> Result<(), String> {
     let name = Path::new(&words[0]).file_stem().unwrap_or_default().to_string_lossy().into_owned();
     println!("\n== {what}: {name} {}", words[1..].join(" "));
     let (start, cpu) = (Instant::now(), cpu::of_children());
@@ -343,7 +348,7 @@ pub fn step(what: &str, words: &[String], env: &[(&str, &str)]) -> Result<(), St
     let spent = cpu::of_children()
         .zip(cpu)
         .map_or(String::new(), |(after, before)| format!(" ({:.0} s of processor time)", after - before));
-    if status.success() {
+    if status.code().is_some_and(|code| fine.contains(&code)) {
         println!("== {what}: ok, {:.0} s{spent}", start.elapsed().as_secs_f64());
         Ok(())
     } else {

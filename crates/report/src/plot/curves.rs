@@ -5,13 +5,19 @@ use std::ops::Range;
 use plotters::prelude::*;
 use serde_json::{Value, json};
 
-use super::{COLOURS, Decades, Drawn, INK, Recording, failed, power_of_ten, quiet, small};
+use super::{COLOURS, Decades, Drawn, Recording, failed, power_of_ten, quiet, small};
 use crate::{Error, Picture};
 
 const SIZE: (u32, u32) = (760, 380);
 
 /// Of letters.
 const FONT: u32 = 12;
+/// Below the picture: where names start, the sample of a line before its name, a letter at most, between names, and a row.
+const LEFT: u32 = 74;
+const SAMPLE: u32 = 24;
+const LETTER: u32 = 7;
+const GAP: u32 = 16;
+const ROW: u32 = 17;
 
 /// A line.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -95,8 +101,7 @@ pub fn curves(curves: &Curves) -> Result<Option<Picture>, Error> {
         }
     };
     let mut recording = Recording::default();
-    let corner = free_corner(curves, [&x, &y]);
-    draw(&mut recording, curves, (axis(curves.spread, x), Decades::from(y)), corner).map_err(failed)?;
+    draw(&mut recording, curves, (axis(curves.spread, x), Decades::from(y))).map_err(failed)?;
     let mut picture = recording.picture()?;
     carry(&mut picture.svg, curves);
     Ok(Some(picture))
@@ -137,39 +142,32 @@ fn axis(spread: XAxis, range: Range<f64>) -> Decades {
     }
 }
 
-/// The corner that the lines pass the least, for their names.
-fn free_corner(curves: &Curves, [x, y]: [&Range<f64>; 2]) -> SeriesLabelPosition {
-    const STEPS: u32 = 16;
-    // For each corner, the parts of lines in the quarter of the picture there.
-    let mut passed = [0_u32; 4];
-    let place = |range: &Range<f64>, at: f64| usize::from(at > f64::midpoint(range.start, range.end));
-    for curve in &curves.curves {
-        let mut points: Vec<(f64, f64)> = curves.places(curve).collect();
-        if let [only] = points[..] {
-            points.push(only);
+/// The names of lines in rows, as they fit side by side below the picture: the place of each line, and where it starts.
+fn rows_of(curves: &[Curve]) -> Vec<Vec<(usize, u32)>> {
+    let mut rows: Vec<Vec<(usize, u32)>> = vec![Vec::new()];
+    let mut next = 0;
+    for (at, curve) in curves.iter().enumerate() {
+        let wide = SAMPLE + LETTER * u32::try_from(curve.name.chars().count()).unwrap_or(u32::MAX / LETTER / 2) + GAP;
+        if next > 0 && next + wide > SIZE.0 - LEFT {
+            rows.push(Vec::new());
+            next = 0;
         }
-        for pair in points.windows(2) {
-            for step in 0..=STEPS {
-                let part = f64::from(step) / f64::from(STEPS);
-                let between = |a: f64, b: f64| a + part * (b - a);
-                passed[2 * place(y, between(pair[0].1, pair[1].1)) + place(x, between(pair[0].0, pair[1].0))] += 1;
-            }
+        if let Some(row) = rows.last_mut() {
+            row.push((at, next));
         }
+        next += wide;
     }
-    let corners = [
-        (passed[3], SeriesLabelPosition::UpperRight),
-        (passed[1], SeriesLabelPosition::LowerRight),
-        (passed[2], SeriesLabelPosition::UpperLeft),
-        (passed[0], SeriesLabelPosition::LowerLeft),
-    ];
-    corners.into_iter().min_by_key(|(passed, _)| *passed).map_or(SeriesLabelPosition::UpperRight, |(_, corner)| corner)
+    rows
 }
 
-fn draw(recording: &mut Recording, curves: &Curves, (x, y): (Decades, Decades), corner: SeriesLabelPosition) -> Drawn {
+fn draw(recording: &mut Recording, curves: &Curves, (x, y): (Decades, Decades)) -> Drawn {
     let floor = y.range.start;
-    let root = recording.area(SIZE);
+    let rows = rows_of(&curves.curves);
+    let below = ROW * u32::try_from(rows.len()).unwrap_or(0) + 6;
+    let root = recording.area((SIZE.0, SIZE.1 + below));
+    let (above, names) = root.split_vertically(SIZE.1);
     let mut chart =
-        ChartBuilder::on(&root).margin(14).x_label_area_size(40).y_label_area_size(60).build_cartesian_2d(x, y)?;
+        ChartBuilder::on(&above).margin(14).x_label_area_size(40).y_label_area_size(60).build_cartesian_2d(x, y)?;
     let mut mesh = chart.configure_mesh();
     quiet(&mut mesh, FONT);
     mesh.x_label_formatter(&|x| match curves.spread {
@@ -180,19 +178,27 @@ fn draw(recording: &mut Recording, curves: &Curves, (x, y): (Decades, Decades), 
     .x_desc(&curves.x)
     .y_desc(&curves.y)
     .draw()?;
-    for (curve, colour) in curves.curves.iter().zip(COLOURS.iter().cycle()) {
+    let colour = |at: usize| COLOURS[at % COLOURS.len()];
+    for (at, curve) in curves.curves.iter().enumerate() {
         let points: Vec<_> = curves.places(curve).collect();
         if curve.is_band {
-            chart.draw_series(AreaSeries::new(points.iter().copied(), floor, colour.mix(0.15)))?;
+            chart.draw_series(AreaSeries::new(points.iter().copied(), floor, colour(at).mix(0.15)))?;
         }
         // A line of one point is not to be seen without a mark.
-        chart.draw_series(points.iter().map(|&point| Circle::new(point, 3, colour.filled())))?;
-        chart
-            .draw_series(LineSeries::new(points, colour.stroke_width(2)))?
-            .label(&curve.name)
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], colour.stroke_width(2)));
+        chart.draw_series(points.iter().map(|&point| Circle::new(point, 3, colour(at).filled())))?;
+        chart.draw_series(LineSeries::new(points, colour(at).stroke_width(2)))?;
     }
-    chart.configure_series_labels().position(corner).label_font(small(FONT)).border_style(INK.mix(0.2)).draw()?;
+    let pixel = |x: u32| i32::try_from(x).unwrap_or(i32::MAX);
+    for (row, entries) in (0..).zip(&rows) {
+        for &(at, start) in entries {
+            let (x, y, curve) = (pixel(LEFT + start), row * pixel(ROW) + 8, &curves.curves[at]);
+            if !curve.points.is_empty() {
+                let sample = [(x, y), (x + 18, y)];
+                names.draw(&PathElement::new(sample, colour(at).stroke_width(if curve.is_band { 7 } else { 2 })))?;
+            }
+            names.draw(&Text::new(curve.name.clone(), (x + pixel(SAMPLE), y - 5), small(FONT)))?;
+        }
+    }
     root.present()
 }
 
@@ -200,23 +206,28 @@ fn draw(recording: &mut Recording, curves: &Curves, (x, y): (Decades, Decades), 
 mod tests {
     use super::*;
 
+    /// Names are below all marks, within the picture, and apart from each other, however many and long they are.
     #[test]
-    fn names_stand_where_no_line_is() {
-        let line = |points: &[(f64, f64)]| Curves {
-            x: "n".into(),
-            y: "ns".into(),
-            curves: vec![Curve::new("one", points)],
-            ..Curves::default()
-        };
-        let place = |points: &[(f64, f64)]| {
-            let svg = curves(&line(points)).unwrap().unwrap().svg;
-            let name = svg.split("<text ").find(|text| text.contains("\none\n")).expect("its name");
-            let at = |key: &str| name.split(key).nth(1).unwrap().split('"').nth(1).unwrap().parse::<u32>().unwrap();
-            [at("x=") > SIZE.0 / 2, at("y=") > SIZE.1 / 2]
-        };
-        assert_eq!(place(&[(1.0, 2.0), (1e4, 3.0)]), [true, false], "the line is low");
-        assert_eq!(place(&[(1.0, 2.0), (10.0, 90.0), (1e4, 99.0)]), [true, true], "it is high");
-        assert_eq!(place(&[(1e3, 1.0), (1e3, 99.0), (1.0, 1.0)]), [false, false], "it is on the right");
+    fn names_overlap_nothing() {
+        let name = |at: usize| format!("backend {at} {}", "x".repeat(at * 7 % 60));
+        let lines: Vec<Curve> = (0..9).map(|at| Curve::new(name(at), [(1.0, 1.0), (1e4, 10.0)])).collect();
+        let svg = curves(&Curves { curves: lines, ..Curves::default() }).unwrap().unwrap().svg;
+        let at =
+            |text: &str, key: &str| text.split(key).nth(1).unwrap().split('"').nth(1).unwrap().parse::<u32>().unwrap();
+        let height = at(&svg, "height=");
+        let texts: Vec<[u32; 3]> = (0..9)
+            .map(|line| {
+                let text =
+                    svg.split("<text ").find(|text| text.contains(&format!("\n{}\n", name(line)))).expect("its name");
+                let long = u32::try_from(name(line).len()).unwrap() * LETTER;
+                [at(text, "x="), at(text, "x=") + long, at(text, "y=")]
+            })
+            .collect();
+        assert!(texts.iter().all(|[_, end, y]| *end <= SIZE.0 && *y > SIZE.1 && *y < height), "{texts:?} in {height}");
+        let apart = |a: &[u32; 3], b: &[u32; 3]| a[2].abs_diff(b[2]) >= FONT || a[1] <= b[0] || b[1] <= a[0];
+        for (at, a) in texts.iter().enumerate() {
+            assert!(texts[..at].iter().all(|b| apart(a, b)), "{texts:?}");
+        }
     }
 
     #[test]
