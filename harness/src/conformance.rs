@@ -147,7 +147,7 @@ impl<B: Backend + 'static, T: TaskList> Conformance<B, T> {
             None => Expectations::default(),
         };
         let selection = self.selector.select(&tool)?;
-        let mut scenes = selection.plan(Shard::WHOLE)?;
+        let mut scenes = selection.plan()?;
         let backends: Vec<Box<dyn Contestant>> = vec![Box::new(self.contestant())];
         let backend = backends[0].as_ref();
         let name = backend.name();

@@ -24,6 +24,8 @@ pub struct Ledger {
     pub precision: Vec<PrecisionRow>,
     /// Backends of the tool that run only where they are named, and were not.
     pub left_out: Vec<String>,
+    /// In a part of a run: where its scenes are in the whole.
+    pub places: BTreeMap<PlannedScene, u64>,
     pub folder: PathBuf,
     pub writer: RunWriter,
 }
@@ -59,7 +61,7 @@ impl Ledger {
         let level = self.level.name();
         let summary =
             rows::record(&mut self.writer, scene, backend, outcome, expected, level).map_err(Failure::usage)?;
-        self.writer.commit().map_err(Failure::usage)?;
+        self.commit(scene, backend)?;
         self.note_whole(scene, summary.has_answers() && outcome.answers.is_empty());
         self.done.push(summary.clone());
         Ok(summary)
@@ -85,11 +87,20 @@ impl Ledger {
         for (name, png) in &found.maps {
             writer.add_map(name, png).map_err(Failure::usage)?;
         }
-        writer.commit().map_err(Failure::usage)?;
+        self.commit(scene, backend)?;
         let written = found.more.iter().any(|record| record.file == AnswerRow::FILE);
         self.note_whole(scene, summary.iter().any(SummaryRow::has_answers) && !written);
         self.done.extend(summary);
         Ok(())
+    }
+
+    /// Makes permanent what a backend has to say of a scene.
+    fn commit(&mut self, scene: &PlannedScene, backend: &str) -> Result<(), Failure> {
+        let committed = match self.places.get(scene) {
+            Some(&place) => self.writer.commit_of(place, backend),
+            None => self.writer.commit(),
+        };
+        committed.map_err(Failure::usage)
     }
 
     /// Notes a scene whose answer is a whole: it has no lines among the answers.

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use predicament_corpus::Level;
 use predicament_exact::Exact;
 use predicament_predicates::Backend;
-use predicament_records::{self as records, AnswerRow, Env, ImportRow, Plan, SampledRow, Shard, TableSpec};
+use predicament_records::{self as records, AnswerRow, Env, ImportRow, Plan, SampledRow, SegmentRow, Shard, TableSpec};
 use predicament_tasks::{Budget, Contestant};
 
 use crate::judged::JudgedRow;
@@ -25,6 +25,13 @@ pub fn budget(level: Level) -> Budget {
 pub fn tables(tool: &Tool) -> Vec<TableSpec> {
     let mut tables = tool.tables();
     tables.extend([TableSpec::of::<JudgedRow>(), TableSpec::of::<SampledRow>(), TableSpec::of::<ImportRow>()]);
+    tables
+}
+
+/// The same, with that of all answers where they are wanted, and with that of a part of a run, so that parts can be merged.
+pub fn tables_of(tool: &Tool, plan: &Plan) -> Vec<TableSpec> {
+    let mut tables = tables_with(tool, plan.answers);
+    tables.extend(plan.whole.is_some().then(TableSpec::of::<SegmentRow>));
     tables
 }
 
@@ -54,6 +61,7 @@ pub fn plan(selection: &Selection, scenes: &[Planned], backends: &[Box<dyn Conte
         backends: backends.iter().map(|backend| backend.name()).collect(),
         ladder: Exact.stages().iter().map(|&stage| stage.to_owned()).collect(),
         shard,
+        whole: None,
         not_selected: selection.not_selected.clone(),
         left_out: Vec::new(),
         findings_per_class: budget(selection.level).findings_per_class as u64,

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use predicament_corpus::{Level, LoadedScene, SceneDef, SeenIds, Suite};
 use predicament_formats::{Cache, CorpusError, ErrorKind, hex};
-use predicament_records::{NotSelected, PlannedScene, Shard};
+use predicament_records::{NotSelected, PlannedScene, Shard, Whole};
 use regex::Regex;
 use sha2::{Digest, Sha256};
 
@@ -155,30 +155,37 @@ impl Selection {
         Ok(def.load(self.level, &self.cache)?)
     }
 
-    /// Loads every selected scene, for its id and its size, and keeps those of
-    /// the shard. Refuses two scenes with the same contents.
-    pub fn plan(&self, shard: Shard) -> Result<Vec<Planned>, Failure> {
+    /// Loads every selected scene, for its id and its size. Refuses two scenes with the same contents.
+    pub fn plan(&self) -> Result<Vec<Planned>, Failure> {
+        Ok(self.part(Shard::WHOLE)?.0)
+    }
+
+    /// The same, of which it keeps the scenes of the shard, and says what they are a part of. A part may be empty.
+    pub fn part(&self, shard: Shard) -> Result<(Vec<Planned>, Option<Whole>), Failure> {
         let mut seen = SeenIds::new();
-        let mut planned = Vec::new();
+        let (mut planned, mut all, mut places) = (Vec::new(), Vec::new(), Vec::new());
         let mut room = KEPT;
         for def in self.defs() {
             let loaded = self.load(def)?;
             seen.insert(def, &loaded)?;
+            let plan = planned_scene(&loaded);
+            all.push(plan.clone());
             if in_shard(&loaded.id, shard) {
-                let plan = planned_scene(&loaded);
+                places.push(all.len() as u64 - 1);
                 let size = loaded.scene.coordinates().len() + 8 * loaded.count();
                 let kept = (size <= room).then_some(loaded);
                 room -= if kept.is_some() { size } else { 0 };
                 planned.push(Planned { def: def.clone(), plan, kept });
             }
         }
-        if planned.is_empty() {
+        if all.is_empty() {
             return Err(Failure::nothing(format!(
                 "no scene is selected; see `{} corpus list` for what there is",
                 program()
             )));
         }
-        Ok(planned)
+        let whole = (shard != Shard::WHOLE).then(|| Whole::new(&all, places));
+        Ok((planned, whole))
     }
 }
 
@@ -238,7 +245,7 @@ mod tests {
         std::fs::write(&points, "0, 0\n1, 0\n0, 1\n").unwrap();
         let selector = Selector { suites: vec![suite.display().to_string()], ..Selector::everything() };
         let selection = selector.select(&crate::tool::Tool::new((), &(), Vec::new(), None)).unwrap();
-        let mut planned = selection.plan(Shard::WHOLE).unwrap();
+        let mut planned = selection.plan().unwrap();
         std::fs::remove_file(&points).unwrap();
         assert_eq!(planned[0].take(&selection).unwrap().count(), 1);
         assert_eq!(

@@ -35,6 +35,12 @@ pub struct Env {
     /// doesn't tell.
     #[serde(default)]
     pub governor: Option<String>,
+    /// The machine's name; none where the system doesn't tell, and in folders made before it was written down.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub node: Option<String>,
+    /// The parts that a merged run was put together from, each with the name of its machine.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub parts: Vec<String>,
     /// Whether debug assertions were compiled in: such timings are worthless.
     pub debug_assertions: bool,
     /// The version of the tool.
@@ -61,6 +67,8 @@ impl Env {
             commit: None,
             dirty: None,
             governor: std::fs::read_to_string(GOVERNOR).ok().and_then(|text| trimmed(&text)),
+            node: std::fs::read_to_string("/proc/sys/kernel/hostname").ok().and_then(|text| trimmed(&text)),
+            parts: Vec::new(),
             debug_assertions: cfg!(debug_assertions),
             package_version: package_version.to_owned(),
             command_line: std::env::args_os().map(|arg| arg.to_string_lossy().into_owned()).collect(),

@@ -35,11 +35,11 @@ pub use imported::ImportRow;
 pub use junit::junit;
 pub use lined::Rows;
 pub use phases::PhaseRow;
-pub use plan::{FORMAT, Level, NotSelected, Plan, PlannedScene, Shard};
+pub use plan::{FORMAT, Level, NotSelected, Plan, PlannedScene, Shard, Whole};
 pub use predicament_predicates::{Class, Status};
 pub use replace::replace;
 pub use rows::{FindingRow, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
-pub use run_dir::{Lined, NotRun, Outcome, Record, RunDir, RunWriter, TableSpec};
+pub use run_dir::{Lined, NotMerged, NotRun, Outcome, Record, RunDir, RunWriter, SegmentRow, TableSpec, merge};
 pub use sampled::SampledRow;
 /// For deriving a [`Row`] in a crate that does not depend on `serde` itself.
 pub use serde;

@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 
 /// The version of the run folder's format that this crate writes, and the
 /// newest that it reads.
@@ -137,6 +138,33 @@ pub struct NotSelected {
     pub reason: String,
 }
 
+/// The selection that a plan has a part of.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct Whole {
+    /// How many scenes there are in all parts together.
+    pub scenes: u64,
+    /// The SHA-256, in hex digits, of all of these scenes: parts of the same selection have the same.
+    pub digest: String,
+    /// The places of this part's scenes among all, from 0, in their order.
+    pub places: Vec<u64>,
+}
+
+impl Whole {
+    /// A part of these scenes: those in these places.
+    #[must_use]
+    pub fn new(scenes: &[PlannedScene], places: Vec<u64>) -> Whole {
+        let mut digest = Sha256::new();
+        for scene in scenes {
+            for label in scene.labels().iter().chain([&scene.family, &scene.queries.to_string()]) {
+                digest.update(label.as_bytes());
+                digest.update([0]);
+            }
+        }
+        let digest = digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
+        Whole { scenes: scenes.len() as u64, digest, places }
+    }
+}
+
 /// What a run is going to do.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Plan {
@@ -173,6 +201,9 @@ pub struct Plan {
     pub ladder: Vec<String>,
     /// Which part of the selection this is.
     pub shard: Shard,
+    /// In a part: what it is a part of. None in a whole run, and in folders made before it was written down.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub whole: Option<Whole>,
     /// What was left out on purpose.
     pub not_selected: Vec<NotSelected>,
     /// The backends of the tool that do not run where none is named, and were not: they have to be named.

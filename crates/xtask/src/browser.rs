@@ -6,7 +6,8 @@ use crate::steps::{answers, fresh, root, step, target_directory};
 
 /// Where the browser's work is.
 const FOLDER: &str = "target/browser";
-/// What the page of many findings has.
+/// How many findings two more pages have.
+const FEW: usize = 1_000;
 const MANY: usize = 100_000;
 /// Run folders that were written by hand.
 const SMALL: [&str; 2] = ["crates/tasks/tests/data/checked", "crates/tasks/tests/data/timed"];
@@ -43,9 +44,10 @@ pub fn check(is_needed: bool, accept: bool) -> Result<(), String> {
     step("build the tool", &words(&build), &[])?;
     let tool = target_directory()?.join("ci").join("predicament").display().to_string();
     let path = |name: &str| folder.join(name).display().to_string();
-    let (run, many) = (path("run"), path("many"));
+    let (run, few, many) = (path("run"), path("few"), path("many"));
     step("run the embedded corpora", &words(&[&tool, "run", "--out", &run]), &[])?;
-    multiplied(Path::new(&run), Path::new(&many))?;
+    multiplied(Path::new(&run), Path::new(&few), FEW)?;
+    multiplied(Path::new(&run), Path::new(&many), MANY)?;
     // Plots that answer to the pointer come from a study.
     let stress = ["stress", "-q", "-t", "orient2d", "--knob", "scale", "--scenes", "1", "--out"];
     step("turn a knob", &words(&[&[&tool[..]], &stress[..], &[&format!("{run}/stress")]].concat()), &[])?;
@@ -58,7 +60,7 @@ pub fn check(is_needed: bool, accept: bool) -> Result<(), String> {
     let compared = ["node", &script, &small, &shots, "--references", &references];
     let accepted = if accept { &["--accept"][..] } else { &[] };
     step("compare it with references", &words(&[&compared[..], accepted].concat()), &[])?;
-    for (run, name, least) in [(&run, "report", 1), (&many, "many-report", MANY)] {
+    for (run, name, least) in [(&run, "report", 1), (&few, "few-report", FEW), (&many, "many-report", MANY)] {
         let (out, shots) = (path(name), path(&format!("{name}-screenshots")));
         step(&format!("write {name}"), &words(&[&tool, "report", run, "--out", &out]), &[])?;
         let page = format!("{out}/report.html");
@@ -69,8 +71,8 @@ pub fn check(is_needed: bool, accept: bool) -> Result<(), String> {
     step("plant faults", &words(&planted), &[])
 }
 
-/// A run folder with the same findings again and again, each with an id of its own, until there are [`MANY`].
-fn multiplied(run: &Path, many: &Path) -> Result<(), String> {
+/// A run folder with the same findings again and again, each with an id of its own, until there are so many.
+fn multiplied(run: &Path, many: &Path, count: usize) -> Result<(), String> {
     let failed = |path: &Path| {
         let path = path.display().to_string();
         move |error: std::io::Error| format!("{path}: {error}")
@@ -91,7 +93,7 @@ fn multiplied(run: &Path, many: &Path) -> Result<(), String> {
         return Err("findings.csv has no findings".to_owned());
     }
     let mut all = format!("{head}\n");
-    for (number, row) in rows.iter().cycle().take(MANY).enumerate() {
+    for (number, row) in rows.iter().cycle().take(count).enumerate() {
         let (_, rest) = row.split_once(',').ok_or("a row has an id")?;
         all += &format!("{number:012x},{rest}\n");
     }

@@ -103,7 +103,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let backends = tool.pick(&args.backends)?;
     let judged = Judged::read(args.judged.as_ref())?;
     let selection = args.selector.select(tool)?;
-    let mut scenes = selection.plan(Shard::WHOLE)?;
+    let mut scenes = selection.plan()?;
     let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-bench"));
     let plan =
         Plan { timed: true, engines: engines(&args.backends)?, ..plan(&selection, &scenes, &backends, Shard::WHOLE) };

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use predicament_corpus::{SceneDef, fmt};
 use predicament_formats::{CorpusError, fetch, fmt_csv, read_as_it_is};
-use predicament_records::{Shard, replace};
+use predicament_records::replace;
 use predicament_tasks::Watch;
 use serde_json::json;
 
@@ -133,7 +133,7 @@ fn tidied(tool: &Tool, file: &Path, name: &str) -> Result<(String, String), Fail
 
 fn verify(tool: &Tool, selector: &Selector) -> exit::Outcome {
     let selection = selector.select(tool)?;
-    let planned = selection.plan(Shard::WHOLE)?;
+    let planned = selection.plan()?;
     let queries: u64 = planned.iter().map(|scene| scene.plan.queries).sum();
     say!("{} suites, {} scenes, {queries} queries: all valid", selection.suites.len(), planned.len());
     tell_not_selected(&selection.not_selected, "verified");

@@ -8,6 +8,7 @@ pub mod doctor;
 pub mod engines;
 pub mod gate;
 pub mod map;
+pub mod merge;
 pub mod new;
 pub mod replay;
 pub mod report;

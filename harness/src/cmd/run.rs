@@ -5,14 +5,14 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use predicament_corpus::Level;
-use predicament_records::{self as records, NotSelected, Plan, RunDir, RunWriter, Shard, SummaryRow};
+use predicament_records::{self as records, NotSelected, Plan, PlannedScene, RunDir, RunWriter, Shard, SummaryRow};
 use predicament_tasks::{AnyCase, AnyTask, Budget, Class, Contestant, Stop, Watch};
 use rayon::prelude::*;
 
 use crate::exit::{self, Failure};
 use crate::ledger::Ledger;
 use crate::out::program;
-use crate::planning::{budget, env_of, free_folder, plan, tables_with};
+use crate::planning::{budget, env_of, free_folder, plan, tables_of};
 use crate::select::{NOT_NAMED, Planned, Selection, Selector};
 use crate::tool::{Tool, engines};
 use crate::worker::Worker;
@@ -24,7 +24,7 @@ Examples:
   predicament run classics -b exact,sos,naive       one suite, three backends
   predicament run families -f 'near.*orient3d' --level full
   predicament run mine.toml --expected mine-expected.toml --out out/mine
-  predicament run --shard 2/4 --out out/part2       a quarter of the work
+  predicament run --shard 2/4 --out out/part2       a quarter of the work; `merge` puts the parts together
   predicament run mine.toml --answers               every answer of every backend, as CSV
   predicament run --resume out/part2                go on where it stopped
   predicament run -b mine,exact --isolate --timeout 30    a backend that may crash, in a tool that has it";
@@ -260,22 +260,23 @@ impl Job {
     fn new(args: &Args, tool: &Tool) -> Result<Job, Failure> {
         let backends = tool.pick(&args.backends)?;
         let selection = args.selector.select(tool)?;
-        let scenes = selection.plan(args.shard)?;
+        let (scenes, whole) = selection.part(args.shard)?;
         let engines = engines(&args.backends)?;
         let plan = Plan {
             answers: args.answers,
             engines: engines.clone(),
             left_out: tool.left_out(&args.backends),
+            whole,
             ..plan(&selection, &scenes, &backends, args.shard)
         };
         let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-run"));
-        let writer = RunWriter::create(&folder, &plan, &env_of(&backends), &tables_with(tool, args.answers))
-            .map_err(Failure::usage)?;
+        let writer =
+            RunWriter::create(&folder, &plan, &env_of(&backends), &tables_of(tool, &plan)).map_err(Failure::usage)?;
         tell_not_selected(&selection.not_selected, "run");
         let (level, answers) = (selection.level, args.answers);
         let (done, precision, wholes) = (Vec::new(), Vec::new(), BTreeMap::new());
-        let left_out = plan.left_out;
-        let ledger = Ledger { level, answers, wholes, done, precision, left_out, folder, writer };
+        let (places, left_out) = (places(&plan), plan.left_out);
+        let ledger = Ledger { level, answers, wholes, done, precision, left_out, places, folder, writer };
         Ok(Job { selection, scenes, backends, engines, ledger })
     }
 
@@ -296,7 +297,7 @@ impl Job {
         let selection = selector.select(tool)?;
         let (backends, engines) = (tool.pick_planned(plan)?, plan.engines.clone());
         // The filter of the first call isn't needed: the plan lists its scenes.
-        let mut scenes = selection.plan(plan.shard)?;
+        let (mut scenes, _) = selection.part(plan.shard)?;
         scenes.retain(|scene| plan.scenes.contains(&scene.plan));
         if let Some(lost) = plan.scenes.iter().find(|planned| scenes.iter().all(|scene| scene.plan != **planned)) {
             return Err(Failure::usage(format!(
@@ -306,16 +307,22 @@ impl Job {
                 lost.scene
             )));
         }
-        let (answers, left_out) = (plan.answers, plan.left_out.clone());
-        let (writer, before) = RunWriter::resume(folder, &tables_with(tool, answers)).map_err(Failure::usage)?;
+        let (answers, left_out, places) = (plan.answers, plan.left_out.clone(), places(plan));
+        let (writer, before) = RunWriter::resume(folder, &tables_of(tool, plan)).map_err(Failure::usage)?;
         // What a run that was killed has left of its worker.
         let _ = std::fs::remove_dir_all(folder.join(WORKER));
         let RunDir { summary, precision, .. } = before;
         let (done, precision) = (summary.into(), precision.into());
         let (folder, wholes) = (folder.clone(), BTreeMap::new());
-        let ledger = Ledger { level, answers, wholes, done, precision, left_out, folder, writer };
+        let ledger = Ledger { level, answers, wholes, done, precision, left_out, places, folder, writer };
         Ok(Job { selection, scenes, backends, engines, ledger })
     }
+}
+
+/// The places of a part's scenes in the whole.
+fn places(plan: &Plan) -> BTreeMap<PlannedScene, u64> {
+    let places = plan.whole.iter().flat_map(|whole| whole.places.iter().copied());
+    plan.scenes.iter().cloned().zip(places).collect()
 }
 
 /// Says in one line which suites are not run (or the like): how many, where they were not asked for.

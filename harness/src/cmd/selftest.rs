@@ -13,7 +13,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_corpus::Level;
 use predicament_oracle::faults::Fault;
-use predicament_records::Shard;
 use predicament_tasks::{AnyCase, Catch, Class, Contestant, Outcome, Stop, Watch};
 use rayon::prelude::*;
 use serde_json::json;
@@ -164,7 +163,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let is_whole = args.filter.is_none();
     let selector = Selector { filter: args.filter, ..Selector::everything() };
     let selection = selector.select(tool)?;
-    let mut scenes = selection.plan(Shard::WHOLE)?;
+    let mut scenes = selection.plan()?;
     let backends = entries.iter().filter(|entry| !is_algorithm(&entry.name));
     let contestants: Result<Vec<Box<dyn Contestant>>, String> =
         backends.map(|entry| tool.backend(&entry.name)).collect();

@@ -12,6 +12,7 @@ mod judged;
 mod lecture;
 mod limits;
 mod lines_and_cubes;
+mod merge;
 mod mesh_intersections;
 mod mesh_points;
 mod output;

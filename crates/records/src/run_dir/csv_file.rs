@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::fs::{File, OpenOptions};
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use csv::{ReaderBuilder, StringRecord, WriterBuilder};
@@ -51,12 +52,24 @@ impl CsvFile {
         self.writer.write_record(fields).map_err(|e| failed(&self.path, &e))
     }
 
+    /// Appends rows as they were written.
+    pub fn append_bytes(&mut self, rows: &[u8]) -> Result<(), Error> {
+        self.writer.flush().map_err(Error::io(&self.path))?;
+        let mut file = self.writer.get_ref();
+        file.write_all(rows).map_err(Error::io(&self.path))
+    }
+
     /// Hands everything to the operating system and returns the file's length.
     pub fn flush(&mut self) -> Result<u64, Error> {
         self.writer.flush().map_err(Error::io(&self.path))?;
         let metadata = self.writer.get_ref().metadata().map_err(Error::io(&self.path))?;
         Ok(metadata.len())
     }
+}
+
+/// How many bytes the line of the columns has, with its end.
+pub(super) fn header_length(bytes: &[u8]) -> u64 {
+    bytes.iter().position(|&byte| byte == b'\n').map_or(bytes.len(), |end| end + 1) as u64
 }
 
 /// A table as text.

@@ -6,6 +6,7 @@
 //! state.json       how far it came: see `Outcome`
 //! summary.csv findings.csv throughput.csv stages.csv precision.csv
 //! *.csv            tables of single tasks, such as contacts.csv
+//! segments.csv     in a part of a run: which bytes of the tables are of which scene
 //! maps/*.png       pictures for the report, if any
 //! run.lock         locked by the process that writes the folder
 //! ```
@@ -17,14 +18,18 @@
 mod csv_file;
 mod lined;
 mod lock;
+mod merge;
 mod once;
 mod reader;
+mod segments;
 mod state;
 mod tables;
 mod writer;
 
 pub use lined::Lined;
+pub use merge::{NotMerged, merge};
 pub use reader::{NotRun, RunDir};
+pub use segments::SegmentRow;
 pub use state::Outcome;
 pub use tables::{Record, TableSpec};
 pub use writer::RunWriter;

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::csv_file::CsvFile;
 use super::lock::Lock;
+use super::segments::SegmentRow;
 use super::state::{Outcome, State, digest};
 use super::tables::{Record, TableSpec};
 use super::{ENV, MAPS, PLAN, TABLES};
@@ -126,6 +127,33 @@ impl RunWriter {
             self.state.committed.insert((*file).to_owned(), table.flush()?);
         }
         self.state.write(&self.folder)
+    }
+
+    /// The same, where it is what a backend has to say of the scene in this place of the whole selection: the folder of a part, which
+    /// has the table `segments.csv`, writes it down.
+    ///
+    /// # Errors
+    /// If the disk refuses.
+    pub fn commit_of(&mut self, place: u64, backend: &str) -> Result<(), Error> {
+        if let Some(mut segments) = self.tables.remove(SegmentRow::FILE) {
+            for (file, table) in &mut self.tables {
+                let bytes = table.flush()?;
+                if self.state.committed.get(*file) != Some(&bytes) {
+                    let (backend, table) = (backend.to_owned(), (*file).to_owned());
+                    segments.append(&SegmentRow { place, backend, table, bytes })?;
+                }
+            }
+            self.tables.insert(SegmentRow::FILE, segments);
+        }
+        self.commit()
+    }
+
+    /// Appends rows of a table as they were written.
+    pub(super) fn append_bytes(&mut self, file: &str, rows: &[u8]) -> Result<(), Error> {
+        match self.tables.get_mut(file) {
+            Some(table) => table.append_bytes(rows),
+            None => Err(Error::new(&self.folder.join(file), "a run folder has no such table")),
+        }
     }
 
     /// Keeps a PNG picture, such as a pixel map, for the HTML page.

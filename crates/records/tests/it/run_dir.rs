@@ -64,6 +64,7 @@ fn plan() -> Plan {
         scenes: vec![scene("one"), scene("two")],
         backends: vec!["exact".to_owned()],
         ladder: vec!["filter".to_owned(), "wide integer".to_owned()],
+        whole: None,
         shard: Shard::new(2, 3).unwrap(),
         not_selected: Vec::new(),
         left_out: Vec::new(),

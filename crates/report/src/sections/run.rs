@@ -1,6 +1,7 @@
 //! What was run, where, and whether it came to its end.
 
 use std::collections::BTreeSet;
+use std::path::Path;
 
 use super::some_of;
 use crate::table::{Block, Cell, Section, Table, Tone};
@@ -30,7 +31,7 @@ const LINES: &[Line] = &[
     ("folder", |run| Cell::code(run.path.display().to_string())),
     ("outcome", outcome),
     ("level", |run| run.plan.level.to_string().into()),
-    ("shard", |run| run.plan.shard.to_string().into()),
+    ("shard", |run| Cell::from(run.plan.shard.to_string()).detail(run.env.parts.join(", "))),
     ("suites", |run| named(&run.plan.suites)),
     ("scenes", |run| thousands(length(run.plan.scenes.len())).into()),
     ("queries in them", |run| thousands(run.plan.scenes.iter().map(|scene| scene.queries).sum()).into()),
@@ -41,7 +42,7 @@ const LINES: &[Line] = &[
     }),
     ("version", version),
     ("commit", commit),
-    ("command", |run| Cell::code(run.env.command_line.join(" "))),
+    ("command", command),
     ("processor", processor),
     ("system", |run| or_unknown(&run.env.os)),
     ("compiler", |run| or_unknown(run.env.rustc.as_deref().unwrap_or(""))),
@@ -59,6 +60,17 @@ fn outcome(run: &RunDir) -> Cell {
         Outcome::Complete => Cell::from(format!("complete, except for {missing} planned and not run")).tone(Tone::Bad),
         _ => Cell::from(run.outcome.describe()).tone(Tone::Bad),
     }
+}
+
+/// What was typed; of the program its name, wherever it is.
+fn command(run: &RunDir) -> Cell {
+    let mut words = run.env.command_line.clone();
+    if let Some(program) = words.first_mut()
+        && let Some(name) = Path::new(&*program).file_name()
+    {
+        *program = name.to_string_lossy().into_owned();
+    }
+    Cell::code(words.join(" "))
 }
 
 fn named(names: &[String]) -> Cell {

@@ -1,0 +1,182 @@
+//! The parts of a run put together: byte for byte what one machine would have written.
+//!
+//! A part that is missing, there twice, incomplete or of another plan is refused with its name: a report of less than all must not look
+//! like one of all.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use super::csv_file::header_length;
+use super::segments::{Piece, SegmentRow, pieces};
+use super::state::State;
+use super::{RunDir, RunWriter, TableSpec};
+use crate::{Error, Outcome, Plan, PlannedScene, Row, Shard};
+
+/// Why parts were not put together.
+#[derive(Clone, PartialEq, Debug)]
+pub struct NotMerged {
+    /// The folder, and what is wrong with it.
+    pub error: Error,
+    /// Whether a part is missing or has not come to its end, and nothing else is wrong.
+    pub is_incomplete: bool,
+}
+
+impl From<Error> for NotMerged {
+    fn from(error: Error) -> NotMerged {
+        NotMerged { error, is_incomplete: false }
+    }
+}
+
+/// A part that was read, with the places of its rows.
+struct Part {
+    run: RunDir,
+    pieces: BTreeMap<(u64, String), Vec<Piece>>,
+    /// Its tables, whole.
+    tables: BTreeMap<String, Vec<u8>>,
+}
+
+/// Puts the parts of a run into a new folder: those that `run --shard k/N` has left. `tables` are those of a run besides the ones
+/// that every run has.
+///
+/// # Errors
+/// [`NotMerged`] with the folder of the first part that does not fit, and why; nothing is written then. If the new folder can't be written.
+pub fn merge(
+    folders: &[PathBuf],
+    out: &Path,
+    tables: &[TableSpec],
+    env: impl FnOnce(&[RunDir]) -> crate::Env,
+) -> Result<RunDir, NotMerged> {
+    let runs: Vec<RunDir> = folders.iter().map(RunDir::open).collect::<Result<_, _>>()?;
+    let plan = whole(&runs)?;
+    let mut parts = BTreeMap::new();
+    let env = env(&runs);
+    for run in runs {
+        let part = Part::read(run)?;
+        let places = part.run.plan.whole.iter().flat_map(|whole| whole.places.clone()).collect::<Vec<_>>();
+        let part = std::rc::Rc::new(part);
+        parts.extend(places.into_iter().map(|place| (place, part.clone())));
+    }
+    let tables: Vec<TableSpec> = tables.iter().copied().filter(|table| table.file != SegmentRow::FILE).collect();
+    let mut writer = RunWriter::create(out, &plan, &env, &tables)?;
+    for (place, part) in &parts {
+        for backend in &plan.backends {
+            for (table, from, to) in part.pieces.get(&(*place, backend.clone())).into_iter().flatten() {
+                let bytes = part.tables.get(table).map_or(&[][..], Vec::as_slice);
+                let [from, to] = [*from, *to].map(|end| usize::try_from(end).unwrap_or(usize::MAX));
+                let rows =
+                    bytes.get(from..to).ok_or_else(|| Error::new(&part.run.path.join(table), "it was cut off"))?;
+                writer.append_bytes(table, rows)?;
+            }
+        }
+        writer.commit()?;
+    }
+    for part in parts.values() {
+        for (name, png) in &part.run.maps {
+            writer.add_map(name, png)?;
+        }
+    }
+    writer.finish(Outcome::Complete)?;
+    Ok(RunDir::open(out)?)
+}
+
+impl Part {
+    fn read(run: RunDir) -> Result<Part, Error> {
+        let state = State::read(&run.path)?;
+        let rows = run.rows::<SegmentRow>()?;
+        let mut tables = BTreeMap::new();
+        let mut headers = BTreeMap::new();
+        for file in state.committed.keys().filter(|file| *file != SegmentRow::FILE) {
+            let path = run.path.join(file);
+            let bytes = std::fs::read(&path).map_err(Error::io(&path))?;
+            headers.insert(file.clone(), header_length(&bytes));
+            tables.insert(file.clone(), bytes);
+        }
+        let lengths = tables.iter().map(|(file, bytes)| (file.clone(), bytes.len() as u64)).collect();
+        let pieces = pieces(&rows, &headers, &lengths)
+            .map_err(|message| Error::new(&run.path.join(SegmentRow::FILE), message))?;
+        Ok(Part { run, pieces, tables })
+    }
+}
+
+/// The plan of the whole that these are the parts of.
+fn whole(runs: &[RunDir]) -> Result<Plan, NotMerged> {
+    let Some(first) = runs.first() else {
+        return Err(Error::new("merge".as_ref(), "name the folders of all parts").into());
+    };
+    let mut seen: BTreeMap<u32, &RunDir> = BTreeMap::new();
+    for run in runs {
+        let refuse = |message: String| Err(NotMerged::from(Error::new(&run.path, message)));
+        let shard = run.plan.shard;
+        if run.plan.timed {
+            return refuse("a bench: its times belong to one machine and are not merged".to_owned());
+        }
+        if shard == Shard::WHOLE {
+            return refuse("a whole run, and no part of one".to_owned());
+        }
+        if run.plan.whole.is_none() {
+            return refuse("it was made before parts could be merged; run it anew".to_owned());
+        }
+        if !run.is_complete() {
+            let error = Error::new(&run.path, format!("part {shard} is not complete; `run --resume` goes on with it"));
+            return Err(NotMerged { error, is_incomplete: true });
+        }
+        if let Some(difference) = difference(&first.plan, &run.plan) {
+            return refuse(format!("another plan than that of {}: {difference}", first.path.display()));
+        }
+        let build = |run: &RunDir| (run.env.package_version.clone(), run.env.commit.clone(), run.env.dirty);
+        if build(run) != build(first) {
+            return refuse(format!("another build of the tool than that of {}", first.path.display()));
+        }
+        if let Some(other) = seen.insert(shard.index(), run) {
+            return refuse(format!("part {shard} is {} already", other.path.display()));
+        }
+    }
+    let count = first.plan.shard.count();
+    let missing: Vec<String> =
+        (1..=count).filter(|index| !seen.contains_key(index)).map(|index| format!("{index}/{count}")).collect();
+    if !missing.is_empty() {
+        let error = Error::new(&first.path, format!("of the {count} parts these are missing: {}", missing.join(", ")));
+        return Err(NotMerged { error, is_incomplete: true });
+    }
+    let mut scenes: BTreeMap<u64, PlannedScene> = BTreeMap::new();
+    for run in runs {
+        let places = run.plan.whole.iter().flat_map(|whole| &whole.places);
+        for (place, scene) in places.zip(&run.plan.scenes) {
+            if scenes.insert(*place, scene.clone()).is_some() {
+                return Err(Error::new(&run.path, format!("scene {place} of the whole is in another part, too")).into());
+            }
+        }
+    }
+    let expected = first.plan.whole.as_ref().map_or(0, |whole| whole.scenes);
+    if scenes.keys().copied().ne(0..expected) {
+        let message = format!("the parts have {} scenes of {expected}", scenes.len());
+        return Err(Error::new(&first.path, message).into());
+    }
+    Ok(Plan { scenes: scenes.into_values().collect(), shard: Shard::WHOLE, whole: None, ..first.plan.clone() })
+}
+
+/// What distinguishes the plans of two parts, but for which part each is; none if nothing does.
+fn difference(one: &Plan, other: &Plan) -> Option<String> {
+    let digest = |plan: &Plan| plan.whole.as_ref().map(|whole| whole.digest.clone()).unwrap_or_default();
+    let backends = |plan: &Plan| plan.backends.join(", ");
+    if one.shard.count() != other.shard.count() {
+        Some(format!("{} parts and not {}", other.shard.count(), one.shard.count()))
+    } else if one.level != other.level {
+        Some(format!("level {} and not {}", other.level, one.level))
+    } else if one.backends != other.backends {
+        Some(format!("backends {} and not {}", backends(other), backends(one)))
+    } else if one.suites != other.suites {
+        Some(format!("suites {} and not {}", other.suites.join(", "), one.suites.join(", ")))
+    } else if digest(one) != digest(other) {
+        Some("other scenes, or other contents of the same".to_owned())
+    } else {
+        let rest = |plan: &Plan| Plan {
+            scenes: Vec::new(),
+            shard: Shard::WHOLE,
+            whole: None,
+            paths: BTreeMap::new(),
+            ..plan.clone()
+        };
+        (rest(one) != rest(other)).then(|| "other settings (plan.json)".to_owned())
+    }
+}

@@ -1,0 +1,85 @@
+//! `segments.csv`: which bytes of each table one scene on one backend has written.
+//!
+//! The parts of a run are put together scene by scene, in the order of the whole. Some tables name no scene, and what a later version of
+//! the tool adds is not known here: so a part says how far each table has grown when a backend was done with a scene.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::Row;
+
+/// A table that has grown since the backend or scene before.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct SegmentRow {
+    /// The place of the scene in the whole selection, from 0.
+    pub place: u64,
+    /// The backend's name, with its parameters.
+    pub backend: String,
+    /// The table's file.
+    pub table: String,
+    /// Its length in bytes from here on.
+    pub bytes: u64,
+}
+
+impl Row for SegmentRow {
+    const FILE: &'static str = "segments.csv";
+    const COLUMNS: &'static [&'static str] = &["place", "backend", "table", "bytes"];
+}
+
+/// What a table holds of one scene on one backend: its name, and the bytes from here up to there.
+pub(super) type Piece = (String, u64, u64);
+
+/// The pieces of tables by scene and backend.
+///
+/// # Errors
+/// The table that has shrunk or gone beyond its length: the rows are not those of this folder.
+pub(super) fn pieces(
+    rows: &[SegmentRow],
+    headers: &BTreeMap<String, u64>,
+    lengths: &BTreeMap<String, u64>,
+) -> Result<BTreeMap<(u64, String), Vec<Piece>>, String> {
+    let mut ends = headers.clone();
+    let mut pieces: BTreeMap<_, Vec<Piece>> = BTreeMap::new();
+    for row in rows {
+        let Some(end) = ends.get_mut(&row.table) else { return Err(format!("there is no {}", row.table)) };
+        if row.bytes <= *end {
+            return Err(format!("{} does not grow at scene {} on {}", row.table, row.place, row.backend));
+        }
+        let piece = (row.table.clone(), *end, row.bytes);
+        pieces.entry((row.place, row.backend.clone())).or_default().push(piece);
+        *end = row.bytes;
+    }
+    for (table, end) in &ends {
+        if lengths.get(table) != Some(end) {
+            return Err(format!("{table} has bytes of no scene"));
+        }
+    }
+    Ok(pieces)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(place: u64, table: &str, bytes: u64) -> SegmentRow {
+        SegmentRow { place, backend: "exact".to_owned(), table: table.to_owned(), bytes }
+    }
+
+    #[test]
+    fn every_byte_is_of_one_scene() {
+        let of =
+            |list: &[(&str, u64)]| list.iter().map(|(name, n)| ((*name).to_owned(), *n)).collect::<BTreeMap<_, _>>();
+        let headers = of(&[("a.csv", 5), ("b.csv", 3)]);
+        let rows = [row(4, "a.csv", 10), row(4, "b.csv", 4), row(9, "a.csv", 12)];
+        let found = pieces(&rows, &headers, &of(&[("a.csv", 12), ("b.csv", 4)])).unwrap();
+        let piece = |table: &str, from, to| (table.to_owned(), from, to);
+        assert_eq!(found[&(4, "exact".to_owned())], [piece("a.csv", 5, 10), piece("b.csv", 3, 4)]);
+        assert_eq!(found[&(9, "exact".to_owned())], [piece("a.csv", 10, 12)]);
+        for lengths in [[("a.csv", 13), ("b.csv", 4)], [("a.csv", 12), ("b.csv", 5)]] {
+            assert!(pieces(&rows, &headers, &of(&lengths)).unwrap_err().contains("bytes of no scene"));
+        }
+        let shrunk = pieces(&[row(1, "a.csv", 5)], &headers, &headers);
+        assert_eq!(shrunk.unwrap_err(), "a.csv does not grow at scene 1 on exact");
+    }
+}

@@ -1,0 +1,74 @@
+//! `merge`: the parts of a run as the run that one machine would have made.
+
+use std::path::PathBuf;
+
+use predicament_records::{Env, Outcome, RunDir, Status, merge};
+
+use crate::exit::{self, Failure};
+use crate::planning::tables_with;
+use crate::tool::Tool;
+
+const EXAMPLES: &str = "\
+Every part has to be there once, complete, of the same selection and by the same build of the tool; a part
+that is missing or does not fit is named, and nothing is written. The tables are byte for byte those of the
+whole run. Code 100 or 101 where something is not as expected, as `run` has it.
+
+Examples:
+  predicament run --shard 1/2 --out out/1
+  predicament run --shard 2/2 --out out/2            on another machine
+  predicament merge out/1 out/2 --out out/whole
+  predicament gate out/whole";
+
+/// Put the parts of a run together
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The folders of all parts, in any order
+    #[arg(required = true, value_name = "DIR")]
+    pub parts: Vec<PathBuf>,
+
+    /// A new folder for the whole
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+}
+
+/// Runs the command.
+pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
+    let first = args.parts.first().map(RunDir::open).transpose().map_err(Failure::usage)?;
+    let tables = first.map_or_else(Vec::new, |run| tables_with(tool, run.plan.answers));
+    let run = merge(&args.parts, &args.out, &tables, env).map_err(|why| Failure {
+        message: why.error.to_string(),
+        code: if why.is_incomplete { exit::INCOMPLETE } else { exit::USAGE },
+    })?;
+    let count = |status: Status| run.summary.iter().filter(|row| row.status == status).count();
+    let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
+    say!(
+        "{}: {} parts, {} scenes, {} rows, {unexpected} unexpected, {passes} unexpected pass; {}",
+        args.out.display(),
+        args.parts.len(),
+        run.plan.scenes.len(),
+        run.summary.len(),
+        Outcome::Complete.describe()
+    );
+    Ok(if unexpected > 0 {
+        exit::UNEXPECTED
+    } else if passes > 0 {
+        exit::UNEXPECTED_PASS
+    } else {
+        exit::OK
+    })
+}
+
+/// The machine of the first part, and the machines of all.
+fn env(runs: &[RunDir]) -> Env {
+    let part = |run: &RunDir| {
+        let node = run.env.node.as_deref().unwrap_or("a machine without a name");
+        format!("{} on {node}", run.plan.shard)
+    };
+    let mut sorted: Vec<&RunDir> = runs.iter().collect();
+    sorted.sort_by_key(|run| run.plan.shard);
+    let mut env = sorted.first().map_or_else(Env::default, |run| run.env.clone());
+    env.parts = sorted.into_iter().map(part).collect();
+    env.command_line = std::env::args_os().map(|arg| arg.to_string_lossy().into_owned()).collect();
+    env
+}

@@ -1,0 +1,154 @@
+//! Parts of a run put together, and what is refused.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use tempfile::{TempDir, tempdir};
+
+use crate::common::{at, expect, run};
+
+const PARTS: u32 = 7;
+/// A few suites of many kinds of tables, and one that is quick.
+const MANY: &[&str] = &["classics", "tilings", "cubes", "ties"];
+const QUICK: &[&str] = &["ties", "lecture"];
+
+/// A run of one part, or of all; the folder's name.
+fn of(folder: &TempDir, suites: &[&str], name: &str, shard: Option<u32>, more: &[&str]) -> String {
+    let out = at(folder, name);
+    let part = shard.map(|k| format!("{k}/{PARTS}"));
+    let shard: Vec<&str> = part.iter().flat_map(|part| ["--shard", part]).collect();
+    let words = [&["run"][..], suites, &["-b", "exact,sos,naive", "-q", "--out", &out], &shard, more].concat();
+    assert!([0, 100].contains(&run(&words).code), "{words:?}");
+    out
+}
+
+fn merge(parts: &[String], out: &str, code: i32) -> String {
+    let words: Vec<&str> =
+        ["merge"].into_iter().chain(parts.iter().map(String::as_str)).chain(["--out", out]).collect();
+    let done = expect(code, &words);
+    format!("{}{}", done.stdout, done.stderr)
+}
+
+/// All files of a folder but that which says where it was made.
+fn files(folder: &Path) -> BTreeSet<(String, Vec<u8>)> {
+    let mut all = BTreeSet::new();
+    let mut left = vec![folder.to_owned()];
+    while let Some(here) = left.pop() {
+        for entry in std::fs::read_dir(here).unwrap().map(|entry| entry.unwrap().path()) {
+            if entry.is_dir() {
+                left.push(entry);
+            } else if entry.file_name().is_some_and(|name| name != "env.json") {
+                let name = entry.strip_prefix(folder).unwrap().display().to_string();
+                all.insert((name, std::fs::read(&entry).unwrap()));
+            }
+        }
+    }
+    all
+}
+
+#[test]
+fn seven_parts_are_byte_for_byte_the_whole_run() {
+    let folder = tempdir().unwrap();
+    let whole = of(&folder, MANY, "whole", None, &["--answers"]);
+    let mut parts: Vec<String> =
+        (1..=PARTS).map(|k| of(&folder, MANY, &format!("part{k}"), Some(k), &["--answers"])).collect();
+    parts.reverse();
+    let out = at(&folder, "merged");
+    let told = merge(&parts, &out, 0);
+    assert!(told.contains("7 parts, 36 scenes, 108 rows"), "{told}");
+    let (merged, expected) = (files(Path::new(&out)), files(Path::new(&whole)));
+    let names = |files: &BTreeSet<(String, Vec<u8>)>| files.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
+    assert_eq!(names(&merged), names(&expected));
+    assert!(
+        names(&merged).iter().any(|name| name == "answers.csv")
+            && names(&merged).iter().any(|name| name.starts_with("maps"))
+    );
+    for (ours, theirs) in merged.iter().zip(&expected) {
+        assert!(ours == theirs, "{} differs", ours.0);
+    }
+    let env = std::fs::read_to_string(Path::new(&out).join("env.json")).unwrap();
+    assert!(env.contains("7/7 on "), "the machines are named: {env}");
+    // The folder is a run like any other.
+    expect(0, &["gate", &out]);
+    expect(0, &["report", &out, "--out", &at(&folder, "pages")]);
+    assert!(merge(&parts, &out, 2).contains("the folder is not empty"), "a merge overwrites nothing");
+}
+
+#[test]
+fn what_does_not_fit_is_named_and_nothing_is_written() {
+    let folder = tempdir().unwrap();
+    let parts: Vec<String> = (1..=PARTS).map(|k| of(&folder, QUICK, &format!("part{k}"), Some(k), &[])).collect();
+    let out = at(&folder, "merged");
+    let with = |at: usize, other: &str| {
+        let mut parts = parts.clone();
+        parts[at] = other.to_owned();
+        parts
+    };
+    let told = merge(&parts[1..6], &out, 103);
+    assert!(told.contains("of the 7 parts these are missing: 1/7, 7/7"), "{told}");
+    let again = of(&folder, QUICK, "again", Some(3), &[]);
+    let told = merge(&with(4, &again), &out, 2);
+    assert!(told.contains("part 3/7 is") && told.contains("part3 already"), "{told}");
+    let whole = of(&folder, QUICK, "whole", None, &[]);
+    assert!(merge(&with(2, &whole), &out, 2).contains("a whole run, and no part of one"));
+    let filtered = of(&folder, QUICK, "filtered", Some(3), &["-f", "ties/"]);
+    assert!(merge(&with(2, &filtered), &out, 2).contains("other scenes, or other contents of the same"));
+    let full = of(&folder, QUICK, "full", Some(3), &["--level", "full", "-f", "lecture/ear"]);
+    assert!(merge(&with(2, &full), &out, 2).contains("level full and not quick"));
+    let answers = of(&folder, QUICK, "answers", Some(3), &["--answers"]);
+    assert!(merge(&with(2, &answers), &out, 2).contains("other settings (plan.json)"));
+
+    // One that was killed says so, and one whose bytes were changed.
+    let state = Path::new(&again).join("state.json");
+    let text = std::fs::read_to_string(&state).unwrap();
+    std::fs::write(&state, text.replace("\"complete\"", "\"unfinished\"")).unwrap();
+    assert!(merge(&with(2, &again), &out, 103).contains("part 3/7 is not complete; `run --resume` goes on with it"));
+    std::fs::write(&state, &text).unwrap();
+    let segments = Path::new(&again).join("segments.csv");
+    let rows = std::fs::read_to_string(&segments).unwrap();
+    std::fs::write(&segments, rows.replacen("exact", "exsct", 1)).unwrap();
+    assert!(merge(&with(2, &again), &out, 2).contains("segments.csv"));
+    assert!(!Path::new(&out).exists(), "nothing was written");
+    merge(&parts, &out, 0);
+}
+
+/// A part that was stopped in the middle and resumed is the part that was not.
+#[test]
+fn a_resumed_part_is_merged_like_any_other() {
+    let folder = tempdir().unwrap();
+    let part = of(&folder, QUICK, "part1", Some(1), &[]);
+    let cut = of(&folder, QUICK, "cut", Some(1), &[]);
+    // As it was after the first scenes: the tables are cut where the segments say, with a row that was being written.
+    let cut_path = Path::new(&cut);
+    let segments = std::fs::read_to_string(cut_path.join("segments.csv")).unwrap();
+    let rows: Vec<&str> = segments.lines().collect();
+    let kept = rows.iter().rposition(|row| row.contains(",sos,")).unwrap().min(rows.len() / 2);
+    let last = rows[kept].split(',').take(2).collect::<Vec<_>>();
+    let kept = rows.iter().rposition(|row| row.split(',').take(2).eq(last.iter().copied())).unwrap();
+    let mut lengths: std::collections::BTreeMap<String, u64> = std::collections::BTreeMap::new();
+    for row in &rows[1..=kept] {
+        let cells: Vec<&str> = row.split(',').collect();
+        lengths.insert(cells[2].to_owned(), cells[3].parse().unwrap());
+    }
+    let kept_rows = rows[..=kept].join("\n") + "\n";
+    lengths.insert("segments.csv".to_owned(), kept_rows.len() as u64);
+    let mut state: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(cut_path.join("state.json")).unwrap()).unwrap();
+    state["outcome"] = "unfinished".into();
+    state["digests"] = serde_json::json!({});
+    let tables: Vec<String> = state["committed"].as_object().unwrap().keys().cloned().collect();
+    for table in tables {
+        let path = cut_path.join(&table);
+        let bytes = std::fs::read(&path).unwrap();
+        let header = bytes.iter().position(|&byte| byte == b'\n').unwrap() as u64 + 1;
+        let length = lengths.get(&table).copied().unwrap_or(header);
+        state["committed"][&table] = length.into();
+        let end = (usize::try_from(length).unwrap() + 7).min(bytes.len());
+        std::fs::write(&path, &bytes[..end]).unwrap();
+    }
+    std::fs::write(cut_path.join("state.json"), state.to_string()).unwrap();
+    expect(0, &["run", "--resume", &cut, "-q"]);
+    let differ: Vec<String> =
+        files(Path::new(&part)).symmetric_difference(&files(cut_path)).map(|(name, _)| name.clone()).collect();
+    assert!(differ.is_empty(), "{differ:?}");
+}
