@@ -109,8 +109,11 @@ pub(crate) fn fill(template: &str, context: Value) -> Result<String, Error> {
     filled.map_err(|error| Error::new(template.as_ref(), error.to_string()))
 }
 
-/// A section without its heading, in Markdown.
-pub(crate) fn markdown_of(section: &Section) -> Result<String, Error> {
+/// A section without its heading, in Markdown, with all rows of its tables.
+///
+/// # Errors
+/// If the template can't be filled in.
+pub fn section_markdown(section: &Section) -> Result<String, Error> {
     fill(MARKDOWN_SECTION, context! { section => section.value(None) })
 }
 

@@ -2,7 +2,7 @@
 //!
 //! `<!-- predicament: glance -->` and `<!-- /predicament -->` hold the section `glance`; `glance tables` only its tables.
 
-use crate::page::markdown_of;
+use crate::page::section_markdown;
 use crate::sections::sections;
 use crate::table::{Block, Section};
 use crate::{Error, RunDir};
@@ -38,7 +38,7 @@ pub fn splice(page: &str, runs: &[RunDir], of_tasks: &[Section]) -> Result<(Stri
             section.lead.clear();
             section.blocks.retain(|block| matches!(block, Block::Table(_)));
         }
-        text += &format!("{before}{OPEN}{name}{END}\n{}\n{CLOSE}", markdown_of(&section)?.trim());
+        text += &format!("{before}{OPEN}{name}{END}\n{}\n{CLOSE}", section_markdown(&section)?.trim());
         (rest, count) = (after, count + 1);
     }
     if count == 0 {

@@ -4,6 +4,7 @@ pub mod ask;
 pub mod bench;
 pub mod bounds;
 pub mod corpus;
+pub mod diff;
 pub mod doctor;
 pub mod engines;
 pub mod gate;
