@@ -39,7 +39,10 @@ pub fn make() -> Result<(), String> {
     let readme = root().join("README.md").display().to_string();
     tool("write the report", &["report", &run, &fetched, &bench, "--out", &report, "--splice", &readme])?;
     let picture = root().join(SAMPLE).join("kettner.png").display().to_string();
-    tool("draw a pixel map", &["map", "kettner-pixels-a", "--out", &picture])?;
+    tool(
+        "draw a pixel map",
+        &["map", "kettner-pixels-a", "-b", "naive,naive:first,exact,tolerance", "--out", &picture],
+    )?;
     keep(Path::new(&report))
 }
 
