@@ -10,7 +10,7 @@ use std::sync::Arc;
 use predicament_formats::{Cache, CorpusError, Entry, ImportNotes};
 use predicament_predicates::Scene;
 
-use crate::{Canon, Level};
+use crate::{Canon, Level, Spelled};
 
 /// What one task asks about a scene's points: queries, cells, a map with probes.
 pub trait Content: Any + Debug + Send + Sync {
@@ -25,6 +25,12 @@ pub trait Content: Any + Debug + Send + Sync {
     /// the content holds nothing that depends on where points are.
     fn moved(&self, scene: Scene) -> (Scene, Option<Arc<dyn Content>>) {
         (scene, None)
+    }
+
+    /// The scene and what is asked about it, written out without the name of the task; none where it cannot be.
+    fn spelled(&self, scene: &Scene) -> Option<Spelled> {
+        let _ = scene;
+        None
     }
 }
 

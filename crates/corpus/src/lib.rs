@@ -18,6 +18,7 @@ mod library;
 mod loaded;
 mod numbering;
 mod random;
+mod spelled;
 mod suite;
 
 pub use content::{Content, Elsewhere, Parts, Source};
@@ -31,4 +32,5 @@ pub use library::Library;
 pub use loaded::LoadedScene;
 pub use numbering::numbered;
 pub use random::Random;
+pub use spelled::{Heading, Items, List, Spelled, coordinate, spelled_points};
 pub use suite::{Context, SceneDef, Suite};

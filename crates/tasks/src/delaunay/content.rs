@@ -1,8 +1,10 @@
 //! `points` and `constraints`: what a scene of a Delaunay triangulation asks.
 
-use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, PointSource, Source};
+use predicament_corpus::{
+    Canon, Content, Context, Elsewhere, Items, Level, List, Parts, PointSource, Source, Spelled, spelled_points,
+};
 use predicament_formats::{Cache, CorpusError, Fields};
-use predicament_predicates::{Dimension, Vertex};
+use predicament_predicates::{Dimension, Scene, Vertex};
 
 /// All vertices of a scene, and the edges that have to be there.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -23,6 +25,11 @@ impl Content for Sites {
         if !self.constraints.is_empty() {
             canon.vertices(self.constraints.as_flattened());
         }
+    }
+
+    fn spelled(&self, scene: &Scene) -> Option<Spelled> {
+        let constraints = self.constraints.iter().map(|ends| ends.to_vec()).collect();
+        Some(Spelled { lists: vec![List::new("constraints", Items::Tuples(constraints))], ..spelled_points(scene) })
     }
 }
 

@@ -1,6 +1,8 @@
 //! `cells`: a row of cells of a line, and points to find in them.
 
-use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, PointSource, Source};
+use predicament_corpus::{
+    Canon, Content, Context, Elsewhere, Items, Level, List, Parts, PointSource, Source, Spelled, spelled_points,
+};
 use predicament_formats::{Cache, CorpusError, Entry, Fields};
 use predicament_predicates::{Axis, Dimension, Scene, Vertex};
 
@@ -29,6 +31,13 @@ impl Content for Cells {
         canon.count(self.axis.index());
         canon.vertices(self.cells.as_flattened());
         canon.vertices(&self.probes);
+    }
+
+    /// Points that end no cell are probes.
+    fn spelled(&self, scene: &Scene) -> Option<Spelled> {
+        let cells = self.cells.iter().map(|ends| ends.to_vec()).collect();
+        let words = vec![("axis", format!("\"{}\"", self.axis.name()))];
+        Some(Spelled { words, lists: vec![List::required("cells", Items::Tuples(cells))], ..spelled_points(scene) })
     }
 }
 

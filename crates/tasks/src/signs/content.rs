@@ -1,8 +1,10 @@
 //! `points` with `queries`, or a `fixture`: what a scene of signs asks.
 
-use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, PointSource, Source};
+use predicament_corpus::{
+    Canon, Content, Context, Elsewhere, Items, Level, List, Parts, PointSource, Source, Spelled, spelled_points,
+};
 use predicament_formats::{Cache, CorpusError, Entry, Field, Fields};
-use predicament_predicates::{PredicateKind, QuerySet, Question, Sign};
+use predicament_predicates::{PredicateKind, QuerySet, Question, Scene, Sign, Vertex};
 
 use super::constructed::Constructions;
 use super::fixture::Fixture;
@@ -39,6 +41,19 @@ impl Content for SignQueries {
         };
         canon.text(&format!("{}{of}", question.kind()));
         canon.vertices(self.queries.flat());
+    }
+
+    /// Published signs are left out.
+    fn spelled(&self, scene: &Scene) -> Option<Spelled> {
+        let question = self.queries.question();
+        let words = match question {
+            Question::Compare(axis) => vec![("axis", format!("\"{}\"", axis.name()))],
+            Question::Orient2d(plane) => vec![("plane", format!("\"{}\"", plane.name()))],
+            Question::Orient3d | Question::Incircle | Question::Insphere => Vec::new(),
+        };
+        let queries = self.queries.flat().chunks_exact(question.kind().arity()).map(<[Vertex]>::to_vec).collect();
+        let lists = vec![List::required("queries", Items::Tuples(queries))];
+        Some(Spelled { words, lists, ..spelled_points(scene) })
     }
 }
 

@@ -1,0 +1,330 @@
+//! Scenes written out: points, and lists of vertices under the keys of a suite.
+//!
+//! A loaded scene may be from a generator, a download or a mesh file. What is searched for smaller or nearby scenes
+//! needs a form that can be edited without knowing the task: which items can be left out, which vertices they name,
+//! and which numbers can be changed. [`Spelled`] is that form. It becomes a scene again by way of the suite's text, so
+//! that what is found is always something that a suite can hold.
+
+use std::fmt::Write as _;
+
+use predicament_formats::{CorpusError, Manifest, exact_coordinate, hexfloat};
+use predicament_predicates::{Construction, Vertex};
+
+use crate::{Level, LoadedScene, Suite, Vocabulary};
+
+/// A scene written out, to be edited and read again.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Spelled {
+    /// The name of the task.
+    pub task: &'static str,
+    /// `points`: two or three coordinates each; the key is left out where there are none.
+    pub points: Vec<Vec<f64>>,
+    /// `constructed`, by vertices of `points`.
+    pub constructions: Vec<Construction>,
+    /// Keys whose values stay as they are, with their values in TOML.
+    pub words: Vec<(&'static str, String)>,
+    /// Everything that consists of items.
+    pub lists: Vec<List>,
+}
+
+/// The items under one key.
+#[derive(Clone, PartialEq, Debug)]
+pub struct List {
+    /// The key, with a dot where it is in a table: `a.edges`.
+    pub key: &'static str,
+    /// Its items.
+    pub items: Items,
+    /// The smallest number of items that the key may have; with 0 a list without items is left out.
+    pub least: usize,
+}
+
+/// The items of a list.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Items {
+    /// Single vertices.
+    Vertices(Vec<Vertex>),
+    /// Vertices in a fixed number each: queries, segments, triangles.
+    Tuples(Vec<Vec<Vertex>>),
+    /// Vertices in any number from three on: loops, faces.
+    Loops(Vec<Vec<Vertex>>),
+    /// Tuples of vertices, each with a row of numbers under a key of its own: triangles with their regions.
+    Labelled {
+        /// The tuples.
+        tuples: Vec<Vec<Vertex>>,
+        /// The key of the rows.
+        key: &'static str,
+        /// A row for each tuple.
+        rows: Vec<Vec<u32>>,
+    },
+    /// Rows of coordinates that are no vertices of `points`: probes, cubes.
+    Rows(Vec<Vec<f64>>),
+    /// Polygons of rings of points that are no vertices of `points`: the regions of a map.
+    Polygons(Vec<Vec<Vec<Vec<f64>>>>),
+}
+
+impl Items {
+    /// The number of items.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        match self {
+            Items::Vertices(all) => all.len(),
+            Items::Tuples(all) | Items::Loops(all) | Items::Labelled { tuples: all, .. } => all.len(),
+            Items::Rows(all) => all.len(),
+            Items::Polygons(all) => all.len(),
+        }
+    }
+
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Keeps the items at which this is true, in their order.
+    pub fn keep(&mut self, mut at: impl FnMut(usize) -> bool) {
+        fn kept<T>(all: &mut Vec<T>, at: &mut impl FnMut(usize) -> bool) {
+            let mut place = 0;
+            all.retain(|_| (at(place), place += 1).0);
+        }
+        match self {
+            Items::Vertices(all) => kept(all, &mut at),
+            Items::Tuples(all) | Items::Loops(all) => kept(all, &mut at),
+            Items::Labelled { tuples, rows, .. } => {
+                let keep: Vec<bool> = (0..tuples.len()).map(at).collect();
+                kept(tuples, &mut |place| keep[place]);
+                kept(rows, &mut |place| keep[place]);
+            }
+            Items::Rows(all) => kept(all, &mut at),
+            Items::Polygons(all) => kept(all, &mut at),
+        }
+    }
+
+    /// The vertices of an item; none for coordinates.
+    #[must_use]
+    pub fn vertices(&self, item: usize) -> &[Vertex] {
+        match self {
+            Items::Vertices(all) => std::slice::from_ref(&all[item]),
+            Items::Tuples(all) | Items::Loops(all) | Items::Labelled { tuples: all, .. } => &all[item],
+            Items::Rows(_) | Items::Polygons(_) => &[],
+        }
+    }
+
+    /// Every vertex of every item, to be changed.
+    pub fn vertices_mut(&mut self) -> Box<dyn Iterator<Item = &mut Vertex> + '_> {
+        match self {
+            Items::Vertices(all) => Box::new(all.iter_mut()),
+            Items::Tuples(all) | Items::Loops(all) | Items::Labelled { tuples: all, .. } => {
+                Box::new(all.iter_mut().flatten())
+            }
+            Items::Rows(_) | Items::Polygons(_) => Box::new(std::iter::empty()),
+        }
+    }
+
+    /// Every coordinate that is not one of `points`, by rows: a row is a point, or what else stands together.
+    pub fn rows_mut(&mut self) -> Box<dyn Iterator<Item = &mut Vec<f64>> + '_> {
+        match self {
+            Items::Rows(all) => Box::new(all.iter_mut()),
+            Items::Polygons(all) => Box::new(all.iter_mut().flatten().flatten()),
+            _ => Box::new(std::iter::empty()),
+        }
+    }
+}
+
+impl List {
+    /// A list whose key can be left out.
+    #[must_use]
+    pub fn new(key: &'static str, items: Items) -> List {
+        List { key, items, least: 0 }
+    }
+
+    /// A list whose key is there even without items.
+    #[must_use]
+    pub fn required(key: &'static str, items: Items) -> List {
+        List { key, items, least: 1 }
+    }
+}
+
+/// What a scene is called, and what its suite says about it.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Heading<'a> {
+    /// The name of the scene.
+    pub name: &'a str,
+    /// Free words.
+    pub tags: &'a [String],
+    /// Where it is from.
+    pub source: &'a str,
+    /// One sentence about it.
+    pub analysis: &'a str,
+}
+
+impl Spelled {
+    /// All coordinates, by rows: those of points, then those of lists.
+    pub fn rows_mut(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
+        self.points.iter_mut().chain(self.lists.iter_mut().flat_map(|list| list.items.rows_mut()))
+    }
+
+    /// All coordinates, by rows.
+    #[must_use]
+    pub fn rows(&self) -> Vec<&Vec<f64>> {
+        let of_lists = self.lists.iter().flat_map(|list| -> Vec<&Vec<f64>> {
+            match &list.items {
+                Items::Rows(all) => all.iter().collect(),
+                Items::Polygons(all) => all.iter().flatten().flatten().collect(),
+                _ => Vec::new(),
+            }
+        });
+        self.points.iter().chain(of_lists).collect()
+    }
+
+    /// The vertices that lists and constructions name.
+    #[must_use]
+    pub fn named(&self) -> Vec<bool> {
+        let mut named = vec![false; self.points.len()];
+        let of_lists = self.lists.iter().flat_map(|list| (0..list.items.len()).flat_map(|at| list.items.vertices(at)));
+        let of_constructions = self.constructions.iter().flat_map(|one| one.flats().flatten());
+        for vertex in of_lists.chain(of_constructions).filter(|vertex| !vertex.is_constructed()) {
+            if let Some(named) = named.get_mut(vertex.index()) {
+                *named = true;
+            }
+        }
+        named
+    }
+
+    /// The scene as a `[[scene]]` table. Coordinates are lossless: decimals where these are short and exact, else hex floats.
+    #[must_use]
+    pub fn table(&self, heading: Heading<'_>) -> String {
+        let mut text = format!("[[scene]]\nname = {}\ntask = {}\n", quoted(heading.name), quoted(self.task));
+        if !heading.tags.is_empty() {
+            let tags: Vec<String> = heading.tags.iter().map(|tag| quoted(tag)).collect();
+            let _ = writeln!(text, "tags = [{}]", tags.join(", "));
+        }
+        for (key, value) in [("source", heading.source), ("analysis", heading.analysis)] {
+            if !value.is_empty() {
+                let _ = writeln!(text, "{key} = {}", quoted(value));
+            }
+        }
+        for (key, value) in &self.words {
+            let _ = writeln!(text, "{key} = {value}");
+        }
+        if !self.points.is_empty() {
+            write_items(&mut text, "points", self.points.iter().map(|point| row(point)));
+        }
+        if !self.constructions.is_empty() {
+            write_items(&mut text, "constructed", self.constructions.iter().map(constructed));
+        }
+        for List { key, items, least } in &self.lists {
+            if items.is_empty() && *least == 0 {
+                continue;
+            }
+            match items {
+                Items::Vertices(all) => {
+                    let _ = writeln!(text, "{key} = {}", ids(all));
+                }
+                Items::Tuples(all) | Items::Loops(all) => write_items(&mut text, key, all.iter().map(|one| ids(one))),
+                Items::Labelled { tuples, key: labels, rows } => {
+                    write_items(&mut text, key, tuples.iter().map(|one| ids(one)));
+                    write_items(&mut text, labels, rows.iter().map(|row| format!("{row:?}")));
+                }
+                Items::Rows(all) => write_items(&mut text, key, all.iter().map(|one| row(one))),
+                Items::Polygons(all) => write_items(&mut text, key, all.iter().map(|rings| polygon(rings))),
+            }
+        }
+        text
+    }
+
+    /// A suite with this scene alone.
+    #[must_use]
+    pub fn suite(&self, title: &str, heading: Heading<'_>) -> String {
+        format!("title = {}\n\n{}", quoted(title), self.table(heading))
+    }
+
+    /// The scene as it is read from its text.
+    ///
+    /// # Errors
+    /// [`CorpusError`] where the text is no scene of the task.
+    pub fn loaded(&self, vocabulary: &Vocabulary, name: &str) -> Result<LoadedScene, CorpusError> {
+        let text = self.suite("spelled", Heading { name, ..Heading::default() });
+        let suite = Suite::parse(vocabulary, "spelled.toml", &text, None, &Manifest::default())?;
+        suite.scenes[0].load(Level::Quick, &predicament_formats::Cache::new(""))
+    }
+}
+
+impl LoadedScene {
+    /// The scene written out; none where its task cannot.
+    #[must_use]
+    pub fn spelled(&self) -> Option<Spelled> {
+        Some(Spelled { task: self.task, ..self.content.spelled(&self.scene)? })
+    }
+}
+
+/// The points and constructions of a scene, with nothing asked about them.
+#[must_use]
+pub fn spelled_points(scene: &predicament_predicates::Scene) -> Spelled {
+    let points = scene.vertices().map(|v| scene.point(v).to_vec()).collect();
+    Spelled { points, constructions: scene.constructions().to_vec(), ..Spelled::default() }
+}
+
+/// A text as TOML's basic string.
+fn quoted(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for letter in text.chars() {
+        match letter {
+            '"' | '\\' => quoted.extend(['\\', letter]),
+            letter if letter.is_control() => {
+                let _ = write!(quoted, "\\u{:04X}", u32::from(letter));
+            }
+            letter => quoted.push(letter),
+        }
+    }
+    quoted.push('"');
+    quoted
+}
+
+/// A coordinate as TOML: a decimal where it is short and exact, else a hex float in quotes.
+#[must_use]
+pub fn coordinate(x: f64) -> String {
+    let decimal = if x == x.trunc() && x.abs() < 1e15 { format!("{x:.0}") } else { format!("{x:?}") };
+    let is_same = exact_coordinate(&decimal).is_ok_and(|read| read.to_bits() == x.to_bits());
+    if is_same && decimal.len() <= 12 { decimal } else { format!("\"{}\"", hexfloat::format(x)) }
+}
+
+fn row(coordinates: &[f64]) -> String {
+    let all: Vec<String> = coordinates.iter().map(|&x| coordinate(x)).collect();
+    format!("[{}]", all.join(", "))
+}
+
+fn polygon(rings: &[Vec<Vec<f64>>]) -> String {
+    let ring = |points: &Vec<Vec<f64>>| {
+        let points: Vec<String> = points.iter().map(|point| row(point)).collect();
+        format!("[{}]", points.join(", "))
+    };
+    let rings: Vec<String> = rings.iter().map(ring).collect();
+    format!("[{}]", rings.join(", "))
+}
+
+fn ids(vertices: &[Vertex]) -> String {
+    let name = |v: &Vertex| if v.is_constructed() { format!("\"{v}\"") } else { v.to_string() };
+    format!("[{}]", vertices.iter().map(name).collect::<Vec<_>>().join(", "))
+}
+
+fn constructed(construction: &Construction) -> String {
+    let kind = match construction {
+        Construction::Ssi(_) => "ssi",
+        Construction::Lpi { .. } => "lpi",
+        Construction::Tpi(_) => "tpi",
+    };
+    let flats: Vec<String> = construction.flats().map(|flat| ids(flat)).collect();
+    format!("{{ {kind} = [{}] }}", flats.join(", "))
+}
+
+/// One item a line, or all in one where they are short.
+fn write_items(text: &mut String, key: &str, items: impl Iterator<Item = String>) {
+    let items: Vec<String> = items.collect();
+    let width: usize = items.iter().map(|item| item.len() + 2).sum();
+    let _ = if width <= 90 {
+        writeln!(text, "{key} = [{}]", items.join(", "))
+    } else {
+        let lines: String = items.iter().map(|item| format!("    {item},\n")).collect();
+        writeln!(text, "{key} = [\n{lines}]")
+    };
+}
