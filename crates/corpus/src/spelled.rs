@@ -283,9 +283,10 @@ fn quoted(text: &str) -> String {
 /// A coordinate as TOML: a decimal where it is short and exact, else a hex float in quotes.
 #[must_use]
 pub fn coordinate(x: f64) -> String {
-    let decimal = if x == x.trunc() && x.abs() < 1e15 { format!("{x:.0}") } else { format!("{x:?}") };
+    let is_integer = x == x.trunc() && x.abs() <= 9_007_199_254_740_992.0;
+    let decimal = if is_integer { format!("{x:.0}") } else { format!("{x:?}") };
     let is_same = exact_coordinate(&decimal).is_ok_and(|read| read.to_bits() == x.to_bits());
-    if is_same && decimal.len() <= 12 { decimal } else { format!("\"{}\"", hexfloat::format(x)) }
+    if is_same && (is_integer || decimal.len() <= 12) { decimal } else { format!("\"{}\"", hexfloat::format(x)) }
 }
 
 fn row(coordinates: &[f64]) -> String {

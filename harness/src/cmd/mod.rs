@@ -18,5 +18,6 @@ pub mod run;
 pub mod selftest;
 pub mod shell;
 pub mod show;
+pub mod shrink;
 pub mod solve;
 pub mod study;

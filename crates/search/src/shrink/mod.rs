@@ -1,0 +1,203 @@
+//! The smallest scene that still shows a finding.
+//!
+//! A finding in a scene of 10^5 points says little to a person and costs a regression test its time. Shrinking tries
+//! smaller scenes and keeps each that still shows it: first what the finding does not name goes, then items and
+//! vertices by halves, quarters and so on (delta debugging: Zeller and Hildebrandt 2002), then vertices that can be
+//! merged, then the coordinates become simpler. What is kept is always [smaller](Size), so it ends.
+
+mod numbers;
+mod pieces;
+mod size;
+
+use std::collections::HashSet;
+use std::collections::hash_map::DefaultHasher;
+use std::hash::{Hash, Hasher};
+
+use predicament_corpus::{LoadedScene, Spelled, Vocabulary};
+use predicament_predicates::Vertex;
+use predicament_tasks::{Finding, Stop};
+
+use crate::Witness;
+pub use size::Size;
+
+/// How much is tried.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    /// Scenes that are looked at.
+    pub evaluations: u64,
+}
+
+/// What came of shrinking.
+#[derive(Clone, Debug)]
+pub struct Shrunk {
+    /// The smallest scene.
+    pub spelled: Spelled,
+    /// The same, as it is read from its text.
+    pub loaded: LoadedScene,
+    /// What it shows.
+    pub finding: Finding,
+    /// Scenes that were looked at.
+    pub evaluations: u64,
+    /// Why it ended.
+    pub end: End,
+}
+
+/// Why shrinking ended.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum End {
+    /// Nothing smaller that is tried shows the finding.
+    Smallest,
+    /// So many scenes were looked at as were allowed.
+    Evaluations,
+    /// It was interrupted.
+    Interrupted,
+}
+
+impl End {
+    /// A word for tables and files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            End::Smallest => "smallest",
+            End::Evaluations => "evaluations",
+            End::Interrupted => "interrupted",
+        }
+    }
+}
+
+/// Each scene that is kept, as it is found: to be written down, so that nothing is lost, and for progress.
+pub type Kept<'k> = dyn FnMut(&Spelled, &Finding, u64) + 'k;
+
+/// Shrinks a scene.
+///
+/// `named` are the vertices that the finding is about. `evaluations` that were made before, by a process that was
+/// interrupted, count.
+///
+/// # Errors
+/// One line, where the scene cannot be read from its text, or does not show the finding any more.
+pub fn shrink(
+    vocabulary: &Vocabulary,
+    witness: &dyn Witness,
+    start: Spelled,
+    named: &[Vertex],
+    limits: Limits,
+    evaluations: u64,
+    kept: &mut Kept<'_>,
+) -> Result<Shrunk, String> {
+    let loaded = start.loaded(vocabulary, NAME).map_err(|error| error.to_string())?;
+    let interrupted = || "interrupted before the scene was looked at once".to_owned();
+    let finding = witness.look(&loaded).map_err(|_| interrupted())?;
+    let finding = finding.ok_or("the scene, written out, does not show the finding")?;
+    let mut search = Search {
+        vocabulary,
+        witness,
+        size: Size::of(&start),
+        best: start,
+        loaded,
+        finding,
+        tried: HashSet::new(),
+        evaluations,
+        most: limits.evaluations,
+        kept,
+    };
+    let end = match search.all(named) {
+        Ok(()) => End::Smallest,
+        Err(end) => end,
+    };
+    let Search { best, loaded, finding, evaluations, .. } = search;
+    Ok(Shrunk { spelled: best, loaded, finding, evaluations, end })
+}
+
+const NAME: &str = "shrunk";
+
+/// A search under way.
+struct Search<'a> {
+    vocabulary: &'a Vocabulary,
+    witness: &'a dyn Witness,
+    best: Spelled,
+    size: Size,
+    loaded: LoadedScene,
+    finding: Finding,
+    /// Digests of the texts that were tried.
+    tried: HashSet<u64>,
+    evaluations: u64,
+    most: u64,
+    kept: &'a mut Kept<'a>,
+}
+
+impl Search<'_> {
+    /// Everything, until nothing changes.
+    fn all(&mut self, named: &[Vertex]) -> Result<(), End> {
+        pieces::focus(self, named)?;
+        loop {
+            let before = self.size.clone();
+            pieces::drop_all(self)?;
+            pieces::merge_all(self)?;
+            numbers::simplify(self)?;
+            if self.size == before {
+                return Ok(());
+            }
+        }
+    }
+
+    /// Whether a smaller scene shows the finding; then it is the best.
+    fn try_one(&mut self, candidate: Spelled) -> Result<bool, End> {
+        let size = Size::of(&candidate);
+        if size >= self.size {
+            return Ok(false);
+        }
+        let mut hasher = DefaultHasher::new();
+        candidate.table(predicament_corpus::Heading::default()).hash(&mut hasher);
+        if !self.tried.insert(hasher.finish()) {
+            return Ok(false);
+        }
+        // What the task refuses costs little, and is no scene.
+        let Ok(loaded) = candidate.loaded(self.vocabulary, NAME) else { return Ok(false) };
+        if self.evaluations >= self.most {
+            return Err(End::Evaluations);
+        }
+        self.evaluations += 1;
+        let Some(finding) = self.witness.look(&loaded).map_err(|stop| match stop {
+            Stop::Interrupted | Stop::Timeout => End::Interrupted,
+        })?
+        else {
+            return Ok(false);
+        };
+        (self.kept)(&candidate, &finding, self.evaluations);
+        (self.best, self.size, self.loaded, self.finding) = (candidate, size, loaded, finding);
+        Ok(true)
+    }
+
+    /// Leaves out of `n` pieces as many as it can: by halves first, then by smaller and smaller chunks, from the last piece to the
+    /// first, until no single one can go.
+    ///
+    /// `without` is the best scene with only the pieces that are marked.
+    fn leave_out(
+        &mut self,
+        mut n: usize,
+        without: &dyn Fn(&Spelled, &[bool]) -> Spelled,
+        count: &dyn Fn(&Spelled) -> usize,
+    ) -> Result<(), End> {
+        let mut chunk = n;
+        while chunk > 0 && n > 0 {
+            let mut end = n;
+            let mut changed = false;
+            while end > 0 {
+                let start = end.saturating_sub(chunk);
+                let keep: Vec<bool> = (0..n).map(|at| !(start..end).contains(&at)).collect();
+                if self.try_one(without(&self.best, &keep))? {
+                    changed = true;
+                    // What went may have taken others with it.
+                    n = count(&self.best);
+                    end = start.min(n);
+                } else {
+                    end = start;
+                }
+            }
+            if !(changed && chunk == 1) {
+                chunk = if chunk > n { n } else { chunk / 2 };
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,207 @@
+//! `shrink`: the smallest scene that still shows a finding.
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use predicament_formats::Manifest;
+use predicament_records::{FindingRow, RunDir, replace};
+
+use super::replay::{find, load};
+use crate::exit::{self, Failure};
+use crate::out::program;
+use crate::planning::free_folder;
+use crate::shrinking::{self, Job, Measure, STATE, SUITE, State};
+use crate::tool::{Tool, each};
+use crate::{interrupt, progress};
+
+const EXAMPLES: &str = "\
+What the finding does not need is left out: queries, primitives, points (the order of the others stays), constructions, corners of
+loops; then coordinates become simpler. The folder has shrunk.toml, a suite with the scene, and the same as a test in Rust, C++ and
+Python. The scene is also printed.
+
+Examples:
+  predicament shrink 180cf3db2411 --run out/run
+  predicament shrink 180c --run out/run --into mine.toml         the scene is added to a suite, ready to commit
+  predicament shrink 180c --run out/run -b naive:first           a second backend has to show it too
+  predicament shrink 180c --run out/run --not-by shewchuk        and one that must not
+  predicament shrink --resume predicament-shrink-1 --evaluations 20000
+  predicament run mine.toml --shrink 3                           the first three findings of each class, after a run";
+
+/// Find the smallest scene that still shows a finding
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The finding's id, or a prefix of it, from findings.csv or the report
+    #[arg(required_unless_present = "resume", requires = "run")]
+    pub id: Option<String>,
+
+    /// The run that found it
+    #[arg(long, value_name = "DIR")]
+    pub run: Option<PathBuf>,
+
+    /// Backends that have to show it besides the one that the finding is about
+    #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
+    pub backends: Vec<String>,
+
+    /// Backends that must not show it
+    #[arg(long, value_name = "BACKEND")]
+    pub not_by: Vec<String>,
+
+    /// Scenes to look at, at most; 5,000 if left out
+    #[arg(long, value_name = "N")]
+    pub evaluations: Option<u64>,
+
+    /// Seconds that one backend may take for one scene
+    #[arg(long, value_name = "SECONDS", value_parser = super::run::seconds, default_value = "10")]
+    pub timeout: Duration,
+
+    /// A new folder; the first free predicament-shrink-N if left out
+    #[arg(long, value_name = "DIR", conflicts_with = "resume")]
+    pub out: Option<PathBuf>,
+
+    /// Go on where a `shrink` was interrupted, or with more evaluations where these had run out
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["id", "run", "backends", "not_by"])]
+    pub resume: Option<PathBuf>,
+
+    /// A suite to add the scene to; it is made if there is none
+    #[arg(long, value_name = "FILE")]
+    pub into: Option<PathBuf>,
+
+    /// Where fetched data lie; $PREDICAMENT_CACHE or the user's cache if left out
+    #[arg(long, value_name = "DIR")]
+    pub cache: Option<PathBuf>,
+}
+
+/// Evaluations where none are asked for.
+pub const EVALUATIONS: u64 = 5_000;
+
+/// Runs the command.
+pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
+    let (job, folder) = match (&args.resume, &args.id, &args.run) {
+        (Some(folder), ..) => (resumed(args, tool, folder)?, folder.clone()),
+        (None, Some(id), Some(run)) => {
+            let dir = RunDir::open(run).map_err(Failure::usage)?;
+            let finding = find(&dir, id, run)?;
+            let ask = Ask {
+                also: each(&args.backends).map(ToOwned::to_owned).collect(),
+                not_by: each(&args.not_by).map(ToOwned::to_owned).collect(),
+                evaluations: args.evaluations.unwrap_or(EVALUATIONS),
+                timeout: args.timeout,
+                cache: args.cache.as_deref(),
+            };
+            let job = begun(tool, &dir, finding, &ask)?;
+            let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-shrink"));
+            make(&folder)?;
+            (job, folder)
+        }
+        _ => return Err(Failure::usage("name a finding and its run, or --resume a folder")),
+    };
+    interrupt::listen();
+    let bar = progress::bar(job.state.most, "scenes");
+    let (table, state) = {
+        let source = job.source.clone();
+        let (state, shrunk) = job.run(&folder, &mut |evaluations, pieces| {
+            bar.set_position(evaluations);
+            bar.set_message(format!("{pieces} pieces"));
+        })?;
+        let (named, start) = (Vec::new(), shrunk.spelled.clone());
+        let job = Job { tool, state: state.clone(), start, source, named };
+        (job.table(&shrunk.spelled, &shrunk.finding), state)
+    };
+    bar.finish_and_clear();
+    say_text!("{table}");
+    note!("{}: {}", folder.display(), told(&state));
+    if let Some(file) = &args.into {
+        add(tool, file, &table)?;
+    }
+    Ok(if state.end.is_some() { exit::OK } else { exit::INCOMPLETE })
+}
+
+/// What became of a scene, in a line.
+pub fn told(state: &State) -> String {
+    let State { before, after, evaluations, .. } = state;
+    let end = match state.end.as_deref() {
+        Some("smallest") => "nothing smaller was found".to_owned(),
+        Some(end) => format!("the {end} have run out; `{} shrink --resume` goes on with --evaluations", program()),
+        None => format!("interrupted; `{} shrink --resume` goes on", program()),
+    };
+    let Measure { points, pieces, digits } = after;
+    format!(
+        "{} points to {points}, {} pieces to {pieces}, {} digits to {digits}, {evaluations} scenes looked at; {end}",
+        before.points, before.pieces, before.digits
+    )
+}
+
+/// Makes a new folder.
+pub fn make(folder: &Path) -> Result<(), Failure> {
+    let failed = |error: std::io::Error| Failure::usage(format!("{}: {error}", folder.display()));
+    std::fs::create_dir_all(folder).map_err(failed)?;
+    if folder.join(STATE).exists() || folder.join(SUITE).exists() {
+        let message = format!("{}: there is a `shrink` in it; go on with --resume, or name another", folder.display());
+        return Err(Failure::usage(message));
+    }
+    Ok(())
+}
+
+/// How a finding is to be shrunk.
+pub struct Ask<'a> {
+    pub also: Vec<String>,
+    pub not_by: Vec<String>,
+    pub evaluations: u64,
+    pub timeout: Duration,
+    pub cache: Option<&'a Path>,
+}
+
+/// The work on a finding of a run.
+pub fn begun<'a>(tool: &'a Tool, dir: &RunDir, finding: &FindingRow, ask: &Ask<'_>) -> Result<Job<'a>, Failure> {
+    let loaded = load(dir, finding, ask.cache, tool)?;
+    let start = loaded.spelled().ok_or_else(|| {
+        Failure::usage(format!("{}: the task {} cannot write its scenes out", finding.finding_id, finding.task))
+    })?;
+    let mut shown_by = vec![dir.plan.backend_argument(&finding.backend)];
+    shown_by.extend(ask.also.iter().filter(|name| **name != finding.backend).cloned());
+    let measure = Measure::of(&start);
+    let state = State {
+        finding_id: finding.finding_id.clone(),
+        suite: finding.suite.clone(),
+        scene: finding.scene.clone(),
+        scene_id: finding.scene_id.clone(),
+        task: finding.task.clone(),
+        class: finding.class.name().to_owned(),
+        check: finding.check.clone(),
+        shown_by,
+        not_by: ask.not_by.clone(),
+        level: dir.plan.level.to_string(),
+        limit: ask.timeout.as_secs_f64(),
+        evaluations: 0,
+        most: ask.evaluations,
+        end: None,
+        before: measure,
+        after: measure,
+    };
+    Ok(Job { tool, state, start, source: loaded.source, named: shrinking::named(&finding.query) })
+}
+
+fn resumed<'a>(args: &Args, tool: &'a Tool, folder: &Path) -> Result<Job<'a>, Failure> {
+    let (mut state, loaded) = shrinking::open(tool, folder)?;
+    state.most = args.evaluations.unwrap_or(state.most);
+    state.end = None;
+    let start = loaded.spelled().ok_or_else(|| Failure::usage("the task cannot write its scenes out"))?;
+    // The source was written with the scene: what is put before it comes off again.
+    let source = loaded.source.split_once("); ").map_or_else(String::new, |(_, source)| source.to_owned());
+    Ok(Job { tool, state, start, source, named: Vec::new() })
+}
+
+/// Adds a scene to a suite, which stays as it is otherwise.
+fn add(tool: &Tool, file: &Path, table: &str) -> Result<(), Failure> {
+    let before = match std::fs::read_to_string(file) {
+        Ok(text) => text,
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => "title = \"Shrunk findings\"\n".to_owned(),
+        Err(error) => return Err(Failure::usage(format!("{}: {error}", file.display()))),
+    };
+    let text = format!("{}\n\n{table}", before.trim_end());
+    let name = file.display().to_string();
+    // Twice the same scene, or the same name, is an error of the suite: nothing is written then.
+    predicament_corpus::Suite::parse(tool.vocabulary(), &name, &text, file.parent(), &Manifest::default())?;
+    replace(file, text.as_bytes()).map_err(Failure::usage)
+}

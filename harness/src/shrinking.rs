@@ -1,0 +1,295 @@
+//! Shrinking a finding into a folder: the scene as a suite, the tests, and what is needed to go on.
+//!
+//! Each smaller scene is written down as it is found, so that an end at any moment loses one evaluation.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use predicament_corpus::{Heading, Level, LoadedScene, Spelled, Suite};
+use predicament_formats::Manifest;
+use predicament_predicates::{Class, Query, Vertex};
+use predicament_records::replace;
+use predicament_search::shrink::{End, Limits, Shrunk, Size, shrink};
+use predicament_search::snippets::Subject;
+use predicament_search::{Backends, Wanted, Witness};
+use predicament_tasks::{Budget, Contestant, Finding, Stop, Watch};
+use serde::{Deserialize, Serialize};
+
+use crate::exit::Failure;
+use crate::select::planned_scene;
+use crate::tool::Tool;
+use crate::worker::Worker;
+use crate::{interrupt, planning};
+
+/// The files of a folder: what is shrunk and how far, and the smallest scene so far.
+pub const STATE: &str = "shrink.json";
+pub const SUITE: &str = "shrunk.toml";
+/// The same scene as tests.
+const TESTS: [&str; 3] = ["shrunk.rs", "shrunk.cpp", "shrunk.py"];
+
+/// What is shrunk and how far it has come: `shrink.json`.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct State {
+    /// The finding.
+    pub finding_id: String,
+    /// Where it was found: suite, scene, and the scene's id.
+    pub suite: String,
+    pub scene: String,
+    pub scene_id: String,
+    pub task: String,
+    pub class: String,
+    pub check: String,
+    /// The backends that have to show it, as `-b` takes them; the first is the finding's.
+    pub shown_by: Vec<String>,
+    /// The backends that must not.
+    pub not_by: Vec<String>,
+    pub level: String,
+    /// Seconds for each backend and scene.
+    pub limit: f64,
+    /// Scenes that were looked at, and how many may be.
+    pub evaluations: u64,
+    pub most: u64,
+    /// Why it ended; none while it goes on.
+    pub end: Option<String>,
+    /// Points, pieces, and what the coordinates cost to write.
+    pub before: Measure,
+    pub after: Measure,
+}
+
+/// How large a scene is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct Measure {
+    pub points: usize,
+    pub pieces: usize,
+    pub digits: u64,
+}
+
+impl Measure {
+    pub fn of(spelled: &Spelled) -> Measure {
+        let Size { pieces, digits } = Size::of(spelled);
+        let rows = spelled.rows().len();
+        Measure { points: rows, pieces, digits }
+    }
+}
+
+/// A finding and its scene.
+pub struct Job<'a> {
+    pub tool: &'a Tool,
+    /// What is known beforehand.
+    pub state: State,
+    /// The scene to begin with: that of the finding, or the smallest so far.
+    pub start: Spelled,
+    /// Where the original is from, in words.
+    pub source: String,
+    /// The vertices that the finding is about.
+    pub named: Vec<Vertex>,
+}
+
+/// The vertices of queries as text.
+pub fn named(query: &str) -> Vec<Vertex> {
+    queries(query).iter().flat_map(|query| query.vertices().collect::<Vec<_>>()).collect()
+}
+
+fn queries(text: &str) -> Vec<Query> {
+    text.split(" | ").filter_map(|one| one.parse().ok()).collect()
+}
+
+/// The name of a shrunk scene: what it shows, and of which finding it is.
+fn name_of(state: &State) -> String {
+    let backend = state.shown_by.first().map_or("", String::as_str);
+    let backend: String = backend.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+    format!("{}-{}-{}-{}", state.task, state.class.replace('_', "-"), backend, state.finding_id)
+}
+
+impl Job<'_> {
+    fn analysis(&self, finding: &Finding) -> String {
+        let mut text = format!("{}: {} ({})", self.state.shown_by.join(", "), finding.class.name(), finding.check);
+        if !finding.queries.is_empty() {
+            text += &format!(" of {}", finding.query_text());
+        }
+        for (what, said) in [("got", &finding.got), ("truth", &finding.truth)] {
+            if !said.is_empty() {
+                text += &format!(", {what} {said}");
+            }
+        }
+        text.replace('\n', " ")
+    }
+
+    /// The scene as a `[[scene]]` table.
+    pub fn table(&self, spelled: &Spelled, finding: &Finding) -> String {
+        let (state, analysis) = (&self.state, self.analysis(finding));
+        let mut source = format!("shrunk from {}/{} ({})", state.suite, state.scene, state.scene_id);
+        if !self.source.is_empty() {
+            source += &format!("; {}", self.source);
+        }
+        let tags = ["shrunk".to_owned()];
+        spelled.table(Heading { name: &name_of(state), tags: &tags, source: &source, analysis: &analysis })
+    }
+
+    /// Shrinks and writes into a folder that exists; `told` hears of evaluations and pieces.
+    pub fn run(mut self, folder: &Path, told: &mut dyn FnMut(u64, usize)) -> Result<(State, Shrunk), Failure> {
+        let level: Level = self.state.level.parse().map_err(Failure::usage)?;
+        let find = |names: &[String]| -> Result<Vec<Box<dyn Contestant>>, Failure> {
+            names.iter().map(|name| self.tool.backend(name).map_err(Failure::usage)).collect()
+        };
+        let (shown_by, not_by) = (find(&self.state.shown_by)?, find(&self.state.not_by)?);
+        let class: Class = self.state.class.parse().map_err(Failure::usage)?;
+        let wanted = Wanted::finding(class, &self.state.check);
+        let limit = Duration::try_from_secs_f64(self.state.limit).map_err(Failure::usage)?;
+        let task = self.tool.task(&self.state.task);
+        let quiet = |_: u64| {};
+        let watch = Watch::new(interrupt::flag(), None, &quiet);
+        let budget = Budget { findings_per_class: 1000, ..planning::budget(level) };
+        let here = Backends {
+            task,
+            wanted: wanted.clone(),
+            shown_by: shown_by.iter().map(AsRef::as_ref).collect(),
+            not_by: not_by.iter().map(AsRef::as_ref).collect(),
+            budget,
+            watch: &watch,
+            limit: Some(limit),
+        };
+        let all = || self.state.shown_by.iter().chain(&self.state.not_by);
+        let is_apart = class == Class::Timeout
+            || class == Class::Panic && self.state.check != "panic"
+            || all().any(|backend| self.tool.is_foreign(backend));
+        let apart = Apart {
+            tool: self.tool,
+            folder: folder.join("worker"),
+            engines: crate::tool::engines(&all().cloned().collect::<Vec<_>>())?,
+            wanted,
+            shown_by: shown_by.iter().map(|one| one.name()).collect(),
+            not_by: not_by.iter().map(|one| one.name()).collect(),
+            limit,
+            level,
+        };
+        let witness: &dyn Witness = if is_apart { &apart } else { &here };
+        let mut failed = None;
+        let (start, evaluations) = (self.start.clone(), self.state.evaluations);
+        let limits = Limits { evaluations: self.state.most };
+        let (mut state, job) = (self.state.clone(), &self);
+        let mut kept = |spelled: &Spelled, finding: &Finding, evaluations: u64| {
+            state.evaluations = evaluations;
+            state.after = Measure::of(spelled);
+            told(evaluations, state.after.pieces);
+            if failed.is_none() {
+                failed = job.write(folder, &state, spelled, finding).err();
+            }
+        };
+        let vocabulary = self.tool.vocabulary();
+        let done = shrink(vocabulary, witness, start, &self.named, limits, evaluations, &mut kept);
+        let done = done.map_err(|why| {
+            let State { suite, scene, finding_id, .. } = &self.state;
+            Failure::usage(format!("{suite}/{scene}, finding {finding_id}: {why}"))
+        });
+        let done = done?;
+        if let Some(failure) = failed {
+            return Err(failure);
+        }
+        self.state.evaluations = done.evaluations;
+        self.state.after = Measure::of(&done.spelled);
+        self.state.end = (done.end != End::Interrupted).then(|| done.end.name().to_owned());
+        self.write(folder, &self.state, &done.spelled, &done.finding)?;
+        Ok((self.state, done))
+    }
+
+    /// Writes the scene, its tests and the state, in this order: what the state says is there.
+    fn write(&self, folder: &Path, state: &State, spelled: &Spelled, finding: &Finding) -> Result<(), Failure> {
+        let put = |name: &str, text: &str| replace(&folder.join(name), text.as_bytes()).map_err(Failure::usage);
+        put(SUITE, &format!("title = \"Shrunk findings\"\n\n{}", self.table(spelled, finding)))?;
+        if state.end.is_some() {
+            let name = name_of(state);
+            let backend = state.shown_by.join(", ");
+            let subject = Subject { spelled, finding, backend: &backend, name: &name, suite: SUITE };
+            for (file, text) in TESTS.iter().zip([subject.rust(), subject.cpp(), subject.python()]) {
+                put(file, &text)?;
+            }
+        }
+        let json = serde_json::to_string_pretty(state).map_err(Failure::usage)?;
+        put(STATE, &(json + "\n"))
+    }
+}
+
+/// What a folder of `shrink` holds: its state, and the smallest scene so far.
+pub fn open(tool: &Tool, folder: &Path) -> Result<(State, LoadedScene), Failure> {
+    let file = folder.join(STATE);
+    let cure = "name the folder of a `shrink` that was begun";
+    let text = std::fs::read_to_string(&file)
+        .map_err(|error| Failure::usage(format!("{}: {error}; {cure}", file.display())))?;
+    let state: State = serde_json::from_str(&text)
+        .map_err(|error| Failure::usage(format!("{}: {error}; start it again", file.display())))?;
+    let suite = Suite::from_file(tool.vocabulary(), &folder.join(SUITE), &Manifest::default())?;
+    let [def] = suite.scenes.as_slice() else {
+        return Err(Failure::usage(format!("{}: it should have one scene", folder.join(SUITE).display())));
+    };
+    Ok((state, def.load(Level::Quick, &predicament_formats::Cache::new(""))?))
+}
+
+/// Backends in processes of their own: those that loop, crash or are somebody else's.
+struct Apart<'a> {
+    tool: &'a Tool,
+    folder: PathBuf,
+    engines: BTreeMap<String, String>,
+    wanted: Wanted,
+    shown_by: Vec<String>,
+    not_by: Vec<String>,
+    limit: Duration,
+    level: Level,
+}
+
+impl Apart<'_> {
+    /// What a backend shows of what is wanted.
+    fn find(&self, loaded: &LoadedScene, suite: &Path, backend: &str) -> Result<Option<Finding>, Stop> {
+        let scene = planned_scene(loaded);
+        let worker = Worker {
+            permutations: None,
+            threads: None,
+            cache: None,
+            folder: self.folder.clone(),
+            suite: suite.display().to_string(),
+            engines: &self.engines,
+            scene: &scene,
+            limit: Some(self.limit),
+            level: self.level,
+            answers: false,
+        };
+        // A worker that could not do its work shows nothing.
+        let Ok(found) = worker.run(self.tool, backend) else { return Ok(None) };
+        let found = found.ok_or(Stop::Interrupted)?;
+        let findings = found.findings.into_iter().map(|row| Finding {
+            queries: queries(&row.query),
+            ..Finding::plain(row.class, row.check, Vec::new(), row.got, row.truth)
+        });
+        Ok(findings.into_iter().find(|finding| self.wanted.is(finding)))
+    }
+}
+
+impl Witness for Apart<'_> {
+    fn look(&self, loaded: &LoadedScene) -> Result<Option<Finding>, Stop> {
+        let Some(spelled) = loaded.spelled() else { return Ok(None) };
+        let suite = self.folder.with_file_name(format!("{}.toml", loaded.suite));
+        let text = spelled.suite("A scene on trial", Heading { name: &loaded.name, ..Heading::default() });
+        if std::fs::write(&suite, text).is_err() {
+            return Ok(None);
+        }
+        let found = || {
+            let mut first = None;
+            for backend in &self.shown_by {
+                match self.find(loaded, &suite, backend)? {
+                    None => return Ok(None),
+                    found => first = first.or(found),
+                }
+            }
+            for backend in &self.not_by {
+                if self.find(loaded, &suite, backend)?.is_some() {
+                    return Ok(None);
+                }
+            }
+            Ok(first)
+        };
+        let found = found();
+        let _ = std::fs::remove_file(&suite);
+        found
+    }
+}
