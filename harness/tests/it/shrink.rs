@@ -86,7 +86,19 @@ fn a_second_backend_has_to_show_it_and_another_must_not() {
 fn the_first_of_each_class_are_shrunk_after_a_run() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "run");
-    let args = ["run", "families", "-f", "/kettner-orient2d$", "-b", "naive:first,exact", "-q", "--out", &out, "--shrink", "1"];
+    let args = [
+        "run",
+        "families",
+        "-f",
+        "/kettner-orient2d$",
+        "-b",
+        "naive:first,exact",
+        "-q",
+        "--out",
+        &out,
+        "--shrink",
+        "1",
+    ];
     let told = run(&args);
     assert!(told.stdout.contains("shrunk.toml"), "{}\n{}", told.stdout, told.stderr);
     let suite = format!("{out}/shrunk/shrunk.toml");
