@@ -342,7 +342,7 @@ fn constructed(construction: &Construction) -> String {
         Construction::Lpi { .. } => "lpi",
         Construction::Tpi(_) => "tpi",
     };
-    let flats: Vec<String> = construction.flats().map(|flat| ids(flat)).collect();
+    let flats: Vec<String> = construction.flats().map(ids).collect();
     format!("{{ {kind} = [{}] }}", flats.join(", "))
 }
 

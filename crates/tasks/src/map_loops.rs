@@ -11,6 +11,9 @@ use predicament_predicates::{Dimension, Vertex};
 /// More regions than this are a slip of the pen.
 pub(crate) const MOST_REGIONS: usize = 1 << 22;
 
+/// What a scene about a map has.
+pub(crate) const NEEDED: &str = "`map`, or `points` and `loops`";
+
 const LOOPS: &str = "loops: arrays of the indices of points, one for each loop";
 const REGIONS: &str = "an array of the numbers of regions, one for each loop";
 
@@ -40,7 +43,11 @@ impl MapLoops {
     /// Reads `points`, `loops` and `regions`; without the last, each loop is a region of its own.
     pub(crate) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<MapLoops, CorpusError> {
         let points = PointSource::read(context, &fields.required("points")?, fields.file())?;
-        let loops = read_loops(&fields.required("loops")?)?;
+        let loops = fields.get("loops").ok_or_else(|| {
+            let missing = fields.error("points without `loops`", format!("write {NEEDED}"));
+            fields.lacking(NEEDED, missing)
+        })?;
+        let loops = read_loops(&loops)?;
         let regions = match fields.get("regions") {
             None => (0..loops.len()).collect(),
             Some(field) => {

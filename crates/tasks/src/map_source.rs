@@ -6,7 +6,7 @@ use predicament_formats::{
     topojson,
 };
 
-use crate::map_loops::MapLoops;
+use crate::map_loops::{MapLoops, NEEDED};
 
 static MAP: TableKind =
     TableKind::new("map", &["path", "topojson", "fetch", "object", "member", "polygons", "ids", "regions"]);
@@ -33,7 +33,7 @@ impl MapSource {
             Some(loops) => Err(loops.error("a map from two places", "keep `map`, or `points` and `loops`")),
             None => {
                 let map = fields.required("map");
-                let map = map.map_err(|missing| fields.lacking("`map`, or `points` and `loops`", missing))?;
+                let map = map.map_err(|missing| fields.lacking(NEEDED, missing))?;
                 MapSource::read(context, &map)
             }
         }
