@@ -105,7 +105,7 @@ fn generated_scenes_are_written_out_as_a_suite() {
     let text = expect(0, &["corpus", "gen", "families", "classics", "intervals", "-f", filter, "--toml"]).stdout;
     let suite = write(&folder, "mine.toml", &text);
     let (before, after) =
-        (["families", "classics", "intervals"].map(|suite| ids(suite, filter)).concat(), ids(&suite, ""));
+        (["families", "classics", "intervals"].map(|suite| ids(suite, filter)).concat(), ids(&suite, "."));
     assert!(before.len() >= 3 && before.len() == after.len(), "{before:?} {after:?}");
     // Where the id is another one, the suite says so.
     for (before, after) in before.iter().zip(&after) {
