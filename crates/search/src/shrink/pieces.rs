@@ -1,6 +1,6 @@
 //! Leaving out: what a finding does not need.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_corpus::{Items, Spelled};
 use predicament_predicates::Vertex;
@@ -79,6 +79,7 @@ fn around(start: &Spelled, centre: &BTreeSet<Vertex>, only_within: bool) -> Spel
 /// Leaves out items, points with all that names them, constructions, corners.
 pub(super) fn drop_all(search: &mut Search<'_>) -> Result<(), End> {
     search.try_one(drop_unnamed(&search.best))?;
+    drop_components(search)?;
     for list in 0..search.best.lists.len() {
         let count = move |spelled: &Spelled| spelled.lists[list].items.len();
         let without = move |spelled: &Spelled, keep: &[bool]| {
@@ -98,6 +99,51 @@ pub(super) fn drop_all(search: &mut Search<'_>) -> Result<(), End> {
     search.leave_out(search.best.constructions.len(), &drop_constructions, &|spelled| spelled.constructions.len())?;
     search.try_one(drop_unnamed(&search.best))?;
     drop_corners(search)
+}
+
+/// Leaves out items that hang together: of a mesh that has to be closed, no single triangle can go, but a part of it can.
+fn drop_components(search: &mut Search<'_>) -> Result<(), End> {
+    for list in 0..search.best.lists.len() {
+        let count = move |spelled: &Spelled| components(&spelled.lists[list].items).1;
+        let without = move |spelled: &Spelled, keep: &[bool]| {
+            let (component, _) = components(&spelled.lists[list].items);
+            let mut left = spelled.clone();
+            left.lists[list].items.keep(|at| keep.get(component[at]).copied().unwrap_or(true));
+            drop_unnamed(&left)
+        };
+        let parts = count(&search.best);
+        if parts > 1 && parts < search.best.lists[list].items.len() {
+            search.leave_out(parts, &without, &count)?;
+        }
+    }
+    Ok(())
+}
+
+/// For each item the number of its component, in the order of their first items, and how many there are: items with a vertex in common hang together.
+fn components(items: &Items) -> (Vec<usize>, usize) {
+    let mut parent: Vec<usize> = (0..items.len()).collect();
+    fn root(parent: &mut [usize], mut at: usize) -> usize {
+        while parent[at] != at {
+            parent[at] = parent[parent[at]];
+            at = parent[at];
+        }
+        at
+    }
+    let mut first: BTreeMap<Vertex, usize> = BTreeMap::new();
+    for at in 0..items.len() {
+        for &v in items.vertices(at) {
+            let other = *first.entry(v).or_insert(at);
+            let (one, other) = (root(&mut parent, at), root(&mut parent, other));
+            parent[one.max(other)] = one.min(other);
+        }
+    }
+    let mut numbers: BTreeMap<usize, usize> = BTreeMap::new();
+    let component = (0..items.len()).map(|at| {
+        let next = numbers.len();
+        *numbers.entry(root(&mut parent, at)).or_insert(next)
+    });
+    let component: Vec<usize> = component.collect();
+    (component, numbers.len())
 }
 
 /// Leaves out single corners of loops, rings, and points of rings.
@@ -123,6 +169,15 @@ fn without_corner(spelled: &Spelled, list: usize, (item, ring, corner): Place) -
     match &mut left.lists[list].items {
         Items::Loops(loops) => {
             let one = loops.get_mut(item)?;
+            if corner >= one.len() || one.len() <= 3 {
+                return Some((None, next_item));
+            }
+            one.remove(corner);
+            Some((Some(drop_unnamed(&left)), (item, 0, corner + 1)))
+        }
+        // Loops with labels; where these are triangles, no corner can go.
+        Items::Labelled { tuples, .. } => {
+            let one = tuples.get_mut(item)?;
             if corner >= one.len() || one.len() <= 3 {
                 return Some((None, next_item));
             }
@@ -176,4 +231,19 @@ fn neighbours(spelled: &Spelled, point: usize) -> BTreeSet<usize> {
     let items = spelled.lists.iter().flat_map(|list| (0..list.items.len()).map(|at| list.items.vertices(at)));
     let together = items.filter(|corners| corners.contains(&this)).flatten();
     together.filter(|v| **v != this && !v.is_constructed()).map(|v| v.index()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn items_with_a_vertex_in_common_hang_together() {
+        let tuple = |corners: [usize; 3]| corners.map(Vertex::input).to_vec();
+        let items = Items::Tuples(vec![tuple([0, 1, 2]), tuple([5, 6, 7]), tuple([2, 3, 4]), tuple([7, 8, 4])]);
+        assert_eq!(components(&items), (vec![0, 0, 0, 0], 1));
+        let items = Items::Tuples(vec![tuple([0, 1, 2]), tuple([5, 6, 7]), tuple([2, 3, 4]), tuple([7, 8, 9])]);
+        assert_eq!(components(&items), (vec![0, 1, 0, 1], 2));
+        assert_eq!(components(&Items::Rows(vec![vec![0.0], vec![1.0]])), (vec![0, 1], 2));
+    }
 }
