@@ -48,7 +48,7 @@ pub struct Args {
 /// The formats.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub enum As {
-    /// Typed columns, compressed by Snappy
+    /// Typed columns, compressed by gzip
     Parquet,
     /// Comma-separated values
     Csv,

@@ -33,6 +33,14 @@ fn assert_same(runs: &[&Path], out: &Path) {
 }
 
 #[test]
+fn a_cell_that_differs_is_seen() {
+    let real = Cell::Real(0.3_f64.to_bits());
+    assert!(Cell::is(Some(&real), "0.3") && !Cell::is(Some(&real), "0.30000000000000004"));
+    assert!(Cell::is(None, "") && !Cell::is(None, "0") && !Cell::is(Some(&Cell::Number(0)), ""));
+    assert!(!Cell::is(Some(&Cell::Text("a".to_owned())), "a "));
+}
+
+#[test]
 fn every_cell_of_csv_is_the_cell_of_parquet() {
     let folder = tempdir().unwrap();
     let [first, second, out] = ["first", "second", "out"].map(|name| folder.path().join(name));
