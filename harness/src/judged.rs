@@ -1,25 +1,25 @@
 //! `judged.csv`: which answers a run has judged, so that they can be timed later
 //! without judging them again.
 
-use predicament_records::{PlannedScene, Row};
+use predicament_records::PlannedScene;
 use predicament_tasks::Outcome;
-use serde::{Deserialize, Serialize};
 
-/// A digest of the answers of one backend to one scene.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-pub struct JudgedRow {
-    /// The suite's name.
-    pub suite: String,
-    /// The scene's name in its suite.
-    pub scene: String,
-    /// The scene's content id.
-    pub scene_id: String,
-    /// What was asked.
-    pub task: String,
-    /// The backend's name, with its parameters.
-    pub backend: String,
-    /// The digest of the answers as users get them, 16 hex digits.
-    pub digest: String,
+predicament_records::table! {
+    /// `judged.csv`: the digest of the answers of one backend to one scene.
+    pub struct JudgedRow [Clone, PartialEq, Eq, Debug] in "judged.csv" {
+        /// The suite's name.
+        pub suite: String,
+        /// The scene's name in its suite.
+        pub scene: String,
+        /// The scene's content id.
+        pub scene_id: String,
+        /// What was asked.
+        pub task: String,
+        /// The backend's name, with its parameters.
+        pub backend: String,
+        /// The digest of the answers as users get them, 16 hex digits.
+        pub digest: String,
+    }
 }
 
 impl JudgedRow {
@@ -31,9 +31,4 @@ impl JudgedRow {
         };
         outcome.digest.map(row).into_iter().collect()
     }
-}
-
-impl Row for JudgedRow {
-    const FILE: &'static str = "judged.csv";
-    const COLUMNS: &'static [&'static str] = &["suite", "scene", "scene_id", "task", "backend", "digest"];
 }

@@ -6,7 +6,9 @@ use std::path::PathBuf;
 use predicament_corpus::Level;
 use predicament_exact::Exact;
 use predicament_predicates::Backend;
-use predicament_records::{self as records, AnswerRow, Env, ImportRow, Plan, SampledRow, SegmentRow, Shard, TableSpec};
+use predicament_records::{
+    self as records, AnswerRow, Env, ImportRow, PhaseRow, Plan, SampledRow, SegmentRow, Shard, TableSpec,
+};
 use predicament_tasks::{Budget, Contestant};
 
 use crate::judged::JudgedRow;
@@ -40,6 +42,12 @@ pub fn tables_with(tool: &Tool, answers: bool) -> Vec<TableSpec> {
     let mut tables = tables(tool);
     tables.extend(answers.then(TableSpec::of::<AnswerRow>));
     tables
+}
+
+/// All tables that a folder of a run or a bench may have: those of every run first.
+pub fn every_table(tool: &Tool) -> Vec<TableSpec> {
+    let rest = [TableSpec::of::<PhaseRow>(), TableSpec::of::<AnswerRow>(), TableSpec::of::<SegmentRow>()];
+    records::TABLES.into_iter().chain(tables(tool)).chain(rest).collect()
 }
 
 /// The plan of a run over these scenes.

@@ -4,12 +4,18 @@
 //! depend on what the compiler was allowed to use.
 
 use std::collections::BTreeMap;
+use std::time::{SystemTime, UNIX_EPOCH};
 
+use crate::moment;
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 
 /// The machine, the compiler and the command.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub struct Env {
+    /// When the run began, in UTC: `2026-01-31T23:59:59Z`; none in folders made before it was written down.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub started: Option<String>,
     /// The processor's name; none where the system doesn't tell.
     pub cpu: Option<String>,
     /// How many threads the process may run at once; none where unknown.
@@ -57,6 +63,7 @@ impl Env {
     #[must_use]
     pub fn collect(package_version: &str) -> Env {
         Env {
+            started: SystemTime::now().duration_since(UNIX_EPOCH).ok().map(|since| moment::text(since.as_secs())),
             cpu: std::fs::read_to_string("/proc/cpuinfo").ok().and_then(|text| cpu_model(&text)),
             cores: std::thread::available_parallelism().ok().and_then(|n| u64::try_from(n.get()).ok()),
             os: format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
@@ -74,6 +81,21 @@ impl Env {
             command_line: std::env::args_os().map(|arg| arg.to_string_lossy().into_owned()).collect(),
             peers: BTreeMap::new(),
         }
+    }
+}
+
+impl Env {
+    /// What tells machines apart whose times are not to be compared: twelve hex digits of a digest of processor, cores and system.
+    /// The machine's name is not among them, as hosts of build services have another every night.
+    #[must_use]
+    pub fn fingerprint(&self) -> String {
+        let cores = self.cores.map(|cores| cores.to_string());
+        let mut sum = Sha256::new();
+        for part in [self.cpu.as_deref(), cores.as_deref(), Some(&*self.os)] {
+            sum.update(part.unwrap_or_default().as_bytes());
+            sum.update([0]);
+        }
+        sum.finalize().iter().take(6).map(|byte| format!("{byte:02x}")).collect()
     }
 }
 

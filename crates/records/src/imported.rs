@@ -1,32 +1,35 @@
 //! `imports.csv`: the scenes that reading has changed, and how.
 
-use serde::{Deserialize, Serialize};
+use crate::PlannedScene;
 
-use crate::{PlannedScene, Row};
+crate::table! {
+    /// `imports.csv`: a scene that is not in every point what its files say: what was rounded, left out or dropped.
+    pub struct ImportRow [Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Default] in "imports.csv" {
+        /// The suite's name.
+        pub suite: String,
+        /// The scene's name in its suite.
+        pub scene: String,
+        /// The scene's content id.
+        pub scene_id: String,
+        /// What was asked.
+        pub task: String,
+        /// Coordinates that are the nearest doubles of other decimals.
+        pub rounded: u64,
+        /// Third coordinates and measures that were left out.
+        pub extra_coordinates: u64,
+        /// Points that were dropped because they repeat the point before them.
+        pub repeated_points: u64,
+        /// Rings that were dropped because they have fewer than three points.
+        pub degenerate_rings: u64,
+        /// Faces that were dropped because two of their corners are one point.
+        pub degenerate_faces: u64,
+        /// Regions that were dropped because they have no ring.
+        pub empty_regions: u64,
+    }
 
-/// A scene that is not in every point what its files say: what was rounded, left out or dropped.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Default, Serialize, Deserialize)]
-pub struct ImportRow {
-    /// The suite's name.
-    pub suite: String,
-    /// The scene's name in its suite.
-    pub scene: String,
-    /// The scene's content id.
-    pub scene_id: String,
-    /// What was asked.
-    pub task: String,
-    /// Coordinates that are the nearest doubles of other decimals.
-    pub rounded: u64,
-    /// Third coordinates and measures that were left out.
-    pub extra_coordinates: u64,
-    /// Points that were dropped because they repeat the point before them.
-    pub repeated_points: u64,
-    /// Rings that were dropped because they have fewer than three points.
-    pub degenerate_rings: u64,
-    /// Faces that were dropped because two of their corners are one point.
-    pub degenerate_faces: u64,
-    /// Regions that were dropped because they have no ring.
-    pub empty_regions: u64,
+    fn check(&self) -> Result<(), String> {
+        if self.counts() == [0; 6] { Err("nothing was changed".to_owned()) } else { Ok(()) }
+    }
 }
 
 impl ImportRow {
@@ -43,25 +46,5 @@ impl ImportRow {
         let ImportRow { rounded, extra_coordinates, repeated_points, .. } = *self;
         let ImportRow { degenerate_rings, degenerate_faces, empty_regions, .. } = *self;
         [rounded, extra_coordinates, repeated_points, degenerate_rings, degenerate_faces, empty_regions]
-    }
-}
-
-impl Row for ImportRow {
-    const FILE: &'static str = "imports.csv";
-    const COLUMNS: &'static [&'static str] = &[
-        "suite",
-        "scene",
-        "scene_id",
-        "task",
-        "rounded",
-        "extra_coordinates",
-        "repeated_points",
-        "degenerate_rings",
-        "degenerate_faces",
-        "empty_regions",
-    ];
-
-    fn check(&self) -> Result<(), String> {
-        if self.counts() == [0; 6] { Err("nothing was changed".to_owned()) } else { Ok(()) }
     }
 }

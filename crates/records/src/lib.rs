@@ -11,6 +11,8 @@
 //! * [`SummaryRow`], [`FindingRow`], [`ThroughputRow`], [`StageRow`] and [`PrecisionRow`]
 //!   are the rows that every run has; tasks add tables of their own through [`Row`]. [`Rows`] know their lines.
 //! * [`Plan`] and [`Env`] say what was to be done, and where.
+//! * [`table!`] makes a row, its table and its schema from one definition; [`schema_markdown`] prints it.
+//! * [`RunFolder`] reads a folder row by row, however large.
 //! * [`junit`] is what build servers read.
 
 mod answers;
@@ -20,12 +22,14 @@ pub mod format;
 mod imported;
 mod junit;
 mod lined;
+pub mod moment;
 mod phases;
 mod plan;
 mod replace;
 mod rows;
 mod run_dir;
 mod sampled;
+mod schema;
 mod stats;
 
 pub use answers::AnswerRow;
@@ -39,8 +43,11 @@ pub use plan::{FORMAT, Level, NotSelected, Plan, PlannedScene, Shard, Whole};
 pub use predicament_predicates::{Class, Status};
 pub use replace::replace;
 pub use rows::{FindingRow, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
-pub use run_dir::{Lined, NotMerged, NotRun, Outcome, Record, RunDir, RunWriter, SegmentRow, TableSpec, merge};
+pub use run_dir::{
+    Lined, NotMerged, NotRun, Outcome, Record, RunDir, RunFolder, RunWriter, SegmentRow, TABLES, TableSpec, merge,
+};
 pub use sampled::SampledRow;
+pub use schema::{Column, Kind, Typed, schema_json, schema_markdown};
 /// For deriving a [`Row`] in a crate that does not depend on `serde` itself.
 pub use serde;
 pub use stats::{Spread, approximately, geometric_mean, wilson};

@@ -104,21 +104,22 @@ impl From<Shard> for String {
     }
 }
 
-/// A scene that is going to be run on every backend of the plan.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
-pub struct PlannedScene {
-    /// The suite's name.
-    pub suite: String,
-    /// The scene's name in its suite.
-    pub scene: String,
-    /// The scene's content id.
-    pub scene_id: String,
-    /// What will be asked.
-    pub task: String,
-    /// The family of inputs that timings and stage counts go by.
-    pub family: String,
-    /// How many queries there are.
-    pub queries: u64,
+crate::table! {
+    /// `scenes`: a scene that is going to be run on every backend of the plan.
+    pub struct PlannedScene [Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug] in "scenes" {
+        /// The suite's name.
+        pub suite: String,
+        /// The scene's name in its suite.
+        pub scene: String,
+        /// The scene's content id.
+        pub scene_id: String,
+        /// What will be asked.
+        pub task: String,
+        /// The family of inputs that timings and stage counts go by.
+        pub family: String,
+        /// How many queries there are.
+        pub queries: u64,
+    }
 }
 
 impl PlannedScene {

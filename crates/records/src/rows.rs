@@ -1,22 +1,27 @@
 //! The rows of the tables that every run folder has.
 //!
-//! Each struct is one line of its file: its fields are the columns, in order.
+//! Each struct is one line of its file: its fields are the columns, in order, and
+//! their documentation is the published schema ([`table!`](crate::table)).
 //! Columns are a contract; other programs read them.
 
+use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
 
-use crate::{Class, PlannedScene, Status};
+use crate::{Class, Column, PlannedScene, Status};
 
 /// A line of one of the CSV files of a run folder.
 ///
-/// Tasks add files of their own by implementing this: see [`Record::of`](crate::Record::of)
-/// for writing and [`RunDir::rows`](crate::RunDir::rows) for reading.
+/// Tasks add files of their own by implementing this, most easily by [`table!`](crate::table): see
+/// [`Record::of`](crate::Record::of) for writing and [`RunDir::rows`](crate::RunDir::rows) for reading.
 pub trait Row: Serialize + DeserializeOwned {
     /// The file's name.
     const FILE: &'static str;
     /// Its columns.
     const COLUMNS: &'static [&'static str];
+    /// What a line is, in words.
+    const ABOUT: &'static str = "";
+    /// The columns with their types, units and meanings, in the same order; none where nobody has said them: such columns are text to other programs.
+    const SCHEMA: &'static [Column] = &[];
 
     /// Whether the values make sense, beyond having the right types.
     ///
@@ -32,50 +37,56 @@ pub(crate) const MOST: u64 = 1 << 48;
 /// What is wrong with a larger one.
 pub(crate) const NO_COUNT: &str = "no run counts so far; restore the file";
 
-/// `summary.csv`: one scene on one backend.
-///
-/// The first eight counts are of answers to queries or registered contacts,
-/// the last four of whole scenes: 0 or the number of checks that failed.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-pub struct SummaryRow {
-    /// The suite's name.
-    pub suite: String,
-    /// The scene's name in its suite.
-    pub scene: String,
-    /// The scene's content id.
-    pub scene_id: String,
-    /// What was asked: `orient2d`, `polygon-locate`, …
-    pub task: String,
-    /// The backend's name, with its parameters.
-    pub backend: String,
-    /// How many queries were asked.
-    pub queries: u64,
-    /// Answers of [`Class::Agree`].
-    pub agree: u64,
-    /// Answers of [`Class::TieBroken`].
-    pub tie_broken: u64,
-    /// Answers of [`Class::InBand`].
-    pub in_band: u64,
-    /// Answers of [`Class::Overreach`].
-    pub overreach: u64,
-    /// Answers of [`Class::MissedZero`].
-    pub missed_zero: u64,
-    /// Answers of [`Class::SignFlip`].
-    pub sign_flip: u64,
-    /// Violated axioms, [`Class::Inconsistent`].
-    pub inconsistent: u64,
-    /// Answers of [`Class::Nan`].
-    pub nan: u64,
-    /// Failed checks, [`Class::Topology`].
-    pub topology: u64,
-    /// Panics, [`Class::Panic`].
-    pub panic: u64,
-    /// Timeouts, [`Class::Timeout`].
-    pub timeout: u64,
-    /// Refusals, [`Class::Declined`].
-    pub declined: u64,
-    /// What the gate says.
-    pub status: Status,
+crate::table! {
+    /// `summary.csv`: one scene on one backend.
+    ///
+    /// The first eight counts are of answers to queries or registered contacts,
+    /// the last four of whole scenes: 0 or the number of checks that failed.
+    pub struct SummaryRow [Clone, PartialEq, Eq, Debug] in "summary.csv" {
+        /// The suite's name.
+        pub suite: String,
+        /// The scene's name in its suite.
+        pub scene: String,
+        /// The scene's content id.
+        pub scene_id: String,
+        /// What was asked: `orient2d`, `polygon-locate`, …
+        pub task: String,
+        /// The backend's name, with its parameters.
+        pub backend: String,
+        /// How many queries were asked.
+        pub queries: u64,
+        /// Answers that are the exact one: class `agree`.
+        pub agree: u64,
+        /// Exact zeros answered by a sign, which backends that break ties promise: class `tie_broken`.
+        pub tie_broken: u64,
+        /// Zeros for values within the upper tolerance, which backends with a band promise: class `in_band`.
+        pub in_band: u64,
+        /// Zeros for values beyond the upper tolerance, and for any value but zero where there is no band: class `overreach`.
+        pub overreach: u64,
+        /// Degeneracies that the backend promised to report, answered by a sign: class `missed_zero`.
+        pub missed_zero: u64,
+        /// Answers of the opposite sign: class `sign_flip`.
+        pub sign_flip: u64,
+        /// Axioms violated, as answers contradict each other: class `inconsistent`.
+        pub inconsistent: u64,
+        /// Answers for which the arithmetic produced a NaN: class `nan`.
+        pub nan: u64,
+        /// Checks of the whole scene that failed: class `topology`.
+        pub topology: u64,
+        /// Panics of the backend: class `panic`.
+        pub panic: u64,
+        /// Scenes that took too long: class `timeout`.
+        pub timeout: u64,
+        /// Scenes that the backend says it cannot do: class `declined`.
+        pub declined: u64,
+        /// What the gate says: `ok`, `expected`, `unexpected`, `unexpected_pass`.
+        pub status: Status,
+    }
+
+    fn check(&self) -> Result<(), String> {
+        let counts = Class::ALL.into_iter().map(|class| self.count(class)).chain([self.queries]);
+        counts.max().filter(|&most| most > MOST).map_or(Ok(()), |most| Err(format!("a count of {most}: {NO_COUNT}")))
+    }
 }
 
 impl SummaryRow {
@@ -156,92 +167,42 @@ impl SummaryRow {
     }
 }
 
-impl Row for SummaryRow {
-    const FILE: &'static str = "summary.csv";
-    const COLUMNS: &'static [&'static str] = &[
-        "suite",
-        "scene",
-        "scene_id",
-        "task",
-        "backend",
-        "queries",
-        "agree",
-        "tie_broken",
-        "in_band",
-        "overreach",
-        "missed_zero",
-        "sign_flip",
-        "inconsistent",
-        "nan",
-        "topology",
-        "panic",
-        "timeout",
-        "declined",
-        "status",
-    ];
-
-    fn check(&self) -> Result<(), String> {
-        let counts = Class::ALL.into_iter().map(|class| self.count(class)).chain([self.queries]);
-        counts.max().filter(|&most| most > MOST).map_or(Ok(()), |most| Err(format!("a count of {most}: {NO_COUNT}")))
+crate::table! {
+    /// `findings.csv`: one answer worth looking at.
+    ///
+    /// At most `findings_per_class` rows of `plan.json`
+    /// of each class are kept for each scene and backend; `summary.csv` counts all.
+    pub struct FindingRow [Clone, PartialEq, Debug] in "findings.csv" {
+        /// What `replay`, `shrink` and `show` take.
+        pub finding_id: String,
+        /// The suite's name.
+        pub suite: String,
+        /// The scene's name in its suite.
+        pub scene: String,
+        /// The scene's content id.
+        pub scene_id: String,
+        /// What was asked.
+        pub task: String,
+        /// The backend's name, with its parameters.
+        pub backend: String,
+        /// What kind of finding: the name of a class, which is a column of `summary.csv`.
+        pub class: Class,
+        /// The check that failed: `sign`, `antisymmetry`, `euler`, …
+        pub check: String,
+        /// Which query, as the oracle writes it; empty for findings about whole scenes.
+        pub query: String,
+        /// What the backend answered.
+        pub got: String,
+        /// What is true.
+        pub truth: String,
+        /// log2 of |determinant| / permanent, the degeneracy of the query; −inf
+        /// for an exact zero, none where there is no determinant.
+        pub log2_relative_det: Option<f64> ["powers of two"],
+        /// The exact distance from degeneracy in units of L, the scene's largest extent.
+        pub distance_over_l: Option<f64> as "distance_over_L" ["L"],
+        /// The rung of the ladder that settled the query; empty where unknown.
+        pub stage: String,
     }
-}
-
-/// `findings.csv`: one answer worth looking at.
-///
-/// At most [`Plan::findings_per_class`](crate::Plan::findings_per_class) rows
-/// of each class are kept for each scene and backend; `summary.csv` counts all.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-pub struct FindingRow {
-    /// What `replay`, `shrink` and `show` take.
-    pub finding_id: String,
-    /// The suite's name.
-    pub suite: String,
-    /// The scene's name in its suite.
-    pub scene: String,
-    /// The scene's content id.
-    pub scene_id: String,
-    /// What was asked.
-    pub task: String,
-    /// The backend's name, with its parameters.
-    pub backend: String,
-    /// What kind of finding.
-    pub class: Class,
-    /// The check that failed: `sign`, `antisymmetry`, `euler`, …
-    pub check: String,
-    /// Which query, as the oracle writes it; empty for findings about whole scenes.
-    pub query: String,
-    /// What the backend answered.
-    pub got: String,
-    /// What is true.
-    pub truth: String,
-    /// log2 of |determinant| / permanent, the degeneracy of the query; −inf
-    /// for an exact zero, none where there is no determinant.
-    pub log2_relative_det: Option<f64>,
-    /// The exact distance from degeneracy in units of L, the scene's largest extent.
-    #[serde(rename = "distance_over_L")]
-    pub distance_over_l: Option<f64>,
-    /// The rung of the ladder that settled the query; empty where unknown.
-    pub stage: String,
-}
-
-impl Row for FindingRow {
-    const FILE: &'static str = "findings.csv";
-    const COLUMNS: &'static [&'static str] = &[
-        "finding_id",
-        "suite",
-        "scene",
-        "scene_id",
-        "task",
-        "backend",
-        "class",
-        "check",
-        "query",
-        "got",
-        "truth",
-        "log2_relative_det",
-        "distance_over_L",
-        "stage",
-    ];
 
     fn check(&self) -> Result<(), String> {
         if self.log2_relative_det.is_some_and(f64::is_nan) {
@@ -254,29 +215,24 @@ impl Row for FindingRow {
     }
 }
 
-/// `throughput.csv`: one timed sample.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-pub struct ThroughputRow {
-    /// What was asked.
-    pub task: String,
-    /// The family of inputs: `uniform`, `grid`, `near`, …
-    pub family: String,
-    /// The backend's name, with its parameters.
-    pub backend: String,
-    /// The version of the engine behind the backend.
-    pub engine_version: String,
-    /// How many queries the sample timed.
-    pub queries: u64,
-    /// The number of the sample, from 0.
-    pub sample: u64,
-    /// Nanoseconds of wall clock for one query.
-    pub ns_per_query: f64,
-}
-
-impl Row for ThroughputRow {
-    const FILE: &'static str = "throughput.csv";
-    const COLUMNS: &'static [&'static str] =
-        &["task", "family", "backend", "engine_version", "queries", "sample", "ns_per_query"];
+crate::table! {
+    /// `throughput.csv`: one timed sample.
+    pub struct ThroughputRow [Clone, PartialEq, Debug] in "throughput.csv" {
+        /// What was asked.
+        pub task: String,
+        /// The family of inputs: `uniform`, `grid`, `near`, …
+        pub family: String,
+        /// The backend's name, with its parameters.
+        pub backend: String,
+        /// The version of the engine behind the backend.
+        pub engine_version: String,
+        /// How many queries the sample timed.
+        pub queries: u64,
+        /// The number of the sample, from 0.
+        pub sample: u64 ["place"],
+        /// Nanoseconds of wall clock for one query.
+        pub ns_per_query: f64 ["ns"],
+    }
 
     fn check(&self) -> Result<(), String> {
         if self.ns_per_query.is_finite() && self.ns_per_query > 0.0 {
@@ -287,26 +243,22 @@ impl Row for ThroughputRow {
     }
 }
 
-/// `stages.csv`: how many queries a rung of the ladder settled.
-///
-/// Rows with the same first four columns add up.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-pub struct StageRow {
-    /// What was asked.
-    pub task: String,
-    /// The family of inputs.
-    pub family: String,
-    /// The backend's name, with its parameters.
-    pub backend: String,
-    /// The name of the rung; cheaper rungs come first in the file.
-    pub stage: String,
-    /// How many queries it settled.
-    pub settled: u64,
-}
-
-impl Row for StageRow {
-    const FILE: &'static str = "stages.csv";
-    const COLUMNS: &'static [&'static str] = &["task", "family", "backend", "stage", "settled"];
+crate::table! {
+    /// `stages.csv`: how many queries a rung of the ladder settled.
+    ///
+    /// Rows with the same first four columns add up.
+    pub struct StageRow [Clone, PartialEq, Eq, Debug] in "stages.csv" {
+        /// What was asked.
+        pub task: String,
+        /// The family of inputs.
+        pub family: String,
+        /// The backend's name, with its parameters.
+        pub backend: String,
+        /// The name of the rung; cheaper rungs come first in the file.
+        pub stage: String,
+        /// How many queries it settled.
+        pub settled: u64,
+    }
 
     fn check(&self) -> Result<(), String> {
         let settled = self.settled;
@@ -314,37 +266,32 @@ impl Row for StageRow {
     }
 }
 
-/// `precision.csv`: what the coordinates of a scene span, and the arithmetic
-/// that exact predicates got for it. It depends on the scene alone, not on a backend.
-///
-/// The last four columns name an arithmetic, or are empty where the scene has no
-/// such predicate.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-pub struct PrecisionRow {
-    /// The suite's name.
-    pub suite: String,
-    /// The scene's name in its suite.
-    pub scene: String,
-    /// The scene's content id.
-    pub scene_id: String,
-    /// Every coordinate is a multiple of two to this.
-    pub lowest: i32,
-    /// The bits of the largest difference of two coordinates of an axis, in units of 2^`lowest`.
-    pub bits: i32,
-    /// The arithmetic of `orient2d`.
-    pub orient2d: String,
-    /// The arithmetic of `orient3d`.
-    pub orient3d: String,
-    /// The arithmetic of `incircle`.
-    pub incircle: String,
-    /// The arithmetic of `insphere`.
-    pub insphere: String,
-}
-
-impl Row for PrecisionRow {
-    const FILE: &'static str = "precision.csv";
-    const COLUMNS: &'static [&'static str] =
-        &["suite", "scene", "scene_id", "lowest", "bits", "orient2d", "orient3d", "incircle", "insphere"];
+crate::table! {
+    /// `precision.csv`: what the coordinates of a scene span, and the arithmetic
+    /// that exact predicates got for it. It depends on the scene alone, not on a backend.
+    ///
+    /// The last four columns name an arithmetic, or are empty where the scene has no
+    /// such predicate.
+    pub struct PrecisionRow [Clone, PartialEq, Eq, Debug] in "precision.csv" {
+        /// The suite's name.
+        pub suite: String,
+        /// The scene's name in its suite.
+        pub scene: String,
+        /// The scene's content id.
+        pub scene_id: String,
+        /// Every coordinate is a multiple of two to this.
+        pub lowest: i32 ["power of two"],
+        /// The bits of the largest difference of two coordinates of an axis, in units of 2^`lowest`.
+        pub bits: i32 ["bits"],
+        /// The arithmetic of `orient2d`.
+        pub orient2d: String,
+        /// The arithmetic of `orient3d`.
+        pub orient3d: String,
+        /// The arithmetic of `incircle`.
+        pub incircle: String,
+        /// The arithmetic of `insphere`.
+        pub insphere: String,
+    }
 
     fn check(&self) -> Result<(), String> {
         if self.bits < 0 { Err(format!("bits is {}, which is not a number of bits", self.bits)) } else { Ok(()) }

@@ -8,6 +8,7 @@
 
 mod browser;
 mod cpu;
+mod data;
 #[cfg(test)]
 mod house;
 mod m4;
@@ -26,7 +27,7 @@ Commands:
   demo   build the tool, run the embedded corpora, leave a report to open
   test   format, clippy, tests, doc tests, docs, the embedded corpora through the gate, the example crate
   nightly
-         heavy tests whole, the peers, the benches, cargo package, the report in a browser, the oldest compiler, a minute of each fuzz target
+         heavy tests whole, the peers, the benches, cargo package, the report in a browser, the page about data, the oldest compiler, a minute of each fuzz target
   engines [NAME...]
          install and build engines of other languages (CGAL, GEOS, libigl, ...) for `run -b engine:NAME`: by apt,
          pip and npm, into their folders where the client can
@@ -34,6 +35,7 @@ Commands:
          the report in Chromium: opened, searched, sorted, turned, printed, in light and dark, at three widths, with
          100,000 findings too, compared with pictures of it, and with faults planted; screenshots in target/browser.
          --accept makes new pictures to compare with. Says what is missing where there is no Chromium, Node.js or npm
+  data   the blocks of docs/DATA.md, run by DuckDB and pandas in an environment of Python in target/data
   sample the sample report anew: embedded and fetched suites, times, comparison and knobs; `reports/sample` and the
          table of README (20 minutes)
   mutants [--every N] [--from K] [PACKAGE...]
@@ -64,6 +66,7 @@ fn main() -> ExitCode {
         "test" => m4::ensure().and_then(|()| steps::test()),
         "nightly" => m4::ensure().and_then(|()| steps::nightly()),
         "browser" => m4::ensure().and_then(|()| browser::check(false, !rest.is_empty())),
+        "data" => data::check(),
         "engines" => m4::ensure().and_then(|()| steps::engines(&rest)),
         "mutants" => m4::ensure().and_then(|()| mutants::score(&rest)),
         "sample" => m4::ensure().and_then(|()| sample::make()),

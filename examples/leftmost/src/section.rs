@@ -1,35 +1,29 @@
 //! `leftmost.csv`, a row for each scene and backend, and the section of a report that shows it.
 
 use predicament::predicates::Vertex;
-use predicament::records::serde::{self, Deserialize, Serialize};
-use predicament::records::{Error, Row, RunDir};
+use predicament::records::{Error, RunDir, serde};
 use predicament::report::layout::{backends, rank, run_head, run_label};
 use predicament::report::{Block, Cell, Section, Table, Tone};
 use predicament::tasks::{Asked, Case, ids};
 
 use crate::Leftmost;
 
-/// A line of `leftmost.csv`.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-#[serde(crate = "serde")]
-pub struct LeftmostRow {
-    /// The suite's name.
-    pub suite: String,
-    /// The scene's name in its suite.
-    pub scene: String,
-    /// The scene's content id.
-    pub scene_id: String,
-    /// The backend's name.
-    pub backend: String,
-    /// The vertices that it found, separated by blanks.
-    pub found: String,
-    /// The vertices with the smallest x.
-    pub truth: String,
-}
-
-impl Row for LeftmostRow {
-    const FILE: &'static str = "leftmost.csv";
-    const COLUMNS: &'static [&'static str] = &["suite", "scene", "scene_id", "backend", "found", "truth"];
+predicament::records::table! {
+    /// `leftmost.csv`: the vertices that one backend found in one scene.
+    pub struct LeftmostRow [Clone, PartialEq, Eq, Debug] in "leftmost.csv" {
+        /// The suite's name.
+        pub suite: String,
+        /// The scene's name in its suite.
+        pub scene: String,
+        /// The scene's content id.
+        pub scene_id: String,
+        /// The backend's name.
+        pub backend: String,
+        /// The vertices that it found, separated by blanks.
+        pub found: String,
+        /// The vertices with the smallest x.
+        pub truth: String,
+    }
 
     fn check(&self) -> Result<(), String> {
         if self.truth.is_empty() { Err("no vertex is leftmost".to_owned()) } else { Ok(()) }

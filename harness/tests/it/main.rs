@@ -5,6 +5,7 @@ mod bad_meshes;
 mod bounds;
 mod common;
 mod conformance;
+mod data;
 mod diff;
 mod engines;
 mod habits;

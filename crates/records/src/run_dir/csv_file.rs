@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use csv::{ReaderBuilder, StringRecord, WriterBuilder};
 
-use super::state::digest;
+use super::state::{Outcome, State, digest};
 use super::tables::{Record, TableSpec};
 use crate::{Error, Row, Rows};
 
@@ -136,20 +136,40 @@ pub(super) enum Extent {
     Lines,
 }
 
+impl Extent {
+    /// How much of a table the run has written.
+    pub fn of(state: &State, file: &str) -> Extent {
+        match state.committed.get(file) {
+            Some(&length) if state.outcome == Outcome::Complete => Extent::All(length),
+            Some(&length) => Extent::First(length),
+            None => Extent::Lines,
+        }
+    }
+
+    /// Refuses a file of another length.
+    pub fn check(self, found: u64, path: &Path) -> Result<(), Error> {
+        match self {
+            Extent::All(length) | Extent::First(length) if found < length => {
+                let message = format!("{found} bytes are left of the {length} that the run had written");
+                Err(Error::new(path, message))
+            }
+            Extent::All(length) if found > length => {
+                let message =
+                    format!("{} bytes were added after the run was complete; restore the file", found - length);
+                Err(Error::new(path, message))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
 /// Reads a table, which has this digest if one is given. What was left out of it is told in a sentence.
 pub(super) fn read(path: &Path, extent: Extent, written: Option<&String>) -> Result<(Text, Option<String>), Error> {
     let mut bytes = super::reader::read_regular(path)?;
     let found = bytes.len() as u64;
     let mut warning = None;
+    extent.check(found, path)?;
     match extent {
-        Extent::All(length) | Extent::First(length) if found < length => {
-            let message = format!("{found} bytes are left of the {length} that the run had written");
-            return Err(Error::new(path, message));
-        }
-        Extent::All(length) if found > length => {
-            let message = format!("{} bytes were added after the run was complete; restore the file", found - length);
-            return Err(Error::new(path, message));
-        }
         Extent::All(_) => {}
         Extent::First(length) => {
             if found > length {
@@ -208,7 +228,7 @@ impl Lines<'_> {
     }
 }
 
-fn failed(path: &Path, error: &csv::Error) -> Error {
+pub(super) fn failed(path: &Path, error: &csv::Error) -> Error {
     let message = match error.kind() {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
             format!("there are {len} fields, and there should be {expected_len}")

@@ -29,6 +29,20 @@ impl Lock {
         }
     }
 
+    /// Whether a process is writing a folder; a folder without the file is written by nobody.
+    pub fn is_taken(folder: &Path) -> Result<bool, Error> {
+        let path = folder.join(FILE);
+        let file = match File::open(&path) {
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(false),
+            opened => opened.map_err(Error::io(&path))?,
+        };
+        match file.try_lock_shared() {
+            Ok(()) => Ok(false),
+            Err(TryLockError::WouldBlock) => Ok(true),
+            Err(TryLockError::Error(error)) => Err(Error::io(&path)(error)),
+        }
+    }
+
     /// Whether a folder holds anything but a lock.
     pub fn others(folder: &Path) -> Result<bool, Error> {
         for entry in fs::read_dir(folder).map_err(Error::io(folder))? {

@@ -23,6 +23,7 @@ mod once;
 mod reader;
 mod segments;
 mod state;
+mod stream;
 mod tables;
 mod writer;
 
@@ -31,6 +32,7 @@ pub use merge::{NotMerged, merge};
 pub use reader::{NotRun, RunDir};
 pub use segments::SegmentRow;
 pub use state::Outcome;
+pub use stream::RunFolder;
 pub use tables::{Record, TableSpec};
 pub use writer::RunWriter;
 
@@ -41,7 +43,7 @@ const ENV: &str = "env.json";
 const MAPS: &str = "maps";
 
 /// The tables that every run folder has.
-const TABLES: [TableSpec; 5] = [
+pub const TABLES: [TableSpec; 5] = [
     TableSpec::of::<SummaryRow>(),
     TableSpec::of::<FindingRow>(),
     TableSpec::of::<ThroughputRow>(),

@@ -190,12 +190,7 @@ fn read_table<R: Row>(folder: &Path, state: &State, warnings: &mut Vec<String>) 
 
 /// Reads as much of a table as the run has written, and refuses rows that are there twice.
 fn read_text(folder: &Path, file: &str, state: &State, warnings: &mut Vec<String>) -> Result<csv_file::Text, Error> {
-    let extent = match state.committed.get(file) {
-        Some(&length) if state.outcome == Outcome::Complete => Extent::All(length),
-        Some(&length) => Extent::First(length),
-        None => Extent::Lines,
-    };
-    let (mut text, warning) = csv_file::read(&folder.join(file), extent, state.digests.get(file))?;
+    let (mut text, warning) = csv_file::read(&folder.join(file), Extent::of(state, file), state.digests.get(file))?;
     text.is_part = warning.is_some();
     warnings.extend(warning);
     if let Some((_, key)) = UNIQUE.iter().find(|(of, _)| *of == file) {

@@ -5,26 +5,18 @@
 
 use std::collections::BTreeMap;
 
-use serde::{Deserialize, Serialize};
-
-use crate::Row;
-
-/// A table that has grown since the backend or scene before.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-pub struct SegmentRow {
-    /// The place of the scene in the whole selection, from 0.
-    pub place: u64,
-    /// The backend's name, with its parameters.
-    pub backend: String,
-    /// The table's file.
-    pub table: String,
-    /// Its length in bytes from here on.
-    pub bytes: u64,
-}
-
-impl Row for SegmentRow {
-    const FILE: &'static str = "segments.csv";
-    const COLUMNS: &'static [&'static str] = &["place", "backend", "table", "bytes"];
+crate::table! {
+    /// `segments.csv`: a table that has grown since the backend or scene before.
+    pub struct SegmentRow [Clone, PartialEq, Eq, Debug] in "segments.csv" {
+        /// The place of the scene in the whole selection, from 0.
+        pub place: u64 ["place"],
+        /// The backend's name, with its parameters.
+        pub backend: String,
+        /// The table's file.
+        pub table: String,
+        /// Its length in bytes from here on.
+        pub bytes: u64 ["bytes"],
+    }
 }
 
 /// What a table holds of one scene on one backend: its name, and the bytes from here up to there.

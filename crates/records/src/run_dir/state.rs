@@ -33,11 +33,27 @@ impl Outcome {
             Outcome::Timeout => "incomplete: out of time",
         }
     }
+
+    /// Its name in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Outcome::Complete => "complete",
+            Outcome::Unfinished => "unfinished",
+            Outcome::Interrupted => "interrupted",
+            Outcome::Timeout => "timeout",
+        }
+    }
 }
 
 /// The SHA-256 of a table in hex digits.
 pub(super) fn digest(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+    hex(&Sha256::digest(bytes))
+}
+
+/// Bytes in hex digits.
+pub(super) fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// The file itself. It is replaced as a whole, never edited in place.

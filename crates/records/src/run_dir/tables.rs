@@ -8,7 +8,7 @@ use std::path::Path;
 
 use csv::WriterBuilder;
 
-use crate::{Error, Row};
+use crate::{Column, Error, Row};
 
 /// A table's file and columns.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -17,13 +17,17 @@ pub struct TableSpec {
     pub file: &'static str,
     /// Its columns, in order.
     pub columns: &'static [&'static str],
+    /// What a row is.
+    pub about: &'static str,
+    /// What its columns are, in order; none where nobody has said it.
+    pub schema: &'static [Column],
 }
 
 impl TableSpec {
     /// The table of these rows.
     #[must_use]
     pub const fn of<R: Row>() -> TableSpec {
-        TableSpec { file: R::FILE, columns: R::COLUMNS }
+        TableSpec { file: R::FILE, columns: R::COLUMNS, about: R::ABOUT, schema: R::SCHEMA }
     }
 }
 

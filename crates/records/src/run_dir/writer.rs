@@ -48,7 +48,7 @@ impl RunWriter {
         write_json(&folder.join(PLAN), plan)?;
         write_json(&folder.join(ENV), env)?;
         let mut tables = BTreeMap::new();
-        for TableSpec { file, columns } in TABLES.iter().chain(more).copied() {
+        for TableSpec { file, columns, .. } in TABLES.iter().chain(more).copied() {
             tables.insert(file, CsvFile::create(folder.join(file), columns)?);
         }
         let state = State { outcome: Outcome::Unfinished, committed: BTreeMap::new(), digests: BTreeMap::new() };
@@ -72,7 +72,7 @@ impl RunWriter {
             return Err(Error::new(folder, "the run is complete: there is nothing to resume"));
         }
         let mut tables = BTreeMap::new();
-        for TableSpec { file, columns } in TABLES.iter().chain(more).copied() {
+        for TableSpec { file, columns, .. } in TABLES.iter().chain(more).copied() {
             let path = folder.join(file);
             let table = match state.committed.get(file) {
                 Some(&length) => CsvFile::reopen(path, length)?,

@@ -4,3 +4,4 @@ mod hostile;
 mod junit;
 mod once;
 mod run_dir;
+mod schema;

@@ -74,7 +74,8 @@ fn rows_of_tasks_count_once() {
     let head = std::fs::read_to_string(Path::new(&one).join("masses.csv")).unwrap();
     // Columns live as long as the program.
     let columns = head.lines().next().unwrap().split(',').map(|name| &*name.to_owned().leak());
-    let table = TableSpec { file: "masses.csv", columns: columns.collect::<Vec<&str>>().leak() };
+    let table =
+        TableSpec { file: "masses.csv", columns: columns.collect::<Vec<&str>>().leak(), about: "", schema: &[] };
     assert_eq!(both.iter().map(|run| run.records(table).len()).collect::<Vec<_>>(), [2, 0]);
 
     // A row of a scene that only the second folder has stays.

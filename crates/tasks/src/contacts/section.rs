@@ -7,50 +7,33 @@ use predicament_records::format::percent;
 use predicament_records::{Error, Row, RunDir};
 use predicament_report::layout::{backends, rank, run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table};
-use serde::{Deserialize, Serialize};
 
-/// `contacts.csv`: the pairs of two complexes by their ranks.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-pub struct ContactRow {
-    /// The suite's name.
-    pub suite: String,
-    /// The scene's name in its suite.
-    pub scene: String,
-    /// The scene's content id.
-    pub scene_id: String,
-    /// `contacts2d` or `contacts3d`.
-    pub task: String,
-    /// The backend's name, with its parameters.
-    pub backend: String,
-    /// The rank of the first complex' simplices: 0 for vertices, 3 for tetrahedra.
-    pub rank_a: u8,
-    /// The rank of the second complex' simplices.
-    pub rank_b: u8,
-    /// Pairs whose boxes are within the backend's reach of each other.
-    pub candidates: u64,
-    /// Of these, pairs that had ended: a pair of their faces was registered before.
-    pub ended: u64,
-    /// Pairs that the backend was asked about.
-    pub asked: u64,
-    /// Pairs that it registered.
-    pub registered: u64,
-}
-
-impl Row for ContactRow {
-    const FILE: &'static str = "contacts.csv";
-    const COLUMNS: &'static [&'static str] = &[
-        "suite",
-        "scene",
-        "scene_id",
-        "task",
-        "backend",
-        "rank_a",
-        "rank_b",
-        "candidates",
-        "ended",
-        "asked",
-        "registered",
-    ];
+predicament_records::table! {
+    /// `contacts.csv`: the pairs of two complexes by their ranks.
+    pub struct ContactRow [Clone, PartialEq, Eq, Debug] in "contacts.csv" {
+        /// The suite's name.
+        pub suite: String,
+        /// The scene's name in its suite.
+        pub scene: String,
+        /// The scene's content id.
+        pub scene_id: String,
+        /// `contacts2d` or `contacts3d`.
+        pub task: String,
+        /// The backend's name, with its parameters.
+        pub backend: String,
+        /// The rank of the first complex' simplices: 0 for vertices, 3 for tetrahedra.
+        pub rank_a: u8 ["dimension"],
+        /// The rank of the second complex' simplices.
+        pub rank_b: u8 ["dimension"],
+        /// Pairs whose boxes are within the backend's reach of each other.
+        pub candidates: u64,
+        /// Of these, pairs that had ended: a pair of their faces was registered before.
+        pub ended: u64,
+        /// Pairs that the backend was asked about.
+        pub asked: u64,
+        /// Pairs that it registered.
+        pub registered: u64,
+    }
 
     fn check(&self) -> Result<(), String> {
         if self.registered > self.asked {

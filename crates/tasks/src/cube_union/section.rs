@@ -4,60 +4,40 @@ use predicament_records::format::significant;
 use predicament_records::{Error, Row, RunDir};
 use predicament_report::layout::{backends, rank, run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
-use serde::{Deserialize, Serialize};
 
-/// `masses.csv`: what a union of cubes measures.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-pub struct MassRow {
-    /// The suite's name.
-    pub suite: String,
-    /// The scene's name in its suite.
-    pub scene: String,
-    /// The scene's content id.
-    pub scene_id: String,
-    /// The backend's name, with its parameters.
-    pub backend: String,
-    /// How many cubes.
-    pub cubes: u64,
-    /// The volume that was found, in the scene's units, like all that follow rounded once.
-    pub volume: f64,
-    /// The true one.
-    pub true_volume: f64,
-    /// The area of the boundary that was found.
-    pub area: f64,
-    /// That of the perturbed union, in the limit for perturbations that go to zero: where
-    /// faces coincide it is not the area of the union itself.
-    pub limit_area: f64,
-    /// The length of the boundary's edges that was found.
-    pub edge_length: f64,
-    /// That of the perturbed union, in that limit.
-    pub limit_edge_length: f64,
-    /// Corners of cubes that were found on the boundary.
-    pub corners: u64,
-    /// Points where an edge of one cube meets a face of another.
-    pub edge_faces: u64,
-    /// Points where the faces of three cubes meet.
-    pub three_faces: u64,
-}
-
-impl Row for MassRow {
-    const FILE: &'static str = "masses.csv";
-    const COLUMNS: &'static [&'static str] = &[
-        "suite",
-        "scene",
-        "scene_id",
-        "backend",
-        "cubes",
-        "volume",
-        "true_volume",
-        "area",
-        "limit_area",
-        "edge_length",
-        "limit_edge_length",
-        "corners",
-        "edge_faces",
-        "three_faces",
-    ];
+predicament_records::table! {
+    /// `masses.csv`: what a union of cubes measures.
+    pub struct MassRow [Clone, PartialEq, Debug] in "masses.csv" {
+        /// The suite's name.
+        pub suite: String,
+        /// The scene's name in its suite.
+        pub scene: String,
+        /// The scene's content id.
+        pub scene_id: String,
+        /// The backend's name, with its parameters.
+        pub backend: String,
+        /// How many cubes.
+        pub cubes: u64,
+        /// The volume that was found, in the scene's units, rounded once.
+        pub volume: f64 ["cubed units"],
+        /// The true volume, rounded once.
+        pub true_volume: f64 ["cubed units"],
+        /// The area of the boundary that was found.
+        pub area: f64 ["squared units"],
+        /// The area of the perturbed union, in the limit for perturbations that go to zero: where
+        /// faces coincide it is not the area of the union itself.
+        pub limit_area: f64 ["squared units"],
+        /// The length of the boundary's edges that was found.
+        pub edge_length: f64 ["units"],
+        /// The length of the edges of the perturbed union, in that limit.
+        pub limit_edge_length: f64 ["units"],
+        /// Corners of cubes that were found on the boundary.
+        pub corners: u64,
+        /// Points where an edge of one cube meets a face of another.
+        pub edge_faces: u64,
+        /// Points where the faces of three cubes meet.
+        pub three_faces: u64,
+    }
 
     fn check(&self) -> Result<(), String> {
         if [self.true_volume, self.limit_area, self.limit_edge_length].iter().all(|&x| x > 0.0 && x.is_finite()) {

@@ -4,56 +4,67 @@ use predicament_algorithms::overlay::Operation;
 use predicament_records::{Error, Row, RunDir};
 use predicament_report::layout::{backends, rank, run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
-use serde::{Deserialize, Serialize};
 
 use super::{MeshIntersect, Overlaid};
 use crate::{Asked, Case, Outcome};
 
-/// `mesh_intersect.csv`: what became of the result of an operation on two meshes, without the perturbation and in doubles. All are counts.
-#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
-pub struct MeshIntersectRow {
-    /// The suite's name.
-    pub suite: String,
-    /// The scene's name in its suite.
-    pub scene: String,
-    /// The scene's content id.
-    pub scene_id: String,
-    /// The backend's name, with its parameters.
-    pub backend: String,
-    /// `union`, `intersection`, …
-    pub operation: String,
-    /// Triangles of both meshes.
-    pub given: u64,
-    /// Points where an edge of one mesh passes through a triangle of the other.
-    pub points: u64,
-    /// Triangles of the result, as the perturbation has it.
-    pub perturbed: u64,
-    /// Triangles of its limit.
-    pub limit: u64,
-    /// Vertices that another one at the same place stands for.
-    pub merged: u64,
-    /// Triangles without area.
-    pub flat: u64,
-    /// Triangles that an opposite one has cancelled.
-    pub cancelled: u64,
-    /// Triangles of which a part faced others.
-    pub covered: u64,
-    /// Triangles of the limit in doubles.
-    pub rounded: u64,
-    /// Vertices that are no doubles.
-    pub moved: u64,
-    /// Triangles that are gone by rounding.
-    pub collapsed: u64,
-    /// Triangles that turn over where all vertices go to the nearest doubles.
-    pub turned: u64,
-    /// Pairs of triangles that fold onto each other then.
-    pub folded: u64,
-    /// Pairs of triangles that pass through each other then.
-    pub crossing: u64,
-    /// Vertices that go to other doubles beside their place, so that there are fewer of these.
-    pub mended: u64,
-    /// Flaws that are left.
-    pub left: u64,
+predicament_records::table! {
+    /// `mesh_intersect.csv`: what became of the result of an operation on two meshes, without the perturbation and in doubles. All are counts.
+    pub struct MeshIntersectRow [Clone, PartialEq, Eq, Debug, Default] in "mesh_intersect.csv" {
+        /// The suite's name.
+        pub suite: String,
+        /// The scene's name in its suite.
+        pub scene: String,
+        /// The scene's content id.
+        pub scene_id: String,
+        /// The backend's name, with its parameters.
+        pub backend: String,
+        /// `union`, `intersection`, …
+        pub operation: String,
+        /// Triangles of both meshes.
+        pub given: u64,
+        /// Points where an edge of one mesh passes through a triangle of the other.
+        pub points: u64,
+        /// Triangles of the result, as the perturbation has it.
+        pub perturbed: u64,
+        /// Triangles of its limit.
+        pub limit: u64,
+        /// Vertices that another one at the same place stands for.
+        pub merged: u64,
+        /// Triangles without area.
+        pub flat: u64,
+        /// Triangles that an opposite one has cancelled.
+        pub cancelled: u64,
+        /// Triangles of which a part faced others.
+        pub covered: u64,
+        /// Triangles of the limit in doubles.
+        pub rounded: u64,
+        /// Vertices that are no doubles.
+        pub moved: u64,
+        /// Triangles that are gone by rounding.
+        pub collapsed: u64,
+        /// Triangles that turn over where all vertices go to the nearest doubles.
+        pub turned: u64,
+        /// Pairs of triangles that fold onto each other then.
+        pub folded: u64,
+        /// Pairs of triangles that pass through each other then.
+        pub crossing: u64,
+        /// Vertices that go to other doubles beside their place, so that there are fewer of these.
+        pub mended: u64,
+        /// Flaws that are left.
+        pub left: u64,
+    }
+
+    fn check(&self) -> Result<(), String> {
+        let flaws = self.turned.saturating_add(self.folded).saturating_add(self.crossing);
+        if self.left > flaws {
+            return Err("more flaws are left than there were".to_owned());
+        }
+        if self.flat.saturating_add(self.cancelled) > self.perturbed {
+            return Err("more triangles are without area, or cancelled, than there were".to_owned());
+        }
+        Ok(())
+    }
 }
 
 impl MeshIntersectRow {
@@ -88,44 +99,6 @@ impl MeshIntersectRow {
             }
         };
         (0..Operation::ALL.len()).map(row).collect()
-    }
-}
-
-impl Row for MeshIntersectRow {
-    const FILE: &'static str = "mesh_intersect.csv";
-    const COLUMNS: &'static [&'static str] = &[
-        "suite",
-        "scene",
-        "scene_id",
-        "backend",
-        "operation",
-        "given",
-        "points",
-        "perturbed",
-        "limit",
-        "merged",
-        "flat",
-        "cancelled",
-        "covered",
-        "rounded",
-        "moved",
-        "collapsed",
-        "turned",
-        "folded",
-        "crossing",
-        "mended",
-        "left",
-    ];
-
-    fn check(&self) -> Result<(), String> {
-        let flaws = self.turned.saturating_add(self.folded).saturating_add(self.crossing);
-        if self.left > flaws {
-            return Err("more flaws are left than there were".to_owned());
-        }
-        if self.flat.saturating_add(self.cancelled) > self.perturbed {
-            return Err("more triangles are without area, or cancelled, than there were".to_owned());
-        }
-        Ok(())
     }
 }
 

@@ -4,39 +4,50 @@ use predicament_algorithms::mesh_locate::Location;
 use predicament_records::{Error, Row, RunDir};
 use predicament_report::layout::{backends, rank, run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
-use serde::{Deserialize, Serialize};
 
 use super::MeshLocate;
 use super::content::ProbeKind;
 use crate::{Asked, Case, Class};
 
-/// `mesh_locate.csv`: where the probes of a mesh were found.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-pub struct MeshLocateRow {
-    /// The suite's name.
-    pub suite: String,
-    /// The scene's name in its suite.
-    pub scene: String,
-    /// The scene's content id.
-    pub scene_id: String,
-    /// The backend's name, with its parameters.
-    pub backend: String,
-    /// The number of triangles.
-    pub triangles: u64,
-    /// How these probes were chosen: `vertex`, `midpoint`, …
-    pub kind: String,
-    /// How many probes there were.
-    pub probes: u64,
-    /// Probes that were found in one region.
-    pub in_region: u64,
-    /// Probes that were found on the mesh.
-    pub on_mesh: u64,
-    /// Probes in no region, or in several.
-    pub contradictions: u64,
-    /// Probes that were held against all triangles.
-    pub known: u64,
-    /// Answers that are wrong, or contradict others: the points that are lost.
-    pub lost: u64,
+predicament_records::table! {
+    /// `mesh_locate.csv`: where the probes of a mesh were found.
+    pub struct MeshLocateRow [Clone, PartialEq, Eq, Debug] in "mesh_locate.csv" {
+        /// The suite's name.
+        pub suite: String,
+        /// The scene's name in its suite.
+        pub scene: String,
+        /// The scene's content id.
+        pub scene_id: String,
+        /// The backend's name, with its parameters.
+        pub backend: String,
+        /// The number of triangles.
+        pub triangles: u64,
+        /// How these probes were chosen: `vertex`, `midpoint`, …
+        pub kind: String,
+        /// How many probes there were.
+        pub probes: u64,
+        /// Probes that were found in one region.
+        pub in_region: u64,
+        /// Probes that were found on the mesh.
+        pub on_mesh: u64,
+        /// Probes in no region, or in several.
+        pub contradictions: u64,
+        /// Probes that were held against all triangles.
+        pub known: u64,
+        /// Answers that are wrong, or contradict others: the points that are lost.
+        pub lost: u64,
+    }
+
+    fn check(&self) -> Result<(), String> {
+        let answers = [self.in_region, self.on_mesh, self.contradictions].into_iter().try_fold(0_u64, u64::checked_add);
+        if answers != Some(self.probes) {
+            return Err("the probes are not those in a region, on the mesh and in no one region".to_owned());
+        }
+        if self.known > self.probes || self.lost > self.probes {
+            return Err("more probes are known or lost than there are".to_owned());
+        }
+        Ok(())
+    }
 }
 
 impl MeshLocateRow {
@@ -66,35 +77,6 @@ impl MeshLocateRow {
         }
         self.known += u64::from(is_known);
         self.lost += u64::from(!class.is_legal());
-    }
-}
-
-impl Row for MeshLocateRow {
-    const FILE: &'static str = "mesh_locate.csv";
-    const COLUMNS: &'static [&'static str] = &[
-        "suite",
-        "scene",
-        "scene_id",
-        "backend",
-        "triangles",
-        "kind",
-        "probes",
-        "in_region",
-        "on_mesh",
-        "contradictions",
-        "known",
-        "lost",
-    ];
-
-    fn check(&self) -> Result<(), String> {
-        let answers = [self.in_region, self.on_mesh, self.contradictions].into_iter().try_fold(0_u64, u64::checked_add);
-        if answers != Some(self.probes) {
-            return Err("the probes are not those in a region, on the mesh and in no one region".to_owned());
-        }
-        if self.known > self.probes || self.lost > self.probes {
-            return Err("more probes are known or lost than there are".to_owned());
-        }
-        Ok(())
     }
 }
 

@@ -3,50 +3,33 @@
 use predicament_records::{Error, Row, RunDir};
 use predicament_report::layout::{backends, rank, run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
-use serde::{Deserialize, Serialize};
 
-/// `locate.csv`: in how many regions of a tiling the probes were found.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-pub struct LocateRow {
-    /// The suite's name.
-    pub suite: String,
-    /// The scene's name in its suite.
-    pub scene: String,
-    /// The scene's content id.
-    pub scene_id: String,
-    /// The backend's name, with its parameters.
-    pub backend: String,
-    /// What the map is like around these probes: `land`, `coast`, `sea`, …
-    pub surroundings: String,
-    /// How many probes there were.
-    pub probes: u64,
-    /// Probes found in no region.
-    pub in_none: u64,
-    /// Probes found in exactly one.
-    pub in_one: u64,
-    /// Probes found in two or more.
-    pub in_many: u64,
-    /// Probes reported to be on a boundary.
-    pub on_boundary: u64,
-    /// Probes whose answer no tiling of the plane allows.
-    pub violations: u64,
-}
-
-impl Row for LocateRow {
-    const FILE: &'static str = "locate.csv";
-    const COLUMNS: &'static [&'static str] = &[
-        "suite",
-        "scene",
-        "scene_id",
-        "backend",
-        "surroundings",
-        "probes",
-        "in_none",
-        "in_one",
-        "in_many",
-        "on_boundary",
-        "violations",
-    ];
+predicament_records::table! {
+    /// `locate.csv`: in how many regions of a tiling the probes were found.
+    pub struct LocateRow [Clone, PartialEq, Eq, Debug] in "locate.csv" {
+        /// The suite's name.
+        pub suite: String,
+        /// The scene's name in its suite.
+        pub scene: String,
+        /// The scene's content id.
+        pub scene_id: String,
+        /// The backend's name, with its parameters.
+        pub backend: String,
+        /// What the map is like around these probes: `land`, `coast`, `sea`, …
+        pub surroundings: String,
+        /// How many probes there were.
+        pub probes: u64,
+        /// Probes found in no region.
+        pub in_none: u64,
+        /// Probes found in exactly one.
+        pub in_one: u64,
+        /// Probes found in two or more.
+        pub in_many: u64,
+        /// Probes reported to be on a boundary.
+        pub on_boundary: u64,
+        /// Probes whose answer no tiling of the plane allows.
+        pub violations: u64,
+    }
 }
 
 /// The section of a report.

@@ -3,50 +3,33 @@
 use predicament_records::{Error, Row, RunDir};
 use predicament_report::layout::{run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
-use serde::{Deserialize, Serialize};
 
-/// `snap.csv`: a drawing after it was rounded.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-pub struct SnapRow {
-    /// The suite's name.
-    pub suite: String,
-    /// The scene's name in its suite.
-    pub scene: String,
-    /// The scene's content id.
-    pub scene_id: String,
-    /// The backend's name, with its parameters.
-    pub backend: String,
-    /// `naive`, `snap` or `iterated`.
-    pub method: String,
-    /// The logarithm of a pixel's side.
-    pub pixel: i32,
-    /// Hot pixels.
-    pub hot: u64,
-    /// Points and crossings that share their pixel with one before them.
-    pub merged: u64,
-    /// Edges of chains, each once.
-    pub edges: u64,
-    /// Pairs of these edges that cross, or of which one passes over an end of the other.
-    pub new_crossings: u64,
-    /// The largest distance of a chain's vertex from its segment, in sides of pixels.
-    pub drift: f64,
-}
-
-impl Row for SnapRow {
-    const FILE: &'static str = "snap.csv";
-    const COLUMNS: &'static [&'static str] = &[
-        "suite",
-        "scene",
-        "scene_id",
-        "backend",
-        "method",
-        "pixel",
-        "hot",
-        "merged",
-        "edges",
-        "new_crossings",
-        "drift",
-    ];
+predicament_records::table! {
+    /// `snap.csv`: a drawing after it was rounded.
+    pub struct SnapRow [Clone, PartialEq, Debug] in "snap.csv" {
+        /// The suite's name.
+        pub suite: String,
+        /// The scene's name in its suite.
+        pub scene: String,
+        /// The scene's content id.
+        pub scene_id: String,
+        /// The backend's name, with its parameters.
+        pub backend: String,
+        /// `naive`, `snap` or `iterated`.
+        pub method: String,
+        /// The binary logarithm of a pixel's side.
+        pub pixel: i32 ["power of two"],
+        /// Hot pixels.
+        pub hot: u64,
+        /// Points and crossings that share their pixel with one before them.
+        pub merged: u64,
+        /// Edges of chains, each once.
+        pub edges: u64,
+        /// Pairs of these edges that cross, or of which one passes over an end of the other.
+        pub new_crossings: u64,
+        /// The largest distance of a chain's vertex from its segment, in sides of pixels.
+        pub drift: f64 ["sides of pixels"],
+    }
 
     fn check(&self) -> Result<(), String> {
         if self.drift.is_finite() && self.drift >= 0.0 { Ok(()) } else { Err("the drift is no distance".to_owned()) }

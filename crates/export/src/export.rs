@@ -1,0 +1,217 @@
+//! One file of each table of many runs.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use predicament_records::{Column, Error, Kind, Outcome, RunFolder, TableSpec};
+
+use crate::find::Found;
+use crate::front::{self, FRONT, OWN_TABLES, RunRow};
+use crate::place::Places;
+use crate::sink::{Format, Sink};
+use crate::value::{Typed, Value};
+
+/// Who waits for an export.
+pub trait Watch {
+    /// Whether to stop; asked every few thousand rows.
+    fn is_stopped(&self) -> bool;
+
+    /// Another run is done.
+    fn done(&mut self);
+}
+
+/// A file that was written.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Written {
+    /// The file.
+    pub path: PathBuf,
+    /// Its rows.
+    pub rows: u64,
+    /// Its length.
+    pub bytes: u64,
+}
+
+/// What became of an export.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Exported {
+    /// The files: runs and scenes first, then the tables in the order of the schema, then those that it does not have.
+    pub files: Vec<Written>,
+    /// The names of the runs that are not complete, with how they ended.
+    pub incomplete: Vec<(String, String)>,
+    /// What the files do not say.
+    pub notes: Vec<String>,
+}
+
+/// How many rows go by between two looks at the clock.
+const PATIENCE: u64 = 1 << 12;
+
+/// Writes the tables of these runs into a folder, a file for each table that one of them has. `known` are the tables with a schema; the columns of
+/// others are text. None if it was stopped: then, as after an error, the folder has the files that it had before.
+///
+/// # Errors
+/// The file and line of the first thing that can't be read or written, or is not what the schema says.
+pub fn export(
+    runs: &[Found],
+    known: &[TableSpec],
+    format: Format,
+    out: &Path,
+    watch: &mut dyn Watch,
+) -> Result<Option<Exported>, Error> {
+    if RunFolder::is_one(out) {
+        return Err(Error::new(out, "it is a run folder, of which no file is written over; name another"));
+    }
+    let mut tables = Tables { format, places: Places::new(out)?, known, open: BTreeMap::new(), notes: Vec::new() };
+    let mut incomplete = Vec::new();
+    for found in runs {
+        let run = RunFolder::open(&found.path)?;
+        let row = RunRow::of(&run);
+        if row.outcome != Outcome::Complete.name() {
+            incomplete.push((found.run.clone(), row.outcome));
+        }
+        let ended = tables.add(found, &run, watch);
+        // A stop is known by the watch: whatever it has broken off is no error.
+        if watch.is_stopped() {
+            return Ok(None);
+        }
+        ended?;
+        watch.done();
+    }
+    let (files, notes) = tables.finish()?;
+    Ok(Some(Exported { files, incomplete, notes }))
+}
+
+/// The tables of an export while it is made.
+struct Tables<'k> {
+    format: Format,
+    places: Places,
+    known: &'k [TableSpec],
+    /// By the file's name in a run folder.
+    open: BTreeMap<String, Table>,
+    notes: Vec<String>,
+}
+
+/// A table while it is made.
+struct Table {
+    /// Its columns, those in front included.
+    columns: Vec<Typed>,
+    sink: Box<dyn Sink>,
+    rows: u64,
+}
+
+impl Tables<'_> {
+    /// Adds all rows of a run.
+    fn add(&mut self, found: &Found, run: &RunFolder, watch: &dyn Watch) -> Result<(), Error> {
+        let front = front::cells(found, run);
+        let front = front.each_ref().map(String::as_str);
+        for table in OWN_TABLES {
+            self.table(table.file, table.columns)?;
+        }
+        for record in front::own_rows(run) {
+            let record = record?;
+            let table = self.table(record.file, &[])?;
+            let cells = record.fields.iter().map(String::as_str);
+            table.push(front.into_iter().chain(cells)).map_err(|message| Error::new(&found.path, message))?;
+        }
+        for file in run.tables()? {
+            let path = found.path.join(&file);
+            let left_out = run.each_row(&file, |line, record| {
+                if line == 1 {
+                    let names: Vec<&str> = record.iter().collect();
+                    let checked = self.table(&file, &names)?.check_header(&names);
+                    return checked.map_err(|message| Error::at(&path, line, message));
+                }
+                let table = self.table(&file, &[])?;
+                if line.is_multiple_of(PATIENCE) && watch.is_stopped() {
+                    return Err(Error::new(&path, "stopped"));
+                }
+                table.push(front.into_iter().chain(record)).map_err(|message| Error::at(&path, line, message))
+            })?;
+            if left_out > 0 {
+                let note =
+                    format!("{}: {left_out} bytes of a scene that was not finished were left out", path.display());
+                self.notes.push(note);
+            }
+        }
+        Ok(())
+    }
+
+    /// The table of a file of a run folder, which has these columns if it has no schema.
+    fn table(&mut self, file: &str, columns: &[&str]) -> Result<&mut Table, Error> {
+        if !self.open.contains_key(file) {
+            let known = OWN_TABLES.iter().chain(self.known).find(|known| known.file == file);
+            let schema = known.map_or(&[][..], |known| known.schema);
+            let mut typed: Vec<Typed> = FRONT.iter().chain(schema).map(Typed::from).collect();
+            if schema.is_empty() {
+                let text = |name: &&str| Typed { name: (*name).to_owned(), kind: Kind::Text, is_optional: false };
+                typed.extend(columns.iter().map(text));
+                self.notes.push(format!("{file}: this tool has no schema of it, so its columns are text"));
+            }
+            let name = format!("{}.{}", file.strip_suffix(".csv").unwrap_or(file), self.format.ending());
+            let place = self.places.start(&name)?;
+            let sink = self.format.start(place, &typed).map_err(|message| Error::new(name.as_ref(), message))?;
+            self.open.insert(file.to_owned(), Table { columns: typed, sink, rows: 0 });
+        }
+        self.open.get_mut(file).ok_or_else(|| Error::new(file.as_ref(), "the table was not started"))
+    }
+
+    /// Moves the files into their places, in the order of the schema; and what is to be said.
+    fn finish(mut self) -> Result<(Vec<Written>, Vec<String>), Error> {
+        let mut rows = BTreeMap::new();
+        for (file, table) in self.open {
+            let name = file.strip_suffix(".csv").unwrap_or(&file).to_owned();
+            table.sink.finish().map_err(|message| Error::new(file.as_ref(), message))?;
+            rows.insert(format!("{name}.{}", self.format.ending()), table.rows);
+        }
+        self.places.check_others(self.format.ending())?;
+        let place = |name: &str| {
+            let stem = name.strip_suffix(self.format.ending()).map(|stem| stem.trim_end_matches('.'));
+            let mut known = OWN_TABLES.iter().chain(self.known);
+            known.position(|table| Some(table.name()) == stem).unwrap_or(usize::MAX)
+        };
+        let mut files: Vec<Written> = self
+            .places
+            .keep()?
+            .into_iter()
+            .map(|(path, bytes)| {
+                let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+                Written { rows: rows.get(&name).copied().unwrap_or(0), bytes, path }
+            })
+            .collect();
+        files.sort_by_cached_key(|file| {
+            let name = file.path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+            (place(&name), name)
+        });
+        self.notes.sort();
+        Ok((files, self.notes))
+    }
+}
+
+impl Table {
+    /// Refuses a file with other columns than the table has.
+    fn check_header(&self, names: &[&str]) -> Result<(), String> {
+        let columns = self.columns.iter().skip(FRONT.len()).map(|column| &*column.name);
+        if columns.clone().eq(names.iter().copied()) {
+            Ok(())
+        } else {
+            Err(format!("the columns must be {}", columns.collect::<Vec<_>>().join(",")))
+        }
+    }
+
+    fn push<'c>(&mut self, cells: impl Iterator<Item = &'c str>) -> Result<(), String> {
+        let cells: Vec<&str> = cells.collect();
+        if cells.len() != self.columns.len() {
+            return Err(format!("there are {} cells for {} columns", cells.len(), self.columns.len()));
+        }
+        let values = self.columns.iter().zip(&cells).map(|(column, cell)| column.value(cell));
+        let values: Vec<Value<'_>> = values.collect::<Result<_, _>>()?;
+        self.sink.push(&cells, &values)?;
+        self.rows += 1;
+        Ok(())
+    }
+}
+
+impl From<&Column> for Typed {
+    fn from(column: &Column) -> Typed {
+        Typed { name: column.name.to_owned(), kind: column.kind, is_optional: column.is_optional }
+    }
+}

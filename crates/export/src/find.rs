@@ -1,0 +1,92 @@
+//! The run folders that are meant: those that are named, and those in folders that are named.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use predicament_records::{Error, RunFolder};
+
+/// A run folder with the name that its rows have.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Found {
+    /// The folder's name, or its path from the folder in which it was found, with `/`.
+    pub run: String,
+    /// The folder.
+    pub path: PathBuf,
+    /// When the run began, where that was written down.
+    pub started: Option<String>,
+}
+
+/// What was found.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Runs {
+    /// The runs, by the moment when they began, then by name; those without a moment first.
+    pub runs: Vec<Found>,
+    /// Folders in which there is no run, and links, which are not followed.
+    pub others: Vec<PathBuf>,
+}
+
+/// The runs in these folders, each of which is that of a run or has some in it, however deep.
+///
+/// # Errors
+/// If a folder has no run, if two runs have the same name, and those of the file system.
+pub fn find(folders: &[PathBuf]) -> Result<Runs, Error> {
+    let mut found = Runs::default();
+    for folder in folders {
+        if RunFolder::is_one(folder) {
+            let full = fs::canonicalize(folder).map_err(Error::io(folder))?;
+            let name = full.file_name().map_or_else(|| "run".into(), |name| name.to_string_lossy().into_owned());
+            found.add(name, folder)?;
+        } else {
+            let before = found.runs.len();
+            found.below(folder, "")?;
+            if found.runs.len() == before {
+                return Err(Error::new(folder, "neither a run folder nor one with run folders in it"));
+            }
+        }
+    }
+    let mut named: BTreeMap<&str, &Path> = BTreeMap::new();
+    for Found { run, path, .. } in &found.runs {
+        if let Some(other) = named.insert(run, path) {
+            let message = format!(
+                "the run would be called `{run}`, as that in {}; name the folder that holds both",
+                other.display()
+            );
+            return Err(Error::new(path, message));
+        }
+    }
+    found.runs.sort_by(|a, b| (&a.started, &a.run).cmp(&(&b.started, &b.run)));
+    found.others.sort();
+    Ok(found)
+}
+
+impl Runs {
+    fn add(&mut self, run: String, path: &Path) -> Result<(), Error> {
+        let started = RunFolder::env(path)?.started;
+        self.runs.push(Found { run, path: path.to_owned(), started });
+        Ok(())
+    }
+
+    /// Adds the runs in a folder, of which the names begin so; true if there is one.
+    fn below(&mut self, folder: &Path, prefix: &str) -> Result<bool, Error> {
+        let mut has_run = false;
+        for entry in fs::read_dir(folder).map_err(Error::io(folder))? {
+            let entry = entry.map_err(Error::io(folder))?;
+            let (path, kind) = (entry.path(), entry.file_type().map_err(Error::io(&entry.path()))?);
+            let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
+            if kind.is_symlink() && path.is_dir() {
+                self.others.push(path);
+            } else if kind.is_dir() && RunFolder::is_one(&path) {
+                self.add(name, &path)?;
+                has_run = true;
+            } else if kind.is_dir() {
+                if self.below(&path, &format!("{name}/"))? {
+                    has_run = true;
+                } else {
+                    self.others.push(path);
+                }
+            }
+        }
+        Ok(has_run)
+    }
+}

@@ -1,0 +1,5 @@
+//! Run folders exported and read back, and what is refused.
+
+mod common;
+mod refused;
+mod round_trip;

@@ -1,0 +1,122 @@
+//! What is refused, and leaves everything as it was.
+
+use std::fs::{self, File};
+use std::path::Path;
+
+use predicament_export::{Format, Watch, export, find};
+use tempfile::tempdir;
+
+use crate::common::{exported, files, kinds, known, write_run};
+
+const DAY: &str = "2026-01-05T03:00:00Z";
+
+/// Exports, and insists on an error with this in it and on nothing having changed.
+fn refuse(folders: &[&Path], out: &Path, why: &str) {
+    let before = files(out);
+    let error = exported(folders, Format::Parquet, out).expect_err(why).to_string();
+    assert!(error.contains(why), "{error}");
+    assert!(files(out) == before, "something was left or changed");
+}
+
+#[test]
+fn a_table_that_is_not_as_it_was_written_is_refused() {
+    let folder = tempdir().unwrap();
+    let [run, out] = ["run", "out"].map(|name| folder.path().join(name));
+    write_run(&run, DAY, &kinds());
+    let path = run.join("kinds.csv");
+    let text = fs::read_to_string(&path).unwrap();
+    for (broken, why) in [
+        (text[..text.len() - 5].to_owned(), "kinds.csv: 184 bytes are left of the 189 that the run had written"),
+        (format!("{text}x"), "kinds.csv: 1 bytes were added after the run was complete"),
+        (
+            text.replace("0.30000000000000004", "0.30000000000000005"),
+            "kinds.csv: it was edited after the run was complete",
+        ),
+    ] {
+        fs::write(&path, broken).unwrap();
+        refuse(&[&run], &out, why);
+    }
+    fs::remove_file(&path).unwrap();
+    refuse(&[&run], &out, "kinds.csv: ");
+    fs::write(&path, text).unwrap();
+    exported(&[&run], Format::Parquet, &out).unwrap();
+}
+
+#[test]
+fn cells_and_columns_are_held_to_the_schema() {
+    let folder = tempdir().unwrap();
+    let [run, out] = ["run", "out"].map(|name| folder.path().join(name));
+    write_run(&run, DAY, &kinds());
+    let state = run.join("state.json");
+    fs::write(&state, "{\"outcome\": \"complete\", \"committed\": {}}").unwrap();
+    let path = run.join("throughput.csv");
+    let text = fs::read_to_string(&path).unwrap();
+    for (from, to, why) in [
+        (",12.5", ",soon", "throughput.csv:2: `soon` in column `ns_per_query` is not a number"),
+        (
+            ",3,0",
+            ",9223372036854775808,0",
+            "throughput.csv:2: `9223372036854775808` in column `queries` is not a whole number",
+        ),
+        (",3,1", ",,1", "throughput.csv:3: `` in column `queries` is not a whole number"),
+        (
+            "sample",
+            "simple",
+            "throughput.csv:1: the columns must be task,family,backend,engine_version,queries,sample,",
+        ),
+        (",3,0", ",3", "throughput.csv:2: there are 6 fields, and there should be 7"),
+    ] {
+        assert!(text.contains(from));
+        fs::write(&path, text.replacen(from, to, 1)).unwrap();
+        refuse(&[&run], &out, why);
+    }
+}
+
+#[test]
+fn folders_that_would_be_mistaken_are_refused() {
+    let folder = tempdir().unwrap();
+    let [a, b, out] = ["a/run", "b/run", "out"].map(|name| folder.path().join(name));
+    write_run(&a, DAY, &kinds());
+    write_run(&b, DAY, &kinds());
+    refuse(&[&a, &b], &out, "the run would be called `run`");
+    exported(&[folder.path()], Format::Parquet, &out).unwrap();
+    // A file of another export would look like a table of this one; one in work belongs to another process.
+    fs::write(out.join("answers.parquet"), "old").unwrap();
+    refuse(&[&a], &out, "answers.parquet: this export has no such table");
+    fs::remove_file(out.join("answers.parquet")).unwrap();
+    let other = File::create(out.join("runs.parquet.next")).unwrap();
+    other.lock().unwrap();
+    refuse(&[&a], &out, "another process is exporting into this folder");
+    drop(other);
+    exported(&[&a], Format::Parquet, &out).unwrap();
+    assert!(!out.join("runs.parquet.next").exists());
+    refuse(&[&a], &b, "it is a run folder");
+    refuse(
+        &[&folder.path().join("out")],
+        &folder.path().join("other"),
+        "neither a run folder nor one with run folders in it",
+    );
+    refuse(&[&folder.path().join("nowhere")], &folder.path().join("other"), "nowhere");
+}
+
+#[test]
+fn a_stop_leaves_what_was_there() {
+    struct Stopped(bool);
+    impl Watch for Stopped {
+        fn is_stopped(&self) -> bool {
+            self.0
+        }
+        fn done(&mut self) {
+            self.0 = true;
+        }
+    }
+    let folder = tempdir().unwrap();
+    let [all, out] = ["all", "out"].map(|name| folder.path().join(name));
+    for day in ["1", "2"] {
+        write_run(&all.join(day), DAY, &kinds());
+    }
+    let found = find(std::slice::from_ref(&all)).unwrap();
+    assert_eq!(export(&found.runs, &known(), Format::Parquet, &out, &mut Stopped(false)).unwrap(), None);
+    assert!(files(&out).is_empty());
+    assert!(export(&found.runs[..1], &known(), Format::Parquet, &out, &mut Stopped(false)).unwrap().is_some());
+}

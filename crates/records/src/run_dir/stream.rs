@@ -1,0 +1,175 @@
+//! Reading a run folder row by row, so that a table may be larger than memory.
+//!
+//! [`RunDir`](super::RunDir) holds all of a folder, as a report needs it. What only copies rows takes them one at a time: as far as the folder's
+//! state vouches for them, and to the last byte of what a complete run has written.
+
+use std::collections::BTreeSet;
+use std::fs::{self, File};
+use std::io::{self, BufReader, Read, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
+
+use csv::{ReaderBuilder, StringRecord};
+use sha2::{Digest, Sha256};
+
+use super::csv_file::{Extent, failed};
+use super::lock::Lock;
+use super::reader::read_json;
+use super::state::{Outcome, State, hex};
+use super::{ENV, PLAN};
+use crate::{Env, Error, FORMAT, Plan};
+
+/// A run folder of which the tables are still on the disk.
+#[derive(Clone, PartialEq, Debug)]
+pub struct RunFolder {
+    /// The folder, as it was named.
+    pub path: PathBuf,
+    /// What was going to be done.
+    pub plan: Plan,
+    /// Where.
+    pub env: Env,
+    /// How it ended.
+    pub outcome: Outcome,
+    /// Whether a process is writing it now.
+    pub is_being_written: bool,
+    state: State,
+}
+
+impl RunFolder {
+    /// Whether a folder is that of a run.
+    #[must_use]
+    pub fn is_one(folder: &Path) -> bool {
+        folder.join(PLAN).is_file()
+    }
+
+    /// The machine of a run, without the rest.
+    ///
+    /// # Errors
+    /// If `env.json` can't be read.
+    pub fn env(folder: &Path) -> Result<Env, Error> {
+        read_json(&folder.join(ENV))
+    }
+
+    /// A run in a folder.
+    ///
+    /// # Errors
+    /// The file and line of the first thing that can't be read.
+    pub fn open(folder: &Path) -> Result<RunFolder, Error> {
+        let plan: Plan = read_json(&folder.join(PLAN))?;
+        if plan.format > FORMAT {
+            let message = format!("the run has format {}, and this tool reads formats up to {FORMAT}", plan.format);
+            return Err(Error::new(folder, message));
+        }
+        let is_being_written = Lock::is_taken(folder)?;
+        let state = State::read(folder)?;
+        let outcome = state.outcome;
+        Ok(RunFolder { path: folder.to_owned(), plan, env: RunFolder::env(folder)?, outcome, is_being_written, state })
+    }
+
+    /// The files of its tables, sorted: those that the run has written, even where they are gone, and those that are there.
+    ///
+    /// # Errors
+    /// If the folder can't be read, or its state names what can be no table.
+    pub fn tables(&self) -> Result<BTreeSet<String>, Error> {
+        let mut files: BTreeSet<String> = self.state.committed.keys().cloned().collect();
+        for entry in fs::read_dir(&self.path).map_err(Error::io(&self.path))? {
+            let name = entry.map_err(Error::io(&self.path))?.file_name();
+            files.extend(name.to_str().filter(|file| file.ends_with(".csv")).map(str::to_owned));
+        }
+        match files.iter().find(|file| file.contains(['/', '\\'])) {
+            Some(strange) => {
+                Err(Error::new(&self.path, format!("state.json names `{strange}`, which is no table of the folder")))
+            }
+            None => Ok(files),
+        }
+    }
+
+    /// Goes through the records of a table with their lines: the header first, as line 1, then each row. What a run that is not complete has
+    /// written after its last finished scene is left out; the number of such bytes is returned.
+    ///
+    /// # Errors
+    /// What the caller says, a row with another number of fields, or a table of a complete run that is not as it was written. The last is
+    /// known at the end only: what the rows were used for has to be thrown away.
+    pub fn each_row(
+        &self,
+        file: &str,
+        mut each: impl FnMut(u64, &StringRecord) -> Result<(), Error>,
+    ) -> Result<u64, Error> {
+        let path = self.path.join(file);
+        if !fs::metadata(&path).map_err(Error::io(&path))?.is_file() {
+            return Err(Error::new(&path, "it is no regular file but a folder, a pipe, a device or the like"));
+        }
+        let mut open = File::open(&path).map_err(Error::io(&path))?;
+        let found = open.metadata().map_err(Error::io(&path))?.len();
+        let extent = Extent::of(&self.state, file);
+        let length = match extent {
+            Extent::Lines => last_line_end(&mut open, found).map_err(Error::io(&path))?,
+            Extent::All(length) | Extent::First(length) => length,
+        };
+        extent.check(found, &path)?;
+        let mut reader = Digesting { from: BufReader::new(open.take(length)), sum: Sha256::new() };
+        {
+            let mut rows = ReaderBuilder::new().from_reader(&mut reader);
+            each(1, rows.headers().map_err(|error| failed(&path, &error))?)?;
+            let mut record = StringRecord::new();
+            while rows.read_record(&mut record).map_err(|error| failed(&path, &error))? {
+                each(record.position().map_or(0, csv::Position::line), &record)?;
+            }
+        }
+        if self.state.digests.get(file).is_some_and(|written| *written != hex(&reader.sum.finalize())) {
+            return Err(Error::new(&path, "it was edited after the run was complete; restore the file"));
+        }
+        Ok(found - length)
+    }
+}
+
+/// A reader that sums up what is read.
+struct Digesting<R> {
+    from: R,
+    sum: Sha256,
+}
+
+impl<R: Read> Read for Digesting<R> {
+    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+        let count = self.from.read(into)?;
+        self.sum.update(&into[..count]);
+        Ok(count)
+    }
+}
+
+/// How many bytes there are up to the end of the last whole line; the file is at its start again.
+fn last_line_end(file: &mut File, length: u64) -> io::Result<u64> {
+    const BLOCK: u64 = 1 << 16;
+    let mut end = length;
+    let mut block = Vec::new();
+    while end > 0 {
+        let start = end.saturating_sub(BLOCK);
+        file.seek(SeekFrom::Start(start))?;
+        block.clear();
+        Read::by_ref(file).take(end - start).read_to_end(&mut block)?;
+        if let Some(at) = block.iter().rposition(|&byte| byte == b'\n') {
+            end = start + at as u64 + 1;
+            break;
+        }
+        end = start;
+    }
+    file.seek(SeekFrom::Start(0))?;
+    Ok(end)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_whole_line_is_found_from_the_end() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        for (text, end) in [("a\nb\ncut", 4), ("a\n", 2), ("cut", 0), ("", 0)] {
+            fs::write(&path, text).unwrap();
+            assert_eq!(last_line_end(&mut File::open(&path).unwrap(), text.len() as u64).unwrap(), end, "{text:?}");
+        }
+        let long = format!("a\n{}", "x".repeat(200_000));
+        fs::write(&path, &long).unwrap();
+        assert_eq!(last_line_end(&mut File::open(&path).unwrap(), long.len() as u64).unwrap(), 2);
+    }
+}
