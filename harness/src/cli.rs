@@ -33,6 +33,7 @@ struct Arguments {
 enum Command {
     Ask(cmd::ask::Args),
     New(cmd::new::Args),
+    Plan(cmd::plan::Args),
     Run(cmd::run::Args),
     Merge(cmd::merge::Args),
     Bench(cmd::bench::Args),
@@ -136,6 +137,7 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
         let done = predicament_oracle::caught(|| match arguments.command {
             Command::Ask(args) => cmd::ask::run(&args, &tool),
             Command::New(args) => cmd::new::run(&args, &tool),
+            Command::Plan(args) => cmd::plan::run(&args, &tool),
             Command::Run(args) => cmd::run::run(args, &tool),
             Command::Merge(args) => cmd::merge::run(&args, &tool),
             Command::Bench(args) => cmd::bench::run(args, &tool),

@@ -3,15 +3,37 @@
 use std::path::{Path, PathBuf};
 
 use predicament_corpus::Suite;
-use predicament_formats::read_suite;
+use predicament_formats::{hex, read_suite};
 use predicament_oracle::expect::{Expectations, Known, Unused};
 use predicament_records::Plan;
+use sha2::{Digest, Sha256};
 
 use crate::exit::{CORPUS, Failure};
 use crate::tool::Tool;
 
 /// The file of the corpora that has the expectations.
 const SHIPPED: &str = "expected.toml";
+
+/// The expectations of a run, and the SHA-256 of their text.
+pub struct Held {
+    pub expected: Expectations,
+    pub digest: String,
+}
+
+/// The same as [`load`], with a hash by which two runs see that they were held against the same.
+pub fn held(tool: &Tool, file: Option<&PathBuf>) -> Result<Held, Failure> {
+    let expected = load(tool, file)?;
+    let mut digest = Sha256::new();
+    let shipped = if file.is_none() { tool.library()?.companion(SHIPPED)? } else { None };
+    if let Some((_, text)) = shipped {
+        digest.update(text.as_bytes());
+    }
+    let own = if file.is_none() { tool.expected.as_ref() } else { file };
+    if let Some(own) = own {
+        digest.update(text(own)?.as_bytes());
+    }
+    Ok(Held { expected, digest: hex(&digest.finalize()) })
+}
 
 /// Reads the expectations of `file`; without one the shipped ones, and those of the tool's maker.
 pub fn load(tool: &Tool, file: Option<&PathBuf>) -> Result<Expectations, Failure> {
@@ -27,12 +49,16 @@ pub fn load(tool: &Tool, file: Option<&PathBuf>) -> Result<Expectations, Failure
     }
 }
 
-fn read(file: &Path) -> Result<Expectations, Failure> {
-    let text = read_suite(file).map_err(|error| {
+/// The text of a file of expectations.
+pub fn text(file: &Path) -> Result<String, Failure> {
+    read_suite(file).map_err(|error| {
         let message = error.message.replace("the suite", "the file");
         Failure::usage(format!("{}: {message}; give a readable TOML file with --expected", file.display()))
-    })?;
-    Expectations::parse(file, &text).map_err(|message| Failure { message, code: CORPUS })
+    })
+}
+
+fn read(file: &Path) -> Result<Expectations, Failure> {
+    Expectations::parse(file, &text(file)?).map_err(|message| Failure { message, code: CORPUS })
 }
 
 /// The expectations that the run of this plan has not put to the test.

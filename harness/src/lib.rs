@@ -52,6 +52,7 @@ mod precision;
 mod progress;
 mod rows;
 mod select;
+mod stopwatch;
 mod tool;
 mod worker;
 

@@ -41,6 +41,9 @@ pub struct Env {
     /// The parts that a merged run was put together from, each with the name of its machine.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub parts: Vec<String>,
+    /// The hash of the plan of work that this was run by; none where there was none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub plan: Option<String>,
     /// Whether debug assertions were compiled in: such timings are worthless.
     pub debug_assertions: bool,
     /// The version of the tool.
@@ -69,6 +72,7 @@ impl Env {
             governor: std::fs::read_to_string(GOVERNOR).ok().and_then(|text| trimmed(&text)),
             node: std::fs::read_to_string("/proc/sys/kernel/hostname").ok().and_then(|text| trimmed(&text)),
             parts: Vec::new(),
+            plan: None,
             debug_assertions: cfg!(debug_assertions),
             package_version: package_version.to_owned(),
             command_line: std::env::args_os().map(|arg| arg.to_string_lossy().into_owned()).collect(),

@@ -14,6 +14,7 @@
 //! * [`junit`] is what build servers read.
 
 mod answers;
+mod balance;
 mod env;
 mod error;
 pub mod format;
@@ -27,8 +28,10 @@ mod rows;
 mod run_dir;
 mod sampled;
 mod stats;
+mod work;
 
 pub use answers::AnswerRow;
+pub use balance::{Basis, Costs, balance, part_of_id};
 pub use env::Env;
 pub use error::Error;
 pub use imported::ImportRow;
@@ -39,8 +42,11 @@ pub use plan::{FORMAT, Level, NotSelected, Plan, PlannedScene, Shard, Whole};
 pub use predicament_predicates::{Class, Status};
 pub use replace::replace;
 pub use rows::{FindingRow, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
-pub use run_dir::{Lined, NotMerged, NotRun, Outcome, Record, RunDir, RunWriter, SegmentRow, TableSpec, merge};
+pub use run_dir::{
+    CostRow, Lined, NotMerged, NotRun, Outcome, Record, RunDir, RunWriter, SegmentRow, TableSpec, merge,
+};
 pub use sampled::SampledRow;
 /// For deriving a [`Row`] in a crate that does not depend on `serde` itself.
 pub use serde;
 pub use stats::{Spread, approximately, geometric_mean, wilson};
+pub use work::{Build, Share, WorkPlan};

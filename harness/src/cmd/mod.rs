@@ -11,6 +11,7 @@ pub mod gate;
 pub mod map;
 pub mod merge;
 pub mod new;
+pub mod plan;
 pub mod replay;
 pub mod report;
 pub mod resolve;

@@ -23,6 +23,7 @@ mod paths;
 #[cfg(feature = "peers")]
 mod peers;
 mod pictures;
+mod plan;
 mod resolve;
 mod runs;
 mod show;
