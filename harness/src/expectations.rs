@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use predicament_corpus::Suite;
 use predicament_formats::{hex, read_suite};
 use predicament_oracle::expect::{Expectations, Known, Unused};
-use predicament_records::Plan;
+use predicament_records::{Plan, RunDir, SummaryRow};
+use predicament_tasks::{Class, ClassCounts};
 use sha2::{Digest, Sha256};
 
 use crate::exit::{CORPUS, Failure};
@@ -61,21 +62,28 @@ fn read(file: &Path) -> Result<Expectations, Failure> {
     Expectations::parse(file, &text(file)?).map_err(|message| Failure { message, code: CORPUS })
 }
 
+/// Gives each row of a run the status that these expectations give it: the file may have changed since.
+pub fn hold(expected: &Expectations, run: &mut RunDir) {
+    let level = run.plan.level.to_string();
+    for row in &mut run.summary {
+        row.status = expected.status(&row.suite, &row.scene, &row.backend, &level, &counts(row));
+    }
+}
+
+/// How often each class was found.
+pub fn counts(row: &SummaryRow) -> ClassCounts {
+    let mut counts = ClassCounts::default();
+    for class in Class::ALL {
+        counts.add(class, row.count(class));
+    }
+    counts
+}
+
 /// The expectations that the run of this plan has not put to the test.
 pub fn unused(expected: &Expectations, tool: &Tool, plan: &Plan) -> Result<Unused, Failure> {
     let library = tool.library()?;
-    let mut scenes: Vec<(String, String)> = Vec::new();
-    let mut add = |suite: &Suite| {
-        scenes.extend(suite.scenes.iter().map(|def| (def.suite.clone(), def.name.clone())));
-    };
-    library.suites().iter().chain(&tool.own_suites()?).for_each(&mut add);
-    // All scenes of a suite that was named by file, also those that a filter left out.
-    for file in plan.paths.values().filter(|file| Path::new(file).exists()) {
-        add(&library.suite(file)?);
-    }
-    let planned: Vec<(String, String)> =
-        plan.scenes.iter().map(|scene| (scene.suite.clone(), scene.scene.clone())).collect();
-    scenes.extend(planned.iter().cloned());
+    let planned = planned(plan);
+    let scenes = scenes(tool, plan)?;
     let known = Known {
         scenes: &scenes,
         planned: &planned,
@@ -91,4 +99,25 @@ pub fn unused(expected: &Expectations, tool: &Tool, plan: &Plan) -> Result<Unuse
         unused.here.retain(|place| !place.starts_with(&format!("corpora/{SHIPPED}:")));
     }
     Ok(unused)
+}
+
+/// The scenes of a plan, by suite and name.
+fn planned(plan: &Plan) -> Vec<(String, String)> {
+    plan.scenes.iter().map(|scene| (scene.suite.clone(), scene.scene.clone())).collect()
+}
+
+/// All scenes that the tool or a run of this plan knows, by suite and name.
+pub fn scenes(tool: &Tool, plan: &Plan) -> Result<Vec<(String, String)>, Failure> {
+    let library = tool.library()?;
+    let mut scenes: Vec<(String, String)> = Vec::new();
+    let mut add = |suite: &Suite| {
+        scenes.extend(suite.scenes.iter().map(|def| (def.suite.clone(), def.name.clone())));
+    };
+    library.suites().iter().chain(&tool.own_suites()?).for_each(&mut add);
+    // All scenes of a suite that was named by file, also those that a filter left out.
+    for file in plan.paths.values().filter(|file| Path::new(file).exists()) {
+        add(&library.suite(file)?);
+    }
+    scenes.extend(planned(plan));
+    Ok(scenes)
 }

@@ -35,6 +35,11 @@ impl Cost {
         CostRow::new(scene, backend, self.wall_us, self.cpu_us)
     }
 
+    /// The same for work that another process did: of it nothing but the time that passed is known.
+    pub fn of_another(self) -> Cost {
+        Cost { cpu_us: self.cpu_us.max(self.wall_us), ..self }
+    }
+
     /// The share of one that took `part` of a `whole` side by side with others.
     pub fn share(self, part: Duration, whole: Duration) -> Cost {
         let share = |cost: u64| {

@@ -85,8 +85,8 @@ impl Costs {
     }
 
     fn add(&mut self, row: &CostRow) {
-        // Of a process of its own nothing but the time that passed is known.
-        let cost = row.wall_us.max(row.cpu_us);
+        // The time that passes depends on what else the machine does. Where processor time is unknown it is all there is.
+        let cost = if row.cpu_us == 0 { row.wall_us } else { row.cpu_us };
         let known = self.scenes.entry([row.scene_id.clone(), row.backend.clone()]).or_default();
         *known = (known.0.saturating_add(cost), known.1 + 1);
         for family in [&*row.family, ""] {
@@ -175,7 +175,7 @@ mod tests {
             (scene("b", "far", 100), "exact", 3000),
             (scene("b", "far", 100), CostRow::TRUTH, 200),
         ] {
-            costs.add(&CostRow::new(&of, backend, cost, cost / 2));
+            costs.add(&CostRow::new(&of, backend, 9 * cost, cost));
         }
         let of = |scene: &PlannedScene, backends: &[&str]| {
             costs.of(scene, &backends.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>())

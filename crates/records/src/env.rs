@@ -81,6 +81,24 @@ impl Env {
     }
 }
 
+impl Env {
+    /// What two runs must have in common for their times to be compared, by name: the machine's kind, and how the tool was compiled
+    /// for it. The machine's name is not among it: of two alike either will do, and a container's name is new each time.
+    #[must_use]
+    pub fn fingerprint(&self) -> [(&'static str, String); 7] {
+        let unknown = || "unknown".to_owned();
+        [
+            ("processor", self.cpu.clone().unwrap_or_else(unknown)),
+            ("cores", self.cores.map_or_else(unknown, |cores| cores.to_string())),
+            ("system", self.os.clone()),
+            ("features", self.detected_features.join(" ")),
+            ("frequency governor", self.governor.clone().unwrap_or_else(unknown)),
+            ("flags", self.opt_flags.clone().unwrap_or_else(unknown)),
+            ("debug assertions", self.debug_assertions.to_string()),
+        ]
+    }
+}
+
 /// Where Linux says how it chooses the frequency of the first core.
 const GOVERNOR: &str = "/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor";
 

@@ -12,6 +12,7 @@ mod cpu;
 mod house;
 mod m4;
 mod sample;
+mod spread;
 mod steps;
 
 use std::process::ExitCode;
@@ -25,7 +26,7 @@ Commands:
   demo   build the tool, run the embedded corpora, leave a report to open
   test   format, clippy, tests, doc tests, docs, the embedded corpora through the gate, the example crate
   nightly
-         heavy tests whole, the peers, the benches, cargo package, the report in a browser, the oldest compiler, a minute of each fuzz target
+         heavy tests whole, the peers, the benches, cargo package, the report in a browser, runs in parts by engines, the oldest compiler, a minute of each fuzz target
   engines [NAME...]
          install and build engines of other languages (CGAL, GEOS, libigl, ...) for `run -b engine:NAME`: by apt,
          pip and npm, into their folders where the client can
@@ -35,6 +36,7 @@ Commands:
          --accept makes new pictures to compare with. Says what is missing where there is no Chromium, Node.js or npm
   sample the sample report anew: embedded and fetched suites, times, comparison and knobs; `reports/sample` and the
          table of README (20 minutes)
+  spread a run in parts by GNU parallel, HyperQueue and Slurm, each with a part that is killed; says which of them is missing
   setup  only make sure that what the build needs is there (m4, a C compiler, make)
   help   this text
 
@@ -59,6 +61,7 @@ fn main() -> ExitCode {
         "nightly" => m4::ensure().and_then(|()| steps::nightly()),
         "browser" => m4::ensure().and_then(|()| browser::check(false, !rest.is_empty())),
         "engines" => m4::ensure().and_then(|()| steps::engines(&rest)),
+        "spread" => m4::ensure().and_then(|()| spread::check()),
         "sample" => m4::ensure().and_then(|()| sample::make()),
         "setup" => m4::ensure(),
         "help" | "-h" | "--help" => {

@@ -223,6 +223,7 @@ pub fn nightly() -> Result<(), String> {
         // Into a folder of its own: packages are compiled as somebody else's.
         cargo("packages", &["package", "--workspace", "--allow-dirty", "--target-dir", "target/package-check"]),
         crate::browser::check(true, false),
+        crate::spread::check(),
         minimum_version(),
         fuzz(),
     ];

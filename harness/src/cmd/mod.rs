@@ -7,6 +7,7 @@ pub mod corpus;
 pub mod diff;
 pub mod doctor;
 pub mod engines;
+pub mod expect;
 pub mod gate;
 pub mod map;
 pub mod merge;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use predicament_corpus::Level;
+use predicament_engines::PREFIX;
 use predicament_records::{
     self as records, Build, CostRow, Env, NotSelected, Plan, PlannedScene, RunDir, RunWriter, Shard, SummaryRow, Whole,
     WorkPlan,
@@ -211,7 +212,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
                     ended = records::Outcome::Interrupted;
                     break 'scenes;
                 };
-                ledger.cost(&scene, &backend.name(), clock.read())?;
+                ledger.cost(&scene, &backend.name(), clock.read().of_another())?;
                 ended = later(ended, &found.summary);
                 ledger.adopt(found, &scene, &backend.name(), &expected)?;
                 bar.inc(scene.queries);
@@ -235,6 +236,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
                     break 'scenes;
                 }
                 Ok(outcome) => {
+                    let cost = if backend.name().starts_with(PREFIX) { cost.of_another() } else { cost };
                     ledger.cost(&scene, &backend.name(), cost)?;
                     let summary = ledger.record(&scene, &backend.name(), &outcome, &expected)?;
                     ended = later(ended, std::slice::from_ref(&summary));

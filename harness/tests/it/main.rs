@@ -7,6 +7,8 @@ mod common;
 mod conformance;
 mod diff;
 mod engines;
+mod expect;
+mod gate_summary;
 mod habits;
 mod isolation;
 mod judged;

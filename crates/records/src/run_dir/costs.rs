@@ -31,7 +31,7 @@ pub struct CostRow {
     pub queries: u64,
     /// Microseconds that passed.
     pub wall_us: u64,
-    /// Microseconds of processor time, of all threads; of an engine's process none.
+    /// Microseconds of processor time, of all threads; of a process of its own, and of an engine, those that passed.
     pub cpu_us: u64,
 }
 
