@@ -3,15 +3,38 @@
 use std::path::{Path, PathBuf};
 
 use predicament_corpus::Suite;
-use predicament_formats::read_suite;
+use predicament_formats::{hex, read_suite};
 use predicament_oracle::expect::{Expectations, Known, Unused};
-use predicament_records::Plan;
+use predicament_records::{Plan, RunDir, SummaryRow};
+use predicament_tasks::{Class, ClassCounts};
+use sha2::{Digest, Sha256};
 
 use crate::exit::{CORPUS, Failure};
 use crate::tool::Tool;
 
 /// The file of the corpora that has the expectations.
 const SHIPPED: &str = "expected.toml";
+
+/// The expectations of a run, and the SHA-256 of their text.
+pub struct Held {
+    pub expected: Expectations,
+    pub digest: String,
+}
+
+/// The same as [`load`], with a hash by which two runs see that they were held against the same.
+pub fn held(tool: &Tool, file: Option<&PathBuf>) -> Result<Held, Failure> {
+    let expected = load(tool, file)?;
+    let mut digest = Sha256::new();
+    let shipped = if file.is_none() { tool.library()?.companion(SHIPPED)? } else { None };
+    if let Some((_, text)) = shipped {
+        digest.update(text.as_bytes());
+    }
+    let own = if file.is_none() { tool.expected.as_ref() } else { file };
+    if let Some(own) = own {
+        digest.update(text(own)?.as_bytes());
+    }
+    Ok(Held { expected, digest: hex(&digest.finalize()) })
+}
 
 /// Reads the expectations of `file`; without one the shipped ones, and those of the tool's maker.
 pub fn load(tool: &Tool, file: Option<&PathBuf>) -> Result<Expectations, Failure> {
@@ -27,29 +50,40 @@ pub fn load(tool: &Tool, file: Option<&PathBuf>) -> Result<Expectations, Failure
     }
 }
 
-fn read(file: &Path) -> Result<Expectations, Failure> {
-    let text = read_suite(file).map_err(|error| {
+/// The text of a file of expectations.
+pub fn text(file: &Path) -> Result<String, Failure> {
+    read_suite(file).map_err(|error| {
         let message = error.message.replace("the suite", "the file");
         Failure::usage(format!("{}: {message}; give a readable TOML file with --expected", file.display()))
-    })?;
-    Expectations::parse(file, &text).map_err(|message| Failure { message, code: CORPUS })
+    })
+}
+
+fn read(file: &Path) -> Result<Expectations, Failure> {
+    Expectations::parse(file, &text(file)?).map_err(|message| Failure { message, code: CORPUS })
+}
+
+/// Gives each row of a run the status that these expectations give it: the file may have changed since.
+pub fn hold(expected: &Expectations, run: &mut RunDir) {
+    let level = run.plan.level.to_string();
+    for row in &mut run.summary {
+        row.status = expected.status(&row.suite, &row.scene, &row.backend, &level, &counts(row));
+    }
+}
+
+/// How often each class was found.
+pub fn counts(row: &SummaryRow) -> ClassCounts {
+    let mut counts = ClassCounts::default();
+    for class in Class::ALL {
+        counts.add(class, row.count(class));
+    }
+    counts
 }
 
 /// The expectations that the run of this plan has not put to the test.
 pub fn unused(expected: &Expectations, tool: &Tool, plan: &Plan) -> Result<Unused, Failure> {
     let library = tool.library()?;
-    let mut scenes: Vec<(String, String)> = Vec::new();
-    let mut add = |suite: &Suite| {
-        scenes.extend(suite.scenes.iter().map(|def| (def.suite.clone(), def.name.clone())));
-    };
-    library.suites().iter().chain(&tool.own_suites()?).for_each(&mut add);
-    // All scenes of a suite that was named by file, also those that a filter left out.
-    for file in plan.paths.values().filter(|file| Path::new(file).exists()) {
-        add(&library.suite(file)?);
-    }
-    let planned: Vec<(String, String)> =
-        plan.scenes.iter().map(|scene| (scene.suite.clone(), scene.scene.clone())).collect();
-    scenes.extend(planned.iter().cloned());
+    let planned = planned(plan);
+    let scenes = scenes(tool, plan)?;
     let known = Known {
         scenes: &scenes,
         planned: &planned,
@@ -65,4 +99,25 @@ pub fn unused(expected: &Expectations, tool: &Tool, plan: &Plan) -> Result<Unuse
         unused.here.retain(|place| !place.starts_with(&format!("corpora/{SHIPPED}:")));
     }
     Ok(unused)
+}
+
+/// The scenes of a plan, by suite and name.
+fn planned(plan: &Plan) -> Vec<(String, String)> {
+    plan.scenes.iter().map(|scene| (scene.suite.clone(), scene.scene.clone())).collect()
+}
+
+/// All scenes that the tool or a run of this plan knows, by suite and name.
+pub fn scenes(tool: &Tool, plan: &Plan) -> Result<Vec<(String, String)>, Failure> {
+    let library = tool.library()?;
+    let mut scenes: Vec<(String, String)> = Vec::new();
+    let mut add = |suite: &Suite| {
+        scenes.extend(suite.scenes.iter().map(|def| (def.suite.clone(), def.name.clone())));
+    };
+    library.suites().iter().chain(&tool.own_suites()?).for_each(&mut add);
+    // All scenes of a suite that was named by file, also those that a filter left out.
+    for file in plan.paths.values().filter(|file| Path::new(file).exists()) {
+        add(&library.suite(file)?);
+    }
+    scenes.extend(planned(plan));
+    Ok(scenes)
 }

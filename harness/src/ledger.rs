@@ -12,6 +12,7 @@ use predicament_tasks::{AnyCase, Class, Contestant, Outcome};
 use crate::cmd::map;
 use crate::exit::{self, Failure};
 use crate::rows;
+use crate::stopwatch::Cost;
 
 /// What is done, in memory and on disk.
 pub struct Ledger {
@@ -65,6 +66,11 @@ impl Ledger {
         self.note_whole(scene, summary.has_answers() && outcome.answers.is_empty());
         self.done.push(summary.clone());
         Ok(summary)
+    }
+
+    /// Notes what a scene has cost; the commit that follows need not know.
+    pub fn cost(&mut self, scene: &PlannedScene, backend: &str, cost: Cost) -> Result<(), Failure> {
+        self.writer.cost(&[cost.row(scene, backend)]).map_err(Failure::usage)
     }
 
     /// Takes the rows that a worker has left.

@@ -30,15 +30,18 @@
 #[macro_use]
 mod out;
 
+mod baseline;
 mod bounds;
 mod child;
 mod cli;
 mod cmd;
+mod comment;
 mod conformance;
 mod contact_tables;
 mod details;
 pub mod example;
 mod exit;
+mod expect_file;
 mod expectations;
 mod interrupt;
 mod judged;
@@ -53,6 +56,7 @@ mod progress;
 mod rows;
 mod select;
 mod shrinking;
+mod stopwatch;
 mod tool;
 mod worker;
 

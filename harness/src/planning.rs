@@ -64,6 +64,7 @@ pub fn plan(selection: &Selection, scenes: &[Planned], backends: &[Box<dyn Conte
         hashes: selection.hashes(),
         engines: BTreeMap::new(),
         answers: false,
+        permutations: None,
         timed: false,
         scenes: scenes.iter().map(|scene| scene.plan.clone()).collect(),
         backends: backends.iter().map(|backend| backend.name()).collect(),

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use predicament_corpus::{Level, LoadedScene, SceneDef, SeenIds, Suite};
 use predicament_formats::{Cache, CorpusError, ErrorKind, hex};
-use predicament_records::{NotSelected, PlannedScene, Shard, Whole};
+use predicament_records::{NotSelected, PlannedScene, Shard, Whole, part_of_id};
 use regex::Regex;
 use sha2::{Digest, Sha256};
 
@@ -164,18 +164,16 @@ impl Selection {
     pub fn part(&self, shard: Shard) -> Result<(Vec<Planned>, Option<Whole>), Failure> {
         let mut seen = SeenIds::new();
         let (mut planned, mut all, mut places) = (Vec::new(), Vec::new(), Vec::new());
-        let mut room = KEPT;
+        let mut room = Room(KEPT);
         for def in self.defs() {
             let loaded = self.load(def)?;
             seen.insert(def, &loaded)?;
             let plan = planned_scene(&loaded);
             all.push(plan.clone());
-            if in_shard(&loaded.id, shard) {
+            // Shards go by content id: the same scene is in the same shard whatever else is selected.
+            if part_of_id(&loaded.id, shard.count()) == shard.index() {
                 places.push(all.len() as u64 - 1);
-                let size = loaded.scene.coordinates().len() + 8 * loaded.count();
-                let kept = (size <= room).then_some(loaded);
-                room -= if kept.is_some() { size } else { 0 };
-                planned.push(Planned { def: def.clone(), plan, kept });
+                planned.push(Planned { def: def.clone(), plan, kept: room.keep(loaded) });
             }
         }
         if all.is_empty() {
@@ -187,10 +185,46 @@ impl Selection {
         let whole = (shard != Shard::WHOLE).then(|| Whole::new(&all, places));
         Ok((planned, whole))
     }
+
+    /// The scenes that were planned before, and no others are loaded.
+    ///
+    /// # Errors
+    /// The first that is gone or has other contents by now, as `changed` puts it.
+    pub fn of_plan(
+        &self,
+        scenes: &[PlannedScene],
+        changed: impl Fn(&PlannedScene) -> Failure,
+    ) -> Result<Vec<Planned>, Failure> {
+        let defs: BTreeMap<(&str, &str), &SceneDef> =
+            self.defs().into_iter().map(|def| ((&*def.suite, &*def.name), def)).collect();
+        let mut room = Room(KEPT);
+        let load = |scene: &PlannedScene| {
+            let def = defs.get(&(&*scene.suite, &*scene.scene)).ok_or_else(|| changed(scene))?;
+            let loaded = self.load(def)?;
+            if planned_scene(&loaded) != *scene {
+                return Err(changed(scene));
+            }
+            Ok(Planned { def: (*def).clone(), plan: scene.clone(), kept: room.keep(loaded) })
+        };
+        scenes.iter().map(load).collect()
+    }
 }
 
 /// Numbers in the scenes that are kept in memory between planning and running: half a gigabyte.
 const KEPT: usize = 1 << 26;
+
+/// How many more numbers are kept.
+struct Room(usize);
+
+impl Room {
+    /// The scene, where there is room for it.
+    fn keep(&mut self, scene: LoadedScene) -> Option<LoadedScene> {
+        let size = scene.scene.coordinates().len() + 8 * scene.count();
+        let kept = (size <= self.0).then_some(scene);
+        self.0 -= if kept.is_some() { size } else { 0 };
+        kept
+    }
+}
 
 /// A scene of a plan.
 pub struct Planned {
@@ -224,12 +258,6 @@ pub fn planned_scene(loaded: &LoadedScene) -> PlannedScene {
     }
 }
 
-/// Shards go by content id: the same scene is in the same shard whatever else is selected.
-fn in_shard(id: &str, shard: Shard) -> bool {
-    let digits = id.get(..15).unwrap_or(id);
-    u64::from_str_radix(digits, 16).is_ok_and(|id| id % u64::from(shard.count()) + 1 == u64::from(shard.index()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -253,16 +281,5 @@ mod tests {
             Some(CORPUS),
             "it is given away once"
         );
-    }
-
-    #[test]
-    fn every_id_is_in_exactly_one_shard() {
-        for n in 1..6 {
-            for i in 0..200_u64 {
-                let id = format!("{:016x}", i.wrapping_mul(0x9e37_79b9_7f4a_7c15));
-                let hits = (1..=n).filter(|&k| in_shard(&id, Shard::new(k, n).unwrap())).count();
-                assert_eq!(hits, 1, "{id} of {n}");
-            }
-        }
     }
 }

@@ -47,6 +47,9 @@ pub struct Env {
     /// The parts that a merged run was put together from, each with the name of its machine.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub parts: Vec<String>,
+    /// The hash of the plan of work that this was run by; none where there was none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub plan: Option<String>,
     /// Whether debug assertions were compiled in: such timings are worthless.
     pub debug_assertions: bool,
     /// The version of the tool.
@@ -76,6 +79,7 @@ impl Env {
             governor: std::fs::read_to_string(GOVERNOR).ok().and_then(|text| trimmed(&text)),
             node: std::fs::read_to_string("/proc/sys/kernel/hostname").ok().and_then(|text| trimmed(&text)),
             parts: Vec::new(),
+            plan: None,
             debug_assertions: cfg!(debug_assertions),
             package_version: package_version.to_owned(),
             command_line: std::env::args_os().map(|arg| arg.to_string_lossy().into_owned()).collect(),
@@ -96,6 +100,22 @@ impl Env {
             sum.update([0]);
         }
         sum.finalize().iter().take(6).map(|byte| format!("{byte:02x}")).collect()
+    }
+
+    /// What two runs must have in common for their times to be compared, by name: the machine's kind, and how the tool was compiled
+    /// for it. The machine's name is not among it: of two alike either will do, and a container's name is new each time.
+    #[must_use]
+    pub fn comparable(&self) -> [(&'static str, String); 7] {
+        let unknown = || "unknown".to_owned();
+        [
+            ("processor", self.cpu.clone().unwrap_or_else(unknown)),
+            ("cores", self.cores.map_or_else(unknown, |cores| cores.to_string())),
+            ("system", self.os.clone()),
+            ("features", self.detected_features.join(" ")),
+            ("frequency governor", self.governor.clone().unwrap_or_else(unknown)),
+            ("flags", self.opt_flags.clone().unwrap_or_else(unknown)),
+            ("debug assertions", self.debug_assertions.to_string()),
+        ]
     }
 }
 

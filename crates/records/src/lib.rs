@@ -16,6 +16,7 @@
 //! * [`junit`] is what build servers read.
 
 mod answers;
+mod balance;
 mod env;
 mod error;
 pub mod format;
@@ -31,8 +32,10 @@ mod run_dir;
 mod sampled;
 mod schema;
 mod stats;
+mod work;
 
 pub use answers::AnswerRow;
+pub use balance::{Basis, Costs, balance, part_of_id};
 pub use env::Env;
 pub use error::Error;
 pub use imported::ImportRow;
@@ -44,10 +47,12 @@ pub use predicament_predicates::{Class, Status};
 pub use replace::replace;
 pub use rows::{FindingRow, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
 pub use run_dir::{
-    Lined, NotMerged, NotRun, Outcome, Record, RunDir, RunFolder, RunWriter, SegmentRow, TABLES, TableSpec, merge,
+    CostRow, Lined, NotMerged, NotRun, Outcome, Record, RunDir, RunFolder, RunWriter, SegmentRow, TABLES, TableSpec,
+    merge,
 };
 pub use sampled::SampledRow;
 pub use schema::{Column, Kind, Typed, schema_json, schema_markdown};
 /// For deriving a [`Row`] in a crate that does not depend on `serde` itself.
 pub use serde;
 pub use stats::{Spread, approximately, geometric_mean, wilson};
+pub use work::{Build, Share, WorkPlan};

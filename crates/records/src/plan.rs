@@ -148,6 +148,12 @@ pub struct Whole {
     pub digest: String,
     /// The places of this part's scenes among all, from 0, in their order.
     pub places: Vec<u64>,
+    /// The hash of the plan of work that says which scenes these are; none where their ids do.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub plan: Option<String>,
+    /// The SHA-256 of the expectations that rows are held against; none in folders made before it was written down.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub expected: Option<String>,
 }
 
 impl Whole {
@@ -162,7 +168,7 @@ impl Whole {
             }
         }
         let digest = digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
-        Whole { scenes: scenes.len() as u64, digest, places }
+        Whole { scenes: scenes.len() as u64, digest, places, plan: None, expected: None }
     }
 }
 
@@ -189,6 +195,9 @@ pub struct Plan {
     /// Whether every answer is written to `answers.csv`.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub answers: bool,
+    /// Evaluations that one backend spends on other orders of the arguments in one scene, where they were named.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub permutations: Option<u64>,
     /// Whether the scenes are timed: such a folder can't be resumed.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub timed: bool,

@@ -14,6 +14,7 @@ mod house;
 mod m4;
 mod mutants;
 mod sample;
+mod spread;
 mod steps;
 
 use std::process::ExitCode;
@@ -27,7 +28,7 @@ Commands:
   demo   build the tool, run the embedded corpora, leave a report to open
   test   format, clippy, tests, doc tests, docs, the embedded corpora through the gate, the example crate
   nightly
-         heavy tests whole, the peers, the benches, cargo package, the report in a browser, the page about data, the oldest compiler, a minute of each fuzz target
+         heavy tests whole, the peers, the benches, cargo package, the report in a browser, the page about data, runs in parts by engines, the oldest compiler, a minute of each fuzz target
   engines [NAME...]
          install and build engines of other languages (CGAL, GEOS, libigl, ...) for `run -b engine:NAME`: by apt,
          pip and npm, into their folders where the client can
@@ -41,6 +42,7 @@ Commands:
   mutants [--every N] [--from K] [PACKAGE...]
          the mutation score: every N-th (50th) small change to arithmetic, exact, sos, tolerance, checks and judge, from
          the K-th on (0), by cargo-mutants; prints what no test noticed (hours)
+  spread a run in parts by GNU parallel, HyperQueue and Slurm, each with a part that is killed; says which of them is missing
   setup  only make sure that what the build needs is there (m4, a C compiler, make)
   help   this text
 
@@ -69,6 +71,7 @@ fn main() -> ExitCode {
         "data" => data::check(),
         "engines" => m4::ensure().and_then(|()| steps::engines(&rest)),
         "mutants" => m4::ensure().and_then(|()| mutants::score(&rest)),
+        "spread" => m4::ensure().and_then(|()| spread::check()),
         "sample" => m4::ensure().and_then(|()| sample::make()),
         "setup" => m4::ensure(),
         "help" | "-h" | "--help" => {

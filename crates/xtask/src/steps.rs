@@ -224,6 +224,7 @@ pub fn nightly() -> Result<(), String> {
         cargo("packages", &["package", "--workspace", "--allow-dirty", "--target-dir", "target/package-check"]),
         crate::browser::check(true, false),
         crate::data::check(),
+        crate::spread::check(),
         minimum_version(),
         fuzz(),
     ];

@@ -1,13 +1,15 @@
 //! `gate`: holds a run against its expectations, and against an earlier run.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-use predicament_records::{self as records, RunDir, Spread, Status, SummaryRow, ThroughputRow, junit};
-use predicament_tasks::{Class, ClassCounts};
+use predicament_records::{self as records, RunDir, Status, SummaryRow, junit};
+use predicament_tasks::Class;
 use serde_json::json;
 
+use crate::baseline::Worse;
+use crate::comment::{Comment, LIMIT};
 use crate::exit::{self, Failure};
+use crate::expect_file::grouped;
 use crate::expectations;
 use crate::ledger::describe;
 use crate::tool::Tool;
@@ -16,6 +18,8 @@ const EXAMPLES: &str = "\
 Examples:
   predicament gate out/run
   predicament gate out/run --baseline out/main --junit out/junit.xml
+  predicament gate out/run --baseline out/main --summary comment.md      for a comment on a pull request
+  predicament gate out/bench --baseline out/bench-before --time 20       and no scene slower by 20 %
   predicament gate out/run --expected mine-expected.toml --suggest more.toml";
 
 /// Hold a run against expectations and a baseline
@@ -25,9 +29,20 @@ pub struct Args {
     /// A folder written by `run`
     pub run: PathBuf,
 
-    /// An earlier run: no finding may have become more frequent, no timing slower beyond noise
+    /// An earlier run: no finding may have become more frequent
     #[arg(long, value_name = "RUN")]
     pub baseline: Option<PathBuf>,
+
+    /// Judge times, too: on the same machine, a scene whose samples are all slower than those of the baseline, and by
+    /// this much in the median, is an error (10 if no number is given)
+    #[arg(long, value_name = "PERCENT", num_args = 0..=1, default_missing_value = "10", requires = "baseline",
+          value_parser = percent)]
+    pub time: Option<f64>,
+
+    /// Write Markdown for a comment, at most 65,536 characters: the verdict, counts, first findings, and what changed
+    /// since the baseline; to stdout if the file is `-`
+    #[arg(long, value_name = "FILE")]
+    pub summary: Option<PathBuf>,
 
     /// Expected disagreements; those of the embedded corpora if left out
     #[arg(long, value_name = "FILE")]
@@ -47,26 +62,25 @@ pub struct Args {
     pub suggest: Option<PathBuf>,
 }
 
+/// A threshold for times.
+fn percent(text: &str) -> Result<f64, String> {
+    let percent = text.parse().ok().filter(|percent: &f64| (0.0..=1e6).contains(percent));
+    percent.ok_or_else(|| format!("`{text}` is no threshold; write percent, such as 10"))
+}
+
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let expected = expectations::load(tool, args.expected.as_ref())?;
     let mut run = RunDir::open(&args.run).map_err(Failure::usage)?;
-    let level = run.plan.level.to_string();
     // The file may have changed since the run: it is the gate's word that counts.
-    for row in &mut run.summary {
-        let mut counts = ClassCounts::default();
-        for class in Class::ALL {
-            counts.add(class, row.count(class));
-        }
-        row.status = expected.status(&row.suite, &row.scene, &row.backend, &level, &counts);
+    expectations::hold(&expected, &mut run);
+    let mut baseline = args.baseline.as_ref().map(RunDir::open).transpose().map_err(Failure::usage)?;
+    if let Some(baseline) = &mut baseline {
+        expectations::hold(&expected, baseline);
     }
-    let worse = match &args.baseline {
+    let worse = match &baseline {
         None => Worse::default(),
-        Some(baseline) => {
-            let baseline = RunDir::open(baseline).map_err(Failure::usage)?;
-            comparable(&run, &baseline)?;
-            Worse { findings: more_findings(&run, &baseline), timings: slower(&run, &baseline) }
-        }
+        Some(baseline) => Worse::than(&run, baseline, args.time)?,
     };
     if let Some(path) = &args.junit {
         let text = junit("predicament", &run.summary, &run.not_run()).map_err(Failure::usage)?;
@@ -96,12 +110,16 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             "not_held": unused.here,
             "not_run": missing,
             "worse": worse.findings.iter().chain(&worse.timings).collect::<Vec<_>>(),
+            "times_not_judged": worse.times.as_ref().and_then(|times| times.as_ref().err()),
         });
         say!("{told}");
     } else {
         failed.iter().chain(&worse.findings).chain(&worse.timings).for_each(|line| say!("{line}"));
         missing.iter().for_each(|line| say!("not run: {line}"));
         unused.never.iter().for_each(|line| say!("never true: {line}"));
+        if let Some(Err(why)) = &worse.times {
+            say!("times were not judged: {why}");
+        }
         if !unused.here.is_empty() {
             say!("{} expectations are not about this run's scenes, backends and level", unused.here.len());
         }
@@ -118,7 +136,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             run.outcome.describe(),
         );
     }
-    Ok(if unexpected > 0 || !worse.findings.is_empty() {
+    let code = if unexpected > 0 || !worse.findings.is_empty() {
         exit::UNEXPECTED
     } else if passes > 0 || !unused.never.is_empty() {
         exit::UNEXPECTED_PASS
@@ -128,115 +146,28 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         exit::SLOWER
     } else {
         exit::OK
-    })
-}
-
-#[derive(Default)]
-struct Worse {
-    findings: Vec<String>,
-    timings: Vec<String>,
-}
-
-/// Rows of the same scene and backend with more of an illegal class than before.
-fn more_findings(run: &RunDir, baseline: &RunDir) -> Vec<String> {
-    let before: BTreeMap<(&str, &str), &SummaryRow> =
-        baseline.summary.iter().map(|row| ((row.scene_id.as_str(), row.backend.as_str()), row)).collect();
-    let mut worse = Vec::new();
-    for row in &run.summary {
-        let Some(old) = before.get(&(row.scene_id.as_str(), row.backend.as_str())) else { continue };
-        for class in Class::ALL.into_iter().filter(|class| !class.is_legal()) {
-            let (now, then) = (row.count(class), old.count(class));
-            if now > then {
-                worse.push(format!(
-                    "worse than the baseline: {}/{} on {}: {} {class}, was {then}",
-                    row.suite, row.scene, row.backend, now
-                ));
-            }
-        }
-    }
-    worse
-}
-
-/// Timings of a scene whose fastest sample is slower than the slowest sample of before,
-/// and by a tenth at least: beyond what noise explains. A family of several scenes is compared scene by scene, as
-/// those take different times; where it had other scenes, there is nothing to compare.
-fn slower(run: &RunDir, baseline: &RunDir) -> Vec<String> {
-    let (now, then) = (timings(run), timings(baseline));
-    let (scenes, scenes_then) = (scenes(run), scenes(baseline));
-    let mut slower = Vec::new();
-    for (key @ [task, family, backend], now) in &now {
-        let Some(then) = then.get(key) else { continue };
-        let of = [*task, *family];
-        if now.len() != then.len() || scenes.get(&of) != scenes_then.get(&of) {
-            note!("{task} {family} on {backend}: other scenes were timed than in the baseline; not compared");
-            continue;
-        }
-        for (now, then) in now.iter().zip(then) {
-            if now.min > then.max && now.median > 1.1 * then.median {
-                let times = now.median / then.median;
-                slower.push(format!(
-                    "slower: {task} {family} on {backend}: {:.2} ns/query, was {:.2} ({times:.2} times)",
-                    now.median, then.median
-                ));
-            }
-        }
-    }
-    slower
-}
-
-/// The timings of each scene, by task, family and backend.
-fn timings(run: &RunDir) -> BTreeMap<[&str; 3], Vec<Spread>> {
-    let spread = |scene: &Vec<&ThroughputRow>| Spread::of(scene.iter().map(|row| row.ns_per_query));
-    let scenes = run.timed_scenes().into_iter();
-    scenes.map(|(key, scenes)| (key, scenes.iter().filter_map(spread).collect())).collect()
-}
-
-/// The scenes of each task and family, by id.
-fn scenes(run: &RunDir) -> BTreeMap<[&str; 2], Vec<&str>> {
-    let mut scenes: BTreeMap<_, Vec<_>> = BTreeMap::new();
-    for scene in &run.plan.scenes {
-        scenes.entry([&*scene.task, &*scene.family]).or_default().push(&*scene.scene_id);
-    }
-    scenes
-}
-
-/// Refuses a baseline that says nothing about this run.
-fn comparable(run: &RunDir, baseline: &RunDir) -> Result<(), Failure> {
-    let before: BTreeSet<&str> = baseline.plan.scenes.iter().map(|scene| scene.scene_id.as_str()).collect();
-    let timed = || {
-        let then = timings(baseline);
-        timings(run).keys().any(|key| then.contains_key(key))
     };
-    if run.plan.scenes.iter().any(|scene| before.contains(scene.scene_id.as_str())) || timed() {
-        return Ok(());
+    if let Some(file) = &args.summary {
+        let (run, baseline, expected, unused) = (&run, baseline.as_ref(), &expected, &unused);
+        let text = Comment { run, baseline, worse: &worse, expected, unused, code }.text(LIMIT)?;
+        if file == Path::new("-") {
+            say_text!("{text}");
+        } else {
+            records::replace(file, text.as_bytes()).map_err(Failure::usage)?;
+        }
     }
-    Err(Failure::usage(format!(
-        "{}: the baseline has no scene of this run, so nothing can be compared; name a run of the same suites",
-        baseline.path.display()
-    )))
+    Ok(code)
 }
 
 /// Writes TOML that would turn the gate green once a person has given the reasons: an empty reason is refused.
 fn suggest(run: &RunDir, file: &Path) -> Result<(), Failure> {
-    let mut alike: BTreeMap<(&str, Vec<&str>), Vec<String>> = BTreeMap::new();
-    for row in run.summary.iter().filter(|row| row.status == Status::Unexpected) {
-        let found = |class: &Class| !class.is_legal() && row.count(*class) > 0;
-        let classes = Class::ALL.into_iter().filter(found).map(Class::name).collect();
-        let scene = globset::escape(&format!("{}/{}", row.suite, row.scene));
-        alike.entry((&row.backend, classes)).or_default().push(scene);
-    }
-    let quoted = |text: &str| toml::Value::String(text.to_owned()).to_string();
-    let list = |items: Vec<String>| format!("[{}]", items.join(", "));
-    let mut text = String::new();
-    for ((backend, classes), scenes) in alike {
-        let classes = list(classes.into_iter().map(quoted).collect());
-        let scenes: String = scenes.iter().map(|scene| format!("    {},\n", quoted(scene))).collect();
-        let (backend, level) = (quoted(backend), &run.plan.level);
-        text += &format!(
-            "[[expect]]\nbackend = {backend}\nclass = {classes}\nscene = [\n{scenes}]\nlevel = \"{level}\"\n\
-             reason = \"\" # say why\n\n"
-        );
-    }
+    let found = |row: &SummaryRow| {
+        let classes = Class::ALL.into_iter().filter(|class| !class.is_legal() && row.count(*class) > 0);
+        classes.collect()
+    };
+    let level = run.plan.level.to_string();
+    let entries = grouped(run, found).into_iter().map(|entry| entry.text(&level, None) + "\n");
+    let text: String = entries.collect();
     if file == Path::new("-") {
         say_text!("{text}");
         return Ok(());

@@ -1,19 +1,25 @@
 //! `run`: every selected scene through every backend, each answer judged.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
-use std::time::Duration;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use predicament_corpus::Level;
-use predicament_records::{self as records, NotSelected, Plan, PlannedScene, RunDir, RunWriter, Shard, SummaryRow};
+use predicament_engines::PREFIX;
+use predicament_records::{
+    self as records, Build, CostRow, Env, NotSelected, Plan, PlannedScene, RunDir, RunWriter, Shard, SummaryRow, Whole,
+    WorkPlan,
+};
 use predicament_tasks::{AnyCase, AnyTask, Budget, Class, Contestant, Stop, Watch};
 use rayon::prelude::*;
 
 use crate::exit::{self, Failure};
+use crate::expectations::Held;
 use crate::ledger::Ledger;
 use crate::out::program;
-use crate::planning::{budget, env_of, free_folder, plan, tables_of};
+use crate::planning::{budget, env, env_of, free_folder, plan, tables_of};
 use crate::select::{NOT_NAMED, Planned, Selection, Selector};
+use crate::stopwatch::{Cost, Stopwatch};
 use crate::tool::{Tool, engines};
 use crate::worker::Worker;
 use crate::{child, expectations, interrupt, progress};
@@ -25,6 +31,7 @@ Examples:
   predicament run families -f 'near.*orient3d' --level full
   predicament run mine.toml --expected mine-expected.toml --out out/mine
   predicament run --shard 2/4 --out out/part2       a quarter of the work; `merge` puts the parts together
+  predicament run --plan plan.json --shard 2/4 --out out/part2     the same, as `plan` has divided it
   predicament run mine.toml --answers               every answer of every backend, as CSV
   predicament run --resume out/part2                go on where it stopped
   predicament run mine.toml --shrink 2              the smallest scenes that show the first two findings of each class
@@ -40,9 +47,13 @@ pub struct Args {
     #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
     pub backends: Vec<String>,
 
-    /// Part k of n, by scene id
-    #[arg(long, value_name = "k/n", default_value = "1/1")]
-    pub shard: Shard,
+    /// Part k of n, by scene id or as the plan has it; all of it if left out
+    #[arg(long, value_name = "k/n")]
+    pub shard: Option<Shard>,
+
+    /// Do what a file of `plan` says, or the part of it that --shard names
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["suites", "filter", "level", "backends", "answers", "permutations"])]
+    pub plan: Option<PathBuf>,
 
     /// Threads; all cores if left out
     #[arg(long, value_name = "N")]
@@ -53,7 +64,7 @@ pub struct Args {
     pub out: Option<PathBuf>,
 
     /// Go on with an incomplete run; takes its selection from that run's plan
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "shard", "backends", "answers", "filter", "level"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "plan", "shard", "backends", "answers", "filter", "level"])]
     pub resume: Option<PathBuf>,
 
     /// Expected disagreements; those of the embedded corpora if left out
@@ -130,18 +141,19 @@ pub fn seconds(text: &str) -> Result<Duration, String> {
 pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     child::end_with_parent();
     set_threads(args.threads)?;
-    let expected = expectations::load(tool, args.expected.as_ref())?;
-    let Job { selection, mut scenes, backends, engines, mut ledger } = match &args.resume {
-        None => Job::new(&args, tool)?,
-        Some(folder) => Job::resume(&args, tool, folder)?,
+    let Held { expected, digest } = expectations::held(tool, args.expected.as_ref())?;
+    let Job { selection, mut scenes, backends, engines, permutations, mut ledger } = match (&args.resume, &args.plan) {
+        (Some(folder), _) => Job::resume(&args, tool, folder, &digest)?,
+        (None, Some(file)) => Job::planned(&args, tool, file, &digest)?,
+        (None, None) => Job::new(&args, tool, &digest)?,
     };
     interrupt::listen();
     let work: u64 = scenes.iter().map(|scene| scene.plan.queries * (backends.len() as u64 + 1)).sum();
     let bar = progress::bar(work, "answers");
     let told = |done: u64| bar.inc(done);
     let by_level = budget(selection.level);
-    let permutations = args.permutations.unwrap_or(by_level.permutations);
-    let budget = Budget { permutations, answers: ledger.answers, ..by_level };
+    let budget =
+        Budget { permutations: permutations.unwrap_or(by_level.permutations), answers: ledger.answers, ..by_level };
     let mut ended = records::Outcome::Complete;
     // Each scene is dropped before the next.
     'scenes: for planned in &mut scenes {
@@ -153,6 +165,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
             continue;
         }
         bar.set_message(scene.scene.clone());
+        let clock = Stopwatch::start();
         let loaded = planned.take(&selection)?;
         ledger.plan(&scene, &loaded)?;
         if left.is_empty() {
@@ -162,7 +175,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         let task = tool.task(loaded.task);
         let limit = args.limit(selection.level);
         let worker = Worker {
-            permutations: args.permutations,
+            permutations,
             threads: args.threads,
             cache: args.selector.cache.as_deref(),
             folder: ledger.folder.join(WORKER),
@@ -181,6 +194,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
             ended = records::Outcome::Interrupted;
             break 'scenes;
         };
+        ledger.cost(&scene, CostRow::TRUTH, clock.read())?;
         if let Some(dispute) = case.as_ref().and_then(|case| case.dispute()) {
             let message =
                 format!("{}/{}: {dispute}; fix the data before anything is compared", scene.suite, scene.scene);
@@ -194,14 +208,16 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         let mut side_by_side = case
             .as_deref()
             .filter(|_| selection.level == Level::Quick && args.timeout.is_none())
-            .map(|case| here.par_iter().map(|backend| judge(case, *backend)).collect::<Vec<_>>().into_iter());
+            .map(|case| together(&here, |backend| judge(case, backend)).into_iter());
         for backend in left {
             let Some(case) = case.as_deref().filter(|_| apart.iter().all(|other| other.name() != backend.name()))
             else {
+                let clock = Stopwatch::start();
                 let Some(found) = worker.run(tool, &backend.name())? else {
                     ended = records::Outcome::Interrupted;
                     break 'scenes;
                 };
+                ledger.cost(&scene, &backend.name(), clock.read().of_another())?;
                 ended = later(ended, &found.summary);
                 ledger.adopt(found, &scene, &backend.name(), &expected)?;
                 bar.inc(scene.queries);
@@ -211,9 +227,13 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
             if loaded.family == "pixel-map" {
                 ledger.draw(case, backend)?;
             }
-            let outcome = match &mut side_by_side {
+            let (outcome, cost) = match &mut side_by_side {
                 Some(outcomes) => outcomes.next().expect("one for each backend"),
-                None => judge(case, backend),
+                None => {
+                    let clock = Stopwatch::start();
+                    let outcome = judge(case, backend);
+                    (outcome, clock.read())
+                }
             };
             match outcome {
                 Err(Stop::Interrupted | Stop::Timeout) => {
@@ -221,6 +241,8 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
                     break 'scenes;
                 }
                 Ok(outcome) => {
+                    let cost = if backend.name().starts_with(PREFIX) { cost.of_another() } else { cost };
+                    ledger.cost(&scene, &backend.name(), cost)?;
                     let summary = ledger.record(&scene, &backend.name(), &outcome, &expected)?;
                     ended = later(ended, std::slice::from_ref(&summary));
                 }
@@ -237,6 +259,20 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         }
         _ => Ok(code),
     }
+}
+
+/// Does the same for each backend at once. Threads work for one or another as they are free, so of what all have cost together each has the
+/// share that its own clock says.
+fn together<T: Send>(backends: &[&dyn Contestant], each: impl Fn(&dyn Contestant) -> T + Sync) -> Vec<(T, Cost)> {
+    let clock = Stopwatch::start();
+    let timed = |backend: &&dyn Contestant| {
+        let start = Instant::now();
+        let done = each(*backend);
+        (done, start.elapsed())
+    };
+    let done: Vec<(T, Duration)> = backends.par_iter().map(timed).collect();
+    let (cost, whole) = (clock.read(), done.iter().map(|(_, time)| *time).sum());
+    done.into_iter().map(|(done, time)| (done, cost.share(time, whole))).collect()
 }
 
 /// How the run has ended so far, with these rows.
@@ -266,34 +302,82 @@ struct Job {
     backends: Vec<Box<dyn Contestant>>,
     /// The files of engines, by the backends' names.
     engines: BTreeMap<String, String>,
+    /// How much is spent on other orders of arguments, where it was named.
+    permutations: Option<usize>,
     ledger: Ledger,
 }
 
 impl Job {
-    fn new(args: &Args, tool: &Tool) -> Result<Job, Failure> {
+    /// What the command line selects.
+    fn new(args: &Args, tool: &Tool, expected: &str) -> Result<Job, Failure> {
         let backends = tool.pick(&args.backends)?;
         let selection = args.selector.select(tool)?;
-        let (scenes, whole) = selection.part(args.shard)?;
-        let engines = engines(&args.backends)?;
+        let shard = args.shard.unwrap_or(Shard::WHOLE);
+        let (scenes, whole) = selection.part(shard)?;
         let plan = Plan {
             answers: args.answers,
-            engines: engines.clone(),
+            permutations: args.permutations.map(|most| most as u64),
+            engines: engines(&args.backends)?,
             left_out: tool.left_out(&args.backends),
-            whole,
-            ..plan(&selection, &scenes, &backends, args.shard)
+            whole: whole.map(|whole| Whole { expected: Some(expected.to_owned()), ..whole }),
+            ..plan(&selection, &scenes, &backends, shard)
         };
-        let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-run"));
-        let writer =
-            RunWriter::create(&folder, &plan, &env_of(&backends), &tables_of(tool, &plan)).map_err(Failure::usage)?;
         tell_not_selected(&selection.not_selected, "run");
-        let (level, answers) = (selection.level, args.answers);
-        let (done, precision, wholes) = (Vec::new(), Vec::new(), BTreeMap::new());
-        let (places, left_out) = (places(&plan), plan.left_out);
-        let ledger = Ledger { level, answers, wholes, done, precision, left_out, places, folder, writer };
-        Ok(Job { selection, scenes, backends, engines, ledger })
+        Job::start(args, tool, (selection, scenes, backends), plan, None)
     }
 
-    fn resume(args: &Args, tool: &Tool, folder: &PathBuf) -> Result<Job, Failure> {
+    /// What a plan of work says, or a part of it.
+    fn planned(args: &Args, tool: &Tool, file: &Path, expected: &str) -> Result<Job, Failure> {
+        let work = WorkPlan::read(file).map_err(Failure::usage)?;
+        let refuse = |why: String| Failure::usage(format!("{}: {why}", file.display()));
+        let build = Build::of(&env());
+        if work.build != build {
+            let (planned, this) = (work.build.describe(), build.describe());
+            return Err(refuse(format!("it was made by another build of the tool, {planned}; this is {this}")));
+        }
+        if work.expected != expected {
+            return Err(refuse(
+                "it was made for other expectations; give the same --expected, or make it anew".to_owned(),
+            ));
+        }
+        let plan = work.part(args.shard).map_err(refuse)?;
+        let level: Level = plan.level.to_string().parse().map_err(Failure::usage)?;
+        let selector = Selector { suites: plan.arguments(), level, ..args.selector.clone() };
+        let selection = selector.select(tool)?;
+        let scenes = selection.of_plan(&plan.scenes, |scene| {
+            refuse(format!(
+                "scene {}/{} has changed since the plan was made, or is gone; make the plan anew",
+                scene.suite, scene.scene
+            ))
+        })?;
+        if let Some((suite, _)) = plan.hashes.iter().find(|(suite, hash)| selection.hashes().get(*suite) != Some(hash))
+        {
+            return Err(refuse(format!("the file of the suite `{suite}` has changed since; make the plan anew")));
+        }
+        let backends = tool.pick_planned(&plan)?;
+        Job::start(args, tool, (selection, scenes, backends), plan, Some(work.hash))
+    }
+
+    /// Makes the folder.
+    fn start(
+        args: &Args,
+        tool: &Tool,
+        (selection, scenes, backends): (Selection, Vec<Planned>, Vec<Box<dyn Contestant>>),
+        plan: Plan,
+        work: Option<String>,
+    ) -> Result<Job, Failure> {
+        let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-run"));
+        let env = Env { plan: work, ..env_of(&backends) };
+        let writer = RunWriter::create(&folder, &plan, &env, &tables_of(tool, &plan)).map_err(Failure::usage)?;
+        let (level, answers, permutations) = (selection.level, plan.answers, permutations(&plan));
+        let (done, precision, wholes) = (Vec::new(), Vec::new(), BTreeMap::new());
+        let (places, left_out, engines) = (places(&plan), plan.left_out, plan.engines);
+        let ledger = Ledger { level, answers, wholes, done, precision, left_out, places, folder, writer };
+        Ok(Job { selection, scenes, backends, engines, permutations, ledger })
+    }
+
+    /// What is left of a run that has not come to its end.
+    fn resume(args: &Args, tool: &Tool, folder: &PathBuf, expected: &str) -> Result<Job, Failure> {
         let before = RunDir::open(folder).map_err(Failure::usage)?;
         let plan = &before.plan;
         if plan.timed {
@@ -303,6 +387,11 @@ impl Job {
             );
             return Err(Failure::usage(message));
         }
+        if plan.whole.as_ref().and_then(|whole| whole.expected.as_ref()).is_some_and(|hash| hash != expected) {
+            let message =
+                "it was begun with other expectations, and its rows would not agree; give the same --expected";
+            return Err(Failure::usage(format!("{}: {message}", folder.display())));
+        }
         let level: Level = plan.level.to_string().parse().map_err(Failure::usage)?;
         let selector = Selector { level, ..args.selector.clone() };
         let selector =
@@ -310,26 +399,30 @@ impl Job {
         let selection = selector.select(tool)?;
         let (backends, engines) = (tool.pick_planned(plan)?, plan.engines.clone());
         // The filter of the first call isn't needed: the plan lists its scenes.
-        let (mut scenes, _) = selection.part(plan.shard)?;
-        scenes.retain(|scene| plan.scenes.contains(&scene.plan));
-        if let Some(lost) = plan.scenes.iter().find(|planned| scenes.iter().all(|scene| scene.plan != **planned)) {
-            return Err(Failure::usage(format!(
+        let scenes = selection.of_plan(&plan.scenes, |lost| {
+            Failure::usage(format!(
                 "{}: scene {}/{} has changed since the run was planned; start a new run",
                 folder.display(),
                 lost.suite,
                 lost.scene
-            )));
-        }
+            ))
+        })?;
+        let permutations = args.permutations.or(permutations(plan));
         let (answers, left_out, places) = (plan.answers, plan.left_out.clone(), places(plan));
         let (writer, before) = RunWriter::resume(folder, &tables_of(tool, plan)).map_err(Failure::usage)?;
         // What a run that was killed has left of its worker.
         let _ = std::fs::remove_dir_all(folder.join(WORKER));
         let RunDir { summary, precision, .. } = before;
         let (done, precision) = (summary.into(), precision.into());
-        let (folder, wholes) = (folder.clone(), BTreeMap::new());
+        let (folder, wholes, level) = (folder.clone(), BTreeMap::new(), selection.level);
         let ledger = Ledger { level, answers, wholes, done, precision, left_out, places, folder, writer };
-        Ok(Job { selection, scenes, backends, engines, ledger })
+        Ok(Job { selection, scenes, backends, engines, permutations, ledger })
     }
+}
+
+/// How much a plan spends on other orders of arguments, where it says so.
+fn permutations(plan: &Plan) -> Option<usize> {
+    plan.permutations.map(|most| usize::try_from(most).unwrap_or(usize::MAX))
 }
 
 /// The places of a part's scenes in the whole.

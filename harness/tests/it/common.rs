@@ -42,10 +42,11 @@ pub fn at(folder: &tempfile::TempDir, name: &str) -> String {
     folder.path().join(name).display().to_string()
 }
 
-/// The tables of a folder by name, but for times: they are the same whatever the threads.
+/// The tables of a folder by name, but for those of times: they are the same whatever the threads.
 pub fn tables(folder: &str) -> Vec<(String, String)> {
     let names = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let mut names: Vec<String> = names.filter(|name| name.ends_with(".csv") && name != "throughput.csv").collect();
+    let mut names: Vec<String> =
+        names.filter(|name| name.ends_with(".csv") && name != "throughput.csv" && name != "costs.csv").collect();
     names.sort();
     names.into_iter().map(|name| (name.clone(), read(folder, &name))).collect()
 }

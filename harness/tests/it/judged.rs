@@ -59,12 +59,12 @@ fn a_scene_that_became_slower_is_seen_beside_a_slow_one() {
     assert!(refused.stderr.contains("a bench can't be resumed"), "{}", refused.stderr);
     let (then, same, now) =
         (bench("then", &suite, [2, 90]), bench("same", &suite, [2, 80]), bench("now", &suite, [20, 90]));
-    expect(0, &["gate", &same, "--baseline", &then]);
-    let slower = expect(102, &["gate", &now, "--baseline", &then]);
+    expect(0, &["gate", &same, "--baseline", &then, "--time"]);
+    let slower = expect(102, &["gate", &now, "--baseline", &then, "--time"]);
     let said = "slower: orient2d uniform on exact: 20.50 ns/query, was 2.50 (8.20 times)";
     assert!(slower.stdout.contains(said), "{}", slower.stdout);
     // Of other scenes nothing is said.
     let other = write(&folder, "other.toml", &format!("title = \"Other\"\n{}{}", scene(10), scene(30)));
-    let other = expect(0, &["gate", &bench("other", &other, [20, 90]), "--baseline", &then]);
+    let other = expect(0, &["gate", &bench("other", &other, [20, 90]), "--baseline", &then, "--time"]);
     assert!(other.stderr.contains("other scenes were timed than in the baseline; not compared"), "{}", other.stderr);
 }

@@ -8,6 +8,8 @@ mod conformance;
 mod data;
 mod diff;
 mod engines;
+mod expect;
+mod gate_summary;
 mod habits;
 mod isolation;
 mod judged;
@@ -24,6 +26,7 @@ mod paths;
 #[cfg(feature = "peers")]
 mod peers;
 mod pictures;
+mod plan;
 mod resolve;
 mod runs;
 mod show;

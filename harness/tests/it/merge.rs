@@ -29,15 +29,15 @@ fn merge(parts: &[String], out: &str, code: i32) -> String {
     format!("{}{}", done.stdout, done.stderr)
 }
 
-/// All files of a folder but that which says where it was made.
-fn files(folder: &Path) -> BTreeSet<(String, Vec<u8>)> {
+/// All files of a folder but those that say where it was made, and how long it took.
+pub fn files(folder: &Path) -> BTreeSet<(String, Vec<u8>)> {
     let mut all = BTreeSet::new();
     let mut left = vec![folder.to_owned()];
     while let Some(here) = left.pop() {
         for entry in std::fs::read_dir(here).unwrap().map(|entry| entry.unwrap().path()) {
             if entry.is_dir() {
                 left.push(entry);
-            } else if entry.file_name().is_some_and(|name| name != "env.json") {
+            } else if entry.file_name().is_some_and(|name| name != "env.json" && name != "costs.csv") {
                 let name = entry.strip_prefix(folder).unwrap().display().to_string();
                 all.insert((name, std::fs::read(&entry).unwrap()));
             }

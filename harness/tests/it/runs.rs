@@ -327,10 +327,23 @@ fn a_baseline_catches_what_has_become_slower() {
         assert!(made_up.lines().count() > 1 && times.lines().next().unwrap().ends_with("ns_per_query"), "{times}");
         rewrite(out, "throughput.csv", &made_up);
     }
-    let told = expect(102, &["gate", &slow, "--baseline", &fast]);
+    let told = expect(102, &["gate", &slow, "--baseline", &fast, "--time"]);
     assert!(told.stdout.contains("on exact: 1.20 ns/query, was 1.00 (1.20 times)"), "{}", told.stdout);
-    expect(0, &["gate", &fast, "--baseline", &slow]);
-    expect(0, &["gate", &slow, "--baseline", &slow]);
+    expect(0, &["gate", &fast, "--baseline", &slow, "--time"]);
+    expect(0, &["gate", &slow, "--baseline", &slow, "--time"]);
+    // Within the threshold, or where nobody asks, times are no error.
+    expect(0, &["gate", &slow, "--baseline", &fast, "--time", "25"]);
+    let told = expect(0, &["gate", &slow, "--baseline", &fast]).stdout;
+    assert!(told.contains("times were not judged: nobody asked: `--time` does"), "{told}");
+    expect(2, &["gate", &slow, "--time"]);
+    expect(2, &["gate", &slow, "--baseline", &fast, "--time", "-3"]);
+    // Nor are those of another machine.
+    let env = read(&fast, "env.json");
+    let other = env.replace(&format!("\"os\": \"{} ", std::env::consts::OS), "\"os\": \"other ");
+    assert_ne!(env, other);
+    std::fs::write(std::path::Path::new(&fast).join("env.json"), &other).unwrap();
+    let told = expect(0, &["gate", &slow, "--baseline", &fast, "--time"]).stdout;
+    assert!(told.contains("times were not judged: it was another machine") && told.contains("system: `"), "{told}");
 }
 
 #[test]

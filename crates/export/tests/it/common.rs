@@ -76,6 +76,7 @@ pub fn plan() -> Plan {
         hashes: [].into(),
         engines: [].into(),
         answers: false,
+        permutations: None,
         timed: true,
         scenes: vec![scene("a"), scene("b")],
         backends: vec!["exact".to_owned(), "naive".to_owned()],

@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use super::costs::CostRow;
 use super::csv_file::header_length;
 use super::segments::{Piece, SegmentRow, pieces};
 use super::state::State;
@@ -33,6 +34,7 @@ struct Part {
     pieces: BTreeMap<(u64, String), Vec<Piece>>,
     /// Its tables, whole.
     tables: BTreeMap<String, Vec<u8>>,
+    costs: Vec<CostRow>,
 }
 
 /// Puts the parts of a run into a new folder: those that `run --shard k/N` has left. `tables` are those of a run besides the ones
@@ -70,6 +72,11 @@ pub fn merge(
         }
         writer.commit()?;
     }
+    for (place, part) in &parts {
+        let Some(scene) = usize::try_from(*place).ok().and_then(|place| plan.scenes.get(place)) else { continue };
+        let is_its = |row: &&CostRow| [&row.suite, &row.scene] == [&scene.suite, &scene.scene];
+        writer.cost(&part.costs.iter().filter(is_its).cloned().collect::<Vec<_>>())?;
+    }
     for part in parts.values() {
         for (name, png) in &part.run.maps {
             writer.add_map(name, png)?;
@@ -94,7 +101,8 @@ impl Part {
         let lengths = tables.iter().map(|(file, bytes)| (file.clone(), bytes.len() as u64)).collect();
         let pieces = pieces(&rows, &headers, &lengths)
             .map_err(|message| Error::new(&run.path.join(SegmentRow::FILE), message))?;
-        Ok(Part { run, pieces, tables })
+        let costs = CostRow::read(&run.path)?;
+        Ok(Part { run, pieces, tables, costs })
     }
 }
 
@@ -158,6 +166,11 @@ fn whole(runs: &[RunDir]) -> Result<Plan, NotMerged> {
 /// What distinguishes the plans of two parts, but for which part each is; none if nothing does.
 fn difference(one: &Plan, other: &Plan) -> Option<String> {
     let digest = |plan: &Plan| plan.whole.as_ref().map(|whole| whole.digest.clone()).unwrap_or_default();
+    let expected = |plan: &Plan| plan.whole.as_ref().and_then(|whole| whole.expected.clone());
+    let work = |plan: &Plan| match plan.whole.as_ref().and_then(|whole| whole.plan.as_ref()) {
+        Some(hash) => format!("made by the plan {}", hash.get(..12).unwrap_or(hash)),
+        None => "made without a plan".to_owned(),
+    };
     let backends = |plan: &Plan| plan.backends.join(", ");
     if one.shard.count() != other.shard.count() {
         Some(format!("{} parts and not {}", other.shard.count(), one.shard.count()))
@@ -169,6 +182,10 @@ fn difference(one: &Plan, other: &Plan) -> Option<String> {
         Some(format!("suites {} and not {}", other.suites.join(", "), one.suites.join(", ")))
     } else if digest(one) != digest(other) {
         Some("other scenes, or other contents of the same".to_owned())
+    } else if work(one) != work(other) {
+        Some(format!("{} and not {}", work(other), work(one)))
+    } else if expected(one) != expected(other) {
+        Some("held against other expectations".to_owned())
     } else {
         let rest = |plan: &Plan| Plan {
             scenes: Vec::new(),

@@ -7,6 +7,7 @@
 //! summary.csv findings.csv throughput.csv stages.csv precision.csv
 //! *.csv            tables of single tasks, such as contacts.csv
 //! segments.csv     in a part of a run: which bytes of the tables are of which scene
+//! costs.csv        how long each scene took on each backend; `state.json` does not know it
 //! maps/*.png       pictures for the report, if any
 //! run.lock         locked by the process that writes the folder
 //! ```
@@ -15,6 +16,7 @@
 //!
 //! The folder says that the run is incomplete until somebody says otherwise.
 
+mod costs;
 mod csv_file;
 mod lined;
 mod lock;
@@ -27,6 +29,7 @@ mod stream;
 mod tables;
 mod writer;
 
+pub use costs::CostRow;
 pub use lined::Lined;
 pub use merge::{NotMerged, merge};
 pub use reader::{NotRun, RunDir};

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
 
+use super::costs::CostRow;
 use super::csv_file::{self, Extent};
 use super::once::Pair;
 use super::state::{Outcome, State};
@@ -221,6 +222,8 @@ fn read_others(
     if let Some(strange) = files.iter().find(|file| file.contains(['/', '\\'])) {
         return Err(Error::new(folder, format!("state.json names `{strange}`, which is no table of the folder")));
     }
+    // Times are read by whoever asks for them: `CostRow::read`.
+    files.remove(CostRow::FILE);
     let mut tables = BTreeMap::new();
     for file in files.into_iter().filter(|file| TABLES.iter().all(|table| table.file != file)) {
         let text = read_text(folder, &file, state, warnings)?;

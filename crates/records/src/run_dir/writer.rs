@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
+use super::costs::{CostLog, CostRow};
 use super::csv_file::CsvFile;
 use super::lock::Lock;
 use super::segments::SegmentRow;
@@ -24,6 +25,7 @@ pub struct RunWriter {
     folder: PathBuf,
     tables: BTreeMap<&'static str, CsvFile>,
     state: State,
+    costs: CostLog,
     /// Held as long as the folder is written.
     _lock: Lock,
 }
@@ -52,7 +54,7 @@ impl RunWriter {
             tables.insert(file, CsvFile::create(folder.join(file), columns)?);
         }
         let state = State { outcome: Outcome::Unfinished, committed: BTreeMap::new(), digests: BTreeMap::new() };
-        let mut writer = RunWriter { folder: folder.to_owned(), tables, state, _lock: lock };
+        let mut writer = RunWriter { folder: folder.to_owned(), tables, state, costs: CostLog::default(), _lock: lock };
         writer.commit()?;
         Ok(writer)
     }
@@ -86,7 +88,7 @@ impl RunWriter {
         }
         state.outcome = Outcome::Unfinished;
         state.digests.clear();
-        let mut writer = RunWriter { folder: folder.to_owned(), tables, state, _lock: lock };
+        let mut writer = RunWriter { folder: folder.to_owned(), tables, state, costs: CostLog::default(), _lock: lock };
         // New tables get their header, and the state is told of them.
         writer.commit()?;
         let done = RunDir::open(folder)?;
@@ -146,6 +148,14 @@ impl RunWriter {
             self.tables.insert(SegmentRow::FILE, segments);
         }
         self.commit()
+    }
+
+    /// Notes what a scene has cost. It is in no commit: a run that was killed may have noted a scene twice, and the last note counts.
+    ///
+    /// # Errors
+    /// If the disk refuses.
+    pub fn cost(&mut self, rows: &[CostRow]) -> Result<(), Error> {
+        if rows.is_empty() { Ok(()) } else { self.costs.append(&self.folder, rows) }
     }
 
     /// Appends rows of a table as they were written.

@@ -59,6 +59,7 @@ fn plan() -> Plan {
         hashes: [(scene("").suite, "0f1e".to_owned())].into(),
         engines: [("engine:mine".to_owned(), "far/engine.toml".to_owned())].into(),
         answers: true,
+        permutations: Some(7),
         timed: false,
         paths: [(scene("").suite, "far/near.toml".to_owned())].into(),
         scenes: vec![scene("one"), scene("two")],

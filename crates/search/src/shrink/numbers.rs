@@ -116,7 +116,7 @@ fn translate(search: &mut Search<'_>) -> Result<(), End> {
     for origin in [first, least] {
         // By axis, as often only one of them has an offset, and all together.
         let count = origin.len();
-        for axes in (0..count).map(|axis| axis..axis + 1).chain([0..count]) {
+        for axes in (0..count).map(|axis| axis..axis + 1).chain(std::iter::once(0..count)) {
             let mut exact = true;
             let moved = mapped(&search.best, |axis, x| match origin.get(axis) {
                 Some(&o) if axes.contains(&axis) => {

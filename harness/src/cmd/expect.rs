@@ -1,0 +1,190 @@
+//! `expect`: the file of expectations brought to what a run has found, its comments and order kept.
+
+use std::path::{Path, PathBuf};
+
+use globset::GlobMatcher;
+use predicament_oracle::expect::Expectations;
+use predicament_records::{self as records, RunDir, Status, SummaryRow};
+use predicament_tasks::Class;
+
+use crate::exit::{self, Failure};
+use crate::expect_file::{Edits, Told, grouped, prune, update};
+use crate::expectations;
+use crate::tool::Tool;
+
+const EXAMPLES: &str = "\
+`update` makes what nobody expected expected, with a reason that is yours: read the findings first. `prune`
+takes out what no scene of the run shows any more, and what no scene or backend has the name of; what the run
+has not put to the test stays. Both leave comments and order as they are. An entry without a level is about
+both, and one run decides: give `prune` a run at the level that you gate.
+
+Examples:
+  predicament expect update out/run --expected mine.toml --reason 'differences are rounded' --dry-run
+  predicament expect update out/run --expected mine.toml --reason 'differences are rounded'
+  predicament expect prune out/run --expected mine.toml --dry-run";
+
+/// Bring expectations to what a run has found
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    #[command(subcommand)]
+    chore: Chore,
+}
+
+#[derive(clap::Subcommand)]
+enum Chore {
+    /// Add what was found and not expected
+    #[command(after_help = EXAMPLES)]
+    Update {
+        #[command(flatten)]
+        of: Of,
+
+        /// Why it is to be expected; ends up in the file, and may not be empty
+        #[arg(long, value_name = "TEXT")]
+        reason: String,
+    },
+    /// Take out what no scene shows any more
+    #[command(after_help = EXAMPLES)]
+    Prune {
+        #[command(flatten)]
+        of: Of,
+    },
+}
+
+#[derive(clap::Args)]
+struct Of {
+    /// A folder written by `run` or `merge`
+    run: PathBuf,
+
+    /// The file to edit; corpora/expected.toml of the repository that the tool was built from if left out
+    #[arg(long, value_name = "FILE")]
+    expected: Option<PathBuf>,
+
+    /// Print the difference, and leave the file alone
+    #[arg(long)]
+    dry_run: bool,
+}
+
+/// Where the shipped expectations are in the repository.
+const SHIPPED: &str = "corpora/expected.toml";
+
+/// The file, its text, and all that rows are held against.
+struct Held {
+    file: PathBuf,
+    text: String,
+    expected: Expectations,
+}
+
+/// Runs the command.
+pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
+    match &args.chore {
+        Chore::Update { of, reason } => {
+            if reason.trim().is_empty() {
+                return Err(Failure::usage("--reason is empty; say why this is to be expected"));
+            }
+            let held = held(of, tool, true)?;
+            let run = judged(of, &held)?;
+            let level = run.plan.level.to_string();
+            let missing = |row: &SummaryRow| {
+                let known: Vec<Class> = held
+                    .expected
+                    .matching(&row.suite, &row.scene, &row.backend, &level)
+                    .map(|entry| entry.class)
+                    .collect();
+                let found = |class: &Class| !class.is_legal() && row.count(*class) > 0 && !known.contains(class);
+                Class::ALL.into_iter().filter(found).collect()
+            };
+            let entries = grouped(&run, missing);
+            let edits = update(&held.file.display().to_string(), &held.text, &entries, &level, reason.trim())?;
+            let rows = run.summary.iter().filter(|row| row.status == Status::Unexpected).count();
+            finish(of, &held, &edits, &format!("{rows} rows are expected from now on"))
+        }
+        Chore::Prune { of } => {
+            let held = held(of, tool, false)?;
+            let run = judged(of, &held)?;
+            let known = expectations::scenes(tool, &run.plan)?;
+            let told = |glob: &GlobMatcher, backend: &str, class: &str| told(&run, &known, tool, glob, backend, class);
+            let level = run.plan.level.to_string();
+            let pruned = prune(&held.file.display().to_string(), &held.text, &level, told)?;
+            pruned.partly.iter().for_each(|line| say!("{line}"));
+            let count = pruned.gone;
+            finish(
+                of,
+                &held,
+                &pruned.edits,
+                &format!("{count} expectations of a scene, backend and class are taken out"),
+            )
+        }
+    }
+}
+
+/// The file that is edited, and what it says together with what it adds to.
+fn held(of: &Of, tool: &Tool, may_begin: bool) -> Result<Held, Failure> {
+    let file = match (&of.expected, &tool.expected) {
+        (Some(file), _) | (None, Some(file)) => file.clone(),
+        (None, None) => {
+            let shipped = tool.library()?.companion("expected.toml")?.map(|(_, text)| text);
+            let here = std::fs::read_to_string(SHIPPED).ok();
+            if here.is_none() || here != shipped {
+                return Err(Failure::usage(format!(
+                    "{SHIPPED} is not here, or not what the tool was built with; name the file with --expected"
+                )));
+            }
+            PathBuf::from(SHIPPED)
+        }
+    };
+    if may_begin && of.expected.is_some() && !file.exists() {
+        return Ok(Held { file, text: String::new(), expected: Expectations::default() });
+    }
+    let text = expectations::text(&file)?;
+    let expected = expectations::load(tool, of.expected.as_ref())?;
+    Ok(Held { file, text, expected })
+}
+
+/// The run, each row with the status that the file gives it now.
+fn judged(of: &Of, held: &Held) -> Result<RunDir, Failure> {
+    let mut run = RunDir::open(&of.run).map_err(Failure::usage)?;
+    if !run.is_complete() {
+        let message = format!("{}: the run is {}; complete it first", of.run.display(), run.outcome.describe());
+        return Err(Failure { message, code: exit::INCOMPLETE });
+    }
+    expectations::hold(&held.expected, &mut run);
+    Ok(run)
+}
+
+/// What a run says of a pattern, backend and class.
+fn told(run: &RunDir, known: &[(String, String)], tool: &Tool, glob: &GlobMatcher, backend: &str, class: &str) -> Told {
+    let matches = |suite: &str, scene: &str| glob.is_match(scene) || glob.is_match(format!("{suite}/{scene}"));
+    let is_planned = run.plan.backends.iter().any(|planned| planned == backend);
+    if (!is_planned && !tool.knows_backend(backend)) || !known.iter().any(|(suite, scene)| matches(suite, scene)) {
+        return Told::Gone;
+    }
+    let Ok(class) = class.parse::<Class>() else { return Told::Kept };
+    let rows = run.summary.iter().filter(|row| row.backend == backend && matches(&row.suite, &row.scene));
+    let (shown, not): (Vec<&SummaryRow>, Vec<&SummaryRow>) = rows.partition(|row| row.count(class) > 0);
+    match (shown.is_empty(), not.is_empty()) {
+        (true, false) => Told::Gone,
+        (false, false) => Told::Partly,
+        (_, true) => Told::Kept,
+    }
+}
+
+/// Writes the file, or prints the difference.
+fn finish(of: &Of, held: &Held, edits: &Edits, what: &str) -> exit::Outcome {
+    let name = held.file.display().to_string();
+    if edits.is_empty() {
+        say!("{name}: nothing to change");
+        return Ok(exit::OK);
+    }
+    let made = edits.apply(&held.text);
+    Expectations::parse(Path::new(&name), &made).map_err(|error| {
+        Failure::usage(format!("nothing was written, as the result is no file of expectations: {error}"))
+    })?;
+    if of.dry_run {
+        say_text!("{}", edits.patch(&name, &held.text));
+    } else {
+        records::replace(&held.file, made.as_bytes()).map_err(Failure::usage)?;
+        say!("{name}: {what}");
+    }
+    Ok(exit::OK)
+}

@@ -1,0 +1,257 @@
+//! A verdict as Markdown, short enough for a comment on a pull request.
+//!
+//! The verdict comes first. What a run or an engine has said stands in code spans, where it can neither be a heading nor call anybody.
+
+use std::collections::BTreeSet;
+
+use predicament_oracle::expect::{Expectations, Unused};
+use predicament_records::format::thousands;
+use predicament_records::{FindingRow, RunDir, Status};
+use predicament_report::{Block, Section, against, section_markdown};
+
+use crate::baseline::Worse;
+use crate::exit::{self, Failure};
+use crate::ledger::describe;
+use crate::out::program;
+
+/// The most characters that the services take in a comment.
+pub const LIMIT: usize = 65_536;
+/// How many findings are shown, each of another scene, backend or class.
+const FIRST: usize = 10;
+/// How many lines of one kind are shown before the rest is counted.
+const LINES: usize = 50;
+/// The most characters of what a run has said.
+const LONGEST: usize = 200;
+
+/// What the gate has found out.
+pub struct Comment<'a> {
+    /// The run, whose rows have the status that counts.
+    pub run: &'a RunDir,
+    /// The earlier run, if there is one.
+    pub baseline: Option<&'a RunDir>,
+    /// What is worse than there.
+    pub worse: &'a Worse,
+    /// What was expected.
+    pub expected: &'a Expectations,
+    /// Expectations that nothing can meet.
+    pub unused: &'a Unused,
+    /// The code that the gate leaves with.
+    pub code: u8,
+}
+
+impl Comment<'_> {
+    /// The text, of no more than `limit` bytes.
+    ///
+    /// # Errors
+    /// If a section can't be printed.
+    pub fn text(&self, limit: usize) -> Result<String, Failure> {
+        let mut text = Bounded::new(limit);
+        text.line(&format!("## Gate: {}", self.verdict()));
+        text.line("");
+        self.counts(&mut text);
+        let failed = self.run.summary.iter().filter(|row| !row.status.passes()).map(describe);
+        text.list("Not as expected", failed);
+        text.list("Worse than the baseline", self.worse.findings.iter().chain(&self.worse.timings).cloned());
+        let not_run = self.run.not_run().into_iter();
+        text.list("Not run", not_run.map(|pair| format!("{}/{} on {}", pair.suite, pair.scene, pair.backend)));
+        text.list("Expectations that nothing can meet", self.unused.never.iter().cloned());
+        self.findings(&mut text);
+        if let Some(Err(why)) = &self.worse.times {
+            text.line(&format!("\nTimes were not judged: {}.", code(why)));
+        }
+        if let Some(baseline) = self.baseline {
+            let section = against(std::slice::from_ref(self.run), std::slice::from_ref(baseline));
+            let section = section.map_err(Failure::usage)?;
+            let blocks = section.blocks.into_iter().filter(|block| !matches!(block, Block::Plot { .. })).collect();
+            let section = Section { lead: String::new(), blocks, ..section };
+            text.line("\n### Beside the baseline");
+            text.line("");
+            section_markdown(&section).map_err(Failure::usage)?.trim().lines().for_each(|line| text.line(line));
+        }
+        Ok(text.finish())
+    }
+
+    fn verdict(&self) -> String {
+        let why = match self.code {
+            exit::OK => return "passed".to_owned(),
+            exit::UNEXPECTED if self.count(Status::Unexpected) > 0 => "findings that nobody expected",
+            exit::UNEXPECTED => "more findings than in the baseline",
+            exit::UNEXPECTED_PASS => "what was expected did not occur",
+            exit::INCOMPLETE => "the run is incomplete",
+            exit::SLOWER => "slower than the baseline",
+            _ => "not passed",
+        };
+        format!("failed, {why} (code {})", self.code)
+    }
+
+    fn count(&self, status: Status) -> usize {
+        self.run.summary.iter().filter(|row| row.status == status).count()
+    }
+
+    fn counts(&self, text: &mut Bounded) {
+        let times = self.worse.timings.len();
+        let columns = [
+            ("scenes", self.run.plan.scenes.len()),
+            ("backends", self.run.plan.backends.len()),
+            ("ok", self.count(Status::Ok)),
+            ("expected", self.count(Status::Expected)),
+            ("unexpected", self.count(Status::Unexpected)),
+            ("unexpected pass", self.count(Status::UnexpectedPass)),
+            ("never true", self.unused.never.len()),
+            ("not run", self.run.not_run().len()),
+            ("worse", self.worse.findings.len()),
+            ("slower", times),
+        ];
+        let row = |cells: Vec<String>| format!("| {} |", cells.join(" | "));
+        text.line(&row(columns.iter().map(|(name, _)| (*name).to_owned()).collect()));
+        text.line(&row(columns.iter().map(|_| "---:".to_owned()).collect()));
+        text.line(&row(columns.iter().map(|(_, count)| thousands(*count as u64)).collect()));
+        let outcome = self.run.outcome.describe();
+        text.line(&format!("\nLevel {}, {outcome}; run {}.", self.run.plan.level, code(&self.folder())));
+    }
+
+    fn folder(&self) -> String {
+        self.run.path.display().to_string()
+    }
+
+    /// The first findings of each class, scene and backend that make the gate red, with what to type next.
+    fn findings(&self, text: &mut Bounded) {
+        let mut seen = BTreeSet::new();
+        let red = self.run.findings.iter().filter(|finding| self.is_red(finding));
+        let shown: Vec<&FindingRow> =
+            red.filter(|of| seen.insert((&of.scene_id, &of.backend, of.class))).take(FIRST).collect();
+        if shown.is_empty() {
+            return;
+        }
+        text.line("\n### First findings");
+        text.line("");
+        let (program, run) = (program(), word(&self.folder()));
+        for of in shown {
+            let truth = if of.truth.is_empty() { String::new() } else { format!(", truth {}", code(&of.truth)) };
+            let query = if of.query.is_empty() { String::new() } else { format!(", {}", code(&of.query)) };
+            text.line(&format!(
+                "* {} on {}: **{}** ({}){query}: got {}{truth}<br>{}<br>{}",
+                code(&format!("{}/{}", of.suite, of.scene)),
+                code(&of.backend),
+                of.class.name().replace('_', "\\_"),
+                code(&of.check),
+                code(&of.got),
+                code(&format!("{program} replay {} --run {run}", of.finding_id)),
+                code(&format!("{program} shrink {} --run {run}", of.finding_id)),
+            ));
+        }
+    }
+
+    /// Whether a finding is one that nobody expected, or of a row that has become worse.
+    fn is_red(&self, finding: &FindingRow) -> bool {
+        let FindingRow { suite, scene, backend, class, .. } = finding;
+        let level = self.run.plan.level.to_string();
+        let is_expected = self.expected.matching(suite, scene, backend, &level).any(|entry| entry.class == *class);
+        let place = format!(": {suite}/{scene} on {backend}: ");
+        !is_expected || self.worse.findings.iter().any(|line| line.contains(&place) && line.contains(class.name()))
+    }
+}
+
+/// A code span of what somebody else has said, on one line and not too long.
+fn code(text: &str) -> String {
+    let mut span: String = text.chars().take(LONGEST).map(plain).collect();
+    if text.chars().nth(LONGEST).is_some() {
+        span.push('…');
+    }
+    format!("`{}`", if span.trim().is_empty() { "-" } else { span.trim() })
+}
+
+/// A character that cannot end a code span or a line.
+fn plain(c: char) -> char {
+    match c {
+        '`' => '\'',
+        c if c.is_control() => ' ',
+        c => c,
+    }
+}
+
+/// A word of a shell's command line.
+fn word(text: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "/._-+=:,@%".contains(c);
+    if !text.is_empty() && text.chars().all(is_plain) {
+        text.to_owned()
+    } else {
+        format!("'{}'", text.replace('\'', r"'\''"))
+    }
+}
+
+/// A text that takes whole lines up to a limit, and counts the others.
+struct Bounded {
+    text: String,
+    limit: usize,
+    left_out: u64,
+}
+
+impl Bounded {
+    /// What the last line takes.
+    const LAST: usize = 120;
+
+    fn new(limit: usize) -> Bounded {
+        Bounded { text: String::new(), limit, left_out: 0 }
+    }
+
+    fn line(&mut self, line: &str) {
+        // After the first line that does not fit there are no more: the text is a beginning.
+        if self.left_out > 0 || self.text.len() + line.len() + 1 + Bounded::LAST > self.limit {
+            self.left_out += 1;
+        } else {
+            self.text += line;
+            self.text.push('\n');
+        }
+    }
+
+    /// A section with an item a line, if there are any.
+    fn list(&mut self, title: &str, items: impl Iterator<Item = String>) {
+        let items: Vec<String> = items.collect();
+        if items.is_empty() {
+            return;
+        }
+        self.line(&format!("\n### {title}"));
+        self.line("");
+        items.iter().take(LINES).for_each(|item| self.line(&format!("* {}", code(item))));
+        if items.len() > LINES {
+            self.line(&format!("* and {} more", thousands((items.len() - LINES) as u64)));
+        }
+    }
+
+    fn finish(mut self) -> String {
+        if self.left_out > 0 {
+            self.text +=
+                &format!("\n{} more lines do not fit; the run folder has them all.\n", thousands(self.left_out));
+        }
+        self.text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_others_say_stays_on_its_line_and_in_its_span() {
+        assert_eq!(code("a`b\n# c @d"), "`a'b # c @d`");
+        assert_eq!(code(&"x".repeat(300)).chars().count(), LONGEST + 3);
+        assert_eq!(code(" "), "`-`");
+        assert_eq!(word("out/run-1"), "out/run-1");
+        assert_eq!(word("my out's"), r"'my out'\''s'");
+    }
+
+    #[test]
+    fn a_text_is_never_longer_than_its_limit() {
+        for limit in [200, 300, 500] {
+            let mut text = Bounded::new(limit);
+            text.list("Many", (0..400).map(|n| format!("item {n} é")));
+            let text = text.finish();
+            assert!(text.len() <= limit, "{} of {limit}", text.len());
+            assert!(text.ends_with("the run folder has them all.\n"), "{text}");
+        }
+        let mut text = Bounded::new(LIMIT);
+        text.list("Many", (0..60).map(|n| n.to_string()));
+        assert!(text.finish().ends_with("* `49`\n* and 10 more\n"));
+    }
+}

@@ -1,0 +1,68 @@
+//! A file of expectations, edited as text: what is not touched stays as it was written, with comments and order.
+
+mod array;
+mod edits;
+mod prune;
+mod table;
+mod update;
+
+use std::collections::BTreeMap;
+
+use predicament_records::{RunDir, Status, SummaryRow};
+use predicament_tasks::Class;
+
+pub use edits::Edits;
+pub use prune::{Told, prune};
+use table::tables;
+pub use update::update;
+
+/// What one entry has: a backend, classes, and scenes as globs of themselves.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Entry {
+    pub backends: Vec<String>,
+    pub classes: Vec<String>,
+    pub scenes: Vec<String>,
+}
+
+impl Entry {
+    /// The table; without a reason one that a person has to fill in.
+    pub fn text(&self, level: &str, reason: Option<&str>) -> String {
+        let reason = reason.map_or_else(|| "\"\" # say why".to_owned(), quoted);
+        self.written(Some(&quoted(level)), &reason)
+    }
+
+    /// The table with a level and a reason as they stand in a file.
+    pub fn written(&self, level: Option<&str>, reason: &str) -> String {
+        let one_or_list = |items: &[String]| match items {
+            [one] => quoted(one),
+            more => format!("[{}]", more.iter().map(|item| quoted(item)).collect::<Vec<_>>().join(", ")),
+        };
+        let classes: Vec<String> = self.classes.iter().map(|class| quoted(class)).collect();
+        let scenes: String = self.scenes.iter().map(|scene| format!("    {},\n", quoted(scene))).collect();
+        let level = level.map_or_else(String::new, |level| format!("level = {level}\n"));
+        format!(
+            "[[expect]]\nbackend = {}\nclass = [{}]\nscene = [\n{scenes}]\n{level}reason = {reason}\n",
+            one_or_list(&self.backends),
+            classes.join(", ")
+        )
+    }
+}
+
+/// A string of TOML.
+pub fn quoted(text: &str) -> String {
+    toml::Value::String(text.to_owned()).to_string()
+}
+
+/// The unexpected rows of a run, those of a backend with the same classes together.
+pub fn grouped(run: &RunDir, classes: impl Fn(&SummaryRow) -> Vec<Class>) -> Vec<Entry> {
+    let mut alike: BTreeMap<(&str, Vec<&str>), Vec<String>> = BTreeMap::new();
+    for row in run.summary.iter().filter(|row| row.status == Status::Unexpected) {
+        let classes = classes(row).into_iter().map(Class::name).collect();
+        let scene = globset::escape(&format!("{}/{}", row.suite, row.scene));
+        alike.entry((&row.backend, classes)).or_default().push(scene);
+    }
+    let strings = |names: Vec<&str>| names.into_iter().map(str::to_owned).collect();
+    let entry =
+        |((backend, classes), scenes)| Entry { backends: strings(vec![backend]), classes: strings(classes), scenes };
+    alike.into_iter().map(entry).collect()
+}

@@ -1,0 +1,105 @@
+//! `expect update` and `expect prune`: a file of expectations brought to what a run has found.
+
+use tempfile::{TempDir, tempdir};
+
+use crate::common::{SUITE, at, expect, run, write};
+
+/// The run of a suite on two backends, held against a file.
+fn go(folder: &TempDir, suite: &str, known: &str, name: &str) -> String {
+    let out = at(folder, name);
+    let code = run(&["run", suite, "-b", "exact,naive", "-q", "--expected", known, "--out", &out]).code;
+    assert!([0, 100, 101].contains(&code), "{code}");
+    out
+}
+
+#[test]
+fn an_update_makes_the_gate_green_and_a_prune_takes_it_back() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let known = write(&folder, "known.toml", "# What is known.\n");
+    let run = go(&folder, &suite, &known, "run");
+    let update = ["expect", "update", &run, "--expected", &known, "--reason"];
+    expect(2, &update[..5]);
+    let told = expect(2, &[&update[..], &["  "]].concat()).stderr;
+    assert!(told.contains("--reason is empty"), "{told}");
+
+    // First only to look at.
+    let why = "2^-53 is lost against 12";
+    let told = expect(0, &[&update[..], &[why, "--dry-run"]].concat()).stdout;
+    assert!(told.contains("+backend = \"naive\"\n") && told.contains("@@ -1,1 +1,"), "{told}");
+    assert_eq!(std::fs::read_to_string(&known).unwrap(), "# What is known.\n");
+    expect(100, &["gate", &run, "--expected", &known]);
+    expect(0, &[&update[..], &[why]].concat());
+    expect(0, &["gate", &run, "--expected", &known]);
+    let text = std::fs::read_to_string(&known).unwrap();
+    assert!(text.starts_with("# What is known.\n\n[[expect]]\n") && text.contains(why), "{text}");
+    assert!(expect(0, &[&update[..], &[why]].concat()).stdout.contains("nothing to change"));
+    let prune = |run: &str, more: &[&str]| {
+        expect(0, &[&["expect", "prune", run, "--expected", &known][..], more].concat()).stdout
+    };
+    assert!(prune(&run, &[]).contains("nothing to change"));
+
+    // A second scene of the same kind goes where the first is.
+    let more = SUITE
+        .replace("wrong-once", "wrong-again")
+        .split_once("[[scene]]")
+        .unwrap()
+        .1
+        .replace("0x1.0000000000001p-1", "0x1.0000000000003p-1");
+    let suite =
+        write(&folder, "mine.toml", &format!("{SUITE}\n[[scene]]{}", more.split_once("\n[[scene]]").unwrap().0));
+    let run = go(&folder, &suite, &known, "run-2");
+    expect(100, &["gate", &run, "--expected", &known]);
+    expect(0, &["expect", "update", &run, "--expected", &known, "--reason", why]);
+    let both = text.replace("    \"mine/wrong-once\",\n", "    \"mine/wrong-once\",\n    \"mine/wrong-again\",\n");
+    assert_eq!(std::fs::read_to_string(&known).unwrap(), both);
+    expect(0, &["gate", &run, "--expected", &known]);
+
+    // One is right by now, and one is not there any more. What is about other backends and the other level stays.
+    let others = "\n[[expect]]\nbackend = \"sos\" # not run\nclass = \"nan\"\nscene = \"mine/*\"\nreason = \"r\"\n\n\
+                  [[expect]]\nbackend = \"naive\"\nclass = \"nan\"\nscene = \"mine/plain\"\nlevel = \"full\"\nreason = \"r\"\n\n\
+                  [[expect]]\nbackend = [\"naive\"]\nclass = \"overreach\"\nscene = [\"mine/wrong*\", \"mine/long-gone\"]\nreason = \"r\"\n";
+    std::fs::write(&known, both.clone() + others).unwrap();
+    let suite =
+        write(&folder, "mine.toml", &std::fs::read_to_string(&suite).unwrap().replace("0x1.0000000000003p-1", "0x1p3"));
+    let run = go(&folder, &suite, &known, "run-3");
+    expect(101, &["gate", &run, "--expected", &known]);
+    let told = prune(&run, &["--dry-run"]);
+    assert!(told.contains("-    \"mine/wrong-again\",\n"), "{told}");
+    assert!(
+        told.contains("`mine/wrong*` matches scenes that show overreach on naive and scenes that do not"),
+        "{told}"
+    );
+    assert_eq!(std::fs::read_to_string(&known).unwrap(), both.clone() + others, "nothing was written");
+    prune(&run, &[]);
+    let left = text.clone() + &others.replace(", \"mine/long-gone\"", "");
+    assert_eq!(std::fs::read_to_string(&known).unwrap(), left);
+    // The glob is narrowed by hand, as it was told.
+    std::fs::write(&known, left.replace("mine/wrong*", "mine/wrong-once")).unwrap();
+    expect(0, &["gate", &run, "--expected", &known]);
+}
+
+#[test]
+fn a_run_or_file_that_says_nothing_is_refused() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "mine.toml", SUITE);
+    let known = write(&folder, "known.toml", "");
+    let run = go(&folder, &suite, &known, "run");
+    let state = std::path::Path::new(&run).join("state.json");
+    let text = std::fs::read_to_string(&state).unwrap();
+    std::fs::write(&state, text.replace("\"complete\"", "\"interrupted\"")).unwrap();
+    let told = expect(103, &["expect", "prune", &run, "--expected", &known]).stderr;
+    assert!(told.contains("incomplete: interrupted; complete it first"), "{told}");
+    std::fs::write(&state, text).unwrap();
+    expect(2, &["expect", "prune", &run, "--expected", &at(&folder, "nowhere.toml")]);
+    let inline = "expect = [{ backend = \"sos\", class = \"nan\", scene = \"*\", reason = \"r\" }]\n";
+    let told = expect(104, &["expect", "prune", &run, "--expected", &write(&folder, "inline.toml", inline)]).stderr;
+    assert!(told.contains("inline.toml:1: it is no table of its own; write it as [[expect]]"), "{told}");
+    // The shipped file is edited where it is, and nowhere else.
+    let told = expect(2, &["expect", "prune", &run]).stderr;
+    assert!(told.contains("name the file with --expected"), "{told}");
+    // A file that is not there yet is begun.
+    let new = at(&folder, "new.toml");
+    expect(0, &["expect", "update", &run, "--expected", &new, "--reason", "r"]);
+    expect(0, &["gate", &run, "--expected", &new]);
+}

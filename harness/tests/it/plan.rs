@@ -1,0 +1,189 @@
+//! A plan of work: its parts, their balance, and what is refused.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use tempfile::{TempDir, tempdir};
+
+use crate::common::{at, column, expect, read, run, write};
+use crate::merge::files;
+
+const PARTS: u32 = 7;
+const BACKENDS: [&str; 2] = ["-b", "exact,naive"];
+
+/// Three scenes, two of which a plan can be changed by.
+fn suite(folder: &TempDir, x: u32) -> String {
+    let scene = |name: &str, x: u32| {
+        format!("[[scene]]\nname = \"{name}\"\ntask = \"orient2d\"\npoints = [[0, 0], [{x}, 1], [3, 8]]\n")
+    };
+    let text = format!("title = \"Mine\"\n{}{}{}", scene("a", x), scene("b", 4), scene("c", 5));
+    write(folder, "mine.toml", &text)
+}
+
+/// Makes a plan, for a file without expectations beside it; what was printed.
+fn plan(folder: &TempDir, words: &[&str], parts: u32, out: &str) -> String {
+    let (parts, none) = (parts.to_string(), none(folder));
+    expect(0, &[&["plan"][..], words, &BACKENDS, &["--expected", &none, "--shards", &parts, "--out", out]].concat())
+        .stdout
+}
+
+/// No expectations: the shipped ones take longer to read than most of these runs.
+fn none(folder: &TempDir) -> String {
+    write(folder, "none.toml", "")
+}
+
+/// Runs, whatever is found; the folder.
+fn go(folder: &TempDir, name: &str, words: &[&str]) -> String {
+    let out = at(folder, name);
+    let none = none(folder);
+    let words = [&["run", "-q", "--out", &out, "--expected", &none][..], words].concat();
+    assert!([0, 100].contains(&run(&words).code), "{words:?}");
+    out
+}
+
+/// Runs a part of a plan into a folder.
+fn part(folder: &TempDir, plan: &str, k: u32, n: u32) -> String {
+    go(folder, &format!("part{k}-of-{n}"), &["--plan", plan, "--shard", &format!("{k}/{n}")])
+}
+
+fn assert_same(one: &str, other: &str) {
+    let (one, other) = (files(Path::new(one)), files(Path::new(other)));
+    let differ: Vec<&String> = one.symmetric_difference(&other).map(|(name, _)| name).collect();
+    assert!(differ.is_empty() && !one.is_empty(), "{differ:?}");
+}
+
+/// How much of the work, in microseconds, each part has in a plan.
+fn loads(plan: &str) -> BTreeMap<u64, u64> {
+    let plan: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(plan).unwrap()).unwrap();
+    let mut loads: BTreeMap<u64, u64> = BTreeMap::new();
+    for share in plan["shares"].as_array().unwrap() {
+        *loads.entry(share["part"].as_u64().unwrap()).or_default() += share["cost_us"].as_u64().unwrap();
+    }
+    loads
+}
+
+#[test]
+fn parts_by_a_plan_are_the_whole_with_costs_and_without() {
+    let folder = tempdir().unwrap();
+    let suites = ["lecture"];
+    let whole = go(&folder, "whole", &[&suites[..], &BACKENDS].concat());
+    let by_id = at(&folder, "by-id.json");
+    let told = plan(&folder, &suites, PARTS, &by_id);
+    assert!(told.contains("unknown") && told.contains("7/7 "), "{told}");
+    // Without costs a plan has the parts that `--shard` has by itself.
+    let alone = go(&folder, "alone", &[&["--shard", "3/7"][..], &suites, &BACKENDS].concat());
+    let planned = part(&folder, &by_id, 3, PARTS);
+    assert_eq!(read(&alone, "summary.csv"), read(&planned, "summary.csv"));
+
+    let weighed = at(&folder, "weighed.json");
+    let told = plan(&folder, &[&suites[..], &["--costs", &whole]].concat(), PARTS, &weighed);
+    let scenes = column(&read(&whole, "precision.csv"), "scene").len();
+    assert!(told.contains(&format!("costs of {scenes} scenes measured, of 0 estimated")), "{told}");
+    let again = at(&folder, "again.json");
+    plan(&folder, &[&suites[..], &["--costs", &whole]].concat(), PARTS, &again);
+    assert_eq!(std::fs::read(&weighed).unwrap(), std::fs::read(&again).unwrap(), "nothing but what it is made of");
+    let loads = loads(&weighed);
+    assert_eq!(loads.len(), PARTS as usize, "no part is idle: {loads:?}");
+
+    let other = tempdir().unwrap();
+    let parts: Vec<String> = (1..=PARTS).map(|k| part(&other, &weighed, k, PARTS)).collect();
+    let merged = at(&folder, "merged");
+    let parts: Vec<&str> = parts.iter().map(String::as_str).collect();
+    assert_eq!(run(&[&["merge", "--out", &merged][..], &parts].concat()).code, 100, "naive is wrong here");
+    assert_same(&whole, &merged);
+    let hash = |file: &str| -> String {
+        let json: serde_json::Value = serde_json::from_str(file).unwrap();
+        json["hash"].as_str().or(json["plan"].as_str()).unwrap().to_owned()
+    };
+    assert_eq!(hash(&read(&merged, "env.json")), hash(&std::fs::read_to_string(&weighed).unwrap()));
+    // What was merged can be planned by, as what was measured at once.
+    let counted = |folder: &str| column(&read(folder, "costs.csv"), "scene").len();
+    assert_eq!(counted(&merged), counted(&whole));
+    plan(&folder, &[&suites[..], &["--costs", &merged]].concat(), 2, &at(&folder, "next.json"));
+    // The same parts, one of them by another plan.
+    let told = expect(2, &[&["merge", "--out", &at(&folder, "mixed"), &planned][..], &parts[1..]].concat()).stderr;
+    assert!(told.contains("made by the plan"), "{told}");
+    // All of a plan on one machine.
+    let at_once = go(&folder, "at-once", &["--plan", &weighed]);
+    assert_same(&whole, &at_once);
+}
+
+#[test]
+fn a_plan_that_does_not_fit_is_refused() {
+    let folder = tempdir().unwrap();
+    let (mine, file, out) = (suite(&folder, 2), at(&folder, "plan.json"), at(&folder, "out"));
+    let none = none(&folder);
+    plan(&folder, &[&mine], 3, &file);
+    let refused = |plan: &str, shard: &str, why: &str| {
+        let told = expect(2, &["run", "--plan", plan, "--expected", &none, "--shard", shard, "--out", &out]).stderr;
+        assert!(told.contains(why) && !Path::new(&out).exists(), "{told}");
+    };
+    refused(&file, "1/4", "the plan has 3 parts and not 4; write --shard k/3");
+    // Each of these is one byte.
+    let text = std::fs::read_to_string(&file).unwrap();
+    let part = text.find("\"part\": 1").or(text.find("\"part\": 3")).unwrap() + "\"part\": ".len();
+    let hash = text.find("\"hash\": \"").unwrap() + "\"hash\": \"".len();
+    for (at_byte, by) in [(part, "2"), (hash, if text.as_bytes()[hash] == b'0' { "1" } else { "0" }), (1, " ")] {
+        let mut changed = text.clone();
+        changed.replace_range(at_byte..=at_byte, by);
+        assert_ne!(changed, text);
+        refused(&write(&folder, "changed.json", &changed), "1/3", "changed.json");
+    }
+    refused(&write(&folder, "no.json", "{}"), "1/3", "it is no plan of work");
+    // Rows would not agree if parts were held against different expectations.
+    let other = write(&folder, "other.toml", "# none");
+    let told = expect(2, &["run", "--plan", &file, "--expected", &other, "--shard", "1/3", "--out", &out]).stderr;
+    assert!(told.contains("it was made for other expectations"), "{told}");
+    expect(2, &["plan", &mine, "--out", &file]);
+
+    // One scene is another by now: its part says so, and the others that the file is not the one that was planned.
+    suite(&folder, 7);
+    let told: Vec<String> = (1..=3)
+        .map(|k| {
+            expect(2, &["run", "--plan", &file, "--expected", &none, "--shard", &format!("{k}/3"), "--out", &out])
+                .stderr
+        })
+        .collect();
+    let count = |what: &str| told.iter().filter(|told| told.contains(what)).count();
+    assert_eq!(count("scene mine/a has changed since the plan was made"), 1, "{told:?}");
+    assert_eq!(count("the file of the suite `mine` has changed since"), 2, "{told:?}");
+}
+
+#[test]
+fn a_part_of_a_plan_is_resumed_as_it_was_planned() {
+    let folder = tempdir().unwrap();
+    let (mine, file) = (suite(&folder, 2), at(&folder, "plan.json"));
+    let costs = go(&folder, "costs", &[&[&*mine][..], &BACKENDS].concat());
+    plan(&folder, &[&mine, "--costs", &costs], 2, &file);
+    let out = part(&folder, &file, 2, 2);
+    let before = files(Path::new(&out));
+    // As if it had been killed before its first scene.
+    let mut state: serde_json::Value = serde_json::from_str(&read(&out, "state.json")).unwrap();
+    state["outcome"] = "unfinished".into();
+    state["digests"] = serde_json::json!({});
+    let tables: Vec<String> = state["committed"].as_object().unwrap().keys().cloned().collect();
+    for table in tables {
+        state["committed"][&table] = (read(&out, &table).find('\n').unwrap() + 1).into();
+    }
+    std::fs::write(Path::new(&out).join("state.json"), state.to_string()).unwrap();
+    let told = expect(2, &["run", "--resume", &out, "--expected", &write(&folder, "other.toml", "# none")]).stderr;
+    assert!(told.contains("it was begun with other expectations"), "{told}");
+    expect(0, &["run", "-q", "--resume", &out, "--expected", &none(&folder)]);
+    assert_eq!(before, files(Path::new(&out)));
+    // What was measured twice counts once.
+    let told = plan(&folder, &[&mine, "--costs", &out], 1, &at(&folder, "again.json"));
+    assert!(told.contains(" of 0 unknown"), "{told}");
+}
+
+#[test]
+fn costs_that_are_not_there_are_an_error() {
+    let folder = tempdir().unwrap();
+    let told = expect(2, &["plan", "ties", "--costs", &at(&folder, "nowhere")]).stderr;
+    assert!(told.contains("it has no costs.csv"), "{told}");
+    let out = go(&folder, "run", &["lecture", "-f", "ear", "-b", "exact"]);
+    let costs = read(&out, "costs.csv");
+    assert_eq!(column(&costs, "backend"), ["truth", "exact"].repeat(column(&costs, "scene").len() / 2));
+    std::fs::write(Path::new(&out).join("costs.csv"), costs.replace(",exact,", ",exact,many")).unwrap();
+    let told = expect(2, &["plan", "lecture", "--costs", &out]).stderr;
+    assert!(told.contains("costs.csv:3: it is no row of costs"), "{told}");
+}
