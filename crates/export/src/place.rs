@@ -47,12 +47,20 @@ impl Places {
         Ok(file)
     }
 
-    /// Refuses a folder in which there are files with this ending of another export: they would look like files of this one.
+    /// Refuses a folder in which there are files with this ending of another export: they would look like files of this one. What a killed
+    /// export has left beside the places of such files is removed; none is being written, as every export holds its first file.
     pub fn check_others(&self, ending: &str) -> Result<(), Error> {
         for entry in fs::read_dir(&self.folder).map_err(Error::io(&self.folder))? {
             let path = entry.map_err(Error::io(&self.folder))?.path();
             let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-            if path.extension().is_some_and(|end| end == ending) && !self.names.contains(&name) {
+            let left = name.strip_suffix(".next");
+            let place = left.unwrap_or(&name);
+            if !place.ends_with(&format!(".{ending}")) || self.names.iter().any(|own| own == place) {
+                continue;
+            }
+            if left.is_some() {
+                fs::remove_file(&path).map_err(Error::io(&path))?;
+            } else {
                 let message = "this export has no such table, and the file would look like one of it; remove it, or name another folder";
                 return Err(Error::new(&path, message));
             }
