@@ -17,7 +17,7 @@ const SPREAD: &str = "target/spread";
 /// Where HyperQueue is installed if Python does not have it.
 const PYTHON: &str = "target/hyperqueue";
 /// What is run: some seconds a part, so that one can be killed while it runs.
-const WHAT: [&str; 4] = ["classics", "families", "-b", "exact,sos,naive"];
+const WHAT: [&str; 5] = ["classics", "families", "constructed", "-b", "exact,sos,naive"];
 const PARTS: u32 = 5;
 /// The part that is killed.
 const VICTIM: u32 = 2;
@@ -75,7 +75,11 @@ impl Spread {
     }
 
     fn slurm(&self) -> Result<(), String> {
-        if !answers("sbatch", &["--version"]) || !(answers("slurmd", &["-V"]) || answers("/usr/sbin/slurmd", &["-V"])) {
+        // Without a configuration its programs do not even tell their version.
+        if !answers(
+            "sh",
+            &["-c", "PATH=$PATH:/usr/sbin; command -v sbatch && command -v slurmd && command -v slurmctld"],
+        ) {
             return Err("Slurm is not there, so nothing was spread by it; `apt install slurm-wlm`".to_owned());
         }
         let place = shown(&self.folder.join("slurm-node"));

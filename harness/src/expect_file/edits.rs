@@ -9,6 +9,9 @@ pub struct Edits(Vec<(Range<usize>, String)>);
 /// Lines before and after a change in a patch.
 const AROUND: usize = 3;
 
+/// Some bytes and what comes in their place.
+type Edit<'e> = (Range<usize>, &'e str);
+
 /// Some lines that are replaced by others.
 struct Change<'t> {
     /// The first line, from 0.
@@ -34,9 +37,8 @@ impl Edits {
     }
 
     /// The changes from the first to the last; of several in one place the one that came first is first.
-    fn sorted(&self) -> Vec<(Range<usize>, &str)> {
-        let mut edits: Vec<(Range<usize>, &str)> =
-            self.0.iter().map(|(range, text)| (range.clone(), &**text)).collect();
+    fn sorted(&self) -> Vec<Edit<'_>> {
+        let mut edits: Vec<Edit<'_>> = self.0.iter().map(|(range, text)| (range.clone(), &**text)).collect();
         edits.sort_by_key(|(range, _)| (range.start, range.end));
         edits
     }
@@ -56,7 +58,7 @@ impl Edits {
         }));
         let line_of = |byte: usize| starts.partition_point(|&start| start <= byte) - 1;
         // Changes that touch the same lines become one.
-        let mut groups: Vec<(Range<usize>, Vec<(Range<usize>, &str)>)> = Vec::new();
+        let mut groups: Vec<(Range<usize>, Vec<Edit<'_>>)> = Vec::new();
         for (bytes, with) in self.sorted() {
             let first = line_of(bytes.start);
             let last = if bytes.end > bytes.start { line_of(bytes.end - 1) + 1 } else { first };
@@ -81,7 +83,7 @@ impl Edits {
 }
 
 /// A part of a text with these changes, all of which are in it.
-fn part(text: &str, of: Range<usize>, edits: &[(Range<usize>, &str)]) -> String {
+fn part(text: &str, of: Range<usize>, edits: &[Edit<'_>]) -> String {
     let (mut made, mut at) = (String::new(), of.start);
     for (bytes, with) in edits {
         made += text.get(at..bytes.start).unwrap_or_default();

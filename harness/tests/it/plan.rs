@@ -103,6 +103,22 @@ fn parts_by_a_plan_are_the_whole_with_costs_and_without() {
     // The same parts, one of them by another plan.
     let told = expect(2, &[&["merge", "--out", &at(&folder, "mixed"), &planned][..], &parts[1..]].concat()).stderr;
     assert!(told.contains("made by the plan"), "{told}");
+    // A part that claims a scene of another one, and all parts but one.
+    let places = |part: &str| -> serde_json::Value {
+        let plan: serde_json::Value = serde_json::from_str(&read(part, "plan.json")).unwrap();
+        plan["whole"]["places"].clone()
+    };
+    let file = Path::new(parts[1]).join("plan.json");
+    let text = read(parts[1], "plan.json");
+    let mut claims: serde_json::Value = serde_json::from_str(&text).unwrap();
+    claims["whole"]["places"][0] = places(parts[0])[0].clone();
+    std::fs::write(&file, claims.to_string()).unwrap();
+    let out = at(&folder, "doubled");
+    let told = expect(2, &[&["merge", "--out", &out][..], &parts].concat()).stderr;
+    assert!(told.contains("of the whole is in another part, too"), "{told}");
+    std::fs::write(&file, text).unwrap();
+    let told = expect(103, &[&["merge", "--out", &out][..], &parts[..6]].concat()).stderr;
+    assert!(told.contains("these are missing: 7/7") && !Path::new(&out).exists(), "{told}");
     // All of a plan on one machine.
     let at_once = go(&folder, "at-once", &["--plan", &weighed]);
     assert_same(&whole, &at_once);
