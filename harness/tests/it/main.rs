@@ -10,6 +10,7 @@ mod engines;
 mod habits;
 mod isolation;
 mod judged;
+mod kills;
 mod lecture;
 mod limits;
 mod lines_and_cubes;
