@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use predicament_corpus::Suite;
 use predicament_formats::{hex, read_suite};
 use predicament_oracle::expect::{Expectations, Known, Unused};
-use predicament_records::{Plan, RunDir, SummaryRow};
+use predicament_records::{Error, ExpectedFile, Plan, RunDir, SummaryRow};
 use predicament_tasks::{Class, ClassCounts};
 use sha2::{Digest, Sha256};
 
@@ -48,6 +48,14 @@ pub fn load(tool: &Tool, file: Option<&PathBuf>) -> Result<Expectations, Failure
         None => Ok(shipped),
         Some(own) => Ok(shipped.and(read(own)?)),
     }
+}
+
+/// What a plan says of a file of expectations.
+pub fn file(file: &Path) -> Result<ExpectedFile, Failure> {
+    let cannot = |error: std::io::Error| Failure::usage(Error::io(file)(error));
+    let text = std::fs::read(file).map_err(cannot)?;
+    let place = std::path::absolute(file).map_err(cannot)?;
+    Ok(ExpectedFile { file: place.display().to_string(), sha256: hex(&Sha256::digest(text)) })
 }
 
 /// The text of a file of expectations.

@@ -116,7 +116,7 @@ impl Ledger {
         }
     }
 
-    pub fn draw(&self, case: &dyn AnyCase, backend: &dyn Contestant) -> Result<(), Failure> {
+    pub fn draw(&mut self, case: &dyn AnyCase, backend: &dyn Contestant) -> Result<(), Failure> {
         // A backend that declines or panics has a row that says so, and no picture.
         let tile = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| map::of_square(case, backend)));
         let Ok(Ok(tile)) = tile else { return Ok(()) };

@@ -73,6 +73,7 @@ pub fn plan(selection: &Selection, scenes: &[Planned], backends: &[Box<dyn Conte
         whole: None,
         not_selected: selection.not_selected.clone(),
         left_out: Vec::new(),
+        expected: None,
         findings_per_class: budget(selection.level).findings_per_class as u64,
     }
 }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use std::sync::OnceLock;
 
 use predicament_corpus::{Library, SceneFormat, Suite, Vocabulary};
 use predicament_engines::PREFIX;
@@ -50,6 +51,7 @@ pub struct Tool {
     own_suites: Vec<PathBuf>,
     /// The file of expectations given to [`Cli::expected`](crate::Cli::expected), if any.
     pub expected: Option<PathBuf>,
+    library: OnceLock<Result<Library, CorpusError>>,
 }
 
 impl Tool {
@@ -75,7 +77,7 @@ impl Tool {
             None if has_more => roster::backend_on(name, &own),
             None => roster::backend(name),
         });
-        Tool { tasks, vocabulary, own_backends, find, own_suites, expected }
+        Tool { tasks, vocabulary, own_backends, find, own_suites, expected, library: OnceLock::new() }
     }
 
     /// All tasks: those of the house, then the tool's own.
@@ -174,9 +176,9 @@ impl Tool {
         own.chain([roster::HELP.to_owned()]).collect()
     }
 
-    /// The embedded library.
+    /// The embedded library, read once.
     pub fn library(&self) -> Result<Library, CorpusError> {
-        Library::embedded(&self.vocabulary)
+        self.library.get_or_init(|| Library::embedded(&self.vocabulary)).clone()
     }
 
     /// The suites of the folders that the tool's maker named, in the order of folders and names.

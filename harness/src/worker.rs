@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 
 use predicament_corpus::Level;
 use predicament_engines::PREFIX;
-use predicament_records::{FindingRow, Outcome, PlannedScene, Record, RunDir, StageRow, Status, SummaryRow};
+use predicament_records::{Error, FindingRow, Outcome, PlannedScene, Record, RunDir, StageRow, Status, SummaryRow};
 use predicament_tasks::{Class, Finding, finding_id};
 
 use crate::child::{self, End, FAREWELL, wait};
@@ -26,6 +26,13 @@ use crate::out::program;
 use crate::planning::tables_with;
 use crate::tool::Tool;
 
+/// The folder of the files of workers begins so, in that of the run; the number of the process that they work for follows, since a
+/// worker whose run was killed may be there a moment longer.
+const FOLDER: &str = "worker-";
+/// How often a worker is started again that somebody has ended, before it counts as the backend's fault, or as an end of the run.
+const AGAIN: u32 = 2;
+/// How long an end of the run may take to be told of here, where it was told to a worker, too.
+const HEARSAY: Duration = Duration::from_millis(200);
 /// The codes of a worker that has done its work: with the last one, an engine has run out of time.
 const FINE: [u8; 4] = [OK, UNEXPECTED, UNEXPECTED_PASS, INCOMPLETE];
 /// The codes of a worker that could not: there is no room on the disk, or the suite is another one by now.
@@ -35,7 +42,7 @@ pub struct Worker<'a> {
     pub permutations: Option<usize>,
     pub threads: Option<usize>,
     pub cache: Option<&'a Path>,
-    /// A folder for its files, which no other process writes.
+    /// A folder for its files, which no other process writes: see [`folder`].
     pub folder: PathBuf,
     /// The suite, by name or file.
     pub suite: String,
@@ -59,25 +66,109 @@ pub struct Found {
     pub maps: Vec<(String, Vec<u8>)>,
 }
 
+/// How a worker has ended.
+enum Done {
+    /// With rows, or with what it died of as a row.
+    Found(Box<Found>),
+    /// By a signal that no program sends itself; what its row would be.
+    Killed(Box<Found>),
+    /// Because it, or this process, was asked to.
+    Stopped,
+}
+
+impl Done {
+    fn found(found: Found) -> Done {
+        Done::Found(Box::new(found))
+    }
+}
+
+/// The folder for the files of workers of this process, in that of the run.
+pub fn folder(run: &Path) -> PathBuf {
+    run.join(format!("{FOLDER}{}", std::process::id()))
+}
+
+/// Takes away what runs that were killed have left of their workers in the folder of a run.
+pub fn clear(run: &Path) {
+    for entry in std::fs::read_dir(run).into_iter().flatten().flatten() {
+        if entry.file_name().to_string_lossy().starts_with(FOLDER) {
+            let _ = std::fs::remove_dir_all(entry.path());
+        }
+    }
+}
+
+/// Whether this process is told to stop before a while is over.
+fn was_interrupted_within(while_: Duration) -> bool {
+    let start = Instant::now();
+    while !interrupt::flag().load(Ordering::Relaxed) && start.elapsed() < while_ {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    interrupt::flag().load(Ordering::Relaxed)
+}
+
+/// Whether a worker has ended since it was asked to: it says so by its code, and by rows that are not all there.
+fn was_stopped(status: Option<ExitStatus>, run: &Path) -> bool {
+    let ended = status.and_then(|status| status.code()) == Some(i32::from(INCOMPLETE));
+    let outcome = || RunDir::open(run).map(|dir| dir.outcome);
+    (ended && outcome().is_ok_and(|outcome| outcome == Outcome::Interrupted)) || was_signalled(status, &[1, 2, 15])
+}
+
+/// Whether a worker was killed outright: by somebody, or by the system where memory runs out.
+fn was_killed(status: Option<ExitStatus>) -> bool {
+    was_signalled(status, &[9])
+}
+
+/// Whether a process was ended by one of these signals.
+fn was_signalled(status: Option<ExitStatus>, signals: &[i32]) -> bool {
+    #[cfg(unix)]
+    return status
+        .and_then(|status| std::os::unix::process::ExitStatusExt::signal(&status))
+        .is_some_and(|signal| signals.contains(&signal));
+    #[cfg(not(unix))]
+    return {
+        let _ = (status, signals);
+        false
+    };
+}
+
 impl Worker<'_> {
     /// Runs one backend; none where the tool was interrupted.
+    ///
+    /// A worker that somebody has ended, such as a batch system that ends what it finds, is started again: what it works for is not to
+    /// blame. One that is killed time and again is out of memory, as far as anybody can tell.
     pub fn run(&self, tool: &Tool, backend: &str) -> Result<Option<Found>, Failure> {
+        let mut done = self.once(tool, backend);
+        for _ in 0..AGAIN {
+            if matches!(done, Ok(Done::Killed(_) | Done::Stopped)) && !was_interrupted_within(HEARSAY) {
+                done = self.once(tool, backend);
+            }
+        }
+        let _ = std::fs::remove_dir_all(&self.folder);
+        Ok(match done? {
+            Done::Found(found) => Some(*found),
+            Done::Killed(fate) if !interrupt::flag().load(Ordering::Relaxed) => Some(*fate),
+            Done::Killed(_) | Done::Stopped => None,
+        })
+    }
+
+    /// Runs one backend once.
+    fn once(&self, tool: &Tool, backend: &str) -> Result<Done, Failure> {
         let folder = &self.folder;
-        let cannot = |what: &Path, error: std::io::Error| Failure::usage(format!("{}: {error}", what.display()));
+        let cannot = |what: &Path, error: std::io::Error| Failure::usage(Error::io(what)(error));
         let _ = std::fs::remove_dir_all(folder);
         std::fs::create_dir(folder).map_err(|error| cannot(folder, error))?;
         let run = folder.join("run");
         let mut child = self.command(backend, &run)?;
         let said = Said::of(child.stderr.take());
-        let found = match wait(&mut child, self.limit) {
-            End::Interrupt => None,
+        Ok(match wait(&mut child, self.limit) {
+            End::Interrupt => Done::Stopped,
             End::Limit(limit) => {
-                Some(self.fate(backend, Class::Timeout, "time limit", format!("took longer than {limit:?}")))
+                Done::found(self.fate(backend, Class::Timeout, "time limit", format!("took longer than {limit:?}")))
             }
             // Ctrl-C reaches both processes; the other one may have ended before this one looked.
-            End::Exit(_) if interrupt::flag().load(Ordering::Relaxed) => None,
-            End::Exit(status) => Some(match self.left(tool, status, &run) {
-                Some(found) => found,
+            End::Exit(_) if interrupt::flag().load(Ordering::Relaxed) => Done::Stopped,
+            End::Exit(status) => match self.left(tool, status, &run) {
+                Some(found) => Done::found(found),
+                None if was_stopped(status, &run) => Done::Stopped,
                 None => {
                     let said = said.text();
                     if let Some(failure) = unable(status, &said).filter(|_| !backend.starts_with(PREFIX)) {
@@ -85,12 +176,11 @@ impl Worker<'_> {
                         return Err(failure);
                     }
                     let (check, message) = death(status, &said);
-                    self.fate(backend, Class::Panic, check, message)
+                    let fate = self.fate(backend, Class::Panic, check, message);
+                    if was_killed(status) { Done::Killed(Box::new(fate)) } else { Done::found(fate) }
                 }
-            }),
-        };
-        let _ = std::fs::remove_dir_all(folder);
-        Ok(found)
+            },
+        })
     }
 
     /// The rows that a worker has left; none where it ended before they were all there, whatever its code.

@@ -2,6 +2,7 @@
 //! and credentials.
 
 use std::ffi::OsStr;
+use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -54,31 +55,53 @@ fn error(entry: &Entry, message: impl Into<String>, cure: impl Into<String>) -> 
     CorpusError::file(format!("fetch {}", entry.key), message, cure)
 }
 
+/// The name of a folder of downloads begins so.
+const WORKSHOP: &str = ".fetching-";
+/// The file in it that its process has locked. The lock goes with the process.
+const LOCK: &str = "lock";
+
 /// A folder in the cache that goes away with its value.
-struct Workshop(PathBuf);
+struct Workshop {
+    folder: PathBuf,
+    _lock: File,
+}
 
 impl Workshop {
     fn new(cache: &Cache, entry: &Entry) -> Result<Workshop, CorpusError> {
-        let path = cache.folder().join(format!(".fetching-{}-{}", entry.key, std::process::id()));
-        std::fs::create_dir_all(&path).map_err(|why| {
+        Workshop::clear(cache);
+        let folder = cache.folder().join(format!("{WORKSHOP}{}-{}", entry.key, std::process::id()));
+        let locked = std::fs::create_dir_all(&folder)
+            .and_then(|()| File::create(folder.join(LOCK)))
+            .and_then(|lock| lock.lock().map(|()| lock));
+        let lock = locked.map_err(|why| {
             CorpusError::file(
-                path.display().to_string(),
+                folder.display().to_string(),
                 why.to_string(),
                 "make the cache writable or set PREDICAMENT_CACHE",
             )
         })?;
-        Ok(Workshop(path))
+        Ok(Workshop { folder, _lock: lock })
+    }
+
+    /// Takes away what downloads that were killed have left: folders that nobody has locked.
+    fn clear(cache: &Cache) {
+        for entry in std::fs::read_dir(cache.folder()).into_iter().flatten().flatten() {
+            let is_workshop = entry.file_name().to_string_lossy().starts_with(WORKSHOP);
+            if is_workshop && File::open(entry.path().join(LOCK)).is_ok_and(|lock| lock.try_lock().is_ok()) {
+                let _ = std::fs::remove_dir_all(entry.path());
+            }
+        }
     }
 
     fn path(&self) -> &Path {
-        &self.0
+        &self.folder
     }
 }
 
 impl Drop for Workshop {
     fn drop(&mut self) {
         // What can't be removed is only litter.
-        let _ = std::fs::remove_dir_all(&self.0);
+        let _ = std::fs::remove_dir_all(&self.folder);
     }
 }
 

@@ -1,6 +1,7 @@
 //! Errors about the files of a run folder: the file, the line, what is wrong.
 
 use std::fmt;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// What went wrong with which file.
@@ -29,7 +30,7 @@ impl Error {
 
     /// Turns an operating system error into one about this file, for `map_err`.
     pub fn io(path: &Path) -> impl FnOnce(std::io::Error) -> Error {
-        move |error| Error::new(path, error.to_string())
+        move |error| Error::new(path, with_cure(&error))
     }
 
     /// A JSON error with its line taken out of the message, for `map_err`.
@@ -43,6 +44,17 @@ impl Error {
             }
         }
     }
+}
+
+/// An operating system error, with what to do about it where that is not the same for all.
+pub(crate) fn with_cure(error: &std::io::Error) -> String {
+    let cure = match error.kind() {
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => "make room, and go on: what was done before is kept",
+        ErrorKind::FileTooLarge => "raise the limit of a file's size, and go on: what was done before is kept",
+        ErrorKind::ReadOnlyFilesystem => "make it writable, or name another place",
+        _ => return error.to_string(),
+    };
+    format!("{error}; {cure}")
 }
 
 impl fmt::Display for Error {

@@ -221,6 +221,18 @@ pub struct Plan {
     pub left_out: Vec<String>,
     /// How many findings of each class are kept for each scene and backend.
     pub findings_per_class: u64,
+    /// The expectations that were named on the command line.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub expected: Option<ExpectedFile>,
+}
+
+/// A file of expectations that a run was given.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct ExpectedFile {
+    /// Where it is.
+    pub file: String,
+    /// Its SHA-256 in hex digits.
+    pub sha256: String,
 }
 
 impl Plan {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use predicament_records::RunDir;
+use predicament_records::{RunDir, replace};
 use predicament_report::{Section, against, splice, write_pages};
 use predicament_studies::{compare, stress};
 
@@ -94,7 +94,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     }
     write_pages(&runs, &compared, &told, &args.out).map_err(Failure::usage)?;
     for (page, text) in spliced {
-        std::fs::write(page, text).map_err(|why| Failure::usage(format!("{}: {why}", page.display())))?;
+        replace(page, text.as_bytes()).map_err(Failure::usage)?;
         note!("{} has the sections that its marks name", page.display());
     }
     say!("{}", args.out.join("report.html").display());

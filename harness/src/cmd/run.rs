@@ -21,7 +21,7 @@ use crate::planning::{budget, env, env_of, free_folder, plan, tables_of};
 use crate::select::{NOT_NAMED, Planned, Selection, Selector};
 use crate::stopwatch::{Cost, Stopwatch};
 use crate::tool::{Tool, engines};
-use crate::worker::Worker;
+use crate::worker::{self, Worker};
 use crate::{child, expectations, interrupt, progress};
 
 pub const EXAMPLES: &str = "\
@@ -64,7 +64,7 @@ pub struct Args {
     pub out: Option<PathBuf>,
 
     /// Go on with an incomplete run; takes its selection from that run's plan
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "plan", "shard", "backends", "answers", "filter", "level"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "plan", "shard", "backends", "answers", "filter", "level", "expected", "permutations"])]
     pub resume: Option<PathBuf>,
 
     /// Expected disagreements; those of the embedded corpora if left out
@@ -107,9 +107,6 @@ pub enum Isolate {
     Never,
 }
 
-/// The folder of a worker's files, in that of the run.
-const WORKER: &str = "worker";
-
 /// The time limit of a scene in a process of its own at level quick, where none is given.
 const PATIENCE: Duration = Duration::from_secs(600);
 
@@ -121,6 +118,25 @@ impl Args {
             Isolate::Always => true,
             Isolate::Never => false,
         }
+    }
+
+    /// Takes from the plan of a run that is resumed what its rows depend on and the selection does not say.
+    fn recall(&mut self) -> Result<(), Failure> {
+        let Some(folder) = &self.resume else { return Ok(()) };
+        let plan = RunDir::plan(folder).map_err(Failure::usage)?;
+        let no_count = |_| Failure::usage(format!("{}: permutations that can't be counted", folder.display()));
+        self.permutations = plan.permutations.map(usize::try_from).transpose().map_err(no_count)?;
+        if let Some(planned) = plan.expected {
+            let file = PathBuf::from(&planned.file);
+            if expectations::file(&file)? != planned {
+                return Err(Failure::usage(format!(
+                    "{}: the expectations have changed since the run was planned; restore them, or start a new run",
+                    planned.file
+                )));
+            }
+            self.expected = Some(file);
+        }
+        Ok(())
     }
 
     /// The time limit of a process.
@@ -138,9 +154,10 @@ pub fn seconds(text: &str) -> Result<Duration, String> {
 }
 
 /// Runs the command.
-pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
+pub fn run(mut args: Args, tool: &Tool) -> exit::Outcome {
     child::end_with_parent();
     set_threads(args.threads)?;
+    args.recall()?;
     let Held { expected, digest } = expectations::held(tool, args.expected.as_ref())?;
     let Job { selection, mut scenes, backends, engines, permutations, mut ledger } = match (&args.resume, &args.plan) {
         (Some(folder), _) => Job::resume(&args, tool, folder, &digest)?,
@@ -178,7 +195,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
             permutations,
             threads: args.threads,
             cache: args.selector.cache.as_deref(),
-            folder: ledger.folder.join(WORKER),
+            folder: worker::folder(&ledger.folder),
             suite: selection.argument(&planned.def),
             engines: &engines,
             scene: &scene,
@@ -319,6 +336,7 @@ impl Job {
             permutations: args.permutations.map(|most| most as u64),
             engines: engines(&args.backends)?,
             left_out: tool.left_out(&args.backends),
+            expected: args.expected.as_deref().map(expectations::file).transpose()?,
             whole: whole.map(|whole| Whole { expected: Some(expected.to_owned()), ..whole }),
             ..plan(&selection, &scenes, &backends, shard)
         };
@@ -378,8 +396,7 @@ impl Job {
 
     /// What is left of a run that has not come to its end.
     fn resume(args: &Args, tool: &Tool, folder: &PathBuf, expected: &str) -> Result<Job, Failure> {
-        let before = RunDir::open(folder).map_err(Failure::usage)?;
-        let plan = &before.plan;
+        let plan = &RunDir::plan(folder).map_err(Failure::usage)?;
         if plan.timed {
             let message = format!(
                 "{}: a bench can't be resumed, as its times belong together; start a new one",
@@ -409,9 +426,10 @@ impl Job {
         })?;
         let permutations = args.permutations.or(permutations(plan));
         let (answers, left_out, places) = (plan.answers, plan.left_out.clone(), places(plan));
-        let (writer, before) = RunWriter::resume(folder, &tables_of(tool, plan)).map_err(Failure::usage)?;
-        // What a run that was killed has left of its worker.
-        let _ = std::fs::remove_dir_all(folder.join(WORKER));
+        let (writer, before) =
+            RunWriter::resume(folder, || env_of(&backends), &tables_of(tool, plan)).map_err(Failure::usage)?;
+        // What a run that was killed has left of its workers.
+        worker::clear(folder);
         let RunDir { summary, precision, .. } = before;
         let (done, precision) = (summary.into(), precision.into());
         let (folder, wholes, level) = (folder.clone(), BTreeMap::new(), selection.level);

@@ -186,6 +186,8 @@ fn plan() -> Plan {
         hashes: BTreeMap::new(),
         engines: BTreeMap::new(),
         answers: false,
+        permutations: None,
+        expected: None,
         timed: true,
         scenes: vec![scene("orient2d", "near"), scene("orient3d", "near")],
         backends: ["exact", "naive", "sos"].map(str::to_owned).into(),

@@ -61,7 +61,8 @@ fn a_worker_that_cannot_work_is_no_row_of_a_backend() {
     let out = at(&folder, "run");
     let args = ["run", &suite, "-b", "fault:loops,exact", "--isolate", "--timeout", "2", "--out", &out];
     let first = tool(&args).stderr(std::process::Stdio::piped()).spawn().unwrap();
-    while !folder.path().join("run/worker/run/state.json").exists() {
+    let worker = folder.path().join(format!("run/worker-{}", first.id()));
+    while !worker.join("run/state.json").exists() {
         std::thread::sleep(std::time::Duration::from_millis(2));
     }
     // While one worker loops, the suite changes under the next.
@@ -71,7 +72,7 @@ fn a_worker_that_cannot_work_is_no_row_of_a_backend() {
     assert!(told.stderr.contains("mine.toml:1: "), "{}", told.stderr);
     let summary = read(&out, "summary.csv");
     assert_eq!(column(&summary, "backend"), ["fault:loops"], "{summary}");
-    assert!(!folder.path().join("run/worker").exists(), "it leaves no files behind");
+    assert!(!worker.exists(), "it leaves no files behind");
 }
 
 #[test]

@@ -13,6 +13,7 @@ mod gate_summary;
 mod habits;
 mod isolation;
 mod judged;
+mod kills;
 mod lecture;
 mod limits;
 mod lines_and_cubes;

@@ -77,6 +77,7 @@ pub fn plan() -> Plan {
         engines: [].into(),
         answers: false,
         permutations: None,
+        expected: None,
         timed: true,
         scenes: vec![scene("a"), scene("b")],
         backends: vec!["exact".to_owned(), "naive".to_owned()],

@@ -1,44 +1,48 @@
 //! One CSV table of a run folder, appended to and cut back to a valid length.
 
 use std::collections::HashMap;
-use std::fs::{File, OpenOptions};
-use std::io::Write as _;
+use std::fs::OpenOptions;
 use std::path::{Path, PathBuf};
 
 use csv::{ReaderBuilder, StringRecord, WriterBuilder};
 
-use super::state::{Outcome, State, digest};
+use super::hashed::{Hashed, digest};
+use super::state::{Outcome, State};
 use super::tables::{Record, TableSpec};
+use crate::error::with_cure;
 use crate::{Error, Row, Rows};
 
 /// A table that is appended to.
 pub(super) struct CsvFile {
     path: PathBuf,
-    writer: csv::Writer<File>,
+    writer: csv::Writer<Hashed>,
 }
 
 impl CsvFile {
     /// A new table with nothing but its header.
     pub fn create(path: PathBuf, columns: &[&str]) -> Result<CsvFile, Error> {
         let file = OpenOptions::new().append(true).create_new(true).open(&path).map_err(Error::io(&path))?;
-        let mut table = CsvFile::over(path, file);
+        let mut table = CsvFile::over(path, Hashed::new(file));
         table.writer.write_record(columns).map_err(|e| failed(&table.path, &e))?;
         Ok(table)
     }
 
-    /// An existing table, cut back to the length that it had when all was well.
-    pub fn reopen(path: PathBuf, length: u64) -> Result<CsvFile, Error> {
-        let file = OpenOptions::new().append(true).open(&path).map_err(Error::io(&path))?;
-        let found = file.metadata().map_err(Error::io(&path))?.len();
-        if found < length {
-            let message = format!("{found} bytes are left of the {length} that the run had written");
-            return Err(Error::new(&path, message));
+    /// An existing table, cut back to the length that it had when all was well, and refused where its bytes are not those of then.
+    pub fn reopen(path: PathBuf, length: u64, written: Option<&String>) -> Result<CsvFile, Error> {
+        let mut bytes = super::reader::read_regular(&path)?;
+        if (bytes.len() as u64) < length {
+            return Err(shortened(&path, bytes.len() as u64, length));
         }
+        bytes.truncate(usize::try_from(length).unwrap_or(usize::MAX));
+        if written.is_some_and(|written| *written != digest(&bytes)) {
+            return Err(Error::new(&path, CHANGED));
+        }
+        let file = OpenOptions::new().append(true).open(&path).map_err(Error::io(&path))?;
         file.set_len(length).map_err(Error::io(&path))?;
-        Ok(CsvFile::over(path, file))
+        Ok(CsvFile::over(path, Hashed::after(file, &bytes)))
     }
 
-    fn over(path: PathBuf, file: File) -> CsvFile {
+    fn over(path: PathBuf, file: Hashed) -> CsvFile {
         CsvFile { path, writer: WriterBuilder::new().has_headers(false).from_writer(file) }
     }
 
@@ -55,16 +59,34 @@ impl CsvFile {
     /// Appends rows as they were written.
     pub fn append_bytes(&mut self, rows: &[u8]) -> Result<(), Error> {
         self.writer.flush().map_err(Error::io(&self.path))?;
-        let mut file = self.writer.get_ref();
-        file.write_all(rows).map_err(Error::io(&self.path))
+        self.writer.get_ref().append(rows).map_err(Error::io(&self.path))
     }
 
-    /// Hands everything to the operating system and returns the file's length.
+    /// Hands everything to the operating system and returns the table's length.
     pub fn flush(&mut self) -> Result<u64, Error> {
         self.writer.flush().map_err(Error::io(&self.path))?;
-        let metadata = self.writer.get_ref().metadata().map_err(Error::io(&self.path))?;
-        Ok(metadata.len())
+        Ok(self.writer.get_ref().length())
     }
+
+    /// Takes back what was appended beyond this length. Nothing can be appended after that.
+    pub fn cut(&mut self, length: u64) -> Result<(), Error> {
+        self.flush()?;
+        self.writer.get_ref().cut(length).map_err(Error::io(&self.path))
+    }
+
+    /// The SHA-256, in hex digits, of all that the last [`flush`](CsvFile::flush) has handed over.
+    pub fn digest(&self) -> String {
+        self.writer.get_ref().digest()
+    }
+}
+
+/// What is said of a file that is not as the run has left it.
+pub(super) const CHANGED: &str =
+    "its bytes are not those that the run has written; restore the file from a copy, or start a new run";
+
+fn shortened(path: &Path, found: u64, length: u64) -> Error {
+    let cure = "restore the file from a copy, or start a new run";
+    Error::new(path, format!("{found} bytes are left of the {length} that the run had written; {cure}"))
 }
 
 /// How many bytes the line of the columns has, with its end.
@@ -149,10 +171,7 @@ impl Extent {
     /// Refuses a file of another length.
     pub fn check(self, found: u64, path: &Path) -> Result<(), Error> {
         match self {
-            Extent::All(length) | Extent::First(length) if found < length => {
-                let message = format!("{found} bytes are left of the {length} that the run had written");
-                Err(Error::new(path, message))
-            }
+            Extent::All(length) | Extent::First(length) if found < length => Err(shortened(path, found, length)),
             Extent::All(length) if found > length => {
                 let message =
                     format!("{} bytes were added after the run was complete; restore the file", found - length);
@@ -188,7 +207,7 @@ pub(super) fn read(path: &Path, extent: Extent, written: Option<&String>) -> Res
         }
     }
     if written.is_some_and(|written| *written != digest(&bytes)) {
-        return Err(Error::new(path, "it was edited after the run was complete; restore the file"));
+        return Err(Error::new(path, CHANGED));
     }
     let mut reader = ReaderBuilder::new().from_reader(bytes.as_slice());
     let header = reader.headers().map_err(|e| failed(path, &e))?.clone();
@@ -234,7 +253,7 @@ pub(super) fn failed(path: &Path, error: &csv::Error) -> Error {
             format!("there are {len} fields, and there should be {expected_len}")
         }
         csv::ErrorKind::Deserialize { err, .. } => err.to_string(),
-        csv::ErrorKind::Io(err) => err.to_string(),
+        csv::ErrorKind::Io(err) => with_cure(err),
         _ => error.to_string(),
     };
     match error.position() {

@@ -10,7 +10,7 @@ use std::path::Path;
 use crate::Error;
 
 /// The file that is locked.
-const FILE: &str = "run.lock";
+pub(super) const FILE: &str = "run.lock";
 
 /// A run folder that this process writes.
 pub(super) struct Lock(#[allow(dead_code, reason = "held, not read: the lock goes with the file")] File);
@@ -43,10 +43,11 @@ impl Lock {
         }
     }
 
-    /// Whether a folder holds anything but a lock.
+    /// Whether a folder holds anything but a lock, and the plan of a run that was ended while it was written.
     pub fn others(folder: &Path) -> Result<bool, Error> {
         for entry in fs::read_dir(folder).map_err(Error::io(folder))? {
-            if entry.map_err(Error::io(folder))?.file_name() != FILE {
+            let name = entry.map_err(Error::io(folder))?.file_name();
+            if name != FILE && name != "plan.json.next" {
                 return Ok(true);
             }
         }

@@ -4,14 +4,16 @@
 //! like one of all.
 
 use std::collections::BTreeMap;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::costs::CostRow;
 use super::csv_file::header_length;
+use super::lock::{FILE as LOCK, Lock};
 use super::segments::{Piece, SegmentRow, pieces};
 use super::state::State;
 use super::{RunDir, RunWriter, TableSpec};
-use crate::{Error, Outcome, Plan, PlannedScene, Row, Shard};
+use crate::{Error, ExpectedFile, Outcome, Plan, PlannedScene, Row, Shard};
 
 /// Why parts were not put together.
 #[derive(Clone, PartialEq, Debug)]
@@ -40,6 +42,9 @@ struct Part {
 /// Puts the parts of a run into a new folder: those that `run --shard k/N` has left. `tables` are those of a run besides the ones
 /// that every run has.
 ///
+/// The folder is whole or not there: it is made beside its place, as `NAME.merging`, and moved there at the end. What a merge that was
+/// killed has left there, the next one takes away.
+///
 /// # Errors
 /// [`NotMerged`] with the folder of the first part that does not fit, and why; nothing is written then. If the new folder can't be written.
 pub fn merge(
@@ -59,7 +64,8 @@ pub fn merge(
         parts.extend(places.into_iter().map(|place| (place, part.clone())));
     }
     let tables: Vec<TableSpec> = tables.iter().copied().filter(|table| table.file != SegmentRow::FILE).collect();
-    let mut writer = RunWriter::create(out, &plan, &env, &tables)?;
+    let site = Site::new(out)?;
+    let mut writer = RunWriter::create(&site.folder, &plan, &env, &tables)?;
     for (place, part) in &parts {
         for backend in &plan.backends {
             for (table, from, to) in part.pieces.get(&(*place, backend.clone())).into_iter().flatten() {
@@ -83,7 +89,52 @@ pub fn merge(
         }
     }
     writer.finish(Outcome::Complete)?;
+    site.move_to(out)?;
     Ok(RunDir::open(out)?)
+}
+
+/// The folder in which parts are put together. It goes away with its value, unless it was moved.
+struct Site {
+    folder: PathBuf,
+    is_moved: bool,
+}
+
+impl Site {
+    fn new(out: &Path) -> Result<Site, Error> {
+        if out.exists() && Lock::others(out)? {
+            return Err(Error::new(out, "the folder is not empty; name another"));
+        }
+        let mut name =
+            out.file_name().ok_or_else(|| Error::new(out, "this can't be made; name a new folder"))?.to_owned();
+        name.push(".merging");
+        let folder = out.with_file_name(name);
+        if folder.join(LOCK).exists() {
+            // Not while another process is at it.
+            drop(Lock::take(&folder)?);
+            fs::remove_dir_all(&folder).map_err(Error::io(&folder))?;
+        }
+        Ok(Site { folder, is_moved: false })
+    }
+
+    fn move_to(mut self, out: &Path) -> Result<(), Error> {
+        // In its place there may be an empty folder.
+        if out.exists() {
+            let _ = fs::remove_file(out.join(LOCK));
+            fs::remove_dir(out).map_err(Error::io(out))?;
+        }
+        fs::rename(&self.folder, out).map_err(Error::io(out))?;
+        self.is_moved = true;
+        Ok(())
+    }
+}
+
+impl Drop for Site {
+    fn drop(&mut self) {
+        // If another process writes there, its lock is what this one has failed of.
+        if !self.is_moved && self.folder.join(LOCK).exists() && Lock::take(&self.folder).is_ok() {
+            let _ = fs::remove_dir_all(&self.folder);
+        }
+    }
 }
 
 impl Part {
@@ -94,7 +145,7 @@ impl Part {
         let mut headers = BTreeMap::new();
         for file in state.committed.keys().filter(|file| *file != SegmentRow::FILE) {
             let path = run.path.join(file);
-            let bytes = std::fs::read(&path).map_err(Error::io(&path))?;
+            let bytes = fs::read(&path).map_err(Error::io(&path))?;
             headers.insert(file.clone(), header_length(&bytes));
             tables.insert(file.clone(), bytes);
         }
@@ -192,6 +243,7 @@ fn difference(one: &Plan, other: &Plan) -> Option<String> {
             shard: Shard::WHOLE,
             whole: None,
             paths: BTreeMap::new(),
+            expected: plan.expected.clone().map(|expected| ExpectedFile { file: String::new(), ..expected }),
             ..plan.clone()
         };
         (rest(one) != rest(other)).then(|| "other settings (plan.json)".to_owned())

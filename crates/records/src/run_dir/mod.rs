@@ -14,10 +14,13 @@
 //! A table that `state.json` doesn't name and that isn't there is younger than the
 //! tool that made the folder: it is read as empty, and started when the run is resumed.
 //!
-//! The folder says that the run is incomplete until somebody says otherwise.
+//! The folder says that the run is incomplete until somebody says otherwise. JSON files and pictures are whole or not there; a table
+//! counts as far as the state says, and only if it has the digest that the state says. So a run can be ended at any moment, and what
+//! is left of it is gone on with or refused.
 
 mod costs;
 mod csv_file;
+mod hashed;
 mod lined;
 mod lock;
 mod merge;

@@ -3,15 +3,18 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
 
 use super::costs::CostRow;
-use super::csv_file::{self, Extent};
+use super::csv_file::{self, CHANGED, Extent};
+use super::hashed::digest;
 use super::once::Pair;
 use super::state::{Outcome, State};
 use super::tables::{Record, TableSpec};
+use super::writer::map_key;
 use super::{ENV, MAPS, PLAN, TABLES};
 use crate::rows::{MOST, NO_COUNT};
 use crate::{
@@ -74,11 +77,7 @@ impl RunDir {
     /// The file and line of the first thing that can't be read.
     pub fn open(path: impl AsRef<Path>) -> Result<RunDir, Error> {
         let path = path.as_ref();
-        let plan: Plan = read_json(&path.join(PLAN))?;
-        if plan.format > FORMAT {
-            let message = format!("the run has format {}, and this tool reads formats up to {FORMAT}", plan.format);
-            return Err(Error::new(path, message));
-        }
+        let plan = RunDir::plan(path)?;
         let state = State::read(path)?;
         let mut warnings = Vec::new();
         let run = RunDir {
@@ -93,11 +92,30 @@ impl RunDir {
             precision: read_table(path, &state, &mut warnings)?,
             tables: read_others(path, &state, &mut warnings)?,
             elsewhere: BTreeSet::new(),
-            maps: read_maps(&path.join(MAPS))?,
+            maps: read_maps(path, &state)?,
             warnings,
         };
         run.check_planned()?;
         Ok(run)
+    }
+
+    /// The plan of the run in a folder: what it was going to do, and nothing of what it has done. Of a run that was ended before it
+    /// had begun there may be nothing else.
+    ///
+    /// # Errors
+    /// If the plan can't be read, is not as the run has written it, or has a newer format.
+    pub fn plan(path: impl AsRef<Path>) -> Result<Plan, Error> {
+        let (folder, path) = (path.as_ref(), path.as_ref().join(PLAN));
+        let bytes = read_regular(&path)?;
+        let plan: Plan = of_json(&path, &bytes)?;
+        if plan.format > FORMAT {
+            let message = format!("the run has format {}, and this tool reads formats up to {FORMAT}", plan.format);
+            return Err(Error::new(folder, message));
+        }
+        if !State::is_missing(folder) {
+            check(&path, &bytes, State::read(folder)?.digests.get(PLAN))?;
+        }
+        Ok(plan)
     }
 
     /// Refuses rows about scenes that the plan does not have, and scenes that no run can have.
@@ -233,31 +251,60 @@ fn read_others(
 }
 
 pub(super) fn read_json<T: DeserializeOwned>(path: &Path) -> Result<T, Error> {
-    serde_json::from_slice(&read_regular(path)?).map_err(Error::json(path))
+    of_json(path, &read_regular(path)?)
+}
+
+fn of_json<T: DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<T, Error> {
+    serde_json::from_slice(bytes).map_err(|error| {
+        let Error { path, line, message } = Error::json(path)(error);
+        Error { path, line, message: format!("{message}; restore the file from a copy, or start a new run") }
+    })
+}
+
+/// Refuses bytes that have another digest than was written down, if one was.
+fn check(path: &Path, bytes: &[u8], written: Option<&String>) -> Result<(), Error> {
+    match written {
+        Some(written) if *written != digest(bytes) => Err(Error::new(path, CHANGED)),
+        _ => Ok(()),
+    }
 }
 
 /// The bytes of a regular file: to open a pipe is to wait for it, and a device may never end.
 pub(super) fn read_regular(path: &Path) -> Result<Vec<u8>, Error> {
-    if fs::metadata(path).map_err(Error::io(path))?.is_file() {
+    let metadata = fs::metadata(path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => {
+            Error::new(path, "there is no such file; restore it from a copy, start a new run, or name another folder")
+        }
+        _ => Error::io(path)(error),
+    })?;
+    if metadata.is_file() {
         fs::read(path).map_err(Error::io(path))
     } else {
         Err(Error::new(path, "it is no regular file but a folder, a pipe, a device or the like"))
     }
 }
 
-fn read_maps(folder: &Path) -> Result<Vec<(String, Vec<u8>)>, Error> {
-    if !folder.exists() {
-        return Ok(Vec::new());
+/// The pictures of a folder. Those that a commit has told of have to be there as they were.
+fn read_maps(folder: &Path, state: &State) -> Result<Vec<(String, Vec<u8>)>, Error> {
+    let folder = folder.join(MAPS);
+    let mut files: BTreeSet<PathBuf> = state
+        .digests
+        .keys()
+        .filter_map(|key| key.strip_prefix(MAPS)?.strip_prefix('/'))
+        .filter(|file| !file.contains(['/', '\\']))
+        .map(|file| folder.join(file))
+        .collect();
+    if folder.exists() {
+        for entry in fs::read_dir(&folder).map_err(Error::io(&folder))? {
+            files.insert(entry.map_err(Error::io(&folder))?.path());
+        }
     }
     let mut maps = Vec::new();
-    for entry in fs::read_dir(folder).map_err(Error::io(folder))? {
-        let path = entry.map_err(Error::io(folder))?.path();
-        if path.extension() == Some(OsStr::new("png"))
-            && let Some(name) = path.file_stem()
-        {
-            let png = read_regular(&path)?;
-            maps.push((name.to_string_lossy().into_owned(), png));
-        }
+    for path in files.into_iter().filter(|path| path.extension() == Some(OsStr::new("png"))) {
+        let [name, file] = [path.file_stem(), path.file_name()].map(|name| name.unwrap_or_default().to_string_lossy());
+        let png = read_regular(&path)?;
+        check(&path, &png, state.digests.get(&map_key(&file)))?;
+        maps.push((name.into_owned(), png));
     }
     maps.sort_unstable();
     Ok(maps)

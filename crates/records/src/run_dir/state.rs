@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
 use crate::Error;
 
@@ -46,16 +45,6 @@ impl Outcome {
     }
 }
 
-/// The SHA-256 of a table in hex digits.
-pub(super) fn digest(bytes: &[u8]) -> String {
-    hex(&Sha256::digest(bytes))
-}
-
-/// Bytes in hex digits.
-pub(super) fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
 /// The file itself. It is replaced as a whole, never edited in place.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub(super) struct State {
@@ -64,7 +53,8 @@ pub(super) struct State {
     /// The length of each table in bytes when the last scene was done: what
     /// comes after belongs to a scene that was not.
     pub committed: BTreeMap<String, u64>,
-    /// The SHA-256 of each table of a complete run, in hex digits; none in folders made before it was written down.
+    /// The SHA-256, in hex digits, of as much of each table, of the plan, and of the pictures by `maps/NAME.png`: a run goes on with
+    /// no other bytes than its own. None in folders made before it was written down.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub digests: BTreeMap<String, String>,
 }
@@ -72,14 +62,26 @@ pub(super) struct State {
 impl State {
     const FILE: &str = "state.json";
 
+    /// The state of a run; what to do is said where the folder has a plan and no state.
     pub fn read(folder: &Path) -> Result<State, Error> {
-        super::reader::read_json(&folder.join(State::FILE))
+        let path = folder.join(State::FILE);
+        if State::is_missing(folder) {
+            let message = if folder.join(super::PLAN).exists() {
+                "there is no such file: the run was ended before it had begun; `run --resume` begins it"
+            } else {
+                "there is no such file: the folder is not that of a run"
+            };
+            return Err(Error::new(&path, message));
+        }
+        super::reader::read_json(&path)
+    }
+
+    /// Whether a folder has no state: it is no run, or one that was ended while its folder was made.
+    pub fn is_missing(folder: &Path) -> bool {
+        !folder.join(State::FILE).exists()
     }
 
     pub fn write(&self, folder: &Path) -> Result<(), Error> {
-        let path = folder.join(State::FILE);
-        let next = folder.join("state.json.next");
-        super::writer::write_json(&next, self)?;
-        std::fs::rename(&next, &path).map_err(Error::io(&path))
+        super::writer::write_json(&folder.join(State::FILE), self)
     }
 }

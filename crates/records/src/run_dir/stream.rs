@@ -12,9 +12,10 @@ use csv::{ReaderBuilder, StringRecord};
 use sha2::{Digest, Sha256};
 
 use super::csv_file::{Extent, failed};
+use super::hashed::hex;
 use super::lock::Lock;
 use super::reader::read_json;
-use super::state::{Outcome, State, hex};
+use super::state::{Outcome, State};
 use super::{ENV, PLAN};
 use crate::{Env, Error, FORMAT, Plan};
 

@@ -7,13 +7,14 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 
 use super::costs::{CostLog, CostRow};
-use super::csv_file::CsvFile;
+use super::csv_file::{CsvFile, header_length};
+use super::hashed::digest;
 use super::lock::Lock;
 use super::segments::SegmentRow;
-use super::state::{Outcome, State, digest};
+use super::state::{Outcome, State};
 use super::tables::{Record, TableSpec};
 use super::{ENV, MAPS, PLAN, TABLES};
-use crate::{Env, Error, Plan, Row, RunDir};
+use crate::{Env, Error, Plan, Row, RunDir, replace};
 
 /// Writes a run folder.
 ///
@@ -48,28 +49,47 @@ impl RunWriter {
         let lock = Lock::take(folder)?;
         refuse_others()?;
         write_json(&folder.join(PLAN), plan)?;
+        RunWriter::start(folder, lock, env, more)
+    }
+
+    /// Starts the tables of a folder that has its plan.
+    fn start(folder: &Path, lock: Lock, env: &Env, more: &[TableSpec]) -> Result<RunWriter, Error> {
         write_json(&folder.join(ENV), env)?;
         let mut tables = BTreeMap::new();
         for TableSpec { file, columns, .. } in TABLES.iter().chain(more).copied() {
             tables.insert(file, CsvFile::create(folder.join(file), columns)?);
         }
-        let state = State { outcome: Outcome::Unfinished, committed: BTreeMap::new(), digests: BTreeMap::new() };
+        let plan = digest(&super::reader::read_regular(&folder.join(PLAN))?);
+        let digests = [(PLAN.to_owned(), plan)].into();
+        let state = State { outcome: Outcome::Unfinished, committed: BTreeMap::new(), digests };
         let mut writer = RunWriter { folder: folder.to_owned(), tables, state, costs: CostLog::default(), _lock: lock };
         writer.commit()?;
         Ok(writer)
     }
 
     /// Goes on with an incomplete run: drops what came after its last commit,
-    /// and returns what is left, so that the caller knows what to skip.
+    /// and returns what is left, so that the caller knows what to skip. A run that was ended before its first commit
+    /// has nothing but its plan, and is begun, on the machine that `env` tells of.
     ///
     /// # Errors
     /// If the run is complete or being written, or the folder is not a run or was tampered with.
-    pub fn resume(folder: impl AsRef<Path>, more: &[TableSpec]) -> Result<(RunWriter, RunDir), Error> {
+    pub fn resume(
+        folder: impl AsRef<Path>,
+        env: impl FnOnce() -> Env,
+        more: &[TableSpec],
+    ) -> Result<(RunWriter, RunDir), Error> {
         let folder = folder.as_ref();
         // A folder that is no run gets no lock.
-        State::read(folder)?;
+        RunDir::plan(folder)?;
         let lock = Lock::take(folder)?;
+        if State::is_missing(folder) {
+            clear(folder)?;
+            let writer = RunWriter::start(folder, lock, &env(), more)?;
+            return Ok((writer, RunDir::open(folder)?));
+        }
         let mut state = State::read(folder)?;
+        let plan = digest(&super::reader::read_regular(&folder.join(PLAN))?);
+        state.digests.entry(PLAN.to_owned()).or_insert(plan);
         if state.outcome == Outcome::Complete {
             return Err(Error::new(folder, "the run is complete: there is nothing to resume"));
         }
@@ -77,9 +97,11 @@ impl RunWriter {
         for TableSpec { file, columns, .. } in TABLES.iter().chain(more).copied() {
             let path = folder.join(file);
             let table = match state.committed.get(file) {
-                Some(&length) => CsvFile::reopen(path, length)?,
+                Some(&length) => CsvFile::reopen(path, length, state.digests.get(file))?,
                 None if path.exists() => {
-                    let message = format!("state.json doesn't say how much of {file} was written");
+                    let message = format!(
+                        "state.json doesn't say how much of {file} was written; restore both from a copy, or start a new run"
+                    );
                     return Err(Error::new(folder, message));
                 }
                 None => CsvFile::create(path, columns)?,
@@ -87,7 +109,6 @@ impl RunWriter {
             tables.insert(file, table);
         }
         state.outcome = Outcome::Unfinished;
-        state.digests.clear();
         let mut writer = RunWriter { folder: folder.to_owned(), tables, state, costs: CostLog::default(), _lock: lock };
         // New tables get their header, and the state is told of them.
         writer.commit()?;
@@ -127,6 +148,7 @@ impl RunWriter {
     pub fn commit(&mut self) -> Result<(), Error> {
         for (file, table) in &mut self.tables {
             self.state.committed.insert((*file).to_owned(), table.flush()?);
+            self.state.digests.insert((*file).to_owned(), table.digest());
         }
         self.state.write(&self.folder)
     }
@@ -170,37 +192,62 @@ impl RunWriter {
     ///
     /// # Errors
     /// If the disk refuses, or the name is not a plain file name.
-    pub fn add_map(&self, name: &str, png: &[u8]) -> Result<(), Error> {
+    pub fn add_map(&mut self, name: &str, png: &[u8]) -> Result<(), Error> {
         let maps = self.folder.join(MAPS);
         let plain = !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', ':', '\0']);
         if !plain {
             return Err(Error::new(&maps, format!("`{name}` can't be a file's name")));
         }
         fs::create_dir_all(&maps).map_err(Error::io(&maps))?;
-        let path = maps.join(format!("{name}.png"));
-        fs::write(&path, png).map_err(Error::io(&path))
+        let file = format!("{name}.png");
+        replace(&maps.join(&file), png)?;
+        self.state.digests.insert(map_key(&file), digest(png));
+        Ok(())
     }
 
-    /// Says how the run ended, once and for all.
+    /// Says how the run ended, once and for all. What an interrupted one has written since its last commit is taken back, as if it had
+    /// been killed: it belongs to a scene that is not done.
     ///
     /// # Errors
     /// If the disk refuses.
     pub fn finish(mut self, outcome: Outcome) -> Result<(), Error> {
-        self.commit()?;
-        self.state.outcome = outcome;
-        if outcome == Outcome::Complete {
-            for file in self.tables.keys() {
-                let path = self.folder.join(file);
-                let bytes = fs::read(&path).map_err(Error::io(&path))?;
-                self.state.digests.insert((*file).to_owned(), digest(&bytes));
+        if matches!(outcome, Outcome::Interrupted | Outcome::Unfinished) {
+            for (file, table) in &mut self.tables {
+                table.cut(self.state.committed.get(*file).copied().unwrap_or(0))?;
             }
+        } else {
+            self.commit()?;
         }
+        self.state.outcome = outcome;
         self.state.write(&self.folder)
     }
 }
 
+/// The name of a picture among the digests of a state.
+pub(super) fn map_key(file: &str) -> String {
+    format!("{MAPS}/{file}")
+}
+
+/// Takes away the tables of a run that was ended before its first commit. Rows are not taken away: then the state was lost.
+fn clear(folder: &Path) -> Result<(), Error> {
+    for entry in fs::read_dir(folder).map_err(Error::io(folder))? {
+        let path = entry.map_err(Error::io(folder))?.path();
+        if path.extension() != Some("csv".as_ref()) {
+            continue;
+        }
+        let bytes = super::reader::read_regular(&path)?;
+        if header_length(&bytes) < bytes.len() as u64 {
+            let message = "it has rows, and there is no state.json that tells of them; restore that from a copy, or start a new run";
+            return Err(Error::new(&path, message));
+        }
+        fs::remove_file(&path).map_err(Error::io(&path))?;
+    }
+    Ok(())
+}
+
+/// Writes a JSON file that is whole or not there.
 pub(super) fn write_json(path: &Path, value: &impl Serialize) -> Result<(), Error> {
     let mut json = serde_json::to_string_pretty(value).map_err(Error::json(path))?;
     json.push('\n');
-    fs::write(path, json).map_err(Error::io(path))
+    replace(path, json.as_bytes())
 }

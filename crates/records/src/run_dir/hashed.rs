@@ -1,0 +1,86 @@
+//! A file that is appended to, and the SHA-256 of all that is in it.
+//!
+//! Each commit of a run writes down the length and the digest of every table. To read a table again for each would cost more than
+//! the run, so the digest grows with the file.
+
+use std::cell::RefCell;
+use std::fs::File;
+use std::io::{self, Write};
+
+use sha2::{Digest, Sha256};
+
+/// The SHA-256 of bytes in hex digits.
+pub(super) fn digest(bytes: &[u8]) -> String {
+    hex(&Sha256::digest(bytes))
+}
+
+/// Bytes in hex digits.
+pub(super) fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// A file with the digest of what was written to it.
+pub(super) struct Hashed {
+    file: File,
+    so_far: RefCell<(Sha256, u64)>,
+}
+
+impl Hashed {
+    /// A file that is empty.
+    pub fn new(file: File) -> Hashed {
+        Hashed::after(file, &[])
+    }
+
+    /// A file that has these bytes and is opened for appending.
+    pub fn after(file: File, bytes: &[u8]) -> Hashed {
+        Hashed { file, so_far: RefCell::new((Sha256::new_with_prefix(bytes), bytes.len() as u64)) }
+    }
+
+    /// How many bytes are in the file.
+    pub fn length(&self) -> u64 {
+        self.so_far.borrow().1
+    }
+
+    /// Their SHA-256 in hex digits.
+    pub fn digest(&self) -> String {
+        hex(&self.so_far.borrow().0.clone().finalize())
+    }
+
+    /// Cuts the file to this length. What is known of its bytes is that of before.
+    pub fn cut(&self, length: u64) -> io::Result<()> {
+        self.file.set_len(length)
+    }
+
+    /// Appends all of these bytes.
+    pub fn append(&self, bytes: &[u8]) -> io::Result<()> {
+        let mut rest = bytes;
+        while !rest.is_empty() {
+            match self.some(rest) {
+                Ok(0) => return Err(io::ErrorKind::WriteZero.into()),
+                Ok(count) => rest = &rest[count..],
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(())
+    }
+
+    /// Appends some of these bytes, and counts as many as the system has taken.
+    fn some(&self, bytes: &[u8]) -> io::Result<usize> {
+        let count = (&self.file).write(bytes)?;
+        let (digest, length) = &mut *self.so_far.borrow_mut();
+        digest.update(&bytes[..count]);
+        *length += count as u64;
+        Ok(count)
+    }
+}
+
+impl Write for Hashed {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.some(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}

@@ -1,0 +1,274 @@
+//! What is killed and compared: a small run in several shapes, and the ways to go on with it.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+use tempfile::{TempDir, tempdir};
+
+use crate::common::{Told, told, tool};
+
+/// The file that may differ: it tells of the machine and of the command line.
+pub const OF_THE_MACHINE: &str = "env.json";
+/// The file that differs from run to run: how long each scene took.
+const OF_TIMES: &str = "costs.csv";
+/// The number of parts of a run in parts.
+pub const PARTS: u32 = 2;
+
+/// The shapes of a run.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Shape {
+    /// In one process.
+    Plain,
+    /// Each scene and backend in a process of its own.
+    Apart,
+    /// A part of a run.
+    Part(u32),
+}
+
+impl Shape {
+    /// The words after `predicament`, without the folder.
+    pub fn words(self) -> Vec<String> {
+        // Signs, ties, a mesh, a map of a plane; or a picture of single signs, which goes with its rows.
+        let scenes = "ties/(grid-(4x4|3x3x3)-(compare|orient)|cube)|lecture/(ear|cascade|split)|tilings/bricks$";
+        let few = "kettner-(a1|pixels-a)$";
+        let scenes = if self == Shape::Apart { few } else { scenes };
+        let mut words = vec!["run", "-f", scenes, "-b", "exact,sos,naive", "--quiet"];
+        let part = if let Shape::Part(k) = self { format!("{k}/{PARTS}") } else { String::new() };
+        match self {
+            Shape::Plain => words.push("--answers"),
+            Shape::Apart => words.push("--isolate=always"),
+            Shape::Part(_) => words.extend(["--answers", "--shard", &part]),
+        }
+        words.into_iter().map(str::to_owned).collect()
+    }
+
+    /// The words that go on with it.
+    fn resume(self, folder: &str) -> Vec<String> {
+        let mut words = vec!["run".to_owned(), "--quiet".to_owned(), "--resume".to_owned(), folder.to_owned()];
+        words.extend((self == Shape::Apart).then(|| "--isolate=always".to_owned()));
+        words
+    }
+}
+
+/// How many bytes the files of a folder have.
+pub fn size(folder: &Path) -> u64 {
+    let mut all = 0;
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        all += match entry.metadata() {
+            Ok(found) if found.is_dir() => size(&entry.path()),
+            Ok(found) => found.len(),
+            Err(_) => 0,
+        };
+    }
+    all
+}
+
+/// The bytes of all files of a folder, by their paths in it.
+pub type Files = BTreeMap<String, Vec<u8>>;
+
+/// The files that have to be as in an undisturbed run.
+pub fn files(folder: &Path) -> Files {
+    let mut all = Files::new();
+    let mut left = vec![folder.to_owned()];
+    while let Some(here) = left.pop() {
+        for entry in std::fs::read_dir(&here).unwrap_or_else(|error| panic!("{}: {error}", here.display())) {
+            let path = entry.unwrap().path();
+            let name = path.strip_prefix(folder).unwrap().display().to_string();
+            if path.is_dir() {
+                left.push(path);
+            } else if name != OF_THE_MACHINE && name != OF_TIMES {
+                all.insert(name, std::fs::read(&path).unwrap());
+            }
+        }
+    }
+    all
+}
+
+/// The names of the files that differ.
+pub fn differing(one: &Files, other: &Files) -> Vec<String> {
+    let names = one.keys().chain(other.keys());
+    let mut names: Vec<String> = names.filter(|&name| one.get(name) != other.get(name)).cloned().collect();
+    names.sort();
+    names.dedup();
+    names
+}
+
+/// The tool with these words.
+pub fn words_of(words: &[String]) -> Command {
+    tool(&words.iter().map(String::as_str).collect::<Vec<_>>())
+}
+
+/// Starts the tool as the first of a group of processes, silently.
+pub fn start(words: &[String]) -> Child {
+    let mut command = words_of(words);
+    command.stdout(Stdio::null()).stderr(Stdio::null());
+    #[cfg(unix)]
+    std::os::unix::process::CommandExt::process_group(&mut command, 0);
+    command.spawn().expect("the tool starts")
+}
+
+/// Sends a signal to a process, or to a group of them where the number is below zero. It may have ended before.
+pub fn signal(name: &str, process: i64) {
+    let status = Command::new("kill")
+        .args([&format!("-{name}"), "--", &process.to_string()])
+        .stderr(Stdio::null())
+        .status()
+        .expect("there is `kill`");
+    let _ = status;
+}
+
+/// The processes that this one has started and that are there.
+pub fn children(of: u32) -> Vec<u32> {
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir("/proc").into_iter().flatten().flatten() {
+        let Some(id) = entry.file_name().to_str().and_then(|name| name.parse().ok()) else { continue };
+        let stat = std::fs::read_to_string(entry.path().join("stat")).unwrap_or_default();
+        // After the name in brackets come the state and the parent.
+        let parent = stat.rsplit_once(')').and_then(|(_, rest)| rest.split_whitespace().nth(1)?.parse().ok());
+        if parent == Some(of) {
+            found.push(id);
+        }
+    }
+    found
+}
+
+/// The undisturbed runs, and a folder for the disturbed ones.
+pub struct Bench {
+    folder: TempDir,
+    whole: BTreeMap<Shape, (Files, Duration)>,
+}
+
+impl Bench {
+    /// Makes undisturbed runs of these shapes.
+    pub fn new(shapes: &[Shape]) -> Bench {
+        let folder = tempdir().unwrap();
+        let mut bench = Bench { folder, whole: BTreeMap::new() };
+        for &shape in shapes {
+            let out = bench.place(&format!("whole {shape:?}"));
+            let begun = Instant::now();
+            let told = bench.run(&with_out(shape.words(), &out));
+            assert!([0, 100].contains(&told.code), "{shape:?}: {}", told.stderr);
+            let taken = begun.elapsed();
+            bench.whole.insert(shape, (files(&out), taken));
+        }
+        bench
+    }
+
+    /// The same for a run, and its parts, which are put together once.
+    pub fn with_parts(more: &[Shape]) -> Bench {
+        let parts = (1..=PARTS).map(Shape::Part);
+        let shapes: Vec<Shape> = [Shape::Plain].into_iter().chain(parts).chain(more.iter().copied()).collect();
+        let bench = Bench::new(&shapes);
+        let out = bench.place("merged");
+        let told = bench.run(&bench.merge(&out));
+        assert!([0, 100].contains(&told.code), "{}", told.stderr);
+        assert_eq!(differing(&files(&out), bench.whole(Shape::Plain)), [""; 0], "merged is the whole");
+        bench
+    }
+
+    /// A path in the folder of disturbed runs.
+    pub fn place(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// The files of an undisturbed run.
+    pub fn whole(&self, shape: Shape) -> &Files {
+        &self.whole[&shape].0
+    }
+
+    /// How long it takes undisturbed.
+    pub fn time(&self, shape: Shape) -> Duration {
+        self.whole[&shape].1
+    }
+
+    /// How many bytes the files of an undisturbed run have.
+    pub fn size(&self, shape: Shape) -> u64 {
+        self.whole(shape).values().map(|bytes| bytes.len() as u64).sum()
+    }
+
+    /// The words that merge the undisturbed parts.
+    pub fn merge(&self, out: &Path) -> Vec<String> {
+        let parts = (1..=PARTS).map(|k| self.place(&format!("whole {:?}", Shape::Part(k))).display().to_string());
+        with_out(["merge".to_owned()].into_iter().chain(parts).collect(), out)
+    }
+
+    /// Runs the tool to its end.
+    pub fn run(&self, words: &[String]) -> Told {
+        told(words_of(words).output().expect("the tool starts"))
+    }
+
+    /// Goes on with what is left in a folder, as a script would, until the run is complete or refused.
+    pub fn go_on(&self, shape: Shape, out: &Path) -> Told {
+        let words = if out.join("plan.json").exists() {
+            shape.resume(&out.display().to_string())
+        } else {
+            with_out(shape.words(), out)
+        };
+        self.run(&words)
+    }
+
+    /// Goes on with what is left in a folder, and says in what state that was and what became of it.
+    ///
+    /// # Panics
+    /// If the files are not those of the undisturbed run in the end.
+    pub fn settle(&self, shape: Shape, out: &Path, case: &str) -> (&'static str, &'static str) {
+        let was = left(out);
+        let told = self.go_on(shape, out);
+        let became = match told.code {
+            2 if was == "complete" && told.stderr.contains("there is nothing to resume") => "was complete",
+            0 | 100 => "resumed: identical",
+            code => panic!("{case}: what was left ({was}) is not gone on with: code {code}: {}", told.stderr),
+        };
+        let differ = differing(&files(out), self.whole(shape));
+        assert!(differ.is_empty(), "{case}: after a folder with {was}, {became}, these files differ: {differ:?}");
+        (was, became)
+    }
+
+    /// The same for a merge, which is made again.
+    pub fn settle_merge(&self, out: &Path, case: &str) -> (&'static str, &'static str) {
+        if out.exists() {
+            assert!(
+                differing(&files(out), self.whole(Shape::Plain)).is_empty(),
+                "{case}: a merge is whole or not there"
+            );
+            return ("complete", "was complete");
+        }
+        let beside = merging(out);
+        let was = if beside.exists() { "a folder beside" } else { "no folder" };
+        let told = self.run(&self.merge(out));
+        assert!([0, 100].contains(&told.code), "{case}: {}", told.stderr);
+        assert!(!beside.exists(), "{case}: nothing is left beside it");
+        let differ = differing(&files(out), self.whole(Shape::Plain));
+        assert!(differ.is_empty(), "{case}: after {was} these files differ: {differ:?}");
+        (was, "merged again: identical")
+    }
+}
+
+/// Where a merge puts its files before they are all there.
+pub fn merging(out: &Path) -> PathBuf {
+    out.with_file_name(format!("{}.merging", out.file_name().unwrap().to_str().unwrap()))
+}
+
+/// These words and `--out`.
+pub fn with_out(mut words: Vec<String>, out: &Path) -> Vec<String> {
+    words.extend(["--out".to_owned(), out.display().to_string()]);
+    words
+}
+
+/// What a run that was ended has left.
+pub fn left(out: &Path) -> &'static str {
+    let state = std::fs::read_to_string(out.join("state.json")).unwrap_or_default();
+    if !out.join("plan.json").exists() {
+        "no plan"
+    } else if state.is_empty() {
+        "a plan and no state"
+    } else if state.contains("\"complete\"") {
+        "complete"
+    } else if state.contains("\"interrupted\"") {
+        "interrupted"
+    } else {
+        "unfinished"
+    }
+}
