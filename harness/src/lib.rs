@@ -40,6 +40,7 @@ mod details;
 pub mod example;
 mod exit;
 mod expectations;
+mod hunting;
 mod interrupt;
 mod judged;
 mod ledger;

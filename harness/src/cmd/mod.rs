@@ -8,6 +8,7 @@ pub mod diff;
 pub mod doctor;
 pub mod engines;
 pub mod gate;
+pub mod hunt;
 pub mod map;
 pub mod merge;
 pub mod new;
