@@ -30,7 +30,7 @@ pub use id::{Canon, SeenIds, content_id};
 pub use level::Level;
 pub use library::Library;
 pub use loaded::LoadedScene;
-pub use numbering::numbered;
+pub use numbering::{Unnumbered, numbered, unnumbered};
 pub use random::Random;
 pub use spelled::{Heading, Items, List, Spelled, coordinate, spelled_points};
 pub use suite::{Context, SceneDef, Suite};

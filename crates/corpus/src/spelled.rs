@@ -63,6 +63,12 @@ pub enum Items {
 }
 
 impl Items {
+    /// Tuples of one length.
+    #[must_use]
+    pub fn tuples<const N: usize>(tuples: &[[Vertex; N]]) -> Items {
+        Items::Tuples(tuples.iter().map(|tuple| tuple.to_vec()).collect())
+    }
+
     /// The number of items.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -142,6 +148,11 @@ impl List {
     pub fn required(key: &'static str, items: Items) -> List {
         List { key, items, least: 1 }
     }
+
+    /// Whether the key is written: without items it can be left out unless it needs some.
+    fn is_written(&self) -> bool {
+        self.least > 0 || !self.items.is_empty()
+    }
 }
 
 /// What a scene is called, and what its suite says about it.
@@ -212,10 +223,7 @@ impl Spelled {
         if !self.constructions.is_empty() {
             write_items(&mut text, "constructed", self.constructions.iter().map(constructed));
         }
-        for List { key, items, least } in &self.lists {
-            if items.is_empty() && *least == 0 {
-                continue;
-            }
+        for List { key, items, .. } in self.lists.iter().filter(|list| list.is_written()) {
             match items {
                 Items::Vertices(all) => {
                     let _ = writeln!(text, "{key} = {}", ids(all));
@@ -223,13 +231,28 @@ impl Spelled {
                 Items::Tuples(all) | Items::Loops(all) => write_items(&mut text, key, all.iter().map(|one| ids(one))),
                 Items::Labelled { tuples, key: labels, rows } => {
                     write_items(&mut text, key, tuples.iter().map(|one| ids(one)));
-                    write_items(&mut text, labels, rows.iter().map(|row| format!("{row:?}")));
+                    write_items(&mut text, labels, rows.iter().map(|row| label(row)));
                 }
                 Items::Rows(all) => write_items(&mut text, key, all.iter().map(|one| row(one))),
                 Items::Polygons(all) => write_items(&mut text, key, all.iter().map(|rings| polygon(rings))),
             }
         }
+        for table in self.emptied() {
+            let _ = writeln!(text, "{table} = {{}}");
+        }
         text
+    }
+
+    /// The tables whose lists are all left out: a complex may have no simplices, but it has to be there.
+    fn emptied(&self) -> Vec<&'static str> {
+        let tables = |is_written: bool| {
+            let lists = self.lists.iter().filter(move |list| list.is_written() == is_written);
+            lists.filter_map(|list| Some(list.key.split_once('.')?.0))
+        };
+        let mut emptied: Vec<&'static str> =
+            tables(false).filter(|table| !tables(true).any(|at| at == *table)).collect();
+        emptied.dedup();
+        emptied
     }
 
     /// A suite with this scene alone.
@@ -294,6 +317,11 @@ fn row(coordinates: &[f64]) -> String {
     format!("[{}]", all.join(", "))
 }
 
+/// A row of one number is the number.
+fn label(row: &[u32]) -> String {
+    if let [one] = row { one.to_string() } else { format!("{row:?}") }
+}
+
 fn polygon(rings: &[Vec<Vec<f64>>]) -> String {
     let ring = |points: &Vec<Vec<f64>>| {
         let points: Vec<String> = points.iter().map(|point| row(point)).collect();
@@ -314,7 +342,7 @@ fn constructed(construction: &Construction) -> String {
         Construction::Lpi { .. } => "lpi",
         Construction::Tpi(_) => "tpi",
     };
-    let flats: Vec<String> = construction.flats().map(|flat| ids(flat)).collect();
+    let flats: Vec<String> = construction.flats().map(ids).collect();
     format!("{{ {kind} = [{}] }}", flats.join(", "))
 }
 

@@ -166,7 +166,7 @@
       const from = row.line === null ? [] : shownRow("recorded in", `${row.folder}/findings.csv, line ${row.line}`);
       const list = make("dl", {}, [...terms.flatMap((term) => shownRow(term, row[term])), ...from]);
       const quoted = (text) => (/^[\w./:@%+=-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
-      const replay = `predicament replay ${row.finding} --run ${quoted(row.folder)}`;
+      const asks = ["replay", "shrink"].map((verb) => command(`predicament ${verb} ${row.finding} --run ${quoted(row.folder)}`));
       const more = details[row.finding];
       const drawn = (more?.pictures ?? []).map(({ alt, svg }) => {
         const figure = make("figure", {}, [make("figcaption", { textContent: alt })]);
@@ -177,7 +177,7 @@
       const told = more?.text ? [make("pre", { textContent: more.text })] : [];
       const strips = (more?.strips ?? []).map(strip);
       const turned = (more?.views ?? []).map(({ alt, drawing }) => make("figure", { className: "turned" }, [make("figcaption", { textContent: alt }), predicamentView(drawing)]));
-      detail.replaceChildren(make("div", { className: "finding" }, [list, ...drawn, ...turned, ...strips, ...told, command(replay)]));
+      detail.replaceChildren(make("div", { className: "finding" }, [list, ...drawn, ...turned, ...strips, ...told, ...asks]));
     };
     tabulator.on("rowClick", (_, row) => show(row.getData()));
     tabulator.on("rowSelected", (row) => show(row.getData()));

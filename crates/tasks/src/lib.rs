@@ -29,6 +29,7 @@ mod counts;
 mod digest;
 mod knob;
 mod list;
+mod map_loops;
 mod map_source;
 mod outcome;
 mod phases;

@@ -6,6 +6,8 @@ use predicament_formats::{
     topojson,
 };
 
+use crate::map_loops::{MapLoops, NEEDED};
+
 static MAP: TableKind =
     TableKind::new("map", &["path", "topojson", "fetch", "object", "member", "polygons", "ids", "regions"]);
 
@@ -18,9 +20,25 @@ pub(crate) enum MapSource {
     Geometry { origin: Origin, member: Option<String>, round: bool, selected: Selected },
     /// Polygons in the suite.
     Written(ImportedMap),
+    /// Loops of points.
+    Loops(MapLoops),
 }
 
 impl MapSource {
+    /// Reads `map`, or `points` and `loops`.
+    pub(crate) fn of_scene(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<MapSource, CorpusError> {
+        let loops = ["points", "loops", "regions"].into_iter().find_map(|key| fields.get(key));
+        match loops {
+            Some(_) if fields.get("map").is_none() => Ok(MapSource::Loops(MapLoops::read(context, fields)?)),
+            Some(loops) => Err(loops.error("a map from two places", "keep `map`, or `points` and `loops`")),
+            None => {
+                let map = fields.required("map");
+                let map = map.map_err(|missing| fields.lacking(NEEDED, missing))?;
+                MapSource::read(context, &map)
+            }
+        }
+    }
+
     /// Reads `path`, `topojson` or `fetch` with `object` or `member`, or `polygons`; and `ids` or `regions`.
     pub(crate) fn read(context: &Context<'_>, map: &Field<'_, '_>) -> Result<MapSource, CorpusError> {
         const ONE: &str = "one of `path`, `topojson`, `fetch` and `polygons`";
@@ -76,6 +94,7 @@ impl MapSource {
                 })
             }
             MapSource::Written(map) => Ok(map.clone()),
+            MapSource::Loops(loops) => loops.map(cache),
         }
     }
 
@@ -84,6 +103,7 @@ impl MapSource {
         match self {
             MapSource::Topology { origin, .. } | MapSource::Geometry { origin, .. } => origin.entry(),
             MapSource::Written(_) => None,
+            MapSource::Loops(loops) => loops.entry(),
         }
     }
 }

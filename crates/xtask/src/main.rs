@@ -11,6 +11,7 @@ mod cpu;
 #[cfg(test)]
 mod house;
 mod m4;
+mod mutants;
 mod sample;
 mod steps;
 
@@ -35,6 +36,9 @@ Commands:
          --accept makes new pictures to compare with. Says what is missing where there is no Chromium, Node.js or npm
   sample the sample report anew: embedded and fetched suites, times, comparison and knobs; `reports/sample` and the
          table of README (20 minutes)
+  mutants [--every N] [--from K] [PACKAGE...]
+         the mutation score: every N-th (50th) small change to arithmetic, exact, sos, tolerance, checks and judge, from
+         the K-th on (0), by cargo-mutants; prints what no test noticed (hours)
   setup  only make sure that what the build needs is there (m4, a C compiler, make)
   help   this text
 
@@ -48,7 +52,9 @@ fn main() -> ExitCode {
     let mut args = std::env::args().skip(1);
     let command = args.next().unwrap_or_else(|| "help".to_owned());
     let rest: Vec<String> = args.collect();
-    let is_known = |argument: &str| command == "engines" || command == "browser" && argument == "--accept";
+    let is_known = |argument: &str| {
+        ["engines", "mutants"].contains(&command.as_str()) || command == "browser" && argument == "--accept"
+    };
     if let Some(extra) = rest.iter().find(|argument| !is_known(argument)) {
         eprintln!("xtask: unexpected argument `{extra}`; see `cargo xtask help`");
         return ExitCode::from(2);
@@ -59,6 +65,7 @@ fn main() -> ExitCode {
         "nightly" => m4::ensure().and_then(|()| steps::nightly()),
         "browser" => m4::ensure().and_then(|()| browser::check(false, !rest.is_empty())),
         "engines" => m4::ensure().and_then(|()| steps::engines(&rest)),
+        "mutants" => m4::ensure().and_then(|()| mutants::score(&rest)),
         "sample" => m4::ensure().and_then(|()| sample::make()),
         "setup" => m4::ensure(),
         "help" | "-h" | "--help" => {

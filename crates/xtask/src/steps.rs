@@ -318,7 +318,7 @@ fn words(program: &str, args: &[&str]) -> Vec<String> {
     [program].iter().chain(args).map(|&word| word.to_owned()).collect()
 }
 
-fn cargo_command<S: AsRef<str>>(args: &[S]) -> Vec<String> {
+pub fn cargo_command<S: AsRef<str>>(args: &[S]) -> Vec<String> {
     std::iter::once(cargo_path()).chain(args.iter().map(|word| word.as_ref().to_owned())).collect()
 }
 

@@ -1,6 +1,8 @@
 //! What a scene of the task asks, how a suite writes it, and one family of generated scenes.
 
-use predicament::corpus::{Canon, Content, Context, Family, Parts, Recipe, SceneFormat, Source};
+use predicament::corpus::{
+    Canon, Content, Context, Family, Items, List, Parts, Recipe, SceneFormat, Source, Spelled, spelled_points,
+};
 use predicament::formats::{CorpusError, Fields, bits, read_points};
 use predicament::predicates::{Scene, Vertex};
 
@@ -18,6 +20,11 @@ impl Content for Among {
     fn canon(&self, canon: &mut Canon) {
         canon.text("leftmost");
         canon.vertices(&self.0);
+    }
+
+    fn spelled(&self, scene: &Scene) -> Option<Spelled> {
+        let lists = vec![List::required("among", Items::Vertices(self.0.clone()))];
+        Some(Spelled { lists, ..spelled_points(scene) })
     }
 }
 

@@ -1,8 +1,9 @@
 //! `corpus`: look at suites, check them, tidy them, try generators, fetch data.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use predicament_corpus::{SceneDef, fmt};
+use predicament_corpus::{Heading, LoadedScene, SceneDef, fmt};
 use predicament_formats::{CorpusError, fetch, fmt_csv, read_as_it_is};
 use predicament_records::replace;
 use predicament_tasks::Watch;
@@ -21,6 +22,7 @@ Examples:
   predicament corpus verify mine.toml
   predicament corpus fmt mine.toml points.csv         decimals that are no doubles become hex floats
   predicament corpus gen families -f 'near-orient3d'  generate, and show how degenerate it is
+  predicament corpus gen classics -f 'kettner-a1$' --toml > mine.toml   write it out, as a suite to change
   predicament corpus fetch                            real data, into the cache";
 
 /// Suites: list, format, verify, generate, fetch
@@ -54,7 +56,13 @@ enum Command {
     /// Load every scene: syntax, coordinates, ids, data
     Verify(Selector),
     /// Generate or import scenes and show how degenerate they are
-    Gen(Selector),
+    Gen {
+        #[command(flatten)]
+        selector: Selector,
+        /// Print the scenes written out, as a suite: points, and what is asked about them by their indices
+        #[arg(long)]
+        toml: bool,
+    },
     /// Fetch real data with npm and cargo, verified by SHA-256
     Fetch {
         /// Keys of the manifest; everything that is missing if left out
@@ -71,7 +79,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         Command::List { scenes, json } => list(tool, scenes, json),
         Command::Fmt { files, check } => format(tool, &files, check),
         Command::Verify(selector) => verify(tool, &selector),
-        Command::Gen(selector) => generate(tool, &selector),
+        Command::Gen { selector, toml } => generate(tool, &selector, toml),
         Command::Fetch { keys, cache } => fetch_all(tool, &keys, cache),
     }
 }
@@ -140,14 +148,25 @@ fn verify(tool: &Tool, selector: &Selector) -> exit::Outcome {
     Ok(exit::OK)
 }
 
-fn generate(tool: &Tool, selector: &Selector) -> exit::Outcome {
+fn generate(tool: &Tool, selector: &Selector, as_suite: bool) -> exit::Outcome {
     let selection = selector.select(tool)?;
     let defs = selection.defs();
     if defs.is_empty() {
         return Err(Failure::nothing(format!("no scene is selected; see `{} corpus list --scenes`", program())));
     }
+    if as_suite {
+        say!("title = \"Scenes written out\"");
+    }
+    let mut names = BTreeSet::new();
     for def in defs {
         let loaded = selection.load(def)?;
+        if as_suite {
+            // Names are unique in a suite, and these scenes may be of several.
+            let name = &loaded.name;
+            let name = if names.insert(name.clone()) { name.clone() } else { format!("{}-{name}", loaded.suite) };
+            say!("\n{}", table(tool, &loaded, &name)?);
+            continue;
+        }
         say!(
             "{}/{} ({}, {} vertices{}, id {})",
             loaded.suite,
@@ -170,6 +189,18 @@ fn generate(tool: &Tool, selector: &Selector) -> exit::Outcome {
         }
     }
     Ok(exit::OK)
+}
+
+/// The scene written out, with a comment where what is read from it has another id.
+fn table(tool: &Tool, loaded: &LoadedScene, name: &str) -> Result<String, Failure> {
+    let LoadedScene { suite, id, tags, source, analysis, .. } = loaded;
+    let spelled = loaded.spelled().ok_or_else(|| {
+        Failure::usage(format!("{suite}/{} can't be written out; choose other scenes by -f", loaded.name))
+    })?;
+    let table = spelled.table(Heading { name, tags, source, analysis });
+    let again = spelled.loaded(tool.vocabulary(), name)?.id;
+    let note = if again == *id { String::new() } else { format!("# Its id is {again} here, and was {id}.\n") };
+    Ok(note + table.trim_end())
 }
 
 fn fetch_all(tool: &Tool, keys: &[String], cache: Option<PathBuf>) -> exit::Outcome {

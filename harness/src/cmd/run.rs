@@ -27,6 +27,7 @@ Examples:
   predicament run --shard 2/4 --out out/part2       a quarter of the work; `merge` puts the parts together
   predicament run mine.toml --answers               every answer of every backend, as CSV
   predicament run --resume out/part2                go on where it stopped
+  predicament run mine.toml --shrink 2              the smallest scenes that show the first two findings of each class
   predicament run -b mine,exact --isolate --timeout 30    a backend that may crash, in a tool that has it";
 
 /// Run scenes through backends and judge every answer
@@ -78,6 +79,10 @@ pub struct Args {
     #[arg(long, value_name = "WHEN", value_enum, default_value_t = Isolate::Auto, num_args = 0..=1,
           default_missing_value = "always", require_equals = false)]
     pub isolate: Isolate,
+
+    /// Shrink the first N findings of each class once the run is complete, unexpected ones first, into `shrunk` in its folder
+    #[arg(long, value_name = "N")]
+    pub shrink: Option<usize>,
 }
 
 /// Which scenes and backends run in a process of their own.
@@ -223,7 +228,15 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         }
     }
     bar.finish_and_clear();
-    ledger.finish(ended)
+    let folder = ledger.folder.clone();
+    let code = ledger.finish(ended)?;
+    match args.shrink {
+        Some(n) if ended != records::Outcome::Interrupted => {
+            let end = super::shrink::first_of_each_class(tool, &folder, n, args.selector.cache.as_deref())?;
+            Ok(if end == exit::OK { code } else { end })
+        }
+        _ => Ok(code),
+    }
 }
 
 /// How the run has ended so far, with these rows.

@@ -1,9 +1,12 @@
 //! `shrink`: the smallest scene that still shows a finding.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use predicament_formats::Manifest;
+use predicament_predicates::Class;
 use predicament_records::{FindingRow, RunDir, replace};
 
 use super::replay::{find, load};
@@ -182,13 +185,98 @@ pub fn begun<'a>(tool: &'a Tool, dir: &RunDir, finding: &FindingRow, ask: &Ask<'
     Ok(Job { tool, state, start, source: loaded.source, named: shrinking::named(&finding.query) })
 }
 
+/// The folder in that of a run.
+const SHRUNK: &str = "shrunk";
+
+/// Shrinks the first findings of each class of a run that has ended, each in a folder of its own in `shrunk`, and puts all scenes into
+/// one suite there. What was shrunk before stays; what was begun goes on.
+pub fn first_of_each_class(tool: &Tool, run: &Path, n: usize, cache: Option<&Path>) -> exit::Outcome {
+    let dir = RunDir::open(run).map_err(Failure::usage)?;
+    let unexpected: BTreeSet<(&str, &str, &str)> = dir
+        .summary
+        .iter()
+        .filter(|row| !row.status.passes())
+        .map(|row| (row.suite.as_str(), row.scene.as_str(), row.backend.as_str()))
+        .collect();
+    let is_unexpected = |row: &FindingRow| unexpected.contains(&(&*row.suite, &*row.scene, &*row.backend));
+    let (first, rest): (Vec<&FindingRow>, Vec<_>) = dir.findings.iter().partition(|row| is_unexpected(row));
+    let mut chosen: BTreeMap<Class, Vec<&FindingRow>> = BTreeMap::new();
+    for row in first.into_iter().chain(rest) {
+        let of_class = chosen.entry(row.class).or_default();
+        if of_class.len() < n && of_class.iter().all(|other| other.finding_id != row.finding_id) {
+            of_class.push(row);
+        }
+    }
+    let all: Vec<&FindingRow> = chosen.into_values().flatten().collect();
+    let bar = progress::bar(all.len() as u64, "findings");
+    let mut tables: BTreeMap<String, String> = BTreeMap::new();
+    let mut complete = true;
+    for row in all {
+        let folder = run.join(SHRUNK).join(&row.finding_id);
+        let ask = Ask {
+            also: Vec::new(),
+            not_by: Vec::new(),
+            evaluations: EVALUATIONS,
+            timeout: Duration::from_secs(10),
+            cache,
+        };
+        let job = if folder.join(STATE).exists() {
+            let (state, loaded) = shrinking::open(tool, &folder)?;
+            let start = loaded.spelled();
+            let source = source_of(&loaded.source);
+            start.map(|start| Job { tool, state, start, source, named: Vec::new() })
+        } else {
+            begun(tool, &dir, row, &ask).map_err(|failure| note!("not shrunk: {}", failure.message)).ok()
+        };
+        bar.inc(1);
+        let Some(job) = job else { continue };
+        std::fs::create_dir_all(&folder).map_err(|error| Failure::usage(format!("{}: {error}", folder.display())))?;
+        // A finding that comes only with the whole scene, such as one of a sample, is told and left.
+        match done(job, &folder) {
+            Ok((state, scene, table)) => {
+                complete &= state.end.is_some();
+                note!("{}: {}", folder.display(), told(&state));
+                // Two findings may have one smallest scene, which a suite holds once.
+                tables.entry(scene).or_insert(table);
+            }
+            Err(failure) => note!("not shrunk: {}", failure.message),
+        }
+        if interrupt::flag().load(Ordering::Relaxed) {
+            complete = false;
+            break;
+        }
+    }
+    bar.finish_and_clear();
+    if !tables.is_empty() {
+        let text: Vec<String> = tables.into_values().collect();
+        let text = format!("title = \"Shrunk findings\"\n\n{}", text.join("\n"));
+        let file = run.join(SHRUNK).join(SUITE);
+        replace(&file, text.as_bytes()).map_err(Failure::usage)?;
+        say!("{}: the smallest scenes, as a suite", file.display());
+    }
+    Ok(if complete { exit::OK } else { exit::INCOMPLETE })
+}
+
+/// Shrinks, or tells what was shrunk before: how it ended, the scene's id, and the scene.
+fn done(job: Job<'_>, folder: &Path) -> Result<(State, String, String), Failure> {
+    let (tool, source) = (job.tool, job.source.clone());
+    let (state, shrunk) = job.run(folder, &mut |_, _| {})?;
+    let job = Job { tool, state, start: shrunk.spelled, source, named: Vec::new() };
+    let table = job.table(&job.start, &shrunk.finding);
+    Ok((job.state, shrunk.loaded.id, table))
+}
+
+/// What the source of a shrunk scene says about the source of the first one: what was put before it comes off again.
+fn source_of(source: &str) -> String {
+    source.split_once("); ").map_or_else(String::new, |(_, source)| source.to_owned())
+}
+
 fn resumed<'a>(args: &Args, tool: &'a Tool, folder: &Path) -> Result<Job<'a>, Failure> {
     let (mut state, loaded) = shrinking::open(tool, folder)?;
     state.most = args.evaluations.unwrap_or(state.most);
     state.end = None;
     let start = loaded.spelled().ok_or_else(|| Failure::usage("the task cannot write its scenes out"))?;
-    // The source was written with the scene: what is put before it comes off again.
-    let source = loaded.source.split_once("); ").map_or_else(String::new, |(_, source)| source.to_owned());
+    let source = source_of(&loaded.source);
     Ok(Job { tool, state, start, source, named: Vec::new() })
 }
 

@@ -26,6 +26,7 @@ mod pictures;
 mod resolve;
 mod runs;
 mod show;
+mod shrink;
 mod studies;
 mod threads;
 mod tutorial;

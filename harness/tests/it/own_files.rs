@@ -93,3 +93,24 @@ fn what_is_rounded_is_a_row_and_a_line_of_the_report() {
     expect(0, &["report", &clean, "--out", &at(&folder, "clean-report")]);
     assert!(!read(&at(&folder, "clean-report"), "report.md").contains("Changed while they were read"));
 }
+
+#[test]
+fn generated_scenes_are_written_out_as_a_suite() {
+    let folder = tempdir().unwrap();
+    let ids = |suite: &str, filter: &str| -> Vec<String> {
+        let told = expect(0, &["corpus", "gen", suite, "-f", filter]).stdout;
+        told.lines().filter_map(|line| Some(line.rsplit_once(", id ")?.1.trim_end_matches(')').to_owned())).collect()
+    };
+    let filter = "/(grid-orient3d|kettner-a1)$|degen-interval$";
+    let text = expect(0, &["corpus", "gen", "families", "classics", "intervals", "-f", filter, "--toml"]).stdout;
+    let suite = write(&folder, "mine.toml", &text);
+    let (before, after) =
+        (["families", "classics", "intervals"].map(|suite| ids(suite, filter)).concat(), ids(&suite, ""));
+    assert!(before.len() >= 3 && before.len() == after.len(), "{before:?} {after:?}");
+    // Where the id is another one, the suite says so.
+    for (before, after) in before.iter().zip(&after) {
+        let told = text.contains(&format!("# Its id is {after} here, and was {before}.\n"));
+        assert_eq!(told, before != after, "{before} {after}");
+    }
+    assert_eq!(before.iter().zip(&after).filter(|(before, after)| before != after).count(), 1);
+}

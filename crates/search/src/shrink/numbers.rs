@@ -272,8 +272,8 @@ mod tests {
             assert!(!all.is_empty() && all.len() < 40, "{x}");
             assert!(all.iter().all(|&it| cost(it) < cost(x)), "{x}");
         }
-        assert_eq!(simpler(0.0), []);
-        assert_eq!(simpler(-0.0), [0.0]);
+        assert!(simpler(0.0).is_empty());
+        assert_eq!(simpler(-0.0), vec![0.0_f64]);
         assert_eq!([rounded(0.1, 1), rounded(7.0, 2), rounded(f64::MAX, 1)], [0.125, 8.0, f64::INFINITY]);
         assert_eq!(times_power(f64::from_bits(1), 1074), 1.0);
         assert_eq!([to_multiple(0.3, -1), to_multiple(0.3, -2), to_multiple(-5.0, 1)], [0.5, 0.25, -6.0]);

@@ -4,7 +4,8 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use predicament_corpus::{
-    Canon, Content, Context, Elsewhere, Level, Origin, Parts, PointSource, Source as SceneSource,
+    Canon, Content, Context, Elsewhere, Items, Level, List, Origin, Parts, PointSource, Source as SceneSource, Spelled,
+    spelled_points,
 };
 use predicament_formats::{
     Cache, CorpusError, Decimals, Entry, Field, Fields, ImportNotes, ImportedMap, TableKind, geometry, mesh,
@@ -31,6 +32,11 @@ static COMPLEX: TableKind = TableKind::new(
         "shifted",
     ],
 );
+
+/// The keys of simplices of each rank in the first complex.
+const KEYS_OF_A: [&str; 4] = ["a.vertices", "a.edges", "a.triangles", "a.tetrahedra"];
+/// The same in the second.
+const KEYS_OF_B: [&str; 4] = ["b.vertices", "b.edges", "b.triangles", "b.tetrahedra"];
 
 /// Two complexes, which have no vertex in common.
 #[derive(Clone, PartialEq, Debug)]
@@ -78,6 +84,26 @@ impl Content for Complexes {
     fn moved(&self, scene: Scene) -> (Scene, Option<Arc<dyn Content>>) {
         let (scene, complexes) = self.clone().in_scene(scene);
         (scene, Some(Arc::new(complexes)))
+    }
+
+    /// Simplices that are faces of no other: these have all others as faces.
+    fn spelled(&self, scene: &Scene) -> Option<Spelled> {
+        let mut spelled = spelled_points(scene);
+        for (complex, name, keys) in [(&self.a, "a", KEYS_OF_A), (&self.b, "b", KEYS_OF_B)] {
+            if complex.is_empty() {
+                spelled.words.push((name, "{}".to_owned()));
+            }
+            let mut of_rank: [Vec<Vec<Vertex>>; 4] = Default::default();
+            for &simplex in complex.maximal() {
+                of_rank[usize::from(simplex.rank)].push(complex.vertices_of(simplex).to_vec());
+            }
+            let lists = keys.into_iter().zip(of_rank).filter(|(_, simplices)| !simplices.is_empty());
+            spelled.lists.extend(lists.map(|(key, simplices)| {
+                let is_point = simplices[0].len() == 1;
+                List::new(key, if is_point { Items::Vertices(simplices.concat()) } else { Items::Tuples(simplices) })
+            }));
+        }
+        Some(spelled)
     }
 }
 

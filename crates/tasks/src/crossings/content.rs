@@ -1,6 +1,9 @@
 //! `segments`: pairs of points, and families of them.
 
-use predicament_corpus::{Canon, Content, Context, Elsewhere, Family, Level, Making, Parts, Random, Recipe, Source};
+use predicament_corpus::{
+    Canon, Content, Context, Elsewhere, Family, Items, Level, List, Making, Parts, Random, Recipe, Source, Spelled,
+    spelled_points,
+};
 use predicament_formats::bits::integer;
 use predicament_formats::{Cache, CorpusError, Entry, Fields};
 use predicament_predicates::{Scene, Vertex};
@@ -19,6 +22,10 @@ impl Content for Segments {
     fn canon(&self, canon: &mut Canon) {
         canon.text("crossings");
         canon.vertices(self.0.as_flattened());
+    }
+
+    fn spelled(&self, scene: &Scene) -> Option<Spelled> {
+        Some(Spelled { lists: vec![List::required("segments", Items::tuples(&self.0))], ..spelled_points(scene) })
     }
 }
 

@@ -1,6 +1,6 @@
 //! `cubes`: congruent axis-parallel cubes by their lower corners.
 
-use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Origin, Parts, Source};
+use predicament_corpus::{Canon, Content, Context, Elsewhere, Items, Level, List, Origin, Parts, Source, Spelled};
 use predicament_formats::bits::{integer, lowest_bit, top_exponent};
 use predicament_formats::{Cache, CorpusError, Decimals, Fields, RowKind, Rows, TableKind, read_csv_rows, read_rows};
 use predicament_predicates::{Dimension, Scene};
@@ -29,6 +29,13 @@ impl Content for Cubes {
 
     fn canon(&self, canon: &mut Canon) {
         canon.text("cube-union");
+    }
+
+    /// The length of edges is exact: the upper corner was made of it without rounding.
+    fn spelled(&self, scene: &Scene) -> Option<Spelled> {
+        let corners: &[[f64; 6]] = scene.coordinates().as_chunks().0;
+        let cubes = corners.iter().map(|&[x, y, z, upper, ..]| vec![x, y, z, upper - x]).collect();
+        Some(Spelled { lists: vec![List::required("cubes", Items::Rows(cubes))], ..Spelled::default() })
     }
 }
 

@@ -28,8 +28,10 @@ impl Content for Sites {
     }
 
     fn spelled(&self, scene: &Scene) -> Option<Spelled> {
-        let constraints = self.constraints.iter().map(|ends| ends.to_vec()).collect();
-        Some(Spelled { lists: vec![List::new("constraints", Items::Tuples(constraints))], ..spelled_points(scene) })
+        Some(Spelled {
+            lists: vec![List::new("constraints", Items::tuples(&self.constraints))],
+            ..spelled_points(scene)
+        })
     }
 }
 

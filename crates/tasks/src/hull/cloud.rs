@@ -1,9 +1,11 @@
 //! `points` and `method`: what a scene of a hull asks.
 
 use predicament_algorithms::hull::{PlaneMethod, SpaceMethod};
-use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, PointSource, Source};
+use predicament_corpus::{
+    Canon, Content, Context, Elsewhere, Level, Parts, PointSource, Source, Spelled, spelled_points,
+};
 use predicament_formats::{Cache, CorpusError, Entry, Fields};
-use predicament_predicates::Dimension;
+use predicament_predicates::{Dimension, Scene};
 
 /// The ways to find a hull.
 pub trait Method: Copy + Default + PartialEq + Eq + std::fmt::Debug + Send + Sync + 'static {
@@ -50,6 +52,11 @@ impl<M: Method> Content for Cloud<M> {
     fn canon(&self, canon: &mut Canon) {
         canon.text(M::TASK);
         canon.text(self.method.name());
+    }
+
+    fn spelled(&self, scene: &Scene) -> Option<Spelled> {
+        let words = vec![("method", format!("\"{}\"", self.method.name()))];
+        Some(Spelled { words, ..spelled_points(scene) })
     }
 }
 

@@ -33,11 +33,15 @@ impl Content for Cells {
         canon.vertices(&self.probes);
     }
 
-    /// Points that end no cell are probes.
+    /// Points that end no cell are probes. The id is another one where probes are listed in another order than that of their
+    /// numbers, which is part of it: a suite does not list them.
     fn spelled(&self, scene: &Scene) -> Option<Spelled> {
-        let cells = self.cells.iter().map(|ends| ends.to_vec()).collect();
         let words = vec![("axis", format!("\"{}\"", self.axis.name()))];
-        Some(Spelled { words, lists: vec![List::required("cells", Items::Tuples(cells))], ..spelled_points(scene) })
+        Some(Spelled {
+            words,
+            lists: vec![List::required("cells", Items::tuples(&self.cells))],
+            ..spelled_points(scene)
+        })
     }
 }
 

@@ -2,10 +2,12 @@
 
 use std::sync::Arc;
 
-use predicament_corpus::{Canon, Content, Parts};
+use predicament_corpus::{Canon, Content, Parts, Spelled, spelled_points};
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Dimension, Scene};
 
+use super::read::is_refused;
+use crate::mesh_locate::content::spelled_mesh;
 use crate::mesh_locate::probes::Surface;
 
 /// Two meshes over vertices of their own.
@@ -37,6 +39,17 @@ impl Content for TwoMeshes {
                 sides.iter().for_each(|&region| canon.count(region as usize));
             }
         }
+    }
+
+    /// With `check = false` where the meshes would be refused without it.
+    fn spelled(&self, scene: &Scene) -> Option<Spelled> {
+        let [first, second] = &self.meshes;
+        let lists = vec![
+            spelled_mesh(first, ["first", "first_regions"], |v| v),
+            spelled_mesh(second, ["second", "second_regions"], |v| v),
+        ];
+        let words = if is_refused(scene, [first, second]) { vec![("check", "false".to_owned())] } else { Vec::new() };
+        Some(Spelled { words, lists, ..spelled_points(scene) })
     }
 
     /// The lengths of primitives are other ones.

@@ -3,8 +3,8 @@
 use std::sync::{Arc, OnceLock};
 
 use predicament_algorithms::mesh_locate::MeshIndex;
-use predicament_corpus::{Canon, Content};
-use predicament_mesh::MaterialMesh;
+use predicament_corpus::{Canon, Content, Items, List, Spelled, unnumbered};
+use predicament_mesh::{MaterialMesh, OUTSIDE};
 use predicament_predicates::{Scene, Vertex};
 
 use super::phases::MeshFile;
@@ -76,11 +76,41 @@ impl Content for ProbedMesh {
         }
     }
 
+    /// The id is another one where probes were chosen: it tells how, and all that are written out are
+    /// [`Given`](ProbeKind::Given), as how a probe was chosen does not follow from where it is.
+    fn spelled(&self, scene: &Scene) -> Option<Spelled> {
+        let apart = unnumbered(scene, &self.vertices());
+        let mesh = if self.tetrahedra.is_empty() {
+            spelled_mesh(&self.mesh, ["triangles", "regions"], |v| apart.vertex(v))
+        } else {
+            let tetrahedra: Vec<[Vertex; 4]> =
+                self.tetrahedra.iter().map(|corners| corners.map(|v| apart.vertex(v))).collect();
+            List::required("tetrahedra", Items::tuples(&tetrahedra))
+        };
+        let lists = vec![mesh, List::new("probes", Items::Rows(apart.places))];
+        let words = vec![("quick_stride", "0".to_owned())];
+        Some(Spelled { points: apart.points, words, lists, ..Spelled::default() })
+    }
+
     /// The index is another one.
     fn moved(&self, scene: Scene) -> (Scene, Option<Arc<dyn Content>>) {
         let (mesh, tetrahedra, probes) = (self.mesh.clone(), self.tetrahedra.clone(), self.probes.clone());
         (scene, Some(Arc::new(ProbedMesh { mesh, tetrahedra, probes, file: None, index: OnceLock::new() })))
     }
+}
+
+/// The triangles of a mesh under the first key, and their regions under the second where these are not outside and 1.
+pub(crate) fn spelled_mesh(
+    mesh: &MaterialMesh,
+    [key, regions]: [&'static str; 2],
+    vertex: impl Fn(Vertex) -> Vertex,
+) -> List {
+    let tuples = mesh.triangles().iter().map(|corners| corners.iter().map(|&v| vertex(v)).collect()).collect();
+    if mesh.sides().iter().all(|&sides| sides == [OUTSIDE, 1]) {
+        return List::required(key, Items::Tuples(tuples));
+    }
+    let rows = mesh.sides().iter().map(|sides| sides.to_vec()).collect();
+    List::required(key, Items::Labelled { tuples, key: regions, rows })
 }
 
 /// A point to locate.

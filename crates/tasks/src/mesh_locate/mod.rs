@@ -3,7 +3,7 @@
 //! PinMesh (Franklin and Magalhães, section 4.4). Each point of space should be in exactly one region, whichever way a ray from
 //! it goes, also on lines through vertices and edges.
 
-mod content;
+pub(crate) mod content;
 pub(crate) mod generate;
 mod judge;
 mod phases;

@@ -1,7 +1,9 @@
 //! `segments`, or two operands `first` and `second`: what is overlaid, and how.
 
 use predicament_algorithms::overlay::{Edge, Method, Polygon, Rule};
-use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, PointSource, Source};
+use predicament_corpus::{
+    Canon, Content, Context, Elsewhere, Items, Level, List, Parts, PointSource, Source, Spelled, spelled_points,
+};
 use predicament_formats::{Cache, CorpusError, Entry, Field, Fields};
 use predicament_predicates::{Dimension, Scene, Vertex};
 
@@ -74,6 +76,20 @@ impl Content for Layered {
                 }
             }
         }
+    }
+
+    /// None where there is nothing to overlay, as of two maps without rings.
+    fn spelled(&self, scene: &Scene) -> Option<Spelled> {
+        let mut words = vec![("method", format!("\"{}\"", method_name(self.method)))];
+        let lists = match &self.layers {
+            Layers::Segments(segments) => vec![List::required("segments", Items::tuples(segments))],
+            Layers::Polygons([first, second], rule) => {
+                words.push(("rule", format!("\"{}\"", rule_name(*rule))));
+                let [first, second] = [first, second].map(|loops| Items::Loops(loops.clone()));
+                vec![List::required("first", first), List::new("second", second)]
+            }
+        };
+        (!lists[0].items.is_empty()).then(|| Spelled { words, lists, ..spelled_points(scene) })
     }
 }
 

@@ -78,15 +78,15 @@ impl SceneFormat for PolygonLocate {
     }
 
     fn keys(&self) -> &'static [&'static str] {
-        &["map", "random", "random_full", "seed", "quick_stride", "full_stride"]
+        &["map", "points", "loops", "regions", "probes", "random", "random_full", "seed", "quick_stride", "full_stride"]
     }
 
     fn coordinate_keys(&self) -> &'static [&'static str] {
-        &["map", "polygons"]
+        &["map", "polygons", "points", "probes"]
     }
 
     fn file_keys(&self) -> &'static [&'static str] {
-        &["map"]
+        &["map", "probes"]
     }
 
     fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {

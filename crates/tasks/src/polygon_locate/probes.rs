@@ -4,7 +4,7 @@
 //! and one double above and below a vertex always do: there a ray or a
 //! comparison has to decide between neighbours.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_corpus::{Level, Parts, Random, numbered};
 use predicament_mesh::PolygonMap;
@@ -14,19 +14,24 @@ use super::content::{MapWithProbes, Probe, ProbeKind, Probing};
 
 /// The scene of a map: the probes in even places (the first is in place 0),
 /// the map's vertices, the probes in odd places.
-pub(super) fn with_probes(points: Vec<[f64; 2]>, map: PolygonMap, probing: Probing, level: Level) -> Parts {
-    let stride = probing.stride(level);
+pub(super) fn with_probes(
+    points: Vec<[f64; 2]>,
+    map: PolygonMap,
+    given: &[[f64; 2]],
+    probing: Probing,
+    level: Level,
+) -> Parts {
     let mut places: Vec<([f64; 2], ProbeKind)> = Vec::new();
-    for &[x, y] in points.iter().step_by(stride) {
-        places.push(([x, y], ProbeKind::Vertex));
-        places.push(([x, y.next_down()], ProbeKind::Below));
-        places.push(([x, y.next_up()], ProbeKind::Above));
+    if !given.is_empty() {
+        let known = known(&points, &map);
+        let kind = |place: [f64; 2]| known.get(&bits(place)).copied().unwrap_or(ProbeKind::Random);
+        places.extend(given.iter().map(|&place| (place, kind(place))));
     }
-    for [a, b] in edges(&map).into_iter().step_by(stride) {
-        let [a, b] = [points[a.index()], points[b.index()]];
-        if let (Some(x), Some(y)) = (exact_midpoint(a[0], b[0]), exact_midpoint(a[1], b[1])) {
-            places.push(([x, y], ProbeKind::Midpoint));
-        }
+    let stride = probing.stride(level);
+    if stride > 0 {
+        places.extend(points.iter().step_by(stride).copied().flat_map(of_vertex));
+        let edges = edges(&map).into_iter().step_by(stride);
+        places.extend(edges.filter_map(|ends| of_edge(ends.map(|v| points[v.index()]))));
     }
     let mut rng = Random::new("probes", "polygon-locate", probing.seed());
     if let Some([low, high]) = bounds(&points) {
@@ -42,6 +47,31 @@ pub(super) fn with_probes(points: Vec<[f64; 2]>, map: PolygonMap, probing: Probi
     let scene = Scene::new(Dimension::Two, all.into_flattened()).expect("finite pairs");
     let leading = places.len().div_ceil(2);
     Parts::new(scene, MapWithProbes::new(map.shifted(leading), probes))
+}
+
+/// On a vertex, and next to it.
+fn of_vertex([x, y]: [f64; 2]) -> [([f64; 2], ProbeKind); 3] {
+    [([x, y], ProbeKind::Vertex), ([x, y.next_down()], ProbeKind::Below), ([x, y.next_up()], ProbeKind::Above)]
+}
+
+/// The middle of an edge, where that is a pair of doubles.
+fn of_edge([a, b]: [[f64; 2]; 2]) -> Option<([f64; 2], ProbeKind)> {
+    Some(([exact_midpoint(a[0], b[0])?, exact_midpoint(a[1], b[1])?], ProbeKind::Midpoint))
+}
+
+/// Places of a map with what they are; of two things at one place the one that comes first in [`ProbeKind`].
+fn known(points: &[[f64; 2]], map: &PolygonMap) -> BTreeMap<[u64; 2], ProbeKind> {
+    let of_edges = edges(map).into_iter().filter_map(|ends| of_edge(ends.map(|v| points[v.index()])));
+    let mut known = BTreeMap::new();
+    for (place, kind) in points.iter().copied().flat_map(of_vertex).chain(of_edges) {
+        known.entry(bits(place)).and_modify(|other| *other = kind.min(*other)).or_insert(kind);
+    }
+    known
+}
+
+/// A place to compare: zero has two signs.
+fn bits(place: [f64; 2]) -> [u64; 2] {
+    place.map(|x| (x + 0.0).to_bits())
 }
 
 /// Each edge once, whichever side it is seen from.

@@ -1,7 +1,8 @@
 //! `mesh`, or `points` and `faces`; `planes`; `closed`.
 
 use predicament_corpus::{
-    Canon, Content, Context, Elsewhere, Level, Origin, Parts, PointSource, Source as SceneSource,
+    Canon, Content, Context, Elsewhere, Items, Level, List, Origin, Parts, PointSource, Source as SceneSource, Spelled,
+    spelled_points,
 };
 use predicament_formats::{Cache, CorpusError, Decimals, Entry, Field, Fields, ImportNotes, Places, TableKind, mesh};
 use predicament_mesh::HalfEdgeMesh;
@@ -51,6 +52,16 @@ impl Content for Solid {
             face.iter().for_each(|&corner| canon.count(corner as usize));
         }
         canon.vertices(self.planes.as_flattened());
+    }
+
+    /// Vertices that only planes have are points like others. Whether the mesh has to be closed is left open.
+    fn spelled(&self, scene: &Scene) -> Option<Spelled> {
+        let face = |face: &[u32]| face.iter().map(|&corner| Vertex::input(corner as usize)).collect();
+        let lists = vec![
+            List::required("faces", Items::Loops(self.faces.iter().map(face).collect())),
+            List::required("planes", Items::tuples(&self.planes)),
+        ];
+        Some(Spelled { lists, ..spelled_points(scene) })
     }
 }
 
@@ -157,16 +168,19 @@ fn written_planes(field: &Field<'_, '_>) -> Result<Vec<WrittenPlane>, CorpusErro
 impl Elsewhere for Written {
     fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
         let (file, mut coordinates, faces, places, notes) = self.mesh.load(cache)?;
-        let vertices = coordinates.len() / 3;
+        let count = coordinates.len() / 3;
+        // What follows the last corner of a face is there for planes.
+        let last = faces.iter().flatten().max();
+        let vertices = last.map_or(count, |&last| count.min(last as usize + 1));
         // A mesh in a file of its own has no line in the suite.
         let line = matches!(self.mesh, Where::Written { .. }).then_some(self.line);
         let error = |message: String, cure: &str, line| CorpusError::file(&self.file, message, cure).at_line(line);
         let mut planes = Vec::new();
         for (line, points) in self.planes(&coordinates) {
             let place = |point: PlanePoint| match point {
-                PlanePoint::Index(v) if v.index() < vertices => Ok(v),
+                PlanePoint::Index(v) if v.index() < count => Ok(v),
                 PlanePoint::Index(v) => {
-                    let message = format!("index {v} is out of range: the mesh has {vertices} points");
+                    let message = format!("index {v} is out of range: the mesh has {count} points");
                     Err(error(message, "indices count from 0", line))
                 }
                 PlanePoint::Coordinates(point) => {

@@ -1,7 +1,10 @@
 //! `points`, `segments`, `pixel` and `method`, and families of segments.
 
 use predicament_algorithms::snap::Method;
-use predicament_corpus::{Canon, Content, Context, Elsewhere, Family, Level, Making, Parts, Random, Recipe, Source};
+use predicament_corpus::{
+    Canon, Content, Context, Elsewhere, Family, Items, Level, List, Making, Parts, Random, Recipe, Source, Spelled,
+    spelled_points,
+};
 use predicament_formats::{Cache, CorpusError, Entry, Fields};
 use predicament_predicates::{Scene, Vertex};
 
@@ -39,6 +42,13 @@ impl Content for Drawn {
         canon.text(method_name(self.method));
         canon.text(&self.pixel.to_string());
         canon.vertices(self.segments.as_flattened());
+    }
+
+    /// None where all segments were of one point each: a suite has no such segments.
+    fn spelled(&self, scene: &Scene) -> Option<Spelled> {
+        let lists = vec![List::required("segments", Items::tuples(&self.segments))];
+        let words = vec![("pixel", (-self.pixel).to_string()), ("method", format!("\"{}\"", method_name(self.method)))];
+        (!self.segments.is_empty()).then(|| Spelled { words, lists, ..spelled_points(scene) })
     }
 }
 

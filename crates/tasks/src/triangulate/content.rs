@@ -2,12 +2,15 @@
 
 use predicament_algorithms::triangulate::Method;
 use predicament_checks::triangulation::Polygon;
-use predicament_corpus::{Canon, Content, Context, Elsewhere, Level, Parts, PointSource, Source};
+use predicament_corpus::{
+    Canon, Content, Context, Elsewhere, Items, Level, List, Parts, PointSource, Source, Spelled, spelled_points,
+};
 use predicament_formats::{Cache, CorpusError, Entry, Fields};
 use predicament_judge::sign;
 use predicament_predicates::{Dimension, Plane, Question, Scene, Vertex};
 
 use super::judge::seen;
+use crate::map_loops::{Loops, MapLoops, labelled_loops, read_loops};
 use crate::map_source::MapSource;
 
 /// Polygons and how they are triangulated.
@@ -34,6 +37,18 @@ impl Content for Polygons {
             polygon.iter().for_each(|one| canon.vertices(one));
         }
     }
+
+    /// Several polygons, and one of a map whose loops cross, are written with `regions`, which are read unchecked as maps are.
+    /// None where there are no polygons.
+    fn spelled(&self, scene: &Scene) -> Option<Spelled> {
+        let list = match &self.polygons[..] {
+            [] => return None,
+            [polygon] if flaw(scene, polygon).is_none() => List::required("loops", Items::Loops(polygon.clone())),
+            polygons => labelled_loops(polygons)?,
+        };
+        let words = vec![("method", format!("\"{}\"", method_name(self.method)))];
+        Some(Spelled { words, lists: vec![list], ..spelled_points(scene) })
+    }
 }
 
 /// The name of a method in suites.
@@ -52,36 +67,31 @@ pub(super) fn read_method(fields: &Fields<'_, '_>) -> Result<Method, CorpusError
     known.ok_or_else(|| field.error(format!("there is no method `{name}`"), "write \"monotone\" or \"ears\""))
 }
 
-/// Reads `points` and `loops`, or `map`; and `method`.
+/// Reads `points` and `loops`, perhaps with `regions`, or `map`; and `method`.
 pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
     let method = read_method(fields)?;
     let Some(map) = fields.get("map") else {
+        if fields.get("regions").is_some() {
+            let map = MapSource::Loops(MapLoops::read(context, fields)?);
+            return Ok(Source::elsewhere(InMap { map, method }));
+        }
         let points = PointSource::read(context, &fields.required("points")?, fields.file())?;
-        let asked = OfPoints { points, loops: read_loops(fields)?, file: fields.file().to_owned(), method };
+        let asked = OfPoints {
+            points,
+            loops: fields.get("loops").map(|field| read_loops(&field)).transpose()?,
+            file: fields.file().to_owned(),
+            method,
+        };
         if asked.points.is_written() {
             // Nothing is read from a cache: everything is written out.
             return Ok(Source::Written(asked.load(Level::Quick, &Cache::new(""))?));
         }
         return Ok(Source::elsewhere(asked));
     };
-    if let Some(other) = fields.get("points").or_else(|| fields.get("loops")) {
+    if let Some(other) = ["points", "loops", "regions"].into_iter().find_map(|key| fields.get(key)) {
         return Err(other.error("polygons from two places", "keep `map`, or `points` and `loops`"));
     }
     Ok(Source::elsewhere(InMap { map: MapSource::read(context, &map)?, method }))
-}
-
-/// Each loop with its line in the suite.
-type Loops = Vec<(usize, Vec<Vertex>)>;
-
-fn read_loops(fields: &Fields<'_, '_>) -> Result<Option<Loops>, CorpusError> {
-    const WANTED: &str = "loops: arrays of the indices of points, one for each loop";
-    let Some(listed) = fields.get("loops") else { return Ok(None) };
-    let items = listed.items(WANTED)?;
-    let one = items.map(|item| {
-        let corners: Vec<Vertex> = item.items(WANTED)?.map(|corner| corner.point()).collect::<Result<_, _>>()?;
-        Ok((item.line(), corners))
-    });
-    one.collect::<Result<_, _>>().map(Some)
 }
 
 /// Loops over points that are written out or in a data file; without loops, all points in their order are one.
@@ -122,13 +132,8 @@ impl Elsewhere for OfPoints {
         if loops.is_empty() {
             return Err(self.points.error("a polygon without loops", "write at least one loop"));
         }
-        if let Some((message, corners)) = uneven(scene, &loops) {
-            let message = message + &points.places(&corners);
-            return Err(self.points.error(message, "put all corners in one plane and not in line, or divide the face"));
-        }
-        let (plane, reversed) = seen(scene, &loops);
-        if let Some((why, corners)) = Polygon::new(scene, plane, reversed, &loops).fault() {
-            return Err(self.points.error(why + &points.places(&corners), "divide the loops where they cross"));
+        if let Some((message, corners, cure)) = flaw(scene, &loops) {
+            return Err(self.points.error(message + &points.places(&corners), cure));
         }
         Ok(Parts {
             notes: points.notes,
@@ -139,6 +144,16 @@ impl Elsewhere for OfPoints {
     fn fetch_entry(&self) -> Option<&Entry> {
         self.points.entry()
     }
+}
+
+/// Why loops bound no polygon, with the corners where that shows and a cure.
+fn flaw(scene: &Scene, loops: &[Vec<Vertex>]) -> Option<(String, Vec<Vertex>, &'static str)> {
+    if let Some((message, corners)) = uneven(scene, loops) {
+        return Some((message, corners, "put all corners in one plane and not in line, or divide the face"));
+    }
+    let (plane, reversed) = seen(scene, loops);
+    let (why, corners) = Polygon::new(scene, plane, reversed, loops).fault()?;
+    Some((why, corners, "divide the loops where they cross"))
 }
 
 /// Why the corners of a face are not in one plane, or all in line; and which.

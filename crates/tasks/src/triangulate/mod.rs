@@ -71,7 +71,7 @@ impl SceneFormat for Triangulate {
     }
 
     fn keys(&self) -> &'static [&'static str] {
-        &["points", "loops", "map", "method"]
+        &["points", "loops", "regions", "map", "method"]
     }
 
     fn coordinate_keys(&self) -> &'static [&'static str] {

@@ -13,4 +13,5 @@ mod outside;
 mod own_data;
 mod pages;
 mod sizes;
+mod spelled;
 mod tables;

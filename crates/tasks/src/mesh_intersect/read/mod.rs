@@ -35,6 +35,12 @@ struct Written {
 /// Meshes of more triangles together are checked only if that is asked for.
 const CHECKED: usize = 2_000;
 
+/// Whether meshes are refused unless `check` is false: they are small enough to be checked, and not as they have to be.
+pub(super) fn is_refused(scene: &Scene, meshes: [&MaterialMesh; 2]) -> bool {
+    let count: usize = meshes.iter().map(|mesh| mesh.triangles().len()).sum();
+    count <= CHECKED && meshes.into_iter().any(|mesh| check::flaw(scene, mesh).is_some())
+}
+
 /// Reads a scene.
 pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
     let operand = |key: &'static str, regions: &'static str| {

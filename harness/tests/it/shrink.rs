@@ -1,0 +1,146 @@
+//! `shrink`, and `run --shrink`.
+
+use std::fs;
+
+use serde_json::Value;
+use tempfile::{TempDir, tempdir};
+
+use crate::common::{at, expect, run, tool};
+
+/// A run of a family by naive, and its first finding of a class by a check.
+fn found(folder: &TempDir, filter: &str, backends: &str, class: &str, check: &str) -> (String, String) {
+    let out = at(folder, "run");
+    let code = run(&["run", "families", "-f", filter, "-b", backends, "-q", "--out", &out]).code;
+    assert!([0, 100].contains(&code), "{code}");
+    let mut table = csv::Reader::from_path(format!("{out}/findings.csv")).unwrap();
+    let heads = table.headers().unwrap().clone();
+    let column = |name: &str| heads.iter().position(|head| head == name).unwrap();
+    let (id, of_class, of_check) = (column("finding_id"), column("class"), column("check"));
+    let row = table.records().map(Result::unwrap).find(|row| &row[of_class] == class && &row[of_check] == check);
+    (row.expect("a finding")[id].to_owned(), out)
+}
+
+fn state(folder: &str) -> Value {
+    serde_json::from_str(&fs::read_to_string(format!("{folder}/shrink.json")).unwrap()).unwrap()
+}
+
+#[test]
+fn a_wrong_sign_among_thousands_is_three_points() {
+    let folder = tempdir().unwrap();
+    let (id, run_dir) = found(&folder, "/kettner-orient2d$", "naive:first,exact", "sign_flip", "sign");
+    let [out, suite] = ["shrunk", "mine.toml"].map(|name| at(&folder, name));
+    let told = expect(0, &["shrink", &id, "--run", &run_dir, "--out", &out, "--into", &suite]);
+    let state = state(&out);
+    assert_eq!((state["after"]["points"].as_u64(), state["end"].as_str()), (Some(3), Some("smallest")), "{state}");
+    assert!(state["before"]["points"].as_u64() > Some(1000), "{state}");
+    assert!(told.stdout.starts_with("[[scene]]\n"), "{}", told.stdout);
+    // The scene is in the suite, and shows what it is for; the exact backend does not.
+    let again = at(&folder, "again");
+    assert_eq!(run(&["run", &suite, "-b", "naive:first", "-q", "--out", &again]).code, 100);
+    let summary = fs::read_to_string(format!("{again}/findings.csv")).unwrap();
+    assert!(summary.contains("sign_flip,sign,orient2d(xy; 0 1 2)"), "{summary}");
+    expect(0, &["run", &suite, "-b", "exact,sos", "-q", "--out", &at(&folder, "exact")]);
+    // Twice the same scene is an error of the suite, which stays as it was.
+    let before = fs::read_to_string(&suite).unwrap();
+    let told = expect(104, &["shrink", &id, "--run", &run_dir, "--out", &at(&folder, "two"), "--into", &suite]);
+    assert!(told.stderr.contains("mine.toml"), "{}", told.stderr);
+    assert_eq!(fs::read_to_string(&suite).unwrap(), before);
+    let told = expect(2, &["shrink", &id, "--run", &run_dir, "--out", &out]);
+    assert!(told.stderr.contains("--resume"), "{}", told.stderr);
+}
+
+#[test]
+fn what_runs_out_of_evaluations_goes_on_and_ends_as_well() {
+    let folder = tempdir().unwrap();
+    let (id, run_dir) = found(&folder, "/kettner-orient2d$", "naive:first", "sign_flip", "sign");
+    let [short, long] = ["short", "long"].map(|name| at(&folder, name));
+    let told = expect(0, &["shrink", &id, "--run", &run_dir, "--out", &short, "--evaluations", "5"]);
+    assert!(told.stderr.contains("--resume"), "{}", told.stderr);
+    let before = state(&short);
+    assert_eq!((before["end"].as_str(), before["evaluations"].as_u64()), (Some("evaluations"), Some(5)));
+    expect(0, &["shrink", "--resume", &short, "--evaluations", "5000"]);
+    expect(0, &["shrink", &id, "--run", &run_dir, "--out", &long]);
+    let (short, long) = (state(&short), state(&long));
+    assert_eq!((&short["end"], &short["after"]["pieces"]), (&long["end"], &long["after"]["pieces"]), "{short} {long}");
+}
+
+#[test]
+fn a_second_backend_has_to_show_it_and_another_must_not() {
+    let folder = tempdir().unwrap();
+    let (id, run_dir) = found(&folder, "near.*orient3d", "naive,naive:first,shewchuk", "sign_flip", "sign");
+    let out = at(&folder, "both");
+    let more = ["-b", "naive:first", "--not-by", "shewchuk,exact"];
+    let args: Vec<&str> = ["shrink", &id, "--run", &run_dir, "--out", &out].into_iter().chain(more).collect();
+    expect(0, &args);
+    let suite = format!("{out}/shrunk.toml");
+    for (backend, code) in [("naive", 100), ("naive:first", 100), ("shewchuk", 0), ("exact", 0)] {
+        let name = at(&folder, &backend.replace(':', "-"));
+        assert_eq!(run(&["run", &suite, "-b", backend, "-q", "--out", &name]).code, code, "{backend}");
+    }
+    // Nothing shows a finding and does not show it.
+    let told = expect(2, &["shrink", &id, "--run", &run_dir, "--out", &at(&folder, "none"), "--not-by", "naive"]);
+    assert!(told.stderr.contains("does not show the finding"), "{}", told.stderr);
+}
+
+#[test]
+fn the_first_of_each_class_are_shrunk_after_a_run() {
+    let folder = tempdir().unwrap();
+    let out = at(&folder, "run");
+    let args = [
+        "run",
+        "families",
+        "-f",
+        "/kettner-orient2d$",
+        "-b",
+        "naive:first,exact",
+        "-q",
+        "--out",
+        &out,
+        "--shrink",
+        "1",
+    ];
+    let told = run(&args);
+    assert!(told.stdout.contains("shrunk.toml"), "{}\n{}", told.stdout, told.stderr);
+    let suite = format!("{out}/shrunk/shrunk.toml");
+    let text = fs::read_to_string(&suite).unwrap();
+    let scenes = text.matches("[[scene]]").count();
+    assert!(scenes >= 2 && text.contains("sign_flip") && text.contains("overreach"), "{text}");
+    expect(0, &["corpus", "verify", &suite]);
+    // The tests are there: exact bits in Rust, hex floats in C++ and Python.
+    let one = fs::read_dir(format!("{out}/shrunk")).unwrap().map(|entry| entry.unwrap().path());
+    let one = one.into_iter().find(|path| path.is_dir()).unwrap();
+    for (file, words) in [
+        ("shrunk.rs", ["#[test]", "f64::from_bits(0x"]),
+        ("shrunk.cpp", ["const double a[] = {", "0x1."]),
+        ("shrunk.py", ["def test_", "h(\"0x1."]),
+    ] {
+        let text = fs::read_to_string(one.join(file)).unwrap();
+        assert!(words.iter().all(|word| text.contains(word)), "{text}");
+    }
+}
+
+/// The tests that are made run, where there is a Python, and fail for doubles.
+#[test]
+fn the_test_in_python_is_right() {
+    let folder = tempdir().unwrap();
+    let (id, run_dir) = found(&folder, "/kettner-orient2d$", "naive:first", "sign_flip", "sign");
+    let out = at(&folder, "shrunk");
+    expect(0, &["shrink", &id, "--run", &run_dir, "--out", &out]);
+    let text = fs::read_to_string(format!("{out}/shrunk.py")).unwrap();
+    let name = text.lines().find_map(|line| line.strip_prefix("def ")).unwrap().trim_end_matches(':').to_owned();
+    let exact = "from fractions import Fraction as F\ndef orient2d(a, b, c):\n    a, b, c = [[F(x) for x in p] for p in (a, b, c)]\n    \
+                 return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])\n";
+    let python = |predicate: &str| {
+        let script = format!("{predicate}{text}\n{name}\n");
+        std::process::Command::new("python3").args(["-c", &script]).output()
+    };
+    let Ok(right) = python(exact) else {
+        eprintln!("no python3: its test was not run");
+        return;
+    };
+    assert!(right.status.success(), "{}", String::from_utf8_lossy(&right.stderr));
+    let doubles = exact.replace("F(x) for", "float(x) for");
+    assert!(!python(&doubles).unwrap().status.success(), "{text}");
+    // The tool itself is there, too.
+    assert!(tool(&["--version"]).output().unwrap().status.success());
+}
