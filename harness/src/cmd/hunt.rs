@@ -5,11 +5,11 @@ use std::time::{Duration, Instant};
 
 use predicament_predicates::Class;
 use predicament_search::Wanted;
-use predicament_search::hunt::{Hunt, Options, Quarry, Seed, State, seeds};
+use predicament_search::hunt::{Hunt, Options, Quarry, Seed, State, has_shapes, seeds};
 use predicament_tasks::{AnyTask, Contestant, Watch, digest};
 
 use crate::exit::{self, Failure};
-use crate::hunting::{Order, STATE, SUITE, Saved};
+use crate::hunting::{Order, STATE, SUITE, Saved, TABLE};
 use crate::out::program;
 use crate::planning::free_folder;
 use crate::tool::{Tool, each};
@@ -180,6 +180,9 @@ fn hunt(args: &Args, tool: &Tool, saved: &mut Saved, seeds: Vec<Seed>, folder: &
         }
         if let Some(why) = &hunt.state().declined {
             bar.finish_and_clear();
+            for file in [STATE, SUITE, TABLE] {
+                let _ = std::fs::remove_file(folder.join(file));
+            }
             let backends = order.shown_by.join(", ");
             return Err(Failure::usage(format!(
                 "{backends} declines every scene of {} to begin with: {why}",
@@ -222,8 +225,6 @@ fn tell_summary(hunt: &Hunt<'_>, saved: &Saved, folder: &Path, interrupted: bool
         say!("no finds");
     }
     if !known.is_empty() {
-        let mut known = known.clone();
-        known.dedup();
         note!("left out, as they show it already: {}", known.join(", "));
     }
     for (height, peak) in hunt.peaks() {
@@ -265,6 +266,15 @@ fn begun(args: &Args, tool: &Tool, task: &str) -> Result<(Saved, Vec<Seed>), Fai
     let all = args.from.is_empty();
     let seeds = seeds_of(tool, task, &suites, all)?;
     let pinned = args.class.is_some() && args.check.is_some();
+    // Before a folder is made.
+    for name in names(&args.backends).iter().chain(&names(&args.not_by)).filter(|name| !tool.knows_backend(name)) {
+        tool.backend(name).map_err(Failure::usage)?;
+    }
+    let nothing = seeds.is_empty() && !(shapes && has_shapes(task));
+    if nothing {
+        let message = format!("no small scene of {task} is written out in these suites; name others with --from");
+        return Err(Failure::usage(message));
+    }
     let order = Order {
         task: task.to_owned(),
         class: args.class.map(|class| class.name().to_owned()),

@@ -8,6 +8,7 @@ mod conformance;
 mod diff;
 mod engines;
 mod habits;
+mod hunt;
 mod isolation;
 mod judged;
 mod lecture;

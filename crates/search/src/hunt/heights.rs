@@ -100,7 +100,12 @@ fn of_signs(scene: &Scene, content: &SignQueries, backends: &[&dyn Contestant]) 
         }
     }
     let shortcut = backends.first().map_or(0.0, |backend| shortcut(scene, content, *backend, &relative));
-    vec![thousandths(degenerate.min(MOST_DEGENERATE)), thousandths(rounding), thousandths(shortcut.min(MOST_DEGENERATE)), ties_of(scene, question)]
+    vec![
+        thousandths(degenerate.min(MOST_DEGENERATE)),
+        thousandths(rounding),
+        thousandths(shortcut.min(MOST_DEGENERATE)),
+        ties_of(scene, question),
+    ]
 }
 
 /// The coordinates that a query is about, those of a plane in front; none where a vertex is constructed.
@@ -171,7 +176,11 @@ fn ties_of(scene: &Scene, question: Question) -> i64 {
             let places = &points[..kind.arity()];
             let coincide = (1..places.len()).any(|at| places[..at].contains(&places[at]));
             // Points at one place make every query about them a tie: one is enough.
-            ties += i64::from(if kind.arity() == 2 { coincide } else { !coincide && Rounding::of(kind, &points).vanishes() });
+            ties += i64::from(if kind.arity() == 2 {
+                coincide
+            } else {
+                !coincide && Rounding::of(kind, &points).vanishes()
+            });
         });
     }
     1000 * ties

@@ -32,7 +32,8 @@ use population::{Member, Population};
 
 pub use heights::{Height, heights};
 pub use look::Quarry;
-pub use seeds::{Seed, seeds, shape};
+use seeds::shape;
+pub use seeds::{Seed, has_shapes, seeds};
 pub use state::{Find, State, read};
 
 /// How a hunt goes.
@@ -85,11 +86,18 @@ impl<'a> Hunt<'a> {
     pub fn new(quarry: Quarry<'a>, options: Options, seeds: Vec<Seed>, state: State) -> Result<Hunt<'a>, String> {
         let task = quarry.task.name();
         let population = state.population(quarry.vocabulary, heights(task).len())?;
-        let has_shapes = options.shapes && heights::kind_of(task).is_some();
-        if seeds.is_empty() && !has_shapes {
+        if seeds.is_empty() && !(options.shapes && has_shapes(task)) {
             return Err(format!("no small scene of {task} is written out in these suites; name others"));
         }
-        Ok(Hunt { quarry, options, seeds, population, state })
+        let mut hunt = Hunt { quarry, options, seeds, population, state };
+        hunt.leave_out_known();
+        Ok(hunt)
+    }
+
+    /// Scenes that show it already are nothing to derive from: what is derived would be no find.
+    fn leave_out_known(&mut self) {
+        let known = &self.state.known;
+        self.seeds.retain(|seed| !known.contains(&seed.name));
     }
 
     /// How far it has come.
@@ -109,8 +117,8 @@ impl<'a> Hunt<'a> {
     /// Whether there is nothing more to look for.
     #[must_use]
     pub fn is_done(&self) -> bool {
-        let pinned = self.quarry.wanted.class.is_some() && self.quarry.wanted.check.is_some();
-        self.state.finds.len() >= self.options.finds || (pinned && self.options.finds == 0)
+        let nothing_left = self.seeds.is_empty() && self.shapes() == 0;
+        self.state.finds.len() >= self.options.finds || nothing_left
     }
 
     /// The measures with the greatest height that was reached, in thousandths, and the number of the scene.
@@ -139,6 +147,13 @@ impl<'a> Hunt<'a> {
         let (mut state, mut population) = (self.state.clone(), self.population.clone());
         let mut candidates = Vec::new();
         let mut declined = Vec::new();
+        if first {
+            let shows =
+                |(_, seen): &&(Child, Option<look::Seen>)| seen.as_ref().is_some_and(|seen| !seen.findings.is_empty());
+            let known = children.iter().zip(&self.seeds).filter(|(child, _)| shows(child));
+            state.known = known.map(|(_, seed)| seed.name.clone()).collect();
+            state.known.dedup();
+        }
         for (place, (child, seen)) in children.into_iter().enumerate() {
             state.scenes += 1;
             let Some(seen) = seen else { continue };
@@ -146,8 +161,7 @@ impl<'a> Hunt<'a> {
             declined.extend(seen.declined);
             let Child { spelled, parents, story } = child;
             let (heights, conduct, number) = (seen.heights, seen.conduct, state.scenes);
-            if first && place < self.seeds.len() && !seen.findings.is_empty() {
-                state.known.push(self.seeds[place].name.clone());
+            if first && self.seeds.get(place).is_some_and(|seed| state.known.contains(&seed.name)) {
                 continue;
             }
             let member = Member { spelled, heights, conduct, number, parents, story };
@@ -176,6 +190,7 @@ impl<'a> Hunt<'a> {
         }
         state.generations += 1;
         (self.state, self.population) = (state, population);
+        self.leave_out_known();
         Ok(())
     }
 
@@ -191,7 +206,7 @@ impl<'a> Hunt<'a> {
     }
 
     fn shapes(&self) -> usize {
-        if self.options.shapes && heights::kind_of(self.quarry.task.name()).is_some() { SHAPES } else { 0 }
+        if self.options.shapes && has_shapes(self.quarry.task.name()) { SHAPES } else { 0 }
     }
 
     /// Scenes to a generation.
@@ -209,7 +224,9 @@ impl<'a> Hunt<'a> {
         let shape = || shape(self.quarry.task.name(), &mut self.random(place));
         match self.seeds.get(place) {
             Some(seed) => child_of(seed.spelled.clone(), seed.name.clone()),
-            None => shape().map_or_else(|| self.fresh(&mut self.random(place)), |shape| child_of(shape, SHAPE.to_owned())),
+            None => {
+                shape().map_or_else(|| self.fresh(&mut self.random(place)), |shape| child_of(shape, SHAPE.to_owned()))
+            }
         }
     }
 
@@ -285,8 +302,9 @@ impl<'a> Hunt<'a> {
         let args = queries.args(at(random.unit(), queries.len()));
         let start = heights::points(&loaded.scene, queries.question(), args)?;
         let axes = heights::axes(queries.question());
-        // Longer and longer, as long as nothing is found.
-        let doublings = (self.state.generations / 6).min(7);
+        // Longer and longer, as long as nothing is found; but only now and then, as long climbs take most of the time.
+        let longest = (self.state.generations / 6).min(7);
+        let doublings = if self.state.generations.is_multiple_of(4) { longest } else { longest.min(3) };
         let cost = match kind {
             PredicateKind::Orient3d | PredicateKind::Incircle => 3,
             PredicateKind::Insphere => 8,

@@ -1,4 +1,4 @@
-//! What a hunt begins with: small scenes of suites, and shapes of small whole numbers.
+//! What a hunt begins with: small scenes of suites, and points with small whole coordinates.
 
 use predicament_corpus::{Level, LoadedScene, Random, Spelled, Suite};
 use predicament_formats::{Cache, CorpusError};
@@ -50,9 +50,15 @@ fn of_scene(loaded: &LoadedScene) -> Vec<Seed> {
     parts.into_iter().filter(small).map(|spelled| Seed { name: name.clone(), spelled }).collect()
 }
 
+/// Whether there are [shapes](shape) for scenes of a task: for those of signs.
+#[must_use]
+pub fn has_shapes(task: &str) -> bool {
+    kind_of(task).is_some()
+}
+
 /// A few points with small whole coordinates, and queries of a predicate about them; none for other tasks.
 #[must_use]
-pub fn shape(task: &str, random: &mut Random) -> Option<Spelled> {
+pub(super) fn shape(task: &str, random: &mut Random) -> Option<Spelled> {
     let kind = kind_of(task)?;
     let (question, dimension) = match kind {
         PredicateKind::Compare => (Question::Compare(Axis::X), Dimension::Two),
