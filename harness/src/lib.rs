@@ -43,6 +43,7 @@ pub mod example;
 mod exit;
 mod expect_file;
 mod expectations;
+mod hunting;
 mod interrupt;
 mod judged;
 mod ledger;

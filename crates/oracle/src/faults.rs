@@ -52,8 +52,13 @@ pub enum Fault {
     /// SoS that lifts points moved by ε^(2^i) again, where squares of infinitesimals collide
     /// with others, and keeps one term of each power.
     SosCollidingLift,
+    /// SoS that moves coordinates in one order for circles and spheres and in another for the rest: each predicate by itself is
+    /// consistent.
+    SosMixedOrders,
     /// Exact, with the bound of the floating-point filter halved.
     ExactHalvedFilter,
+    /// Exact, with that bound two percent smaller than it has to be.
+    ExactTightFilter,
     /// Exact, with integers of one limb where differences need two.
     ExactOneLimb,
     /// Adaptive floating point (the crate `robust`) where it can underflow or overflow.
@@ -92,7 +97,7 @@ impl Fault {
     }
 
     /// All but tolerances that are scaled wrongly.
-    const ALL: [Fault; 23] = [
+    const ALL: [Fault; 25] = [
         Fault::SosSwappedTerm,
         Fault::SosBatchFlipped,
         Fault::SosLateSwappedTerm,
@@ -102,7 +107,9 @@ impl Fault {
         Fault::SosFirstOrderOnly,
         Fault::SosFirstOrderThenParity,
         Fault::SosCollidingLift,
+        Fault::SosMixedOrders,
         Fault::ExactHalvedFilter,
+        Fault::ExactTightFilter,
         Fault::ExactOneLimb,
         Fault::ExactUnguarded,
         Fault::ExactFlushed,
@@ -131,7 +138,9 @@ impl Fault {
             Fault::SosFirstOrderOnly => "sos-first-order-only",
             Fault::SosFirstOrderThenParity => "sos-first-order-then-parity",
             Fault::SosCollidingLift => "sos-colliding-lift",
+            Fault::SosMixedOrders => "sos-mixed-orders",
             Fault::ExactHalvedFilter => "exact-halved-filter",
+            Fault::ExactTightFilter => "exact-tight-filter",
             Fault::ExactOneLimb => "exact-one-limb",
             Fault::ExactUnguarded => "exact-unguarded",
             Fault::ExactFlushed => "exact-flushed",
@@ -164,7 +173,9 @@ impl Fault {
             Fault::SosFirstOrderOnly => "only terms that move one coordinate are looked at",
             Fault::SosFirstOrderThenParity => "those, and what they leave open goes by the order of the vertices",
             Fault::SosCollidingLift => "points moved by eps^(2^i) lifted again, one term kept of equal powers",
+            Fault::SosMixedOrders => "coordinates perturbed in another order for circles and spheres than for the rest",
             Fault::ExactHalvedFilter => "the floating-point filter's bound halved",
+            Fault::ExactTightFilter => "the floating-point filter's bound two percent too small",
             Fault::ExactOneLimb => "integers of one limb used where differences need two",
             Fault::ExactUnguarded => "adaptive floating point used where it underflows or overflows",
             Fault::ExactFlushed => "determinants below the smallest normal double called zero",
@@ -195,8 +206,10 @@ impl Fault {
             | Fault::SosFirstOrderOnly
             | Fault::SosFirstOrderThenParity
             | Fault::SosCollidingLift
+            | Fault::SosMixedOrders
             | Fault::CompareGreaterOnTies => ZeroMeaning::Never,
             Fault::ExactHalvedFilter
+            | Fault::ExactTightFilter
             | Fault::ExactOneLimb
             | Fault::ExactUnguarded
             | Fault::ExactFlushed
@@ -311,6 +324,7 @@ impl Session<'_> {
             | Fault::SosFirstOrderOnly
             | Fault::SosFirstOrderThenParity
             | Fault::SosCollidingLift
+            | Fault::SosMixedOrders
             | Fault::CompareGreaterOnTies => {
                 if exact.is_zero() {
                     ties::break_tie(self.fault, &self.exact, question, args)
@@ -319,12 +333,13 @@ impl Session<'_> {
                 }
             }
             // Their parts are for points with coordinates: about others they are as right as exact.
-            Fault::ExactHalvedFilter | Fault::ExactOneLimb | Fault::ExactFlushed
+            Fault::ExactHalvedFilter | Fault::ExactTightFilter | Fault::ExactOneLimb | Fault::ExactFlushed
                 if args.iter().any(|v| v.is_constructed()) =>
             {
                 exact
             }
-            Fault::ExactHalvedFilter => self.half_filtered(question, &args).unwrap_or(exact),
+            Fault::ExactHalvedFilter => self.filtered(question, &args, 0.5).unwrap_or(exact),
+            Fault::ExactTightFilter => self.filtered(question, &args, 0.98).unwrap_or(exact),
             Fault::ExactOneLimb => self.one_limb(question, &args).unwrap_or(exact),
             Fault::ExactUnguarded => question.ask(&self.adaptive, &args),
             Fault::ExactFlushed => {
@@ -353,10 +368,11 @@ impl Session<'_> {
         if flips { -answer } else { answer }
     }
 
-    fn half_filtered(&self, question: Question, args: &[Vertex]) -> Option<Sign> {
-        fn halved<const D: usize>(determinant: Determinant, points: &[[f64; D]]) -> f64 {
+    /// What a filter says whose bound is only this share of what it has to be.
+    fn filtered(&self, question: Question, args: &[Vertex], share: f64) -> Option<Sign> {
+        fn bound<const D: usize>(determinant: Determinant, points: &[[f64; D]]) -> f64 {
             let allowed = Plan::of(points).allows_filters(determinant.form);
-            if allowed { determinant.bound / 2.0 } else { f64::NAN }
+            if allowed { determinant.bound } else { f64::NAN }
         }
         let scene = self.exact.scene();
         let flat = |plane, v: &[Vertex]| v.iter().map(|&v| scene.point2(plane, v)).collect::<Vec<_>>();
@@ -365,19 +381,19 @@ impl Session<'_> {
             Question::Compare(_) => None,
             Question::Orient2d(plane) => {
                 let p = flat(plane, args);
-                filter::orient2d(p[0], p[1], p[2], halved(form::ORIENT2D, &p))
+                filter::orient2d(p[0], p[1], p[2], share * bound(form::ORIENT2D, &p))
             }
             Question::Orient3d => {
                 let p = solid();
-                filter::orient3d(p[0], p[1], p[2], p[3], halved(form::ORIENT3D, &p))
+                filter::orient3d(p[0], p[1], p[2], p[3], share * bound(form::ORIENT3D, &p))
             }
             Question::Incircle => {
                 let p = flat(Plane::Xy, args);
-                filter::incircle(p[0], p[1], p[2], p[3], halved(form::INCIRCLE, &p))
+                filter::incircle(p[0], p[1], p[2], p[3], share * bound(form::INCIRCLE, &p))
             }
             Question::Insphere => {
                 let p = solid();
-                filter::insphere(p[0], p[1], p[2], p[3], p[4], halved(form::INSPHERE, &p))
+                filter::insphere(p[0], p[1], p[2], p[3], p[4], share * bound(form::INSPHERE, &p))
             }
         }
     }

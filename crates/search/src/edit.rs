@@ -30,6 +30,14 @@ pub fn drop_unnamed(spelled: &Spelled) -> Spelled {
     drop_points(spelled, &spelled.named())
 }
 
+/// Leaves out items of the list with this number.
+#[must_use]
+pub fn keep_items(spelled: &Spelled, list: usize, keep: impl FnMut(usize) -> bool) -> Spelled {
+    let mut left = spelled.clone();
+    left.lists[list].items.keep(keep);
+    left
+}
+
 /// Puts one point in the place of another: each item and construction that names `from` names `into`. Items that then name a
 /// vertex twice go, loops lose the corner, and so does the point.
 #[must_use]

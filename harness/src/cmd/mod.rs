@@ -10,6 +10,7 @@ pub mod engines;
 pub mod expect;
 pub mod export;
 pub mod gate;
+pub mod hunt;
 pub mod map;
 pub mod merge;
 pub mod new;

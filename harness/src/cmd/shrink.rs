@@ -281,7 +281,7 @@ fn resumed<'a>(args: &Args, tool: &'a Tool, folder: &Path) -> Result<Job<'a>, Fa
 }
 
 /// Adds a scene to a suite, which stays as it is otherwise.
-fn add(tool: &Tool, file: &Path, table: &str) -> Result<(), Failure> {
+pub fn add(tool: &Tool, file: &Path, table: &str) -> Result<(), Failure> {
     let before = match std::fs::read_to_string(file) {
         Ok(text) => text,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => "title = \"Shrunk findings\"\n".to_owned(),

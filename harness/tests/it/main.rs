@@ -11,6 +11,7 @@ mod engines;
 mod expect;
 mod gate_summary;
 mod habits;
+mod hunt;
 mod isolation;
 mod judged;
 mod kills;

@@ -53,6 +53,12 @@ impl SceneDef {
         self.fetch_entry().is_some()
     }
 
+    /// Whether the suite has its points and content in its own text.
+    #[must_use]
+    pub fn is_written(&self) -> bool {
+        matches!(self.content, Where::Written(_))
+    }
+
     /// The fetched file that the scene needs (the first, where there are two), if any.
     #[must_use]
     pub fn fetch_entry(&self) -> Option<&Entry> {

@@ -75,6 +75,8 @@ impl Fault {
                 (Class::Topology, "loose ends"),
             ],
             Fault::SosCollidingLift => &[(Class::SignFlip, "perturbed sign"), (Class::Inconsistent, "never zero")],
+            Fault::SosMixedOrders => &[(Class::SignFlip, "perturbed sign")],
+            Fault::ExactTightFilter => &[(Class::SignFlip, "sign")],
             Fault::ExactHalvedFilter => &[(Class::SignFlip, "sign"), (Class::Inconsistent, "antisymmetry")],
             Fault::ExactOneLimb => &[
                 (Class::SignFlip, "sign"),

@@ -24,6 +24,13 @@ pub(super) fn break_tie<P: Predicates, const N: usize>(
             let terms = if late { with_swapped(terms, 0) } else { terms.to_vec() };
             decide(&terms, &sorted.vertices).map(|(sign, _)| sign * sorted.parity)
         }
+        Fault::SosMixedOrders => {
+            let scheme = match question {
+                Question::Incircle | Question::Insphere => Scheme::EdelsbrunnerMucke,
+                Question::Compare(_) | Question::Orient2d(_) | Question::Orient3d => Scheme::PerCoordinate,
+            };
+            decide(scheme.terms(question.kind()), &sorted.vertices).map(|(sign, _)| sign * sorted.parity)
+        }
         Fault::SosDroppedParity => decide(terms, &sorted.vertices).map(|(sign, _)| sign),
         Fault::SosDroppedLastParity => decide(terms, &sorted.vertices)
             .map(|(sign, place)| if place + 1 == terms.len() { sign } else { sign * sorted.parity }),

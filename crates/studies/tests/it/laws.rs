@@ -54,7 +54,7 @@ fn every_wrong_perturbation_is_condemned_by_the_laws_alone() {
     let zero = Law::NeverZero;
     let anti = Law::Antisymmetry;
     let (plucker, mixed) = (Law::GrassmannPlucker, Law::MixedGrassmannPlucker);
-    let faults: [(Fault, &[Law]); 8] = [
+    let faults: [(Fault, &[Law]); 9] = [
         (Fault::SosSwappedTerm, &[plucker, mixed]),
         (Fault::SosDroppedParity, &[anti, plucker, mixed]),
         (Fault::SosPlaceAsIdentity, &[anti]),
@@ -62,6 +62,7 @@ fn every_wrong_perturbation_is_condemned_by_the_laws_alone() {
         (Fault::SosFirstOrderOnly, &[zero, plucker, mixed]),
         (Fault::SosFirstOrderThenParity, &[plucker, mixed]),
         (Fault::SosCollidingLift, &[zero, plucker, mixed]),
+        (Fault::SosMixedOrders, &[mixed]),
         (Fault::CompareGreaterOnTies, &[anti, mixed]),
     ];
     for (fault, laws) in faults {

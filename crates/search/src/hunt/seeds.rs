@@ -1,0 +1,88 @@
+//! What a hunt begins with: small scenes of suites, and points with small whole coordinates.
+
+use predicament_corpus::{Level, LoadedScene, Random, Spelled, Suite};
+use predicament_formats::{Cache, CorpusError};
+use predicament_predicates::{Axis, Dimension, Plane, PredicateKind, QuerySet, Question, Scene, Vertex};
+use predicament_tasks::Budget;
+use predicament_tasks::signs::SignQueries;
+
+use super::heights::kind_of;
+use super::moves::MOST_ROWS;
+use crate::{drop_unnamed, edit::keep_items};
+
+/// A scene to begin with.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Seed {
+    /// Suite and scene, as people find it.
+    pub name: String,
+    /// The scene.
+    pub spelled: Spelled,
+}
+
+/// Queries of a scene that has many: each is a seed of its own, with the vertices that it names.
+const QUERIES: usize = 3;
+
+/// The scenes of a suite that are of this task and written out in it, where they are small or consist of queries.
+///
+/// # Errors
+/// [`CorpusError`] where a scene cannot be loaded.
+pub fn seeds(suite: &Suite, task: &str) -> Result<Vec<Seed>, CorpusError> {
+    let mut seeds = Vec::new();
+    for def in suite.scenes.iter().filter(|def| def.task == task && def.is_written()) {
+        let loaded = def.load(Level::Quick, &Cache::new(""))?;
+        seeds.extend(of_scene(&loaded));
+    }
+    Ok(seeds)
+}
+
+fn of_scene(loaded: &LoadedScene) -> Vec<Seed> {
+    let Some(spelled) = loaded.spelled() else { return Vec::new() };
+    let name = format!("{}/{}", loaded.suite, loaded.name);
+    let parts = match spelled.lists.as_slice() {
+        [list] if list.key == "queries" && spelled.constructions.is_empty() => {
+            let count = list.items.len();
+            let one = |query: usize| drop_unnamed(&keep_items(&spelled, 0, |at| at == query));
+            if count <= 1 { vec![drop_unnamed(&spelled)] } else { Budget::spread(count, 1, QUERIES).map(one).collect() }
+        }
+        _ => vec![spelled],
+    };
+    let small = |part: &Spelled| !part.rows().is_empty() && part.rows().len() <= MOST_ROWS;
+    parts.into_iter().filter(small).map(|spelled| Seed { name: name.clone(), spelled }).collect()
+}
+
+/// Whether there are [shapes](shape) for scenes of a task: for those of signs.
+#[must_use]
+pub fn has_shapes(task: &str) -> bool {
+    kind_of(task).is_some()
+}
+
+/// A few points with small whole coordinates, and queries of a predicate about them; none for other tasks.
+#[must_use]
+pub(super) fn shape(task: &str, random: &mut Random) -> Option<Spelled> {
+    let kind = kind_of(task)?;
+    let (question, dimension) = match kind {
+        PredicateKind::Compare => (Question::Compare(Axis::X), Dimension::Two),
+        PredicateKind::Orient2d => (Question::Orient2d(Plane::Xy), Dimension::Two),
+        PredicateKind::Orient3d => (Question::Orient3d, Dimension::Three),
+        PredicateKind::Incircle => (Question::Incircle, Dimension::Two),
+        PredicateKind::Insphere => (Question::Insphere, Dimension::Three),
+    };
+    let mut number = |low: i64, high: i64| random.integer(low, high);
+    let arity = kind.arity();
+    let more = usize::try_from(number(0, 3)).unwrap_or_default();
+    let size = number(1, 8);
+    #[allow(clippy::cast_precision_loss)] // small
+    let coordinates: Vec<f64> = (0..(arity + more) * dimension.count()).map(|_| number(-size, size) as f64).collect();
+    let scene = Scene::new(dimension, coordinates).ok()?;
+    let mut args: Vec<Vertex> = Vec::new();
+    for _ in 0..number(1, 3) {
+        let mut left: Vec<Vertex> = scene.vertices().collect();
+        for _ in 0..arity {
+            let last = i64::try_from(left.len()).unwrap_or(1) - 1;
+            args.push(left.remove(usize::try_from(number(0, last)).unwrap_or_default()));
+        }
+    }
+    let content = SignQueries::new(QuerySet::new(question, args));
+    let spelled = predicament_corpus::Content::spelled(&content, &scene)?;
+    Some(Spelled { task: kind.name(), ..spelled })
+}

@@ -1,0 +1,136 @@
+//! A hunt written down: all that is needed to go on as if it had never stopped.
+
+use predicament_corpus::{Heading, Level, Spelled, Suite, Vocabulary};
+use predicament_formats::{Cache, Manifest};
+use serde::{Deserialize, Serialize};
+
+use super::population::{Island, Member, Population};
+
+/// How far a hunt has come, and what it has found.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub struct State {
+    /// Generations that are over.
+    pub generations: u64,
+    /// Scenes that were made: their numbers go up to this.
+    pub scenes: u64,
+    /// Scenes of these that backends have answered: the others were none of the task.
+    pub evaluations: u64,
+    /// Seeds that show what is wanted as they are: they are none of the hunt's finds, and left out.
+    pub known: Vec<String>,
+    /// The reason of a backend that has declined every scene of the first generation.
+    pub declined: Option<String>,
+    /// What was found.
+    pub finds: Vec<Find>,
+    islands: Vec<SavedIsland>,
+    curious: Vec<SavedMember>,
+}
+
+/// A find.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct Find {
+    /// The finding.
+    pub class: String,
+    /// The check that shows it.
+    pub check: String,
+    /// The queries that it is about.
+    pub query: String,
+    /// What the backend answers.
+    pub got: String,
+    /// What is true.
+    pub truth: String,
+    /// The number of the scene in the hunt.
+    pub number: u64,
+    /// Scenes that backends had answered with the generation in which it was found.
+    pub evaluations: u64,
+    /// Seconds until then.
+    pub seconds: f64,
+    /// The numbers of the scenes that it was derived from.
+    pub parents: Vec<u64>,
+    /// Where it comes from, in words.
+    pub story: String,
+    /// The scene as it was found, and shrunk, as suites of one scene.
+    pub found: String,
+    /// The shrunk scene.
+    pub shrunk: String,
+    /// The content id of the shrunk scene.
+    pub scene_id: String,
+    /// Scenes that were looked at to shrink it.
+    pub shrinking: u64,
+    /// Points, constructions, items and what they name, before and after.
+    pub pieces: [usize; 2],
+}
+
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+struct SavedMember {
+    scene: String,
+    heights: Vec<i64>,
+    conduct: u64,
+    number: u64,
+    parents: Vec<u64>,
+    story: Vec<String>,
+}
+
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+struct SavedIsland {
+    members: Vec<SavedMember>,
+    idle: u64,
+    peak: Option<(i64, u64)>,
+}
+
+/// A scene as a suite of its own.
+pub(super) fn text(spelled: &Spelled) -> String {
+    spelled.suite("A hunt", Heading { name: "scene", ..Heading::default() })
+}
+
+/// The scene of such a suite.
+///
+/// # Errors
+/// One line, where it is none, or of a task that cannot write it out.
+pub fn read(vocabulary: &Vocabulary, text: &str) -> Result<Spelled, String> {
+    let suite =
+        Suite::parse(vocabulary, "hunt", text, None, &Manifest::default()).map_err(|error| error.to_string())?;
+    let [def] = suite.scenes.as_slice() else { return Err("a suite with one scene was expected".to_owned()) };
+    let loaded = def.load(Level::Quick, &Cache::new("")).map_err(|error| error.to_string())?;
+    loaded.spelled().ok_or_else(|| format!("the task {} cannot write its scenes out", def.task))
+}
+
+impl SavedMember {
+    fn of(member: &Member) -> SavedMember {
+        let Member { spelled, heights, conduct, number, parents, story } = member.clone();
+        SavedMember { scene: text(&spelled), heights, conduct, number, parents, story }
+    }
+
+    fn member(&self, vocabulary: &Vocabulary) -> Result<Member, String> {
+        let SavedMember { scene, heights, conduct, number, parents, story } = self.clone();
+        Ok(Member { spelled: read(vocabulary, &scene)?, heights, conduct, number, parents, story })
+    }
+}
+
+impl State {
+    /// Takes the population down.
+    pub(super) fn save(&mut self, population: &Population) {
+        let all = |members: &[Member]| members.iter().map(SavedMember::of).collect();
+        self.curious = all(&population.curious);
+        let island =
+            |island: &Island| SavedIsland { members: all(&island.members), idle: island.idle, peak: island.peak };
+        self.islands = population.islands.iter().map(island).collect();
+    }
+
+    /// The population as it was taken down; an empty one with so many islands before the first generation.
+    pub(super) fn population(&self, vocabulary: &Vocabulary, measures: usize) -> Result<Population, String> {
+        if self.islands.is_empty() {
+            return Ok(Population::new(measures));
+        }
+        let all = |members: &[SavedMember]| -> Result<Vec<Member>, String> {
+            members.iter().map(|member| member.member(vocabulary)).collect()
+        };
+        let island = |saved: &SavedIsland| -> Result<Island, String> {
+            Ok(Island { members: all(&saved.members)?, idle: saved.idle, peak: saved.peak })
+        };
+        if self.islands.len() != measures {
+            return Err(format!("{} islands where the task has {measures} measures", self.islands.len()));
+        }
+        let islands = self.islands.iter().map(island).collect::<Result<_, _>>()?;
+        Ok(Population { islands, curious: all(&self.curious)? })
+    }
+}

@@ -1,0 +1,239 @@
+//! Determinants in plain doubles, in pairs of doubles, and by magnitude.
+//!
+//! What rounding does to a determinant is the difference of the first two over the third. Pairs hold some 106 bits, which is
+//! plenty for an objective: nothing is decided by it. Where a product underflows or overflows they are as wrong as doubles.
+
+use predicament_predicates::PredicateKind;
+
+/// The points of a query, with zeros where it has fewer or they have no third coordinate.
+pub(super) type Points = [[f64; 3]; 5];
+
+/// What a determinant can be computed in.
+trait Ring: Copy {
+    fn difference(a: f64, b: f64) -> Self;
+    fn plus(self, other: Self) -> Self;
+    fn minus(self, other: Self) -> Self;
+    fn times(self, other: Self) -> Self;
+}
+
+impl Ring for f64 {
+    fn difference(a: f64, b: f64) -> f64 {
+        a - b
+    }
+
+    fn plus(self, other: f64) -> f64 {
+        self + other
+    }
+
+    fn minus(self, other: f64) -> f64 {
+        self - other
+    }
+
+    fn times(self, other: f64) -> f64 {
+        self * other
+    }
+}
+
+/// An unevaluated sum, the second much smaller than the first.
+#[derive(Clone, Copy)]
+struct Pair(f64, f64);
+
+/// The sum of two doubles without an error (Knuth).
+fn sum(a: f64, b: f64) -> Pair {
+    let s = a + b;
+    let of_b = s - a;
+    Pair(s, (a - (s - of_b)) + (b - of_b))
+}
+
+/// The same where the first is the larger (Dekker).
+fn sum_of_large_and_small(a: f64, b: f64) -> Pair {
+    let s = a + b;
+    Pair(s, b - (s - a))
+}
+
+/// The product of two doubles without an error (Dekker), as long as nothing overflows.
+fn product(a: f64, b: f64) -> Pair {
+    let halves = |x: f64| {
+        let wide = 134_217_729.0 * x;
+        let high = wide - (wide - x);
+        [high, x - high]
+    };
+    let (p, [ah, al], [bh, bl]) = (a * b, halves(a), halves(b));
+    Pair(p, ((ah * bh - p) + ah * bl + al * bh) + al * bl)
+}
+
+impl Ring for Pair {
+    fn difference(a: f64, b: f64) -> Pair {
+        sum(a, -b)
+    }
+
+    fn plus(self, other: Pair) -> Pair {
+        let (high, low) = (sum(self.0, other.0), sum(self.1, other.1));
+        let first = sum_of_large_and_small(high.0, high.1 + low.0);
+        sum_of_large_and_small(first.0, first.1 + low.1)
+    }
+
+    fn minus(self, other: Pair) -> Pair {
+        self.plus(Pair(-other.0, -other.1))
+    }
+
+    fn times(self, other: Pair) -> Pair {
+        let high = product(self.0, other.0);
+        sum_of_large_and_small(high.0, high.1 + (self.0 * other.1 + self.1 * other.0))
+    }
+}
+
+/// Terms taken by magnitude: a permanent.
+#[derive(Clone, Copy)]
+struct Magnitude(f64);
+
+impl Ring for Magnitude {
+    fn difference(a: f64, b: f64) -> Magnitude {
+        Magnitude((a - b).abs())
+    }
+
+    fn plus(self, other: Magnitude) -> Magnitude {
+        Magnitude(self.0 + other.0)
+    }
+
+    fn minus(self, other: Magnitude) -> Magnitude {
+        self.plus(other)
+    }
+
+    fn times(self, other: Magnitude) -> Magnitude {
+        Magnitude(self.0 * other.0)
+    }
+}
+
+/// The textbook formula with the last point for a pivot.
+fn determinant<T: Ring>(kind: PredicateKind, points: &Points) -> T {
+    let d = |row: usize, axis: usize, pivot: usize| T::difference(points[row][axis], points[pivot][axis]);
+    match kind {
+        PredicateKind::Compare => d(0, 0, 1),
+        PredicateKind::Orient2d => d(0, 0, 2).times(d(1, 1, 2)).minus(d(0, 1, 2).times(d(1, 0, 2))),
+        PredicateKind::Orient3d => {
+            let [a, b, c] = [0, 1, 2].map(|row| [d(row, 0, 3), d(row, 1, 3), d(row, 2, 3)]);
+            expand([a[2], b[2], c[2]], minors([a, b, c]))
+        }
+        PredicateKind::Incircle => {
+            let [a, b, c] = [0, 1, 2].map(|row| {
+                let [x, y] = [d(row, 0, 3), d(row, 1, 3)];
+                [x, y, x.times(x).plus(y.times(y))]
+            });
+            expand([a[2], b[2], c[2]], minors([a, b, c]))
+        }
+        PredicateKind::Insphere => {
+            let rows = [0, 1, 2, 3].map(|row| [d(row, 0, 4), d(row, 1, 4), d(row, 2, 4)]);
+            let lifts = rows.map(|[x, y, z]| x.times(x).plus(y.times(y)).plus(z.times(z)));
+            let minor = |i: usize, j: usize| rows[i][0].times(rows[j][1]).minus(rows[j][0].times(rows[i][1]));
+            let [ab, bc, cd, da, ac, bd] =
+                [minor(0, 1), minor(1, 2), minor(2, 3), minor(3, 0), minor(0, 2), minor(1, 3)];
+            let z = |row: usize| rows[row][2];
+            let abc = z(0).times(bc).minus(z(1).times(ac)).plus(z(2).times(ab));
+            let bcd = z(1).times(cd).minus(z(2).times(bd)).plus(z(3).times(bc));
+            let cda = z(2).times(da).plus(z(3).times(ac)).plus(z(0).times(cd));
+            let dab = z(3).times(ab).plus(z(0).times(bd)).plus(z(1).times(da));
+            let first = lifts[3].times(abc).minus(lifts[2].times(dab));
+            first.plus(lifts[1].times(cda).minus(lifts[0].times(bcd)))
+        }
+    }
+}
+
+/// The minors of the first two columns that leave out each row.
+fn minors<T: Ring>([a, b, c]: [[T; 3]; 3]) -> [T; 3] {
+    let minor = |p: [T; 3], q: [T; 3]| p[0].times(q[1]).minus(q[0].times(p[1]));
+    [minor(b, c), minor(c, a), minor(a, b)]
+}
+
+fn expand<T: Ring>(column: [T; 3], minors: [T; 3]) -> T {
+    column[0].times(minors[0]).plus(column[1].times(minors[1])).plus(column[2].times(minors[2]))
+}
+
+/// What plain floating point makes of a determinant.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Rounding {
+    /// The determinant in doubles.
+    pub computed: f64,
+    /// The determinant, nearly exactly.
+    pub nearly: f64,
+    /// How far the first is from it.
+    pub error: f64,
+    /// The permanent.
+    pub permanent: f64,
+}
+
+/// 1/u: errors are told in units of u times the permanent.
+const PER_ROUNDOFF: f64 = 2.0 / f64::EPSILON;
+
+impl Rounding {
+    /// The rounding of a predicate's determinant.
+    pub(super) fn of(kind: PredicateKind, points: &Points) -> Rounding {
+        let computed: f64 = determinant(kind, points);
+        let pair: Pair = determinant(kind, points);
+        let Magnitude(permanent) = determinant(kind, points);
+        let error = Pair(computed, 0.0).minus(pair).0.abs();
+        Rounding { computed, nearly: pair.0, error, permanent }
+    }
+
+    /// How nearly rounding carries the determinant to the other side, in units of u times the permanent: the error, less
+    /// what the determinant has to pay for being away from zero. A negative number of no meaning where that is no number.
+    pub(super) fn carried(&self, price: f64) -> f64 {
+        if !self.is_in_range() {
+            return -1e9;
+        }
+        (self.error - price * self.nearly.abs()) / self.permanent * PER_ROUNDOFF
+    }
+
+    /// How far on the wrong side the computed determinant is, in the same units; none on the right one.
+    pub(super) fn wrong(&self) -> Option<f64> {
+        let is_wrong = (self.computed > 0.0 && self.nearly <= 0.0) || (self.computed < 0.0 && self.nearly >= 0.0);
+        (is_wrong && self.is_in_range()).then(|| self.computed.abs() / self.permanent * PER_ROUNDOFF)
+    }
+
+    /// Whether what underflows or overflows can be no matter: elsewhere pairs of doubles say nothing, nor do units of u.
+    fn is_in_range(&self) -> bool {
+        (1e-180..1e270).contains(&self.permanent) && self.error.is_finite()
+    }
+
+    /// Whether it vanishes, as far as pairs of doubles tell.
+    pub(super) fn vanishes(&self) -> bool {
+        self.nearly == 0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use predicament_judge::verdict;
+    use predicament_predicates::{Axis, Dimension, Plane, Question, Scene, Vertex};
+
+    #[test]
+    fn pairs_agree_with_rationals() {
+        let mut random = predicament_corpus::Random::new("hunt", "pairs", 1);
+        for kind in PredicateKind::ALL {
+            let question = match kind {
+                PredicateKind::Compare => Question::Compare(Axis::X),
+                PredicateKind::Orient2d => Question::Orient2d(Plane::Xy),
+                PredicateKind::Orient3d => Question::Orient3d,
+                PredicateKind::Incircle => Question::Incircle,
+                PredicateKind::Insphere => Question::Insphere,
+            };
+            for _ in 0..50 {
+                let flat = !matches!(kind, PredicateKind::Orient3d | PredicateKind::Insphere);
+                let dimension = if flat { Dimension::Two } else { Dimension::Three };
+                let mut points = [[0.0; 3]; 5];
+                points.iter_mut().flatten().for_each(|x| *x = random.mantissa());
+                let coordinates = points.iter().take(kind.arity()).flat_map(|p| p[..dimension.count()].to_vec());
+                let scene = Scene::new(dimension, coordinates.collect()).unwrap();
+                let args: Vec<Vertex> = scene.vertices().collect();
+                let truth = verdict(&scene, question, &args);
+                let rounding = Rounding::of(kind, &points);
+                let exact = truth.determinant.to_f64();
+                assert!((rounding.nearly - exact).abs() <= 1e-12 * exact.abs(), "{kind:?}: {rounding:?}, {exact}");
+                let permanent = truth.permanent.to_f64();
+                assert!((rounding.permanent - permanent).abs() <= 1e-13 * permanent, "{kind:?}");
+                assert!(rounding.carried(0.0) <= 15.0, "{kind:?}: {rounding:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,354 @@
+//! `hunt`: scenes are changed and recombined until one shows a finding.
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use predicament_predicates::Class;
+use predicament_search::Wanted;
+use predicament_search::hunt::{Hunt, Options, Quarry, Seed, State, has_shapes, seeds};
+use predicament_tasks::{AnyTask, Contestant, Watch, digest};
+
+use crate::exit::{self, Failure};
+use crate::hunting::{Order, STATE, SUITE, Saved, TABLE};
+use crate::out::program;
+use crate::planning::free_folder;
+use crate::tool::{Tool, each};
+use crate::{interrupt, progress};
+
+const EXAMPLES: &str = "\
+A hunt is told the task, the backends and the class, and not where to look. It begins with small scenes of the suites and shapes of small
+whole numbers, derives others from them, and climbs by how near they are to a disagreement. What it finds is shrunk. The folder has
+finds.toml (a suite), hunt.csv (a table), each find as a test in Rust, C++ and Python, and hunt.json, by which --resume goes on.
+The same seed and evaluations give the same finds, on any number of threads. docs/SEARCH.md says how it goes about it.
+
+Examples:
+  predicament hunt orient2d -b naive                             one find of each class and check
+  predicament hunt insphere -b shewchuk --class overreach        a class
+  predicament hunt incircle -b mine --class inconsistent --check mixed-grassmann-plucker --seconds 60
+  predicament hunt orient3d -b naive,naive:first --not-by shewchuk   shown by both, and not by another
+  predicament hunt contacts2d -b tolerance --check 'crossing parity' --evaluations 50000
+  predicament hunt orient2d -b mine --from shapes                from small whole numbers alone
+  predicament hunt --resume predicament-hunt-1 --evaluations 100000
+  predicament hunt orient2d -b naive --into mine.toml            the finds are added to a suite, ready to commit";
+
+/// Search for scenes on which a backend is wrong
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The task, as suites call it
+    #[arg(required_unless_present = "resume", conflicts_with = "resume")]
+    pub task: Option<String>,
+
+    /// Backends that all have to show it; `predicament run --help` lists them
+    #[arg(
+        short = 'b',
+        long = "backend",
+        value_name = "BACKEND",
+        required_unless_present = "resume",
+        conflicts_with = "resume"
+    )]
+    pub backends: Vec<String>,
+
+    /// Backends that must not show it
+    #[arg(long, value_name = "BACKEND", conflicts_with = "resume")]
+    pub not_by: Vec<String>,
+
+    /// The class that is wanted; any but `declined` and `timeout` if left out
+    #[arg(long, value_name = "CLASS", conflicts_with = "resume")]
+    pub class: Option<Class>,
+
+    /// The check that is wanted; any if left out
+    #[arg(long, value_name = "CHECK", conflicts_with = "resume")]
+    pub check: Option<String>,
+
+    /// Scenes that backends answer, at most (a generation more); 20,000 if neither this nor --seconds is given
+    #[arg(long, value_name = "N")]
+    pub evaluations: Option<u64>,
+
+    /// Seconds after which no generation begins
+    #[arg(long, value_name = "SECONDS", value_parser = super::run::seconds)]
+    pub seconds: Option<Duration>,
+
+    /// What random numbers begin with
+    #[arg(long, value_name = "N", default_value = "1", conflicts_with = "resume")]
+    pub seed: u64,
+
+    /// Finds after which it ends: of each class and check one, or more where both are named; 1 there, else 10
+    #[arg(long, value_name = "K")]
+    pub finds: Option<usize>,
+
+    /// Suites to begin with, by name or file, or `shapes` for small whole numbers; all embedded ones and shapes if left out
+    #[arg(long, value_name = "SUITE", conflicts_with = "resume")]
+    pub from: Vec<String>,
+
+    /// Seconds that one backend may take for one scene
+    #[arg(long, value_name = "SECONDS", value_parser = super::run::seconds, default_value = "10", conflicts_with = "resume")]
+    pub timeout: Duration,
+
+    /// Threads; all if left out
+    #[arg(long, value_name = "N")]
+    pub threads: Option<usize>,
+
+    /// A new folder; the first free predicament-hunt-N if left out
+    #[arg(long, value_name = "DIR", conflicts_with = "resume")]
+    pub out: Option<PathBuf>,
+
+    /// Go on where a hunt was interrupted, or with a larger budget
+    #[arg(long, value_name = "DIR")]
+    pub resume: Option<PathBuf>,
+
+    /// A suite to add the finds to; it is made if there is none
+    #[arg(long, value_name = "FILE")]
+    pub into: Option<PathBuf>,
+}
+
+/// Evaluations where no budget is given.
+const EVALUATIONS: u64 = 20_000;
+/// Scenes to look at to shrink a find, at most.
+const SHRINKING: u64 = 3_000;
+/// The word for shapes among suites.
+const SHAPES: &str = "shapes";
+
+/// Runs the command.
+pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
+    super::run::set_threads(args.threads)?;
+    let (mut saved, seeds, folder) = match (&args.resume, &args.task) {
+        (Some(folder), _) => {
+            let saved = Saved::open(folder)?;
+            let seeds = resumed(&saved, tool, folder)?;
+            (saved, seeds, folder.clone())
+        }
+        (None, Some(task)) => {
+            let (saved, seeds) = begun(args, tool, task)?;
+            let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-hunt"));
+            make(&folder)?;
+            (saved, seeds, folder)
+        }
+        _ => return Err(Failure::usage("name a task, or --resume a folder")),
+    };
+    let by_time = args.seconds.is_some() && args.evaluations.is_none();
+    saved.evaluations = args.evaluations.unwrap_or(if by_time { u64::MAX } else { saved.evaluations });
+    saved.finds = args.finds.unwrap_or(saved.finds);
+    interrupt::listen();
+    let ended = hunt(args, tool, &mut saved, seeds, &folder)?;
+    if let Some(file) = &args.into {
+        add(tool, file, &saved)?;
+    }
+    Ok(if ended { exit::OK } else { exit::INCOMPLETE })
+}
+
+/// Hunts until the budget has run out, or enough is found; whether it came to that.
+fn hunt(args: &Args, tool: &Tool, saved: &mut Saved, seeds: Vec<Seed>, folder: &Path) -> Result<bool, Failure> {
+    let order = saved.order.clone();
+    let task = task_of(tool, &order.task)?;
+    let pick = |names: &[String]| -> Result<Vec<Box<dyn Contestant>>, Failure> {
+        names.iter().map(|name| tool.backend(name).map_err(Failure::usage)).collect()
+    };
+    let (shown_by, not_by) = (pick(&order.shown_by)?, pick(&order.not_by)?);
+    let class = order.class.as_deref().map(str::parse::<Class>).transpose().map_err(Failure::usage)?;
+    let wanted = Wanted { class, check: order.check.clone() };
+    let quiet = |_: u64| {};
+    let watch = Watch::new(interrupt::flag(), None, &quiet);
+    let quarry = Quarry {
+        vocabulary: tool.vocabulary(),
+        task,
+        budget: Quarry::budget(&wanted),
+        wanted,
+        shown_by: shown_by.iter().map(AsRef::as_ref).collect(),
+        not_by: not_by.iter().map(AsRef::as_ref).collect(),
+        watch: &watch,
+        limit: Some(Duration::try_from_secs_f64(order.limit).map_err(Failure::usage)?),
+    };
+    let options = Options { seed: order.seed, finds: saved.finds, shrinking: order.shrinking, shapes: order.shapes };
+    let mut hunt = Hunt::new(quarry, options, seeds, saved.state.clone()).map_err(Failure::usage)?;
+    let (start, before) = (Instant::now(), saved.seconds);
+    let elapsed = || before + start.elapsed().as_secs_f64();
+    let bar = match args.seconds {
+        Some(limit) if args.evaluations.is_none() => progress::bar(limit.as_secs(), "seconds"),
+        _ => progress::bar(saved.evaluations, "scenes"),
+    };
+    saved.write(tool, folder, None)?;
+    let mut interrupted = false;
+    while !hunt.is_done() && hunt.state().evaluations < saved.evaluations {
+        if args.seconds.is_some_and(|limit| start.elapsed() >= limit) {
+            break;
+        }
+        let written = saved.state.finds.len();
+        if hunt.generation(&elapsed).is_err() {
+            interrupted = true;
+            break;
+        }
+        if let Some(why) = &hunt.state().declined {
+            bar.finish_and_clear();
+            for file in [STATE, SUITE, TABLE] {
+                let _ = std::fs::remove_file(folder.join(file));
+            }
+            let backends = order.shown_by.join(", ");
+            return Err(Failure::usage(format!(
+                "{backends} declines every scene of {} to begin with: {why}",
+                order.task
+            )));
+        }
+        (saved.seconds, saved.state) = (elapsed(), hunt.saved());
+        saved.write(tool, folder, Some(written))?;
+        let whole_seconds = start.elapsed().as_secs();
+        bar.set_position(if args.seconds.is_some() && args.evaluations.is_none() {
+            whole_seconds
+        } else {
+            saved.state.evaluations
+        });
+        bar.set_message(format!("{} finds", saved.state.finds.len()));
+    }
+    bar.finish_and_clear();
+    tell_summary(&hunt, saved, folder, interrupted);
+    Ok(!interrupted)
+}
+
+/// What came of it: finds on stdout, and how near it came on stderr.
+fn tell_summary(hunt: &Hunt<'_>, saved: &Saved, folder: &Path, interrupted: bool) {
+    let State { evaluations, generations, known, finds, .. } = hunt.state();
+    for (at, find) in finds.iter().enumerate() {
+        let [before, after] = find.pieces;
+        say!(
+            "{}. {} ({}) after {} evaluations, {:.1} s; {before} pieces shrunk to {after}: {}",
+            at + 1,
+            find.class,
+            find.check,
+            find.evaluations,
+            find.seconds,
+            saved.name(find)
+        );
+        let query = if find.query.is_empty() { "the whole scene" } else { &find.query };
+        say!("   {query}: got {}, truth {}", or_dash(&find.got), or_dash(&find.truth));
+    }
+    if finds.is_empty() {
+        say!("no finds");
+    }
+    if !known.is_empty() {
+        note!("left out, as they show it already: {}", known.join(", "));
+    }
+    for (height, peak) in hunt.peaks() {
+        if let Some((peak, number)) = peak {
+            #[allow(clippy::cast_precision_loss)] // shown with two decimals
+            let peak = peak as f64 / 1000.0;
+            note!("{}: {peak:.2} at scene {number} ({})", height.name, height.what);
+        }
+    }
+    let end =
+        if interrupted { format!("interrupted; `{} hunt --resume` goes on", program()) } else { "done".to_owned() };
+    note!(
+        "{}: {} finds in {evaluations} evaluations, {generations} generations, {:.1} s; {end}",
+        folder.join(SUITE).display(),
+        finds.len(),
+        saved.seconds
+    );
+}
+
+fn or_dash(text: &str) -> &str {
+    if text.is_empty() { "-" } else { text }
+}
+
+fn task_of<'t>(tool: &'t Tool, name: &str) -> Result<&'t dyn AnyTask, Failure> {
+    let found = tool.tasks().iter().copied().find(|task| task.name() == name);
+    found.map(|task| task as &dyn AnyTask).ok_or_else(|| {
+        let names: Vec<&str> = tool.tasks().iter().map(|task| task.name()).collect();
+        Failure::usage(format!("there is no task `{name}`; choose from {}", names.join(", ")))
+    })
+}
+
+/// A hunt that begins, and its seeds.
+fn begun(args: &Args, tool: &Tool, task: &str) -> Result<(Saved, Vec<Seed>), Failure> {
+    let task = task_of(tool, task)?.name();
+    let names = |given: &[String]| each(given).map(ToOwned::to_owned).collect::<Vec<String>>();
+    let from = names(&args.from);
+    let shapes = from.is_empty() || from.iter().any(|name| name == SHAPES);
+    let suites: Vec<String> = from.into_iter().filter(|name| name != SHAPES).collect();
+    let all = args.from.is_empty();
+    let seeds = seeds_of(tool, task, &suites, all)?;
+    let pinned = args.class.is_some() && args.check.is_some();
+    // Before a folder is made.
+    for name in names(&args.backends).iter().chain(&names(&args.not_by)).filter(|name| !tool.knows_backend(name)) {
+        tool.backend(name).map_err(Failure::usage)?;
+    }
+    let nothing = seeds.is_empty() && !(shapes && has_shapes(task));
+    if nothing {
+        let message = format!("no small scene of {task} is written out in these suites; name others with --from");
+        return Err(Failure::usage(message));
+    }
+    let order = Order {
+        task: task.to_owned(),
+        class: args.class.map(|class| class.name().to_owned()),
+        check: args.check.clone(),
+        shown_by: names(&args.backends),
+        not_by: names(&args.not_by),
+        seed: args.seed,
+        suites: if all { vec![ALL.to_owned()] } else { suites },
+        shapes,
+        seeds: digest_of(&seeds),
+        shrinking: SHRINKING,
+        limit: args.timeout.as_secs_f64(),
+    };
+    let finds = if pinned { 1 } else { 10 };
+    Ok((Saved { order, evaluations: EVALUATIONS, finds, seconds: 0.0, state: State::default() }, seeds))
+}
+
+/// What stands for all embedded suites.
+const ALL: &str = "*";
+
+/// The seeds of a hunt that was begun before.
+fn resumed(saved: &Saved, tool: &Tool, folder: &Path) -> Result<Vec<Seed>, Failure> {
+    let Order { task, suites, .. } = &saved.order;
+    let all = suites.iter().any(|name| name == ALL);
+    let seeds = seeds_of(tool, task, if all { &[] } else { suites }, all)?;
+    if digest_of(&seeds) == saved.order.seeds {
+        return Ok(seeds);
+    }
+    let file = folder.join(STATE);
+    Err(Failure::usage(format!(
+        "{}: the suites have changed since the hunt began, so it cannot go on as it would have; begin another",
+        file.display()
+    )))
+}
+
+fn seeds_of(tool: &Tool, task: &str, names: &[String], all: bool) -> Result<Vec<Seed>, Failure> {
+    let library = tool.library()?;
+    let mut found = Vec::new();
+    if all {
+        for suite in library.suites() {
+            found.extend(seeds(suite, task)?);
+        }
+        for suite in tool.own_suites()? {
+            found.extend(seeds(&suite, task)?);
+        }
+    }
+    for name in names {
+        found.extend(seeds(&library.suite(name)?, task)?);
+    }
+    Ok(found)
+}
+
+fn digest_of(seeds: &[Seed]) -> u64 {
+    digest(seeds.iter().flat_map(|seed| format!("{seed:?}").into_bytes()))
+}
+
+/// Makes a new folder.
+fn make(folder: &Path) -> Result<(), Failure> {
+    let failed = |error: std::io::Error| Failure::usage(format!("{}: {error}", folder.display()));
+    std::fs::create_dir_all(folder).map_err(failed)?;
+    if folder.join(STATE).exists() {
+        let message = format!("{}: there is a hunt in it; go on with --resume, or name another", folder.display());
+        return Err(Failure::usage(message));
+    }
+    Ok(())
+}
+
+/// Adds the finds to a suite, but those that it has.
+fn add(tool: &Tool, file: &Path, saved: &Saved) -> Result<(), Failure> {
+    for find in &saved.state.finds {
+        let before = std::fs::read_to_string(file).unwrap_or_default();
+        if !before.contains(&format!("\"{}\"", saved.name(find))) {
+            super::shrink::add(tool, file, &saved.scene(tool, find)?)?;
+        }
+    }
+    Ok(())
+}

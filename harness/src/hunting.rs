@@ -1,0 +1,174 @@
+//! A hunt's folder: what is hunted, how far it has come, and what was found.
+//!
+//! `hunt.json` has all that is needed to go on, and is put in place whole after each generation, behind the files that it tells
+//! of. So an end at any moment loses one generation.
+
+use std::path::Path;
+
+use predicament_corpus::{Heading, Spelled};
+use predicament_predicates::Class;
+use predicament_records::replace;
+use predicament_search::hunt::{Find, State, read};
+use predicament_search::snippets::Subject;
+use predicament_tasks::Finding;
+use serde::{Deserialize, Serialize};
+
+use crate::exit::Failure;
+use crate::tool::Tool;
+
+/// The files of a folder.
+pub const STATE: &str = "hunt.json";
+pub const SUITE: &str = "finds.toml";
+pub const TABLE: &str = "hunt.csv";
+
+/// What is hunted: what has to be the same for a hunt to go on.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct Order {
+    pub task: String,
+    pub class: Option<String>,
+    pub check: Option<String>,
+    /// The backends that have to show it, as `-b` takes them.
+    pub shown_by: Vec<String>,
+    /// The backends that must not.
+    pub not_by: Vec<String>,
+    pub seed: u64,
+    /// The suites that scenes to begin with are from, and whether shapes are.
+    pub suites: Vec<String>,
+    pub shapes: bool,
+    /// A digest of those scenes.
+    pub seeds: u64,
+    /// Scenes to look at to shrink a find, at most.
+    pub shrinking: u64,
+    /// Seconds that one backend may take for one scene.
+    pub limit: f64,
+}
+
+/// `hunt.json`.
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+pub struct Saved {
+    pub order: Order,
+    /// The budget: what is left of it is for `--resume`.
+    pub evaluations: u64,
+    pub finds: usize,
+    /// Seconds of all processes that worked on it.
+    pub seconds: f64,
+    pub state: State,
+}
+
+/// A row of `hunt.csv`.
+#[derive(Serialize)]
+struct Row<'a> {
+    find: usize,
+    task: &'a str,
+    class: &'a str,
+    check: &'a str,
+    backend: String,
+    evaluations: u64,
+    seconds: String,
+    pieces_before: usize,
+    pieces_after: usize,
+    scene_id: &'a str,
+}
+
+impl Saved {
+    /// Reads the folder of a hunt.
+    pub fn open(folder: &Path) -> Result<Saved, Failure> {
+        let file = folder.join(STATE);
+        let text = std::fs::read_to_string(&file).map_err(|error| {
+            Failure::usage(format!("{}: {error}; name the folder of a `hunt` that was begun", file.display()))
+        })?;
+        serde_json::from_str(&text)
+            .map_err(|error| Failure::usage(format!("{}: {error}; start the hunt again", file.display())))
+    }
+
+    /// Writes everything, the state last: what it says is there. Where so many finds are written already, only what is new.
+    pub fn write(&self, tool: &Tool, folder: &Path, written: Option<usize>) -> Result<(), Failure> {
+        let put = |name: &str, text: &str| replace(&folder.join(name), text.as_bytes()).map_err(Failure::usage);
+        for (at, find) in self.state.finds.iter().enumerate().skip(written.unwrap_or(0)) {
+            let (spelled, finding) = (scene(tool, &find.shrunk)?, finding(find)?);
+            let (name, backend) = (self.name(find), self.order.shown_by.join(", "));
+            let subject =
+                Subject { spelled: &spelled, finding: &finding, backend: &backend, name: &name, suite: SUITE };
+            for (end, text) in [("rs", subject.rust()), ("cpp", subject.cpp()), ("py", subject.python())] {
+                put(&format!("find-{}.{end}", at + 1), &text)?;
+            }
+        }
+        if written.is_none_or(|written| written < self.state.finds.len()) {
+            put(SUITE, &self.suite(tool)?)?;
+            put(TABLE, &self.table()?)?;
+        }
+        put(STATE, &serde_json::to_string(self).map_err(Failure::usage)?)
+    }
+
+    /// The finds as a suite.
+    fn suite(&self, tool: &Tool) -> Result<String, Failure> {
+        let mut text = "title = \"Finds of a hunt\"\n".to_owned();
+        for find in &self.state.finds {
+            text += &format!("\n{}", self.scene(tool, find)?);
+        }
+        Ok(text)
+    }
+
+    /// The name of a find: what it shows, and which scene it is.
+    pub fn name(&self, find: &Find) -> String {
+        let backend = self.order.shown_by.first().map_or("", String::as_str);
+        let backend: String = backend.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+        let id: String = find.scene_id.chars().take(8).collect();
+        format!("{}-{}-{backend}-{id}", self.order.task, find.class.replace('_', "-"))
+    }
+
+    /// A find as a `[[scene]]` table.
+    pub fn scene(&self, tool: &Tool, find: &Find) -> Result<String, Failure> {
+        let spelled = scene(tool, &find.shrunk)?;
+        let parents: Vec<String> = find.parents.iter().map(ToString::to_string).collect();
+        let mut source = format!("hunted with seed {}: scene {}", self.order.seed, find.number);
+        if !parents.is_empty() {
+            source += &format!(", derived from {}", parents.join(" and "));
+        }
+        source += &format!("; {}; found within {} evaluations", find.story, find.evaluations);
+        let mut analysis = format!("{}: {} ({})", self.order.shown_by.join(", "), find.class, find.check);
+        for (what, said) in [("of", &find.query), (", got", &find.got), (", truth", &find.truth)] {
+            if !said.is_empty() {
+                let space = if what == "of" { " " } else { "" };
+                analysis += &format!("{space}{what} {said}");
+            }
+        }
+        let (tags, analysis) = (["hunted".to_owned()], analysis.replace('\n', " "));
+        Ok(spelled.table(Heading { name: &self.name(find), tags: &tags, source: &source, analysis: &analysis }))
+    }
+
+    fn table(&self) -> Result<String, Failure> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        if self.state.finds.is_empty() {
+            let columns = "find,task,class,check,backend,evaluations,seconds,pieces_before,pieces_after,scene_id";
+            return Ok(format!("{columns}\n"));
+        }
+        for (at, find) in self.state.finds.iter().enumerate() {
+            let row = Row {
+                find: at + 1,
+                task: &self.order.task,
+                class: &find.class,
+                check: &find.check,
+                backend: self.order.shown_by.join(" "),
+                evaluations: find.evaluations,
+                seconds: format!("{:.3}", find.seconds),
+                pieces_before: find.pieces[0],
+                pieces_after: find.pieces[1],
+                scene_id: &find.scene_id,
+            };
+            writer.serialize(row).map_err(Failure::usage)?;
+        }
+        let bytes = writer.into_inner().map_err(Failure::usage)?;
+        String::from_utf8(bytes).map_err(Failure::usage)
+    }
+}
+
+fn scene(tool: &Tool, text: &str) -> Result<Spelled, Failure> {
+    read(tool.vocabulary(), text).map_err(Failure::usage)
+}
+
+fn finding(find: &Find) -> Result<Finding, Failure> {
+    let class: Class = find.class.parse().map_err(Failure::usage)?;
+    let queries = find.query.split(" | ").filter_map(|one| one.parse().ok()).collect();
+    Ok(Finding::plain(class, find.check.clone(), queries, find.got.clone(), find.truth.clone()))
+}

@@ -1,0 +1,84 @@
+//! `hunt`: finds, folders, budgets and what is refused.
+
+use std::fs;
+
+use serde_json::Value;
+use tempfile::tempdir;
+
+use crate::common::{at, expect, run};
+
+fn state(folder: &str) -> Value {
+    serde_json::from_str(&fs::read_to_string(format!("{folder}/hunt.json")).unwrap()).unwrap()
+}
+
+#[test]
+fn what_is_hunted_is_shrunk_and_kept_as_a_suite_that_shows_it() {
+    let folder = tempdir().unwrap();
+    let [out, suite] = ["out", "mine.toml"].map(|name| at(&folder, name));
+    let hunt = ["hunt", "orient2d", "-b", "naive", "--class", "sign_flip", "--from", "shapes", "--evaluations", "1500"];
+    let told = expect(0, &[&hunt[..], &["--finds", "1", "--out", &out, "--into", &suite]].concat());
+    assert!(told.stdout.starts_with("1. sign_flip (sign) after "), "{}", told.stdout);
+    let mut table = csv::Reader::from_path(format!("{out}/hunt.csv")).unwrap();
+    let heads = "find,task,class,check,backend,evaluations,seconds,pieces_before,pieces_after,scene_id";
+    assert_eq!(table.headers().unwrap().iter().collect::<Vec<_>>().join(","), heads);
+    let rows: Vec<_> = table.records().map(Result::unwrap).collect();
+    assert_eq!((rows.len(), &rows[0][2], &rows[0][4]), (1, "sign_flip", "naive"));
+    for end in ["rs", "cpp", "py"] {
+        assert!(fs::read_to_string(format!("{out}/find-1.{end}")).unwrap().contains("orient2d("), "{end}");
+    }
+    // The suite and the one it was added to show it, and an exact backend does not.
+    for file in [&format!("{out}/finds.toml"), &suite] {
+        let again = at(&folder, "again");
+        assert_eq!(run(&["run", file, "-b", "naive", "-q", "--out", &again]).code, 100);
+        assert!(fs::read_to_string(format!("{again}/findings.csv")).unwrap().contains("sign_flip,sign,"));
+        fs::remove_dir_all(again).unwrap();
+    }
+    expect(0, &["run", &suite, "-b", "exact", "-q", "--out", &at(&folder, "exact")]);
+    // Gone on with, there is nothing more to find, and the suite has it already.
+    let before = fs::read_to_string(&suite).unwrap();
+    expect(0, &["hunt", "--resume", &out, "--into", &suite]);
+    assert_eq!(fs::read_to_string(&suite).unwrap(), before);
+}
+
+/// In two parts, and in one on other threads.
+#[test]
+fn a_hunt_in_two_parts_is_the_same() {
+    let folder = tempdir().unwrap();
+    let [parts, whole] = ["parts", "whole"].map(|name| at(&folder, name));
+    let hunt = ["hunt", "incircle", "-b", "shewchuk", "--from", "shapes", "--seed", "5", "--evaluations"];
+    expect(0, &[&hunt[..], &["90", "--out", &parts, "--threads", "1"]].concat());
+    assert!(state(&parts)["state"]["evaluations"].as_u64() < Some(200));
+    expect(0, &["hunt", "--resume", &parts, "--evaluations", "260", "--threads", "2"]);
+    expect(0, &[&hunt[..], &["260", "--out", &whole, "--threads", "1"]].concat());
+    // Seconds are those of a clock.
+    let found = |folder: &str| {
+        let mut state = state(folder)["state"].clone();
+        let finds = state["finds"].as_array_mut().unwrap();
+        finds.iter_mut().for_each(|find| find["seconds"] = Value::Null);
+        state
+    };
+    assert_eq!(found(&parts), found(&whole));
+    let suite = |folder: &str| fs::read_to_string(format!("{folder}/finds.toml")).unwrap();
+    assert_eq!(suite(&parts), suite(&whole));
+}
+
+#[test]
+fn what_cannot_be_hunted_is_refused_with_the_cure() {
+    let folder = tempdir().unwrap();
+    let out = at(&folder, "out");
+    for (args, told) in [
+        (vec!["hunt", "orient4d", "-b", "exact"], "there is no task `orient4d`; choose from compare"),
+        (vec!["hunt", "orient2d", "-b", "exakt"], "exakt"),
+        (vec!["hunt", "orient2d"], "--backend"),
+        (
+            vec!["hunt", "incircle", "-b", "tolerance", "--from", "shapes", "--out", &out],
+            "tolerance declines every scene",
+        ),
+        (vec!["hunt", "contacts2d", "-b", "exact", "--from", "shapes", "--out", &out], "no small scene of contacts2d"),
+        (vec!["hunt", "--resume", "nowhere"], "name the folder of a `hunt` that was begun"),
+        (vec!["hunt", "orient2d", "-b", "exact", "--class", "wrong"], "wrong"),
+    ] {
+        let refused = expect(2, &args);
+        assert!(refused.stderr.contains(told), "{args:?}: {}", refused.stderr);
+    }
+}
