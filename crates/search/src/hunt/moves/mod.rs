@@ -212,6 +212,24 @@ mod tests {
         }
     }
 
+    /// The smallest doubles, the largest, and both in one scene.
+    #[test]
+    fn no_move_minds_the_ends_of_the_range() {
+        let ends = [f64::from_bits(1), -f64::from_bits(7), f64::MAX, -f64::MAX / 3.0, 0.0];
+        for (name, _, change) in MOVES.into_iter().chain(RECOMBINING) {
+            for seed in 0..60 {
+                let mut random = Random::new("hunt", name, seed);
+                let kinds = [&ends[..2], &ends[2..4], &ends[..]][usize::try_from(seed % 3).unwrap()];
+                let mut number = || kinds[usize::try_from(random.integer(0, kinds.len() as i64 - 1)).unwrap()];
+                let points = (0..4).map(|_| vec![number(), number()]).collect();
+                let mate = Spelled { points, ..scene() };
+                let mut draft = Draft { spelled: mate.clone(), mate: Some(&mate), random: &mut random };
+                let changed = change(&mut draft);
+                assert!(changed || draft.spelled.lists.len() == 1, "{name}");
+            }
+        }
+    }
+
     #[test]
     fn what_is_exact_stays_exact() {
         let moved = |change: Move, seed| {

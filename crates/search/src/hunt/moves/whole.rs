@@ -15,7 +15,8 @@ fn top(draft: &Draft<'_>) -> Option<i64> {
 pub(super) fn scaled(draft: &mut Draft<'_>) -> bool {
     let Some(top) = top(draft) else { return false };
     let k = if draft.random.one_in(3) { draft.random.nonzero(60) } else { draft.random.integer(-1060, 1022) - top };
-    draft.each(|_, x| scale(x, k))
+    // Twice the whole range of exponents is more than one scaling does.
+    draft.each(|_, x| scale(scale(x, k / 2), k - k / 2))
 }
 
 /// An exponent to scale a part by: near, or far.
