@@ -5,6 +5,7 @@
 //! faces is registered.
 
 mod band;
+mod checks;
 mod classes;
 mod content;
 mod generate;
@@ -36,8 +37,8 @@ pub use section::ContactRow;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Stop, Task, Turns, Watch, digest,
 };
 use pairs::{Pair, closure};
 
@@ -185,6 +186,10 @@ impl Task for Contacts {
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
         judge::judge(case, asked, answer, outcome)
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::checks(self.dimension)
     }
 
     fn planted(&self) -> Vec<Planted<Contacts>> {

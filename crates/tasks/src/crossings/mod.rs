@@ -5,6 +5,7 @@
 //! Simplicity keep the points where segments cross; controls round them, and
 //! sort rounded points.
 
+mod checks;
 pub(crate) mod content;
 mod judge;
 mod truth;
@@ -23,8 +24,8 @@ pub use content::Segments;
 use crate::output::Canvas;
 use crate::segment_source::named;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find a missing crossing which only the perturbation makes.
@@ -133,6 +134,10 @@ impl Task for Crossings {
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
         judge::judge(case, asked, &answer.0, outcome)
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
     }
 
     fn planted(&self) -> Vec<Planted<Crossings>> {

@@ -4,6 +4,7 @@
 //! there, or opens a hole. Its answer is unique, so that digests of different backends can be compared. With constraints, edges
 //! are given, and where they cross, vertices are constructed while it runs.
 
+mod checks;
 mod content;
 mod generate;
 mod judge;
@@ -25,8 +26,8 @@ pub use judge::Truth;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find triangles that stay though a vertex is in their circle.
@@ -157,6 +158,10 @@ impl Task for Delaunay2d {
         asked.watch.done(0)?;
         judge::judge(case, asked, &answer.0, outcome);
         Ok(())
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
     }
 
     fn planted(&self) -> Vec<Planted<Delaunay2d>> {

@@ -3,6 +3,7 @@
 //! The smallest algorithms whose loops are steered by signs alone: a wrong turn cuts a vertex off, a wrong side opens the
 //! surface. Each has two methods, which give the same answer where signs do not contradict each other.
 
+mod checks;
 mod cloud;
 mod generate;
 mod judge;

@@ -15,8 +15,8 @@ use super::judge::{Found, Truth, judge};
 use super::{generate, template};
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find a vertex in the middle of an edge.
@@ -134,6 +134,10 @@ impl Task for Hull2d {
             Found { vertices: &hull.vertices, broken: hull.broken, flaws: &|signs| plane_flaws(signs, &hull.vertices) };
         judge(PlaneMethod::TASK, case, asked, &found, outcome);
         Ok(())
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        super::checks::IN_PLANE
     }
 
     fn planted(&self) -> Vec<Planted<Hull2d>> {

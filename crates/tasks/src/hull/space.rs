@@ -15,8 +15,8 @@ use super::judge::{Found, Truth, judge};
 use super::{generate, template};
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find faces in one plane.
@@ -141,6 +141,10 @@ impl Task for Hull3d {
         };
         judge(SpaceMethod::TASK, case, asked, &found, outcome);
         Ok(())
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        super::checks::IN_SPACE
     }
 
     fn planted(&self) -> Vec<Planted<Hull3d>> {

@@ -3,6 +3,7 @@
 //! Franklin and Magalhães, section 4.1. The smallest algorithm in which a tie
 //! matters: a probe at an end is in both cells, in one or in none.
 
+mod checks;
 mod content;
 mod generate;
 mod judge;
@@ -21,8 +22,8 @@ pub use content::Cells;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop, Task,
-    Turns, Watch, digest,
+    Answer, Asked, Case, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
+    Task, Turns, Watch, digest,
 };
 
 /// Probes between two looks at the watch.
@@ -152,6 +153,10 @@ impl Task for Interval {
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
         judge::judge(case, asked, &answer.0, outcome)
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
     }
 
     fn planted(&self) -> Vec<Planted<Interval>> {

@@ -3,6 +3,7 @@
 //! 3D-EPUG-Overlay (Franklin and Magalhães, section 4.5). The answer is all of it: pieces of all triangles, each in a region of
 //! either mesh, of which Boolean operations take some.
 
+mod checks;
 mod content;
 mod files;
 mod generate;
@@ -43,8 +44,8 @@ pub use surface::flaw_of;
 
 use crate::output::{Canvas, Placed};
 use crate::{
-    Answer, Asked, Case, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Planted, Purpose, Refusal,
-    Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Planted, Purpose,
+    Refusal, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -245,6 +246,10 @@ impl Task for MeshIntersect {
 
     fn section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error> {
         section::section(runs)
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
     }
 
     fn planted(&self) -> Vec<Planted<MeshIntersect>> {

@@ -3,6 +3,7 @@
 //! PinMesh (Franklin and Magalhães, section 4.4). Each point of space should be in exactly one region, whichever way a ray from
 //! it goes, also on lines through vertices and edges.
 
+mod checks;
 mod content;
 pub(crate) mod generate;
 mod judge;
@@ -35,8 +36,8 @@ pub use section::MeshLocateRow;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Planted,
-    Purpose, Stop, Task, Turns, Watch, digest,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase,
+    Planted, Purpose, Stop, Task, Turns, Watch, digest,
 };
 
 /// The checks that have to find a triangle missing in the grid.
@@ -203,6 +204,10 @@ impl Task for MeshLocate {
 
     fn asking<P: Predicates>(&self, session: &mut P, content: &ProbedMesh) -> Vec<Phase> {
         phases::asking(session, content)
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
     }
 
     fn planted(&self) -> Vec<Planted<MeshLocate>> {

@@ -3,6 +3,7 @@
 //! All intersections are found and constructed; what is inside of which operand goes from face to face. Wrong signs miss
 //! crossings and put vertices in the wrong order; then faces do not close, and areas do not add up.
 
+mod checks;
 mod content;
 mod generate;
 mod judge;
@@ -24,9 +25,10 @@ pub use content::{Layered, Layers};
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Stop, Task, Turns, Watch, digest, output,
 };
+pub(crate) use checks::RULES;
 
 /// The checks that have to find segments that are not compared.
 const OPEN_CHECKS: &[Catch] = &[(Class::Topology, "undiscovered crossing")];
@@ -209,6 +211,10 @@ impl Task for Overlay2d {
     ) -> Result<(), Stop> {
         outcome.sampled = judge::sampled(case.content);
         judge::judge(case, asked, answer, outcome)
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
     }
 
     fn planted(&self) -> Vec<Planted<Overlay2d>> {

@@ -3,6 +3,7 @@
 //! Franklin and Magalhães, section 4.2. Each point of the plane should be in
 //! exactly one face of a tiling, also on borders and corners.
 
+mod checks;
 pub(crate) mod content;
 mod generate;
 mod judge;
@@ -27,8 +28,8 @@ pub use section::LocateRow;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Purpose,
-    Stop, Task, Turns, Watch, digest,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Purpose, Stop, Task, Turns, Watch, digest,
 };
 
 /// The checks that have to find an edge missing in the grid.
@@ -160,6 +161,10 @@ impl Task for PolygonLocate {
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
         judge::judge(case, asked, &answer.0, outcome)
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
     }
 
     fn planted(&self) -> Vec<Planted<PolygonLocate>> {

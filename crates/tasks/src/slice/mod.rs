@@ -4,6 +4,7 @@
 //! are split again. Exact arithmetic and Simulation of Simplicity keep the points; controls round them between
 //! the cuts, and what comes out is judged as they have it.
 
+mod checks;
 mod content;
 mod faces;
 mod generate;
@@ -23,10 +24,11 @@ use predicament_report::drawing::Role;
 pub use content::Solid;
 
 use crate::output::{Canvas, Placed};
+pub(crate) use checks::law;
 
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find split points that faces do not share.
@@ -181,6 +183,10 @@ impl Task for Slice {
         asked.watch.done(0)?;
         judge::judge(case, asked, answer, outcome);
         Ok(())
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
     }
 
     fn planted(&self) -> Vec<Planted<Slice>> {

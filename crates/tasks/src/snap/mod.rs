@@ -3,6 +3,7 @@
 //! The predicates under test find the arrangement; how it is rounded is exact. So a wrong sign shows as a crossing that
 //! is not hot, and what rounding itself does shows under exact signs, method by method, in `snap.csv`.
 
+mod checks;
 mod content;
 mod judge;
 mod section;
@@ -25,8 +26,8 @@ pub use section::SnapRow;
 use crate::output::Canvas;
 use crate::segment_source::named;
 use crate::{
-    Answer, Asked, Case, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop, Task,
-    Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
+    Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -218,6 +219,10 @@ impl Task for Snap2d {
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
         judge::judge(case, asked, answer, outcome)
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
     }
 
     fn planted(&self) -> Vec<Planted<Snap2d>> {

@@ -3,6 +3,7 @@
 //! By ear clipping and by a plane sweep. Wrong signs cut ears across edges, join holes to what they do not see and
 //! lose the order of the sweep; what comes of it is held against the polygon's area, its edges and the number of triangles.
 
+mod checks;
 mod content;
 mod generate;
 mod judge;
@@ -25,9 +26,10 @@ pub use judge::Truth;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Stop, Task, Turns, Watch, digest, output,
 };
+pub(crate) use checks::RULES;
 
 /// The checks that have to find flat corners cut off.
 const FLAT_CHECKS: &[Catch] = &[(Class::Topology, "positive")];
@@ -161,6 +163,10 @@ impl Task for Triangulate {
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
         judge::judge(case, asked, answer, outcome)
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
     }
 
     fn planted(&self) -> Vec<Planted<Triangulate>> {
