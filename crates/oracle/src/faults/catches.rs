@@ -75,6 +75,10 @@ impl Fault {
                 (Class::Topology, "loose ends"),
             ],
             Fault::SosCollidingLift => &[(Class::SignFlip, "perturbed sign"), (Class::Inconsistent, "never zero")],
+            Fault::SosCircularTies => &[(Class::Inconsistent, "transitivity")],
+            Fault::ExactRelativeFilter => &[(Class::SignFlip, "sign"), (Class::MissedZero, "sign")],
+            Fault::ExactStaleBound => &[(Class::SignFlip, "sign")],
+            Fault::ExactNan => &[(Class::Nan, "sign")],
             Fault::ExactHalvedFilter => &[(Class::SignFlip, "sign"), (Class::Inconsistent, "antisymmetry")],
             Fault::ExactOneLimb => &[
                 (Class::SignFlip, "sign"),
