@@ -124,6 +124,16 @@ impl Fault {
         }
     }
 
+    /// The task whose check it is, where several tasks declare one of this class and name.
+    #[must_use]
+    pub fn caught_in(self, (_, check): Catch) -> Option<&'static str> {
+        match (self, check) {
+            (_, "never zero") => Some("orient2d"),
+            (_, "double") => Some("interval"),
+            _ => None,
+        }
+    }
+
     /// Whether it can show in a task, by its name: a fault in what is asked about pairs of simplices
     /// shows where they are asked about.
     #[must_use]
