@@ -4,7 +4,7 @@
 //! [`ON_EVERY_TASK`]. A finding that no list has is a mistake in the judge: `selftest` and `gate` are red then. The
 //! other way round each check has to be needed by a planted fault, or it would not be known whether it works.
 
-use crate::{AnyTask, Class, Finding};
+use crate::{AnyTask, Class};
 
 /// A check: two that are equal are one, whatever tasks declare it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -82,17 +82,12 @@ pub const ON_EVERY_TASK: &[Check] = &[
     Check::new(Class::Declined, "coordinates", "a library takes the coordinates"),
 ];
 
-/// The check of a task that a finding of this class and name is of; none where it is not declared.
+/// Whether a finding of this class and name is one that a task declares, or one of every task. A task without a list
+/// declares nothing, and is not held to it.
 #[must_use]
-pub fn declared(task: &dyn AnyTask, class: Class, check: &str) -> Option<Check> {
-    let all = task.declared_checks().iter().chain(ON_EVERY_TASK);
-    all.copied().find(|declared| declared.has(class, check))
-}
-
-/// The findings that a task has not declared. A task without a list declares nothing, and is not held to it.
-pub fn undeclared<'f>(task: &dyn AnyTask, findings: &'f [Finding]) -> impl Iterator<Item = &'f Finding> {
-    let is_held = !task.declared_checks().is_empty();
-    findings.iter().filter(move |finding| is_held && declared(task, finding.class, &finding.check).is_none())
+pub fn is_declared(task: &dyn AnyTask, class: Class, check: &str) -> bool {
+    let own = task.declared_checks();
+    own.is_empty() || own.iter().chain(ON_EVERY_TASK).any(|declared| declared.has(class, check))
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@
 //! * [`Contestant`], [`Entry`], [`Solver`]: a backend picked at run time. [`built_in`] is the
 //!   one list where backends and tasks meet.
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
+//! * [`Check`]: what a judge can report. [`Planted`], [`Spoiled`]: faults that prove that it does.
 //! * [`Compared`], [`Knob`]: the scenes on which a task is compared, and the ways in which they can be made harder.
 //! * [`output`]: answers as files for other programs, vertices exactly.
 //! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
@@ -60,7 +61,7 @@ pub mod triangulate;
 pub use any::{AnyCase, AnyTask};
 pub use budget::Budget;
 pub use case::{Asked, Case, Dispute};
-pub use checks::{Check, ON_EVERY_TASK, declared, undeclared};
+pub use checks::{Check, ON_EVERY_TASK, is_declared};
 pub use compared::{Compared, Kind};
 pub use contestant::{Contestant, Entry};
 pub use counts::ClassCounts;

@@ -58,6 +58,20 @@ pub struct Spoiled<T: Task> {
     pub spoil: Spoil<T>,
 }
 
+impl<T: Task> Spoiled<T> {
+    /// A fault with this name: what is wrong, on a backend, caught by these checks.
+    #[must_use]
+    pub fn new(
+        name: &'static str,
+        what: &'static str,
+        backend: &'static str,
+        caught_by: &'static [Catch],
+        spoil: Spoil<T>,
+    ) -> Spoiled<T> {
+        Spoiled { name, what, backend, caught_by, spoil }
+    }
+}
+
 /// How an answer to a scene is spoiled.
 pub type Spoil<T> = fn(&Scene, &<T as Task>::Content, &mut <T as Task>::Answer);
 
@@ -74,6 +88,9 @@ pub trait AnyPlanted {
 
     /// The checks that have to find it.
     fn caught_by(&self) -> &'static [Catch];
+
+    /// Whether a right answer is spoiled; else the algorithm is wrong.
+    fn spoils(&self) -> bool;
 
     /// Answers a scene of the task wrongly; none where it is the answer that is spoiled.
     ///
@@ -102,6 +119,10 @@ impl<T: Task> AnyPlanted for Planted<T> {
         self.caught_by
     }
 
+    fn spoils(&self) -> bool {
+        false
+    }
+
     fn solve(&self, session: &mut dyn Predicates, content: &dyn Content) -> Option<Result<Box<dyn Any>, Halt>> {
         let answer = (self.solve)(session, typed::<T>(content));
         Some(answer.map(|answer| Box::new(answer) as Box<dyn Any>))
@@ -127,6 +148,10 @@ impl<T: Task> AnyPlanted for Spoiled<T> {
 
     fn caught_by(&self) -> &'static [Catch] {
         self.caught_by
+    }
+
+    fn spoils(&self) -> bool {
+        true
     }
 
     fn solve(&self, _: &mut dyn Predicates, _: &dyn Content) -> Option<Result<Box<dyn Any>, Halt>> {

@@ -34,14 +34,14 @@ pub fn run_planted(
         case.judge(&Asked { backend: contestant, session, budget, watch }, answer, &mut outcome).map(|()| outcome)
     };
     guarded(queries, || {
-        let mut judged = None;
-        let prepared = contestant.with_session(&loaded.scene, &mut |session| {
-            let answer = fault.solve(session, loaded.content.as_ref());
-            judged = answer.map(|answer| Ok(judge(session, answer?.as_ref())?));
-        });
-        prepared.map_err(|why| Halt::Refused(Refusal { check: "prepare", why }))?;
-        if let Some(judged) = judged {
-            return judged;
+        if !fault.spoils() {
+            let mut judged = None;
+            let prepared = contestant.with_session(&loaded.scene, &mut |session| {
+                let answer = fault.solve(session, loaded.content.as_ref());
+                judged = answer.map(|answer| Ok(judge(session, answer?.as_ref())?));
+            });
+            prepared.map_err(|why| Halt::Refused(Refusal { check: "prepare", why }))?;
+            return judged.unwrap_or_else(|| Ok(Outcome { queries, ..Outcome::default() }));
         }
         let mut outcome = Outcome { queries, ..Outcome::default() };
         let how = How { purpose: Purpose::Judge, watch };

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use predicament_records::{self as records, RunDir, Spread, Status, SummaryRow, ThroughputRow, junit};
-use predicament_tasks::{Class, ClassCounts};
+use predicament_tasks::{Class, ClassCounts, is_declared};
 use serde_json::json;
 
 use crate::exit::{self, Failure};
@@ -77,6 +77,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     if let Some(file) = &args.suggest {
         suggest(&run, file)?;
     }
+    let undeclared = undeclared(&run, tool);
     let count = |status: Status| run.summary.iter().filter(|row| row.status == status).count();
     let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
     let failed: Vec<String> = run.summary.iter().filter(|row| !row.status.passes()).map(describe).collect();
@@ -92,6 +93,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             "unexpected": unexpected,
             "unexpected_pass": passes,
             "failed": failed,
+            "not_declared": undeclared,
             "never_true": unused.never,
             "not_held": unused.here,
             "not_run": missing,
@@ -100,6 +102,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         say!("{told}");
     } else {
         failed.iter().chain(&worse.findings).chain(&worse.timings).for_each(|line| say!("{line}"));
+        undeclared.iter().for_each(|line| say!("not declared: {line}"));
         missing.iter().for_each(|line| say!("not run: {line}"));
         unused.never.iter().for_each(|line| say!("never true: {line}"));
         if !unused.here.is_empty() {
@@ -118,7 +121,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             run.outcome.describe(),
         );
     }
-    Ok(if unexpected > 0 || !worse.findings.is_empty() {
+    Ok(if unexpected > 0 || !undeclared.is_empty() || !worse.findings.is_empty() {
         exit::UNEXPECTED
     } else if passes > 0 || !unused.never.is_empty() {
         exit::UNEXPECTED_PASS
@@ -129,6 +132,18 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     } else {
         exit::OK
     })
+}
+
+/// The findings that no task declares a check for, each kind once: their judges say what their lists do not.
+fn undeclared(run: &RunDir, tool: &Tool) -> Vec<String> {
+    let is_declared = |row: &records::FindingRow| {
+        let task = tool.tasks().iter().find(|task| task.name() == row.task);
+        task.is_none_or(|&task| is_declared(task, row.class, &row.check))
+    };
+    let wrong = run.findings.iter().filter(|row| !is_declared(row));
+    let lines: BTreeSet<String> =
+        wrong.map(|row| format!("{} ({}) of {}, such as {}", row.class, row.check, row.task, row.finding_id)).collect();
+    lines.into_iter().collect()
 }
 
 #[derive(Default)]

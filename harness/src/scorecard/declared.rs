@@ -1,7 +1,7 @@
 //! All checks: those that tasks declare, those of every task, and the guards of the tool itself.
 
 use predicament_oracle::guards::{Guard, guards};
-use predicament_tasks::{AnyTask, Catch, Check, Class, ON_EVERY_TASK};
+use predicament_tasks::{Catch, Check, Class, ON_EVERY_TASK};
 
 use crate::tool::Tool;
 
@@ -122,10 +122,10 @@ impl Declarations {
         })
     }
 
-    /// The check that a fault in a task names.
-    pub fn named_by(&self, task: &dyn AnyTask, (class, check): Catch) -> Result<usize, String> {
-        let found = self.find(task.name(), class, check);
-        found.ok_or_else(|| format!("{} declares no check {} ({check})", task.name(), class.name()))
+    /// The check that a fault in one of these tasks names.
+    pub fn named_by(&self, tasks: &[&str], (class, check): Catch) -> Result<usize, String> {
+        let found = tasks.iter().find_map(|task| self.find(task, class, check));
+        found.ok_or_else(|| format!("{} declares no check {} ({check})", tasks.join(", "), class.name()))
     }
 
     /// The check that a fault of a backend names: the only one of this class and name, or that of a task.
@@ -160,24 +160,53 @@ impl Declarations {
     }
 }
 
-/// Checks that no fault needs, and why: by class and name, all of a class where there is no name.
-const NOT_NEEDED: &[(Class, &str, &str)] = &[
-    (Class::Declined, "", "a refusal is no wrong answer: it is counted and shown, and a scene of it is not compared"),
+/// Checks that no fault needs, and why: by class, task and name; all of a class where there is no name.
+const NOT_NEEDED: &[(Class, &str, &str, &str)] = &[
+    (
+        Class::Declined,
+        "",
+        "",
+        "a refusal is no wrong answer: it is counted and shown, and a scene of it is not compared",
+    ),
     (
         Class::Panic,
         "",
-        "a fault would end this process: tests of `run --isolate` and of engines plant each, in processes of their own",
+        "",
+        "a fault would end this process; tests of `run --isolate` and of engines plant it in processes of their own",
     ),
     (
         Class::Timeout,
         "",
-        "a fault would take its time: tests of `run --isolate` and of engines plant it, in a process of its own",
+        "",
+        "a fault would take its time; tests of `run --isolate` and of engines plant it in processes of their own",
+    ),
+    (
+        Class::SignFlip,
+        "polygon-locate",
+        "exact location",
+        "the law of tilings finds what it would, as a gap, double or misplaced",
+    ),
+    (
+        Class::Topology,
+        "cube-union",
+        "part",
+        "no embedded scene has more cubes at level quick than are measured as a whole; a test of unions plants it",
+    ),
+    (Class::Topology, "triangulate", "loops do not cross", "it is about the data, and found whatever the answer is"),
+    (
+        Class::Topology,
+        "mesh-locate",
+        "tetrahedron",
+        "it holds one truth to another: both are of the judge, and no answer makes them differ",
     ),
 ];
 
 /// Why no fault has to need a check, if none has to.
 pub fn not_needed(declared: &Declared) -> Option<&'static str> {
     let class = declared.class()?;
-    let is = |&&(of, name, _): &&(Class, &str, &str)| of == class && (name.is_empty() || name == declared.name());
+    let is = |&&(of, task, name, _): &&(Class, &str, &str, &str)| {
+        let is_of = task.is_empty() || declared.tasks.contains(&task);
+        of == class && is_of && (name.is_empty() || name == declared.name())
+    };
     NOT_NEEDED.iter().find(is).map(|(.., why)| *why)
 }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_oracle::faults::{Area, Fault};
 use predicament_oracle::guards::{self, Guarded};
-use predicament_tasks::Outcome;
+use predicament_tasks::{AnyTask, Outcome};
 
 use super::declared::Declarations;
 use crate::shrinking::Measure;
@@ -150,7 +150,11 @@ pub fn entries(tool: &Tool, checks: &Declarations) -> Result<Vec<Entry>, String>
             if entries.iter().any(|entry| entry.name == name) {
                 continue;
             }
-            let wants = planted.caught_by().iter().map(|&catch| checks.named_by(task, catch));
+            // What one of them declares, the others need not.
+            let has_it =
+                |task: &&&dyn AnyTask| task.planted_faults().iter().any(|other| other.name() == planted.name());
+            let tasks: Vec<&str> = tool.tasks().iter().filter(has_it).map(|task| task.name()).collect();
+            let wants = planted.caught_by().iter().map(|&catch| checks.named_by(&tasks, catch));
             let wants = wants.collect::<Result<_, _>>().map_err(|why| format!("{name}: {why}"))?;
             entries.push(Entry::new(name, planted.what(), Some(Area::Algorithms), Kind::Algorithm, wants));
         }

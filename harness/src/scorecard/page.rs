@@ -64,7 +64,12 @@ impl Card<'_> {
             (None, faults) if faults.is_empty() => ("NOT NEEDED", false, Vec::new()),
             (None, faults) => ("caught", true, faults.into_iter().map(|fault| fault.name.clone()).collect()),
         };
-        let name = format!("off: {declared} of {}", declared.place());
+        let of = match declared.tasks.as_slice() {
+            [] => declared.place(),
+            [one] => (*one).to_owned(),
+            [first, others @ ..] => format!("{first} and {} more", others.len()),
+        };
+        let name = format!("off: {declared} of {of}");
         Line { name, area: Area::Checks.name(), verdict, is_good, by, scenes: None, queries: None, shrunk: None }
     }
 
@@ -126,7 +131,7 @@ impl Card<'_> {
             let needed = self.checks.0.len() - excused - idle;
             let _ = writeln!(
                 text,
-                "{needed} of {} checks turn the card red if they are switched off; {excused} more need no fault (`--checks` says why)",
+                "{needed} of {} checks turn the card red if they are switched off; {excused} more need no fault, and `--checks` says why",
                 needed + idle
             );
         }

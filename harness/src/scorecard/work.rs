@@ -17,7 +17,7 @@ use crate::tool::Tool;
 use crate::{interrupt, planning, progress};
 
 /// Scenes of more queries are not tried with plenty of time.
-const MOST_THOROUGH: usize = 4096;
+const MOST_THOROUGH: usize = 100_000;
 
 /// How it is done.
 pub struct How {
@@ -173,8 +173,10 @@ impl Work<'_> {
             let declared = &self.checks.0[check];
             declared.is_thorough() && declared.tasks.contains(&task)
         };
-        let is_wanted =
-            if self.how.everything { entry.wants.iter().copied().any(is_tried) } else { entry.missed().any(is_tried) };
+        let is_wanted = match self.how.everything {
+            true => entry.is_fault() && (0..self.checks.0.len()).any(is_tried),
+            false => entry.missed().any(is_tried),
+        };
         let thorough = is_wanted && case.loaded().count() <= MOST_THOROUGH;
         Budget { thorough, ..planning::budget(Level::Quick) }
     }

@@ -25,6 +25,7 @@ mod peers;
 mod pictures;
 mod resolve;
 mod runs;
+mod scorecard;
 mod show;
 mod studies;
 mod threads;

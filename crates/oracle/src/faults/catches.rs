@@ -22,11 +22,14 @@ impl Fault {
                 (Class::Topology, "double"),
                 (Class::Topology, "loose ends"),
             ],
-            Fault::SosBatchFlipped => &[(Class::SignFlip, "perturbed sign")],
+            Fault::SosBatchFlipped => {
+                &[(Class::SignFlip, "perturbed sign"), (Class::Inconsistent, "independence-of-place")]
+            }
             Fault::SosLateSwappedTerm => &[
                 (Class::SignFlip, "half-open rule"),
                 (Class::SignFlip, "perturbed sign"),
                 (Class::Inconsistent, "grassmann-plucker"),
+                (Class::Inconsistent, "independence-of-later-vertices"),
                 (Class::Topology, "double"),
                 (Class::Topology, "vertices"),
             ],
@@ -74,7 +77,12 @@ impl Fault {
                 (Class::Topology, "crossing parity"),
                 (Class::Topology, "loose ends"),
             ],
-            Fault::SosCollidingLift => &[(Class::SignFlip, "perturbed sign"), (Class::Inconsistent, "never zero")],
+            Fault::SosCollidingLift => &[
+                (Class::SignFlip, "perturbed sign"),
+                (Class::Inconsistent, "never zero"),
+                (Class::Inconsistent, "mixed-grassmann-plucker"),
+                (Class::Topology, "empty"),
+            ],
             Fault::SosCircularTies => &[(Class::Inconsistent, "transitivity")],
             Fault::ExactRelativeFilter => &[(Class::SignFlip, "sign"), (Class::MissedZero, "sign")],
             Fault::ExactStaleBound => &[(Class::SignFlip, "sign")],
@@ -129,7 +137,9 @@ impl Fault {
     pub fn caught_in(self, (_, check): Catch) -> Option<&'static str> {
         match (self, check) {
             (_, "never zero") => Some("orient2d"),
+            (Fault::SosSwappedTerm | Fault::SosLateSwappedTerm, "double") => Some("polygon-locate"),
             (_, "double") => Some("interval"),
+            (_, "vertices") => Some("cube-union"),
             _ => None,
         }
     }

@@ -310,7 +310,7 @@ fn lines<R: Reading>(reading: &R, facts: &mut Facts) {
 }
 
 /// The id of the scene since there are ids.
-const PINNED: &str = "PIN";
+const PINNED: &str = "0fa27daf00cfd24b";
 
 fn ids<R: Reading>(reading: &R, facts: &mut Facts) {
     let points = [[0.5, 1.0], [0.0, 3.0], [-2.0, 0.1]];

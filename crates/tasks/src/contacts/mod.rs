@@ -15,6 +15,7 @@ mod pairs;
 mod perturbed;
 mod section;
 mod sigma;
+mod spoiled;
 mod topology;
 
 use std::path::{Path, PathBuf};
@@ -38,7 +39,7 @@ pub use section::ContactRow;
 use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Stop, Task, Turns, Watch, digest,
+    Spoiled, Stop, Task, Turns, Watch, digest,
 };
 use pairs::{Pair, closure};
 
@@ -204,6 +205,10 @@ impl Task for Contacts {
                 Ok(contacts_planted::<SkippedVertices, _>(&*session, &content.a, &content.b))
             }),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Contacts>> {
+        spoiled::all(*self)
     }
 
     fn describe(&self, _: &LoadedScene, content: &Complexes, _: &Watch) -> Result<String, Stop> {

@@ -8,6 +8,7 @@
 mod checks;
 pub(crate) mod content;
 mod judge;
+mod spoiled;
 mod truth;
 
 use std::path::{Path, PathBuf};
@@ -25,7 +26,7 @@ use crate::output::Canvas;
 use crate::segment_source::named;
 use crate::{
     Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Stop, Task, Turns, Watch, digest, output,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find a missing crossing which only the perturbation makes.
@@ -149,6 +150,10 @@ impl Task for Crossings {
                 Ok(Crossed(crossings_planted::<UnsortedCrossings, _>(session, &content.0)?))
             }),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Crossings>> {
+        spoiled::all()
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &Segments, watch: &Watch) -> Result<String, Stop> {

@@ -8,6 +8,7 @@ mod checks;
 mod content;
 mod generate;
 mod judge;
+mod spoiled;
 
 use std::path::{Path, PathBuf};
 
@@ -27,7 +28,7 @@ pub use judge::Truth;
 use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Stop, Task, Turns, Watch, digest, output,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find triangles that stay though a vertex is in their circle.
@@ -178,6 +179,10 @@ impl Task for Delaunay2d {
             fault::<CopiesForgotten>(COPIES_CHECKS),
             fault::<StoppedConstraint>(STOPPED_CHECKS),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Delaunay2d>> {
+        spoiled::all()
     }
 
     fn describe(&self, _: &LoadedScene, content: &Sites, watch: &Watch) -> Result<String, Stop> {

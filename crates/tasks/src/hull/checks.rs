@@ -51,7 +51,6 @@ pub(super) const IN_SPACE: &[Check] = &[
     Check::topology("coplanar faces", "no two neighbours are in one plane"),
     Check::topology("wound once", "a ray from inside meets one face"),
     Check::topology("inside", "no point is outside of a face"),
-    Check::topology("start", "the first vertex of a flat hull is the leftmost"),
     Check::topology("smallest index", "of several points in one place the first stands for all"),
     Check::topology("extreme vertices", "the vertices are those of the definition, where the points are few"),
     Check::invariants("adding points, or joining hulls, does not contradict itself", &[RULES]),

@@ -9,6 +9,7 @@ mod generate;
 mod judge;
 mod plane;
 mod space;
+mod spoiled;
 
 pub use cloud::{Cloud, Method};
 pub use judge::Truth;

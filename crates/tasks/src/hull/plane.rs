@@ -16,7 +16,7 @@ use super::{generate, template};
 use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Stop, Task, Turns, Watch, digest, output,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find a vertex in the middle of an edge.
@@ -149,6 +149,10 @@ impl Task for Hull2d {
                 Ok(Polygon(hull2d_planted::<HalfTangent>(&*session, content.method)))
             }),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Hull2d>> {
+        super::spoiled::in_plane()
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &Cloud<PlaneMethod>, watch: &Watch) -> Result<String, Stop> {

@@ -16,7 +16,7 @@ use super::{generate, template};
 use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Stop, Task, Turns, Watch, digest, output,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find faces in one plane.
@@ -159,6 +159,10 @@ impl Task for Hull3d {
                 Ok(Surface(hull3d_planted::<OneSidedWrap>(&*session, content.method)))
             }),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Hull3d>> {
+        super::spoiled::in_space()
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &Cloud<SpaceMethod>, watch: &Watch) -> Result<String, Stop> {

@@ -7,6 +7,7 @@ mod checks;
 mod content;
 mod generate;
 mod judge;
+mod spoiled;
 
 use std::path::{Path, PathBuf};
 
@@ -22,8 +23,8 @@ pub use content::Cells;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest,
+    Answer, Asked, Case, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Spoiled,
+    Stop, Task, Turns, Watch, digest,
 };
 
 /// Probes between two looks at the watch.
@@ -164,6 +165,10 @@ impl Task for Interval {
             let found = |&probe| cells_at_planted::<ClosedInterval, _>(&*session, content.axis, &content.cells, probe);
             Ok(CellsFound(content.probes.iter().map(|probe| found(probe).collect()).collect()))
         })]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Interval>> {
+        spoiled::all()
     }
 
     fn describe(&self, _: &LoadedScene, content: &Cells, _: &Watch) -> Result<String, Stop> {

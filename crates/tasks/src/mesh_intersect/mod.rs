@@ -16,6 +16,7 @@ mod read;
 mod section;
 mod settled;
 mod shapes;
+mod spoiled;
 mod surface;
 
 use std::path::{Path, PathBuf};
@@ -45,7 +46,7 @@ pub use surface::flaw_of;
 use crate::output::{Canvas, Placed};
 use crate::{
     Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Planted, Purpose,
-    Refusal, Stop, Task, Turns, Watch, digest, output,
+    Refusal, Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -254,6 +255,10 @@ impl Task for MeshIntersect {
 
     fn planted(&self) -> Vec<Planted<MeshIntersect>> {
         planted::all()
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<MeshIntersect>> {
+        spoiled::all()
     }
 
     fn describe(&self, _: &LoadedScene, content: &TwoMeshes, _: &Watch) -> Result<String, Stop> {

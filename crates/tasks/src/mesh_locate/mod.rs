@@ -12,6 +12,7 @@ pub(crate) mod probes;
 pub(crate) mod read;
 pub(crate) mod regions;
 mod section;
+mod spoiled;
 
 use std::path::{Path, PathBuf};
 
@@ -37,7 +38,7 @@ pub use section::MeshLocateRow;
 use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase,
-    Planted, Purpose, Stop, Task, Turns, Watch, digest,
+    Planted, Purpose, Spoiled, Stop, Task, Turns, Watch, digest,
 };
 
 /// The checks that have to find a triangle missing in the grid.
@@ -223,6 +224,10 @@ impl Task for MeshLocate {
             fault::<MistakenCavity>(CAVITY_CHECKS),
             fault::<FartherTriangle>(FARTHER_CHECKS),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<MeshLocate>> {
+        spoiled::all()
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &ProbedMesh, watch: &Watch) -> Result<String, Stop> {

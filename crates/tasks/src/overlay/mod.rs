@@ -8,6 +8,7 @@ mod content;
 mod generate;
 mod judge;
 mod shapes;
+mod spoiled;
 
 use std::path::{Path, PathBuf};
 
@@ -26,7 +27,7 @@ pub use content::{Layered, Layers};
 use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Stop, Task, Turns, Watch, digest, output,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 pub(crate) use checks::RULES;
 
@@ -229,6 +230,10 @@ impl Task for Overlay2d {
             fault::<OutsideNests>(NEST_CHECKS),
             fault::<DroppedHoles>(HOLE_CHECKS),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Overlay2d>> {
+        spoiled::all()
     }
 
     fn describe(&self, _: &LoadedScene, content: &Layered, _: &Watch) -> Result<String, Stop> {

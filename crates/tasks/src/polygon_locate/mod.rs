@@ -9,6 +9,7 @@ mod generate;
 mod judge;
 mod probes;
 mod section;
+mod spoiled;
 
 use std::path::{Path, PathBuf};
 
@@ -29,7 +30,7 @@ pub use section::LocateRow;
 use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Purpose, Stop, Task, Turns, Watch, digest,
+    Purpose, Spoiled, Stop, Task, Turns, Watch, digest,
 };
 
 /// The checks that have to find an edge missing in the grid.
@@ -172,6 +173,10 @@ impl Task for PolygonLocate {
             let index = LocateIndex::planted::<SkippedEdge>(&content.map, session.scene());
             Ok(Located(locate_all(&index, &*session, &content.vertices(), &|_| true)))
         })]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<PolygonLocate>> {
+        spoiled::all()
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &MapWithProbes, watch: &Watch) -> Result<String, Stop> {

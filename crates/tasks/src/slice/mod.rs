@@ -9,6 +9,7 @@ mod content;
 mod faces;
 mod generate;
 mod judge;
+mod spoiled;
 
 use std::path::{Path, PathBuf};
 
@@ -28,7 +29,7 @@ pub(crate) use checks::law;
 
 use crate::{
     Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Stop, Task, Turns, Watch, digest, output,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find split points that faces do not share.
@@ -200,6 +201,10 @@ impl Task for Slice {
             fault::<WrongSide>(WRONG_SIDE_CHECKS),
             fault::<UnsortedSplitPoints>(UNSORTED_CHECKS),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Slice>> {
+        spoiled::all()
     }
 
     fn describe(&self, _: &LoadedScene, content: &Solid, _: &Watch) -> Result<String, Stop> {

@@ -7,6 +7,7 @@ mod checks;
 mod content;
 mod judge;
 mod section;
+mod spoiled;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -26,8 +27,8 @@ pub use section::SnapRow;
 use crate::output::Canvas;
 use crate::segment_source::named;
 use crate::{
-    Answer, Asked, Case, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Spoiled,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -250,6 +251,10 @@ impl Task for Snap2d {
                 },
             },
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Snap2d>> {
+        spoiled::all()
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &Drawn, watch: &Watch) -> Result<String, Stop> {

@@ -8,6 +8,7 @@ mod content;
 mod generate;
 mod judge;
 mod shapes;
+mod spoiled;
 
 use std::path::{Path, PathBuf};
 
@@ -27,7 +28,7 @@ pub use judge::Truth;
 use crate::output::Canvas;
 use crate::{
     Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Stop, Task, Turns, Watch, digest, output,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 pub(crate) use checks::RULES;
 
@@ -176,6 +177,10 @@ impl Task for Triangulate {
             Planted::new::<BlindEars>("sos", BLIND_CHECKS, wrong::<BlindEars>),
             Planted::new::<DroppedTriangle>("sos", DROPPED_CHECKS, wrong::<DroppedTriangle>),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Triangulate>> {
+        spoiled::all()
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &Polygons, watch: &Watch) -> Result<String, Stop> {
