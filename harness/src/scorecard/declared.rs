@@ -190,7 +190,7 @@ const NOT_NEEDED: &[(Class, &str, &str, &str)] = &[
         Class::Topology,
         "cube-union",
         "part",
-        "no embedded scene has more cubes at level quick than are measured as a whole; a test of unions plants it",
+        "no embedded scene has more cubes at level quick than are measured as a whole; a test of the oracle plants it",
     ),
     (Class::Topology, "triangulate", "loops do not cross", "it is about the data, and found whatever the answer is"),
     (

@@ -46,14 +46,14 @@ pub(super) fn all() -> Vec<Spoiled<PolygonLocate>> {
             "polygon-locate-takes-a-border",
             "a point on boundaries is on none",
             "exact",
-            &[(Class::MissedZero, "exact location"), (Class::Topology, "misplaced")],
+            &[(Class::MissedZero, "exact location")],
             |_, _, answer: &mut Located| each(answer, |_, (_, boundary)| boundary.clear()),
         ),
         Spoiled::new(
             "polygon-locate-adds-regions",
             "a point on boundaries is in all regions that it is not on",
             "exact",
-            &[(Class::Overreach, "exact location"), (Class::Topology, "misplaced")],
+            &[(Class::Overreach, "exact location")],
             |_, content: &MapWithProbes, answer: &mut Located| {
                 let count = u32::try_from(content.map.regions().len()).unwrap_or(0);
                 each(answer, |_, (inside, boundary)| {
