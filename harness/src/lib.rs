@@ -55,6 +55,7 @@ mod planning;
 mod precision;
 mod progress;
 mod rows;
+mod scorecard;
 mod select;
 mod shrinking;
 mod stopwatch;

@@ -4,14 +4,16 @@
 //! made of the real backends' own parts with one part wrong, claims the real
 //! contract, and has to be caught by `selftest` on the embedded corpora.
 
+mod area;
 mod catches;
 mod colliding;
 mod contacts;
 mod deadly;
 mod ties;
 
+use predicament_arithmetic::bound::{static_incircle, static_insphere, static_orient2d, static_orient3d};
 use predicament_arithmetic::{Fixed, Plan, units};
-use predicament_controls::Shewchuk;
+use predicament_controls::{Naive, Pivot, Shewchuk};
 use predicament_exact::form::{self, Determinant};
 use predicament_exact::{Exact, filter, integer, raw};
 use predicament_predicates::{
@@ -26,6 +28,7 @@ use predicament_judge::TieJudge;
 use crate::boxed::Boxed;
 use crate::roster::Visit;
 
+pub use area::Area;
 pub use deadly::Deadly;
 
 /// One way to be wrong.
@@ -55,10 +58,20 @@ pub enum Fault {
     /// SoS that moves coordinates in one order for circles and spheres and in another for the rest: each predicate by itself is
     /// consistent.
     SosMixedOrders,
+    /// SoS that breaks ties of comparisons in a circle: the first vertex before the second, that before the third, and
+    /// that before the first.
+    SosCircularTies,
     /// Exact, with the bound of the floating-point filter halved.
     ExactHalvedFilter,
     /// Exact, with that bound two percent smaller than it has to be.
     ExactTightFilter,
+    /// Exact, with a filter whose bound is a multiple of the determinant, not of the sum of its terms' magnitudes: it lets
+    /// all pass.
+    ExactRelativeFilter,
+    /// Exact, with the static bound of the scene's first half of vertices for all.
+    ExactStaleBound,
+    /// Exact, but for floating-point determinants that are no numbers: those are called zero.
+    ExactNan,
     /// Exact, with integers of one limb where differences need two.
     ExactOneLimb,
     /// Adaptive floating point (the crate `robust`) where it can underflow or overflow.
@@ -97,7 +110,7 @@ impl Fault {
     }
 
     /// All but tolerances that are scaled wrongly.
-    const ALL: [Fault; 25] = [
+    const ALL: [Fault; 29] = [
         Fault::SosSwappedTerm,
         Fault::SosBatchFlipped,
         Fault::SosLateSwappedTerm,
@@ -108,8 +121,12 @@ impl Fault {
         Fault::SosFirstOrderThenParity,
         Fault::SosCollidingLift,
         Fault::SosMixedOrders,
+        Fault::SosCircularTies,
         Fault::ExactHalvedFilter,
         Fault::ExactTightFilter,
+        Fault::ExactRelativeFilter,
+        Fault::ExactStaleBound,
+        Fault::ExactNan,
         Fault::ExactOneLimb,
         Fault::ExactUnguarded,
         Fault::ExactFlushed,
@@ -139,8 +156,12 @@ impl Fault {
             Fault::SosFirstOrderThenParity => "sos-first-order-then-parity",
             Fault::SosCollidingLift => "sos-colliding-lift",
             Fault::SosMixedOrders => "sos-mixed-orders",
+            Fault::SosCircularTies => "sos-circular-ties",
             Fault::ExactHalvedFilter => "exact-halved-filter",
             Fault::ExactTightFilter => "exact-tight-filter",
+            Fault::ExactRelativeFilter => "exact-relative-filter",
+            Fault::ExactStaleBound => "exact-stale-bound",
+            Fault::ExactNan => "exact-nan",
             Fault::ExactOneLimb => "exact-one-limb",
             Fault::ExactUnguarded => "exact-unguarded",
             Fault::ExactFlushed => "exact-flushed",
@@ -174,8 +195,12 @@ impl Fault {
             Fault::SosFirstOrderThenParity => "those, and what they leave open goes by the order of the vertices",
             Fault::SosCollidingLift => "points moved by eps^(2^i) lifted again, one term kept of equal powers",
             Fault::SosMixedOrders => "coordinates perturbed in another order for circles and spheres than for the rest",
+            Fault::SosCircularTies => "ties of comparisons broken in a circle of three vertices",
             Fault::ExactHalvedFilter => "the floating-point filter's bound halved",
             Fault::ExactTightFilter => "the floating-point filter's bound two percent too small",
+            Fault::ExactRelativeFilter => "the filter's bound relative to the determinant, so that nothing is below it",
+            Fault::ExactStaleBound => "the static bound of the first half of the vertices used for all",
+            Fault::ExactNan => "determinants that are not a number in floating point called zero",
             Fault::ExactOneLimb => "integers of one limb used where differences need two",
             Fault::ExactUnguarded => "adaptive floating point used where it underflows or overflows",
             Fault::ExactFlushed => "determinants below the smallest normal double called zero",
@@ -195,6 +220,39 @@ impl Fault {
         }
     }
 
+    /// What part of the tool is wrong.
+    #[must_use]
+    pub const fn area(self) -> Area {
+        match self {
+            Fault::SosSwappedTerm
+            | Fault::SosBatchFlipped
+            | Fault::SosLateSwappedTerm
+            | Fault::SosDroppedParity
+            | Fault::SosPlaceAsIdentity
+            | Fault::SosDroppedLastParity
+            | Fault::SosFirstOrderOnly
+            | Fault::SosFirstOrderThenParity
+            | Fault::SosCollidingLift
+            | Fault::SosMixedOrders
+            | Fault::SosCircularTies
+            | Fault::CompareGreaterOnTies => Area::Sos,
+            Fault::ExactHalvedFilter
+            | Fault::ExactTightFilter
+            | Fault::ExactRelativeFilter
+            | Fault::ExactStaleBound
+            | Fault::ExactUnguarded => Area::Filters,
+            Fault::ExactNan | Fault::ExactOneLimb | Fault::ExactFlushed | Fault::ExactRoundedVertex => Area::Arithmetic,
+            Fault::ContactsEndlessEdge | Fault::ContactsOneSided => Area::Algorithms,
+            Fault::ToleranceNarrow
+            | Fault::ToleranceWide
+            | Fault::ToleranceNarrowContacts
+            | Fault::ToleranceWideContacts
+            | Fault::ToleranceAsPrinted
+            | Fault::ToleranceMirroredWeight
+            | Fault::Misscaled(_) => Area::Tolerance,
+        }
+    }
+
     const fn poses_as(self) -> ZeroMeaning {
         match self {
             Fault::SosSwappedTerm
@@ -207,9 +265,13 @@ impl Fault {
             | Fault::SosFirstOrderThenParity
             | Fault::SosCollidingLift
             | Fault::SosMixedOrders
+            | Fault::SosCircularTies
             | Fault::CompareGreaterOnTies => ZeroMeaning::Never,
             Fault::ExactHalvedFilter
             | Fault::ExactTightFilter
+            | Fault::ExactRelativeFilter
+            | Fault::ExactStaleBound
+            | Fault::ExactNan
             | Fault::ExactOneLimb
             | Fault::ExactUnguarded
             | Fault::ExactFlushed
@@ -288,15 +350,25 @@ impl Backend for Faulty {
             ZeroMeaning::Never => Sos { scheme: Scheme::EdelsbrunnerMucke }.prepare(scene, Off).map(|_| None)?,
             ZeroMeaning::Exact => None,
         };
-        let adaptive = Shewchuk.prepare(scene, Off)?;
-        Ok(Session { fault: self.fault, deadly: self.deadly, adaptive, exact: Exact.prepare(scene, Off)?, tolerance })
+        Ok(Session {
+            fault: self.fault,
+            deadly: self.deadly,
+            adaptive: Shewchuk.prepare(scene, Off)?,
+            float: FLOAT.prepare(scene, Off)?,
+            exact: Exact.prepare(scene, Off)?,
+            tolerance,
+        })
     }
 }
+
+/// Plain floating point.
+const FLOAT: Naive = Naive { pivot: Pivot::Last };
 
 struct Session<'s> {
     fault: Fault,
     deadly: Option<Deadly>,
     adaptive: <Shewchuk as Backend>::Session<'s, Off>,
+    float: <Naive as Backend>::Session<'s, Off>,
     exact: predicament_exact::Session<'s, Off>,
     tolerance: Option<predicament_tolerance::Session<'s, Off>>,
 }
@@ -325,6 +397,7 @@ impl Session<'_> {
             | Fault::SosFirstOrderThenParity
             | Fault::SosCollidingLift
             | Fault::SosMixedOrders
+            | Fault::SosCircularTies
             | Fault::CompareGreaterOnTies => {
                 if exact.is_zero() {
                     ties::break_tie(self.fault, &self.exact, question, args)
@@ -333,13 +406,25 @@ impl Session<'_> {
                 }
             }
             // Their parts are for points with coordinates: about others they are as right as exact.
-            Fault::ExactHalvedFilter | Fault::ExactTightFilter | Fault::ExactOneLimb | Fault::ExactFlushed
+            Fault::ExactHalvedFilter
+            | Fault::ExactTightFilter
+            | Fault::ExactRelativeFilter
+            | Fault::ExactStaleBound
+            | Fault::ExactNan
+            | Fault::ExactOneLimb
+            | Fault::ExactFlushed
                 if args.iter().any(|v| v.is_constructed()) =>
             {
                 exact
             }
             Fault::ExactHalvedFilter => self.filtered(question, &args, 0.5).unwrap_or(exact),
             Fault::ExactTightFilter => self.filtered(question, &args, 0.98).unwrap_or(exact),
+            Fault::ExactRelativeFilter => self.fooled(question, &args, 0.0).unwrap_or(exact),
+            Fault::ExactStaleBound => self.fooled(question, &args, self.stale(question)).unwrap_or(exact),
+            Fault::ExactNan => match self.float.estimate(question, &args) {
+                Some(determinant) if determinant.is_nan() => Sign::Zero,
+                _ => exact,
+            },
             Fault::ExactOneLimb => self.one_limb(question, &args).unwrap_or(exact),
             Fault::ExactUnguarded => question.ask(&self.adaptive, &args),
             Fault::ExactFlushed => {
@@ -395,6 +480,33 @@ impl Session<'_> {
                 let p = solid();
                 filter::insphere(p[0], p[1], p[2], p[3], p[4], share * bound(form::INSPHERE, &p))
             }
+        }
+    }
+
+    /// The sign of the plain floating-point determinant, if that is a number beyond the bound.
+    fn fooled(&self, question: Question, args: &[Vertex], bound: f64) -> Option<Sign> {
+        let determinant = self.float.estimate(question, args)?;
+        (determinant.is_finite() && determinant.abs() > bound).then(|| Sign::of(determinant))
+    }
+
+    /// The static bound for the lengths of the box of the scene's first half of vertices.
+    fn stale(&self, question: Question) -> f64 {
+        let scene = self.exact.scene();
+        let count = scene.dimension().count();
+        let half = &scene.coordinates()[..scene.len().div_ceil(2) * count];
+        let length = |axis: usize| {
+            let along = half.iter().skip(axis).step_by(count);
+            let [low, high] =
+                along.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &x| [low.min(x), high.max(x)]);
+            high - low
+        };
+        let flat = |plane: Plane| plane.axes().map(|axis| length(axis.index()));
+        match question {
+            Question::Compare(_) => 0.0,
+            Question::Orient2d(plane) => static_orient2d(flat(plane)),
+            Question::Orient3d => static_orient3d([0, 1, 2].map(length)),
+            Question::Incircle => static_incircle(flat(Plane::Xy)),
+            Question::Insphere => static_insphere([0, 1, 2].map(length)),
         }
     }
 
@@ -483,6 +595,10 @@ impl Predicates for Session<'_> {
         for (&args, out) in queries.iter().zip(out) {
             *out = self.in_batch(Question::Orient3d, args);
         }
+    }
+
+    fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {
+        (self.fault == Fault::ExactNan).then(|| self.float.estimate(question, args)).flatten()
     }
 
     fn band(&self, question: Question) -> Option<Band> {

@@ -10,8 +10,8 @@ use predicament_report::Section;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, AnyPlanted, Asked, Case, Compared, Contestant, Dispute, Explanation, Knob, Outcome, Phase, Stop, Task,
-    Turns, Watch,
+    Answer, AnyPlanted, Asked, Case, Check, Compared, Contestant, Dispute, Explanation, Knob, Outcome, Phase, Stop,
+    Task, Turns, Watch,
 };
 
 /// A [`Task`] whose types are hidden. Every task is one.
@@ -72,7 +72,10 @@ pub trait AnyTask: SceneFormat {
     /// [`Task::turns`].
     fn turned_by(&self, knob: Knob) -> Turns;
 
-    /// [`Task::planted`].
+    /// [`Task::checks`].
+    fn declared_checks(&self) -> &'static [Check];
+
+    /// [`Task::planted`] and [`Task::spoiled`].
     fn planted_faults(&self) -> Vec<Box<dyn AnyPlanted>>;
 
     /// [`Task::tables`].
@@ -180,8 +183,13 @@ impl<T: Task> AnyTask for T {
         self.turns(knob)
     }
 
+    fn declared_checks(&self) -> &'static [Check] {
+        self.checks()
+    }
+
     fn planted_faults(&self) -> Vec<Box<dyn AnyPlanted>> {
-        self.planted().into_iter().map(|planted| Box::new(planted) as Box<dyn AnyPlanted>).collect()
+        let planted = self.planted().into_iter().map(|planted| Box::new(planted) as Box<dyn AnyPlanted>);
+        planted.chain(self.spoiled().into_iter().map(|spoiled| Box::new(spoiled) as Box<dyn AnyPlanted>)).collect()
     }
 
     fn own_tables(&self) -> Vec<TableSpec> {

@@ -14,6 +14,7 @@
 //! * [`Contestant`], [`Entry`], [`Solver`]: a backend picked at run time. [`built_in`] is the
 //!   one list where backends and tasks meet.
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
+//! * [`Check`]: what a judge can report. [`Planted`], [`Spoiled`]: faults that prove that it does.
 //! * [`Compared`], [`Knob`]: the scenes on which a task is compared, and the ways in which they can be made harder.
 //! * [`output`]: answers as files for other programs, vertices exactly.
 //! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
@@ -23,6 +24,7 @@
 mod any;
 mod budget;
 mod case;
+mod checks;
 mod compared;
 mod contestant;
 mod counts;
@@ -60,6 +62,7 @@ pub mod triangulate;
 pub use any::{AnyCase, AnyTask};
 pub use budget::Budget;
 pub use case::{Asked, Case, Dispute};
+pub use checks::{Check, ON_EVERY_TASK, is_declared};
 pub use compared::{Compared, Kind};
 pub use contestant::{Contestant, Entry};
 pub use counts::ClassCounts;
@@ -68,7 +71,7 @@ pub use knob::{Knob, Turns};
 pub use list::{TaskList, built_in, solvers, vocabulary};
 pub use outcome::{AnswerLine, Finding, Outcome, finding_id, ids, symbol};
 pub use phases::Phase;
-pub use planted::{AnyPlanted, Catch, Planted};
+pub use planted::{AnyPlanted, Catch, Planted, Spoiled};
 pub use predicament_predicates::{Class, Status};
 pub use run::{caught, run, run_planted};
 pub use solver::{Halt, How, OnTask, Purpose, Refusal, Solver, Stopwatch};

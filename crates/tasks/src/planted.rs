@@ -9,7 +9,7 @@ use std::any::Any;
 
 use predicament_algorithms::planted::Fault;
 use predicament_corpus::Content;
-use predicament_predicates::Predicates;
+use predicament_predicates::{Predicates, Scene};
 
 use crate::{Class, Halt, Task};
 
@@ -42,7 +42,40 @@ impl<T: Task> Planted<T> {
     }
 }
 
-/// A [`Planted`] whose types are hidden.
+/// The right answer of a task with a fault planted in it: what is wrong is what is handed over.
+///
+/// A judge has checks that no fault of one place in the algorithm reaches, since others stand before them.
+pub struct Spoiled<T: Task> {
+    /// The name of the fault.
+    pub name: &'static str,
+    /// What is wrong, in one line.
+    pub what: &'static str,
+    /// The backend that gives the right answer: see [`Planted::backend`].
+    pub backend: &'static str,
+    /// The checks that have to find it.
+    pub caught_by: &'static [Catch],
+    /// Spoils an answer.
+    pub spoil: Spoil<T>,
+}
+
+impl<T: Task> Spoiled<T> {
+    /// A fault with this name: what is wrong, on a backend, caught by these checks.
+    #[must_use]
+    pub fn new(
+        name: &'static str,
+        what: &'static str,
+        backend: &'static str,
+        caught_by: &'static [Catch],
+        spoil: Spoil<T>,
+    ) -> Spoiled<T> {
+        Spoiled { name, what, backend, caught_by, spoil }
+    }
+}
+
+/// How an answer to a scene is spoiled.
+pub type Spoil<T> = fn(&Scene, &<T as Task>::Content, &mut <T as Task>::Answer);
+
+/// A [`Planted`] or [`Spoiled`] whose types are hidden.
 pub trait AnyPlanted {
     /// The name of the fault.
     fn name(&self) -> &'static str;
@@ -56,11 +89,17 @@ pub trait AnyPlanted {
     /// The checks that have to find it.
     fn caught_by(&self) -> &'static [Catch];
 
-    /// Answers a scene of the task wrongly.
+    /// Whether a right answer is spoiled; else the algorithm is wrong.
+    fn spoils(&self) -> bool;
+
+    /// Answers a scene of the task wrongly; none where it is the answer that is spoiled.
     ///
     /// # Errors
     /// [`Halt`] where the backend does not construct what comes up.
-    fn solve(&self, session: &mut dyn Predicates, content: &dyn Content) -> Result<Box<dyn Any>, Halt>;
+    fn solve(&self, session: &mut dyn Predicates, content: &dyn Content) -> Option<Result<Box<dyn Any>, Halt>>;
+
+    /// A right answer once it is spoiled; none where it is the algorithm that is wrong.
+    fn spoil(&self, scene: &Scene, content: &dyn Content, answer: &dyn Any) -> Option<Box<dyn Any>>;
 }
 
 impl<T: Task> AnyPlanted for Planted<T> {
@@ -80,9 +119,53 @@ impl<T: Task> AnyPlanted for Planted<T> {
         self.caught_by
     }
 
-    fn solve(&self, session: &mut dyn Predicates, content: &dyn Content) -> Result<Box<dyn Any>, Halt> {
-        let content: &dyn Any = content;
-        let content: &T::Content = content.downcast_ref().expect("the content of a scene of this task");
-        Ok(Box::new((self.solve)(session, content)?))
+    fn spoils(&self) -> bool {
+        false
     }
+
+    fn solve(&self, session: &mut dyn Predicates, content: &dyn Content) -> Option<Result<Box<dyn Any>, Halt>> {
+        let answer = (self.solve)(session, typed::<T>(content));
+        Some(answer.map(|answer| Box::new(answer) as Box<dyn Any>))
+    }
+
+    fn spoil(&self, _: &Scene, _: &dyn Content, _: &dyn Any) -> Option<Box<dyn Any>> {
+        None
+    }
+}
+
+impl<T: Task> AnyPlanted for Spoiled<T> {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn what(&self) -> &'static str {
+        self.what
+    }
+
+    fn backend(&self) -> &'static str {
+        self.backend
+    }
+
+    fn caught_by(&self) -> &'static [Catch] {
+        self.caught_by
+    }
+
+    fn spoils(&self) -> bool {
+        true
+    }
+
+    fn solve(&self, _: &mut dyn Predicates, _: &dyn Content) -> Option<Result<Box<dyn Any>, Halt>> {
+        None
+    }
+
+    fn spoil(&self, scene: &Scene, content: &dyn Content, answer: &dyn Any) -> Option<Box<dyn Any>> {
+        let mut answer: T::Answer = answer.downcast_ref::<T::Answer>().expect("an answer of this task").clone();
+        (self.spoil)(scene, typed::<T>(content), &mut answer);
+        Some(Box::new(answer))
+    }
+}
+
+fn typed<T: Task>(content: &dyn Content) -> &T::Content {
+    let content: &dyn Any = content;
+    content.downcast_ref().expect("the content of a scene of this task")
 }

@@ -3,7 +3,7 @@
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use predicament_predicates::{Broken, Counts, PredicateKind};
+use predicament_predicates::{Broken, Counts, PredicateKind, Predicates};
 
 use crate::{AnyCase, AnyPlanted, Asked, Budget, Class, Contestant, Halt, How, Outcome, Purpose, Refusal, Stop, Watch};
 
@@ -17,7 +17,7 @@ pub fn run(case: &dyn AnyCase, contestant: &dyn Contestant, budget: Budget, watc
     guarded(queries, || judged(case, contestant, budget, watch, queries))
 }
 
-/// Judges what an algorithm with a planted fault answers on a backend.
+/// Judges what an algorithm with a planted fault answers on a backend, or its right answer once it is spoiled.
 ///
 /// # Errors
 /// [`Stop::Interrupted`]; a timeout is an outcome.
@@ -29,19 +29,37 @@ pub fn run_planted(
     watch: &Watch,
 ) -> Result<Outcome, Stop> {
     let (loaded, queries) = (case.loaded(), case.loaded().count() as u64);
+    let judge = |session: &dyn Predicates, answer: &dyn Any| {
+        let mut outcome = Outcome { queries, ..Outcome::default() };
+        case.judge(&Asked { backend: contestant, session, budget, watch }, answer, &mut outcome).map(|()| outcome)
+    };
     guarded(queries, || {
-        let mut judged = Ok(Outcome { queries, ..Outcome::default() });
-        let prepared = contestant.with_session(&loaded.scene, &mut |session| {
-            judged = fault.solve(session, loaded.content.as_ref()).and_then(|answer| {
-                let mut outcome = Outcome { queries, ..Outcome::default() };
-                let asked = Asked { backend: contestant, session: &*session, budget, watch };
-                case.judge(&asked, answer.as_ref(), &mut outcome)?;
-                Ok(outcome)
+        if !fault.spoils() {
+            let mut judged = None;
+            let prepared = contestant.with_session(&loaded.scene, &mut |session| {
+                let answer = fault.solve(session, loaded.content.as_ref());
+                judged = answer.map(|answer| Ok(judge(session, answer?.as_ref())?));
             });
-        });
-        prepared.map_err(|why| Halt::Refused(Refusal { check: "prepare", why }))?;
-        judged
+            prepared.map_err(|why| Halt::Refused(Refusal { check: "prepare", why }))?;
+            return judged.unwrap_or_else(|| Ok(Outcome { queries, ..Outcome::default() }));
+        }
+        let mut outcome = Outcome { queries, ..Outcome::default() };
+        let how = How { purpose: Purpose::Judge, watch };
+        let solver = solver(contestant, case);
+        solver.solve(&loaded.scene, loaded.content.as_ref(), &Counts::new(), &how, &mut |session, answer| {
+            if let Some(spoiled) = fault.spoil(&loaded.scene, loaded.content.as_ref(), answer) {
+                outcome = judge(session, spoiled.as_ref())?;
+            }
+            Ok(())
+        })?;
+        Ok(outcome)
     })
+}
+
+/// The backend on the task of a scene.
+fn solver<'a>(contestant: &'a dyn Contestant, case: &dyn AnyCase) -> &'a dyn crate::Solver {
+    let task = case.task().name();
+    contestant.solver(task).unwrap_or_else(|| panic!("{} was not told of the task {task}", contestant.name()))
 }
 
 /// What this gives, or how a backend broke off in it: by a panic, or because what is behind it has gone.
@@ -75,8 +93,7 @@ fn judged(
     queries: u64,
 ) -> Result<Outcome, Halt> {
     let (loaded, task) = (case.loaded(), case.task());
-    let solver = contestant.solver(task.name());
-    let solver = solver.unwrap_or_else(|| panic!("{} was not told of the task {}", contestant.name(), task.name()));
+    let solver = solver(contestant, case);
     let counts = Counts::new();
     let kinds = task.kinds(&loaded.scene);
     let mut outcome = Outcome { queries, ..Outcome::default() };

@@ -9,7 +9,10 @@ use predicament_report::Section;
 use predicament_report::drawing::Role;
 
 use crate::output::Canvas;
-use crate::{Asked, Case, Compared, Contestant, Dispute, Halt, How, Knob, Outcome, Phase, Planted, Stop, Turns, Watch};
+use crate::{
+    Asked, Case, Check, Compared, Contestant, Dispute, Halt, How, Knob, Outcome, Phase, Planted, Spoiled, Stop, Turns,
+    Watch,
+};
 
 /// An answer to everything that a scene asks. It is reused from pass to pass
 /// where time is measured, so that memory is not.
@@ -175,8 +178,19 @@ pub trait Task: SceneFormat + Sized + 'static {
         Turns::Nowhere("the task does not say how far")
     }
 
+    /// The checks that its judge can report, each with its meaning: a finding that none of these has is a mistake. Without any
+    /// nothing is declared.
+    fn checks(&self) -> &'static [Check] {
+        &[]
+    }
+
     /// Its algorithm with faults planted in it, each of which its judge has to find.
     fn planted(&self) -> Vec<Planted<Self>> {
+        Vec::new()
+    }
+
+    /// Its answers with faults planted in them, each of which its judge has to find.
+    fn spoiled(&self) -> Vec<Spoiled<Self>> {
         Vec::new()
     }
 

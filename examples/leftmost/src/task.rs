@@ -7,7 +7,7 @@ use predicament::predicates::{Axis, PredicateKind, Predicates, Query, Scene, Sig
 use predicament::records::{self, RunDir, TableSpec};
 use predicament::report::Section;
 use predicament::tasks::{
-    Answer, Asked, Case, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+    Answer, Asked, Case, Check, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
 };
 
 use crate::{Among, LeftmostRow, judge, section};
@@ -109,6 +109,17 @@ impl Task for Leftmost {
         let lines = answer.0.iter().map(|&vertex| format!("{vertex},{:e}\n", scene.coordinate(Axis::X, vertex)));
         std::fs::write(&path, "vertex,x\n".to_owned() + &lines.collect::<String>())?;
         Ok(vec![path])
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        const {
+            &[
+                Check::new(Class::MissedZero, "smallest x", "each leftmost vertex is found"),
+                Check::new(Class::Overreach, "smallest x", "a vertex that is found is leftmost"),
+                Check::new(Class::SignFlip, "smallest x", "one of the leftmost vertices is found"),
+                Check::new(Class::Inconsistent, "smallest x", "where ties are broken one vertex is found"),
+            ]
+        }
     }
 
     fn planted(&self) -> Vec<Planted<Leftmost>> {

@@ -1,9 +1,10 @@
 //! `gate`: holds a run against its expectations, and against an earlier run.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use predicament_records::{self as records, RunDir, Status, SummaryRow, junit};
-use predicament_tasks::Class;
+use predicament_tasks::{Class, is_declared};
 use serde_json::json;
 
 use crate::baseline::Worse;
@@ -91,6 +92,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     if let Some(file) = &args.suggest {
         suggest(&run, file)?;
     }
+    let undeclared = undeclared(&run, tool);
     let count = |status: Status| run.summary.iter().filter(|row| row.status == status).count();
     let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
     let failed: Vec<String> = run.summary.iter().filter(|row| !row.status.passes()).map(describe).collect();
@@ -106,6 +108,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             "unexpected": unexpected,
             "unexpected_pass": passes,
             "failed": failed,
+            "not_declared": undeclared,
             "never_true": unused.never,
             "not_held": unused.here,
             "not_run": missing,
@@ -115,6 +118,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         say!("{told}");
     } else {
         failed.iter().chain(&worse.findings).chain(&worse.timings).for_each(|line| say!("{line}"));
+        undeclared.iter().for_each(|line| say!("not declared: {line}"));
         missing.iter().for_each(|line| say!("not run: {line}"));
         unused.never.iter().for_each(|line| say!("never true: {line}"));
         if let Some(Err(why)) = &worse.times {
@@ -136,7 +140,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             run.outcome.describe(),
         );
     }
-    let code = if unexpected > 0 || !worse.findings.is_empty() {
+    let code = if unexpected > 0 || !undeclared.is_empty() || !worse.findings.is_empty() {
         exit::UNEXPECTED
     } else if passes > 0 || !unused.never.is_empty() {
         exit::UNEXPECTED_PASS
@@ -157,6 +161,18 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         }
     }
     Ok(code)
+}
+
+/// The findings that no task declares a check for, each kind once: their judges say what their lists do not.
+fn undeclared(run: &RunDir, tool: &Tool) -> Vec<String> {
+    let is_declared = |row: &records::FindingRow| {
+        let task = tool.tasks().iter().find(|task| task.name() == row.task);
+        task.is_none_or(|&task| is_declared(task, row.class, &row.check))
+    };
+    let wrong = run.findings.iter().filter(|row| !is_declared(row));
+    let lines: BTreeSet<String> =
+        wrong.map(|row| format!("{} ({}) of {}, such as {}", row.class, row.check, row.task, row.finding_id)).collect();
+    lines.into_iter().collect()
 }
 
 /// Writes TOML that would turn the gate green once a person has given the reasons: an empty reason is refused.

@@ -31,6 +31,7 @@ mod pictures;
 mod plan;
 mod resolve;
 mod runs;
+mod scorecard;
 mod show;
 mod shrink;
 mod studies;

@@ -60,6 +60,18 @@ impl Locations {
         Locations { inside: Lists::EMPTY, boundary: Lists::EMPTY, asked }
     }
 
+    /// These answers: the regions that each query is inside of, and those whose boundary it is on, both ascending.
+    #[must_use]
+    pub fn of(answers: impl Iterator<Item = (Vec<u32>, Vec<u32>)>) -> Locations {
+        let mut all = Locations::none(0);
+        for (inside, boundary) in answers {
+            all.inside.push(&inside);
+            all.boundary.push(&boundary);
+            all.asked += 1;
+        }
+        all
+    }
+
     /// How many queries are answered: the first so many.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -22,11 +22,14 @@ impl Fault {
                 (Class::Topology, "double"),
                 (Class::Topology, "loose ends"),
             ],
-            Fault::SosBatchFlipped => &[(Class::SignFlip, "perturbed sign")],
+            Fault::SosBatchFlipped => {
+                &[(Class::SignFlip, "perturbed sign"), (Class::Inconsistent, "independence-of-place")]
+            }
             Fault::SosLateSwappedTerm => &[
                 (Class::SignFlip, "half-open rule"),
                 (Class::SignFlip, "perturbed sign"),
                 (Class::Inconsistent, "grassmann-plucker"),
+                (Class::Inconsistent, "independence-of-later-vertices"),
                 (Class::Topology, "double"),
                 (Class::Topology, "vertices"),
             ],
@@ -74,9 +77,18 @@ impl Fault {
                 (Class::Topology, "crossing parity"),
                 (Class::Topology, "loose ends"),
             ],
-            Fault::SosCollidingLift => &[(Class::SignFlip, "perturbed sign"), (Class::Inconsistent, "never zero")],
             Fault::SosMixedOrders => &[(Class::SignFlip, "perturbed sign")],
             Fault::ExactTightFilter => &[(Class::SignFlip, "sign")],
+            Fault::SosCollidingLift => &[
+                (Class::SignFlip, "perturbed sign"),
+                (Class::Inconsistent, "never zero"),
+                (Class::Inconsistent, "mixed-grassmann-plucker"),
+                (Class::Topology, "empty"),
+            ],
+            Fault::SosCircularTies => &[(Class::Inconsistent, "transitivity")],
+            Fault::ExactRelativeFilter => &[(Class::SignFlip, "sign"), (Class::MissedZero, "sign")],
+            Fault::ExactStaleBound => &[(Class::SignFlip, "sign")],
+            Fault::ExactNan => &[(Class::Nan, "sign")],
             Fault::ExactHalvedFilter => &[(Class::SignFlip, "sign"), (Class::Inconsistent, "antisymmetry")],
             Fault::ExactOneLimb => &[
                 (Class::SignFlip, "sign"),
@@ -119,6 +131,18 @@ impl Fault {
             ],
             Fault::ToleranceMirroredWeight => &[(Class::Inconsistent, "weights"), (Class::Topology, "crossing parity")],
             Fault::Misscaled(misscaled) => misscaled_caught_by(misscaled),
+        }
+    }
+
+    /// The task whose check it is, where several tasks declare one of this class and name.
+    #[must_use]
+    pub fn caught_in(self, (_, check): Catch) -> Option<&'static str> {
+        match (self, check) {
+            (_, "never zero") => Some("orient2d"),
+            (Fault::SosSwappedTerm | Fault::SosLateSwappedTerm, "double") => Some("polygon-locate"),
+            (_, "double") => Some("interval"),
+            (_, "vertices") => Some("cube-union"),
+            _ => None,
         }
     }
 

@@ -34,6 +34,10 @@ pub(super) fn break_tie<P: Predicates, const N: usize>(
         Fault::SosDroppedParity => decide(terms, &sorted.vertices).map(|(sign, _)| sign),
         Fault::SosDroppedLastParity => decide(terms, &sorted.vertices)
             .map(|(sign, place)| if place + 1 == terms.len() { sign } else { sign * sorted.parity }),
+        Fault::SosCircularTies => match (question, args.as_slice()) {
+            (Question::Compare(_), &[a, b]) => Some(in_circle(a, b)),
+            _ => decide(terms, &sorted.vertices).map(|(sign, _)| sign * sorted.parity),
+        },
         Fault::SosPlaceAsIdentity => decide(terms, &args).map(|(sign, _)| sign),
         Fault::SosFirstOrderOnly | Fault::SosFirstOrderThenParity => {
             // A term that moves one coordinate keeps all rows but one.
@@ -59,4 +63,14 @@ fn with_swapped(terms: &[Term], place: usize) -> Vec<Term> {
         term.sign = -term.sign;
     }
     terms
+}
+
+/// Each vertex is before the next one, and the third before the first; those of three apart are in order.
+fn in_circle(a: Vertex, b: Vertex) -> Sign {
+    let [place, other] = [a, b].map(|v| v.index() % 3);
+    match (place + 3 - other) % 3 {
+        0 => Sign::from(a.index().cmp(&b.index())),
+        1 => Sign::Positive,
+        _ => Sign::Negative,
+    }
 }

@@ -1,13 +1,15 @@
 //! Cells of a line and unions of cubes: what a backend gets wrong is found, and classed by its promise.
 
+use predicament_corpus::Suite;
+use predicament_formats::Manifest;
 use predicament_predicates::{
     Axis, Backend, Contract, Declined, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 use predicament_records::Row;
 use predicament_tasks::cube_union::MassRow;
-use predicament_tasks::{Class, Entry, Outcome};
+use predicament_tasks::{Class, Entry, Outcome, vocabulary};
 
-use crate::common::{checks, judged, judged_by_name, load};
+use crate::common::{checks, judged, judged_by_name, load, loaded};
 
 /// Compares by coordinates, then as it is told: by what is left of the tie, the two numbers.
 struct ByRule {
@@ -169,4 +171,18 @@ fn each_sum_over_a_union_can_be_found_wrong() {
     let up = |[a, b]: [f64; 2], _: [usize; 2]| if a >= b { Sign::Positive } else { Sign::Negative };
     let up = by_rule("slide", ZeroMeaning::Never, up);
     assert!(checks(&up).contains(&(Class::Topology, "euler characteristic")), "{:?}", checks(&up));
+}
+
+/// More cubes than the judge measures as a whole: of every second one, it says the same as sections do of all.
+#[test]
+fn a_part_of_many_cubes_can_be_found_wrong() {
+    let cubes: Vec<String> =
+        (0..405).map(|i| format!("[{}, {}, {}, 3]", 2 * (i % 9), 3 * (i / 9 % 9), 4 * (i / 81))).collect();
+    let text =
+        format!("title = \"t\"\n[[scene]]\nname = \"many\"\ntask = \"cube-union\"\ncubes = [{}]\n", cubes.join(", "));
+    let suite = Suite::parse(vocabulary(), "many", &text, None, &Manifest::default()).unwrap();
+    let many = loaded(&suite.scenes[0]);
+    assert_eq!(checks(&judged_by_name(&many, "sos")), []);
+    let found = judged_by_name(&many, "fault:compare-greater-on-ties");
+    assert!(checks(&found).contains(&(Class::Topology, "part")), "{:?}", checks(&found));
 }

@@ -6,6 +6,7 @@ mod contacts;
 mod crossings;
 mod expect;
 mod faults;
+mod guards;
 mod judge;
 mod lines_and_cubes;
 mod locate;

@@ -5,6 +5,7 @@
 //! faces is registered.
 
 mod band;
+mod checks;
 mod classes;
 mod content;
 mod generate;
@@ -14,6 +15,7 @@ mod pairs;
 mod perturbed;
 mod section;
 mod sigma;
+mod spoiled;
 mod topology;
 
 use std::path::{Path, PathBuf};
@@ -36,8 +38,8 @@ pub use section::ContactRow;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Spoiled, Stop, Task, Turns, Watch, digest,
 };
 use pairs::{Pair, closure};
 
@@ -187,6 +189,10 @@ impl Task for Contacts {
         judge::judge(case, asked, answer, outcome)
     }
 
+    fn checks(&self) -> &'static [Check] {
+        checks::checks(self.dimension)
+    }
+
     fn planted(&self) -> Vec<Planted<Contacts>> {
         vec![
             Planted::new::<LostSubPair>("exact", LOST_CHECKS, |session, content: &Complexes| {
@@ -199,6 +205,10 @@ impl Task for Contacts {
                 Ok(contacts_planted::<SkippedVertices, _>(&*session, &content.a, &content.b))
             }),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Contacts>> {
+        spoiled::all(*self)
     }
 
     fn describe(&self, _: &LoadedScene, content: &Complexes, _: &Watch) -> Result<String, Stop> {

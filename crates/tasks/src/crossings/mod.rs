@@ -5,8 +5,10 @@
 //! Simplicity keep the points where segments cross; controls round them, and
 //! sort rounded points.
 
+mod checks;
 pub(crate) mod content;
 mod judge;
+mod spoiled;
 mod truth;
 
 use std::path::{Path, PathBuf};
@@ -23,8 +25,8 @@ pub use content::Segments;
 use crate::output::Canvas;
 use crate::segment_source::named;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find a missing crossing which only the perturbation makes.
@@ -135,6 +137,10 @@ impl Task for Crossings {
         judge::judge(case, asked, &answer.0, outcome)
     }
 
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
     fn planted(&self) -> Vec<Planted<Crossings>> {
         vec![
             Planted::new::<StrictSweep>("sos", STRICT_CHECKS, |session, content: &Segments| {
@@ -144,6 +150,10 @@ impl Task for Crossings {
                 Ok(Crossed(crossings_planted::<UnsortedCrossings, _>(session, &content.0)?))
             }),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Crossings>> {
+        spoiled::all()
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &Segments, watch: &Watch) -> Result<String, Stop> {

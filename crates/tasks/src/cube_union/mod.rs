@@ -4,6 +4,7 @@
 //! scenes that matter, so an algorithm that knows no degenerate case shows what
 //! its comparisons make of ties.
 
+mod checks;
 mod content;
 mod generate;
 mod judge;
@@ -26,8 +27,8 @@ pub use section::MassRow;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Stop, Task, Turns, Watch, digest,
 };
 
 /// The checks that have to find a cube missing at the border of a cell.
@@ -149,6 +150,10 @@ impl Task for CubeUnion {
     ) -> Result<(), Stop> {
         judge::judge(case, asked, answer, outcome);
         Ok(())
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
     }
 
     fn planted(&self) -> Vec<Planted<CubeUnion>> {

@@ -4,9 +4,11 @@
 //! there, or opens a hole. Its answer is unique, so that digests of different backends can be compared. With constraints, edges
 //! are given, and where they cross, vertices are constructed while it runs.
 
+mod checks;
 mod content;
 mod generate;
 mod judge;
+mod spoiled;
 
 use std::path::{Path, PathBuf};
 
@@ -25,8 +27,8 @@ pub use judge::Truth;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find triangles that stay though a vertex is in their circle.
@@ -159,6 +161,10 @@ impl Task for Delaunay2d {
         Ok(())
     }
 
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
     fn planted(&self) -> Vec<Planted<Delaunay2d>> {
         fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<Delaunay2d> {
             Planted::new::<F>("exact", caught_by, |session, content: &Sites| {
@@ -173,6 +179,10 @@ impl Task for Delaunay2d {
             fault::<CopiesForgotten>(COPIES_CHECKS),
             fault::<StoppedConstraint>(STOPPED_CHECKS),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Delaunay2d>> {
+        spoiled::all()
     }
 
     fn describe(&self, _: &LoadedScene, content: &Sites, watch: &Watch) -> Result<String, Stop> {

@@ -3,11 +3,13 @@
 //! The smallest algorithms whose loops are steered by signs alone: a wrong turn cuts a vertex off, a wrong side opens the
 //! surface. Each has two methods, which give the same answer where signs do not contradict each other.
 
+mod checks;
 mod cloud;
 mod generate;
 mod judge;
 mod plane;
 mod space;
+mod spoiled;
 
 pub use cloud::{Cloud, Method};
 pub use judge::Truth;

@@ -15,8 +15,8 @@ use super::judge::{Found, Truth, judge};
 use super::{generate, template};
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find a vertex in the middle of an edge.
@@ -136,6 +136,10 @@ impl Task for Hull2d {
         Ok(())
     }
 
+    fn checks(&self) -> &'static [Check] {
+        super::checks::IN_PLANE
+    }
+
     fn planted(&self) -> Vec<Planted<Hull2d>> {
         vec![
             Planted::new::<CollinearKept>("exact", COLLINEAR_CHECKS, |session, content: &Cloud<PlaneMethod>| {
@@ -145,6 +149,10 @@ impl Task for Hull2d {
                 Ok(Polygon(hull2d_planted::<HalfTangent>(&*session, content.method)))
             }),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Hull2d>> {
+        super::spoiled::in_plane()
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &Cloud<PlaneMethod>, watch: &Watch) -> Result<String, Stop> {

@@ -15,8 +15,8 @@ use super::judge::{Found, Truth, judge};
 use super::{generate, template};
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find faces in one plane.
@@ -143,6 +143,10 @@ impl Task for Hull3d {
         Ok(())
     }
 
+    fn checks(&self) -> &'static [Check] {
+        super::checks::IN_SPACE
+    }
+
     fn planted(&self) -> Vec<Planted<Hull3d>> {
         vec![
             Planted::new::<LostConflict>("exact", CONFLICT_CHECKS, |session, content: &Cloud<SpaceMethod>| {
@@ -155,6 +159,10 @@ impl Task for Hull3d {
                 Ok(Surface(hull3d_planted::<OneSidedWrap>(&*session, content.method)))
             }),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Hull3d>> {
+        super::spoiled::in_space()
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &Cloud<SpaceMethod>, watch: &Watch) -> Result<String, Stop> {

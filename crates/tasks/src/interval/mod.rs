@@ -3,9 +3,11 @@
 //! Franklin and Magalhães, section 4.1. The smallest algorithm in which a tie
 //! matters: a probe at an end is in both cells, in one or in none.
 
+mod checks;
 mod content;
 mod generate;
 mod judge;
+mod spoiled;
 
 use std::path::{Path, PathBuf};
 
@@ -21,8 +23,8 @@ pub use content::Cells;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop, Task,
-    Turns, Watch, digest,
+    Answer, Asked, Case, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Spoiled,
+    Stop, Task, Turns, Watch, digest,
 };
 
 /// Probes between two looks at the watch.
@@ -154,11 +156,19 @@ impl Task for Interval {
         judge::judge(case, asked, &answer.0, outcome)
     }
 
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
     fn planted(&self) -> Vec<Planted<Interval>> {
         vec![Planted::new::<ClosedInterval>("exact", &[(Class::Topology, "double")], |session, content: &Cells| {
             let found = |&probe| cells_at_planted::<ClosedInterval, _>(&*session, content.axis, &content.cells, probe);
             Ok(CellsFound(content.probes.iter().map(|probe| found(probe).collect()).collect()))
         })]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Interval>> {
+        spoiled::all()
     }
 
     fn describe(&self, _: &LoadedScene, content: &Cells, _: &Watch) -> Result<String, Stop> {

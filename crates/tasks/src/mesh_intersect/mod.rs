@@ -3,6 +3,7 @@
 //! 3D-EPUG-Overlay (Franklin and Magalhães, section 4.5). The answer is all of it: pieces of all triangles, each in a region of
 //! either mesh, of which Boolean operations take some.
 
+mod checks;
 mod content;
 mod files;
 mod generate;
@@ -15,6 +16,7 @@ mod read;
 mod section;
 mod settled;
 mod shapes;
+mod spoiled;
 mod surface;
 
 use std::path::{Path, PathBuf};
@@ -43,8 +45,8 @@ pub use surface::flaw_of;
 
 use crate::output::{Canvas, Placed};
 use crate::{
-    Answer, Asked, Case, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Planted, Purpose, Refusal,
-    Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Planted, Purpose,
+    Refusal, Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -247,8 +249,16 @@ impl Task for MeshIntersect {
         section::section(runs)
     }
 
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
     fn planted(&self) -> Vec<Planted<MeshIntersect>> {
         planted::all()
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<MeshIntersect>> {
+        spoiled::all()
     }
 
     fn describe(&self, _: &LoadedScene, content: &TwoMeshes, _: &Watch) -> Result<String, Stop> {

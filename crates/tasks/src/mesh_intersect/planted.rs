@@ -23,7 +23,8 @@ const SIDES_CHECKS: &[Catch] = &[(Class::Topology, "two triangles meet in one se
 /// The checks that have to find points out of order, or too few of them.
 const BACKWARDS_CHECKS: &[Catch] = &[(Class::Topology, "vertices that no triangle parts are in one region")];
 /// The checks that have to find a missing piece.
-const DROPPED_CHECKS: &[Catch] = &[(Class::Topology, "region not closed"), (Class::Topology, "face area")];
+const DROPPED_CHECKS: &[Catch] =
+    &[(Class::Topology, "region not closed"), (Class::Topology, "face area"), (Class::Topology, "volume")];
 /// The checks that have to find a component in the wrong region.
 const COMPONENT_CHECKS: &[Catch] = &[
     (Class::Topology, "region of a piece"),

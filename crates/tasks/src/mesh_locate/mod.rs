@@ -3,6 +3,7 @@
 //! PinMesh (Franklin and Magalhães, section 4.4). Each point of space should be in exactly one region, whichever way a ray from
 //! it goes, also on lines through vertices and edges.
 
+mod checks;
 pub(crate) mod content;
 pub(crate) mod generate;
 mod judge;
@@ -11,6 +12,7 @@ pub(crate) mod probes;
 pub(crate) mod read;
 pub(crate) mod regions;
 mod section;
+mod spoiled;
 
 use std::path::{Path, PathBuf};
 
@@ -35,8 +37,8 @@ pub use section::MeshLocateRow;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Planted,
-    Purpose, Stop, Task, Turns, Watch, digest,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase,
+    Planted, Purpose, Spoiled, Stop, Task, Turns, Watch, digest,
 };
 
 /// The checks that have to find a triangle missing in the grid.
@@ -205,6 +207,10 @@ impl Task for MeshLocate {
         phases::asking(session, content)
     }
 
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
     fn planted(&self) -> Vec<Planted<MeshLocate>> {
         fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<MeshLocate> {
             Planted::new::<F>("exact", caught_by, |session, content: &ProbedMesh| {
@@ -218,6 +224,10 @@ impl Task for MeshLocate {
             fault::<MistakenCavity>(CAVITY_CHECKS),
             fault::<FartherTriangle>(FARTHER_CHECKS),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<MeshLocate>> {
+        spoiled::all()
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &ProbedMesh, watch: &Watch) -> Result<String, Stop> {

@@ -3,10 +3,12 @@
 //! All intersections are found and constructed; what is inside of which operand goes from face to face. Wrong signs miss
 //! crossings and put vertices in the wrong order; then faces do not close, and areas do not add up.
 
+mod checks;
 mod content;
 mod generate;
 mod judge;
 mod shapes;
+mod spoiled;
 
 use std::path::{Path, PathBuf};
 
@@ -24,9 +26,10 @@ pub use content::{Layered, Layers};
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
+pub(crate) use checks::RULES;
 
 /// The checks that have to find segments that are not compared.
 const OPEN_CHECKS: &[Catch] = &[(Class::Topology, "undiscovered crossing")];
@@ -211,6 +214,10 @@ impl Task for Overlay2d {
         judge::judge(case, asked, answer, outcome)
     }
 
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
     fn planted(&self) -> Vec<Planted<Overlay2d>> {
         fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<Overlay2d> {
             Planted::new::<F>("exact", caught_by, |session, content: &Layered| Ok(Overlaid::of::<F>(session, content)?))
@@ -223,6 +230,10 @@ impl Task for Overlay2d {
             fault::<OutsideNests>(NEST_CHECKS),
             fault::<DroppedHoles>(HOLE_CHECKS),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Overlay2d>> {
+        spoiled::all()
     }
 
     fn describe(&self, _: &LoadedScene, content: &Layered, _: &Watch) -> Result<String, Stop> {

@@ -107,8 +107,9 @@ pub(super) fn judge(
                 ZeroMeaning::Exact => Class::Overreach,
             },
         };
-        let by_shortcut = shortcut.map(|all| location(all, at)).filter(|&other| other != answer);
-        let class = if class.is_legal() && by_shortcut.is_some() { Class::Topology } else { class };
+        // What is wrong already is no matter of the shortcut.
+        let by_shortcut = shortcut.map(|all| location(all, at)).filter(|&other| class.is_legal() && other != answer);
+        let class = if by_shortcut.is_some() { Class::Topology } else { class };
         if asked.budget.answers {
             let [answer, exact] = [answer, exact].map(|location| describe(&content.map, location));
             outcome.answers.push(AnswerLine { query: at, args: vec![probes[at]], answer, exact, class, stage: "" });

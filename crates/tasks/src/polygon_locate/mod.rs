@@ -3,11 +3,13 @@
 //! Franklin and Magalhães, section 4.2. Each point of the plane should be in
 //! exactly one face of a tiling, also on borders and corners.
 
+mod checks;
 pub(crate) mod content;
 mod generate;
 mod judge;
 mod probes;
 mod section;
+mod spoiled;
 
 use std::path::{Path, PathBuf};
 
@@ -27,8 +29,8 @@ pub use section::LocateRow;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Purpose,
-    Stop, Task, Turns, Watch, digest,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Purpose, Spoiled, Stop, Task, Turns, Watch, digest,
 };
 
 /// The checks that have to find an edge missing in the grid.
@@ -162,11 +164,19 @@ impl Task for PolygonLocate {
         judge::judge(case, asked, &answer.0, outcome)
     }
 
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
     fn planted(&self) -> Vec<Planted<PolygonLocate>> {
         vec![Planted::new::<SkippedEdge>("exact", SKIPPED_CHECKS, |session, content: &MapWithProbes| {
             let index = LocateIndex::planted::<SkippedEdge>(&content.map, session.scene());
             Ok(Located(locate_all(&index, &*session, &content.vertices(), &|_| true)))
         })]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<PolygonLocate>> {
+        spoiled::all()
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &MapWithProbes, watch: &Watch) -> Result<String, Stop> {

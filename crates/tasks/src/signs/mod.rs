@@ -6,6 +6,7 @@
 
 mod answers;
 mod axioms;
+mod checks;
 mod class;
 mod classes;
 mod constructed;
@@ -37,8 +38,8 @@ pub use truth::truth;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Compared, Contestant, Dispute, Explanation, Halt, How, Knob, Outcome, Purpose, Stop, Task,
-    Turns, Watch, digest,
+    Answer, Asked, Case, Check, Compared, Contestant, Dispute, Explanation, Halt, How, Knob, Outcome, Purpose, Stop,
+    Task, Turns, Watch, digest,
 };
 
 /// Queries to a chunk: small enough to stop soon, large enough to cost nothing.
@@ -202,6 +203,10 @@ impl Task for Signs {
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
         judge::judge(case, asked, &answer.0, outcome)
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &SignQueries, _: &Watch) -> Result<String, Stop> {

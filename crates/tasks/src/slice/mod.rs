@@ -4,10 +4,12 @@
 //! are split again. Exact arithmetic and Simulation of Simplicity keep the points; controls round them between
 //! the cuts, and what comes out is judged as they have it.
 
+mod checks;
 mod content;
 mod faces;
 mod generate;
 mod judge;
+mod spoiled;
 
 use std::path::{Path, PathBuf};
 
@@ -23,10 +25,11 @@ use predicament_report::drawing::Role;
 pub use content::Solid;
 
 use crate::output::{Canvas, Placed};
+pub(crate) use checks::law;
 
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The checks that have to find split points that faces do not share.
@@ -183,6 +186,10 @@ impl Task for Slice {
         Ok(())
     }
 
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
     fn planted(&self) -> Vec<Planted<Slice>> {
         fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<Slice> {
             Planted::new::<F>("exact", caught_by, |session, content: &Solid| Ok(Cut::of::<F>(session, content)?))
@@ -194,6 +201,10 @@ impl Task for Slice {
             fault::<WrongSide>(WRONG_SIDE_CHECKS),
             fault::<UnsortedSplitPoints>(UNSORTED_CHECKS),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Slice>> {
+        spoiled::all()
     }
 
     fn describe(&self, _: &LoadedScene, content: &Solid, _: &Watch) -> Result<String, Stop> {

@@ -3,9 +3,11 @@
 //! The predicates under test find the arrangement; how it is rounded is exact. So a wrong sign shows as a crossing that
 //! is not hot, and what rounding itself does shows under exact signs, method by method, in `snap.csv`.
 
+mod checks;
 mod content;
 mod judge;
 mod section;
+mod spoiled;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -25,8 +27,8 @@ pub use section::SnapRow;
 use crate::output::Canvas;
 use crate::segment_source::named;
 use crate::{
-    Answer, Asked, Case, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop, Task,
-    Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Spoiled,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -220,6 +222,10 @@ impl Task for Snap2d {
         judge::judge(case, asked, answer, outcome)
     }
 
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
     fn planted(&self) -> Vec<Planted<Snap2d>> {
         vec![
             Planted {
@@ -245,6 +251,10 @@ impl Task for Snap2d {
                 },
             },
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Snap2d>> {
+        spoiled::all()
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &Drawn, watch: &Watch) -> Result<String, Stop> {

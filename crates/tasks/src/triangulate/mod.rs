@@ -3,10 +3,12 @@
 //! By ear clipping and by a plane sweep. Wrong signs cut ears across edges, join holes to what they do not see and
 //! lose the order of the sweep; what comes of it is held against the polygon's area, its edges and the number of triangles.
 
+mod checks;
 mod content;
 mod generate;
 mod judge;
 mod shapes;
+mod spoiled;
 
 use std::path::{Path, PathBuf};
 
@@ -25,9 +27,10 @@ pub use judge::Truth;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Stop,
-    Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
+pub(crate) use checks::RULES;
 
 /// The checks that have to find flat corners cut off.
 const FLAT_CHECKS: &[Catch] = &[(Class::Topology, "positive")];
@@ -163,6 +166,10 @@ impl Task for Triangulate {
         judge::judge(case, asked, answer, outcome)
     }
 
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
     fn planted(&self) -> Vec<Planted<Triangulate>> {
         vec![
             Planted::new::<FlatCorners>("exact", FLAT_CHECKS, wrong::<FlatCorners>),
@@ -170,6 +177,10 @@ impl Task for Triangulate {
             Planted::new::<BlindEars>("sos", BLIND_CHECKS, wrong::<BlindEars>),
             Planted::new::<DroppedTriangle>("sos", DROPPED_CHECKS, wrong::<DroppedTriangle>),
         ]
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Triangulate>> {
+        spoiled::all()
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &Polygons, watch: &Watch) -> Result<String, Stop> {

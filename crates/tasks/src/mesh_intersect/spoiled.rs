@@ -1,0 +1,73 @@
+//! Answers with faults: what no fault in the algorithm reaches. Those of its results are in `planted.rs`.
+
+use super::{MeshIntersect, OfMesh, Overlaid};
+use crate::{Class, Spoiled};
+
+pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
+    vec![
+        Spoiled::new(
+            "mesh-intersect-loses-points",
+            "all constructed vertices are rounded to no numbers",
+            "exact",
+            &[(Class::Topology, "vertex not finite")],
+            |_, _, answer: &mut Overlaid| answer.rounded = Some(vec![[f64::NAN; 3]; answer.constructions.len()]),
+        ),
+        Spoiled::new(
+            "mesh-intersect-other-triangles",
+            "each piece is said to be of the triangle before or behind its own",
+            "exact",
+            &[(Class::Topology, "piece not in its face")],
+            |_, _, answer: &mut Overlaid| {
+                for OfMesh { triangle, .. } in &mut answer.regions.sources {
+                    *triangle = if *triangle > 0 { *triangle - 1 } else { 1 };
+                }
+            },
+        ),
+        Spoiled::new(
+            "mesh-intersect-turns-a-piece",
+            "the first piece is turned over",
+            "exact",
+            &[(Class::Topology, "piece orientation")],
+            |_, _, answer: &mut Overlaid| {
+                if let Some(triangle) = answer.regions.triangles.first_mut() {
+                    triangle.swap(1, 2);
+                }
+            },
+        ),
+        Spoiled::new(
+            "mesh-intersect-adds-a-needle",
+            "a piece with two corners is there besides",
+            "exact",
+            &[(Class::Topology, "triangle without area")],
+            |_, _, answer: &mut Overlaid| {
+                let regions = &mut answer.regions;
+                if let (Some(&[a, b, _]), Some(&source), Some(&sides)) =
+                    (regions.triangles.first(), regions.sources.first(), regions.sides.first())
+                {
+                    regions.triangles.push([a, b, b]);
+                    regions.sources.push(source);
+                    regions.sides.push(sides);
+                }
+            },
+        ),
+        Spoiled::new(
+            "mesh-intersect-moves-a-corner",
+            "the first corner of the last piece stands for that of the first one, too",
+            "exact",
+            &[(Class::Topology, "self-intersection")],
+            |_, _, answer: &mut Overlaid| {
+                let triangles = &mut answer.regions.triangles;
+                if let (Some(&[first, ..]), Some(&[last, ..])) = (triangles.first(), triangles.last()) {
+                    triangles.iter_mut().flatten().filter(|v| **v == first).for_each(|v| *v = last);
+                }
+            },
+        ),
+        Spoiled::new(
+            "mesh-intersect-has-no-limit",
+            "results are said to have no limit",
+            "sos:per-mesh",
+            &[(Class::Topology, "limit")],
+            |_, _, answer: &mut Overlaid| answer.settled = Some(Err("there is none".to_owned())),
+        ),
+    ]
+}

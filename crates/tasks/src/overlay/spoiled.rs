@@ -1,0 +1,71 @@
+//! Answers with faults: what no fault in the algorithm reaches.
+
+use super::{Overlaid, Overlay2d};
+use crate::{Class, Spoiled};
+
+pub(super) fn all() -> Vec<Spoiled<Overlay2d>> {
+    vec![
+        Spoiled::new(
+            "overlay-node-twice",
+            "the second node is at the place of the first",
+            "exact",
+            &[(Class::Topology, "nodes")],
+            |_, _, answer: &mut Overlaid| {
+                if let [first, second, ..] = &mut answer.overlay.arrangement.vertices[..] {
+                    *second = *first;
+                }
+            },
+        ),
+        Spoiled::new(
+            "overlay-moves-an-edge",
+            "the first edge ends in the last node",
+            "exact",
+            &[(Class::Topology, "edges"), (Class::Topology, "boundary"), (Class::Topology, "euler")],
+            |_, _, answer: &mut Overlaid| {
+                let arrangement = &mut answer.overlay.arrangement;
+                let last = u32::try_from(arrangement.vertices.len().saturating_sub(1)).unwrap_or(0);
+                if let Some(piece) = arrangement.pieces.first_mut() {
+                    piece.ends[1] = last;
+                }
+            },
+        ),
+        Spoiled::new(
+            "overlay-turns-a-loop",
+            "the first region of the union is turned over",
+            "exact",
+            &[(Class::Topology, "loop orientation")],
+            |_, _, answer: &mut Overlaid| {
+                if let Some(region) = answer.regions[0].regions.first_mut() {
+                    region.outer.reverse();
+                }
+            },
+        ),
+        Spoiled::new(
+            "overlay-crosses-a-loop",
+            "two vertices of the first region of the union are exchanged",
+            "exact",
+            &[(Class::Topology, "crossing loops")],
+            |_, _, answer: &mut Overlaid| {
+                if let Some(region) = answer.regions[0].regions.iter_mut().find(|region| region.outer.len() > 3) {
+                    region.outer.swap(1, 2);
+                }
+            },
+        ),
+        Spoiled::new(
+            "overlay-loses-a-crossing",
+            "all crossings are rounded to no numbers",
+            "exact",
+            &[(Class::Topology, "vertex not finite")],
+            |_, _, answer: &mut Overlaid| {
+                answer.rounded = Some(vec![[f64::NAN; 2]; answer.overlay.arrangement.vertices.len()]);
+            },
+        ),
+        Spoiled::new(
+            "overlay-gives-up",
+            "events are said not to come from left to right",
+            "exact",
+            &[(Class::Topology, "events come from left to right")],
+            |_, _, answer: &mut Overlaid| answer.overlay.arrangement.broken = Some("events come from left to right"),
+        ),
+    ]
+}

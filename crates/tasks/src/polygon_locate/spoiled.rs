@@ -1,0 +1,83 @@
+//! Answers with faults: what no fault in the algorithm reaches.
+
+use predicament_algorithms::polygon_locate::Locations;
+use predicament_judge::locate::Borders;
+use predicament_predicates::{Scene, Vertex};
+
+use super::{Located, MapWithProbes, PolygonLocate};
+use crate::{Class, Spoiled};
+
+/// What a point is inside of, and what it is on.
+type Found = (Vec<u32>, Vec<u32>);
+
+pub(super) fn all() -> Vec<Spoiled<PolygonLocate>> {
+    vec![
+        Spoiled::new(
+            "polygon-locate-loses-points",
+            "a point in one region is in none",
+            "exact",
+            &[(Class::Topology, "gap")],
+            |_, _, answer: &mut Located| {
+                each(answer, |_, (inside, _)| {
+                    if inside.len() == 1 {
+                        inside.clear()
+                    }
+                })
+            },
+        ),
+        Spoiled::new(
+            "polygon-locate-takes-the-other-side",
+            "a point on the border of two regions is in the other one of them",
+            "sos",
+            &[(Class::Topology, "shortcut")],
+            |scene: &Scene, content: &MapWithProbes, answer: &mut Located| {
+                let borders = borders(scene, content);
+                let probes = content.vertices();
+                each(answer, |at, (inside, boundary)| {
+                    let exact = borders.locate(probes[at]);
+                    if let ([here], [first, second], []) = (&inside[..], &exact.boundary[..], &exact.inside[..]) {
+                        *inside = vec![if here == first { *second } else { *first }];
+                        boundary.clear();
+                    }
+                });
+            },
+        ),
+        Spoiled::new(
+            "polygon-locate-takes-a-border",
+            "a point on boundaries is on none",
+            "exact",
+            &[(Class::MissedZero, "exact location")],
+            |_, _, answer: &mut Located| each(answer, |_, (_, boundary)| boundary.clear()),
+        ),
+        Spoiled::new(
+            "polygon-locate-adds-regions",
+            "a point on boundaries is in all regions that it is not on",
+            "exact",
+            &[(Class::Overreach, "exact location")],
+            |_, content: &MapWithProbes, answer: &mut Located| {
+                let count = u32::try_from(content.map.regions().len()).unwrap_or(0);
+                each(answer, |_, (inside, boundary)| {
+                    if !boundary.is_empty() {
+                        *inside = (0..count).filter(|region| !boundary.contains(region)).collect();
+                    }
+                });
+            },
+        ),
+    ]
+}
+
+fn borders<'s>(scene: &'s Scene, content: &MapWithProbes) -> Borders<'s> {
+    let regions = content.map.regions().iter();
+    let rings = regions.map(|region| region.rings.iter().map(|ring| ring.vertices().to_vec()).collect());
+    Borders::new(scene, &rings.collect::<Vec<Vec<Vec<Vertex>>>>())
+}
+
+/// Replaces each answer.
+fn each(answer: &mut Located, with: impl Fn(usize, &mut Found)) {
+    let spoiled = answer.0.iter().enumerate().map(|(at, location)| {
+        let mut found = (location.inside.to_vec(), location.boundary.to_vec());
+        with(at, &mut found);
+        found
+    });
+    answer.0 = Locations::of(spoiled);
+}

@@ -1,0 +1,38 @@
+//! What is reported about the parts of a mesh.
+
+use predicament_checks::slice::Check as Law;
+
+use crate::triangulate::RULES as TRIANGULATION;
+use crate::{Check, Class};
+
+/// What the algorithm looks after itself.
+const RULES: &[&str] = &[
+    "a face has an area in a coordinate plane",
+    "a face has an even number of crossings",
+    "a face has three edges",
+    "a face is on one side of a plane",
+    "a mesh has at most 2^32 - 2 elements of a kind",
+    "an edge across a face stays in it",
+    "an edge has two ends",
+    "the mesh keeps its invariants",
+    "two vertices are joined by one edge at most",
+];
+
+pub(crate) const fn law(law: Law) -> Check {
+    Check::new(Class::Topology, law.name(), law.law())
+}
+
+pub(super) const CHECKS: &[Check] = &[
+    law(Law::Closed),
+    law(Law::Side),
+    law(Law::CapInPlane),
+    law(Law::CapOrientation),
+    law(Law::PieceInFace),
+    law(Law::PieceOrientation),
+    law(Law::FaceArea),
+    law(Law::Volume),
+    law(Law::Degenerate),
+    law(Law::SelfIntersection),
+    Check::topology("vertex not finite", "every vertex of the parts is a point"),
+    Check::invariants("cutting faces and covering caps does not contradict itself", &[RULES, TRIANGULATION]),
+];

@@ -1,0 +1,195 @@
+//! All that `selftest` runs: honest backends, faults in backends, in algorithms and in parts of the tool.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use predicament_oracle::faults::{Area, Fault};
+use predicament_oracle::guards::{self, Guarded};
+use predicament_tasks::{AnyTask, Outcome};
+
+use super::declared::Declarations;
+use crate::shrinking::Measure;
+use crate::tool::Tool;
+
+/// Backends that must have no finding but the expected ones.
+const CLEAN: [&str; 5] = ["exact", "sos", "sos:edelsbrunner-mucke", TWO_MESHES, "tolerance"];
+
+/// The one of them that no run has unless it is named: it is held to every scene with two meshes here.
+pub const TWO_MESHES: &str = "sos:per-mesh";
+
+/// What is planted where.
+#[derive(Clone, Copy)]
+pub enum Kind {
+    /// Nothing, in a backend.
+    Honest,
+    /// A fault in a backend.
+    Backend(Fault),
+    /// A fault in an algorithm or an answer of the task with this name, and of those that share it.
+    Algorithm,
+    /// Nothing, in a part of the tool.
+    HonestPart(Area),
+    /// A fault in a part of the tool.
+    Part(&'static Guarded),
+}
+
+/// What is planted, and what was found.
+pub struct Entry {
+    pub name: String,
+    pub what: &'static str,
+    pub area: Option<Area>,
+    pub kind: Kind,
+    /// The checks that have to find it, by their places among the declared ones.
+    pub wants: Vec<usize>,
+    pub record: Record,
+}
+
+/// What was found of an entry.
+#[derive(Clone, Default, Debug)]
+pub struct Record {
+    /// By check, when it found it first.
+    pub found: BTreeMap<usize, Find>,
+    /// Findings that no task declares, in words.
+    pub undeclared: BTreeSet<String>,
+    /// Scenes, or parts of the tool, that it was run on.
+    pub scenes: u64,
+    /// Queries, or facts, that it was asked there.
+    pub queries: u64,
+    /// The smallest scene that shows it to the first check that has to find it.
+    pub shrunk: Option<Measure>,
+}
+
+/// How much it took until a check found something.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Find {
+    pub scenes: u64,
+    pub queries: u64,
+}
+
+impl Entry {
+    fn new(name: String, what: &'static str, area: Option<Area>, kind: Kind, wants: Vec<usize>) -> Entry {
+        Entry { name, what, area, kind, wants, record: Record::default() }
+    }
+
+    pub fn is_fault(&self) -> bool {
+        !matches!(self.kind, Kind::Honest | Kind::HonestPart(_))
+    }
+
+    /// Whether it is a backend, with a fault or without.
+    pub fn is_backend(&self) -> bool {
+        matches!(self.kind, Kind::Honest | Kind::Backend(_))
+    }
+
+    pub fn missed(&self) -> impl Iterator<Item = usize> {
+        self.wants.iter().copied().filter(|check| !self.record.found.contains_key(check))
+    }
+
+    /// Whether it is a fault that is run on the next scene: until all its checks have found it.
+    pub fn is_open(&self) -> bool {
+        self.is_fault() && (self.record.found.is_empty() || self.missed().next().is_some())
+    }
+
+    /// Whether it is a backend with a fault that is run on the next scene of this task.
+    pub fn is_open_in(&self, task: &str) -> bool {
+        matches!(self.kind, Kind::Backend(fault) if fault.shows_in(task)) && self.is_open()
+    }
+
+    /// How much it took until all checks that have to find it had.
+    pub fn until_caught(&self) -> Find {
+        let finds = self.wants.iter().filter_map(|check| self.record.found.get(check));
+        let most = finds.max_by_key(|find| find.scenes).copied();
+        most.unwrap_or(Find { scenes: self.record.scenes, queries: self.record.queries })
+    }
+
+    /// Notes what checks have found in what it was run on last.
+    pub fn note(&mut self, checks: impl IntoIterator<Item = usize>) {
+        let Record { scenes, queries, .. } = self.record;
+        for check in checks {
+            self.record.found.entry(check).or_insert(Find { scenes, queries });
+        }
+    }
+}
+
+/// The name of a fault in an algorithm.
+pub fn algorithm(fault: &str) -> String {
+    format!("algorithm:{fault}")
+}
+
+/// The checks of all findings but refusals; what is not declared, in words.
+pub fn caught(checks: &Declarations, task: &str, outcome: &Outcome) -> (BTreeSet<usize>, BTreeSet<String>) {
+    let (mut found, mut undeclared) = (BTreeSet::new(), BTreeSet::new());
+    for finding in outcome.findings.iter().filter(|finding| finding.class != predicament_tasks::Class::Declined) {
+        match checks.find(task, finding.class, &finding.check) {
+            Some(check) => {
+                found.insert(check);
+            }
+            None => {
+                undeclared.insert(format!("{task}: {} ({})", finding.class.name(), finding.check));
+            }
+        }
+    }
+    (found, undeclared)
+}
+
+/// Honest backends, faulty backends, faulty algorithms, parts of the tool, in this order.
+///
+/// # Errors
+/// One line, where a fault names a check that is not declared.
+pub fn entries(tool: &Tool, checks: &Declarations) -> Result<Vec<Entry>, String> {
+    let nothing = "nothing is wrong";
+    let honest = CLEAN.iter().map(|name| Entry::new((*name).to_owned(), nothing, None, Kind::Honest, Vec::new()));
+    let mut entries: Vec<Entry> = honest.collect();
+    for fault in Fault::planted() {
+        let wants = fault.caught_by().iter().map(|&catch| checks.named(catch, fault.caught_in(catch)));
+        let name = format!("fault:{}", fault.name());
+        let wants = wants.collect::<Result<_, _>>().map_err(|why| format!("{name}: {why}"))?;
+        entries.push(Entry::new(name, fault.what(), Some(fault.area()), Kind::Backend(fault), wants));
+    }
+    for &task in tool.tasks() {
+        for planted in task.planted_faults() {
+            let name = algorithm(planted.name());
+            // Tasks of one family share their algorithm and so its faults.
+            if entries.iter().any(|entry| entry.name == name) {
+                continue;
+            }
+            // What one of them declares, the others need not.
+            let has_it =
+                |task: &&&dyn AnyTask| task.planted_faults().iter().any(|other| other.name() == planted.name());
+            let tasks: Vec<&str> = tool.tasks().iter().filter(has_it).map(|task| task.name()).collect();
+            let wants = planted.caught_by().iter().map(|&catch| checks.named_by(&tasks, catch));
+            let wants = wants.collect::<Result<_, _>>().map_err(|why| format!("{name}: {why}"))?;
+            entries.push(Entry::new(name, planted.what(), Some(Area::Algorithms), Kind::Algorithm, wants));
+        }
+    }
+    for area in [Area::Oracle, Area::Readers] {
+        let name = area.name();
+        entries.push(Entry::new(name.to_owned(), nothing, Some(area), Kind::HonestPart(area), Vec::new()));
+        for fault in guards::faults().filter(|fault| fault.area == area) {
+            let wants = fault.caught_by.iter().map(|guard| {
+                checks.guard(guard).ok_or_else(|| format!("{name}:{}: no guard is called `{guard}`", fault.name))
+            });
+            let of = format!("{name}:{}", fault.name);
+            entries.push(Entry::new(of, fault.what, Some(area), Kind::Part(fault), wants.collect::<Result<_, _>>()?));
+        }
+    }
+    Ok(entries)
+}
+
+/// Those that are named, with the honest backends, and the honest parts of the tool that a named fault is in.
+///
+/// # Errors
+/// The first name that there is not.
+pub fn only(mut entries: Vec<Entry>, names: &[String]) -> Result<Vec<Entry>, String> {
+    if let Some(unknown) = names.iter().find(|name| entries.iter().all(|entry| entry.name != **name)) {
+        return Err(format!("no fault is called `{unknown}`; `{} selftest --list` names them", crate::out::program()));
+    }
+    let parts: Vec<Area> = entries
+        .iter()
+        .filter(|entry| matches!(entry.kind, Kind::Part(_)) && names.contains(&entry.name))
+        .filter_map(|entry| entry.area)
+        .collect();
+    entries.retain(|entry| match entry.kind {
+        Kind::Honest => true,
+        Kind::HonestPart(area) => parts.contains(&area) || names.contains(&entry.name),
+        Kind::Backend(_) | Kind::Algorithm | Kind::Part(_) => names.contains(&entry.name),
+    });
+    Ok(entries)
+}

@@ -1,0 +1,95 @@
+//! The smallest scene that still shows a fault to a check.
+
+use std::time::Duration;
+
+use predicament_corpus::{Level, LoadedScene};
+use predicament_search::shrink::{Limits, shrink};
+use predicament_search::{Backends, Wanted, Witness};
+use predicament_tasks::{AnyPlanted, AnyTask, Budget, Contestant, Finding, Outcome, Stop, Watch};
+
+use super::declared::{Declared, Of};
+use super::entries::{Entry, Kind, algorithm};
+use super::work::honest;
+use crate::shrinking::Measure;
+use crate::tool::Tool;
+use crate::{interrupt, planning};
+
+/// The longest time for a scene: one that takes longer shows nothing.
+const LIMIT: Duration = Duration::from_secs(2);
+
+/// What is shrunk, and for how long.
+pub struct Shrinking<'a> {
+    pub tool: &'a Tool,
+    pub check: &'a Declared,
+    pub contestants: &'a [Box<dyn Contestant>],
+    /// Scenes that are looked at, at most.
+    pub evaluations: u64,
+}
+
+impl Shrinking<'_> {
+    /// How large the smallest scene is; none where the task cannot write its scenes out.
+    pub fn shrunk(&self, entry: &Entry, loaded: &LoadedScene, outcome: &Outcome) -> Option<Measure> {
+        let Of::Judge(check) = self.check.of else { return None };
+        let start = loaded.spelled()?;
+        let found = outcome.findings.iter().find(|finding| check.has(finding.class, &finding.check))?;
+        let named: Vec<_> = found.queries.iter().flat_map(|query| query.vertices().collect::<Vec<_>>()).collect();
+        let wanted = Wanted::finding(found.class, &found.check);
+        let quiet = |_: u64| {};
+        let watch = Watch::new(interrupt::flag(), None, &quiet);
+        let task = self.tool.task(loaded.task);
+        let budget = Budget { thorough: check.thorough, ..planning::budget(Level::Quick) };
+        let limits = Limits { evaluations: self.evaluations };
+        let run = |witness: &dyn Witness| {
+            shrink(self.tool.vocabulary(), witness, start.clone(), &named, limits, 0, &mut |_, _, _| {})
+        };
+        let done = match entry.kind {
+            Kind::Backend(_) => {
+                let backend = honest(self.contestants, &entry.name);
+                let witness = Backends {
+                    task,
+                    wanted,
+                    shown_by: vec![backend],
+                    not_by: Vec::new(),
+                    budget,
+                    watch: &watch,
+                    limit: Some(LIMIT),
+                };
+                run(&witness)
+            }
+            Kind::Algorithm => {
+                let faults = task.planted_faults();
+                let fault = faults.iter().find(|fault| algorithm(fault.name()) == entry.name)?.as_ref();
+                let backend = honest(self.contestants, fault.backend());
+                run(&Planted { task, fault, backend, wanted, budget, watch: &watch })
+            }
+            Kind::Honest | Kind::HonestPart(_) | Kind::Part(_) => return None,
+        };
+        done.ok().map(|shrunk| Measure::of(&shrunk.spelled))
+    }
+}
+
+/// An algorithm with a fault, or an answer that is spoiled.
+struct Planted<'a> {
+    task: &'a dyn AnyTask,
+    fault: &'a dyn AnyPlanted,
+    backend: &'a dyn Contestant,
+    wanted: Wanted,
+    budget: Budget,
+    watch: &'a Watch<'a>,
+}
+
+impl Witness for Planted<'_> {
+    fn look(&self, loaded: &LoadedScene) -> Result<Option<Finding>, Stop> {
+        let watch = self.watch.restarted(Some(LIMIT));
+        let case = match self.task.case(loaded, &watch) {
+            Ok(case) => case,
+            Err(Stop::Timeout) => return Ok(None),
+            Err(Stop::Interrupted) => return Err(Stop::Interrupted),
+        };
+        if case.dispute().is_some() {
+            return Ok(None);
+        }
+        let outcome = predicament_oracle::run_planted(case.as_ref(), self.fault, self.backend, self.budget, &watch)?;
+        Ok(self.wanted.of(&outcome).cloned())
+    }
+}

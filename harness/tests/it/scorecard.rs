@@ -1,0 +1,70 @@
+//! The scorecard of planted faults, and the page of all checks.
+
+use serde_json::Value;
+use tempfile::tempdir;
+
+use crate::common::{SUITE, at, expect, run, write};
+
+#[test]
+fn the_page_of_checks_is_what_the_tool_prints() {
+    let page = expect(0, &["selftest", "--checks", "--format", "md"]).stdout;
+    let kept = include_str!("../../../docs/CHECKS.md");
+    assert!(page == kept, "run `predicament selftest --checks --format md > docs/CHECKS.md`:\n{page}");
+    let table = expect(0, &["selftest", "--checks", "--format", "csv"]).stdout;
+    let rows = page.lines().filter(|line| line.starts_with("| ")).count() - 2;
+    assert_eq!(table.lines().count() - 1, rows, "a row for each check");
+    assert!(table.starts_with("check,class,tasks,holds,faults\n"), "{table}");
+}
+
+/// Faults in readers need no scene, so that this takes no time.
+#[test]
+fn a_check_that_is_off_turns_the_card_red() {
+    let only = ["selftest", "--only", "readers:swaps-axes,readers:obj-from-zero", "--json"];
+    let told = expect(0, &only).stdout;
+    let lines: Vec<Value> = told.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let by_name =
+        |name: &str| lines.iter().find(|line| line["name"] == name).unwrap_or_else(|| panic!("{name}: {told}"));
+    assert_eq!(by_name("readers")["verdict"], "clean");
+    let fault = by_name("readers:swaps-axes");
+    assert_eq!((&fault["verdict"], &fault["area"], &fault["scenes"]), (&"caught".into(), &"readers".into(), &1.into()));
+    assert!(fault["queries"].as_u64() > Some(10), "{fault}");
+    for off in ["written points", "readers:written points"] {
+        let told = expect(100, &[&only[..], &["--without", off]].concat()).stdout;
+        assert!(told.contains("NOT CAUGHT"), "{told}");
+    }
+    expect(0, &[&only[..], &["--without", "sign_flip/perturbed sign"]].concat());
+    let told = expect(2, &[&only[..], &["--without", "no such check"]].concat());
+    assert!(told.stderr.contains("no check is called `no such check`"), "{}", told.stderr);
+}
+
+#[test]
+fn the_card_is_a_table_too() {
+    let folder = tempdir().unwrap();
+    let out = at(&folder, "card");
+    let args = ["selftest", "-f", "classics/kettner-a1$", "--only", "fault:exact-relative-filter", "--shrink"];
+    let told = expect(0, &[&args[..], &["--out", &out]].concat()).stdout;
+    assert!(told.contains("points pieces"), "{told}");
+    let table = std::fs::read_to_string(format!("{out}/selftest.csv")).unwrap();
+    let fault = table.lines().find(|line| line.starts_with("fault:")).unwrap();
+    let cells: Vec<&str> = fault.split(',').collect();
+    assert_eq!(cells[..4], ["fault:exact-relative-filter", "filters", "caught", "1"], "{table}");
+    assert_eq!(cells[5], "3", "three points show it: {table}");
+    assert!(std::fs::read_to_string(format!("{out}/checks.csv")).unwrap().contains("grassmann-plucker"));
+}
+
+#[test]
+fn a_finding_that_no_task_declares_is_red() {
+    let folder = tempdir().unwrap();
+    let (suite, out) = (write(&folder, "mine.toml", SUITE), at(&folder, "run"));
+    run(&["run", &suite, "-b", "naive,exact", "--out", &out]);
+    let expected = at(&folder, "expected.toml");
+    run(&["gate", &out, "--suggest", &expected]);
+    let reasons = std::fs::read_to_string(&expected).unwrap().replace("reason = \"\"", "reason = \"known\"");
+    write(&folder, "expected.toml", &reasons);
+    expect(0, &["gate", &out, "--expected", &expected]);
+    let findings = format!("{out}/findings.csv");
+    let text = std::fs::read_to_string(&findings).unwrap();
+    std::fs::write(&findings, text.replace(",sign,", ",strange,")).unwrap();
+    let told = expect(100, &["gate", &out, "--expected", &expected]).stdout;
+    assert!(told.contains("not declared: overreach (strange) of orient2d, such as "), "{told}");
+}
