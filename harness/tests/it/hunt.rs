@@ -71,8 +71,8 @@ fn what_cannot_be_hunted_is_refused_with_the_cure() {
         (vec!["hunt", "orient2d", "-b", "exakt"], "exakt"),
         (vec!["hunt", "orient2d"], "--backend"),
         (
-            vec!["hunt", "incircle", "-b", "tolerance", "--from", "shapes", "--out", &out],
-            "tolerance declines every scene",
+            vec!["hunt", "incircle", "-b", "sos:per-mesh", "--from", "shapes", "--out", &out],
+            "sos:per-mesh declines every scene",
         ),
         (vec!["hunt", "contacts2d", "-b", "exact", "--from", "shapes", "--out", &out], "no small scene of contacts2d"),
         (vec!["hunt", "--resume", "nowhere"], "name the folder of a `hunt` that was begun"),

@@ -2,7 +2,7 @@
 //!
 //! A corpus samples: what nobody thought of is not in it. A hunt climbs. It holds scenes that are high by some [measure](Height)
 //! of how near they are to a disagreement, and others that make a backend do something new, derives more from them by
-//! [moves], and lets backends answer those. It is told the backend, the task and the class, and not where to look.
+//! moves, and lets backends answer those. It is told the backend, the task and the class, and not where to look.
 //!
 //! Each scene is made from the hunt's seed, its generation and its place there, from what the population was when
 //! the generation began. So the finds are the same on any number of threads, and a hunt that was stopped goes on as if it had not been.

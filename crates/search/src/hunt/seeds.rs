@@ -50,7 +50,7 @@ fn of_scene(loaded: &LoadedScene) -> Vec<Seed> {
     parts.into_iter().filter(small).map(|spelled| Seed { name: name.clone(), spelled }).collect()
 }
 
-/// Whether there are [shapes](shape) for scenes of a task: for those of signs.
+/// Whether there are shapes for a task, points with small whole coordinates and queries about them: for those of signs.
 #[must_use]
 pub fn has_shapes(task: &str) -> bool {
     kind_of(task).is_some()

@@ -138,8 +138,7 @@ fn center(points: &[Vec<f64>]) -> Option<Vec<f64>> {
         let pivot = (column..n).max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()))?;
         rows.swap(column, pivot);
         let top = rows[column].clone();
-        for (place, row) in rows.iter_mut().enumerate().filter(|(place, _)| *place != column) {
-            let _ = place;
+        for (_, row) in rows.iter_mut().enumerate().filter(|(place, _)| *place != column) {
             let factor = row[column] / top[column];
             row.iter_mut().zip(&top).for_each(|(x, t)| *x -= factor * t);
         }
