@@ -8,7 +8,7 @@ use predicament_formats::bits::lowest_bit;
 pub struct Size {
     /// Points, constructions, items and all that these name or hold.
     pub pieces: usize,
-    /// The sum of the [costs](cost) of all coordinates.
+    /// What all coordinates cost to write: bits of significands, bits of exponents, minuses.
     pub digits: u64,
 }
 
