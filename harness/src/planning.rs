@@ -7,7 +7,7 @@ use predicament_corpus::Level;
 use predicament_exact::Exact;
 use predicament_predicates::Backend;
 use predicament_records::{
-    self as records, AnswerRow, Env, ImportRow, PhaseRow, Plan, SampledRow, SegmentRow, Shard, TableSpec,
+    self as records, AnswerRow, CostRow, Env, ImportRow, PhaseRow, Plan, SampledRow, SegmentRow, Shard, TableSpec,
 };
 use predicament_tasks::{Budget, Contestant};
 
@@ -46,7 +46,12 @@ pub fn tables_with(tool: &Tool, answers: bool) -> Vec<TableSpec> {
 
 /// All tables that a folder of a run or a bench may have: those of every run first.
 pub fn every_table(tool: &Tool) -> Vec<TableSpec> {
-    let rest = [TableSpec::of::<PhaseRow>(), TableSpec::of::<AnswerRow>(), TableSpec::of::<SegmentRow>()];
+    let rest = [
+        TableSpec::of::<PhaseRow>(),
+        TableSpec::of::<AnswerRow>(),
+        TableSpec::of::<SegmentRow>(),
+        TableSpec::of::<CostRow>(),
+    ];
     records::TABLES.into_iter().chain(tables(tool)).chain(rest).collect()
 }
 

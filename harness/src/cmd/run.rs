@@ -340,8 +340,9 @@ impl Job {
             whole: whole.map(|whole| Whole { expected: Some(expected.to_owned()), ..whole }),
             ..plan(&selection, &scenes, &backends, shard)
         };
-        tell_not_selected(&selection.not_selected, "run");
-        Job::start(args, tool, (selection, scenes, backends), plan, None)
+        let job = Job::start(args, tool, (selection, scenes, backends), plan, None)?;
+        tell_not_selected(&job.selection.not_selected, "run");
+        Ok(job)
     }
 
     /// What a plan of work says, or a part of it.
