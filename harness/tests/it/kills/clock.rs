@@ -42,7 +42,7 @@ fn a_run_that_is_resumed_years_before_it_began_is_the_same() {
     assert!(differ.is_empty(), "left: {was}: these files differ: {differ:?}");
 }
 
-/// The only clock that is read is the one that never goes backwards.
+/// The only clock that is read is the one that never goes backwards; but for when a run was begun, which nothing goes by.
 #[test]
 fn no_code_reads_the_time_of_day() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
@@ -55,7 +55,9 @@ fn no_code_reads_the_time_of_day() {
                 left.push(path);
             } else if path.extension() == Some("rs".as_ref()) {
                 let text = std::fs::read_to_string(&path).unwrap();
-                assert!(!text.contains(concat!("System", "Time")), "{} reads the time of day", path.display());
+                let says_when = path.ends_with("records/src/env.rs");
+                let reads = text.contains(concat!("System", "Time"));
+                assert!(!reads || says_when, "{} reads the time of day", path.display());
                 read += 1;
             }
         }
