@@ -1,6 +1,6 @@
 //! `gate`: holds a run against its expectations, and against an earlier run.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use predicament_records::{self as records, RunDir, Status, SummaryRow, junit};
@@ -92,7 +92,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     if let Some(file) = &args.suggest {
         suggest(&run, file)?;
     }
-    let undeclared = undeclared(&run, tool);
+    let undeclared = undeclared(run.findings.iter(), tool);
     let count = |status: Status| run.summary.iter().filter(|row| row.status == status).count();
     let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
     let failed: Vec<String> = run.summary.iter().filter(|row| !row.status.passes()).map(describe).collect();
@@ -164,15 +164,16 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
 }
 
 /// The findings that no task declares a check for, each kind once: their judges say what their lists do not.
-fn undeclared(run: &RunDir, tool: &Tool) -> Vec<String> {
-    let is_declared = |row: &records::FindingRow| {
+fn undeclared<'r>(findings: impl Iterator<Item = &'r records::FindingRow>, tool: &Tool) -> Vec<String> {
+    let is_declared = |row: &&records::FindingRow| {
         let task = tool.tasks().iter().find(|task| task.name() == row.task);
         task.is_none_or(|&task| is_declared(task, row.class, &row.check))
     };
-    let wrong = run.findings.iter().filter(|row| !is_declared(row));
-    let lines: BTreeSet<String> =
-        wrong.map(|row| format!("{} ({}) of {}, such as {}", row.class, row.check, row.task, row.finding_id)).collect();
-    lines.into_iter().collect()
+    let mut first: BTreeMap<String, &str> = BTreeMap::new();
+    for row in findings.filter(|row| !is_declared(row)) {
+        first.entry(format!("{} ({}) of {}", row.class, row.check, row.task)).or_insert(&row.finding_id);
+    }
+    first.into_iter().map(|(what, id)| format!("{what}, such as {id}")).collect()
 }
 
 /// Writes TOML that would turn the gate green once a person has given the reasons: an empty reason is refused.
@@ -192,4 +193,46 @@ fn suggest(run: &RunDir, file: &Path) -> Result<(), Failure> {
         return Err(Failure::usage(format!("{}: the file is there; name another for --suggest", file.display())));
     }
     records::replace(file, text.as_bytes()).map_err(Failure::usage)
+}
+
+#[cfg(test)]
+mod tests {
+    use predicament_records::PlannedScene;
+    use predicament_tasks::Finding;
+
+    use super::*;
+
+    #[test]
+    fn a_finding_that_its_task_does_not_declare_is_named_once() {
+        let tool = Tool::new((), &(), Vec::new(), None);
+        let row = |task: &str, class: Class, check: &str, id: &str| {
+            let scene = PlannedScene {
+                suite: "mine".to_owned(),
+                scene: "a".to_owned(),
+                scene_id: "0123456789abcdef".to_owned(),
+                task: task.to_owned(),
+                family: "a".to_owned(),
+                queries: 1,
+            };
+            let finding = Finding::plain(class, check, Vec::new(), String::new(), String::new());
+            crate::rows::finding(&scene, "naive", &finding, id.to_owned())
+        };
+        let rows = [
+            row("orient2d", Class::SignFlip, "sign", "000000000001"),
+            row("orient2d", Class::Panic, "crashed", "000000000002"),
+            row("orient2d", Class::SignFlip, "sigh", "000000000003"),
+            row("orient2d", Class::SignFlip, "sigh", "000000000004"),
+            row("orient2d", Class::Topology, "sign", "000000000005"),
+            row("hull3d", Class::Topology, "stitched faces make a surface", "000000000006"),
+            row("hull2d", Class::Topology, "stitched faces make a surface", "000000000007"),
+        ];
+        assert_eq!(
+            undeclared(rows.iter(), &tool),
+            [
+                "sign_flip (sigh) of orient2d, such as 000000000003",
+                "topology (sign) of orient2d, such as 000000000005",
+                "topology (stitched faces make a surface) of hull2d, such as 000000000007",
+            ]
+        );
+    }
 }

@@ -70,7 +70,7 @@ pub struct Args {
     #[arg(long)]
     pub everything: bool,
 
-    /// Shrink a scene that shows each fault, and say how large it is: a minute or two more
+    /// Shrink a scene that shows each fault, and say how large it is; takes a while longer
     #[arg(long)]
     pub shrink: bool,
 

@@ -65,7 +65,7 @@ impl Declared {
             let rest = text.strip_prefix(task).and_then(|rest| rest.strip_prefix(':'));
             rest.is_some_and(|rest| rest == name || with_class.as_deref() == Some(rest))
         };
-        let places = self.tasks.iter().copied().map(of_task).any(|is| is);
+        let places = self.tasks.iter().copied().any(of_task);
         text == name || with_class.as_deref() == Some(text) || places || of_task(&self.place())
     }
 }

@@ -225,6 +225,7 @@ pub fn checks_text(checks: &Declarations, entries: &[Entry]) -> String {
 /// The page `docs/CHECKS.md`.
 pub fn checks_page(checks: &Declarations, entries: &[Entry]) -> String {
     let faults = entries.iter().filter(|entry| entry.is_fault()).count();
+    let guards = checks.0.iter().filter(|declared| declared.class().is_none()).count();
     let mut text = format!(
         "\
 <!-- made by `predicament selftest --checks --format md`; a test holds this page to it -->
@@ -237,8 +238,8 @@ no fault needs say why. [METHODOLOGY](METHODOLOGY.md) says what is judged by wha
 fault is planted.
 
 A check is of a class, has a name (the column `check` of `findings.csv`), and is declared by the tasks that report it; `invariant` stands for the
-statements that an algorithm looks after itself, which findings have for a name. The last 13 hold what judges and what reads
-to facts that are known without it.
+statements that an algorithm looks after itself, which findings have for a name. The last {guards} have no class: they hold what judges and what
+reads to facts that are known without it.
 
 | check | class | tasks | what holds where it finds nothing | faults that need it |
 | --- | --- | --- | --- | --- |

@@ -51,7 +51,7 @@ pub fn verdict(entry: &Entry, off: &BTreeSet<usize>, is_whole: bool) -> Verdict 
 }
 
 /// The faults that are caught with all checks on, and not without this one.
-pub fn needed_by<'e>(entries: &'e [Entry], check: usize) -> Vec<&'e Entry> {
+pub fn needed_by(entries: &[Entry], check: usize) -> Vec<&Entry> {
     let (none, one) = (BTreeSet::new(), BTreeSet::from([check]));
     let needs = |entry: &&Entry| {
         entry.is_fault() && verdict(entry, &none, true).is_good() && !verdict(entry, &one, true).is_good()

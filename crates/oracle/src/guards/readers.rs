@@ -129,7 +129,7 @@ const DOUBLES: [f64; 10] = [
     -f64::MIN_POSITIVE,
     f64::from_bits(1),
     f64::from_bits(0x800f_ffff_ffff_ffff),
-    12345.678_901_234_567,
+    12_345.678_901_234_567,
 ];
 
 /// A double as C's `%a`, from its bits.

@@ -27,7 +27,7 @@ fn each_fault_is_found_by_the_guards_that_are_named_for_it() {
         let missed: Vec<&&str> = fault.caught_by.iter().filter(|name| !found.contains(name)).collect();
         assert!(missed.is_empty(), "{}: missed by {missed:?}, found by {found:?}", fault.name);
         assert!(!fault.caught_by.is_empty() && names.insert(fault.name), "{}", fault.name);
-        needed.extend(fault.caught_by);
+        needed.extend(fault.caught_by.iter().copied());
     }
     for guard in guards() {
         assert!(needed.contains(guard.name), "no fault needs `{}`", guard.name);
