@@ -14,6 +14,7 @@ use crate::common::suite;
 #[test]
 fn the_papers_test_answers_as_a_perturbed_session_does() {
     let sos = Sos::default();
+    let [mut on_boundary, mut silent] = [0, 0];
     for loaded in suite("tilings") {
         let content: &MapWithProbes = loaded.content().unwrap_or_else(|| panic!("{} is no map", loaded.name));
         let (map, probes) = (&content.map, content.vertices());
@@ -29,7 +30,6 @@ fn the_papers_test_answers_as_a_perturbed_session_does() {
         let report = tiling_report(&surroundings(&index, &exact, &probes), &answers, ZeroMeaning::Never);
         assert_eq!(report.violations(), [], "{}", loaded.name);
 
-        let [mut on_boundary, mut silent] = [0, 0];
         for (at, &probe) in probes.iter().enumerate() {
             let off = |regions: &[u32], on: &[u32]| -> Vec<u32> {
                 regions.iter().copied().filter(|region| !on.contains(region)).collect()
@@ -43,10 +43,6 @@ fn the_papers_test_answers_as_a_perturbed_session_does() {
             on_boundary += usize::from(!truth.boundary(at).is_empty());
             silent += usize::from(reported.len() < truth.boundary(at).len());
         }
-        assert!(
-            on_boundary > 500 && silent > 100,
-            "{}: {on_boundary} on boundaries, {silent} of them not reported",
-            loaded.name
-        );
     }
+    assert!(on_boundary > 1000 && silent > 200, "{on_boundary} on boundaries, {silent} of them not reported");
 }
