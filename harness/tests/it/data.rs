@@ -26,7 +26,7 @@ fn every_table_of_a_run_is_exported() {
     assert_eq!(told.stderr, "", "all tables have a schema, and the run is complete");
     assert!(told.stdout.contains("data/answers.parquet: 4 rows, "), "{}", told.stdout);
     let mut names: Vec<String> = tables(&out).into_iter().map(|(name, _)| name.replace(".csv", ".parquet")).collect();
-    names.extend(["runs.parquet", "scenes.parquet", "throughput.parquet"].map(str::to_owned));
+    names.extend(["costs.parquet", "runs.parquet", "scenes.parquet", "throughput.parquet"].map(str::to_owned));
     names.sort();
     let mut there: Vec<String> =
         std::fs::read_dir(&data).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
