@@ -64,7 +64,7 @@ pub struct Args {
     pub out: Option<PathBuf>,
 
     /// Go on with an incomplete run; takes its selection from that run's plan
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "plan", "shard", "backends", "answers", "filter", "level", "expected", "permutations"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "plan", "shard", "backends", "answers", "filter", "level", "permutations"])]
     pub resume: Option<PathBuf>,
 
     /// Expected disagreements; those of the embedded corpora if left out
@@ -126,15 +126,16 @@ impl Args {
         let plan = RunDir::plan(folder).map_err(Failure::usage)?;
         let no_count = |_| Failure::usage(format!("{}: permutations that can't be counted", folder.display()));
         self.permutations = plan.permutations.map(usize::try_from).transpose().map_err(no_count)?;
-        if let Some(planned) = plan.expected {
-            let file = PathBuf::from(&planned.file);
-            if expectations::file(&file)? != planned {
-                return Err(Failure::usage(format!(
-                    "{}: the expectations have changed since the run was planned; restore them, or start a new run",
-                    planned.file
-                )));
-            }
-            self.expected = Some(file);
+        let planned = plan.expected;
+        if self.expected.is_none() {
+            self.expected = planned.as_ref().map(|planned| PathBuf::from(&planned.file));
+        }
+        let now = self.expected.as_deref().map(expectations::file).transpose()?;
+        if now.as_ref().map(|file| &file.sha256) != planned.as_ref().map(|file| &file.sha256) {
+            let file = now.or(planned).map_or_else(|| folder.display().to_string(), |file| file.file);
+            return Err(Failure::usage(format!(
+                "{file}: the run was begun with other expectations; restore them, give the same --expected, or start a new run"
+            )));
         }
         Ok(())
     }
@@ -359,7 +360,8 @@ impl Job {
                 "it was made for other expectations; give the same --expected, or make it anew".to_owned(),
             ));
         }
-        let plan = work.part(args.shard).map_err(refuse)?;
+        let named = args.expected.as_deref().map(expectations::file).transpose()?;
+        let plan = Plan { expected: named, ..work.part(args.shard).map_err(refuse)? };
         let level: Level = plan.level.to_string().parse().map_err(Failure::usage)?;
         let selector = Selector { suites: plan.arguments(), level, ..args.selector.clone() };
         let selection = selector.select(tool)?;
