@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use sha2::{Digest, Sha256};
 use tempfile::{TempDir, tempdir};
 
 use crate::common::{at, column, expect, read, run, write};
@@ -116,8 +117,20 @@ fn parts_by_a_plan_are_the_whole_with_costs_and_without() {
     std::fs::write(&file, claims.to_string()).unwrap();
     let out = at(&folder, "doubled");
     let told = expect(2, &[&["merge", "--out", &out][..], &parts].concat()).stderr;
+    assert!(told.contains("plan.json: its bytes are not those that the run has written"), "{told}");
+    // Even where its digest is made to fit.
+    let state = read(parts[1], "state.json");
+    let forged = {
+        let mut state: serde_json::Value = serde_json::from_str(&state).unwrap();
+        let digest = Sha256::digest(claims.to_string());
+        state["digests"]["plan.json"] = digest.iter().map(|byte| format!("{byte:02x}")).collect::<String>().into();
+        state.to_string()
+    };
+    std::fs::write(Path::new(parts[1]).join("state.json"), forged).unwrap();
+    let told = expect(2, &[&["merge", "--out", &out][..], &parts].concat()).stderr;
     assert!(told.contains("of the whole is in another part, too"), "{told}");
     std::fs::write(&file, text).unwrap();
+    std::fs::write(Path::new(parts[1]).join("state.json"), state).unwrap();
     let told = expect(103, &[&["merge", "--out", &out][..], &parts[..6]].concat()).stderr;
     assert!(told.contains("these are missing: 7/7") && !Path::new(&out).exists(), "{told}");
     // All of a plan on one machine.
