@@ -174,7 +174,7 @@ fn a_page_that_a_full_disk_does_not_take_is_the_old_one() {
     command.args(["-e", "trace=write", "-e", "inject=write:error=ENOSPC:when=1+"]);
     command.arg(tool.get_program()).args(tool.get_args()).stdin(Stdio::null());
     let told = told(command.output().unwrap());
+    assert_eq!(std::fs::read_to_string(&page).unwrap(), before);
     assert_eq!(told.code, 2, "{}{}", told.stdout, told.stderr);
     assert!(told.stderr.contains("page.md: ") && told.stderr.contains("make room"), "{}", told.stderr);
-    assert_eq!(std::fs::read_to_string(&page).unwrap(), before);
 }
