@@ -25,7 +25,7 @@ Commands:
   demo   build the tool, run the embedded corpora, leave a report to open
   test   format, clippy, tests, doc tests, docs, the embedded corpora through the gate, the example crate
   nightly
-         heavy tests whole, the peers, the benches, cargo package, the report in a browser, the oldest compiler, a minute of each fuzz target
+         heavy tests whole, the peers, the benches, cargo package, the report in a browser, the oldest compiler, ten minutes of each fuzz target
   engines [NAME...]
          install and build engines of other languages (CGAL, GEOS, libigl, ...) for `run -b engine:NAME`: by apt,
          pip and npm, into their folders where the client can
@@ -33,6 +33,8 @@ Commands:
          the report in Chromium: opened, searched, sorted, turned, printed, in light and dark, at three widths, with
          100,000 findings too, compared with pictures of it, and with faults planted; screenshots in target/browser.
          --accept makes new pictures to compare with. Says what is missing where there is no Chromium, Node.js or npm
+  fuzz-seeds
+         write what the fuzz targets start from, of the embedded suites, into fuzz/corpus
   sample the sample report anew: embedded and fetched suites, times, comparison and knobs; `reports/sample` and the
          table of README (20 minutes)
   setup  only make sure that what the build needs is there (m4, a C compiler, make)
@@ -59,6 +61,7 @@ fn main() -> ExitCode {
         "nightly" => m4::ensure().and_then(|()| steps::nightly()),
         "browser" => m4::ensure().and_then(|()| browser::check(false, !rest.is_empty())),
         "engines" => m4::ensure().and_then(|()| steps::engines(&rest)),
+        "fuzz-seeds" => m4::ensure().and_then(|()| steps::fuzz_seeds()),
         "sample" => m4::ensure().and_then(|()| sample::make()),
         "setup" => m4::ensure(),
         "help" | "-h" | "--help" => {

@@ -16,7 +16,7 @@ fn two_processes_on_one_folder_are_refused_with_a_cure() {
     let place = |name: &str| at(&folder, name);
     let scene = ["run", "-f", "kettner-a1$", "-b", "exact", "--quiet"];
     let of = |more: &[&str], out: &str| expect(0, &[&scene[..], more, &["--out", out]].concat());
-    let (whole, parts) = (place("whole"), ["1", "2"].map(|k| place(k)));
+    let (whole, parts) = (place("whole"), ["1", "2"].map(place));
     of(&[], &whole);
     of(&["--shard", "1/2"], &parts[0]);
     of(&["--shard", "2/2"], &parts[1]);
