@@ -13,22 +13,49 @@
 //! makes lines and planes through the points, and asks about where they meet.
 //!
 //! [`formats`] and [`half_edge`] are about something else: the readers of data files, which never panic, and the
-//! operations on meshes, which keep every invariant.
+//! operations on meshes, which keep every invariant. [`suites`] and [`run_folder`] are about the other readers.
+//!
+//! [`ties`] holds Simulation of Simplicity against its own judge. [`scenes`] is about all tasks: a suite's text is run through
+//! `exact`, `sos` and `tolerance`, and judged; [`OF_TASKS`] are targets that do so for some tasks only. [`seeds`] writes what fuzzing starts from, and [`finds`] makes scenes of
+//! what it has found.
 
 #![forbid(unsafe_code)]
 
 pub mod constructed;
+pub mod finds;
 pub mod formats;
 pub mod half_edge;
 #[path = "../../crates/exact/tests/it/constructed/judge.rs"]
 mod judge_of_constructed;
+pub mod mutate;
 pub mod points;
+pub mod run_folder;
+pub mod scenes;
+pub mod seeds;
+pub mod suites;
+pub mod ties;
 
 use predicament_exact::{Exact, raw};
 use predicament_judge as judge;
 use predicament_predicates::{
     Axis, Backend, Dimension, Off, Plane, PredicateKind, QuerySet, Question, Scene, Sign, Vertex,
 };
+
+/// The targets of scenes of some tasks: the hierarchy of tolerances, triangulation, and what is made of segments that cross.
+pub const OF_TASKS: [(&str, &[&str]); 3] = [
+    ("contacts", &["contacts2d", "contacts3d"]),
+    ("triangulate", &["triangulate", "delaunay2d"]),
+    ("overlay", &["overlay2d", "crossings", "snap2d"]),
+];
+
+/// The tasks of a target of [`OF_TASKS`].
+///
+/// # Panics
+/// If there is no such target.
+#[must_use]
+pub fn tasks_of(target: &str) -> &'static [&'static str] {
+    OF_TASKS.into_iter().find(|(name, _)| *name == target).expect("a target of some tasks").1
+}
 
 /// One fuzz case: sessions, alone and in a batch, and raw predicates.
 ///

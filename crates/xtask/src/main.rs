@@ -28,7 +28,7 @@ Commands:
   demo   build the tool, run the embedded corpora, leave a report to open
   test   format, clippy, tests, doc tests, docs, the embedded corpora through the gate, the example crate
   nightly
-         heavy tests whole, the peers, the benches, cargo package, the report in a browser, the page about data, runs in parts by engines, the oldest compiler, a minute of each fuzz target
+         heavy tests whole, the peers, the benches, cargo package, the report in a browser, the page about data, runs in parts by engines, the oldest compiler, ten minutes of each fuzz target
   engines [NAME...]
          install and build engines of other languages (CGAL, GEOS, libigl, ...) for `run -b engine:NAME`: by apt,
          pip and npm, into their folders where the client can
@@ -37,6 +37,8 @@ Commands:
          100,000 findings too, compared with pictures of it, and with faults planted; screenshots in target/browser.
          --accept makes new pictures to compare with. Says what is missing where there is no Chromium, Node.js or npm
   data   the blocks of docs/DATA.md, run by DuckDB and pandas in an environment of Python in target/data
+  fuzz-seeds
+         write what the fuzz targets start from, of the embedded suites, into fuzz/corpus
   sample the sample report anew: embedded and fetched suites, times, comparison and knobs; `reports/sample` and the
          table of README (20 minutes)
   mutants [--every N] [--from K] [PACKAGE...]
@@ -72,6 +74,7 @@ fn main() -> ExitCode {
         "engines" => m4::ensure().and_then(|()| steps::engines(&rest)),
         "mutants" => m4::ensure().and_then(|()| mutants::score(&rest)),
         "spread" => m4::ensure().and_then(|()| spread::check()),
+        "fuzz-seeds" => m4::ensure().and_then(|()| steps::fuzz_seeds()),
         "sample" => m4::ensure().and_then(|()| sample::make()),
         "setup" => m4::ensure(),
         "help" | "-h" | "--help" => {

@@ -18,8 +18,8 @@ const EXAMPLE: &str = "examples/leftmost";
 const BENCHES: &str = "predicament-benches";
 /// The variable that says how much of heavy tests is run, as the crate `effort` reads it.
 const EFFORT: (&str, &str) = ("PREDICAMENT_EFFORT", "whole");
-/// Seconds of each fuzz target.
-const FUZZ_SECONDS: u32 = 60;
+/// Seconds of each fuzz target, on one core.
+const FUZZ_SECONDS: u32 = 600;
 
 /// Builds the tool, runs and times the embedded corpora, writes the report.
 pub fn demo() -> Result<(), String> {
@@ -244,7 +244,7 @@ fn minimum_version() -> Result<(), String> {
     step(&format!("check with Rust {version}"), &words("rustup", &check), &[])
 }
 
-/// Every fuzz target for a while.
+/// Every fuzz target for a while, beginning with the scenes of the embedded suites.
 fn fuzz() -> Result<(), String> {
     if !answers("rustup", &["run", "nightly", "cargo", "fuzz", "--version"]) {
         return Err("fuzzing needs a nightly toolchain and cargo-fuzz, so nothing was fuzzed; type `rustup toolchain \
@@ -260,14 +260,30 @@ fn fuzz() -> Result<(), String> {
     targets.sort();
     let seconds = format!("-max_total_time={FUZZ_SECONDS}");
     let mut failed = Vec::new();
+    let manifest = ["--release", "--manifest-path", "fuzz/Cargo.toml"];
+    failed.extend(cargo("tests of the fuzz targets", &[&["test"], &manifest[..]].concat()).err());
+    failed.extend(fuzz_seeds().err());
     for target in &targets {
-        let run = ["run", "nightly", "cargo", "fuzz", "run", "--fuzz-dir", "fuzz", target, "--", &seconds];
-        failed.extend(step(&format!("fuzz {target}"), &words("rustup", &run), &[]).err());
+        let run =
+            ["run", "nightly", "cargo", "fuzz", "run", "--fuzz-dir", "fuzz", target, "--", &seconds, "-timeout=120"];
+        let found = step(&format!("fuzz {target}"), &words("rustup", &run), &[]).err();
+        failed.extend(found.map(|why| {
+            format!(
+                "{why}; `cargo run --release --manifest-path fuzz/Cargo.toml --example find -- {target} \
+                 fuzz/artifacts/{target}/FILE NAME` prints the find as a scene"
+            )
+        }));
     }
     if targets.is_empty() {
         return Err(format!("{} has no fuzz targets", folder.display()));
     }
     if failed.is_empty() { Ok(()) } else { Err(failed.join("; ")) }
+}
+
+/// Writes what fuzzing starts from, of the embedded suites, into `fuzz/corpus`.
+pub fn fuzz_seeds() -> Result<(), String> {
+    let run = ["run", "--quiet", "--release", "--manifest-path", "fuzz/Cargo.toml", "--example", "seeds"];
+    cargo("seeds of the fuzz targets", &run)
 }
 
 /// The folder of the workspace.

@@ -82,11 +82,11 @@ impl CsvFile {
 
 /// What is said of a file that is not as the run has left it.
 pub(super) const CHANGED: &str =
-    "its bytes are not those that the run has written; restore the file from a copy, or start a new run";
+    "its bytes are not those that the run has written, by state.json; restore the two from a copy, or start a new run";
 
 fn shortened(path: &Path, found: u64, length: u64) -> Error {
-    let cure = "restore the file from a copy, or start a new run";
-    Error::new(path, format!("{found} bytes are left of the {length} that the run had written; {cure}"))
+    let cure = "restore the two from a copy, or start a new run";
+    Error::new(path, format!("{found} bytes are left of the {length} that the run had written, by state.json; {cure}"))
 }
 
 /// How many bytes the line of the columns has, with its end.
@@ -173,8 +173,10 @@ impl Extent {
         match self {
             Extent::All(length) | Extent::First(length) if found < length => Err(shortened(path, found, length)),
             Extent::All(length) if found > length => {
-                let message =
-                    format!("{} bytes were added after the run was complete; restore the file", found - length);
+                let message = format!(
+                    "{} bytes were added after the run was complete, by state.json; restore the two from a copy",
+                    found - length
+                );
                 Err(Error::new(path, message))
             }
             _ => Ok(()),

@@ -21,7 +21,11 @@ impl Lock {
         let path = folder.join(FILE);
         let file = OpenOptions::new().create(true).append(true).open(&path).map_err(Error::io(&path))?;
         match file.try_lock() {
-            Ok(()) => Ok(Lock(file)),
+            Ok(()) => {
+                // It holds nothing; what somebody else has put there does not stay.
+                file.set_len(0).map_err(Error::io(&path))?;
+                Ok(Lock(file))
+            }
             Err(TryLockError::WouldBlock) => {
                 Err(Error::new(folder, "another process is writing this run; wait for its end, or stop it"))
             }

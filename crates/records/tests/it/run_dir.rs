@@ -303,7 +303,10 @@ fn a_complete_run_has_no_cut_lines() {
     create(folder.path(), &plan(), &Env::default()).unwrap().finish(Outcome::Complete).unwrap();
     append(folder.path(), "stages.csv", "orient2d,near,exact,filter,1");
     let error = RunDir::open(folder.path()).unwrap_err().to_string();
-    assert!(error.contains("stages.csv: 28 bytes were added after the run was complete; restore the file"), "{error}");
+    assert!(
+        error.contains("stages.csv: 28 bytes were added after the run was complete, by state.json; restore the two"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -374,7 +377,7 @@ fn a_complete_run_that_was_edited_is_refused() {
     std::fs::write(&path, edited).unwrap();
     let error = RunDir::open(folder.path()).unwrap_err().to_string();
     assert!(
-        error.contains("summary.csv: its bytes are not those that the run has written; restore the file"),
+        error.contains("summary.csv: its bytes are not those that the run has written, by state.json; restore the two"),
         "{error}"
     );
 }

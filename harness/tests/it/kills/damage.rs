@@ -99,7 +99,7 @@ fn damaged_files_of_an_unfinished_run_are_refused_or_gone_on_with() {
             Some(bytes) => std::fs::write(out.join(name), bytes).unwrap(),
             None => std::fs::remove_file(out.join(name)).unwrap(),
         }
-        let told = bench.go_on(Shape::Plain, &out);
+        let told = bench.run(&Shape::Plain.resume(&out.display().to_string()));
         let about = format!("case {case} of seed {seed}: {name} {damage:?}");
         if [0, 100].contains(&told.code) {
             let differ = differing(&files(&out), bench.whole(Shape::Plain));

@@ -45,7 +45,7 @@ impl Shape {
     }
 
     /// The words that go on with it.
-    fn resume(self, folder: &str) -> Vec<String> {
+    pub fn resume(self, folder: &str) -> Vec<String> {
         let mut words = vec!["run".to_owned(), "--quiet".to_owned(), "--resume".to_owned(), folder.to_owned()];
         words.extend((self == Shape::Apart).then(|| "--isolate=always".to_owned()));
         words

@@ -8,7 +8,7 @@ use predicament_corpus::Random;
 /// The calls that change files.
 const CALLS: &str = "write,rename,renameat,renameat2,openat,mkdir,mkdirat,ftruncate,unlink,unlinkat,rmdir";
 
-/// The tool under `strace`, which does something to it at the n-th of those calls.
+/// The tool under `strace`, which does something to it at the n-th of each of those calls.
 fn traced(words: &[String], what: &str, n: usize) -> Command {
     let tool = words_of(words);
     let mut command = Command::new("strace");
@@ -18,7 +18,7 @@ fn traced(words: &[String], what: &str, n: usize) -> Command {
     command
 }
 
-/// How many of those calls there are.
+/// How many there are of the call that there are most of: `strace` counts each by itself.
 fn calls(words: &[String]) -> i64 {
     let log = tempfile::NamedTempFile::new().unwrap();
     let tool = words_of(words);
@@ -30,8 +30,11 @@ fn calls(words: &[String]) -> i64 {
     let text = std::fs::read_to_string(log.path()).unwrap();
     // Those of the first thread, by which all files are written.
     let first = text.split_whitespace().next().unwrap_or_default();
-    let mine = text.lines().filter(|line| line.starts_with(first) && line.contains('('));
-    i64::try_from(mine.count()).unwrap()
+    let mut counts = std::collections::BTreeMap::new();
+    for call in text.lines().filter_map(|line| line.strip_prefix(first)?.trim().split_once('(')) {
+        *counts.entry(call.0.to_owned()).or_insert(0) += 1;
+    }
+    counts.into_values().max().unwrap_or(0)
 }
 
 /// Whether there is `strace`, and it may trace.

@@ -16,7 +16,7 @@ fn two_processes_on_one_folder_are_refused_with_a_cure() {
     let place = |name: &str| at(&folder, name);
     let scene = ["run", "-f", "kettner-a1$", "-b", "exact", "--quiet"];
     let of = |more: &[&str], out: &str| expect(0, &[&scene[..], more, &["--out", out]].concat());
-    let (whole, parts) = (place("whole"), ["1", "2"].map(&place));
+    let (whole, parts) = (place("whole"), ["1", "2"].map(place));
     of(&[], &whole);
     of(&["--shard", "1/2"], &parts[0]);
     of(&["--shard", "2/2"], &parts[1]);
@@ -178,7 +178,7 @@ fn a_page_that_a_full_disk_does_not_take_is_the_old_one() {
     command.args(["-e", "trace=write", "-e", "inject=write:error=ENOSPC:when=1+"]);
     command.arg(tool.get_program()).args(tool.get_args()).stdin(Stdio::null());
     let told = told(command.output().unwrap());
+    assert_eq!(std::fs::read_to_string(&page).unwrap(), before);
     assert_eq!(told.code, 2, "{}{}", told.stdout, told.stderr);
     assert!(told.stderr.contains("page.md: ") && told.stderr.contains("make room"), "{}", told.stderr);
-    assert_eq!(std::fs::read_to_string(&page).unwrap(), before);
 }
