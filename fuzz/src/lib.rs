@@ -29,6 +29,7 @@ pub mod half_edge;
 mod judge_of_constructed;
 pub mod mutate;
 pub mod points;
+pub mod polygons;
 pub mod run_folder;
 pub mod scenes;
 pub mod seeds;

@@ -3,11 +3,13 @@
 //! The text is a suite, so that what is found is a scene as it stands. Bytes that are no suite are no case; [`mutate`](crate::mutate)
 //! keeps most of them one.
 
+use std::any::Any;
 use std::sync::{LazyLock, atomic::AtomicBool};
 
 use predicament_corpus::{Level, LoadedScene, SceneDef, Suite};
 use predicament_formats::{Cache, Manifest};
 use predicament_oracle::roster;
+use predicament_tasks::triangulate::Polygons;
 use predicament_tasks::{AnyTask, Budget, Class, Contestant, Outcome, Watch, built_in, vocabulary};
 
 /// The backends that are held to their promises.
@@ -63,6 +65,12 @@ pub fn first_wrong(def: &SceneDef, backends: &[Box<dyn Contestant>]) -> Option<S
     let task: &'static dyn AnyTask = built_in().into_iter().find(|task| task.name() == loaded.task)?;
     let never = AtomicBool::new(false);
     let watch = Watch::new(&never, None, &|_| {});
+    let content: &dyn Any = loaded.content.as_ref();
+    if let Some(Polygons { polygons, .. }) = content.downcast_ref()
+        && !polygons.iter().all(|loops| crate::polygons::is_simple(&loaded.scene, loops))
+    {
+        return None;
+    }
     let case = task.case(&loaded, &watch).ok()?;
     if let Some(dispute) = case.dispute() {
         return Some(format!("{}: the judge is not sure: {dispute}", loaded.task));

@@ -16,7 +16,7 @@ use predicament_algorithms::overlay::{self, Arrangement, Edge, arrange};
 use predicament_algorithms::snap::{Drawing, Method, Pixel, Snapped, snap};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
-use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Scene};
+use predicament_predicates::{Construction, Plane, PredicateKind, Predicates, Query, Scene, Sign, Vertex};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 use predicament_report::drawing::{Role, Shape};
@@ -68,8 +68,13 @@ fn points(scene: &Scene) -> Vec<[f64; 2]> {
     scene.vertices().map(|v| [scene.point(v)[0], scene.point(v)[1]]).collect()
 }
 
-/// The incidences of an arrangement: pairs of segments that cross, and segments with the points on them.
-fn incidences(scene: &Scene, arrangement: &Arrangement) -> (Vec<[u32; 2]>, Vec<[u32; 2]>) {
+/// The incidences of an arrangement: pairs of segments that cross, and segments with the points on them. `in_line` says whether two
+/// segments are in one line.
+fn incidences(
+    scene: &Scene,
+    arrangement: &Arrangement,
+    in_line: impl Fn([Vertex; 2], [Vertex; 2]) -> bool,
+) -> (Vec<[u32; 2]>, Vec<[u32; 2]>) {
     let number = |at: usize| u32::try_from(at).expect("fewer than 2^32");
     let place = |ends: [_; 2]| arrangement.segments.binary_search(&ends).ok().map(number);
     let (mut crossings, mut touching) = (Vec::new(), Vec::new());
@@ -81,8 +86,10 @@ fn incidences(scene: &Scene, arrangement: &Arrangement) -> (Vec<[u32; 2]>, Vec<[
                         ends.sort_unstable();
                         place(ends)
                     });
-                    // One of the two that define it, and not itself.
-                    let other = by.into_iter().flatten().find(|&other| other != number(segment));
+                    // One of the two that define it: not itself, and not one in line with it, such as itself once more.
+                    let others = by.into_iter().flatten().filter(|&other| other != number(segment));
+                    let ends = |of: usize| arrangement.segments[of];
+                    let other = others.into_iter().find(|&other| !in_line(ends(segment), ends(other as usize)));
                     crossings.extend(other.map(|other| [number(segment).min(other), number(segment).max(other)]));
                 }
                 _ => touching.push([number(segment), number(v.index())]),
@@ -106,7 +113,9 @@ fn solve(
     if arrangement.segments != content.segments {
         return Ok(Chains { broken: Some("an arrangement has the segments that were given"), ..Chains::default() });
     }
-    let (mut crossings, touching) = incidences(session.scene(), &arrangement);
+    let turn = |[a, b]: [Vertex; 2], c| session.orient2d(Plane::Xy, a, b, c);
+    let in_line = |line, [c, d]: [Vertex; 2]| [turn(line, c), turn(line, d)] == [Sign::Zero; 2];
+    let (mut crossings, touching) = incidences(session.scene(), &arrangement, in_line);
     edit(&mut crossings);
     let points = points(session.scene());
     let segments: Vec<[u32; 2]> =

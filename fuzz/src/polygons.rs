@@ -1,0 +1,54 @@
+//! Polygons that are what `triangulate` is promised: sides that cross or lie on each other are no polygon, and whatever is answered
+//! breaks some rule.
+
+use predicament_judge as judge;
+use predicament_predicates::{Dimension, Plane, Question, Scene, Sign, Vertex};
+
+/// Whether the sides of loops have nothing in common but the corners between one and the next, in the plane. (Loops may touch in more
+/// than that and are still polygons; of those, and of faces in space, nothing is said here.)
+#[must_use]
+pub fn is_simple(scene: &Scene, loops: &[Vec<Vertex>]) -> bool {
+    let mut corners: Vec<Vertex> = loops.concat();
+    corners.sort_unstable();
+    if scene.dimension() != Dimension::Two || corners.windows(2).any(|pair| pair[0] == pair[1]) {
+        return false;
+    }
+    let turn = |a: Vertex, b: Vertex, c: Vertex| judge::sign(scene, Question::Orient2d(Plane::Xy), &[a, b, c]);
+    let sides: Vec<[Vertex; 2]> = loops
+        .iter()
+        .flat_map(|corners| (0..corners.len()).map(|at| [corners[at], corners[(at + 1) % corners.len()]]))
+        .collect();
+    sides.iter().enumerate().all(|(at, &[a, b])| {
+        sides[at + 1..].iter().all(|&[c, d]| {
+            let shared = [a, b].iter().filter(|v| [c, d].contains(v)).count();
+            let signs = [turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b)];
+            match shared {
+                // Apart: some line has both ends of the other on one side of it, and no end is on a line.
+                0 => !signs.contains(&Sign::Zero) && (signs[0] == signs[1] || signs[2] == signs[3]),
+                // One after the other: they turn.
+                1 => signs.iter().filter(|&&sign| sign != Sign::Zero).count() == 2,
+                _ => false,
+            }
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sides_that_meet_are_no_polygon() {
+        let is_simple = |points: &[f64]| {
+            let scene = Scene::new(Dimension::Two, points.to_vec()).unwrap();
+            let all: Vec<Vertex> = scene.vertices().collect();
+            is_simple(&scene, &[all])
+        };
+        assert!(is_simple(&[0.0, 0.0, 4.0, 0.0, 4.0, 4.0, 1.0, 1.0]) && is_simple(&[0.0, 0.0, 1.0, 0.0, 0.0, 1.0]));
+        // They cross, they come back, one ends on another, two corners are in one place.
+        assert!(!is_simple(&[0.0, 0.0, 4.0, 4.0, 4.0, 0.0, 0.0, 4.0]));
+        assert!(!is_simple(&[2.0, 3.0, 0.0, 1.0, 2.0, 0.0, 0.0, 1.0]));
+        assert!(!is_simple(&[0.0, 0.0, 4.0, 0.0, 2.0, 0.0, 0.0, 4.0]));
+        assert!(!is_simple(&[0.0, 0.0, 4.0, 0.0, 4.0, 4.0, 0.0, 0.0, -1.0, 5.0]));
+    }
+}
