@@ -15,8 +15,9 @@ const MOST: usize = 20_000;
 const JUDGED: usize = 1_500;
 
 /// Scenes that have another id when they are written out: of a row of cells the order in which its probes are listed, and of a
-/// probe of a mesh how it was chosen, is part of the id, and suites have no words for these.
-const OTHER_IDS: [&str; 22] = [
+/// probe of a mesh how it was chosen, is part of the id, and suites have no words for these. Of a map that is none, probes are of other kinds
+/// once they are given.
+const OTHER_IDS: [&str; 23] = [
     "intervals/cells-uniform-interval",
     "intervals/cells-uniform-interval-axis-z",
     "intervals/cells-degen-interval",
@@ -39,6 +40,7 @@ const OTHER_IDS: [&str; 22] = [
     "mesh-sizes/torus-1e5",
     "mesh-sizes/torus-1e6",
     "mesh-sizes/torus-1e7",
+    "tilings/crossing-regions",
 ];
 
 /// The embedded scenes that need no download and are of moderate size, and how many are larger.
