@@ -2,7 +2,7 @@
 //! breaks some rule.
 
 use predicament_judge as judge;
-use predicament_predicates::{Dimension, Plane, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Dimension, Plane, Question, Scene, Sign, Vertex};
 
 /// Whether the sides of loops have nothing in common but the corners between one and the next, in the plane. (Loops may touch in more
 /// than that and are still polygons; of those, and of faces in space, nothing is said here.)
@@ -23,10 +23,15 @@ pub fn is_simple(scene: &Scene, loops: &[Vec<Vertex>]) -> bool {
             let shared = [a, b].iter().filter(|v| [c, d].contains(v)).count();
             let signs = [turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b)];
             match shared {
-                // Apart: some line has both ends of the other on one side of it, and no end is on a line.
-                0 => !signs.contains(&Sign::Zero) && (signs[0] == signs[1] || signs[2] == signs[3]),
-                // One after the other: they turn.
-                1 => signs.iter().filter(|&&sign| sign != Sign::Zero).count() == 2,
+                // Apart: both ends of one are on one side of the other's line.
+                0 => [[0, 1], [2, 3]].iter().any(|&[p, q]| signs[p] == signs[q] && signs[p] != Sign::Zero),
+                // One after the other: they turn, or go on the same way.
+                1 => {
+                    let way = |[from, to]: [Vertex; 2]| {
+                        [Axis::X, Axis::Y].map(|axis| judge::sign(scene, Question::Compare(axis), &[from, to]))
+                    };
+                    signs.iter().any(|&sign| sign != Sign::Zero) || way([a, b]) == way([c, d])
+                }
                 _ => false,
             }
         })
