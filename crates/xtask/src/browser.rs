@@ -84,6 +84,15 @@ fn multiplied(run: &Path, many: &Path, count: usize) -> Result<(), String> {
             std::fs::copy(&path, many.join(name)).map_err(failed(&path))?;
         }
     }
+    // A run vouches for its pictures, too.
+    let (maps, copies) = (run.join("maps"), many.join("maps"));
+    std::fs::create_dir_all(&copies).map_err(failed(&copies))?;
+    for entry in std::fs::read_dir(&maps).map_err(failed(&maps))? {
+        let path = entry.map_err(failed(&maps))?.path();
+        if let Some(name) = path.file_name() {
+            std::fs::copy(&path, copies.join(name)).map_err(failed(&path))?;
+        }
+    }
     let file = many.join("findings.csv");
     let text = std::fs::read_to_string(&file).map_err(failed(&file))?;
     let (head, rows) = text.split_once('\n').ok_or("findings.csv is empty")?;
