@@ -101,8 +101,8 @@ fn is_promised(task: &str, backend: &str, class: Class) -> bool {
         || class == Class::Declined
         || class == Class::Topology
             && match backend {
-                // Faces of closed cubes in one plane; points on an edge that are nearer to each other than weights in doubles tell.
-                "exact" => task == "cube-union" || task.starts_with("contacts"),
+                // Faces of closed cubes in one plane.
+                "exact" => task == "cube-union",
                 // A mesh that touches itself and whose vertices move each on its own.
                 "sos" => task == "mesh-intersect",
                 // Each answer is within the band, and an algorithm that takes them for exact is not.

@@ -18,7 +18,7 @@
 //! A box has at most 4^D entries in a grid, and on the average no more than
 //! about 2^D; a nested grid must be worth it, and nesting ends at a fixed depth.
 
-use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU32, Ordering};
 
 use rayon::prelude::*;
 
@@ -51,17 +51,18 @@ impl<const D: usize> BoxIndex<D> {
     /// An index of these boxes.
     ///
     /// # Panics
-    /// If there are 2^32 boxes or entries or more, or a coordinate is not finite.
+    /// If there are 2^29 boxes or 2^32 entries or more, or a coordinate is not finite.
     #[must_use]
     pub fn new(boxes: Vec<Bounds<D>>) -> BoxIndex<D> {
         const { assert!(D == 2 || D == 3, "a scene has two or three dimensions") };
-        let count = u32::try_from(boxes.len()).expect("a box index holds fewer than 2^32 boxes");
+        let count = u32::try_from(boxes.len()).ok().filter(|count| count >> (u32::BITS - AXES) == 0);
+        let count = count.expect("a box index holds fewer than 2^29 boxes");
         let all = hull(boxes.par_iter().map(|bounds| {
             assert!(bounds.is_finite(), "coordinates must be finite");
             *bounds
         }));
-        let entries: Vec<Entry> = (0..count).map(|place| Entry { place, starts: ALL_AXES }).collect();
-        let grid = (!boxes.is_empty()).then(|| Grid::new(entries, &boxes, &all, DEPTH));
+        let entries: Vec<Entry> = (0..count).map(Entry::new).collect();
+        let grid = (!boxes.is_empty()).then(|| Grid::new(entries, &boxes, &all, &all, DEPTH));
         BoxIndex { boxes, all, grid }
     }
 
@@ -94,7 +95,9 @@ impl<const D: usize> BoxIndex<D> {
 
 /// A bit for each axis.
 type Axes = u32;
-const ALL_AXES: Axes = Axes::MAX;
+const ALL_AXES: Axes = (1 << AXES) - 1;
+/// The most axes.
+const AXES: u32 = 3;
 
 struct Query<const D: usize> {
     exact: Bounds<D>,
@@ -102,22 +105,31 @@ struct Query<const D: usize> {
     reach: f64,
 }
 
-/// A box in a cell.
+/// A box in a cell: its place, and the axes along which the cell is the first that it reaches.
 #[derive(Clone, Copy, Debug)]
-struct Entry {
-    place: u32,
-    /// The axes along which the cell is the first that the box reaches.
-    starts: Axes,
-}
+struct Entry(u32);
 
 impl Entry {
-    fn packed(self) -> u64 {
-        u64::from(self.place) << 32 | u64::from(self.starts)
+    /// Of a box in all that there is.
+    fn new(place: u32) -> Entry {
+        Entry(place << AXES | ALL_AXES)
     }
 
-    #[allow(clippy::cast_possible_truncation)] // the halves of what was packed
-    fn unpacked(packed: u64) -> Entry {
-        Entry { place: (packed >> 32) as u32, starts: packed as u32 }
+    #[inline]
+    fn place(self) -> usize {
+        (self.0 >> AXES) as usize
+    }
+
+    /// The same box in a cell that is the first of a part along these axes.
+    #[inline]
+    fn within(self, first: Axes) -> Entry {
+        Entry(self.0 & (first | !ALL_AXES))
+    }
+
+    /// Whether the cell is the first along all these axes.
+    #[inline]
+    fn starts(self, axes: Axes) -> bool {
+        self.0 & axes == axes
     }
 }
 
@@ -126,8 +138,8 @@ struct Grid<const D: usize> {
     cells: Cells<D>,
     /// The place of each cell's first entry, and the number of entries.
     starts: Vec<u32>,
-    /// [Packed](Entry::packed), cell after cell.
-    entries: Vec<u64>,
+    /// Cell after cell.
+    entries: Vec<Entry>,
     /// The crowded cells that are cut once more, in ascending order.
     nested: Vec<(usize, Grid<D>)>,
     /// Those that would reach too many cells here.
@@ -136,10 +148,15 @@ struct Grid<const D: usize> {
 
 impl<const D: usize> Grid<D> {
     /// A grid over a part of space, of entries of which the part is a cell.
-    fn new(mut given: Vec<Entry>, boxes: &[Bounds<D>], part: &Bounds<D>, depth: u32) -> Grid<D> {
-        let extent = hull(given.par_iter().map(|entry| boxes[entry.place as usize].clipped(part)));
-        let mut cells = Cells::new(&extent, given.len(), mean_extents(&given, boxes, part, &extent));
-        let reach = |cells: &Cells<D>, entry: &Entry| cells.reach(&boxes[entry.place as usize]);
+    fn of_part(given: Vec<Entry>, boxes: &[Bounds<D>], part: &Bounds<D>, depth: u32) -> Grid<D> {
+        let extent = hull(given.par_iter().map(|entry| boxes[entry.place()].clipped(part)));
+        Grid::new(given, boxes, part, &extent, depth)
+    }
+
+    /// The same, of entries that extend so far within the part.
+    fn new(mut given: Vec<Entry>, boxes: &[Bounds<D>], part: &Bounds<D>, extent: &Bounds<D>, depth: u32) -> Grid<D> {
+        let mut cells = Cells::new(extent, given.len(), mean_extents(&given, boxes, part, extent));
+        let reach = |cells: &Cells<D>, entry: &Entry| cells.reach(&boxes[entry.place()]);
         let mut larger = Vec::new();
         if depth > 0 {
             let is_large = |entry: &&Entry| reach(&cells, entry) > most_cells(D);
@@ -157,7 +174,7 @@ impl<const D: usize> Grid<D> {
         let mut grid = Grid { cells, starts, entries, nested: Vec::new(), larger: None };
         if depth > 0 {
             grid.nest(boxes, depth - 1);
-            grid.larger = (!larger.is_empty()).then(|| Box::new(Grid::new(larger, boxes, part, depth - 1)));
+            grid.larger = (!larger.is_empty()).then(|| Box::new(Grid::of_part(larger, boxes, part, depth - 1)));
         }
         grid
     }
@@ -169,12 +186,7 @@ impl<const D: usize> Grid<D> {
             if entries.len() <= CROWD {
                 return None;
             }
-            let nested = Grid::new(
-                entries.iter().map(|&packed| Entry::unpacked(packed)).collect(),
-                boxes,
-                &self.cells.bounds(cell),
-                depth,
-            );
+            let nested = Grid::of_part(entries.to_vec(), boxes, &self.cells.bounds(cell), depth);
             nested.is_worth_it(entries.len()).then_some((cell, nested))
         };
         self.nested = (0..self.cells.len()).into_par_iter().filter_map(cut).collect();
@@ -188,7 +200,7 @@ impl<const D: usize> Grid<D> {
         (larger * without).saturating_add(squares) <= without * without / 2
     }
 
-    fn of(&self, cell: usize) -> &[u64] {
+    fn of(&self, cell: usize) -> &[Entry] {
         &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize]
     }
 
@@ -201,23 +213,21 @@ impl<const D: usize> Grid<D> {
     /// started before the first of them.
     fn near(&self, query: &Query<D>, before: Axes, boxes: &[Bounds<D>], found: &mut Vec<u32>) {
         let [first, last] = self.cells.range(&query.inflated);
-        for place in places([first, last]) {
+        each_place([first, last], |place| {
             let started = (0..D).fold(before, |axes, axis| axes | Axes::from(place[axis] > first[axis]) << axis);
             let cell = self.cells.cell(place);
             let entries = self.of(cell);
             if entries.len() > CROWD
                 && let Ok(at) = self.nested.binary_search_by_key(&cell, |&(cell, _)| cell)
             {
-                self.nested[at].1.near(query, started, boxes, found);
-                continue;
+                return self.nested[at].1.near(query, started, boxes, found);
             }
-            for entry in entries.iter().map(|&packed| Entry::unpacked(packed)) {
-                let is_first = entry.starts & started == started;
-                if is_first && boxes[entry.place as usize].is_near(&query.exact, query.reach) {
-                    found.push(entry.place);
+            for entry in entries {
+                if entry.starts(started) && boxes[entry.place()].is_near(&query.exact, query.reach) {
+                    found.push(entry.0 >> AXES);
                 }
             }
-        }
+        });
         if let Some(larger) = &self.larger {
             larger.near(query, before, boxes, found);
         }
@@ -226,12 +236,26 @@ impl<const D: usize> Grid<D> {
 
 /// Counting sort by cells. Threads share the counters, so entries of one cell
 /// can come in any order, which nothing depends on.
-fn enter<const D: usize>(given: &[Entry], boxes: &[Bounds<D>], cells: &Cells<D>) -> (Vec<u32>, Vec<u64>) {
-    let counters: Vec<AtomicU32> = (0..=cells.len()).map(|_| AtomicU32::new(0)).collect();
-    given.par_iter().with_min_len(ALONE).for_each(|entry| {
-        for place in places(cells.range(&boxes[entry.place as usize])) {
-            counters[cells.cell(place)].fetch_add(1, Ordering::Relaxed);
+fn enter<const D: usize>(given: &[Entry], boxes: &[Bounds<D>], cells: &Cells<D>) -> (Vec<u32>, Vec<Entry>) {
+    // A thread that is alone needs no operation that others wait for.
+    let is_alone = given.len() < ALONE || rayon::current_num_threads() == 1;
+    let each = |visit: &(dyn Fn(&Entry) + Sync)| {
+        if is_alone {
+            given.iter().for_each(visit);
+        } else {
+            given.par_iter().with_min_len(ALONE).for_each(visit);
         }
+    };
+    let counters: Vec<AtomicU32> = (0..=cells.len()).map(|_| AtomicU32::new(0)).collect();
+    each(&|entry| {
+        each_place(cells.range(&boxes[entry.place()]), |place| {
+            let counter = &counters[cells.cell(place)];
+            if is_alone {
+                counter.store(counter.load(Ordering::Relaxed) + 1, Ordering::Relaxed);
+            } else {
+                counter.fetch_add(1, Ordering::Relaxed);
+            }
+        });
     });
     // from counts to ends; filled from the last entry back, they become starts
     let mut end = 0_u32;
@@ -239,18 +263,24 @@ fn enter<const D: usize>(given: &[Entry], boxes: &[Bounds<D>], cells: &Cells<D>)
         end = end.checked_add(counter.load(Ordering::Relaxed)).expect("a box index has fewer than 2^32 entries");
         counter.store(end, Ordering::Relaxed);
     }
-    let entries: Vec<AtomicU64> = (0..end).map(|_| AtomicU64::new(0)).collect();
-    given.par_iter().with_min_len(ALONE).for_each(|entry| {
-        let range = cells.range(&boxes[entry.place as usize]);
-        for place in places(range) {
+    let entries: Vec<AtomicU32> = (0..end).map(|_| AtomicU32::new(0)).collect();
+    each(&|entry| {
+        let range = cells.range(&boxes[entry.place()]);
+        each_place(range, |place| {
             let here = (0..D).fold(0, |axes, axis| axes | Axes::from(place[axis] == range[0][axis]) << axis);
-            let at = counters[cells.cell(place)].fetch_sub(1, Ordering::Relaxed) - 1;
-            let entry = Entry { place: entry.place, starts: entry.starts & here };
-            entries[at as usize].store(entry.packed(), Ordering::Relaxed);
-        }
+            let counter = &counters[cells.cell(place)];
+            let at = if is_alone {
+                let at = counter.load(Ordering::Relaxed) - 1;
+                counter.store(at, Ordering::Relaxed);
+                at
+            } else {
+                counter.fetch_sub(1, Ordering::Relaxed) - 1
+            };
+            entries[at as usize].store(entry.within(here).0, Ordering::Relaxed);
+        });
     });
     let starts = counters.into_iter().map(AtomicU32::into_inner).collect();
-    (starts, entries.into_iter().map(AtomicU64::into_inner).collect())
+    (starts, entries.into_iter().map(|entry| Entry(entry.into_inner())).collect())
 }
 
 fn hull<const D: usize>(boxes: impl IndexedParallelIterator<Item = Bounds<D>>) -> Bounds<D> {
@@ -269,7 +299,7 @@ fn mean_extents<const D: usize>(
 ) -> [f64; D] {
     let half = |bounds: &Bounds<D>, axis: usize| bounds.high[axis] / 2.0 - bounds.low[axis] / 2.0;
     let sum = |entries: &[Entry]| {
-        let clipped = entries.iter().map(|entry| boxes[entry.place as usize].clipped(part));
+        let clipped = entries.iter().map(|entry| boxes[entry.place()].clipped(part));
         clipped.fold([0.0; D], |sum, bounds| {
             // the minimum of NaN and one is one
             std::array::from_fn(|axis| sum[axis] + (half(&bounds, axis) / half(extent, axis)).min(1.0))
@@ -279,21 +309,16 @@ fn mean_extents<const D: usize>(
     std::array::from_fn(|axis| sums.iter().map(|sum| sum[axis]).sum::<f64>() / given.len() as f64)
 }
 
-/// All places from the first to the last.
+/// Visits all places from the first to the last.
 #[inline]
-fn places<const D: usize>([first, last]: [[usize; D]; 2]) -> impl Iterator<Item = [usize; D]> {
-    let mut next = Some(first);
-    std::iter::from_fn(move || {
-        let place = next?;
-        next = (0..D).find(|&axis| place[axis] < last[axis]).map(|axis| {
-            std::array::from_fn(|other| match other.cmp(&axis) {
-                std::cmp::Ordering::Less => first[other],
-                std::cmp::Ordering::Equal => place[other] + 1,
-                std::cmp::Ordering::Greater => place[other],
-            })
-        });
-        Some(place)
-    })
+fn each_place<const D: usize>([first, last]: [[usize; D]; 2], mut visit: impl FnMut([usize; D])) {
+    let mut place = first;
+    loop {
+        visit(place);
+        let Some(axis) = (0..D).find(|&axis| place[axis] < last[axis]) else { return };
+        place[axis] += 1;
+        place[..axis].copy_from_slice(&first[..axis]);
+    }
 }
 
 /// Where the cells are.

@@ -163,6 +163,7 @@ impl Complex {
     ///
     /// # Panics
     /// If the complex has no such simplex.
+    #[inline]
     #[must_use]
     pub fn vertices_of(&self, simplex: Simplex) -> &[Vertex] {
         let index = simplex.index as usize;

@@ -22,10 +22,8 @@ impl Faces {
     /// The faces of all simplices of this complex.
     #[must_use]
     pub fn new(complex: &Complex) -> Faces {
-        let vertices = Places::new(complex.vertices(), |&v| v);
-        let edges = Places::new(complex.edges(), |edge| edge[0]);
-        let triangles = Places::new(complex.triangles(), |triangle| triangle[0]);
-        let vertex = |v: Vertex| vertices.of(&v);
+        let FaceFinder { vertices, edges, triangles, .. } = FaceFinder::new(complex);
+        let vertex = |v: Vertex| vertices.first(v);
         let of_triangle = |&[a, b, c]: &[Vertex; 3]| {
             let sides = [[a, b], [a, c], [b, c]];
             ([a, b, c].map(vertex), sides.map(|edge| edges.of(&edge)))
@@ -61,30 +59,98 @@ impl Faces {
     }
 }
 
+/// Finds the faces of a complex' simplices by their places, each time that it
+/// is asked: for those who ask about few. To prepare takes one look at each
+/// simplex that can be a face.
+#[derive(Debug)]
+pub struct FaceFinder<'a> {
+    complex: &'a Complex,
+    vertices: Places<'a, Vertex>,
+    edges: Places<'a, [Vertex; 2]>,
+    triangles: Places<'a, [Vertex; 3]>,
+}
+
+impl<'a> FaceFinder<'a> {
+    /// Prepared for this complex.
+    #[must_use]
+    pub fn new(complex: &'a Complex) -> FaceFinder<'a> {
+        // What is a face of nothing is not looked up.
+        let edges = if complex.triangles().is_empty() { &[] } else { complex.edges() };
+        let triangles = if complex.tetrahedra().is_empty() { &[] } else { complex.triangles() };
+        FaceFinder {
+            complex,
+            vertices: Places::new(complex.vertices(), |&v| v),
+            edges: Places::new(edges, |edge| edge[0]),
+            triangles: Places::new(triangles, |triangle| triangle[0]),
+        }
+    }
+
+    /// Visits the faces of the simplex in ascending order, and last itself.
+    ///
+    /// # Panics
+    /// If the complex has no such simplex.
+    #[inline]
+    pub fn each(&self, simplex: Simplex, mut visit: impl FnMut(Simplex)) {
+        let mut vertex = |v: Vertex| visit(Simplex { rank: 0, index: self.vertices.first(v) });
+        match *self.complex.vertices_of(simplex) {
+            [_] => {}
+            [a, b] => [a, b].into_iter().for_each(vertex),
+            [a, b, c] => {
+                [a, b, c].into_iter().for_each(&mut vertex);
+                for edge in [[a, b], [a, c], [b, c]] {
+                    visit(Simplex { rank: 1, index: self.edges.of(&edge) });
+                }
+            }
+            [a, b, c, d] => {
+                [a, b, c, d].into_iter().for_each(&mut vertex);
+                for edge in [[a, b], [a, c], [a, d], [b, c], [b, d], [c, d]] {
+                    visit(Simplex { rank: 1, index: self.edges.of(&edge) });
+                }
+                for triangle in [[a, b, c], [a, b, d], [a, c, d], [b, c, d]] {
+                    visit(Simplex { rank: 2, index: self.triangles.of(&triangle) });
+                }
+            }
+            _ => unreachable!("a simplex has one to four vertices"),
+        }
+        visit(simplex);
+    }
+}
+
 /// A sorted list of simplices, and where those with a given first vertex are.
+#[derive(Debug)]
 struct Places<'a, S> {
     simplices: &'a [S],
     first: fn(&S) -> Vertex,
+    /// The index of the first vertex of the first simplex.
+    lowest: usize,
+    /// For it and each vertex after it where those that begin with it start.
     starts: Vec<u32>,
 }
 
 impl<'a, S: Ord> Places<'a, S> {
     fn new(simplices: &'a [S], first: fn(&S) -> Vertex) -> Places<'a, S> {
-        let end = simplices.last().map_or(0, |last| first(last).index() + 1);
-        let mut starts = vec![0; end + 1];
-        for simplex in simplices {
-            starts[first(simplex).index() + 1] += 1;
+        let lowest = simplices.first().map_or(0, |lowest| first(lowest).index());
+        let count = simplices.last().map_or(0, |last| first(last).index() + 1 - lowest);
+        let mut starts = Vec::with_capacity(count + 1);
+        for (place, simplex) in (0..).zip(simplices) {
+            let vertex = first(simplex).index() - lowest;
+            // those between have none
+            while starts.len() <= vertex {
+                starts.push(place);
+            }
         }
-        let mut sum = 0;
-        for start in &mut starts {
-            sum += *start;
-            *start = sum;
-        }
-        Places { simplices, starts, first }
+        starts.push(u32::try_from(simplices.len()).expect("a complex holds fewer than 2^32 simplices of one kind"));
+        Places { simplices, first, lowest, starts }
+    }
+
+    /// The place of the first one that begins with this vertex.
+    #[inline]
+    fn first(&self, vertex: Vertex) -> u32 {
+        self.starts[vertex.index() - self.lowest]
     }
 
     fn of(&self, face: &S) -> u32 {
-        let first = (self.first)(face).index();
+        let first = (self.first)(face).index() - self.lowest;
         let start = self.starts[first];
         let among = &self.simplices[start as usize..self.starts[first + 1] as usize];
         let at = among.binary_search(face).expect("a complex has the faces of its simplices");
@@ -110,7 +176,7 @@ mod tests {
             vertices: v(&[6]),
         };
         let complex = Complex::new(&scene, &given).unwrap();
-        let faces = Faces::new(&complex);
+        let (faces, finder) = (Faces::new(&complex), FaceFinder::new(&complex));
         let counts = [complex.vertices().len(), complex.edges().len(), complex.triangles().len(), 3];
         for (rank, count) in (0_u8..).zip(counts) {
             for index in 0..u32::try_from(count).unwrap() {
@@ -122,6 +188,9 @@ mod tests {
                     .collect();
                 expected.sort_unstable();
                 assert_eq!(faces.of(simplex).collect::<Vec<_>>(), expected);
+                let mut found = Vec::new();
+                finder.each(simplex, |face| found.push(face));
+                assert_eq!(found, expected);
             }
         }
     }

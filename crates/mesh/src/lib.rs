@@ -11,7 +11,7 @@ mod polygon;
 mod subdivision;
 
 pub use complex::{Complex, ComplexError, Simplex, Simplices};
-pub use faces::Faces;
+pub use faces::{FaceFinder, Faces};
 pub use half_edge::HalfEdgeMesh;
 pub use materials::{MaterialError, MaterialMesh, OUTSIDE};
 pub use polygon::{MapError, PolygonMap, Region, Ring};

@@ -1,11 +1,13 @@
 //! Merges registered points by union-find, then orders the points along each edge.
 
 use predicament_mesh::{Complex, Simplex};
+use predicament_predicates::Scene;
 
+use super::order::{self, On};
 use super::{Arrangement, MergedPoint, Side};
 use crate::contacts::{Contact, Contacts};
 
-pub(super) fn merge(complexes: [&Complex; 2], contacts: &Contacts) -> Arrangement {
+pub(super) fn merge(scene: &Scene, complexes: [&Complex; 2], contacts: &Contacts) -> Arrangement {
     let counts = complexes.map(|complex| complex.vertices().len());
     let node = |side: Side, index: u32| index as usize + if side == Side::A { 0 } else { counts[0] };
 
@@ -56,7 +58,7 @@ pub(super) fn merge(complexes: [&Complex; 2], contacts: &Contacts) -> Arrangemen
 
     let (of_a, of_b) = of_node.split_at(counts[0]);
     let vertices = [of_a.to_vec(), of_b.to_vec()];
-    let paths = Side::BOTH.map(|side| paths(side, complexes[side as usize], contacts, &registrations, &vertices));
+    let paths = Side::BOTH.map(|side| paths(scene, side, complexes, contacts, &registrations, &vertices));
     Arrangement { points, vertices, registrations, paths }
 }
 
@@ -65,17 +67,22 @@ fn sides(contact: &Contact) -> [(Side, Simplex, crate::contacts::Weights); 2] {
 }
 
 fn paths(
+    scene: &Scene,
     side: Side,
-    complex: &Complex,
+    complexes: [&Complex; 2],
     contacts: &Contacts,
     registrations: &[usize],
     vertices: &[Vec<usize>; 2],
 ) -> Vec<Vec<usize>> {
-    let mut between: Vec<Vec<(f64, usize)>> = vec![Vec::new(); complex.edges().len()];
+    let [complex, other] = [side, side.other()].map(|side| complexes[side as usize]);
+    let mut between: Vec<Vec<On>> = vec![Vec::new(); complex.edges().len()];
     for (contact, &point) in contacts.registered.iter().zip(registrations) {
-        let (_, simplex, weights) = sides(contact)[side as usize];
+        let of = sides(contact);
+        let (_, simplex, weights) = of[side as usize];
+        let (_, with, _) = of[side.other() as usize];
         if simplex.rank == 1 {
-            between[simplex.index as usize].push((weights[1], point));
+            let vertex = (with.rank == 0).then(|| other.vertices()[with.index as usize]);
+            between[simplex.index as usize].push(On { vertex, weight: weights[1], point });
         }
     }
     let end = |vertex| {
@@ -84,9 +91,8 @@ fn paths(
     };
     let edges = complex.edges().iter().zip(between);
     edges
-        .map(|(&[from, to], mut between)| {
-            between.sort_by(|(w, p), (v, q)| w.total_cmp(v).then(p.cmp(q)));
-            let inner = between.into_iter().map(|(_, point)| point);
+        .map(|(&[from, to], between)| {
+            let inner = order::along(scene, [from, to], between);
             let mut path: Vec<usize> = std::iter::once(end(from)).chain(inner).chain([end(to)]).collect();
             path.dedup();
             path

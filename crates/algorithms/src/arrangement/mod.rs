@@ -10,7 +10,7 @@
 //! * merged [points](Arrangement::points): classes of vertices, by union-find
 //!   over the vertex-vertex pairs, and the new points of the other pairs;
 //! * for each edge its [path](Arrangement::path): the merged points that it
-//!   passes through, in the order of their weights;
+//!   passes through, in their order as far as weights tell;
 //! * in space, the [intersection curves](Arrangement::intersection) of two
 //!   surfaces: for each pair of triangles the merged points on both.
 //!
@@ -20,17 +20,20 @@
 //! Nothing is looked at but registrations, so the arrangement of a wrong
 //! contact set is a wrong arrangement. That is the point: whether curves still
 //! cross an even number of times after merging says something about the
-//! registrations.
+//! registrations. Only the order along an edge is more than they tell: weights
+//! are rounded, and vertices that are exactly on the edge's line have the order
+//! that their coordinates give, which is decided in rationals.
 
 mod intersection;
 mod merge;
+mod order;
 mod seat;
 
 pub use intersection::{Intersection, Meeting};
 pub use seat::{Seat, Stand};
 
 use predicament_mesh::{Complex, Simplex};
-use predicament_predicates::Vertex;
+use predicament_predicates::{Scene, Vertex};
 
 use crate::contacts::{Contacts, Weights};
 
@@ -102,13 +105,13 @@ pub struct Arrangement {
 }
 
 impl Arrangement {
-    /// Merges two complexes by their contacts.
+    /// Merges two complexes of a scene by their contacts.
     ///
     /// # Panics
     /// If the contacts are not of these complexes.
     #[must_use]
-    pub fn new(complexes: [&Complex; 2], contacts: &Contacts) -> Arrangement {
-        merge::merge(complexes, contacts)
+    pub fn new(scene: &Scene, complexes: [&Complex; 2], contacts: &Contacts) -> Arrangement {
+        merge::merge(scene, complexes, contacts)
     }
 
     /// All points: first those with vertices, by the first vertex of A or else
@@ -135,9 +138,11 @@ impl Arrangement {
     }
 
     /// The points that an edge passes through: from its lower vertex to the
-    /// higher, what was registered on it between them, by weight and then by
-    /// point, never one twice at once. The path of an edge that collapsed is
-    /// one point.
+    /// higher, what was registered on it between them, by place and then by
+    /// point, never one twice at once. The place of a vertex that is exactly on
+    /// the edge's line is exact, that of all else is its weight; what has one
+    /// double for a place begins with exact vertices. The path of an edge that
+    /// collapsed is one point.
     ///
     /// # Panics
     /// If the complex has no such edge.

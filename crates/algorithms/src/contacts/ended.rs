@@ -5,32 +5,32 @@
 //! once, for all its candidates, with what its faces are registered; most have
 //! nothing, and then no candidate needs a look.
 
-use predicament_mesh::{Complex, Faces, Simplex};
+use predicament_mesh::{Complex, FaceFinder, Simplex};
 
 use super::Contact;
 
 /// The registered pairs of the levels before, by their first simplex.
 #[derive(Default)]
-pub(super) struct Ended {
-    tables: Option<Tables>,
+pub(super) struct Ended<'a> {
+    tables: Option<Tables<'a>>,
 }
 
-struct Tables {
-    faces: [Faces; 2],
+struct Tables<'a> {
+    faces: [FaceFinder<'a>; 2],
     /// For each rank, where each simplex' partners start, and their number.
     starts: [Vec<u32>; 4],
     partners: [Vec<Simplex>; 4],
 }
 
-impl Ended {
+impl<'a> Ended<'a> {
     /// Learns all that is registered so far. While that is nothing, nothing is looked up.
-    pub(super) fn learn(&mut self, [a, b]: [&Complex; 2], registered: &[Contact]) {
+    pub(super) fn learn(&mut self, [a, b]: [&'a Complex; 2], registered: &[Contact]) {
         if registered.is_empty() {
             return;
         }
         let faces = match self.tables.take() {
             Some(tables) => tables.faces,
-            None => [a, b].map(Faces::new),
+            None => [a, b].map(FaceFinder::new),
         };
         let mut by_first: Vec<[Simplex; 2]> = registered.iter().map(|contact| [contact.a, contact.b]).collect();
         by_first.sort_unstable();
@@ -55,17 +55,19 @@ impl Ended {
     pub(super) fn partners(&self, s: Simplex, partners: &mut Vec<Simplex>) {
         partners.clear();
         let Some(tables) = &self.tables else { return };
-        for face in tables.faces[0].of(s) {
+        tables.faces[0].each(s, |face| {
             let starts = &tables.starts[face.rank as usize];
             let [start, end] = [starts[face.index as usize], starts[face.index as usize + 1]];
             partners.extend(&tables.partners[face.rank as usize][start as usize..end as usize]);
-        }
+        });
         partners.sort_unstable();
     }
 
     /// Whether one of these [partners](Ended::partners) is a face of `t`, or `t`.
     pub(super) fn has_face(&self, partners: &[Simplex], t: Simplex) -> bool {
-        let faces = |tables: &Tables| tables.faces[1].of(t).any(|face| partners.binary_search(&face).is_ok());
-        !partners.is_empty() && self.tables.as_ref().is_some_and(faces)
+        let Some(tables) = self.tables.as_ref().filter(|_| !partners.is_empty()) else { return false };
+        let mut has = false;
+        tables.faces[1].each(t, |face| has |= partners.binary_search(&face).is_ok());
+        has
     }
 }

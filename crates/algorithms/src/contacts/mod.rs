@@ -24,7 +24,7 @@ use predicament_predicates::{Dimension, Predicates};
 
 pub use ask::ask;
 use ended::Ended;
-use near::{Near, PIECE};
+use near::Near;
 
 use self::planted::Planted;
 use crate::parallel;
@@ -141,13 +141,12 @@ fn hierarchy<F: Planted, S: Predicates + ?Sized, const D: usize>(session: &S, co
         // A level's pairs come by the ranks of the first simplex: what is appended stays sorted.
         let start = all.registered.len();
         for &ranks in *pairs {
-            let (level, registered) = if F::SKIPS_VERTICES && ranks == [0, 0] {
-                (Level { ranks, candidates: 0, ended: 0, asked: 0, registered: 0 }, Vec::new())
+            let level = if F::SKIPS_VERTICES && ranks == [0, 0] {
+                Level { ranks, candidates: 0, ended: 0, asked: 0, registered: 0 }
             } else {
-                of_ranks(session, complexes, ranks, &near, &ended)
+                of_ranks(session, complexes, ranks, &near, &ended, &mut all.registered)
             };
             all.levels.push(level);
-            all.registered.extend(registered);
         }
         let is_last = level + 1 == levels.len();
         if F::LOSES_SUB_PAIRS && !is_last && all.registered.len() > start {
@@ -160,26 +159,25 @@ fn hierarchy<F: Planted, S: Predicates + ?Sized, const D: usize>(session: &S, co
     all
 }
 
-/// The pairs of two ranks, in ascending order.
+/// The pairs of two ranks, which are appended in ascending order.
 fn of_ranks<S: Predicates + ?Sized, const D: usize>(
     session: &S,
     [a, b]: [&Complex; 2],
-    [rank_a, rank_b]: [u8; 2],
+    ranks: [u8; 2],
     near: &Near<D>,
     ended: &Ended,
-) -> (Level, Vec<Contact>) {
-    let none = Level { ranks: [rank_a, rank_b], candidates: 0, ended: 0, asked: 0, registered: 0 };
-    let piece = |piece: &[u32]| {
+    all: &mut Vec<Contact>,
+) -> Level {
+    let none = Level { ranks, candidates: 0, ended: 0, asked: 0, registered: 0 };
+    let piece = |piece: usize| {
         let (mut level, mut registered) = (none, Vec::new());
-        let (mut found, mut partners) = (Vec::new(), Vec::new());
-        for s in piece.iter().map(|&index| Simplex { rank: rank_a, index }) {
-            near.to(a.vertices_of(s), rank_b, &mut found);
-            if found.is_empty() {
-                continue;
-            }
-            level.candidates += found.len() as u64;
+        let mut partners = Vec::new();
+        near.each(piece, ranks, &mut |of_one| {
+            level.candidates += of_one.len() as u64;
+            let s = Simplex { rank: ranks[0], index: of_one[0][0] };
             ended.partners(s, &mut partners);
-            for t in found.iter().map(|&index| Simplex { rank: rank_b, index }) {
+            for &[_, index] in of_one {
+                let t = Simplex { rank: ranks[1], index };
                 if ended.has_face(&partners, t) {
                     level.ended += 1;
                     continue;
@@ -187,18 +185,22 @@ fn of_ranks<S: Predicates + ?Sized, const D: usize>(
                 level.asked += 1;
                 registered.extend(ask(session, [a, b], [s, t]));
             }
-        }
+        });
         level.registered = registered.len() as u64;
         (level, registered)
     };
-    let pieces: Vec<(Level, Vec<Contact>)> = parallel::pieces(near.firsts(rank_a), PIECE, &piece);
-    let mut all = (none, Vec::with_capacity(pieces.iter().map(|(_, registered)| registered.len()).sum()));
+    let pieces: Vec<(Level, Vec<Contact>)> = parallel::each(near.pieces(), &piece);
+    let mut sum = none;
+    let start = all.len();
+    all.reserve(pieces.iter().map(|(_, registered)| registered.len()).sum());
     for (level, registered) in pieces {
-        all.0.candidates += level.candidates;
-        all.0.ended += level.ended;
-        all.0.asked += level.asked;
-        all.0.registered += level.registered;
-        all.1.extend(registered);
+        sum.candidates += level.candidates;
+        sum.ended += level.ended;
+        sum.asked += level.asked;
+        sum.registered += level.registered;
+        all.extend(registered);
     }
-    all
+    // Simplices come by the maximal ones that own them; where these are of the same rank they are sorted already.
+    all[start..].sort_unstable_by_key(|contact| (contact.a, contact.b));
+    sum
 }

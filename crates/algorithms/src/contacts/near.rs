@@ -1,129 +1,274 @@
 //! The broad phase: which pairs are near enough to be asked about.
 //!
-//! Two surfaces meet along curves, and most simplices are nowhere near the
-//! other complex. The boxes of two simplices that are near each other lie in
-//! those of two maximal ones, which are near each other too. So maximal
-//! simplices come first, and after them only simplices all of whose vertices
-//! belong to a maximal one that has found another are looked at again.
+//! The boxes of two simplices that are near each other lie in those of two
+//! maximal ones, which are near each other too. So one search finds the pairs
+//! of maximal simplices, and all others are taken from them. Two surfaces meet
+//! along curves, and most simplices are in no such pair: they are not looked at
+//! again.
+//!
+//! # Each pair once
+//! A simplex can be a face of many. Its owner is the first maximal one among
+//! those that have found another. A pair is taken from the pair of its owners,
+//! which has been found, as each pair of maximal ones that holds it has.
+//!
+//! # Memory
+//! Where a piece of work has more pairs of maximal simplices than a few for
+//! each, they are not kept, but what is owned is searched again for each level,
+//! and no more is held than what one simplex has near.
 
+use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use predicament_grid::{Bounds, BoxIndex};
-use predicament_mesh::{Complex, Simplex};
-use predicament_predicates::{Axis, Scene, Vertex};
+use predicament_mesh::{Complex, FaceFinder, Simplex};
+use predicament_predicates::{Scene, Vertex};
 use rayon::prelude::*;
 
-const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+/// So many maximal simplices make a piece of work.
+const PIECE: usize = 512;
 
-/// So many simplices make a piece of work.
-pub(super) const PIECE: usize = 512;
+/// The most pairs of maximal simplices that a piece keeps.
+const MOST_KEPT: usize = 32 * PIECE;
 
-/// The simplices that can have near ones in the other complex, and the boxes
-/// of the second complex' in an index for each rank.
+/// Pairs of two ranks by their places; those of one simplex of the first complex stand together.
+type Candidates = Vec<[u32; 2]>;
+
+/// The pairs of two complexes whose boxes are within reach of each other.
 pub(super) struct Near<'a, const D: usize> {
     scene: &'a Scene,
-    a: [Vec<u32>; 4],
-    b: [(Vec<u32>, BoxIndex<D>); 4],
+    complexes: [&'a Complex; 2],
     reach: f64,
+    /// The boxes of the second complex' maximal simplices.
+    index: BoxIndex<D>,
+    owned: [Owned; 2],
+    pieces: Vec<Piece>,
+}
+
+/// What a piece of the first complex' maximal simplices has near, as far as it is kept.
+struct Piece {
+    maximal: Option<Pairs>,
+    /// The pairs of all levels but the last, by ranks.
+    below: [[Candidates; 3]; 3],
+}
+
+/// Pairs of maximal simplices by their places among the maximal.
+#[derive(Default)]
+struct Pairs {
+    /// Those of the first complex that have near ones, ascending, and where these end.
+    firsts: Vec<(u32, u32)>,
+    /// Those of the second, ascending for each of the first.
+    seconds: Vec<u32>,
 }
 
 impl<'a, const D: usize> Near<'a, D> {
-    pub(super) fn new(scene: &'a Scene, [a, b]: [&Complex; 2], reach: f64) -> Near<'a, D> {
-        let [of_a, of_b] = touched::<D>(scene, [a, b], reach);
-        let indexed = |rank: u8| {
-            let places = of_b.of(rank);
-            let boxes = places.par_iter().with_min_len(PIECE);
-            let boxes = boxes.map(|&index| bounds(scene, b.vertices_of(Simplex { rank, index })));
-            let index = BoxIndex::new(boxes.collect());
-            (places, index)
-        };
-        Near { scene, a: [0, 1, 2, 3].map(|rank| of_a.of(rank)), b: [0, 1, 2, 3].map(indexed), reach }
+    pub(super) fn new(scene: &'a Scene, complexes: [&'a Complex; 2], reach: f64) -> Near<'a, D> {
+        let boxes = complexes[1].maximal().par_iter().with_min_len(PIECE);
+        let index = BoxIndex::new(boxes.map(|&t| bounds(scene, complexes[1].vertices_of(t))).collect());
+        let owned = [Owned::default(), Owned::default()];
+        let mut near = Near { scene, complexes, reach, index, owned, pieces: Vec::new() };
+        let touched = complexes.map(|complex| complex.maximal().iter().map(|_| AtomicBool::new(false)).collect());
+        near.pieces = near.find(&touched);
+        let [a, b] = touched;
+        let (a, b) = rayon::join(|| Owned::new(complexes[0], a), || Owned::new(complexes[1], b));
+        near.owned = [a, b];
+        let mut pieces = std::mem::take(&mut near.pieces);
+        pieces.par_iter_mut().for_each(|Piece { maximal, below }| {
+            let last = u8::try_from(D).expect("two or three");
+            if let Some(pairs) = maximal {
+                near.take(
+                    pairs,
+                    0..last,
+                    |rank| 0..last - rank,
+                    |[i, j], pair| {
+                        below[i as usize][j as usize].push(pair);
+                    },
+                );
+            }
+        });
+        near.pieces = pieces;
+        near
     }
 
-    /// The places of the first complex' simplices of this rank that can have near ones.
-    pub(super) fn firsts(&self, rank: u8) -> &[u32] {
-        &self.a[rank as usize]
+    /// The number of pieces of work.
+    pub(super) fn pieces(&self) -> usize {
+        self.pieces.len()
     }
 
-    /// The places of the second complex' simplices of this rank whose boxes
-    /// are within reach of the box of a simplex of the first, in ascending order.
-    pub(super) fn to(&self, vertices: &[Vertex], rank: u8, found: &mut Vec<u32>) {
-        let (places, index) = &self.b[rank as usize];
-        index.near(&bounds(self.scene, vertices), self.reach, found);
-        for place in found {
-            *place = places[*place as usize];
+    /// Visits the pairs of these ranks that a piece has, all of one simplex of the first complex at once.
+    pub(super) fn each(&self, piece: usize, [rank_a, rank_b]: [u8; 2], visit: &mut dyn FnMut(&[[u32; 2]])) {
+        let Piece { maximal, below } = &self.pieces[piece];
+        let Some(pairs) = maximal else { return self.again(piece, [rank_a, rank_b], visit) };
+        let mut by_first = |pairs: &[[u32; 2]]| pairs.chunk_by(|one, other| one[0] == other[0]).for_each(&mut *visit);
+        if usize::from(rank_a + rank_b) < D {
+            return by_first(&below[rank_a as usize][rank_b as usize]);
         }
-    }
-}
-
-/// What of a complex is near the other one.
-struct Touched<'a> {
-    complex: &'a Complex,
-    /// The maximal simplices that have near ones, by their places among the maximal.
-    maximal: Vec<AtomicBool>,
-    /// The vertices of these.
-    vertices: Vec<AtomicBool>,
-}
-
-impl<'a> Touched<'a> {
-    fn nothing(scene: &Scene, complex: &'a Complex) -> Touched<'a> {
-        let none = |count: usize| (0..count).map(|_| AtomicBool::new(false)).collect();
-        Touched { complex, maximal: none(complex.maximal().len()), vertices: none(scene.len()) }
+        let mut found = Vec::with_capacity(pairs.seconds.len());
+        self.take(pairs, rank_a..rank_a + 1, |_| rank_b..rank_b + 1, |_, pair| found.push(pair));
+        by_first(&found);
     }
 
-    fn touch(&self, place: usize) {
-        // many threads find the same ones: what is set already is not written again
-        if !self.maximal[place].load(Ordering::Relaxed) {
-            self.maximal[place].store(true, Ordering::Relaxed);
-            let vertices = self.complex.vertices_of(self.complex.maximal()[place]);
-            vertices.iter().for_each(|v| self.vertices[v.index()].store(true, Ordering::Relaxed));
-        }
-    }
-
-    /// The places of all simplices of this rank that can have near ones.
-    fn of(&self, rank: u8) -> Vec<u32> {
-        let complex = self.complex;
-        let count = match rank {
-            0 => complex.vertices().len(),
-            1 => complex.edges().len(),
-            2 => complex.triangles().len(),
-            _ => complex.tetrahedra().len(),
-        };
-        let count = u32::try_from(count).expect("a complex holds 2^32 at most");
-        let start = complex.maximal().partition_point(|maximal| maximal.rank < rank);
-        let maximal = &complex.maximal()[start..];
-        let maximal = &maximal[..maximal.partition_point(|maximal| maximal.rank == rank)];
-        let can = |index: &u32| {
-            let place = if maximal.len() == count as usize {
-                Ok(*index as usize)
-            } else {
-                maximal.binary_search_by_key(index, |simplex| simplex.index)
-            };
-            let is_touched = |v: &Vertex| self.vertices[v.index()].load(Ordering::Relaxed);
-            match place {
-                Ok(place) => self.maximal[start + place].load(Ordering::Relaxed),
-                Err(_) => complex.vertices_of(Simplex { rank, index: *index }).iter().all(is_touched),
+    /// Searches all pairs of maximal simplices, and notes which ones are in any.
+    fn find(&self, touched: &[Vec<AtomicBool>; 2]) -> Vec<Piece> {
+        let touch = |side: usize, place: u32| {
+            // many threads find the same ones: what is set already is not written again
+            let is_touched = &touched[side][place as usize];
+            if !is_touched.load(Ordering::Relaxed) {
+                is_touched.store(true, Ordering::Relaxed);
             }
         };
-        (0..count).into_par_iter().with_min_len(PIECE).filter(can).collect()
+        let find = |piece: usize| Piece { maximal: self.search(piece, touch), below: Default::default() };
+        (0..touched[0].len().div_ceil(PIECE)).into_par_iter().map(find).collect()
+    }
+
+    /// The pairs of a piece of the first complex' maximal simplices, each end of which is touched; none if they are too many to be kept.
+    fn search(&self, piece: usize, touch: impl Fn(usize, u32)) -> Option<Pairs> {
+        let mut pairs = Some(Pairs::default());
+        let mut found = Vec::new();
+        for place in self.places(piece) {
+            let around = bounds(self.scene, self.complexes[0].vertices_of(self.complexes[0].maximal()[place]));
+            self.index.near(&around, self.reach, &mut found);
+            if found.is_empty() {
+                continue;
+            }
+            touch(0, number(place));
+            found.iter().for_each(|&second| touch(1, second));
+            pairs = pairs.filter(|pairs| pairs.seconds.len() + found.len() <= MOST_KEPT);
+            if let Some(pairs) = &mut pairs {
+                pairs.seconds.extend(&found);
+                pairs.firsts.push((number(place), number(pairs.seconds.len())));
+            }
+        }
+        pairs
+    }
+
+    /// The pairs of these ranks of a piece that has not kept those of maximal simplices: the boxes of those that are owned are
+    /// smaller, and have fewer near them.
+    fn again(&self, piece: usize, [rank_a, rank_b]: [u8; 2], visit: &mut dyn FnMut(&[[u32; 2]])) {
+        let (mut found, mut seconds) = (Candidates::new(), Vec::new());
+        for first in self.places(piece).map(number) {
+            for &s in self.owned[0].of(first, rank_a) {
+                let around = self.bounds(0, rank_a, s);
+                self.index.near(&around, self.reach, &mut seconds);
+                let is_maximal = self.complexes[0].maximal()[first as usize].rank == rank_a;
+                found.clear();
+                self.with(&around, is_maximal, &seconds, rank_b, |t| found.push([s, t]));
+                if !found.is_empty() {
+                    visit(&found);
+                }
+            }
+        }
+    }
+
+    fn places(&self, piece: usize) -> Range<usize> {
+        piece * PIECE..self.complexes[0].maximal().len().min((piece + 1) * PIECE)
+    }
+
+    /// Takes from pairs of maximal simplices those of some ranks of the first complex, and of the ranks of the second that go
+    /// with each: the ranks and the places.
+    #[inline]
+    fn take(
+        &self,
+        pairs: &Pairs,
+        first_ranks: Range<u8>,
+        second_ranks: impl Fn(u8) -> Range<u8>,
+        mut taken: impl FnMut([u8; 2], [u32; 2]),
+    ) {
+        let mut start = 0;
+        for &(first, end) in &pairs.firsts {
+            let seconds = &pairs.seconds[start as usize..end as usize];
+            start = end;
+            for rank_a in first_ranks.clone() {
+                for &s in self.owned[0].of(first, rank_a) {
+                    let around = self.bounds(0, rank_a, s);
+                    let is_maximal = self.complexes[0].maximal()[first as usize].rank == rank_a;
+                    for rank_b in second_ranks(rank_a) {
+                        self.with(&around, is_maximal, seconds, rank_b, |t| taken([rank_a, rank_b], [s, t]));
+                    }
+                }
+            }
+        }
+    }
+
+    /// What of one rank is near a box, of all that some maximal simplices of the second complex own. These are near it if the
+    /// box is that of a maximal one.
+    #[inline]
+    fn with(&self, around: &Bounds<D>, is_maximal: bool, seconds: &[u32], rank: u8, mut taken: impl FnMut(u32)) {
+        for &second in seconds {
+            let is_known = is_maximal && self.complexes[1].maximal()[second as usize].rank == rank;
+            for &t in self.owned[1].of(second, rank) {
+                if is_known || around.is_near(&self.bounds(1, rank, t), self.reach) {
+                    taken(t);
+                }
+            }
+        }
+    }
+
+    #[inline]
+    fn bounds(&self, side: usize, rank: u8, index: u32) -> Bounds<D> {
+        bounds(self.scene, self.complexes[side].vertices_of(Simplex { rank, index }))
     }
 }
 
-/// What each of the complexes has near the other.
-fn touched<'a, const D: usize>(scene: &Scene, [a, b]: [&'a Complex; 2], reach: f64) -> [Touched<'a>; 2] {
-    let of = [a, b].map(|complex| Touched::nothing(scene, complex));
-    let boxes = b.maximal().par_iter().with_min_len(PIECE);
-    let index = BoxIndex::new(boxes.map(|&t| bounds::<D>(scene, b.vertices_of(t))).collect());
-    (0..a.maximal().len()).into_par_iter().with_min_len(PIECE).for_each_init(Vec::new, |found, place| {
-        index.near(&bounds(scene, a.vertices_of(a.maximal()[place])), reach, found);
-        if !found.is_empty() {
-            of[0].touch(place);
-        }
-        found.iter().for_each(|&t| of[1].touch(t as usize));
-    });
-    of
+/// What the maximal simplices of a complex own that are in a pair.
+#[derive(Default)]
+struct Owned {
+    /// By the places of the maximal ones.
+    heads: Vec<Head>,
+    /// The places of what is owned: for each owner in ascending order of ranks, and of places.
+    places: Vec<u32>,
 }
 
+/// Where what a maximal simplex owns starts, and after how many those of each rank end.
+#[derive(Clone, Copy, Default)]
+struct Head {
+    start: u32,
+    ends: [u8; 4],
+}
+
+impl Owned {
+    fn new(complex: &Complex, touched: Vec<AtomicBool>) -> Owned {
+        let faces = FaceFinder::new(complex);
+        let counts = [complex.vertices().len(), complex.edges().len(), complex.triangles().len()];
+        // What is a face of nothing is maximal, and owns itself.
+        let highest = complex.maximal().last().map_or(0, |maximal| usize::from(maximal.rank));
+        let mut is_owned: Vec<Vec<bool>> = counts[..highest].iter().map(|&count| vec![false; count]).collect();
+        let mut owned = Owned { heads: vec![Head::default(); touched.len()], places: Vec::new() };
+        for ((touched, head), &maximal) in touched.into_iter().zip(&mut owned.heads).zip(complex.maximal()) {
+            if !touched.into_inner() {
+                continue;
+            }
+            head.start = number(owned.places.len());
+            faces.each(maximal, |face| {
+                let is_new = face.rank == maximal.rank
+                    || !std::mem::replace(&mut is_owned[face.rank as usize][face.index as usize], true);
+                if is_new {
+                    owned.places.push(face.index);
+                    head.ends[face.rank as usize..].iter_mut().for_each(|end| *end += 1);
+                }
+            });
+        }
+        owned
+    }
+
+    /// What a maximal simplex owns of a rank.
+    #[inline]
+    fn of(&self, maximal: u32, rank: u8) -> &[u32] {
+        let Head { start, ends } = self.heads[maximal as usize];
+        let from = if rank == 0 { 0 } else { ends[rank as usize - 1] };
+        &self.places[start as usize + usize::from(from)..start as usize + usize::from(ends[rank as usize])]
+    }
+}
+
+#[inline(always)]
 fn bounds<const D: usize>(scene: &Scene, vertices: &[Vertex]) -> Bounds<D> {
-    Bounds::of(vertices.iter().map(|&v| std::array::from_fn(|axis| scene.coordinate(AXES[axis], v))))
+    let points: &[[f64; D]] = scene.coordinates().as_chunks().0;
+    let first = points[vertices[0].index()];
+    vertices[1..].iter().fold(Bounds { low: first, high: first }, |all, &v| {
+        let point = points[v.index()];
+        all.union(&Bounds { low: point, high: point })
+    })
+}
+
+fn number(count: usize) -> u32 {
+    u32::try_from(count).expect("fewer than 2^32 simplices")
 }

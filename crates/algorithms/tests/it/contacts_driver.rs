@@ -188,6 +188,59 @@ fn more_than_one_piece_of_work() {
     assert_eq!(with_threads(1, || contacts2d(&Exact.prepare(&scene, Off).unwrap(), &a, &b)), found);
 }
 
+/// Where all boxes overlap there are more pairs than a piece of work keeps, and they are searched again for each level.
+#[test]
+fn more_pairs_than_are_kept() {
+    const COUNT: u32 = 140;
+    let side = f64::from(COUNT);
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    for i in (0..COUNT).map(f64::from) {
+        points.extend([[i, 0.0], [side - i, side]]);
+    }
+    for i in (0..COUNT).map(f64::from) {
+        // Through a point of the first ones, from one of them, or from none.
+        points.extend([[0.0, if i % 2.0 == 0.0 { i } else { i + 0.5 }], [side, side - i]]);
+    }
+    points[COUNT as usize * 2] = points[0];
+    let scene = Scene::from_points2(&points).unwrap();
+    let path = |from: u32, to: u32| -> Simplices {
+        let ends = |i: u32| [2 * i, 2 * i + 1].map(|v| Vertex::input(v as usize));
+        Simplices { edges: (from..to).map(ends).collect(), ..Simplices::default() }
+    };
+    let complexes = [path(0, COUNT), path(COUNT, 2 * COUNT)].map(|given| Complex::new(&scene, &given).unwrap());
+    let [a, b] = &complexes;
+    let found = check(&Exact.prepare(&scene, Off).unwrap(), a, b);
+    let last = found.levels.iter().find(|level| level.ranks == [1, 1]).unwrap();
+    assert!(last.candidates > 32 * 512, "{last:?}");
+    assert!(found.levels[0].registered > 0 && found.levels[1].ended > 0, "{:?}", found.levels);
+    check(&Whim { scene: &scene, reach: 1.0, odds: 3 }, a, b);
+}
+
+/// Each vertex belongs to many triangles, each edge to two, in different pieces of work.
+#[test]
+fn faces_of_many_are_looked_at_once() {
+    const SIDE: u32 = 17;
+    let mut points: Vec<[f64; 3]> = Vec::new();
+    let grids = [0_u32, 1].map(|which| {
+        let first = points.len();
+        for i in 0..=SIDE * (SIDE + 1) + SIDE {
+            let [x, y] = [i % (SIDE + 1), i / (SIDE + 1)];
+            let z = f64::from((x * 7 + y * 3 + which * (x * 5 + y)) % 3);
+            points.push([f64::from(x), f64::from(y), z]);
+        }
+        let at = |x: u32, y: u32| Vertex::input(first + (y * (SIDE + 1) + x) as usize);
+        let cells = (0..SIDE).flat_map(|x| (0..SIDE).map(move |y| [x, y]));
+        let triangles = cells.flat_map(|[x, y]| {
+            [[at(x, y), at(x + 1, y), at(x, y + 1)], [at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)]]
+        });
+        Simplices { triangles: triangles.collect(), ..Simplices::default() }
+    });
+    let scene = Scene::from_points3(&points).unwrap();
+    let [a, b] = grids.map(|given| Complex::new(&scene, &given).unwrap());
+    let found = check(&Exact.prepare(&scene, Off).unwrap(), &a, &b);
+    assert!(found.levels.iter().filter(|level| level.registered > 0).count() >= 2, "{:?}", found.levels);
+}
+
 #[test]
 fn nothing_meets_nothing() {
     let scene = Scene::from_points2(&[[0.0, 0.0], [1.0, 1.0]]).unwrap();

@@ -42,7 +42,9 @@ pub struct LooseEnds {
 /// of curve that begins there and ends in one other point that both triangles
 /// have: another piercing, or a degeneracy, merged. (The intersection of two
 /// triangles that are not in one plane is a segment, and between its ends there
-/// is no point of the boundary of either.) Of two closed surfaces an edge has
+/// is no point of the boundary of either. To exact signs what is pierced has
+/// area; a triangle of the edge that has none is a segment, and its boundary
+/// passes through each of its points twice.) Of two closed surfaces an edge has
 /// two triangles, so a piercing is the end of two pieces. The law holds through
 /// degeneracies; at a merged point itself any number of pieces can meet, and
 /// surfaces that touch can share a piece with loose ends.

@@ -124,6 +124,25 @@ fn many_long_boxes_take_no_more_memory_than_they_may() {
 }
 
 #[test]
+fn one_thread_enters_what_many_do() {
+    let boxes: Vec<Bounds<2>> = (0..20_000_u32)
+        .map(|i| {
+            let at = [f64::from(i * 7919 % 1009), f64::from(i * 104_729 % 997)];
+            spanned(at, at.map(|x| x + f64::from(i % 13)))
+        })
+        .collect();
+    for threads in [1, 3] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let index = pool.install(|| BoxIndex::new(boxes.clone()));
+        let mut found = Vec::new();
+        for query in boxes.iter().step_by(211) {
+            index.near(query, 0.5, &mut found);
+            assert_eq!(found, brute(&boxes, query, 0.5), "{threads} threads");
+        }
+    }
+}
+
+#[test]
 #[should_panic(expected = "a reach is a distance")]
 fn a_reach_that_is_no_distance_is_refused() {
     BoxIndex::<2>::new(Vec::new()).near(&spanned([0.0; 2], [0.0; 2]), f64::NAN, &mut Vec::new());

@@ -215,7 +215,7 @@ impl Merged {
         let lengths = [&a, &b].map(|complex| complex.primitive_length(&scene));
         let scene = scene.with_primitive_lengths(lengths);
         let found = contacts(backend, &scene, [&a, &b])?;
-        let arrangement = Arrangement::new([&a, &b], &found);
+        let arrangement = Arrangement::new(&scene, [&a, &b], &found);
         let seats = Seats { scene: &scene, complexes: [&a, &b], arrangement: &arrangement };
         let mut points = Points::default();
         let nodes: Vec<Vertex> = arrangement.points().iter().map(|point| points.vertex(seats.of(point))).collect();

@@ -42,7 +42,7 @@ pub fn examine(backend: &dyn Contestant, pair: &PolygonPair) -> Result<Examined,
     let (scene, complexes) = pair.scene();
     let complexes = complexes.each_ref();
     let contacts = contacts(backend, &scene, complexes)?;
-    let arrangement = Arrangement::new(complexes, &contacts);
+    let arrangement = Arrangement::new(&scene, complexes, &contacts);
     let count = |seat| crossings(&scene, complexes, &contacts, &arrangement, seat).expect("polygons are closed");
     Ok(Examined {
         crossings: Seat::ALL.map(count),

@@ -116,7 +116,7 @@ fn a_snap_takes_an_edge_across_a_vertex_that_was_out_of_reach() {
     assert_eq!(ranks, [[0, 0], [1, 1], [1, 1]], "one snap, two crossings");
     let crossings = examined.crossings(Seat::A);
     assert_eq!((crossings.of_edges, crossings.at_points % 2, crossings.unfaithful.len()), (2, 1, 1));
-    let arrangement = Arrangement::new(complexes.each_ref(), &examined.contacts);
+    let arrangement = Arrangement::new(&scene, complexes.each_ref(), &examined.contacts);
     assert_eq!(arrangement.points().iter().filter(|point| point.is_shared()).count(), 3);
     assert!(examined.clusters.is_empty() && examined.collapses.is_empty());
 }

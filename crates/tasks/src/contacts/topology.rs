@@ -22,7 +22,7 @@ pub(crate) fn violations<S: Predicates>(sides: &S, complexes: [&Complex; 2], con
     if contacts.registered.is_empty() {
         return Vec::new();
     }
-    let arrangement = Arrangement::new(complexes, contacts);
+    let arrangement = Arrangement::new(sides.scene(), complexes, contacts);
     match sides.scene().dimension() {
         Dimension::Two => {
             let count = |seat| crossings(sides.scene(), complexes, contacts, &arrangement, seat).ok();

@@ -77,7 +77,7 @@ pub fn examine(backend: &dyn Contestant, pair: &SurfacePair) -> Result<Examined,
     let (scene, complexes) = pair.scene();
     let both = complexes.both();
     let contacts = contacts(backend, &scene, both)?;
-    let arrangement = Arrangement::new(both, &contacts);
+    let arrangement = Arrangement::new(&scene, both, &contacts);
     let ends = loose_ends(both, &contacts, &arrangement).expect("surfaces are closed");
     let boundaries = boundaries(both, &contacts).expect("surfaces are closed");
     Ok(Examined { contacts, ends, boundaries })
