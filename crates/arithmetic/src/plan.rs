@@ -215,18 +215,17 @@ impl<const D: usize> Plan<D> {
         }
     }
 
+    /// The power of two by which all coordinates are integers less than 2^63 in magnitude, if there is one that is a normal double.
+    #[must_use]
+    pub fn scale(&self) -> Option<f64> {
+        let fits = |axis: &Span| axis.range.is_none_or(|range| range.highest - self.lowest <= 63);
+        (self.axes.iter().all(fits) && (-1022..=1022).contains(&self.lowest)).then(|| power_of_two(-self.lowest))
+    }
+
     /// All points in units of their lowest bit, modulo 2^64: differences are
     /// right if they have 63 bits at most.
     #[must_use]
     pub fn low_units(&self, points: &[[f64; D]]) -> Vec<[i64; D]> {
-        // Where all coordinates fit, scaled by a power of two that is a normal double, the
-        // processor's conversion of doubles does it; all values are integers, and none is rounded.
-        let fits = |axis: &Span| axis.range.is_none_or(|range| range.highest - self.lowest <= 63);
-        if self.axes.iter().all(fits) && (-1022..=1022).contains(&self.lowest) {
-            let scale = power_of_two(-self.lowest);
-            #[allow(clippy::cast_possible_truncation)] // integers in range
-            return points.iter().map(|point| point.map(|x| (x * scale) as i64)).collect();
-        }
         #[allow(clippy::cast_possible_truncation)] // modulo 2^64
         points.iter().map(|point| point.map(|x| units(x, self.lowest) as i64)).collect()
     }

@@ -1,12 +1,13 @@
-//! The rungs of the ladder above the scene's static filter.
+//! The rungs of the ladder above the filters.
 
 // Loops over indices stay in registers, where `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]
 
-use predicament_arithmetic::{Arithmetic, Fixed, Plan, power_of_two};
+use predicament_arithmetic::{Arithmetic, Fixed, Plan};
 use predicament_predicates::{Sign, Vertex};
 
-use crate::integers::{Integers, Rows};
+use crate::common_unit::{self, Short};
+use crate::integers::{Integers, Rows, scaled};
 use crate::predicate::Predicate;
 use crate::stage;
 
@@ -20,68 +21,72 @@ pub(crate) struct Prepared {
     pub static_stage: usize,
     /// The bound of the semi-static filter, or NaN.
     pub semi_static_bound: f64,
-    /// The limbs of what the static filter leaves open, in integers of the scene's unit.
+    /// Whether what a filter has left open is small, and needs fewer limbs.
+    leaves_little: bool,
+    /// The limbs of what a filter has left open, in integers of the scene's unit.
     limbs: usize,
+    /// Times this, every coordinate along these axes is an integer less than 2^63 in magnitude, and differences have one limb; zero if there
+    /// is no such power of two.
+    pub scale: f64,
     /// Every coordinate is a multiple of two to this, and differences over it
     /// have two limbs at most.
     two_limbs: Option<i32>,
 }
 
+/// The exponent that the lowest bit of determinants must have for the slack of [`anywhere`](crate::anywhere) to be less than that bit.
+///
+/// A determinant of degree k is a multiple of 2^(k·l). With differences below 2^(l + b), b ≤ 126, the slack is less than
+/// 2^-960 · (4·2^(l + b) + 1) for orient3d, 2^-960 · (6·4^(l + b) + 1) for incircle, 2^-960 · (12·4^(l + b)·(4·2^(l + b) + 1) + 1) for
+/// insphere. Over 2^(k·l), with l ≥ -900/k ≥ -450 and, as nothing overflows, k·(l + b) ≤ 1023: the largest is insphere's, at
+/// 2^(-960 + 6 + 3·(l + b) - 5·l) = 2^(-954 - 2·l + 3·b) ≤ 2^(-954 + 360 + 378), less than 1.
+const SLACK_IS_LESS: i32 = -900;
+
 impl Prepared {
     pub fn new<P: Predicate<D, N>, const D: usize, const N: usize>(plan: &Plan<D>) -> Prepared {
         let form = P::DETERMINANT.form;
-        let arithmetic = plan.arithmetic(form);
+        let (arithmetic, allows_filters) = (plan.arithmetic(form), plan.allows_filters(form));
         let (static_bound, semi_static_bound, static_stage) = if arithmetic == Arithmetic::Double {
             (0.0, 0.0, stage::DOUBLE)
-        } else if plan.allows_filters(form) {
+        } else if allows_filters {
             (P::static_bound(plan.axes().map(|axis| axis.extent())), P::DETERMINANT.bound, stage::STATIC)
         } else {
             (f64::NAN, f64::NAN, stage::STATIC)
         };
+        let leaves_little = allows_filters && form.degree * plan.lowest() >= SLACK_IS_LESS;
         let determinant = P::DETERMINANT;
-        let limbs = if static_bound.is_nan() {
-            determinant.limbs(plan.bits())
-        } else {
-            determinant.limbs_left_open(plan.bits())
-        };
+        let limbs =
+            if leaves_little { determinant.limbs_left_open(plan.bits()) } else { determinant.limbs(plan.bits()) };
         let two_limbs = (arithmetic <= Arithmetic::WideInteger).then(|| plan.lowest());
-        Prepared { static_bound, static_stage, semi_static_bound, limbs, two_limbs }
+        let scale = if arithmetic <= Arithmetic::Integer { plan.scale().unwrap_or(0.0) } else { 0.0 };
+        Prepared { static_bound, static_stage, semi_static_bound, leaves_little, limbs, scale, two_limbs }
     }
 
     /// Whether doubles make no error.
+    #[inline(always)]
     pub fn is_double(&self) -> bool {
         self.static_stage == stage::DOUBLE
     }
 
-    /// The sign of a query whose `determinant` the static filter has found too
-    /// small to be certain of, if integers of one limb are the next rung for it.
-    #[inline(always)]
-    pub fn next<P: Predicate<D, N>, const D: usize, const N: usize, const E: usize>(
-        &self,
-        determinant: f64,
-        (integers, axes, vertices): (&Integers<E>, [usize; D], [Vertex; N]),
-    ) -> Option<(Sign, usize)> {
-        let rows = integers.of_scene(axes, vertices)?;
-        let skips = P::FILTERS_PAY && self.is_small(determinant);
-        (!skips).then(|| (P::integer(rows, self.limbs), stage::INTEGER))
-    }
-
-    /// The sign of a query, from the semi-static filter on; `points` are those
+    /// The sign of a query that a filter has left open; `points` are those
     /// of the vertices, seen along these axes of the integers.
     #[inline(always)]
-    pub fn climb<P: Predicate<D, N>, const D: usize, const N: usize, const E: usize>(
+    pub fn exactly<P: Predicate<D, N>, const D: usize, const N: usize, const E: usize>(
         &self,
         points: &[[f64; D]; N],
-        (integers, axes, vertices): (&Integers<E>, [usize; D], [Vertex; N]),
+        integers: (&Integers<E>, [usize; D], [Vertex; N]),
     ) -> (Sign, usize) {
-        if let Some(sign) = P::estimate(*points).certain(self.semi_static_bound) {
-            return (sign, stage::SEMI_STATIC);
+        if self.is_double() {
+            return (Sign::of(P::estimate(*points).determinant), stage::DOUBLE);
         }
-        if let Some((rows, bits)) = integers.of_query(points, vertices) {
-            return (P::integer(rows, self.limbs_of::<P, D, N>(bits)), stage::INTEGER);
+        if self.scale != 0.0 {
+            return (P::integer(scaled(points, self.scale), self.limbs), stage::INTEGER);
         }
+        let (integers, axes, vertices) = integers;
         if let Some(rows) = integers.of_scene(axes, vertices) {
             return (P::integer(rows, self.limbs), stage::INTEGER);
+        }
+        if let Some(Short { rows, bits, .. }) = common_unit::rows(points) {
+            return (P::integer(rows, self.limbs_of::<P, D, N>(bits)), stage::INTEGER);
         }
         self.rest::<P, D, N>(points)
     }
@@ -116,8 +121,11 @@ impl Prepared {
         (integers, axes, vertices): (&Integers<E>, [usize; D], [Vertex; N]),
         last: usize,
     ) -> Option<(Sign, usize)> {
-        if let Some((rows, bits)) = integers.of_query(points, vertices) {
+        if let Some(Short { rows, bits, .. }) = common_unit::rows(points) {
             return Some((P::integer(rows, self.limbs_of::<P, D, N>(bits)), stage::INTEGER));
+        }
+        if self.scale != 0.0 {
+            return Some((P::integer(scaled(points, self.scale), self.limbs), stage::INTEGER));
         }
         if let Some(rows) = integers.of_scene(axes, vertices) {
             return Some((P::integer(rows, self.limbs), stage::INTEGER));
@@ -139,10 +147,13 @@ impl Prepared {
     }
 
     /// What fits in one limb neither in units of the scene nor, as it is, in
-    /// units of the query. (Not inlined, so that filters need no stack.)
+    /// units of the query. (Not inlined, so that the rest needs no stack.)
     #[inline(never)]
     fn rest<P: Predicate<D, N>, const D: usize, const N: usize>(&self, points: &[[f64; D]; N]) -> (Sign, usize) {
-        let Some(lowest) = self.two_limbs else { return alone::<P, D, N>(points) };
+        let Some(lowest) = self.two_limbs else {
+            let short = P::short(*points).map(|sign| (sign, stage::INTEGER));
+            return short.unwrap_or_else(|| (P::dyadic(*points), stage::DYADIC));
+        };
         let rows = Rows::new(points, lowest);
         match rows.shortened() {
             Some((rows, bits)) => (P::integer(rows, self.limbs_of::<P, D, N>(bits)), stage::INTEGER),
@@ -150,21 +161,10 @@ impl Prepared {
         }
     }
 
-    /// The limbs of what the semi-static filter leaves open, in integers of so many bits.
+    /// The limbs of what the filter for a query leaves open, in integers of so many bits.
     #[inline(always)]
     fn limbs_of<P: Predicate<D, N>, const D: usize, const N: usize>(&self, bits: i32) -> usize {
-        // (Where filters are not allowed, none has left it open.)
-        let is_left_open = !self.semi_static_bound.is_nan();
-        if is_left_open { P::DETERMINANT.limbs_left_open(bits) } else { P::DETERMINANT.limbs(bits) }
-    }
-
-    /// Whether a determinant is so small that it is more likely that of a
-    /// small figure, with roundings as small, than the remains of a large one
-    /// that has cancelled: those are some hundred times smaller than the bound.
-    #[inline(always)]
-    fn is_small(&self, determinant: f64) -> bool {
-        const FRACTION: f64 = power_of_two(-20);
-        (determinant.abs() < FRACTION * self.static_bound) & (determinant != 0.0)
+        if self.leaves_little { P::DETERMINANT.limbs_left_open(bits) } else { P::DETERMINANT.limbs(bits) }
     }
 }
 
@@ -173,29 +173,23 @@ fn wide_integer<P: Predicate<D, N>, const D: usize, const N: usize>(rows: [[Fixe
     P::wide_integer(rows, limbs)
 }
 
-/// A query of a scene that is too wide for integers.
-#[inline(never)]
+/// A query without a scene that its own filter has left open.
+#[inline(always)]
 pub(crate) fn alone<P: Predicate<D, N>, const D: usize, const N: usize>(points: &[[f64; D]; N]) -> (Sign, usize) {
-    if is_ordinary(points)
-        && let Some(sign) = P::estimate(*points).certain(P::DETERMINANT.bound)
-    {
-        return (sign, stage::SEMI_STATIC);
+    if let Some(Short { rows, bits, low }) = common_unit::rows(points) {
+        let (determinant, form) = (P::DETERMINANT, P::DETERMINANT.form);
+        // Where nothing overflows and the slack is less than a unit, the filter has said something.
+        let leaves_little = (form.degree * low >= SLACK_IS_LESS) & (form.degree * (low + bits) + form.growth <= 1023);
+        let limbs = if leaves_little { determinant.limbs_left_open(bits) } else { determinant.limbs(bits) };
+        return (P::integer(rows, limbs), stage::INTEGER);
     }
+    alone_at_length::<P, D, N>(points)
+}
+
+#[inline(never)]
+fn alone_at_length<P: Predicate<D, N>, const D: usize, const N: usize>(points: &[[f64; D]; N]) -> (Sign, usize) {
     if let Some(sign) = P::short(*points) {
         return (sign, stage::INTEGER);
     }
     (P::dyadic(*points), stage::DYADIC)
-}
-
-/// Whether filters are allowed, for every predicate here, without looking for the lowest bit.
-///
-/// Coordinates of at least 2^-141 are multiples of 2^-193, and 5·193 ≤ 969;
-/// differences of coordinates up to 2^200 are at most 2^201, and
-/// 5·201 + 7 ≤ 1023 (see [`Plan`]).
-#[inline(always)]
-fn is_ordinary<const D: usize>(points: &[[f64; D]]) -> bool {
-    const LOWEST: f64 = power_of_two(-141);
-    const HIGHEST: f64 = power_of_two(200);
-    let ordinary = |x: f64| (x.abs() <= HIGHEST) & ((x.abs() >= LOWEST) | (x == 0.0));
-    points.as_flattened().iter().fold(true, |all, &x| all & ordinary(x))
 }

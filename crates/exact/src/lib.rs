@@ -2,19 +2,17 @@
 //!
 //! A query climbs a ladder until a rung can prove its answer ([`stage`]):
 //!
-//! 1. plain floating point, where every intermediate is a double anyway;
-//! 2. the static [`filter`]: plain floating point with one bound on its error
+//! 1. the static filter: plain floating point with one bound on its error
 //!    for the whole scene;
-//! 3. the semi-static filter, with a bound for the query;
-//! 4. [`integer`]s of a fixed size, over one power of two for the scene;
+//! 2. the semi-static filter, with a bound for the query, for any doubles ([`anywhere`]);
+//! 3. plain floating point as it is, where every intermediate is a double anyway;
+//! 4. [`integer`]s of a fixed size, over one power of two for the scene or the query;
 //! 5. [`dyadic`]: exact dyadic numbers, limbs times a power of two.
 //!
-//! Which of them apply is proved, once per scene, by a
-//! [`Plan`](predicament_arithmetic::Plan), and for a scene whose exponents are
-//! too wide for integers, again for each query alone. [`Precision`] says what
-//! was chosen. A scene pays only for the rungs that it needs: short numbers get no
-//! filter, and long ones climb straight to the integers that they fit. No
-//! rung allocates. `docs/EXACT.md` has the conditions and the bits of each.
+//! A session knows how far its scene extends, which is all that filters need. Which of the other rungs apply is proved by a
+//! [`Plan`](predicament_arithmetic::Plan), made when a query first climbs to them. [`Precision`] says what
+//! was chosen. A scene pays only for the rungs that it needs. A session allocates its plan, and nothing else for input vertices.
+//! `docs/EXACT.md` has the conditions and the bits of each.
 //!
 //! [`constructed`] vertices have a ladder of their own, of two rungs. [`raw`]
 //! predicates take coordinates and no scene. [`rational`] is not on the ladder: it
@@ -25,17 +23,21 @@
 //! [`Session`] also decides without tallying (`decide_…`), for backends that
 //! stand on this one and count their own stages.
 
+pub mod anywhere;
 mod backend;
 mod batch;
+mod common_unit;
 pub mod constructed;
 pub mod dyadic;
 pub mod estimate;
 pub mod filter;
+mod first;
 pub mod form;
 pub mod integer;
 mod integers;
 mod ladder;
 mod partial;
+mod planned;
 mod precision;
 mod predicate;
 mod products;

@@ -113,8 +113,8 @@ impl<'s, T: Tally> PartialSession<'s, T> {
             orient3d: Prepared::new::<Orient3d, 3, 4>(&solid),
             incircle: Prepared::new::<Incircle, 2, 4>(&flat),
             insphere: Prepared::new::<Insphere, 3, 5>(&solid),
-            integers2: if has_integers { Integers::new(&flat, points2) } else { Integers::NONE },
-            integers3: if has_integers { Integers::new(&solid, points3) } else { Integers::NONE },
+            integers2: if has_integers { Integers::new(&flat, points2) } else { Integers::None },
+            integers3: if has_integers { Integers::new(&solid, points3) } else { Integers::None },
         })
     }
 

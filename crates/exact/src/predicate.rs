@@ -6,6 +6,7 @@
 use predicament_arithmetic::{Fixed, bound, short_rows};
 use predicament_predicates::{PredicateKind, Sign};
 
+use crate::anywhere::{self, Bounded};
 use crate::estimate::{self, Estimate};
 use crate::form::{self, Determinant};
 use crate::{dyadic, integer, products};
@@ -23,15 +24,15 @@ pub(crate) trait Predicate<const D: usize, const N: usize> {
     /// In plain floating point.
     fn estimate(points: [[f64; D]; N]) -> Estimate;
 
+    /// In plain floating point, with the magnitude from which on the sign is certain, whatever underflows or overflows.
+    fn anywhere(points: [[f64; D]; N]) -> Bounded;
+
     /// In integers, where that many limbs hold the determinant; the rows are
     /// the differences to the last point, and the last row is zero.
     fn integer(rows: [[Fixed<1>; D]; N], limbs: usize) -> Sign;
 
     /// In integers, differences of two limbs.
     fn wide_integer(rows: [[Fixed<2>; D]; N], limbs: usize) -> Sign;
-
-    /// Whether the semi-static filter is tried before integers of one limb: whether it is faster.
-    const FILTERS_PAY: bool = true;
 
     /// For points whose differences span few bits; none if they don't.
     #[inline(always)]
@@ -49,7 +50,6 @@ pub(crate) struct Orient2d;
 impl Predicate<2, 3> for Orient2d {
     const KIND: PredicateKind = PredicateKind::Orient2d;
     const DETERMINANT: Determinant = form::ORIENT2D;
-    const FILTERS_PAY: bool = false;
 
     fn static_bound(extent: [f64; 2]) -> f64 {
         bound::static_orient2d(extent)
@@ -57,6 +57,10 @@ impl Predicate<2, 3> for Orient2d {
     #[inline(always)]
     fn estimate([a, b, c]: [[f64; 2]; 3]) -> Estimate {
         estimate::orient2d(a, b, c)
+    }
+    #[inline(always)]
+    fn anywhere(points: [[f64; 2]; 3]) -> Bounded {
+        anywhere::orient2d(points)
     }
     #[inline(always)]
     fn integer([a, b, _]: [[Fixed<1>; 2]; 3], _: usize) -> Sign {
@@ -85,7 +89,6 @@ pub(crate) struct Orient3d;
 impl Predicate<3, 4> for Orient3d {
     const KIND: PredicateKind = PredicateKind::Orient3d;
     const DETERMINANT: Determinant = form::ORIENT3D;
-    const FILTERS_PAY: bool = false;
 
     fn static_bound(extent: [f64; 3]) -> f64 {
         bound::static_orient3d(extent)
@@ -93,6 +96,10 @@ impl Predicate<3, 4> for Orient3d {
     #[inline(always)]
     fn estimate([a, b, c, d]: [[f64; 3]; 4]) -> Estimate {
         estimate::orient3d(a, b, c, d)
+    }
+    #[inline(always)]
+    fn anywhere(points: [[f64; 3]; 4]) -> Bounded {
+        anywhere::orient3d(points)
     }
     #[inline(always)]
     fn integer([a, b, c, _]: [[Fixed<1>; 3]; 4], limbs: usize) -> Sign {
@@ -125,6 +132,10 @@ impl Predicate<2, 4> for Incircle {
         estimate::incircle(a, b, c, d)
     }
     #[inline(always)]
+    fn anywhere(points: [[f64; 2]; 4]) -> Bounded {
+        anywhere::incircle(points)
+    }
+    #[inline(always)]
     fn integer([a, b, c, _]: [[Fixed<1>; 2]; 4], limbs: usize) -> Sign {
         match limbs {
             ..=2 => integer::incircle::<1, 2, 2>([a, b, c]),
@@ -154,6 +165,10 @@ impl Predicate<3, 5> for Insphere {
     #[inline(always)]
     fn estimate([a, b, c, d, e]: [[f64; 3]; 5]) -> Estimate {
         estimate::insphere(a, b, c, d, e)
+    }
+    #[inline(always)]
+    fn anywhere(points: [[f64; 3]; 5]) -> Bounded {
+        anywhere::insphere(points)
     }
     #[inline(always)]
     fn integer([a, b, c, d, _]: [[Fixed<1>; 3]; 5], limbs: usize) -> Sign {

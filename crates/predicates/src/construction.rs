@@ -36,12 +36,13 @@ pub enum Construction {
 impl Construction {
     /// The same construction with ids in ascending order wherever the order
     /// does not matter.
+    #[inline]
     #[must_use]
     pub fn canonical(self) -> Construction {
         match self {
-            Construction::Ssi(lines) => Construction::Ssi(sorted(lines.map(sorted))),
-            Construction::Lpi { line, plane } => Construction::Lpi { line: sorted(line), plane: sorted(plane) },
-            Construction::Tpi(planes) => Construction::Tpi(sorted(planes.map(sorted))),
+            Construction::Ssi(lines) => Construction::Ssi(two(lines.map(two))),
+            Construction::Lpi { line, plane } => Construction::Lpi { line: two(line), plane: three(plane) },
+            Construction::Tpi(planes) => Construction::Tpi(three(planes.map(three))),
         }
     }
 
@@ -55,9 +56,33 @@ impl Construction {
     }
 
     /// Whether only input vertices define it. Others are constructed from constructed vertices.
+    #[inline]
     #[must_use]
     pub fn is_of_inputs(&self) -> bool {
-        self.flats().flatten().all(|vertex| !vertex.is_constructed())
+        let none = |flat: &[Vertex]| flat.iter().all(|vertex| !vertex.is_constructed());
+        match self {
+            Construction::Ssi(lines) => none(lines.as_flattened()),
+            Construction::Lpi { line, plane } => none(line) && none(plane),
+            Construction::Tpi(planes) => none(planes.as_flattened()),
+        }
+    }
+
+    /// A hash that is the same on every machine and in every run: its low bits are as good as the others.
+    /// It keeps nobody from making definitions that collide, who then waits for them.
+    #[inline]
+    pub(crate) fn hash(&self) -> u64 {
+        /// Where each kind begins.
+        const KINDS: [u64; 3] = [0x1319_8a2e_0370_7344, 0xa409_3822_299f_31d0, 0x082e_fa98_ec4e_6c89];
+        match *self {
+            Construction::Ssi([[a, b], [c, d]]) => mixed(mixed(KINDS[0], pair(a, b)), pair(c, d)),
+            Construction::Lpi { line: [p, q], plane: [r, s, t] } => {
+                mixed(mixed(mixed(KINDS[1], pair(p, q)), pair(r, s)), t.index() as u64)
+            }
+            Construction::Tpi([[a, b, c], [d, e, f], [g, h, i]]) => {
+                let first = mixed(mixed(KINDS[2], pair(a, b)), pair(c, d));
+                mixed(mixed(mixed(first, pair(e, f)), pair(g, h)), i.index() as u64)
+            }
+        }
     }
 
     /// The lines and planes, each as the vertices that span it.
@@ -128,9 +153,53 @@ impl std::fmt::Display for ConstructionError {
 
 impl std::error::Error for ConstructionError {}
 
-fn sorted<X: Ord, const N: usize>(mut items: [X; N]) -> [X; N] {
-    items.sort_unstable();
-    items
+/// What vertices, lines and planes are sorted by.
+trait Place: Copy {
+    /// A number that has their order: by the first vertex, then the next.
+    fn place(self) -> u128;
+}
+
+impl Place for Vertex {
+    #[inline(always)]
+    fn place(self) -> u128 {
+        self.index() as u128
+    }
+}
+
+impl<const N: usize> Place for [Vertex; N] {
+    #[inline(always)]
+    fn place(self) -> u128 {
+        const { assert!(N <= 4, "32 bits each") };
+        self.into_iter().fold(0, |place, v| place << 32 | v.place())
+    }
+}
+
+#[inline(always)]
+fn two<X: Place>([a, b]: [X; 2]) -> [X; 2] {
+    if b.place() < a.place() { [b, a] } else { [a, b] }
+}
+
+#[inline(always)]
+fn three<X: Place>([a, b, c]: [X; 3]) -> [X; 3] {
+    let [a, b] = two([a, b]);
+    let [b, c] = two([b, c]);
+    let [a, b] = two([a, b]);
+    [a, b, c]
+}
+
+/// Mixes 64 bits into a hash: both halves of a product.
+#[inline(always)]
+#[allow(clippy::cast_possible_truncation)] // halves of 128 bits
+fn mixed(hash: u64, bits: u64) -> u64 {
+    /// Odd, without a pattern: the digits of π after the point.
+    const FACTOR: u64 = 0x243f_6a88_85a3_08d3;
+    let product = u128::from(hash ^ bits) * u128::from(FACTOR);
+    product as u64 ^ (product >> 64) as u64
+}
+
+#[inline(always)]
+fn pair(a: Vertex, b: Vertex) -> u64 {
+    (a.index() as u64) << 32 | b.index() as u64
 }
 
 #[cfg(test)]

@@ -3,18 +3,25 @@
 //! A vertex is its definition, so the same definition always gives the same
 //! vertex. Ids are places in the list: they depend on the order in which
 //! definitions are added and on nothing else.
-
-use std::collections::HashMap;
+//!
+//! Places are found by a hash table of ids alone, with open addressing: the
+//! definitions themselves are in the list. At most half of the table is taken, so
+//! a look-up compares one or two definitions, and the table takes 8 to 16 bytes a vertex.
 
 use crate::{Construction, Vertex};
 
 /// Constructions in canonical form, by id, and the id of each.
-#[derive(Clone, PartialEq, Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Interned {
     list: Vec<Construction>,
-    /// The inverse of `list`; never iterated, as its order is arbitrary.
-    vertices: HashMap<Construction, Vertex>,
+    /// By hash, at the first free place from there on: the place in the list and one, or 0 where
+    /// the place is free. A power of two of them, or none.
+    table: Vec<u32>,
 }
+
+/// Where a construction belongs that is not in the list.
+#[derive(Clone, Copy)]
+pub(crate) struct Gap(usize);
 
 impl Interned {
     /// In the order of their ids.
@@ -23,24 +30,96 @@ impl Interned {
         &self.list
     }
 
-    /// The vertex of a construction that is in the list.
-    pub(crate) fn vertex(&self, construction: &Construction) -> Option<Vertex> {
-        self.vertices.get(construction).copied()
+    /// The vertex of a construction in the list, or where one that is not in it belongs.
+    #[inline]
+    pub(crate) fn find(&self, construction: &Construction) -> Result<Vertex, Gap> {
+        if self.table.is_empty() {
+            return Err(Gap(0));
+        }
+        let mut place = self.home(construction);
+        loop {
+            match self.table[place] {
+                0 => return Err(Gap(place)),
+                entry if self.list[entry as usize - 1] == *construction => {
+                    return Ok(Vertex::constructed(entry as usize - 1));
+                }
+                _ => place = (place + 1) & (self.table.len() - 1),
+            }
+        }
     }
 
-    /// Adds a construction that is not in the list.
-    pub(crate) fn push(&mut self, construction: Construction) -> Vertex {
+    /// Adds a construction that is not in the list, where it belongs.
+    #[inline]
+    pub(crate) fn push(&mut self, construction: Construction, gap: Gap) -> Vertex {
         let vertex = Vertex::constructed(self.list.len());
+        let Gap(mut place) = gap;
+        if self.table.len() < 2 * (self.list.len() + 1) {
+            self.reserve(1);
+            place = self.free(&construction);
+        }
         self.list.push(construction);
-        self.vertices.insert(construction, vertex);
+        self.table[place] = entry(self.list.len());
         vertex
+    }
+
+    /// Makes place for so many more.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn reserve(&mut self, more: usize) {
+        self.list.reserve(more);
+        let places = (2 * (self.list.len() + more)).next_power_of_two().max(16);
+        if places > self.table.len() {
+            self.table = vec![0; places];
+            for index in 0..self.list.len() {
+                let place = self.free(&self.list[index]);
+                self.table[place] = entry(index + 1);
+            }
+        }
     }
 
     /// Removes all but the first so many.
     pub(crate) fn truncate(&mut self, count: usize) {
-        for construction in self.list.drain(count..) {
-            self.vertices.remove(&construction);
+        while self.list.len() > count {
+            // Last in, first out: whatever is still in the list has not been moved on by what goes.
+            let last = entry(self.list.len());
+            let mut place = self.home(&self.list[self.list.len() - 1]);
+            while self.table[place] != last {
+                place = (place + 1) & (self.table.len() - 1);
+            }
+            self.table[place] = 0;
+            self.list.pop();
         }
+    }
+
+    /// Where to begin to look.
+    #[inline]
+    fn home(&self, construction: &Construction) -> usize {
+        #[allow(clippy::cast_possible_truncation)] // to fewer bits than the table has places
+        let bits = construction.hash() as usize;
+        bits & (self.table.len() - 1)
+    }
+
+    /// The first free place for a construction that is not in the table.
+    fn free(&self, construction: &Construction) -> usize {
+        let mut place = self.home(construction);
+        while self.table[place] != 0 {
+            place = (place + 1) & (self.table.len() - 1);
+        }
+        place
+    }
+}
+
+/// An index and one, as in the table. (There are 2^31 vertices at most.)
+#[inline]
+#[allow(clippy::cast_possible_truncation)]
+fn entry(count: usize) -> u32 {
+    count as u32
+}
+
+/// By the list: the table is what follows from it.
+impl PartialEq for Interned {
+    fn eq(&self, other: &Interned) -> bool {
+        self.list == other.list
     }
 }
 
@@ -48,5 +127,67 @@ impl Interned {
 impl std::fmt::Debug for Interned {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         self.list.fmt(f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Lines through neighbours in a grid: ids that differ in few bits.
+    fn definition(i: usize) -> Construction {
+        let v = Vertex::input;
+        Construction::Ssi([[v(i % 64), v(i % 64 + 1)], [v(100 + i / 64), v(i / 64 + 200)]])
+    }
+
+    /// Whatever was added and removed before, what is in the list is found and nothing else.
+    #[test]
+    fn what_was_removed_leaves_no_trace() {
+        let mut interned = Interned::default();
+        let check = |interned: &Interned| {
+            let count = interned.list().len();
+            for i in 0..2100 {
+                let found = interned.find(&definition(i)).ok();
+                assert_eq!(found, (i < count).then(|| Vertex::constructed(i)), "{i} of {count}");
+            }
+        };
+        for to in [1, 20, 7, 1000, 999, 0, 300, 2000, 1500, 1501, 16, 17] {
+            for i in interned.list().len()..to {
+                let Err(gap) = interned.find(&definition(i)) else { panic!("{i} is not there") };
+                assert_eq!(interned.push(definition(i), gap), Vertex::constructed(i));
+            }
+            interned.truncate(to);
+            check(&interned);
+            let mut reserved = interned.clone();
+            reserved.reserve(5000);
+            check(&reserved);
+            assert!(reserved == interned);
+        }
+    }
+
+    /// Places are as far from home as chance has it: 1/2 at a load of one half, where hashes are even.
+    #[test]
+    fn hashes_are_even() {
+        let v = Vertex::input;
+        let solid = |i: usize| Construction::Lpi { line: [v(i), v(i + 1)], plane: [v(i + 2), v(i + 3), v(i + 4)] };
+        let planes = |i: usize| Construction::Tpi([[v(0), v(1), v(2)], [v(0), v(1), v(3 + i)], [v(5), v(6), v(7 + i)]]);
+        let chained = |i: usize| Construction::Ssi([[v(0), v(i + 1)], [v(1), Vertex::constructed(i)]]);
+        for define in [&definition as &dyn Fn(usize) -> Construction, &solid, &planes, &chained] {
+            let mut interned = Interned::default();
+            let mut steps = 0;
+            for i in 0..1 << 12 {
+                let Err(gap) = interned.find(&define(i)) else { panic!("{i} is not there") };
+                interned.push(define(i), gap);
+            }
+            for i in 0..1 << 12 {
+                let mut place = interned.home(&define(i));
+                while interned.table[place] != entry(i + 1) {
+                    place = (place + 1) & (interned.table.len() - 1);
+                    steps += 1;
+                }
+            }
+            assert_eq!(interned.table.len(), 1 << 13);
+            assert!((1400..2800).contains(&steps), "{steps}");
+        }
     }
 }

@@ -189,10 +189,10 @@ impl Scene {
     /// or plane; or if there are too many already.
     pub fn construct(&mut self, construction: Construction) -> Result<Vertex, ConstructionError> {
         let construction = self.checked(construction)?;
-        match self.constructions.vertex(&construction) {
-            Some(vertex) => Ok(vertex),
-            None if self.constructions.list().len() == Vertex::MAX_CONSTRUCTED => Err(ConstructionError::TooMany),
-            None => Ok(Arc::make_mut(&mut self.constructions).push(construction)),
+        match self.constructions.find(&construction) {
+            Ok(vertex) => Ok(vertex),
+            Err(_) if self.constructions.list().len() == Vertex::MAX_CONSTRUCTED => Err(ConstructionError::TooMany),
+            Err(gap) => Ok(Arc::make_mut(&mut self.constructions).push(construction, gap)),
         }
     }
 
@@ -217,6 +217,9 @@ impl Scene {
             let known = self.constructions.list().len();
             let constructed = self.construct(definition).map_err(|why| why.to_string()).and_then(|vertex| {
                 let is_new = self.constructions.list().len() > known;
+                if is_new && known == before && definitions.len() - index > 1 {
+                    Arc::make_mut(&mut self.constructions).reserve(definitions.len() - index - 1);
+                }
                 if is_new { admit(self, vertex).map(|()| vertex) } else { Ok(vertex) }
             });
             match constructed {
@@ -233,22 +236,36 @@ impl Scene {
     }
 
     /// The canonical form of a construction that this scene can take.
+    #[inline]
     fn checked(&self, construction: Construction) -> Result<Construction, ConstructionError> {
         if construction.dimension() != self.dimension {
             let (scene, construction) = (self.dimension, construction.dimension());
             return Err(ConstructionError::Dimension { scene, construction });
         }
         let construction = construction.canonical();
-        for flat in construction.flats() {
-            if let Some(&vertex) = flat.iter().find(|&&vertex| !self.has(vertex)) {
-                return Err(ConstructionError::Missing { vertex });
+        let counts = [self.len(), self.constructions.list().len()];
+        let spanned = match &construction {
+            Construction::Ssi([first, second]) => spans(first, counts) & spans(second, counts),
+            Construction::Lpi { line, plane } => spans(line, counts) & spans(plane, counts),
+            Construction::Tpi([p, q, r]) => spans(p, counts) & spans(q, counts) & spans(r, counts),
+        };
+        if spanned { Ok(construction) } else { Err(self.why_not(&construction)) }
+    }
+
+    /// What is wrong with a construction in canonical form.
+    #[cold]
+    #[inline(never)]
+    fn why_not(&self, construction: &Construction) -> ConstructionError {
+        let faults = construction.flats().find_map(|flat| {
+            let missing = flat.iter().find(|&&vertex| !self.has(vertex));
+            let repeated = flat.windows(2).find(|pair| pair[0] == pair[1]);
+            match (missing, repeated) {
+                (Some(&vertex), _) => Some(ConstructionError::Missing { vertex }),
+                (None, Some(pair)) => Some(ConstructionError::Repeated { vertex: pair[0] }),
+                (None, None) => None,
             }
-            // Sorted: what stands twice stands side by side.
-            if let Some(pair) = flat.windows(2).find(|pair| pair[0] == pair[1]) {
-                return Err(ConstructionError::Repeated { vertex: pair[0] });
-            }
-        }
-        Ok(construction)
+        });
+        faults.expect("its lines and planes do not have vertices of the scene, each once")
     }
 
     /// Whether this is a vertex of the scene, input or constructed.
@@ -299,7 +316,11 @@ impl Scene {
     #[inline]
     #[must_use]
     pub fn len(&self) -> usize {
-        self.coordinates.len() / self.dimension.count()
+        // By a constant, which is no division.
+        match self.dimension {
+            Dimension::Two => self.coordinates.len() / 2,
+            Dimension::Three => self.coordinates.len() / 3,
+        }
     }
 
     /// Whether there is no vertex at all.
@@ -367,6 +388,17 @@ impl Scene {
         let point = self.point(v);
         [point[0], point[1], point[2]]
     }
+}
+
+/// Whether these are vertices of a scene with so many input and constructed vertices, each once, in the order of their ids.
+#[inline(always)]
+fn spans<const N: usize>(flat: &[Vertex; N], [inputs, constructed]: [usize; 2]) -> bool {
+    let known = flat.iter().all(|v| match v.construction() {
+        None => v.index() < inputs,
+        Some(index) => index < constructed,
+    });
+    // Sorted: what stands twice stands side by side.
+    known & (1..N).all(|i| flat[i - 1] < flat[i])
 }
 
 #[cfg(test)]

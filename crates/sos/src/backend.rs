@@ -8,8 +8,8 @@ use predicament_predicates::{
 };
 
 use crate::constructed::{self, Memo};
-use crate::leading::{self, EDELSBRUNNER_MUCKE, PER_COORDINATE, Points};
-use crate::{Scheme, stage, ties, ties::Sorted};
+use crate::leading::{self, Decided, EDELSBRUNNER_MUCKE, PER_COORDINATE, Points};
+use crate::{Scheme, stage};
 
 /// The Simulation of Simplicity backend.
 ///
@@ -62,7 +62,8 @@ impl Backend for Sos {
         }
         constructed::are_of_inputs(scene)?;
         let exact = Exact.prepare(scene, Off)?;
-        Ok(Session { scheme: self.scheme, exact, points: Points::of(scene), memo: Memo::default(), tally })
+        let points = Points::of(scene);
+        Ok(Session { scheme: self.scheme, exact, points, memo: Memo::new(scene), tally })
     }
 }
 
@@ -87,22 +88,17 @@ impl<T: Tally> Session<'_, T> {
     fn compare_constructed(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
         let (sign, stage) = self.exact.decide_compare(axis, a, b);
         if sign.is_zero() {
-            return self.tie_constructed(Question::Compare(axis), [a, b], || stage);
+            return self.tie_constructed(Question::Compare(axis), [a, b]);
         }
         self.tallied(PredicateKind::Compare, sign, stage)
     }
 
     #[cold]
     #[inline(never)]
-    fn tie_constructed<const N: usize>(
-        &self,
-        question: Question,
-        args: [Vertex; N],
-        exact_stage: impl FnOnce() -> usize,
-    ) -> Sign {
+    fn tie_constructed<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
         match self.memo.decide(self.exact.scene(), question, args) {
             Some((sign, degree)) => self.tallied(question.kind(), sign, stage::of_degree(degree)),
-            None => self.tallied(question.kind(), Sign::Zero, exact_stage()),
+            None => self.stays_zero(question, &args),
         }
     }
 
@@ -111,84 +107,81 @@ impl<T: Tally> Session<'_, T> {
     #[cold]
     #[inline(never)]
     fn tie_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        if [a, b, c].iter().any(|v| v.is_constructed()) {
-            let exact_stage = || self.exact.decide_orient2d(plane, a, b, c).1;
-            return self.tie_constructed(Question::Orient2d(plane), [a, b, c], exact_stage);
-        }
         let decided = match self.scheme {
             Scheme::PerCoordinate => leading::orient2d::<PER_COORDINATE>(self.points, plane, [a, b, c]),
             Scheme::EdelsbrunnerMucke => leading::orient2d::<EDELSBRUNNER_MUCKE>(self.points, plane, [a, b, c]),
         };
-        self.broken(Question::Orient2d(plane), [a, b, c], decided, || self.exact.decide_orient2d(plane, a, b, c).1)
+        self.broken(Question::Orient2d(plane), [a, b, c], decided)
     }
 
     #[cold]
     #[inline(never)]
     fn tie_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        if [a, b, c, d].iter().any(|v| v.is_constructed()) {
-            let exact_stage = || self.exact.decide_orient3d(a, b, c, d).1;
-            return self.tie_constructed(Question::Orient3d, [a, b, c, d], exact_stage);
-        }
+        let (exact, args) = (&self.exact, [a, b, c, d]);
         let decided = match self.scheme {
-            Scheme::PerCoordinate => leading::orient3d::<PER_COORDINATE>(&self.exact, self.points, [a, b, c, d]),
-            Scheme::EdelsbrunnerMucke => {
-                leading::orient3d::<EDELSBRUNNER_MUCKE>(&self.exact, self.points, [a, b, c, d])
-            }
+            Scheme::PerCoordinate => leading::orient3d::<PER_COORDINATE>(exact, self.points, args),
+            Scheme::EdelsbrunnerMucke => leading::orient3d::<EDELSBRUNNER_MUCKE>(exact, self.points, args),
         };
-        self.broken(Question::Orient3d, [a, b, c, d], decided, || self.exact.decide_orient3d(a, b, c, d).1)
+        self.broken(Question::Orient3d, args, decided)
     }
 
     #[cold]
     #[inline(never)]
     fn tie_incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        let (exact, args) = (&self.exact, [a, b, c, d]);
         let decided = match self.scheme {
-            Scheme::PerCoordinate => leading::incircle::<PER_COORDINATE>(&self.exact, self.points, [a, b, c, d]),
-            Scheme::EdelsbrunnerMucke => {
-                leading::incircle::<EDELSBRUNNER_MUCKE>(&self.exact, self.points, [a, b, c, d])
-            }
+            Scheme::PerCoordinate => leading::incircle::<PER_COORDINATE>(exact, self.points, args),
+            Scheme::EdelsbrunnerMucke => leading::incircle::<EDELSBRUNNER_MUCKE>(exact, self.points, args),
         };
-        self.broken(Question::Incircle, [a, b, c, d], decided, || self.exact.decide_incircle(a, b, c, d).1)
+        self.broken(Question::Incircle, args, decided)
     }
 
     #[cold]
     #[inline(never)]
     fn tie_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
+        let (exact, args) = (&self.exact, [a, b, c, d, e]);
         let decided = match self.scheme {
-            Scheme::PerCoordinate => leading::insphere::<PER_COORDINATE>(&self.exact, self.points, [a, b, c, d, e]),
-            Scheme::EdelsbrunnerMucke => {
-                leading::insphere::<EDELSBRUNNER_MUCKE>(&self.exact, self.points, [a, b, c, d, e])
-            }
+            Scheme::PerCoordinate => leading::insphere::<PER_COORDINATE>(exact, self.points, args),
+            Scheme::EdelsbrunnerMucke => leading::insphere::<EDELSBRUNNER_MUCKE>(exact, self.points, args),
         };
-        self.broken(Question::Insphere, [a, b, c, d, e], decided, || self.exact.decide_insphere(a, b, c, d, e).1)
+        self.broken(Question::Insphere, args, decided)
     }
 
-    /// Tallies a tie: by its term, or by the exact stage if a vertex comes twice.
+    /// Tallies a tie.
     #[inline(always)]
-    fn broken<const N: usize>(
-        &self,
-        question: Question,
-        args: [Vertex; N],
-        leading: Option<(Sign, usize)>,
-        exact_stage: impl FnOnce() -> usize,
-    ) -> Sign {
-        let decided = leading.or_else(|| self.whole_list(question, args));
-        if let Some((sign, place)) = decided {
-            return self.tallied(question.kind(), sign, stage::FIRST_TERM + place);
+    fn broken<const N: usize>(&self, question: Question, args: [Vertex; N], decided: Decided) -> Sign {
+        match decided {
+            Some((sign, place)) => self.tallied(question.kind(), sign, stage::FIRST_TERM + place),
+            None => self.rest(question, args),
         }
+    }
+
+    /// What no list of terms is about: a vertex that comes twice, or a constructed one.
+    #[cold]
+    #[inline(never)]
+    fn rest<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
+        if args.iter().any(|v| v.is_constructed()) {
+            return self.tie_constructed(question, args);
+        }
+        self.stays_zero(question, &args)
+    }
+
+    /// Tallies what is zero however the vertices move, by the exact backend's stage.
+    fn stays_zero(&self, question: Question, args: &[Vertex]) -> Sign {
         // Nobody pays for a stage that nobody wants to know.
-        let stage = if T::LISTENS { exact_stage() } else { 0 };
+        let (_, stage) = match (question, args) {
+            _ if !T::LISTENS => return Sign::Zero,
+            (Question::Compare(axis), &[a, b]) => self.exact.decide_compare(axis, a, b),
+            (Question::Orient2d(plane), &[a, b, c]) => self.exact.decide_orient2d(plane, a, b, c),
+            (Question::Orient3d, &[a, b, c, d]) => self.exact.decide_orient3d(a, b, c, d),
+            (Question::Incircle, &[a, b, c, d]) => self.exact.decide_incircle(a, b, c, d),
+            (Question::Insphere, &[a, b, c, d, e]) => self.exact.decide_insphere(a, b, c, d, e),
+            _ => panic!("{question:?} is not asked of {args:?}"),
+        };
         self.tallied(question.kind(), Sign::Zero, stage)
     }
 
-    #[inline(never)]
-    fn whole_list<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Option<(Sign, usize)> {
-        let sorted = Sorted::new(args)?;
-        let terms = self.scheme.terms(question.kind());
-        let (sign, place) = ties::decide(&self.exact, question, terms, &sorted.vertices)?;
-        Some((sign * sorted.parity, place))
-    }
-
-    /// The exact backend's batch, and then the ties that it has found.
+    /// The exact backend's batch, and then the ties that it has found: by either scheme, or by what neither has a list for.
     #[inline(always)]
     fn batch<Q: Copy>(
         &self,
@@ -196,7 +189,7 @@ impl<T: Tally> Session<'_, T> {
         out: &mut [Sign],
         single: impl Fn(&Q) -> Sign,
         exact: impl Fn(&mut [Sign]),
-        tie: impl Fn(Q) -> Sign,
+        (per_coordinate, edelsbrunner_mucke, rest): (impl Fn(Q) -> Decided, impl Fn(Q) -> Decided, impl Fn(Q) -> Sign),
     ) {
         if T::LISTENS {
             // Which of the exact backend's stages settled a query is known only where it is asked alone.
@@ -206,19 +199,38 @@ impl<T: Tally> Session<'_, T> {
             return;
         }
         exact(out);
-        for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
-            // Seen for a whole register at once: most blocks have no tie.
-            if out.iter().fold(false, |any, sign| any | sign.is_zero()) {
-                for (&query, out) in queries.iter().zip(out).filter(|(_, out)| out.is_zero()) {
-                    *out = tie(query);
-                }
-            }
+        match self.scheme {
+            Scheme::PerCoordinate => break_all(queries, out, per_coordinate, rest),
+            Scheme::EdelsbrunnerMucke => break_all(queries, out, edelsbrunner_mucke, rest),
         }
     }
 }
 
 /// Queries of a batch whose answers are looked at together.
 const BLOCK: usize = 64;
+
+/// Breaks all ties of a batch.
+#[inline(always)]
+fn break_all<Q: Copy>(queries: &[Q], out: &mut [Sign], tie: impl Fn(Q) -> Decided, rest: impl Fn(Q) -> Sign) {
+    for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
+        // Seen for whole registers at once: most blocks have no tie.
+        if !out.iter().fold(false, |any, sign| any | sign.is_zero()) {
+            continue;
+        }
+        // Ties come as they like: those of a block are found without a branch on each.
+        let (mut ties, mut count) = ([0; BLOCK], 0);
+        for (at, sign) in (0_u8..).zip(out.iter()) {
+            ties[count] = at;
+            count += usize::from(sign.is_zero());
+        }
+        for at in ties[..count].iter().map(|&at| usize::from(at)) {
+            out[at] = match tie(queries[at]) {
+                Some((sign, _)) => sign,
+                None => rest(queries[at]),
+            };
+        }
+    }
+}
 
 impl<T: Tally> Predicates for Session<'_, T> {
     #[inline]
@@ -228,7 +240,11 @@ impl<T: Tally> Predicates for Session<'_, T> {
 
     fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
         match self.scheme {
-            Scheme::PerCoordinate => self.exact.construct_where(definitions, constructed::is_of_inputs),
+            Scheme::PerCoordinate => {
+                let vertices = self.exact.construct_where(definitions, constructed::is_of_inputs);
+                self.memo.grow(self.exact.scene());
+                vertices
+            }
             Scheme::EdelsbrunnerMucke => Err(Refused::session(constructed::others_only())),
         }
     }
@@ -301,57 +317,75 @@ impl<T: Tally> Predicates for Session<'_, T> {
         let single = |&[a, b]: &[_; 2]| self.compare(axis, a, b);
         let exact = |out: &mut [Sign]| self.exact.compare_batch(axis, queries, out);
         let tie = |[a, b]: [Vertex; 2]| {
-            if a.is_constructed() || b.is_constructed() {
-                return self.compare_constructed(axis, a, b);
-            }
-            Sign::from(b.cmp(&a))
+            let is_input = !a.is_constructed() && !b.is_constructed();
+            is_input.then(|| (Sign::from(b.cmp(&a)), 0))
         };
-        self.batch(queries, out, single, exact, tie);
+        self.batch(queries, out, single, exact, (tie, tie, |[a, b]| self.compare_constructed(axis, a, b)));
     }
 
     fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
-        let single = |&[a, b, c]: &[_; 3]| self.orient2d(plane, a, b, c);
+        let (single, points) = (|&[a, b, c]: &[_; 3]| self.orient2d(plane, a, b, c), self.points);
         let exact = |out: &mut [Sign]| self.exact.orient2d_batch(plane, queries, out);
-        self.batch(queries, out, single, exact, |[a, b, c]| self.tie_orient2d(plane, a, b, c));
+        let ties = (
+            |args| leading::orient2d::<PER_COORDINATE>(points, plane, args),
+            |args| leading::orient2d::<EDELSBRUNNER_MUCKE>(points, plane, args),
+            |args| self.rest(Question::Orient2d(plane), args),
+        );
+        self.batch(queries, out, single, exact, ties);
     }
 
-    fn orient2d_line(&self, plane: Plane, line: [Vertex; 2], points: &[Vertex], out: &mut [Sign]) {
-        let [a, b] = line;
-        self.batch(
-            points,
-            out,
-            |&c| self.orient2d(plane, a, b, c),
-            |out| self.exact.orient2d_line(plane, line, points, out),
-            |c| self.tie_orient2d(plane, a, b, c),
+    fn orient2d_line(&self, plane: Plane, line: [Vertex; 2], vertices: &[Vertex], out: &mut [Sign]) {
+        let ([a, b], points) = (line, self.points);
+        let exact = |out: &mut [Sign]| self.exact.orient2d_line(plane, line, vertices, out);
+        let ties = (
+            |c| leading::orient2d::<PER_COORDINATE>(points, plane, [a, b, c]),
+            |c| leading::orient2d::<EDELSBRUNNER_MUCKE>(points, plane, [a, b, c]),
+            |c| self.rest(Question::Orient2d(plane), [a, b, c]),
         );
+        self.batch(vertices, out, |&c| self.orient2d(plane, a, b, c), exact, ties);
     }
 
-    fn orient3d_plane(&self, plane: [Vertex; 3], points: &[Vertex], out: &mut [Sign]) {
-        let [a, b, c] = plane;
-        self.batch(
-            points,
-            out,
-            |&d| self.orient3d(a, b, c, d),
-            |out| self.exact.orient3d_plane(plane, points, out),
-            |d| self.tie_orient3d(a, b, c, d),
+    fn orient3d_plane(&self, plane: [Vertex; 3], vertices: &[Vertex], out: &mut [Sign]) {
+        let ([a, b, c], points) = (plane, self.points);
+        let exact = |out: &mut [Sign]| self.exact.orient3d_plane(plane, vertices, out);
+        let ties = (
+            |d| leading::orient3d::<PER_COORDINATE>(&self.exact, points, [a, b, c, d]),
+            |d| leading::orient3d::<EDELSBRUNNER_MUCKE>(&self.exact, points, [a, b, c, d]),
+            |d| self.rest(Question::Orient3d, [a, b, c, d]),
         );
+        self.batch(vertices, out, |&d| self.orient3d(a, b, c, d), exact, ties);
     }
 
     fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
-        let single = |&[a, b, c, d]: &[_; 4]| self.orient3d(a, b, c, d);
+        let (single, points) = (|&[a, b, c, d]: &[_; 4]| self.orient3d(a, b, c, d), self.points);
         let exact = |out: &mut [Sign]| self.exact.orient3d_batch(queries, out);
-        self.batch(queries, out, single, exact, |[a, b, c, d]| self.tie_orient3d(a, b, c, d));
+        let ties = (
+            |args| leading::orient3d::<PER_COORDINATE>(&self.exact, points, args),
+            |args| leading::orient3d::<EDELSBRUNNER_MUCKE>(&self.exact, points, args),
+            |args| self.rest(Question::Orient3d, args),
+        );
+        self.batch(queries, out, single, exact, ties);
     }
 
     fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
-        let single = |&[a, b, c, d]: &[_; 4]| self.incircle(a, b, c, d);
+        let (single, points) = (|&[a, b, c, d]: &[_; 4]| self.incircle(a, b, c, d), self.points);
         let exact = |out: &mut [Sign]| self.exact.incircle_batch(queries, out);
-        self.batch(queries, out, single, exact, |[a, b, c, d]| self.tie_incircle(a, b, c, d));
+        let ties = (
+            |args| leading::incircle::<PER_COORDINATE>(&self.exact, points, args),
+            |args| leading::incircle::<EDELSBRUNNER_MUCKE>(&self.exact, points, args),
+            |args| self.rest(Question::Incircle, args),
+        );
+        self.batch(queries, out, single, exact, ties);
     }
 
     fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
-        let single = |&[a, b, c, d, e]: &[_; 5]| self.insphere(a, b, c, d, e);
+        let (single, points) = (|&[a, b, c, d, e]: &[_; 5]| self.insphere(a, b, c, d, e), self.points);
         let exact = |out: &mut [Sign]| self.exact.insphere_batch(queries, out);
-        self.batch(queries, out, single, exact, |[a, b, c, d, e]| self.tie_insphere(a, b, c, d, e));
+        let ties = (
+            |args| leading::insphere::<PER_COORDINATE>(&self.exact, points, args),
+            |args| leading::insphere::<EDELSBRUNNER_MUCKE>(&self.exact, points, args),
+            |args| self.rest(Question::Insphere, args),
+        );
+        self.batch(queries, out, single, exact, ties);
     }
 }

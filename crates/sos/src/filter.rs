@@ -27,9 +27,19 @@
 //! product by a lift, in three terms less than 2^-668 together. 2^-600 in the
 //! bound covers that, and what the permanent itself loses.
 
+//!
+//! # Where doubles make no error
+//! In a scene where the exact backend's doubles make none in a lifted predicate, of degree k in differences of vertices, every integer up to
+//! 2^53 in units of a power of two is a double, and so is what is less than 2^g·M^k, M a bound on differences, g = 7 for k = 5 and 4 for k = 4 (`Plan`).
+//! With M ≥ 1, and o a vertex' coordinate, t is at most 2M, a lift less than 4M² in the plane and 6M² in space, a minor of it and a difference
+//! at most 6M³ in the plane and 10M³ in space, one with two columns 3 · 2M² · 4M²: all less than that. There `EXACT` says that
+//! an estimate is the determinant itself. An origin that is no vertex' coordinate may be far away, so then it does not.
+
 use predicament_arithmetic::{bound, power_of_two};
 use predicament_exact::estimate::{self, Estimate};
 use predicament_predicates::Sign;
+
+use crate::Lift;
 
 /// 16u: what is left to the permanent.
 const BOUND: f64 = power_of_two(-49);
@@ -52,30 +62,88 @@ pub(crate) struct Struck {
 /// Without a lift a product that underflows cannot mislead: if the other one
 /// is not small as well, it outweighs it, and if it is, 2^-600 outweighs both.
 #[inline(always)]
-pub(crate) fn turn([p, q, r]: [[f64; 2]; 3]) -> Option<Sign> {
+pub(crate) fn turn<const EXACT: bool>([p, q, r]: [[f64; 2]; 3]) -> Option<Sign> {
     let estimate = estimate::orient2d(p, q, r);
-    certain((estimate, estimate.permanent), bound::ORIENT2D)
+    certain::<EXACT>((estimate, estimate.permanent), bound::ORIENT2D)
 }
 
 /// The sign of the minor of three points with one coordinate, the lift and 1,
 /// or none if rounding may have changed it.
 #[inline(always)]
-pub(crate) fn flat<const D: usize>([p, q, r]: [&[f64; D]; 3], column: usize, struck: Struck) -> Option<Sign> {
-    certain(minor2([p, q, r], column, struck), BOUND)
+pub(crate) fn flat<const EXACT: bool, const D: usize>(
+    [p, q, r]: [&[f64; D]; 3],
+    column: usize,
+    struck: Struck,
+) -> Option<Sign> {
+    certain::<EXACT>(minor2([p, q, r], column, struck), BOUND)
 }
 
 /// The sign of the minor of four points with two coordinates, the lift and 1,
 /// or none if rounding may have changed it.
 #[inline(always)]
-pub(crate) fn solid(points: [&[f64; 3]; 4], columns: [usize; 2], struck: Struck) -> Option<Sign> {
-    certain(minor3(points, columns, struck), BOUND)
+pub(crate) fn solid<const EXACT: bool>(points: [&[f64; 3]; 4], columns: [usize; 2], struck: Struck) -> Option<Sign> {
+    certain::<EXACT>(minor3(points, columns, struck), BOUND)
+}
+
+/// The sign of the minor of some sorted points with these columns, a lift and 1, or none if rounding may have changed it.
+///
+/// Along each column that is not among the minor's, the share of a lift is d·t with an origin of its own, for which the bound has room: three
+/// of them are added up with as many roundings as one of them and two squares.
+#[inline(always)]
+pub(crate) fn lifted<const EXACT: bool, const D: usize>(
+    points: &[[f64; D]],
+    rows: &[u8],
+    columns: &[u8],
+    lift: Lift,
+) -> Option<Sign> {
+    let at = |row: u8| &points[usize::from(row)];
+    let mut origin = [None; D];
+    for (axis, origin) in origin.iter_mut().enumerate() {
+        *origin = lift.about[axis].map_or(Some(0.0), |about| Some(at(about)[axis]));
+    }
+    for &column in columns {
+        origin[usize::from(column)] = None;
+    }
+    let row = |row: u8, last: u8| {
+        let [point, last] = [at(row), at(last)];
+        let (mut lift, mut size) = (0.0, 0.0);
+        for axis in 0..D {
+            let difference = point[axis] - last[axis];
+            match origin[axis] {
+                None => {
+                    lift += difference * difference;
+                    size += difference * difference;
+                }
+                Some(origin) => {
+                    let [from, to] = [point[axis] - origin, last[axis] - origin];
+                    lift += difference * (from + to);
+                    size += difference.abs() * (from.abs() + to.abs());
+                }
+            }
+        }
+        let difference = |column: Option<&u8>| column.map_or(0.0, |&x| point[usize::from(x)] - last[usize::from(x)]);
+        Row { differences: [difference(columns.first()), difference(columns.get(1))], lift, size }
+    };
+    let ranged = match (rows, columns) {
+        (&[p, last], []) => {
+            let p = row(p, last);
+            (Estimate { determinant: p.lift, permanent: p.size }, p.size)
+        }
+        (&[p, q, last], [_]) => along(&row(p, last), &row(q, last)),
+        (&[p, q, r, last], [_, _]) => across(&row(p, last), &row(q, last), &row(r, last)),
+        _ => return None,
+    };
+    certain::<EXACT>(ranged, BOUND)
 }
 
 /// An estimate, and the sum of the lifts' permanents.
 type Ranged = (Estimate, f64);
 
 #[inline(always)]
-fn certain((estimate, lifts): Ranged, bound: f64) -> Option<Sign> {
+fn certain<const EXACT: bool>((estimate, lifts): Ranged, bound: f64) -> Option<Sign> {
+    if EXACT {
+        return estimate.above(0.0);
+    }
     // (With NaN the comparison fails.)
     if lifts <= LARGEST { estimate.above(bound * estimate.permanent + TINY) } else { None }
 }
@@ -111,6 +179,11 @@ impl<const K: usize> Row<K> {
 fn minor2<const D: usize>([p, q, r]: [&[f64; D]; 3], column: usize, struck: Struck) -> Ranged {
     let p = Row::new(p, r, [column], struck);
     let q = Row::new(q, r, [column], struck);
+    along(&p, &q)
+}
+
+#[inline(always)]
+fn along<const K: usize>(p: &Row<K>, q: &Row<K>) -> Ranged {
     let [x, y] = [p.differences[0], q.differences[0]];
     let determinant = x * q.lift - y * p.lift;
     let permanent = x.abs() * q.size + y.abs() * p.size;
@@ -122,7 +195,12 @@ fn minor3([p, q, r, s]: [&[f64; 3]; 4], columns: [usize; 2], struck: Struck) -> 
     let p = Row::new(p, s, columns, struck);
     let q = Row::new(q, s, columns, struck);
     let r = Row::new(r, s, columns, struck);
-    let [qr, rp, pq] = [cross(&q, &r), cross(&r, &p), cross(&p, &q)];
+    across(&p, &q, &r)
+}
+
+#[inline(always)]
+fn across(p: &Row<2>, q: &Row<2>, r: &Row<2>) -> Ranged {
+    let [qr, rp, pq] = [cross(q, r), cross(r, p), cross(p, q)];
     let determinant = p.lift * qr[0] + q.lift * rp[0] + r.lift * pq[0];
     let permanent = p.size * qr[1] + q.size * rp[1] + r.size * pq[1];
     (Estimate { determinant, permanent }, p.size + q.size + r.size)
@@ -192,18 +270,18 @@ mod tests {
         let struck = Struck { column: 1 - flat_column, origin: origin(1 - flat_column) };
         let triple = [p, q, r];
         let truth2 = truth(&triple, &[flat_column], struck);
-        let two = check(minor2(triple, flat_column, struck), flat(triple, flat_column, struck), &truth2);
+        let two = check(minor2(triple, flat_column, struck), flat::<false, _>(triple, flat_column, struck), &truth2);
         assert!(short::flat(triple, flat_column, struck).is_none_or(|sign| sign == Sign::from(truth2.cmp0())));
         let columns = [[0, 1], [1, 2], [0, 2]][column];
         let struck = Struck { column: 3 - columns[0] - columns[1], origin: origin(3 - columns[0] - columns[1]) };
         let all = [p, q, r, s];
         let truth3 = truth(&all, &columns, struck);
-        let three = check(minor3(all, columns, struck), solid(all, columns, struck), &truth3);
+        let three = check(minor3(all, columns, struck), solid::<false>(all, columns, struck), &truth3);
         assert!(short::solid(all, columns, struck).is_none_or(|sign| sign == Sign::from(truth3.cmp0())));
         let flat = triple.map(|point| columns.map(|column| point[column]));
         let ones = flat.map(|[x, y]| vec![rational(x), rational(y), Rational::from(1)]);
         let sign = Sign::from(determinant(&ones).cmp0());
-        assert!(turn(flat).is_none_or(|certain| certain == sign));
+        assert!(turn::<false>(flat).is_none_or(|certain| certain == sign));
         [two, three, Sign::of(estimate::orient2d(flat[0], flat[1], flat[2]).determinant) == sign]
     }
 
@@ -257,8 +335,8 @@ mod tests {
     fn general_position_is_certain() {
         let points = [[0.1, 0.7, 0.2], [0.9, 0.3, 0.5], [0.4, 0.2, 0.8], [0.6, 0.5, 0.1]];
         let [p, q, r, s] = points.each_ref();
-        assert!(flat([p, q, r], 0, Struck { column: 1, origin: 0.2 }).is_some());
-        assert!(solid([p, q, r, s], [0, 1], Struck { column: 2, origin: 0.0 }).is_some());
-        assert!(turn([[0.1, 0.7], [0.9, 0.3], [0.4, 0.2]]).is_some());
+        assert!(flat::<false, _>([p, q, r], 0, Struck { column: 1, origin: 0.2 }).is_some());
+        assert!(solid::<false>([p, q, r, s], [0, 1], Struck { column: 2, origin: 0.0 }).is_some());
+        assert!(turn::<false>([[0.1, 0.7], [0.9, 0.3], [0.4, 0.2]]).is_some());
     }
 }

@@ -15,14 +15,13 @@ use std::ops::ControlFlow;
 use predicament_predicates::{Axis, Dimension, Off, Plane, PredicateKind, Scene, Sign, Vertex};
 
 use crate::filter::{self, Struck};
-use crate::short;
 use crate::ties::projection;
 use crate::{Lift, Scheme, Term};
+use crate::{deep, short};
 
 type Exact<'s> = predicament_exact::Session<'s, Off>;
 
 /// The place of a predicate in [`PredicateKind::ALL`].
-const ORIENT2D: usize = PredicateKind::Orient2d.index();
 const ORIENT3D: usize = PredicateKind::Orient3d.index();
 const INCIRCLE: usize = PredicateKind::Incircle.index();
 const INSPHERE: usize = PredicateKind::Insphere.index();
@@ -40,10 +39,11 @@ pub(crate) struct Points<'s> {
 
 impl<'s> Points<'s> {
     pub fn of(scene: &'s Scene) -> Points<'s> {
-        match scene.dimension() {
-            Dimension::Two => Points { flat: scene.coordinates().as_chunks().0, solid: &[] },
-            Dimension::Three => Points { flat: &[], solid: scene.coordinates().as_chunks().0 },
-        }
+        let (flat, solid): (&[_], &[_]) = match scene.dimension() {
+            Dimension::Two => (scene.coordinates().as_chunks().0, &[]),
+            Dimension::Three => (&[], scene.coordinates().as_chunks().0),
+        };
+        Points { flat, solid }
     }
 
     /// None if the vertex is not an input vertex, or has no such coordinate.
@@ -57,9 +57,7 @@ impl<'s> Points<'s> {
     }
 }
 
-/// The sign of the first leading term that is not zero, and its place in the
-/// list. None if that takes the rest of the list, or a lift in more than one
-/// limb; or if a vertex comes twice, or is not an input vertex.
+/// The sign of the first term that is not zero, and its place in the list. None if a vertex comes twice, or is not an input vertex.
 pub(crate) type Decided = Option<(Sign, usize)>;
 
 /// Breaks a tie of `orient2d`. `SCHEME` is a place in [`Scheme::ALL`], here and below.
@@ -79,7 +77,29 @@ pub(crate) fn orient2d<const SCHEME: usize>(points: Points, plane: Plane, args: 
         let [p, q] = [points.solid.get(p.index())?, points.solid.get(q.index())?];
         [[p[x], p[y]], [q[x], q[y]]]
     };
-    first::<SCHEME, ORIENT2D>(Two(rows)).or_else(|| rest_of_orient2d::<SCHEME>(points, plane, args))
+    // Both leading terms at once: the first one is zero too often for a branch.
+    let [first, second] = const {
+        let terms = Scheme::ALL[SCHEME].terms(PredicateKind::Orient2d);
+        [difference(terms[0]), difference(terms[1])]
+    };
+    let compared = |[p, q, column]: [usize; 3]| {
+        let [p, q] = [rows[p - 1][column], rows[q - 1][column]];
+        i32::from(p > q) - i32::from(p < q)
+    };
+    let [first, second] = [compared(first), compared(second)];
+    let sum = 2 * first + second;
+    if sum == 0 {
+        return rest_of_orient2d::<SCHEME>(points, plane, args);
+    }
+    const SIGNS: [Sign; 2] = [Sign::Negative, Sign::Positive];
+    Some((SIGNS[usize::from(sum > 0)], usize::from(first == 0)))
+}
+
+/// One of `orient2d`'s leading terms: the row that counts positive, the other one, and the column.
+const fn difference(term: Term) -> [usize; 3] {
+    assert!(term.rows.len() == 2 && term.rows[0] == 1 && term.columns.len() == 1 && term.lift.is_none());
+    let column = term.columns[0] as usize;
+    if matches!(term.sign, Sign::Negative) { [2, 1, column] } else { [1, 2, column] }
 }
 
 /// Breaks a tie of `orient2d` of vertices of which the two with larger indices are at one place in the plane: that of a vertex with another
@@ -115,44 +135,6 @@ fn rest_of_orient2d<const SCHEME: usize>(points: Points, plane: Plane, args: [Ve
     Some((if odd != (plane == Plane::Zx) { -sign } else { sign }, place))
 }
 
-/// Breaks a tie of `orient3d` of vertices of which those but the first by index are degenerate in all projections: on a vertical line, or two
-/// at one place.
-#[cold]
-#[inline(never)]
-fn rest_of_orient3d<const SCHEME: usize>(exact: &Exact, points: Points, args: [Vertex; 4]) -> Decided {
-    let (vertices, odd) = by_index(args)?;
-    let vertex = |row: u8| vertices[usize::from(row)];
-    let (sign, place) =
-        rest(Scheme::ALL[SCHEME].terms(PredicateKind::Orient3d), |rows, columns| match (rows, columns) {
-            (&[i, j, k], &[x, y]) => {
-                let (plane, orientation) = projection(AXES[usize::from(x)], AXES[usize::from(y)])?;
-                Some(exact.decide_orient2d(plane, vertex(i), vertex(j), vertex(k)).0 * orientation)
-            }
-            (&[i, j], &[column]) => {
-                let [p, q] = [i, j].map(|row| points.coordinate(AXES[usize::from(column)], vertex(row)));
-                Some(order(p?, q?))
-            }
-            (&[_], &[]) => Some(Sign::Positive),
-            _ => None,
-        })?;
-    Some((if odd { -sign } else { sign }, place))
-}
-
-/// The first term behind the leading ones that is not zero, by the signs of minors.
-fn rest(terms: &[Term], minor: impl Fn(&[u8], &[u8]) -> Option<Sign>) -> Decided {
-    let all = terms[0].rows.len();
-    for (place, term) in terms.iter().enumerate().skip_while(|(_, term)| term.rows.len() == all && term.rows[0] == 1) {
-        if term.lift.is_some() || term.gap.is_some() {
-            return None;
-        }
-        let sign = minor(term.rows, term.columns)? * term.sign;
-        if sign != Sign::Zero {
-            return Some((sign, place));
-        }
-    }
-    None
-}
-
 /// The vertices by index, and whether that takes an odd number of exchanges; none if one comes twice.
 fn by_index<const N: usize>(mut vertices: [Vertex; N]) -> Option<([Vertex; N], bool)> {
     let mut odd = false;
@@ -173,8 +155,47 @@ pub(crate) fn orient3d<const SCHEME: usize>(exact: &Exact, points: Points, args:
     let vertices = smallest_first(args)?;
     let [a, b, c, d] = vertices;
     let at = |v: Vertex| points.solid.get(v.index());
-    first::<SCHEME, ORIENT3D>(Three { exact, vertices, points: [at(a)?, at(b)?, at(c)?, at(d)?] })
-        .or_else(|| rest_of_orient3d::<SCHEME>(exact, points, args))
+    let points_of = [at(a)?, at(b)?, at(c)?, at(d)?];
+    // (A tie has had the scene planned.)
+    let is_exact = exact.is_double(PredicateKind::Orient3d);
+    let decided = if is_exact {
+        let [_, p, q, r] = points_of;
+        turns::<SCHEME>(p, q, r)
+    } else {
+        first::<SCHEME, ORIENT3D>(Three::<false, 3> { exact, vertices, points: points_of })
+    };
+    decided.map_or_else(|from| deep::<SCHEME, ORIENT3D, 3, 4>(exact, points.solid, args, (is_exact, from)), Some)
+}
+
+/// The leading terms of `orient3d` where doubles make no error, all three at once: the first of them is zero too often for a branch.
+#[inline(always)]
+fn turns<const SCHEME: usize>(p: &[f64; 3], q: &[f64; 3], r: &[f64; 3]) -> Result<(Sign, usize), usize> {
+    let [u, v] = [[p[0] - r[0], p[1] - r[1], p[2] - r[2]], [q[0] - r[0], q[1] - r[1], q[2] - r[2]]];
+    let minor = |[x, y]: [usize; 2]| u[x] * v[y] - u[y] * v[x];
+    let [first, second, third] = const { turned_columns(Scheme::ALL[SCHEME].terms(PredicateKind::Orient3d)) };
+    let [first, second, third] = [minor(first), minor(second), minor(third)];
+    let [is_second, is_third] = [first == 0.0, (first == 0.0) & (second == 0.0)];
+    let value = if is_second { second } else { first };
+    let value = if is_third { third } else { value };
+    if value == 0.0 {
+        return Err(3);
+    }
+    const SIGNS: [Sign; 2] = [Sign::Negative, Sign::Positive];
+    Ok((SIGNS[usize::from(value > 0.0)], usize::from(is_second) + usize::from(is_third)))
+}
+
+/// The columns of `orient3d`'s leading terms, exchanged where the sign is negative.
+const fn turned_columns(terms: &'static [Term]) -> [[usize; 2]; 3] {
+    let mut columns = [[0; 2]; 3];
+    let mut at = 0;
+    while at < 3 {
+        let (term, [x, y]) = (terms[at], [terms[at].columns[0] as usize, terms[at].columns[1] as usize]);
+        assert!(term.rows.len() == 3 && term.rows[0] == 1 && term.columns.len() == 2 && term.lift.is_none());
+        columns[at] = if matches!(term.sign, Sign::Negative) { [y, x] } else { [x, y] };
+        at += 1;
+    }
+    assert!(leading(terms, 3).is_none(), "three leading terms");
+    columns
 }
 
 /// Breaks a tie of `incircle`.
@@ -183,7 +204,15 @@ pub(crate) fn incircle<const SCHEME: usize>(exact: &Exact, points: Points, args:
     let vertices = smallest_first(args)?;
     let [a, b, c, d] = vertices;
     let at = |v: Vertex| points.flat.get(v.index());
-    first::<SCHEME, INCIRCLE>(Three { exact, vertices, points: [at(a)?, at(b)?, at(c)?, at(d)?] })
+    let points_of = [at(a)?, at(b)?, at(c)?, at(d)?];
+    // (A tie has had the scene planned.)
+    let is_exact = exact.is_double(PredicateKind::Incircle);
+    let decided = if is_exact {
+        first::<SCHEME, INCIRCLE>(Three::<true, 2> { exact, vertices, points: points_of })
+    } else {
+        first::<SCHEME, INCIRCLE>(Three::<false, 2> { exact, vertices, points: points_of })
+    };
+    decided.map_or_else(|from| deep::<SCHEME, INCIRCLE, 2, 4>(exact, points.flat, args, (is_exact, from)), Some)
 }
 
 /// Breaks a tie of `insphere`.
@@ -192,7 +221,26 @@ pub(crate) fn insphere<const SCHEME: usize>(exact: &Exact, points: Points, args:
     let vertices = smallest_first(args)?;
     let [a, b, c, d, e] = vertices;
     let at = |v: Vertex| points.solid.get(v.index());
-    first::<SCHEME, INSPHERE>(Four { exact, vertices, points: [at(a)?, at(b)?, at(c)?, at(d)?, at(e)?] })
+    let points_of = [at(a)?, at(b)?, at(c)?, at(d)?, at(e)?];
+    // (A tie has had the scene planned.)
+    let is_exact = exact.is_double(PredicateKind::Insphere);
+    let decided = if is_exact {
+        first::<SCHEME, INSPHERE>(Four::<true> { exact, vertices, points: points_of })
+    } else {
+        first::<SCHEME, INSPHERE>(Four::<false> { exact, vertices, points: points_of })
+    };
+    decided.map_or_else(|from| deep::<SCHEME, INSPHERE, 3, 5>(exact, points.solid, args, (is_exact, from)), Some)
+}
+
+/// The list from a place on.
+#[inline(always)]
+fn deep<const SCHEME: usize, const KIND: usize, const D: usize, const N: usize>(
+    exact: &Exact,
+    all: &[[f64; D]],
+    args: [Vertex; N],
+    (is_exact, from): (bool, usize),
+) -> Decided {
+    deep::decide(Scheme::ALL[SCHEME], PredicateKind::ALL[KIND], exact, all, args, is_exact, from)
 }
 
 /// The rows that are left when the first one is struck.
@@ -201,28 +249,15 @@ trait Rows: Copy {
     fn sign(self, term: Term) -> Option<Sign>;
 }
 
-/// Two points of the plane.
-#[derive(Clone, Copy)]
-struct Two([[f64; 2]; 2]);
-
-impl Rows for Two {
-    #[inline(always)]
-    fn sign(self, term: Term) -> Option<Sign> {
-        let &[column] = term.columns else { return None };
-        let [p, q] = self.0.map(|point| point[usize::from(column)]);
-        Some(if term.sign == Sign::Negative { order(q, p) } else { order(p, q) })
-    }
-}
-
 /// Three of four points of the plane or of space.
 #[derive(Clone, Copy)]
-struct Three<'a, const D: usize> {
+struct Three<'a, const EXACT: bool, const D: usize> {
     exact: &'a Exact<'a>,
     vertices: [Vertex; 4],
     points: [&'a [f64; D]; 4],
 }
 
-impl<const D: usize> Rows for Three<'_, D> {
+impl<const EXACT: bool, const D: usize> Rows for Three<'_, EXACT, D> {
     #[inline(always)]
     fn sign(self, term: Term) -> Option<Sign> {
         let [first, p, q, r] = self.points;
@@ -233,7 +268,7 @@ impl<const D: usize> Rows for Three<'_, D> {
                 let [x, y] = plane.axes().map(Axis::index);
                 let is_mirrored = term.sign != orientation;
                 let [p, q] = if is_mirrored { [q, p] } else { [p, q] };
-                match filter::turn([[p[x], p[y]], [q[x], q[y]], [r[x], r[y]]]) {
+                match filter::turn::<EXACT>([[p[x], p[y]], [q[x], q[y]], [r[x], r[y]]]) {
                     None if is_mirrored => {
                         Some(turn(self.exact, plane, self.vertices[2], self.vertices[1], self.vertices[3]))
                     }
@@ -244,8 +279,13 @@ impl<const D: usize> Rows for Three<'_, D> {
             (&[x], Some(lift)) => {
                 let [p, q] = if is_negative { [q, p] } else { [p, q] };
                 let column = usize::from(x);
-                let struck = struck(lift, 1 - column, first);
-                match filter::flat([p, q, r], column, struck) {
+                let (struck, is_vertex) = struck(lift, 1 - column, first);
+                let sign = if EXACT && is_vertex {
+                    filter::flat::<true, D>([p, q, r], column, struck)
+                } else {
+                    filter::flat::<false, D>([p, q, r], column, struck)
+                };
+                match sign {
                     None => short::flat([p, q, r], column, struck),
                     certain => certain,
                 }
@@ -264,13 +304,13 @@ fn turn(exact: &Exact, plane: Plane, p: Vertex, q: Vertex, r: Vertex) -> Sign {
 
 /// Four of five points of space.
 #[derive(Clone, Copy)]
-struct Four<'a> {
+struct Four<'a, const EXACT: bool> {
     exact: &'a Exact<'a>,
     vertices: [Vertex; 5],
     points: [&'a [f64; 3]; 5],
 }
 
-impl Rows for Four<'_> {
+impl<const EXACT: bool> Rows for Four<'_, EXACT> {
     #[inline(always)]
     fn sign(self, term: Term) -> Option<Sign> {
         let [first, p, q, r, s] = self.points;
@@ -284,8 +324,13 @@ impl Rows for Four<'_> {
             (&[x, y], Some(lift)) => {
                 let [p, q] = if is_negative { [q, p] } else { [p, q] };
                 let columns = [x, y].map(usize::from);
-                let struck = struck(lift, 3 - columns[0] - columns[1], first);
-                match filter::solid([p, q, r, s], columns, struck) {
+                let (struck, is_vertex) = struck(lift, 3 - columns[0] - columns[1], first);
+                let sign = if EXACT && is_vertex {
+                    filter::solid::<true>([p, q, r, s], columns, struck)
+                } else {
+                    filter::solid::<false>([p, q, r, s], columns, struck)
+                };
+                match sign {
                     None => short::solid([p, q, r, s], columns, struck),
                     certain => certain,
                 }
@@ -297,7 +342,7 @@ impl Rows for Four<'_> {
 
 /// The sign of p − q.
 #[inline(always)]
-fn order(p: f64, q: f64) -> Sign {
+pub(crate) fn order(p: f64, q: f64) -> Sign {
     // A table: a branch on what is as good as random costs more than all the rest.
     const SIGNS: [Sign; 3] = [Sign::Negative, Sign::Zero, Sign::Positive];
     SIGNS[usize::from(p >= q) + usize::from(p > q)]
@@ -305,10 +350,14 @@ fn order(p: f64, q: f64) -> Sign {
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
-/// Only the first row can be an origin: no other vertex has moved.
+/// What the lift is about, and whether that is a vertex. Only the first row can be an origin: no other vertex has moved. One that is no vertex
+/// may be anywhere.
 #[inline(always)]
-fn struck<const D: usize>(lift: Lift, column: usize, first: &[f64; D]) -> Struck {
-    Struck { column, origin: if lift.about[column].is_some() { first[column] } else { 0.0 } }
+fn struck<const D: usize>(lift: Lift, column: usize, first: &[f64; D]) -> (Struck, bool) {
+    match lift.about[column] {
+        Some(_) => (Struck { column, origin: first[column] }, true),
+        None => (Struck { column, origin: 0.0 }, false),
+    }
 }
 
 /// The vertices with the smallest one first, by an even permutation; none if it
@@ -328,37 +377,38 @@ fn smallest_first<const N: usize>(mut vertices: [Vertex; N]) -> Option<[Vertex; 
     unique.then_some(vertices)
 }
 
-/// The first of the leading terms that is not zero, unless one is left open.
+/// What a leading term says: nothing if it is zero, else the answer, or its place where it is left open or is none of them.
+type Said = ControlFlow<Result<(Sign, usize), usize>>;
+
+/// The first of the leading terms that is not zero, or the place where the rest of the list has to go on.
 #[inline(always)]
-fn first<const SCHEME: usize, const KIND: usize>(rows: impl Rows) -> Decided {
+fn first<const SCHEME: usize, const KIND: usize>(rows: impl Rows) -> Result<(Sign, usize), usize> {
     match step::<SCHEME, KIND, 0>(rows) {
         ControlFlow::Continue(()) => others::<SCHEME, KIND>(rows),
-        ControlFlow::Break(decided) => decided,
+        ControlFlow::Break(said) => said,
     }
 }
 
 /// No predicate has more than four.
 #[cold]
 #[inline(never)]
-fn others<const SCHEME: usize, const KIND: usize>(rows: impl Rows) -> Decided {
-    let steps = || -> ControlFlow<Decided> {
+fn others<const SCHEME: usize, const KIND: usize>(rows: impl Rows) -> Result<(Sign, usize), usize> {
+    let steps = || -> Said {
         step::<SCHEME, KIND, 1>(rows)?;
         step::<SCHEME, KIND, 2>(rows)?;
         step::<SCHEME, KIND, 3>(rows)
     };
-    steps().break_value().flatten()
+    steps().break_value().unwrap_or(Err(4))
 }
 
-/// Breaks with a sign that is not zero, or with none where the term is left
-/// open or there is no leading term at this place.
 #[inline(always)]
-fn step<const SCHEME: usize, const KIND: usize, const PLACE: usize>(rows: impl Rows) -> ControlFlow<Decided> {
+fn step<const SCHEME: usize, const KIND: usize, const PLACE: usize>(rows: impl Rows) -> Said {
     let Some(term) = (const { leading(Scheme::ALL[SCHEME].terms(PredicateKind::ALL[KIND]), PLACE) }) else {
-        return ControlFlow::Break(None);
+        return ControlFlow::Break(Err(PLACE));
     };
     match rows.sign(term) {
         Some(Sign::Zero) => ControlFlow::Continue(()),
-        decided => ControlFlow::Break(decided.map(|sign| (sign, PLACE))),
+        decided => ControlFlow::Break(decided.map(|sign| (sign, PLACE)).ok_or(PLACE)),
     }
 }
 

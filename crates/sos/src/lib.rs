@@ -19,6 +19,7 @@
 mod backend;
 mod constructed;
 mod crossed;
+mod deep;
 pub mod derive;
 mod filter;
 pub mod infinitesimal;

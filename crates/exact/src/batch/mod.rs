@@ -18,17 +18,18 @@ use std::marker::PhantomData;
 
 use predicament_predicates::{Sign, Vertex};
 
-use crate::estimate::Estimate;
+use crate::anywhere::Bounded;
 use crate::predicate::Predicate;
+use crate::stage;
 pub(crate) use block::{Along, View, Whole, Xy, Yz, Zx};
 use block::{BLOCK, Block};
 use simd::{Kernel, dispatch};
 pub(crate) use sweep::{Sweep, sweep};
 
 /// Queries of `N` vertices each, and what to do about them.
-pub(crate) struct Batch<'a, S, C, const E: usize, const N: usize> {
-    /// The bounds of the static and of the semi-static filter.
-    pub bounds: [f64; 2],
+pub(crate) struct Batch<'a, B, S, C, const E: usize, const N: usize> {
+    /// The bound of the static filter, or NaN.
+    pub static_bound: f64,
     /// The points of the vertices. With what has none nothing is certain, and
     /// the vertex is seen to where it climbs.
     pub points: &'a [[f64; E]],
@@ -36,16 +37,18 @@ pub(crate) struct Batch<'a, S, C, const E: usize, const N: usize> {
     pub queries: &'a [[Vertex; N]],
     /// A place for each answer.
     pub out: &'a mut [Sign],
-    /// Told how many queries of a block each of the two has settled.
+    /// Whether doubles make no error: asked if filters leave something open.
+    pub is_double: B,
+    /// Told how many queries of a block each stage has settled.
     pub settled: S,
-    /// Answers a query that it leaves open.
+    /// Answers a query that is left open.
     pub climb: C,
 }
 
 /// Answers all queries with a predicate that sees points in this view.
 #[inline]
 pub(crate) fn run<P, V, const E: usize, const D: usize, const N: usize>(
-    batch: Batch<'_, impl Fn([u64; 2]), impl Fn(&[Vertex; N]) -> Sign, E, N>,
+    batch: Batch<'_, impl Fn() -> bool, impl Fn(usize, u64), impl Fn(&[Vertex; N]) -> Sign, E, N>,
 ) where
     P: Predicate<D, N>,
     V: View<E, D>,
@@ -59,37 +62,48 @@ struct Of<B, P> {
     predicate: PhantomData<P>,
 }
 
-impl<P, V, S, C, const E: usize, const D: usize, const N: usize> Kernel for Of<Batch<'_, S, C, E, N>, (P, V, [(); D])>
+impl<P, V, B, S, C, const E: usize, const D: usize, const N: usize> Kernel
+    for Of<Batch<'_, B, S, C, E, N>, (P, V, [(); D])>
 where
     P: Predicate<D, N>,
     V: View<E, D>,
-    S: Fn([u64; 2]),
+    B: Fn() -> bool,
+    S: Fn(usize, u64),
     C: Fn(&[Vertex; N]) -> Sign,
 {
     type Output = ();
 
     #[inline(always)]
     unsafe fn run<const WIDE: bool>(self) {
-        let Batch { bounds: [static_bound, semi_static_bound], points, queries, out, settled, climb } = self.batch;
+        let Batch { static_bound, points, queries, out, is_double, settled, climb } = self.batch;
         let mut block = Block::EMPTY;
         for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
             // SAFETY: the kernel is run wide where the processor has AVX-512F.
             unsafe { block.fetch::<V, E, WIDE>(points, queries) };
-            let (mut signs, open) = filter(&block, |points| (P::estimate(points).determinant, static_bound));
+            let (signs, open) = filter(&block, |points| (P::estimate(points).determinant, static_bound));
             let open = open & (u64::MAX >> (BLOCK - queries.len()));
-            let by_static = queries.len() as u64 - u64::from(open.count_ones());
-            let mut left = open;
-            if open != 0 {
-                // (A determinant that is large enough for the one has the same sign for the other.)
-                let (again, still) = filter(&block, |points| {
-                    let Estimate { determinant, permanent } = P::estimate(points);
-                    (determinant, semi_static_bound * permanent)
-                });
-                signs = again;
-                left = open & still;
-            }
+            // (What the second filter is certain of has the sign that the first one has found: the determinant is the same.)
             out.copy_from_slice(&signs[..queries.len()]);
-            settled([by_static, u64::from(open.count_ones() - left.count_ones())]);
+            settled(stage::STATIC, queries.len() as u64 - u64::from(open.count_ones()));
+            if open == 0 {
+                continue;
+            }
+            let (_, still) = filter(&block, |points| {
+                let Bounded { determinant, bound } = P::anywhere(points);
+                // Strictly beyond it; zero is not.
+                (determinant, if determinant.abs() > bound { 0.0 } else { f64::NAN })
+            });
+            let left = open & still;
+            settled(stage::SEMI_STATIC, u64::from(open.count_ones() - left.count_ones()));
+            if left == 0 {
+                continue;
+            }
+            // (Vertices without points have NaN for a determinant.)
+            let points_of = |at: usize| block.query(at).as_flattened().iter().all(|x| !x.is_nan());
+            if is_double() && ones(left).all(points_of) {
+                settled(stage::DOUBLE, u64::from(left.count_ones()));
+                continue;
+            }
             for at in ones(left) {
                 out[at] = climb(&queries[at]);
             }

@@ -9,9 +9,10 @@ use super::simd::{Width, run_on};
 use super::{Along, Batch, Of, Sweep, View, Whole, Xy, Yz, Zx, sweep};
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::side::Side;
+use crate::stage;
 
-/// Bounds of the two filters that leave about a third of all queries to each.
-const BOUNDS: [f64; 2] = [0.3, 0.1];
+/// A bound of the static filter that leaves about half of all queries to the other.
+const STATIC_BOUND: f64 = 0.3;
 const POINTS: usize = 40;
 
 /// What the ladder says in these tests, where it is only seen who gets there.
@@ -42,27 +43,24 @@ fn check<P: Predicate<D, N>, V: View<E, D>, const E: usize, const D: usize, cons
     let mut counts = [0; 3];
     for query in queries {
         let seen = query.map(|v| points.get(v.index()).map_or([f64::NAN; D], |point| V::see(*point)));
-        let estimate = P::estimate(seen);
-        let [by_static, by_semi_static] = [estimate.above(BOUNDS[0]), estimate.certain(BOUNDS[1])];
-        counts[if by_static.is_some() { 0 } else { 2 - usize::from(by_semi_static.is_some()) }] += 1;
-        expected.push(by_static.or(by_semi_static).unwrap_or(CLIMBED));
+        let (by_static, by_query) = (P::estimate(seen).above(STATIC_BOUND), P::anywhere(seen).certain());
+        counts[if by_static.is_some() { 0 } else { 2 - usize::from(by_query.is_some()) }] += 1;
+        expected.push(by_static.or(by_query).unwrap_or(CLIMBED));
     }
     for width in widths() {
         let mut out = vec![Sign::Positive; queries.len()];
-        let [by_static, by_semi_static, climbed] = [(); 3].map(|()| Cell::new(0));
+        let [by_static, by_query, climbed] = [(); 3].map(|()| Cell::new(0));
         let add = |to: &Cell<u64>, count| to.set(to.get() + count);
         run_on(
             width,
             Of {
                 batch: Batch {
-                    bounds: BOUNDS,
+                    static_bound: STATIC_BOUND,
                     points,
                     queries,
                     out: &mut out,
-                    settled: |settled: [u64; 2]| {
-                        add(&by_static, settled[0]);
-                        add(&by_semi_static, settled[1]);
-                    },
+                    is_double: || false,
+                    settled: |stage, count| add(if stage == stage::STATIC { &by_static } else { &by_query }, count),
                     climb: |_: &[Vertex; N]| {
                         add(&climbed, 1);
                         CLIMBED
@@ -72,7 +70,7 @@ fn check<P: Predicate<D, N>, V: View<E, D>, const E: usize, const D: usize, cons
             },
         );
         assert_eq!(out, expected, "{width:?}");
-        assert_eq!([by_static, by_semi_static, climbed].map(Cell::into_inner), counts, "{width:?}");
+        assert_eq!([by_static, by_query, climbed].map(Cell::into_inner), counts, "{width:?}");
     }
 }
 

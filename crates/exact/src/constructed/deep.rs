@@ -19,21 +19,24 @@ use rug::{Integer, integer::Order};
 
 use predicament_arithmetic::dyadic::{Number, Space};
 
-use super::{rows::Rows, whole};
+use super::{
+    rows::{Row as Stored, View},
+    whole,
+};
 
 /// Coordinates and weight.
 type Row<const N: usize> = [Integer; N];
 
-/// Adds the construction's row, or says why it defines no point.
-pub(super) fn push(rows: &mut Rows, construction: &Construction) -> Result<(), &'static str> {
-    match *construction {
+/// The construction's row, or why it defines no point. Rows of the vertices that define it are there.
+pub(super) fn row(rows: View, construction: &Construction) -> Result<Stored, &'static str> {
+    Ok(match *construction {
         Construction::Ssi(lines) => {
             let [first, second] = lines.map(|line| line.map(|v| flat(rows, v)));
-            store(rows, meet(join(&first)?, join(&second)?)?);
+            store(rows, meet(join(&first)?, join(&second)?)?)
         }
         Construction::Lpi { line, plane } => {
             let (line, plane) = (line.map(|v| solid(rows, v)), plane.map(|v| solid(rows, v)));
-            store(rows, pierce(&line, &span(&plane)?)?);
+            store(rows, pierce(&line, &span(&plane)?)?)
         }
         Construction::Tpi(planes) => {
             let [l, m, n] = planes.map(|plane| plane.map(|v| solid(rows, v)));
@@ -42,18 +45,17 @@ pub(super) fn push(rows: &mut Rows, construction: &Construction) -> Result<(), &
             if point[3].is_zero() {
                 return Err("the planes share no point, or more than one");
             }
-            store(rows, point);
+            store(rows, point)
         }
-    }
-    Ok(())
+    })
 }
 
-fn flat(rows: &Rows, v: Vertex) -> Row<3> {
-    whole::integers(&rows.of(&mut Space::new(&mut [0; 2 * 2]), v, [X, Y]))
+fn flat(rows: View, v: Vertex) -> Row<3> {
+    whole::integers(&rows.of(&mut Space::new(&mut [0; 2 * 2]), rows.find(v), [X, Y]))
 }
 
-fn solid(rows: &Rows, v: Vertex) -> Row<4> {
-    whole::integers(&rows.of(&mut Space::new(&mut [0; 2 * 3]), v, [X, Y, Z]))
+fn solid(rows: View, v: Vertex) -> Row<4> {
+    whole::integers(&rows.of(&mut Space::new(&mut [0; 2 * 3]), rows.find(v), [X, Y, Z]))
 }
 
 /// The line through two points of the plane.
@@ -105,7 +107,7 @@ fn minors([p, q, r]: &[Row<4>; 3]) -> Row<4> {
 }
 
 /// Stores a row in lowest terms.
-fn store<const N: usize>(rows: &mut Rows, row: Row<N>) {
+fn store<const N: usize>(rows: View, row: Row<N>) -> Stored {
     let mut divisor = Integer::new();
     row.iter().for_each(|x| divisor.gcd_mut(x));
     let limbs = row.each_ref().map(|x| Integer::from(x.div_exact_ref(&divisor)).to_digits::<u64>(Order::Lsf));
@@ -115,5 +117,5 @@ fn store<const N: usize>(rows: &mut Rows, row: Row<N>) {
         Number { limbs: &limbs[i][zeros..], low, negative: row[i].is_negative() }
     };
     let coordinates: Vec<Number> = (0..N - 1).map(number).collect();
-    rows.push(&coordinates, number(N - 1));
+    rows.store(&coordinates, number(N - 1))
 }

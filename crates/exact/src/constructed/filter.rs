@@ -1,10 +1,11 @@
 //! Floating point on approximations, with a bound on the error of both.
 //!
 //! # What is proved
-//! A constructed vertex is given by doubles, each within κu of the true
-//! coordinate in relation to itself, or within 2^-400; u = 2^-53, κ = 65/64. Let
-//! its *slack* be e = κ|x| + 2^-300, and that of an exact coordinate 2^-300. The
-//! difference of two is computed as d = fl(x − y), with
+//! A constructed vertex is given by doubles, each within e·u of the true
+//! coordinate; u = 2^-53, and e is the coordinate's *slack*, 2^-300 or more. For doubles that were computed in
+//! floating point it is what is proved there (`approximate`). For rounded exact
+//! coordinates, which are within κu in relation to themselves or within 2^-400, κ = 65/64, it is κ|x| + 2^-300, and
+//! for coordinates of input vertices 2^-300. The difference of two is computed as d = fl(x − y), with
 //! |d − D| ≤ u|d| + u·e_x + u·e_y = u·M for **M = |d| + e_x + e_y**, and |d| ≤ M.
 //! (Subtraction underflows exactly.) That is what [`bound`](predicament_arithmetic::bound)
 //! supposes of a difference: one rounding, in relation to M. So its proof
@@ -13,7 +14,7 @@
 //! is 2·4 + 2 and 3·4 + 5.
 //!
 //! **Underflow.** Each M is at least 2^-299, so a product that underflows, and
-//! is wrong by 2^-1075 then, is wrong by less than 2^-170·u·P for the whole
+//! is wrong by 2^-1075 then, is wrong by less than 2^-170·P for the whole
 //! determinant. The constants exceed what they have to by more than that, as a
 //! test says. P and B·P never underflow.
 //!
@@ -33,7 +34,7 @@ pub const ORIENT2D: f64 = semi_static(3, 10);
 pub const ORIENT3D: f64 = semi_static(7, 17);
 
 /// The slack that every coordinate has, so that no permanent underflows: 2^-300.
-const FLOOR: f64 = power_of_two(-300);
+pub(super) const FLOOR: f64 = power_of_two(-300);
 
 /// A number and what bounds its error, in units of u.
 #[derive(Clone, Copy, Debug)]
@@ -43,6 +44,13 @@ pub struct Approximate {
 }
 
 impl Approximate {
+    /// A coordinate that is within `slack`·u of the true one; 2^-300 at least.
+    #[inline(always)]
+    #[must_use]
+    pub fn near(value: f64, slack: f64) -> Approximate {
+        Approximate { value, slack }
+    }
+
     /// A coordinate that is within `errors`·u of the true one, in relation to
     /// itself: none for input vertices, 65/64 for constructed ones.
     #[inline(always)]

@@ -5,15 +5,19 @@
 //! needed to answer about the very point (*indirect predicates*: Attene,
 //! "Indirect predicates for geometric constructions", 2020):
 //!
-//! * its coordinates, rounded to doubles, for a [`filter`] that knows how far
-//!   they can be off: about the price of a question about input vertices;
-//! * its exact homogeneous coordinates, integers over a common positive weight,
-//!   for the determinants of homogeneous rows, in integers on the stack whose
+//! * coordinates in doubles, and how far they can be off, for a [`filter`] that knows it: about the price of a question
+//!   about input vertices. They are computed at once, in floating point (`approximate`), which also says
+//!   that there is a point at all; only where it can't, exact numbers do;
+//! * its exact homogeneous coordinates, integers over a common positive weight, when
+//!   they are first asked for, and from then on (`rows`). With them come coordinates that are rounded only once, for
+//!   the same filter; then determinants of homogeneous rows, in integers on the stack whose
 //!   capacity suffices for every finite input: no rational, no allocation, and
 //!   no condition on exponents.
 //!
+//! Which of these settles a question depends on the question alone, not on what was asked before.
+//!
 //! Lines and planes may go through constructed vertices in turn. Such `deep`
-//! vertices have a row like the others, in lowest terms, and the same filter;
+//! vertices have approximations and a row like the others, in lowest terms, and the same filter;
 //! only where their rows are longer than any that input vertices define,
 //! determinants are `whole` integers on the heap.
 //!
@@ -23,6 +27,7 @@
 
 #[macro_use]
 mod capacity;
+mod approximate;
 mod deep;
 mod determinant;
 pub mod filter;
@@ -31,11 +36,12 @@ mod rows;
 mod whole;
 
 use predicament_arithmetic::dyadic::Space;
-use predicament_predicates::{Axis, Construction, Declined, Plane, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Construction, Declined, Dimension, Plane, Refused, Scene, Sign, Vertex};
 
 use crate::stage;
-use filter::Approximate;
-use rows::Rows;
+use approximate::Near;
+use filter::{Approximate, FLOOR};
+use rows::{Found, Row, Rows, View};
 
 /// The stage that settles a question which floating point can settle.
 pub const FILTER: usize = stage::SEMI_STATIC;
@@ -44,27 +50,34 @@ pub const EXACT: usize = stage::DYADIC;
 
 /// The constructed vertices of one scene.
 #[derive(Clone, Debug)]
-pub struct Constructed<'s> {
-    /// Asked for its input vertices only.
-    scene: &'s Scene,
-    /// Coordinates, vertex after vertex, for the filter.
-    approximations: Vec<f64>,
-    rows: Rows<'s>,
+pub struct Constructed {
+    /// With the vertices that were constructed since.
+    scene: Scene,
+    table: Table,
+    rows: Rows,
 }
 
-impl<'s> Constructed<'s> {
-    /// Evaluates the scene's constructions; where there is none, nothing is
+/// Doubles and their slack, vertex after vertex; the list of the scene's dimension, the other one is empty.
+#[derive(Clone, Default, Debug)]
+struct Table {
+    flat: Vec<[f64; 3]>,
+    solid: Vec<[f64; 4]>,
+}
+
+impl Constructed {
+    /// Finds the scene's constructed points; where there is none, nothing is
     /// computed and nothing allocated.
     ///
     /// # Errors
     /// [`Declined`] names the first construction that does not define a point:
     /// parallel lines, a plane of collinear vertices, and the like.
-    pub fn new(scene: &'s Scene) -> Result<Constructed<'s>, Declined> {
-        let constructions = scene.constructions();
-        let mut constructed = Constructed { scene, approximations: Vec::new(), rows: Rows::new(scene) };
-        constructed.approximations.reserve(constructions.len() * scene.dimension().count());
-        for (index, construction) in constructions.iter().enumerate() {
-            constructed.push(construction).map_err(|why| {
+    pub fn new(scene: &Scene) -> Result<Constructed, Declined> {
+        let mut constructed = Constructed { scene: scene.clone(), table: Table::default(), rows: Rows::default() };
+        let Constructed { table, rows, .. } = &mut constructed;
+        table.reserve(scene.dimension(), scene.constructions().len());
+        rows.reserve(scene.constructions().len());
+        for (index, construction) in scene.constructions().iter().enumerate() {
+            push(scene, table, rows, construction).map_err(|why| {
                 let vertex = Vertex::constructed(index);
                 Declined::scene(format!("{vertex}, constructed as {construction}, is no point: {why}"))
             })?;
@@ -72,42 +85,77 @@ impl<'s> Constructed<'s> {
         Ok(constructed)
     }
 
-    /// Adds the next vertex, or says why it is no point.
-    pub(crate) fn push(&mut self, construction: &Construction) -> Result<(), &'static str> {
-        self.rows.align();
-        let index = self.len();
-        points::push(&mut self.rows, construction)?;
-        let axes = 0..self.scene.dimension().count();
-        self.approximations.extend(axes.map(|axis| self.rows.approximation(index, axis)));
-        Ok(())
+    /// Adds vertices, as [`Session::construct_where`](crate::Session::construct_where) says.
+    pub(crate) fn construct_where(
+        &mut self,
+        definitions: &[Construction],
+        accepts: impl Fn(&Construction) -> Result<(), String>,
+    ) -> Result<Vec<Vertex>, Refused> {
+        let Constructed { scene, table, rows } = self;
+        let before = scene.constructions().len();
+        let mut is_first = true;
+        let vertices = scene.construct_all(definitions, |scene, vertex| {
+            let construction = scene.construction(vertex).expect("just constructed");
+            accepts(construction)?;
+            if std::mem::take(&mut is_first) && definitions.len() > 1 {
+                table.reserve(scene.dimension(), definitions.len());
+                rows.reserve(definitions.len());
+            }
+            push(scene, table, rows, construction).map_err(str::to_owned)
+        });
+        if vertices.is_err() {
+            table.truncate(before);
+            rows.truncate(before);
+        }
+        vertices
     }
 
-    /// Removes all vertices but the first so many.
-    pub(crate) fn truncate(&mut self, count: usize) {
-        self.rows.truncate(count);
-        self.approximations.truncate(count * self.scene.dimension().count());
-    }
-
-    /// How many vertices there are.
-    pub(crate) fn len(&self) -> usize {
-        self.approximations.len() / self.scene.dimension().count()
+    /// The scene, with all vertices that were constructed.
+    #[inline(always)]
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        &self.scene
     }
 
     /// The approximate coordinates of a vertex, for output and broad phases: an
     /// input vertex' own, a constructed one's rounded to the nearest
     /// doubles or next to them, or within 2^-400. NaN where they are 2^1000 or more.
+    /// Takes the exact row: the first time that costs what the row does.
+    ///
+    /// # Panics
+    /// If the scene has no such vertex.
+    #[must_use]
+    pub fn approximation(&self, v: Vertex) -> &[f64] {
+        match v.construction() {
+            None => self.scene.point(v),
+            Some(index) => self.view().row(index).rounded(self.scene.dimension().count()),
+        }
+    }
+
+    /// Doubles near a vertex, and their slack: times 2^-53 it is how far they may be off. An input vertex' own
+    /// are exact; a constructed one's are those that were computed when it was constructed. Where a coordinate is NaN, so is the slack.
     ///
     /// # Panics
     /// If the scene has no such vertex.
     #[inline(always)]
     #[must_use]
-    pub fn approximation(&self, v: Vertex) -> &[f64] {
-        let (table, at) = match v.construction() {
-            None => (self.scene.coordinates(), v.index()),
-            Some(index) => (self.approximations.as_slice(), index),
-        };
-        let stride = self.scene.dimension().count();
-        &table[at * stride..][..stride]
+    pub fn near(&self, v: Vertex) -> (&[f64], f64) {
+        match (v.construction(), self.scene.dimension()) {
+            (None, _) => (self.scene.point(v), FLOOR),
+            (Some(index), Dimension::Two) => {
+                let [point @ .., slack] = &self.table.flat[index];
+                (point, *slack)
+            }
+            (Some(index), Dimension::Three) => {
+                let [point @ .., slack] = &self.table.solid[index];
+                (point, *slack)
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn view(&self) -> View<'_> {
+        View { scene: &self.scene, rows: &self.rows }
     }
 
     /// The sign of a's coordinate minus b's, and the stage that settled it.
@@ -117,21 +165,49 @@ impl<'s> Constructed<'s> {
     #[inline]
     #[must_use]
     pub fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> (Sign, usize) {
-        match self.compare_by_filter(axis, a, b) {
+        match self.first_compare(axis, [a, b]) {
             Some(sign) => (sign, FILTER),
-            None => (self.compare_exactly(axis, [a, b]), EXACT),
+            None => self.next_compare(axis, [a, b]),
         }
     }
 
-    /// The sign of [`Constructed::compare`], or none if its filter leaves it open.
+    #[inline(always)]
+    fn first_compare(&self, axis: Axis, [a, b]: [Vertex; 2]) -> Option<Sign> {
+        let at = |v| self.computed(v, [axis]);
+        let ([a], [b]) = (at(a), at(b));
+        filter::compare(a, b, filter::COMPARE)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn next_compare(&self, axis: Axis, [a, b]: [Vertex; 2]) -> (Sign, usize) {
+        let view = self.view();
+        let (a, b) = (view.find(a), view.find(b));
+        let ([x], [y]) = (a.rounded([axis]), b.rounded([axis]));
+        match filter::compare(x, y, filter::COMPARE) {
+            Some(sign) => (sign, FILTER),
+            None => (self.order(axis, [a, b]), EXACT),
+        }
+    }
+
+    #[inline(always)]
+    fn order(&self, axis: Axis, found: [Found; 2]) -> Sign {
+        let (mut limbs, [a, b]) = ([0; 2 * 2], found);
+        let space = &mut Space::new(&mut limbs);
+        determinant::compare(&[self.view().of(space, a, [axis]), self.view().of(space, b, [axis])])
+    }
+
+    /// The sign of [`Constructed::compare`], or none if its filters leave it open.
     ///
     /// # Panics
     /// As there.
     #[inline]
     #[must_use]
     pub fn compare_by_filter(&self, axis: Axis, a: Vertex, b: Vertex) -> Option<Sign> {
-        let at = |v| self.approximate(v).coordinate(axis);
-        filter::compare(at(a), at(b), filter::COMPARE)
+        self.first_compare(axis, [a, b]).or_else(|| {
+            let ([a], [b]) = (self.view().find(a).rounded([axis]), self.view().find(b).rounded([axis]));
+            filter::compare(a, b, filter::COMPARE)
+        })
     }
 
     /// The turn a, b, c in a coordinate plane, and the stage that settled it.
@@ -141,25 +217,50 @@ impl<'s> Constructed<'s> {
     #[inline]
     #[must_use]
     pub fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
-        match self.orient2d_by_filter(plane, a, b, c) {
+        match self.first_orient2d(plane, [a, b, c]) {
             Some(sign) => (sign, FILTER),
-            None => (self.orient2d_exactly(plane, [a, b, c]), EXACT),
+            None => self.next_orient2d(plane, [a, b, c]),
         }
     }
 
-    /// The sign of [`Constructed::orient2d`], or none if its filter leaves it open.
+    #[inline(always)]
+    fn first_orient2d(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> Option<Sign> {
+        let axes = plane.axes();
+        let at = |v| self.computed(v, axes);
+        filter::orient2d(at(a), at(b), at(c), filter::ORIENT2D)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn next_orient2d(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> (Sign, usize) {
+        let (view, axes) = (self.view(), plane.axes());
+        let (a, b, c) = (view.find(a), view.find(b), view.find(c));
+        match filter::orient2d(a.rounded(axes), b.rounded(axes), c.rounded(axes), filter::ORIENT2D) {
+            Some(sign) => (sign, FILTER),
+            None => (self.turn(plane, [a, b, c]), EXACT),
+        }
+    }
+
+    #[inline(always)]
+    fn turn(&self, plane: Plane, found: [Found; 3]) -> Sign {
+        let (mut limbs, [a, b, c]) = ([0; 2 * 6], found);
+        let space = &mut Space::new(&mut limbs);
+        let axes = plane.axes();
+        let mut row = |v| self.view().of(space, v, axes);
+        determinant::orient2d(&[row(a), row(b), row(c)])
+    }
+
+    /// The sign of [`Constructed::orient2d`], or none if its filters leave it open.
     ///
     /// # Panics
     /// As there.
     #[inline]
     #[must_use]
     pub fn orient2d_by_filter(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Option<Sign> {
-        let [first, second] = plane.axes();
-        let at = |v| {
-            let point = self.approximate(v);
-            [point.coordinate(first), point.coordinate(second)]
-        };
-        filter::orient2d(at(a), at(b), at(c), filter::ORIENT2D)
+        self.first_orient2d(plane, [a, b, c]).or_else(|| {
+            let [a, b, c] = [a, b, c].map(|v| self.view().find(v).rounded(plane.axes()));
+            filter::orient2d(a, b, c, filter::ORIENT2D)
+        })
     }
 
     /// The side of d on the plane of a, b, c, and the stage that settled it.
@@ -169,14 +270,31 @@ impl<'s> Constructed<'s> {
     #[inline]
     #[must_use]
     pub fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        let at = |v| {
-            let point = self.approximate(v);
-            [point.coordinate(Axis::X), point.coordinate(Axis::Y), point.coordinate(Axis::Z)]
-        };
+        let at = |v| self.computed(v, AXES);
         match filter::orient3d(at(a), at(b), at(c), at(d), filter::ORIENT3D) {
             Some(sign) => (sign, FILTER),
-            None => (self.orient3d_exactly([a, b, c, d]), EXACT),
+            None => self.next_orient3d([a, b, c, d]),
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn next_orient3d(&self, [a, b, c, d]: [Vertex; 4]) -> (Sign, usize) {
+        let view = self.view();
+        let (a, b, c, d) = (view.find(a), view.find(b), view.find(c), view.find(d));
+        let at = |found: Found| found.rounded(AXES);
+        match filter::orient3d(at(a), at(b), at(c), at(d), filter::ORIENT3D) {
+            Some(sign) => (sign, FILTER),
+            None => (self.side([a, b, c, d]), EXACT),
+        }
+    }
+
+    #[inline(always)]
+    fn side(&self, found: [Found; 4]) -> Sign {
+        let (mut limbs, [a, b, c, d]) = ([0; 2 * 12], found);
+        let space = &mut Space::new(&mut limbs);
+        let mut row = |v| self.view().of(space, v, AXES);
+        determinant::orient3d(&[row(a), row(b), row(c), row(d)])
     }
 
     /// Whether d is in the circle of a, b, c, and the stage that settled it.
@@ -189,11 +307,11 @@ impl<'s> Constructed<'s> {
     pub fn incircle(&self, vertices: [Vertex; 4]) -> (Sign, usize) {
         let (mut limbs, [a, b, c, d]) = ([0; 2 * 8], vertices);
         let space = &mut Space::new(&mut limbs);
-        let mut row = |v| self.rows.of(space, v, [Axis::X, Axis::Y]);
+        let mut row = |v| self.view().of(space, self.view().find(v), [Axis::X, Axis::Y]);
         (whole::incircle(&[row(a), row(b), row(c), row(d)]), EXACT)
     }
 
-    /// [`Constructed::compare`] without its filter.
+    /// [`Constructed::compare`] without its filters.
     ///
     /// # Panics
     /// As there.
@@ -201,12 +319,11 @@ impl<'s> Constructed<'s> {
     #[inline(never)]
     #[must_use]
     pub fn compare_exactly(&self, axis: Axis, vertices: [Vertex; 2]) -> Sign {
-        let (mut limbs, [a, b]) = ([0; 2 * 2], vertices);
-        let space = &mut Space::new(&mut limbs);
-        determinant::compare(&[self.rows.of(space, a, [axis]), self.rows.of(space, b, [axis])])
+        assert!(axis.index() < self.scene.dimension().count(), "the scene has no such axis");
+        self.order(axis, vertices.map(|v| self.view().find(v)))
     }
 
-    /// [`Constructed::orient2d`] without its filter.
+    /// [`Constructed::orient2d`] without its filters.
     ///
     /// # Panics
     /// As there.
@@ -214,13 +331,11 @@ impl<'s> Constructed<'s> {
     #[inline(never)]
     #[must_use]
     pub fn orient2d_exactly(&self, plane: Plane, vertices: [Vertex; 3]) -> Sign {
-        let (mut limbs, [a, b, c]) = ([0; 2 * 6], vertices);
-        let space = &mut Space::new(&mut limbs);
-        let mut row = |v| self.rows.of(space, v, plane.axes());
-        determinant::orient2d(&[row(a), row(b), row(c)])
+        assert!(plane == Plane::Xy || self.scene.dimension() == Dimension::Three, "the scene has no such plane");
+        self.turn(plane, vertices.map(|v| self.view().find(v)))
     }
 
-    /// [`Constructed::orient3d`] without its filter.
+    /// [`Constructed::orient3d`] without its filters.
     ///
     /// # Panics
     /// As there.
@@ -228,30 +343,105 @@ impl<'s> Constructed<'s> {
     #[inline(never)]
     #[must_use]
     pub fn orient3d_exactly(&self, vertices: [Vertex; 4]) -> Sign {
-        let (mut limbs, [a, b, c, d]) = ([0; 2 * 12], vertices);
-        let space = &mut Space::new(&mut limbs);
-        let mut row = |v| self.rows.of(space, v, [Axis::X, Axis::Y, Axis::Z]);
-        determinant::orient3d(&[row(a), row(b), row(c), row(d)])
+        assert!(self.scene.dimension() == Dimension::Three, "the scene is 2D");
+        self.side(vertices.map(|v| self.view().find(v)))
     }
 
-    /// What the filter knows of a vertex.
+    /// What the first filter knows of a vertex.
     #[inline(always)]
-    fn approximate(&self, v: Vertex) -> Point<'_> {
-        let errors = if v.is_constructed() { rows::ERRORS } else { 0.0 };
-        Point { coordinates: self.approximation(v), errors }
+    fn computed<const K: usize>(&self, v: Vertex, axes: [Axis; K]) -> [Approximate; K] {
+        let (point, slack) = self.near(v);
+        axes.map(|axis| Approximate::near(point[axis.index()], slack))
     }
 }
 
-/// The coordinates of a vertex, exact or not.
-#[derive(Clone, Copy)]
-struct Point<'a> {
-    coordinates: &'a [f64],
-    errors: f64,
+const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+
+impl Table {
+    fn reserve(&mut self, dimension: Dimension, count: usize) {
+        match dimension {
+            Dimension::Two => self.flat.reserve(count),
+            Dimension::Three => self.solid.reserve(count),
+        }
+    }
+
+    fn truncate(&mut self, count: usize) {
+        self.flat.truncate(count);
+        self.solid.truncate(count);
+    }
+
+    /// What is known of a vertex of a 2D scene.
+    #[inline(always)]
+    fn flat(&self, points: &[[f64; 2]], v: Vertex) -> Near<2> {
+        match v.construction() {
+            None => Near { point: points[v.index()], slack: 0.0 },
+            Some(index) => {
+                let [x, y, slack] = self.flat[index];
+                Near { point: [x, y], slack }
+            }
+        }
+    }
+
+    /// What is known of a vertex of a 3D scene.
+    #[inline(always)]
+    fn solid(&self, points: &[[f64; 3]], v: Vertex) -> Near<3> {
+        match v.construction() {
+            None => Near { point: points[v.index()], slack: 0.0 },
+            Some(index) => {
+                let [x, y, z, slack] = self.solid[index];
+                Near { point: [x, y, z], slack }
+            }
+        }
+    }
 }
 
-impl Point<'_> {
-    #[inline(always)]
-    fn coordinate(self, axis: Axis) -> Approximate {
-        Approximate::within(self.coordinates[axis.index()], self.errors)
+/// Adds the next vertex of the scene, or says why it is no point.
+#[inline]
+fn push(scene: &Scene, table: &mut Table, rows: &mut Rows, construction: &Construction) -> Result<(), &'static str> {
+    rows.push();
+    match scene.dimension() {
+        Dimension::Two => {
+            let points = scene.coordinates().as_chunks().0;
+            let near = match construction {
+                Construction::Ssi(lines) => {
+                    approximate::segments(&lines.map(|line| line.map(|v| table.flat(points, v))))
+                }
+                _ => unreachable!("the scene has taken it"),
+            };
+            let entry = match near {
+                Some(Near { point: [x, y], slack }) => [x, y, slack],
+                None => admitted(View { scene, rows })?,
+            };
+            table.flat.push(entry);
+        }
+        Dimension::Three => {
+            let points = scene.coordinates().as_chunks().0;
+            let at = |v| table.solid(points, v);
+            let near = match construction {
+                Construction::Lpi { line, plane } => approximate::line_plane(&line.map(at), &plane.map(at)),
+                Construction::Tpi(planes) => approximate::planes(&planes.map(|plane| plane.map(at))),
+                Construction::Ssi(_) => unreachable!("the scene has taken it"),
+            };
+            let entry = match near {
+                Some(Near { point: [x, y, z], slack }) => [x, y, z, slack],
+                None => admitted(View { scene, rows })?,
+            };
+            table.solid.push(entry);
+        }
     }
+    Ok(())
+}
+
+/// Doubles and slack of the last vertex, of which floating point can't say that there is a point. N is one more than there are axes.
+#[cold]
+#[inline(never)]
+fn admitted<const N: usize>(rows: View) -> Result<[f64; N], &'static str> {
+    let row: &Row = rows.admit()?;
+    let rounded = row.rounded(N - 1);
+    let mut entry = [0.0; N];
+    entry[..N - 1].copy_from_slice(rounded);
+    let largest = rounded.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let is_known = rounded.iter().all(|x| !x.is_nan());
+    entry[N - 1] = if is_known { rows::ERRORS * largest + FLOOR } else { f64::NAN };
+    Ok(entry)
 }

@@ -32,17 +32,22 @@ use predicament_predicates::{
     Construction,
 };
 
-use super::{deep, rows::Rows};
+use super::{
+    deep,
+    rows::{Row, View},
+};
 
 type Point<'a, const D: usize> = [Number<'a>; D];
 
 /// The capacities that one construction takes at most: 16, and 51 limbs in capacities of 9 or more.
 const NUMBERS: usize = 16 + 6;
 
-/// Adds the construction's row, or says why it defines no point.
-pub(super) fn push(rows: &mut Rows, construction: &Construction) -> Result<(), &'static str> {
+/// The construction's row, or why it defines no point. Rows of the vertices that define it are there.
+#[cold]
+#[inline(never)]
+pub(super) fn row(rows: View, construction: &Construction) -> Result<Row, &'static str> {
     if !construction.is_of_inputs() {
-        return deep::push(rows, construction);
+        return deep::row(rows, construction);
     }
     let mut held = [[0; 2]; 3 * 9];
     let space = &mut Space::new(held.as_flattened_mut());
@@ -67,7 +72,7 @@ pub(super) fn push(rows: &mut Rows, construction: &Construction) -> Result<(), &
 }
 
 #[inline(never)] // so that the stack frame is that of this capacity
-fn segments<const CAP: usize>(rows: &mut Rows, lines: [[Point<2>; 2]; 2]) -> Result<(), &'static str> {
+fn segments<const CAP: usize>(rows: View, lines: [[Point<2>; 2]; 2]) -> Result<Row, &'static str> {
     let mut limbs = [[0; CAP]; NUMBERS];
     let space = &mut Space::new(limbs.as_flattened_mut());
     let [[a, b], [c, d]] = lines;
@@ -80,16 +85,11 @@ fn segments<const CAP: usize>(rows: &mut Rows, lines: [[Point<2>; 2]; 2]) -> Res
         return Err("the lines are parallel");
     }
     let along = minor(space, s, v, 0, 1);
-    rows.push(&moved(space, a, weight, along, u), weight);
-    Ok(())
+    Ok(rows.store(&moved(space, a, weight, along, u), weight))
 }
 
 #[inline(never)]
-fn line_plane<const CAP: usize>(
-    rows: &mut Rows,
-    [p, q]: [Point<3>; 2],
-    plane: [Point<3>; 3],
-) -> Result<(), &'static str> {
+fn line_plane<const CAP: usize>(rows: View, [p, q]: [Point<3>; 2], plane: [Point<3>; 3]) -> Result<Row, &'static str> {
     let mut limbs = [[0; CAP]; NUMBERS];
     let space = &mut Space::new(limbs.as_flattened_mut());
     let (u, normal) = (minus(space, q, p), normal(space, plane)?);
@@ -102,12 +102,11 @@ fn line_plane<const CAP: usize>(
     }
     let way = minus(space, plane[0], p);
     let along = dot(space, normal, way);
-    rows.push(&moved(space, p, weight, along, u), weight);
-    Ok(())
+    Ok(rows.store(&moved(space, p, weight, along, u), weight))
 }
 
 #[inline(never)]
-fn planes_point<const CAP: usize>(rows: &mut Rows, planes: [[Point<3>; 3]; 3]) -> Result<(), &'static str> {
+fn planes_point<const CAP: usize>(rows: View, planes: [[Point<3>; 3]; 3]) -> Result<Row, &'static str> {
     let mut limbs = [[0; CAP]; NUMBERS];
     let space = &mut Space::new(limbs.as_flattened_mut());
     let [[p, ..], [q, ..], [r, ..]] = planes;
@@ -121,8 +120,7 @@ fn planes_point<const CAP: usize>(rows: &mut Rows, planes: [[Point<3>; 3]; 3]) -
     let [second, third] = [dot(space, m, to_second), dot(space, n, to_third)];
     let point =
         [0, 1, 2].map(|i| Number::sum(space, [(p[i], weight, Plus), (second, nl[i], Plus), (third, lm[i], Plus)]));
-    rows.push(&point, weight);
-    Ok(())
+    Ok(rows.store(&point, weight))
 }
 
 /// The normal of the plane of three points.

@@ -1,5 +1,11 @@
 //! Exact homogeneous coordinates of vertices, input and constructed.
 //!
+//! # When they are computed
+//! The row of a constructed vertex is computed when it is first asked for, and kept. It depends on
+//! definitions and coordinates alone, so it does not matter who asks first, on which thread. What
+//! defines a vertex comes before it: its rows are computed first, one by one in a list of what is to do, as a cascade
+//! can be deeper than a stack.
+//!
 //! # Alignment
 //! All coordinates of a scene are scaled by one power of two, so that the
 //! largest lies just below 2^58 (signs don't see it). A coordinate whose lowest
@@ -10,119 +16,266 @@
 //! Rows of vertices that constructed vertices define have no such limit. They
 //! are in lowest terms instead: see [`deep`](super::deep).
 
+use std::sync::OnceLock;
+
 use predicament_arithmetic::{
     ExponentRange,
     dyadic::{Number, Space},
 };
-use predicament_predicates::{Axis, Scene, Vertex};
+use predicament_predicates::{Axis, Construction, Scene, Vertex};
+
+use super::{filter::Approximate, points};
 
 /// The bits of the scene's largest coordinate after scaling.
 const TOP: i32 = 58;
 
-/// The error of an approximation in units of u, in relation to the
-/// approximation: a hair more than rounding, in relation to what is rounded.
+/// The error of a rounded coordinate in units of u, in relation to the
+/// coordinate: a hair more than rounding, in relation to what is rounded.
 pub(super) const ERRORS: f64 = 1.0 + 1.0 / 64.0;
 
-/// Where the limbs of a stored number are.
-#[derive(Clone, Copy, Debug)]
-struct Entry {
-    start: usize,
-    length: usize,
-    low: i32,
-    negative: bool,
-}
+/// Vertices whose slots are allocated together, when the first of their rows is.
+const TOGETHER: usize = 16;
 
-/// The exact rows of a scene's vertices: those of input vertices are read
-/// from the scene, those of constructed ones are stored, with w > 0.
-#[derive(Clone, Debug)]
-pub(super) struct Rows<'s> {
-    /// Asked for its input vertices only.
-    scene: &'s Scene,
+type Slots = [OnceLock<Row>; TOGETHER];
+
+/// The rows that have been asked for.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Rows {
     /// The exponent of the scale, once it is needed.
-    shift: Option<i32>,
-    /// Coordinates and weight, vertex after vertex.
-    entries: Vec<Entry>,
-    limbs: Vec<u64>,
+    shift: OnceLock<i32>,
+    slots: Vec<OnceLock<Box<Slots>>>,
+    count: usize,
 }
 
-impl<'s> Rows<'s> {
-    /// No constructed vertex yet.
-    pub fn new(scene: &'s Scene) -> Rows<'s> {
-        Rows { scene, shift: None, entries: Vec::new(), limbs: Vec::new() }
-    }
-
-    /// Finds the scale, for the first vertex that is constructed: one look at all coordinates.
-    pub fn align(&mut self) {
-        if self.shift.is_none() {
-            self.shift = Some(ExponentRange::of(self.scene.coordinates()).map_or(0, |range| TOP - range.highest));
+impl Rows {
+    /// One more vertex, whose row nobody has asked for.
+    #[inline]
+    pub fn push(&mut self) {
+        if self.count.is_multiple_of(TOGETHER) {
+            self.slots.push(OnceLock::new());
         }
-    }
-
-    /// No scale is as good as any before something is constructed.
-    #[inline(always)]
-    fn shift(&self) -> i32 {
-        self.shift.unwrap_or(0)
-    }
-
-    /// The next constructed vertex. Weights that are negative turn the row's signs.
-    pub fn push(&mut self, coordinates: &[Number], weight: Number) {
-        for number in coordinates.iter().chain([&weight]) {
-            let (start, length) = (self.limbs.len(), number.limbs.len());
-            self.limbs.extend_from_slice(number.limbs);
-            self.entries.push(Entry { start, length, low: number.low, negative: number.negative != weight.negative });
-        }
+        self.count += 1;
     }
 
     /// Removes all constructed vertices but the first so many.
     pub fn truncate(&mut self, count: usize) {
-        let entries = count * (self.scene.dimension().count() + 1);
-        if let Some(first) = self.entries.get(entries) {
-            self.limbs.truncate(first.start);
-            self.entries.truncate(entries);
+        self.slots.truncate(count.div_ceil(TOGETHER));
+        if let Some(slots) = self.slots.get_mut(count / TOGETHER).and_then(OnceLock::get_mut) {
+            slots[count % TOGETHER..].fill_with(OnceLock::new);
         }
+        self.count = count;
+    }
+
+    /// Makes place for so many more.
+    pub fn reserve(&mut self, more: usize) {
+        self.slots.reserve(more.div_ceil(TOGETHER));
+    }
+}
+
+/// An exact row: coordinates and a positive weight, and the coordinates as doubles.
+#[derive(Clone, Debug)]
+pub(super) struct Row {
+    /// Coordinates: within [`ERRORS`]·u, in relation to the double, or within 2^-400. NaN from about 2^1000 on.
+    rounded: [f64; 3],
+    /// For each entry its [`head`].
+    heads: [u64; 4],
+    /// The limbs of all of them.
+    limbs: Box<[u64]>,
+}
+
+/// A number without its limbs: how many they are, its sign, and its place.
+#[allow(clippy::cast_sign_loss)] // bits of an i32
+fn head(number: Number, negative: bool) -> u64 {
+    let length = u64::try_from(number.limbs.len()).expect("a length of 31 bits");
+    assert!(length < 1 << 31, "a length of 31 bits");
+    length << 33 | u64::from(negative) << 32 | u64::from(number.low as u32)
+}
+
+impl Row {
+    /// A coordinate by its axis, and the weight by the number of axes.
+    #[inline(always)]
+    #[allow(clippy::cast_possible_wrap, clippy::cast_possible_truncation)] // the lower half, bits of an i32; a length of 31 bits
+    fn entry(&self, at: usize) -> Number<'_> {
+        let length = |head: u64| (head >> 33) as usize;
+        let (head, [x, y, z, _]) = (self.heads[at], self.heads.map(length));
+        let start = [0, x, x + y, x + y + z][at];
+        let limbs = &self.limbs[start..start + length(head)];
+        Number { limbs, low: head as u32 as i32, negative: head >> 32 & 1 == 1 }
+    }
+
+    /// The coordinates of this dimension, rounded.
+    #[inline(always)]
+    pub fn rounded(&self, dimension: usize) -> &[f64] {
+        &self.rounded[..dimension]
+    }
+}
+
+/// What is exactly known of a vertex.
+#[derive(Clone, Copy)]
+pub(super) enum Found<'a> {
+    /// Its coordinates.
+    Input(&'a [f64]),
+    /// Its row.
+    Constructed(&'a Row),
+}
+
+impl Found<'_> {
+    /// Coordinates as doubles, and how far they may be off.
+    #[inline(always)]
+    pub fn rounded<const K: usize>(self, axes: [Axis; K]) -> [Approximate; K] {
+        let (point, errors): (&[f64], f64) = match self {
+            Found::Input(point) => (point, 0.0),
+            Found::Constructed(row) => (&row.rounded, ERRORS),
+        };
+        axes.map(|axis| Approximate::within(point[axis.index()], errors))
+    }
+}
+
+/// The exact rows of a scene's vertices: those of input vertices are read
+/// from the scene, those of constructed ones are computed and kept, with w > 0.
+#[derive(Clone, Copy)]
+pub(super) struct View<'a> {
+    /// Asked for input vertices, and for definitions of constructed ones.
+    pub scene: &'a Scene,
+    pub rows: &'a Rows,
+}
+
+impl<'a> View<'a> {
+    /// The exponent of the scale: one look at all coordinates, when it is first asked for.
+    #[inline]
+    fn shift(self) -> i32 {
+        let scale = || ExponentRange::of(self.scene.coordinates()).map_or(0, |range| TOP - range.highest);
+        *self.rows.shift.get_or_init(scale)
     }
 
     /// The coordinates of an input vertex, scaled; two limbs each.
     #[inline]
-    pub fn input<'a, const K: usize>(&self, space: &mut Space<'a>, v: Vertex, axes: [Axis; K]) -> [Number<'a>; K] {
-        let point = self.scene.point(v);
+    pub fn input<'s, const K: usize>(self, space: &mut Space<'s>, v: Vertex, axes: [Axis; K]) -> [Number<'s>; K] {
+        self.scaled(space, self.scene.point(v), axes)
+    }
+
+    #[inline(always)]
+    fn scaled<'s, const K: usize>(self, space: &mut Space<'s>, point: &[f64], axes: [Axis; K]) -> [Number<'s>; K] {
+        let shift = self.shift();
         let mut numbers = [Number::ZERO; K];
         for (number, axis) in numbers.iter_mut().zip(axes) {
-            *number = Number::scaled(space, point[axis.index()], self.shift());
+            *number = Number::scaled(space, point[axis.index()], shift);
         }
         numbers
+    }
+
+    /// A vertex with what is exactly known of it.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    #[inline(always)]
+    pub fn find(self, v: Vertex) -> Found<'a> {
+        match v.construction() {
+            None => Found::Input(self.scene.point(v)),
+            Some(index) => Found::Constructed(self.row(index)),
+        }
     }
 
     /// The row of a vertex, seen along these axes: R is K + 1, the weight
     /// comes last. The space is for input vertices, two limbs a coordinate.
     #[inline]
-    pub fn of<'a, const K: usize, const R: usize>(
-        &'a self,
-        space: &mut Space<'a>,
-        v: Vertex,
+    pub fn of<'s, const K: usize, const R: usize>(
+        self,
+        space: &mut Space<'s>,
+        found: Found<'a>,
         axes: [Axis; K],
-    ) -> [Number<'a>; R] {
+    ) -> [Number<'s>; R]
+    where
+        'a: 's,
+    {
         const { assert!(R == K + 1, "a row is coordinates and a weight") };
         let mut row = [Number::ONE; R];
-        match v.construction() {
-            None => row[..K].copy_from_slice(&self.input(space, v, axes)),
-            Some(index) => {
-                let dimension = self.scene.dimension().count();
-                let entries = self.row(index);
-                for (number, axis) in row.iter_mut().zip(axes) {
-                    *number = self.number(entries[..dimension][axis.index()]);
-                }
-                row[K] = self.number(entries[dimension]);
+        match found {
+            Found::Input(point) => row[..K].copy_from_slice(&self.scaled(space, point, axes)),
+            Found::Constructed(stored) => {
+                axes.iter().zip(&mut row).for_each(|(axis, number)| *number = stored.entry(axis.index()));
+                row[K] = stored.entry(self.scene.dimension().count());
             }
         }
         row
     }
 
-    /// A coordinate of a constructed vertex as a double: within [`ERRORS`]·u, in
-    /// relation to the double, or within 2^-400. NaN from about 2^1000 on.
-    pub fn approximation(&self, index: usize, axis: usize) -> f64 {
-        let row = self.row(index);
-        let [x, w] = [axis, self.scene.dimension().count()].map(|entry| self.number(row[entry]));
+    /// The row of the constructed vertex with this index, which is known to be a point.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    #[inline(always)]
+    pub fn row(self, index: usize) -> &'a Row {
+        let slot = self.rows.slots[index / TOGETHER].get().and_then(|slots| slots[index % TOGETHER].get());
+        slot.unwrap_or_else(|| self.row_and_before(index))
+    }
+
+    /// [`View::row`], where it has to be computed.
+    #[cold]
+    #[inline(never)]
+    fn row_and_before(self, index: usize) -> &'a Row {
+        self.compute_before(index);
+        let row = || points::row(self, self.definition(index)).expect("it is certain that there is a point");
+        self.slot(index).get_or_init(row)
+    }
+
+    /// The row of the last constructed vertex, or why it is no point.
+    pub fn admit(self) -> Result<&'a Row, &'static str> {
+        let last = self.rows.count - 1;
+        self.compute_before(last);
+        let row = points::row(self, self.definition(last))?;
+        Ok(self.slot(last).get_or_init(|| row))
+    }
+
+    /// Computes the rows of what a vertex is constructed from.
+    fn compute_before(self, index: usize) {
+        if self.definition(index).is_of_inputs() {
+            return;
+        }
+        let mut stack = vec![index];
+        while let Some(&top) = stack.last() {
+            let before = stack.len();
+            let definition = self.definition(top);
+            let vertices = definition.flats().flatten().filter_map(|v| v.construction());
+            stack.extend(vertices.filter(|&v| self.slot(v).get().is_none()));
+            if stack.len() == before {
+                stack.pop();
+                if top != index {
+                    let row = || points::row(self, definition).expect("it is certain that there is a point");
+                    self.slot(top).get_or_init(row);
+                }
+            }
+        }
+    }
+
+    fn definition(self, index: usize) -> &'a Construction {
+        &self.scene.constructions()[index]
+    }
+
+    fn slot(self, index: usize) -> &'a OnceLock<Row> {
+        let slots =
+            self.rows.slots[index / TOGETHER].get_or_init(|| Box::new(std::array::from_fn(|_| OnceLock::new())));
+        &slots[index % TOGETHER]
+    }
+
+    /// A row of these numbers. Weights that are negative turn the row's signs.
+    pub fn store(self, coordinates: &[Number], weight: Number) -> Row {
+        let numbers = coordinates.iter().chain([&weight]);
+        let mut limbs = Vec::with_capacity(numbers.clone().map(|number| number.limbs.len()).sum());
+        let mut heads = [0; 4];
+        for (head, number) in heads.iter_mut().zip(numbers) {
+            *head = self::head(*number, number.negative != weight.negative);
+            limbs.extend_from_slice(number.limbs);
+        }
+        let mut rounded = [0.0; 3];
+        for (rounded, &x) in rounded.iter_mut().zip(coordinates) {
+            *rounded = self.rounded(x, weight);
+        }
+        Row { rounded, heads, limbs: limbs.into() }
+    }
+
+    /// A coordinate as a double, as in a [`Row`].
+    fn rounded(self, x: Number, w: Number) -> f64 {
         let Some((quotient, exponent)) = x.quotient(w) else {
             return 0.0;
         };
@@ -133,16 +286,6 @@ impl<'s> Rows<'s> {
             -465..=935 => quotient * 2f64.powi(exponent),
             936.. => f64::NAN,
         };
-        if x.negative { -magnitude } else { magnitude }
-    }
-
-    /// Coordinates and weight of a constructed vertex.
-    fn row(&self, index: usize) -> &[Entry] {
-        let length = self.scene.dimension().count() + 1;
-        &self.entries[index * length..][..length]
-    }
-
-    fn number(&self, Entry { start, length, low, negative }: Entry) -> Number<'_> {
-        Number { limbs: &self.limbs[start..start + length], low, negative }
+        if x.negative == w.negative { magnitude } else { -magnitude }
     }
 }

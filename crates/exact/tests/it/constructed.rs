@@ -3,6 +3,7 @@
 mod cascades;
 mod faults;
 mod judge;
+mod near;
 mod scenes;
 
 use crate::common::{Random, nudge};
@@ -155,6 +156,7 @@ fn nearly_degenerate_at_every_scale() {
         construct(&mut random, &mut scene, 4);
         let judge = Judge::new(&scene);
         let ours = Constructed::new(&scene).expect("points");
+        scenes::check_approximations(&scene, &judge, &ours);
         for _ in 0..20 {
             let index = random.below(first.constructions().len().max(1));
             let around = v(9 + 3 * index + random.below(3));

@@ -1,6 +1,7 @@
 //! The integration tests, as one binary: each further one would link the crate and compile what they share again.
 
 mod adversary;
+mod anywhere;
 mod bounds;
 mod common;
 mod constructed;

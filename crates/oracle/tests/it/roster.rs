@@ -49,7 +49,7 @@ fn a_backend_behind_a_pointer_is_the_backend() {
     assert!(per_mesh.ask(&scene, Question::Orient2d(Plane::Xy), &[a, b, c]).is_err(), "one mesh");
     let scene = scene.with_second_mesh([c, d]);
     let (sign, stage) = per_mesh.ask(&scene, Question::Orient2d(Plane::Xy), &[a, b, c]).unwrap();
-    assert_eq!((sign, stage), (Sign::Positive, Some("double")));
+    assert_eq!((sign, stage), (Sign::Positive, Some("semi-static filter")));
     let mut constructed = None;
     let crossing = Construction::Ssi([[a, d], [b, c]]);
     per_mesh.with_session(&scene, &mut |session| constructed = Some(session.construct(&[crossing]).unwrap())).unwrap();

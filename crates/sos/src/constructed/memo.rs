@@ -1,6 +1,6 @@
 //! The latest ties about constructed vertices, with what was decided.
 //!
-//! Such a tie costs a hundred times what it takes to find it, and algorithms ask
+//! Such a tie costs several times what it takes to find it, some a hundred times, and algorithms ask
 //! about the same vertices again in another order soon: around a triangle, from both
 //! sides of an edge. A tie is decided with its vertices in ascending order; the parity of
 //! the order in which they were asked for is put on top. So the answer is the same with and
@@ -11,6 +11,7 @@ use std::sync::Mutex;
 use predicament_predicates::{Question, Scene, Sign, Vertex};
 
 use super::decide;
+use super::row::Rows;
 use crate::ties::Sorted;
 
 /// Ties that are kept: enough for the threads of a machine to keep out of each other's way, too few for a list of
@@ -27,13 +28,23 @@ struct Tie {
     decided: Option<(Sign, usize)>,
 }
 
-/// The latest ties of one session. Ids of vertices never change, so what is known stays true when vertices are added.
-#[derive(Default)]
+/// The latest ties of one session, and the rows of its constructed vertices. Ids of vertices never change, so what is known stays true when vertices are added.
 pub(crate) struct Memo {
     slots: [Mutex<Option<Tie>>; SLOTS],
+    rows: Rows,
 }
 
 impl Memo {
+    /// Nothing is known yet.
+    pub(crate) fn new(scene: &Scene) -> Memo {
+        Memo { slots: Default::default(), rows: Rows::new(scene) }
+    }
+
+    /// Makes room for vertices that have been added to the scene.
+    pub(crate) fn grow(&mut self, scene: &Scene) {
+        self.rows.grow(scene);
+    }
+
     /// As [`decide`].
     ///
     /// # Panics
@@ -46,7 +57,7 @@ impl Memo {
     ) -> Option<(Sign, usize)> {
         // A vertex that comes twice makes no tie that is worth keeping.
         let Some(Sorted { vertices: sorted, parity }) = Sorted::new(args) else {
-            return decide(scene, question, &args);
+            return decide(scene, &self.rows, question, args);
         };
         let vertices = std::array::from_fn(|at| sorted[at.min(N - 1)]);
         let slot = &self.slots[place(question, &vertices)];
@@ -55,7 +66,7 @@ impl Memo {
             Some(tie.decided)
         });
         let decided = known.unwrap_or_else(|| {
-            let decided = decide(scene, question, &sorted);
+            let decided = decide(scene, &self.rows, question, sorted);
             // Nobody waits: what another thread is busy with is not kept.
             if let Ok(mut slot) = slot.try_lock() {
                 *slot = Some(Tie { question, vertices, decided });
@@ -82,6 +93,7 @@ mod tests {
     use predicament_exact::Exact;
     use predicament_predicates::{Axis, Backend, Construction, Off, Plane, Predicates};
 
+    use super::super::search_all;
     use super::*;
 
     /// The four sides of a square and its diagonals: ties everywhere.
@@ -100,19 +112,23 @@ mod tests {
     fn a_memo_changes_no_answer_whatever_it_has_seen_before() {
         let (scene, all) = scene();
         let exact = Exact.prepare(&scene, Off).unwrap();
-        let memo = Memo::default();
+        let memo = Memo::new(&scene);
         let mut asked = 0;
         for rounds in 0..2 {
             for &a in &all {
                 for &b in &all {
                     for axis in [Axis::X, Axis::Y].into_iter().filter(|&axis| exact.compare(axis, a, b).is_zero()) {
                         let question = Question::Compare(axis);
-                        assert_eq!(memo.decide(&scene, question, [a, b]), decide(&scene, question, &[a, b]));
+                        assert_eq!(memo.decide(&scene, question, [a, b]), search_all(&scene, question, &[a, b]));
                     }
                     for &c in all.iter().skip(rounds).filter(|&&c| exact.orient2d(Plane::Xy, a, b, c).is_zero()) {
                         let question = Question::Orient2d(Plane::Xy);
                         let args = [a, b, c];
-                        assert_eq!(memo.decide(&scene, question, args), decide(&scene, question, &args), "{args:?}");
+                        assert_eq!(
+                            memo.decide(&scene, question, args),
+                            search_all(&scene, question, &args),
+                            "{args:?}"
+                        );
                         asked += 1;
                     }
                 }
@@ -124,7 +140,7 @@ mod tests {
     #[test]
     fn a_tie_in_another_order_is_not_decided_again() {
         let (scene, _) = scene();
-        let memo = Memo::default();
+        let memo = Memo::new(&scene);
         let [a, b, c] = [0, 1, 2].map(Vertex::constructed);
         let first = memo.decide(&scene, Question::Orient2d(Plane::Xy), [a, b, c]).unwrap();
         // Whoever decides anew would miss the vertices of this scene.

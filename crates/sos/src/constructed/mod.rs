@@ -7,7 +7,8 @@
 //! determinants ([`moved`]) in numbers that carry a few infinitesimals
 //! ([`series`]), and a search for the one monomial that decides ([`search`]).
 //! Definitions are put in their simplest terms first ([`place`]), and what the
-//! search takes for zero is proved to be zero ([`certain`]).
+//! search takes for zero is proved to be zero ([`certain`]). Before that, most ties are
+//! broken by a few determinants ([`first`]) of rows that a session keeps ([`row`]).
 //!
 //! Infinitesimals are compared as in [`Scheme::PerCoordinate`](crate::Scheme):
 //! coordinate number n of the scene by the n-th, each smaller than any power
@@ -31,6 +32,7 @@
 //! is proved and affordable for the first, not for the second.
 
 mod certain;
+mod first;
 pub(crate) mod fixed;
 mod limit;
 mod linear;
@@ -39,16 +41,21 @@ mod moved;
 mod place;
 mod residue;
 pub(crate) mod rigid;
+mod row;
 mod search;
 mod series;
+#[cfg(test)]
+mod testing;
 
 use predicament_predicates::{Axis, Construction, Declined, Question, Scene, Sign, Vertex};
 
 use certain::Matrix;
+use first::Known;
 pub use limit::{Limit, limit};
 pub(crate) use memo::Memo;
 use moved::{Moved, inputs};
 use place::{Place, depend};
+use row::Rows;
 use search::{Expression, Search};
 use series::{Coefficient, Series};
 use smallvec::{SmallVec, smallvec};
@@ -83,7 +90,16 @@ pub(crate) fn are_of_inputs(scene: &Scene) -> Result<(), Declined> {
 ///
 /// # Panics
 /// If the scene lacks a vertex, or the question is about circles or spheres.
-fn decide(scene: &Scene, question: Question, args: &[Vertex]) -> Option<(Sign, usize)> {
+fn decide<const N: usize>(scene: &Scene, rows: &Rows, question: Question, args: [Vertex; N]) -> Option<(Sign, usize)> {
+    match first::decide(scene, rows, question, args) {
+        Known::Broken(sign, degree) => Some((sign, degree)),
+        Known::Identity => None,
+        Known::Open => search_all(scene, question, &args),
+    }
+}
+
+/// The same by a search through all monomials.
+fn search_all(scene: &Scene, question: Question, args: &[Vertex]) -> Option<(Sign, usize)> {
     let places: SmallVec<[Place; 4]> = args.iter().map(|&v| Place::simple(scene, v)).collect();
     if depend(question, &places) {
         return None;

@@ -142,10 +142,27 @@ fn the_tally_counts_the_deciding_term() {
 /// Corners of a box with long coordinates, or points of a line or a plane
 /// through some: ties in which hardly a product is a double.
 fn long_ties(random: &mut Random, dimension: usize, arity: usize) -> Scene {
-    let long = |random: &mut Random| f64::from_bits((1 << 62) - random.below(1 << 54) as u64);
+    let scale = 2_f64.powi([0, 40, -300, 300, -900, 900][random.below(6)]);
+    box_ties(random, dimension, arity, scale, |random| f64::from_bits((1 << 62) - random.below(1 << 54) as u64))
+}
+
+/// The same of integers with about as many bits as doubles have for predicates of each degree, near the origin or far from it.
+fn short_ties(random: &mut Random, dimension: usize, arity: usize) -> Scene {
+    let scale = 2_f64.powi([0, 40, -190, -260, -1060][random.below(5)]);
+    let bound = 1 << [1, 3, 8, 9, 10, 11, 12, 13, 15, 16, 17][random.below(11)];
+    let offset = [0.0, 0.0, 2_f64.powi(33), 2_f64.powi(52)][random.below(4)];
+    box_ties(random, dimension, arity, scale, |random| offset + f64::from(u32::try_from(random.below(bound)).unwrap()))
+}
+
+fn box_ties(
+    random: &mut Random,
+    dimension: usize,
+    arity: usize,
+    scale: f64,
+    long: impl Fn(&mut Random) -> f64,
+) -> Scene {
     let ends: Vec<[f64; 2]> = (0..dimension).map(|_| [long(random), long(random)]).collect();
     let shape = random.below(3);
-    let scale = 2_f64.powi([0, 40, -300, 300, -900, 900][random.below(6)]);
     let mut coordinates = Vec::new();
     for _ in 0..arity {
         let corner = random.below(1 << dimension);
@@ -171,12 +188,12 @@ fn long_ties(random: &mut Random, dimension: usize, arity: usize) -> Scene {
 fn a_session_decides_by_the_first_term_of_its_list() {
     let mut random = Random(15);
     let mut terms_seen = [0_u64; 2];
-    for case in 0..scaled(40_000) {
+    for case in 0..scaled(60_000) {
         let dimension = 2 + case % 2;
-        let scene = if case % 3 == 0 {
-            grid_scene(dimension, 3, &degenerate(&mut random, dimension, 5))
-        } else {
-            long_ties(&mut random, dimension, 5)
+        let scene = match case % 5 {
+            0 => grid_scene(dimension, 3, &degenerate(&mut random, dimension, 5)),
+            1 | 2 => short_ties(&mut random, dimension, 5),
+            _ => long_ties(&mut random, dimension, 5),
         };
         let questions = common::questions(dimension);
         let question = questions[random.below(questions.len())];

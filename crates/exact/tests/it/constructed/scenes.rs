@@ -85,7 +85,7 @@ pub fn check(random: &mut Random, scene: &Scene, rounds: usize) -> Seen {
     seen
 }
 
-/// Approximate coordinates are as good as the filter supposes.
+/// Approximate coordinates are as good as filters suppose: those of the first, and those of the second.
 pub fn check_approximations(scene: &Scene, judge: &Judge, ours: &Constructed) {
     let power = |exponent: i32| Rational::from(1) << exponent;
     for v in (0..scene.constructions().len()).map(Vertex::constructed) {
@@ -96,6 +96,15 @@ pub fn check_approximations(scene: &Scene, judge: &Judge, ours: &Constructed) {
             };
             let granted = x.clone().abs() * Rational::from((65, 64)) * power(-53) + power(-400);
             assert!(Rational::from(&x - truth).abs() <= granted, "{x} for {truth}");
+        }
+        let (near, slack) = ours.near(v);
+        for (&x, truth) in near.iter().zip(judge.point(v)) {
+            // (A slack of NaN belongs to numbers that are too large for doubles.)
+            let (Some(x), Some(slack)) = (Rational::from_f64(x), Rational::from_f64(slack)) else {
+                assert!(slack.is_nan());
+                continue;
+            };
+            assert!(Rational::from(&x - truth).abs() <= slack.clone() * power(-53), "{v}: {x}, {slack}, for {truth}");
         }
     }
 }

@@ -1,0 +1,130 @@
+//! The filter for any finite doubles: no scene, no plan, one comparison.
+//!
+//! [`filter`](crate::filter) answers if |d| ≥ B·p, provided that nothing underflows or
+//! overflows. Here a slack is added to B·p that pays for underflow, and the comparison is strict,
+//! so that what is infinite on both sides is not certain: **d has the sign of D if |d| > fl(fl(B·p) + s)**, with
+//!
+//! | | s |
+//! |---|---|
+//! | orient2d | σ |
+//! | orient3d | σ·(Z + 1), Z the sum of the last coordinates' magnitudes |
+//! | incircle | σ·(L + 1), L the sum of the lifts |
+//! | insphere | σ·(L·(Z + 1) + 1) |
+//!
+//! and σ = 2⁻⁹⁶⁰. Entries are differences to the last point.
+//!
+//! **Underflow.** Sums and differences of doubles are exact where they are subnormal. A product is off by
+//! η ≤ 2⁻¹⁰⁷⁵ instead of a relative u. What η is multiplied with later are factors of its term: so the two
+//! products of orient2d are off by 2⁻¹⁰⁷⁴ together; a minor by 2⁻¹⁰⁷⁴, which
+//! orient3d multiplies with a last coordinate, and the three products of that are off by η each: together no more
+//! than 2⁻¹⁰⁷³·(Z + 1). A lift is off by 2η or 3η, which is multiplied with a minor. The minors of incircle
+//! are |xy′| + |x′y| ≤ (l + l′)/2, all three together at most L: 2⁻¹⁰⁷²·(L + 1) in all. Those of insphere, of
+//! three columns, take each last coordinate at most three times, with a minor that is at most L: 3·Z·L in all, and
+//! a minor is off by Z·2⁻¹⁰⁷⁴ + 3η; 2⁻¹⁰⁷⁰·(L·(Z + 1) + 1) in all. The permanent falls short by no more.
+//! So d and p together are off by at most t = 2⁻¹⁰⁶⁹·s/σ, that is s·2⁻¹⁰⁹.
+//!
+//! **It is paid for.** What has to be exceeded is B′·p + t, with B′ the requirement for B without the excess that
+//! [`bound`] gives it, of at least u² (of orient3d and incircle: 2⁻⁴⁰·u). Let b = fl(B·p); s is
+//! right to a relative 6u, and no s is subnormal. If s ≥ 4u·b, then fl(b + s) ≥ (b + s)(1 − u) ≥ b + s/2 > b + 2t,
+//! and if b is subnormal, it is off by η < t besides. Else fl(b + s) ≥ b, since rounding keeps the order and b is a double; then
+//! t = s·2⁻¹⁰⁹ < 2⁻¹⁰⁷·u·b, far less than the excess.
+//!
+//! **Overflow.** The permanent is a sum of the magnitudes of all products. If one of them, or a difference, is infinite or
+//! NaN, then p is, and so is the bound: no d is larger. If p is finite, every partial sum of d is, as it is no larger than that of p.
+//!
+//! **orient2d** has p = |l + r| of its two products l and r, which is as large only where these have one sign. Where they have not, d = l − r is a
+//! difference of numbers with two signs: it has the sign of both l and −r, whatever has been rounded, has underflowed or is infinite, unless both
+//! are zero. Differences of coordinates have the right sign as well, and so has d if it is not zero. (Then p may be finite and d infinite.) Where l and r have one
+//! sign, the above holds; an infinite product makes p infinite, and infinity times zero makes it NaN.
+//!
+//! A determinant of zero is never certain: its sign comes from the rungs above.
+
+use predicament_arithmetic::{bound, power_of_two};
+use predicament_predicates::Sign;
+
+use crate::estimate::{self, Estimate};
+
+const SLACK: f64 = power_of_two(-960);
+
+/// A determinant, and the magnitude beyond which its sign is certain.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Bounded {
+    /// The determinant in doubles.
+    pub determinant: f64,
+    /// Its sign is certain if it is beyond this; NaN or infinite where that is unknown.
+    pub bound: f64,
+}
+
+impl Bounded {
+    #[inline(always)]
+    fn new(estimate: Estimate, constant: f64, slack: f64) -> Bounded {
+        Bounded { determinant: estimate.determinant, bound: constant * estimate.permanent + slack }
+    }
+
+    /// The sign, if it is certain.
+    #[inline(always)]
+    #[must_use]
+    pub fn certain(self) -> Option<Sign> {
+        // By the sign bit (it is not zero if it is certain): signs are as good as random, and a branch on them mispredicts every
+        // other time.
+        const SIGNS: [Sign; 2] = [Sign::Positive, Sign::Negative];
+        let sign = SIGNS[usize::from(self.determinant.is_sign_negative())];
+        (self.determinant.abs() > self.bound).then_some(sign)
+    }
+}
+
+/// The turn a, b, c.
+#[inline(always)]
+#[must_use]
+pub fn orient2d([a, b, c]: [[f64; 2]; 3]) -> Bounded {
+    Bounded::new(estimate::orient2d(a, b, c), bound::ORIENT2D, SLACK)
+}
+
+/// The side of d on the plane of a, b, c.
+#[inline(always)]
+#[must_use]
+pub fn orient3d([a, b, c, d]: [[f64; 3]; 4]) -> Bounded {
+    let heights = heights([a, b, c], d);
+    Bounded::new(estimate::orient3d(a, b, c, d), bound::ORIENT3D, SLACK * (heights + 1.0))
+}
+
+/// d in the circle of a, b, c.
+#[inline(always)]
+#[must_use]
+pub fn incircle([a, b, c, d]: [[f64; 2]; 4]) -> Bounded {
+    let lifts = lifts([a, b, c], d);
+    Bounded::new(estimate::incircle(a, b, c, d), bound::INCIRCLE, SLACK * (lifts + 1.0))
+}
+
+/// e in the sphere of a, b, c, d.
+#[inline(always)]
+#[must_use]
+pub fn insphere([a, b, c, d, e]: [[f64; 3]; 5]) -> Bounded {
+    let (heights, lifts) = (heights([a, b, c, d], e), lifts([a, b, c, d], e));
+    Bounded::new(estimate::insphere(a, b, c, d, e), bound::INSPHERE, SLACK * (lifts * (heights + 1.0) + 1.0))
+}
+
+/// The magnitudes of the last coordinates' differences, together.
+#[inline(always)]
+fn heights<const N: usize>(points: [[f64; 3]; N], last: [f64; 3]) -> f64 {
+    let mut sum = 0.0;
+    for point in points {
+        sum += (point[2] - last[2]).abs();
+    }
+    sum
+}
+
+/// The squared lengths of the differences, together.
+#[inline(always)]
+fn lifts<const D: usize, const N: usize>(points: [[f64; D]; N], last: [f64; D]) -> f64 {
+    let mut sum = 0.0;
+    for point in points {
+        let mut lift = 0.0;
+        for axis in 0..D {
+            let difference = point[axis] - last[axis];
+            lift += difference * difference;
+        }
+        sum += lift;
+    }
+    sum
+}

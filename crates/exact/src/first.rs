@@ -1,0 +1,149 @@
+//! What a session knows before any query: the bounds of the static filters, from one pass over the points.
+//!
+//! A static bound is made of the extents of the scene's axes ([`bound`](predicament_arithmetic::bound)). It holds where nothing
+//! underflows or overflows. For that a [`Plan`](predicament_arithmetic::Plan) looks for the lowest bit of all coordinates, which
+//! costs several times as much as extents do. Extents alone prove it where each of them is zero or from 2⁻¹⁴⁰ to 2²⁰⁰:
+//!
+//! * Nothing overflows: 5·200 + 7 ≤ 1023.
+//! * A product that underflows is off by 2⁻¹⁰⁷⁵ at most, instead of by a relative u, and what it is multiplied with
+//!   later are entries within their extents: where E is the product of a term's extents, the error is at most 2⁻¹⁰⁷⁵·E/F with F
+//!   a product of at least two extents, F ≥ 2⁻²⁸⁰ (with a lift, F ≥ 2⁻⁷⁰⁰). A hundred such errors are less than 2⁻³⁰⁰·E,
+//!   nothing beside the 2⁻⁵⁰·u·E by which [`MARGIN`] exceeds what roundings need.
+//! * Where an extent is zero, all differences along it are, and every product of every term has a factor of zero: the determinant is zero
+//!   in doubles as it is in truth, and so is the bound.
+//!
+//! Elsewhere there are no static bounds: queries go on to filters of their own.
+
+use predicament_arithmetic::{difference_up, power_of_two};
+
+use crate::predicate::Predicate;
+
+/// The extents other than zero for which filters are proved.
+const LOWEST: f64 = power_of_two(-140);
+const HIGHEST: f64 = power_of_two(200);
+/// Pays for underflow: 2⁻⁵⁰ of the bound.
+const MARGIN: f64 = 1.0 + 4.0 * f64::EPSILON;
+
+/// How far points extend along each axis; rounded up.
+pub(crate) fn extents<const D: usize>(points: &[[f64; D]]) -> [f64; D] {
+    // Four points at a time, so that no minimum waits for the one before.
+    let mut low = [[f64::INFINITY; D]; 4];
+    let mut high = [[f64::NEG_INFINITY; D]; 4];
+    let mut widen = |lane: usize, point: &[f64; D]| {
+        for axis in 0..D {
+            let x = point[axis];
+            low[lane][axis] = if x < low[lane][axis] { x } else { low[lane][axis] };
+            high[lane][axis] = if x > high[lane][axis] { x } else { high[lane][axis] };
+        }
+    };
+    let (fours, rest) = points.as_chunks::<4>();
+    // (Of no points at all, the lowest is above the highest.)
+    for four in fours {
+        four.iter().enumerate().for_each(|(lane, point)| widen(lane, point));
+    }
+    rest.iter().for_each(|point| widen(0, point));
+    std::array::from_fn(|axis| {
+        let min = |x: f64, y: f64| if x < y { x } else { y };
+        let max = |x: f64, y: f64| if x > y { x } else { y };
+        let least = min(min(low[0][axis], low[1][axis]), min(low[2][axis], low[3][axis]));
+        let most = max(max(high[0][axis], high[1][axis]), max(high[2][axis], high[3][axis]));
+        if most < least { 0.0 } else { difference_up(most, least) }
+    })
+}
+
+/// The static bound of a determinant, where extents prove it; NaN elsewhere.
+pub(crate) fn bound<const D: usize>(extent: [f64; D], of: impl Fn([f64; D]) -> f64) -> f64 {
+    let is_safe = extent.iter().all(|x| *x == 0.0 || (LOWEST..=HIGHEST).contains(x));
+    if is_safe { of(extent) * MARGIN } else { f64::NAN }
+}
+
+/// The bound for determinants that are expanded along one line or plane ([`side`](crate::side)), with what pays for underflow.
+///
+/// With extents of at most 2²⁰⁰, a minor of the normal is off by 2⁻¹⁰⁷⁴ and multiplied with an extent, and each product is off by
+/// 2⁻¹⁰⁷⁵: together less than 2⁻⁸⁷⁰. Let b be the bound without it. If b ≤ 2⁻⁸¹⁰, adding 2⁻⁸⁶⁰ and rounding makes it larger by
+/// 2⁻⁸⁶¹ at least. Else 2⁻⁸⁷⁰ is less than 2⁻⁶⁰·b, for which there is [`MARGIN`].
+pub(crate) fn beside(bound: f64) -> f64 {
+    const SLACK: f64 = power_of_two(-860);
+    bound * MARGIN + SLACK
+}
+
+/// Which filter a predicate asks first.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum First {
+    /// The static one, with the scene's bound.
+    Scene,
+    /// The query's own: the scene has no bound, or one that is too large for most of its figures.
+    Query,
+    /// The static one, which does not decide much either: the points are degenerate, nearly or exactly.
+    Neither,
+}
+
+/// The least points that are worth a look at some of them.
+const LOOKED_AT_FROM: usize = 1 << 11;
+/// How many queries are looked at.
+const LOOKS: usize = 24;
+
+/// The filter that decides most of some queries of these points, by a few of them.
+///
+/// It only chooses an order: any order gives the same signs. It is the same for the same points.
+pub(crate) fn choose<P: Predicate<D, N>, const D: usize, const N: usize>(
+    points: &[[f64; D]],
+    static_bound: f64,
+) -> First {
+    if static_bound.is_nan() {
+        return First::Query;
+    }
+    if points.len() < LOOKED_AT_FROM {
+        return First::Scene;
+    }
+    let (mut by_scene, mut by_query) = (0, 0);
+    for look in 0..LOOKS {
+        let query: [[f64; D]; N] = std::array::from_fn(|i| points[place(look * N + i, points.len())]);
+        by_scene += usize::from(P::estimate(query).above(static_bound).is_some());
+        by_query += usize::from(P::anywhere(query).certain().is_some());
+    }
+    // A filter that fails now and then is mispredicted as often, which costs more than the permanent.
+    if by_query * 2 < LOOKS {
+        First::Neither
+    } else if by_scene * 8 >= by_query * 7 {
+        First::Scene
+    } else {
+        First::Query
+    }
+}
+
+/// The k-th of some places that are spread over all, in no order.
+#[allow(clippy::cast_possible_truncation)] // less than the length
+fn place(k: usize, length: usize) -> usize {
+    let spread = (k as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    ((u128::from(spread) * length as u128) >> 64) as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use predicament_arithmetic::{Plan, bound};
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn extents_are_those_of_plans(points in prop::collection::vec(prop::array::uniform3(-1e3..1e3f64), 0..23)) {
+            prop_assert_eq!(extents(&points), Plan::of(&points).axes().map(|axis| axis.extent()));
+            let flat: Vec<[f64; 2]> = points.iter().map(|&[x, y, _]| [x, y]).collect();
+            prop_assert_eq!(extents(&flat), Plan::of(&flat).axes().map(|axis| axis.extent()));
+        }
+    }
+
+    #[test]
+    fn bounds_are_there_in_range_only() {
+        let with = |x: f64| bound([1.0, x], bound::static_orient2d);
+        assert_eq!(with(0.0), 0.0);
+        for x in [LOWEST, 1.0, HIGHEST] {
+            assert!(with(x) > bound::static_orient2d([1.0, x]));
+            assert!(with(x) < bound::static_orient2d([1.0, x]) * (1.0 + 1e-14));
+        }
+        for x in [LOWEST.next_down(), 5e-324, HIGHEST.next_up(), f64::INFINITY] {
+            assert!(with(x).is_nan());
+        }
+    }
+}

@@ -1,0 +1,223 @@
+//! What filters leave open: queries that climb to integers and beyond, and constructed vertices.
+//!
+//! These functions take vertices and not points, so that filters keep points in registers. The points have just been read.
+//! A vertex that is no input vertex gets here because its index is beyond all points.
+
+use predicament_arithmetic::power_of_two;
+use predicament_predicates::{Axis, Dimension, Plane, Sign, Tally, Vertex};
+
+use super::Session;
+use crate::integers::scaled;
+use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
+use crate::stage;
+
+impl<T: Tally> Session<'_, T> {
+    #[cold]
+    #[inline(never)]
+    pub(super) fn compare_constructed(&self, axis: Axis, [a, b]: [Vertex; 2]) -> (Sign, usize) {
+        self.constructed.compare(axis, a, b)
+    }
+
+    #[inline(never)]
+    pub(super) fn turn_in_integers(&self, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
+        let at = |v: Vertex| self.points2.get(v.index());
+        match (at(a), at(b), at(c)) {
+            (Some(a), Some(b), Some(c)) => {
+                (Orient2d::integer(scaled(&[*a, *b, *c], self.turn_scale), 2), stage::INTEGER)
+            }
+            _ => self.climb_orient2d(Plane::Xy, a, b, c),
+        }
+    }
+
+    /// What its filter leaves open.
+    #[inline(never)]
+    pub(super) fn climb_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
+        let at = |v: Vertex| self.points2.get(v.index());
+        // (No vertex of a 2D scene is among the points of a 3D one, and the other way round.)
+        if plane == Plane::Xy
+            && let (Some(p), Some(q), Some(r)) = (at(a), at(b), at(c))
+        {
+            let points = [*p, *q, *r];
+            if a == b || vanishes(points) {
+                return (Sign::Zero, stage::DOUBLE);
+            }
+            let flat = self.flat();
+            let integers = (&flat.integers, [0, 1], [a, b, c]);
+            return flat.orient2d.exactly::<Orient2d, 2, 3, 2>(&points, integers);
+        }
+        let at = |v: Vertex| self.points3.get(v.index());
+        let (Some(p), Some(q), Some(r)) = (at(a), at(b), at(c)) else {
+            return self.constructed.orient2d(plane, a, b, c);
+        };
+        let axes = plane.axes().map(Axis::index);
+        let points = [p, q, r].map(|point| axes.map(|axis| point[axis]));
+        if a == b || vanishes(points) {
+            return (Sign::Zero, stage::DOUBLE);
+        }
+        let solid = self.solid();
+        let integers = (&solid.integers, axes, [a, b, c]);
+        solid.orient2d[plane as usize].exactly::<Orient2d, 2, 3, 3>(&points, integers)
+    }
+
+    // By the query's own filter, in scenes whose bounds are too large for most of their figures.
+
+    #[inline(never)]
+    pub(super) fn orient3d_by_query(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        let at = |v: Vertex| self.points3.get(v.index());
+        if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d))
+            && let Some(sign) = Orient3d::anywhere([*a, *b, *c, *d]).certain()
+        {
+            return (sign, stage::SEMI_STATIC);
+        }
+        self.open_orient3d(f64::NAN, a, b, c, d)
+    }
+
+    #[inline(never)]
+    pub(super) fn incircle_by_query(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        let at = |v: Vertex| self.points2.get(v.index());
+        if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d))
+            && let Some(sign) = Incircle::anywhere([*a, *b, *c, *d]).certain()
+        {
+            return (sign, stage::SEMI_STATIC);
+        }
+        self.open_incircle(f64::NAN, a, b, c, d)
+    }
+
+    #[inline(never)]
+    pub(super) fn insphere_by_query(&self, [a, b, c, d, e]: [Vertex; 5]) -> (Sign, usize) {
+        let at = |v: Vertex| self.points3.get(v.index());
+        if let (Some(a), Some(b), Some(c), Some(d), Some(e)) = (at(a), at(b), at(c), at(d), at(e))
+            && let Some(sign) = Insphere::anywhere([*a, *b, *c, *d, *e]).certain()
+        {
+            return (sign, stage::SEMI_STATIC);
+        }
+        self.open_insphere(f64::NAN, [a, b, c, d, e])
+    }
+
+    // What filters leave open: the static one, which has found this determinant; or, with NaN, the query's own.
+
+    #[cold]
+    #[inline(never)]
+    pub(super) fn open_orient3d(&self, determinant: f64, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        let at = |v: Vertex| self.points3.get(v.index());
+        let (Some(p), Some(q), Some(r), Some(last)) = (at(a), at(b), at(c), at(d)) else {
+            return self.constructed.orient3d(a, b, c, d);
+        };
+        let points = [*p, *q, *r, *last];
+        let open = Open { determinant, static_bound: self.orient3d };
+        if let Some(decided) = open.early::<Orient3d, 3, 4>(&points, [a, b, c, d]) {
+            return decided;
+        }
+        let solid = self.solid();
+        if let Some(decided) = open.late::<Orient3d, 3, 4>(&points, solid.orient3d.scale != 0.0) {
+            return decided;
+        }
+        solid.orient3d.exactly::<Orient3d, 3, 4, 3>(&points, (&solid.integers, [0, 1, 2], [a, b, c, d]))
+    }
+
+    #[cold]
+    #[inline(never)]
+    pub(super) fn open_incircle(&self, determinant: f64, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        let at = |v: Vertex| self.points2.get(v.index());
+        let (Some(p), Some(q), Some(r), Some(last)) = (at(a), at(b), at(c), at(d)) else {
+            return self.constructed_incircle([a, b, c, d]);
+        };
+        let points = [*p, *q, *r, *last];
+        let open = Open { determinant, static_bound: self.incircle };
+        if let Some(decided) = open.early::<Incircle, 2, 4>(&points, [a, b, c, d]) {
+            return decided;
+        }
+        let flat = self.flat();
+        if let Some(decided) = open.late::<Incircle, 2, 4>(&points, flat.incircle.scale != 0.0) {
+            return decided;
+        }
+        flat.incircle.exactly::<Incircle, 2, 4, 2>(&points, (&flat.integers, [0, 1], [a, b, c, d]))
+    }
+
+    #[cold]
+    #[inline(never)]
+    pub(super) fn open_insphere(&self, determinant: f64, vertices: [Vertex; 5]) -> (Sign, usize) {
+        let points = vertices.map(|v| self.points3[v.index()]);
+        let open = Open { determinant, static_bound: self.insphere };
+        if let Some(decided) = open.early::<Insphere, 3, 5>(&points, vertices) {
+            return decided;
+        }
+        let solid = self.solid();
+        if let Some(decided) = open.late::<Insphere, 3, 5>(&points, solid.insphere.scale != 0.0) {
+            return decided;
+        }
+        solid.insphere.exactly::<Insphere, 3, 5, 3>(&points, (&solid.integers, [0, 1, 2], vertices))
+    }
+
+    #[cold]
+    #[inline(never)]
+    pub(super) fn constructed_incircle(&self, vertices: [Vertex; 4]) -> (Sign, usize) {
+        assert!(self.constructed.scene().dimension() == Dimension::Two, "incircle needs a 2D scene");
+        self.constructed.incircle(vertices)
+    }
+}
+
+/// A query that a filter has left open.
+struct Open {
+    /// What the static filter has found; NaN if the query's own filter has been asked.
+    determinant: f64,
+    static_bound: f64,
+}
+
+impl Open {
+    /// The sign where a vertex is named twice or the last point is where another one is, or by the query's own filter if that is
+    /// likely to decide.
+    #[inline(always)]
+    fn early<P: Predicate<D, N>, const D: usize, const N: usize>(
+        &self,
+        points: &[[f64; D]; N],
+        vertices: [Vertex; N],
+    ) -> Option<(Sign, usize)> {
+        if self.determinant.is_nan() || self.determinant == 0.0 {
+            // Two equal rows, or a row of zeros.
+            let mut is_zero = points[..N - 1].contains(&points[N - 1]);
+            for i in 1..N - 1 {
+                for j in 0..i {
+                    is_zero |= vertices[i] == vertices[j];
+                }
+            }
+            return is_zero.then_some((Sign::Zero, stage::DOUBLE));
+        }
+        if self.is_small() { self.by_query::<P, D, N>(points) } else { None }
+    }
+
+    /// The sign by the query's own filter, if it has not been asked and no integers of the scene would do as well. (It has to be
+    /// asked before integers in units of the query; of a determinant of zero it would say nothing.)
+    #[inline(always)]
+    fn late<P: Predicate<D, N>, const D: usize, const N: usize>(
+        &self,
+        points: &[[f64; D]; N],
+        has_integers: bool,
+    ) -> Option<(Sign, usize)> {
+        let is_asked = self.determinant.is_nan() || self.determinant == 0.0 || self.is_small();
+        if has_integers || is_asked { None } else { self.by_query::<P, D, N>(points) }
+    }
+
+    #[inline(always)]
+    fn by_query<P: Predicate<D, N>, const D: usize, const N: usize>(
+        &self,
+        points: &[[f64; D]; N],
+    ) -> Option<(Sign, usize)> {
+        P::anywhere(*points).certain().map(|sign| (sign, stage::SEMI_STATIC))
+    }
+
+    /// Whether a determinant is so small that it is more likely that of a small figure, with roundings as small, than the remains
+    /// of a large one that has cancelled: those are some hundred times smaller than the bound.
+    #[inline(always)]
+    fn is_small(&self) -> bool {
+        const FRACTION: f64 = power_of_two(-20);
+        self.determinant.abs() < FRACTION * self.static_bound
+    }
+}
+
+/// Whether both products of `orient2d` have a factor of zero. A difference of doubles is zero only if they are equal: then its product is zero,
+/// and not rounded to it.
+#[inline(always)]
+fn vanishes([[ax, ay], [bx, by], [cx, cy]]: [[f64; 2]; 3]) -> bool {
+    ((ax == cx) | (by == cy)) & ((ay == cy) | (bx == cx))
+}

@@ -1,0 +1,341 @@
+//! Homogeneous rows of constructed vertices, and how they change with the first vertex that defines them.
+//!
+//! A row is a polynomial in the input vertices behind it. In a vertex that occurs once it is linear: a change of that vertex by one along
+//! an axis adds a vector, the derivative. [`Row`] holds the row where nothing moves, its weight positive, and its derivatives by the
+//! coordinates of the vertex with the smallest index, all exactly. It is made once, for the first tie that asks.
+//!
+//! With e an axis' unit vector, and the first vertex put first among those of its line or plane (which changes a factor of the row):
+//!
+//! | first in | row | derivative |
+//! |---|---|---|
+//! | the line p, q; F(x) = n·(x − b) for the other line or the plane | (p·F(q) − q·F(p), F(q) − F(p)) | (e·F(q) − q·n·e, −n·e) |
+//! | the plane a, b, c of a line p, q; G(x) = (x − b) × (c − b) | the same | (p·G(q)·e − q·G(p)·e, G(q)·e − G(p)·e) |
+//! | the plane a, b, c of three; its n and d = n·b, those of the next two m, n', M = m × n', K = d'·m − d_m·n' | (d·M + n × K, n·M) | the same with n = (c − b) × e |
+//!
+//! The normal of a plane a, b, c is (c − b) × (a − b), so that F(x) = det(c − b, a − b, x − b). Where two of three planes have the first
+//! vertex, their derivatives add up to the coefficient of its coordinate, and there are higher powers.
+//!
+//! # Space
+//! Coordinates are scaled by one power of two for the whole scene, to less than 2^58. Differences are below 2^59, normals below 2^119,
+//! F and d below 2^180, G below 2^119, M below 2^239, K below 2^299, rows and weights of three planes below 2^420 and 2^360, their
+//! derivatives below 2^360 and 2^300; those of a line and a plane below 2^240 and 2^181: what has degree k is below 2^(61·k). With coordinates
+//! that are multiples of 2^(64·l), l ≤ 0, it is a multiple of 2^(64·k·l). [`Number::sum`] takes up to three bits more for its terms and a
+//! sign, so k·(61 − 64·l) + 4 bits are enough for each sum.
+//!
+//! | | degree | sums |
+//! |---|---|---|
+//! | two lines | 3 | 2 + 4 + 2 + 3 differences, distances and the row, 2 · 2 for derivatives (a weight takes none) |
+//! | a line and a plane | 4 | 6 + 3 + 6 + 2 + 4 for the plane and the row, 6 + 3 · 4 for derivatives at most |
+//! | three planes | 7 | 30 for the planes, 4 for the row; for each plane with the first vertex 6 + 3 · 5; 12 to add two of them up |
+
+use std::sync::OnceLock;
+
+use predicament_arithmetic::{
+    ExponentRange,
+    dyadic::{
+        Number, Space,
+        Take::{Minus, Plus},
+    },
+};
+use predicament_predicates::{Construction, Scene, Vertex};
+use smallvec::{SmallVec, smallvec};
+
+use super::place::Place;
+
+/// The bits of the scene's largest coordinate after scaling.
+const TOP: i32 = 58;
+/// Degree, and sums for a row and its derivatives at most.
+const TWO_LINES: (i32, usize) = (3, 2 + 4 + 2 + 3 + 2 * 2);
+const LINE_AND_PLANE: (i32, usize) = (4, 6 + 3 + 6 + 2 + 4 + 6 + 3 * 4);
+const THREE_PLANES: (i32, usize) = (7, 30 + 4 + 2 * (6 + 3 * 5) + 12);
+
+/// Limbs to compute in. Those for coordinates of one limb are on the stack, but for three planes.
+type Limbs = SmallVec<[u64; 256]>;
+
+type Vector<'a, const D: usize> = [Number<'a>; D];
+
+/// Where the limbs of a stored number are.
+#[derive(Clone, Copy)]
+struct Entry {
+    start: usize,
+    length: usize,
+    low: i32,
+    negative: bool,
+}
+
+/// The row of a constructed vertex.
+pub(super) struct Row {
+    /// Its simplest definition.
+    pub(super) place: Place,
+    /// The input vertices behind it, each once, ascending.
+    pub(super) inputs: SmallVec<[Vertex; 9]>,
+    /// Whether it is linear in the first of them.
+    pub(super) is_linear: bool,
+    /// The row and its derivatives: coordinates and weight of each. None where the place is an input vertex.
+    entries: Vec<Entry>,
+    limbs: Vec<u64>,
+    /// Entries are multiples of 2^(64·l) and below 2^(64·t) in magnitude; these are l and t.
+    pub(super) span: [i32; 2],
+}
+
+/// The rows of a session's constructed vertices, each made for the first tie that asks for it.
+pub(super) struct Rows {
+    shift: OnceLock<i32>,
+    rows: Vec<OnceLock<Box<Row>>>,
+}
+
+impl Rows {
+    pub(super) fn new(scene: &Scene) -> Rows {
+        let mut rows = Rows { shift: OnceLock::new(), rows: Vec::new() };
+        rows.grow(scene);
+        rows
+    }
+
+    /// Makes room for vertices that have been added to the scene.
+    pub(super) fn grow(&mut self, scene: &Scene) {
+        self.rows.resize_with(scene.constructions().len(), OnceLock::new);
+    }
+
+    /// The exponent of the power of two that coordinates are scaled by. Input vertices are never added.
+    pub(super) fn shift(&self, scene: &Scene) -> i32 {
+        *self.shift.get_or_init(|| ExponentRange::of(scene.coordinates()).map_or(0, |range| TOP - range.highest))
+    }
+
+    /// The row of a constructed vertex.
+    ///
+    /// # Panics
+    /// If the scene has no such vertex, or its lines and planes meet in no point.
+    pub(super) fn of(&self, scene: &Scene, index: usize) -> &Row {
+        self.rows[index].get_or_init(|| Box::new(Row::new(scene, self.shift(scene), Vertex::constructed(index))))
+    }
+}
+
+impl Row {
+    fn new(scene: &Scene, shift: i32, v: Vertex) -> Row {
+        let place = Place::simple(scene, v);
+        let mut inputs = place.vertices();
+        inputs.sort_unstable();
+        let is_linear = inputs.get(1).is_none_or(|second| *second != inputs[0]);
+        inputs.dedup();
+        let mut row = Row { place, inputs, is_linear, entries: Vec::new(), limbs: Vec::new(), span: [0, 0] };
+        let Place::Meet(construction) = place else { return row };
+        let mut held = [0; 2 * 9 * 3];
+        let held = &mut Space::new(&mut held);
+        match construction {
+            Construction::Ssi(lines) => {
+                let [[p, q], [a, b]] = lines.map(|line| line.map(|v| point::<2>(held, scene, v, shift)));
+                let mut limbs: Limbs = smallvec![0; capacity(&[p, q, a, b], TWO_LINES)];
+                let space = &mut Space::new(&mut limbs);
+                let [x, y] = minus(space, b, a);
+                row.hold(line_moves::<2, 3>(space, [p, q], [negative(y), x], a));
+            }
+            Construction::Lpi { line, plane } => {
+                let [p, q] = line.map(|v| point::<3>(held, scene, v, shift));
+                let [a, b, c] = plane.map(|v| point::<3>(held, scene, v, shift));
+                let mut limbs: Limbs = smallvec![0; capacity(&[p, q, a, b, c], LINE_AND_PLANE)];
+                let space = &mut Space::new(&mut limbs);
+                let sides = [minus(space, c, b), minus(space, a, b)];
+                let normal = cross(space, sides[0], sides[1]);
+                if line[0] < plane[0] {
+                    row.hold(line_moves::<3, 4>(space, [p, q], normal, b));
+                } else {
+                    row.hold(plane_moves(space, [p, q], normal, [b, sides[0]]));
+                }
+            }
+            Construction::Tpi(planes) => {
+                let first = row.inputs[0];
+                let points = planes.map(|plane| plane.map(|v| point::<3>(held, scene, v, shift)));
+                let mut limbs: Limbs = smallvec![0; capacity(points.as_flattened(), THREE_PLANES)];
+                let space = &mut Space::new(&mut limbs);
+                row.hold(three_planes(space, points, planes.map(|plane| plane[0] == first)));
+            }
+        }
+        row
+    }
+
+    /// Keeps a row and its derivatives: coordinates, and weights.
+    fn hold<const D: usize, const V: usize>(&mut self, (vectors, weights): ([Vector<D>; V], [Number; V])) {
+        assert!(!weights[0].is_zero(), "lines and planes that meet in no point");
+        let numbers = || vectors.iter().zip(&weights).flat_map(|(vector, weight)| vector.iter().chain([weight]));
+        self.entries.reserve_exact(V * (D + 1));
+        self.limbs.reserve_exact(numbers().map(|number| number.limbs.len()).sum());
+        let (mut low, mut top) = (i32::MAX, i32::MIN);
+        for number in numbers() {
+            let (start, length) = (self.limbs.len(), number.limbs.len());
+            self.limbs.extend_from_slice(number.limbs);
+            self.entries.push(Entry {
+                start,
+                length,
+                low: number.low,
+                negative: number.negative != weights[0].negative,
+            });
+            if !number.is_zero() {
+                (low, top) = (low.min(number.low), top.max(number.top()));
+            }
+        }
+        self.span = [low, top];
+    }
+
+    /// The row for 0, or its derivative by coordinate 0, 1… of its first vertex for 1, 2…: some of its columns, the last of which
+    /// is the weight.
+    pub(super) fn vector<const N: usize>(&self, which: usize, columns: [usize; N]) -> [Number<'_>; N] {
+        let dimension = match self.place {
+            Place::Meet(Construction::Ssi(_)) => 2,
+            _ => 3,
+        };
+        let entries = &self.entries[which * (dimension + 1)..][..=dimension];
+        columns.map(|column| {
+            let Entry { start, length, low, negative } = entries[column];
+            Number { limbs: &self.limbs[start..start + length], low, negative }
+        })
+    }
+}
+
+/// The coordinates of an input vertex, scaled; two limbs each.
+pub(super) fn point<'a, const D: usize>(space: &mut Space<'a>, scene: &Scene, v: Vertex, shift: i32) -> Vector<'a, D> {
+    let point = scene.point(v);
+    std::array::from_fn(|axis| Number::scaled(space, point[axis], shift))
+}
+
+/// The limbs for so many sums, of this degree at most.
+fn capacity<const D: usize>(points: &[Vector<D>], (degree, sums): (i32, usize)) -> usize {
+    let low = points.as_flattened().iter().map(|x| x.low).min().unwrap_or(0).min(0);
+    sums * usize::try_from(degree * (61 - 64 * low) + 4).unwrap_or(0).div_ceil(64)
+}
+
+/// Where the line p, q meets the flat with this normal through b, and p moves.
+fn line_moves<'a, const D: usize, const V: usize>(
+    space: &mut Space<'a>,
+    [p, q]: [Vector<'a, D>; 2],
+    normal: Vector<'a, D>,
+    b: Vector<'a, D>,
+) -> ([Vector<'a, D>; V], [Number<'a>; V]) {
+    const { assert!(V == D + 1, "a row, and a derivative for each axis") };
+    let [at_p, at_q] = [p, q].map(|x| {
+        let way = minus(space, x, b);
+        dot(space, normal, way)
+    });
+    let (mut vectors, mut weights) = ([[Number::ZERO; D]; V], [Number::ZERO; V]);
+    (vectors[0], weights[0]) = between(space, [p, q], [at_p, at_q]);
+    for axis in 0..D {
+        let by = normal[axis];
+        vectors[axis + 1] = std::array::from_fn(|i| {
+            let own = if i == axis { at_q } else { Number::ZERO };
+            Number::sum(space, [(own, Number::ONE, Plus), (q[i], by, Minus)])
+        });
+        weights[axis + 1] = negative(by);
+    }
+    (vectors, weights)
+}
+
+/// Where the line p, q meets the plane a, b, c with this normal, of which b and c − b are given, and a moves.
+fn plane_moves<'a>(
+    space: &mut Space<'a>,
+    [p, q]: [Vector<'a, 3>; 2],
+    normal: Vector<'a, 3>,
+    [b, side]: [Vector<'a, 3>; 2],
+) -> ([Vector<'a, 3>; 4], [Number<'a>; 4]) {
+    let ways = [p, q].map(|x| minus(space, x, b));
+    let [at_p, at_q] = ways.map(|way| dot(space, normal, way));
+    let [by_p, by_q] = ways.map(|way| cross(space, way, side));
+    let (mut vectors, mut weights) = ([[Number::ZERO; 3]; 4], [Number::ZERO; 4]);
+    (vectors[0], weights[0]) = between(space, [p, q], [at_p, at_q]);
+    for axis in 0..3 {
+        (vectors[axis + 1], weights[axis + 1]) = between(space, [p, q], [by_p[axis], by_q[axis]]);
+    }
+    (vectors, weights)
+}
+
+/// p·v − q·u, and v − u.
+fn between<'a, const D: usize>(
+    space: &mut Space<'a>,
+    [p, q]: [Vector<'a, D>; 2],
+    [u, v]: [Number<'a>; 2],
+) -> (Vector<'a, D>, Number<'a>) {
+    let coordinates = std::array::from_fn(|i| Number::sum(space, [(p[i], v, Plus), (q[i], u, Minus)]));
+    (coordinates, Number::sum(space, [(v, Number::ONE, Plus), (u, Number::ONE, Minus)]))
+}
+
+/// Where three planes meet, and the first vertex moves of those that say so.
+fn three_planes<'a>(
+    space: &mut Space<'a>,
+    planes: [[Vector<'a, 3>; 3]; 3],
+    moves: [bool; 3],
+) -> ([Vector<'a, 3>; 4], [Number<'a>; 4]) {
+    let sides = planes.map(|[_, b, c]| minus(space, c, b));
+    let (mut normals, mut offsets) = ([[Number::ZERO; 3]; 3], [Number::ZERO; 3]);
+    for (at, [a, b, _]) in planes.into_iter().enumerate() {
+        let other = minus(space, a, b);
+        normals[at] = cross(space, sides[at], other);
+        offsets[at] = dot(space, normals[at], b);
+    }
+    let (mut vectors, mut weights) = ([[Number::ZERO; 3]; 4], [Number::ZERO; 4]);
+    let mut is_first = true;
+    for at in (0..3).filter(|&at| moves[at]) {
+        let [m, n] = [(at + 1) % 3, (at + 2) % 3];
+        let line = cross(space, normals[m], normals[n]);
+        let kept: Vector<3> = std::array::from_fn(|i| {
+            Number::sum(space, [(offsets[n], normals[m][i], Plus), (offsets[m], normals[n][i], Minus)])
+        });
+        // With the plane's own normal and offset, or how they change.
+        let meet = |space: &mut Space<'a>, normal: Vector<'a, 3>, offset: Number<'a>| -> (Vector<'a, 3>, Number<'a>) {
+            let coordinates = [[1, 2], [2, 0], [0, 1]].into_iter().enumerate().map(|(i, [j, k])| {
+                Number::sum(space, [(offset, line[i], Plus), (normal[j], kept[k], Plus), (normal[k], kept[j], Minus)])
+            });
+            let coordinates: SmallVec<[Number; 3]> = coordinates.collect();
+            ([coordinates[0], coordinates[1], coordinates[2]], dot(space, normal, line))
+        };
+        if is_first {
+            (vectors[0], weights[0]) = meet(space, normals[at], offsets[at]);
+        }
+        for axis in 0..3 {
+            let normal = cross_axis(sides[at], axis);
+            let offset = dot(space, normal, planes[at][1]);
+            let (vector, weight) = meet(space, normal, offset);
+            if is_first {
+                (vectors[axis + 1], weights[axis + 1]) = (vector, weight);
+            } else {
+                vectors[axis + 1] = std::array::from_fn(|i| plus(space, vectors[axis + 1][i], vector[i]));
+                weights[axis + 1] = plus(space, weights[axis + 1], weight);
+            }
+        }
+        is_first = false;
+    }
+    (vectors, weights)
+}
+
+fn negative(x: Number) -> Number {
+    Number { negative: !x.negative, ..x }
+}
+
+fn plus<'a>(space: &mut Space<'a>, x: Number<'a>, y: Number<'a>) -> Number<'a> {
+    Number::sum(space, [(x, Number::ONE, Plus), (y, Number::ONE, Plus)])
+}
+
+fn minus<'a, const D: usize>(space: &mut Space<'a>, p: Vector<'a, D>, q: Vector<'a, D>) -> Vector<'a, D> {
+    std::array::from_fn(|i| Number::sum(space, [(p[i], Number::ONE, Plus), (q[i], Number::ONE, Minus)]))
+}
+
+fn cross<'a>(space: &mut Space<'a>, p: Vector<'a, 3>, q: Vector<'a, 3>) -> Vector<'a, 3> {
+    [[1, 2], [2, 0], [0, 1]].map(|[i, j]| Number::sum(space, [(p[i], q[j], Plus), (p[j], q[i], Minus)]))
+}
+
+/// The product with the unit vector of an axis.
+fn cross_axis(p: Vector<3>, axis: usize) -> Vector<3> {
+    let mut product = [Number::ZERO; 3];
+    let [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
+    product[next] = p[last];
+    product[last] = negative(p[next]);
+    product
+}
+
+fn dot<'a, const D: usize>(space: &mut Space<'a>, p: Vector<'a, D>, q: Vector<'a, D>) -> Number<'a> {
+    let mut terms = [(Number::ZERO, Number::ZERO, Plus); 3];
+    for (term, (x, y)) in terms.iter_mut().zip(p.into_iter().zip(q)) {
+        *term = (x, y, Plus);
+    }
+    Number::sum(space, terms)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,42 @@
+//! Scenes for tests: random constructions.
+
+use predicament_exact::Exact;
+use predicament_predicates::{Backend, Construction, Dimension, Off, Predicates, Scene, Vertex};
+
+/// A small generator for reproducible samples (xorshift).
+pub(super) struct Random(pub(super) u64);
+
+impl Random {
+    pub(super) fn below(&mut self, bound: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        usize::try_from(self.0 >> 8).unwrap() % bound
+    }
+
+    /// Different input vertices of the first so many.
+    pub(super) fn different<const N: usize>(&mut self, points: usize) -> [Vertex; N] {
+        let mut all: Vec<usize> = (0..points).collect();
+        std::array::from_fn(|_| Vertex::input(all.swap_remove(self.below(all.len()))))
+    }
+}
+
+/// Tries so many constructions of a scene's input vertices, and keeps those that are points.
+pub(super) fn constructions(random: &mut Random, scene: &mut Scene, tries: usize) {
+    let points = scene.len();
+    let found = {
+        let mut session = Exact.prepare(scene, Off).unwrap();
+        for at in 0..tries {
+            // (What is no point is refused.)
+            let _ = session.construct(&[match (scene.dimension(), at % 3) {
+                (Dimension::Two, _) => Construction::Ssi([random.different(points), random.different(points)]),
+                (_, 0) => Construction::Lpi { line: random.different(points), plane: random.different(points) },
+                _ => Construction::Tpi([random.different(points), random.different(points), random.different(points)]),
+            }]);
+        }
+        session.scene().constructions().to_vec()
+    };
+    for construction in found {
+        scene.construct(construction).unwrap();
+    }
+}
