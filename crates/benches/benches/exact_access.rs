@@ -160,7 +160,18 @@ impl<A, S, B, W, R, F> Contest<A, S, B, W, R, F> {
         let doubles = naive.prepare(&scene, Off).expect("prepared");
         // All read the points of the scene.
         let points: &[[f64; D]] = scene.coordinates().as_chunks().0;
-        let at = |query: [Vertex; N]| -> [[f64; D]; N] { std::array::from_fn(|i| points[query[i].index()]) };
+        // (Number by number, so that they stay in registers.)
+        #[allow(clippy::manual_memcpy)]
+        let at = |query: [Vertex; N]| -> [[f64; D]; N] {
+            let mut at = [[0.0; D]; N];
+            for row in 0..N {
+                let point = &points[query[row].index()];
+                for axis in 0..D {
+                    at[row][axis] = point[axis];
+                }
+            }
+            at
+        };
         macro_rules! engine {
             ($query:ident => $answer:expr) => {
                 &|first: usize, out: &mut [Sign]| {

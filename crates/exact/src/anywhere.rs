@@ -84,47 +84,22 @@ pub fn orient2d([a, b, c]: [[f64; 2]; 3]) -> Bounded {
 #[inline(always)]
 #[must_use]
 pub fn orient3d([a, b, c, d]: [[f64; 3]; 4]) -> Bounded {
-    let heights = heights([a, b, c], d);
-    Bounded::new(estimate::orient3d(a, b, c, d), bound::ORIENT3D, SLACK * (heights + 1.0))
+    let (estimate, heights) = estimate::orient3d_sized(a, b, c, d);
+    Bounded::new(estimate, bound::ORIENT3D, SLACK * (heights + 1.0))
 }
 
 /// d in the circle of a, b, c.
 #[inline(always)]
 #[must_use]
 pub fn incircle([a, b, c, d]: [[f64; 2]; 4]) -> Bounded {
-    let lifts = lifts([a, b, c], d);
-    Bounded::new(estimate::incircle(a, b, c, d), bound::INCIRCLE, SLACK * (lifts + 1.0))
+    let (estimate, lifts) = estimate::incircle_sized(a, b, c, d);
+    Bounded::new(estimate, bound::INCIRCLE, SLACK * (lifts + 1.0))
 }
 
 /// e in the sphere of a, b, c, d.
 #[inline(always)]
 #[must_use]
 pub fn insphere([a, b, c, d, e]: [[f64; 3]; 5]) -> Bounded {
-    let (heights, lifts) = (heights([a, b, c, d], e), lifts([a, b, c, d], e));
-    Bounded::new(estimate::insphere(a, b, c, d, e), bound::INSPHERE, SLACK * (lifts * (heights + 1.0) + 1.0))
-}
-
-/// The magnitudes of the last coordinates' differences, together.
-#[inline(always)]
-fn heights<const N: usize>(points: [[f64; 3]; N], last: [f64; 3]) -> f64 {
-    let mut sum = 0.0;
-    for point in points {
-        sum += (point[2] - last[2]).abs();
-    }
-    sum
-}
-
-/// The squared lengths of the differences, together.
-#[inline(always)]
-fn lifts<const D: usize, const N: usize>(points: [[f64; D]; N], last: [f64; D]) -> f64 {
-    let mut sum = 0.0;
-    for point in points {
-        let mut lift = 0.0;
-        for axis in 0..D {
-            let difference = point[axis] - last[axis];
-            lift += difference * difference;
-        }
-        sum += lift;
-    }
-    sum
+    let (estimate, [heights, lifts]) = estimate::insphere_sized(a, b, c, d, e);
+    Bounded::new(estimate, bound::INSPHERE, SLACK * (lifts * (heights + 1.0) + 1.0))
 }

@@ -55,22 +55,34 @@ pub fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Estimate {
 #[inline(always)]
 #[must_use]
 pub fn orient3d(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Estimate {
+    orient3d_sized(a, b, c, d).0
+}
+
+/// [`orient3d`], and the magnitudes of the last coordinates' differences, together.
+#[inline(always)]
+pub(crate) fn orient3d_sized(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> (Estimate, f64) {
     let [adx, ady, adz] = minus3(a, d);
     let [bdx, bdy, bdz] = minus3(b, d);
     let [cdx, cdy, cdz] = minus3(c, d);
     let bc = Minor::new(bdx, bdy, cdx, cdy);
     let ca = Minor::new(cdx, cdy, adx, ady);
     let ab = Minor::new(adx, ady, bdx, bdy);
-    Estimate {
-        determinant: adz * bc.value + bdz * ca.value + cdz * ab.value,
-        permanent: adz.abs() * bc.permanent + bdz.abs() * ca.permanent + cdz.abs() * ab.permanent,
-    }
+    let determinant = adz * bc.value + bdz * ca.value + cdz * ab.value;
+    let [adz, bdz, cdz] = [adz.abs(), bdz.abs(), cdz.abs()];
+    let permanent = adz * bc.permanent + bdz * ca.permanent + cdz * ab.permanent;
+    (Estimate { determinant, permanent }, adz + bdz + cdz)
 }
 
 /// The 3 × 3 determinant of a − d, b − d, c − d, each with its squared length.
 #[inline(always)]
 #[must_use]
 pub fn incircle(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Estimate {
+    incircle_sized(a, b, c, d).0
+}
+
+/// [`incircle`], and the squared lengths of the differences, together.
+#[inline(always)]
+pub(crate) fn incircle_sized(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> (Estimate, f64) {
     let [adx, ady] = minus2(a, d);
     let [bdx, bdy] = minus2(b, d);
     let [cdx, cdy] = minus2(c, d);
@@ -80,16 +92,23 @@ pub fn incircle(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Estimate 
     let a_lift = adx * adx + ady * ady;
     let b_lift = bdx * bdx + bdy * bdy;
     let c_lift = cdx * cdx + cdy * cdy;
-    Estimate {
+    let estimate = Estimate {
         determinant: a_lift * bc.value + b_lift * ca.value + c_lift * ab.value,
         permanent: a_lift * bc.permanent + b_lift * ca.permanent + c_lift * ab.permanent,
-    }
+    };
+    (estimate, a_lift + b_lift + c_lift)
 }
 
 /// The 4 × 4 determinant of a − e, b − e, c − e, d − e, each with its squared length.
 #[inline(always)]
 #[must_use]
 pub fn insphere(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3], e: [f64; 3]) -> Estimate {
+    insphere_sized(a, b, c, d, e).0
+}
+
+/// [`insphere`], the magnitudes of the last coordinates' differences, together, and the squared lengths of the differences, together.
+#[inline(always)]
+pub(crate) fn insphere_sized(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3], e: [f64; 3]) -> (Estimate, [f64; 2]) {
     let a = minus3(a, e);
     let b = minus3(b, e);
     let c = minus3(c, e);
@@ -111,7 +130,7 @@ pub fn insphere(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3], e: [f64; 3])
     let cda = cz * da.permanent + dz * ac.permanent + az * cd.permanent;
     let dab = dz * ab.permanent + az * bd.permanent + bz * da.permanent;
     let permanent = (dl * abc + cl * dab) + (bl * cda + al * bcd);
-    Estimate { determinant, permanent }
+    (Estimate { determinant, permanent }, [(az + bz) + (cz + dz), (al + bl) + (cl + dl)])
 }
 
 /// A 2 × 2 determinant, and the same with its terms taken by magnitude.

@@ -74,8 +74,6 @@ pub(crate) enum First {
     Scene,
     /// The query's own: the scene has no bound, or one that is too large for most of its figures.
     Query,
-    /// The static one, which does not decide much either: the points are degenerate, nearly or exactly.
-    Neither,
 }
 
 /// The least points that are worth a look at some of them.
@@ -103,13 +101,27 @@ pub(crate) fn choose<P: Predicate<D, N>, const D: usize, const N: usize>(
         by_query += usize::from(P::anywhere(query).certain().is_some());
     }
     // A filter that fails now and then is mispredicted as often, which costs more than the permanent.
-    if by_query * 2 < LOOKS {
-        First::Neither
-    } else if by_scene * 8 >= by_query * 7 {
-        First::Scene
-    } else {
-        First::Query
+    if by_scene * 8 >= by_query * 7 { First::Scene } else { First::Query }
+}
+
+/// Whether a predicate's own filter leaves much open, by a few queries of points that are anywhere, and of neighbours in the list.
+///
+/// Queries ask about what is near, and what is near in space is often near in the list. As [`choose`], it only chooses an order.
+pub(crate) fn leaves_much<P: Predicate<D, N>, const D: usize, const N: usize>(
+    count: usize,
+    point: impl Fn(usize) -> [f64; D],
+) -> bool {
+    if count < LOOKED_AT_FROM {
+        return false;
     }
+    let is_open = |places: [usize; N]| usize::from(P::anywhere(places.map(&point)).certain().is_none());
+    let (mut anywhere, mut neighbours) = (0, 0);
+    for look in 0..LOOKS {
+        anywhere += is_open(std::array::from_fn(|i| place(look * N + i, count)));
+        let first = place(look, count / N) * N;
+        neighbours += is_open(std::array::from_fn(|i| first + i));
+    }
+    anywhere.max(neighbours) * 8 >= LOOKS
 }
 
 /// The k-th of some places that are spread over all, in no order.

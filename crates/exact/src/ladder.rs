@@ -85,6 +85,10 @@ impl Prepared {
         if let Some(rows) = integers.of_scene(axes, vertices) {
             return (P::integer(rows, self.limbs), stage::INTEGER);
         }
+        // (Differences that are doubles are those of integers.)
+        if let Some(sign) = P::products(*points) {
+            return (sign, stage::INTEGER);
+        }
         if let Some(Short { rows, bits, .. }) = common_unit::rows(points) {
             return (P::integer(rows, self.limbs_of::<P, D, N>(bits)), stage::INTEGER);
         }
@@ -176,6 +180,15 @@ fn wide_integer<P: Predicate<D, N>, const D: usize, const N: usize>(rows: [[Fixe
 /// A query without a scene that its own filter has left open.
 #[inline(always)]
 pub(crate) fn alone<P: Predicate<D, N>, const D: usize, const N: usize>(points: &[[f64; D]; N]) -> (Sign, usize) {
+    if let Some(sign) = P::products(*points) {
+        return (sign, stage::INTEGER);
+    }
+    // Two equal rows. (A point that is named twice is the tie that random queries meet most.)
+    for row in 1..N {
+        if points[..row].contains(&points[row]) && points.as_flattened().iter().all(|x| x.is_finite()) {
+            return (Sign::Zero, stage::DOUBLE);
+        }
+    }
     if let Some(Short { rows, bits, low }) = common_unit::rows(points) {
         let (determinant, form) = (P::DETERMINANT, P::DETERMINANT.form);
         // Where nothing overflows and the slack is less than a unit, the filter has said something.

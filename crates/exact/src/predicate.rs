@@ -40,6 +40,12 @@ pub(crate) trait Predicate<const D: usize, const N: usize> {
         short_rows(points).map(|rows| Self::integer(rows, Self::DETERMINANT.limbs(integer::BITS[0])))
     }
 
+    /// In floating point, for points whose differences are doubles; none if they aren't, or if there is no such way.
+    #[inline(always)]
+    fn products(_: [[f64; D]; N]) -> Option<Sign> {
+        None
+    }
+
     /// For any finite points.
     fn dyadic(points: [[f64; D]; N]) -> Sign;
 }
@@ -77,6 +83,10 @@ impl Predicate<2, 3> for Orient2d {
     #[inline(always)]
     fn short(points: [[f64; 2]; 3]) -> Option<Sign> {
         products::orient2d(points)
+    }
+    #[inline(always)]
+    fn products(points: [[f64; 2]; 3]) -> Option<Sign> {
+        products::turn(points)
     }
     fn dyadic([a, b, c]: [[f64; 2]; 3]) -> Sign {
         dyadic::orient2d(a, b, c)

@@ -1,13 +1,64 @@
-//! Turns of few bits: which of two products is larger.
+//! Turns whose differences are doubles: which of two products is larger.
 //!
-//! Where differences are doubles, the turn of three points is the sign of
-//! l − r for two products of doubles, each of which has 106 bits and can be had
-//! exactly, whatever its exponent.
+//! With differences that are doubles, the turn of three points is the sign of L − R for two products of doubles.
+//!
+//! **In floating point.** Let l and r be the rounded products, and L = l + e, R = r + f exactly (Dekker 1971, after Veltkamp's splitting). Rounding to the nearest keeps
+//! the order: if l > r, then L > R, since L ≤ R would make l ≤ r. If l = r, the sign is that of e − f. The errors are doubles where factors
+//! are below 2⁵⁰⁰ and products are above 2⁻⁹⁰⁰ in magnitude, or zero for a factor of zero: the last bits of two factors multiply to 2⁻¹⁰⁰⁶ or more,
+//! of which everything on the way is a multiple, and a subnormal factor is split as any other.
+//!
+//! **In integers**, what is not in this range: two products of 106 bits each, and their exponents.
 
-use predicament_arithmetic::{Parts, exact_differences};
+use predicament_arithmetic::{Parts, exact_differences, power_of_two};
 use predicament_predicates::Sign;
 
-/// The turn of three points, if their differences are doubles.
+/// The turn of three points, if their differences are doubles and their products in range: in floating point.
+#[inline(always)]
+pub(crate) fn turn([a, b, c]: [[f64; 2]; 3]) -> Option<Sign> {
+    const LEAST: f64 = power_of_two(-900);
+    const MOST: f64 = power_of_two(500);
+    let (ax, ay, bx, by) = (a[0] - c[0], a[1] - c[1], b[0] - c[0], b[1] - c[1]);
+    let whole =
+        is_exact(a[0], c[0], ax) & is_exact(a[1], c[1], ay) & is_exact(b[0], c[0], bx) & is_exact(b[1], c[1], by);
+    let (left, right) = (ax * by, ay * bx);
+    let zero = |x: f64, y: f64| (x == 0.0) | (y == 0.0);
+    let high = (left.abs() > LEAST) | zero(ax, by);
+    let low = (right.abs() > LEAST) | zero(ay, bx);
+    let small = ax.abs() + ay.abs() + bx.abs() + by.abs() < MOST;
+    // (Infinite differences are not exact, and NaN is not small.)
+    if !(whole & high & low & small) {
+        return None;
+    }
+    let errors = error(left, ax, by) - error(right, ay, bx);
+    let difference = left - right;
+    Some(Sign::of(if difference == 0.0 { errors } else { difference }))
+}
+
+/// Whether x − y is the double d, to which it is rounded.
+///
+/// Knuth's sum finds the error (x − (d + v)) + (v − y) with v = x − d, rounded. Here v is y, and d + v is x.
+#[inline(always)]
+fn is_exact(x: f64, y: f64, d: f64) -> bool {
+    (x - d == y) & (d + y == x)
+}
+
+/// The error of a rounded product.
+#[inline(always)]
+fn error(product: f64, x: f64, y: f64) -> f64 {
+    let ([x, x_rest], [y, y_rest]) = (split(x), split(y));
+    x_rest * y_rest - (((product - x * y) - x_rest * y) - x * y_rest)
+}
+
+/// A double as the sum of two, of 26 bits each.
+#[inline(always)]
+fn split(x: f64) -> [f64; 2] {
+    const SPLITTER: f64 = power_of_two(27) + 1.0;
+    let large = SPLITTER * x;
+    let high = large - (large - x);
+    [high, x - high]
+}
+
+/// The turn of three points, if their differences are doubles: in integers.
 #[inline(always)]
 pub(crate) fn orient2d(points: [[f64; 2]; 3]) -> Option<Sign> {
     let [[ax, ay], [bx, by], _] = exact_differences(points)?;
@@ -77,13 +128,42 @@ mod tests {
         fn an_answer_is_a_right_answer(p in prop::array::uniform3(prop::array::uniform2(double()))) {
             let truth = rational::orient2d(p[0], p[1], p[2]).sign();
             prop_assert!(orient2d(p).is_none_or(|sign| sign == truth));
+            prop_assert!(turn(p).is_none_or(|sign| sign == truth));
+        }
+
+        /// Differences p and q, or beside them by an ulp, times numbers of few bits: products that are equal, or nearly, at all scales.
+        #[test]
+        fn nearly_equal_products_are_told_apart(
+            (x, y) in (1.0..2.0, 1.0..2.0_f64),
+            (m, n) in (1..9_i8, 1..9_i8),
+            ulps in prop::array::uniform4(-1..=1_i64),
+            exponents in prop::array::uniform2(-520..=520_i32),
+        ) {
+            let [first, second] = exponents.map(power_of_two);
+            let beside = |x: f64, ulps: i64| f64::from_bits(x.to_bits().wrapping_add_signed(ulps));
+            let (m, n) = (f64::from(m), f64::from(n));
+            let [ax, ay] = [beside(m * x, ulps[0]) * first, beside(n * y, ulps[1]) * second];
+            let [bx, by] = [beside(m * x, ulps[2]) * second, beside(n * y, ulps[3]) * first];
+            let points = [[ax, ay], [bx, by], [0.0, 0.0]];
+            let sign = turn(points);
+            let truth = rational::orient2d(points[0], points[1], points[2]).sign();
+            prop_assert!(sign.is_none_or(|sign| sign == truth));
+            prop_assert!(sign.is_some() || exponents.iter().any(|e| e.abs() > 400));
         }
     }
 
     #[test]
     fn what_is_answered_and_what_is_not() {
         let tie = [[0.1, 0.1], [0.3, 0.3], [0.2, 0.2]];
-        assert_eq!(orient2d(tie), Some(Sign::Zero));
+        assert_eq!([orient2d(tie), turn(tie)], [Some(Sign::Zero); 2]);
+        // Differences that are rounded: the turn of the rounded ones is another.
+        let rounded = [[1.0, 1.0 + f64::EPSILON], [1.0 + f64::EPSILON, 1.0], [power_of_two(-60), power_of_two(-61)]];
+        assert_eq!([orient2d(rounded), turn(rounded)], [None; 2]);
+        // Products that underflow, and factors that are too large to be split.
+        assert_eq!(turn([[1e-200, 1e-200], [1e-200, 1e-200], [0.0, 0.0]]), None);
+        assert_eq!(turn([[1e300, 1.0], [1e300, 1.0], [0.0, 0.0]]), None);
+        assert_eq!(turn([[5e-324, 0.0], [0.0, 1e300], [0.0, 0.0]]), None);
+        assert_eq!(turn([[5e-324, 1.0], [1.0, 1e100], [0.0, 0.0]]), Some(Sign::Negative), "a subnormal factor");
         assert_eq!(orient2d([[1e200, 1e-200], [2e200, 2e-200], [0.0, 0.0]]), Some(Sign::Zero), "no common unit");
         assert_eq!(orient2d([[5e-324, 1.0], [1.0, 1.0], [0.0, 0.0]]), None, "a subnormal difference");
         assert_eq!(orient2d([[f64::MAX, 1.0], [1.0, 1.0], [-f64::MAX, 0.0]]), None, "an infinite difference");

@@ -12,10 +12,11 @@ use crate::ladder::alone;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 
 // What is left open is handed on number by number: an array that is needed in memory there would have to be put together in memory
-// before the filter, and every query wait for it. (So would what a closure captures, if it is not inlined.)
+// before the filter, and every query wait for it. (So would what a closure captures, if it is not inlined, and the points that a caller picks from a list:
+// that is why filters are always inlined.)
 
 /// The sign of (a − c) × (b − c): positive if a, b, c turn counterclockwise.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn orient2d([[ax, ay], [bx, by], [cx, cy]]: [[f64; 2]; 3]) -> Sign {
     #[cold]
@@ -30,7 +31,7 @@ pub fn orient2d([[ax, ay], [bx, by], [cx, cy]]: [[f64; 2]; 3]) -> Sign {
 }
 
 /// The sign of det(a − d, b − d, c − d): positive if d lies below the plane of a, b, c.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn orient3d([[ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz]]: [[f64; 3]; 4]) -> Sign {
     #[cold]
@@ -59,7 +60,7 @@ pub fn orient3d([[ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz]]: [[f64;
 }
 
 /// Positive if d is in the circle of a counterclockwise a, b, c.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn incircle([[ax, ay], [bx, by], [cx, cy], [dx, dy]]: [[f64; 2]; 4]) -> Sign {
     #[cold]
@@ -75,7 +76,7 @@ pub fn incircle([[ax, ay], [bx, by], [cx, cy], [dx, dy]]: [[f64; 2]; 4]) -> Sign
 }
 
 /// Positive if e is in the sphere of a positively oriented a, b, c, d.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn insphere([a, b, c, d, e]: [[f64; 3]; 5]) -> Sign {
     #[cold]

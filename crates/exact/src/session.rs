@@ -27,8 +27,8 @@ pub struct Session<'s, T> {
     /// The scene's points, in the view of its dimension; the other one is empty.
     points2: &'s [[f64; 2]],
     points3: &'s [[f64; 3]],
-    /// By what turns become integers, where that comes before any filter; else zero.
-    turn_scale: f64,
+    /// By what turns become integers, where that comes before any filter; else zero. By plane.
+    turn_scale: [f64; 3],
     /// The bounds of static filters; NaN where there is none.
     incircle: f64,
     orient3d: f64,
@@ -55,7 +55,7 @@ impl<'s, T: Tally> Session<'s, T> {
             tally,
             points2,
             points3,
-            turn_scale: 0.0,
+            turn_scale: [0.0; 3],
             incircle: f64::NAN,
             orient3d: f64::NAN,
             insphere: f64::NAN,
@@ -79,8 +79,8 @@ impl<'s, T: Tally> Session<'s, T> {
         self.incircle = first::bound(self.extent2, bound::static_incircle);
         self.incircle_by_query = first::choose::<Incircle, 2, 4>(self.points2, self.incircle) == First::Query;
         // A filter that leaves much open is mispredicted often. Two products of integers are not.
-        if first::choose::<Orient2d, 2, 3>(self.points2, f64::INFINITY) == First::Neither {
-            self.turn_scale = self.flat().orient2d.scale;
+        if first::leaves_much::<Orient2d, 2, 3>(self.points2.len(), |at| self.points2[at]) {
+            self.turn_scale[Plane::Xy as usize] = self.flat().orient2d.scale;
         }
     }
 
@@ -89,6 +89,13 @@ impl<'s, T: Tally> Session<'s, T> {
         self.orient3d = first::bound(self.extent3, bound::static_orient3d);
         self.insphere = first::bound(self.extent3, bound::static_insphere);
         self.solid_by_query = first::choose::<Orient3d, 3, 4>(self.points3, self.orient3d) == First::Query;
+        for plane in [Plane::Xy, Plane::Yz, Plane::Zx] {
+            let axes = plane.axes().map(Axis::index);
+            let seen = |at: usize| axes.map(|axis| self.points3[at][axis]);
+            if first::leaves_much::<Orient2d, 2, 3>(self.points3.len(), seen) {
+                self.turn_scale[plane as usize] = self.solid().orient2d[plane as usize].scale;
+            }
+        }
     }
 
     /// [`Predicates::construct`](predicament_predicates::Predicates::construct), where a session that stands on this one has
@@ -150,12 +157,12 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline(always)]
     #[must_use]
     pub fn decide_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
+        if self.turn_scale[plane as usize] != 0.0 {
+            return self.turn_in_integers(plane, a, b, c);
+        }
         // The permanent costs two operations: it is as good as a bound for the scene, and needs none.
         if plane == Plane::Xy {
             let at = |v: Vertex| self.points2.get(v.index());
-            if self.turn_scale != 0.0 {
-                return self.turn_in_integers(a, b, c);
-            }
             if let (Some(a), Some(b), Some(c)) = (at(a), at(b), at(c))
                 && let Some(sign) = Orient2d::anywhere([*a, *b, *c]).certain()
             {

@@ -1,13 +1,14 @@
 //! The backend: exact first, the perturbation on ties only.
 
-use predicament_exact::Exact;
 use predicament_exact::stage::COMPARE;
+use predicament_exact::{Exact, lanes};
 use predicament_predicates::{
     Axis, Backend, Construction, Constructs, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question,
     Refused, Scene, Sessions, Sign, Tally, Vertex, ZeroMeaning,
 };
 
 use crate::constructed::{self, Memo};
+use crate::lanes as many;
 use crate::leading::{self, Decided, EDELSBRUNNER_MUCKE, PER_COORDINATE, Points};
 use crate::{Scheme, stage};
 
@@ -189,7 +190,7 @@ impl<T: Tally> Session<'_, T> {
         out: &mut [Sign],
         single: impl Fn(&Q) -> Sign,
         exact: impl Fn(&mut [Sign]),
-        (per_coordinate, edelsbrunner_mucke, rest): (impl Fn(Q) -> Decided, impl Fn(Q) -> Decided, impl Fn(Q) -> Sign),
+        (per_coordinate, edelsbrunner_mucke, rest): (impl Ties<Q>, impl Ties<Q>, impl Fn(Q) -> Sign),
     ) {
         if T::LISTENS {
             // Which of the exact backend's stages settled a query is known only where it is asked alone.
@@ -206,28 +207,82 @@ impl<T: Tally> Session<'_, T> {
     }
 }
 
+/// How the ties of a predicate are broken: one by one, and as many as a block has at once.
+trait Ties<Q> {
+    /// One tie.
+    fn one(&self, tie: Q) -> Decided;
+
+    /// The signs of some ties; those that are left open, by the bits of a mask.
+    fn many(&self, ties: &[Q], out: &mut [Sign]) -> u64;
+}
+
+/// Ties that are broken one by one.
+impl<Q, F: Fn(Q) -> Decided> Ties<Q> for F {
+    #[inline(always)]
+    fn one(&self, tie: Q) -> Decided {
+        self(tie)
+    }
+
+    #[inline(always)]
+    fn many(&self, _: &[Q], _: &mut [Sign]) -> u64 {
+        u64::MAX
+    }
+}
+
+impl<Q, F: Fn(Q) -> Decided, M: Fn(&[Q], &mut [Sign]) -> u64> Ties<Q> for (F, M) {
+    #[inline(always)]
+    fn one(&self, tie: Q) -> Decided {
+        self.0(tie)
+    }
+
+    #[inline(always)]
+    fn many(&self, ties: &[Q], out: &mut [Sign]) -> u64 {
+        self.1(ties, out)
+    }
+}
+
 /// Queries of a batch whose answers are looked at together.
-const BLOCK: usize = 64;
+const BLOCK: usize = lanes::MOST;
+/// Ties of a block that are worth registers.
+const MANY: usize = 8;
 
 /// Breaks all ties of a batch.
 #[inline(always)]
-fn break_all<Q: Copy>(queries: &[Q], out: &mut [Sign], tie: impl Fn(Q) -> Decided, rest: impl Fn(Q) -> Sign) {
+fn break_all<Q: Copy>(queries: &[Q], out: &mut [Sign], ties: impl Ties<Q>, rest: impl Fn(Q) -> Sign) {
+    let one = |query: Q| match ties.one(query) {
+        Some((sign, _)) => sign,
+        None => rest(query),
+    };
     for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
         // Seen for whole registers at once: most blocks have no tie.
         if !out.iter().fold(false, |any, sign| any | sign.is_zero()) {
             continue;
         }
         // Ties come as they like: those of a block are found without a branch on each.
-        let (mut ties, mut count) = ([0; BLOCK], 0);
+        let (mut places, mut count) = ([0; BLOCK], 0);
         for (at, sign) in (0_u8..).zip(out.iter()) {
-            ties[count] = at;
+            places[count] = at;
             count += usize::from(sign.is_zero());
         }
-        for at in ties[..count].iter().map(|&at| usize::from(at)) {
-            out[at] = match tie(queries[at]) {
-                Some((sign, _)) => sign,
-                None => rest(queries[at]),
-            };
+        let places = places[..count].iter().map(|&at| usize::from(at));
+        if count < MANY {
+            places.for_each(|at| out[at] = one(queries[at]));
+            continue;
+        }
+        if count == queries.len() {
+            let mut open = ties.many(queries, out) & (u64::MAX >> (BLOCK - count));
+            while open != 0 {
+                let at = open.trailing_zeros() as usize;
+                out[at] = one(queries[at]);
+                open &= open - 1;
+            }
+            continue;
+        }
+        let (mut tied, mut signs) = ([queries[0]; BLOCK], [Sign::Zero; BLOCK]);
+        places.clone().zip(&mut tied).for_each(|(at, tie)| *tie = queries[at]);
+        let open = ties.many(&tied[..count], &mut signs[..count]);
+        for (tie, at) in places.enumerate() {
+            out[at] = if open >> tie & 1 == 0 { signs[tie] } else { one(queries[at]) };
         }
     }
 }
@@ -326,9 +381,16 @@ impl<T: Tally> Predicates for Session<'_, T> {
     fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
         let (single, points) = (|&[a, b, c]: &[_; 3]| self.orient2d(plane, a, b, c), self.points);
         let exact = |out: &mut [Sign]| self.exact.orient2d_batch(plane, queries, out);
+        // (In space there are no points of the plane, and all ties are left open.)
         let ties = (
-            |args| leading::orient2d::<PER_COORDINATE>(points, plane, args),
-            |args| leading::orient2d::<EDELSBRUNNER_MUCKE>(points, plane, args),
+            (
+                |args| leading::orient2d::<PER_COORDINATE>(points, plane, args),
+                |ties: &[_], out: &mut [_]| many::orient2d::<PER_COORDINATE>(points.flat, ties, out),
+            ),
+            (
+                |args| leading::orient2d::<EDELSBRUNNER_MUCKE>(points, plane, args),
+                |ties: &[_], out: &mut [_]| many::orient2d::<EDELSBRUNNER_MUCKE>(points.flat, ties, out),
+            ),
             |args| self.rest(Question::Orient2d(plane), args),
         );
         self.batch(queries, out, single, exact, ties);
@@ -359,9 +421,16 @@ impl<T: Tally> Predicates for Session<'_, T> {
     fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
         let (single, points) = (|&[a, b, c, d]: &[_; 4]| self.orient3d(a, b, c, d), self.points);
         let exact = |out: &mut [Sign]| self.exact.orient3d_batch(queries, out);
+        let is_exact = || self.exact.is_double(PredicateKind::Orient3d);
         let ties = (
-            |args| leading::orient3d::<PER_COORDINATE>(&self.exact, points, args),
-            |args| leading::orient3d::<EDELSBRUNNER_MUCKE>(&self.exact, points, args),
+            (
+                |args| leading::orient3d::<PER_COORDINATE>(&self.exact, points, args),
+                |ties: &[_], out: &mut [_]| many::orient3d::<PER_COORDINATE>(points.solid, ties, out, is_exact()),
+            ),
+            (
+                |args| leading::orient3d::<EDELSBRUNNER_MUCKE>(&self.exact, points, args),
+                |ties: &[_], out: &mut [_]| many::orient3d::<EDELSBRUNNER_MUCKE>(points.solid, ties, out, is_exact()),
+            ),
             |args| self.rest(Question::Orient3d, args),
         );
         self.batch(queries, out, single, exact, ties);
@@ -370,9 +439,16 @@ impl<T: Tally> Predicates for Session<'_, T> {
     fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
         let (single, points) = (|&[a, b, c, d]: &[_; 4]| self.incircle(a, b, c, d), self.points);
         let exact = |out: &mut [Sign]| self.exact.incircle_batch(queries, out);
+        let is_exact = || self.exact.is_double(PredicateKind::Incircle);
         let ties = (
-            |args| leading::incircle::<PER_COORDINATE>(&self.exact, points, args),
-            |args| leading::incircle::<EDELSBRUNNER_MUCKE>(&self.exact, points, args),
+            (
+                |args| leading::incircle::<PER_COORDINATE>(&self.exact, points, args),
+                |ties: &[_], out: &mut [_]| many::incircle::<PER_COORDINATE>(points.flat, ties, out, is_exact()),
+            ),
+            (
+                |args| leading::incircle::<EDELSBRUNNER_MUCKE>(&self.exact, points, args),
+                |ties: &[_], out: &mut [_]| many::incircle::<EDELSBRUNNER_MUCKE>(points.flat, ties, out, is_exact()),
+            ),
             |args| self.rest(Question::Incircle, args),
         );
         self.batch(queries, out, single, exact, ties);
@@ -381,9 +457,16 @@ impl<T: Tally> Predicates for Session<'_, T> {
     fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
         let (single, points) = (|&[a, b, c, d, e]: &[_; 5]| self.insphere(a, b, c, d, e), self.points);
         let exact = |out: &mut [Sign]| self.exact.insphere_batch(queries, out);
+        let is_exact = || self.exact.is_double(PredicateKind::Insphere);
         let ties = (
-            |args| leading::insphere::<PER_COORDINATE>(&self.exact, points, args),
-            |args| leading::insphere::<EDELSBRUNNER_MUCKE>(&self.exact, points, args),
+            (
+                |args| leading::insphere::<PER_COORDINATE>(&self.exact, points, args),
+                |ties: &[_], out: &mut [_]| many::insphere::<PER_COORDINATE>(points.solid, ties, out, is_exact()),
+            ),
+            (
+                |args| leading::insphere::<EDELSBRUNNER_MUCKE>(&self.exact, points, args),
+                |ties: &[_], out: &mut [_]| many::insphere::<EDELSBRUNNER_MUCKE>(points.solid, ties, out, is_exact()),
+            ),
             |args| self.rest(Question::Insphere, args),
         );
         self.batch(queries, out, single, exact, ties);

@@ -148,6 +148,32 @@ fn certain<const EXACT: bool>((estimate, lifts): Ranged, bound: f64) -> Option<S
     if lifts <= LARGEST { estimate.above(bound * estimate.permanent + TINY) } else { None }
 }
 
+/// A minor as [`flat`] estimates it, and what its magnitude has to exceed for its sign to be certain: zero where doubles make no error.
+#[inline(always)]
+pub(crate) fn flat_value<const EXACT: bool, const D: usize>(
+    points: [&[f64; D]; 3],
+    column: usize,
+    struck: Struck,
+) -> (f64, f64) {
+    value::<EXACT>(minor2(points, column, struck))
+}
+
+/// The same of [`solid`].
+#[inline(always)]
+pub(crate) fn solid_value<const EXACT: bool>(
+    points: [&[f64; 3]; 4],
+    columns: [usize; 2],
+    struck: Struck,
+) -> (f64, f64) {
+    value::<EXACT>(minor3(points, columns, struck))
+}
+
+#[inline(always)]
+fn value<const EXACT: bool>((estimate, lifts): Ranged) -> (f64, f64) {
+    let bound = if lifts <= LARGEST { BOUND * estimate.permanent + TINY } else { f64::NAN };
+    (estimate.determinant, if EXACT { 0.0 } else { bound })
+}
+
 /// A row of a minor: differences to the last row, and the lift with its permanent.
 struct Row<const K: usize> {
     differences: [f64; K],

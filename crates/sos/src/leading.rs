@@ -23,8 +23,8 @@ type Exact<'s> = predicament_exact::Session<'s, Off>;
 
 /// The place of a predicate in [`PredicateKind::ALL`].
 const ORIENT3D: usize = PredicateKind::Orient3d.index();
-const INCIRCLE: usize = PredicateKind::Incircle.index();
-const INSPHERE: usize = PredicateKind::Insphere.index();
+pub(crate) const INCIRCLE: usize = PredicateKind::Incircle.index();
+pub(crate) const INSPHERE: usize = PredicateKind::Insphere.index();
 
 /// The place of a scheme in [`Scheme::ALL`].
 pub(crate) const PER_COORDINATE: usize = Scheme::PerCoordinate as usize;
@@ -96,7 +96,7 @@ pub(crate) fn orient2d<const SCHEME: usize>(points: Points, plane: Plane, args: 
 }
 
 /// One of `orient2d`'s leading terms: the row that counts positive, the other one, and the column.
-const fn difference(term: Term) -> [usize; 3] {
+pub(crate) const fn difference(term: Term) -> [usize; 3] {
     assert!(term.rows.len() == 2 && term.rows[0] == 1 && term.columns.len() == 1 && term.lift.is_none());
     let column = term.columns[0] as usize;
     if matches!(term.sign, Sign::Negative) { [2, 1, column] } else { [1, 2, column] }
@@ -185,7 +185,7 @@ fn turns<const SCHEME: usize>(p: &[f64; 3], q: &[f64; 3], r: &[f64; 3]) -> Resul
 }
 
 /// The columns of `orient3d`'s leading terms, exchanged where the sign is negative.
-const fn turned_columns(terms: &'static [Term]) -> [[usize; 2]; 3] {
+pub(crate) const fn turned_columns(terms: &'static [Term]) -> [[usize; 2]; 3] {
     let mut columns = [[0; 2]; 3];
     let mut at = 0;
     while at < 3 {
@@ -414,7 +414,7 @@ fn step<const SCHEME: usize, const KIND: usize, const PLACE: usize>(rows: impl R
 
 /// The term at this place, if only the first vertex moves in it and its
 /// coefficient is a minor of all other rows.
-const fn leading(terms: &'static [Term], place: usize) -> Option<Term> {
+pub(crate) const fn leading(terms: &'static [Term], place: usize) -> Option<Term> {
     if place >= terms.len() {
         return None;
     }

@@ -23,6 +23,7 @@ mod deep;
 pub mod derive;
 mod filter;
 pub mod infinitesimal;
+mod lanes;
 mod leading;
 mod lift;
 mod per_mesh;

@@ -9,6 +9,7 @@
 #![allow(unsafe_code)]
 
 mod block;
+pub mod lanes;
 mod simd;
 mod sweep;
 #[cfg(test)]

@@ -67,7 +67,7 @@ impl<T: Tally> Predicates for Session<'_, T> {
     }
 
     fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
-        if plane == Plane::Xy && self.turn_scale != 0.0 {
+        if self.turn_scale[plane as usize] != 0.0 {
             return queries.iter().zip(out).for_each(|(&[a, b, c], out)| *out = self.orient2d(plane, a, b, c));
         }
         let climb = |&[a, b, c]: &[Vertex; 3]| self.climb_orient2d(plane, a, b, c);

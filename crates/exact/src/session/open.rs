@@ -19,14 +19,19 @@ impl<T: Tally> Session<'_, T> {
     }
 
     #[inline(never)]
-    pub(super) fn turn_in_integers(&self, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
+    pub(super) fn turn_in_integers(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
+        let scale = self.turn_scale[plane as usize];
         let at = |v: Vertex| self.points2.get(v.index());
-        match (at(a), at(b), at(c)) {
-            (Some(a), Some(b), Some(c)) => {
-                (Orient2d::integer(scaled(&[*a, *b, *c], self.turn_scale), 2), stage::INTEGER)
-            }
-            _ => self.climb_orient2d(Plane::Xy, a, b, c),
+        if let (Some(a), Some(b), Some(c)) = (at(a), at(b), at(c)) {
+            return (Orient2d::integer(scaled(&[*a, *b, *c], scale), 2), stage::INTEGER);
         }
+        let at = |v: Vertex| self.points3.get(v.index());
+        if let (Some(p), Some(q), Some(r)) = (at(a), at(b), at(c)) {
+            let [i, j] = plane.axes().map(Axis::index);
+            let points = [[p[i], p[j]], [q[i], q[j]], [r[i], r[j]]];
+            return (Orient2d::integer(scaled(&points, scale), 2), stage::INTEGER);
+        }
+        self.climb_orient2d(plane, a, b, c)
     }
 
     /// What its filter leaves open.

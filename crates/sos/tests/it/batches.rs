@@ -2,7 +2,7 @@
 
 use crate::common::{Random, grid_scene, questions};
 use predicament_exact::Exact;
-use predicament_predicates::{Backend, Counts, Off, Predicates, QuerySet, Question, Sign, Vertex};
+use predicament_predicates::{Backend, Counts, Off, Predicates, QuerySet, Question, Scene, Sign, Vertex};
 use predicament_sos::{PerMesh, Scheme, Sos};
 
 const QUERIES: usize = 500;
@@ -43,6 +43,14 @@ fn batches_are_queries_one_by_one() {
             // Where somebody listens, queries are asked one by one.
             let counts = Counts::new();
             check(&backend.prepare(&scene, &counts).unwrap(), dimension);
+            // Ties of numbers so long that doubles round, at all scales, the ends of the range among them.
+            for exponent in [-1060, -400, -100, 0, 30, 200, 900] {
+                let [half, rest] = [exponent / 2, exponent - exponent / 2].map(|exponent| 2_f64.powi(exponent));
+                let longer = |x: &f64| x * f64::from_bits(0x3ff1_2345_6789_0000) * half * rest;
+                let longer = scene.coordinates().iter().map(longer).collect();
+                let scene = Scene::new(scene.dimension(), longer).unwrap();
+                check(&backend.prepare(&scene, Off).unwrap(), dimension);
+            }
         }
     }
 }

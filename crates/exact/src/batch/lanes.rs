@@ -1,0 +1,116 @@
+//! A value of a few dozen queries at once, for backends that stand on this one.
+
+#![allow(unsafe_code)]
+
+use std::marker::PhantomData;
+
+use predicament_predicates::{Sign, Vertex};
+
+use super::block::{BLOCK, Block, Whole};
+use super::simd::{Kernel, dispatch};
+
+/// The most queries that [`signs_of`] takes.
+pub const MOST: usize = BLOCK;
+
+/// The signs of a value of each query, and a mask of the queries that are left open, by the bit of their place.
+///
+/// `evaluate` gives the value and what its magnitude has to exceed for its sign to be certain. It is told the points of a query, which are
+/// NaN for a vertex that has none, and the numbers of its vertices, which are in the order of the vertices. It is compiled for the widest registers of the
+/// machine: what it does should have no branch. An open query's place in `out` means nothing.
+///
+/// # Panics
+/// If there are more than [`MOST`] queries, or less room for signs than queries.
+#[inline]
+pub fn signs_of<const D: usize, const N: usize>(
+    points: &[[f64; D]],
+    queries: &[[Vertex; N]],
+    out: &mut [Sign],
+    evaluate: impl Fn([[f64; D]; N], [f64; N]) -> (f64, f64),
+) -> u64 {
+    assert!(queries.len() <= MOST, "{} queries are more than {MOST}", queries.len());
+    if queries.is_empty() {
+        return 0;
+    }
+    dispatch(Of { points, queries, out: &mut out[..queries.len()], evaluate, dimension: PhantomData::<[(); D]> })
+}
+
+struct Of<'a, F, P, const D: usize, const N: usize> {
+    points: &'a [[f64; D]],
+    queries: &'a [[Vertex; N]],
+    out: &'a mut [Sign],
+    evaluate: F,
+    dimension: PhantomData<P>,
+}
+
+impl<F, const D: usize, const N: usize> Kernel for Of<'_, F, [(); D], D, N>
+where
+    F: Fn([[f64; D]; N], [f64; N]) -> (f64, f64),
+{
+    type Output = u64;
+
+    #[inline(always)]
+    unsafe fn run<const WIDE: bool>(self) -> u64 {
+        let Of { points, queries, out, evaluate, .. } = self;
+        let mut block = Block::EMPTY;
+        // SAFETY: the kernel is run wide where the processor has AVX-512F.
+        unsafe { block.fetch::<Whole, D, WIDE>(points, queries) };
+        let mut numbers = [[0.0; BLOCK]; N];
+        for (at, query) in queries.iter().enumerate() {
+            for row in 0..N {
+                #[allow(clippy::cast_precision_loss)] // 32 bits
+                let number = query[row].index() as f64;
+                numbers[row][at] = number;
+            }
+        }
+        let (mut values, mut bounds) = ([0.0; BLOCK], [0.0; BLOCK]);
+        for at in 0..BLOCK {
+            let mut query = [0.0; N];
+            for row in 0..N {
+                query[row] = numbers[row][at];
+            }
+            (values[at], bounds[at]) = evaluate(block.query(at), query);
+        }
+        let (mut signs, mut open) = ([Sign::Zero; BLOCK], 0);
+        for at in 0..BLOCK {
+            signs[at] = if values[at] < 0.0 { Sign::Negative } else { Sign::Positive };
+            // With NaN nothing is certain.
+            let certain = values[at].abs() > bounds[at];
+            open |= u64::from(!certain) << at;
+        }
+        out.copy_from_slice(&signs[..queries.len()]);
+        open & (u64::MAX >> (BLOCK - queries.len()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn signs_and_what_is_open() {
+        let points = [[1.0, 4.0], [2.0, -4.0], [3.0, 0.5], [5.0, 0.0]];
+        let v = Vertex::input;
+        // Every length, with blocks of eight and without; the last point, and a vertex without one.
+        for count in 0..=MOST {
+            let query = |at: usize| match at % 5 {
+                4 => [Vertex::constructed(at), v(1)],
+                row => [v(row), v(1)],
+            };
+            let queries: Vec<[Vertex; 2]> = (0..count).map(query).collect();
+            let mut out = vec![Sign::Zero; count];
+            let open = signs_of(&points, &queries, &mut out, |[p, _], [number, _]| (p[1] * (number + 1.0), 1.75));
+            for (at, sign) in out.into_iter().enumerate() {
+                let certain = (open >> at & 1 == 0).then_some(sign);
+                let expected = [Some(Sign::Positive), Some(Sign::Negative), None, None, None][at % 5];
+                assert_eq!(certain, expected, "{at} of {count}");
+            }
+            assert!(count == MOST || open >> count == 0);
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "65 queries are more than 64")]
+    fn too_many_are_refused() {
+        signs_of(&[[0.0; 2]], &[[Vertex::input(0)]; 65], &mut [Sign::Zero; 65], |[p], _| (p[0], 0.0));
+    }
+}

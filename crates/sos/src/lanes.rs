@@ -1,0 +1,180 @@
+//! The first terms of many ties at once, on whole registers.
+//!
+//! A batch of ties has its terms evaluated as it had its determinants: each lane of a register has a query. A lane finds the vertex with
+//! the smallest index, and the first term of the list, a minor of the other points. Ties of `orient2d`, and of `orient3d` where doubles make no error, have all
+//! leading terms evaluated. What is zero or not certain is left to [`leading`](crate::leading), and so is a query with a vertex twice:
+//! a minor with two equal rows is zero, and the smallest vertex is looked for.
+
+// Loops over indices stay in registers.
+#![allow(clippy::needless_range_loop)]
+
+use predicament_exact::anywhere::{self, Bounded};
+use predicament_exact::lanes::signs_of;
+use predicament_predicates::{PredicateKind, Sign, Vertex};
+
+use crate::filter::{self, Struck};
+use crate::leading::{INCIRCLE, INSPHERE, difference, leading, turned_columns};
+use crate::{Lift, Scheme, Term};
+
+/// Breaks ties of `orient2d` in the plane; what is left open, by the bits of a mask. `SCHEME` is a place in [`Scheme::ALL`].
+#[inline]
+pub(crate) fn orient2d<const SCHEME: usize>(points: &[[f64; 2]], ties: &[[Vertex; 3]], out: &mut [Sign]) -> u64 {
+    if points.is_empty() {
+        return u64::MAX;
+    }
+    signs_of(points, ties, out, |rows, numbers| {
+        let (rows, flip) = smallest_first(rows, numbers);
+        let [first, second] = const {
+            let terms = Scheme::ALL[SCHEME].terms(PredicateKind::Orient2d);
+            [difference(terms[0]), difference(terms[1])]
+        };
+        // (A difference of doubles has the right sign.)
+        let compared = |[p, q, column]: [usize; 3]| rows[p][column] - rows[q][column];
+        let [first, second] = [compared(first), compared(second)];
+        (flip * if first == 0.0 { second } else { first }, 0.0)
+    })
+}
+
+/// The same of `orient3d`; `is_exact` says that doubles make no error, here and below.
+#[inline]
+pub(crate) fn orient3d<const SCHEME: usize>(
+    points: &[[f64; 3]],
+    ties: &[[Vertex; 4]],
+    out: &mut [Sign],
+    is_exact: bool,
+) -> u64 {
+    if is_exact {
+        signs_of(points, ties, out, first_of_orient3d::<SCHEME, true>)
+    } else {
+        signs_of(points, ties, out, first_of_orient3d::<SCHEME, false>)
+    }
+}
+
+#[inline(always)]
+fn first_of_orient3d<const SCHEME: usize, const EXACT: bool>(rows: [[f64; 3]; 4], numbers: [f64; 4]) -> (f64, f64) {
+    let ([_, p, q, r], flip) = smallest_first(rows, numbers);
+    let columns = const { turned_columns(Scheme::ALL[SCHEME].terms(PredicateKind::Orient3d)) };
+    let turn = |[x, y]: [usize; 2]| anywhere::orient2d([p, q, r].map(|point| [point[x], point[y]]));
+    let first = turn(columns[0]);
+    if !EXACT {
+        return (flip * first.determinant, first.bound);
+    }
+    let [second, third] = [turn(columns[1]).determinant, turn(columns[2]).determinant];
+    let later = if second == 0.0 { third } else { second };
+    (flip * if first.determinant == 0.0 { later } else { first.determinant }, 0.0)
+}
+
+/// The same of `incircle`.
+#[inline]
+pub(crate) fn incircle<const SCHEME: usize>(
+    points: &[[f64; 2]],
+    ties: &[[Vertex; 4]],
+    out: &mut [Sign],
+    is_exact: bool,
+) -> u64 {
+    if is_exact {
+        signs_of(points, ties, out, first_of_incircle::<SCHEME, true>)
+    } else {
+        signs_of(points, ties, out, first_of_incircle::<SCHEME, false>)
+    }
+}
+
+#[inline(always)]
+fn first_of_incircle<const SCHEME: usize, const EXACT: bool>(rows: [[f64; 2]; 4], numbers: [f64; 4]) -> (f64, f64) {
+    let ([first, p, q, r], flip) = smallest_first(rows, numbers);
+    let term = const { first_term::<SCHEME, INCIRCLE>() };
+    let (value, bound) = match (term.columns, term.lift) {
+        (&[_, _], None) => certain::<EXACT>(anywhere::orient2d([p, q, r])),
+        (&[x], Some(lift)) => {
+            let column = usize::from(x);
+            let struck = struck(lift, 1 - column, first);
+            filter::flat_value::<EXACT, 2>([&p, &q, &r], column, struck)
+        }
+        _ => (f64::NAN, f64::NAN),
+    };
+    (signed(term, flip) * value, bound)
+}
+
+/// The same of `insphere`.
+#[inline]
+pub(crate) fn insphere<const SCHEME: usize>(
+    points: &[[f64; 3]],
+    ties: &[[Vertex; 5]],
+    out: &mut [Sign],
+    is_exact: bool,
+) -> u64 {
+    if is_exact {
+        signs_of(points, ties, out, first_of_insphere::<SCHEME, true>)
+    } else {
+        signs_of(points, ties, out, first_of_insphere::<SCHEME, false>)
+    }
+}
+
+#[inline(always)]
+fn first_of_insphere<const SCHEME: usize, const EXACT: bool>(rows: [[f64; 3]; 5], numbers: [f64; 5]) -> (f64, f64) {
+    let ([first, p, q, r, s], flip) = smallest_first(rows, numbers);
+    let term = const { first_term::<SCHEME, INSPHERE>() };
+    let (value, bound) = match (term.columns, term.lift) {
+        (&[_, _, _], None) => certain::<EXACT>(anywhere::orient3d([p, q, r, s])),
+        (&[x, y], Some(lift)) => {
+            let columns = [x, y].map(usize::from);
+            let struck = struck(lift, 3 - columns[0] - columns[1], first);
+            filter::solid_value::<EXACT>([&p, &q, &r, &s], columns, struck)
+        }
+        _ => (f64::NAN, f64::NAN),
+    };
+    (signed(term, flip) * value, bound)
+}
+
+/// The first term of a list, a minor of all rows but the first.
+const fn first_term<const SCHEME: usize, const KIND: usize>() -> Term {
+    let Some(term) = leading(Scheme::ALL[SCHEME].terms(PredicateKind::ALL[KIND]), 0) else {
+        panic!("only the first vertex moves in the first term");
+    };
+    // Doubles that make no error are those of differences, so of a lift about a vertex.
+    assert!(match term.lift {
+        None => true,
+        Some(lift) => matches!(lift.about, [Some(0), None, None]),
+    });
+    term
+}
+
+/// What a lift is about in the column that is struck: the first vertex, as the first term has it.
+#[inline(always)]
+fn struck<const D: usize>(lift: Lift, column: usize, first: [f64; D]) -> Struck {
+    assert!(lift.about[column].is_some());
+    Struck { column, origin: first[column] }
+}
+
+#[inline(always)]
+fn certain<const EXACT: bool>(Bounded { determinant, bound }: Bounded) -> (f64, f64) {
+    (determinant, if EXACT { 0.0 } else { bound })
+}
+
+#[inline(always)]
+fn signed(term: Term, flip: f64) -> f64 {
+    if matches!(term.sign, Sign::Negative) { -flip } else { flip }
+}
+
+/// The point of the vertex with the smallest number first, and −1 if that took an odd number of exchanges, else 1; NaN if that vertex, or
+/// another one that was the smallest so far, comes twice.
+#[inline(always)]
+fn smallest_first<const D: usize, const N: usize>(
+    mut rows: [[f64; D]; N],
+    mut numbers: [f64; N],
+) -> ([[f64; D]; N], f64) {
+    let mut flip = 1.0;
+    for row in 1..N {
+        let [a, b] = [numbers[0], numbers[row]];
+        let is_less = b < a;
+        numbers[0] = if is_less { b } else { a };
+        flip = if is_less { -flip } else { flip };
+        for axis in 0..D {
+            let [x, y] = [rows[0][axis], rows[row][axis]];
+            [rows[0][axis], rows[row][axis]] = if is_less { [y, x] } else { [x, y] };
+        }
+        // (Also where a smaller one comes later: that is seldom, and is left open.)
+        flip = if a == b { f64::NAN } else { flip };
+    }
+    (rows, flip)
+}
