@@ -17,7 +17,7 @@
 //!
 //! Families: *uniform* in the unit cube; *near*: of one line, plane, circle or sphere up to two ulps; *mixed*: an exponent of its own for
 //! each coordinate; *large near*: as *near* a million times larger, so that many scenes span more bits than a limb; *ties*: integers of
-//! one line, plane, circle or sphere.
+//! one line, plane, circle or sphere; *lattice*: integers from 0 to 15; *mesh*: neighbours on a terrain over a jittered grid, whose vertices lie row after row.
 //!
 //! * *signs*: 10⁷ random queries of each predicate and family, each answered by all and compared; not timed, and not done unless asked for.
 //!
@@ -153,7 +153,7 @@ impl<A, S, B, W, R, F> Contest<A, S, B, W, R, F> {
         let mut random = Random(31);
         let points = family.points::<D>(&mut random, vertices, self.round);
         let queries: Vec<[Vertex; N]> =
-            (0..QUERIES).map(|_| std::array::from_fn(|_| Vertex::input(random.below(vertices)))).collect();
+            (0..QUERIES).map(|_| family.query(&mut random, vertices).map(Vertex::input)).collect();
         let scene = scene(&points);
         let session = Exact.prepare(&scene, Off).expect("prepared");
         let naive = Naive::default();
@@ -223,7 +223,7 @@ impl<A, S, B, W, R, F> Contest<A, S, B, W, R, F> {
         let (mut zeros, mut wrong) = (0, 0);
         for _ in 0..MANY / PASS {
             let queries: [[Vertex; N]; PASS] =
-                std::array::from_fn(|_| std::array::from_fn(|_| Vertex::input(random.below(LARGE))));
+                std::array::from_fn(|_| family.query(&mut random, LARGE).map(Vertex::input));
             (self.batch)(&session, &queries, &mut batch);
             for (&query, &batch) in queries.iter().zip(&batch) {
                 let query_points = query.map(|v| points[v.index()]);

@@ -94,19 +94,21 @@ pub(crate) fn choose<P: Predicate<D, N>, const D: usize, const N: usize>(
     if points.len() < LOOKED_AT_FROM {
         return First::Scene;
     }
-    let (mut by_scene, mut by_query) = (0, 0);
+    // By what is anywhere, and by neighbours in the list.
+    let mut decided = [[0; 2]; 2];
     for look in 0..LOOKS {
-        let query: [[f64; D]; N] = std::array::from_fn(|i| points[place(look * N + i, points.len())]);
-        by_scene += usize::from(P::estimate(query).above(static_bound).is_some());
-        by_query += usize::from(P::anywhere(query).certain().is_some());
+        for (among, [by_scene, by_query]) in decided.iter_mut().enumerate() {
+            let query = looked_at(look, among == 1, points.len()).map(|at| points[at]);
+            *by_scene += usize::from(P::estimate(query).above(static_bound).is_some());
+            *by_query += usize::from(P::anywhere(query).certain().is_some());
+        }
     }
     // A filter that fails now and then is mispredicted as often, which costs more than the permanent.
-    if by_scene * 8 >= by_query * 7 { First::Scene } else { First::Query }
+    let is_worse = |[by_scene, by_query]: [usize; 2]| by_scene * 8 < by_query * 7;
+    if decided.into_iter().any(is_worse) { First::Query } else { First::Scene }
 }
 
-/// Whether a predicate's own filter leaves much open, by a few queries of points that are anywhere, and of neighbours in the list.
-///
-/// Queries ask about what is near, and what is near in space is often near in the list. As [`choose`], it only chooses an order.
+/// Whether a predicate's own filter leaves much open, by a few queries. As [`choose`], it only chooses an order.
 pub(crate) fn leaves_much<P: Predicate<D, N>, const D: usize, const N: usize>(
     count: usize,
     point: impl Fn(usize) -> [f64; D],
@@ -114,14 +116,26 @@ pub(crate) fn leaves_much<P: Predicate<D, N>, const D: usize, const N: usize>(
     if count < LOOKED_AT_FROM {
         return false;
     }
-    let is_open = |places: [usize; N]| usize::from(P::anywhere(places.map(&point)).certain().is_none());
-    let (mut anywhere, mut neighbours) = (0, 0);
+    let mut open = [0; 2];
     for look in 0..LOOKS {
-        anywhere += is_open(std::array::from_fn(|i| place(look * N + i, count)));
-        let first = place(look, count / N) * N;
-        neighbours += is_open(std::array::from_fn(|i| first + i));
+        for (among, open) in open.iter_mut().enumerate() {
+            let query = looked_at(look, among == 1, count).map(&point);
+            *open += usize::from(P::anywhere(query).certain().is_none());
+        }
     }
-    anywhere.max(neighbours) * 8 >= LOOKS
+    open.into_iter().any(|open| open * 8 >= LOOKS)
+}
+
+/// The places of a query that is looked at: anywhere, or neighbours in the list.
+///
+/// Queries ask about what is near, and what is near in space is often near in the list.
+fn looked_at<const N: usize>(look: usize, are_neighbours: bool, count: usize) -> [usize; N] {
+    if are_neighbours {
+        let first = place(look, count / N) * N;
+        std::array::from_fn(|i| first + i)
+    } else {
+        std::array::from_fn(|i| place(look * N + i, count))
+    }
 }
 
 /// The k-th of some places that are spread over all, in no order.

@@ -14,32 +14,22 @@ use predicament_predicates::Sign;
 
 /// The turn of three points, if their differences are doubles and their products in range: in floating point.
 #[inline(always)]
-pub(crate) fn turn([a, b, c]: [[f64; 2]; 3]) -> Option<Sign> {
+pub(crate) fn turn(points: [[f64; 2]; 3]) -> Option<Sign> {
     const LEAST: f64 = power_of_two(-900);
     const MOST: f64 = power_of_two(500);
-    let (ax, ay, bx, by) = (a[0] - c[0], a[1] - c[1], b[0] - c[0], b[1] - c[1]);
-    let whole =
-        is_exact(a[0], c[0], ax) & is_exact(a[1], c[1], ay) & is_exact(b[0], c[0], bx) & is_exact(b[1], c[1], by);
+    // (Infinite differences are not exact.)
+    let [[ax, ay], [bx, by], _] = exact_differences(points)?;
     let (left, right) = (ax * by, ay * bx);
     let zero = |x: f64, y: f64| (x == 0.0) | (y == 0.0);
     let high = (left.abs() > LEAST) | zero(ax, by);
     let low = (right.abs() > LEAST) | zero(ay, bx);
     let small = ax.abs() + ay.abs() + bx.abs() + by.abs() < MOST;
-    // (Infinite differences are not exact, and NaN is not small.)
-    if !(whole & high & low & small) {
+    if !(high & low & small) {
         return None;
     }
     let errors = error(left, ax, by) - error(right, ay, bx);
     let difference = left - right;
     Some(Sign::of(if difference == 0.0 { errors } else { difference }))
-}
-
-/// Whether x − y is the double d, to which it is rounded.
-///
-/// Knuth's sum finds the error (x − (d + v)) + (v − y) with v = x − d, rounded. Here v is y, and d + v is x.
-#[inline(always)]
-fn is_exact(x: f64, y: f64, d: f64) -> bool {
-    (x - d == y) & (d + y == x)
 }
 
 /// The error of a rounded product.

@@ -35,7 +35,8 @@ pub struct Session<'s, T> {
     insphere: f64,
     /// Whether queries ask their own filters first.
     incircle_by_query: bool,
-    solid_by_query: bool,
+    orient3d_by_query: bool,
+    insphere_by_query: bool,
     /// How far the scene extends along each of its axes.
     extent2: [f64; 2],
     extent3: [f64; 3],
@@ -60,7 +61,8 @@ impl<'s, T: Tally> Session<'s, T> {
             orient3d: f64::NAN,
             insphere: f64::NAN,
             incircle_by_query: false,
-            solid_by_query: false,
+            orient3d_by_query: false,
+            insphere_by_query: false,
             extent2: [0.0; 2],
             extent3: [0.0; 3],
             flat: OnceLock::new(),
@@ -88,7 +90,8 @@ impl<'s, T: Tally> Session<'s, T> {
         self.extent3 = extents(self.points3);
         self.orient3d = first::bound(self.extent3, bound::static_orient3d);
         self.insphere = first::bound(self.extent3, bound::static_insphere);
-        self.solid_by_query = first::choose::<Orient3d, 3, 4>(self.points3, self.orient3d) == First::Query;
+        self.orient3d_by_query = first::choose::<Orient3d, 3, 4>(self.points3, self.orient3d) == First::Query;
+        self.insphere_by_query = first::choose::<Insphere, 3, 5>(self.points3, self.insphere) == First::Query;
         for plane in [Plane::Xy, Plane::Yz, Plane::Zx] {
             let axes = plane.axes().map(Axis::index);
             let seen = |at: usize| axes.map(|axis| self.points3[at][axis]);
@@ -188,7 +191,7 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline(always)]
     #[must_use]
     pub fn decide_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        if self.solid_by_query {
+        if self.orient3d_by_query {
             return self.orient3d_by_query(a, b, c, d);
         }
         let at = |v: Vertex| self.points3.get(v.index());
@@ -244,7 +247,7 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline]
     #[must_use]
     pub fn decide_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {
-        if self.solid_by_query {
+        if self.insphere_by_query {
             return self.insphere_by_query([a, b, c, d, e]);
         }
         let at = |v: Vertex| self.points3.get(v.index());

@@ -10,21 +10,31 @@ pub enum Family {
     Mixed,
     LargeNear,
     Ties,
+    Lattice,
+    Mesh,
 }
 
 impl Family {
-    pub const ALL: [(Family, &str); 5] = [
+    pub const ALL: [(Family, &str); 7] = [
         (Family::Uniform, "uniform"),
         (Family::Near, "near"),
         (Family::Mixed, "mixed"),
         (Family::LargeNear, "large near"),
         (Family::Ties, "ties"),
+        (Family::Lattice, "lattice"),
+        (Family::Mesh, "mesh"),
     ];
 
     /// So many points, of a circle or sphere if `round`, else of a line or plane.
     pub fn points<const D: usize>(self, random: &mut Random, count: usize, round: bool) -> Vec<[f64; D]> {
+        if self == Family::Mesh {
+            return height_field(random, count);
+        }
         let circle = if self == Family::Ties && round { lattice_circle() } else { Vec::new() };
         let each = |_| match self {
+            #[allow(clippy::cast_precision_loss)] // a small number
+            Family::Lattice => std::array::from_fn(|_| random.below(16) as f64),
+            Family::Mesh => unreachable!("points of a mesh depend on each other"),
             Family::Uniform => random.points::<1, D>(Random::unit)[0],
             Family::Near => surface(random, round).map(|x| nudged(random, x)),
             Family::LargeNear => surface(random, round).map(|x: f64| nudged(random, 1e6 * x)),
@@ -48,6 +58,37 @@ impl Family {
         };
         (0..count).map(each).collect()
     }
+}
+
+impl Family {
+    /// The vertices of a query of a scene with so many: any, or neighbours of one in a mesh.
+    pub fn query<const N: usize>(self, random: &mut Random, vertices: usize) -> [usize; N] {
+        if self != Family::Mesh {
+            return std::array::from_fn(|_| random.below(vertices));
+        }
+        let (width, first) = (width(vertices), random.below(vertices));
+        let around = [0, 1, width, width + 1, 2, 2 * width, width + 2, 2 * width + 1];
+        let turned = random.below(around.len());
+        std::array::from_fn(|i| (first + around[(turned + 3 * i) % around.len()]) % vertices)
+    }
+}
+
+fn width(vertices: usize) -> usize {
+    vertices.isqrt().max(3)
+}
+
+/// A terrain over a grid whose vertices have been moved by up to a third of its width, row after row; in the plane, the grid.
+fn height_field<const D: usize>(random: &mut Random, count: usize) -> Vec<[f64; D]> {
+    let width = width(count);
+    let each = |at: usize| {
+        #[allow(clippy::cast_precision_loss)] // small numbers
+        let [x, y] = [(at % width) as f64, (at / width) as f64].map(|x| x + random.unit() / 3.0);
+        let z = (x / 50.0).sin() * (y / 70.0).cos() * 20.0 + random.unit() / 10.0;
+        let mut p = [z; D];
+        (p[0], p[1]) = (x, y);
+        p
+    };
+    (0..count).map(each).collect()
 }
 
 /// A point of a circle or sphere, or of a line or plane, but for rounding.
