@@ -81,7 +81,8 @@ where
         for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
             // SAFETY: the kernel is run wide where the processor has AVX-512F.
             unsafe { block.fetch::<V, E, WIDE>(points, queries) };
-            let (signs, open) = filter(&block, |points| (P::estimate(points).determinant, static_bound));
+            let Filtered { signs, open, zeros } =
+                filter(&block, |points| (P::estimate(points).determinant, static_bound));
             let open = open & (u64::MAX >> (BLOCK - queries.len()));
             // (What the second filter is certain of has the sign that the first one has found: the determinant is the same.)
             out.copy_from_slice(&signs[..queries.len()]);
@@ -89,19 +90,22 @@ where
             if open == 0 {
                 continue;
             }
-            let (_, still) = filter(&block, |points| {
-                let Bounded { determinant, bound } = P::anywhere(points);
-                // Strictly beyond it; zero is not.
-                (determinant, if determinant.abs() > bound { 0.0 } else { f64::NAN })
-            });
-            let left = open & still;
-            settled(stage::SEMI_STATIC, u64::from(open.count_ones() - left.count_ones()));
-            if left == 0 {
-                continue;
+            // (The second filter is never certain of zero: where there is nothing else, it is not asked.)
+            let mut left = open;
+            if open & !zeros != 0 {
+                let second = filter(&block, |points| {
+                    let Bounded { determinant, bound } = P::anywhere(points);
+                    // Strictly beyond it; zero is not.
+                    (determinant, if determinant.abs() > bound { 0.0 } else { f64::NAN })
+                });
+                left = open & second.open;
+                settled(stage::SEMI_STATIC, u64::from(open.count_ones() - left.count_ones()));
+                if left == 0 {
+                    continue;
+                }
             }
-            // (Vertices without points have NaN for a determinant.)
-            let points_of = |at: usize| block.query(at).as_flattened().iter().all(|x| !x.is_nan());
-            if is_double() && ones(left).all(points_of) {
+            // (Vertices without points have NaN for a determinant, which is no zero.)
+            if left & !zeros == 0 && is_double() {
                 settled(stage::DOUBLE, u64::from(left.count_ones()));
                 continue;
             }
@@ -120,20 +124,28 @@ fn ones(mut mask: u64) -> impl Iterator<Item = usize> {
     })
 }
 
-/// The signs of a block, and a mask of those that are not certain: `evaluate`
-/// gives a determinant and the magnitude from which on it is.
+/// What a filter finds of a block.
+struct Filtered {
+    signs: [Sign; BLOCK],
+    /// The queries whose signs are not certain, in the bits of a mask.
+    open: u64,
+    /// Those whose determinants are zero.
+    zeros: u64,
+}
+
+/// Asks a filter about a block: `evaluate` gives a determinant and the magnitude from which on it is certain.
 #[inline(always)]
 fn filter<const D: usize, const N: usize>(
     block: &Block<D, N>,
     evaluate: impl Fn([[f64; D]; N]) -> (f64, f64),
-) -> ([Sign; BLOCK], u64) {
+) -> Filtered {
     let mut determinants = [0.0; BLOCK];
     let mut bounds = [0.0; BLOCK];
     for at in 0..BLOCK {
         (determinants[at], bounds[at]) = evaluate(block.query(at));
     }
     let mut signs = [Sign::Zero; BLOCK];
-    let mut open = 0;
+    let (mut open, mut zeros) = (0, 0);
     for at in 0..BLOCK {
         signs[at] = if determinants[at] > 0.0 {
             Sign::Positive
@@ -145,6 +157,7 @@ fn filter<const D: usize, const N: usize>(
         // With a bound that is NaN nothing is certain.
         let certain = determinants[at].abs() >= bounds[at];
         open |= u64::from(!certain) << at;
+        zeros |= u64::from(determinants[at] == 0.0) << at;
     }
-    (signs, open)
+    Filtered { signs, open, zeros }
 }

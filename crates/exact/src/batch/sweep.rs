@@ -8,7 +8,7 @@ use predicament_predicates::{Sign, Vertex};
 
 use super::block::{BLOCK, Block, View};
 use super::simd::{Kernel, dispatch};
-use super::{filter, ones};
+use super::{Filtered, filter, ones};
 
 /// Queries of `N` vertices each, their value, and what to do about them.
 pub(crate) struct Sweep<'a, F, S, C, const E: usize, const N: usize> {
@@ -58,7 +58,7 @@ where
         for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
             // SAFETY: the kernel is run wide where the processor has AVX-512F.
             unsafe { block.fetch::<V, E, WIDE>(points, queries) };
-            let (signs, open) = filter(&block, &evaluate);
+            let Filtered { signs, open, .. } = filter(&block, &evaluate);
             let open = open & (u64::MAX >> (BLOCK - queries.len()));
             out.copy_from_slice(&signs[..queries.len()]);
             settled(queries.len() as u64 - u64::from(open.count_ones()));

@@ -104,6 +104,10 @@ impl<T: Tally> Session<'_, T> {
     #[cold]
     #[inline(never)]
     pub(super) fn open_orient3d(&self, determinant: f64, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        // A tie where doubles make no error; once that is known, nothing else has to be looked at.
+        if determinant == 0.0 && self.solid.get().is_some_and(|plan| plan.orient3d.is_double()) {
+            return (Sign::Zero, stage::DOUBLE);
+        }
         let at = |v: Vertex| self.points3.get(v.index());
         let (Some(p), Some(q), Some(r), Some(last)) = (at(a), at(b), at(c), at(d)) else {
             return self.constructed.orient3d(a, b, c, d);
@@ -123,6 +127,10 @@ impl<T: Tally> Session<'_, T> {
     #[cold]
     #[inline(never)]
     pub(super) fn open_incircle(&self, determinant: f64, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        // A tie where doubles make no error; once that is known, nothing else has to be looked at.
+        if determinant == 0.0 && self.flat.get().is_some_and(|plan| plan.incircle.is_double()) {
+            return (Sign::Zero, stage::DOUBLE);
+        }
         let at = |v: Vertex| self.points2.get(v.index());
         let (Some(p), Some(q), Some(r), Some(last)) = (at(a), at(b), at(c), at(d)) else {
             return self.constructed_incircle([a, b, c, d]);
@@ -142,6 +150,10 @@ impl<T: Tally> Session<'_, T> {
     #[cold]
     #[inline(never)]
     pub(super) fn open_insphere(&self, determinant: f64, vertices: [Vertex; 5]) -> (Sign, usize) {
+        // A tie where doubles make no error; once that is known, nothing else has to be looked at.
+        if determinant == 0.0 && self.solid.get().is_some_and(|plan| plan.insphere.is_double()) {
+            return (Sign::Zero, stage::DOUBLE);
+        }
         let points = vertices.map(|v| self.points3[v.index()]);
         let open = Open { determinant, static_bound: self.insphere };
         if let Some(decided) = open.early::<Insphere, 3, 5>(&points, vertices) {
