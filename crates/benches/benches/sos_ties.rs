@@ -6,7 +6,10 @@
 //!   point is exact: the cheapest answers there are, and the deepest terms.
 //! * `degen`: nothing but ties, in general position.
 //!
-//! Every query has points of its own and its arguments in an order of its own,
+//! And of scenes of 2,048 points, which stay in the cache: `10 bits`, `30 bits`: integers of one line, plane, circle or sphere. Any vertices are a query,
+//! no vertex twice; in circles and spheres many points coincide. Doubles make no error with 10 bits.
+//!
+//! Every query of the corpus has points of its own and its arguments in an order of its own,
 //! and there are more queries than a branch predictor learns by heart; a pass
 //! takes the next few thousand of them. Before Criterion times the engines one
 //! after another, they take turns once, pass by pass, and a line is printed
@@ -27,7 +30,9 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use predicament_corpus::{Level, Suite};
 use predicament_exact::Exact;
 use predicament_formats::{Cache, Manifest};
-use predicament_predicates::{Axis, Backend, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex};
+use predicament_predicates::{
+    Axis, Backend, Dimension, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex,
+};
 use predicament_sos::{Scheme, Session, Sos};
 use predicament_tasks::{signs::SignQueries, vocabulary};
 use turns::{Engine, Turns};
@@ -60,6 +65,52 @@ fn queries<const N: usize>(kind: PredicateKind, family: &str) -> (Scene, Vec<[Ve
     (loaded.scene, queries)
 }
 
+/// Ties of integers with so many bits, or a few more, in a scene that stays in the cache.
+fn in_cache<const N: usize>(kind: PredicateKind, bits: u32) -> (Scene, Vec<[Vertex; N]>) {
+    const VERTICES: usize = 1 << 11;
+    /// Points of the circle of radius 65.
+    const CIRCLE: [[f64; 2]; 9] = [
+        [65.0, 0.0],
+        [63.0, 16.0],
+        [60.0, 25.0],
+        [56.0, 33.0],
+        [52.0, 39.0],
+        [39.0, 52.0],
+        [33.0, 56.0],
+        [25.0, 60.0],
+        [16.0, 63.0],
+    ];
+    let mut random = Random(43);
+    #[allow(clippy::cast_precision_loss)] // 30 bits fit
+    let mut point = || {
+        let [x, y] = [(); 2].map(|()| random.below(1 << bits) as f64);
+        let [p, q] = *random.pick(&CIRCLE);
+        let scale = if bits > 10 { 1_048_583.0 } else { 1.0 };
+        let [p, q] = [p * *random.pick(&[scale, -scale]), q * *random.pick(&[scale, -scale])];
+        match kind {
+            PredicateKind::Compare => vec![1.0, x],
+            PredicateKind::Orient2d => vec![x, 3.0 * x],
+            PredicateKind::Orient3d => vec![x, y, 3.0 * x + 5.0 * y],
+            PredicateKind::Incircle => vec![p, q],
+            PredicateKind::Insphere => {
+                let mut point = vec![p, q, 0.0];
+                point.rotate_right(random.below(3));
+                point
+            }
+        }
+    };
+    let coordinates: Vec<f64> = (0..VERTICES).flat_map(|_| point()).collect();
+    let dimension = if coordinates.len() == 2 * VERTICES { Dimension::Two } else { Dimension::Three };
+    let mut query = || loop {
+        let query: [Vertex; N] = std::array::from_fn(|_| Vertex::input(random.below(VERTICES)));
+        if (1..N).all(|i| !query[..i].contains(&query[i])) {
+            break query;
+        }
+    };
+    let queries = (0..QUERIES).map(|_| query()).collect();
+    (Scene::new(dimension, coordinates).expect("finite"), queries)
+}
+
 /// A predicate asked singly and by batch, of either backend.
 struct Contest<E, S, F, T> {
     question: Question,
@@ -81,8 +132,12 @@ impl<E, S, F, T> Contest<E, S, F, T> {
         T: Fn(&SosSession, &[[Vertex; N]], &mut [Sign]),
     {
         let kind = self.question.kind();
-        for family in ["uniform", "grid", "degen"] {
-            let (scene, queries) = queries::<N>(kind, family);
+        for family in ["uniform", "grid", "degen", "10 bits", "30 bits"] {
+            let (scene, queries) = match family {
+                "10 bits" => in_cache::<N>(kind, 10),
+                "30 bits" => in_cache::<N>(kind, 30),
+                _ => queries::<N>(kind, family),
+            };
             let backends = Scheme::ALL.map(|scheme| Sos { scheme });
             let exact = Exact.prepare(&scene, Off).expect("prepared");
             let [first, second] = backends.each_ref().map(|sos| sos.prepare(&scene, Off).expect("prepared"));
