@@ -91,7 +91,7 @@ pub fn levels(dimension: Dimension) -> &'static [&'static [[u8; 2]]] {
 /// of the two sides, on which complex comes first.
 ///
 /// # Panics
-/// If the session doesn't [support](Predicates::supports_contacts) contacts.
+/// If the session doesn't [support](Predicates::supports_contacts) contacts, or `b` has 2^29 maximal simplices or more.
 #[must_use]
 pub fn contacts<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex) -> Contacts {
     contacts_planted::<Honest, S>(session, a, b)
