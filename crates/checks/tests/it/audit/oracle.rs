@@ -1,6 +1,8 @@
 //! The exact distances against a second computation: the normal equations of
 //! the least squares problem, by elimination, over all pairs of faces.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use predicament_checks::audit::Pair;
 use proptest::prelude::*;
 use rug::Rational;
@@ -97,4 +99,20 @@ proptest! {
         }
         prop_assert_eq!(pair.distance_squared(), distance_squared(&first, &second));
     }
+}
+
+/// All faces of a triangle with all faces of an edge, but for the two themselves, each once.
+#[test]
+fn sub_pairs_are_pairs_of_faces() {
+    let triangle = [[0.0, 0.0, 1.0], [2.0, 0.0, 1.0], [0.0, 3.0, 1.0]];
+    let edge = [[0.5, 0.5, 0.0], [0.75, 0.25, 4.0]];
+    let mut counts = BTreeMap::new();
+    let mut seen = BTreeSet::new();
+    for pair in Pair::new(&triangle, &edge).sub_pairs() {
+        *counts.entry(pair.kind().ranks()).or_insert(0) += 1;
+        seen.insert(format!("{pair:?}"));
+    }
+    let expected = [([0, 0], 3 * 2), ([1, 0], 3 * 2 + 3), ([1, 1], 3), ([2, 0], 2)];
+    assert_eq!(counts.into_iter().collect::<Vec<_>>(), expected);
+    assert_eq!(seen.len(), 7 * 3 - 1);
 }
