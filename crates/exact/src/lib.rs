@@ -28,6 +28,7 @@ mod backend;
 mod batch;
 mod common_unit;
 pub mod constructed;
+mod decider;
 pub mod dyadic;
 pub mod estimate;
 pub mod filter;

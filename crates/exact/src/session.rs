@@ -1,118 +1,38 @@
-//! A scene, prepared: the bounds of its filters, and what else its queries turn out to need.
+//! The backend's session: what a [`Decider`] decides, tallied.
 //!
-//! Preparing takes one pass over the points, for their extents. A filter reads the points of its vertices and one bound, nothing else. What
-//! it leaves open asks for the scene's plan, which is made when it is first asked for: a scene whose filters decide everything
-//! never makes one.
+//! Nothing else is generic over the tally, so that whoever has a tally of its own compiles no more than this.
 
-mod answers;
-mod open;
-
-use std::sync::OnceLock;
-
-use predicament_arithmetic::bound;
 use predicament_predicates::{
-    Axis, Construction, Declined, Dimension, Plane, PredicateKind, Refused, Scene, Sign, Tally, Vertex,
+    Axis, Construction, Declined, Plane, PredicateKind, Predicates, Refused, Scene, Sessions, Sign, Tally, Vertex,
 };
 
+use crate::Exact;
+use crate::batch::Settled;
 use crate::constructed::Constructed;
-use crate::first::{self, First, extents};
-use crate::ladder::Prepared;
-use crate::planned::{Flat, Solid};
-use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
-use crate::stage;
+use crate::decider::Decider;
 
 /// The exact backend, prepared for one scene.
 pub struct Session<'s, T> {
+    decider: Decider<'s>,
     tally: T,
-    /// The scene's points, in the view of its dimension; the other one is empty.
-    points2: &'s [[f64; 2]],
-    points3: &'s [[f64; 3]],
-    /// By what turns become integers, where that comes before any filter; else zero. By plane.
-    turn_scale: [f64; 3],
-    /// The bounds of static filters; NaN where there is none.
-    incircle: f64,
-    orient3d: f64,
-    insphere: f64,
-    /// Whether queries ask their own filters first.
-    incircle_by_query: bool,
-    orient3d_by_query: bool,
-    insphere_by_query: bool,
-    /// How far the scene extends along each of its axes.
-    extent2: [f64; 2],
-    extent3: [f64; 3],
-    flat: OnceLock<Box<Flat>>,
-    solid: OnceLock<Box<Solid>>,
-    /// With the scene, and the vertices that were constructed since.
-    constructed: Constructed,
 }
 
 impl<'s, T: Tally> Session<'s, T> {
     pub(crate) fn new(scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {
-        let (points2, points3): (&[_], &[_]) = match scene.dimension() {
-            Dimension::Two => (scene.coordinates().as_chunks().0, &[]),
-            Dimension::Three => (&[], scene.coordinates().as_chunks().0),
-        };
-        let mut session = Session {
-            tally,
-            points2,
-            points3,
-            turn_scale: [0.0; 3],
-            incircle: f64::NAN,
-            orient3d: f64::NAN,
-            insphere: f64::NAN,
-            incircle_by_query: false,
-            orient3d_by_query: false,
-            insphere_by_query: false,
-            extent2: [0.0; 2],
-            extent3: [0.0; 3],
-            flat: OnceLock::new(),
-            solid: OnceLock::new(),
-            constructed: Constructed::new(scene)?,
-        };
-        match scene.dimension() {
-            Dimension::Two => session.look_at_plane(),
-            Dimension::Three => session.look_at_space(),
-        }
-        Ok(session)
+        Ok(Session { decider: Decider::new(scene)?, tally })
     }
 
-    fn look_at_plane(&mut self) {
-        self.extent2 = extents(self.points2);
-        self.incircle = first::bound(self.extent2, bound::static_incircle);
-        self.incircle_by_query = first::choose::<Incircle, 2, 4>(self.points2, self.incircle) == First::Query;
-        // A filter that leaves much open is mispredicted often. Two products of integers are not.
-        if first::leaves_much::<Orient2d, 2, 3>(self.points2.len(), |at| self.points2[at]) {
-            self.turn_scale[Plane::Xy as usize] = self.flat().orient2d.scale;
-        }
-    }
-
-    fn look_at_space(&mut self) {
-        self.extent3 = extents(self.points3);
-        self.orient3d = first::bound(self.extent3, bound::static_orient3d);
-        self.insphere = first::bound(self.extent3, bound::static_insphere);
-        self.orient3d_by_query = first::choose::<Orient3d, 3, 4>(self.points3, self.orient3d) == First::Query;
-        self.insphere_by_query = first::choose::<Insphere, 3, 5>(self.points3, self.insphere) == First::Query;
-        for plane in [Plane::Xy, Plane::Yz, Plane::Zx] {
-            let axes = plane.axes().map(Axis::index);
-            let seen = |at: usize| axes.map(|axis| self.points3[at][axis]);
-            if first::leaves_much::<Orient2d, 2, 3>(self.points3.len(), seen) {
-                self.turn_scale[plane as usize] = self.solid().orient2d[plane as usize].scale;
-            }
-        }
-    }
-
-    /// [`Predicates::construct`](predicament_predicates::Predicates::construct), where a session that stands on this one has
-    /// conditions of its own: each definition that is new, in canonical form,
-    /// has to be one that it `accepts`.
+    /// [`Predicates::construct`], where a session that stands on this one has conditions of its own: each definition that is new, in
+    /// canonical form, has to be one that it `accepts`.
     ///
     /// # Errors
-    /// As [`Predicates::construct`](predicament_predicates::Predicates::construct), with what `accepts` says for a reason.
+    /// As [`Predicates::construct`], with what `accepts` says for a reason.
     pub fn construct_where(
         &mut self,
         definitions: &[Construction],
         accepts: impl Fn(&Construction) -> Result<(), String>,
     ) -> Result<Vec<Vertex>, Refused> {
-        self.constructed.construct_where(definitions, accepts)
+        self.decider.construct_where(definitions, &accepts)
     }
 
     /// Whether doubles make no error in this predicate's determinant, nor in anything on the way there, about any input vertices. Has the
@@ -120,90 +40,43 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline]
     #[must_use]
     pub fn is_double(&self, kind: PredicateKind) -> bool {
-        match (kind, self.constructed.scene().dimension()) {
-            (PredicateKind::Compare, _) => true,
-            (PredicateKind::Orient2d, Dimension::Two) => self.flat().orient2d.is_double(),
-            (PredicateKind::Orient2d, Dimension::Three) => self.solid().orient2d.iter().all(Prepared::is_double),
-            (PredicateKind::Incircle, _) => self.flat().incircle.is_double(),
-            (PredicateKind::Orient3d, _) => self.solid().orient3d.is_double(),
-            (PredicateKind::Insphere, _) => self.solid().insphere.is_double(),
-        }
+        self.decider.is_double(kind)
     }
 
     /// The scene's constructed vertices.
     #[must_use]
     pub fn constructed(&self) -> &Constructed {
-        &self.constructed
+        self.decider.constructed()
     }
 
-    /// [`Predicates::compare`](predicament_predicates::Predicates::compare) and the stage that settled it, not tallied.
+    /// [`Predicates::compare`] and the stage that settled it, not tallied.
     ///
     /// # Panics
     /// If the scene has no such vertex or axis.
     #[inline]
     #[must_use]
     pub fn decide_compare(&self, axis: Axis, a: Vertex, b: Vertex) -> (Sign, usize) {
-        let at = |v: Vertex| match self.constructed.scene().dimension() {
-            Dimension::Two => self.points2.get(v.index()).map(|p| p[axis.index()]),
-            Dimension::Three => self.points3.get(v.index()).map(|p| p[axis.index()]),
-        };
-        let (Some(x), Some(y)) = (at(a), at(b)) else { return self.compare_constructed(axis, [a, b]) };
-        // The coordinates of a scene are finite: there's always an order, in which -0 equals 0.
-        const SIGNS: [Sign; 3] = [Sign::Negative, Sign::Zero, Sign::Positive];
-        (SIGNS[usize::from(x >= y) + usize::from(x > y)], stage::COMPARE)
+        self.decider.decide_compare(axis, a, b)
     }
 
-    /// [`Predicates::orient2d`](predicament_predicates::Predicates::orient2d) and the stage that settled it, not tallied.
+    /// [`Predicates::orient2d`] and the stage that settled it, not tallied.
     ///
     /// # Panics
     /// If the scene has no such vertex, or lacks an axis of the plane.
     #[inline(always)]
     #[must_use]
     pub fn decide_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
-        if self.turn_scale[plane as usize] != 0.0 {
-            return self.turn_in_integers(plane, a, b, c);
-        }
-        // The permanent costs two operations: it is as good as a bound for the scene, and needs none.
-        if plane == Plane::Xy {
-            let at = |v: Vertex| self.points2.get(v.index());
-            if let (Some(a), Some(b), Some(c)) = (at(a), at(b), at(c))
-                && let Some(sign) = Orient2d::anywhere([*a, *b, *c]).certain()
-            {
-                return (sign, stage::SEMI_STATIC);
-            }
-        }
-        // A projection: where the plane is a constant, so are the places of coordinates.
-        let at = |v: Vertex| self.points3.get(v.index());
-        if let (Some(a), Some(b), Some(c)) = (at(a), at(b), at(c)) {
-            let [i, j] = plane.axes().map(Axis::index);
-            let points = [[a[i], a[j]], [b[i], b[j]], [c[i], c[j]]];
-            if let Some(sign) = Orient2d::anywhere(points).certain() {
-                return (sign, stage::SEMI_STATIC);
-            }
-        }
-        self.climb_orient2d(plane, a, b, c)
+        self.decider.decide_orient2d(plane, a, b, c)
     }
 
-    /// [`Predicates::orient3d`](predicament_predicates::Predicates::orient3d) and the stage that settled it, not tallied.
+    /// [`Predicates::orient3d`] and the stage that settled it, not tallied.
     ///
     /// # Panics
     /// If the scene has no such vertex or is 2D.
     #[inline(always)]
     #[must_use]
     pub fn decide_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        if self.orient3d_by_query {
-            return self.orient3d_by_query(a, b, c, d);
-        }
-        let at = |v: Vertex| self.points3.get(v.index());
-        let mut determinant = f64::NAN;
-        if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d)) {
-            let estimate = Orient3d::estimate([*a, *b, *c, *d]);
-            if let Some(sign) = estimate.above(self.orient3d) {
-                return (sign, stage::STATIC);
-            }
-            determinant = estimate.determinant;
-        }
-        self.open_orient3d(determinant, a, b, c, d)
+        self.decider.decide_orient3d(a, b, c, d)
     }
 
     /// [`Session::decide_orient3d`] where the static filter decides; else none.
@@ -213,74 +86,108 @@ impl<'s, T: Tally> Session<'s, T> {
     #[inline]
     #[must_use]
     pub fn filter_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Option<(Sign, usize)> {
-        let at = |v: Vertex| self.points3.get(v.index());
-        let sign = Orient3d::estimate([*at(a)?, *at(b)?, *at(c)?, *at(d)?]).above(self.orient3d)?;
-        Some((sign, stage::STATIC))
+        self.decider.filter_orient3d(a, b, c, d)
     }
 
-    /// [`Predicates::incircle`](predicament_predicates::Predicates::incircle) and the stage that settled it, not tallied.
+    /// [`Predicates::incircle`] and the stage that settled it, not tallied.
     ///
     /// # Panics
     /// If the scene has no such vertex or is 3D.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn decide_incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        if self.incircle_by_query {
-            return self.incircle_by_query(a, b, c, d);
-        }
-        let at = |v: Vertex| self.points2.get(v.index());
-        let mut determinant = f64::NAN;
-        if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d)) {
-            let estimate = Incircle::estimate([*a, *b, *c, *d]);
-            if let Some(sign) = estimate.above(self.incircle) {
-                return (sign, stage::STATIC);
-            }
-            determinant = estimate.determinant;
-        }
-        self.open_incircle(determinant, a, b, c, d)
+        self.decider.decide_incircle(a, b, c, d)
     }
 
-    /// [`Predicates::insphere`](predicament_predicates::Predicates::insphere) and the stage that settled it, not tallied.
+    /// [`Predicates::insphere`] and the stage that settled it, not tallied.
     ///
     /// # Panics
     /// If the scene has no such vertex or is 2D, or if one is constructed.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn decide_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {
-        if self.insphere_by_query {
-            return self.insphere_by_query([a, b, c, d, e]);
-        }
-        let at = |v: Vertex| self.points3.get(v.index());
-        let mut determinant = f64::NAN;
-        if let (Some(a), Some(b), Some(c), Some(d), Some(e)) = (at(a), at(b), at(c), at(d), at(e)) {
-            let estimate = Insphere::estimate([*a, *b, *c, *d, *e]);
-            if let Some(sign) = estimate.above(self.insphere) {
-                return (sign, stage::STATIC);
-            }
-            determinant = estimate.determinant;
-        }
-        self.open_insphere(determinant, [a, b, c, d, e])
+        self.decider.decide_insphere(a, b, c, d, e)
     }
 
     #[inline(always)]
-    fn flat(&self) -> &Flat {
-        self.flat.get_or_init(|| Box::new(Flat::new(self.points2)))
+    fn tallied(&self, kind: PredicateKind, (sign, stage): (Sign, usize)) -> Sign {
+        self.tally.settled(kind, stage);
+        sign
     }
 
-    #[inline(always)]
-    fn solid(&self) -> &Solid {
-        self.solid.get_or_init(|| Box::new(Solid::new(self.points3)))
-    }
-
-    #[inline(always)]
-    fn point2(&self, plane: Plane, v: Vertex) -> Option<[f64; 2]> {
-        match (self.constructed.scene().dimension(), plane) {
-            (Dimension::Two, Plane::Xy) => self.points2.get(v.index()).copied(),
-            (_, plane) => {
-                let point = self.points3.get(v.index())?;
-                let [x, y] = plane.axes();
-                Some([point[x.index()], point[y.index()]])
-            }
+    #[inline]
+    fn tally_all(&self, kind: PredicateKind, settled: Settled) {
+        if T::LISTENS {
+            let some = settled.into_iter().enumerate().filter(|&(_, count)| count > 0);
+            some.for_each(|(stage, count)| self.tally.settled_many(kind, stage, count));
         }
+    }
+}
+
+impl<T: Tally> Predicates for Session<'_, T> {
+    #[inline]
+    fn scene(&self) -> &Scene {
+        self.decider.scene()
+    }
+
+    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        self.construct_where(definitions, |_| Ok(()))
+    }
+
+    fn unperturbed(&self) -> Option<&dyn Sessions> {
+        Some(&Exact)
+    }
+
+    #[inline]
+    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        self.tallied(PredicateKind::Compare, self.decide_compare(axis, a, b))
+    }
+
+    #[inline]
+    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        self.tallied(PredicateKind::Orient2d, self.decide_orient2d(plane, a, b, c))
+    }
+
+    #[inline]
+    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.tallied(PredicateKind::Orient3d, self.decide_orient3d(a, b, c, d))
+    }
+
+    #[inline]
+    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.tallied(PredicateKind::Incircle, self.decide_incircle(a, b, c, d))
+    }
+
+    #[inline]
+    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
+        self.tallied(PredicateKind::Insphere, self.decide_insphere(a, b, c, d, e))
+    }
+
+    fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {
+        self.tally_all(PredicateKind::Compare, self.decider.compare_batch(axis, queries, out));
+    }
+
+    fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
+        self.tally_all(PredicateKind::Orient2d, self.decider.orient2d_batch(plane, queries, out));
+    }
+
+    fn orient2d_line(&self, plane: Plane, line: [Vertex; 2], points: &[Vertex], out: &mut [Sign]) {
+        self.tally_all(PredicateKind::Orient2d, self.decider.orient2d_line(plane, line, points, out));
+    }
+
+    fn orient3d_plane(&self, plane: [Vertex; 3], points: &[Vertex], out: &mut [Sign]) {
+        self.tally_all(PredicateKind::Orient3d, self.decider.orient3d_plane(plane, points, out));
+    }
+
+    fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        self.tally_all(PredicateKind::Orient3d, self.decider.orient3d_batch(queries, out));
+    }
+
+    fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        self.tally_all(PredicateKind::Incircle, self.decider.incircle_batch(queries, out));
+    }
+
+    fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
+        self.tally_all(PredicateKind::Insphere, self.decider.insphere_batch(queries, out));
     }
 }

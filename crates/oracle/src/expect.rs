@@ -3,16 +3,19 @@
 //! Both ways are failures: a finding that nobody expected, and an expectation
 //! that no longer comes true. So the file stays a description of the world.
 
+use std::collections::HashSet;
 use std::path::Path;
+use std::sync::Arc;
 
-use globset::{Glob, GlobMatcher, GlobSet, GlobSetBuilder};
 use predicament_formats::{CorpusError, Document, Field, Fields, TableKind, shown};
 use predicament_tasks::{Class, ClassCounts, Status};
+
+use crate::pattern::Pattern;
 
 /// One `[[expect]]` table.
 #[derive(Clone, Debug)]
 pub struct Expectation {
-    scenes: GlobSet,
+    scenes: Arc<[Pattern]>,
     /// The backend, by its full name.
     pub backend: String,
     /// The class that is expected to occur.
@@ -36,7 +39,7 @@ pub struct Expectations {
 struct Written {
     /// `file:line`.
     place: String,
-    scenes: Vec<(String, GlobMatcher)>,
+    scenes: Arc<[Pattern]>,
     backends: Vec<String>,
     level: Option<String>,
 }
@@ -89,16 +92,24 @@ fn class(name: &Field<'_, '_>) -> Result<Class, CorpusError> {
     Ok(class)
 }
 
-fn globs(patterns: &[String]) -> Result<(GlobSet, Vec<(String, GlobMatcher)>), String> {
-    let mut set = GlobSetBuilder::new();
-    let mut each = Vec::new();
-    for pattern in patterns {
-        // globset's own message repeats the pattern.
-        let glob = Glob::new(pattern).map_err(|error| error.to_string())?;
-        each.push((pattern.clone(), glob.compile_matcher()));
-        set.add(glob);
+/// Scenes by suite and name, and all that they are called.
+struct Named<'a> {
+    scenes: &'a [(String, String)],
+    names: HashSet<String>,
+}
+
+impl Named<'_> {
+    fn new(scenes: &[(String, String)]) -> Named<'_> {
+        let names = scenes.iter().flat_map(|(suite, scene)| [scene.clone(), format!("{suite}/{scene}")]).collect();
+        Named { scenes, names }
     }
-    Ok((set.build().map_err(|error| format!("the globs of `scene`: {error}"))?, each))
+
+    fn has_any(&self, pattern: &Pattern) -> bool {
+        match pattern.name() {
+            Some(name) => self.names.contains(name),
+            None => self.scenes.iter().any(|(suite, scene)| pattern.names(suite, scene)),
+        }
+    }
 }
 
 impl Expectations {
@@ -130,7 +141,8 @@ impl Expectations {
         let strings = |names: Vec<Field<'_, '_>>| names.iter().map(Field::string).collect::<Result<Vec<_>, _>>();
         let (scenes, backends) = (strings(names(&fields, "scene")?)?, strings(names(&fields, "backend")?)?);
         let classes = names(&fields, "class")?.iter().map(class).collect::<Result<Vec<_>, _>>()?;
-        let (set, each) = globs(&scenes).map_err(|message| fields.error(message, "write e.g. `near-*`"))?;
+        let scenes = scenes.iter().map(|pattern| Pattern::new(pattern)).collect::<Result<Arc<[_]>, _>>();
+        let scenes = scenes.map_err(|message| fields.error(message, "write e.g. `near-*`"))?;
         let why = fields.required("reason")?;
         let reason = why.string()?;
         if reason.trim().is_empty() {
@@ -146,7 +158,7 @@ impl Expectations {
         let level = level.transpose()?;
         for backend in &backends {
             self.entries.extend(classes.iter().map(|&class| Expectation {
-                scenes: set.clone(),
+                scenes: scenes.clone(),
                 backend: backend.clone(),
                 class,
                 reason: reason.clone(),
@@ -155,7 +167,7 @@ impl Expectations {
             }));
         }
         let place = format!("{file}:{}", fields.line());
-        self.tables.push(Written { place, scenes: each, backends, level });
+        self.tables.push(Written { place, scenes, backends, level });
         fields.finish()
     }
 
@@ -172,25 +184,22 @@ impl Expectations {
     #[must_use]
     pub fn unused(&self, known: &Known<'_>) -> Unused {
         let mut unused = Unused::default();
+        let (all, planned) = (Named::new(known.scenes), Named::new(known.planned));
         for table in &self.tables {
-            let matches = |glob: &GlobMatcher, (suite, scene): &(String, String)| {
-                glob.is_match(scene) || glob.is_match(format!("{suite}/{scene}"))
-            };
             let before = unused.never.len();
             for name in table.backends.iter().filter(|name| !(known.backend)(name)) {
                 unused.never.push(format!("{}: no backend is called `{name}`; correct or drop it", table.place));
             }
-            for (pattern, glob) in &table.scenes {
-                if !known.scenes.iter().any(|scene| matches(glob, scene)) {
-                    unused.never.push(format!(
-                        "{}: no scene is called `{pattern}`; correct or drop it, or name its suite in the run",
-                        table.place
-                    ));
-                }
+            for pattern in table.scenes.iter().filter(|pattern| !all.has_any(pattern)) {
+                unused.never.push(format!(
+                    "{}: no scene is called `{}`; correct or drop it, or name its suite in the run",
+                    table.place,
+                    pattern.text()
+                ));
             }
             let level = table.level.as_deref().is_none_or(|level| level == known.level);
             let backend = table.backends.iter().any(|name| known.backends.contains(name));
-            let scene = || known.planned.iter().any(|scene| table.scenes.iter().any(|(_, glob)| matches(glob, scene)));
+            let scene = || table.scenes.iter().any(|pattern| planned.has_any(pattern));
             if unused.never.len() == before && !(level && backend && scene()) {
                 unused.here.push(table.place.clone());
             }
@@ -206,11 +215,10 @@ impl Expectations {
         backend: &'a str,
         level: &'a str,
     ) -> impl Iterator<Item = &'a Expectation> {
-        let full = format!("{suite}/{scene}");
         self.entries.iter().filter(move |entry| {
             entry.backend == backend
                 && entry.level.as_deref().is_none_or(|wanted| wanted == level)
-                && (entry.scenes.is_match(scene) || entry.scenes.is_match(&full))
+                && entry.scenes.iter().any(|pattern| pattern.names(suite, scene))
         })
     }
 

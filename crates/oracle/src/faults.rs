@@ -24,7 +24,7 @@ use predicament_tolerance::{Misscaled, Tolerance};
 use predicament_judge::TieJudge;
 
 use crate::boxed::Boxed;
-use crate::roster::Visit;
+use crate::roster::{Visit, hand};
 
 pub use area::Area;
 pub use deadly::Deadly;
@@ -303,8 +303,8 @@ pub(crate) fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, V> {
         Fault::ToleranceNarrowContacts | Fault::ToleranceWideContacts | Fault::ToleranceMirroredWeight => {
             visitor.visit(Boxed::new(contacts::Faulty::tolerance(fault)), None)
         }
-        Fault::ToleranceAsPrinted => visitor.visit(Tolerance::<f64>::as_printed(), None),
-        Fault::Misscaled(misscaled) => visitor.visit(Tolerance::<f64>::misscaled(misscaled), None),
+        Fault::ToleranceAsPrinted => hand(visitor, Tolerance::<f64>::as_printed(), None),
+        Fault::Misscaled(misscaled) => hand(visitor, Tolerance::<f64>::misscaled(misscaled), None),
         _ => match fault.poses_as() {
             ZeroMeaning::Never => {
                 let judge: Box<TieJudge> = Box::new(|scene, question, args| {

@@ -8,12 +8,14 @@
 //! * [`roster`]: all backends by name.
 //! * [`run`]: one backend on one scene, panics and refusals included (of the crate `tasks`).
 //! * [`expect`]: which findings are expected.
+//! * [`pattern`]: which scenes an expectation is about.
 //! * [`faults`]: wrong backends that have to be caught, and by which check.
 //! * [`guards`]: faults in what judges and what reads, and the checks that hold both to known facts.
 
 pub mod expect;
 pub mod faults;
 pub mod guards;
+pub mod pattern;
 pub mod roster;
 
 mod boxed;

@@ -56,6 +56,13 @@ pub trait Visit {
     fn visit<B: Backend + 'static>(self, backend: B, ties: Option<Box<TieJudge>>) -> Self::Out;
 }
 
+/// Hands a backend over as it is, or behind a pointer in builds that nobody times (`build.rs`).
+pub(crate) fn hand<V: Visit, B: Backend + 'static>(visitor: V, backend: B, ties: Option<Box<TieJudge>>) -> V::Out {
+    #[cfg(shared_tasks)]
+    let backend = Boxed::new(backend);
+    visitor.visit(backend, ties)
+}
+
 /// Finds the backend with this name and hands it over.
 ///
 /// # Errors
@@ -64,20 +71,20 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, String> {
     let sos = |visitor: V, scheme: Scheme| {
         let judge: Box<TieJudge> =
             Box::new(move |scene, question, args| infinitesimal::judge(scheme, scene, question, args));
-        visitor.visit(Sos { scheme }, Some(judge))
+        hand(visitor, Sos { scheme }, Some(judge))
     };
     Ok(match name {
-        "exact" => visitor.visit(Exact, None),
+        "exact" => hand(visitor, Exact, None),
         "sos" | "sos:per-coordinate" => sos(visitor, Scheme::PerCoordinate),
         "sos:edelsbrunner-mucke" => sos(visitor, Scheme::EdelsbrunnerMucke),
         "sos:per-mesh" => visitor.visit(Boxed::new(PerMesh), Some(Box::new(infinitesimal::judge_per_mesh))),
-        "tolerance" | "tolerance:f64" => visitor.visit(Tolerance::<f64>::new(), None),
-        "tolerance:f32" => visitor.visit(Tolerance::<f32>::new(), None),
-        "naive" | "naive:last" => visitor.visit(Naive { pivot: Pivot::Last }, None),
-        "naive:nalgebra" => visitor.visit(Naive { pivot: Pivot::Homogeneous }, None),
-        "naive:first" => visitor.visit(Naive { pivot: Pivot::First }, None),
-        "epsilon" => visitor.visit(Epsilon::default(), None),
-        "shewchuk" => visitor.visit(Shewchuk, None),
+        "tolerance" | "tolerance:f64" => hand(visitor, Tolerance::<f64>::new(), None),
+        "tolerance:f32" => hand(visitor, Tolerance::<f32>::new(), None),
+        "naive" | "naive:last" => hand(visitor, Naive { pivot: Pivot::Last }, None),
+        "naive:nalgebra" => hand(visitor, Naive { pivot: Pivot::Homogeneous }, None),
+        "naive:first" => hand(visitor, Naive { pivot: Pivot::First }, None),
+        "epsilon" => hand(visitor, Epsilon::default(), None),
+        "shewchuk" => hand(visitor, Shewchuk, None),
         _ => {
             if let Some(engine) = name.strip_prefix(predicament_engines::PREFIX) {
                 return Ok(visitor.visit(Boxed::new(Engine::find(engine)?), None));
@@ -92,7 +99,7 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, String> {
                 let eps: f64 =
                     eps.parse().map_err(|_| format!("`{name}`: `{eps}` is no number; write e.g. epsilon:1e-10"))?;
                 let epsilon = Epsilon::new(eps).map_err(|error| format!("`{name}`: {error}"))?;
-                return Ok(visitor.visit(epsilon, None));
+                return Ok(hand(visitor, epsilon, None));
             }
             if let Some(fault) = name.strip_prefix("fault:") {
                 return faults::visit(fault, visitor)

@@ -5,18 +5,18 @@ use predicament_predicates::{Question, Scene, Sign, Vertex};
 
 use predicament_judge as judge;
 
-use crate::roster::Visit;
+use crate::roster::{Visit, hand};
 
 /// Hands over the crate with this name, one of [`WILD`](crate::roster::WILD).
 pub(crate) fn visit<V: Visit>(name: &str, visitor: V) -> V::Out {
     match name {
-        "simplicity" => visitor.visit(Wild(Simplicity), None),
-        "geogram" => visitor.visit(Wild(Geogram), Some(Box::new(by_lifts))),
-        "delaunay" => visitor.visit(Wild(Delaunay { sorted: false }), None),
-        "delaunay:sorted" => visitor.visit(Wild(Delaunay { sorted: true }), None),
-        "rgeometry" => visitor.visit(Wild(Rgeometry), None),
-        "axiolid" => visitor.visit(Wild(Axiolid), None),
-        "hyperlimit" => visitor.visit(Wild(Hyperlimit), None),
+        "simplicity" => hand(visitor, Wild(Simplicity), None),
+        "geogram" => hand(visitor, Wild(Geogram), Some(Box::new(by_lifts))),
+        "delaunay" => hand(visitor, Wild(Delaunay { sorted: false }), None),
+        "delaunay:sorted" => hand(visitor, Wild(Delaunay { sorted: true }), None),
+        "rgeometry" => hand(visitor, Wild(Rgeometry), None),
+        "axiolid" => hand(visitor, Wild(Axiolid), None),
+        "hyperlimit" => hand(visitor, Wild(Hyperlimit), None),
         other => unreachable!("{other} is no crate of the list"),
     }
 }

@@ -24,12 +24,12 @@ const fn masks(terms: &[Term]) -> Masks {
         let mut rows = 0_u8;
         let mut at = 0;
         while at < terms[place].rows.len() {
-            rows |= 1 << terms[place].rows[at];
+            rows += 1 << terms[place].rows[at]; // (no row twice)
             at += 1;
         }
         let mut pair = 0;
         while pair < PAIRS.len() {
-            let both = 1 << PAIRS[pair][0] | 1 << PAIRS[pair][1];
+            let both = (1 << PAIRS[pair][0]) + (1 << PAIRS[pair][1]);
             if rows & both != both {
                 masks[pair] |= 1 << place;
             }

@@ -242,6 +242,7 @@ fn cross(p: &Row<2>, q: &Row<2>) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
+    use predicament_predicates::PredicateKind;
     use proptest::prelude::*;
     use proptest::strategy::ValueTree;
     use rug::Rational;
@@ -355,6 +356,27 @@ mod tests {
             }
         }
         assert!(wrong.iter().all(|&count| count > 0), "{wrong:?}");
+    }
+
+    #[test]
+    fn all_lifted_minors_of_general_position_are_certain() {
+        let points = [[0.1, 0.7, 0.2], [0.9, 0.3, 0.5], [0.4, 0.2, 0.8], [0.6, 0.5, 0.1], [0.3, 0.8, 0.6]];
+        let mut minors = 0;
+        for scheme in crate::Scheme::ALL {
+            for term in scheme.terms(PredicateKind::Insphere) {
+                if let Some(lift) = term.lift {
+                    minors += 1;
+                    assert!(lifted::<false, 3>(&points, term.rows, term.columns, lift).is_some(), "{term:?}");
+                }
+            }
+            let points = points.map(|[x, y, _]| [x, y]);
+            for term in scheme.terms(PredicateKind::Incircle) {
+                if let Some(lift) = term.lift {
+                    assert!(lifted::<false, 2>(&points, term.rows, term.columns, lift).is_some(), "{term:?}");
+                }
+            }
+        }
+        assert!(minors > 20, "{minors}");
     }
 
     #[test]

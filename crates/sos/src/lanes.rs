@@ -178,3 +178,88 @@ fn smallest_first<const D: usize, const N: usize>(
     }
     (rows, flip)
 }
+
+#[cfg(test)]
+mod tests {
+    use predicament_exact::Exact;
+    use predicament_predicates::{Backend, Dimension, Off, Plane, Scene};
+
+    use super::*;
+    use crate::leading::{self, EDELSBRUNNER_MUCKE, PER_COORDINATE, Points};
+
+    /// Queries of any vertices, none twice, in any order.
+    fn queries<const N: usize>(points: usize) -> Vec<[Vertex; N]> {
+        let mut state = 7_u64;
+        let mut below = |bound: usize| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            usize::try_from(state >> 33).unwrap() % bound
+        };
+        let mut query = || {
+            let mut all: Vec<usize> = (0..points).collect();
+            std::array::from_fn(|_| Vertex::input(all.swap_remove(below(all.len()))))
+        };
+        (0..64).map(|_| query()).collect()
+    }
+
+    /// Points of general position: of a curve of which no two coordinates, lifts or minors are equal. They are integers, which make no
+    /// error, or those and a fraction.
+    fn points<const D: usize>(is_exact: bool) -> Vec<[f64; D]> {
+        let fraction = if is_exact { 0.0 } else { 0.1 };
+        let number = |at: u32, axis: usize| {
+            let at = at * 7 % 11;
+            f64::from([at * at * at % 101, at * at % 83 + 3 * at, (at * 17 + at * at * at * at) % 97][axis]) + fraction
+        };
+        (0..11).map(|at| std::array::from_fn(|axis| number(at, axis))).collect()
+    }
+
+    /// No tie of general position is left open, and signs are those that are found one by one.
+    fn check<const N: usize>(
+        many: impl Fn(&[[Vertex; N]], &mut [Sign], bool) -> u64,
+        one: impl Fn([Vertex; N]) -> Option<(Sign, usize)>,
+        is_exact: bool,
+    ) {
+        let queries = queries::<N>(11);
+        let mut out = [Sign::Zero; 64];
+        assert_eq!(many(&queries, &mut out, is_exact), 0, "left open");
+        for (query, sign) in queries.iter().zip(out) {
+            assert_eq!(one(*query).map(|(sign, _)| sign), Some(sign), "{query:?}");
+        }
+    }
+
+    fn check_all<const SCHEME: usize>(is_exact: bool) {
+        let (flat, solid) = (points::<2>(is_exact), points::<3>(is_exact));
+        let scene2 = Scene::new(Dimension::Two, flat.concat()).unwrap();
+        let scene3 = Scene::new(Dimension::Three, solid.concat()).unwrap();
+        let (exact2, exact3) = (Exact.prepare(&scene2, Off).unwrap(), Exact.prepare(&scene3, Off).unwrap());
+        assert_eq!(exact3.is_double(PredicateKind::Insphere), is_exact);
+        let (points2, points3) = (Points::of(&scene2), Points::of(&scene3));
+        check(
+            |ties, out, _| orient2d::<SCHEME>(&flat, ties, out),
+            |args| leading::orient2d::<SCHEME>(points2, Plane::Xy, args),
+            is_exact,
+        );
+        check(
+            |ties, out, is_exact| orient3d::<SCHEME>(&solid, ties, out, is_exact),
+            |args| leading::orient3d::<SCHEME>(&exact3, points3, args),
+            is_exact,
+        );
+        check(
+            |ties, out, is_exact| incircle::<SCHEME>(&flat, ties, out, is_exact),
+            |args| leading::incircle::<SCHEME>(&exact2, points2, args),
+            is_exact,
+        );
+        check(
+            |ties, out, is_exact| insphere::<SCHEME>(&solid, ties, out, is_exact),
+            |args| leading::insphere::<SCHEME>(&exact3, points3, args),
+            is_exact,
+        );
+    }
+
+    #[test]
+    fn ties_of_general_position_are_all_broken() {
+        for is_exact in [true, false] {
+            check_all::<PER_COORDINATE>(is_exact);
+            check_all::<EDELSBRUNNER_MUCKE>(is_exact);
+        }
+    }
+}

@@ -17,6 +17,8 @@
 //!   nothing with the terms: the judge.
 
 mod backend;
+mod batch;
+mod breaker;
 mod constructed;
 mod crossed;
 mod deep;
@@ -28,6 +30,7 @@ mod leading;
 mod lift;
 mod per_mesh;
 mod scheme;
+mod session;
 mod shift;
 mod short;
 mod stage;
@@ -36,8 +39,9 @@ mod tables;
 mod term;
 pub mod ties;
 
-pub use backend::{Session, Sos};
+pub use backend::Sos;
 pub use constructed::{Limit, limit};
 pub use per_mesh::PerMesh;
 pub use scheme::Scheme;
+pub use session::Session;
 pub use term::{Gap, Lift, Term};

@@ -163,3 +163,62 @@ fn two_and_two(exact: &Exact, args: [Vertex; 4]) -> Shifted {
     });
     Some(first)
 }
+
+#[cfg(test)]
+mod tests {
+    use predicament_exact::Exact as Backend;
+    use predicament_predicates::{Backend as _, Dimension};
+
+    use super::*;
+
+    fn vertices<const N: usize>(at: [usize; N]) -> [Vertex; N] {
+        at.map(Vertex::input)
+    }
+
+    /// Six points, of which the last three are of the second mesh: the corners of a triangle, and of the same one again.
+    fn twice() -> Scene {
+        let triangle = [0.0, 0.0, 0.0, 4.0, 1.0, 0.0, 1.0, 4.0, 0.0];
+        let scene = Scene::new(Dimension::Three, [triangle, triangle].concat()).unwrap();
+        scene.with_second_mesh((3..6).map(Vertex::input))
+    }
+
+    #[test]
+    fn twins_are_seen_however_many_there_are() {
+        let scene = twice();
+        // One pair in each place, two pairs, none.
+        for (args, has) in [
+            ([0, 3, 1, 5], true),
+            ([0, 1, 3, 5], true),
+            ([0, 1, 5, 3], true),
+            ([1, 0, 3, 5], true),
+            ([1, 0, 5, 3], true),
+            ([1, 5, 0, 3], true),
+            ([0, 3, 1, 4], true),
+            ([0, 1, 3, 4], true),
+            ([0, 1, 4, 3], true),
+            ([0, 1, 2, 0], true),
+            ([0, 0, 0, 0], true),
+        ] {
+            assert_eq!(has_twins(&scene, vertices(args)), has, "{args:?}");
+        }
+        let apart =
+            Scene::new(Dimension::Three, vec![0.0, 0.0, 0.0, 4.0, 0.0, 0.0, 0.0, 4.0, 0.0, 0.0, 0.0, 4.0]).unwrap();
+        assert!(!has_twins(&apart, vertices([0, 1, 2, 3])));
+    }
+
+    #[test]
+    fn derivatives_break_ties_of_one_and_three_and_of_two_and_two() {
+        let scene = twice();
+        let exact = Backend.prepare(&scene, Off).unwrap();
+        // All in one plane, so that only a move along z is seen: by the third power.
+        let breaks = |args| orient3d(&exact, vertices(args));
+        assert_eq!(breaks([0, 1, 2, 3]), Some(Some((Sign::Negative, 3))));
+        assert_eq!(breaks([3, 4, 5, 0]), Some(Some((Sign::Positive, 3))));
+        assert_eq!(breaks([0, 1, 4, 5]), Some(Some((Sign::Positive, 3))));
+        assert_eq!(breaks([0, 1, 2, 2]), Some(None), "nothing moves against the rest");
+        assert_eq!(moving(&exact, vertices([0, 3, 4])), Some(0b110));
+        assert_eq!(moving(&exact, [Vertex::constructed(0)]), None);
+        assert_eq!(compare(&exact, Axis::Y, vertices([0, 3])), Some(Some((Sign::Negative, 2))));
+        assert_eq!(compare(&exact, Axis::Y, vertices([3, 0])), Some(Some((Sign::Positive, 2))));
+    }
+}

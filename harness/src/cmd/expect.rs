@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use globset::GlobMatcher;
 use predicament_oracle::expect::Expectations;
+use predicament_oracle::pattern::Pattern;
 use predicament_records::{self as records, RunDir, Status, SummaryRow};
 use predicament_tasks::Class;
 
@@ -103,7 +103,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             let held = held(of, tool, false)?;
             let run = judged(of, &held)?;
             let known = expectations::scenes(tool, &run.plan)?;
-            let told = |glob: &GlobMatcher, backend: &str, class: &str| told(&run, &known, tool, glob, backend, class);
+            let told = |glob: &Pattern, backend: &str, class: &str| told(&run, &known, tool, glob, backend, class);
             let level = run.plan.level.to_string();
             let pruned = prune(&held.file.display().to_string(), &held.text, &level, told)?;
             pruned.partly.iter().for_each(|line| say!("{line}"));
@@ -153,14 +153,13 @@ fn judged(of: &Of, held: &Held) -> Result<RunDir, Failure> {
 }
 
 /// What a run says of a pattern, backend and class.
-fn told(run: &RunDir, known: &[(String, String)], tool: &Tool, glob: &GlobMatcher, backend: &str, class: &str) -> Told {
-    let matches = |suite: &str, scene: &str| glob.is_match(scene) || glob.is_match(format!("{suite}/{scene}"));
+fn told(run: &RunDir, known: &[(String, String)], tool: &Tool, glob: &Pattern, backend: &str, class: &str) -> Told {
     let is_planned = run.plan.backends.iter().any(|planned| planned == backend);
-    if (!is_planned && !tool.knows_backend(backend)) || !known.iter().any(|(suite, scene)| matches(suite, scene)) {
+    if (!is_planned && !tool.knows_backend(backend)) || !known.iter().any(|(suite, scene)| glob.names(suite, scene)) {
         return Told::Gone;
     }
     let Ok(class) = class.parse::<Class>() else { return Told::Kept };
-    let rows = run.summary.iter().filter(|row| row.backend == backend && matches(&row.suite, &row.scene));
+    let rows = run.summary.iter().filter(|row| row.backend == backend && glob.names(&row.suite, &row.scene));
     let (shown, not): (Vec<&SummaryRow>, Vec<&SummaryRow>) = rows.partition(|row| row.count(class) > 0);
     match (shown.is_empty(), not.is_empty()) {
         (true, false) => Told::Gone,

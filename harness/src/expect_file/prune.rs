@@ -4,8 +4,8 @@
 
 use std::collections::BTreeMap;
 
-use globset::{Glob, GlobMatcher};
 use predicament_formats::CorpusError;
+use predicament_oracle::pattern::Pattern;
 
 use super::edits::Edits;
 use super::table::TableText;
@@ -39,7 +39,7 @@ pub fn prune(
     file: &str,
     text: &str,
     level: &str,
-    told: impl Fn(&GlobMatcher, &str, &str) -> Told,
+    told: impl Fn(&Pattern, &str, &str) -> Told,
 ) -> Result<Pruned, CorpusError> {
     let mut pruned = Pruned { edits: Edits::default(), gone: 0, partly: Vec::new() };
     for table in tables(file, text)? {
@@ -49,10 +49,8 @@ pub fn prune(
         let mut left: Vec<(String, String, Vec<String>)> = Vec::new();
         let mut gone = 0;
         for (pattern, at) in &table.scenes.items {
-            let glob = Glob::new(pattern).map_err(|error| {
-                CorpusError::file(file, error.to_string(), "write e.g. `near-*`").at_line(table.line)
-            })?;
-            let glob = glob.compile_matcher();
+            let glob = Pattern::new(pattern)
+                .map_err(|error| CorpusError::file(file, error, "write e.g. `near-*`").at_line(table.line))?;
             for backend in table.backends.values() {
                 let mut classes = Vec::new();
                 for class in table.classes.values() {
@@ -126,9 +124,9 @@ mod tests {
                         scene = \"z\"\nlevel = \"full\"\nreason = \"r\" # end\n";
 
     fn without(gone: &[(&str, &str, &str)]) -> String {
-        let told = |glob: &GlobMatcher, backend: &str, class: &str| {
+        let told = |glob: &Pattern, backend: &str, class: &str| {
             let is_gone = |of: &&(&str, &str, &str)| {
-                glob.glob().glob() == of.0 && ["*", backend].contains(&of.1) && ["*", class].contains(&of.2)
+                glob.text() == of.0 && ["*", backend].contains(&of.1) && ["*", class].contains(&of.2)
             };
             if gone.iter().any(|of| is_gone(&of)) { Told::Gone } else { Told::Kept }
         };

@@ -27,8 +27,13 @@ use block::{BLOCK, Block};
 use simd::{Kernel, dispatch};
 pub(crate) use sweep::{Sweep, sweep};
 
+/// How many queries of a batch each stage has settled, by the stage's index.
+pub(crate) type Settled = [u64; stage::NAMES.len()];
+/// No query yet.
+pub(crate) const NONE: Settled = [0; stage::NAMES.len()];
+
 /// Queries of `N` vertices each, and what to do about them.
-pub(crate) struct Batch<'a, B, S, C, const E: usize, const N: usize> {
+pub(crate) struct Batch<'a, B, C, const E: usize, const N: usize> {
     /// The bound of the static filter, or NaN.
     pub static_bound: f64,
     /// The points of the vertices. With what has none nothing is certain, and
@@ -40,21 +45,20 @@ pub(crate) struct Batch<'a, B, S, C, const E: usize, const N: usize> {
     pub out: &'a mut [Sign],
     /// Whether doubles make no error: asked if filters leave something open.
     pub is_double: B,
-    /// Told how many queries of a block each stage has settled.
-    pub settled: S,
-    /// Answers a query that is left open.
+    /// Answers a query that is left open, and says by which stage.
     pub climb: C,
 }
 
 /// Answers all queries with a predicate that sees points in this view.
 #[inline]
 pub(crate) fn run<P, V, const E: usize, const D: usize, const N: usize>(
-    batch: Batch<'_, impl Fn() -> bool, impl Fn(usize, u64), impl Fn(&[Vertex; N]) -> Sign, E, N>,
-) where
+    batch: Batch<'_, impl Fn() -> bool, impl Fn(&[Vertex; N]) -> (Sign, usize), E, N>,
+) -> Settled
+where
     P: Predicate<D, N>,
     V: View<E, D>,
 {
-    dispatch(Of { batch, predicate: PhantomData::<(P, V, [(); D])> });
+    dispatch(Of { batch, predicate: PhantomData::<(P, V, [(); D])> })
 }
 
 /// A batch of queries of one predicate.
@@ -63,20 +67,19 @@ struct Of<B, P> {
     predicate: PhantomData<P>,
 }
 
-impl<P, V, B, S, C, const E: usize, const D: usize, const N: usize> Kernel
-    for Of<Batch<'_, B, S, C, E, N>, (P, V, [(); D])>
+impl<P, V, B, C, const E: usize, const D: usize, const N: usize> Kernel for Of<Batch<'_, B, C, E, N>, (P, V, [(); D])>
 where
     P: Predicate<D, N>,
     V: View<E, D>,
     B: Fn() -> bool,
-    S: Fn(usize, u64),
-    C: Fn(&[Vertex; N]) -> Sign,
+    C: Fn(&[Vertex; N]) -> (Sign, usize),
 {
-    type Output = ();
+    type Output = Settled;
 
     #[inline(always)]
-    unsafe fn run<const WIDE: bool>(self) {
-        let Batch { static_bound, points, queries, out, is_double, settled, climb } = self.batch;
+    unsafe fn run<const WIDE: bool>(self) -> Settled {
+        let Batch { static_bound, points, queries, out, is_double, climb } = self.batch;
+        let mut settled = NONE;
         let mut block = Block::EMPTY;
         for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
             // SAFETY: the kernel is run wide where the processor has AVX-512F.
@@ -86,7 +89,7 @@ where
             let open = open & (u64::MAX >> (BLOCK - queries.len()));
             // (What the second filter is certain of has the sign that the first one has found: the determinant is the same.)
             out.copy_from_slice(&signs[..queries.len()]);
-            settled(stage::STATIC, queries.len() as u64 - u64::from(open.count_ones()));
+            settled[stage::STATIC] += queries.len() as u64 - u64::from(open.count_ones());
             if open == 0 {
                 continue;
             }
@@ -99,20 +102,23 @@ where
                     (determinant, if determinant.abs() > bound { 0.0 } else { f64::NAN })
                 });
                 left = open & second.open;
-                settled(stage::SEMI_STATIC, u64::from(open.count_ones() - left.count_ones()));
+                settled[stage::SEMI_STATIC] += u64::from(open.count_ones() - left.count_ones());
                 if left == 0 {
                     continue;
                 }
             }
             // (Vertices without points have NaN for a determinant, which is no zero.)
             if left & !zeros == 0 && is_double() {
-                settled(stage::DOUBLE, u64::from(left.count_ones()));
+                settled[stage::DOUBLE] += u64::from(left.count_ones());
                 continue;
             }
             for at in ones(left) {
-                out[at] = climb(&queries[at]);
+                let stage;
+                (out[at], stage) = climb(&queries[at]);
+                settled[stage] += 1;
             }
         }
+        settled
     }
 }
 

@@ -8,10 +8,10 @@ use predicament_predicates::{Sign, Vertex};
 
 use super::block::{BLOCK, Block, View};
 use super::simd::{Kernel, dispatch};
-use super::{Filtered, filter, ones};
+use super::{Filtered, NONE, Settled, filter, ones};
 
 /// Queries of `N` vertices each, their value, and what to do about them.
-pub(crate) struct Sweep<'a, F, S, C, const E: usize, const N: usize> {
+pub(crate) struct Sweep<'a, F, C, const E: usize, const N: usize> {
     /// The value whose sign is asked for, from the points, and the magnitude
     /// from which on its sign is certain.
     pub evaluate: F,
@@ -22,18 +22,18 @@ pub(crate) struct Sweep<'a, F, S, C, const E: usize, const N: usize> {
     pub queries: &'a [[Vertex; N]],
     /// A place for each answer.
     pub out: &'a mut [Sign],
-    /// Told how many queries of a block the filter has settled.
-    pub settled: S,
-    /// Answers a query that it leaves open.
+    /// What the filter is as a stage.
+    pub stage: usize,
+    /// Answers a query that it leaves open, and says by which stage.
     pub climb: C,
 }
 
 /// Answers all queries, with points seen in this view.
 #[inline]
 pub(crate) fn sweep<V: View<E, D>, const E: usize, const D: usize, const N: usize>(
-    sweep: Sweep<'_, impl Fn([[f64; D]; N]) -> (f64, f64), impl Fn(u64), impl Fn(&[Vertex; N]) -> Sign, E, N>,
-) {
-    dispatch(In { sweep, view: PhantomData::<(V, [(); D])> });
+    sweep: Sweep<'_, impl Fn([[f64; D]; N]) -> (f64, f64), impl Fn(&[Vertex; N]) -> (Sign, usize), E, N>,
+) -> Settled {
+    dispatch(In { sweep, view: PhantomData::<(V, [(); D])> })
 }
 
 /// Queries about points seen in a view.
@@ -42,18 +42,18 @@ pub(super) struct In<B, V> {
     pub view: PhantomData<V>,
 }
 
-impl<V, F, S, C, const E: usize, const D: usize, const N: usize> Kernel for In<Sweep<'_, F, S, C, E, N>, (V, [(); D])>
+impl<V, F, C, const E: usize, const D: usize, const N: usize> Kernel for In<Sweep<'_, F, C, E, N>, (V, [(); D])>
 where
     V: View<E, D>,
     F: Fn([[f64; D]; N]) -> (f64, f64),
-    S: Fn(u64),
-    C: Fn(&[Vertex; N]) -> Sign,
+    C: Fn(&[Vertex; N]) -> (Sign, usize),
 {
-    type Output = ();
+    type Output = Settled;
 
     #[inline(always)]
-    unsafe fn run<const WIDE: bool>(self) {
-        let Sweep { evaluate, points, queries, out, settled, climb } = self.sweep;
+    unsafe fn run<const WIDE: bool>(self) -> Settled {
+        let Sweep { evaluate, points, queries, out, stage, climb } = self.sweep;
+        let mut settled = NONE;
         let mut block = Block::EMPTY;
         for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
             // SAFETY: the kernel is run wide where the processor has AVX-512F.
@@ -61,10 +61,13 @@ where
             let Filtered { signs, open, .. } = filter(&block, &evaluate);
             let open = open & (u64::MAX >> (BLOCK - queries.len()));
             out.copy_from_slice(&signs[..queries.len()]);
-            settled(queries.len() as u64 - u64::from(open.count_ones()));
+            settled[stage] += queries.len() as u64 - u64::from(open.count_ones());
             for at in ones(open) {
-                out[at] = climb(&queries[at]);
+                let stage;
+                (out[at], stage) = climb(&queries[at]);
+                settled[stage] += 1;
             }
         }
+        settled
     }
 }

@@ -1,7 +1,5 @@
 //! Every width of registers answers as one query at a time would.
 
-use std::cell::Cell;
-
 use predicament_predicates::{Sign, Vertex};
 use proptest::prelude::*;
 
@@ -49,9 +47,7 @@ fn check<P: Predicate<D, N>, V: View<E, D>, const E: usize, const D: usize, cons
     }
     for width in widths() {
         let mut out = vec![Sign::Positive; queries.len()];
-        let [by_static, by_query, climbed] = [(); 3].map(|()| Cell::new(0));
-        let add = |to: &Cell<u64>, count| to.set(to.get() + count);
-        run_on(
+        let settled = run_on(
             width,
             Of {
                 batch: Batch {
@@ -60,17 +56,15 @@ fn check<P: Predicate<D, N>, V: View<E, D>, const E: usize, const D: usize, cons
                     queries,
                     out: &mut out,
                     is_double: || false,
-                    settled: |stage, count| add(if stage == stage::STATIC { &by_static } else { &by_query }, count),
-                    climb: |_: &[Vertex; N]| {
-                        add(&climbed, 1);
-                        CLIMBED
-                    },
+                    climb: |_: &[Vertex; N]| (CLIMBED, stage::DYADIC),
                 },
                 predicate: std::marker::PhantomData::<(P, V, [(); D])>,
             },
         );
         assert_eq!(out, expected, "{width:?}");
-        assert_eq!([by_static, by_query, climbed].map(Cell::into_inner), counts, "{width:?}");
+        let stages = [stage::STATIC, stage::SEMI_STATIC, stage::DYADIC];
+        assert_eq!(stages.map(|stage| settled[stage]), counts, "{width:?}");
+        assert_eq!(settled.iter().sum::<u64>(), queries.len() as u64);
     }
 }
 
@@ -89,22 +83,22 @@ fn check_sweep<V: View<E, D>, const E: usize, const D: usize, const N: usize>(
     let expected: Vec<Sign> = expected.collect();
     for width in widths() {
         let mut out = vec![Sign::Positive; queries.len()];
-        let [settled, climbed] = [Cell::new(0), Cell::new(0)];
         let work = Sweep {
             evaluate: |points: [[f64; D]; N]| (evaluate(points), bound),
             points,
             queries,
             out: &mut out,
-            settled: |count| settled.set(settled.get() + count),
-            climb: |_: &[Vertex; N]| {
-                climbed.set(climbed.get() + 1);
-                CLIMBED
-            },
+            stage: stage::COMPARE,
+            climb: |_: &[Vertex; N]| (CLIMBED, stage::DYADIC),
         };
-        run_on(width, sweep::In { sweep: work, view: std::marker::PhantomData::<(V, [(); D])> });
+        let settled = run_on(width, sweep::In { sweep: work, view: std::marker::PhantomData::<(V, [(); D])> });
         assert_eq!(out, expected, "{width:?}");
         let open = expected.iter().filter(|sign| sign.is_zero()).count() as u64;
-        assert_eq!([settled.get(), climbed.get()], [expected.len() as u64 - open, open], "{width:?}");
+        assert_eq!(
+            [settled[stage::COMPARE], settled[stage::DYADIC]],
+            [expected.len() as u64 - open, open],
+            "{width:?}"
+        );
     }
 }
 

@@ -89,7 +89,7 @@ impl Constructed {
     pub(crate) fn construct_where(
         &mut self,
         definitions: &[Construction],
-        accepts: impl Fn(&Construction) -> Result<(), String>,
+        accepts: &dyn Fn(&Construction) -> Result<(), String>,
     ) -> Result<Vec<Vertex>, Refused> {
         let Constructed { scene, table, rows } = self;
         let before = scene.constructions().len();

@@ -11,5 +11,6 @@ mod judge;
 mod lines_and_cubes;
 mod locate;
 mod locate_special;
+mod pattern;
 mod roster;
 mod run;

@@ -1,74 +1,31 @@
-//! The session's answers, one by one and in batches, each tallied once.
+//! Answers in batches, with the number that each stage has settled.
 
 use predicament_arithmetic::bound;
-use predicament_predicates::{
-    Axis, Construction, Dimension, Plane, PredicateKind, Predicates, Refused, Scene, Sessions, Sign, Tally, Vertex,
-};
+use predicament_predicates::{Axis, Dimension, Plane, Sign, Vertex};
 
-use super::Session;
-use crate::Exact;
-use crate::batch::{self, Along, Batch, Sweep, View, Whole, Xy, Yz, Zx};
+use super::Decider;
+use crate::batch::{self, Along, Batch, NONE, Settled, Sweep, View, Whole, Xy, Yz, Zx};
 use crate::first;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::side::Side;
 use crate::stage;
 
-impl<T: Tally> Predicates for Session<'_, T> {
-    #[inline]
-    fn scene(&self) -> &Scene {
-        self.constructed.scene()
-    }
-
-    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
-        self.construct_where(definitions, |_| Ok(()))
-    }
-
-    fn unperturbed(&self) -> Option<&dyn Sessions> {
-        Some(&Exact)
-    }
-
-    #[inline]
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.tallied(PredicateKind::Compare, self.decide_compare(axis, a, b))
-    }
-
-    #[inline]
-    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        self.tallied(PredicateKind::Orient2d, self.decide_orient2d(plane, a, b, c))
-    }
-
-    #[inline]
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.tallied(PredicateKind::Orient3d, self.decide_orient3d(a, b, c, d))
-    }
-
-    #[inline]
-    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.tallied(PredicateKind::Incircle, self.decide_incircle(a, b, c, d))
-    }
-
-    #[inline]
-    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.tallied(PredicateKind::Insphere, self.decide_insphere(a, b, c, d, e))
-    }
-
-    fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {
+impl Decider<'_> {
+    pub fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) -> Settled {
         match (self.constructed.scene().dimension(), axis) {
             (Dimension::Two, Axis::X) => self.compare_all::<Along<0>, 2>(axis, self.points2, queries, out),
             (Dimension::Two, Axis::Y) => self.compare_all::<Along<1>, 2>(axis, self.points2, queries, out),
             // There's no such axis, which is said where one is asked.
-            (Dimension::Two, Axis::Z) => {
-                queries.iter().zip(out).for_each(|(&[a, b], out)| *out = self.compare(axis, a, b));
-            }
+            (Dimension::Two, Axis::Z) => singly(queries, out, |&[a, b]| self.decide_compare(axis, a, b)),
             (Dimension::Three, Axis::X) => self.compare_all::<Along<0>, 3>(axis, self.points3, queries, out),
             (Dimension::Three, Axis::Y) => self.compare_all::<Along<1>, 3>(axis, self.points3, queries, out),
             (Dimension::Three, Axis::Z) => self.compare_all::<Along<2>, 3>(axis, self.points3, queries, out),
         }
     }
 
-    fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
+    pub fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) -> Settled {
         if self.turn_scale[plane as usize] != 0.0 {
-            return queries.iter().zip(out).for_each(|(&[a, b, c], out)| *out = self.orient2d(plane, a, b, c));
+            return singly(queries, out, |&[a, b, c]| self.decide_orient2d(plane, a, b, c));
         }
         let climb = |&[a, b, c]: &[Vertex; 3]| self.climb_orient2d(plane, a, b, c);
         let bound = self.turn_bound(plane);
@@ -77,23 +34,17 @@ impl<T: Tally> Predicates for Session<'_, T> {
         match (self.constructed.scene().dimension(), plane) {
             (Dimension::Two, Plane::Xy) => {
                 let is_double = || self.flat().orient2d.is_double();
-                self.batch::<Orient2d, Whole, 2, 2, 3>(bound, self.points2, asked, is_double, climb);
+                self.batch::<Orient2d, Whole, 2, 2, 3>(bound, self.points2, asked, is_double, climb)
             }
-            (_, Plane::Xy) => {
-                self.batch::<Orient2d, Xy, 3, 2, 3>(bound, self.points3, asked, is_double, climb);
-            }
-            (_, Plane::Yz) => {
-                self.batch::<Orient2d, Yz, 3, 2, 3>(bound, self.points3, asked, is_double, climb);
-            }
-            (_, Plane::Zx) => {
-                self.batch::<Orient2d, Zx, 3, 2, 3>(bound, self.points3, asked, is_double, climb);
-            }
+            (_, Plane::Xy) => self.batch::<Orient2d, Xy, 3, 2, 3>(bound, self.points3, asked, is_double, climb),
+            (_, Plane::Yz) => self.batch::<Orient2d, Yz, 3, 2, 3>(bound, self.points3, asked, is_double, climb),
+            (_, Plane::Zx) => self.batch::<Orient2d, Zx, 3, 2, 3>(bound, self.points3, asked, is_double, climb),
         }
     }
 
-    fn orient2d_line(&self, plane: Plane, [a, b]: [Vertex; 2], points: &[Vertex], out: &mut [Sign]) {
+    pub fn orient2d_line(&self, plane: Plane, [a, b]: [Vertex; 2], points: &[Vertex], out: &mut [Sign]) -> Settled {
         let (Some(p), Some(q)) = (self.point2(plane, a), self.point2(plane, b)) else {
-            return points.iter().zip(out).for_each(|(&c, out)| *out = self.orient2d(plane, a, b, c));
+            return singly(points, out, |&c| self.decide_orient2d(plane, a, b, c));
         };
         let climb = |c: Vertex| self.decide_orient2d(plane, a, b, c);
         let bound = self.turn_bound(plane);
@@ -101,7 +52,7 @@ impl<T: Tally> Predicates for Session<'_, T> {
         match (self.constructed.scene().dimension(), plane) {
             (Dimension::Two, _) => {
                 let side = Side::of_line([p, q], self.extent2);
-                self.beside::<Orient2d, Whole, 2, 2, 3>(bound, side, self.points2, asked, climb);
+                self.beside::<Orient2d, Whole, 2, 2, 3>(bound, side, self.points2, asked, climb)
             }
             (Dimension::Three, plane) => {
                 let side = Side::of_line([p, q], plane.axes().map(|axis| self.extent3[axis.index()]));
@@ -114,36 +65,36 @@ impl<T: Tally> Predicates for Session<'_, T> {
         }
     }
 
-    fn orient3d_plane(&self, [a, b, c]: [Vertex; 3], points: &[Vertex], out: &mut [Sign]) {
+    pub fn orient3d_plane(&self, [a, b, c]: [Vertex; 3], points: &[Vertex], out: &mut [Sign]) -> Settled {
         let at = |v: Vertex| self.points3.get(v.index());
         let (Some(p), Some(q), Some(r)) = (at(a), at(b), at(c)) else {
-            return points.iter().zip(out).for_each(|(&d, out)| *out = self.orient3d(a, b, c, d));
+            return singly(points, out, |&d| self.decide_orient3d(a, b, c, d));
         };
         let climb = |d: Vertex| self.decide_orient3d(a, b, c, d);
         let side = Side::of_plane([*p, *q, *r], self.extent3);
-        self.beside::<Orient3d, Whole, 3, 3, 4>(self.orient3d, side, self.points3, (points, out), climb);
+        self.beside::<Orient3d, Whole, 3, 3, 4>(self.orient3d, side, self.points3, (points, out), climb)
     }
 
-    fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+    pub fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) -> Settled {
         let climb = |&[a, b, c, d]: &[Vertex; 4]| self.open_orient3d(f64::NAN, a, b, c, d);
         let is_double = || self.solid().orient3d.is_double();
-        self.batch::<Orient3d, Whole, 3, 3, 4>(self.orient3d, self.points3, (queries, out), is_double, climb);
+        self.batch::<Orient3d, Whole, 3, 3, 4>(self.orient3d, self.points3, (queries, out), is_double, climb)
     }
 
-    fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+    pub fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) -> Settled {
         let climb = |&[a, b, c, d]: &[Vertex; 4]| self.open_incircle(f64::NAN, a, b, c, d);
         let is_double = || self.flat().incircle.is_double();
-        self.batch::<Incircle, Whole, 2, 2, 4>(self.incircle, self.points2, (queries, out), is_double, climb);
+        self.batch::<Incircle, Whole, 2, 2, 4>(self.incircle, self.points2, (queries, out), is_double, climb)
     }
 
-    fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
+    pub fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) -> Settled {
         let climb = |query: &[Vertex; 5]| self.open_insphere(f64::NAN, *query);
         let is_double = || self.solid().insphere.is_double();
-        self.batch::<Insphere, Whole, 3, 3, 5>(self.insphere, self.points3, (queries, out), is_double, climb);
+        self.batch::<Insphere, Whole, 3, 3, 5>(self.insphere, self.points3, (queries, out), is_double, climb)
     }
 }
 
-impl<T: Tally> Session<'_, T> {
+impl Decider<'_> {
     #[inline]
     fn batch<P: Predicate<D, N>, V: View<E, D>, const E: usize, const D: usize, const N: usize>(
         &self,
@@ -152,20 +103,8 @@ impl<T: Tally> Session<'_, T> {
         (queries, out): (&[[Vertex; N]], &mut [Sign]),
         is_double: impl Fn() -> bool,
         climb: impl Fn(&[Vertex; N]) -> (Sign, usize),
-    ) {
-        batch::run::<P, V, E, D, N>(Batch {
-            static_bound,
-            points,
-            queries,
-            out,
-            is_double,
-            settled: |stage, count| self.tally.settled_many(P::KIND, stage, count),
-            climb: |query: &[Vertex; N]| {
-                let (sign, stage) = climb(query);
-                self.tally.settled(P::KIND, stage);
-                sign
-            },
-        });
+    ) -> Settled {
+        batch::run::<P, V, E, D, N>(Batch { static_bound, points, queries, out, is_double, climb })
     }
 
     /// Where points lie beside a line or plane; `static_bound` is that of the predicate.
@@ -177,7 +116,7 @@ impl<T: Tally> Session<'_, T> {
         points: &[[f64; E]],
         (vertices, out): (&[Vertex], &mut [Sign]),
         climb: impl Fn(Vertex) -> (Sign, usize),
-    ) {
+    ) -> Settled {
         // Where the scene has no bound, there is none here; where that is zero, all determinants are.
         let bound = match static_bound {
             0.0 => 0.0,
@@ -189,9 +128,9 @@ impl<T: Tally> Session<'_, T> {
             points,
             queries: vertices.as_chunks::<1>().0,
             out,
-            settled: |count| self.tally.settled_many(P::KIND, stage::STATIC, count),
-            climb: |&[vertex]: &[Vertex; 1]| self.tallied(P::KIND, climb(vertex)),
-        });
+            stage: stage::STATIC,
+            climb: |&[vertex]: &[Vertex; 1]| climb(vertex),
+        })
     }
 
     /// The bound of the static filter for turns.
@@ -211,21 +150,27 @@ impl<T: Tally> Session<'_, T> {
         points: &[[f64; E]],
         queries: &[[Vertex; 2]],
         out: &mut [Sign],
-    ) {
+    ) -> Settled {
         batch::sweep::<V, E, 1, 2>(Sweep {
             // Never rounded to zero and never to the other sign, so as good as exact. (It may overflow.)
             evaluate: |[[x], [y]]: [[f64; 1]; 2]| (x - y, 0.0),
             points,
             queries,
             out,
-            settled: |count| self.tally.settled_many(PredicateKind::Compare, stage::COMPARE, count),
-            climb: |&[a, b]: &[Vertex; 2]| self.compare(axis, a, b),
-        });
+            stage: stage::COMPARE,
+            climb: |&[a, b]: &[Vertex; 2]| self.decide_compare(axis, a, b),
+        })
     }
+}
 
-    #[inline(always)]
-    fn tallied(&self, kind: PredicateKind, (sign, stage): (Sign, usize)) -> Sign {
-        self.tally.settled(kind, stage);
-        sign
+/// Answers queries one by one.
+#[inline]
+fn singly<Q>(queries: &[Q], out: &mut [Sign], decide: impl Fn(&Q) -> (Sign, usize)) -> Settled {
+    let mut settled = NONE;
+    for (query, out) in queries.iter().zip(out) {
+        let stage;
+        (*out, stage) = decide(query);
+        settled[stage] += 1;
     }
+    settled
 }

@@ -4,14 +4,14 @@
 //! A vertex that is no input vertex gets here because its index is beyond all points.
 
 use predicament_arithmetic::power_of_two;
-use predicament_predicates::{Axis, Dimension, Plane, Sign, Tally, Vertex};
+use predicament_predicates::{Axis, Dimension, Plane, Sign, Vertex};
 
-use super::Session;
+use super::Decider;
 use crate::integers::scaled;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::stage;
 
-impl<T: Tally> Session<'_, T> {
+impl Decider<'_> {
     #[cold]
     #[inline(never)]
     pub(super) fn compare_constructed(&self, axis: Axis, [a, b]: [Vertex; 2]) -> (Sign, usize) {

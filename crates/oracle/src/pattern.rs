@@ -1,0 +1,58 @@
+//! Which scenes a pattern of a file of expectations names.
+//!
+//! Nearly all patterns are the name of one scene. A glob becomes a regular expression, and thousands of those cost a third of a second at the
+//! start of every run. So a name is compared as a string, and a glob is compiled when it is first asked.
+
+use std::sync::{Arc, OnceLock};
+
+use globset::{Glob, GlobMatcher};
+
+/// A glob over `scene` and `suite/scene`. A clone shares what is compiled.
+#[derive(Clone, Debug)]
+pub struct Pattern(Arc<Inner>);
+
+#[derive(Debug)]
+struct Inner {
+    glob: Glob,
+    matcher: OnceLock<GlobMatcher>,
+    is_name: bool,
+}
+
+impl Pattern {
+    /// Reads a glob.
+    ///
+    /// # Errors
+    /// What is wrong with it, in one line that repeats it.
+    pub fn new(text: &str) -> Result<Pattern, String> {
+        // globset's own message repeats the pattern.
+        let glob = Glob::new(text).map_err(|error| error.to_string())?;
+        let is_name = !text.contains(['*', '?', '[', ']', '{', '}', '\\', '!', ',']);
+        Ok(Pattern(Arc::new(Inner { glob, matcher: OnceLock::new(), is_name })))
+    }
+
+    /// The pattern as it was written.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        self.0.glob.glob()
+    }
+
+    /// The one name that it matches, if nothing in it means anything else.
+    #[must_use]
+    pub fn name(&self) -> Option<&str> {
+        self.0.is_name.then(|| self.text())
+    }
+
+    /// Whether it matches a scene by its name, or by that of its suite and its own.
+    #[must_use]
+    pub fn names(&self, suite: &str, scene: &str) -> bool {
+        match self.name() {
+            Some(name) => {
+                name == scene || name.strip_prefix(suite).and_then(|rest| rest.strip_prefix('/')) == Some(scene)
+            }
+            None => {
+                let matcher = self.0.matcher.get_or_init(|| self.0.glob.compile_matcher());
+                matcher.is_match(scene) || matcher.is_match(format!("{suite}/{scene}"))
+            }
+        }
+    }
+}

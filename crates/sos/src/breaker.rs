@@ -1,0 +1,238 @@
+//! Ties of the exact backend, broken: the sign, and the stage that has found it.
+//!
+//! A breaker counts nothing, so it is of one type and compiled once, whoever listens to a [`Session`](crate::Session).
+
+use predicament_exact::Exact;
+use predicament_exact::stage::COMPARE;
+use predicament_predicates::{
+    Axis, Backend, Construction, Declined, Off, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sign,
+    Vertex,
+};
+
+use crate::batch::{Ties, break_all};
+use crate::constructed::{self, Memo};
+use crate::lanes as many;
+use crate::leading::{self, Decided, EDELSBRUNNER_MUCKE, PER_COORDINATE, Points};
+use crate::{Scheme, stage};
+
+/// The stage of a tie that is none of the perturbation's: zero however the vertices move. It is the exact backend's, which knows it.
+pub(crate) const AS_EXACT: usize = usize::MAX;
+
+/// The exact backend and a way to move the scene.
+pub(crate) struct Breaker<'s> {
+    scheme: Scheme,
+    pub exact: predicament_exact::Session<'s, Off>,
+    pub points: Points<'s>,
+    memo: Memo,
+}
+
+impl<'s> Breaker<'s> {
+    pub fn new(scheme: Scheme, scene: &'s Scene) -> Result<Breaker<'s>, Declined> {
+        if scheme != Scheme::PerCoordinate && !scene.constructions().is_empty() {
+            return Err(Declined::scene(constructed::others_only()));
+        }
+        constructed::are_of_inputs(scene)?;
+        Ok(Breaker { scheme, exact: Exact.prepare(scene, Off)?, points: Points::of(scene), memo: Memo::new(scene) })
+    }
+
+    pub fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        match self.scheme {
+            Scheme::PerCoordinate => {
+                let vertices = self.exact.construct_where(definitions, constructed::is_of_inputs);
+                self.memo.grow(self.exact.scene());
+                vertices
+            }
+            Scheme::EdelsbrunnerMucke => Err(Refused::session(constructed::others_only())),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    pub fn compare_constructed(&self, axis: Axis, a: Vertex, b: Vertex) -> (Sign, usize) {
+        match self.exact.decide_compare(axis, a, b) {
+            (Sign::Zero, stage) => match self.tie_constructed(Question::Compare(axis), [a, b]) {
+                (sign, AS_EXACT) => (sign, stage),
+                broken => broken,
+            },
+            decided => decided,
+        }
+    }
+
+    /// The order of two input vertices of equal coordinates, by the one term of both lists: the smaller index moves further.
+    #[inline(always)]
+    pub fn tie_compare(a: Vertex, b: Vertex) -> (Sign, usize) {
+        (Sign::from(b.cmp(&a)), if a == b { COMPARE } else { stage::FIRST_TERM })
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn tie_constructed<const N: usize>(&self, question: Question, args: [Vertex; N]) -> (Sign, usize) {
+        match self.memo.decide(self.exact.scene(), question, args) {
+            Some((sign, degree)) => (sign, stage::of_degree(degree)),
+            None => (Sign::Zero, AS_EXACT),
+        }
+    }
+
+    // Ties are broken out of line and take vertices in registers: answers without ties need no stack for them.
+
+    #[cold]
+    #[inline(never)]
+    pub fn tie_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
+        let decided = match self.scheme {
+            Scheme::PerCoordinate => leading::orient2d::<PER_COORDINATE>(self.points, plane, [a, b, c]),
+            Scheme::EdelsbrunnerMucke => leading::orient2d::<EDELSBRUNNER_MUCKE>(self.points, plane, [a, b, c]),
+        };
+        self.broken(Question::Orient2d(plane), [a, b, c], decided)
+    }
+
+    #[cold]
+    #[inline(never)]
+    pub fn tie_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        let (exact, args) = (&self.exact, [a, b, c, d]);
+        let decided = match self.scheme {
+            Scheme::PerCoordinate => leading::orient3d::<PER_COORDINATE>(exact, self.points, args),
+            Scheme::EdelsbrunnerMucke => leading::orient3d::<EDELSBRUNNER_MUCKE>(exact, self.points, args),
+        };
+        self.broken(Question::Orient3d, args, decided)
+    }
+
+    #[cold]
+    #[inline(never)]
+    pub fn tie_incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
+        let (exact, args) = (&self.exact, [a, b, c, d]);
+        let decided = match self.scheme {
+            Scheme::PerCoordinate => leading::incircle::<PER_COORDINATE>(exact, self.points, args),
+            Scheme::EdelsbrunnerMucke => leading::incircle::<EDELSBRUNNER_MUCKE>(exact, self.points, args),
+        };
+        self.broken(Question::Incircle, args, decided)
+    }
+
+    #[cold]
+    #[inline(never)]
+    pub fn tie_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {
+        let (exact, args) = (&self.exact, [a, b, c, d, e]);
+        let decided = match self.scheme {
+            Scheme::PerCoordinate => leading::insphere::<PER_COORDINATE>(exact, self.points, args),
+            Scheme::EdelsbrunnerMucke => leading::insphere::<EDELSBRUNNER_MUCKE>(exact, self.points, args),
+        };
+        self.broken(Question::Insphere, args, decided)
+    }
+
+    #[inline(always)]
+    fn broken<const N: usize>(&self, question: Question, args: [Vertex; N], decided: Decided) -> (Sign, usize) {
+        match decided {
+            Some((sign, place)) => (sign, stage::FIRST_TERM + place),
+            None => self.rest(question, args),
+        }
+    }
+
+    /// What no list of terms is about: a vertex that comes twice, or a constructed one.
+    #[cold]
+    #[inline(never)]
+    fn rest<const N: usize>(&self, question: Question, args: [Vertex; N]) -> (Sign, usize) {
+        if args.iter().any(|v| v.is_constructed()) {
+            return self.tie_constructed(question, args);
+        }
+        (Sign::Zero, AS_EXACT)
+    }
+
+    pub fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {
+        self.exact.compare_batch(axis, queries, out);
+        let tie = |[a, b]: [Vertex; 2]| {
+            let is_input = !a.is_constructed() && !b.is_constructed();
+            is_input.then(|| (Sign::from(b.cmp(&a)), 0))
+        };
+        break_all(queries, out, tie, |[a, b]| self.compare_constructed(axis, a, b).0);
+    }
+
+    pub fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
+        self.exact.orient2d_batch(plane, queries, out);
+        let points = self.points;
+        // (In space there are no points of the plane, and all ties are left open.)
+        let first = (
+            |args| leading::orient2d::<PER_COORDINATE>(points, plane, args),
+            |ties: &[_], out: &mut [_]| many::orient2d::<PER_COORDINATE>(points.flat, ties, out),
+        );
+        let second = (
+            |args| leading::orient2d::<EDELSBRUNNER_MUCKE>(points, plane, args),
+            |ties: &[_], out: &mut [_]| many::orient2d::<EDELSBRUNNER_MUCKE>(points.flat, ties, out),
+        );
+        self.break_by(queries, out, (first, second), |args| self.rest(Question::Orient2d(plane), args).0);
+    }
+
+    pub fn orient2d_line(&self, plane: Plane, line: [Vertex; 2], vertices: &[Vertex], out: &mut [Sign]) {
+        self.exact.orient2d_line(plane, line, vertices, out);
+        let ([a, b], points) = (line, self.points);
+        let first = |c| leading::orient2d::<PER_COORDINATE>(points, plane, [a, b, c]);
+        let second = |c| leading::orient2d::<EDELSBRUNNER_MUCKE>(points, plane, [a, b, c]);
+        self.break_by(vertices, out, (first, second), |c| self.rest(Question::Orient2d(plane), [a, b, c]).0);
+    }
+
+    pub fn orient3d_plane(&self, plane: [Vertex; 3], vertices: &[Vertex], out: &mut [Sign]) {
+        self.exact.orient3d_plane(plane, vertices, out);
+        let ([a, b, c], points) = (plane, self.points);
+        let first = |d| leading::orient3d::<PER_COORDINATE>(&self.exact, points, [a, b, c, d]);
+        let second = |d| leading::orient3d::<EDELSBRUNNER_MUCKE>(&self.exact, points, [a, b, c, d]);
+        self.break_by(vertices, out, (first, second), |d| self.rest(Question::Orient3d, [a, b, c, d]).0);
+    }
+
+    pub fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        self.exact.orient3d_batch(queries, out);
+        let (exact, points) = (&self.exact, self.points);
+        let is_exact = || exact.is_double(PredicateKind::Orient3d);
+        let first = (
+            |args| leading::orient3d::<PER_COORDINATE>(exact, points, args),
+            |ties: &[_], out: &mut [_]| many::orient3d::<PER_COORDINATE>(points.solid, ties, out, is_exact()),
+        );
+        let second = (
+            |args| leading::orient3d::<EDELSBRUNNER_MUCKE>(exact, points, args),
+            |ties: &[_], out: &mut [_]| many::orient3d::<EDELSBRUNNER_MUCKE>(points.solid, ties, out, is_exact()),
+        );
+        self.break_by(queries, out, (first, second), |args| self.rest(Question::Orient3d, args).0);
+    }
+
+    pub fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        self.exact.incircle_batch(queries, out);
+        let (exact, points) = (&self.exact, self.points);
+        let is_exact = || exact.is_double(PredicateKind::Incircle);
+        let first = (
+            |args| leading::incircle::<PER_COORDINATE>(exact, points, args),
+            |ties: &[_], out: &mut [_]| many::incircle::<PER_COORDINATE>(points.flat, ties, out, is_exact()),
+        );
+        let second = (
+            |args| leading::incircle::<EDELSBRUNNER_MUCKE>(exact, points, args),
+            |ties: &[_], out: &mut [_]| many::incircle::<EDELSBRUNNER_MUCKE>(points.flat, ties, out, is_exact()),
+        );
+        self.break_by(queries, out, (first, second), |args| self.rest(Question::Incircle, args).0);
+    }
+
+    pub fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
+        self.exact.insphere_batch(queries, out);
+        let (exact, points) = (&self.exact, self.points);
+        let is_exact = || exact.is_double(PredicateKind::Insphere);
+        let first = (
+            |args| leading::insphere::<PER_COORDINATE>(exact, points, args),
+            |ties: &[_], out: &mut [_]| many::insphere::<PER_COORDINATE>(points.solid, ties, out, is_exact()),
+        );
+        let second = (
+            |args| leading::insphere::<EDELSBRUNNER_MUCKE>(exact, points, args),
+            |ties: &[_], out: &mut [_]| many::insphere::<EDELSBRUNNER_MUCKE>(points.solid, ties, out, is_exact()),
+        );
+        self.break_by(queries, out, (first, second), |args| self.rest(Question::Insphere, args).0);
+    }
+
+    /// The ties of a batch by either scheme, or by what neither has a list for.
+    #[inline(always)]
+    fn break_by<Q: Copy>(
+        &self,
+        queries: &[Q],
+        out: &mut [Sign],
+        (per_coordinate, edelsbrunner_mucke): (impl Ties<Q>, impl Ties<Q>),
+        rest: impl Fn(Q) -> Sign,
+    ) {
+        match self.scheme {
+            Scheme::PerCoordinate => break_all(queries, out, per_coordinate, rest),
+            Scheme::EdelsbrunnerMucke => break_all(queries, out, edelsbrunner_mucke, rest),
+        }
+    }
+}

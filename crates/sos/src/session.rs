@@ -1,0 +1,150 @@
+//! The backend's session: what a [`Breaker`] finds, tallied.
+
+use predicament_exact::{Exact, stage::COMPARE};
+use predicament_predicates::{
+    Axis, Construction, Declined, Plane, PredicateKind, Predicates, Refused, Scene, Sessions, Sign, Tally, Vertex,
+};
+
+use crate::breaker::{AS_EXACT, Breaker};
+
+/// The backend, prepared for one scene.
+pub struct Session<'s, T> {
+    breaker: Breaker<'s>,
+    tally: T,
+}
+
+impl<'s, T: Tally> Session<'s, T> {
+    pub(crate) fn new(breaker: Breaker<'s>, tally: T) -> Session<'s, T> {
+        Session { breaker, tally }
+    }
+
+    #[inline(always)]
+    fn tallied(&self, kind: PredicateKind, (sign, stage): (Sign, usize)) -> Sign {
+        self.tally.settled(kind, stage);
+        sign
+    }
+
+    /// An answer: the exact backend's, or that of the tie if it is one.
+    #[inline(always)]
+    fn settle(&self, kind: PredicateKind, exact: (Sign, usize), tie: impl FnOnce() -> (Sign, usize)) -> Sign {
+        if !exact.0.is_zero() {
+            return self.tallied(kind, exact);
+        }
+        match tie() {
+            (sign, AS_EXACT) => self.tallied(kind, (sign, exact.1)),
+            broken => self.tallied(kind, broken),
+        }
+    }
+
+    /// Which of the exact backend's stages settled a query is known only where it is asked alone.
+    #[inline(always)]
+    fn batch<Q>(
+        &self,
+        queries: &[Q],
+        out: &mut [Sign],
+        single: impl Fn(&Q) -> Sign,
+        all: impl FnOnce(&Breaker<'s>, &mut [Sign]),
+    ) {
+        if T::LISTENS {
+            queries.iter().zip(out).for_each(|(query, out)| *out = single(query));
+        } else {
+            all(&self.breaker, out);
+        }
+    }
+}
+
+impl<T: Tally> Predicates for Session<'_, T> {
+    #[inline]
+    fn scene(&self) -> &Scene {
+        self.breaker.exact.scene()
+    }
+
+    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        self.breaker.construct(definitions)
+    }
+
+    fn unperturbed(&self) -> Option<&dyn Sessions> {
+        Some(&Exact)
+    }
+
+    /// Circles and spheres are those of input vertices.
+    fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
+        let scene = self.scene();
+        if matches!(kind, PredicateKind::Incircle | PredicateKind::Insphere) && !scene.constructions().is_empty() {
+            return Err(Declined::predicate(kind, "ties of circles through constructed vertices are not broken"));
+        }
+        scene.has_dimension_for(kind)
+    }
+
+    #[inline]
+    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        let (kind, points) = (PredicateKind::Compare, self.breaker.points);
+        let (Some(x), Some(y)) = (points.coordinate(axis, a), points.coordinate(axis, b)) else {
+            return self.tallied(kind, self.breaker.compare_constructed(axis, a, b));
+        };
+        // What is not equal has one of two orders, for which the exact backend has to look twice.
+        if x != y {
+            return self.tallied(kind, (if x > y { Sign::Positive } else { Sign::Negative }, COMPARE));
+        }
+        self.tallied(kind, Breaker::tie_compare(a, b))
+    }
+
+    #[inline]
+    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        let exact = self.breaker.exact.decide_orient2d(plane, a, b, c);
+        self.settle(PredicateKind::Orient2d, exact, || self.breaker.tie_orient2d(plane, a, b, c))
+    }
+
+    #[inline]
+    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        let exact = self.breaker.exact.decide_orient3d(a, b, c, d);
+        self.settle(PredicateKind::Orient3d, exact, || self.breaker.tie_orient3d(a, b, c, d))
+    }
+
+    #[inline]
+    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        let exact = self.breaker.exact.decide_incircle(a, b, c, d);
+        self.settle(PredicateKind::Incircle, exact, || self.breaker.tie_incircle(a, b, c, d))
+    }
+
+    #[inline]
+    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
+        let exact = self.breaker.exact.decide_insphere(a, b, c, d, e);
+        self.settle(PredicateKind::Insphere, exact, || self.breaker.tie_insphere(a, b, c, d, e))
+    }
+
+    fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {
+        let single = |&[a, b]: &[_; 2]| self.compare(axis, a, b);
+        self.batch(queries, out, single, |breaker, out| breaker.compare_batch(axis, queries, out));
+    }
+
+    fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
+        let single = |&[a, b, c]: &[_; 3]| self.orient2d(plane, a, b, c);
+        self.batch(queries, out, single, |breaker, out| breaker.orient2d_batch(plane, queries, out));
+    }
+
+    fn orient2d_line(&self, plane: Plane, line: [Vertex; 2], vertices: &[Vertex], out: &mut [Sign]) {
+        let single = |&c: &Vertex| self.orient2d(plane, line[0], line[1], c);
+        self.batch(vertices, out, single, |breaker, out| breaker.orient2d_line(plane, line, vertices, out));
+    }
+
+    fn orient3d_plane(&self, plane: [Vertex; 3], vertices: &[Vertex], out: &mut [Sign]) {
+        let single = |&d: &Vertex| self.orient3d(plane[0], plane[1], plane[2], d);
+        self.batch(vertices, out, single, |breaker, out| breaker.orient3d_plane(plane, vertices, out));
+    }
+
+    fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        let single = |&[a, b, c, d]: &[_; 4]| self.orient3d(a, b, c, d);
+        self.batch(queries, out, single, |breaker, out| breaker.orient3d_batch(queries, out));
+    }
+
+    fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        let single = |&[a, b, c, d]: &[_; 4]| self.incircle(a, b, c, d);
+        self.batch(queries, out, single, |breaker, out| breaker.incircle_batch(queries, out));
+    }
+
+    fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
+        let single = |&[a, b, c, d, e]: &[_; 5]| self.insphere(a, b, c, d, e);
+        self.batch(queries, out, single, |breaker, out| breaker.insphere_batch(queries, out));
+    }
+}
