@@ -63,7 +63,7 @@ pub(crate) type Decided = Option<(Sign, usize)>;
 /// Breaks a tie of `orient2d`. `SCHEME` is a place in [`Scheme::ALL`], here and below.
 #[inline(always)]
 pub(crate) fn orient2d<const SCHEME: usize>(points: Points, plane: Plane, args: [Vertex; 3]) -> Decided {
-    let [_, p, q] = smallest_first(args)?;
+    let [p, q] = after_smallest(args)?;
     // Columns ascend, so zx is xz, its mirror image: as if p and q were exchanged.
     let [p, q] = if plane == Plane::Zx { [q, p] } else { [p, q] };
     let rows = if points.solid.is_empty() {
@@ -358,6 +358,18 @@ fn struck<const D: usize>(lift: Lift, column: usize, first: &[f64; D]) -> (Struc
         Some(_) => (Struck { column, origin: first[column] }, true),
         None => (Struck { column, origin: 0.0 }, false),
     }
+}
+
+/// The two vertices that come after the smallest one when three are turned around; none if that one comes twice.
+#[inline(always)]
+fn after_smallest([a, b, c]: [Vertex; 3]) -> Option<[Vertex; 2]> {
+    let is_second = b < a;
+    let smaller = if is_second { b } else { a };
+    let is_third = c < smaller;
+    let [p, q] = if is_second { [c, a] } else { [b, c] };
+    let [p, q] = if is_third { [a, b] } else { [p, q] };
+    let smallest = if is_third { c } else { smaller };
+    ((smallest != p) & (smallest != q)).then_some([p, q])
 }
 
 /// The vertices with the smallest one first, by an even permutation; none if it

@@ -238,3 +238,16 @@ fn ties_are_decided_where_they_are_broken() {
     back[1..].reverse();
     assert!(check(&back).contains(&"convex"));
 }
+
+#[test]
+fn two_perturbed_points_are_both_of_their_hull() {
+    let ties = ties();
+    let scene = Scene::from_points3(&[[0.0; 3], [0.0; 3]]).unwrap();
+    let (exact, perturbed) = (Judged::exact(&scene), Judged::perturbed(&scene, &ties));
+    let check = |vertices: &[usize]| -> Vec<&str> {
+        let flaws = space_flaws(signs(&exact, Some(&perturbed)), &ids(vertices), &[]);
+        flaws.iter().map(|flaw| flaw.check).collect()
+    };
+    assert_eq!(check(&[0, 1]), [""; 0]);
+    assert_eq!(check(&[0]), ["span"]);
+}

@@ -5,7 +5,7 @@ use predicament_checks::audit::{Audit, PairKind, Verdict, audit};
 use predicament_exact::Exact;
 use predicament_mesh::{Complex, Simplex, Simplices};
 use predicament_predicates::{Backend, Off, Predicates, Scene, Vertex};
-use predicament_tolerance::Tolerance;
+use predicament_tolerance::{Misscaled, Tolerance};
 
 fn v<const N: usize>(indices: [usize; N]) -> [Vertex; N] {
     indices.map(Vertex::input)
@@ -113,4 +113,23 @@ fn the_printed_form_is_found() {
         let audit = audit(&session, &a, &b, &found);
         assert!(audit.count(PairKind::EdgeVertex, Verdict::Missed) > 0, "{audit:?}");
     }
+}
+
+/// What the hierarchy has ended is asked about all the same, so that a tolerance that is none of the published ones is seen there.
+#[test]
+fn tolerances_of_another_size_are_misread_where_pairs_have_ended() {
+    let mut misread = 0;
+    for misscaled in Misscaled::visible() {
+        for (scene, [a, b]) in [plane(), space()] {
+            let backend = Tolerance::<f64>::misscaled(misscaled);
+            let session = backend.prepare(&scene, Off).unwrap();
+            let found = contacts(&session, &a, &b);
+            let audit = audit(&session, &a, &b, &found);
+            let counted: u64 = PairKind::ALL.into_iter().map(|kind| audit.count(kind, Verdict::Misread)).sum();
+            let told = audit.findings.iter().filter(|finding| finding.verdict == Verdict::Misread).count();
+            assert_eq!(counted, told as u64, "{misscaled:?}");
+            misread += told;
+        }
+    }
+    assert!(misread > 0);
 }
