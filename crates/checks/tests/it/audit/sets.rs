@@ -1,10 +1,10 @@
 //! The audit of whole sets of contacts.
 
 use predicament_algorithms::contacts::{Contact, contacts};
-use predicament_checks::audit::{Audit, PairKind, Verdict, audit};
+use predicament_checks::audit::{Audit, PairKind, Published, Symbol, Verdict, audit};
 use predicament_exact::Exact;
 use predicament_mesh::{Complex, Simplex, Simplices};
-use predicament_predicates::{Backend, Off, Predicates, Scene, Vertex};
+use predicament_predicates::{Backend, Dimension, Off, Predicates, Scene, Vertex};
 use predicament_tolerance::{Misscaled, Tolerance};
 
 fn v<const N: usize>(indices: [usize; N]) -> [Vertex; N] {
@@ -115,21 +115,36 @@ fn the_printed_form_is_found() {
     }
 }
 
+/// Two edges of the plane, of which the second one begins beside the first one's beginning: so far along it, and off it.
+fn beside([along, off]: [f64; 2]) -> (Scene, [Complex; 2]) {
+    let points = [[0.0, 0.0], [1.0, 0.0], [along, off], [along, 1.0]];
+    let edge = |from: usize| Simplices { edges: vec![v([from, from + 1])], ..Simplices::default() };
+    prepared(Scene::from_points2(&points).unwrap(), &edge(0), &edge(2))
+}
+
 /// What the hierarchy has ended is asked about all the same, so that a tolerance that is none of the published ones is seen there.
 #[test]
-fn tolerances_of_another_size_are_misread_where_pairs_have_ended() {
-    let mut misread = 0;
-    for misscaled in Misscaled::visible() {
-        for (scene, [a, b]) in [plane(), space()] {
-            let backend = Tolerance::<f64>::misscaled(misscaled);
-            let session = backend.prepare(&scene, Off).unwrap();
-            let found = contacts(&session, &a, &b);
-            let audit = audit(&session, &a, &b, &found);
-            let counted: u64 = PairKind::ALL.into_iter().map(|kind| audit.count(kind, Verdict::Misread)).sum();
-            let told = audit.findings.iter().filter(|finding| finding.verdict == Verdict::Misread).count();
-            assert_eq!(counted, told as u64, "{misscaled:?}");
-            misread += told;
-        }
-    }
-    assert!(misread > 0);
+fn a_tolerance_of_another_size_is_misread_where_a_pair_has_ended() {
+    let (scene, _) = beside([0.0, 0.0]);
+    let published = Published::of(&Tolerance::<f64>::new().prepare(&scene, Off).unwrap()).unwrap();
+    let ([sigma, ..], [_, tau, beyond]) = (published.rounded(Symbol::Sigma), published.rounded(Symbol::Tau));
+    let off = (beyond + sigma) / 2.0;
+    assert!(beyond < off && off < sigma && off < 2.0 * tau, "σ₋ {sigma}, τ {tau}, τ₊ {beyond}");
+    // The two beginnings are one, so that nobody asks whether one of them is on the other edge. It is beyond τ₊ of it, and within 2τ.
+    let (scene, [a, b]) = beside([0.8 * (sigma * sigma - off * off).sqrt(), off]);
+    let misread = |backend: &Tolerance<f64>| {
+        let session = backend.prepare(&scene, Off).unwrap();
+        let found = contacts(&session, &a, &b);
+        assert_eq!(found.registered.len(), 1);
+        let audit = audit(&session, &a, &b, &found);
+        assert!(audit.ended > 0 && audit.read > 0, "{audit:?}");
+        let told = audit.findings.iter().map(|finding| (finding.kind, finding.verdict)).collect::<Vec<_>>();
+        (told, audit.count(PairKind::EdgeVertex, Verdict::Misread))
+    };
+    assert_eq!(misread(&Tolerance::new()), (vec![], 0));
+    let doubled = |of: &&Misscaled| of.dimension == Dimension::Two && of.symbol == "τ" && !of.halved;
+    let doubled = Misscaled::ALL.iter().find(doubled).unwrap();
+    let (told, counted) = misread(&Tolerance::misscaled(*doubled));
+    assert!(counted > 0 && told.len() as u64 == counted, "{told:?}");
+    assert!(told.iter().all(|found| *found == (PairKind::EdgeVertex, Verdict::Misread)), "{told:?}");
 }
