@@ -156,7 +156,7 @@ impl<A, S, B, W, R, F> Contest<A, S, B, W, R, F> {
             (0..QUERIES).map(|_| family.query(&mut random, vertices).map(Vertex::input)).collect();
         let scene = scene(&points);
         let session = Exact.prepare(&scene, Off).expect("prepared");
-        let naive = Naive::default();
+        let naive = black_box(Naive::default());
         let doubles = naive.prepare(&scene, Off).expect("prepared");
         // All read the points of the scene.
         let points: &[[f64; D]] = scene.coordinates().as_chunks().0;

@@ -6,8 +6,6 @@
 //! (Kettner, Mehlhorn, Pion, Schirra and Yap 2008, section 3). Where none is subtracted, the determinant of the homogeneous matrix is taken as a
 //! library of linear algebra takes it: what most people write.
 
-use nalgebra::{Matrix3, Matrix4, Matrix5};
-
 /// The point that is subtracted from the others first.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub enum Pivot {
@@ -27,9 +25,7 @@ pub(crate) fn orient2d(pivot: Pivot, [a, b, c]: [[f64; 2]; 3]) -> f64 {
     match pivot {
         Pivot::Last => cross(minus(a, c), minus(b, c)),
         Pivot::First => cross(minus(b, a), minus(c, a)),
-        Pivot::Homogeneous => {
-            Matrix3::from_fn(|row, column| [a, b, c][row].get(column).copied().unwrap_or(1.0)).determinant()
-        }
+        Pivot::Homogeneous => homogeneous::orient2d([a, b, c]),
     }
 }
 
@@ -40,9 +36,7 @@ pub(crate) fn orient3d(pivot: Pivot, [a, b, c, d]: [[f64; 3]; 4]) -> f64 {
         Pivot::Last => triple(minus(a, d), minus(b, d), minus(c, d)),
         // Moving the first of four rows to the end is an odd permutation.
         Pivot::First => -triple(minus(b, a), minus(c, a), minus(d, a)),
-        Pivot::Homogeneous => {
-            Matrix4::from_fn(|row, column| [a, b, c, d][row].get(column).copied().unwrap_or(1.0)).determinant()
-        }
+        Pivot::Homogeneous => homogeneous::orient3d([a, b, c, d]),
     }
 }
 
@@ -56,11 +50,7 @@ pub(crate) fn incircle(pivot: Pivot, [a, b, c, d]: [[f64; 2]; 4]) -> f64 {
     match pivot {
         Pivot::Last => triple(lifted(a, d), lifted(b, d), lifted(c, d)),
         Pivot::First => -triple(lifted(b, a), lifted(c, a), lifted(d, a)),
-        Pivot::Homogeneous => {
-            let row = |[x, y]: [f64; 2]| [x, y, x * x + y * y, 1.0];
-            let rows = [a, b, c, d].map(row);
-            Matrix4::from_fn(|row, column| rows[row][column]).determinant()
-        }
+        Pivot::Homogeneous => homogeneous::incircle([a, b, c, d]),
     }
 }
 
@@ -71,11 +61,35 @@ pub(crate) fn insphere(pivot: Pivot, [a, b, c, d, e]: [[f64; 3]; 5]) -> f64 {
         Pivot::Last => lifted_quadruple(minus(a, e), minus(b, e), minus(c, e), minus(d, e)),
         // Of five rows it is an even one.
         Pivot::First => lifted_quadruple(minus(b, a), minus(c, a), minus(d, a), minus(e, a)),
-        Pivot::Homogeneous => {
-            let row = |[x, y, z]: [f64; 3]| [x, y, z, x * x + y * y + z * z, 1.0];
-            let rows = [a, b, c, d, e].map(row);
-            Matrix5::from_fn(|row, column| rows[row][column]).determinant()
-        }
+        Pivot::Homogeneous => homogeneous::insphere([a, b, c, d, e]),
+    }
+}
+
+/// Determinants of homogeneous matrices. They are out of line: beside them the others would not be inlined where they are asked, and points
+/// that go through memory cost several times the determinant.
+mod homogeneous {
+    use nalgebra::{Matrix3, Matrix4, Matrix5};
+
+    #[inline(never)]
+    pub(super) fn orient2d(points: [[f64; 2]; 3]) -> f64 {
+        Matrix3::from_fn(|row, column| points[row].get(column).copied().unwrap_or(1.0)).determinant()
+    }
+
+    #[inline(never)]
+    pub(super) fn orient3d(points: [[f64; 3]; 4]) -> f64 {
+        Matrix4::from_fn(|row, column| points[row].get(column).copied().unwrap_or(1.0)).determinant()
+    }
+
+    #[inline(never)]
+    pub(super) fn incircle(points: [[f64; 2]; 4]) -> f64 {
+        let rows = points.map(|[x, y]| [x, y, x * x + y * y, 1.0]);
+        Matrix4::from_fn(|row, column| rows[row][column]).determinant()
+    }
+
+    #[inline(never)]
+    pub(super) fn insphere(points: [[f64; 3]; 5]) -> f64 {
+        let rows = points.map(|[x, y, z]| [x, y, z, x * x + y * y + z * z, 1.0]);
+        Matrix5::from_fn(|row, column| rows[row][column]).determinant()
     }
 }
 

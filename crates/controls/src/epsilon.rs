@@ -2,10 +2,8 @@
 
 use predicament_predicates::{Backend, Constructs, Contract, Declined, PredicateKind, Scene, Sign, Tally, ZeroMeaning};
 
-use crate::{
-    Naive,
-    session::{Float, Session},
-};
+use crate::naive_session::Last;
+use crate::session::{Float, Session};
 
 /// Plain f64 determinants, zero if smaller in magnitude than a fixed epsilon,
 /// whatever the size of the coordinates. Comparisons too: the determinant is
@@ -29,7 +27,7 @@ impl std::error::Error for BadEpsilon {}
 
 impl Epsilon {
     /// A determinant is zero if its magnitude is less than `eps`, in the units
-    /// of the determinant; with an `eps` of 0 this is [`Naive`].
+    /// of the determinant; with an `eps` of 0 this is [`Naive`](crate::Naive).
     ///
     /// # Errors
     /// [`BadEpsilon`] if `eps` is NaN, infinite or negative.
@@ -59,22 +57,22 @@ impl Default for Epsilon {
 impl Float for Epsilon {
     #[inline]
     fn orient2d(&self, points: [[f64; 2]; 3]) -> f64 {
-        Naive::default().orient2d(points)
+        Last.orient2d(points)
     }
 
     #[inline]
     fn orient3d(&self, points: [[f64; 3]; 4]) -> f64 {
-        Naive::default().orient3d(points)
+        Last.orient3d(points)
     }
 
     #[inline]
     fn incircle(&self, points: [[f64; 2]; 4]) -> f64 {
-        Naive::default().incircle(points)
+        Last.incircle(points)
     }
 
     #[inline]
     fn insphere(&self, points: [[f64; 3]; 5]) -> f64 {
-        Naive::default().insphere(points)
+        Last.insphere(points)
     }
 
     #[inline]

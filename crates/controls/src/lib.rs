@@ -23,6 +23,7 @@
 mod determinant;
 mod epsilon;
 mod naive;
+mod naive_session;
 mod rounded;
 mod session;
 mod shewchuk;
@@ -32,6 +33,7 @@ pub mod wild;
 pub use determinant::Pivot;
 pub use epsilon::{BadEpsilon, Epsilon};
 pub use naive::Naive;
+pub use naive_session::NaiveSession;
 pub use rounded::constructed;
 pub use session::Session;
 pub use shewchuk::Shewchuk;

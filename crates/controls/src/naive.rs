@@ -2,10 +2,8 @@
 
 use predicament_predicates::{Backend, Constructs, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
 
-use crate::{
-    determinant::{self, Pivot},
-    session::{Float, Session},
-};
+use crate::determinant::Pivot;
+use crate::naive_session::NaiveSession;
 
 /// The signs of plain f64 determinants.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
@@ -14,30 +12,8 @@ pub struct Naive {
     pub pivot: Pivot,
 }
 
-impl Float for Naive {
-    #[inline]
-    fn orient2d(&self, points: [[f64; 2]; 3]) -> f64 {
-        determinant::orient2d(self.pivot, points)
-    }
-
-    #[inline]
-    fn orient3d(&self, points: [[f64; 3]; 4]) -> f64 {
-        determinant::orient3d(self.pivot, points)
-    }
-
-    #[inline]
-    fn incircle(&self, points: [[f64; 2]; 4]) -> f64 {
-        determinant::incircle(self.pivot, points)
-    }
-
-    #[inline]
-    fn insphere(&self, points: [[f64; 3]; 5]) -> f64 {
-        determinant::insphere(self.pivot, points)
-    }
-}
-
 impl Backend for Naive {
-    type Session<'s, T: Tally + 's> = Session<'s, Naive, T>;
+    type Session<'s, T: Tally + 's> = NaiveSession<'s, T>;
 
     /// `naive`, `naive:first` or `naive:nalgebra`.
     fn name(&self) -> String {
@@ -62,6 +38,6 @@ impl Backend for Naive {
     }
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Self::Session<'s, T>, Declined> {
-        Ok(Session::new(scene, *self, tally))
+        Ok(NaiveSession::new(scene, self.pivot, tally))
     }
 }

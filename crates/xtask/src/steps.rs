@@ -62,8 +62,13 @@ fn engine_examples() -> Result<(), String> {
             continue;
         }
         // The same packages as before: one alone has other features, and GMP would be built again.
-        let run =
-            ["test", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--test", "it", "--", "--ignored", tests];
+        let packages = ["--workspace", "--exclude", BENCHES, "--test", "it"];
+        let run = if has_nextest() {
+            // It starts those that it is asked for, and no test binary for nothing.
+            [&["nextest", "run", "--cargo-profile", "ci"][..], &packages, &["--run-ignored", "only", tests]].concat()
+        } else {
+            [&["test", "--profile", "ci"][..], &packages, &["--", "--ignored", tests]].concat()
+        };
         cargo(&format!("engine in {language}"), &run)?;
     }
     Ok(())
@@ -179,7 +184,7 @@ fn run_tests(features: &[&str], env: &[(&str, &str)]) -> Result<(), String> {
         let all: Vec<String> = args.iter().chain(features).map(|&word| word.to_owned()).collect();
         cargo_command(&all)
     };
-    if answers("cargo", &["nextest", "--version"]) {
+    if has_nextest() {
         let run = ["nextest", "run", "--cargo-profile", "ci", "--workspace", "--exclude", BENCHES, "--no-fail-fast"];
         step("tests", &with(&run), env)?;
         step("doc tests", &with(&["test", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--doc"]), env)
@@ -190,6 +195,10 @@ fn run_tests(features: &[&str], env: &[(&str, &str)]) -> Result<(), String> {
             env,
         )
     }
+}
+
+fn has_nextest() -> bool {
+    answers("cargo", &["nextest", "--version"])
 }
 
 /// The corpora, the embedded run against its expectations and the planted faults, by the binary that was tested.
