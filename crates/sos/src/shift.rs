@@ -167,7 +167,7 @@ fn two_and_two(exact: &Exact, args: [Vertex; 4]) -> Shifted {
 #[cfg(test)]
 mod tests {
     use predicament_exact::Exact as Backend;
-    use predicament_predicates::{Backend as _, Dimension};
+    use predicament_predicates::{Backend as _, Dimension, Predicates as _};
 
     use super::*;
 
@@ -180,6 +180,107 @@ mod tests {
         let triangle = [0.0, 0.0, 0.0, 4.0, 1.0, 0.0, 1.0, 4.0, 0.0];
         let scene = Scene::new(Dimension::Three, [triangle, triangle].concat()).unwrap();
         scene.with_second_mesh((3..6).map(Vertex::input))
+    }
+
+    /// Two meshes of four lattice points each, and the same with the second one moved by 1 along each axis.
+    fn lattice(seed: usize) -> [Scene; 4] {
+        [None, Some(0), Some(1), Some(2)].map(|moved| {
+            let place = |at: usize| {
+                let digits = (seed * 8 + at) * 7919 % 6841;
+                [0, 1, 2].map(|axis| {
+                    let by = u32::from(at >= 4 && moved == Some(axis));
+                    // The fourth power of 3 at most: coordinates are 0, 1 or 2.
+                    f64::from(u32::try_from(digits / [1, 3, 9][axis] % 3).unwrap() + by)
+                })
+            };
+            let scene = Scene::new(Dimension::Three, (0..8).flat_map(place).collect()).unwrap();
+            scene.with_second_mesh((4..8).map(Vertex::input))
+        })
+    }
+
+    /// The ordered choices of N among eight vertices.
+    fn choices<const N: usize>() -> impl Iterator<Item = [usize; N]> {
+        let all = (0..8_usize.pow(u32::try_from(N).unwrap())).map(|code| {
+            let mut rest = code;
+            [(); N].map(|()| {
+                let digit = rest % 8;
+                rest /= 8;
+                digit
+            })
+        });
+        all.filter(|args| (0..N).all(|at| !args[..at].contains(&args[at])))
+    }
+
+    /// All predicates are linear in the move, so a tie is broken as by a move of 1, along the first axis along which that breaks it.
+    #[test]
+    fn ties_are_broken_as_by_a_move_of_a_whole_unit() {
+        let mut seen = [[0; 4]; 3];
+        for seed in 0..12 {
+            let scenes = lattice(seed);
+            let [still, moved @ ..] = scenes.each_ref().map(|scene| Backend.prepare(scene, Off).unwrap());
+            let first = |signs: [Sign; 3]| {
+                let mut powers = signs.into_iter().zip(1..);
+                powers.find(|(sign, _)| !sign.is_zero())
+            };
+            let mut count = |predicate: usize, found: Shifted, expected: Option<(Sign, usize)>, args: &[usize]| {
+                assert_eq!(found, Some(expected), "predicate {predicate} of {args:?} in {:?}", scenes[0].coordinates());
+                seen[predicate][expected.map_or(0, |(_, power)| power)] += 1;
+            };
+            for args in choices() {
+                let v @ [a, b, c, d] = vertices(args);
+                if still.orient3d(a, b, c, d).is_zero() {
+                    let signs = moved.each_ref().map(|exact| exact.orient3d(a, b, c, d));
+                    count(2, orient3d(&still, v), first(signs), &args);
+                }
+            }
+            for args in choices() {
+                let v @ [a, b, c] = vertices(args);
+                for plane in [Plane::Xy, Plane::Yz, Plane::Zx] {
+                    if still.orient2d(plane, a, b, c).is_zero() {
+                        let signs = moved.each_ref().map(|exact| exact.orient2d(plane, a, b, c));
+                        count(1, orient2d(&still, plane, v), first(signs), &args);
+                    }
+                }
+            }
+            for args in choices() {
+                let v @ [a, b] = vertices(args);
+                for axis in [Axis::X, Axis::Y, Axis::Z] {
+                    if still.compare(axis, a, b).is_zero() {
+                        let signs = moved.each_ref().map(|exact| exact.compare(axis, a, b));
+                        count(0, compare(&still, axis, v), first(signs), &args);
+                    }
+                }
+            }
+        }
+        for (predicate, powers) in seen.iter().enumerate() {
+            assert!(powers.iter().all(|&of_power| of_power > 50), "predicate {predicate}: {powers:?}");
+        }
+    }
+
+    /// What is asked of many points about one plane is what is asked of each.
+    #[test]
+    fn a_plane_breaks_ties_as_its_vertices_do() {
+        let mut ties = 0;
+        for seed in 0..12 {
+            let [scene, ..] = lattice(seed);
+            let exact = Backend.prepare(&scene, Off).unwrap();
+            for [a, b, c, d] in choices() {
+                let is_one_mesh = (a < 4) == (b < 4) && (b < 4) == (c < 4);
+                let ready = PlaneTies::new(&exact, vertices([a, b, c]));
+                assert_eq!(ready.is_some(), is_one_mesh);
+                let Some(ready) = ready else { continue };
+                let v @ [p, q, r, s] = vertices([a, b, c, d]);
+                if exact.orient3d(p, q, r, s).is_zero() {
+                    assert_eq!(ready.of(&exact, s), orient3d(&exact, v), "{a} {b} {c}, {d}");
+                    ties += 1;
+                }
+            }
+            let constructed = Vertex::constructed(0);
+            assert!(PlaneTies::new(&exact, [constructed, Vertex::input(1), Vertex::input(2)]).is_none());
+            let plane = PlaneTies::new(&exact, vertices([0, 1, 2])).unwrap();
+            assert_eq!(plane.of(&exact, constructed), None);
+        }
+        assert!(ties > 300, "{ties}");
     }
 
     #[test]

@@ -271,7 +271,7 @@ fn what_is_no_drawing_is_refused() {
     };
     assert_eq!(refused(&points[..5], &[], &[], 0), SnapError::Point(4));
     assert_eq!(refused(&[points[0], points[5]], &[], &[], 0), SnapError::Point(1));
-    assert_eq!(refused(&[[2_f64.powi(-1074), 0.0]], &[], &[], 10), SnapError::Point(0), "not scaled exactly");
+    assert_eq!(refused(&[[f64::from_bits(1), 0.0]], &[], &[], 10), SnapError::Point(0), "not scaled exactly");
     assert_eq!(refused(&points[..4], &[[0, 4]], &[], 0), SnapError::Segment(0));
     assert_eq!(refused(&points[..4], &[[0, 1], [2, 3]], &[[0, 1]], 0), SnapError::Crossing(0), "parallel");
     assert_eq!(refused(&points[..4], &[[0, 2], [1, 3]], &[[0, 1]], 0), SnapError::Crossing(0), "apart");

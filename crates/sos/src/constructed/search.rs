@@ -265,7 +265,7 @@ mod tests {
 
     #[test]
     fn significands_are_exact() {
-        for x in [0.0, -0.0, 1.0, -1.5, 0.1, 5e-324, -f64::MIN_POSITIVE, f64::MAX, 3.0 * 2f64.powi(-1070)] {
+        for x in [0.0, -0.0, 1.0, -1.5, 0.1, 5e-324, -f64::MIN_POSITIVE, f64::MAX, f64::from_bits(48)] {
             let (m, e) = significand(x);
             let value = rug::Rational::from(m) * (rug::Rational::from(1) << e);
             assert_eq!(value, rug::Rational::from_f64(x).unwrap(), "{x:e}");

@@ -68,7 +68,7 @@ fn grid(random: &mut Random, dimension: usize, side: usize, points: usize, round
         [3.0, 7.0, 5.0],
         [long, 1.0, long - 8.0],
         [5e-324, 3.0 * 5e-324, 7.0 * 5e-324],
-        [long * 2f64.powi(970), 1.0, long * 2f64.powi(-1074)],
+        [long * 2f64.powi(970), 1.0, long * f64::from_bits(1)],
     ][round % 5];
     let mut coordinates = Vec::new();
     for _ in 0..points {
