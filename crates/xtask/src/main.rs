@@ -41,9 +41,10 @@ Commands:
          write what the fuzz targets start from, of the embedded suites, into fuzz/corpus
   sample the sample report anew: embedded and fetched suites, times, comparison and knobs; `reports/sample` and the
          table of README (20 minutes)
-  mutants [--every N] [--from K] [PACKAGE...]
+  mutants [--every N] [--from K] [--all-tests] [PACKAGE...]
          the mutation score: every N-th (50th) small change to arithmetic, exact, sos, tolerance, checks and judge, from
-         the K-th on (0), by cargo-mutants; prints what no test noticed (hours)
+         the K-th on (0), by cargo-mutants and the tests of the package; with --all-tests what these miss is tried again
+         by those of the packages above; prints what no test noticed (hours)
   spread a run in parts by GNU parallel, HyperQueue and Slurm, each with a part that is killed; says which of them is missing
   setup  only make sure that what the build needs is there (m4, a C compiler, make)
   help   this text

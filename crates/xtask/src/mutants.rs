@@ -2,6 +2,9 @@
 //!
 //! Planted faults show that checks see the faults somebody thought of; cargo-mutants makes thousands nobody did. All of them take days, so
 //! a sample is taken: every n-th in the order of the code, begun at another one each time if `--from` says so.
+//!
+//! A crate's own tests are the quick ones. What they miss is tried once more, if `--all-tests` says so, by the tests of the crates
+//! above: these compare backends, judges and checks with each other.
 
 use std::path::Path;
 
@@ -13,6 +16,8 @@ const PACKAGES: [&str; 6] = ["arithmetic", "exact", "sos", "tolerance", "checks"
 const FOLDER: &str = "target/mutants";
 /// Where they are compiled.
 const BUILT: &str = "target/mutants-build";
+/// The packages whose tests are run after those of a mutant's own.
+const ABOVE: [&str; 6] = ["algorithms", "checks", "tasks", "oracle", "studies", "search"];
 /// What cargo-mutants ends with where mutants were missed, or ran out of time: that is what is counted.
 const FINE: [i32; 3] = [0, 2, 3];
 
@@ -20,6 +25,8 @@ const FINE: [i32; 3] = [0, 2, 3];
 #[derive(Default)]
 struct Score {
     caught: Vec<String>,
+    /// By the tests of crates above alone.
+    above: Vec<String>,
     missed: Vec<String>,
     timeout: Vec<String>,
     unviable: usize,
@@ -36,14 +43,23 @@ impl Score {
         let unviable = lines("unviable.txt")?.len();
         Ok(Score {
             caught: lines("caught.txt")?,
+            above: Vec::new(),
             missed: lines("missed.txt")?,
             timeout: lines("timeout.txt")?,
             unviable,
         })
     }
 
+    /// Takes what those that were missed have come to in a second run.
+    fn tried_again(&mut self, again: Score) {
+        self.above = again.caught;
+        self.timeout.extend(again.timeout);
+        self.missed = again.missed;
+    }
+
     fn add(&mut self, other: &Score) {
         self.caught.extend(other.caught.iter().cloned());
+        self.above.extend(other.above.iter().cloned());
         self.missed.extend(other.missed.iter().cloned());
         self.timeout.extend(other.timeout.iter().cloned());
         self.unviable += other.unviable;
@@ -51,13 +67,14 @@ impl Score {
 
     /// A mutant that never ends is noticed: no test passes.
     fn row(&self, name: &str) -> String {
-        let (noticed, all) =
-            (self.caught.len() + self.timeout.len(), self.caught.len() + self.timeout.len() + self.missed.len());
+        let noticed = self.caught.len() + self.above.len() + self.timeout.len();
+        let all = noticed + self.missed.len();
         let [low, high] = wilson(noticed, all);
         let share = 100.0 * ratio(noticed, all);
         format!(
-            "| {name} | {all} | {} | {} | {} | {} | {share:.1} % ({:.1} to {:.1}) |",
+            "| {name} | {all} | {} | {} | {} | {} | {} | {share:.1} % ({:.1} to {:.1}) |",
             self.caught.len(),
+            self.above.len(),
             self.timeout.len(),
             self.missed.len(),
             self.unviable,
@@ -67,75 +84,110 @@ impl Score {
     }
 }
 
+/// What is asked for.
+struct Asked {
+    every: u32,
+    from: u32,
+    all_tests: bool,
+    packages: Vec<String>,
+}
+
+impl Asked {
+    fn parse(args: &[String]) -> Result<Asked, String> {
+        let mut asked = Asked { every: 50, from: 0, all_tests: false, packages: Vec::new() };
+        let mut words = args.iter();
+        while let Some(word) = words.next() {
+            let mut number = |name: &str| {
+                let value = words.next().and_then(|value| value.parse().ok());
+                value.ok_or_else(|| format!("mutants: write a number after {name}"))
+            };
+            match word.as_str() {
+                "--every" => asked.every = number("--every")?,
+                "--from" => asked.from = number("--from")?,
+                "--all-tests" => asked.all_tests = true,
+                package if PACKAGES.contains(&package) => asked.packages.push(package.to_owned()),
+                other => {
+                    return Err(format!("mutants: `{other}` is no package of {} and no option", PACKAGES.join(", ")));
+                }
+            }
+        }
+        let Asked { every, from, .. } = asked;
+        if every == 0 || from >= every {
+            return Err(format!("mutants: --from {from} of --every {every}; choose from 0 to one less"));
+        }
+        if asked.packages.is_empty() {
+            asked.packages = PACKAGES.map(str::to_owned).into();
+        }
+        Ok(asked)
+    }
+}
+
 /// Tries every n-th mutant of the packages, from the k-th on, and prints the score and the survivors.
 pub fn score(args: &[String]) -> Result<(), String> {
-    let (mut every, mut from, mut packages) = (50_u32, 0_u32, Vec::new());
-    let mut words = args.iter();
-    while let Some(word) = words.next() {
-        let mut number = |name: &str| {
-            let value = words.next().and_then(|value| value.parse().ok());
-            value.ok_or_else(|| format!("mutants: write a number after {name}"))
-        };
-        match word.as_str() {
-            "--every" => every = number("--every")?,
-            "--from" => from = number("--from")?,
-            package if PACKAGES.contains(&package) => packages.push(package.to_owned()),
-            other => return Err(format!("mutants: `{other}` is no package of {} and no option", PACKAGES.join(", "))),
-        }
-    }
-    if every == 0 || from >= every {
-        return Err(format!("mutants: --from {from} of --every {every}; choose from 0 to one less"));
-    }
+    let asked = Asked::parse(args)?;
     if !answers("cargo", &["mutants", "--version"]) {
         return Err("mutants: there is no cargo-mutants; `cargo install cargo-mutants --locked` installs it".to_owned());
     }
-    if packages.is_empty() {
-        packages = PACKAGES.map(str::to_owned).into();
-    }
     let folder = root().join(fresh(FOLDER)?);
     let (mut total, mut rows) = (Score::default(), Vec::new());
-    for package in &packages {
-        let out = folder.join(package);
-        std::fs::create_dir_all(&out).map_err(|error| format!("{}: {error}", out.display()))?;
-        let (name, shard) = (format!("predicament-{package}"), format!("{from}/{every}"));
-        let out_text = out.display().to_string();
-        let args = [
-            "mutants",
-            "--package",
-            &name,
-            "--shard",
-            &shard,
-            "--sharding",
-            "round-robin",
-            "--profile",
-            "ci",
-            "--test-tool",
-            "nextest",
-            "--no-shuffle",
-            "--minimum-test-timeout",
-            "120",
-            "--output",
-            &out_text,
-            "--colors",
-            "never",
-        ];
-        // Each copy of the tree is in a folder of its own: dependencies at least are compiled once.
-        let built = root().join(BUILT).display().to_string();
-        let env = [("CARGO_TARGET_DIR", built.as_str())];
-        step_ending(&format!("mutants of {package}, {shard}"), &cargo_command(&args), &env, &FINE)?;
-        let score = Score::read(&out)?;
+    for package in &asked.packages {
+        let shard = format!("{}/{}", asked.from, asked.every);
+        let which = ["--shard", &shard, "--sharding", "round-robin"].map(str::to_owned);
+        let what = format!("mutants of {package}, {shard}");
+        let mut score = run(&what, package, &which, &folder.join(package))?;
+        if asked.all_tests && !score.missed.is_empty() {
+            let mut which: Vec<String> =
+                score.missed.iter().flat_map(|name| ["--re".to_owned(), whole(name)]).collect();
+            let tests = ABOVE.iter().filter(|&&above| above != package.as_str());
+            which.extend(tests.flat_map(|above| ["--test-package".to_owned(), format!("predicament-{above}")]));
+            let what = format!("mutants of {package}, by the tests of crates above");
+            score.tried_again(run(&what, package, &which, &folder.join(format!("{package}-above")))?);
+        }
         rows.push(score.row(package));
         total.add(&score);
     }
     println!(
-        "\n| package | mutants | caught | never end | missed | do not compile | noticed, with Wilson's interval at 95 % |"
+        "\n| package | mutants | caught | by crates above | never end | missed | do not compile | noticed, with Wilson's \
+         interval at 95 % |"
     );
-    println!("|---|---:|---:|---:|---:|---:|---|");
+    println!("|---|---:|---:|---:|---:|---:|---:|---|");
     rows.iter().for_each(|row| println!("{row}"));
     println!("{}", total.row("all"));
     println!("\nMissed:");
     total.missed.iter().for_each(|mutant| println!("* {mutant}"));
     Ok(())
+}
+
+/// Runs cargo-mutants on some mutants of a package, and reads what it leaves in a folder.
+fn run(what: &str, package: &str, which: &[String], out: &Path) -> Result<Score, String> {
+    std::fs::create_dir_all(out).map_err(|error| format!("{}: {error}", out.display()))?;
+    let mut args: Vec<String> = ["mutants", "--package", &format!("predicament-{package}")].map(str::to_owned).into();
+    args.extend_from_slice(which);
+    let always = [
+        "--profile",
+        "ci",
+        "--test-tool",
+        "nextest",
+        "--no-shuffle",
+        "--minimum-test-timeout",
+        "120",
+        "--output",
+        &out.display().to_string(),
+        "--colors",
+        "never",
+    ];
+    args.extend(always.map(str::to_owned));
+    // Each copy of the tree is in a folder of its own: dependencies at least are compiled once.
+    let built = root().join(BUILT).display().to_string();
+    step_ending(what, &cargo_command(&args), &[("CARGO_TARGET_DIR", built.as_str())], &FINE)?;
+    Score::read(out)
+}
+
+/// A regular expression that is the name of one mutant.
+fn whole(name: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || " _/:,'<>&;=\"".contains(c) || !c.is_ascii();
+    let escaped: String = name.chars().map(|c| if plain(c) { c.to_string() } else { format!("\\{c}") }).collect();
+    format!("^{escaped}$")
 }
 
 fn ratio(part: usize, of: usize) -> f64 {
@@ -173,8 +225,18 @@ mod tests {
         std::fs::remove_file(out.join("missed.txt")).unwrap();
         let none = Score::read(&folder);
         std::fs::remove_dir_all(&folder).unwrap();
-        assert_eq!(score.unwrap().row("x"), "| x | 4 | 3 | 0 | 1 | 1 | 75.0 % (30.1 to 95.4) |");
+        let mut score = score.unwrap();
+        assert_eq!(score.row("x"), "| x | 4 | 3 | 0 | 0 | 1 | 1 | 75.0 % (30.1 to 95.4) |");
+        let again = Score { caught: vec!["d".to_owned()], ..Score::default() };
+        score.tried_again(again);
+        assert_eq!(score.row("x"), "| x | 4 | 3 | 1 | 0 | 0 | 1 | 100.0 % (51.0 to 100.0) |");
         assert!(none.is_err_and(|why| why.contains("missed.txt")));
+        assert_eq!(
+            whole(
+                "crates/a/src/b.rs:1:2: replace <impl X for Y<'_>>::f -> Option<[u8; 2]> with Some([0; 2]) * (1 + 2)"
+            ),
+            r"^crates/a/src/b\.rs:1:2: replace <impl X for Y<'_>>::f \-> Option<\[u8; 2\]> with Some\(\[0; 2\]\) \* \(1 \+ 2\)$"
+        );
         assert!(score_of(&["nothing"]).unwrap_err().contains("no package"));
         assert!(score_of(&["--every", "x"]).unwrap_err().contains("a number"));
         assert!(score_of(&["--every", "3", "--from", "3"]).unwrap_err().contains("choose from 0"));

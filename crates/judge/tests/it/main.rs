@@ -11,3 +11,4 @@ mod planted;
 mod random;
 mod sample;
 mod solids;
+mod within;
