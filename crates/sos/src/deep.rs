@@ -150,3 +150,28 @@ impl<const D: usize> Asked<'_, D> {
         term.sign * gap * minor
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn masks_leave_the_terms_without_both_rows() {
+        let mut left_out = 0;
+        for scheme in Scheme::ALL {
+            for kind in PredicateKind::ALL {
+                let terms = scheme.terms(kind);
+                for (pair, [i, j]) in PAIRS.into_iter().enumerate() {
+                    let mask = MASKS[scheme as usize][kind.index()][pair];
+                    for (place, term) in terms.iter().enumerate() {
+                        let has_both = term.rows.contains(&i) && term.rows.contains(&j);
+                        assert_eq!(mask >> place & 1 == 0, has_both, "{scheme:?}, {kind:?}, {i} and {j}, term {place}");
+                        left_out += usize::from(has_both);
+                    }
+                    assert_eq!(mask.checked_shr(u32::try_from(terms.len()).unwrap()).unwrap_or(0), 0);
+                }
+            }
+        }
+        assert!(left_out > 100, "{left_out}");
+    }
+}

@@ -180,3 +180,126 @@ fn determinant(rows: &[Vec<Integer>], columns: &mut Vec<usize>) -> Integer {
     }
     sum
 }
+
+#[cfg(test)]
+mod tests {
+    use predicament_predicates::Dimension;
+
+    use super::*;
+
+    /// An integer below n, by the place in a sequence that has no pattern.
+    fn digit(at: usize, n: i32) -> i32 {
+        let mixed = u64::try_from(at).unwrap().wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        i32::try_from((mixed ^ mixed >> 29).wrapping_mul(0xbf58_476d_1ce4_e5b9) >> 40 & 0xffff).unwrap() % n
+    }
+
+    /// The determinant of a square matrix along its first row.
+    fn expanded(matrix: &[Vec<i128>]) -> i128 {
+        let Some((first, rest)) = matrix.split_first() else { return 1 };
+        let minor = |without: usize| {
+            let rows = rest.iter().map(|row| [&row[..without], &row[without + 1..]].concat());
+            expanded(&rows.collect::<Vec<_>>())
+        };
+        (0..first.len()).map(|at| first[at] * minor(at) * if at.is_multiple_of(2) { 1 } else { -1 }).sum()
+    }
+
+    /// The minor as its definition has it: coordinates, the lift, and 1.
+    fn defined(points: &[[i128; 3]], rows: &[u8], columns: &[u8], lift: Lift) -> Sign {
+        let row = |&row: &u8| -> Vec<i128> {
+            let point = points[usize::from(row)];
+            let origin = lift.about.map(|about| about.map(usize::from));
+            let square = |axis: usize| (point[axis] - origin[axis].map_or(0, |about| points[about][axis])).pow(2);
+            let coordinates = columns.iter().map(|&column| point[usize::from(column)]);
+            coordinates.chain([(0..3).map(square).sum(), 1]).collect()
+        };
+        let value = expanded(&rows.iter().map(row).collect::<Vec<_>>());
+        Sign::from(value.cmp(&0))
+    }
+
+    /// What each of the ways finds, and how often doubles decide.
+    fn ways(dimension: Dimension, size: i32, unit: f64) -> [usize; 4] {
+        let axes: &[Axis] =
+            if dimension == Dimension::Two { &[Axis::X, Axis::Y] } else { &[Axis::X, Axis::Y, Axis::Z] };
+        let minors: &[(&[u8], &[u8])] = match dimension {
+            Dimension::Two => {
+                &[(&[0, 2], &[]), (&[1, 3], &[]), (&[0, 1, 3], &[0]), (&[1, 2, 3], &[1]), (&[0, 1, 2], &[0])]
+            }
+            Dimension::Three => &[
+                (&[0, 4], &[]),
+                (&[1, 2, 4], &[0]),
+                (&[0, 3, 4], &[2]),
+                (&[0, 1, 2, 3], &[0, 1]),
+                (&[1, 2, 3, 4], &[0, 2]),
+                (&[0, 2, 3, 4], &[1, 2]),
+            ],
+        };
+        let mut seen = [0; 4];
+        for round in 0..400 {
+            let whole: Vec<[i128; 3]> = (0..5)
+                .map(|point| {
+                    let place = |axis: usize| digit(31 * round + 5 * point + axis, 2 * size + 1) - size;
+                    [0, 1, 2].map(|axis| if axis < axes.len() { i128::from(place(axis)) } else { 0 })
+                })
+                .collect();
+            let coordinates = whole.iter().flat_map(|point| &point[..axes.len()]);
+            let coordinates = coordinates.map(|&x| f64::from(i32::try_from(x).unwrap()) * unit).collect();
+            let scene = Scene::new(dimension, coordinates).unwrap();
+            let sorted: Vec<Vertex> = (0..5).map(Vertex::input).collect();
+            let lifted = Lifted::new(&scene, axes, &sorted);
+            let points = lifted.read();
+            for (at, &(rows, columns)) in minors.iter().enumerate() {
+                let about = [0, 1, 2].map(|axis: usize| {
+                    let row = u8::try_from(digit(7 * round + 3 * at + axis, 6)).unwrap();
+                    (row < 5 && axis < axes.len()).then_some(row)
+                });
+                let lift = Lift { about };
+                let truth = defined(&whole, rows, columns, lift);
+                let what = format!("{rows:?} {columns:?} {lift:?} of {whole:?} by {unit:e}");
+                assert_eq!(lifted.sign(rows, columns, lift), truth, "{what}");
+                let Integers::Long(integers) = long(points) else { unreachable!("long ones are asked for") };
+                assert_eq!(long_sign(&integers, rows, columns, lift), truth, "long: {what}");
+                if let Some(points) = short_rows(points) {
+                    assert_eq!(short_sign(&points, rows, columns, lift), truth, "short: {what}");
+                    seen[0] += 1;
+                }
+                if let Some(sign) = lifted.quick(&points, rows, columns, lift) {
+                    assert_eq!(sign, truth, "quick: {what}");
+                    seen[1] += 1;
+                }
+                seen[2] += usize::from(truth.is_zero());
+                seen[3] += 1;
+            }
+        }
+        seen
+    }
+
+    #[test]
+    fn minors_with_a_lift_are_what_they_are_defined_as() {
+        for (dimension, quick) in [(Dimension::Two, 3), (Dimension::Three, 3)] {
+            for (size, unit) in [(2, 1.0), (2, 0.25), (2000, 1.0), (2000, f64::from_bits((1023 + 300) << 52))] {
+                let [short, quickly, zeros, all] = ways(dimension, size, unit);
+                assert_eq!(short, all, "integers of a machine suffice");
+                // Those that lack one column are three of five, or of six; nearly all of these are quick.
+                let quick = 390 * quick..=400 * quick;
+                assert!(quick.contains(&quickly), "{quickly} of {all} in {dimension:?}, size {size}, by {unit:e}");
+                assert!(size > 2 || zeros > 100, "{zeros} zeros");
+            }
+        }
+    }
+
+    #[test]
+    fn what_spans_too_much_for_a_machine_is_long() {
+        let far = [1.0, 0.0, 3.0, 1e30, -2.0, 1.0, 5.0, 1e-30, 0.0, 0.0];
+        let scene = Scene::new(Dimension::Two, far.to_vec()).unwrap();
+        let sorted: Vec<Vertex> = (0..5).map(Vertex::input).collect();
+        let lifted = Lifted::new(&scene, &[Axis::X, Axis::Y], &sorted);
+        assert!(short_rows(lifted.read()).is_none());
+        // 1 + 0 against 9 + 10^60, about the origin, and about the second.
+        let sign = |rows: &[u8], about| lifted.sign(rows, &[], Lift { about });
+        assert_eq!(sign(&[0, 1], [None; 3]), Sign::Negative);
+        assert_eq!(sign(&[0, 1], [Some(1), Some(1), None]), Sign::Positive);
+        // 25 + 10^-60 against 25, about the last and about the first.
+        assert_eq!(sign(&[3, 4], [Some(4), Some(4), None]), Sign::Positive);
+        assert_eq!(sign(&[3, 4], [Some(3), Some(3), None]), Sign::Negative);
+    }
+}

@@ -160,3 +160,60 @@ pub(crate) const fn projection(x: Axis, y: Axis) -> Option<(Plane, Sign)> {
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use predicament_predicates::Dimension;
+
+    use super::*;
+
+    #[test]
+    fn rows_with_the_coordinates_of_another_are_twins() {
+        // Rows 0 and 2 are at one place, and so are 1, 3 and 4.
+        let points = vec![1.0, 2.0, 3.0, 4.0, 1.0, 2.0, 3.0, 4.0, 3.0, 4.0, 1.0, 4.0];
+        let scene = Scene::new(Dimension::Two, points).unwrap();
+        let twins = |axes: &[Axis], rows: &[usize]| {
+            let rows: Vec<Vertex> = rows.iter().map(|&row| Vertex::input(row)).collect();
+            Twins::new(&scene, axes, &rows)
+        };
+        let both = [Axis::X, Axis::Y];
+        let all = twins(&both, &[0, 1, 2, 3, 4]);
+        assert_eq!(all.firsts, [0, 1, 0, 1, 1]);
+        for (rows, are) in [
+            (&[0, 1][..], false),
+            (&[0, 2], true),
+            (&[1, 2, 3], true),
+            (&[0, 3, 4], true),
+            (&[2, 4], false),
+            (&[1], false),
+            (&[], false),
+        ] {
+            assert_eq!(all.are_among(rows), are, "{rows:?}");
+        }
+        // One coordinate in common is not enough, unless the other is not looked at.
+        assert_eq!(twins(&both, &[0, 1, 5]).firsts, [0, 1, 2, 3, 4]);
+        assert_eq!(twins(&[Axis::X], &[0, 1, 5]).firsts, [0, 1, 0, 3, 4]);
+        assert_eq!(twins(&[Axis::Y], &[0, 1, 5]).firsts, [0, 1, 1, 3, 4]);
+        // A constructed vertex is at no place that is known.
+        let constructed = [Vertex::input(0), Vertex::constructed(0), Vertex::constructed(0)];
+        assert_eq!(Twins::new(&scene, &both, &constructed).firsts, [0, 1, 2, 3, 4]);
+    }
+
+    #[test]
+    fn sorting_counts_exchanges() {
+        let sorted = |at: [usize; 4]| Sorted::new(at.map(Vertex::input));
+        let ascending = [1, 4, 6, 9].map(Vertex::input);
+        for (at, parity) in [
+            ([1, 4, 6, 9], Sign::Positive),
+            ([4, 1, 6, 9], Sign::Negative),
+            ([4, 6, 1, 9], Sign::Positive),
+            ([9, 6, 4, 1], Sign::Positive),
+            ([9, 1, 4, 6], Sign::Negative),
+        ] {
+            assert_eq!(sorted(at), Some(Sorted { vertices: ascending, parity }), "{at:?}");
+        }
+        for at in [[1, 1, 2, 3], [1, 2, 1, 3], [3, 2, 1, 3], [2, 3, 3, 1]] {
+            assert_eq!(sorted(at), None, "{at:?}");
+        }
+    }
+}
