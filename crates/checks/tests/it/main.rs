@@ -8,6 +8,7 @@ mod contacts;
 mod cubes;
 mod delaunay;
 mod hull;
+mod names;
 mod overlay;
 mod partition;
 mod slice;
