@@ -272,3 +272,6 @@ fn bounds(kind: PairKind, dimension: Dimension, limits: &[[Rational; 2]; 4]) -> 
         (PairKind::TetrahedronVertex, _) => vec![squared(delta) * delta * 108],
     }
 }
+
+#[cfg(test)]
+mod tests;

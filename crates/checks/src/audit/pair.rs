@@ -377,3 +377,6 @@ pub(super) fn area(p: &Point, q: &Point, r: &Point) -> Integer {
 pub(super) fn volume(a: &Point, b: &Point, c: &Point, d: &Point) -> Integer {
     dot(&cross(&minus(a, d), &minus(b, d)), &minus(c, d))
 }
+
+#[cfg(test)]
+mod tests;

@@ -240,3 +240,6 @@ impl Published {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

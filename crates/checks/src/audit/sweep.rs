@@ -93,3 +93,6 @@ fn boxes(scene: &Scene, complex: &Complex, rank: u8) -> Vec<Boxed> {
     };
     (0..count).map(boxed).collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,5 +1,7 @@
 //! Contacts held to exact distances: whole sets of contacts, and distances by
 //! another method.
 
+mod counts;
 mod oracle;
+mod published;
 mod sets;
