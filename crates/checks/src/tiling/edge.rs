@@ -45,3 +45,6 @@ pub(super) fn place<P: Predicates + ?Sized>(session: &P, [u, v]: [Vertex; 2], p:
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -138,3 +138,6 @@ fn share_length(scene: &Scene, edges: [Edge; 2]) -> bool {
     };
     axis_with_extent(0) || axis_with_extent(1)
 }
+
+#[cfg(test)]
+mod tests;

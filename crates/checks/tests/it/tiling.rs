@@ -1,5 +1,7 @@
 //! Tilings, sound and flawed, under exact, perturbed and faulty sessions.
 
+mod reports;
+
 use crate::common::{Fault as Planted, Faulty, Problem, bricks, island, square_cells, squares};
 use predicament_algorithms::polygon_locate::{LocateIndex, Locations, question_all};
 use predicament_checks::tiling::{
