@@ -15,3 +15,17 @@ pub(crate) fn sum(mut terms: Vec<Rational>) -> Rational {
     }
     terms.pop().unwrap_or_default()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sum_has_all_its_terms() {
+        for count in 0..12_u32 {
+            // The powers of two, of which no two choices have one sum, over three.
+            let terms = (0..count).map(|i| Rational::from((1_u32 << i, 3_u32))).collect();
+            assert_eq!(sum(terms), Rational::from(((1_u32 << count) - 1, 3_u32)));
+        }
+    }
+}

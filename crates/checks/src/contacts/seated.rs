@@ -144,6 +144,9 @@ fn middle([ax, ay]: Place, [bx, by]: Place) -> Place {
 }
 
 #[cfg(test)]
+mod places;
+
+#[cfg(test)]
 mod tests {
     use super::*;
 

@@ -1,5 +1,9 @@
 //! Merged curves and surfaces under exact, perturbed and damaged contact sets.
 
+mod degenerate;
+mod oriented;
+mod pierced;
+
 use std::collections::BTreeSet;
 
 use predicament_algorithms::arrangement::Arrangement;
@@ -401,8 +405,10 @@ fn surfaces_that_cross_or_touch_themselves_are_not_embedded() {
         pair.complexes().map(|complex| is_embedded(&exact, complex))
     };
     assert_eq!(embedded(&TWO_OCTAHEDRA), [true; 2]);
-    // One vertex on another, edges that cross, an edge through a triangle.
-    for through in [[-8.0, 0.0, 0.0], [0.0, 0.0, 8.0], [0.0, 9.0, 9.0], [-4.0, 9.0, 0.0], [-4.0, 9.0, 1.0]] {
+    // One vertex on another, edges that cross, an edge through a triangle, a vertex in a triangle.
+    for through in
+        [[-8.0, 0.0, 0.0], [0.0, 0.0, 8.0], [0.0, 9.0, 9.0], [-4.0, 9.0, 0.0], [-4.0, 9.0, 1.0], [-4.0, 2.0, 2.0]]
+    {
         let mut points = TWO_OCTAHEDRA;
         points[0] = through;
         assert_eq!(embedded(&points), [false, true], "{through:?}");
