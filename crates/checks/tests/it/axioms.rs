@@ -1,5 +1,7 @@
 //! The laws hold for what keeps them, and each catches a planted fault.
 
+mod single;
+
 use crate::common::{self, Fault, Faulty};
 use predicament_checks::axioms::{
     Law, Relation, Violation, antisymmetry, equals_reference, independence_of_later_vertices, independence_of_place,
