@@ -65,13 +65,18 @@ mod tests {
         Rational::from(ax * bx) + Rational::from(ay * by)
     }
 
+    /// Whether a number is from 0 to 1.
+    fn is_share(x: &Rational) -> bool {
+        *x >= 0 && *x <= 1
+    }
+
     /// The place s along the edge with p = a + s (b − a), if p is on it.
     fn place_on([a, b]: [Pixel; 2], p: Pixel) -> Option<Rational> {
         let [a, b, p] = [a, b, p].map(rational);
         let (along, to) = (less(&b, &a), less(&p, &a));
         let place = dot(&along, &to) / dot(&along, &along);
-        let on = [0, 1].map(|i: usize| Rational::from(&a[i] + Rational::from(&place * &along[i])));
-        (on == p && place >= 0 && place <= 1).then_some(place)
+        let on = [0, 1].map(|i: usize| &a[i] + Rational::from(&place * &along[i]));
+        (on == p && is_share(&place)).then_some(place)
     }
 
     /// Whether edges that are not empty have a point in common that is not an end of both, by the equations of their points.
@@ -88,8 +93,7 @@ mod tests {
         // a + s u = c + t v
         let s = (Rational::from(&w[1] * &v[0]) - Rational::from(&w[0] * &v[1])) / &determinant;
         let t = (Rational::from(&u[0] * &w[1]) - Rational::from(&u[1] * &w[0])) / &determinant;
-        let is_in = |x: &Rational| *x >= 0 && *x <= 1;
-        is_in(&s) && is_in(&t) && (is_inner(&s) || is_inner(&t))
+        is_share(&s) && is_share(&t) && (is_inner(&s) || is_inner(&t))
     }
 
     #[test]
@@ -139,7 +143,7 @@ mod tests {
                         1
                     }] += 1;
                     let place = place.clamp(&0, &1);
-                    let nearest = [0, 1].map(|i: usize| Rational::from(&ra[i] + Rational::from(&place * &along[i])));
+                    let nearest = [0, 1].map(|i: usize| &ra[i] + Rational::from(&place * &along[i]));
                     let to = less(&rp, &nearest);
                     let square = dot(&to, &to);
                     let at_least = |bound: &Rational| {
