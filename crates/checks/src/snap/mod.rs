@@ -219,3 +219,6 @@ fn meets([a, b]: [&Point; 2], pixel: Pixel) -> bool {
     }
     from.0 < to.0 || (from.0 == to.0 && !from.1 && !to.1)
 }
+
+#[cfg(test)]
+mod tests;

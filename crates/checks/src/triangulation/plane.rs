@@ -106,3 +106,77 @@ impl Points {
         Rational::from(doubled) >> (2 * self.shift + 1)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::cmp::Ordering::{Equal, Greater, Less};
+
+    use predicament_predicates::Dimension;
+
+    use super::*;
+
+    /// A triangle with legs 2 and 1.5, a point on its longest side, one beyond that, and its first corner again.
+    fn points(reversed: bool) -> Points {
+        let places = vec![0.25, 0.5, 2.25, 0.5, 0.25, 2.0, 1.25, 1.25, 4.25, -1.0, 0.25, 0.5];
+        let scene = Scene::new(Dimension::Two, places).unwrap();
+        // In any order, some of them twice.
+        let vertices = [3, 1, 0, 2, 5, 4, 1, 3].map(Vertex::input);
+        Points::new(&scene, Plane::Xy, reversed, vertices.into_iter())
+    }
+
+    #[test]
+    fn turns_areas_and_products_are_those_by_hand() {
+        let points = points(false);
+        assert_eq!((points.len(), points.shift), (6, 2));
+        // Twice the area is 3, in sixteenths.
+        assert_eq!([points.turn(0, 1, 2), points.turn(1, 0, 2)], [48, -48].map(Integer::from));
+        assert_eq!([points.side(0, 1, 2), points.side(0, 2, 1), points.side(1, 2, 3)], [Greater, Less, Equal]);
+        // (2, 0) · (1, 3/4) and (2, 0) · (0, 3/2); (-1, -3/4) · (1, -3/4).
+        let products = [points.along(0, 1, 3), points.along(0, 1, 2), points.along(3, 0, 1)];
+        assert_eq!(products, [32, 0, -7].map(Integer::from));
+        assert_eq!(points.area(&[0, 1, 2]), 48);
+        assert_eq!(points.area(&[2, 1, 0]), -48);
+        // 4, 1, 2 and 3 are on a line.
+        assert_eq!(points.area(&[0, 4, 1, 2]), points.turn(0, 4, 2));
+        assert_eq!([&[][..], &[1], &[1, 2]].map(|corners| points.area(corners)), [0, 0, 0].map(Integer::from));
+        assert_eq!(points.in_scene_units(&points.area(&[0, 1, 2])), Rational::from((3, 2)));
+        assert_eq!(points.in_scene_units(&Integer::from(1)), Rational::from((1, 32)));
+    }
+
+    #[test]
+    fn the_other_side_of_the_plane_turns_the_other_way() {
+        let points = points(true);
+        assert_eq!(points.turn(0, 1, 2), -48);
+        assert_eq!(points.raw(1), [0.5, 2.25]);
+        assert_eq!(points.in_scene_units(&points.area(&[2, 1, 0])), Rational::from((3, 2)));
+    }
+
+    #[test]
+    fn closed_segments_have_their_ends_and_what_is_between() {
+        let points = points(false);
+        for (a, b, c, is_on) in [
+            (1, 2, 3, true),
+            (2, 1, 3, true),
+            (1, 2, 1, true),
+            (1, 2, 2, true),
+            (1, 2, 4, false),
+            (2, 4, 1, true),
+            (1, 2, 0, false),
+            (1, 3, 2, false),
+            (0, 0, 5, true),
+        ] {
+            assert_eq!(points.is_on(a, b, c), is_on, "{c} on {a} to {b}");
+        }
+    }
+
+    #[test]
+    fn vertices_have_places_and_places_an_order() {
+        let points = points(false);
+        assert_eq!(points.place(Vertex::input(4)), Some(4));
+        assert_eq!(points.place(Vertex::input(6)), None);
+        assert_eq!(points.vertex(3), Vertex::input(3));
+        assert!(points.is_same_place(0, 5) && !points.is_same_place(0, 1));
+        assert_eq!([points.order(0, 5), points.order(0, 2), points.order(2, 3)], [Equal, Less, Less]);
+        assert_eq!([points.order_x(0, 2), points.order_x(3, 2), points.order_x(1, 4)], [Equal, Greater, Less]);
+    }
+}
