@@ -26,16 +26,6 @@ fn questions(dimension: Dimension) -> Vec<Question> {
     }
 }
 
-/// How many vertices a question is about.
-fn vertices(question: Question) -> usize {
-    match question {
-        Question::Compare(_) => 2,
-        Question::Orient2d(_) => 3,
-        Question::Orient3d | Question::Incircle => 4,
-        Question::Insphere => 5,
-    }
-}
-
 #[test]
 fn the_determinant_itself_is_the_least_limit() {
     let mut random = Random::new(17);
@@ -48,7 +38,7 @@ fn the_determinant_itself_is_the_least_limit() {
             let count = if dimension == Dimension::Two { 10 } else { 15 };
             let scene = Scene::new(dimension, (0..count).map(|_| random.whole(7) * unit).collect()).unwrap();
             for question in questions(dimension) {
-                let args: Vec<Vertex> = (0..vertices(question)).map(Vertex::input).collect();
+                let args: Vec<Vertex> = (0..question.kind().arity()).map(Vertex::input).collect();
                 let size = verdict(&scene, question, &args).determinant.abs();
                 let limit = size.to_f64();
                 assert_eq!(rational(limit), size, "the test's own: a determinant that is a double");
