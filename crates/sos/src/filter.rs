@@ -96,6 +96,12 @@ pub(crate) fn lifted<const EXACT: bool, const D: usize>(
     columns: &[u8],
     lift: Lift,
 ) -> Option<Sign> {
+    certain::<EXACT>(lifted_minor(points, rows, columns, lift)?, BOUND)
+}
+
+/// What [`lifted`] estimates; none for so many rows or columns.
+#[inline(always)]
+fn lifted_minor<const D: usize>(points: &[[f64; D]], rows: &[u8], columns: &[u8], lift: Lift) -> Option<Ranged> {
     let at = |row: u8| &points[usize::from(row)];
     let mut origin = [None; D];
     for (axis, origin) in origin.iter_mut().enumerate() {
@@ -124,16 +130,15 @@ pub(crate) fn lifted<const EXACT: bool, const D: usize>(
         let difference = |column: Option<&u8>| column.map_or(0.0, |&x| point[usize::from(x)] - last[usize::from(x)]);
         Row { differences: [difference(columns.first()), difference(columns.get(1))], lift, size }
     };
-    let ranged = match (rows, columns) {
+    match (rows, columns) {
         (&[p, last], []) => {
             let p = row(p, last);
-            (Estimate { determinant: p.lift, permanent: p.size }, p.size)
+            Some((Estimate { determinant: p.lift, permanent: p.size }, p.size))
         }
-        (&[p, q, last], [_]) => along(&row(p, last), &row(q, last)),
-        (&[p, q, r, last], [_, _]) => across(&row(p, last), &row(q, last), &row(r, last)),
-        _ => return None,
-    };
-    certain::<EXACT>(ranged, BOUND)
+        (&[p, q, last], [_]) => Some(along(&row(p, last), &row(q, last))),
+        (&[p, q, r, last], [_, _]) => Some(across(&row(p, last), &row(q, last), &row(r, last))),
+        _ => None,
+    }
 }
 
 /// An estimate, and the sum of the lifts' permanents.
@@ -248,11 +253,8 @@ mod tests {
     use rug::Rational;
 
     use super::*;
+    use crate::definition::{self, determinant, rational};
     use crate::short;
-
-    fn rational(x: f64) -> Rational {
-        Rational::from_f64(x).expect("finite")
-    }
 
     /// The minor as it is defined: columns, lift about the origin, ones; along the last column.
     fn truth<const D: usize>(points: &[&[f64; D]], columns: &[usize], struck: Struck) -> Rational {
@@ -264,16 +266,6 @@ mod tests {
             row
         };
         determinant(&points.iter().map(row).collect::<Vec<_>>())
-    }
-
-    fn determinant(rows: &[Vec<Rational>]) -> Rational {
-        let Some((first, rest)) = rows.split_first() else { return Rational::from(1) };
-        let without = |column: usize| {
-            let strike = |row: &Vec<Rational>| [&row[..column], &row[column + 1..]].concat();
-            determinant(&rest.iter().map(strike).collect::<Vec<_>>())
-        };
-        let term = |column: usize| without(column) * &first[column];
-        (0..rows.len()).map(|column| if column % 2 == 0 { term(column) } else { -term(column) }).sum()
     }
 
     /// Asserts what must hold of an estimate; whether the sign of its determinant is right.
@@ -356,6 +348,86 @@ mod tests {
             }
         }
         assert!(wrong.iter().all(|&count| count > 0), "{wrong:?}");
+    }
+
+    /// The permanent as it is defined, and the sum of the lifts' permanents: of differences to the last row and of lifts along these axes.
+    fn permanent<const D: usize>(
+        points: &[&[f64; D]],
+        columns: &[usize],
+        axes: &[(usize, Option<f64>)],
+    ) -> [Rational; 2] {
+        fn of(rows: &[Vec<Rational>]) -> Rational {
+            let Some((first, rest)) = rows.split_first() else { return Rational::from(1) };
+            let without = |column: usize| {
+                of(&rest.iter().map(|row| [&row[..column], &row[column + 1..]].concat()).collect::<Vec<_>>())
+            };
+            (0..rows.len()).map(|column| without(column) * &first[column]).sum()
+        }
+        let (last, points) = points.split_last().expect("a last row");
+        let apart = |x: f64, y: f64| (rational(x) - rational(y)).abs();
+        let size = |point: &[f64; D]| -> Rational {
+            let share = |&(axis, origin): &(usize, Option<f64>)| {
+                let difference = apart(point[axis], last[axis]);
+                match origin {
+                    None => difference.square(),
+                    Some(origin) => difference * (apart(point[axis], origin) + apart(last[axis], origin)),
+                }
+            };
+            axes.iter().map(share).sum()
+        };
+        let row = |point: &&[f64; D]| -> Vec<Rational> {
+            let differences = columns.iter().map(|&column| apart(point[column], last[column]));
+            differences.chain([size(point)]).collect()
+        };
+        let rows: Vec<Vec<Rational>> = points.iter().map(row).collect();
+        let lifts = rows.iter().map(|row| &row[columns.len()]).sum();
+        [of(&rows), lifts]
+    }
+
+    fn is_near(computed: f64, exact: &Rational) -> bool {
+        (rational(computed) - exact).abs() <= rational(14.0 * f64::EPSILON / 2.0) * exact
+    }
+
+    /// Every lifted minor of a scheme, of points near ties: the determinant by its definition, within the bound; and the permanent.
+    fn check_lifted<const D: usize>(points: &[[f64; D]], terms: &[crate::Term]) {
+        for term in terms {
+            let Some(lift) = term.lift else { continue };
+            let rows: Vec<&[f64; D]> = term.rows.iter().map(|&row| &points[usize::from(row)]).collect();
+            let columns: Vec<usize> = term.columns.iter().copied().map(usize::from).collect();
+            let origin = |axis: usize| lift.about[axis].map_or(0.0, |row| points[usize::from(row)][axis]);
+            let truth = definition::minor(points, term);
+            let (estimate, lifts) = lifted_minor(points, term.rows, term.columns, lift).expect("rows and columns");
+            let sign = lifted::<false, D>(points, term.rows, term.columns, lift);
+            check((estimate, lifts), sign, &truth);
+            let along = |axis: usize| (!columns.contains(&axis)).then(|| origin(axis));
+            let axes: Vec<(usize, Option<f64>)> = (0..D).map(|axis| (axis, along(axis))).collect();
+            let [of_rows, of_lifts] = permanent(&rows, &columns, &axes);
+            assert!(is_near(estimate.permanent, &of_rows), "{} is {of_rows}: {term:?}", estimate.permanent);
+            assert!(is_near(lifts, &of_lifts), "{lifts} is {of_lifts}: {term:?}");
+        }
+    }
+
+    #[test]
+    fn lifted_minors_and_their_permanents_are_those_of_the_definition() {
+        let mut runner = proptest::test_runner::TestRunner::deterministic();
+        for _ in 0..predicament_effort::cases(400) {
+            let points = near_ties().new_tree(&mut runner).expect("a case").current();
+            for scheme in crate::Scheme::ALL {
+                check_lifted(&points, scheme.terms(PredicateKind::Insphere));
+                check_lifted(&points.map(|[x, y, _]| [x, y]), scheme.terms(PredicateKind::Incircle));
+            }
+            let [p, q, r, s, first] = points.each_ref();
+            for origin in [0.0, first[2]] {
+                let struck = Struck { column: 2, origin };
+                let (estimate, lifts) = minor2([p, q, r], 0, struck);
+                let [of_rows, of_lifts] = permanent(&[p, q, r], &[0], &[(0, None), (2, Some(origin))]);
+                assert!(is_near(estimate.permanent, &of_rows) && is_near(lifts, &of_lifts));
+                let (estimate, lifts) = minor3([p, q, r, s], [0, 1], struck);
+                let axes = [(0, None), (1, None), (2, Some(origin))];
+                let [of_rows, of_lifts] = permanent(&[p, q, r, s], &[0, 1], &axes);
+                assert!(is_near(estimate.permanent, &of_rows) && is_near(lifts, &of_lifts));
+            }
+        }
     }
 
     #[test]

@@ -434,3 +434,49 @@ pub(crate) const fn leading(terms: &'static [Term], place: usize) -> Option<Term
     let all = terms[0].rows.len();
     if term.rows.len() == all && term.rows[0] == 1 && term.gap.is_none() { Some(term) } else { None }
 }
+
+#[cfg(test)]
+mod tests {
+    use predicament_predicates::Backend;
+
+    use super::*;
+    use crate::definition::coefficient;
+
+    /// In general position, so that no minor of theirs is zero or nearly.
+    const POINTS: [[f64; 3]; 5] = [[1.0, 7.0, 2.0], [9.0, 3.0, 5.0], [4.0, 2.0, 8.0], [6.0, 5.0, 1.0], [3.0, 8.0, 6.0]];
+
+    /// Every leading term of a list, as its rows decide it and by definition; how many there are.
+    fn check<const D: usize>(kind: PredicateKind, rows: impl Rows, points: &[[f64; D]]) -> usize {
+        let lists = Scheme::ALL.map(|scheme| scheme.terms(kind));
+        let terms = lists.iter().flat_map(|&terms| (0..4).map_while(|place| leading(terms, place)));
+        let check = |term: Term| assert_eq!(rows.sign(term), Some(coefficient(points, &term)), "{kind:?}, {term:?}");
+        terms.map(check).count()
+    }
+
+    #[test]
+    fn leading_terms_of_general_position_are_decided_where_they_are() {
+        // Where doubles make no error, where they do, and far away from 1.
+        for unit in [1.0, 0.1, f64::from_bits((1023 + 60) << 52)] {
+            let solid = POINTS.map(|point| point.map(|x| x * unit));
+            let flat = solid.map(|[x, y, _]| [x, y]);
+            let scene = Scene::new(Dimension::Three, solid.concat()).unwrap();
+            let exact = predicament_exact::Exact.prepare(&scene, Off).unwrap();
+            let vertices = [0, 1, 2, 3, 4].map(Vertex::input);
+            let [a, b, c, d, _] = vertices;
+            let (four, points) = ([a, b, c, d], [&solid[0], &solid[1], &solid[2], &solid[3]]);
+            let rows = Three::<false, 3> { exact: &exact, vertices: four, points };
+            assert_eq!(check(PredicateKind::Orient3d, rows, &solid), 6);
+            let rows = Four::<false> { exact: &exact, vertices, points: solid.each_ref() };
+            assert!(check(PredicateKind::Insphere, rows, &solid) > 4);
+            let scene = Scene::new(Dimension::Two, flat.concat()).unwrap();
+            let exact = predicament_exact::Exact.prepare(&scene, Off).unwrap();
+            let rows =
+                Three::<false, 2> { exact: &exact, vertices: four, points: [&flat[0], &flat[1], &flat[2], &flat[3]] };
+            assert!(check(PredicateKind::Incircle, rows, &flat) > 3);
+            if unit == 1.0 {
+                let rows = Three::<true, 2> { exact: rows.exact, vertices: four, points: rows.points };
+                check(PredicateKind::Incircle, rows, &flat);
+            }
+        }
+    }
+}

@@ -22,6 +22,8 @@ mod breaker;
 mod constructed;
 mod crossed;
 mod deep;
+#[cfg(test)]
+mod definition;
 pub mod derive;
 mod filter;
 pub mod infinitesimal;

@@ -65,3 +65,23 @@ const fn longest(scheme: Scheme) -> usize {
 // Every term has a stage of its own.
 const _: () = assert!(FIRST_TERM + longest(Scheme::PerCoordinate) <= MAX_STAGES);
 const _: () = assert!(FIRST_TERM + longest(Scheme::EdelsbrunnerMucke) <= MAX_STAGES);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stages_are_named_after_what_decides() {
+        for scheme in Scheme::ALL {
+            let names = names(scheme);
+            assert_eq!(names[..EXACT.len()], EXACT[..]);
+            let degrees = [0, 1, 2, 3, 4, 5, 12].map(|degree| names[of_degree(degree)]);
+            let [first, second, third, more] = DEGREES;
+            assert_eq!(degrees, [first, first, second, third, more, more, more]);
+            assert_eq!(names[FIRST_TERM], "term 1");
+            let lists = PredicateKind::ALL.map(|kind| scheme.terms(kind).len());
+            let most = lists.into_iter().max().unwrap();
+            assert_eq!(names[names.len() - 1], format!("term {most}"), "of {lists:?}");
+        }
+    }
+}

@@ -165,7 +165,7 @@ fn run(what: &str, package: &str, which: &[String], out: &Path) -> Result<Score,
     args.extend_from_slice(which);
     let always = [
         "--profile",
-        "ci",
+        "mutants",
         "--test-tool",
         "nextest",
         "--no-shuffle",
@@ -177,7 +177,8 @@ fn run(what: &str, package: &str, which: &[String], out: &Path) -> Result<Score,
         "never",
     ];
     args.extend(always.map(str::to_owned));
-    // Each copy of the tree is in a folder of its own: dependencies at least are compiled once.
+    // A run has one copy of the tree, in which one function changes at a time: the profile compiles little more than that. The next run
+    // has another copy, and still its dependencies.
     let built = root().join(BUILT).display().to_string();
     step_ending(what, &cargo_command(&args), &[("CARGO_TARGET_DIR", built.as_str())], &FINE)?;
     Score::read(out)

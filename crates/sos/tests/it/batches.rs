@@ -2,16 +2,22 @@
 
 use crate::common::{Random, grid_scene, questions};
 use predicament_exact::Exact;
-use predicament_predicates::{Backend, Counts, Off, Predicates, QuerySet, Question, Scene, Sign, Vertex};
+use predicament_predicates::{
+    Backend, Construction, Counts, Off, Plane, Predicates, QuerySet, Question, Scene, Sign, Vertex,
+};
 use predicament_sos::{PerMesh, Scheme, Sos};
 
 const QUERIES: usize = 500;
 const VERTICES: usize = 60;
 
 fn check(session: &impl Predicates, dimension: usize) {
+    check_among(session, &questions(dimension), &(0..VERTICES).map(Vertex::input).collect::<Vec<_>>());
+}
+
+fn check_among(session: &impl Predicates, questions: &[Question], vertices: &[Vertex]) {
     let mut random = Random(5);
-    let mut vertex = || Vertex::input(random.below(VERTICES));
-    for question in questions(dimension) {
+    let mut vertex = || vertices[random.below(vertices.len())];
+    for &question in questions {
         let arity = question.kind().arity();
         let set = QuerySet::new(question, (0..QUERIES * arity).map(|_| vertex()).collect());
         let mut out = vec![Sign::Zero; QUERIES];
@@ -52,6 +58,66 @@ fn batches_are_queries_one_by_one() {
                 check(&backend.prepare(&scene, Off).unwrap(), dimension);
             }
         }
+    }
+}
+
+/// Vertices of a line or a plane, so that every query is a tie, and others; as many constructed as not.
+#[test]
+fn batches_about_constructed_vertices_are_queries_one_by_one() {
+    let v = Vertex::input;
+    let mut flat = grid_scene(2, 3, &(0..9).collect::<Vec<_>>());
+    let crossings = [[[0, 8], [2, 6]], [[1, 7], [3, 5]], [[0, 4], [3, 5]], [[1, 5], [2, 8]], [[0, 3], [5, 4]]];
+    let crossings = crossings.map(|lines| flat.construct(Construction::Ssi(lines.map(|ends| ends.map(v)))).unwrap());
+    let mut solid = grid_scene(3, 2, &(0..8).collect::<Vec<_>>());
+    let meets =
+        [([0, 7], [1, 2, 4]), ([1, 6], [0, 3, 5]), ([0, 4], [0, 1, 2]), ([2, 6], [0, 1, 3]), ([1, 5], [3, 2, 0])]
+            .map(|(line, plane)| Construction::Lpi { line: line.map(v), plane: plane.map(v) });
+    let meets = meets.map(|meet| solid.construct(meet).unwrap());
+    // On the middle line of the square grid, and on the bottom of the cube.
+    let line = [&[3, 4, 5].map(v)[..], &crossings[..3], &crossings[4..]].concat();
+    let bottom = [&[0, 1, 2, 3].map(v)[..], &meets[2..]].concat();
+    let all = |scene: &Scene, constructed: &[Vertex]| {
+        (0..scene.len()).map(v).chain(constructed.iter().copied()).collect::<Vec<_>>()
+    };
+    let scenes = [(2, &flat, [line, all(&flat, &crossings)]), (3, &solid, [bottom, all(&solid, &meets)])];
+    for (dimension, scene, groups) in scenes {
+        let backend = Sos::default();
+        let session = backend.prepare(scene, Off).unwrap();
+        let exact = Exact.prepare(scene, Off).unwrap();
+        let circles = [Question::Incircle, Question::Insphere];
+        let questions: Vec<Question> = questions(dimension).into_iter().filter(|q| !circles.contains(q)).collect();
+        for vertices in &groups {
+            check_among(&session, &questions, vertices);
+        }
+        // All of them at once, each a tie.
+        let (question, [ties, _]) =
+            (if dimension == 2 { Question::Orient2d(Plane::Xy) } else { Question::Orient3d }, groups);
+        let args: Vec<Vertex> = ties.windows(question.kind().arity()).flatten().copied().collect();
+        for args in args.chunks(question.kind().arity()) {
+            assert_eq!(question.ask(&exact, args), Sign::Zero, "{args:?}");
+        }
+    }
+}
+
+/// A perturbation moves vertices that input vertices define: others are refused, before and after they are constructed.
+#[test]
+fn vertices_that_constructed_vertices_define_are_declined() {
+    let v = Vertex::input;
+    let mut scene = grid_scene(2, 3, &(0..9).collect::<Vec<_>>());
+    let (first, backend) = (Construction::Ssi([[v(0), v(8)], [v(2), v(6)]]), Sos::default());
+    let middle = scene.construct(first).unwrap();
+    let deep = Construction::Ssi([[middle, v(1)], [v(3), v(8)]]);
+    let two = scene.clone().with_second_mesh((4..9).map(v));
+    let refused = [
+        backend.prepare(&scene, Off).unwrap().construct(&[deep]).unwrap_err(),
+        PerMesh.prepare(&two, Off).unwrap().construct(&[deep]).unwrap_err(),
+    ];
+    scene.construct(deep).unwrap();
+    let two = scene.clone().with_second_mesh((4..9).map(v));
+    let declined = [backend.prepare(&scene, Off).err(), PerMesh.prepare(&two, Off).err()];
+    let declined = declined.map(|declined| declined.expect("declined").to_string());
+    for why in refused.iter().map(ToString::to_string).chain(declined) {
+        assert!(why.contains("moves vertices that input vertices define"), "{why}");
     }
 }
 
