@@ -144,12 +144,15 @@ fn short<const S: usize>(points: &[[f64; 3]; S]) -> Option<([Point<1>; S], u32)>
     Some((rows, 65 - size.leading_zeros() - low))
 }
 
+/// The largest b of the table.
+const LONGEST: i32 = 124;
+
 /// Differences to the last point in units of some power of two; none if they take more than two limbs.
 #[inline(never)]
 fn long<const S: usize>(points: &[[f64; 3]; S]) -> Option<[Point<2>; S]> {
     let range = ExponentRange::of(points.as_flattened())?;
-    // Coordinates are below 2^(highest − lowest) in these units, and differences below twice that.
-    if range.highest - range.lowest + 1 > 124 {
+    // Coordinates are below 2^(highest − lowest) in these units.
+    if range.highest - range.lowest > LONGEST {
         return None;
     }
     let whole = |x: f64| Fixed::from(units(x, range.lowest));

@@ -261,7 +261,73 @@ fn significand(x: f64) -> (i64, i32) {
 
 #[cfg(test)]
 mod tests {
+    use predicament_predicates::{Axis, Dimension, Plane, Question};
+    use smallvec::SmallVec;
+
+    use super::super::Determinant;
+    use super::super::moved::inputs;
+    use super::super::place::Place;
+    use super::super::testing::{Random, constructions};
     use super::*;
+
+    /// Along the way to the largest monomial the proof in exterior algebra says what a value at a random place modulo the prime says, which is
+    /// wrong once in 2^58; how often there is a coefficient, and how often none.
+    fn proofs_are_values(search: &Search, determinant: &Determinant, context: &str) -> [usize; 2] {
+        let mut seen = [0; 2];
+        let mut check = |active: usize, chosen: &[(usize, usize)]| {
+            let is_there = search.is_there(determinant, active, chosen);
+            assert_eq!(search.vanishes(determinant, active, chosen), !is_there, "{active} {chosen:?}: {context}");
+            seen[usize::from(!is_there)] += 1;
+        };
+        for active in 0..=search.coordinates.len() {
+            check(active, &[]);
+        }
+        let monomial = search.leading(determinant).map(|leading| leading.monomial).unwrap_or_default();
+        for (at, &(infinitesimal, degree)) in monomial.iter().enumerate() {
+            let mut chosen = monomial[..=at].to_vec();
+            // (Lower degrees first: that a coefficient is zero is proved where those of lower powers are.)
+            for lower in 1..=degree {
+                chosen[at].1 = lower;
+                (0..=infinitesimal).for_each(|active| check(active, &chosen));
+            }
+        }
+        seen
+    }
+
+    #[test]
+    fn what_is_certainly_zero_is_zero_wherever_it_is_looked_at() {
+        let mut random = Random(0x1234_5678_9abc_def1);
+        let mut seen = [0; 2];
+        for round in 0..60 {
+            let (dimension, axes) = if round % 3 == 0 { (Dimension::Three, 3) } else { (Dimension::Two, 2) };
+            let points = if axes == 2 { 5 } else { 6 };
+            let coordinates = (0..points * axes).map(|_| f64::from(u32::try_from(random.below(3)).unwrap()));
+            let mut scene = Scene::new(dimension, coordinates.collect()).unwrap();
+            constructions(&mut random, &mut scene, 6);
+            let questions: &[Question] = match (axes, round) {
+                (2, _) => &[Question::Compare(Axis::Y), Question::Orient2d(Plane::Xy)],
+                (_, 0..12) => &[Question::Orient3d],
+                _ => &[Question::Compare(Axis::X), Question::Orient2d(Plane::Yz)],
+            };
+            for &question in questions {
+                let mut all: Vec<Vertex> = scene.vertices().collect();
+                all.extend((0..scene.constructions().len()).map(Vertex::constructed));
+                let mut args: Vec<Vertex> = Vec::new();
+                while args.len() < question.kind().arity() {
+                    // From behind: constructed ones first.
+                    args.push(all.swap_remove(all.len() - 1 - random.below(all.len().min(4))));
+                }
+                let places: SmallVec<[Place; 4]> = args.iter().map(|&v| Place::simple(&scene, v)).collect();
+                let inputs = inputs(&places);
+                let search = Search::new(&scene, &inputs);
+                let determinant = Determinant { dimension: axes, question, places: &places };
+                let context = format!("{question:?} of {args:?} in {scene:?}");
+                let [some, none] = proofs_are_values(&search, &determinant, &context);
+                seen = [seen[0] + some, seen[1] + none];
+            }
+        }
+        assert!(seen.iter().all(|&count| count > 200), "{seen:?}");
+    }
 
     #[test]
     fn significands_are_exact() {

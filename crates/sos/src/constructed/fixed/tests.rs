@@ -103,6 +103,18 @@ fn ask_all(points: &[[f64; 3]; 14], [orders, turns]: [&mut Seen; 2]) {
     }
 }
 
+#[test]
+fn long_coordinates_are_as_long_as_the_table_says() {
+    let points = |largest: f64, unit: f64| [[unit, 0.0, 0.0], [0.0, -largest * unit, 0.0], [0.0; 3]];
+    let below = 2f64.powi(124) - 2f64.powi(71);
+    for unit in [1.0, f64::from_bits(1), 2f64.powi(500)] {
+        let [u, v, origin] = long(&points(below, unit)).expect("124 bits");
+        assert!(origin.iter().all(|x| x.is_zero()) && u[1].is_zero());
+        assert_eq!((u[0].limbs(), v[1].is_negative()), (&[1, 0], true));
+        assert!(long(&points(2f64.powi(124), unit)).is_none(), "125 bits, by {unit:e}");
+    }
+}
+
 /// Without ties: a limb too few would lose the highest bits.
 #[test]
 fn numbers_that_fill_their_limbs() {
