@@ -228,3 +228,92 @@ fn difference(mut a: Series, b: &Series) -> Series {
 fn wedge(a: &Series, v: &Integer, b: &Series, u: &Integer) -> Series {
     difference(scaled(a.clone(), v), &scaled(b.clone(), u))
 }
+
+#[cfg(test)]
+mod tests {
+    use predicament_exact::Exact;
+    use predicament_predicates::{Backend, Dimension, Off, Plane};
+
+    use super::super::rigid;
+    use super::super::testing::Random;
+    use super::*;
+
+    /// Points of a small grid, and places of lines and planes of vertices of one half of them each.
+    fn scene(random: &mut Random, dimension: Dimension) -> Scene {
+        let axes = dimension.count();
+        let coordinates = (0..10 * axes).map(|_| f64::from(u32::try_from(random.below(3)).unwrap()));
+        let mut scene =
+            Scene::new(dimension, coordinates.collect()).unwrap().with_second_mesh((5..10).map(Vertex::input));
+        for _ in 0..8 {
+            let mut flat = |vertices: usize| -> Vec<Vertex> {
+                let from = 5 * random.below(2);
+                random.different::<3>(5)[..vertices].iter().map(|v| Vertex::input(v.index() + from)).collect()
+            };
+            let mut line = || <[Vertex; 2]>::try_from(flat(2)).unwrap();
+            let construction = match dimension {
+                Dimension::Two => Construction::Ssi([line(), line()]),
+                Dimension::Three => {
+                    let line = line();
+                    let mut plane = || <[Vertex; 3]>::try_from(flat(3)).unwrap();
+                    let planes = [plane(), plane(), plane()];
+                    let [first, ..] = planes;
+                    if scene.constructions().len() % 2 == 0 {
+                        Construction::Lpi { line, plane: first }
+                    } else {
+                        Construction::Tpi(planes)
+                    }
+                }
+            };
+            let mut with = scene.clone();
+            with.construct(construction).unwrap();
+            if Exact.prepare(&with, Off).is_ok() {
+                scene = with;
+            }
+        }
+        scene
+    }
+
+    #[test]
+    fn what_is_linear_is_found_here_and_is_what_whole_polynomials_say() {
+        let mut random = Random(0x0fed_cba9_8765_4321);
+        let (mut asked, mut zeros) = (0, 0);
+        for round in 0..60 {
+            let dimension = if round % 2 == 0 { Dimension::Two } else { Dimension::Three };
+            let scene = scene(&mut random, dimension);
+            let second = scene.second_mesh().unwrap();
+            let questions: &[Question] = match dimension {
+                Dimension::Two => &[Question::Compare(Axis::X), Question::Orient2d(Plane::Xy)],
+                Dimension::Three => &[Question::Compare(Axis::Z), Question::Orient2d(Plane::Zx), Question::Orient3d],
+            };
+            for &question in questions {
+                let mut all: Vec<Vertex> = scene.vertices().collect();
+                all.extend((0..scene.constructions().len()).map(Vertex::constructed));
+                let mut one = || all.swap_remove(all.len() - 1 - random.below(all.len().min(6)));
+                let args: Vec<Vertex> = (0..question.kind().arity()).map(|_| one()).collect();
+                let places: Vec<Place> = args.iter().map(|&v| Place::of(&scene, v)).collect();
+                let context = format!("{question:?} of {args:?} in {scene:?}");
+                let here = decide(&scene, second, question, &places).unwrap_or_else(|| panic!("left: {context}"));
+                assert_eq!(here, rigid::by_powers(&scene, second, question, &places), "{context}");
+                asked += 1;
+                zeros += usize::from(here.is_none());
+            }
+        }
+        assert!(asked == 150 && zeros > 5 && zeros < 100, "{zeros} of {asked}");
+    }
+
+    #[test]
+    fn lines_and_planes_of_two_meshes_are_left_and_so_are_circles() {
+        let v = Vertex::input;
+        let flat = [[0.0, 0.0], [2.0, 2.0], [0.0, 2.0], [2.0, 0.0], [1.0, 1.0]];
+        let mut scene = Scene::from_points2(&flat).unwrap();
+        let middle = scene.construct(Construction::Ssi([[v(0), v(1)], [v(2), v(3)]])).unwrap();
+        for (second, is_left) in [(vec![0, 1], false), (vec![2, 3], false), (vec![0], true), (vec![1, 2], true)] {
+            let scene = scene.clone().with_second_mesh(second.iter().map(|&at| v(at)));
+            let places: Vec<Place> = [middle, v(4)].iter().map(|&v| Place::of(&scene, v)).collect();
+            let mesh = scene.second_mesh().unwrap();
+            assert_eq!(decide(&scene, mesh, Question::Compare(Axis::X), &places).is_none(), is_left, "{second:?}");
+            let inputs: Vec<Place> = (0..4).map(|at| Place::of(&scene, v(at))).collect();
+            assert!(decide(&scene, mesh, Question::Incircle, &inputs).is_none());
+        }
+    }
+}

@@ -148,4 +148,18 @@ mod tests {
         let again = memo.decide(&empty, Question::Orient2d(Plane::Xy), [b, a, c]);
         assert_eq!(again, Some((-first.0, first.1)));
     }
+
+    #[test]
+    fn ties_spread_over_all_slots() {
+        let all: Vec<Vertex> = (0..8).map(Vertex::input).chain((0..8).map(Vertex::constructed)).collect();
+        let mut slots = [0; SLOTS];
+        for (i, &a) in all.iter().enumerate() {
+            for (j, &b) in all.iter().enumerate().skip(i + 1) {
+                slots[place(Question::Compare(Axis::X), &[a, b, b, b])] += 1;
+                all[j + 1..].iter().for_each(|&c| slots[place(Question::Orient2d(Plane::Xy), &[a, b, c, c])] += 1);
+            }
+        }
+        // 680 of them, 42 a slot.
+        assert!(slots.iter().all(|count| (20..80).contains(count)), "{slots:?}");
+    }
 }

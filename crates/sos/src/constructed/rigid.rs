@@ -33,13 +33,15 @@ pub(crate) fn decide(scene: &Scene, question: Question, args: &[Vertex]) -> Opti
     if moving == 0 || moving == inputs.len() {
         return None;
     }
-    if let Some(decided) = linear::decide(scene, second, question, &places) {
-        return decided;
-    }
-    let dimension = scene.dimension().count();
-    let constructed = args.iter().any(|v| v.is_constructed());
+    linear::decide(scene, second, question, &places).unwrap_or_else(|| by_powers(scene, second, question, &places))
+}
+
+/// The same by whole polynomials, whatever the places are.
+pub(super) fn by_powers(scene: &Scene, second: &[bool], question: Question, places: &[Place]) -> Option<(Sign, usize)> {
+    let (dimension, inputs) = (scene.dimension().count(), inputs(places));
+    let constructed = places.iter().any(|place| matches!(place, Place::Meet(_)));
     let rigid = Rigid { scene, inputs: &inputs, second, constructed };
-    let (sign, power) = rigid.leading(&Determinant { dimension, question, places: &places })?;
+    let (sign, power) = rigid.leading(&Determinant { dimension, question, places })?;
     let meets = places.iter().filter(|place| matches!(place, Place::Meet(_)));
     let weight = |place: &Place| rigid.leading(&Weight(*place, dimension)).map_or(Sign::Zero, |(sign, _)| sign);
     let sign = meets.fold(sign, |sign, place| sign * weight(place));
