@@ -160,3 +160,99 @@ fn planes_of_all(places: &[Place]) -> SmallVec<[[Vertex; 3]; 4]> {
     }
     of_all
 }
+
+#[cfg(test)]
+mod tests {
+    use predicament_predicates::{Axis, Plane};
+
+    use super::*;
+
+    const fn v(index: usize) -> Vertex {
+        Vertex::input(index)
+    }
+
+    fn input(index: usize) -> Place {
+        Place::Input(v(index))
+    }
+
+    fn ssi(line: [usize; 2], other: [usize; 2]) -> Place {
+        simplified(Construction::Ssi([line.map(v), other.map(v)]).canonical())
+    }
+
+    fn lpi(line: [usize; 2], plane: [usize; 3]) -> Place {
+        simplified(Construction::Lpi { line: line.map(v), plane: plane.map(v) }.canonical())
+    }
+
+    fn tpi(first: [usize; 3], second: [usize; 3], third: [usize; 3]) -> Place {
+        simplified(Construction::Tpi([first.map(v), second.map(v), third.map(v)]).canonical())
+    }
+
+    #[test]
+    fn lines_and_planes_with_common_vertices_have_simpler_points() {
+        assert_eq!(ssi([3, 1], [1, 2]), input(1));
+        assert_eq!(lpi([5, 2], [4, 5, 6]), input(5));
+        assert_eq!(tpi([0, 1, 2], [4, 3, 0], [0, 5, 6]), input(0));
+        for planes in
+            [[[0, 1, 2], [2, 1, 3], [4, 5, 6]], [[4, 5, 6], [0, 1, 2], [1, 3, 2]], [[1, 2, 3], [6, 4, 5], [2, 0, 1]]]
+        {
+            let [first, second, third] = planes;
+            assert_eq!(tpi(first, second, third), lpi([1, 2], [4, 5, 6]), "{planes:?}");
+        }
+        // Of two vertices of the third plane, one is on the line of the others.
+        assert_eq!(tpi([0, 1, 2], [1, 2, 3], [2, 5, 6]), input(2));
+        for place in [ssi([0, 1], [2, 3]), lpi([0, 1], [2, 3, 4]), tpi([0, 1, 2], [3, 4, 5], [0, 3, 6])] {
+            assert!(matches!(place, Place::Meet(_)), "{place:?}");
+        }
+        // No points: a line twice, a line in a plane, and planes with a common line.
+        assert!(matches!(ssi([0, 1], [1, 0]), Place::Meet(_)));
+        assert!(matches!(lpi([0, 1], [1, 2, 0]), Place::Meet(_)));
+        assert!(matches!(tpi([0, 1, 2], [0, 1, 3], [0, 1, 4]), Place::Meet(_)));
+    }
+
+    #[test]
+    fn places_depend_by_definition() {
+        let turn = Question::Orient2d(Plane::Xy);
+        let cases: &[(Question, &[Place], bool)] = &[
+            (Question::Compare(Axis::X), &[lpi([0, 1], [2, 3, 4]), lpi([1, 0], [4, 3, 2])], true),
+            (Question::Compare(Axis::X), &[lpi([0, 1], [2, 3, 4]), lpi([0, 1], [2, 3, 5])], false),
+            (Question::Incircle, &[input(0), input(1), input(2), input(0)], true),
+            (Question::Incircle, &[input(0), input(1), input(2), input(3)], false),
+            // In the plane: a line, or two of them.
+            (turn, &[input(0), input(1), ssi([0, 1], [2, 3])], true),
+            (turn, &[ssi([2, 3], [0, 1]), input(1), ssi([0, 1], [4, 5])], true),
+            (turn, &[ssi([2, 3], [0, 1]), ssi([0, 1], [6, 7]), ssi([4, 5], [0, 1])], true),
+            (turn, &[input(0), input(2), ssi([0, 1], [2, 3])], false),
+            (turn, &[ssi([2, 3], [0, 1]), input(1), ssi([0, 2], [4, 5])], false),
+            (turn, &[input(0), input(1), input(2)], false),
+            // In space: a line that is named, or that of two planes.
+            (turn, &[input(0), lpi([0, 1], [2, 3, 4]), input(1)], true),
+            (turn, &[lpi([0, 1], [5, 6, 7]), lpi([0, 1], [2, 3, 4]), input(1)], true),
+            (turn, &[lpi([0, 2], [5, 6, 7]), lpi([0, 1], [2, 3, 4]), input(1)], false),
+            (turn, &[tpi([0, 1, 2], [3, 4, 5], [6, 7, 8]), lpi([0, 1], [3, 4, 5]), lpi([4, 5], [0, 1, 2])], true),
+            (turn, &[tpi([0, 1, 2], [3, 4, 5], [6, 7, 8]), lpi([0, 1], [3, 4, 5]), lpi([4, 5], [0, 1, 6])], false),
+            // Four places: three of them on a line, or all in a plane, named or not.
+            (Question::Orient3d, &[input(5), input(0), lpi([0, 1], [2, 3, 4]), input(1)], true),
+            (Question::Orient3d, &[input(0), input(0), input(1), input(2)], true),
+            (Question::Orient3d, &[input(0), input(1), input(2), lpi([3, 4], [0, 1, 2])], true),
+            (Question::Orient3d, &[input(0), input(1), input(3), lpi([3, 4], [0, 1, 2])], false),
+            (
+                Question::Orient3d,
+                &[lpi([0, 1], [3, 4, 5]), lpi([1, 2], [3, 4, 5]), lpi([0, 2], [6, 7, 8]), input(1)],
+                true,
+            ),
+            (
+                Question::Orient3d,
+                &[lpi([0, 1], [3, 4, 5]), lpi([1, 2], [3, 4, 6]), lpi([0, 6], [5, 7, 8]), input(1)],
+                false,
+            ),
+            (Question::Orient3d, &[input(0), input(1), input(2), input(3)], false),
+        ];
+        for (question, places, expected) in cases {
+            for turned in 0..places.len() {
+                let mut places = places.to_vec();
+                places.rotate_left(turned);
+                assert_eq!(depend(*question, &places), *expected, "{question:?} of {places:?}");
+            }
+        }
+    }
+}

@@ -44,10 +44,10 @@ use super::place::Place;
 
 /// The bits of the scene's largest coordinate after scaling.
 const TOP: i32 = 58;
-/// Degree, and sums for a row and its derivatives at most.
-const TWO_LINES: (i32, usize) = (3, 2 + 4 + 2 + 3 + 2 * 2);
-const LINE_AND_PLANE: (i32, usize) = (4, 6 + 3 + 6 + 2 + 4 + 6 + 3 * 4);
-const THREE_PLANES: (i32, usize) = (7, 30 + 4 + 2 * (6 + 3 * 5) + 12);
+/// Degree, and sums for a row and its derivatives at most: those of the table, added up.
+const TWO_LINES: (i32, usize) = (3, 15);
+const LINE_AND_PLANE: (i32, usize) = (4, 39);
+const THREE_PLANES: (i32, usize) = (7, 88);
 
 /// Limbs to compute in. Those for coordinates of one limb are on the stack, but for three planes.
 type Limbs = SmallVec<[u64; 256]>;
