@@ -257,7 +257,7 @@ mod tests {
                     let mut plane = || <[Vertex; 3]>::try_from(flat(3)).unwrap();
                     let planes = [plane(), plane(), plane()];
                     let [first, ..] = planes;
-                    if scene.constructions().len() % 2 == 0 {
+                    if scene.constructions().len().is_multiple_of(2) {
                         Construction::Lpi { line, plane: first }
                     } else {
                         Construction::Tpi(planes)
