@@ -386,6 +386,9 @@ mod tests {
             assert_eq!((tuples.len(), relation.tuples(10).count()), (count, count));
             assert!(tuples.iter().all(|tuple| super::super::are_distinct(tuple)));
         }
+        // C(8, 6) · C(6, 2) and C(8, 7) · C(7, 3)
+        assert_eq!(relations(Question::Orient3d)[0].tuples(8).count(), 28 * 15);
+        assert_eq!(relations(Question::Insphere)[0].tuples(8).count(), 8 * 35);
         assert_eq!(relations(Question::Insphere)[0].tuples(6).count(), 0);
     }
 }
