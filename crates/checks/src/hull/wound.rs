@@ -55,3 +55,40 @@ pub(super) fn wound_once(tally: &mut Tally<'_>, inner: [Vertex; 4], faces: &[&[V
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use predicament_judge::Judged;
+
+    use super::super::tally::Signs;
+    use super::*;
+
+    #[test]
+    fn what_covers_a_direction_twice_or_is_seen_from_behind_is_named() {
+        let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0], [0.0, 4.0, 0.0], [2.0, 2.0, 3.0]];
+        let scene = Scene::from_points3(&corners).unwrap();
+        let exact = Judged::exact(&scene);
+        let found = |faces: &[&[usize]]| {
+            let ids = |list: &&[usize]| list.iter().map(|&at| Vertex::input(at)).collect::<Vec<_>>();
+            let faces: Vec<Vec<Vertex>> = faces.iter().map(ids).collect();
+            let mut tally = Tally::new(Signs { exact: &exact, perturbed: None, ties: 9, pairs: 9 });
+            let inner = [0, 1, 2, 4].map(Vertex::input);
+            wound_once(&mut tally, inner, &faces.iter().map(Vec::as_slice).collect::<Vec<_>>());
+            let flaw = |flaw: super::super::Flaw| {
+                (flaw.places, flaw.vertices.iter().map(|v| v.index()).collect::<Vec<_>>(), flaw.what)
+            };
+            tally.finish().into_iter().map(flaw).collect::<Vec<_>>()
+        };
+        // A pyramid over a square.
+        let right: [&[usize]; 5] = [&[0, 3, 2, 1], &[0, 1, 4], &[1, 2, 4], &[2, 3, 4], &[3, 0, 4]];
+        assert_eq!(found(&right), []);
+        assert_eq!(found(&[]), []);
+        // The bottom seen from behind: both of its triangles.
+        let below = "the mean of [Vertex(0), Vertex(1), Vertex(2), Vertex(4)] is not below face 0".to_owned();
+        let [bottom, sides @ ..] = right;
+        let mirrored = [&[&[0, 1, 2, 3][..]][..], &sides[..]].concat();
+        assert_eq!(found(&mirrored), [(2, vec![0, 1, 2], below)]);
+        let again = "face 5 is in front of or behind face 0".to_owned();
+        assert_eq!(found(&[&right[..], &[bottom]].concat()), [(1, vec![0, 3, 2, 1], again)]);
+    }
+}

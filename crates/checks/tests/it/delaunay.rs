@@ -5,8 +5,7 @@ use predicament_checks::delaunay::{Found, flaws};
 use predicament_checks::hull::Signs;
 use predicament_exact::Exact;
 use predicament_judge::Judged;
-use predicament_predicates::{Backend, Off};
-use predicament_predicates::{Predicates, Scene, Vertex};
+use predicament_predicates::{Backend, Counts, Off, PredicateKind, Predicates, Scene, Vertex};
 use predicament_sos::Sos;
 use proptest::prelude::*;
 
@@ -95,6 +94,42 @@ fn copies_and_chains_are_held_to_the_points() {
     assert_eq!(failing(&line[..3], &[], &[0, 2, 1], &[], true), ["chain"], "a perturbation leaves no line");
     let beside = failing(&line, &[[0, 3, 2], [1, 2, 3]], &[0], &[], false);
     assert!(beside.contains(&"chain"), "{beside:?}");
+}
+
+/// Of many places the first is told, and all are counted.
+#[test]
+fn flaws_are_counted_and_the_first_is_told() {
+    let points: Vec<[f64; 2]> = [0.0, 5.0, 1.0, 4.0, 2.0, 6.0].map(|x| [x, 0.0]).into();
+    let scene = Scene::from_points2(&points).unwrap();
+    let exact = Judged::exact(&scene);
+    let signs = Signs { exact: &exact, perturbed: None, ties: 1000, pairs: 100_000 };
+    let chain: Vec<Vertex> = (0..6).map(Vertex::input).collect();
+    let found = Found { triangles: &[], chain: &chain, copies: &[], constraints: &[] };
+    let flaws = flaws(signs, found);
+    assert_eq!(flaws.len(), 1);
+    // 5 before 1, and 4 before 2.
+    assert_eq!((flaws[0].places, &flaws[0].vertices[..]), (2, &chain[1..3]));
+}
+
+/// How many circles are asked about where so many pairs may be looked at.
+#[test]
+fn no_more_pairs_are_looked_at_than_may_be() {
+    let scene = Scene::from_points2(&POINTS).unwrap();
+    let triangles = ids(&RIGHT);
+    let asked = |pairs: usize| {
+        let counts = Counts::new();
+        let exact = Exact.prepare(&scene, &counts).unwrap();
+        let signs = Signs { exact: &exact, perturbed: None, ties: 1000, pairs };
+        let found = Found { triangles: &triangles, chain: &[], copies: &[], constraints: &[] };
+        assert_eq!(flaws(signs, found), []);
+        (0..Exact.stages().len()).map(|stage| counts.get(PredicateKind::Incircle, stage)).sum::<u64>()
+    };
+    // Five edges between triangles twice, for circles and for fans; and five triangles with three other vertices each.
+    assert_eq!(asked(100_000), 5 + 5 + 5 * 3);
+    assert_eq!(asked(30), asked(100_000), "five triangles by six vertices");
+    // All ten edges are not looked at then.
+    assert_eq!(asked(29), 5 + 5);
+    assert_eq!([asked(10), asked(9)].map(|asked| asked > 6), [true, false]);
 }
 
 #[test]

@@ -178,6 +178,26 @@ fn faces_that_turn_to_both_sides_are_found() {
     let mut prism = faces(&[&[5, 4, 3, 2, 1, 0], &[6, 7, 8, 9, 10, 11]]);
     prism.extend((0..6).map(|i| ids(&[i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6])));
     assert_eq!(in_space(&points, &corners(&prism), &prism), ["face convex", "wound once"]);
+    // Bottom and top both turn back at one corner.
+    let scene = Scene::from_points3(&points).unwrap();
+    let flaws = space_flaws(signs(&Judged::exact(&scene), None), &corners(&prism), &prism);
+    assert_eq!(flaws.iter().map(|flaw| flaw.places).collect::<Vec<_>>(), [2, 2]);
+}
+
+/// In a plane across their axis all of these points are in one place.
+#[test]
+fn lines_in_space_are_seen_where_they_are_no_point() {
+    for axis in 0..3 {
+        let point = |x: f64| [0, 1, 2].map(|other| if other == axis { x } else { 7.0 });
+        let points = [1.0, 0.0, 3.0, 2.0].map(point);
+        let none = Faces::new();
+        assert_eq!(in_space(&points, &ids(&[1, 2]), &none), [""; 0], "{axis}");
+        for wrong in [[0, 1], [0, 2], [2, 3]] {
+            assert_eq!(in_space(&points, &ids(&wrong), &none), ["inside"], "{axis}: {wrong:?}");
+        }
+        assert_eq!(in_space(&points, &ids(&[1]), &none), ["span"], "{axis}");
+        assert_eq!(in_space(&[points[0]; 3], &ids(&[0]), &none), [""; 0]);
+    }
 }
 
 #[test]

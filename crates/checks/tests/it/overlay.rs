@@ -31,6 +31,18 @@ fn graph() -> Graph {
     }
 }
 
+/// The same with one edge in the other direction.
+fn turned(mut graph: Graph, edge: usize) -> Graph {
+    graph.edges[edge].reverse();
+    graph.segments[edge].reverse();
+    graph.chains[edge].reverse();
+    let half = |half: usize| if half / 2 == edge { half ^ 1 } else { half };
+    let halves = 0..graph.next.len();
+    let next = |at: usize| u32::try_from(half(graph.next[half(at)] as usize)).unwrap();
+    let (next, face) = (halves.clone().map(next).collect(), halves.map(|at| graph.face[half(at)]).collect());
+    Graph { next, face, ..graph }
+}
+
 fn found(graph: &Graph) -> Vec<Check> {
     graph.flaws(EXPECTED).into_iter().map(|flaw| flaw.check).collect()
 }
@@ -66,9 +78,27 @@ fn each_law_of_arrangements_is_violated_by_something() {
     assert_eq!(violated(&|g| g.faces = 4), [Check::Euler, Check::Boundary]);
     assert_eq!(violated(&|g| g.next.swap(0, 2)), [Check::Boundary]);
     assert_eq!(violated(&|g| g.face[0] = 2), [Check::Boundary]);
+    assert_eq!(violated(&|g| g.next[3] = 12), [Check::Boundary], "there are halves 0 to 11");
+    assert_eq!(violated(&|g| g.next[3] = u32::MAX), [Check::Boundary]);
     for face in [0, 2] {
         let nested = violated(&|g| [10, 11].into_iter().for_each(|half| g.face[half] = face));
         assert_eq!(nested, [Check::Nesting]);
+    }
+}
+
+#[test]
+fn directions_of_edges_do_not_matter() {
+    for turns in 0..1_u32 << 6 {
+        let graph = (0..6).filter(|edge| turns >> edge & 1 == 1).fold(graph(), turned);
+        assert_eq!(found(&graph), [], "{turns:b}");
+        for face in [0, 2] {
+            let mut graph = graph.clone();
+            [10, 11].into_iter().for_each(|half| graph.face[half] = face);
+            assert_eq!(found(&graph), [Check::Nesting], "{turns:b}");
+        }
+        let mut graph = graph;
+        graph.faces = 4;
+        assert_eq!(found(&graph), [Check::Euler, Check::Boundary], "{turns:b}");
     }
 }
 
