@@ -234,6 +234,22 @@ fn each_law_of_results_is_violated_by_something() {
     assert!(crossing.contains(&Check::ResultCrossing), "{crossing:?}");
 }
 
+/// What the perturbed scene alone has an area of has none here, and still it is not the wrong way around.
+#[test]
+fn loops_without_area_are_right_where_a_perturbation_may_leave_them() {
+    let found = |one: Vec<Point>, has_areas: bool| {
+        let mut results = results();
+        results.regions[1].push(vec![one]);
+        let flaws = results.flaws(&operands(), &[], Expected { has_areas, ..EXPECTED }, [None; 2]);
+        flaws.iter().any(|flaw| flaw.check == Check::Orientation)
+    };
+    let flat = loop_of(&[[20, 20], [22, 22], [21, 21]]);
+    assert!(found(flat.clone(), true) && !found(flat, false));
+    for has_areas in [false, true] {
+        assert!(found(reversed(square(20, 22)), has_areas) && !found(square(20, 22), has_areas));
+    }
+}
+
 #[test]
 fn a_shape_is_measured_as_it_is() {
     let outer = loop_of(&[[0, 0], [8, 0], [8, 8], [0, 8]]);
