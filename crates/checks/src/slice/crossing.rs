@@ -103,3 +103,25 @@ impl Slices {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use rug::Rational;
+
+    use super::*;
+
+    #[test]
+    fn boxes_reach_as_far_as_coordinates_may_be_rounded() {
+        let at = |x: i32, y: i32, z: i32| [x, y, z].map(|x| Rational::from((x, 3)));
+        let points = vec![at(0, 0, 0), at(24, 0, 1), at(0, -48, 2), at(1, 1, 4)];
+        let part = Part { triangles: vec![[0, 1, 2], [0, 1, 3]], pieces: vec![Piece::Face(0); 2], ..Part::default() };
+        let slices = Slices { points, parts: vec![part, Part::default()], ..Slices::default() };
+        let (index, reach) = slices.index(&slices.parts[0]).expect("two triangles");
+        assert_eq!(index.boxes().len(), 2);
+        assert_eq!(reach.to_bits(), (1023 + 4 - 50) << 52, "a part in 2^50 of 16");
+        assert!(slices.index(&slices.parts[1]).is_none(), "no triangle");
+        let mut near = Vec::new();
+        index.near(&index.boxes()[1], reach, &mut near);
+        assert_eq!(near.iter().collect::<std::collections::BTreeSet<_>>().len(), 2);
+    }
+}

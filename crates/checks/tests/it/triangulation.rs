@@ -34,6 +34,35 @@ fn right_triangles_pass() {
     assert_eq!(square().area(), 4);
 }
 
+/// Of each check the first flaw, with what there is and what there should be.
+#[test]
+fn flaws_say_what_is_wrong_and_where() {
+    let said = |polygon: &Polygon, triangles: &[[usize; 3]]| -> Vec<String> {
+        let flaws = found(polygon, triangles, Flat::WhereLoopsTouch);
+        flaws.iter().map(|flaw| format!("{}: {}, not {}", flaw.check, flaw.got, flaw.truth)).collect()
+    };
+    let square = square();
+    let right = [[0, 1, 4], [1, 3, 4], [1, 2, 3]];
+    let none = said(&square, &[right[0], right[1], right[2], [0, 1, 7]]);
+    assert_eq!(none[0], "vertices: 0 1 7, not three vertices of the polygon");
+    assert_eq!(none[1], "count: 4 triangles, not 3 triangles");
+    let flat = said(&square, &[[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
+    let truth = "counterclockwise; flat only where loops touch";
+    assert_eq!(flat, [format!("positive: the triangle 0 1 2 is flat, not {truth}")]);
+    let missing = [
+        "count: 2 triangles, not 3 triangles",
+        "area: 3, not 4",
+        "boundary: the side from 1 to 2 in 0 triangles, back in 0, not the side from 1 to 2 in 1 triangles, back in 0",
+        "diagonals: the side from 1 to 3 in 1 triangles, back in 0, not the side from 1 to 3 in 1 triangles, back in 1",
+    ];
+    assert_eq!(said(&square, &right[..2]), missing);
+    let plain = polygon(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]], &[&[0, 1, 2, 3]]);
+    let half = said(&plain, &[[0, 1, 2], [1, 2, 3]]);
+    assert_eq!(half[2], "overlap: the triangles 0 1 2 and 1 2 3 overlap, not no inner point in common");
+    let mirrored = said(&plain, &[[0, 2, 1], [0, 2, 3]]);
+    assert_eq!(mirrored[0], format!("positive: the triangle 0 2 1 is clockwise, not {truth}"));
+}
+
 #[test]
 fn each_check_fails_on_what_it_is_for() {
     let square = square();
