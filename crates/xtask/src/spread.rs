@@ -1,7 +1,8 @@
 //! A run in parts by engines that start commands: GNU parallel, HyperQueue and Slurm, each for real, on this machine.
 //!
-//! Of each, one part is killed while it runs, from outside and without a warning. The engine has to start it again, and what is merged has to be
-//! the run of one process, byte for byte. An engine that is not there is a failure that says so.
+//! Of each, one part is killed while it runs, from outside and without a warning; of Slurm with two nodes, all that runs on one of them. The
+//! engine has to start it again, and what is merged has to be the run of one process, byte for byte. An engine that is not there is a failure
+//! that says so.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -23,6 +24,15 @@ const PARTS: u32 = 5;
 const VICTIM: u32 = 2;
 /// The files of a run that tell where and how long, and may differ.
 const DIFFER: [&str; 2] = ["env.json", "costs.csv"];
+/// What is killed.
+#[derive(Clone, Copy)]
+enum Loss {
+    /// The process that runs a part.
+    Process,
+    /// All processes of the node that runs a part: the folder has a file with the process that holds its namespace.
+    Node,
+}
+
 /// How long Slurm may take: it keeps a job that was put back for two minutes.
 const PATIENCE: Duration = Duration::from_secs(600);
 
@@ -40,7 +50,7 @@ pub fn check() -> Result<(), String> {
     let run: Vec<String> =
         [tool.as_str(), "run", "--quiet", "--out", &one].iter().chain(&WHAT).map(|&word| word.to_owned()).collect();
     step("the run of one process", &run, &[])?;
-    let done = [spread.parallel(), spread.hyperqueue(), spread.slurm()];
+    let done = [spread.parallel(), spread.hyperqueue(), spread.slurm(Loss::Process), spread.slurm(Loss::Node)];
     let failed: Vec<String> = done.into_iter().filter_map(Result::err).collect();
     if failed.is_empty() { Ok(()) } else { Err(failed.join("; ")) }
 }
@@ -57,7 +67,7 @@ impl Spread {
         if !answers("parallel", &["--version"]) {
             return Err("GNU parallel is not there, so nothing was spread by it; `apt install parallel`".to_owned());
         }
-        self.by("GNU parallel", "parallel", &[&script("parallel.sh")], &[], || Ok(()))
+        self.by("GNU parallel", "parallel", &[&script("parallel.sh")], &[], kill, || Ok(()))
     }
 
     fn hyperqueue(&self) -> Result<(), String> {
@@ -71,10 +81,10 @@ impl Spread {
             installed.map_err(|why| format!("HyperQueue is not there, so nothing was spread by it: {why}"))?;
         }
         let python = if has("python3") { "python3".to_owned() } else { own };
-        self.by("HyperQueue", "hyperqueue", &[&python, &script("hyperqueue_parts.py")], &[], || Ok(()))
+        self.by("HyperQueue", "hyperqueue", &[&python, &script("hyperqueue_parts.py")], &[], kill, || Ok(()))
     }
 
-    fn slurm(&self) -> Result<(), String> {
+    fn slurm(&self, loss: Loss) -> Result<(), String> {
         // Without a configuration its programs do not even tell their version.
         if !answers(
             "sh",
@@ -82,14 +92,21 @@ impl Spread {
         ) {
             return Err("Slurm is not there, so nothing was spread by it; `apt install slurm-wlm`".to_owned());
         }
-        let place = shown(&self.folder.join("slurm-node"));
-        let node = script("slurm-one-node.sh");
-        let start = [node.as_str(), &place].map(str::to_owned);
-        let stop = [node.as_str(), &place, "stop"].map(str::to_owned);
-        let conf = format!("{place}/slurm.conf");
+        let (engine, name, nodes) = match loss {
+            Loss::Process => ("Slurm", "slurm", "1"),
+            Loss::Node => ("Slurm with two nodes", "slurm-nodes", "2"),
+        };
+        let place = self.folder.join(format!("{name}-here"));
+        let here = script("slurm-here.sh");
+        let [start, stop] = [nodes, "stop"].map(|what| [&here, &shown(&place), what].map(str::to_owned));
+        let conf = shown(&place.join("slurm.conf"));
         let env = [("SLURM_CONF", conf.as_str())];
-        let done = step("start Slurm", &start, &[]).and_then(|()| {
-            self.by("Slurm", "slurm", &[&script("slurm.sh")], &env, || {
+        let lose = |part: &Path| match loss {
+            Loss::Process => kill(part),
+            Loss::Node => kill_node(part, &place),
+        };
+        let done = step(&format!("start {engine}"), &start, &[]).and_then(|()| {
+            self.by(engine, name, &[&script("slurm.sh")], &env, lose, || {
                 let start = Instant::now();
                 while start.elapsed() < PATIENCE {
                     let told = Command::new("squeue").arg("--noheader").envs(env).output();
@@ -101,16 +118,17 @@ impl Spread {
                 Err(format!("Slurm had jobs left after {} s", PATIENCE.as_secs()))
             })
         });
-        done.and(step("stop Slurm", &stop, &[]))
+        done.and(step(&format!("stop {engine}"), &stop, &[]))
     }
 
-    /// Starts the parts by an engine, kills one, waits for the rest, and holds what was merged against the run of one process.
+    /// Starts the parts by an engine, kills what is to be lost, waits for the rest, and holds what was merged against the run of one process.
     fn by(
         &self,
         engine: &str,
         name: &str,
         start: &[&str],
         env: &[(&str, &str)],
+        lose: impl Fn(&Path) -> Option<String> + Sync,
         wait: impl Fn() -> Result<(), String>,
     ) -> Result<(), String> {
         let folder = shown(&self.folder.join(name));
@@ -120,13 +138,13 @@ impl Spread {
         let env: Vec<(&str, &str)> = env.iter().copied().chain([("PREDICAMENT", tool.as_str())]).collect();
         let is_over = AtomicBool::new(false);
         let (done, killed) = std::thread::scope(|scope| {
-            let killer = scope.spawn(|| kill(&Path::new(&folder).join(VICTIM.to_string()), &is_over));
+            let killer = scope.spawn(|| once_begun(&Path::new(&folder).join(VICTIM.to_string()), &is_over, &lose));
             let done = step(&format!("{PARTS} parts by {engine}"), &words, &env).and_then(|()| wait());
             is_over.store(true, Ordering::Relaxed);
             (done, killer.join().unwrap_or(None))
         });
         done?;
-        let Some(pid) = killed else {
+        let Some(killed) = killed else {
             return Err(format!("{engine}: part {VICTIM} was over before it could be killed"));
         };
         let whole = Path::new(&folder).join("whole");
@@ -143,25 +161,39 @@ impl Spread {
             return Err(format!("{engine}: the report names no machines"));
         }
         println!(
-            "== {engine}: part {VICTIM} (process {pid}) was killed and started again; the whole is that of one process"
+            "== {engine}: {killed} of part {VICTIM} was killed and the part started again; the whole is that of one process"
         );
         Ok(())
     }
 }
 
-/// Kills the process that writes a part once it has committed something; its id, or nothing if it was over before.
-fn kill(part: &Path, is_over: &AtomicBool) -> Option<u32> {
+/// Kills what runs a part once it has committed something; what that was, or nothing if it was over before.
+fn once_begun(part: &Path, is_over: &AtomicBool, lose: impl Fn(&Path) -> Option<String>) -> Option<String> {
     while !is_over.load(Ordering::Relaxed) {
         let rows = std::fs::read_to_string(part.join("segments.csv")).unwrap_or_default();
         if rows.lines().count() > 3
-            && let Some(pid) = writer_of(part)
-            && answers("kill", &["-9", &pid.to_string()])
+            && let Some(lost) = lose(part)
         {
-            return Some(pid);
+            return Some(lost);
         }
         sleep(Duration::from_millis(5));
     }
     None
+}
+
+/// Kills the process that writes a part.
+fn kill(part: &Path) -> Option<String> {
+    let pid = writer_of(part)?.to_string();
+    answers("kill", &["-9", &pid]).then(|| format!("process {pid}"))
+}
+
+/// Kills all processes of the node where a part is written.
+fn kill_node(part: &Path, nodes: &Path) -> Option<String> {
+    let environment = std::fs::read(format!("/proc/{}/environ", writer_of(part)?)).ok()?;
+    let node = environment.split(|&byte| byte == 0).find_map(|entry| entry.strip_prefix(b"SLURMD_NODENAME="))?;
+    let node = String::from_utf8_lossy(node).into_owned();
+    let pid = std::fs::read_to_string(nodes.join(format!("{node}.pid"))).ok()?;
+    answers("kill", &["-9", pid.trim()]).then(|| format!("all of {node}, that"))
 }
 
 /// The process that runs into a folder.

@@ -31,7 +31,7 @@ fn square() -> Polygon {
 #[test]
 fn right_triangles_pass() {
     assert_eq!(found(&square(), &[[0, 1, 4], [1, 3, 4], [1, 2, 3]], Flat::WhereLoopsTouch), []);
-    assert_eq!(square().area(), 4);
+    assert_eq!((square().area(), square().corners()), (4.into(), 5));
 }
 
 /// Of each check the first flaw, with what there is and what there should be.
