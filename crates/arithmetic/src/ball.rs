@@ -224,6 +224,42 @@ mod tests {
         }
     }
 
+    /// A ball with a radius of any size beside its center.
+    fn ball() -> impl Strategy<Value = Ball> {
+        (-2.0..2.0f64, 0.0..2.0f64, prop_oneof![Just(0), -60..0i32], -40..40i32).prop_map(
+            |(center, radius, below, exponent)| Ball { center, radius: radius * 2f64.powi(below), exponent }.normal(),
+        )
+    }
+
+    /// The ends of a ball: center less and plus radius, in units of 1.
+    fn ends(ball: Ball) -> [Rational; 2] {
+        let [center, radius] = [ball.center, ball.radius].map(|x| rational(x).unwrap());
+        let exponent = if ball.exponent == LOWEST { 0 } else { ball.exponent };
+        [Rational::from(&center - &radius) << exponent, (center + radius) << exponent]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(predicament_effort::cases(20_000)))]
+
+        /// Sums and products of balls hold those of all their numbers, the ends among them, and little more: 40u of the center and of the
+        /// radius.
+        #[test]
+        fn balls_hold_the_results_of_all_their_numbers(a in ball(), b in ball()) {
+            let room = rational(40.0 * UNIT_ROUNDOFF).unwrap();
+            let sum = |x: &Rational, y: &Rational| Rational::from(x + y);
+            let product = |x: &Rational, y: &Rational| Rational::from(x * y);
+            for (ball, of) in [(a + b, &sum as &dyn Fn(&Rational, &Rational) -> Rational), (a * b, &product)] {
+                let [[p, q], [r, s]] = [ends(a), ends(b)];
+                let results = [of(&p, &r), of(&p, &s), of(&q, &r), of(&q, &s)];
+                prop_assert!(results.iter().all(|result| holds(ball, result)), "{a:?}, {b:?}: {ball:?}");
+                let exponent = if ball.exponent == LOWEST { 0 } else { ball.exponent };
+                let furthest = results.iter().map(|result| error(ball, result)).max().unwrap();
+                let more = room.clone() * (Rational::from(1) + &furthest);
+                prop_assert!(rational(ball.radius).unwrap() <= furthest + more, "{ball:?} by 2^{exponent}");
+            }
+        }
+    }
+
     /// The bound is no larger than it must be: an error term dropped from it,
     /// or one that is 2% too small, would be seen by the test above.
     #[test]

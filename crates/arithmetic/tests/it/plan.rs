@@ -43,6 +43,27 @@ fn differences_count_and_not_the_distance_from_the_origin() {
 }
 
 #[test]
+fn points_in_one_place_have_differences_of_one_bit() {
+    let plan = Plan::of(&[[3.0, 0.25]; 4]);
+    assert_eq!((plan.lowest(), plan.bits()), (-2, 1));
+    assert_eq!(Plan::<2>::of(&[]).bits(), 1);
+}
+
+/// A power of two that is a normal double, by which coordinates are integers of 63 bits.
+#[test]
+fn scales_are_normal_and_make_integers() {
+    assert_eq!(plan(&[3.0, power(62)]).scale(), Some(1.0));
+    assert_eq!(plan(&[3.0, power(63).next_down()]).scale(), Some(1.0));
+    assert_eq!(plan(&[3.0, power(63)]).scale(), None, "64 bits");
+    assert_eq!(plan(&[0.75]).scale(), Some(4.0));
+    for (lowest, scale) in [(1022, Some(f64::MIN_POSITIVE)), (1023, None), (-1022, Some(power(1022))), (-1023, None)] {
+        let value = if lowest < 0 { f64::MIN_POSITIVE * power(lowest + 1022) } else { power(lowest) };
+        assert_eq!(plan(&[value]).scale(), scale, "2^{lowest}");
+    }
+    assert_eq!(Plan::of(&[[1.0, power(70)], [3.0, power(70)]]).scale(), None, "one axis is too long");
+}
+
+#[test]
 fn extents_are_rounded_up_and_only_if_they_must() {
     let extent = |min: f64, max: f64| Plan::of(&[[min], [max]]).axes()[0].extent();
     assert_eq!(extent(0.0, 1.0 - power(-53)), 1.0 - power(-53));
