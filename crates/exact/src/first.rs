@@ -148,6 +148,7 @@ fn place(k: usize, length: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::predicate::{Orient2d, Orient3d};
     use predicament_arithmetic::{Plan, bound};
     use proptest::prelude::*;
 
@@ -171,5 +172,85 @@ mod tests {
         for x in [LOWEST.next_down(), 5e-324, HIGHEST.next_up(), f64::INFINITY] {
             assert!(with(x).is_nan());
         }
+    }
+
+    /// Coordinates from 0 to 1 without order.
+    fn noise(at: usize) -> f64 {
+        let mixed = (at as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        f64::from(u32::try_from((mixed ^ mixed >> 29).wrapping_mul(0xbf58_476d_1ce4_e5b9) >> 32).unwrap())
+            / 2f64.powi(32)
+    }
+
+    fn scattered(count: usize) -> Vec<[f64; 3]> {
+        (0..count).map(|at| [0, 1, 2].map(|axis| noise(3 * at + axis))).collect()
+    }
+
+    fn chosen(points: &[[f64; 3]]) -> First {
+        choose::<Orient3d, 3, 4>(points, bound(extents(points), bound::static_orient3d))
+    }
+
+    #[test]
+    fn the_filter_that_decides_more_is_first() {
+        let mut points = scattered(LOOKED_AT_FROM);
+        assert_eq!(chosen(&points), First::Scene);
+        assert_eq!(choose::<Orient3d, 3, 4>(&points, f64::NAN), First::Query, "no bound");
+        // A point far away makes the bound of the scene too large for all others.
+        points[0] = [1e9; 3];
+        assert_eq!(chosen(&points), First::Query);
+        points.pop();
+        assert_eq!(chosen(&points), First::Scene, "too few to be looked at");
+        // Neighbours in the list are close together, and far from all others.
+        let clustered = |at: usize| [0, 1, 2].map(|axis| noise(3 * (at / 4) + axis) + 1e-7 * noise(3 * at + axis));
+        let clusters: Vec<[f64; 3]> = (0..LOOKED_AT_FROM).map(clustered).collect();
+        assert_eq!(chosen(&clusters), First::Query);
+        // In one plane neither decides anything.
+        let flat: Vec<[f64; 3]> = scattered(LOOKED_AT_FROM).into_iter().map(|[x, y, _]| [x, y, 1.0]).collect();
+        assert_eq!(chosen(&flat), First::Scene);
+    }
+
+    #[test]
+    fn much_is_left_where_lines_are_straight() {
+        let leaves = |count: usize, point: &dyn Fn(usize) -> [f64; 2]| leaves_much::<Orient2d, 2, 3>(count, point);
+        let scattered = |at: usize| [noise(2 * at), noise(2 * at + 1)];
+        let line = |at: usize| [0.1, 0.3].map(|slope| slope * f64::from(u32::try_from(at).unwrap()));
+        assert!(!leaves(5000, &scattered) && leaves(5000, &line) && !leaves(LOOKED_AT_FROM - 1, &line));
+        assert!(leaves(LOOKED_AT_FROM, &line));
+        // Only neighbours are on a line.
+        assert!(leaves(5000, &|at| if at % 3 == 2 {
+            let [p, q] = [at - 2, at - 1].map(scattered);
+            [0, 1].map(|axis| 2.0 * q[axis] - p[axis])
+        } else {
+            scattered(at)
+        }));
+    }
+
+    #[test]
+    fn queries_that_are_looked_at_are_spread_over_all() {
+        for count in [LOOKED_AT_FROM, 10_007] {
+            let mut seen = [0; 8];
+            for look in 0..LOOKS {
+                let [a, b, c, d] = looked_at::<4>(look, true, count);
+                assert!(a.is_multiple_of(4) && [b, c, d] == [a + 1, a + 2, a + 3] && d < count);
+                let anywhere = looked_at::<4>(look, false, count);
+                assert!(anywhere.iter().all(|&at| at < count));
+                anywhere.into_iter().chain([a]).for_each(|at| seen[at * 8 / count] += 1);
+            }
+            // 15 each.
+            assert!(seen.iter().all(|seen| (8..=22).contains(seen)), "{seen:?}");
+        }
+    }
+
+    #[test]
+    fn bounds_are_for_extents_that_prove_them() {
+        let of = |extent: [f64; 2]| bound(extent, |[x, y]| x + y);
+        assert_eq!(of([1.0, 2.0]), 3.0 * MARGIN);
+        assert_eq!(of([0.0, 2.0]), 2.0 * MARGIN);
+        assert_eq!(of([LOWEST, HIGHEST]), (LOWEST + HIGHEST) * MARGIN);
+        for outside in [LOWEST.next_down(), HIGHEST.next_up(), f64::INFINITY, f64::NAN] {
+            assert!(of([1.0, outside]).is_nan() && of([outside, 1.0]).is_nan(), "{outside:e}");
+        }
+        assert_eq!(beside(1.0), MARGIN);
+        assert_eq!(beside(0.0), power_of_two(-860));
+        assert!(beside(power_of_two(-810)) >= power_of_two(-810) + power_of_two(-861));
     }
 }
