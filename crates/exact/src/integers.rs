@@ -128,3 +128,53 @@ impl<const D: usize, const N: usize> Rows<D, N> {
         shorter
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_far_from_the_origin_is_kept_modulo_a_limb() {
+        // Along x about 2^70, in steps of 2^18; along y integers, whose unit is that of the scene.
+        let x = |step: f64| 2f64.powi(70) + 2f64.powi(18) * step;
+        let points = [[x(0.0), -3.0], [x(5.0), 0.0], [x(-2.0), 8.0], [x(9.0), 1.0]];
+        let kept = Integers::new(&Plan::of(&points), &points);
+        let rows = kept.of_scene([1, 0], [2, 0, 3].map(Vertex::input)).expect("kept");
+        let whole = [[7, -11 << 18], [-4, -9 << 18], [0, 0]];
+        assert_eq!(rows, whole.map(|row| row.map(|x: i64| Fixed::from(x))));
+        // Near the origin they are scaled when they are asked for, and with long differences they have no unit.
+        for points in
+            [[[1.0, 2.0], [3.0, 5.0]], [[1.0, 2f64.powi(70)], [3.0, 5.0]], [[1.0, f64::MAX], [1.0, -f64::MAX]]]
+        {
+            let kept = Integers::new(&Plan::of(&points), &points);
+            assert!(kept.of_scene([0], [0, 1].map(Vertex::input)).is_none(), "{points:?}");
+        }
+    }
+
+    #[test]
+    fn scaled_differences_are_those_of_the_coordinates() {
+        let points = [[0.75, -2.0, 1.0], [-3.5, 0.25, 0.0], [1.0, 1.0, 1.0]];
+        let rows = scaled(&points, 4.0);
+        let expected = [[-1, -12, 0], [-18, -3, -4], [0, 0, 0]];
+        assert_eq!(rows, expected.map(|row| row.map(|x: i64| Fixed::from(x))));
+    }
+
+    #[test]
+    fn differences_are_shortened_by_what_all_have_below() {
+        let of = |x: f64, y: f64| Rows::new(&[[x, y], [0.0, 0.0]], 0);
+        let one = |x: i64| Fixed::<1>::from(x);
+        let (large, long) = (2f64.powi(70), 2f64.powi(70) + 2f64.powi(20));
+        let (rows, bits) = of(large, -3.0 * large).shortened().expect("two bits and a sign");
+        assert_eq!((rows[0], bits), ([one(1), one(-3)], 3));
+        let (rows, bits) = of(long, -2f64.powi(21)).shortened().expect("51 bits");
+        assert_eq!((rows[0], bits), ([one((1 << 50) + 1), one(-2)], 52));
+        assert!(of(large, 1.0).shortened().is_none(), "71 bits");
+        let most = 2f64.powi(BITS[0] - 1) - 2f64.powi(BITS[0] - 54);
+        let shift = BITS[0] - 54;
+        let (rows, bits) = of(most, 2f64.powi(shift)).shortened().expect("as many as fit");
+        assert_eq!((rows[0], bits), ([one((1 << 53) - 1), one(1)], 54));
+        let whole = of(large, -1.0).whole()[0];
+        assert_eq!(whole.map(|x| (x.limbs()[0], x.limbs()[1])), [(0, 64), (u64::MAX, u64::MAX)]);
+        assert_eq!(of(0.0, 0.0).shortened().map(|(rows, _)| rows[0]), Some([one(0); 2]));
+    }
+}
