@@ -197,3 +197,88 @@ impl Predicate<3, 5> for Insphere {
         dyadic::insphere(a, b, c, d, e)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::integers::{Rows, scaled};
+    use crate::rational;
+
+    /// A small generator for reproducible samples (splitmix64).
+    struct Random(u64);
+
+    impl Random {
+        fn below(&mut self, bound: u64) -> u64 {
+            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let mut x = self.0;
+            x = (x ^ x >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            x = (x ^ x >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+            (x ^ x >> 31) % bound
+        }
+
+        /// An integer of at most so many bits in magnitude, often as large as there is, or one of a few.
+        fn coordinate(&mut self, bits: i32) -> f64 {
+            let most = 2f64.powi(bits) - 2f64.powi((bits - 53).max(0));
+            let magnitude = match self.below(4) {
+                0 => most,
+                1 => f64::from(u32::try_from(self.below(3)).unwrap()),
+                // So many digits of 31, or as many as there are, at the upper end.
+                _ => {
+                    let digits = bits.min(31);
+                    let number = u32::try_from(self.below(1 << digits)).unwrap();
+                    f64::from(number) * 2f64.powi(bits - digits)
+                }
+            };
+            if self.below(2) == 0 { -magnitude.min(most) } else { magnitude.min(most) }
+        }
+    }
+
+    /// Holds every way that a predicate has against the exact value; how many were ties, and how many by `short`.
+    fn check<P: Predicate<D, N>, const D: usize, const N: usize>(
+        truth: impl Fn([[f64; D]; N]) -> Sign,
+        most_limbs: usize,
+    ) -> [usize; 2] {
+        let (mut random, mut ties, mut short) = (Random(D as u64 * 10 + N as u64), 0, 0);
+        for bits in (2..=61).chain([2; 60]) {
+            for _ in 0..20 {
+                let points: [[f64; D]; N] = [[0.0; D]; N].map(|point| point.map(|_| random.coordinate(bits)));
+                let sign = truth(points);
+                ties += usize::from(sign.is_zero());
+                let context = || format!("{:?} of {points:?}, {bits} bits", P::KIND);
+                assert_eq!(P::dyadic(points), sign, "{}", context());
+                for limbs in P::DETERMINANT.limbs(bits + 1)..=most_limbs {
+                    assert_eq!(P::integer(scaled(&points, 1.0), limbs), sign, "{limbs} limbs: {}", context());
+                }
+                for limbs in P::DETERMINANT.limbs(bits + 1)..=2 * most_limbs {
+                    assert_eq!(P::wide_integer(Rows::new(&points, 0).whole(), limbs), sign, "wide: {}", context());
+                }
+                assert!(P::short(points).is_none_or(|short| short == sign), "short: {}", context());
+                assert!(P::products(points).is_none_or(|products| products == sign), "products: {}", context());
+                short += usize::from(P::short(points).is_some());
+                assert!(bits > 20 || P::short(points).is_some(), "{}", context());
+                let estimate = P::estimate(points);
+                assert!(bits > 9 || Sign::of(estimate.determinant) == sign, "without an error: {}", context());
+            }
+        }
+        for bits in 62..=125 {
+            let points: [[f64; D]; N] = [[0.0; D]; N].map(|point| point.map(|_| random.coordinate(bits)));
+            let sign = truth(points);
+            for limbs in P::DETERMINANT.limbs(bits + 1)..=2 * most_limbs {
+                let rows = Rows::new(&points, 0).whole();
+                assert_eq!(P::wide_integer(rows, limbs), sign, "{limbs} limbs of {points:?}, {bits} bits");
+            }
+        }
+        [ties, short]
+    }
+
+    #[test]
+    fn every_way_of_a_predicate_has_its_sign() {
+        let seen = [
+            check::<Orient2d, 2, 3>(|[a, b, c]| rational::orient2d(a, b, c).sign(), 2),
+            check::<Orient3d, 3, 4>(|[a, b, c, d]| rational::orient3d(a, b, c, d).sign(), 3),
+            check::<Incircle, 2, 4>(|[a, b, c, d]| rational::incircle(a, b, c, d).sign(), 4),
+            check::<Insphere, 3, 5>(|[a, b, c, d, e]| rational::insphere(a, b, c, d, e).sign(), 5),
+        ];
+        assert!(seen.iter().all(|[ties, short]| *ties > 20 && *short > 1200), "{seen:?}");
+    }
+}

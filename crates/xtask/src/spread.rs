@@ -161,7 +161,7 @@ impl Spread {
             return Err(format!("{engine}: the report names no machines"));
         }
         println!(
-            "== {engine}: {killed} of part {VICTIM} was killed and the part started again; the whole is that of one process"
+            "== {engine}: part {VICTIM} was lost with {killed} and started again; the whole is that of one process"
         );
         Ok(())
     }
@@ -193,7 +193,7 @@ fn kill_node(part: &Path, nodes: &Path) -> Option<String> {
     let node = environment.split(|&byte| byte == 0).find_map(|entry| entry.strip_prefix(b"SLURMD_NODENAME="))?;
     let node = String::from_utf8_lossy(node).into_owned();
     let pid = std::fs::read_to_string(nodes.join(format!("{node}.pid"))).ok()?;
-    answers("kill", &["-9", pid.trim()]).then(|| format!("all of {node}, that"))
+    answers("kill", &["-9", pid.trim()]).then(|| format!("all processes of {node}"))
 }
 
 /// The process that runs into a folder.
