@@ -3,7 +3,7 @@
 use crate::common::{Random, grid_scene, questions};
 use predicament_exact::Exact;
 use predicament_predicates::{
-    Backend, Construction, Counts, Off, Plane, Predicates, QuerySet, Question, Scene, Sign, Vertex,
+    Backend, Construction, Counts, Off, Plane, PredicateKind, Predicates, QuerySet, Question, Scene, Sign, Vertex,
 };
 use predicament_sos::{PerMesh, Scheme, Sos};
 
@@ -96,6 +96,75 @@ fn batches_about_constructed_vertices_are_queries_one_by_one() {
         for args in args.chunks(question.kind().arity()) {
             assert_eq!(question.ask(&exact, args), Sign::Zero, "{args:?}");
         }
+    }
+}
+
+/// Asks some queries one by one; each has to be settled by one stage, and ties by none of the exact backend.
+fn tallied<B: Backend>(backend: &B, scene: &Scene, vertices: &[Vertex], first_of_ties: usize) -> [u64; 2] {
+    let counts = Counts::new();
+    let session = backend.prepare(scene, &counts).unwrap();
+    let exact = Exact.prepare(scene, Off).unwrap();
+    let dimension = scene.dimension().count();
+    let circles = [Question::Incircle, Question::Insphere];
+    let (mut random, mut seen) = (Random(8), [0; 2]);
+    for question in questions(dimension) {
+        if circles.contains(&question) && vertices.iter().any(|v| v.is_constructed()) {
+            continue;
+        }
+        let settled =
+            |stages: std::ops::Range<usize>| stages.map(|stage| counts.get(question.kind(), stage)).sum::<u64>();
+        for _ in 0..100 {
+            let args: Vec<Vertex> =
+                (0..question.kind().arity()).map(|_| vertices[random.below(vertices.len())]).collect();
+            let before = [settled(0..backend.stages().len()), settled(first_of_ties..backend.stages().len())];
+            let sign = question.ask(&session, &args);
+            let after = [settled(0..backend.stages().len()), settled(first_of_ties..backend.stages().len())];
+            assert_eq!(after[0] - before[0], 1, "{question:?} of {args:?}");
+            // (Two vertices in order of their indices are no term of a list.)
+            let is_broken = question.ask(&exact, &args).is_zero() && !sign.is_zero();
+            let by_term = after[1] - before[1] == 1;
+            assert!(is_broken || !by_term, "{question:?} of {args:?}");
+            assert!(by_term || !is_broken || question.kind() == PredicateKind::Compare, "{question:?} of {args:?}");
+            seen[usize::from(is_broken)] += 1;
+        }
+    }
+    seen
+}
+
+#[test]
+fn every_query_is_tallied_once_and_ties_by_what_breaks_them() {
+    let v = Vertex::input;
+    let exact = Exact.stages().len();
+    for dimension in [2, 3] {
+        let side = if dimension == 2 { 4 } else { 3 };
+        let cells = side * side * if dimension == 3 { side } else { 1 };
+        let mut scene = grid_scene(dimension, side, &Random(9).numbers(cells, 20));
+        let inputs: Vec<Vertex> = (0..20).map(v).collect();
+        let mut seen = vec![
+            tallied(&Sos::default(), &scene, &inputs, exact),
+            tallied(&Sos { scheme: Scheme::EdelsbrunnerMucke }, &scene, &inputs, exact),
+        ];
+        // Places of lines and planes of one half of the vertices each.
+        let mut random = Random(10);
+        for at in 0..60 {
+            let half = |first: usize, random: &mut Random| v(first + random.below(10));
+            let [a, b, p, q, r] = [0, 0, 10, 10, 10].map(|first| half(first, &mut random));
+            let construction = match (dimension, at % 2) {
+                (2, _) => Construction::Ssi([[a, b], [p, q]]),
+                (_, 0) => Construction::Lpi { line: [a, b], plane: [p, q, r] },
+                _ => Construction::Lpi { line: [p, q], plane: [a, b, half(0, &mut random)] },
+            };
+            let mut with = scene.clone();
+            if with.construct(construction).is_ok() && Exact.prepare(&with, Off).is_ok() {
+                scene = with;
+            }
+        }
+        let constructed = scene.constructions().len();
+        assert!(constructed > 5, "{constructed}");
+        let all: Vec<Vertex> = inputs.iter().copied().chain((0..constructed).map(Vertex::constructed)).collect();
+        seen.push(tallied(&Sos::default(), &scene, &all, exact));
+        seen.push(tallied(&PerMesh, &scene.clone().with_second_mesh((10..20).map(v)), &all, exact));
+        assert!(seen.iter().flatten().all(|&count| count > 20), "{seen:?}");
     }
 }
 
