@@ -3,12 +3,12 @@
 
 use predicament_error_calculus::rules::largest_epsilon;
 use predicament_error_calculus::{Adversary, Enclosure, Perturbed, Quantity, Root};
-use predicament_predicates::Band;
-use predicament_tolerance::bounds::coefficient::{FIGURE_1, FIGURE_5, Tolerance};
+use predicament_predicates::{Backend, Band, Dimension, Off, PredicateKind, Predicates, Scene};
+use predicament_tolerance::bounds::coefficient::{Defined, FIGURE_1, FIGURE_5, Tolerance as Row, defined};
 use predicament_tolerance::bounds::constraints::{At, Constraint, Decision, Origin, constraints, validity_limit};
 use predicament_tolerance::bounds::quantities::{Named, Normalization, Points, plane, space};
 use predicament_tolerance::bounds::{Verdict, algorithms, derivations};
-use predicament_tolerance::{Tolerances2d, Tolerances3d};
+use predicament_tolerance::{Misscaled, Tolerance, Tolerances2d, Tolerances3d};
 use proptest::prelude::*;
 use rug::Rational;
 
@@ -180,7 +180,7 @@ fn the_algorithms_are_those_of_the_tolerances() {
 }
 
 /// The rows of a figure are the tolerances of the backend, but for their roundings.
-fn assert_rows(figure: &[Tolerance], bands: &[Band], length: f64) {
+fn assert_rows(figure: &[Row], bands: &[Band], length: f64) {
     let at = At::new(of_f64(f64::EPSILON));
     for (row, band) in figure.iter().zip(bands) {
         let powers = (0..row.length).fold(Rational::from(1), |power, _| power * of_f64(length));
@@ -204,6 +204,99 @@ fn what_the_enclosures_cannot_tell_apart_is_undecided() {
     assert_eq!(greater(number((1, 1)), two.clone()).decide(&at), Decision::Fails);
     assert_eq!(greater(number((2, 1)), two).decide(&at), Decision::Undecided);
     assert_eq!(greater(number((2, 1)), number((2, 1))).decide(&at), Decision::Fails, "greater, not equal");
+}
+
+/// Slacks of the constraints on lengths in space, by hand: τ is 4, 4½ and 5 ε^¼ there.
+#[test]
+fn slacks_on_lengths_in_space_are_those_by_hand() {
+    let all = constraints();
+    for exponent in [-60, -52, -24] {
+        let epsilon = 2f64.powi(exponent);
+        let at = At::new(of_f64(epsilon));
+        let (root, fourth) = (epsilon.sqrt(), epsilon.sqrt().sqrt());
+        let squares = 261.0 * epsilon + 9.0 * epsilon * 4.5 * 4.5 * root;
+        for (text, expected) in [
+            ("min(τ₊ − τ, τ − τ₋) > 131εL²/τ", 0.5 * fourth - 131.0 * epsilon / (4.5 * fourth)),
+            ("τ² − τ₋² > 261εL² + 9ετ²", (4.5 * 4.5 - 16.0) * root - squares),
+            ("τ₊² − τ² > 261εL² + 9ετ²", (25.0 - 4.5 * 4.5) * root - squares),
+            ("√(σ₋² − τ₊²) > E[ā] = 42εL", (36.0_f64 - 25.0).sqrt() * fourth - 42.0 * epsilon),
+            ("√(σ₋² − τ₊²) > E[â] = 31εL", (36.0_f64 - 25.0).sqrt() * fourth - 31.0 * epsilon),
+            ("τ₊ < (√3/2) σ₋", (3f64.sqrt() / 2.0 * 6.0 - 5.0) * fourth),
+        ] {
+            let found = all.iter().find(|constraint| constraint.text == text && constraint.section.starts_with('5'));
+            let slack = found.expect(text).slack(&at).expect("an inequality").lower.to_f64();
+            assert!((slack - expected).abs() <= 1e-12 * expected.abs(), "{text}: {slack:e}, {expected:e}");
+        }
+    }
+}
+
+/// Figures 1 and 5 print what the formulas give; rounded ones to the nearest whole number, 1975.8 and 83.1 twice.
+#[test]
+fn definitions_are_as_they_are_printed() {
+    let all = defined();
+    assert_eq!(all.len(), 9);
+    for row in &all {
+        assert!(row.is_exact() && row.is_as_printed(), "{} {}", row.section, row.symbol);
+        let value = row.value();
+        let nearest = value.lower.clone().round();
+        assert_eq!(row.tolerance.printed_upper.starts_with('≈'), row.root3);
+        if row.root3 {
+            assert_eq!(row.tolerance.printed_upper, format!("≈{nearest}"));
+        }
+    }
+    // One of the rounded ones as if it were another.
+    let zeta = all.iter().find(|row| row.symbol == "ζ").unwrap();
+    for (factor, is_printed) in [(0.999, false), (0.9999, true), (1.0003, true), (1.001, false)] {
+        let derived = Rational::from(&zeta.derived * &of_f64(factor));
+        let other = Defined { derived, formula: "", ..*zeta };
+        assert_eq!((other.is_exact(), other.is_as_printed()), (false, is_printed), "{factor}");
+    }
+}
+
+/// Each planted tolerance is off by two, its band with it, and no other one.
+#[test]
+fn a_planted_tolerance_is_off_and_no_other() {
+    let flat = Tolerances2d::from_length(1.0_f64);
+    let deep = Tolerances3d::from_length(1.0_f64);
+    for planted in Misscaled::ALL {
+        let factor = if planted.halved { 0.5 } else { 2.0 };
+        let mut off = 0;
+        let before = [&flat.bands()[..], &deep.bands()[..]];
+        let after = [&planted.plane(flat).bands()[..], &planted.space(deep).bands()[..]];
+        for (dimension, (before, after)) in [Dimension::Two, Dimension::Three].iter().zip(before.iter().zip(after)) {
+            for ((symbol, is), (same, became)) in before.iter().zip(after) {
+                assert_eq!(symbol, same);
+                let is_meant = *dimension == planted.dimension && *symbol == planted.symbol;
+                off += usize::from(is_meant);
+                let by = if is_meant { factor } else { 1.0 };
+                assert_eq!(
+                    [became.lower, became.width, became.upper],
+                    [is.lower, is.width, is.upper].map(|x| x * by),
+                    "{symbol}: {}",
+                    planted.fault
+                );
+            }
+        }
+        assert_eq!(off, 1, "{}", planted.fault);
+    }
+}
+
+/// 16 L⁴ and 128 L⁵ have to be doubles, and what is a millionth of a millionth of them normal ones.
+#[test]
+fn bands_of_circles_are_declined_where_determinants_leave_the_range() {
+    let declines = |dimension: usize, largest: f64| {
+        let mut coordinates = vec![0.0; 5 * dimension];
+        coordinates[dimension] = largest;
+        let scene = Scene::new(if dimension == 2 { Dimension::Two } else { Dimension::Three }, coordinates).unwrap();
+        let kind = if dimension == 2 { PredicateKind::Incircle } else { PredicateKind::Insphere };
+        Tolerance.prepare(&scene, Off).unwrap().supports(kind).is_err()
+    };
+    // 16 · 2^(4 · 255) is 2^1024, and 128 · 2^(5 · 203.4) is.
+    assert_eq!([2f64.powi(255).next_down(), 2f64.powi(255)].map(|length| declines(2, length)), [false, true]);
+    assert_eq!([203, 204].map(|exponent| declines(3, 2f64.powi(exponent))), [false, true]);
+    // 200 ε L⁴ and 2000 ε L⁵, some 2^-44 and 2^-41, down to 2^-1022.
+    assert_eq!([-240, -247].map(|exponent| declines(2, 2f64.powi(exponent))), [false, true]);
+    assert_eq!([-190, -198].map(|exponent| declines(3, 2f64.powi(exponent))), [false, true]);
 }
 
 #[test]
