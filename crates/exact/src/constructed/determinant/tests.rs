@@ -204,6 +204,7 @@ fn sides_of_an_input_vertex_at_each_edge() {
         long[3] = std::array::from_fn(|_| Long { limbs: vec![1], low: 0, negative: false });
         let numbers = long.each_ref().map(|row| row.each_ref().map(Long::number));
         assert!(catch_unwind(|| by_capacity([&numbers[0], &numbers[1], &numbers[2]], &numbers[3])).is_err(), "{CAP}");
+        assert_eq!(orient3d(&numbers), truth(&long), "another capacity than {CAP}");
     }
     edge::<9>(side_of::<9>);
     edge::<18>(side_of::<18>);
