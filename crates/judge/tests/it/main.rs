@@ -4,11 +4,14 @@
 mod contacts;
 mod cubes;
 mod dependencies;
+mod hull;
 mod interval;
 mod locate;
 mod nearest;
 mod planted;
 mod random;
+mod rational_solids;
 mod sample;
+mod session;
 mod solids;
 mod within;
