@@ -266,12 +266,9 @@ impl<const EXACT: bool, const D: usize> Rows for Three<'_, EXACT, D> {
             (&[x, y], None) => {
                 let (plane, orientation) = projection(AXES[usize::from(x)], AXES[usize::from(y)])?;
                 let [x, y] = plane.axes().map(Axis::index);
-                let is_mirrored = term.sign != orientation;
-                let [p, q] = if is_mirrored { [q, p] } else { [p, q] };
+                // So are all leading terms of both schemes; another list does not compile to a wrong sign.
+                assert!(term.sign == orientation, "a leading term is the turn of its rows in their order");
                 match filter::turn::<EXACT>([[p[x], p[y]], [q[x], q[y]], [r[x], r[y]]]) {
-                    None if is_mirrored => {
-                        Some(turn(self.exact, plane, self.vertices[2], self.vertices[1], self.vertices[3]))
-                    }
                     None => Some(turn(self.exact, plane, self.vertices[1], self.vertices[2], self.vertices[3])),
                     certain => certain,
                 }

@@ -104,6 +104,17 @@ mod tests {
             }
         }
 
+        /// Each sum is rounded up for itself, not by the room that squares leave: a large square just below a power of two
+        /// has half of the unit of the sum that a small one makes.
+        #[test]
+        fn squared_diagonals_are_rounded_up(small in 0.08..0.1f64, large in 1.9985..2f64) {
+            let exact = [small, large].map(|x| rational(x).unwrap().square());
+            let least: Rational = exact.iter().sum();
+            let found = rational(lift([small, large])).unwrap();
+            // In units of epsilon: 1.5 times 2 of the large square, 4 of the sum, and what is left of the small one.
+            prop_assert!(found > least && found < least + rational(10.0 * f64::EPSILON).unwrap());
+        }
+
         /// Any extents at all: what is too small or too large for a double is rounded up as well.
         #[test]
         fn bounds_are_rounded_up_everywhere(extent in prop::array::uniform3(0..=f64::MAX.to_bits())) {

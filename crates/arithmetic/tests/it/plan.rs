@@ -92,6 +92,7 @@ fn each_arithmetic_is_chosen_up_to_its_last_bit() {
     assert_eq!(arithmetic(26, -600), Arithmetic::Integer, "products of doubles underflow");
     assert_eq!(plan(&[f64::MAX, -f64::MAX]).arithmetic(product), Arithmetic::Dyadic, "a difference overflows");
     assert_eq!(Plan::<2>::of(&[]).arithmetic(product), Arithmetic::Double);
+    assert_eq!(Arithmetic::ALL.map(Arithmetic::name), ["double", "integer", "wide integer", "dyadic"]);
 }
 
 #[test]

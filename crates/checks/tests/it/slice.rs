@@ -207,3 +207,39 @@ fn samples_of_triangles_find_what_is_near_them() {
         assert!(found(&slices, expected).contains(&Check::SelfIntersection), "{triangles_crossed}");
     }
 }
+
+/// Two triangles in one part, by their points, without any other law: how often they pass through each other.
+fn crossings(corners: [[[i32; 3]; 3]; 2]) -> usize {
+    let points = corners.as_flattened().iter().map(|p| p.map(Rational::from)).collect();
+    let part = Part { triangles: vec![[0, 1, 2], [3, 4, 5]], pieces: vec![Piece::Face(0); 2], ..Part::default() };
+    let slices = Slices { points, faces: vec![vec![0, 1, 2], vec![3, 4, 5]], planes: Vec::new(), parts: vec![part] };
+    let flaws = slices.flaws_of_surface(STRICT);
+    flaws.iter().filter(|flaw| flaw.check == Check::SelfIntersection).count()
+}
+
+#[test]
+fn edges_that_pass_beside_a_triangle_do_not_pass_through_it() {
+    let flat = [[0, 0, 0], [8, 0, 0], [0, 8, 0]];
+    // An upright triangle of which one edge crosses the plane of the flat one at this place.
+    let upright = |x: i32, y: i32| [[x, y, -2], [x, y, 2], [x + 1, y + 3, 9]];
+    let (mut through, mut beside) = (0, 0);
+    for (x, y) in (0..8).flat_map(|x| (0..8).map(move |y| (x, y))) {
+        for turn in 0..3 {
+            let (mut first, mut second) = (flat, upright(x, y));
+            first.rotate_left(turn);
+            second.rotate_right(turn);
+            // The upright one meets the plane in the segment from (x, y) to a third of the way to its far corner, at most.
+            let is_inside = x > 0 && y > 0 && x + y < 8;
+            if is_inside {
+                assert_eq!(crossings([first, second]), 1, "{x} {y}");
+                assert_eq!(crossings([second, first]), 1, "{x} {y}");
+                through += 1;
+            } else if x + y > 8 {
+                assert_eq!(crossings([first, second]), 0, "{x} {y}");
+                assert_eq!(crossings([second, first]), 0, "{x} {y}");
+                beside += 1;
+            }
+        }
+    }
+    assert!(through > 50 && beside > 50, "{through} through, {beside} beside");
+}

@@ -127,3 +127,20 @@ fn numbers_of_triangles_where_loops_touch() {
     let right = [[0, 1, 3], [3, 1, 4], [4, 1, 2], [5, 4, 2], [0, 5, 2], [0, 3, 5]];
     assert_eq!(area(&points, &of, &right) * 2, 15);
 }
+
+#[test]
+fn an_edge_in_common_is_one_of_two_loops_from_both_sides() {
+    let points = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [4.0, 0.0], [4.0, 2.0], [1.0, 1.0]];
+    // Squares side by side, whatever way they are given.
+    for second in [&[1, 4, 5, 2][..], &[2, 5, 4, 1]] {
+        let neighbors = polygon(&points, &[&[0, 1, 2, 3], second]);
+        assert_eq!((neighbors.fault(), neighbors.area()), (None, 8.into()), "{second:?}");
+    }
+    // A loop that goes to a vertex inside of it and back by the same edge.
+    let slit = polygon(&points, &[&[0, 1, 2, 6, 2, 3]]).fault().expect("one edge twice");
+    let [a, b] = vertices([2, 6]);
+    let said = format!("the edges from {a} to {b} and from {b} to {a} cross, or are in line with common points");
+    assert_eq!(slit, (said, vec![a, b, b, a]));
+    // A loop twice.
+    assert!(polygon(&points, &[&[0, 1, 2, 3], &[0, 1, 2, 3]]).fault().is_some());
+}

@@ -286,3 +286,24 @@ fn insert(rows: &mut Vec<Vec<Integer>>, mut row: Vec<Integer>) -> bool {
     rows.push(row);
     true
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_points_of_a_simplex_are_all_with_a_sum_up_to_the_most() {
+        assert_eq!(simplex(2, 2), [[0, 0], [0, 1], [0, 2], [1, 0], [1, 1], [2, 0]]);
+        assert_eq!(simplex(0, 5), [Vec::<u32>::new()]);
+        // Binomial coefficients: as many as choices of three of eight.
+        let points = simplex(3, 5);
+        assert_eq!(points.len(), 56);
+        assert!(points.is_sorted() && points.iter().all(|point| point.iter().sum::<u32>() <= 5));
+    }
+
+    #[test]
+    fn sets_are_all_of_their_size() {
+        assert_eq!(sets(4, 2).collect::<Vec<_>>(), [0b0011, 0b0101, 0b0110, 0b1001, 0b1010, 0b1100]);
+        assert_eq!(sets(3, 0).collect::<Vec<_>>(), [0]);
+    }
+}

@@ -239,3 +239,20 @@ pub fn judge_per_mesh(scene: &Scene, question: Question, args: &[Vertex]) -> Sig
     let points = asked.rigidly(scene.second_mesh().expect("a scene with two meshes"));
     asked.sign(|part| asked.value(part, &points).sign())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_leave_room_for_degrees_below_16() {
+        assert_eq!([0, 1, 31].map(key), [1, 16, 1 << 124]);
+        assert_eq!(15 * key(4) + key(5), 0x1f_0000);
+    }
+
+    #[test]
+    #[should_panic(expected = "too many vertices have to move for this judge")]
+    fn a_key_of_more_infinitesimals_than_fit_is_refused() {
+        key(32);
+    }
+}

@@ -90,6 +90,31 @@ fn repeated_vertices_are_zero() {
     }
 }
 
+/// Two vertices in one place, so that all is tied, and minors of the others that no filter is certain about: points that are
+/// units in the last place away from a line, in every projection.
+#[test]
+fn minors_that_need_more_than_a_filter() {
+    const PLACES: [f64; 3] = [0.5, 12.0, 24.0];
+    let mut random = Random(7);
+    for _ in 0..scaled(300) {
+        for (dimension, arity) in [(2, 4), (3, 4), (3, 5)] {
+            let mut points: Vec<Vec<f64>> = (0..arity - 1)
+                .map(|at| {
+                    let mut near = |x: f64| (0..random.below(4)).fold(x, |x, _| x.next_up());
+                    (0..dimension).map(|_| near(PLACES[at % 3])).collect()
+                })
+                .collect();
+            let (from, to) = (random.below(points.len()), random.below(arity));
+            let twin = points[from].clone();
+            points.insert(to, twin);
+            let scene = scene(dimension, points.concat()).unwrap();
+            for question in questions(dimension).into_iter().filter(|question| question.kind().arity() == arity) {
+                check(&scene, question, &first(arity));
+            }
+        }
+    }
+}
+
 /// All signs are those of homogeneous polynomials, so a power of two changes
 /// none; at the ends of the exponent range everything but integers would.
 #[test]

@@ -278,6 +278,7 @@ fn a_planted_tolerance_is_off_and_no_other() {
             }
         }
         assert_eq!(off, 1, "{}", planted.fault);
+        assert_eq!(format!("tolerance-{}", planted.name()), planted.fault);
     }
 }
 
@@ -324,5 +325,44 @@ fn the_claim_of_5_4_4_holds_for_every_binary_epsilon_and_its_chain_does_not() {
         assert!(direct.iter().all(|row| holds(row, e)), "2^-{e}");
         assert_eq!(holds(known[0], e), e >= 19, "2^-{e}");
         assert_eq!(holds(step[0], e), e >= 52, "2^-{e}");
+    }
+}
+
+/// L̂ = (La + Lb)/(1 − s) with s = 7√ε or 7ε^¼, by hand: a sum, a difference and a quotient are rounded, and s brings what it
+/// has, relative to 1 − s: the rounding of its product, of its root, and half of that of the root in it.
+#[test]
+fn bounds_of_lengths_are_those_by_hand() {
+    let all = derivations();
+    let first = |section: &str, name: &str| {
+        let row = all.iter().find(|row| row.section == section && row.name == name).unwrap();
+        row.derived.as_ref().unwrap().first.to_f64()
+    };
+    let of_shift = |s: f64, roundings: f64| 3.0 + roundings * s / (1.0 - s);
+    let (plane, space) = (of_shift(7.0 * 1e-5_f64.sqrt(), 2.0), of_shift(7.0 * 1e-5_f64.powf(0.25), 2.5));
+    for (derived, by_hand) in [
+        (first("4.1", "R[L̂]"), plane),
+        (first("5.1", "R[L̂]"), space),
+        (first("ours", "R[L̂ of 4.1, sides rounded]"), plane + 1.0),
+        (first("ours", "R[L̂ of 5.1, sides rounded]"), space + 1.0),
+    ] {
+        assert!(by_hand - 1e-12 < derived && derived < by_hand + 1e-6, "{derived} {by_hand}");
+    }
+    // As a number: 3/(1 − 7/100).
+    let length = algorithms::length([1.0, 2.0], 0.01, 7.0, |difference| difference);
+    assert!((length * 0.93 - 3.0_f64).abs() < 1e-12, "{length}");
+}
+
+/// 260 ε L⁴ and 2260 ε L⁵, each product rounded once: of L² and L⁴, of L⁵, with ε and with the constant.
+#[test]
+fn widths_of_the_bands_of_circles() {
+    let all = derivations();
+    for (name, c, length_quarters, roundings) in [("R[T incircle]", 260, 16, 4), ("R[T insphere]", 2260, 20, 5)] {
+        let row = all.iter().find(|row| row.section == "ours" && row.name == name).unwrap();
+        let magnitude = row.quantity.magnitude().unwrap();
+        assert_eq!(
+            (&magnitude.c, magnitude.length_quarters, magnitude.epsilon_quarters),
+            (&c.into(), length_quarters, 4)
+        );
+        assert_eq!(row.derived.as_ref().unwrap().first, roundings, "{name}");
     }
 }
