@@ -120,6 +120,8 @@ pub fn check_one(judge: &Judge, ours: &Constructed, scene: &Scene, [a, b, c, d]:
         let (sign, stage) = ours.compare(axis, a, b);
         assert_eq!(sign, truth, "{axis:?} {a} {b} {scene:?}");
         assert_eq!(ours.compare_exactly(axis, [a, b]), truth, "{axis:?} {a} {b} exactly {scene:?}");
+        // The filters alone: they answer just where they are the stage.
+        assert_eq!(ours.compare_by_filter(axis, a, b), (stage == FILTER).then_some(truth), "{axis:?} {a} {b}");
         seen.add(truth, stage);
     }
     for &plane in planes {
@@ -127,6 +129,11 @@ pub fn check_one(judge: &Judge, ours: &Constructed, scene: &Scene, [a, b, c, d]:
         let (sign, stage) = ours.orient2d(plane, a, b, c);
         assert_eq!(sign, truth, "{plane:?} {a} {b} {c} {scene:?}");
         assert_eq!(ours.orient2d_exactly(plane, [a, b, c]), truth, "{plane:?} {a} {b} {c} exactly {scene:?}");
+        assert_eq!(
+            ours.orient2d_by_filter(plane, a, b, c),
+            (stage == FILTER).then_some(truth),
+            "{plane:?} {a} {b} {c}"
+        );
         seen.add(truth, stage);
     }
     if scene.dimension() == Dimension::Two {
