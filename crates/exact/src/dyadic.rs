@@ -261,3 +261,15 @@ fn ball_cross<const D: usize>(p: &[Ball; D], q: &[Ball; D]) -> Ball {
 fn ball_triple(p: &[Ball; 3], q: &[Ball; 3], r: &[Ball; 3]) -> Ball {
     p[2] * ball_cross(q, r) + q[2] * ball_cross(r, p) + r[2] * ball_cross(p, q)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::nearest_to_origin;
+
+    #[test]
+    fn the_nearest_is_the_one_with_the_smallest_largest_coordinate_and_the_last_of_equals() {
+        assert_eq!(nearest_to_origin(&[[3.0, -1.0], [-2.0, 2.0], [0.0, 4.0]]), 1);
+        assert_eq!(nearest_to_origin(&[[1.0, 0.0], [0.0, -1.0], [2.0, 0.0]]), 1);
+        assert_eq!(nearest_to_origin(&[[5.0]; 4]), 3);
+    }
+}

@@ -71,3 +71,25 @@ impl Side<3> {
         Side { normal: minors.map(|minor| minor.determinant), pivot: a, permanent }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Differences from 1, 2, 3 and sums by hand, in small integers that differ in each place.
+    #[test]
+    fn normals_and_permanents_by_hand() {
+        let line = Side::of_line([[1.0, 2.0], [6.0, 13.0]], [3.0, 7.0]);
+        assert_eq!((line.normal, line.pivot), ([11.0, -5.0], [1.0, 2.0]));
+        assert_eq!(line.permanent, 11.0 * 3.0 + 5.0 * 7.0);
+        assert_eq!(line.determinant([1.0, 3.0]), 5.0, "to the left");
+
+        // b − a is (2, 3, 5) and c − a is (7, −11, 13).
+        let plane = Side::of_plane([[1.0, 2.0, 3.0], [3.0, 5.0, 8.0], [8.0, -9.0, 16.0]], [17.0, 19.0, 23.0]);
+        assert_eq!(plane.normal, [3.0 * 13.0 + 5.0 * 11.0, 5.0 * 7.0 - 2.0 * 13.0, -2.0 * 11.0 - 3.0 * 7.0]);
+        assert_eq!(plane.pivot, [1.0, 2.0, 3.0]);
+        let minors = [3.0 * 13.0 + 5.0 * 11.0, 5.0 * 7.0 + 2.0 * 13.0, 2.0 * 11.0 + 3.0 * 7.0];
+        assert_eq!(plane.permanent, minors[0] * 17.0 + minors[1] * 19.0 + minors[2] * 23.0);
+        assert_eq!(plane.determinant([2.0, 4.0, 6.0]), -94.0 - 2.0 * 9.0 + 3.0 * 43.0);
+    }
+}
