@@ -26,3 +26,10 @@ fn large_scenes_are_judged_at_even_distances() {
         assert_eq!(sample.places().len(), sample.len());
     }
 }
+
+#[test]
+fn contacts_of_space_cost_more_than_those_of_the_plane() {
+    let len = |dimension: Dimension| contacts::sample(dimension, [100_000, 30_000]).len();
+    // A billion over 50,000 each, and over 230,000 each: every fifth, every 24th.
+    assert_eq!([len(Dimension::Two), len(Dimension::Three)], [20_000, 4_167]);
+}
