@@ -47,11 +47,37 @@ pub fn test() -> Result<(), String> {
     cargo("clippy", &["clippy", "--profile", "ci", "--workspace", "--all-targets", "--", "-D", "warnings"])?;
     run_tests(&[], &[])?;
     engine_examples()?;
-    let docs = ["doc", "--profile", "ci", "--workspace", "--no-deps"];
-    step("docs", &cargo_command(&docs), &[("RUSTDOCFLAGS", "-D warnings")])?;
+    docs()?;
     gate()?;
     example()?;
     page()
+}
+
+/// The pages of all public items, as the documentation of what clippy has looked at.
+///
+/// Rustdoc needs the metadata of what a crate depends on, and clippy has left it, but for itself: it is taken where the compiler is
+/// the same one, with the same arguments. `--examples` has features be those of clippy, with dev-dependencies. Where any of this is not so,
+/// it is made again, which takes half a minute.
+fn docs() -> Result<(), String> {
+    let docs = ["doc", "--profile", "ci", "--workspace", "--no-deps", "--lib", "--bins", "--examples"];
+    let driver = clippy_driver();
+    let mut env = vec![("RUSTDOCFLAGS", "-D warnings")];
+    if let Some(driver) = &driver {
+        env.extend([("RUSTC_WORKSPACE_WRAPPER", driver.as_str()), ("CLIPPY_ARGS", CLIPPY_ARGS)]);
+    }
+    step("docs", &cargo_command(&docs), &env)
+}
+
+/// What `cargo clippy -- -D warnings` gives to the driver.
+const CLIPPY_ARGS: &str = "-D__CLIPPY_HACKERY__warnings__CLIPPY_HACKERY__";
+
+/// The compiler that `cargo clippy` runs, if it is where rustup puts it.
+fn clippy_driver() -> Option<String> {
+    let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned());
+    let sysroot = Command::new(rustc).args(["--print", "sysroot"]).current_dir(root()).output().ok()?;
+    let bin = Path::new(String::from_utf8(sysroot.stdout).ok()?.trim()).join("bin");
+    let driver = bin.join("clippy-driver").with_extension(std::env::consts::EXE_EXTENSION);
+    driver.exists().then(|| driver.display().to_string())
 }
 
 /// The tests of engines, each where what its language needs is there; says which are not run.
