@@ -1,4 +1,4 @@
-//! The page about results as data: its blocks are run by DuckDB and pandas, in an environment of their own.
+//! The page about results as data: its blocks are run by DuckDB and pandas, in an environment of their own, and by R where it has the packages.
 
 use crate::steps::{answers, fresh, root, step};
 
@@ -6,6 +6,9 @@ use crate::steps::{answers, fresh, root, step};
 const FOLDER: &str = "target/data";
 /// What is installed in it.
 const PACKAGES: [&str; 3] = ["duckdb", "pandas", "pyarrow"];
+
+/// Fails in R where a package of the page is not installed.
+const PACKAGES_OF_R: &str = "library(nanoparquet); library(dplyr)";
 
 /// Makes the environment and runs the tests that need it.
 ///
@@ -23,5 +26,14 @@ pub fn check() -> Result<(), String> {
     step("install what the page uses", &words(&install), &[])?;
     let test =
         ["cargo", "test", "--profile", "ci", "-p", "predicament", "--test", "it", "--", "--ignored", "page_of_data"];
-    step("blocks of the page about data", &words(&test), &[("PREDICAMENT_PYTHON", &python)])
+    step("blocks of the page about data", &words(&test), &[("PREDICAMENT_PYTHON", &python)])?;
+    if !answers("Rscript", &["-e", PACKAGES_OF_R]) {
+        println!(
+            "\n== R's block of the page about data: NOT RUN: there is no R with nanoparquet and dplyr here; type \
+             `install.packages(c(\"nanoparquet\", \"dplyr\"))` in R"
+        );
+        return Ok(());
+    }
+    let test = [&test[..test.len() - 1], &["page_in_r"]].concat();
+    step("R's block of the page about data", &words(&test), &[])
 }

@@ -1,7 +1,7 @@
 //! Results as data: `export`, `schema`, and the page about them.
 //!
 //! What the page says to DuckDB and pandas is run by these where they are: `cargo xtask nightly` makes a place for them and names its Python in
-//! `PREDICAMENT_PYTHON`.
+//! `PREDICAMENT_PYTHON`. What it says to R is run where R has the packages.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -238,11 +238,9 @@ fn duckdb(sql: &str, folder: &Path) -> String {
     python(script, folder)
 }
 
-#[test]
-#[ignore = "needs Python with duckdb, pandas and pyarrow; `cargo xtask nightly` runs it"]
-fn page_of_data_counts_wrong_answers_as_the_run_does() {
-    let folder = tempdir().unwrap();
-    let out = at(&folder, "run");
+/// Runs and exports some scenes into `data` of a folder, and counts wrong answers by task and backend from the run itself, as CSV.
+fn wrong_answers(folder: &tempfile::TempDir) -> String {
+    let out = at(folder, "run");
     run(&[
         "run",
         "classics",
@@ -255,7 +253,7 @@ fn page_of_data_counts_wrong_answers_as_the_run_does() {
         "--out",
         &out,
     ]);
-    expect(0, &["export", &out, "--out", &at(&folder, "data")]);
+    expect(0, &["export", &out, "--out", &at(folder, "data")]);
     let mut wrong: BTreeMap<(String, String), (u64, u64)> = BTreeMap::new();
     for row in &RunDir::open(&out).unwrap().summary {
         let of = wrong.entry((row.task.clone(), row.backend.clone())).or_default();
@@ -268,6 +266,28 @@ fn page_of_data_counts_wrong_answers_as_the_run_does() {
         .chain(lines.iter().map(|((task, backend), (queries, wrong))| format!("{task},{backend},{queries},{wrong}\n")))
         .collect();
     println!("{expected}");
+    expected
+}
+
+#[test]
+#[ignore = "needs R with nanoparquet and dplyr; `cargo xtask nightly` runs it where they are"]
+fn page_in_r_counts_wrong_answers_as_the_run_does() {
+    let folder = tempdir().unwrap();
+    let expected = wrong_answers(&folder);
+    let script = at(&folder, "block.R");
+    std::fs::write(&script, block("r", "read_parquet")).unwrap();
+    // Names in the order of their bytes, whatever the language of the machine.
+    let done = Command::new("Rscript").arg(&script).current_dir(folder.path()).env("LC_ALL", "C").output();
+    let done = done.expect("R is installed");
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    assert_eq!(String::from_utf8(done.stdout).unwrap(), expected);
+}
+
+#[test]
+#[ignore = "needs Python with duckdb, pandas and pyarrow; `cargo xtask nightly` runs it"]
+fn page_of_data_counts_wrong_answers_as_the_run_does() {
+    let folder = tempdir().unwrap();
+    let expected = wrong_answers(&folder);
     assert_eq!(duckdb(block("sql", "summary.parquet"), folder.path()), expected);
     assert_eq!(python(block("python", "read_parquet"), folder.path()).trim_end(), expected.trim_end());
     // Every table is read, with the types of the schema.
