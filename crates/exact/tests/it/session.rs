@@ -3,8 +3,8 @@
 use crate::common::Random;
 use predicament_exact::{Exact, Session, estimate, form, rational, stage};
 use predicament_predicates::{
-    Axis, Backend, Counts, MAX_STAGES, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally, Vertex,
-    ZeroMeaning,
+    Axis, Backend, Construction, Counts, MAX_STAGES, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign,
+    Tally, Vertex, ZeroMeaning,
 };
 use robust::{Coord, Coord3D};
 
@@ -213,4 +213,53 @@ fn the_backend_introduces_itself() {
         let contract = Exact.contract(kind);
         assert!(contract.proved && contract.zero == ZeroMeaning::Exact);
     }
+}
+
+/// The static filter alone answers just where it is the stage that settles, and what that stage does.
+#[test]
+fn the_static_filter_alone_is_the_first_stage() {
+    let mut random = Random(12);
+    let mut counts = [0_usize; 2];
+    for round in 0..200 {
+        let mut points: [[f64; 3]; 5] = random.points(Random::unit);
+        if round % 2 == 0 {
+            // The last one next to the plane of the first three.
+            let [a, b, c, d, _] = &mut points;
+            *d = [0, 1, 2].map(|axis: usize| a[axis] + 0.25 * (b[axis] - a[axis]) + 0.5 * (c[axis] - a[axis]));
+        }
+        let mut scene = Scene::from_points3(&points).unwrap();
+        let x = scene.construct(Construction::Lpi { line: [v(3), v(4)], plane: [v(0), v(1), v(2)] }).unwrap();
+        let session = prepare(&scene, Off);
+        for [a, b, c, d] in [[0, 1, 2, 3], [3, 1, 0, 2], [0, 1, 2, 4], [4, 3, 1, 0]].map(|of| of.map(v)) {
+            let decided = session.decide_orient3d(a, b, c, d);
+            let expected = (decided.1 == stage::STATIC).then_some(decided);
+            assert_eq!(session.filter_orient3d(a, b, c, d), expected, "{points:?} {a} {b} {c} {d}");
+            counts[usize::from(expected.is_some())] += 1;
+        }
+        // It knows input vertices only.
+        assert_eq!(session.filter_orient3d(v(0), v(1), v(3), x), None);
+    }
+    assert!(counts.iter().all(|&count| count > 150), "{counts:?}");
+}
+
+/// What a session on top of this one does not accept is refused by its place and for its reason, and nothing of the batch is left.
+#[test]
+fn definitions_that_are_not_accepted_are_refused() {
+    let square =
+        Scene::from_points2(&[[0.0, 0.0], [4.0, 4.0], [0.0, 4.0], [4.0, 0.0], [0.0, 2.0], [4.0, 2.0]]).unwrap();
+    let mut session = prepare(&square, Off);
+    let of = |lines: [[usize; 2]; 2]| Construction::Ssi(lines.map(|line| line.map(v)));
+    let [first, second] = [of([[0, 1], [2, 3]]), of([[4, 5], [0, 1]])];
+    let without_4 = |definition: &Construction| {
+        let has_4 = definition.flats().flatten().any(|&vertex| vertex == v(4));
+        if has_4 { Err("not about vertex 4".to_owned()) } else { Ok(()) }
+    };
+    let refused = session.construct_where(&[first, second], without_4).unwrap_err();
+    assert_eq!(refused.index(), Some(1));
+    assert!(refused.to_string().ends_with("not about vertex 4"), "{refused}");
+    assert_eq!(session.scene(), &square);
+    let found = session.construct_where(&[first], without_4).unwrap();
+    assert_eq!(session.orient2d(Plane::Xy, v(4), v(5), found[0]), Sign::Zero, "(2, 2) is on the line");
+    // What is there already is not asked about again.
+    assert_eq!(session.construct_where(&[first], |_| Err("nothing new".to_owned())).unwrap(), found);
 }
