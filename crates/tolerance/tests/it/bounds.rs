@@ -321,6 +321,36 @@ fn slacks_on_heights_are_those_by_hand() {
     }
 }
 
+/// Those of the bands of `incircle` and `insphere`, 130, 260, 390 and 1130, 2260, 3390 times ε.
+#[test]
+fn slacks_on_circles_are_those_by_hand() {
+    let all = constraints();
+    for epsilon in [f64::EPSILON, f64::from(f32::EPSILON)] {
+        let at = At::new(of_f64(epsilon));
+        for (text, expected) in [
+            ("incircle: min(T₊ − T, T − T₋) > 129εL⁴ + 5εT", 130.0 - 129.0 - 5.0 * epsilon * 260.0),
+            ("incircle: T₋ > E = 129εL⁴", 1.0),
+            ("insphere: min(T₊ − T, T − T₋) > 1129εL⁵ + 6εT", 1130.0 - 1129.0 - 6.0 * epsilon * 2260.0),
+            ("insphere: T₋ > E = 1129εL⁵", 1.0),
+        ] {
+            let found = all.iter().find(|constraint| constraint.text == text).expect(text);
+            assert_eq!(found.origin.as_str(), "ours");
+            let slack = found.slack(&at).expect("an inequality").lower.to_f64() / epsilon;
+            assert!((slack - expected).abs() <= 1e-9, "{text}: {slack:e}, {expected:e}");
+        }
+    }
+}
+
+#[test]
+fn names_in_tables() {
+    let origins = [Origin::Paper, Origin::Argument, Origin::Ours].map(Origin::as_str);
+    assert_eq!(origins, ["paper", "argument", "ours"]);
+    let decisions = [Decision::Holds, Decision::Fails, Decision::Undecided].map(Decision::as_str);
+    assert_eq!(decisions, ["holds", "fails", "undecided"]);
+    let verdicts = [Verdict::Reproduced, Verdict::Smaller, Verdict::Larger, Verdict::Invalid, Verdict::Ours];
+    assert_eq!(verdicts.map(Verdict::as_str), ["reproduced", "smaller", "larger", "invalid", "ours"]);
+}
+
 /// Figures 1 and 5 print what the formulas give; rounded ones to the nearest whole number, 1975.8 and 83.1 twice.
 #[test]
 fn definitions_are_as_they_are_printed() {

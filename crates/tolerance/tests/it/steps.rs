@@ -150,3 +150,99 @@ fn tolerances_are_those_of_the_format() {
         (space.xi.width - 56.0 * 2.0_f64.powi(-23).powf(0.75)).abs() < 4.0 * f64::from(f32::EPSILON) * space.xi.width
     );
 }
+
+/// Feet on and beside the ends of an edge, on its line: the weight is the fraction of the way, and beyond an end is no contact.
+#[test]
+fn feet_on_edges_have_their_weights_and_none_beyond_an_end() {
+    let (flat, deep) = (Tolerances2d::<f64>::from_length(1.0), Tolerances3d::<f64>::from_length(1.0));
+    for eighths in -2..=6 {
+        let x = f64::from(eighths) / 8.0;
+        let expected = (0..=4).contains(&eighths).then_some(x / 0.5);
+        for turn in 0..2 {
+            let turned = |[x, y]: [f64; 2]| if turn == 0 { [x, y] } else { [y, x] };
+            let edge = [[0.0, 0.0], [0.5, 0.0]].map(turned);
+            assert_eq!(plane::edge_vertex(&flat, &edge, &turned([x, 0.0])), expected, "{x}");
+        }
+        for axis in 0..3 {
+            let along = |x: f64| [0, 1, 2].map(|at: usize| if at == axis { x } else { 0.0 });
+            assert_eq!(space::edge_vertex(&deep, &[along(0.0), along(0.5)], &along(x)), expected, "{x}");
+        }
+    }
+}
+
+/// Two edges that cross, and edges of which one ends before the other's line.
+#[test]
+fn crossings_of_edges_have_their_weights_and_none_beyond_an_end() {
+    let (flat, deep) = (Tolerances2d::<f64>::from_length(1.0), Tolerances3d::<f64>::from_length(1.0));
+    for (i, j) in (-2..=6).flat_map(|i| (-2..=6).map(move |j| (i, j))) {
+        // Edges of half a unit that start so far before the crossing of their lines. At an end nothing is beyond κ or φ.
+        let [s, t] = [i, j].map(|eighths| f64::from(eighths) / 8.0);
+        let is_contact = (1..4).contains(&i) && (1..4).contains(&j);
+        let expected = is_contact.then_some([s / 0.5, t / 0.5]);
+        let (first, second) = ([[-s, 0.0], [0.5 - s, 0.0]], [[0.0, -t], [0.0, 0.5 - t]]);
+        assert_eq!(plane::edge_edge(&flat, &first, &second), expected, "{s} {t}");
+        for turn in 0..3 {
+            let lifted = |[x, y]: [f64; 2]| {
+                let mut point = [x, y, 0.25];
+                point.rotate_right(turn);
+                point
+            };
+            assert_eq!(space::edge_edge(&deep, &first.map(lifted), &second.map(lifted)), expected, "{s} {t}");
+        }
+    }
+}
+
+/// Points of simplices have their barycentric weights; beyond a side, and on one, there is no contact.
+#[test]
+fn points_in_simplices_have_their_weights_and_none_beyond_a_side() {
+    let (flat, deep) = (Tolerances2d::<f64>::from_length(1.0), Tolerances3d::<f64>::from_length(1.0));
+    let triangle = [[0.0, 0.0], [0.5, 0.0], [0.0, 0.5]];
+    for (i, j) in (-1..=5).flat_map(|i| (-1..=5).map(move |j| (i, j))) {
+        let [x, y] = [i, j].map(|eighths| f64::from(eighths) / 8.0);
+        let weights = [1.0 - (x + y) / 0.5, x / 0.5, y / 0.5];
+        for (turn, (triangle, weights)) in (0..3).map(|turn| {
+            let (mut triangle, mut weights) = (triangle, weights);
+            triangle.rotate_left(turn);
+            weights.rotate_left(turn);
+            (turn, (triangle, weights))
+        }) {
+            let expected = weights.iter().all(|&weight| weight > 0.0).then_some(weights);
+            assert_eq!(plane::triangle_vertex(&flat, &triangle, &[x, y]), expected, "{x} {y}, turn {turn}");
+            for axis in 0..3 {
+                let lifted = |[x, y]: [f64; 2]| {
+                    let mut point = [x, y, 0.0];
+                    point.rotate_right(axis);
+                    point
+                };
+                let deep_triangle = triangle.map(lifted);
+                assert_eq!(space::triangle_vertex(&deep, &deep_triangle, &lifted([x, y])), expected, "{x} {y}");
+                // An edge through that point, from 1/8 below the plane to 3/8 above; and one that ends before it.
+                let at = |height: f64| {
+                    let mut point = [x, y, height];
+                    point.rotate_right(axis);
+                    point
+                };
+                let through = space::triangle_edge(&deep, &deep_triangle, &[at(-0.125), at(0.375)]);
+                assert_eq!(through, expected.map(|weights| (weights, 0.25)), "{x} {y}");
+                assert_eq!(space::triangle_edge(&deep, &deep_triangle, &[at(0.125), at(0.375)]), None);
+            }
+        }
+    }
+    let tetrahedron = [[0.0; 3], [0.5, 0.0, 0.0], [0.0, 0.5, 0.0], [0.0, 0.0, 0.5]];
+    let mut inside = 0;
+    for (i, j, k) in (-1..=5).flat_map(|i| (-1..=5).flat_map(move |j| (-1..=5).map(move |k| (i, j, k)))) {
+        let [x, y, z] = [i, j, k].map(|eighths| f64::from(eighths) / 8.0);
+        let weights = [1.0 - (x + y + z) / 0.5, x / 0.5, y / 0.5, z / 0.5];
+        let expected = weights.iter().all(|&weight| weight > 0.0).then_some(weights);
+        for swap in 0..4 {
+            let (mut corners, mut expected) = (tetrahedron, expected);
+            corners.swap(0, swap);
+            if let Some(weights) = &mut expected {
+                weights.swap(0, swap);
+            }
+            assert_eq!(space::tetrahedron_vertex(&deep, &corners, &[x, y, z]), expected, "{x} {y} {z}");
+        }
+        inside += usize::from(expected.is_some());
+    }
+    assert_eq!(inside, 1, "(1/8, 1/8, 1/8) alone has four weights above zero");
+}
