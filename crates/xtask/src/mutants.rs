@@ -18,6 +18,8 @@ const FOLDER: &str = "target/mutants";
 const BUILT: &str = "target/mutants-build";
 /// The packages whose tests are run after those of a mutant's own.
 const ABOVE: [&str; 6] = ["algorithms", "checks", "tasks", "oracle", "studies", "search"];
+/// Seconds for these, all together. (By itself cargo-mutants would allow them what a mutant's own tests take.)
+const SECONDS_ABOVE: &str = "1800";
 /// What cargo-mutants ends with where mutants were missed, or ran out of time: that is what is counted.
 const FINE: [i32; 3] = [0, 2, 3];
 
@@ -50,11 +52,25 @@ impl Score {
         })
     }
 
-    /// Takes what those that were missed have come to in a second run.
-    fn tried_again(&mut self, again: Score) {
-        self.above = again.caught;
-        self.timeout.extend(again.timeout);
-        self.missed = again.missed;
+    /// Takes what those that were missed have come to in a second run. (cargo-mutants tries mutants that delete a field
+    /// whether they are asked for or not: they are of no matter here.)
+    ///
+    /// # Errors
+    /// If one that was missed was not tried again.
+    fn tried_again(&mut self, again: &Score) -> Result<(), String> {
+        let missed = std::mem::take(&mut self.missed);
+        for mutant in missed {
+            let all = [
+                (&again.caught, &mut self.above),
+                (&again.timeout, &mut self.timeout),
+                (&again.missed, &mut self.missed),
+            ];
+            match all.into_iter().find(|(of, _)| of.contains(&mutant)) {
+                Some((_, of)) => of.push(mutant),
+                None => return Err(format!("mutants: cargo-mutants did not try this one again: {mutant}")),
+            }
+        }
+        Ok(())
     }
 
     fn add(&mut self, other: &Score) {
@@ -141,7 +157,8 @@ pub fn score(args: &[String]) -> Result<(), String> {
             let tests = ABOVE.iter().filter(|&&above| above != package.as_str());
             which.extend(tests.flat_map(|above| ["--test-package".to_owned(), format!("predicament-{above}")]));
             let what = format!("mutants of {package}, by the tests of crates above");
-            score.tried_again(run(&what, package, &which, &folder.join(format!("{package}-above")))?);
+            which.extend(["--timeout", SECONDS_ABOVE].map(str::to_owned));
+            score.tried_again(&run(&what, package, &which, &folder.join(format!("{package}-above")))?)?;
         }
         rows.push(score.row(package));
         total.add(&score);
@@ -228,8 +245,12 @@ mod tests {
         std::fs::remove_dir_all(&folder).unwrap();
         let mut score = score.unwrap();
         assert_eq!(score.row("x"), "| x | 4 | 3 | 0 | 0 | 1 | 1 | 75.0 % (30.1 to 95.4) |");
-        let again = Score { caught: vec!["d".to_owned()], ..Score::default() };
-        score.tried_again(again);
+        let mut lost = Score { missed: vec!["d".to_owned()], ..Score::default() };
+        assert!(lost.tried_again(&Score::default()).unwrap_err().ends_with("again: d"));
+        // One that was not asked for is in no column.
+        let again =
+            Score { caught: vec!["d".to_owned(), "f".to_owned()], missed: vec!["g".to_owned()], ..Score::default() };
+        score.tried_again(&again).unwrap();
         assert_eq!(score.row("x"), "| x | 4 | 3 | 1 | 0 | 0 | 1 | 100.0 % (51.0 to 100.0) |");
         assert!(none.is_err_and(|why| why.contains("missed.txt")));
         assert_eq!(
