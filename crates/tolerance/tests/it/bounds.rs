@@ -5,7 +5,9 @@ use predicament_error_calculus::rules::largest_epsilon;
 use predicament_error_calculus::{Adversary, Enclosure, Perturbed, Quantity, Root};
 use predicament_predicates::{Backend, Band, Dimension, Off, PredicateKind, Predicates, Scene};
 use predicament_tolerance::bounds::coefficient::{Defined, FIGURE_1, FIGURE_5, Tolerance as Row, defined};
-use predicament_tolerance::bounds::constraints::{At, Constraint, Decision, Origin, constraints, validity_limit};
+use predicament_tolerance::bounds::constraints::{
+    At, Constraint, Decision, Origin, constraints, epsilons, validity_limit,
+};
 use predicament_tolerance::bounds::quantities::{Named, Normalization, Points, plane, space};
 use predicament_tolerance::bounds::{Verdict, algorithms, derivations};
 use predicament_tolerance::{Misscaled, Tolerance, Tolerances2d, Tolerances3d};
@@ -339,6 +341,42 @@ fn slacks_on_circles_are_those_by_hand() {
             assert!((slack - expected).abs() <= 1e-9, "{text}: {slack:e}, {expected:e}");
         }
     }
+}
+
+#[test]
+fn claims_are_decided_at_unit_roundoff_machine_epsilon_and_the_largest() {
+    let found = epsilons().map(|(name, epsilon)| (name, epsilon.to_f64()));
+    let halves = 0.5_f64;
+    let expected = [
+        ("2^-53", halves.powi(53)),
+        ("2^-52", f64::EPSILON),
+        ("2^-24", halves.powi(24)),
+        ("2^-23", f64::from(f32::EPSILON)),
+        ("10^-5", 1e-5),
+    ];
+    // (A rational is rounded toward zero.)
+    assert!(found.iter().zip(&expected).all(|(x, y)| x.0 == y.0 && (x.1 - y.1).abs() <= 1e-20), "{found:?}");
+}
+
+/// All that are doubled are seen, and of those that are halved σ, τ, γ, δ, σ̂ and μ: the others keep what is promised.
+#[test]
+fn planted_tolerances_that_keep_their_promise_are_not_visible() {
+    assert_eq!(Misscaled::visible().filter(|planted| !planted.halved).count(), 16);
+    let halved: Vec<&str> = Misscaled::visible().filter(|planted| planted.halved).map(Misscaled::name).collect();
+    assert_eq!(
+        halved,
+        [
+            "halved-sigma-2d",
+            "halved-tau-2d",
+            "halved-sigma-hat-2d",
+            "halved-sigma-3d",
+            "halved-tau-3d",
+            "halved-delta",
+            "halved-gamma",
+            "halved-sigma-hat-3d",
+            "halved-mu",
+        ]
+    );
 }
 
 #[test]
