@@ -354,13 +354,15 @@ impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
     #[inline]
     fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
         self.tally.settled(PredicateKind::Incircle, 0);
-        register(self.circle([a, b, c, d]), self.circle_band(Dimension::Two))
+        let band = self.circle_band(Dimension::Two);
+        register(self.circle([a, b, c, d]), band)
     }
 
     #[inline]
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
         self.tally.settled(PredicateKind::Insphere, 0);
-        register(self.sphere([a, b, c, d, e]), self.circle_band(Dimension::Three))
+        let band = self.circle_band(Dimension::Three);
+        register(self.sphere([a, b, c, d, e]), band)
     }
 
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {

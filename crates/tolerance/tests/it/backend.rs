@@ -162,3 +162,19 @@ fn scenes_with_constructed_vertices_are_declined() {
     let declined = declined(&scene).expect("a constructed vertex has no coordinates to compute with");
     assert!(declined.predicate.is_none() && declined.reason.contains("constructed"), "{declined}");
 }
+
+#[test]
+#[should_panic(expected = "needs a 2D scene")]
+fn circles_of_space_are_not_answered() {
+    let scene = Scene::from_points3(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 1.0]]).unwrap();
+    let [a, b, c, d] = v();
+    let _ = Tolerance.prepare(&scene, Off).unwrap().incircle(a, b, c, d);
+}
+
+#[test]
+#[should_panic(expected = "needs a 3D scene")]
+fn spheres_of_the_plane_are_not_answered() {
+    let scene = Scene::from_points2(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [0.5, 0.5]]).unwrap();
+    let [a, b, c, d, e] = v();
+    let _ = Tolerance.prepare(&scene, Off).unwrap().insphere(a, b, c, d, e);
+}

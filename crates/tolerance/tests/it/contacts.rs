@@ -66,6 +66,25 @@ fn bands_are_those_of_the_pairs_that_register_degeneracies() {
 }
 
 #[test]
+fn all_bands_are_those_of_the_figure() {
+    let flat = plane(&[[0.0, 0.0], [9.0, 1.0]], [2.0, 1.0]);
+    let bands = ContactTolerances::<f64>::new(&flat).unwrap().bands();
+    assert_eq!(bands, Tolerances2d::<f64>::from_lengths(2.0, 1.0).bands());
+    let deep = space(&[[0.0; 3], [9.0; 3]], [2.0, 1.0]);
+    let bands = ContactTolerances::<f64>::new(&deep).unwrap().bands();
+    assert_eq!(bands, Tolerances3d::<f64>::from_lengths(2.0, 1.0).bands());
+    assert_eq!(bands.len(), 12);
+}
+
+#[test]
+fn coordinates_that_are_not_of_the_format_are_named() {
+    let scene = Scene::from_points3(&[[0.5, 1.0, 2.0], [3.0, 4.0, 5.0], [6.0, 0.1, 7.0]]).unwrap();
+    let declined = SINGLE.prepare(&scene, Off).map(|_| ()).unwrap_err();
+    let said = "point 2: coordinate 1 is 0.1, which f32 does not hold exactly; round the scene to f32 first";
+    assert_eq!(declined.reason, said);
+}
+
+#[test]
 fn pairs_of_the_plane_and_their_weights() {
     let points = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [1.0, 1e-9], [1.0, -1.0], [1.0, 3.0], [1.0, 1.0], [-1.0, 0.0]];
     let scene = plane(&points, [4.0, 4.0]);
