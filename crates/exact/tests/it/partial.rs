@@ -1,7 +1,9 @@
 //! The first stages alone: what they decide is right, and what they leave open is the sign of the estimate.
 
 use predicament_exact::{Exact, Partial, estimate, stage};
-use predicament_predicates::{Backend, Counts, Off, Plane, PredicateKind, Predicates, Scene, Sign, Vertex};
+use predicament_predicates::{
+    Backend, Counts, Dimension, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex,
+};
 
 use crate::common::{Random, nudge};
 
@@ -74,6 +76,60 @@ fn what_a_stage_decides_is_right_and_the_rest_is_estimated() {
         "{wrong:?} {estimated:?}"
     );
     assert_eq!(estimated[stage::DYADIC], 0);
+}
+
+/// Every predicate at sizes at which a bound that was made for another size would decide wrongly.
+#[test]
+fn what_the_first_stages_decide_is_right_at_every_size() {
+    let mut decided = [0; Partial::STAGES + 1];
+    for exponent in [-300, -40, 0, 40, 200] {
+        let size = f64::exp2(f64::from(exponent));
+        // On a line and on a plane whose slopes are no doubles, rounded to them: most determinants are rounding errors. One point of twenty
+        // is beside it, and decided early.
+        let mut random = Random(11);
+        let beside = |at: usize| if at.is_multiple_of(20) { 0.25 } else { 0.0 };
+        let unit = |random: &mut Random| [(); 2].map(|()| random.unit());
+        let flat: Vec<[f64; 2]> = (0..400)
+            .map(|at| (unit(&mut random), beside(at)))
+            .map(|([x, _], off)| [x, 0.3 * x + 0.1 + off].map(|x| x * size))
+            .collect();
+        let solid: Vec<[f64; 3]> = (0..400)
+            .map(|at| (unit(&mut random), beside(at)))
+            .map(|([x, y], off)| [x, y, 0.3 * x + 0.7 * y - 0.2 + off].map(|x| x * size))
+            .collect();
+        for scene in [Scene::from_points2(&flat).unwrap(), Scene::from_points3(&solid).unwrap()] {
+            let questions: &[Question] = match scene.dimension() {
+                Dimension::Two => &[Question::Orient2d(Plane::Xy), Question::Incircle],
+                Dimension::Three => &[
+                    Question::Orient2d(Plane::Xy),
+                    Question::Orient2d(Plane::Yz),
+                    Question::Orient2d(Plane::Zx),
+                    Question::Orient3d,
+                    Question::Insphere,
+                ],
+            };
+            let exact = Exact.prepare(&scene, Off).unwrap();
+            for (stages, decided) in decided.iter_mut().enumerate().skip(1) {
+                let (counts, partial) = (Counts::new(), Partial::new(stages).unwrap());
+                let session = partial.prepare(&scene, &counts).unwrap();
+                for (question, _) in questions.iter().flat_map(|&question| (0..1000).map(move |at| (question, at))) {
+                    let args: Vec<Vertex> =
+                        (0..question.kind().arity()).map(|_| Vertex::input(random.below(scene.len()))).collect();
+                    let before = counts.get(question.kind(), NAMES);
+                    let sign = question.ask(&session, &args);
+                    if counts.get(question.kind(), NAMES) == before {
+                        let truth = question.ask(&exact, &args);
+                        assert_eq!(sign, truth, "{stages} stages, size 2^{exponent}: {question:?} {args:?}");
+                        *decided += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(
+        decided[1..].is_sorted() && decided[stage::STATIC] > 1000 && decided[Partial::STAGES] == 5 * 7 * 1000,
+        "{decided:?}"
+    );
 }
 
 #[test]
