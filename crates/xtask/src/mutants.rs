@@ -6,6 +6,7 @@
 //! A crate's own tests are the quick ones. What they miss is tried once more, if `--all-tests` says so, by the tests of the crates
 //! above: these compare backends, judges and checks with each other.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use crate::steps::{answers, cargo_command, fresh, root, step_ending};
@@ -52,7 +53,7 @@ impl Score {
         })
     }
 
-    /// Takes what those that were missed have come to in a second run. (cargo-mutants tries mutants that delete a field
+    /// Takes what those that were missed have come to in a second run. (cargo-mutants tries mutants that delete a field of a file
     /// whether they are asked for or not: they are of no matter here.)
     ///
     /// # Errors
@@ -154,6 +155,7 @@ pub fn score(args: &[String]) -> Result<(), String> {
         if asked.all_tests && !score.missed.is_empty() {
             let mut which: Vec<String> =
                 score.missed.iter().flat_map(|name| ["--re".to_owned(), whole(name)]).collect();
+            which.extend(files(&score.missed).into_iter().flat_map(|file| ["--file".to_owned(), file]));
             let tests = ABOVE.iter().filter(|&&above| above != package.as_str());
             which.extend(tests.flat_map(|above| ["--test-package".to_owned(), format!("predicament-{above}")]));
             let what = format!("mutants of {package}, by the tests of crates above");
@@ -199,6 +201,11 @@ fn run(what: &str, package: &str, which: &[String], out: &Path) -> Result<Score,
     let built = root().join(BUILT).display().to_string();
     step_ending(what, &cargo_command(&args), &[("CARGO_TARGET_DIR", built.as_str())], &FINE)?;
     Score::read(out)
+}
+
+/// The files of some mutants, each once.
+fn files(mutants: &[String]) -> BTreeSet<String> {
+    mutants.iter().filter_map(|name| name.split_once(':')).map(|(file, _)| file.to_owned()).collect()
 }
 
 /// A regular expression that is the name of one mutant.
@@ -259,6 +266,9 @@ mod tests {
             ),
             r"^crates/a/src/b\.rs:1:2: replace <impl X for Y<'_>>::f \-> Option<\[u8; 2\]> with Some\(\[0; 2\]\) \* \(1 \+ 2\)$"
         );
+        let two =
+            ["crates/a/src/b.rs:1:2: replace + with -", "crates/a/src/b.rs:3:4: replace < with <="].map(str::to_owned);
+        assert_eq!(files(&two), ["crates/a/src/b.rs".to_owned()].into());
         assert!(score_of(&["nothing"]).unwrap_err().contains("no package"));
         assert!(score_of(&["--every", "x"]).unwrap_err().contains("a number"));
         assert!(score_of(&["--every", "3", "--from", "3"]).unwrap_err().contains("choose from 0"));
