@@ -223,7 +223,16 @@ pub fn open(tool: &Tool, folder: &Path) -> Result<(State, LoadedScene), Failure>
     let [def] = suite.scenes.as_slice() else {
         return Err(Failure::usage(format!("{}: it should have one scene", folder.join(SUITE).display())));
     };
-    Ok((state, def.load(Level::Quick, &predicament_formats::Cache::new(""))?))
+    let loaded = def.load(Level::Quick, &predicament_formats::Cache::new(""))?;
+    let refuse = |what: String| Err(Failure::usage(format!("{}: {what}; start it again", file.display())));
+    match loaded.spelled() {
+        Some(spelled) if spelled.task == state.task => {}
+        _ => return refuse(format!("the scene of {SUITE} is not of the task `{}`", state.task)),
+    }
+    if let Err(error) = Duration::try_from_secs_f64(state.limit) {
+        return refuse(format!("`limit` is no time limit: {error}"));
+    }
+    Ok((state, loaded))
 }
 
 /// Backends in processes of their own: those that loop, crash or are somebody else's.

@@ -133,6 +133,7 @@ impl Subject<'_> {
                 format!("const {} {name}{brackets} = {{{rows}}};", if name_is_data(name) { "double" } else { "int" })
             });
             let _ = writeln!(text, "    // {} of these", self.spelled.task);
+            self.rest(&mut text, "    // ");
         }
         text + "}\n"
     }
@@ -171,12 +172,23 @@ impl Subject<'_> {
                         };
                         writeln!(text, "    {name} = [{}]", polygons.iter().map(polygon).collect::<Vec<_>>().join(", "))
                     }
-                    items => writeln!(text, "    {name} = {}", tuples(items, '[', ']')),
+                    items => writeln!(text, "    {name} = {}", tuples(items, ['[', ']'], "\"")),
                 };
             }
             let _ = writeln!(text, "    # {} of these", self.spelled.task);
+            self.rest(&mut text, "    # ");
         }
         text
+    }
+
+    /// What is no list of points or vertices: options of the scene, and what its constructed vertices are.
+    fn rest(&self, text: &mut String, comment: &str) {
+        for (key, value) in &self.spelled.words {
+            let _ = writeln!(text, "{comment}{key} = {value}");
+        }
+        for (at, construction) in self.spelled.constructions.iter().enumerate() {
+            let _ = writeln!(text, "{comment}{} = {construction}", Vertex::constructed(at));
+        }
     }
 
     /// Points and lists as declarations.
@@ -189,6 +201,12 @@ impl Subject<'_> {
         if !self.spelled.points.is_empty() {
             let points = &self.spelled.points;
             let _ = writeln!(text, "{indent}{}", declare("points", &rows(points), &of(points)));
+        }
+        let constructed = 0..self.spelled.constructions.len();
+        if !constructed.is_empty() {
+            let named = |at: usize| format!("{} = {}", Vertex::constructed(at), self.spelled.points.len() + at);
+            let all: Vec<String> = constructed.map(named).collect();
+            let _ = writeln!(text, "{indent}enum {{ {} }}; // constructed, after the points", all.join(", "));
         }
         for list in &self.spelled.lists {
             let name = list.key.replace('.', "_");
@@ -204,7 +222,7 @@ impl Subject<'_> {
                 }
                 items if items.is_empty() => {}
                 items => {
-                    let inner = tuples(items, '{', '}');
+                    let inner = tuples(items, ['{', '}'], "");
                     let inner = inner.trim_start_matches('{').trim_end_matches('}').to_owned();
                     let longest = (0..items.len()).map(|at| items.vertices(at).len()).max().unwrap_or(1);
                     let _ =
@@ -239,9 +257,9 @@ fn fromhexes(row: &[f64]) -> String {
     row.iter().map(|&x| format!("h(\"{}\")", hexfloat::format(x))).collect::<Vec<_>>().join(", ")
 }
 
-/// Lists of vertices; constructed ones by their name in quotes.
-fn tuples(items: &Items, open: char, close: char) -> String {
-    let name = |v: &Vertex| if v.is_constructed() { format!("\"{v}\"") } else { v.to_string() };
+/// Lists of vertices; constructed ones by their name between these quotes.
+fn tuples(items: &Items, [open, close]: [char; 2], quote: &str) -> String {
+    let name = |v: &Vertex| if v.is_constructed() { format!("{quote}{v}{quote}") } else { v.to_string() };
     let tuple = |at: usize| {
         let names: Vec<String> = items.vertices(at).iter().map(name).collect();
         format!("{open}{}{close}", names.join(", "))

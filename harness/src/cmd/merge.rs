@@ -43,9 +43,10 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let count = |status: Status| run.summary.iter().filter(|row| row.status == status).count();
     let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
     say!(
-        "{}: {} parts, {} scenes, {} rows, {unexpected} unexpected, {passes} unexpected pass; {}",
+        "{}: {} part{}, {} scenes, {} rows, {unexpected} unexpected, {passes} unexpected pass; {}",
         args.out.display(),
         args.parts.len(),
+        if args.parts.len() == 1 { "" } else { "s" },
         run.plan.scenes.len(),
         run.summary.len(),
         Outcome::Complete.describe()

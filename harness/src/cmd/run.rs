@@ -86,7 +86,7 @@ pub struct Args {
     pub timeout: Option<Duration>,
 
     /// Run each scene and backend in a process of its own, so that a loop, a crash or a lack of memory costs
-    /// one row; `auto` does so for backends that are not built in, and for algorithms on whole scenes under --timeout
+    /// one row; `auto` does so for backends that are not built in, and under --timeout for engines and for algorithms on whole scenes
     #[arg(long, value_name = "WHEN", value_enum, default_value_t = Isolate::Auto, num_args = 0..=1,
           default_missing_value = "always", require_equals = false)]
     pub isolate: Isolate,
@@ -99,7 +99,7 @@ pub struct Args {
 /// Which scenes and backends run in a process of their own.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
 pub enum Isolate {
-    /// Backends that are not built in, and algorithms on whole scenes under a time limit.
+    /// Backends that are not built in, and under a time limit engines and algorithms on whole scenes.
     Auto,
     /// All.
     Always,
@@ -111,10 +111,13 @@ pub enum Isolate {
 const PATIENCE: Duration = Duration::from_secs(600);
 
 impl Args {
-    /// Whether this backend runs a scene of this task in a process of its own. (An engine is one already.)
+    /// Whether this backend runs a scene of this task in a process of its own. (An engine is one already, but is waited for in this one.)
     fn isolates(&self, tool: &Tool, backend: &str, task: &dyn AnyTask) -> bool {
         match self.isolate {
-            Isolate::Auto => tool.is_foreign(backend) || (self.timeout.is_some() && !task.looks_at_the_watch()),
+            Isolate::Auto => {
+                let watches = task.looks_at_the_watch() && !backend.starts_with(PREFIX);
+                tool.is_foreign(backend) || (self.timeout.is_some() && !watches)
+            }
             Isolate::Always => true,
             Isolate::Never => false,
         }
@@ -159,6 +162,13 @@ pub fn run(mut args: Args, tool: &Tool) -> exit::Outcome {
     child::end_with_parent();
     set_threads(args.threads)?;
     args.recall()?;
+    if let (Some(folder), Some(n)) = (&args.resume, args.shrink)
+        && RunDir::open(folder).is_ok_and(|run| run.is_complete())
+    {
+        // All that was left of it is to shrink.
+        interrupt::listen();
+        return super::shrink::first_of_each_class(tool, folder, n, args.selector.cache.as_deref());
+    }
     let Held { expected, digest } = expectations::held(tool, args.expected.as_ref())?;
     let Job { selection, mut scenes, backends, engines, permutations, mut ledger } = match (&args.resume, &args.plan) {
         (Some(folder), _) => Job::resume(&args, tool, folder, &digest)?,

@@ -115,7 +115,11 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     say_text!("{table}");
     note!("{}: {}", folder.display(), told(&state));
     if let Some(file) = &args.into {
-        add(tool, file, &table)?;
+        if state.end.is_some() {
+            add(tool, file, &table)?;
+        } else {
+            note!("{}: nothing was added, as the scene is not the smallest yet", file.display());
+        }
     }
     Ok(if state.end.is_some() { exit::OK } else { exit::INCOMPLETE })
 }
@@ -280,13 +284,39 @@ fn resumed<'a>(args: &Args, tool: &'a Tool, folder: &Path) -> Result<Job<'a>, Fa
     Ok(Job { tool, state, start, source, named: Vec::new() })
 }
 
-/// Adds a scene to a suite, which stays as it is otherwise.
+/// A suite without the scene that has the name of this one, if that was shrunk as well.
+fn without(suite: &str, table: &str) -> String {
+    const HEAD: &str = "[[scene]]\n";
+    let name = |table: &str| table.lines().find(|line| line.starts_with("name = ")).map(str::to_owned);
+    let wanted = name(table);
+    let mut tables = suite.split_inclusive(HEAD);
+    let mut kept = tables.next().unwrap_or_default().to_owned();
+    for table in tables {
+        // What is split off is the head of the next one.
+        if name(table) == wanted && table.contains("\nsource = \"shrunk from ") {
+            kept.truncate(kept.len() - HEAD.len());
+            kept.truncate(kept.trim_end().len());
+            kept.push('\n');
+            // Comments before the next one are its.
+            let lines = table.split_inclusive('\n').rev();
+            let is_of_next = |line: &&str| *line == HEAD || line.starts_with('#') || line.trim().is_empty();
+            let of_next: Vec<&str> = lines.take_while(is_of_next).collect();
+            kept.extend(of_next.into_iter().rev());
+        } else {
+            kept.push_str(table);
+        }
+    }
+    kept
+}
+
+/// Adds a scene to a suite, which stays as it is otherwise, or puts it in the place of a larger one of the same finding.
 pub fn add(tool: &Tool, file: &Path, table: &str) -> Result<(), Failure> {
     let before = match std::fs::read_to_string(file) {
         Ok(text) => text,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => "title = \"Shrunk findings\"\n".to_owned(),
         Err(error) => return Err(Failure::usage(format!("{}: {error}", file.display()))),
     };
+    let before = without(&before, table);
     let text = format!("{}\n\n{table}", before.trim_end());
     let name = file.display().to_string();
     // Twice the same scene, or the same name, is an error of the suite: nothing is written then.

@@ -82,3 +82,15 @@ fn what_cannot_be_hunted_is_refused_with_the_cure() {
         assert!(refused.stderr.contains(told), "{args:?}: {}", refused.stderr);
     }
 }
+
+/// Cubes are rows of four numbers, which have no shear.
+#[test]
+fn unions_of_cubes_are_hunted() {
+    let folder = tempdir().unwrap();
+    for seed in ["1", "2"] {
+        let out = at(&folder, seed);
+        let told =
+            expect(0, &["hunt", "cube-union", "-b", "exact", "--evaluations", "200", "--seed", seed, "--out", &out]);
+        assert!(told.stdout.contains("done") || told.stderr.contains("done"), "{} {}", told.stdout, told.stderr);
+    }
+}

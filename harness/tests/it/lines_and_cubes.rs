@@ -56,3 +56,17 @@ fn a_file_of_cubes_is_run_or_refused_by_its_line() {
     let told = expect(104, &["run", &suite, "-b", "exact", "--out", &at(&folder, "other")]);
     assert!(told.stderr.contains("cubes.csv:3: cube 1: the edge length is 3"), "{}", told.stderr);
 }
+
+/// Measures that are no doubles are told as zero and as infinite, and judged as what they are.
+#[test]
+fn cubes_of_any_size_are_judged() {
+    let folder = tempdir().unwrap();
+    let scene = |name: &str, size: &str| {
+        format!("[[scene]]\nname = \"{name}\"\ntask = \"cube-union\"\ncubes = [[0, 0, 0, \"{size}\"]]\n")
+    };
+    let suite = format!("title = \"Sizes\"\n{}{}", scene("tiny", "0x1p-400"), scene("huge", "0x1p600"));
+    let (suite, out) = (write(&folder, "sizes.toml", &suite), at(&folder, "run"));
+    expect(0, &["run", &suite, "-b", "exact,sos", "--out", &out]);
+    assert_eq!(column(&read(&out, "masses.csv"), "true_volume"), ["0.0", "0.0", "inf", "inf"]);
+    expect(0, &["report", &out, "--out", &at(&folder, "report")]);
+}

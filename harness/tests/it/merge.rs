@@ -152,3 +152,17 @@ fn a_resumed_part_is_merged_like_any_other() {
         files(Path::new(&part)).symmetric_difference(&files(cut_path)).map(|(name, _)| name.clone()).collect();
     assert!(differ.is_empty(), "{differ:?}");
 }
+
+/// One part is all of it: scripts of any number of parts end with a merge.
+#[test]
+fn a_single_part_is_merged_into_the_same() {
+    let folder = tempdir().unwrap();
+    let [plan, part, out] = ["plan.json", "part", "merged"].map(|name| at(&folder, name));
+    expect(0, &["plan", "lecture", "-b", "exact", "--shards", "1", "--out", &plan]);
+    expect(0, &["run", "--plan", &plan, "--shard", "1/1", "-q", "--out", &part]);
+    assert!(merge(std::slice::from_ref(&part), &out, 0).contains("1 part, "));
+    assert_eq!(files(Path::new(&part)), files(Path::new(&out)));
+    expect(0, &["gate", &out]);
+    // Of two it is none.
+    assert!(merge(&[part.clone(), part], &at(&folder, "two"), 2).contains("a whole run, and no part of one"));
+}

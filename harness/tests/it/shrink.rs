@@ -40,9 +40,14 @@ fn a_wrong_sign_among_thousands_is_three_points() {
     let summary = fs::read_to_string(format!("{again}/findings.csv")).unwrap();
     assert!(summary.contains("sign_flip,sign,orient2d(xy; 0 1 2)"), "{summary}");
     expect(0, &["run", &suite, "-b", "exact,sos", "-q", "--out", &at(&folder, "exact")]);
-    // Twice the same scene is an error of the suite, which stays as it was.
+    // The same finding once more takes its own place.
     let before = fs::read_to_string(&suite).unwrap();
-    let told = expect(104, &["shrink", &id, "--run", &run_dir, "--out", &at(&folder, "two"), "--into", &suite]);
+    expect(0, &["shrink", &id, "--run", &run_dir, "--out", &at(&folder, "two"), "--into", &suite]);
+    assert_eq!(fs::read_to_string(&suite).unwrap().matches("[[scene]]").count(), 1);
+    // A scene with its name that is somebody's own is an error of the suite, which stays as it was.
+    let before = before.replace("source = \"shrunk from", "source = \"seen in");
+    fs::write(&suite, &before).unwrap();
+    let told = expect(104, &["shrink", &id, "--run", &run_dir, "--out", &at(&folder, "three"), "--into", &suite]);
     assert!(told.stderr.contains("mine.toml"), "{}", told.stderr);
     assert_eq!(fs::read_to_string(&suite).unwrap(), before);
     let told = expect(2, &["shrink", &id, "--run", &run_dir, "--out", &out]);
@@ -54,11 +59,32 @@ fn what_runs_out_of_evaluations_goes_on_and_ends_as_well() {
     let folder = tempdir().unwrap();
     let (id, run_dir) = found(&folder, "/kettner-orient2d$", "naive:first", "sign_flip", "sign");
     let [short, long] = ["short", "long"].map(|name| at(&folder, name));
-    let told = expect(0, &["shrink", &id, "--run", &run_dir, "--out", &short, "--evaluations", "5"]);
+    let suite = at(&folder, "mine.toml");
+    let limit = ["--evaluations", "5", "--into", &suite];
+    let told = expect(0, &[&["shrink", &id, "--run", &run_dir, "--out", &short][..], &limit].concat());
     assert!(told.stderr.contains("--resume"), "{}", told.stderr);
     let before = state(&short);
     assert_eq!((before["end"].as_str(), before["evaluations"].as_u64()), (Some("evaluations"), Some(5)));
-    expect(0, &["shrink", "--resume", &short, "--evaluations", "5000"]);
+    // Its larger scene gives way to the smallest; what stands beside it, with its comment, does not.
+    let own = "# mine\n[[scene]]\nname = \"own\"\ntask = \"orient2d\"\npoints = [[0, 0], [1, 0], [0, 1]]\nqueries = [[0, 1, 2]]\n";
+    let larger = fs::read_to_string(&suite).unwrap();
+    fs::write(&suite, format!("{larger}\n{own}")).unwrap();
+    expect(0, &["shrink", "--resume", &short, "--evaluations", "5000", "--into", &suite]);
+    let smallest = fs::read_to_string(&suite).unwrap();
+    assert!(smallest.matches("[[scene]]").count() == 2 && smallest.contains(own), "{smallest}");
+    assert!(smallest.len() < larger.len() + own.len() && smallest.contains(&id), "{smallest}");
+    // What says that it is of another task, or has no limit, is refused.
+    let file = format!("{short}/shrink.json");
+    let text = fs::read_to_string(&file).unwrap();
+    for (from, to, why) in [
+        ("\"task\": \"orient2d\"", "\"task\": \"hull3d\"", "is not of the task `hull3d`"),
+        ("\"limit\": 10.0", "\"limit\": -1.0", "`limit` is no time limit"),
+    ] {
+        fs::write(&file, text.replace(from, to)).unwrap();
+        let told = expect(2, &["shrink", "--resume", &short]);
+        assert!(told.stderr.contains("shrink.json") && told.stderr.contains(why), "{}", told.stderr);
+    }
+    fs::write(&file, &text).unwrap();
     expect(0, &["shrink", &id, "--run", &run_dir, "--out", &long]);
     let (short, long) = (state(&short), state(&long));
     assert_eq!((&short["end"], &short["after"]["pieces"]), (&long["end"], &long["after"]["pieces"]), "{short} {long}");
@@ -106,6 +132,10 @@ fn the_first_of_each_class_are_shrunk_after_a_run() {
     let scenes = text.matches("[[scene]]").count();
     assert!(scenes >= 2 && text.contains("sign_flip") && text.contains("overreach"), "{text}");
     expect(0, &["corpus", "verify", &suite]);
+    // A run that is complete has that left to do, such as where it was broken off.
+    fs::remove_dir_all(format!("{out}/shrunk")).unwrap();
+    expect(0, &["run", "--resume", &out, "--shrink", "1"]);
+    assert_eq!(fs::read_to_string(&suite).unwrap(), text);
     // The tests are there: exact bits in Rust, hex floats in C++ and Python.
     let one = fs::read_dir(format!("{out}/shrunk")).unwrap().map(|entry| entry.unwrap().path());
     let one = one.into_iter().find(|path| path.is_dir()).unwrap();
@@ -116,6 +146,26 @@ fn the_first_of_each_class_are_shrunk_after_a_run() {
     ] {
         let text = fs::read_to_string(one.join(file)).unwrap();
         assert!(words.iter().all(|word| text.contains(word)), "{text}");
+    }
+}
+
+/// Constructed vertices are numbers after those of the points in C++, and what they are is told in both.
+#[test]
+fn tests_of_constructed_vertices_have_their_definitions() {
+    let folder = tempdir().unwrap();
+    let [run_dir, out] = ["run", "shrunk"].map(|name| at(&folder, name));
+    run(&["run", "constructed", "-f", "/kite$", "-b", "naive", "-q", "--out", &run_dir]);
+    let findings = fs::read_to_string(format!("{run_dir}/findings.csv")).unwrap();
+    let row = findings.lines().find(|line| line.contains("naive,missed_zero,sign")).expect("a finding");
+    expect(0, &["shrink", row.split(',').next().unwrap(), "--run", &run_dir, "--out", &out]);
+    let cpp = fs::read_to_string(format!("{out}/shrunk.cpp")).unwrap();
+    for words in ["    enum { c0 = 6 };", "queries[][3] = {{0, 1, c0}};", "// plane = \"xy\"", "// c0 = SSI(2 3, 4 5)"]
+    {
+        assert!(cpp.contains(words), "{words}: {cpp}");
+    }
+    let python = fs::read_to_string(format!("{out}/shrunk.py")).unwrap();
+    for words in ["queries = [[0, 1, \"c0\"]]", "# plane = \"xy\"", "# c0 = SSI(2 3, 4 5)"] {
+        assert!(python.contains(words), "{words}: {python}");
     }
 }
 

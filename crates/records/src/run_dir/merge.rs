@@ -54,6 +54,12 @@ pub fn merge(
     env: impl FnOnce(&[RunDir]) -> crate::Env,
 ) -> Result<RunDir, NotMerged> {
     let runs: Vec<RunDir> = folders.iter().map(RunDir::open).collect::<Result<_, _>>()?;
+    if let [run] = runs.as_slice()
+        && run.plan.shard == Shard::WHOLE
+        && !run.plan.timed
+    {
+        return copied(run, out, tables, &env(&runs));
+    }
     let plan = whole(&runs)?;
     let mut parts = BTreeMap::new();
     let env = env(&runs);
@@ -87,6 +93,30 @@ pub fn merge(
         for (name, png) in &part.run.maps {
             writer.add_map(name, png)?;
         }
+    }
+    writer.finish(Outcome::Complete)?;
+    site.move_to(out)?;
+    Ok(RunDir::open(out)?)
+}
+
+/// The one part of a run, which is all of it, in a new folder.
+fn copied(run: &RunDir, out: &Path, tables: &[TableSpec], env: &crate::Env) -> Result<RunDir, NotMerged> {
+    if !run.is_complete() {
+        let error = Error::new(&run.path, "part 1/1 is not complete; `run --resume` goes on with it");
+        return Err(NotMerged { error, is_incomplete: true });
+    }
+    let site = Site::new(out)?;
+    let mut writer = RunWriter::create(&site.folder, &run.plan, env, tables)?;
+    for file in State::read(&run.path)?.committed.keys() {
+        let path = run.path.join(file);
+        let bytes = fs::read(&path).map_err(Error::io(&path))?;
+        let from = usize::try_from(header_length(&bytes)).unwrap_or(bytes.len());
+        writer.append_bytes(file, &bytes[from..])?;
+    }
+    writer.commit()?;
+    writer.cost(&CostRow::read(&run.path)?)?;
+    for (name, png) in &run.maps {
+        writer.add_map(name, png)?;
     }
     writer.finish(Outcome::Complete)?;
     site.move_to(out)?;

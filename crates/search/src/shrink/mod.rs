@@ -88,6 +88,7 @@ pub fn shrink(
     let interrupted = || "interrupted before the scene was looked at once".to_owned();
     let finding = witness.look(&loaded).map_err(|_| interrupted())?;
     let finding = finding.ok_or("the scene, written out, does not show the finding")?;
+    kept(&start, &finding, evaluations);
     let mut search = Search {
         vocabulary,
         witness,

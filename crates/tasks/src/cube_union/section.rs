@@ -40,10 +40,11 @@ predicament_records::table! {
     }
 
     fn check(&self) -> Result<(), String> {
-        if [self.true_volume, self.limit_area, self.limit_edge_length].iter().all(|&x| x > 0.0 && x.is_finite()) {
+        // Measures of tiny and of huge cubes are zero and infinite as doubles. (What is judged is rational.)
+        if [self.true_volume, self.limit_area, self.limit_edge_length].iter().all(|&x| x >= 0.0) {
             Ok(())
         } else {
-            Err("an expected measure is not positive".to_owned())
+            Err("an expected measure is negative, or no number".to_owned())
         }
     }
 }

@@ -94,7 +94,8 @@ pub(super) fn turned(draft: &mut Draft<'_>) -> bool {
 /// One axis with a multiple of another added: degenerate lines and planes stay so.
 pub(super) fn sheared(draft: &mut Draft<'_>) -> bool {
     let length = draft.spelled.rows().first().map_or(0, |row| row.len());
-    if length < 2 {
+    // (Rows of four are cubes, which have no shear.)
+    if !(2..=3).contains(&length) {
         return false;
     }
     let axis = draft.below(length);
