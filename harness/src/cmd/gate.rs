@@ -41,7 +41,7 @@ pub struct Args {
     pub time: Option<f64>,
 
     /// Write Markdown for a comment, at most 65,536 characters: the verdict, counts, first findings, and what changed
-    /// since the baseline; to stdout if the file is `-`
+    /// since the baseline; to stdout, and nothing else there, if the file is `-`
     #[arg(long, value_name = "FILE")]
     pub summary: Option<PathBuf>,
 
@@ -71,6 +71,13 @@ fn percent(text: &str) -> Result<f64, String> {
 
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
+    let to_stdout = args.summary.as_deref() == Some(Path::new("-"));
+    if to_stdout && args.json {
+        return Err(Failure::usage("--json and --summary - both write to stdout; name a file for --summary"));
+    }
+    if let (Some(summary), true) = (&args.summary, args.summary == args.junit) {
+        return Err(Failure::usage(format!("{}: --summary and --junit need a file each", summary.display())));
+    }
     let expected = expectations::load(tool, args.expected.as_ref())?;
     let mut run = RunDir::open(&args.run).map_err(Failure::usage)?;
     // The file may have changed since the run: it is the gate's word that counts.
@@ -116,7 +123,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             "times_not_judged": worse.times.as_ref().and_then(|times| times.as_ref().err()),
         });
         say!("{told}");
-    } else {
+    } else if !to_stdout {
         failed.iter().chain(&worse.findings).chain(&worse.timings).for_each(|line| say!("{line}"));
         undeclared.iter().for_each(|line| say!("not declared: {line}"));
         missing.iter().for_each(|line| say!("not run: {line}"));
@@ -154,7 +161,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     if let Some(file) = &args.summary {
         let (run, baseline, expected, unused) = (&run, baseline.as_ref(), &expected, &unused);
         let text = Comment { run, baseline, worse: &worse, expected, unused, code }.text(LIMIT)?;
-        if file == Path::new("-") {
+        if to_stdout {
             say_text!("{text}");
         } else {
             records::replace(file, text.as_bytes()).map_err(Failure::usage)?;

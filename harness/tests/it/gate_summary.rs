@@ -68,3 +68,17 @@ fn a_comment_is_never_too_long() {
     assert!(text.len() <= 65_536 && text.contains("more\n"), "{}", text.len());
     assert_eq!(text.matches("predicament shrink ").count(), 10);
 }
+
+/// One text on stdout, and a file for each.
+#[test]
+fn outputs_do_not_mix() {
+    let folder = tempdir().unwrap();
+    let [out, file] = ["run", "one.txt"].map(|name| at(&folder, name));
+    expect(0, &["run", "lecture", "-b", "exact", "-q", "--out", &out]);
+    let told = expect(0, &["gate", &out, "--summary", "-"]);
+    assert!(told.stdout.starts_with('#') && !told.stdout.contains("rows: "), "{}", told.stdout);
+    let told = expect(2, &["gate", &out, "--summary", "-", "--json"]);
+    assert!(told.stderr.contains("name a file for --summary"), "{}", told.stderr);
+    let told = expect(2, &["gate", &out, "--summary", &file, "--junit", &file]);
+    assert!(told.stderr.contains("need a file each") && !std::path::Path::new(&file).exists(), "{}", told.stderr);
+}
