@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use predicament_corpus::{Heading, Level, LoadedScene, Spelled, Suite};
+use predicament_engines::PREFIX;
 use predicament_formats::Manifest;
 use predicament_predicates::{Class, Query, Vertex};
 use predicament_records::replace;
@@ -95,16 +96,24 @@ fn queries(text: &str) -> Vec<Query> {
     text.split(" | ").filter_map(|one| one.parse().ok()).collect()
 }
 
+/// A backend as scenes name it: an engine by the folder of its file, as its path is that of one machine.
+fn label(backend: &str) -> String {
+    let file = backend.strip_prefix(PREFIX).map(Path::new);
+    let folder = file.filter(|file| file.extension().is_some()).and_then(Path::parent).and_then(Path::file_name);
+    folder.map_or_else(|| backend.to_owned(), |folder| format!("{PREFIX}{}", folder.to_string_lossy()))
+}
+
 /// The name of a shrunk scene: what it shows, and of which finding it is.
 fn name_of(state: &State) -> String {
-    let backend = state.shown_by.first().map_or("", String::as_str);
+    let backend = state.shown_by.first().map_or_else(String::new, |backend| label(backend));
     let backend: String = backend.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
     format!("{}-{}-{}-{}", state.task, state.class.replace('_', "-"), backend, state.finding_id)
 }
 
 impl Job<'_> {
     fn analysis(&self, finding: &Finding) -> String {
-        let mut text = format!("{}: {} ({})", self.state.shown_by.join(", "), finding.class.name(), finding.check);
+        let shown_by: Vec<String> = self.state.shown_by.iter().map(|backend| label(backend)).collect();
+        let mut text = format!("{}: {} ({})", shown_by.join(", "), finding.class.name(), finding.check);
         if !finding.queries.is_empty() {
             text += &format!(" of {}", finding.query_text());
         }
@@ -200,7 +209,7 @@ impl Job<'_> {
         put(SUITE, &format!("title = \"Shrunk findings\"\n\n{}", self.table(spelled, finding)))?;
         if state.end.is_some() {
             let name = name_of(state);
-            let backend = state.shown_by.join(", ");
+            let backend = state.shown_by.iter().map(|backend| label(backend)).collect::<Vec<_>>().join(", ");
             let subject = Subject { spelled, finding, backend: &backend, name: &name, suite: SUITE };
             for (file, text) in TESTS.iter().zip([subject.rust(), subject.cpp(), subject.python()]) {
                 put(file, &text)?;
@@ -300,5 +309,18 @@ impl Witness for Apart<'_> {
         let found = found();
         let _ = std::fs::remove_file(&suite);
         found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::label;
+
+    #[test]
+    fn engines_are_named_without_the_path_of_a_machine() {
+        assert_eq!(label("naive:first"), "naive:first");
+        assert_eq!(label("engine:cgal-epick"), "engine:cgal-epick");
+        assert_eq!(label("engine:/home/me/engines/mine/engine.toml"), "engine:mine");
+        assert_eq!(label("engine:./mine/engine.toml"), "engine:mine");
     }
 }

@@ -136,14 +136,15 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         }
         say!(
             "{}: {} rows: {} ok, {} expected, {unexpected} unexpected, {passes} unexpected pass, {} never true, {} not \
-             run, {} worse than the baseline; {}",
+             run, {} worse than the baseline{}; {}",
             args.run.display(),
             run.summary.len(),
             count(Status::Ok),
             count(Status::Expected),
             unused.never.len(),
             not_run.len(),
-            worse.findings.len() + worse.timings.len(),
+            worse.findings.len(),
+            if worse.timings.is_empty() { String::new() } else { format!(", {} slower", worse.timings.len()) },
             run.outcome.describe(),
         );
     }
