@@ -103,10 +103,12 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let bar = progress::bar(job.state.most, "scenes");
     let (table, state) = {
         let source = job.source.clone();
-        let (state, shrunk) = job.run(&folder, &mut |evaluations, pieces| {
+        let done = job.run(&folder, &mut |evaluations, pieces| {
             bar.set_position(evaluations);
             bar.set_message(format!("{pieces} pieces"));
-        })?;
+        });
+        // Where nothing was begun, nothing is left: a folder with files in it stays.
+        let (state, shrunk) = done.inspect_err(|_| drop(std::fs::remove_dir(&folder)))?;
         let (named, start) = (Vec::new(), shrunk.spelled.clone());
         let job = Job { tool, state: state.clone(), start, source, named };
         (job.table(&shrunk.spelled, &shrunk.finding), state)

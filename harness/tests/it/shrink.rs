@@ -106,6 +106,7 @@ fn a_second_backend_has_to_show_it_and_another_must_not() {
     // Nothing shows a finding and does not show it.
     let told = expect(2, &["shrink", &id, "--run", &run_dir, "--out", &at(&folder, "none"), "--not-by", "naive"]);
     assert!(told.stderr.contains("does not show the finding"), "{}", told.stderr);
+    assert!(!std::path::Path::new(&at(&folder, "none")).exists(), "no empty folder is left");
 }
 
 #[test]
