@@ -1,7 +1,7 @@
 //! `state.json`: whether a run is complete, and the valid length of each table.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Component, Path};
 
 use serde::{Deserialize, Serialize};
 
@@ -47,6 +47,7 @@ impl Outcome {
 
 /// The file itself. It is replaced as a whole, never edited in place.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub(super) struct State {
     /// How the run ended.
     pub outcome: Outcome,
@@ -73,7 +74,43 @@ impl State {
             };
             return Err(Error::new(&path, message));
         }
-        super::reader::read_json(&path)
+        let state: State = super::reader::read_json(&path)?;
+        let is_told = |file: &&String| state.digests.contains_key(*file);
+        match state.committed.keys().find(|file| !is_told(file)) {
+            Some(file) if !state.digests.is_empty() => {
+                let message = format!(
+                    "`digests` lacks {file}, which `committed` has; restore the file from a copy, or start a new run"
+                );
+                Err(Error::new(&path, message))
+            }
+            _ => Ok(state),
+        }
+    }
+
+    /// Refuses a name that is neither the plan, nor one of the `tables` of the run, nor a file in its folder: nobody wrote it, and a run
+    /// that goes on would keep it.
+    pub fn refuse_strangers<'a>(
+        &self,
+        folder: &Path,
+        tables: impl Iterator<Item = &'a str> + Clone,
+    ) -> Result<(), Error> {
+        let is_there = |name: &str| {
+            let path = Path::new(name);
+            path.components().all(|part| matches!(part, Component::Normal(_))) && folder.join(path).is_file()
+        };
+        for (of, names) in
+            [("committed", self.committed.keys().collect::<Vec<_>>()), ("digests", self.digests.keys().collect())]
+        {
+            for name in names {
+                if name != super::PLAN && !tables.clone().any(|table| table == name) && !is_there(name) {
+                    let message = format!(
+                        "`{of}` tells of {name:?}, and the run has no such file; restore it from a copy, or start a new run"
+                    );
+                    return Err(Error::new(&folder.join(State::FILE), message));
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Whether a folder has no state: it is no run, or one that was ended while its folder was made.

@@ -88,6 +88,7 @@ impl RunWriter {
             return Ok((writer, RunDir::open(folder)?));
         }
         let mut state = State::read(folder)?;
+        state.refuse_strangers(folder, TABLES.iter().chain(more).map(|table| table.file))?;
         let plan = digest(&super::reader::read_regular(&folder.join(PLAN))?);
         state.digests.entry(PLAN.to_owned()).or_insert(plan);
         if state.outcome == Outcome::Complete {

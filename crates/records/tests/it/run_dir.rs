@@ -479,7 +479,9 @@ fn take_away(folder: &Path, file: &str, forgotten: bool) {
     if forgotten {
         let path = folder.join("state.json");
         let mut state: serde_json::Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
-        assert!(state["committed"].as_object_mut().unwrap().remove(file).is_some(), "{file} was known");
+        for of in ["committed", "digests"] {
+            assert!(state[of].as_object_mut().unwrap().remove(file).is_some(), "{file} was known");
+        }
         fs::write(&path, state.to_string()).unwrap();
     }
 }
@@ -592,6 +594,38 @@ fn a_run_that_was_ended_before_its_first_commit_is_begun() {
     }
     create(early.path(), &plan(), &Env::default()).unwrap().finish(Outcome::Complete).unwrap();
     assert!(!early.path().join("plan.json.next").exists());
+}
+
+/// A bit that was flipped in the state of an unfinished run is refused, wherever it is: one in a name would leave a file without its
+/// digest, and a name that nobody wrote.
+#[test]
+fn flipped_bits_in_the_state_of_an_unfinished_run_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut writer = create(folder.path(), &plan(), &Env::default()).unwrap();
+    writer.write(&[summary("one")]).unwrap();
+    writer.add_map("map", b"0123").unwrap();
+    writer.commit().unwrap();
+    drop(writer);
+    let path = folder.path().join("state.json");
+    let state = fs::read(&path).unwrap();
+    for place in 0..state.len() {
+        let bit = place % 8;
+        let mut changed = state.clone();
+        changed[place] ^= 1 << bit;
+        fs::write(&path, &changed).unwrap();
+        let about = format!("bit {bit} of byte {place}: {}", String::from_utf8_lossy(&changed));
+        let error = resume(folder.path()).err().unwrap_or_else(|| panic!("gone on with, {about}")).to_string();
+        let has_cure = ["restore", "start a new run"].iter().any(|cure| error.contains(cure));
+        assert!(error.contains("state.json") && has_cure, "{error}, {about}");
+    }
+    // Readers that know fewer tables see that a digest is missing.
+    let mut lacking: serde_json::Value = serde_json::from_slice(&state).unwrap();
+    assert!(lacking["digests"].as_object_mut().unwrap().remove("pairs.csv").is_some());
+    fs::write(&path, lacking.to_string()).unwrap();
+    let error = RunDir::open(folder.path()).unwrap_err().to_string();
+    assert!(error.contains("`digests` lacks pairs.csv"), "{error}");
+    fs::write(&path, state).unwrap();
+    assert_eq!(resume(folder.path()).unwrap().1.summary, [summary("one")], "nothing else was changed");
 }
 
 /// The state of an unfinished run has digests, too: a changed byte is not gone on with.
