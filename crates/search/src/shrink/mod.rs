@@ -202,3 +202,48 @@ impl Search<'_> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use predicament_tasks::{Class, vocabulary};
+
+    use super::*;
+    use crate::hunt;
+
+    /// Shows a finding so many times, and is interrupted then.
+    struct Interrupted(Cell<u64>);
+
+    impl Witness for Interrupted {
+        fn look(&self, _: &LoadedScene) -> Result<Option<Finding>, Stop> {
+            let left = self.0.get().checked_sub(1).ok_or(Stop::Interrupted)?;
+            self.0.set(left);
+            Ok(Some(Finding::plain(Class::SignFlip, "sign", Vec::new(), "+".to_owned(), "-".to_owned())))
+        }
+    }
+
+    /// What is killed before it finds a smaller scene has written something down, and can be gone on with.
+    #[test]
+    fn the_first_scene_is_kept_before_any_smaller_one_is_looked_at() {
+        let text = "title = \"a\"\n[[scene]]\nname = \"own\"\ntask = \"orient2d\"\n\
+            points = [[0, 0], [1, 0], [0, 1], [5, 5]]\nqueries = [[0, 1, 2]]\n";
+        let start = hunt::read(vocabulary(), text).unwrap();
+        for looks in 0..4 {
+            let mut kept: Vec<(Spelled, u64)> = Vec::new();
+            let witness = Interrupted(Cell::new(looks));
+            let mut keep = |spelled: &Spelled, _: &Finding, evaluations| kept.push((spelled.clone(), evaluations));
+            let limits = Limits { evaluations: 100 };
+            let shrunk = shrink(vocabulary(), &witness, start.clone(), &[], limits, 7, &mut keep);
+            if looks == 0 {
+                assert!(shrunk.unwrap_err().contains("interrupted") && kept.is_empty());
+                continue;
+            }
+            let shrunk = shrunk.unwrap();
+            assert_eq!((shrunk.end, shrunk.evaluations), (End::Interrupted, 7 + looks));
+            let counts: Vec<u64> = kept.iter().map(|(_, evaluations)| *evaluations).collect();
+            assert_eq!(counts, (7..7 + looks).collect::<Vec<u64>>(), "the first, and each smaller one");
+            assert_eq!((&kept[0].0, &kept[kept.len() - 1].0), (&start, &shrunk.spelled));
+        }
+    }
+}
