@@ -2,6 +2,8 @@
 
 use std::process::ExitCode;
 
+use predicament_records::RunDir;
+
 use crate::out::program;
 
 /// All as it should be.
@@ -43,6 +45,12 @@ impl Failure {
     pub fn nothing(message: impl std::fmt::Display) -> Failure {
         Failure { message: message.to_string(), code: NOTHING_SELECTED }
     }
+}
+
+/// The run in a folder. One that was ended before it had begun is incomplete; what else can't be read is bad input.
+pub fn open(folder: impl AsRef<std::path::Path>) -> Result<RunDir, Failure> {
+    let code = |folder| if RunDir::is_unbegun(folder) { INCOMPLETE } else { USAGE };
+    RunDir::open(&folder).map_err(|error| Failure { message: error.to_string(), code: code(folder.as_ref()) })
 }
 
 /// Prints a failure and turns an outcome into the process' exit code.

@@ -79,10 +79,10 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         return Err(Failure::usage(format!("{}: --summary and --junit need a file each", summary.display())));
     }
     let expected = expectations::load(tool, args.expected.as_ref())?;
-    let mut run = RunDir::open(&args.run).map_err(Failure::usage)?;
+    let mut run = exit::open(&args.run)?;
     // The file may have changed since the run: it is the gate's word that counts.
     expectations::hold(&expected, &mut run);
-    let mut baseline = args.baseline.as_ref().map(RunDir::open).transpose().map_err(Failure::usage)?;
+    let mut baseline = args.baseline.as_ref().map(exit::open).transpose()?;
     if let Some(baseline) = &mut baseline {
         expectations::hold(&expected, baseline);
     }

@@ -34,7 +34,7 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
-    let first = args.parts.first().map(RunDir::open).transpose().map_err(Failure::usage)?;
+    let first = args.parts.first().map(exit::open).transpose()?;
     let tables = first.map_or_else(Vec::new, |run| tables_with(tool, run.plan.answers));
     let run = merge(&args.parts, &args.out, &tables, env).map_err(|why| Failure {
         message: why.error.to_string(),

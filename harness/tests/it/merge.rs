@@ -109,7 +109,28 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
     std::fs::write(&segments, rows.replacen("exact", "exsct", 1)).unwrap();
     assert!(merge(&with(2, &again), &out, 2).contains("segments.csv"));
     assert!(!Path::new(&out).exists(), "nothing was written");
-    merge(&parts, &out, 0);
+
+    // One that was ended before it had begun is incomplete; one that lost its state is not.
+    std::fs::remove_file(&state).unwrap();
+    let lost = merge(&with(2, &again), &out, 2);
+    assert!(
+        lost.contains("state.json: there is no such file, and costs.csv has rows; restore it from a copy"),
+        "{lost}"
+    );
+    expect(2, &["gate", &again]);
+    for file in std::fs::read_dir(&again).unwrap().map(|entry| entry.unwrap().path()) {
+        if !file.ends_with("plan.json") {
+            if file.is_dir() { std::fs::remove_dir_all(file).unwrap() } else { std::fs::remove_file(file).unwrap() }
+        }
+    }
+    for parts in [with(2, &again), with(0, &again)] {
+        let told = merge(&parts, &out, 103);
+        assert!(told.contains("the run was ended before it had begun; `run --resume` begins it"), "{told}");
+    }
+    expect(103, &["gate", &again]);
+    expect(103, &["gate", &parts[0], "--baseline", &again]);
+    expect(0, &["run", "--resume", &again]);
+    merge(&with(2, &again), &out, 0);
 }
 
 /// A part that was stopped in the middle and resumed is the part that was not.

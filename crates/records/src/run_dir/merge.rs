@@ -53,7 +53,10 @@ pub fn merge(
     tables: &[TableSpec],
     env: impl FnOnce(&[RunDir]) -> crate::Env,
 ) -> Result<RunDir, NotMerged> {
-    let runs: Vec<RunDir> = folders.iter().map(RunDir::open).collect::<Result<_, _>>()?;
+    let open = |folder: &PathBuf| {
+        RunDir::open(folder).map_err(|error| NotMerged { error, is_incomplete: RunDir::is_unbegun(folder) })
+    };
+    let runs: Vec<RunDir> = folders.iter().map(open).collect::<Result<_, _>>()?;
     if let [run] = runs.as_slice()
         && run.plan.shard == Shard::WHOLE
         && !run.plan.timed

@@ -118,6 +118,13 @@ impl RunDir {
         Ok(plan)
     }
 
+    /// Whether a folder has the plan of a run and nothing that it has done: the run was ended before it had begun, and can be resumed.
+    #[must_use]
+    pub fn is_unbegun(path: impl AsRef<Path>) -> bool {
+        let path = path.as_ref();
+        State::is_missing(path) && RunDir::plan(path).is_ok() && State::lost(path) == Ok(None)
+    }
+
     /// Refuses rows about scenes that the plan does not have, and scenes that no run can have.
     fn check_planned(&self) -> Result<(), Error> {
         if let Some(scene) = self.plan.scenes.iter().find(|scene| scene.queries > MOST) {

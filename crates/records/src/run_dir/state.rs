@@ -1,10 +1,12 @@
 //! `state.json`: whether a run is complete, and the valid length of each table.
 
 use std::collections::BTreeMap;
-use std::path::{Component, Path};
+use std::fs;
+use std::path::{Component, Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use super::csv_file::header_length;
 use crate::Error;
 
 /// How a run ended.
@@ -67,10 +69,12 @@ impl State {
     pub fn read(folder: &Path) -> Result<State, Error> {
         let path = folder.join(State::FILE);
         if State::is_missing(folder) {
-            let message = if folder.join(super::PLAN).exists() {
-                "there is no such file: the run was ended before it had begun; `run --resume` begins it"
+            let message = if !folder.join(super::PLAN).exists() {
+                "there is no such file: the folder is not that of a run".to_owned()
+            } else if let Some(table) = State::lost(folder)? {
+                format!("there is no such file, and {table} has rows; restore it from a copy, or start a new run")
             } else {
-                "there is no such file: the folder is not that of a run"
+                "there is no such file: the run was ended before it had begun; `run --resume` begins it".to_owned()
             };
             return Err(Error::new(&path, message));
         }
@@ -113,6 +117,19 @@ impl State {
         Ok(())
     }
 
+    /// A table with rows in a folder without a state, if there is one: the state was lost. It is the first one by name.
+    pub fn lost(folder: &Path) -> Result<Option<String>, Error> {
+        let mut with_rows = None;
+        for path in tables(folder)? {
+            let bytes = super::reader::read_regular(&path)?;
+            if header_length(&bytes) < bytes.len() as u64 {
+                let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+                with_rows = with_rows.into_iter().chain([name]).min();
+            }
+        }
+        Ok(with_rows)
+    }
+
     /// Whether a folder has no state: it is no run, or one that was ended while its folder was made.
     pub fn is_missing(folder: &Path) -> bool {
         !folder.join(State::FILE).exists()
@@ -121,4 +138,11 @@ impl State {
     pub fn write(&self, folder: &Path) -> Result<(), Error> {
         super::writer::write_json(&folder.join(State::FILE), self)
     }
+}
+
+/// The files of a folder that are named as tables are.
+pub(super) fn tables(folder: &Path) -> Result<Vec<PathBuf>, Error> {
+    let entries = fs::read_dir(folder).map_err(Error::io(folder))?;
+    let paths = entries.map(|entry| Ok(entry.map_err(Error::io(folder))?.path())).collect::<Result<Vec<_>, Error>>()?;
+    Ok(paths.into_iter().filter(|path| path.extension() == Some("csv".as_ref())).collect())
 }

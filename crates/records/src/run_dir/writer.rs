@@ -7,11 +7,11 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 
 use super::costs::{CostLog, CostRow};
-use super::csv_file::{CsvFile, header_length};
+use super::csv_file::CsvFile;
 use super::hashed::digest;
 use super::lock::Lock;
 use super::segments::SegmentRow;
-use super::state::{Outcome, State};
+use super::state::{Outcome, State, tables};
 use super::tables::{Record, TableSpec};
 use super::{ENV, MAPS, PLAN, TABLES};
 use crate::{Env, Error, Plan, Row, RunDir, replace};
@@ -231,19 +231,12 @@ pub(super) fn map_key(file: &str) -> String {
 
 /// Takes away the tables of a run that was ended before its first commit. Rows are not taken away: then the state was lost.
 fn clear(folder: &Path) -> Result<(), Error> {
-    for entry in fs::read_dir(folder).map_err(Error::io(folder))? {
-        let path = entry.map_err(Error::io(folder))?.path();
-        if path.extension() != Some("csv".as_ref()) {
-            continue;
-        }
-        let bytes = super::reader::read_regular(&path)?;
-        if header_length(&bytes) < bytes.len() as u64 {
-            let message = "it has rows, and there is no state.json that tells of them; restore that from a copy, or start a new run";
-            return Err(Error::new(&path, message));
-        }
-        fs::remove_file(&path).map_err(Error::io(&path))?;
+    if let Some(table) = State::lost(folder)? {
+        let message =
+            "it has rows, and there is no state.json that tells of them; restore that from a copy, or start a new run";
+        return Err(Error::new(&folder.join(table), message));
     }
-    Ok(())
+    tables(folder)?.into_iter().try_for_each(|path| fs::remove_file(&path).map_err(Error::io(&path)))
 }
 
 /// Writes a JSON file that is whole or not there.
