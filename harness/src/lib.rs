@@ -47,6 +47,7 @@ mod hunting;
 mod interrupt;
 mod judged;
 mod ledger;
+mod line_ends;
 mod one_scene;
 mod peers;
 mod phases;

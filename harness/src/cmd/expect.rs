@@ -97,7 +97,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             let entries = grouped(&run, missing);
             let edits = update(&held.file.display().to_string(), &held.text, &entries, &level, reason.trim())?;
             let rows = run.summary.iter().filter(|row| row.status == Status::Unexpected).count();
-            finish(of, &held, &edits, &format!("{rows} rows are expected from now on"))
+            finish(of, &held, edits, &format!("{rows} rows are expected from now on"))
         }
         Chore::Prune { of } => {
             let held = held(of, tool, false)?;
@@ -111,7 +111,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             finish(
                 of,
                 &held,
-                &pruned.edits,
+                pruned.edits,
                 &format!("{count} expectations of a scene, backend and class are taken out"),
             )
         }
@@ -169,7 +169,8 @@ fn told(run: &RunDir, known: &[(String, String)], tool: &Tool, glob: &Pattern, b
 }
 
 /// Writes the file, or prints the difference.
-fn finish(of: &Of, held: &Held, edits: &Edits, what: &str) -> exit::Outcome {
+fn finish(of: &Of, held: &Held, edits: Edits, what: &str) -> exit::Outcome {
+    let edits = edits.with_line_ends_of(&held.text);
     let name = held.file.display().to_string();
     if edits.is_empty() {
         say!("{name}: nothing to change");

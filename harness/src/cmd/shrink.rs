@@ -11,6 +11,7 @@ use predicament_records::{FindingRow, RunDir, replace};
 
 use super::replay::{find, load};
 use crate::exit::{self, Failure};
+use crate::line_ends::{is_crlf, to_crlf, to_lf};
 use crate::out::program;
 use crate::planning::free_folder;
 use crate::shrinking::{self, Job, Measure, STATE, SUITE, State};
@@ -318,8 +319,10 @@ pub fn add(tool: &Tool, file: &Path, table: &str) -> Result<(), Failure> {
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => "title = \"Shrunk findings\"\n".to_owned(),
         Err(error) => return Err(Failure::usage(format!("{}: {error}", file.display()))),
     };
-    let before = without(&before, table);
-    let text = format!("{}\n\n{table}", before.trim_end());
+    let is_crlf = is_crlf(&before);
+    let kept = without(&if is_crlf { to_lf(&before) } else { before }, table);
+    let text = format!("{}\n\n{table}", kept.trim_end());
+    let text = if is_crlf { to_crlf(&text) } else { text };
     let name = file.display().to_string();
     // Twice the same scene, or the same name, is an error of the suite: nothing is written then.
     predicament_corpus::Suite::parse(tool.vocabulary(), &name, &text, file.parent(), &Manifest::default())?;

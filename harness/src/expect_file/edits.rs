@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use crate::line_ends::{is_crlf, to_crlf};
+
 /// Changes of one text; they do not overlap.
 #[derive(Default, Debug)]
 pub struct Edits(Vec<(Range<usize>, String)>);
@@ -29,6 +31,14 @@ impl Edits {
     /// Inserts a text before this byte.
     pub fn insert(&mut self, at: usize, text: impl Into<String>) {
         self.replace(at..at, text);
+    }
+
+    /// The same changes with the line ends of a text, where all of its lines end by CR LF: an editor on Windows has written it.
+    pub fn with_line_ends_of(mut self, text: &str) -> Edits {
+        if is_crlf(text) {
+            self.0.iter_mut().for_each(|(_, with)| *with = to_crlf(with));
+        }
+        self
     }
 
     /// Whether nothing is changed.
@@ -169,5 +179,17 @@ mod tests {
         first.insert(0, "a\n");
         assert_eq!(first.patch("f", ""), "--- f\n+++ f\n@@ -0,0 +1,1 @@\n+a\n");
         assert_eq!(first.apply(""), "a\n");
+    }
+    #[test]
+    fn new_lines_end_as_the_others_do() {
+        let made = |text: &str| {
+            let mut edits = Edits::default();
+            edits.insert(text.len(), "new\nnewer\n");
+            edits.with_line_ends_of(text).apply(text)
+        };
+        assert_eq!(made("a\r\nb\r\n"), "a\r\nb\r\nnew\r\nnewer\r\n");
+        for mixed in ["", "a\nb\n", "a\r\nb\n"] {
+            assert_eq!(made(mixed), format!("{mixed}new\nnewer\n"));
+        }
     }
 }

@@ -1,0 +1,16 @@
+//! The line ends of files that are edited in place: a file that an editor on Windows has written stays one.
+
+/// Whether all lines of a text end by CR LF, and there is one.
+pub fn is_crlf(text: &str) -> bool {
+    text.contains('\n') && text.matches('\n').count() == text.matches("\r\n").count()
+}
+
+/// The text with CR LF at the end of each line.
+pub fn to_crlf(text: &str) -> String {
+    to_lf(text).replace('\n', "\r\n")
+}
+
+/// The text with LF alone at the end of each line.
+pub fn to_lf(text: &str) -> String {
+    text.replace("\r\n", "\n")
+}
