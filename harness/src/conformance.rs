@@ -160,8 +160,7 @@ impl<B: Backend + 'static, T: TaskList> Conformance<B, T> {
                 let message = format!("{}: the folder holds something else than a run; name another", folder.display());
                 return Err(Failure::usage(message));
             }
-            std::fs::remove_dir_all(&folder)
-                .map_err(|error| Failure::usage(format!("{}: {error}", folder.display())))?;
+            std::fs::remove_dir_all(&folder).map_err(Failure::io(&folder))?;
         }
         let plan = plan(&selection, &scenes, &backends, Shard::WHOLE);
         let mut writer =

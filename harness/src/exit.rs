@@ -41,6 +41,11 @@ impl Failure {
         Failure { message: message.to_string(), code: USAGE }
     }
 
+    /// What the operating system says of a file or folder, with a cure, for `map_err`.
+    pub fn io(path: &std::path::Path) -> impl FnOnce(std::io::Error) -> Failure {
+        move |error| Failure::usage(predicament_records::Error::io(path)(error))
+    }
+
     /// Nothing matches.
     pub fn nothing(message: impl std::fmt::Display) -> Failure {
         Failure { message: message.to_string(), code: NOTHING_SELECTED }

@@ -52,6 +52,12 @@ pub(crate) fn with_cure(error: &std::io::Error) -> String {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => "make room, and go on: what was done before is kept",
         ErrorKind::FileTooLarge => "raise the limit of a file's size, and go on: what was done before is kept",
         ErrorKind::ReadOnlyFilesystem => "make it writable, or name another place",
+        ErrorKind::NotFound => "name what is there, or make it",
+        ErrorKind::AlreadyExists | ErrorKind::NotADirectory => {
+            "there is a file where a folder has to be; name another place"
+        }
+        ErrorKind::IsADirectory => "it is a folder; name a file",
+        ErrorKind::PermissionDenied => "name another place, or have the right to it",
         _ => return error.to_string(),
     };
     format!("{error}; {cure}")

@@ -246,8 +246,7 @@ fn load(args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
             format!("[{}]", rows.collect::<Vec<_>>().join(",\n"))
         }
         Some(file) => {
-            let path =
-                std::path::absolute(file).map_err(|error| Failure::usage(format!("{}: {error}", file.display())))?;
+            let path = std::path::absolute(file).map_err(Failure::io(file))?;
             format!("{{ path = {} }}", quoted(&path.display().to_string()))
         }
     };

@@ -333,7 +333,7 @@ fn digest_of(seeds: &[Seed]) -> u64 {
 
 /// Makes a new folder.
 fn make(folder: &Path) -> Result<(), Failure> {
-    let failed = |error: std::io::Error| Failure::usage(format!("{}: {error}", folder.display()));
+    let failed = |error| Failure::io(folder)(error);
     std::fs::create_dir_all(folder).map_err(failed)?;
     if folder.join(STATE).exists() {
         let message = format!("{}: there is a hunt in it; go on with --resume, or name another", folder.display());

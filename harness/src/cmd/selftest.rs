@@ -128,6 +128,10 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         list(&checks, &entries);
         return Ok(exit::OK);
     }
+    if let Some(folder) = &args.out {
+        // Before minutes of work, not after.
+        std::fs::create_dir_all(folder).map_err(Failure::io(folder))?;
+    }
     let is_whole = args.filter.is_none();
     let selector = Selector { filter: args.filter, ..Selector::everything() };
     let selection = selector.select(tool)?;
@@ -157,6 +161,5 @@ fn list(checks: &Declarations, entries: &[Entry]) {
 
 fn write(folder: &Path, name: &str, text: &str) -> Result<(), Failure> {
     let file = folder.join(name);
-    std::fs::create_dir_all(folder).map_err(|error| Failure::usage(format!("{}: {error}", folder.display())))?;
     replace(&file, text.as_bytes()).map_err(Failure::usage)
 }

@@ -47,7 +47,7 @@ pub fn completions(args: &Completions, mut command: Command) -> exit::Outcome {
 pub fn man(args: &Man, mut command: Command) -> exit::Outcome {
     command.build();
     let folder = &args.out;
-    let failed = |error: std::io::Error| Failure::usage(format!("{}: {error}", folder.display()));
+    let failed = |error| Failure::io(folder)(error);
     std::fs::create_dir_all(folder).map_err(failed)?;
     let mut left = vec![(crate::out::program(), command)];
     while let Some((name, command)) = left.pop() {

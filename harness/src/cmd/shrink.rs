@@ -144,7 +144,7 @@ pub fn told(state: &State) -> String {
 
 /// Makes a new folder.
 pub fn make(folder: &Path) -> Result<(), Failure> {
-    let failed = |error: std::io::Error| Failure::usage(format!("{}: {error}", folder.display()));
+    let failed = |error| Failure::io(folder)(error);
     std::fs::create_dir_all(folder).map_err(failed)?;
     if folder.join(STATE).exists() || folder.join(SUITE).exists() {
         let message = format!("{}: there is a `shrink` in it; go on with --resume, or name another", folder.display());
@@ -237,7 +237,7 @@ pub fn first_of_each_class(tool: &Tool, run: &Path, n: usize, cache: Option<&Pat
         };
         bar.inc(1);
         let Some(job) = job else { continue };
-        std::fs::create_dir_all(&folder).map_err(|error| Failure::usage(format!("{}: {error}", folder.display())))?;
+        std::fs::create_dir_all(&folder).map_err(Failure::io(&folder))?;
         // A finding that comes only with the whole scene, such as one of a sample, is told and left.
         match done(job, &folder) {
             Ok((state, scene, table)) => {
@@ -317,7 +317,7 @@ pub fn add(tool: &Tool, file: &Path, table: &str) -> Result<(), Failure> {
     let before = match std::fs::read_to_string(file) {
         Ok(text) => text,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => "title = \"Shrunk findings\"\n".to_owned(),
-        Err(error) => return Err(Failure::usage(format!("{}: {error}", file.display()))),
+        Err(error) => return Err(Failure::io(file)(error)),
     };
     let is_crlf = is_crlf(&before);
     let kept = without(&if is_crlf { to_lf(&before) } else { before }, table);

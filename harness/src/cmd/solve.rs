@@ -50,14 +50,14 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let backend = tool.backend(&args.backend).map_err(Failure::usage)?;
     let loaded = args.scene.load(tool)?;
     let task = tool.task(loaded.task);
-    std::fs::create_dir_all(&args.out).map_err(|error| Failure::usage(format!("{}: {error}", args.out.display())))?;
+    std::fs::create_dir_all(&args.out).map_err(Failure::io(&args.out))?;
     let mut written = Ok(Vec::new());
     backend
         .answer_any(task.name(), &loaded.scene, loaded.content.as_ref(), Purpose::Files, &mut |answer| {
             written = task.write_answer(&loaded, answer, &args.out);
         })
         .map_err(|why| Failure::usage(format!("{}: {why}{}", backend.name(), cure(&why))))?;
-    for path in written.map_err(|error| Failure::usage(format!("{}: {error}", args.out.display())))? {
+    for path in written.map_err(Failure::io(&args.out))? {
         say!("{}", path.display());
     }
     Ok(exit::OK)

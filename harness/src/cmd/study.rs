@@ -54,7 +54,7 @@ pub fn run(Args(study): &Args, tool: &Tool) -> exit::Outcome {
     let names = study.backends();
     let backends = if names.is_empty() { Vec::new() } else { tool.pick(&names)? };
     if let Some(folder) = study.out() {
-        std::fs::create_dir_all(folder).map_err(|error| Failure::usage(format!("{}: {error}", folder.display())))?;
+        std::fs::create_dir_all(folder).map_err(Failure::io(folder))?;
     }
     interrupt::listen();
     let bar = Mutex::new(ProgressBar::hidden());

@@ -99,3 +99,24 @@ fn a_task_is_solved_on_files_without_a_suite() {
         assert_eq!(told.stderr.lines().count(), 1, "{}", told.stderr);
     }
 }
+
+/// What the operating system refuses is named with the file and with what to do.
+#[test]
+fn files_that_are_none_are_named_with_a_cure() {
+    let folder = tempdir().unwrap();
+    let file = write(&folder, "file", "");
+    let (missing, out) = (at(&folder, "missing"), at(&folder, "out"));
+    let cases: [(&[&str], &str, &str); 7] = [
+        (&["run", "--plan", &missing, "--shard", "1/2", "--out", &out], &missing, "name what is there"),
+        (&["run", "lecture", "--out", &file], &file, "name another place"),
+        (&["hunt", "orient2d", "-b", "naive", "--out", &file], &file, "name another place"),
+        (&["report", &file, "--out", &out], &file, "name another place"),
+        (&["export", &missing, "--out", &out], &missing, "name what is there"),
+        (&["selftest", "--out", &file, "--only", "fault:sos-swapped-term"], &file, "name another place"),
+        (&["gate", &missing], &missing, "name another folder"),
+    ];
+    for (words, path, cure) in cases {
+        let told = expect(2, words).stderr;
+        assert!(told.contains(path) && told.contains(cure), "{words:?}: {told}");
+    }
+}
