@@ -225,6 +225,31 @@ fn nothing_is_too_long() {
     seen.assert_all(scaled(100));
 }
 
+/// Ties in which every difference has all the bits that one can have: each point but one is at the upper end of the scale, the other at
+/// the lower end.
+#[test]
+fn every_difference_is_as_long_as_it_gets() {
+    let mut random = Random(6);
+    let mut seen = Seen::default();
+    for _ in 0..scaled(4000) {
+        let mut far = |random: &mut Random| wide(random, 53, 971..972);
+        let [p, q, r, s]: [[f64; 3]; 4] = random.points(&mut far);
+        let near: [f64; 3] = std::array::from_fn(|_| wide(&mut random, 53, -1074..-1073));
+        // With the last coordinate equal to the first, vectors are on one plane, whatever the others are.
+        let flat = |[x, y, _]: [f64; 3]| [x, y, x];
+        let fourth = if random.below(2) == 0 { p } else { s };
+        let mut beside = |p: [f64; 3]| [p[0], p[1], nudge(p[2], [0, 0, 1, -1][random.below(4)])];
+        let plane = [flat(p), flat(q), beside(flat(r)), flat(near)];
+        let line = [[p[0], p[0]], [q[0], beside(flat(q))[2]], [near[0], near[0]]];
+        // A point that is there twice, or nearly, is on every circle and sphere of the others.
+        let twice = [p, q, beside(p)].map(|[x, _, z]| [x, z]);
+        let circle = [twice[0], twice[1], twice[2], [near[0], near[1]]];
+        let sphere = [p, q, r, beside(fourth), near];
+        seen.count([check_orient2d(&line), check_orient3d(&plane), check_incircle(&circle), check_insphere(&sphere)]);
+    }
+    seen.assert_all(scaled(100));
+}
+
 #[test]
 #[should_panic(expected = "finite")]
 fn infinity_is_refused() {
