@@ -110,7 +110,14 @@ impl Tables<'_> {
             let record = record?;
             let table = self.table(record.file, &[])?;
             let cells = record.fields.iter().map(String::as_str);
-            table.push(front.into_iter().chain(cells)).map_err(|message| Error::new(&found.path, message))?;
+            // What the columns in front hold comes from env.json; the rows are those of env.json and plan.json.
+            let file = if record.file == OWN_TABLES[0].file { "env.json" } else { "plan.json" };
+            table.push(front.into_iter().chain(cells)).map_err(|message| {
+                Error::new(
+                    &found.path.join(file),
+                    format!("{message}; restore the file from a copy, or leave this run out"),
+                )
+            })?;
         }
         for file in run.tables()? {
             let path = found.path.join(&file);

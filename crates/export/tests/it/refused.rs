@@ -49,6 +49,16 @@ fn cells_and_columns_are_held_to_the_schema() {
     write_run(&run, DAY, &kinds());
     let state = run.join("state.json");
     fs::write(&state, "{\"outcome\": \"complete\", \"committed\": {}}").unwrap();
+    let env = run.join("env.json");
+    let whole = fs::read_to_string(&env).unwrap();
+    assert!(whole.contains(DAY));
+    fs::write(&env, whole.replace(DAY, "yesterday")).unwrap();
+    refuse(
+        &[&run],
+        &out,
+        "env.json: `yesterday` in column `date` is not a moment like 2026-01-31T23:59:59Z; restore the file",
+    );
+    fs::write(&env, whole).unwrap();
     let path = run.join("throughput.csv");
     let text = fs::read_to_string(&path).unwrap();
     for (from, to, why) in [
