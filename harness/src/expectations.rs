@@ -1,10 +1,13 @@
 //! Where the expectations come from: the ones that ship with the corpora, or a file.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use predicament_corpus::Suite;
+use predicament_engines::PREFIX;
 use predicament_formats::{hex, read_suite};
 use predicament_oracle::expect::{Expectations, Known, Unused};
+use predicament_oracle::known::Scenes;
 use predicament_records::{Error, ExpectedFile, Plan, RunDir, SummaryRow};
 use predicament_tasks::{Class, ClassCounts};
 use sha2::{Digest, Sha256};
@@ -90,12 +93,12 @@ pub fn counts(row: &SummaryRow) -> ClassCounts {
 /// The expectations that the run of this plan has not put to the test.
 pub fn unused(expected: &Expectations, tool: &Tool, plan: &Plan) -> Result<Unused, Failure> {
     let library = tool.library()?;
-    let planned = planned(plan);
+    let planned = Scenes::new(planned(plan), BTreeSet::new());
     let scenes = scenes(tool, plan)?;
     let known = Known {
         scenes: &scenes,
         planned: &planned,
-        backend: &|name| plan.backends.iter().any(|planned| planned == name) || tool.knows_backend(name),
+        backend: &|name| may_be(tool, plan, name),
         backends: &plan.backends,
         level: &plan.level.to_string(),
     };
@@ -114,18 +117,24 @@ fn planned(plan: &Plan) -> Vec<(String, String)> {
     plan.scenes.iter().map(|scene| (scene.suite.clone(), scene.scene.clone())).collect()
 }
 
-/// All scenes that the tool or a run of this plan knows, by suite and name.
-pub fn scenes(tool: &Tool, plan: &Plan) -> Result<Vec<(String, String)>, Failure> {
+/// Whether a run may have a backend with this name. An engine may be in any folder: what names one is no mistake.
+pub fn may_be(tool: &Tool, plan: &Plan, name: &str) -> bool {
+    plan.backends.iter().any(|planned| planned == name) || name.starts_with(PREFIX) || tool.knows_backend(name)
+}
+
+/// All scenes that the tool or a run of this plan knows.
+pub fn scenes(tool: &Tool, plan: &Plan) -> Result<Scenes, Failure> {
     let library = tool.library()?;
-    let mut scenes: Vec<(String, String)> = Vec::new();
-    let mut add = |suite: &Suite| {
-        scenes.extend(suite.scenes.iter().map(|def| (def.suite.clone(), def.name.clone())));
-    };
-    library.suites().iter().chain(&tool.own_suites()?).for_each(&mut add);
-    // All scenes of a suite that was named by file, also those that a filter left out.
-    for file in plan.paths.values().filter(|file| Path::new(file).exists()) {
-        add(&library.suite(file)?);
+    let mut suites: Vec<Suite> = library.suites().iter().chain(&tool.own_suites()?).cloned().collect();
+    // All scenes of a suite that was named by file, also those that a filter left out; without its file, some are not known.
+    let (files, gone): (Vec<_>, Vec<_>) = plan.paths.iter().partition(|(_, file)| Path::new(file).exists());
+    for (_, file) in files {
+        suites.push(library.suite(file)?);
     }
-    scenes.extend(planned(plan));
-    Ok(scenes)
+    let is_here = |name: &&String| suites.iter().any(|suite| suite.name == **name);
+    let elsewhere = plan.suites.iter().filter(|name| !is_here(name));
+    let open = gone.into_iter().map(|(suite, _)| suite).chain(elsewhere).cloned().collect();
+    let defs = suites.iter().flat_map(|suite| &suite.scenes);
+    let all = defs.map(|def| (def.suite.clone(), def.name.clone())).chain(planned(plan)).collect();
+    Ok(Scenes::new(all, open))
 }

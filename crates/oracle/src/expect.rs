@@ -3,13 +3,13 @@
 //! Both ways are failures: a finding that nobody expected, and an expectation
 //! that no longer comes true. So the file stays a description of the world.
 
-use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
 use predicament_formats::{CorpusError, Document, Field, Fields, TableKind, shown};
 use predicament_tasks::{Class, ClassCounts, Status};
 
+use crate::known::Scenes;
 use crate::pattern::Pattern;
 
 /// One `[[expect]]` table.
@@ -46,11 +46,11 @@ struct Written {
 
 /// What a tool and a run have that expectations can be about.
 pub struct Known<'a> {
-    /// Every scene that the tool knows, by suite and name.
-    pub scenes: &'a [(String, String)],
+    /// Every scene that the tool knows.
+    pub scenes: &'a Scenes,
     /// The scenes that were planned.
-    pub planned: &'a [(String, String)],
-    /// Whether there is a backend with this name.
+    pub planned: &'a Scenes,
+    /// Whether there is a backend with this name, or may be.
     pub backend: &'a dyn Fn(&str) -> bool,
     /// The backends that were planned.
     pub backends: &'a [String],
@@ -63,7 +63,7 @@ pub struct Known<'a> {
 pub struct Unused {
     /// Those that no run of this tool can: they name a scene or backend that is not there. One line each.
     pub never: Vec<String>,
-    /// Those that this run's selection leaves out, by place.
+    /// Those that this run's selection leaves out, and those about suites that are not here, by place.
     pub here: Vec<String>,
 }
 
@@ -90,26 +90,6 @@ fn class(name: &Field<'_, '_>) -> Result<Class, CorpusError> {
         return Err(name.error(format!("`{class}` is legal and needs no expectation"), "drop it"));
     }
     Ok(class)
-}
-
-/// Scenes by suite and name, and all that they are called.
-struct Named<'a> {
-    scenes: &'a [(String, String)],
-    names: HashSet<String>,
-}
-
-impl Named<'_> {
-    fn new(scenes: &[(String, String)]) -> Named<'_> {
-        let names = scenes.iter().flat_map(|(suite, scene)| [scene.clone(), format!("{suite}/{scene}")]).collect();
-        Named { scenes, names }
-    }
-
-    fn has_any(&self, pattern: &Pattern) -> bool {
-        match pattern.name() {
-            Some(name) => self.names.contains(name),
-            None => self.scenes.iter().any(|(suite, scene)| pattern.names(suite, scene)),
-        }
-    }
 }
 
 impl Expectations {
@@ -184,13 +164,13 @@ impl Expectations {
     #[must_use]
     pub fn unused(&self, known: &Known<'_>) -> Unused {
         let mut unused = Unused::default();
-        let (all, planned) = (Named::new(known.scenes), Named::new(known.planned));
+        let is_never = |pattern: &&Pattern| !known.scenes.has_any(pattern) && !known.scenes.may_be_elsewhere(pattern);
         for table in &self.tables {
             let before = unused.never.len();
             for name in table.backends.iter().filter(|name| !(known.backend)(name)) {
                 unused.never.push(format!("{}: no backend is called `{name}`; correct or drop it", table.place));
             }
-            for pattern in table.scenes.iter().filter(|pattern| !all.has_any(pattern)) {
+            for pattern in table.scenes.iter().filter(is_never) {
                 unused.never.push(format!(
                     "{}: no scene is called `{}`; correct or drop it, or name its suite in the run",
                     table.place,
@@ -199,7 +179,7 @@ impl Expectations {
             }
             let level = table.level.as_deref().is_none_or(|level| level == known.level);
             let backend = table.backends.iter().any(|name| known.backends.contains(name));
-            let scene = || table.scenes.iter().any(|pattern| planned.has_any(pattern));
+            let scene = || table.scenes.iter().any(|pattern| known.planned.has_any(pattern));
             if unused.never.len() == before && !(level && backend && scene()) {
                 unused.here.push(table.place.clone());
             }

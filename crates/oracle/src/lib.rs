@@ -9,12 +9,14 @@
 //! * [`run`]: one backend on one scene, panics and refusals included (of the crate `tasks`).
 //! * [`expect`]: which findings are expected.
 //! * [`pattern`]: which scenes an expectation is about.
+//! * [`known`]: which scenes there are for it to be about.
 //! * [`faults`]: wrong backends that have to be caught, and by which check.
 //! * [`guards`]: faults in what judges and what reads, and the checks that hold both to known facts.
 
 pub mod expect;
 pub mod faults;
 pub mod guards;
+pub mod known;
 pub mod pattern;
 pub mod roster;
 

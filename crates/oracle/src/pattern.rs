@@ -42,6 +42,20 @@ impl Pattern {
         self.0.is_name.then(|| self.text())
     }
 
+    /// Whether it says of which suites the scenes are.
+    #[must_use]
+    pub fn has_suite(&self) -> bool {
+        self.text().contains('/')
+    }
+
+    /// Whether a scene of this suite may match a pattern that says of which suites the scenes are.
+    #[must_use]
+    pub fn may_be_of(&self, suite: &str) -> bool {
+        let of = self.text().split_once('/').map_or("", |(of, _)| of);
+        // What is no glob by itself ends in the middle of a group or class: that may be anything.
+        Glob::new(of).map_or(true, |of| of.compile_matcher().is_match(suite))
+    }
+
     /// Whether it matches a scene by its name, or by that of its suite and its own.
     #[must_use]
     pub fn names(&self, suite: &str, scene: &str) -> bool {

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use predicament_oracle::expect::Expectations;
+use predicament_oracle::known::Scenes;
 use predicament_oracle::pattern::Pattern;
 use predicament_records::{self as records, RunDir, Status, SummaryRow};
 use predicament_tasks::Class;
@@ -15,7 +16,7 @@ use crate::tool::Tool;
 const EXAMPLES: &str = "\
 `update` makes what nobody expected expected, with a reason that is yours: read the findings first. `prune`
 takes out what no scene of the run shows any more, and what no scene or backend has the name of; what the run
-has not put to the test stays. Both leave comments and order as they are. An entry without a level is about
+has not put to the test stays: other backends, globs of which a part was run, suites and engines that are elsewhere. Both leave comments and order as they are. An entry without a level is about
 both, and one run decides: give `prune` a run at the level that you gate.
 
 Examples:
@@ -103,10 +104,19 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             let held = held(of, tool, false)?;
             let run = judged(of, &held)?;
             let known = expectations::scenes(tool, &run.plan)?;
-            let told = |glob: &Pattern, backend: &str, class: &str| told(&run, &known, tool, glob, backend, class);
+            let told = |glob: &Pattern, backend: &str, class: &str| {
+                if expectations::may_be(tool, &run.plan, backend) {
+                    told(&run, &known, glob, backend, class)
+                } else {
+                    Told::Gone
+                }
+            };
             let level = run.plan.level.to_string();
             let pruned = prune(&held.file.display().to_string(), &held.text, &level, told)?;
-            pruned.partly.iter().for_each(|line| say!("{line}"));
+            pruned.by_hand.iter().for_each(|line| say!("{line}"));
+            if pruned.untried > 0 {
+                say!("{} expectations stay, as the run has not put them to the test", pruned.untried);
+            }
             let count = pruned.gone;
             finish(
                 of,
@@ -152,19 +162,25 @@ fn judged(of: &Of, held: &Held) -> Result<RunDir, Failure> {
     Ok(run)
 }
 
-/// What a run says of a pattern, backend and class.
-fn told(run: &RunDir, known: &[(String, String)], tool: &Tool, glob: &Pattern, backend: &str, class: &str) -> Told {
-    let is_planned = run.plan.backends.iter().any(|planned| planned == backend);
-    if (!is_planned && !tool.knows_backend(backend)) || !known.iter().any(|(suite, scene)| glob.names(suite, scene)) {
-        return Told::Gone;
+/// What a run says of a pattern, of a backend that there may be, and of a class.
+fn told(run: &RunDir, known: &Scenes, glob: &Pattern, backend: &str, class: &str) -> Told {
+    if !known.has_any(glob) {
+        return match (known.may_be_elsewhere(glob), glob.has_suite()) {
+            (true, _) => Told::Untried,
+            (false, true) => Told::Gone,
+            (false, false) => Told::Nameless,
+        };
     }
     let Ok(class) = class.parse::<Class>() else { return Told::Kept };
     let rows = run.summary.iter().filter(|row| row.backend == backend && glob.names(&row.suite, &row.scene));
     let (shown, not): (Vec<&SummaryRow>, Vec<&SummaryRow>) = rows.partition(|row| row.count(class) > 0);
+    let is_tried = |(suite, scene): &(String, String)| not.iter().any(|row| row.suite == *suite && row.scene == *scene);
     match (shown.is_empty(), not.is_empty()) {
+        (true, true) => Told::Untried,
+        (true, false) if known.may_be_elsewhere(glob) || !known.matching(glob).all(is_tried) => Told::Untried,
         (true, false) => Told::Gone,
         (false, false) => Told::Partly,
-        (_, true) => Told::Kept,
+        (false, true) => Told::Kept,
     }
 }
 

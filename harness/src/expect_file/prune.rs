@@ -14,11 +14,15 @@ use super::{Entry, tables};
 /// What a run says of one scene pattern, backend and class.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Told {
-    /// Some scene shows it, and all that match do; or the run has not put it to the test.
+    /// Some scene shows it, and all of the run that match do.
     Kept,
+    /// The run has not put it to the test, or not on all scenes that match.
+    Untried,
+    /// It names no scene that is known, and not of which suite: a person has to say whether it is wrong.
+    Nameless,
     /// Some scene shows it, and some that matches does not: a person has to narrow the pattern.
     Partly,
-    /// No scene shows it.
+    /// No scene shows it, of all that match.
     Gone,
 }
 
@@ -27,8 +31,10 @@ pub struct Pruned {
     pub edits: Edits,
     /// How many of the expectations of a pattern, backend and class are gone.
     pub gone: usize,
-    /// Patterns that match scenes which show the class no more, one line each.
-    pub partly: Vec<String>,
+    /// How many of them stay as the run has not put them to the test.
+    pub untried: usize,
+    /// What is left to a person, one line each.
+    pub by_hand: Vec<String>,
 }
 
 /// Takes out what is gone, as `told` says of a pattern, backend and class. Tables of another level than this are left alone.
@@ -41,43 +47,49 @@ pub fn prune(
     level: &str,
     told: impl Fn(&Pattern, &str, &str) -> Told,
 ) -> Result<Pruned, CorpusError> {
-    let mut pruned = Pruned { edits: Edits::default(), gone: 0, partly: Vec::new() };
+    let mut pruned = Pruned { edits: Edits::default(), gone: 0, untried: 0, by_hand: Vec::new() };
     for table in tables(file, text)? {
         if table.level.as_ref().is_some_and(|(name, _)| name != level) {
+            pruned.untried += table.scenes.items.len() * table.backends.items.len() * table.classes.items.len();
             continue;
         }
         let mut left: Vec<(String, String, Vec<String>)> = Vec::new();
-        let mut gone = 0;
+        let before = pruned.gone;
         for (pattern, at) in &table.scenes.items {
             let glob = Pattern::new(pattern)
                 .map_err(|error| CorpusError::file(file, error, "write e.g. `near-*`").at_line(table.line))?;
+            let place = format!("{file}:{}: `{pattern}`", text[..at.start].matches('\n').count() + 1);
             for backend in table.backends.values() {
-                let mut classes = Vec::new();
-                for class in table.classes.values() {
-                    match told(&glob, &backend, &class) {
-                        Told::Gone => gone += 1,
-                        Told::Kept => classes.push(class),
-                        Told::Partly => {
-                            let line = text[..at.start].matches('\n').count() + 1;
-                            pruned.partly.push(format!(
-                                "{file}:{line}: `{pattern}` matches scenes that show {class} on {backend} and scenes that do not; \
-                                 narrow it by hand"
-                            ));
-                            classes.push(class);
-                        }
-                    }
-                }
+                let stays = |class: &String| pruned.stays(told(&glob, &backend, class), &place, &backend, class);
+                let classes: Vec<String> = table.classes.values().into_iter().filter(stays).collect();
                 if !classes.is_empty() {
                     left.push((pattern.clone(), backend, classes));
                 }
             }
         }
-        if gone > 0 {
-            pruned.gone += gone;
+        if pruned.gone > before {
             rewrite(text, &table, left, &mut pruned.edits);
         }
     }
     Ok(pruned)
+}
+
+impl Pruned {
+    /// Counts or tells what a run says of a pattern, backend and class; true if the file keeps it.
+    fn stays(&mut self, told: Told, place: &str, backend: &str, class: &str) -> bool {
+        match told {
+            Told::Gone => self.gone += 1,
+            Told::Kept => {}
+            Told::Untried => self.untried += 1,
+            Told::Nameless => self.by_hand.push(format!(
+                "{place} is no scene that is known, for {class} on {backend}; correct or drop it by hand, or name its suite"
+            )),
+            Told::Partly => self.by_hand.push(format!(
+                "{place} matches scenes that show {class} on {backend} and scenes that do not; narrow it by hand"
+            )),
+        }
+        told != Told::Gone
+    }
 }
 
 /// Leaves of a table these patterns, backends and classes: it keeps the first of them that go together, and the rest become tables after it.

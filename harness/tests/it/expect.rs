@@ -88,6 +88,73 @@ fn an_update_makes_the_gate_green_and_a_prune_takes_it_back() {
     expect(0, &["gate", &run, "--expected", &known]);
 }
 
+/// Entries about a class of scenes on a backend.
+fn entries(all: &[(&str, &str, &str)]) -> String {
+    let entry = |(scene, backend, class): &(&str, &str, &str)| {
+        format!("[[expect]]\nscene = \"{scene}\"\nbackend = \"{backend}\"\nclass = \"{class}\"\nreason = \"r\"\n")
+    };
+    all.iter().map(entry).collect()
+}
+
+#[test]
+fn what_a_run_has_not_tried_stays() {
+    let folder = tempdir().unwrap();
+    let a = write(&folder, "a.toml", SUITE);
+    let b = write(
+        &folder,
+        "b.toml",
+        &SUITE.replace("0x1.0000000000001p-1", "0x1.0000000000003p-1").replace("1\", \"0\"]", "2\", \"0\"]"),
+    );
+    let known = write(&folder, "known.toml", "");
+    let go = |name: &str, args: &[&str]| {
+        let out = at(&folder, name);
+        run(&[&["run", "-b", "naive", "-q", "--expected", &known, "--out", &out][..], args].concat());
+        out
+    };
+    let prune = |run: &str| expect(0, &["expect", "prune", run, "--expected", &known]).stdout;
+    let text = || std::fs::read_to_string(&known).unwrap();
+    let (both, one, part) = (go("both", &[&a, &b]), go("one", &[&a]), go("part", &[&a, "-f", "plain"]));
+
+    // Of another suite.
+    expect(0, &["expect", "update", &both, "--expected", &known, "--reason", "r"]);
+    let before = text();
+    assert!(before.contains("b/wrong-once"), "{before}");
+    expect(0, &["gate", &one, "--expected", &known]);
+    let told = prune(&one);
+    assert!(told.contains("1 expectations stay, as the run has not put them to the test"), "{told}");
+    assert!(told.contains("nothing to change"), "{told}");
+
+    // Of engines that may be anywhere, and of globs of which a part was tried. What is misspelled is gone nevertheless.
+    let stay = [("a/*", "naive", "nan"), ("a/wrong-once", "engine:odd", "nan"), ("a/w*", "naive", "overreach")];
+    let gone = [("a/long-gone", "naive", "nan"), ("a/plain", "nave", "nan"), ("a/p*", "naive", "overreach")];
+    std::fs::write(&known, entries(&[&stay[..], &gone].concat())).unwrap();
+    let gate = expect(101, &["gate", &part, "--expected", &known]).stdout;
+    assert!(gate.contains(" 2 never true") && !gate.contains("engine:odd"), "{gate}");
+    prune(&part);
+    assert_eq!(text(), entries(&stay));
+    // All of it was tried.
+    std::fs::write(&known, entries(&[("a/*", "naive", "nan")])).unwrap();
+    prune(&one);
+    assert_eq!(text(), "");
+
+    // Without its file it is not known what else is in a suite.
+    std::fs::remove_file(&a).unwrap();
+    let stay = [("a/wrong-once", "naive", "overreach"), ("a/p*", "naive", "inconsistent"), ("lost", "naive", "nan")];
+    let gone = [("a/plain", "naive", "nan"), ("families/long-gone", "naive", "nan")];
+    std::fs::write(&known, entries(&stay)).unwrap();
+    assert!(expect(101, &["gate", &part, "--expected", &known]).stdout.contains(" 0 never true"));
+    std::fs::write(&known, entries(&[&stay[..], &gone].concat())).unwrap();
+    prune(&part);
+    assert_eq!(text(), entries(&stay));
+    // A name without a suite may be of one that no run knows: a person decides.
+    std::fs::write(&known, entries(&[("lost", "naive", "nan")])).unwrap();
+    let told = prune(&go("other", &[&b]));
+    assert!(
+        told.contains("known.toml:2: `lost` is no scene that is known, for nan on naive; correct or drop"),
+        "{told}"
+    );
+}
+
 #[test]
 fn a_run_or_file_that_says_nothing_is_refused() {
     let folder = tempdir().unwrap();

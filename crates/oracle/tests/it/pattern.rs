@@ -1,6 +1,9 @@
 //! A name is what globset takes it for.
 
+use std::collections::BTreeSet;
+
 use globset::Glob;
+use predicament_oracle::known::Scenes;
 use predicament_oracle::pattern::Pattern;
 use proptest::prelude::*;
 
@@ -27,4 +30,21 @@ proptest! {
 fn what_is_no_glob_is_refused() {
     assert!(Pattern::new("a[").is_err_and(|why| why.contains("a[")));
     assert!(Pattern::new("{a,b}").is_ok_and(|pattern| pattern.name().is_none() && pattern.names("s", "b")));
+}
+
+#[test]
+fn a_pattern_may_be_about_a_scene_that_is_not_known() {
+    let scene = |suite: &str, name: &str| (suite.to_owned(), name.to_owned());
+    let all = vec![scene("whole", "a"), scene("open", "b")];
+    let scenes = Scenes::new(all, std::iter::once("open".to_owned()).collect());
+    let elsewhere = |text: &str| scenes.may_be_elsewhere(&Pattern::new(text).unwrap());
+    for text in ["open/c", "open/*", "o*/b", "*/b", "{open/b,x}", "[a-z]*/b", "lost/a", "c", "a", "a*"] {
+        assert!(elsewhere(text), "{text}");
+    }
+    for text in ["whole/a", "whole/c", "whole/*", "w*/a", "open/b", "b"] {
+        assert!(!elsewhere(text), "{text}");
+    }
+    let closed = Scenes::new(vec![scene("whole", "a")], BTreeSet::new());
+    let elsewhere = |text: &str| closed.may_be_elsewhere(&Pattern::new(text).unwrap());
+    assert!(elsewhere("lost/*") && !elsewhere("c") && !elsewhere("*") && !elsewhere("*/c"));
 }
