@@ -7,6 +7,13 @@ use std::sync::{Arc, OnceLock};
 
 use globset::{Glob, GlobMatcher};
 
+/// The glob that matches this text alone.
+#[must_use]
+pub fn escape(text: &str) -> String {
+    // In a class a backslash is itself; globset leaves it as it is, where it takes away the meaning of what follows.
+    globset::escape(text).replace('\\', "[\\]")
+}
+
 /// A glob over `scene` and `suite/scene`. A clone shares what is compiled.
 #[derive(Clone, Debug)]
 pub struct Pattern(Arc<Inner>);

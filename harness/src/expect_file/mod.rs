@@ -8,6 +8,7 @@ mod update;
 
 use std::collections::BTreeMap;
 
+use predicament_oracle::pattern;
 use predicament_records::{RunDir, Status, SummaryRow};
 use predicament_tasks::Class;
 
@@ -58,7 +59,7 @@ pub fn grouped(run: &RunDir, classes: impl Fn(&SummaryRow) -> Vec<Class>) -> Vec
     let mut alike: BTreeMap<(&str, Vec<&str>), Vec<String>> = BTreeMap::new();
     for row in run.summary.iter().filter(|row| row.status == Status::Unexpected) {
         let classes = classes(row).into_iter().map(Class::name).collect();
-        let scene = globset::escape(&format!("{}/{}", row.suite, row.scene));
+        let scene = pattern::escape(&format!("{}/{}", row.suite, row.scene));
         alike.entry((&row.backend, classes)).or_default().push(scene);
     }
     let strings = |names: Vec<&str>| names.into_iter().map(str::to_owned).collect();

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use globset::Glob;
 use predicament_oracle::known::Scenes;
-use predicament_oracle::pattern::Pattern;
+use predicament_oracle::pattern::{Pattern, escape};
 use proptest::prelude::*;
 
 proptest! {
@@ -14,6 +14,18 @@ proptest! {
         let glob = Glob::new(&text).expect("a glob").compile_matcher();
         let truth = glob.is_match(&scene) || glob.is_match(format!("{suite}/{scene}"));
         prop_assert_eq!(pattern.names(&suite, &scene), truth);
+    }
+
+    #[test]
+    fn an_escaped_name_is_itself_and_nothing_else(
+        name in "[ab*?!,{}\\\\\\[\\]^-]{1,4}|\\PC{1,6}",
+        other in "[ab*\\\\\\[\\]]{1,3}",
+    ) {
+        let pattern = Pattern::new(&escape(&name)).expect("a glob");
+        prop_assert!(pattern.names("s", &name));
+        prop_assert_eq!(pattern.names("s", &other), name == other);
+        let pattern = Pattern::new(&escape(&format!("s/{name}"))).expect("a glob");
+        prop_assert!(pattern.names("s", &name) && !pattern.names("t", &name));
     }
 
     #[test]
