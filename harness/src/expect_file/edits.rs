@@ -66,7 +66,12 @@ impl Edits {
             *at += line.len();
             Some(*at)
         }));
-        let line_of = |byte: usize| starts.partition_point(|&start| start <= byte) - 1;
+        // What is put behind a last line without an end changes that line.
+        let is_open = !text.is_empty() && !text.ends_with('\n');
+        let line_of = |byte: usize| match starts.partition_point(|&start| start <= byte) - 1 {
+            line if is_open => line.min(lines.len() - 1),
+            line => line,
+        };
         // Changes that touch the same lines become one.
         let mut groups: Vec<(Range<usize>, Vec<Edit<'_>>)> = Vec::new();
         for (bytes, with) in self.sorted() {
@@ -180,6 +185,58 @@ mod tests {
         assert_eq!(first.patch("f", ""), "--- f\n+++ f\n@@ -0,0 +1,1 @@\n+a\n");
         assert_eq!(first.apply(""), "a\n");
     }
+
+    /// The text with a patch, which has to fit.
+    fn patched(text: &str, patch: &str) -> String {
+        let mut lines = text.split_inclusive('\n');
+        let (mut made, mut at) = (String::new(), 0);
+        let patch = patch.replace("\n\\ No newline at end of file\n", "\0");
+        for line in patch.split_inclusive(['\n', '\0']).skip(2) {
+            let (mark, line) = line.split_at(1);
+            if mark == "@" {
+                let range = line.split(['-', ' ']).nth(2).unwrap();
+                let (from, length) = range.split_once(',').unwrap();
+                let (from, length): (usize, usize) = (from.parse().unwrap(), length.parse().unwrap());
+                let from = if length == 0 { from } else { from - 1 };
+                made.extend(lines.by_ref().take(from - at));
+                at = from;
+                continue;
+            }
+            let line = line.trim_end_matches('\0');
+            if mark != "+" {
+                assert_eq!(lines.next(), Some(line));
+                at += 1;
+            }
+            made += if mark == "-" { "" } else { line };
+        }
+        made.extend(lines);
+        made
+    }
+
+    #[test]
+    fn a_patch_makes_the_same_change_as_the_edit() {
+        let mut edits = Edits::default();
+        edits.insert(3, "\nc\n");
+        let whole = "--- f\n+++ f\n@@ -1,2 +1,3 @@\n a\n-b\n\\ No newline at end of file\n+b\n+c\n";
+        assert_eq!(edits.patch("f", "a\nb"), whole);
+        for text in ["a\nb\nc\nd\ne\nf\ng\nh\n", "a\nb\nc\nd\ne\nf\ng\nh", "a", "a\n", "", "a\r\nb\r\nc"] {
+            let mut ends: Vec<usize> = text.match_indices('\n').map(|(at, _)| at + 1).chain([0, text.len()]).collect();
+            ends.sort_unstable();
+            ends.dedup();
+            for (place, &from) in ends.iter().enumerate() {
+                for &to in &ends[place..] {
+                    for with in ["", "x\n", "\nx\n", "x", "\n"] {
+                        let mut edits = Edits::default();
+                        edits.replace(from..to, with);
+                        edits.insert(text.len(), if text.ends_with('\n') { "y\nz\n" } else { "\ny\nz\n" });
+                        let (patch, made) = (edits.patch("f", text), edits.apply(text));
+                        assert_eq!(patched(text, &patch), made, "{text:?} {from}..{to} {with:?}\n{patch}");
+                    }
+                }
+            }
+        }
+    }
+
     #[test]
     fn new_lines_end_as_the_others_do() {
         let made = |text: &str| {
