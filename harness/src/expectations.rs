@@ -44,13 +44,17 @@ pub fn load(tool: &Tool, file: Option<&PathBuf>) -> Result<Expectations, Failure
     if let Some(file) = file {
         return read(file);
     }
-    let (name, text) = tool.library()?.companion(SHIPPED)?.unwrap_or_default();
-    let shipped = Expectations::parse(Path::new(&name), &text);
-    let shipped = shipped.map_err(|message| Failure { message, code: CORPUS })?;
+    let shipped = shipped(tool)?;
     match &tool.expected {
         None => Ok(shipped),
         Some(own) => Ok(shipped.and(read(own)?)),
     }
+}
+
+/// The expectations that ship with the corpora.
+pub fn shipped(tool: &Tool) -> Result<Expectations, Failure> {
+    let (name, text) = tool.library()?.companion(SHIPPED)?.unwrap_or_default();
+    Expectations::parse(Path::new(&name), &text).map_err(|message| Failure { message, code: CORPUS })
 }
 
 /// What a plan says of a file of expectations.

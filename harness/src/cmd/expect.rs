@@ -1,5 +1,6 @@
 //! `expect`: the file of expectations brought to what a run has found, its comments and order kept.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use predicament_oracle::expect::Expectations;
@@ -73,6 +74,8 @@ const SHIPPED: &str = "corpora/expected.toml";
 struct Held {
     file: PathBuf,
     text: String,
+    /// What rows are held against besides the file.
+    beside: Expectations,
     expected: Expectations,
 }
 
@@ -84,7 +87,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
                 return Err(Failure::usage("--reason is empty; say why this is to be expected"));
             }
             let held = held(of, tool, true)?;
-            let run = judged(of, &held)?;
+            let mut run = judged(of, &held)?;
             let level = run.plan.level.to_string();
             let missing = |row: &SummaryRow| {
                 let known: Vec<Class> = held
@@ -97,8 +100,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             };
             let entries = grouped(&run, missing);
             let edits = update(&held.file.display().to_string(), &held.text, &entries, &level, reason.trim())?;
-            let rows = run.summary.iter().filter(|row| row.status == Status::Unexpected).count();
-            finish(of, &held, edits, &format!("{rows} rows are expected from now on"))
+            finish(of, &held, edits, |expected| changed(&mut run, expected))
         }
         Chore::Prune { of } => {
             let held = held(of, tool, false)?;
@@ -118,14 +120,25 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
                 say!("{} expectations stay, as the run has not put them to the test", pruned.untried);
             }
             let count = pruned.gone;
-            finish(
-                of,
-                &held,
-                pruned.edits,
-                &format!("{count} expectations of a scene, backend and class are taken out"),
-            )
+            finish(of, &held, pruned.edits, |_| {
+                format!("{count} expectations of a scene, backend and class are taken out")
+            })
         }
     }
+}
+
+/// How many rows of a run became expected, as they are held against these expectations, and how many are not as they should be.
+fn changed(run: &mut RunDir, expected: &Expectations) -> String {
+    let before: Vec<bool> = run.summary.iter().map(|row| row.status == Status::Unexpected).collect();
+    expectations::hold(expected, run);
+    let count = |status: Status| run.summary.iter().filter(|row| row.status == status).count();
+    let became = before.iter().zip(&*run.summary).filter(|(was, row)| **was && row.status == Status::Expected).count();
+    let mut told = format!("{became} rows are expected from now on");
+    let left = [(count(Status::Unexpected), "unexpected"), (count(Status::UnexpectedPass), "unexpected pass")];
+    for (rows, what) in left.into_iter().filter(|(rows, _)| *rows > 0) {
+        let _ = write!(told, ", {rows} still {what}");
+    }
+    told
 }
 
 /// The file that is edited, and what it says together with what it adds to.
@@ -144,11 +157,14 @@ fn held(of: &Of, tool: &Tool, may_begin: bool) -> Result<Held, Failure> {
         }
     };
     if may_begin && of.expected.is_some() && !file.exists() {
-        return Ok(Held { file, text: String::new(), expected: Expectations::default() });
+        let none = Expectations::default();
+        return Ok(Held { file, text: String::new(), beside: none.clone(), expected: none });
     }
     let text = expectations::text(&file)?;
     let expected = expectations::load(tool, of.expected.as_ref())?;
-    Ok(Held { file, text, expected })
+    let is_own = of.expected.is_none() && tool.expected.is_some();
+    let beside = if is_own { expectations::shipped(tool)? } else { Expectations::default() };
+    Ok(Held { file, text, beside, expected })
 }
 
 /// The run, each row with the status that the file gives it now.
@@ -184,8 +200,8 @@ fn told(run: &RunDir, known: &Scenes, glob: &Pattern, backend: &str, class: &str
     }
 }
 
-/// Writes the file, or prints the difference.
-fn finish(of: &Of, held: &Held, edits: Edits, what: &str) -> exit::Outcome {
+/// Writes the file, or prints the difference. `what` says what was done, by all that rows are held against then.
+fn finish(of: &Of, held: &Held, edits: Edits, what: impl FnOnce(&Expectations) -> String) -> exit::Outcome {
     let edits = edits.with_line_ends_of(&held.text);
     let name = held.file.display().to_string();
     if edits.is_empty() {
@@ -193,14 +209,14 @@ fn finish(of: &Of, held: &Held, edits: Edits, what: &str) -> exit::Outcome {
         return Ok(exit::OK);
     }
     let made = edits.apply(&held.text);
-    Expectations::parse(Path::new(&name), &made).map_err(|error| {
+    let expected = Expectations::parse(Path::new(&name), &made).map_err(|error| {
         Failure::usage(format!("nothing was written, as the result is no file of expectations: {error}"))
     })?;
     if of.dry_run {
         say_text!("{}", edits.patch(&name, &held.text));
     } else {
         records::replace(&held.file, made.as_bytes()).map_err(Failure::usage)?;
-        say!("{name}: {what}");
+        say!("{name}: {}", what(&held.beside.clone().and(expected)));
     }
     Ok(exit::OK)
 }

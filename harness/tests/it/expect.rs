@@ -156,6 +156,29 @@ fn what_a_run_has_not_tried_stays() {
 }
 
 #[test]
+fn an_update_counts_what_it_has_changed() {
+    let folder = tempdir().unwrap();
+    // Characters that mean something in globs.
+    for (at, name) in ["a\\\\b", "\\\\", "[a]{b,c}*?!\\\\*"].into_iter().enumerate() {
+        let suite = write(&folder, "mine.toml", &SUITE.replace("wrong-once", name));
+        let known = write(&folder, "known.toml", "");
+        let run = go(&folder, &suite, &known, &format!("run-{at}"));
+        let update = || expect(0, &["expect", "update", &run, "--expected", &known, "--reason", "r"]).stdout;
+        let told = update();
+        assert!(told.ends_with(": 1 rows are expected from now on\n"), "{told}");
+        expect(0, &["gate", &run, "--expected", &known]);
+        assert!(update().contains("nothing to change"), "{name}");
+    }
+    // A row that lacks a class that is expected is not as it should be, whatever else is expected of it.
+    let suite = write(&folder, "mine.toml", SUITE);
+    let known = write(&folder, "known.toml", &entries(&[("wrong-once", "naive", "nan")]));
+    let run = go(&folder, &suite, &known, "run");
+    let told = expect(0, &["expect", "update", &run, "--expected", &known, "--reason", "r"]).stdout;
+    assert!(told.ends_with(": 0 rows are expected from now on, 1 still unexpected pass\n"), "{told}");
+    expect(101, &["gate", &run, "--expected", &known]);
+}
+
+#[test]
 fn a_run_or_file_that_says_nothing_is_refused() {
     let folder = tempdir().unwrap();
     let suite = write(&folder, "mine.toml", SUITE);
