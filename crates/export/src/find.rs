@@ -29,7 +29,7 @@ pub struct Runs {
 /// The runs in these folders, each of which is that of a run or has some in it, however deep.
 ///
 /// # Errors
-/// If a folder has no run, if two runs have the same name, and those of the file system.
+/// If a folder has no run, if a run has lost its plan, if two runs have the same name, and those of the file system.
 pub fn find(folders: &[PathBuf]) -> Result<Runs, Error> {
     let mut found = Runs::default();
     for folder in folders {
@@ -38,6 +38,7 @@ pub fn find(folders: &[PathBuf]) -> Result<Runs, Error> {
             let name = full.file_name().map_or_else(|| "run".into(), |name| name.to_string_lossy().into_owned());
             found.add(name, folder)?;
         } else {
+            whole(folder)?;
             let before = found.runs.len();
             found.below(folder, "")?;
             if found.runs.len() == before {
@@ -60,6 +61,16 @@ pub fn find(folders: &[PathBuf]) -> Result<Runs, Error> {
     Ok(found)
 }
 
+/// Refuses a folder of a run that has lost its plan: its rows would be missing, and nobody would know.
+fn whole(folder: &Path) -> Result<(), Error> {
+    if !RunFolder::has_lost_plan(folder)? {
+        return Ok(());
+    }
+    let message = "there is no such file, and the folder has what a run has written; restore it from a copy, or export \
+                   without the folder";
+    Err(Error::new(&folder.join("plan.json"), message))
+}
+
 impl Runs {
     fn add(&mut self, run: String, path: &Path) -> Result<(), Error> {
         let started = RunFolder::env(path)?.started;
@@ -80,6 +91,7 @@ impl Runs {
                 self.add(name, &path)?;
                 has_run = true;
             } else if kind.is_dir() {
+                whole(&path)?;
                 if self.below(&path, &format!("{name}/"))? {
                     has_run = true;
                 } else {

@@ -20,7 +20,7 @@ folders and columns in front: run, date, commit, machine. `runs` has a row for e
 pandas and R, and asks a year of nightly runs when something got slower.
 
 Files come into their places when all are whole, and replace those of an earlier export. The same folders give the
-same bytes. A table that was cut off or edited after its run was complete is an error. Code 103 if interrupted.
+same bytes. A table that was cut off or edited after its run was complete is an error, and so is a run that lost its plan.json. Code 103 if interrupted.
 
 Examples:
   predicament export out/run --out out/data

@@ -4,6 +4,7 @@ use std::fs::{self, File};
 use std::path::Path;
 
 use predicament_export::{Format, Watch, export, find};
+use predicament_records::TABLES;
 use tempfile::tempdir;
 
 use crate::common::{exported, files, kinds, known, write_run};
@@ -109,6 +110,32 @@ fn folders_that_would_be_mistaken_are_refused() {
         "neither a run folder nor one with run folders in it",
     );
     refuse(&[&folder.path().join("nowhere")], &folder.path().join("other"), "nowhere");
+}
+
+#[test]
+fn a_run_that_lost_its_plan_is_not_passed_over() {
+    let folder = tempdir().unwrap();
+    let [all, csv, out] = ["all", "all/csv", "out"].map(|name| folder.path().join(name));
+    let [whole, lost] = ["whole", "lost"].map(|name| all.join(name));
+    for run in [&whole, &lost] {
+        write_run(run, DAY, &kinds());
+    }
+    // An export and a folder of something else have tables, too.
+    exported(&[&whole], Format::Csv, &csv).unwrap();
+    fs::create_dir(all.join("else")).unwrap();
+    fs::write(all.join("else/summary.csv"), "a,b\n1,2\n").unwrap();
+    assert_eq!(find(std::slice::from_ref(&all)).unwrap().others, [csv, all.join("else")]);
+    fs::remove_file(lost.join("plan.json")).unwrap();
+    let why = "lost/plan.json: there is no such file, and the folder has what a run has written; restore it";
+    refuse(&[&all], &out, why);
+    refuse(&[&lost], &out, why);
+    fs::remove_file(lost.join("state.json")).unwrap();
+    refuse(&[&all], &out, why);
+    // Without rows nothing is lost.
+    for table in TABLES {
+        fs::write(lost.join(table.file), table.columns.join(",") + "\n").unwrap();
+    }
+    exported(&[&all], Format::Parquet, &out).unwrap();
 }
 
 #[test]

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 use std::fs::{self, File};
-use std::io::{self, BufReader, Read, Seek, SeekFrom};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
 use csv::{ReaderBuilder, StringRecord};
@@ -16,7 +16,7 @@ use super::hashed::hex;
 use super::lock::Lock;
 use super::reader::read_json;
 use super::state::{Outcome, State};
-use super::{ENV, PLAN};
+use super::{ENV, PLAN, TABLES};
 use crate::{Env, Error, FORMAT, Plan};
 
 /// A run folder of which the tables are still on the disk.
@@ -40,6 +40,22 @@ impl RunFolder {
     #[must_use]
     pub fn is_one(folder: &Path) -> bool {
         folder.join(PLAN).is_file()
+    }
+
+    /// Whether a folder is that of a run which has lost its `plan.json`: it has a state, or a table of every run with rows. A table of the
+    /// same name with other columns is something else, such as an export.
+    ///
+    /// # Errors
+    /// If the folder has such a table that can't be read.
+    pub fn has_lost_plan(folder: &Path) -> Result<bool, Error> {
+        if RunFolder::is_one(folder) {
+            return Ok(false);
+        }
+        let mut is_lost = !State::is_missing(folder);
+        for table in TABLES {
+            is_lost = is_lost || has_rows(&folder.join(table.file), table.columns)?;
+        }
+        Ok(is_lost)
     }
 
     /// The machine of a run, without the rest.
@@ -155,6 +171,19 @@ fn last_line_end(file: &mut File, length: u64) -> io::Result<u64> {
     }
     file.seek(SeekFrom::Start(0))?;
     Ok(end)
+}
+
+/// Whether a file is a table with these columns and something below them.
+fn has_rows(path: &Path, columns: &[&str]) -> Result<bool, Error> {
+    if !path.is_file() {
+        return Ok(false);
+    }
+    let mut file = BufReader::new(fs::File::open(path).map_err(Error::io(path))?);
+    let header = columns.join(",");
+    let mut first = Vec::new();
+    file.by_ref().take(header.len() as u64 + 2).read_until(b'\n', &mut first).map_err(Error::io(path))?;
+    let has_header = first.trim_ascii_end() == header.as_bytes() && first.ends_with(b"\n");
+    Ok(has_header && !file.fill_buf().map_err(Error::io(path))?.is_empty())
 }
 
 #[cfg(test)]
