@@ -14,7 +14,7 @@ use crate::{Class, Error, NotRun, Status, SummaryRow};
 /// declined as expected is skipped.
 ///
 /// # Errors
-/// If the XML can't be written, which only text that XML forbids can cause.
+/// If the XML can't be written.
 pub fn junit(name: &str, rows: &[SummaryRow], not_run: &[NotRun]) -> Result<String, Error> {
     let mut cases: Vec<([&str; 5], Option<&SummaryRow>)> = Vec::new();
     cases.extend(rows.iter().map(|r| ([&*r.suite, &*r.scene, &*r.scene_id, &*r.task, &*r.backend], Some(r))));
@@ -23,16 +23,23 @@ pub fn junit(name: &str, rows: &[SummaryRow], not_run: &[NotRun]) -> Result<Stri
 
     let mut report = Report::new(name);
     for suite in cases.chunk_by(|(a, _), (b, _)| a[0] == b[0]) {
-        let mut test_suite = TestSuite::new(suite[0].0[0]);
+        let mut test_suite = TestSuite::new(xml(suite[0].0[0]));
         for &([suite, scene, scene_id, task, backend], row) in suite {
-            let mut case = TestCase::new(format!("{scene} [{backend}]"), row.map_or_else(missing, outcome));
-            case.set_classname(format!("{suite}.{task}"));
-            case.extra.insert("id".into(), scene_id.into());
+            let name = xml(&format!("{scene} [{backend}]"));
+            let mut case = TestCase::new(name, row.map_or_else(missing, outcome));
+            case.set_classname(xml(&format!("{suite}.{task}")));
+            case.extra.insert("id".into(), xml(scene_id).into());
             test_suite.add_test_case(case);
         }
         report.add_test_suite(test_suite);
     }
     report.to_string().map_err(|error| Error::new(Path::new(name), format!("no JUnit report: {error}")))
+}
+
+/// A text with a replacement for each character that XML 1.0 forbids in any spelling: no parser reads a file that has one.
+fn xml(text: &str) -> String {
+    let is_legal = |c: char| matches!(c, '\t' | '\n' | '\r' | ' '..='\u{FFFD}' | '\u{10000}'..);
+    text.chars().map(|c| if is_legal(c) { c } else { char::REPLACEMENT_CHARACTER }).collect()
 }
 
 fn missing() -> TestCaseStatus {

@@ -114,3 +114,20 @@ fn generated_scenes_are_written_out_as_a_suite() {
     }
     assert_eq!(before.iter().zip(&after).filter(|(before, after)| before != after).count(), 1);
 }
+
+/// The name of a file is that of a suite, and stands in tables and terminals.
+#[test]
+#[cfg(unix)]
+fn a_file_whose_name_has_control_characters_is_no_suite() {
+    let folder = tempdir().unwrap();
+    let told = expect(104, &["corpus", "verify", &write(&folder, "a\u{1b}[0mb.toml", crate::common::SUITE)]).stderr;
+    assert!(told.contains("the suite's name `a\\u{1b}[0mb` has control characters; rename the file"), "{told}");
+    assert!(!told.contains('\u{1b}'), "{told:?}");
+    // What else XML forbids is no control character, and is replaced.
+    let suite = write(&folder, "\u{FFFE}.toml", crate::common::SUITE);
+    let (run, junit) = (at(&folder, "run"), at(&folder, "junit.xml"));
+    expect(0, &["run", &suite, "-b", "exact", "--out", &run]);
+    expect(0, &["gate", &run, "--junit", &junit]);
+    let xml = std::fs::read_to_string(&junit).unwrap();
+    assert!(xml.contains("name=\"\u{FFFD}\"") && !xml.contains('\u{FFFE}'), "{xml}");
+}

@@ -6,7 +6,9 @@ mod scene;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use predicament_formats::{CorpusError, Decimals, Document, Entry, Field, Fields, Manifest, TableKind, read_suite};
+use predicament_formats::{
+    CorpusError, Decimals, Document, Entry, Field, Fields, Manifest, TableKind, read_suite, shown,
+};
 
 use crate::{SeenIds, Vocabulary};
 pub use scene::SceneDef;
@@ -51,6 +53,10 @@ impl Suite {
         manifest: &Manifest,
     ) -> Result<Suite, CorpusError> {
         let name = Path::new(file).file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+        if name.chars().any(char::is_control) {
+            let message = format!("the suite's name `{}` has control characters", name.escape_debug());
+            return Err(CorpusError::file(shown(file), message, "rename the file"));
+        }
         let document = Document::new(file, text);
         let root = document.parse()?;
         let fields = Fields::new(&document, &SUITE, root.get_ref(), 0);

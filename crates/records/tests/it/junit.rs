@@ -45,4 +45,13 @@ fn names_with_markup_stay_names() {
     let xml = junit("predicament", &run.summary, &[]).unwrap();
     let report = Report::deserialize_from_str(&xml).unwrap();
     assert_eq!(report.test_suites[0].test_cases[0].name.as_str(), "<a & \"b\"> [exact]");
+    // XML has no spelling for some characters.
+    run.summary[0].scene = "a\u{FFFE}b\u{FFFF}c\u{1}d\u{1b}[0me\u{FFFD}\u{10FFFF}".to_owned();
+    run.summary[0].suite = "s\u{FFFF}".to_owned();
+    let xml = junit("predicament", &run.summary, &[]).unwrap();
+    assert!(!xml.contains(['\u{FFFE}', '\u{FFFF}', '\u{1}', '\u{1b}']), "{xml}");
+    let suite = &Report::deserialize_from_str(&xml).unwrap().test_suites[0];
+    assert_eq!(suite.name.as_str(), "s\u{FFFD}");
+    let name = "a\u{FFFD}b\u{FFFD}c\u{FFFD}d\u{FFFD}[0me\u{FFFD}\u{10FFFF} [exact]";
+    assert_eq!(suite.test_cases[0].name.as_str(), name);
 }
