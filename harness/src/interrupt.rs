@@ -8,11 +8,20 @@ static STOP: AtomicBool = AtomicBool::new(false);
 
 /// Starts listening. Called once, by commands whose work is worth keeping.
 pub fn listen() {
-    let installed = ctrlc::set_handler(|| {
+    listen_and_say("what is done is kept");
+}
+
+/// The same, by commands whose work is worth nothing before its end.
+pub fn listen_for_all() {
+    listen_and_say("nothing is kept of what is not finished");
+}
+
+fn listen_and_say(kept: &'static str) {
+    let installed = ctrlc::set_handler(move || {
         if STOP.swap(true, Ordering::SeqCst) {
             leave();
         }
-        tell!("\n{}: stopping; what is done is kept (again to stop at once)", crate::out::program());
+        tell!("\n{}: stopping; {kept} (again to stop at once)", crate::out::program());
     });
     if let Err(error) = installed {
         tell!("{}: Ctrl-C will not be caught: {error}", crate::out::program());

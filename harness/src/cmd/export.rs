@@ -61,7 +61,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         let first = found.others[0].display();
         note!("{} without a run, or links, are not exported: {first}, …", counted(found.others.len() as u64, "folder"));
     }
-    interrupt::listen();
+    interrupt::listen_for_all();
     let format = match args.format {
         As::Parquet => Format::Parquet,
         As::Csv => Format::Csv,

@@ -85,7 +85,7 @@ fn whole(run: &RunDir, finding: &FindingRow, args: &Args, tool: &Tool) -> exit::
     let scene = run.plan.scenes.iter().find(|scene| scene.scene_id == finding.scene_id && scene.suite == finding.suite);
     let scene = scene.ok_or_else(|| Failure::usage(format!("{}: its plan has no such scene", args.run.display())))?;
     let level: Level = run.plan.level.to_string().parse().map_err(Failure::usage)?;
-    interrupt::listen();
+    interrupt::listen_for_all();
     let worker = Worker {
         permutations: None,
         threads: None,

@@ -75,11 +75,11 @@ pub struct Args {
     pub shrink: bool,
 
     /// Name the faults and the checks that have to find them, and stop
-    #[arg(long, conflicts_with = "checks")]
+    #[arg(long, conflicts_with_all = ["checks", "filter", "without", "everything", "shrink", "json", "out"])]
     pub list: bool,
 
     /// Name the checks and the faults that need them, and stop
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["filter", "only", "without", "everything", "shrink", "json", "out"])]
     pub checks: bool,
 
     /// How `--checks` prints

@@ -51,9 +51,12 @@ impl Work<'_> {
             return Ok(());
         }
         let mut scenes = selection.plan()?;
-        interrupt::listen();
+        interrupt::listen_for_all();
         let bar = progress::bar(scenes.len() as u64, "scenes");
-        let interrupted = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
+        let interrupted = |_| {
+            let message = "interrupted, and there is no card: what is not found yet would seem to be missed".to_owned();
+            Failure { message, code: exit::INCOMPLETE }
+        };
         for scene in &mut scenes {
             bar.inc(1);
             let task = scene.plan.task.as_str();

@@ -1,9 +1,11 @@
 //! The scorecard of planted faults, and the page of all checks.
 
+use std::process::Stdio;
+
 use serde_json::Value;
 use tempfile::tempdir;
 
-use crate::common::{at, expect};
+use crate::common::{at, expect, tool};
 
 #[test]
 fn the_page_of_checks_is_what_the_tool_prints() {
@@ -50,4 +52,45 @@ fn the_card_is_a_table_too() {
     assert_eq!(cells[..4], ["fault:exact-relative-filter", "filters", "caught", "1"], "{table}");
     assert_eq!(cells[5], "3", "three points show it: {table}");
     assert!(std::fs::read_to_string(format!("{out}/checks.csv")).unwrap().contains("grassmann-plucker"));
+}
+
+#[test]
+fn options_that_would_do_nothing_are_refused() {
+    for ask in ["--list", "--checks"] {
+        for more in ["--json", "--out=zz", "--shrink", "--everything", "--without=sign", "--filter=a"] {
+            let told = expect(2, &["selftest", ask, more]).stderr;
+            let option = more.split('=').next().unwrap();
+            let is_told = told.contains("cannot be used with") && told.contains(ask) && told.contains(option);
+            assert!(is_told, "{told}");
+        }
+    }
+    expect(2, &["selftest", "--checks", "--only", "readers:swaps-axes"]);
+    let told = expect(0, &["selftest", "--list", "--only", "readers:swaps-axes"]).stdout;
+    assert!(told.starts_with("readers:swaps-axes "), "{told}");
+}
+
+/// A card of some scenes would call faults missed that others show.
+#[test]
+#[cfg(target_os = "linux")]
+fn an_interrupted_selftest_says_that_nothing_is_kept() {
+    let folder = tempdir().unwrap();
+    let out = at(&folder, "card");
+    let args = ["selftest", "--only", "fault:exact-flushed", "--everything", "--json", "--out", &out];
+    let mut child = tool(&args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    // Until it listens, the signal would end it.
+    let id = child.id().to_string();
+    let listens = || {
+        let status = std::fs::read_to_string(format!("/proc/{id}/status")).unwrap_or_default();
+        let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:")).unwrap_or("0").trim();
+        u64::from_str_radix(caught, 16).unwrap_or(0) & 2 != 0
+    };
+    while !listens() && child.try_wait().unwrap().is_none() {
+        std::thread::sleep(std::time::Duration::from_millis(2));
+    }
+    std::process::Command::new("kill").args(["-INT", &id]).status().unwrap();
+    let told = crate::common::told(child.wait_with_output().unwrap());
+    assert_eq!((told.code, &*told.stdout), (103, ""), "{}", told.stderr);
+    assert!(told.stderr.contains("stopping; nothing is kept of what is not finished"), "{}", told.stderr);
+    assert!(told.stderr.contains("interrupted, and there is no card"), "{}", told.stderr);
+    assert_eq!(std::fs::read_dir(&out).unwrap().count(), 0);
 }
