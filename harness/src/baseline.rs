@@ -19,6 +19,8 @@ pub struct Worse {
     pub timings: Vec<String>,
     /// Whether times were judged, and why not; nothing where neither run has any.
     pub times: Option<Result<(), String>>,
+    /// Timings of the run that were not held against the baseline though others were, each with the reason.
+    pub not_compared: Vec<String>,
 }
 
 impl Worse {
@@ -31,16 +33,16 @@ impl Worse {
         let findings = more_findings(run, baseline);
         let then = timings(baseline);
         let in_common = timings(run).keys().any(|key| then.contains_key(key));
-        let (timings, times) = match percent {
-            None if in_common => (Vec::new(), Some(Err("nobody asked: `--time` does".to_owned()))),
-            None => (Vec::new(), None),
-            Some(_) if !in_common => (Vec::new(), Some(Err("the two have no timing in common".to_owned()))),
+        let not_judged = |why: Option<String>| Worse { times: why.map(Err), ..Worse::default() };
+        let worse = match percent {
+            None => not_judged(in_common.then(|| "nobody asked: `--time` does".to_owned())),
+            Some(_) if !in_common => not_judged(Some("the two have no timing in common".to_owned())),
             Some(percent) => match another_machine(run, baseline) {
-                Some(why) => (Vec::new(), Some(Err(why))),
-                None => (slower(run, baseline, percent), Some(Ok(()))),
+                Some(why) => not_judged(Some(why)),
+                None => slower(run, baseline, percent),
             },
         };
-        Ok(Worse { findings, timings, times })
+        Ok(Worse { findings, ..worse })
     }
 }
 
@@ -78,15 +80,18 @@ fn more_findings(run: &RunDir, baseline: &RunDir) -> Vec<String> {
 /// Timings of a scene whose fastest sample is slower than the slowest sample of before,
 /// and by so many percent at least: beyond what noise explains. A family of several scenes is compared scene by scene, as
 /// those take different times; where it had other scenes, there is nothing to compare.
-fn slower(run: &RunDir, baseline: &RunDir, percent: f64) -> Vec<String> {
+fn slower(run: &RunDir, baseline: &RunDir, percent: f64) -> Worse {
     let (now, then) = (timings(run), timings(baseline));
     let (scenes, scenes_then) = (scenes(run), scenes(baseline));
-    let mut slower = Vec::new();
+    let (mut slower, mut not_compared) = (Vec::new(), Vec::new());
     for (key @ [task, family, backend], now) in &now {
-        let Some(then) = then.get(key) else { continue };
+        let Some(then) = then.get(key) else {
+            not_compared.push(format!("{task} {family} on {backend}: the baseline has no timing of it"));
+            continue;
+        };
         let of = [*task, *family];
         if now.len() != then.len() || scenes.get(&of) != scenes_then.get(&of) {
-            note!("{task} {family} on {backend}: other scenes were timed than in the baseline; not compared");
+            not_compared.push(format!("{task} {family} on {backend}: other scenes were timed than in the baseline"));
             continue;
         }
         for (now, then) in now.iter().zip(then) {
@@ -99,7 +104,13 @@ fn slower(run: &RunDir, baseline: &RunDir, percent: f64) -> Vec<String> {
             }
         }
     }
-    slower
+    // Where nothing was compared, nothing was judged.
+    let times = if not_compared.len() < timings(run).len() {
+        Ok(())
+    } else {
+        Err(std::mem::take(&mut not_compared).join("; "))
+    };
+    Worse { timings: slower, times: Some(times), not_compared, ..Worse::default() }
 }
 
 /// The timings of each scene, by task, family and backend.

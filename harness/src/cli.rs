@@ -11,7 +11,7 @@ use predicament_predicates::{Backend, Question, Scene, Sign, Vertex};
 use predicament_tasks::{Contestant, Entry, Task, TaskList};
 
 use crate::tool::Tool;
-use crate::{cmd, exit, out};
+use crate::{cmd, exit, interrupt, out};
 
 /// A differential test harness for geometric predicates.
 ///
@@ -121,6 +121,7 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
     /// Reads the command line, does what it says, and gives the exit code.
     #[must_use]
     pub fn main(self) -> ExitCode {
+        interrupt::outlive_limits();
         let tool = Tool::new(self.backends, &self.tasks, self.suites, self.expected);
         // Backends and tasks of other crates belong into the help.
         let help = format!("Backends:\n{}", tool.backend_help());

@@ -59,6 +59,7 @@ impl Comment<'_> {
         if let Some(Err(why)) = &self.worse.times {
             text.line(&format!("\nTimes were not judged: {}.", code(why)));
         }
+        text.list("Times that were not compared", self.worse.not_compared.iter().cloned());
         if let Some(baseline) = self.baseline {
             let section = against(std::slice::from_ref(self.run), std::slice::from_ref(baseline));
             let section = section.map_err(Failure::usage)?;

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use predicament_records::RunDir;
+use predicament_records::{self as records, RunDir, Status, SummaryRow};
 
 use crate::out::program;
 
@@ -56,6 +56,20 @@ impl Failure {
 pub fn open(folder: impl AsRef<std::path::Path>) -> Result<RunDir, Failure> {
     let code = |folder| if RunDir::is_unbegun(folder) { INCOMPLETE } else { USAGE };
     RunDir::open(&folder).map_err(|error| Failure { message: error.to_string(), code: code(folder.as_ref()) })
+}
+
+/// The code of a run that has ended so, with these rows.
+pub fn of_rows(ended: records::Outcome, rows: &[SummaryRow]) -> u8 {
+    let has = |status: Status| rows.iter().any(|row| row.status == status);
+    if ended != records::Outcome::Complete {
+        INCOMPLETE
+    } else if has(Status::Unexpected) {
+        UNEXPECTED
+    } else if has(Status::UnexpectedPass) {
+        UNEXPECTED_PASS
+    } else {
+        OK
+    }
 }
 
 /// Prints a failure and turns an outcome into the process' exit code.

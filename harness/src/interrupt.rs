@@ -48,6 +48,19 @@ pub fn leave() -> ! {
     std::process::exit(i32::from(crate::exit::INCOMPLETE))
 }
 
+/// A limit of a file's size (`ulimit -f`) becomes an error of the file that reaches it, which is told, instead of the end of the process.
+#[cfg(unix)]
+pub fn outlive_limits() {
+    let flag = std::sync::Arc::new(AtomicBool::new(false));
+    if let Err(error) = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, flag) {
+        tell!("{}: a limit of a file's size will end it: {error}", crate::out::program());
+    }
+}
+
+/// There are no such limits.
+#[cfg(not(unix))]
+pub fn outlive_limits() {}
+
 /// The flag that the work looks at.
 pub fn flag() -> &'static AtomicBool {
     &STOP

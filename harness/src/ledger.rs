@@ -149,15 +149,7 @@ impl Ledger {
         if !self.left_out.is_empty() {
             say!("not run: {}; `-b {}` runs them", self.left_out.join(", "), self.left_out.join(","));
         }
-        Ok(if ended != records::Outcome::Complete {
-            exit::INCOMPLETE
-        } else if unexpected > 0 {
-            exit::UNEXPECTED
-        } else if passes > 0 {
-            exit::UNEXPECTED_PASS
-        } else {
-            exit::OK
-        })
+        Ok(exit::of_rows(ended, &self.done))
     }
 }
 

@@ -52,6 +52,7 @@ mod one_scene;
 mod peers;
 mod phases;
 mod pixels;
+mod places;
 mod planning;
 mod precision;
 mod progress;

@@ -1,16 +1,18 @@
 //! What a run is going to do, and where: its plan, machine, tables and folder.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use predicament_corpus::Level;
 use predicament_exact::Exact;
 use predicament_predicates::Backend;
 use predicament_records::{
-    self as records, AnswerRow, CostRow, Env, ImportRow, PhaseRow, Plan, SampledRow, SegmentRow, Shard, TableSpec,
+    self as records, AnswerRow, CostRow, Env, ImportRow, PhaseRow, Plan, RunDir, RunFolder, SampledRow, SegmentRow,
+    Shard, TableSpec,
 };
 use predicament_tasks::{Budget, Contestant};
 
+use crate::exit::Failure;
 use crate::judged::JudgedRow;
 use crate::select::{Planned, Selection};
 use crate::tool::Tool;
@@ -100,6 +102,32 @@ pub fn env_of(backends: &[Box<dyn Contestant>]) -> Env {
     let mut env = env();
     env.peers.extend(backends.iter().filter_map(|backend| Some((backend.name(), backend.version()?))));
     env
+}
+
+/// Refuses to go on with a run in which a backend had another version: its rows would be of two.
+///
+/// # Errors
+/// With the first such backend, or if the run's `env.json` can't be read.
+pub fn same_versions(folder: &Path, backends: &[Box<dyn Contestant>]) -> Result<(), Failure> {
+    if RunDir::is_unbegun(folder) {
+        return Ok(());
+    }
+    let then = RunFolder::env(folder).map_err(Failure::usage)?.peers;
+    for backend in backends {
+        let (name, now) = (backend.name(), backend.version());
+        if then.get(&name) != now.as_ref() {
+            let told = |version: Option<&String>| {
+                version.map_or_else(|| "unknown".to_owned(), |version| format!("`{version}`"))
+            };
+            return Err(Failure::usage(format!(
+                "{}: the version of {name} was {} when the run was begun, and is {} now; restore it, or start a new run",
+                folder.join("env.json").display(),
+                told(then.get(&name)),
+                told(now.as_ref())
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// `stem-1`, or the first number that is free.

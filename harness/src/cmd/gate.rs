@@ -13,6 +13,7 @@ use crate::exit::{self, Failure};
 use crate::expect_file::grouped;
 use crate::expectations;
 use crate::ledger::describe;
+use crate::places::apart;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
@@ -75,9 +76,11 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     if to_stdout && args.json {
         return Err(Failure::usage("--json and --summary - both write to stdout; name a file for --summary"));
     }
-    if let (Some(summary), true) = (&args.summary, args.summary == args.junit) {
-        return Err(Failure::usage(format!("{}: --summary and --junit need a file each", summary.display())));
-    }
+    let outputs = [("--summary", &args.summary), ("--junit", &args.junit), ("--suggest", &args.suggest)];
+    let outputs: Vec<(&str, &Path)> =
+        outputs.iter().filter_map(|(name, file)| Some((*name, file.as_deref()?))).collect();
+    let runs: Vec<&Path> = [&*args.run].into_iter().chain(args.baseline.as_deref()).collect();
+    apart(&outputs, &args.expected.as_deref().into_iter().collect::<Vec<_>>(), &runs)?;
     let expected = expectations::load(tool, args.expected.as_ref())?;
     let mut run = exit::open(&args.run)?;
     // The file may have changed since the run: it is the gate's word that counts.
@@ -120,6 +123,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             "not_held": unused.here,
             "not_run": missing,
             "worse": worse.findings.iter().chain(&worse.timings).collect::<Vec<_>>(),
+            "times_not_compared": worse.not_compared,
             "times_not_judged": worse.times.as_ref().and_then(|times| times.as_ref().err()),
         });
         say!("{told}");
@@ -131,6 +135,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         if let Some(Err(why)) = &worse.times {
             say!("times were not judged: {why}");
         }
+        worse.not_compared.iter().for_each(|line| say!("time not compared: {line}"));
         if !unused.here.is_empty() {
             say!("{} expectations are not about this run's scenes, backends and level", unused.here.len());
         }

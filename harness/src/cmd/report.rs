@@ -8,6 +8,7 @@ use predicament_studies::{compare, stress};
 
 use crate::details::details;
 use crate::exit::{self, Failure};
+use crate::places::apart;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
@@ -59,6 +60,8 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             "there is no run among the folders; name one that `run` or `bench` has written, too",
         ));
     }
+    let runs: Vec<&Path> = folders.iter().chain(&args.against).map(|folder| &**folder).collect();
+    apart(&[("--out", &args.out)], &[], &runs)?;
     for folder in &folders {
         for place in [folder.clone(), folder.join(COMPARISON), folder.join(STRESS)] {
             for section in studied(&place)? {

@@ -17,7 +17,7 @@ use crate::exit::{self, Failure};
 use crate::expectations::Held;
 use crate::ledger::Ledger;
 use crate::out::program;
-use crate::planning::{budget, env, env_of, free_folder, plan, tables_of};
+use crate::planning::{budget, env, env_of, free_folder, plan, same_versions, tables_of};
 use crate::select::{NOT_NAMED, Planned, Selection, Selector};
 use crate::stopwatch::{Cost, Stopwatch};
 use crate::tool::{Tool, engines};
@@ -167,7 +167,9 @@ pub fn run(mut args: Args, tool: &Tool) -> exit::Outcome {
     {
         // All that was left of it is to shrink.
         interrupt::listen();
-        return super::shrink::first_of_each_class(tool, folder, n, args.selector.cache.as_deref());
+        let run = exit::open(folder)?;
+        let end = super::shrink::first_of_each_class(tool, folder, n, args.selector.cache.as_deref())?;
+        return Ok(if end == exit::OK { exit::of_rows(run.outcome, &run.summary) } else { end });
     }
     let Held { expected, digest } = expectations::held(tool, args.expected.as_ref())?;
     let Job { selection, mut scenes, backends, engines, permutations, mut ledger } = match (&args.resume, &args.plan) {
@@ -182,7 +184,8 @@ pub fn run(mut args: Args, tool: &Tool) -> exit::Outcome {
     let by_level = budget(selection.level);
     let budget =
         Budget { permutations: permutations.unwrap_or(by_level.permutations), answers: ledger.answers, ..by_level };
-    let mut ended = records::Outcome::Complete;
+    // What ran out of time before it was resumed has.
+    let mut ended = later(records::Outcome::Complete, &ledger.done);
     // Each scene is dropped before the next.
     'scenes: for planned in &mut scenes {
         let scene = planned.plan.clone();
@@ -439,6 +442,7 @@ impl Job {
         })?;
         let permutations = args.permutations.or(permutations(plan));
         let (answers, left_out, places) = (plan.answers, plan.left_out.clone(), places(plan));
+        same_versions(folder, &backends)?;
         let (writer, before) =
             RunWriter::resume(folder, || env_of(&backends), &tables_of(tool, plan)).map_err(Failure::usage)?;
         // What a run that was killed has left of its workers.

@@ -78,6 +78,30 @@ fn an_engine_in_python_is_found_again_by_its_file() {
     write(&folder, "run/state.json", &read(&out, "state.json").replace("complete", "interrupted"));
     let resumed = crate::common::run(&["run", "--resume", &out]);
     assert_eq!(resumed.code, 100, "{}", resumed.stderr);
+    // Another version by then, or another name, is another engine.
+    write(&folder, "run/state.json", &read(&out, "state.json").replace("complete", "interrupted"));
+    for (file, from, to, why) in [
+        (
+            "here.py",
+            "version = '1'",
+            "version = '2'",
+            "the version of engine:mine was `1` when the run was begun, and is `2` now",
+        ),
+        (
+            "engine.toml",
+            "\"mine\"",
+            "\"other\"",
+            "it was `engine:mine` when this was planned, and is `engine:other` now",
+        ),
+    ] {
+        let file = format!("here/{file}");
+        let before = std::fs::read_to_string(at(&folder, &file)).unwrap();
+        write(&folder, &file, &before.replace(from, to));
+        let refused = expect(2, &["run", "--resume", &out]).stderr;
+        assert!(refused.contains(why) && refused.contains("start"), "{refused}");
+        write(&folder, &file, &before);
+    }
+    assert_eq!(crate::common::run(&["run", "--resume", &out]).code, 100, "with the engine that it was begun with");
     // Two of one name are two backends.
     python(&folder, "there", DETERMINANT);
     let (code, told) = call(&["run", &suite, "-b", "engine:here/engine.toml,engine:there/engine.toml", "--out", "two"]);

@@ -79,6 +79,26 @@ fn outputs_do_not_mix() {
     assert!(told.stdout.starts_with('#') && !told.stdout.contains("rows: "), "{}", told.stdout);
     let told = expect(2, &["gate", &out, "--summary", "-", "--json"]);
     assert!(told.stderr.contains("name a file for --summary"), "{}", told.stderr);
+    for (option, place) in [("--summary", format!("{out}/plan.json")), ("--junit", format!("{out}/../run/summary.csv"))]
+    {
+        let before = std::fs::read(&place).unwrap();
+        let told = expect(2, &["gate", &out, option, &place]).stderr;
+        assert!(
+            told.contains("a file of the run") && told.contains(&format!("name another place for {option}")),
+            "{told}"
+        );
+        assert_eq!(std::fs::read(&place).unwrap(), before);
+    }
+    let known = crate::common::write(&folder, "known.toml", "");
+    let told = expect(2, &["gate", &out, "--expected", &known, "--suggest", &at(&folder, "./known.toml")]).stderr;
+    assert!(told.contains("the command reads it"), "{told}");
+    let told = expect(2, &["report", &out, "--out", &out]).stderr;
+    assert!(told.contains("name another place for --out"), "{told}");
     let told = expect(2, &["gate", &out, "--summary", &file, "--junit", &file]);
-    assert!(told.stderr.contains("need a file each") && !std::path::Path::new(&file).exists(), "{}", told.stderr);
+    assert!(
+        told.stderr.contains("--summary writes it, too; name another place for --junit")
+            && !std::path::Path::new(&file).exists(),
+        "{}",
+        told.stderr
+    );
 }

@@ -52,6 +52,9 @@ fn what_ends_the_process_costs_one_row() {
     // Where time has run out, a run that is resumed goes past it.
     let resumed = run(&["run", "--resume", &at(&folder, "loops")]);
     assert!(resumed.stdout.ends_with("1 timeout\n"), "{}{}", resumed.stdout, resumed.stderr);
+    // It stays one that has run out of time.
+    assert_eq!(resumed.code, 103, "{}", resumed.stdout);
+    assert!(resumed.stdout.contains("; incomplete: out of time\n"), "{}", resumed.stdout);
 }
 
 #[test]

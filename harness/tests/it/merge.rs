@@ -84,6 +84,14 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
         parts[at] = other.to_owned();
         parts
     };
+    // In whatever order they are named, the whole is the same: a suite's file is where the first part has it.
+    let paths = |part: &str| std::fs::read(Path::new(part).join("plan.json")).unwrap();
+    let orders = [at(&folder, "forth"), at(&folder, "back")];
+    let mut back = parts.clone();
+    back.reverse();
+    merge(&parts, &orders[0], 0);
+    merge(&back, &orders[1], 0);
+    assert_eq!(paths(&orders[0]), paths(&orders[1]));
     let told = merge(&parts[1..6], &out, 103);
     assert!(told.contains("of the 7 parts these are missing: 1/7, 7/7"), "{told}");
     let again = of(&folder, QUICK, "again", Some(3), &[]);
@@ -103,7 +111,19 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
     let text = std::fs::read_to_string(&state).unwrap();
     std::fs::write(&state, text.replace("\"complete\"", "\"unfinished\"")).unwrap();
     assert!(merge(&with(2, &again), &out, 103).contains("part 3/7 is not complete; `run --resume` goes on with it"));
+    std::fs::write(&state, text.replace("\"complete\"", "\"timeout\"")).unwrap();
+    let told = merge(&with(2, &again), &out, 103);
+    assert!(
+        told.contains("part 3/7 ran out of time; run it anew in another folder, with a longer --timeout"),
+        "{told}"
+    );
     std::fs::write(&state, &text).unwrap();
+    let env = Path::new(&again).join("env.json");
+    let machine = std::fs::read_to_string(&env).unwrap();
+    std::fs::write(&env, machine.replace("\"peers\": {", "\"peers\": {\n\"engine:mine\": \"2\",")).unwrap();
+    let told = merge(&with(2, &again), &out, 2);
+    assert!(told.contains("another version than in") && told.contains("engine:mine is `2` and not unknown"), "{told}");
+    std::fs::write(&env, machine).unwrap();
     let segments = Path::new(&again).join("segments.csv");
     let rows = std::fs::read_to_string(&segments).unwrap();
     std::fs::write(&segments, rows.replacen("exact", "exsct", 1)).unwrap();

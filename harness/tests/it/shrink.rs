@@ -5,7 +5,7 @@ use std::fs;
 use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 
-use crate::common::{at, expect, run, tool};
+use crate::common::{at, expect, run, tool, write};
 
 /// A run of a family by naive, and its first finding of a class by a check.
 fn found(folder: &TempDir, filter: &str, backends: &str, class: &str, check: &str) -> (String, String) {
@@ -128,8 +128,11 @@ fn the_first_of_each_class_are_shrunk_after_a_run() {
         &out,
         "--shrink",
         "1",
+        "--expected",
+        &write(&folder, "none.toml", ""),
     ];
     let told = run(&args);
+    assert_eq!(told.code, 100, "{}", told.stderr);
     assert!(told.stdout.contains("shrunk.toml"), "{}\n{}", told.stdout, told.stderr);
     let suite = format!("{out}/shrunk/shrunk.toml");
     let text = fs::read_to_string(&suite).unwrap();
@@ -138,7 +141,7 @@ fn the_first_of_each_class_are_shrunk_after_a_run() {
     expect(0, &["corpus", "verify", &suite]);
     // A run that is complete has that left to do, such as where it was broken off.
     fs::remove_dir_all(format!("{out}/shrunk")).unwrap();
-    expect(0, &["run", "--resume", &out, "--shrink", "1"]);
+    expect(100, &["run", "--resume", &out, "--shrink", "1"]);
     assert_eq!(fs::read_to_string(&suite).unwrap(), text);
     // The tests are there: exact bits in Rust, hex floats in C++ and Python.
     let one = fs::read_dir(format!("{out}/shrunk")).unwrap().map(|entry| entry.unwrap().path());

@@ -13,7 +13,7 @@ use super::lock::{FILE as LOCK, Lock};
 use super::segments::{Piece, SegmentRow, pieces};
 use super::state::State;
 use super::{RunDir, RunWriter, TableSpec};
-use crate::{Error, ExpectedFile, Outcome, Plan, PlannedScene, Row, Shard};
+use crate::{Env, Error, ExpectedFile, Outcome, Plan, PlannedScene, Row, Shard};
 
 /// Why parts were not put together.
 #[derive(Clone, PartialEq, Debug)]
@@ -51,7 +51,7 @@ pub fn merge(
     folders: &[PathBuf],
     out: &Path,
     tables: &[TableSpec],
-    env: impl FnOnce(&[RunDir]) -> crate::Env,
+    env: impl FnOnce(&[RunDir]) -> Env,
 ) -> Result<RunDir, NotMerged> {
     let open = |folder: &PathBuf| {
         RunDir::open(folder).map_err(|error| NotMerged { error, is_incomplete: RunDir::is_unbegun(folder) })
@@ -103,10 +103,9 @@ pub fn merge(
 }
 
 /// The one part of a run, which is all of it, in a new folder.
-fn copied(run: &RunDir, out: &Path, tables: &[TableSpec], env: &crate::Env) -> Result<RunDir, NotMerged> {
+fn copied(run: &RunDir, out: &Path, tables: &[TableSpec], env: &Env) -> Result<RunDir, NotMerged> {
     if !run.is_complete() {
-        let error = Error::new(&run.path, "part 1/1 is not complete; `run --resume` goes on with it");
-        return Err(NotMerged { error, is_incomplete: true });
+        return Err(not_complete(run));
     }
     let site = Site::new(out)?;
     let mut writer = RunWriter::create(&site.folder, &run.plan, env, tables)?;
@@ -190,6 +189,18 @@ impl Part {
     }
 }
 
+/// Missing parts that are named.
+const NAMED: usize = 100;
+
+/// Why a part that has not come to its end is not merged.
+fn not_complete(run: &RunDir) -> NotMerged {
+    let why = match run.outcome {
+        Outcome::Timeout => "ran out of time; run it anew in another folder, with a longer --timeout",
+        _ => "is not complete; `run --resume` goes on with it",
+    };
+    NotMerged { error: Error::new(&run.path, format!("part {} {why}", run.plan.shard)), is_incomplete: true }
+}
+
 /// The plan of the whole that these are the parts of.
 fn whole(runs: &[RunDir]) -> Result<Plan, NotMerged> {
     let Some(first) = runs.first() else {
@@ -209,8 +220,7 @@ fn whole(runs: &[RunDir]) -> Result<Plan, NotMerged> {
             return refuse("it was made before parts could be merged; run it anew".to_owned());
         }
         if !run.is_complete() {
-            let error = Error::new(&run.path, format!("part {shard} is not complete; `run --resume` goes on with it"));
-            return Err(NotMerged { error, is_incomplete: true });
+            return Err(not_complete(run));
         }
         if let Some(difference) = difference(&first.plan, &run.plan) {
             return refuse(format!("another plan than that of {}: {difference}", first.path.display()));
@@ -219,15 +229,24 @@ fn whole(runs: &[RunDir]) -> Result<Plan, NotMerged> {
         if build(run) != build(first) {
             return refuse(format!("another build of the tool than that of {}", first.path.display()));
         }
+        if let Some(difference) = other_version(&first.env, &run.env) {
+            return refuse(format!("another version than in {}: {difference}; run it anew", first.path.display()));
+        }
         if let Some(other) = seen.insert(shard.index(), run) {
             return refuse(format!("part {shard} is {} already", other.path.display()));
         }
     }
     let count = first.plan.shard.count();
-    let missing: Vec<String> =
-        (1..=count).filter(|index| !seen.contains_key(index)).map(|index| format!("{index}/{count}")).collect();
+    let missing: Vec<String> = (1..=count)
+        .filter(|index| !seen.contains_key(index))
+        .take(NAMED)
+        .map(|index| format!("{index}/{count}"))
+        .collect();
     if !missing.is_empty() {
-        let error = Error::new(&first.path, format!("of the {count} parts these are missing: {}", missing.join(", ")));
+        let more = (count as usize - seen.len()).saturating_sub(NAMED);
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        let missing = missing.join(", ");
+        let error = Error::new(&first.path, format!("of the {count} parts these are missing: {missing}{more}"));
         return Err(NotMerged { error, is_incomplete: true });
     }
     let mut scenes: BTreeMap<u64, PlannedScene> = BTreeMap::new();
@@ -244,7 +263,19 @@ fn whole(runs: &[RunDir]) -> Result<Plan, NotMerged> {
         let message = format!("the parts have {} scenes of {expected}", scenes.len());
         return Err(Error::new(&first.path, message).into());
     }
+    // Where a file was is told as by the first part, in whatever order the folders are named.
+    let first = seen.first_key_value().map_or(first, |(_, run)| run);
     Ok(Plan { scenes: scenes.into_values().collect(), shard: Shard::WHOLE, whole: None, ..first.plan.clone() })
+}
+
+/// The first library or engine of which two runs have different versions, if there is one.
+fn other_version(one: &Env, other: &Env) -> Option<String> {
+    let names = one.peers.keys().chain(other.peers.keys());
+    let version = |env: &Env, name: &str| {
+        env.peers.get(name).map_or_else(|| "unknown".to_owned(), |version| format!("`{version}`"))
+    };
+    let differs = |name: &&String| one.peers.get(*name) != other.peers.get(*name);
+    names.filter(differs).min().map(|name| format!("{name} is {} and not {}", version(other, name), version(one, name)))
 }
 
 /// What distinguishes the plans of two parts, but for which part each is; none if nothing does.

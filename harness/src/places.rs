@@ -1,0 +1,53 @@
+//! Where output must not go: onto an input, onto other output, or onto the files of a run.
+
+use std::path::{Path, PathBuf};
+
+use crate::exit::Failure;
+
+/// Refuses output that would replace another file that the command reads or writes, or that would be taken for a file of a run.
+///
+/// `outputs` are the options with their files or folders, `inputs` are files that are read, and `runs` are folders of runs.
+///
+/// # Errors
+/// With the first such option, and what its place is.
+pub fn apart(outputs: &[(&str, &Path)], inputs: &[&Path], runs: &[&Path]) -> Result<(), Failure> {
+    let inputs: Vec<PathBuf> = inputs.iter().map(|path| resolved(path)).collect();
+    let runs: Vec<PathBuf> = runs.iter().map(|path| resolved(path)).collect();
+    for (at, (option, path)) in outputs.iter().enumerate() {
+        let place = resolved(path);
+        let other = outputs[..at].iter().find(|(_, other)| resolved(other) == place);
+        let why = if let Some((other, _)) = other {
+            format!("{other} writes it, too")
+        } else if inputs.contains(&place) {
+            "the command reads it".to_owned()
+        } else if let Some(run) = runs.iter().find(|run| is_of_run(run, &place)) {
+            format!("it would be a file of the run {}, which has to stay as it was written", run.display())
+        } else {
+            continue;
+        };
+        return Err(Failure::usage(format!("{}: {why}; name another place for {option}", path.display())));
+    }
+    Ok(())
+}
+
+/// Whether a place is the folder of a run, or in it and named as a run's own files are.
+fn is_of_run(run: &Path, place: &Path) -> bool {
+    place.strip_prefix(run).is_ok_and(|file| {
+        let ending = file.extension().and_then(|ending| ending.to_str());
+        file.as_os_str().is_empty()
+            || file.starts_with("maps")
+            || matches!(ending, Some("csv" | "json" | "lock" | "png"))
+    })
+}
+
+/// The one name of a file or folder that may not be there yet.
+fn resolved(path: &Path) -> PathBuf {
+    if let Ok(whole) = path.canonicalize() {
+        return whole;
+    }
+    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    match (path.parent(), path.file_name()) {
+        (Some(parent), Some(name)) => resolved(parent).join(name),
+        _ => path,
+    }
+}
