@@ -94,6 +94,8 @@ struct Tables<'k> {
 struct Table {
     /// Its columns, those in front included.
     columns: Vec<Typed>,
+    /// The file that is made.
+    place: PathBuf,
     sink: Box<dyn Sink>,
     rows: u64,
 }
@@ -154,9 +156,9 @@ impl Tables<'_> {
                 self.notes.push(format!("{file}: this tool has no schema of it, so its columns are text"));
             }
             let name = format!("{}.{}", file.strip_suffix(".csv").unwrap_or(file), self.format.ending());
-            let place = self.places.start(&name)?;
-            let sink = self.format.start(place, &typed).map_err(|message| Error::new(name.as_ref(), message))?;
-            self.open.insert(file.to_owned(), Table { columns: typed, sink, rows: 0 });
+            let (made, place) = (self.places.start(&name)?, self.places.place(&name));
+            let sink = self.format.start(made, &typed).map_err(|message| Error::new(&place, message))?;
+            self.open.insert(file.to_owned(), Table { columns: typed, place, sink, rows: 0 });
         }
         self.open.get_mut(file).ok_or_else(|| Error::new(file.as_ref(), "the table was not started"))
     }
@@ -166,7 +168,7 @@ impl Tables<'_> {
         let mut rows = BTreeMap::new();
         for (file, table) in self.open {
             let name = file.strip_suffix(".csv").unwrap_or(&file).to_owned();
-            table.sink.finish().map_err(|message| Error::new(file.as_ref(), message))?;
+            table.sink.finish().map_err(|message| Error::new(&table.place, message))?;
             rows.insert(format!("{name}.{}", self.format.ending()), table.rows);
         }
         self.places.check_others(self.format.ending())?;
@@ -211,7 +213,8 @@ impl Table {
         }
         let values = self.columns.iter().zip(&cells).map(|(column, cell)| column.value(cell));
         let values: Vec<Value<'_>> = values.collect::<Result<_, _>>()?;
-        self.sink.push(&cells, &values)?;
+        let written = self.sink.push(&cells, &values);
+        written.map_err(|message| format!("{} can't be written: {message}", self.place.display()))?;
         self.rows += 1;
         Ok(())
     }

@@ -29,6 +29,11 @@ impl Places {
         PathBuf::from(beside)
     }
 
+    /// Where the file of this name will be.
+    pub fn place(&self, name: &str) -> PathBuf {
+        self.folder.join(name)
+    }
+
     /// An empty file that will have this name. What a killed export has left of it is written over.
     pub fn start(&mut self, name: &str) -> Result<File, Error> {
         let beside = self.beside(name);

@@ -15,7 +15,7 @@ use parquet::errors::ParquetError;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
-use predicament_records::Kind;
+use predicament_records::{Kind, with_cure};
 
 use crate::sink::Sink;
 use crate::value::{Typed, Value};
@@ -163,5 +163,8 @@ fn field(column: &Typed) -> Result<Arc<Type>, ParquetError> {
 }
 
 fn told(error: ParquetError) -> String {
-    error.to_string()
+    match &error {
+        ParquetError::External(of) => of.downcast_ref().map_or_else(|| error.to_string(), with_cure),
+        _ => error.to_string(),
+    }
 }

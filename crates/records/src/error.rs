@@ -47,7 +47,8 @@ impl Error {
 }
 
 /// An operating system error, with what to do about it where that is not the same for all.
-pub(crate) fn with_cure(error: &std::io::Error) -> String {
+#[must_use]
+pub fn with_cure(error: &std::io::Error) -> String {
     let cure = match error.kind() {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => "make room, and go on: what was done before is kept",
         ErrorKind::FileTooLarge => "raise the limit of a file's size, and go on: what was done before is kept",

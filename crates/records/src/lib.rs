@@ -37,7 +37,7 @@ mod work;
 pub use answers::AnswerRow;
 pub use balance::{Basis, Costs, balance, part_of_id};
 pub use env::Env;
-pub use error::Error;
+pub use error::{Error, with_cure};
 pub use imported::ImportRow;
 pub use junit::junit;
 pub use lined::Rows;

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use super::driver::{Bench, Shape, differing, files, with_out, words_of};
-use crate::common::told;
+use crate::common::{expect, told};
 
 /// A shell that runs a script with these words as its arguments.
 #[cfg(unix)]
@@ -42,6 +42,23 @@ fn files_that_may_not_grow_are_named_and_the_run_goes_on_when_they_may() {
         }
         let (was, became) = bench.settle(Shape::Plain, &out, &format!("{limit} blocks"));
         println!("{limit} blocks: code {}; left: {was}; {became}", refused.code);
+    }
+}
+
+/// An export and a merge that reach such a limit say so, too.
+#[test]
+#[cfg(unix)]
+fn exports_and_merges_name_the_file_that_may_not_grow() {
+    let bench = Bench::new(&[Shape::Plain]);
+    let [out, data, whole] = ["part", "data", "whole"].map(|name| bench.place(name).display().to_string());
+    expect(0, &["run", "ties", "-b", "exact", "-q", "--shard", "1/1", "--out", &out]);
+    for words in [&["export", &out, "--out", &data][..], &["merge", &out, "--out", &whole]] {
+        let owned = text_of(&words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>());
+        let called: Vec<&str> = owned.iter().map(String::as_str).collect();
+        let refused = told(shell("ulimit -f 2; exec \"$@\"", &called).output().unwrap());
+        let is_clear = refused.stderr.contains("raise the limit of a file's size") && refused.stderr.contains(words[3]);
+        assert!(refused.code == 2 && is_clear, "{words:?}: code {}: {}", refused.code, refused.stderr);
+        expect(0, words);
     }
 }
 
