@@ -90,6 +90,10 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
     let mut back = parts.clone();
     back.reverse();
     merge(&parts, &orders[0], 0);
+    // A link leads to a place as good as any.
+    std::fs::create_dir(at(&folder, "empty")).unwrap();
+    #[cfg(unix)]
+    std::os::unix::fs::symlink(at(&folder, "empty"), &orders[1]).unwrap();
     merge(&back, &orders[1], 0);
     assert_eq!(paths(&orders[0]), paths(&orders[1]));
     let told = merge(&parts[1..6], &out, 103);

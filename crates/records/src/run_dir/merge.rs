@@ -53,6 +53,9 @@ pub fn merge(
     tables: &[TableSpec],
     env: impl FnOnce(&[RunDir]) -> Env,
 ) -> Result<RunDir, NotMerged> {
+    // The folder that a link leads to is replaced, and not the link.
+    let led = out.is_symlink().then(|| out.canonicalize().ok()).flatten();
+    let out = led.as_deref().unwrap_or(out);
     let open = |folder: &PathBuf| {
         RunDir::open(folder).map_err(|error| NotMerged { error, is_incomplete: RunDir::is_unbegun(folder) })
     };
