@@ -171,7 +171,11 @@ fn held(of: &Of, tool: &Tool, may_begin: bool) -> Result<Held, Failure> {
 fn judged(of: &Of, held: &Held) -> Result<RunDir, Failure> {
     let mut run = RunDir::open(&of.run).map_err(Failure::usage)?;
     if !run.is_complete() {
-        let message = format!("{}: the run is {}; complete it first", of.run.display(), run.outcome.describe());
+        let cure = match run.outcome {
+            records::Outcome::Timeout => "run it anew with a longer --timeout",
+            _ => "complete it first: `run --resume` does",
+        };
+        let message = format!("{}: the run is {}; {cure}", of.run.display(), run.outcome.describe());
         return Err(Failure { message, code: exit::INCOMPLETE });
     }
     expectations::hold(&held.expected, &mut run);
