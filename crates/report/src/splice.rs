@@ -13,36 +13,67 @@ const END: &str = " -->";
 
 /// The page with what stands between its marks replaced by the sections that they name, in Markdown, and how many there were.
 ///
+/// A page whose lines all end by CR LF stays one.
+///
 /// # Errors
-/// If a mark names no section, has no end, or there is none.
+/// If a mark names no section, has no end, is not closed before the next one, or there is none.
 pub fn splice(page: &str, runs: &[RunDir], of_tasks: &[Section]) -> Result<(String, usize), Error> {
-    let fail = |line: usize, message: String| Error::new("page".as_ref(), format!("line {line}: {message}"));
     let all = sections(runs, of_tasks)?;
     let (mut text, mut rest, mut count) = (String::new(), page, 0);
     while let Some(start) = rest.find(OPEN) {
-        let line = page[..page.len() - rest.len() + start].lines().count() + 1;
+        let line = page[..page.len() - rest.len() + start].matches('\n').count() + 1;
         let (before, marked) = rest.split_at(start);
-        let (name, after) = marked[OPEN.len()..]
-            .split_once(END)
-            .ok_or_else(|| fail(line, format!("`{OPEN}` has no `{END}` after it")))?;
-        let (_, after) =
-            after.split_once(CLOSE).ok_or_else(|| fail(line, format!("there is no `{CLOSE}` after it")))?;
-        let (id, only_tables) =
-            name.trim().split_once(' ').map_or((name.trim(), false), |(id, what)| (id, what == "tables"));
-        let section = all.iter().find(|section| section.id == id).ok_or_else(|| {
-            let ids: Vec<&str> = all.iter().map(|section| section.id).collect();
-            fail(line, format!("no section is called `{id}`; there are {}", ids.join(", ")))
-        })?;
-        let mut section = section.clone();
-        if only_tables {
-            section.lead.clear();
-            section.blocks.retain(|block| matches!(block, Block::Table(_)));
-        }
-        text += &format!("{before}{OPEN}{name}{END}\n{}\n{CLOSE}", section_markdown(&section)?.trim());
+        let (name, after) = held(marked, line)?;
+        let section = section_markdown(&named(name, &all, line)?)?;
+        text += &format!("{before}{OPEN}{name}{END}\n{}\n{CLOSE}", section.trim());
         (rest, count) = (after, count + 1);
     }
     if count == 0 {
         return Err(Error::new("page".as_ref(), format!("there is no mark; write `{OPEN}glance{END}` and `{CLOSE}`")));
     }
-    Ok((text + rest, count))
+    Ok((with_line_ends_of(page, text + rest), count))
+}
+
+fn fail(line: usize, message: &str) -> Error {
+    Error::new("page".as_ref(), format!("line {line}: {message}"))
+}
+
+/// What the mark in this line names, where a text begins by it, and what comes after its closing mark.
+fn held(marked: &str, line: usize) -> Result<(&str, &str), Error> {
+    let (name, after) =
+        marked[OPEN.len()..].split_once(END).ok_or_else(|| fail(line, &format!("`{OPEN}` has no `{END}` after it")))?;
+    let open = |before: &str| {
+        fail(line, &format!("`{OPEN}{name}{END}` is not closed{before}; write `{CLOSE}` where its part ends"))
+    };
+    let (part, after) = after.split_once(CLOSE).ok_or_else(|| open(""))?;
+    match part.find(OPEN) {
+        // All up to there is the user's own text.
+        Some(next) => {
+            let lines = name.matches('\n').count() + part[..next].matches('\n').count();
+            Err(open(&format!(" before line {}, where the next mark is", line + lines)))
+        }
+        None => Ok((name, after)),
+    }
+}
+
+/// The section that a mark names, or only its tables.
+fn named(name: &str, all: &[Section], line: usize) -> Result<Section, Error> {
+    let (id, only_tables) =
+        name.trim().split_once(' ').map_or((name.trim(), false), |(id, what)| (id, what == "tables"));
+    let section = all.iter().find(|section| section.id == id).ok_or_else(|| {
+        let ids: Vec<&str> = all.iter().map(|section| section.id).collect();
+        fail(line, &format!("no section is called `{id}`; there are {}", ids.join(", ")))
+    })?;
+    let mut section = section.clone();
+    if only_tables {
+        section.lead.clear();
+        section.blocks.retain(|block| matches!(block, Block::Table(_)));
+    }
+    Ok(section)
+}
+
+/// A text with CR LF at the end of each line where all lines of the page end so.
+fn with_line_ends_of(page: &str, text: String) -> String {
+    let [all, windows] = ["\n", "\r\n"].map(|end| page.matches(end).count());
+    if all > 0 && all == windows { text.replace("\r\n", "\n").replace('\n', "\r\n") } else { text }
 }

@@ -482,6 +482,17 @@ fn a_report_beside_an_earlier_run_and_in_a_page_of_ones_own() {
     let said = expect(2, &["report", &now, "--splice", &page, "--out", &report]).stderr;
     assert!(said.contains("page.md") && said.contains("there is no mark"), "{said}");
     assert_eq!(std::fs::read_to_string(&page).unwrap(), "no marks\n");
+    // A closing mark that was forgotten costs no text.
+    let forgotten = "<!-- predicament: glance -->\n\nMy long text\n\n<!-- predicament: findings -->\nold\n<!-- /predicament -->\nend\n";
+    std::fs::write(&page, forgotten).unwrap();
+    let said = expect(2, &["report", &now, "--splice", &page, "--out", &report]).stderr;
+    assert!(said.contains("page.md: line 1: ") && said.contains("is not closed before line 5"), "{said}");
+    assert_eq!(std::fs::read_to_string(&page).unwrap(), forgotten);
+    // A page whose lines end by CR LF has no others afterwards.
+    std::fs::write(&page, "Mine\r\n<!-- predicament: glance tables -->\r\n<!-- /predicament -->\r\n").unwrap();
+    expect(0, &["report", &now, "--splice", &page, "--out", &report]);
+    let spliced = std::fs::read_to_string(&page).unwrap();
+    assert!(spliced.contains("\r\n| `exact` | ") && !spliced.replace("\r\n", "").contains(['\r', '\n']), "{spliced}");
 }
 
 #[test]

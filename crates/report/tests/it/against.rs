@@ -68,6 +68,9 @@ fn sections_go_where_their_marks_are() {
     let whole = markdown(&runs(), &[]).unwrap();
     assert!(once.lines().filter(|line| line.starts_with("| `")).all(|line| whole.contains(line)));
     assert_eq!(splice(&once, &runs(), &[]).unwrap().0, once, "and again");
+    // A page of an editor on Windows stays one.
+    let windows = splice(&page.replace('\n', "\r\n"), &runs(), &[]).unwrap().0;
+    assert_eq!(windows, once.replace('\n', "\r\n"));
 }
 
 #[test]
@@ -77,6 +80,12 @@ fn marks_that_name_nothing_are_refused() {
     assert!(refused("\n<!-- predicament: nothing -->\n<!-- /predicament -->").starts_with("line 2: no section"));
     assert!(refused("<!-- predicament: glance -->\n").contains("<!-- /predicament -->"));
     assert!(refused("<!-- predicament: glance").contains("-->"));
+    assert!(refused("x <!-- predicament: bogus --> y <!-- /predicament -->").starts_with("line 1: no section"));
+    // The text between a mark that is not closed and the next one is not replaced.
+    let forgotten =
+        "\n<!-- predicament: glance -->\n\nMy text\n\n<!-- predicament: heat -->\nold\n<!-- /predicament -->\n";
+    let why = refused(forgotten);
+    assert!(why.starts_with("line 2: `<!-- predicament: glance -->` is not closed before line 6"), "{why}");
 }
 
 #[test]
