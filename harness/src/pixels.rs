@@ -10,8 +10,6 @@ use predicament_tasks::{Class, Contestant};
 
 use crate::exit::Failure;
 
-const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
-
 /// From one place of a raster to the next.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Step {
@@ -53,6 +51,7 @@ impl Walk<'_> {
             return Err(Failure::usage(format!("{}: {bad} is no input vertex of the scene", self.query)));
         }
         scene.has_dimension_for(question.kind()).map_err(|why| Failure::usage(why.to_string()))?;
+        has_axes(scene, named_axes(question).iter().chain(&self.axes))?;
         let &walker = args
             .get(self.place)
             .ok_or_else(|| Failure::usage(format!("{} has {} vertices, from 0 on", self.query, args.len())))?;
@@ -85,10 +84,7 @@ impl Walk<'_> {
     /// The coordinates of all places, row after row from below; the vertex itself is in the middle.
     fn places(&self, walker: Vertex) -> Result<Vec<Vec<f64>>, Failure> {
         let at = self.scene.point(walker);
-        let [right, up] = self.axes.map(|axis| AXES.iter().position(|&other| other == axis).unwrap_or(0));
-        if let Some(missing) = [right, up].into_iter().find(|&axis| axis >= at.len()) {
-            return Err(Failure::usage(format!("the scene has no {} axis", AXES[missing].name())));
-        }
+        let [right, up] = self.axes.map(Axis::index);
         let half = i64::try_from(self.side / 2).map_err(Failure::usage)?;
         let along = |axis: usize| -> Result<Vec<f64>, Failure> {
             let places: Vec<f64> = (-half..-half + i64::try_from(self.side).map_err(Failure::usage)?)
@@ -106,6 +102,23 @@ impl Walk<'_> {
             place
         };
         Ok(rows.iter().flat_map(|&y| columns.iter().map(move |&x| place(y, x))).collect())
+    }
+}
+
+/// The axes that a question names, and looks at alone.
+fn named_axes(question: Question) -> Vec<Axis> {
+    match question {
+        Question::Compare(axis) => vec![axis],
+        Question::Orient2d(plane) => plane.axes().to_vec(),
+        Question::Orient3d | Question::Incircle | Question::Insphere => Vec::new(),
+    }
+}
+
+/// Refuses axes that the scene lacks.
+fn has_axes<'a>(scene: &Scene, mut axes: impl Iterator<Item = &'a Axis>) -> Result<(), Failure> {
+    match axes.find(|axis| axis.index() >= scene.dimension().count()) {
+        Some(missing) => Err(Failure::usage(format!("the scene has no {} axis", missing.name()))),
+        None => Ok(()),
     }
 }
 

@@ -1,6 +1,6 @@
 //! `map`: a square of queries as a picture, one tile per backend.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use predicament_corpus::LoadedScene;
 use predicament_predicates::{Axis, Plane, Query, Sign};
@@ -96,7 +96,7 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
-    let is_svg = args.out.extension().is_some_and(|extension| extension == "svg");
+    let is_svg = is_svg(&args.out)?;
     let backends = tool.pick(&args.backends)?;
     let (loaded, query) = what(&args, tool)?;
     let Raster { scene, content, side } = match &query {
@@ -127,6 +127,15 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     replace(&args.out, &bytes).map_err(Failure::usage)?;
     say!("{}", args.out.display());
     Ok(exit::OK)
+}
+
+/// Whether the file is to be a sheet in SVG, and not a PNG picture, by its name.
+fn is_svg(out: &Path) -> Result<bool, Failure> {
+    match out.extension().and_then(|extension| extension.to_str()) {
+        Some("svg") => Ok(true),
+        Some("png") => Ok(false),
+        _ => Err(Failure::usage(format!("--out {}: name a file that ends in .png or .svg", out.display()))),
+    }
 }
 
 /// What stands on a sheet.

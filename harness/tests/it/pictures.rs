@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use tempfile::tempdir;
 
-use crate::common::{at, expect};
+use crate::common::{at, expect, run};
 
 type Colour = [u8; 3];
 
@@ -58,4 +58,26 @@ fn left_is_blue_right_is_red_the_line_is_yellow_and_wrong_is_dark() {
     assert!(help.contains("red/yellow/blue for -/0/+"), "{help}");
     let readme = std::fs::read_to_string("../README.md").unwrap().replace('\n', " ");
     assert!(readme.contains("Blue is left, red is right, yellow is on the line; dark is wrong"), "{readme}");
+}
+
+#[test]
+fn what_cannot_be_drawn_is_said_before_anything_is_written() {
+    let folder = tempdir().unwrap();
+    let refused = |words: &[&str], name: &str, said: &str| {
+        let out = at(&folder, name);
+        let told = run(&[&["map", "kettner-a1-global", "-b", "exact", "--side", "5", "--out", &out], words].concat());
+        assert!(told.code == 2 && told.stderr.contains(said), "{words:?}: {} {}", told.code, told.stderr);
+        assert!(!folder.path().join(name).exists(), "{name}");
+    };
+    for words in [
+        &["--query", "orient2d(yz; 0 1 2)"][..],
+        &["--query", "orient2d(yz; 0 1 2)", "--plane", "xy"],
+        &["--query", "orient2d(xy; 0 1 2)", "--plane", "yz"],
+        &["--query", "compare(z; 0 1)"],
+    ] {
+        refused(words, "z.svg", "the scene has no z axis");
+    }
+    for name in ["c.jpg", "c", "c.PNG"] {
+        refused(&["--query", "orient2d(xy; 0 1 2)"], name, &format!("{name}: name a file that ends in .png or .svg"));
+    }
 }
