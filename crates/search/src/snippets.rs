@@ -147,7 +147,7 @@ impl Subject<'_> {
             let _ = writeln!(text, "    # {}", call.query);
             let names: Vec<String> = call.points.iter().enumerate().map(|(at, _)| letter(at)).collect();
             for (name, point) in names.iter().zip(&call.points) {
-                let _ = writeln!(text, "    {name} = ({})  # {point:?}", fromhexes(point));
+                let _ = writeln!(text, "    {name} = ({},)  # {point:?}", fromhexes(point));
             }
             let _ = writeln!(text, "    sign = {}({})", call.function, names.join(", "));
             let _ = match truth(call) {
@@ -266,4 +266,27 @@ fn tuples(items: &Items, [open, close]: [char; 2], quote: &str) -> String {
     };
     let all: Vec<String> = (0..items.len()).map(tuple).collect();
     format!("{open}{}{close}", all.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use predicament_tasks::Class;
+
+    use super::*;
+
+    #[test]
+    fn a_point_in_python_is_a_tuple_even_of_one_number() {
+        let spelled = Spelled { points: vec![vec![0.0, 1.0], vec![2.0, 1.0]], ..Spelled::default() };
+        for (query, truth, points) in [
+            ("compare(x; 0 1)", "-", ["    a = (h(\"0x0p+0\"),)  # [0.0]\n", "    b = (h(\"0x1p+1\"),)  # [2.0]\n"]),
+            ("orient2d(xy; 0 1 1)", "0", ["    a = (h(\"0x0p+0\"), h(\"0x1p+0\"),)  # ", "    b = (h(\"0x1p+1\"), "]),
+        ] {
+            let queries = vec![query.parse().unwrap()];
+            let finding = Finding::plain(Class::SignFlip, "sign", queries, "+".to_owned(), truth.to_owned());
+            let subject =
+                Subject { spelled: &spelled, finding: &finding, backend: "mine", name: "one", suite: "one.toml" };
+            let text = subject.python();
+            assert!(points.iter().all(|point| text.contains(point)), "{text}");
+        }
+    }
 }
