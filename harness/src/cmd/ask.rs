@@ -23,7 +23,8 @@ taken in order, as many for each query as the predicate takes.
 
 Columns: query and args, the exact sign, its value as the nearest double (inf, in JSON null, where it is beyond all) and as a
 fraction, then for each backend its answer, with the class where that is not
-`agree`, and the stage that decided it. A backend that declines says why on stderr.
+`agree`, and the stage that decided it; in CSV three columns each, such as `naive answer`, `naive class`, `naive stage`.
+A backend that declines says why on stderr.
 
 Examples:
   predicament ask orient2d 0,0 1,0 0.5,0x1p-60
@@ -215,7 +216,7 @@ fn csv(rows: &[Row], answered: &[(String, Outcome)]) -> Result<(), csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let mut head = ["query", "args", "exact", "value", "exact_value"].map(str::to_owned).to_vec();
     for (name, _) in answered {
-        head.extend([name.clone(), format!("{name} class"), format!("{name} stage")]);
+        head.extend(["answer", "class", "stage"].map(|what| format!("{name} {what}")));
     }
     writer.write_record(&head)?;
     for row in rows {

@@ -14,7 +14,9 @@ fn typed_points_are_answered_by_every_backend() {
     let lines: Vec<&str> = told.stdout.lines().collect();
     assert_eq!(
         lines[0],
-        "query,args,exact,value,exact_value,exact,exact class,exact stage,naive,naive class,naive stage,sos,sos class,sos stage"
+        "query,args,exact,value,exact_value,exact answer,exact class,exact stage,\
+         naive answer,naive class,naive stage,sos answer,sos class,sos stage",
+        "no name is there twice"
     );
     // (a - c) × (b - c) = (-23.5)(-12) - (-23.5 + 2^-53)(-12) = 12 · 2^-53
     let row = "orient2d(xy; 0 1 2),0 1 2,+,1.3322676295501878e-15,3/2251799813685248,+,agree,";
