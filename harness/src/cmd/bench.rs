@@ -56,7 +56,7 @@ pub struct Args {
 
     /// Stop sampling a backend when its median is known to this fraction (the
     /// 95 % confidence interval of the median, by order statistics); 0 takes all samples
-    #[arg(long, value_name = "FRACTION", default_value_t = 0.05)]
+    #[arg(long, value_name = "FRACTION", default_value_t = 0.05, value_parser = fraction)]
     pub precision: f64,
 
     /// A run of the same scenes whose judgements are taken over: answers are not judged
@@ -75,6 +75,13 @@ pub struct Args {
     /// A new folder; the first free predicament-bench-N if left out
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+}
+
+/// How well a median has to be known: a part of it, from 0 on and below 1.
+fn fraction(text: &str) -> Result<f64, String> {
+    let precision = text.parse().ok().filter(|precision| (0.0..1.0).contains(precision));
+    precision
+        .ok_or_else(|| format!("`{text}` is no precision; write a fraction such as 0.05 for 5 %, or 0 for all samples"))
 }
 
 /// One backend at its starting line.

@@ -83,6 +83,12 @@ fn usage_is_answered_with_what_there_is() {
     fails(2, &["run", "--threads", "0", "--out", &out], &["--threads"]);
     fails(2, &["gate", &at(&folder, "nowhere")], &["nowhere"]);
     fails(2, &["bench", "--samples", "0"], &["--samples"]);
+    for precision in ["nan", "-1", "-inf", "inf", "1e9", "5", "x"] {
+        let option = format!("--precision={precision}");
+        let told = run(&["bench", "classics", "-b", "exact", "--samples", "2", &option, "--out", &out]);
+        let said = format!("`{precision}` is no precision; write a fraction such as 0.05");
+        assert!(told.code == 2 && told.stderr.contains(&said), "{precision}: {} {}", told.code, told.stderr);
+    }
     fails(2, &["corpus", "fetch", "no-such-key"], &["no-such-key", "world-110m"]);
     fails(
         104,
