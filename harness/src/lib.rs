@@ -30,6 +30,7 @@
 #[macro_use]
 mod out;
 
+mod adding;
 mod baseline;
 mod bounds;
 mod child;

@@ -347,7 +347,7 @@ fn add(tool: &Tool, file: &Path, saved: &Saved) -> Result<(), Failure> {
     for find in &saved.state.finds {
         let before = std::fs::read_to_string(file).unwrap_or_default();
         if !before.contains(&format!("\"{}\"", saved.name(find))) {
-            super::shrink::add(tool, file, &saved.scene(tool, find)?)?;
+            crate::adding::add(tool, file, &saved.scene(tool, find)?)?;
         }
     }
     Ok(())

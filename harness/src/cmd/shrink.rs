@@ -5,13 +5,12 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
-use predicament_formats::Manifest;
 use predicament_predicates::Class;
 use predicament_records::{FindingRow, RunDir, replace};
 
 use super::replay::{find, load};
+use crate::adding::add;
 use crate::exit::{self, Failure};
-use crate::line_ends::{is_crlf, to_crlf, to_lf};
 use crate::out::program;
 use crate::planning::free_folder;
 use crate::shrinking::{self, Job, Measure, STATE, SUITE, State};
@@ -285,46 +284,4 @@ fn resumed<'a>(args: &Args, tool: &'a Tool, folder: &Path) -> Result<Job<'a>, Fa
     let start = loaded.spelled().ok_or_else(|| Failure::usage("the task cannot write its scenes out"))?;
     let source = source_of(&loaded.source);
     Ok(Job { tool, state, start, source, named: Vec::new() })
-}
-
-/// A suite without the scene that has the name of this one, if that was shrunk as well.
-fn without(suite: &str, table: &str) -> String {
-    const HEAD: &str = "[[scene]]\n";
-    let name = |table: &str| table.lines().find(|line| line.starts_with("name = ")).map(str::to_owned);
-    let wanted = name(table);
-    let mut tables = suite.split_inclusive(HEAD);
-    let mut kept = tables.next().unwrap_or_default().to_owned();
-    for table in tables {
-        // What is split off is the head of the next one.
-        if name(table) == wanted && table.contains("\nsource = \"shrunk from ") {
-            kept.truncate(kept.len() - HEAD.len());
-            kept.truncate(kept.trim_end().len());
-            kept.push('\n');
-            // Comments before the next one are its.
-            let lines = table.split_inclusive('\n').rev();
-            let is_of_next = |line: &&str| *line == HEAD || line.starts_with('#') || line.trim().is_empty();
-            let of_next: Vec<&str> = lines.take_while(is_of_next).collect();
-            kept.extend(of_next.into_iter().rev());
-        } else {
-            kept.push_str(table);
-        }
-    }
-    kept
-}
-
-/// Adds a scene to a suite, which stays as it is otherwise, or puts it in the place of a larger one of the same finding.
-pub fn add(tool: &Tool, file: &Path, table: &str) -> Result<(), Failure> {
-    let before = match std::fs::read_to_string(file) {
-        Ok(text) => text,
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => "title = \"Shrunk findings\"\n".to_owned(),
-        Err(error) => return Err(Failure::io(file)(error)),
-    };
-    let is_crlf = is_crlf(&before);
-    let kept = without(&if is_crlf { to_lf(&before) } else { before }, table);
-    let text = format!("{}\n\n{table}", kept.trim_end());
-    let text = if is_crlf { to_crlf(&text) } else { text };
-    let name = file.display().to_string();
-    // Twice the same scene, or the same name, is an error of the suite: nothing is written then.
-    predicament_corpus::Suite::parse(tool.vocabulary(), &name, &text, file.parent(), &Manifest::default())?;
-    replace(file, text.as_bytes()).map_err(Failure::usage)
 }

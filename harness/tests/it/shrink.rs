@@ -45,7 +45,7 @@ fn a_wrong_sign_among_thousands_is_three_points() {
     expect(0, &["shrink", &id, "--run", &run_dir, "--out", &at(&folder, "two"), "--into", &suite]);
     assert_eq!(fs::read_to_string(&suite).unwrap().matches("[[scene]]").count(), 1);
     // A scene with its name that is somebody's own is an error of the suite, which stays as it was.
-    let before = before.replace("source = \"shrunk from", "source = \"seen in");
+    let before = before.replace("source = \"shrunk from", "source = \"seen in").replace("[0.5, 0.5]", "[0.5, 0.25]");
     fs::write(&suite, &before).unwrap();
     let told = expect(104, &["shrink", &id, "--run", &run_dir, "--out", &at(&folder, "three"), "--into", &suite]);
     assert!(told.stderr.contains("mine.toml"), "{}", told.stderr);
@@ -66,7 +66,8 @@ fn what_runs_out_of_evaluations_goes_on_and_ends_as_well() {
     let before = state(&short);
     assert_eq!((before["end"].as_str(), before["evaluations"].as_u64()), (Some("evaluations"), Some(5)));
     // Its larger scene gives way to the smallest; what stands beside it, with its comment, does not.
-    let own = "# mine\n[[scene]]\nname = \"own\"\ntask = \"orient2d\"\npoints = [[0, 0], [1, 0], [0, 1]]\nqueries = [[0, 1, 2]]\n";
+    let own = "# mine\n  [[scene]] # by hand\nname = \"own\"\ntask = \"orient2d\"\npoints = [[0, 0], [1, 0], [0, 1]]\nqueries = [[0, 1, 2]]\n\n\
+               [[generate]]\nname = \"near\"\nfamily = \"near\"\ntask = \"orient3d\"\nn = 50\nseed = 3\n";
     let larger = fs::read_to_string(&suite).unwrap();
     // The file is one of an editor on Windows, and stays so.
     fs::write(&suite, format!("{larger}\n{own}").replace('\n', "\r\n")).unwrap();
@@ -76,6 +77,16 @@ fn what_runs_out_of_evaluations_goes_on_and_ends_as_well() {
     assert_eq!(smallest.replace('\n', "\r\n"), written);
     assert!(smallest.matches("[[scene]]").count() == 2 && smallest.contains(own), "{smallest}");
     assert!(smallest.len() < larger.len() + own.len() && smallest.contains(&id), "{smallest}");
+    // And not the other way around; nor is the same scene added twice under another name.
+    let again = at(&folder, "again");
+    let told = expect(0, &[&["shrink", &id, "--run", &run_dir, "--out", &again][..], &limit].concat());
+    assert!(told.stderr.contains("nothing was added, as it has one that is as small"), "{}", told.stderr);
+    let named = smallest.replace("name = \"orient2d-sign-flip", "name = \"another-sign-flip");
+    assert_ne!(named, smallest);
+    fs::write(&suite, &named).unwrap();
+    let told = expect(0, &["shrink", "--resume", &short, "--into", &suite]);
+    assert!(told.stderr.contains("nothing was added, as it has this scene in line"), "{}", told.stderr);
+    assert_eq!(fs::read_to_string(&suite).unwrap(), named);
     // What says that it is of another task, or has no limit, is refused.
     let file = format!("{short}/shrink.json");
     let text = fs::read_to_string(&file).unwrap();
