@@ -100,17 +100,27 @@ impl Saved {
         put(STATE, &serde_json::to_string(self).map_err(Failure::usage)?)
     }
 
-    /// The finds as a suite.
+    /// The finds as a suite, in which a scene that shows several stands once.
     fn suite(&self, tool: &Tool) -> Result<String, Failure> {
         let mut text = "title = \"Finds of a hunt\"\n".to_owned();
-        for find in &self.state.finds {
+        if self.state.finds.iter().any(|find| find.class == Class::Inconsistent.name()) {
+            text +=
+                "# Laws between predicates are held against answers with plenty of time only: `run --level full`.\n";
+        }
+        for find in self.state.finds.iter().filter(|find| std::ptr::eq(self.first(find), *find)) {
             text += &format!("\n{}", self.scene(tool, find)?);
         }
         Ok(text)
     }
 
-    /// The name of a find: what it shows, and which scene it is.
+    /// The first find of the scene of this one.
+    fn first<'f>(&'f self, find: &'f Find) -> &'f Find {
+        self.state.finds.iter().find(|other| other.scene_id == find.scene_id).unwrap_or(find)
+    }
+
+    /// The name of a find's scene: what was first found to show in it, and which scene it is.
     pub fn name(&self, find: &Find) -> String {
+        let find = self.first(find);
         let backend = self.order.shown_by.first().map_or("", String::as_str);
         let backend: String = backend.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
         let id: String = find.scene_id.chars().take(8).collect();
@@ -132,6 +142,10 @@ impl Saved {
                 let space = if what == "of" { " " } else { "" };
                 analysis += &format!("{space}{what} {said}");
             }
+        }
+        let others = self.state.finds.iter().filter(|other| other.scene_id == find.scene_id);
+        for other in others.filter(|other| (&other.class, &other.check) != (&find.class, &find.check)) {
+            analysis += &format!("; {} ({}) as well", other.class, other.check);
         }
         let (tags, analysis) = (["hunted".to_owned()], analysis.replace('\n', " "));
         Ok(spelled.table(Heading { name: &self.name(find), tags: &tags, source: &source, analysis: &analysis }))

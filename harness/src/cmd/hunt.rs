@@ -75,7 +75,7 @@ pub struct Args {
 
     /// Finds after which it ends: of each class and check one, or more where both are named; 1 there, else 10
     #[arg(long, value_name = "K")]
-    pub finds: Option<usize>,
+    pub finds: Option<std::num::NonZeroUsize>,
 
     /// Suites to begin with, by name or file, or `shapes` for small whole numbers; all embedded ones and shapes if left out
     #[arg(long, value_name = "SUITE", conflicts_with = "resume")]
@@ -128,7 +128,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     };
     let by_time = args.seconds.is_some() && args.evaluations.is_none();
     saved.evaluations = args.evaluations.unwrap_or(if by_time { u64::MAX } else { saved.evaluations });
-    saved.finds = args.finds.unwrap_or(saved.finds);
+    saved.finds = args.finds.map_or(saved.finds, std::num::NonZeroUsize::get);
     interrupt::listen();
     let ended = hunt(args, tool, &mut saved, seeds, &folder)?;
     if let Some(file) = &args.into {
@@ -270,9 +270,12 @@ fn begun(args: &Args, tool: &Tool, task: &str) -> Result<(Saved, Vec<Seed>), Fai
     for name in names(&args.backends).iter().chain(&names(&args.not_by)).filter(|name| !tool.knows_backend(name)) {
         tool.backend(name).map_err(Failure::usage)?;
     }
+    possible(args, &names(&args.backends), &names(&args.not_by))?;
     let nothing = seeds.is_empty() && !(shapes && has_shapes(task));
     if nothing {
-        let message = format!("no small scene of {task} is written out in these suites; name others with --from");
+        let message = format!(
+            "no small scene of {task} is written out in these suites; name others with --from, or another task: docs/SEARCH.md says which have such scenes"
+        );
         return Err(Failure::usage(message));
     }
     let order = Order {
@@ -290,6 +293,17 @@ fn begun(args: &Args, tool: &Tool, task: &str) -> Result<(Saved, Vec<Seed>), Fai
     };
     let finds = if pinned { 1 } else { 10 };
     Ok((Saved { order, evaluations: EVALUATIONS, finds, seconds: 0.0, state: State::default() }, seeds))
+}
+
+/// Refuses what no hunt can find.
+fn possible(args: &Args, shown_by: &[String], not_by: &[String]) -> Result<(), Failure> {
+    if let Some(both) = not_by.iter().find(|name| shown_by.contains(name)) {
+        return Err(Failure::usage(format!("--not-by {both}: -b has it too, and it can't do both; drop one")));
+    }
+    if let Some(class) = args.class.filter(|class| class.is_legal()) {
+        return Err(Failure::usage(format!("--class {class}: no finding is of this class; name another, or none")));
+    }
+    Ok(())
 }
 
 /// What stands for all embedded suites.

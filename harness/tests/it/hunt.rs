@@ -77,6 +77,9 @@ fn what_cannot_be_hunted_is_refused_with_the_cure() {
         (vec!["hunt", "contacts2d", "-b", "exact", "--from", "shapes", "--out", &out], "no small scene of contacts2d"),
         (vec!["hunt", "--resume", "nowhere"], "name the folder of a `hunt` that was begun"),
         (vec!["hunt", "orient2d", "-b", "exact", "--class", "wrong"], "wrong"),
+        (vec!["hunt", "orient2d", "-b", "sos", "--class", "tie_broken"], "no finding is of this class"),
+        (vec!["hunt", "orient2d", "-b", "naive,exact", "--not-by", "naive"], "-b has it too"),
+        (vec!["hunt", "orient2d", "-b", "naive", "--finds", "0"], "--finds"),
     ] {
         let refused = expect(2, &args);
         assert!(refused.stderr.contains(told), "{args:?}: {}", refused.stderr);
@@ -92,5 +95,15 @@ fn unions_of_cubes_are_hunted() {
         let told =
             expect(0, &["hunt", "cube-union", "-b", "exact", "--evaluations", "200", "--seed", seed, "--out", &out]);
         assert!(told.stdout.contains("done") || told.stderr.contains("done"), "{} {}", told.stdout, told.stderr);
+    }
+    // Two findings in one scene are two finds, and one scene of the suite.
+    let [out, suite] = ["finds", "mine.toml"].map(|name| at(&folder, name));
+    let hunt = ["hunt", "cube-union", "-b", "naive", "--seed", "11", "--evaluations", "100", "--out", &out];
+    expect(0, &[&hunt[..], &["--into", &suite]].concat());
+    let text = fs::read_to_string(format!("{out}/finds.toml")).unwrap();
+    let rows = fs::read_to_string(format!("{out}/hunt.csv")).unwrap().lines().count() - 1;
+    assert!(text.matches("[[scene]]").count() < rows && text.contains(" as well"), "{rows} finds: {text}");
+    for file in [&format!("{out}/finds.toml"), &suite] {
+        expect(0, &["corpus", "verify", file]);
     }
 }

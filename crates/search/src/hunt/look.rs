@@ -32,6 +32,8 @@ pub struct Quarry<'a> {
 /// What a scene shows.
 #[derive(Clone, Debug)]
 pub(super) struct Seen {
+    /// The scene as its text is read: what is derived from it does not depend on whether the hunt was stopped and read from its file.
+    pub spelled: Spelled,
     /// What is wanted, of the first backend; the others show findings of the same class and check.
     pub findings: Vec<Finding>,
     /// How high it is by each measure.
@@ -62,10 +64,11 @@ impl Quarry<'_> {
     /// [`Stop::Interrupted`].
     pub(super) fn look(&self, spelled: &Spelled) -> Result<Option<Seen>, Stop> {
         let Ok(loaded) = spelled.loaded(self.vocabulary, "hunted") else { return Ok(None) };
-        self.look_at(&loaded)
+        let read = loaded.spelled().unwrap_or_else(|| spelled.clone());
+        self.look_at(&loaded, read)
     }
 
-    fn look_at(&self, loaded: &LoadedScene) -> Result<Option<Seen>, Stop> {
+    fn look_at(&self, loaded: &LoadedScene, spelled: Spelled) -> Result<Option<Seen>, Stop> {
         let watch = self.watch.restarted(self.limit);
         let case = match self.task.case(loaded, &watch) {
             Ok(case) => case,
@@ -95,7 +98,7 @@ impl Quarry<'_> {
         let declined = shown.iter().flat_map(|outcome| &outcome.findings).find(|one| one.class == Class::Declined);
         let heights = heights::of(loaded, self, &shown);
         let conduct = heights::conduct(loaded, &shown, &heights);
-        Ok(Some(Seen { findings, heights, conduct, declined: declined.map(|one| one.got.clone()) }))
+        Ok(Some(Seen { spelled, findings, heights, conduct, declined: declined.map(|one| one.got.clone()) }))
     }
 
     /// The same backends, asked for one class and check alone.

@@ -159,8 +159,8 @@ impl<'a> Hunt<'a> {
             let Some(seen) = seen else { continue };
             state.evaluations += 1;
             declined.extend(seen.declined);
-            let Child { spelled, parents, story } = child;
-            let (heights, conduct, number) = (seen.heights, seen.conduct, state.scenes);
+            let Child { parents, story, .. } = child;
+            let (spelled, heights, conduct, number) = (seen.spelled, seen.heights, seen.conduct, state.scenes);
             if first && self.seeds.get(place).is_some_and(|seed| state.known.contains(&seed.name)) {
                 continue;
             }
