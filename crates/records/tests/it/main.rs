@@ -3,5 +3,6 @@
 mod hostile;
 mod junit;
 mod once;
+mod resumed;
 mod run_dir;
 mod schema;
