@@ -273,9 +273,7 @@ fn begun(args: &Args, tool: &Tool, task: &str) -> Result<(Saved, Vec<Seed>), Fai
     possible(args, &names(&args.backends), &names(&args.not_by))?;
     let nothing = seeds.is_empty() && !(shapes && has_shapes(task));
     if nothing {
-        let message = format!(
-            "no small scene of {task} is written out in these suites; name others with --from, or another task: docs/SEARCH.md says which have such scenes"
-        );
+        let message = format!("no small scene of {task} is in these suites; name others with --from");
         return Err(Failure::usage(message));
     }
     let order = Order {
@@ -326,19 +324,15 @@ fn resumed(saved: &Saved, tool: &Tool, folder: &Path) -> Result<Vec<Seed>, Failu
 
 fn seeds_of(tool: &Tool, task: &str, names: &[String], all: bool) -> Result<Vec<Seed>, Failure> {
     let library = tool.library()?;
-    let mut found = Vec::new();
+    let mut suites = Vec::new();
     if all {
-        for suite in library.suites() {
-            found.extend(seeds(suite, task)?);
-        }
-        for suite in tool.own_suites()? {
-            found.extend(seeds(&suite, task)?);
-        }
+        suites.extend(library.suites().iter().cloned());
+        suites.extend(tool.own_suites()?);
     }
     for name in names {
-        found.extend(seeds(&library.suite(name)?, task)?);
+        suites.push(library.suite(name)?);
     }
-    Ok(found)
+    Ok(seeds(&suites, task)?)
 }
 
 fn digest_of(seeds: &[Seed]) -> u64 {

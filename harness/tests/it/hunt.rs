@@ -86,6 +86,23 @@ fn what_cannot_be_hunted_is_refused_with_the_cure() {
     }
 }
 
+/// Maps and meshes are read when they are run, and have probes by the hundred.
+#[test]
+fn maps_and_meshes_are_hunted() {
+    let folder = tempdir().unwrap();
+    for task in ["polygon-locate", "mesh-locate", "mesh-intersect"] {
+        let [suite, out] = ["toml", "out"].map(|end| at(&folder, &format!("{task}.{end}")));
+        expect(0, &["new", &suite, "--task", task]);
+        let hunt =
+            ["hunt", task, "-b", "naive", "--from", &suite, "--finds", "1", "--evaluations", "600", "--out", &out];
+        let told = expect(0, &hunt);
+        assert!(told.stdout.starts_with("1. "), "{task}: {}{}", told.stdout, told.stderr);
+        let again = at(&folder, &format!("again-{task}"));
+        let finds = format!("{out}/finds.toml");
+        assert_eq!(run(&["run", &finds, "-b", "naive", "-q", "--out", &again]).code, 100, "{task}");
+    }
+}
+
 /// Cubes are rows of four numbers, which have no shear.
 #[test]
 fn unions_of_cubes_are_hunted() {

@@ -87,7 +87,7 @@ impl<'a> Hunt<'a> {
         let task = quarry.task.name();
         let population = state.population(quarry.vocabulary, heights(task).len())?;
         if seeds.is_empty() && !(options.shapes && has_shapes(task)) {
-            return Err(format!("no small scene of {task} is written out in these suites; name others"));
+            return Err(format!("no small scene of {task} is in these suites; name others"));
         }
         let mut hunt = Hunt { quarry, options, seeds, population, state };
         hunt.leave_out_known();

@@ -1,6 +1,6 @@
 //! What a hunt begins with: small scenes of suites, and points with small whole coordinates.
 
-use predicament_corpus::{Level, LoadedScene, Random, Spelled, Suite};
+use predicament_corpus::{Level, LoadedScene, Random, SceneDef, Spelled, Suite};
 use predicament_formats::{Cache, CorpusError};
 use predicament_predicates::{Axis, Dimension, Plane, PredicateKind, QuerySet, Question, Scene, Vertex};
 use predicament_tasks::Budget;
@@ -19,16 +19,22 @@ pub struct Seed {
     pub spelled: Spelled,
 }
 
+/// Probes of a scene that has many.
+const PROBES: usize = 8;
+
 /// Queries of a scene that has many: each is a seed of its own, with the vertices that it names.
 const QUERIES: usize = 3;
 
-/// The scenes of a suite that are of this task and written out in it, where they are small or consist of queries.
+/// The scenes of suites that are of this task and written out in them, where they are small or consist of queries. Where there is none,
+/// those that are read when they are asked for: maps and meshes to locate in are, also where they stand in a suite's text.
 ///
 /// # Errors
 /// [`CorpusError`] where a scene cannot be loaded.
-pub fn seeds(suite: &Suite, task: &str) -> Result<Vec<Seed>, CorpusError> {
+pub fn seeds(suites: &[Suite], task: &str) -> Result<Vec<Seed>, CorpusError> {
+    let of_task = || suites.iter().flat_map(|suite| &suite.scenes).filter(|def| def.task == task && !def.needs_fetch());
+    let is_held = of_task().any(SceneDef::is_written);
     let mut seeds = Vec::new();
-    for def in suite.scenes.iter().filter(|def| def.task == task && def.is_written()) {
+    for def in of_task().filter(|def| def.is_written() == is_held) {
         let loaded = def.load(Level::Quick, &Cache::new(""))?;
         seeds.extend(of_scene(&loaded));
     }
@@ -44,10 +50,17 @@ fn of_scene(loaded: &LoadedScene) -> Vec<Seed> {
             let one = |query: usize| drop_unnamed(&keep_items(&spelled, 0, |at| at == query));
             if count <= 1 { vec![drop_unnamed(&spelled)] } else { Budget::spread(count, 1, QUERIES).map(one).collect() }
         }
-        _ => vec![spelled],
+        _ => vec![fewer_probes(spelled)],
     };
     let small = |part: &Spelled| !part.rows().is_empty() && part.rows().len() <= MOST_ROWS;
     parts.into_iter().filter(small).map(|spelled| Seed { name: name.clone(), spelled }).collect()
+}
+
+/// The scene with some of its probes, where it has many: maps and meshes to locate in have them by the hundred.
+fn fewer_probes(spelled: Spelled) -> Spelled {
+    let Some(list) = spelled.lists.iter().position(|list| list.key == "probes") else { return spelled };
+    let kept: Vec<usize> = Budget::spread(spelled.lists[list].items.len(), 1, PROBES).collect();
+    keep_items(&spelled, list, |at| kept.contains(&at))
 }
 
 /// Whether there are shapes for a task, points with small whole coordinates and queries about them: for those of signs.

@@ -82,7 +82,7 @@ fn the_number_of_threads_changes_nothing_and_a_stop_neither() {
 #[test]
 fn what_is_derived_is_the_same_from_memory_and_from_a_file() {
     let library = Library::embedded(vocabulary()).unwrap();
-    let seeds = library.suites().iter().flat_map(|suite| seeds(suite, "contacts2d").unwrap()).collect();
+    let seeds = seeds(library.suites(), "contacts2d").unwrap();
     let order = Order { seeds, finds: 40, ..Order::new("contacts2d", "epsilon:1e-4", None) };
     let whole = order.hunt(250, State::default());
     let stopped = order.hunt(120, State::default());
@@ -104,7 +104,7 @@ fn a_right_backend_gives_no_find() {
 #[test]
 fn seeds_that_show_it_already_are_left_out() {
     let library = Library::embedded(vocabulary()).unwrap();
-    let seeds = seeds(&library.suite("classics").unwrap(), "orient2d").unwrap();
+    let seeds = seeds(&[library.suite("classics").unwrap()], "orient2d").unwrap();
     assert!(seeds.len() > 3 && seeds.iter().all(|seed| seed.spelled.points.len() <= 40));
     let order = Order { seeds, ..Order::new("orient2d", "naive", Some(Class::SignFlip)) };
     let state = order.hunt(1, State::default());
