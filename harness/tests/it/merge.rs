@@ -84,18 +84,6 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
         parts[at] = other.to_owned();
         parts
     };
-    // In whatever order they are named, the whole is the same: a suite's file is where the first part has it.
-    let paths = |part: &str| std::fs::read(Path::new(part).join("plan.json")).unwrap();
-    let orders = [at(&folder, "forth"), at(&folder, "back")];
-    let mut back = parts.clone();
-    back.reverse();
-    merge(&parts, &orders[0], 0);
-    // A link leads to a place as good as any.
-    std::fs::create_dir(at(&folder, "empty")).unwrap();
-    #[cfg(unix)]
-    std::os::unix::fs::symlink(at(&folder, "empty"), &orders[1]).unwrap();
-    merge(&back, &orders[1], 0);
-    assert_eq!(paths(&orders[0]), paths(&orders[1]));
     let told = merge(&parts[1..6], &out, 103);
     assert!(told.contains("of the 7 parts these are missing: 1/7, 7/7"), "{told}");
     let again = of(&folder, QUICK, "again", Some(3), &[]);
@@ -155,6 +143,30 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
     expect(103, &["gate", &parts[0], "--baseline", &again]);
     expect(0, &["run", "--resume", &again]);
     merge(&with(2, &again), &out, 0);
+}
+
+/// The first part says where the file of a suite is, whichever folder is named first; and a link leads to a place as good as any.
+#[test]
+fn the_order_of_the_folders_changes_nothing() {
+    let folder = tempdir().unwrap();
+    let suite = crate::common::write(&folder, "mine.toml", crate::common::SUITE);
+    std::fs::create_dir(at(&folder, "sub")).unwrap();
+    let names = [at(&folder, "sub/../mine.toml"), suite];
+    let part = |k: usize| {
+        let out = at(&folder, &format!("part{k}"));
+        let shard = format!("{k}/2");
+        let told = run(&["run", &names[k - 1], "-b", "exact", "-q", "--shard", &shard, "--out", &out]);
+        assert!([0, 4].contains(&told.code), "{}", told.stderr);
+        out
+    };
+    let (one, two) = (part(1), part(2));
+    let [forth, back] = ["forth", "back"].map(|name| at(&folder, name));
+    merge(&[one.clone(), two.clone()], &forth, 0);
+    std::fs::create_dir(at(&folder, "empty")).unwrap();
+    #[cfg(unix)]
+    std::os::unix::fs::symlink(at(&folder, "empty"), &back).unwrap();
+    merge(&[two, one], &back, 0);
+    assert_eq!(files(Path::new(&forth)), files(Path::new(&back)));
 }
 
 /// A part that was stopped in the middle and resumed is the part that was not.
