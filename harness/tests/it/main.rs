@@ -9,6 +9,7 @@ mod data;
 mod diff;
 mod engines;
 mod expect;
+mod gate;
 mod gate_summary;
 mod habits;
 mod hunt;
