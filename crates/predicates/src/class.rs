@@ -1,4 +1,4 @@
-//! The twelve classes of answers, and the status that the gate gives a scene.
+//! The thirteen classes of answers, their severities, and the status that the gate gives a scene.
 //!
 //! They live here, below everything, because the oracle decides on them, the
 //! report prints them, and neither needs the other.
@@ -27,6 +27,8 @@ pub enum Class {
     Nan,
     /// A topology check failed.
     Topology,
+    /// A check of a whole scene failed by the rounding of output coordinates alone, within the check's stated bound.
+    Rounded,
     /// The backend panicked.
     Panic,
     /// The backend took too long.
@@ -36,8 +38,8 @@ pub enum Class {
 }
 
 impl Class {
-    /// All twelve, in the order of the columns of `summary.csv`.
-    pub const ALL: [Class; 12] = [
+    /// All thirteen, in the order of the columns of `summary.csv`.
+    pub const ALL: [Class; 13] = [
         Class::Agree,
         Class::TieBroken,
         Class::InBand,
@@ -47,6 +49,7 @@ impl Class {
         Class::Inconsistent,
         Class::Nan,
         Class::Topology,
+        Class::Rounded,
         Class::Panic,
         Class::Timeout,
         Class::Declined,
@@ -65,6 +68,7 @@ impl Class {
             Class::Inconsistent => "inconsistent",
             Class::Nan => "nan",
             Class::Topology => "topology",
+            Class::Rounded => "rounded",
             Class::Panic => "panic",
             Class::Timeout => "timeout",
             Class::Declined => "declined",
@@ -89,7 +93,24 @@ impl Class {
     /// Whether the class is of single answers, and not of a whole scene.
     #[must_use]
     pub const fn is_answer(self) -> bool {
-        !matches!(self, Class::Topology | Class::Panic | Class::Timeout | Class::Declined)
+        !matches!(self, Class::Topology | Class::Rounded | Class::Panic | Class::Timeout | Class::Declined)
+    }
+
+    /// How bad the class is.
+    #[must_use]
+    pub const fn severity(self) -> Severity {
+        match self {
+            Class::Agree | Class::TieBroken => Severity::Right,
+            Class::InBand => Severity::Undecided,
+            Class::Rounded => Severity::Rounded,
+            Class::Panic | Class::Timeout | Class::Declined => Severity::NotDone,
+            Class::Overreach
+            | Class::MissedZero
+            | Class::SignFlip
+            | Class::Inconsistent
+            | Class::Nan
+            | Class::Topology => Severity::Broken,
+        }
     }
 }
 
@@ -106,6 +127,57 @@ impl std::str::FromStr for Class {
         Class::ALL.into_iter().find(|class| class.name() == name).ok_or_else(|| {
             let names: Vec<&str> = Class::ALL.iter().map(|class| class.name()).collect();
             format!("no class is called `{name}`; the classes are {}", names.join(", "))
+        })
+    }
+}
+
+/// How bad a result is, whoever gave it: what pages colour by and gates can filter by.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Severity {
+    /// Nothing is wrong: the exact answer, or a tie broken as promised.
+    Right,
+    /// No decision: the value is within the tolerance band.
+    Undecided,
+    /// An output is off by the rounding of its coordinates, within a stated bound.
+    Rounded,
+    /// No answer: declined, out of time, or crashed.
+    NotDone,
+    /// A sign is wrong, or a topology is.
+    Broken,
+}
+
+impl Severity {
+    /// All five, from good to bad.
+    pub const ALL: [Severity; 5] =
+        [Severity::Right, Severity::Undecided, Severity::Rounded, Severity::NotDone, Severity::Broken];
+
+    /// The name used in every file.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Severity::Right => "right",
+            Severity::Undecided => "undecided",
+            Severity::Rounded => "rounded",
+            Severity::NotDone => "not_done",
+            Severity::Broken => "broken",
+        }
+    }
+}
+
+impl std::fmt::Display for Severity {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl std::str::FromStr for Severity {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Severity, String> {
+        Severity::ALL.into_iter().find(|severity| severity.name() == name).ok_or_else(|| {
+            let names: Vec<&str> = Severity::ALL.iter().map(|severity| severity.name()).collect();
+            format!("no severity is called `{name}`; the severities are {}", names.join(", "))
         })
     }
 }
@@ -173,5 +245,16 @@ mod tests {
         let wrong: Vec<&str> = Class::ALL.into_iter().filter(|c| c.is_wrong_answer()).map(Class::name).collect();
         assert_eq!(wrong, ["overreach", "missed_zero", "sign_flip", "inconsistent", "nan"]);
         assert!(Class::ALL.into_iter().all(|c| c.is_answer() || !c.is_wrong_answer()));
+    }
+
+    #[test]
+    fn each_severity_has_a_class_and_wrong_answers_are_broken() {
+        for severity in Severity::ALL {
+            assert!(Class::ALL.into_iter().any(|class| class.severity() == severity), "{severity}");
+            assert_eq!(severity.name().parse(), Ok(severity));
+            assert_eq!(serde_json::to_string(&severity).unwrap(), format!("\"{severity}\""));
+        }
+        let broken = |class: Class| class.severity() == Severity::Broken;
+        assert!(Class::ALL.into_iter().all(|c| broken(c) == (c.is_wrong_answer() || c == Class::Topology)));
     }
 }

@@ -12,7 +12,7 @@
 //! * [`Contract`]: what zero means; [`Band`]: how wide it is; [`Declined`]: why it refuses.
 //! * [`QuerySet`]: many questions as data; [`Query`]: one of them as text and back.
 //! * [`Broken`]: what a session throws where it cannot answer, such as one whose process has crashed.
-//! * [`Class`]: how an answer compares with the truth; [`Status`]: how the gate sees a scene.
+//! * [`Class`]: how an answer compares with the truth, and [`Severity`]: how bad that is; [`Status`]: how the gate sees a scene.
 //! * [`Tally`]: which stage settled a query; free of cost where it is off.
 //! * [`answer_by!`], [`forward_to!`]: the methods of a session that wraps another one.
 
@@ -36,7 +36,7 @@ mod wrap;
 
 pub use backend::{Backend, Predicates};
 pub use broken::Broken;
-pub use class::{Class, Status};
+pub use class::{Class, Severity, Status};
 pub use construction::{Construction, ConstructionError};
 pub use constructs::{Constructs, Refused};
 pub use contract::{Band, Contract, Declined, ZeroMeaning};

@@ -43,9 +43,9 @@ pub use junit::junit;
 pub use lined::Rows;
 pub use phases::PhaseRow;
 pub use plan::{ExpectedFile, FORMAT, Level, NotSelected, Plan, PlannedScene, Shard, Whole};
-pub use predicament_predicates::{Class, Status};
+pub use predicament_predicates::{Class, Severity, Status};
 pub use replace::replace;
-pub use rows::{FindingRow, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
+pub use rows::{FindingRow, Interface, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow};
 pub use run_dir::{
     CostRow, Lined, NotMerged, NotRun, Outcome, Record, RunDir, RunFolder, RunWriter, SegmentRow, TABLES, TableSpec,
     merge,

@@ -8,9 +8,8 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-/// The version of the run folder's format that this crate writes, and the
-/// newest that it reads.
-pub const FORMAT: u32 = 1;
+/// The version of the run folder's format that this crate writes and reads.
+pub const FORMAT: u32 = 2;
 
 /// How thorough a run is.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]

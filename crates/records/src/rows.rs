@@ -4,8 +4,8 @@
 //! their documentation is the published schema ([`table!`](crate::table)).
 //! Columns are a contract; other programs read them.
 
-use serde::Serialize;
 use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
 
 use crate::{Class, Column, PlannedScene, Status};
 
@@ -41,7 +41,7 @@ crate::table! {
     /// `summary.csv`: one scene on one backend.
     ///
     /// The first eight counts are of answers to queries or registered contacts,
-    /// the last four of whole scenes: 0 or the number of checks that failed.
+    /// the last five of whole scenes: 0 or the number of checks that failed.
     pub struct SummaryRow [Clone, PartialEq, Eq, Debug] in "summary.csv" {
         /// The suite's name.
         pub suite: String,
@@ -73,6 +73,8 @@ crate::table! {
         pub nan: u64,
         /// Checks of the whole scene that failed: class `topology`.
         pub topology: u64,
+        /// Checks of the whole scene that failed by the rounding of output coordinates alone: class `rounded`.
+        pub rounded: u64,
         /// Panics of the backend: class `panic`.
         pub panic: u64,
         /// Scenes that took too long: class `timeout`.
@@ -110,6 +112,7 @@ impl SummaryRow {
             inconsistent: 0,
             nan: 0,
             topology: 0,
+            rounded: 0,
             panic: 0,
             timeout: 0,
             declined: 0,
@@ -130,6 +133,7 @@ impl SummaryRow {
             Class::Inconsistent => self.inconsistent,
             Class::Nan => self.nan,
             Class::Topology => self.topology,
+            Class::Rounded => self.rounded,
             Class::Panic => self.panic,
             Class::Timeout => self.timeout,
             Class::Declined => self.declined,
@@ -148,6 +152,7 @@ impl SummaryRow {
             Class::Inconsistent => &mut self.inconsistent,
             Class::Nan => &mut self.nan,
             Class::Topology => &mut self.topology,
+            Class::Rounded => &mut self.rounded,
             Class::Panic => &mut self.panic,
             Class::Timeout => &mut self.timeout,
             Class::Declined => &mut self.declined,
@@ -215,6 +220,42 @@ crate::table! {
     }
 }
 
+/// How a backend was asked while it was timed. Times of different interfaces are never compared.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Interface {
+    /// One query at a time.
+    Single,
+    /// Slices of queries, which the backend answers by code of its own.
+    Batch,
+    /// Slices of queries, which the backend answers by a loop over single ones.
+    Loop,
+    /// The answer to a whole scene.
+    Whole,
+}
+
+impl Interface {
+    /// All four.
+    pub const ALL: [Interface; 4] = [Interface::Single, Interface::Batch, Interface::Loop, Interface::Whole];
+
+    /// The name used in every file.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Interface::Single => "single",
+            Interface::Batch => "batch",
+            Interface::Loop => "loop",
+            Interface::Whole => "whole",
+        }
+    }
+}
+
+impl std::fmt::Display for Interface {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name())
+    }
+}
+
 crate::table! {
     /// `throughput.csv`: one timed sample.
     pub struct ThroughputRow [Clone, PartialEq, Debug] in "throughput.csv" {
@@ -224,6 +265,8 @@ crate::table! {
         pub family: String,
         /// The backend's name, with its parameters.
         pub backend: String,
+        /// How the backend was asked: one query at a time, in batches, or for the answer to a whole scene.
+        pub interface: Interface,
         /// The version of the engine behind the backend.
         pub engine_version: String,
         /// How many queries the sample timed.

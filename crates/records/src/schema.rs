@@ -94,7 +94,7 @@ macro_rules! typed {
 }
 
 typed! {
-    Text: String, Class, Status;
+    Text: String, Class, Status, crate::Interface;
     Int64: u8, i32, u32, u64;
     Float64: f64;
     Bool: bool;

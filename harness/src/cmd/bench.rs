@@ -13,8 +13,9 @@ use std::time::{Duration, Instant};
 
 use predicament_corpus::LoadedScene;
 use predicament_oracle::caught;
+use predicament_predicates::PredicateKind;
 use predicament_records::{
-    self as records, FindingRow, Plan, PlannedScene, RunDir, RunWriter, Shard, SummaryRow, ThroughputRow,
+    self as records, FindingRow, Interface, Plan, PlannedScene, RunDir, RunWriter, Shard, SummaryRow, ThroughputRow,
 };
 use predicament_tasks::contacts::Complexes;
 use predicament_tasks::mesh_intersect::TwoMeshes;
@@ -90,6 +91,8 @@ pub struct Runner<'a> {
     pub name: String,
     family: String,
     version: String,
+    /// How it is asked.
+    interface: Interface,
     /// The threads that it uses.
     pub threads: usize,
     /// Its passes.
@@ -200,6 +203,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
                         name: peer.name,
                         family: scene.family.clone(),
                         version: peer.version,
+                        interface: interface(&scene.task),
                         threads: 1,
                         watch: timed.watch,
                         judged: timed.judged,
@@ -293,6 +297,7 @@ fn start<'a>(
             watch: caught(|| solver.stopwatch(&loaded.scene, loaded.content.as_ref(), threads))
                 .map_err(|broken| broken.to_string())
                 .flatten()?,
+            interface: interface(&scene.task),
             threads,
             judged,
             queries: scene.queries,
@@ -301,6 +306,12 @@ fn start<'a>(
         })
     };
     threads.iter().map(runner).collect()
+}
+
+/// How backends are asked on this task: sign tasks ask in batches.
+fn interface(task: &str) -> Interface {
+    let is_sign = PredicateKind::ALL.into_iter().any(|kind| kind.name() == task);
+    if is_sign { Interface::Batch } else { Interface::Whole }
 }
 
 /// Prepares predicates that return at once: what they answer is not judged, only that it stays the same.
@@ -397,6 +408,7 @@ impl Samples {
                     task: scene.task.clone(),
                     family: runner.family.clone(),
                     backend: runner.name.clone(),
+                    interface: runner.interface,
                     engine_version: runner.version.clone(),
                     queries: runner.queries,
                     sample,

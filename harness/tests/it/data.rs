@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 
 use predicament::records::moment;
-use predicament::records::{Env, Outcome, Plan, PlannedScene, RunDir, RunWriter, Shard, ThroughputRow};
+use predicament::records::{Env, Interface, Outcome, Plan, PlannedScene, RunDir, RunWriter, Shard, ThroughputRow};
 use serde_json::Value;
 use tempfile::tempdir;
 
@@ -145,6 +145,7 @@ fn year(folder: &Path, nights: u64) {
                         task,
                         family,
                         backend,
+                        interface: Interface::Batch,
                         engine_version,
                         queries: 1000,
                         sample,

@@ -7,8 +7,8 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 use predicament_export::{Error, Exported, Format, Watch, export, find};
 use predicament_records::{
-    Env, FORMAT, FindingRow, Level, Outcome, Plan, PlannedScene, RunFolder, RunWriter, Shard, TABLES, TableSpec,
-    ThroughputRow, serde,
+    Env, FORMAT, FindingRow, Interface, Level, Outcome, Plan, PlannedScene, RunFolder, RunWriter, Shard, TABLES,
+    TableSpec, ThroughputRow, serde,
 };
 
 predicament_records::table! {
@@ -130,6 +130,7 @@ pub fn start_run(folder: &Path, started: &str, kinds: &[KindsRow]) -> RunWriter 
         task: "orient2d".to_owned(),
         family: "near".to_owned(),
         backend: "exact".to_owned(),
+        interface: Interface::Batch,
         engine_version: String::new(),
         queries: 3,
         sample,

@@ -103,13 +103,14 @@ impl RunDir {
     /// had begun there may be nothing else.
     ///
     /// # Errors
-    /// If the plan can't be read, is not as the run has written it, or has a newer format.
+    /// If the plan can't be read, is not as the run has written it, or has another format.
     pub fn plan(path: impl AsRef<Path>) -> Result<Plan, Error> {
         let (folder, path) = (path.as_ref(), path.as_ref().join(PLAN));
         let bytes = read_regular(&path)?;
         let plan: Plan = of_json(&path, &bytes)?;
-        if plan.format > FORMAT {
-            let message = format!("the run has format {}, and this tool reads formats up to {FORMAT}", plan.format);
+        if plan.format != FORMAT {
+            let cure = if plan.format < FORMAT { "run its suites again" } else { "use a newer version of the tool" };
+            let message = format!("the run has format {}, and this tool reads format {FORMAT}; {cure}", plan.format);
             return Err(Error::new(folder, message));
         }
         if !State::is_missing(folder) {

@@ -5,8 +5,8 @@ use std::io::Write;
 use std::path::Path;
 
 use predicament_records::{
-    Class, Env, ExpectedFile, FORMAT, FindingRow, Level, Outcome, PhaseRow, Plan, PlannedScene, PrecisionRow, Record,
-    Row, RunDir, RunWriter, Shard, StageRow, Status, SummaryRow, TableSpec, ThroughputRow,
+    Class, Env, ExpectedFile, FORMAT, FindingRow, Interface, Level, Outcome, PhaseRow, Plan, PlannedScene,
+    PrecisionRow, Record, Row, RunDir, RunWriter, Shard, StageRow, Status, SummaryRow, TableSpec, ThroughputRow,
 };
 use serde::{Deserialize, Serialize};
 
@@ -106,6 +106,7 @@ fn throughput() -> ThroughputRow {
         task: "orient2d".to_owned(),
         family: "near".to_owned(),
         backend: "exact".to_owned(),
+        interface: Interface::Batch,
         engine_version: "0.1.0".to_owned(),
         queries: u64::MAX,
         sample: 0,

@@ -1,6 +1,6 @@
 //! What is compared with what, in panels, headlines and `figures.csv`.
 
-use predicament_records::{Class, PlannedScene, RunDir, Status, SummaryRow, ThroughputRow};
+use predicament_records::{Class, Interface, PlannedScene, RunDir, Status, SummaryRow, ThroughputRow};
 use predicament_report::{markdown, scatter, write_pages};
 
 fn runs() -> Vec<RunDir> {
@@ -27,6 +27,7 @@ fn with_families_that_sos_lacks() -> Vec<RunDir> {
                 task: scene.task.clone(),
                 family: family.to_owned(),
                 backend: backend.to_owned(),
+                interface: Interface::Batch,
                 engine_version: "1".to_owned(),
                 queries: 1000,
                 sample: 0,
