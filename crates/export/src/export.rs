@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use predicament_records::{Column, Error, Kind, Outcome, RunFolder, TableSpec};
 
+use crate::copies::Copies;
 use crate::find::Found;
 use crate::front::{self, FRONT, OWN_TABLES, RunRow};
 use crate::place::Places;
@@ -60,6 +61,7 @@ pub fn export(
     if RunFolder::is_one(out) {
         return Err(Error::new(out, "it is a run folder, of which no file is written over; name another"));
     }
+    let copies = Copies::of(runs)?;
     let mut tables = Tables { format, places: Places::new(out)?, known, open: BTreeMap::new(), notes: Vec::new() };
     let mut incomplete = Vec::new();
     for found in runs {
@@ -68,7 +70,7 @@ pub fn export(
         if row.outcome != Outcome::Complete.name() {
             incomplete.push((found.run.clone(), row.outcome));
         }
-        let ended = tables.add(found, &run, watch);
+        let ended = tables.add(found, &run, &copies, watch);
         // A stop is known by the watch: whatever it has broken off is no error.
         if watch.is_stopped() {
             return Ok(None);
@@ -102,7 +104,8 @@ struct Table {
 
 impl Tables<'_> {
     /// Adds all rows of a run.
-    fn add(&mut self, found: &Found, run: &RunFolder, watch: &dyn Watch) -> Result<(), Error> {
+    fn add(&mut self, found: &Found, run: &RunFolder, copies: &Copies, watch: &dyn Watch) -> Result<(), Error> {
+        let mut copied = 0_u64;
         let front = front::cells(found, run);
         let front = front.each_ref().map(String::as_str);
         for table in OWN_TABLES {
@@ -123,15 +126,21 @@ impl Tables<'_> {
         }
         for file in run.tables()? {
             let path = found.path.join(&file);
+            let mut places = None;
             let left_out = run.each_row(&file, |line, record| {
                 if line == 1 {
                     let names: Vec<&str> = record.iter().collect();
+                    places = copies.places(run, &file, &names);
                     let checked = self.table(&file, &names)?.check_header(&names);
                     return checked.map_err(|message| Error::at(&path, line, message));
                 }
                 let table = self.table(&file, &[])?;
                 if line.is_multiple_of(PATIENCE) && watch.is_stopped() {
                     return Err(Error::new(&path, "stopped"));
+                }
+                if places.is_some_and(|places| copies.has(run, places, |place| record.get(place))) {
+                    copied += 1;
+                    return Ok(());
                 }
                 table.push(front.into_iter().chain(record)).map_err(|message| Error::at(&path, line, message))
             })?;
@@ -140,6 +149,13 @@ impl Tables<'_> {
                     format!("{}: {left_out} bytes of a scene that was not finished were left out", path.display());
                 self.notes.push(note);
             }
+        }
+        if copied > 0 {
+            self.notes.push(format!(
+                "{}: {copied} rows about scenes and backends that a run of the same build has judged are left out: each \
+                 error counts once",
+                found.run
+            ));
         }
         Ok(())
     }

@@ -4,10 +4,11 @@
 //! file of each table of all of them, with columns in front that tell the runs apart. The types of the columns are those of the published
 //! schema (`records::schema`). There is a file for each format: [`Format`].
 //!
-//! This crate judges nothing and leaves nothing out: a row of a run folder is a row of the export. It holds as much of a table as one row group
-//! of Parquet, whatever the size of the runs.
+//! This crate judges nothing: a row of a run folder is a row of the export. It leaves out one kind of row, and says how many: a judgement in a
+//! bench that is a copy of one in a run (`copies`). It holds as much of a table as one row group of Parquet, whatever the size of the runs.
 
 mod comma;
+mod copies;
 mod export;
 mod find;
 mod front;

@@ -36,7 +36,7 @@ pub fn markdown(runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> 
 }
 
 /// Writes `report.html`, `report.md`, `figures.csv`, `tables.tex` and the plots, each where there is something to
-/// plot and as SVG and PDF (`scatter.svg`, `scatter.pdf`), into a folder, which is made if need be. All are written beside their place first
+/// plot and as SVG and PDF (`overall.svg`, `overall.pdf`), into a folder, which is made if need be. All are written beside their place first
 /// and then renamed: what fails leaves the files of an earlier report as they were.
 ///
 /// # Errors

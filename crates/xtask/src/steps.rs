@@ -33,6 +33,11 @@ pub fn demo() -> Result<(), String> {
     };
     tool("run the embedded corpora", &["run", "--out", &run])?;
     tool("time the backends", &["bench", "--judged", &run, "--out", &bench])?;
+    let compare = format!("{run}/compare");
+    tool(
+        "compare them on random scenes",
+        &["compare", "--scenes", "3", "--samples", "3", "--trials", "0", "--out", &compare],
+    )?;
     tool("write the report", &["report", &run, &bench, "--out", &report])?;
     println!("\nOpen {report}/report.html");
     Ok(())

@@ -256,16 +256,18 @@ fn wrong_answers(folder: &tempfile::TempDir) -> String {
         &out,
     ]);
     expect(0, &["export", &out, "--out", &at(folder, "data")]);
-    let mut wrong: BTreeMap<(String, String), (u64, u64)> = BTreeMap::new();
+    let mut wrong: BTreeMap<(String, String), [u64; 3]> = BTreeMap::new();
     for row in &RunDir::open(&out).unwrap().summary {
         let of = wrong.entry((row.task.clone(), row.backend.clone())).or_default();
-        *of = (of.0 + row.queries, of.1 + row.wrong());
+        *of = [of[0] + row.queries, of[1] + row.wrong(), of[2] + u64::from(row.topology > 0)];
     }
-    let mut lines: Vec<_> = wrong.into_iter().filter(|(_, (_, wrong))| *wrong > 0).collect();
-    lines.sort_by_key(|(names, (_, wrong))| (std::cmp::Reverse(*wrong), names.clone()));
+    let mut lines: Vec<_> = wrong.into_iter().filter(|(_, [_, wrong, broken])| wrong + broken > 0).collect();
+    lines.sort_by_key(|(names, [_, wrong, _])| (std::cmp::Reverse(*wrong), names.clone()));
     assert!(lines.len() >= 2, "{lines:?}");
-    let expected: String = std::iter::once("task,backend,queries,wrong\n".to_owned())
-        .chain(lines.iter().map(|((task, backend), (queries, wrong))| format!("{task},{backend},{queries},{wrong}\n")))
+    let expected: String = std::iter::once("task,backend,queries,wrong,broken\n".to_owned())
+        .chain(lines.iter().map(|((task, backend), [queries, wrong, broken])| {
+            format!("{task},{backend},{queries},{wrong},{broken}\n")
+        }))
         .collect();
     println!("{expected}");
     expected
