@@ -76,13 +76,18 @@ impl Standing {
             !row.has_answers() && [Class::Declined, Class::Timeout, Class::Panic].iter().any(|&of| row.count(of) > 0);
         if !is_whole {
             let answers = &mut self.answers;
-            let [right, undecided, wrong] = [row.agree + row.tie_broken, row.in_band, row.wrong()];
-            // A query without an answer of its own, in a scene that was answered, was lost by a broken law.
-            let lost = row.queries.saturating_sub(right + undecided + wrong);
-            answers.right += right;
-            answers.undecided += undecided;
-            answers.wrong += wrong + if is_undone { 0 } else { lost };
-            answers.not_done += if is_undone { lost } else { 0 };
+            let right = row.agree + row.tie_broken;
+            // Contacts are counted where they are registered, so they may be more than were planned.
+            let answered = right + row.in_band + row.wrong() - row.inconsistent;
+            let asked = row.queries.max(answered);
+            let [undone, lost] = if is_undone { [asked - answered, 0] } else { [0, asked - answered] };
+            // Answers that contradict each other are not right, even where one of them is. A query without an answer of its own,
+            // in a scene that was answered, was lost by a broken law.
+            let wrong = (row.wrong() + lost).min(asked - undone - row.in_band);
+            answers.right += asked - undone - row.in_band - wrong;
+            answers.undecided += row.in_band;
+            answers.wrong += wrong;
+            answers.not_done += undone;
         }
         if !is_predicate(&row.task) {
             let scenes = &mut self.scenes;
@@ -183,7 +188,12 @@ mod tests {
 
     #[test]
     fn four_shares_are_everything_that_was_asked() {
-        let cases: [(&[(Class, u64)], Answers); 5] = [
+        let cases: [(&[(Class, u64)], Answers); 6] = [
+            // Two queries have other answers to their arguments in another order.
+            (
+                &[(Class::Agree, 9), (Class::SignFlip, 1), (Class::Inconsistent, 2)],
+                Answers { right: 7, wrong: 3, ..Answers::default() },
+            ),
             (&[(Class::Agree, 7), (Class::TieBroken, 3)], Answers { right: 10, ..Answers::default() }),
             (&[(Class::Agree, 7), (Class::InBand, 3)], Answers { right: 7, undecided: 3, ..Answers::default() }),
             (&[(Class::Agree, 7), (Class::SignFlip, 3)], Answers { right: 7, wrong: 3, ..Answers::default() }),
