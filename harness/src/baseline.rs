@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use predicament_records::{RunDir, Spread, SummaryRow, ThroughputRow};
+use predicament_records::{Interface, RunDir, Spread, SummaryRow, ThroughputRow};
 use predicament_tasks::Class;
 
 use crate::exit::Failure;
@@ -84,21 +84,22 @@ fn slower(run: &RunDir, baseline: &RunDir, percent: f64) -> Worse {
     let (now, then) = (timings(run), timings(baseline));
     let (scenes, scenes_then) = (scenes(run), scenes(baseline));
     let (mut slower, mut not_compared) = (Vec::new(), Vec::new());
-    for (key @ [task, family, backend], now) in &now {
+    for (key @ ([task, family, backend], interface), now) in &now {
+        let timed = format!("{task} {family} on {backend} ({interface})");
         let Some(then) = then.get(key) else {
-            not_compared.push(format!("{task} {family} on {backend}: the baseline has no timing of it"));
+            not_compared.push(format!("{timed}: the baseline has no timing of it"));
             continue;
         };
         let of = [*task, *family];
         if now.len() != then.len() || scenes.get(&of) != scenes_then.get(&of) {
-            not_compared.push(format!("{task} {family} on {backend}: other scenes were timed than in the baseline"));
+            not_compared.push(format!("{timed}: other scenes were timed than in the baseline"));
             continue;
         }
         for (now, then) in now.iter().zip(then) {
             if now.min > then.max && now.median > (1.0 + percent / 100.0) * then.median {
                 let times = now.median / then.median;
                 slower.push(format!(
-                    "slower: {task} {family} on {backend}: {:.2} ns/query, was {:.2} ({times:.2} times)",
+                    "slower: {timed}: {:.2} ns/query, was {:.2} ({times:.2} times)",
                     now.median, then.median
                 ));
             }
@@ -113,11 +114,14 @@ fn slower(run: &RunDir, baseline: &RunDir, percent: f64) -> Worse {
     Worse { timings: slower, times: Some(times), not_compared, ..Worse::default() }
 }
 
-/// The timings of each scene, by task, family and backend.
-fn timings(run: &RunDir) -> BTreeMap<[&str; 3], Vec<Spread>> {
+/// The timings of each scene, by task, family, backend and interface.
+fn timings(run: &RunDir) -> BTreeMap<([&str; 3], Interface), Vec<Spread>> {
     let spread = |scene: &Vec<&ThroughputRow>| Spread::of(scene.iter().map(|row| row.ns_per_query));
-    let scenes = run.timed_scenes().into_iter();
-    scenes.map(|(key, scenes)| (key, scenes.iter().filter_map(spread).collect())).collect()
+    let by = |interface| {
+        let scenes = run.timed_scenes_by(&[interface]).into_iter();
+        scenes.map(move |(key, scenes)| ((key, interface), scenes.iter().filter_map(spread).collect()))
+    };
+    Interface::ALL.into_iter().flat_map(by).collect()
 }
 
 /// The scenes of each task and family, by id.

@@ -20,6 +20,7 @@ mod special;
 #[cfg(feature = "peers")]
 mod tables;
 
+use predicament_records::Interface;
 use predicament_tasks::{AnyCase, Outcome, Stopwatch};
 
 /// Whether peers are linked in.
@@ -44,6 +45,8 @@ pub struct Peer<'a> {
 pub struct Timed<'a> {
     /// The prepared work.
     pub watch: Box<dyn Stopwatch + 'a>,
+    /// How the crate is asked.
+    pub interface: Interface,
     /// The digest of the answers that were judged.
     pub judged: u64,
 }

@@ -128,10 +128,12 @@ impl Selector {
 impl Selection {
     /// The definitions that pass the filter, in suite order.
     pub fn defs(&self) -> Vec<&SceneDef> {
-        let passes = |def: &SceneDef| {
-            self.filter.as_ref().is_none_or(|filter| filter.is_match(&format!("{}/{}", def.suite, def.name)))
-        };
-        self.suites.iter().flat_map(|suite| &suite.scenes).filter(|def| passes(def)).collect()
+        self.suites.iter().flat_map(|suite| &suite.scenes).filter(|def| self.passes(&def.suite, &def.name)).collect()
+    }
+
+    /// Whether a scene of this suite passes the filter.
+    pub fn passes(&self, suite: &str, scene: &str) -> bool {
+        self.filter.as_ref().is_none_or(|filter| filter.is_match(&format!("{suite}/{scene}")))
     }
 
     /// What to write on a command line for the suite of a scene: its name, or the file that was named.

@@ -1,6 +1,8 @@
 //! Plain floating point with a fixed epsilon.
 
-use predicament_predicates::{Backend, Constructs, Contract, Declined, PredicateKind, Scene, Sign, Tally, ZeroMeaning};
+use predicament_predicates::{
+    Backend, Batches, Constructs, Contract, Declined, PredicateKind, Scene, Sign, Tally, ZeroMeaning,
+};
 
 use crate::naive_session::Last;
 use crate::session::{Float, Session};
@@ -55,27 +57,29 @@ impl Default for Epsilon {
 }
 
 impl Float for Epsilon {
-    #[inline]
+    const IN_LANES: bool = true;
+
+    #[inline(always)]
     fn orient2d(&self, points: [[f64; 2]; 3]) -> f64 {
         Last.orient2d(points)
     }
 
-    #[inline]
+    #[inline(always)]
     fn orient3d(&self, points: [[f64; 3]; 4]) -> f64 {
         Last.orient3d(points)
     }
 
-    #[inline]
+    #[inline(always)]
     fn incircle(&self, points: [[f64; 2]; 4]) -> f64 {
         Last.incircle(points)
     }
 
-    #[inline]
+    #[inline(always)]
     fn insphere(&self, points: [[f64; 3]; 5]) -> f64 {
         Last.insphere(points)
     }
 
-    #[inline]
+    #[inline(always)]
     fn sign(&self, determinant: f64) -> Sign {
         // A selected zero, not a branch: which determinants are small can't be predicted.
         Sign::of(if determinant.abs() < self.eps { 0.0 } else { determinant })
@@ -96,6 +100,10 @@ impl Backend for Epsilon {
 
     fn stages(&self) -> &'static [&'static str] {
         &["float"]
+    }
+
+    fn batches(&self, _: PredicateKind) -> Batches {
+        Batches::Own
     }
 
     fn constructs(&self) -> Constructs {

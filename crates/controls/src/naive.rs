@@ -1,6 +1,8 @@
 //! Predicates in plain floating point.
 
-use predicament_predicates::{Backend, Constructs, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
+use predicament_predicates::{
+    Backend, Batches, Constructs, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning,
+};
 
 use crate::determinant::Pivot;
 use crate::naive_session::NaiveSession;
@@ -31,6 +33,13 @@ impl Backend for Naive {
 
     fn stages(&self) -> &'static [&'static str] {
         &["float"]
+    }
+
+    fn batches(&self, _: PredicateKind) -> Batches {
+        match self.pivot {
+            Pivot::Last | Pivot::First => Batches::Own,
+            Pivot::Homogeneous => Batches::Loop,
+        }
     }
 
     fn constructs(&self) -> Constructs {

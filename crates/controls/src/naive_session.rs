@@ -13,12 +13,14 @@ use crate::session::{Float, Session};
 
 /// Determinants about a pivot that is known when this is compiled.
 macro_rules! about {
-    ($($name:ident)*) => {$(
+    ($($name:ident: $in_lanes:literal)*) => {$(
         /// Determinants about this pivot.
         #[derive(Clone, Copy, Debug)]
         pub struct $name;
 
         impl Float for $name {
+            const IN_LANES: bool = $in_lanes;
+
             #[inline(always)]
             fn orient2d(&self, points: [[f64; 2]; 3]) -> f64 {
                 determinant::orient2d(Pivot::$name, points)
@@ -42,7 +44,8 @@ macro_rules! about {
     )*};
 }
 
-about!(Last First Homogeneous);
+// (nalgebra's determinant is out of line and pivots: it branches.)
+about!(Last: true First: true Homogeneous: false);
 
 /// Plain determinants, prepared for one scene: by pivot.
 pub enum NaiveSession<'s, T> {

@@ -1,5 +1,6 @@
 //! One session for all controls: a scene, and a way to compute determinants.
 
+use predicament_lanes::{self as lanes, Along, View, Whole, Xy, Yz, Zx};
 use predicament_predicates::{
     Axis, Construction, Dimension, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sign, Tally, Vertex,
 };
@@ -8,13 +9,16 @@ use crate::rounded;
 
 /// How a control computes: a determinant for each predicate, and what sign it makes of it.
 pub(crate) trait Float: Send + Sync {
+    /// Whether batches are answered in vector registers: for formulas without branches. Else they are loops over single queries.
+    const IN_LANES: bool;
+
     fn orient2d(&self, points: [[f64; 2]; 3]) -> f64;
     fn orient3d(&self, points: [[f64; 3]; 4]) -> f64;
     fn incircle(&self, points: [[f64; 2]; 4]) -> f64;
     fn insphere(&self, points: [[f64; 3]; 5]) -> f64;
 
     /// The sign that is answered for a determinant.
-    #[inline]
+    #[inline(always)]
     fn sign(&self, determinant: f64) -> Sign {
         Sign::of(determinant)
     }
@@ -265,36 +269,110 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
     }
 
     fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {
-        let answer = |difference| self.answer(PredicateKind::Compare, difference);
-        if self.has_constructed() {
-            fill(queries, out, |pair| answer(self.difference(self.all(), axis, pair)));
-        } else {
-            fill(queries, out, |pair| answer(self.difference(self.input(), axis, pair)));
+        let one = |pair| match self.has_constructed() {
+            true => self.difference(self.all(), axis, pair),
+            false => self.difference(self.input(), axis, pair),
+        };
+        let kind = PredicateKind::Compare;
+        match (self.scene.dimension(), axis) {
+            (Dimension::Two, Axis::X) => self.compare_lanes::<Along<0>, 2>(self.points2, queries, out, one),
+            (Dimension::Two, Axis::Y) => self.compare_lanes::<Along<1>, 2>(self.points2, queries, out, one),
+            // There is no such axis: the first query says so.
+            (Dimension::Two, Axis::Z) => self.one_by_one(kind, queries, out, one),
+            (Dimension::Three, Axis::X) => self.compare_lanes::<Along<0>, 3>(self.points3, queries, out, one),
+            (Dimension::Three, Axis::Y) => self.compare_lanes::<Along<1>, 3>(self.points3, queries, out, one),
+            (Dimension::Three, Axis::Z) => self.compare_lanes::<Along<2>, 3>(self.points3, queries, out, one),
         }
     }
 
     fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
-        let answer = |determinant| self.answer(PredicateKind::Orient2d, determinant);
-        if self.has_constructed() {
-            fill(queries, out, |triple| answer(self.turn(self.all(), plane, triple)));
-        } else {
-            fill(queries, out, |triple| answer(self.turn(self.input(), plane, triple)));
+        let one = |triple| match self.has_constructed() {
+            true => self.turn(self.all(), plane, triple),
+            false => self.turn(self.input(), plane, triple),
+        };
+        match (self.scene.dimension(), plane) {
+            (Dimension::Two, Plane::Xy) => self.turn_lanes::<Whole, 2>(self.points2, queries, out, one),
+            (_, Plane::Xy) => self.turn_lanes::<Xy, 3>(self.points3, queries, out, one),
+            (_, Plane::Yz) => self.turn_lanes::<Yz, 3>(self.points3, queries, out, one),
+            (_, Plane::Zx) => self.turn_lanes::<Zx, 3>(self.points3, queries, out, one),
         }
     }
 
     fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
-        let answer = |determinant| self.answer(PredicateKind::Orient3d, determinant);
-        if self.has_constructed() {
-            fill(queries, out, |quadruple| answer(self.side(self.all(), quadruple)));
-        } else {
-            fill(queries, out, |quadruple| answer(self.side(self.input(), quadruple)));
-        }
+        let one = |quadruple| match self.has_constructed() {
+            true => self.side(self.all(), quadruple),
+            false => self.side(self.input(), quadruple),
+        };
+        let evaluate = |points| self.float.orient3d(points);
+        self.many::<Whole, 3, 3, 4>(PredicateKind::Orient3d, self.points3, (queries, out), evaluate, one);
+    }
+
+    fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        let one = |quadruple| self.float.incircle(self.circle(quadruple));
+        let evaluate = |points| self.float.incircle(points);
+        self.many::<Whole, 2, 2, 4>(PredicateKind::Incircle, self.points2, (queries, out), evaluate, one);
+    }
+
+    fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
+        let one = |quintuple| self.float.insphere(self.input().solid(quintuple));
+        let evaluate = |points| self.float.insphere(points);
+        self.many::<Whole, 3, 3, 5>(PredicateKind::Insphere, self.points3, (queries, out), evaluate, one);
     }
 }
 
-#[inline(always)]
-fn fill<const N: usize>(queries: &[[Vertex; N]], out: &mut [Sign], answer: impl Fn([Vertex; N]) -> Sign) {
-    for (&query, out) in queries.iter().zip(out) {
-        *out = answer(query);
+#[allow(private_bounds)] // the methods are private as well
+impl<F: Float, T: Tally> Session<'_, F, T> {
+    fn compare_lanes<V: View<E, 1>, const E: usize>(
+        &self,
+        points: &[[f64; E]],
+        queries: &[[Vertex; 2]],
+        out: &mut [Sign],
+        one: impl Fn([Vertex; 2]) -> f64,
+    ) {
+        let evaluate = |[[a], [b]]: [[f64; 1]; 2]| a - b;
+        self.many::<V, E, 1, 2>(PredicateKind::Compare, points, (queries, out), evaluate, one);
+    }
+
+    fn turn_lanes<V: View<E, 2>, const E: usize>(
+        &self,
+        points: &[[f64; E]],
+        queries: &[[Vertex; 3]],
+        out: &mut [Sign],
+        one: impl Fn([Vertex; 3]) -> f64,
+    ) {
+        let evaluate = |points| self.float.orient2d(points);
+        self.many::<V, E, 2, 3>(PredicateKind::Orient2d, points, (queries, out), evaluate, one);
+    }
+
+    /// Answers a batch, in vector registers where the formula is made for them: by `evaluate` from points in view, and by `one` where a
+    /// vertex is none of the scene's points.
+    #[inline(always)]
+    fn many<V: View<E, D>, const E: usize, const D: usize, const N: usize>(
+        &self,
+        kind: PredicateKind,
+        points: &[[f64; E]],
+        (queries, out): (&[[Vertex; N]], &mut [Sign]),
+        evaluate: impl Fn([[f64; D]; N]) -> f64,
+        one: impl Fn([Vertex; N]) -> f64,
+    ) {
+        if !F::IN_LANES {
+            return self.one_by_one(kind, queries, out, one);
+        }
+        let sign = |determinant| self.float.sign(determinant);
+        lanes::answer::<V, E, D, N>(points, queries, out, evaluate, sign, |query| sign(one(query)));
+        self.tally.settled_many(kind, 0, queries.len().min(out.len()) as u64);
+    }
+
+    #[inline(always)]
+    fn one_by_one<const N: usize>(
+        &self,
+        kind: PredicateKind,
+        queries: &[[Vertex; N]],
+        out: &mut [Sign],
+        one: impl Fn([Vertex; N]) -> f64,
+    ) {
+        for (&query, out) in queries.iter().zip(out) {
+            *out = self.answer(kind, one(query));
+        }
     }
 }

@@ -10,6 +10,8 @@ use crate::session::{Float, Session};
 pub struct Shewchuk;
 
 impl Float for Shewchuk {
+    const IN_LANES: bool = false;
+
     #[inline]
     fn orient2d(&self, points: [[f64; 2]; 3]) -> f64 {
         let [a, b, c] = points;

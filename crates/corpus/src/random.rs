@@ -61,6 +61,20 @@ impl Random {
         if self.one_in(2) { magnitude } else { -magnitude }
     }
 
+    /// Puts the items in a random order: each order is as likely as any, up to a share of 2^-32 for each item.
+    ///
+    /// # Panics
+    /// If there are 2^32 items or more.
+    pub fn shuffle<T>(&mut self, items: &mut [T]) {
+        assert!(u32::try_from(items.len()).is_ok(), "{} items are too many to shuffle", items.len());
+        for last in (1..items.len()).rev() {
+            // A multiply in place of a division.
+            #[allow(clippy::cast_possible_truncation)] // no more than `last`
+            let other = ((u64::from(self.0.next_u32()) * (last as u64 + 1)) >> 32) as usize;
+            items.swap(last, other);
+        }
+    }
+
     /// True once in `n` times.
     pub fn one_in(&mut self, n: i64) -> bool {
         self.integer(1, n) == 1
@@ -82,6 +96,20 @@ mod tests {
 
     /// Computed by another implementation of SHA-256 and ChaCha8.
     const PINNED: [u64; 3] = [1_800_954_810_097_351_678, 7_239_506_916_973_882_769, 11_590_012_598_734_884_534];
+
+    #[test]
+    fn each_order_is_as_likely_as_any() {
+        let mut rng = Random::new("test", "shuffle", 0);
+        let mut counts = std::collections::BTreeMap::new();
+        for _ in 0..6000 {
+            let mut items = [0, 1, 2];
+            rng.shuffle(&mut items);
+            *counts.entry(items).or_insert(0) += 1;
+        }
+        assert_eq!(counts.len(), 6);
+        // 1000 each; a standard deviation is 29.
+        assert!(counts.values().all(|count| (850..1150).contains(count)), "{counts:?}");
+    }
 
     #[test]
     fn ranges_are_met_at_both_ends_and_not_left() {

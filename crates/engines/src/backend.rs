@@ -3,7 +3,9 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-use predicament_predicates::{Backend, Broken, Class, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
+use predicament_predicates::{
+    Backend, Batches, Broken, Class, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning,
+};
 
 use crate::config::LONGEST_TEXT;
 use crate::pool::Pool;
@@ -158,6 +160,11 @@ impl Backend for Engine {
 
     fn stages(&self) -> &'static [&'static str] {
         &["engine"]
+    }
+
+    /// A batch is one message and one answer.
+    fn batches(&self, _: PredicateKind) -> Batches {
+        Batches::Own
     }
 
     fn version(&self) -> Option<String> {

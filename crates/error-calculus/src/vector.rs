@@ -34,7 +34,7 @@ pub fn dot<N: Ring, const D: usize>(a: &[N; D], b: &[N; D]) -> N {
 }
 
 /// ‖a‖² = (a₀² + a₁²) + a₂².
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn norm_squared<N: Ring, const D: usize>(a: &[N; D]) -> N {
     sum(|i| a[i].clone().square(), D)

@@ -1,6 +1,8 @@
 //! The exact backend: its name, its contract and its stages.
 
-use predicament_predicates::{Backend, Constructs, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
+use predicament_predicates::{
+    Backend, Batches, Constructs, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning,
+};
 
 use crate::{Session, stage};
 
@@ -21,6 +23,10 @@ impl Backend for Exact {
 
     fn stages(&self) -> &'static [&'static str] {
         &stage::NAMES
+    }
+
+    fn batches(&self, _: PredicateKind) -> Batches {
+        Batches::Own
     }
 
     fn constructs(&self) -> Constructs {

@@ -50,7 +50,6 @@ pub mod stage;
 mod truncate;
 
 pub use backend::Exact;
-pub use batch::lanes;
 pub use partial::{Partial, PartialSession};
 pub use precision::{Choice, Precision};
 pub use session::Session;

@@ -4,7 +4,7 @@
 //! itself how long it took, goes behind a pointer, and a query costs a dynamic call.
 
 use predicament_predicates::{
-    Backend, Constructs, Contract, Counts, Declined, Off, PredicateKind, Predicates, Scene, Tally,
+    Backend, Batches, Constructs, Contract, Counts, Declined, Off, PredicateKind, Predicates, Scene, Tally,
 };
 
 /// A session of any type.
@@ -25,6 +25,7 @@ trait Any: Send + Sync {
     fn name(&self) -> String;
     fn contract(&self, kind: PredicateKind) -> Contract;
     fn stages(&self) -> &'static [&'static str];
+    fn batches(&self, kind: PredicateKind) -> Batches;
     fn constructs(&self) -> Constructs;
     fn version(&self) -> Option<String>;
     fn binding(&self) -> Option<Boxed>;
@@ -42,6 +43,10 @@ impl<B: Backend + 'static> Any for B {
 
     fn stages(&self) -> &'static [&'static str] {
         Backend::stages(self)
+    }
+
+    fn batches(&self, kind: PredicateKind) -> Batches {
+        Backend::batches(self, kind)
     }
 
     fn constructs(&self) -> Constructs {
@@ -79,6 +84,10 @@ impl Backend for Boxed {
 
     fn stages(&self) -> &'static [&'static str] {
         self.0.stages()
+    }
+
+    fn batches(&self, kind: PredicateKind) -> Batches {
+        self.0.batches(kind)
     }
 
     fn constructs(&self) -> Constructs {

@@ -16,6 +16,15 @@ use crate::{
     Scene, Sessions, Sign, Tally, Vertex, contact,
 };
 
+/// How a backend answers a batch of queries.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Batches {
+    /// By code of its own, such as in vector registers.
+    Own,
+    /// By a loop over single queries.
+    Loop,
+}
+
 /// A way to answer predicates: exact, perturbed, by tolerances. It prepares a session for a scene.
 pub trait Backend: Send + Sync {
     /// A backend prepared for one scene.
@@ -32,6 +41,13 @@ pub trait Backend: Send + Sync {
     /// The names of the stages that can settle a query, cheapest first; at
     /// most [`MAX_STAGES`](crate::MAX_STAGES).
     fn stages(&self) -> &'static [&'static str];
+
+    /// Whether its sessions answer batches of this predicate by code of their own; if not said otherwise, by a loop over
+    /// single queries.
+    fn batches(&self, kind: PredicateKind) -> Batches {
+        let _ = kind;
+        Batches::Loop
+    }
 
     /// What its sessions do when they are asked to
     /// [construct](Predicates::construct) vertices; if not said otherwise, they decline.

@@ -34,7 +34,7 @@ mod tally;
 mod vertex;
 mod wrap;
 
-pub use backend::{Backend, Predicates};
+pub use backend::{Backend, Batches, Predicates};
 pub use broken::Broken;
 pub use class::{Class, Severity, Status};
 pub use construction::{Construction, ConstructionError};

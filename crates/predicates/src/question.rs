@@ -1,5 +1,7 @@
 //! Questions as data: a predicate, what it needs besides vertices, and sets of queries of one kind.
 
+use std::sync::atomic::{Ordering, compiler_fence};
+
 use crate::{Axis, Plane, Predicates, Sign, Vertex};
 
 /// The five sign predicates.
@@ -121,6 +123,49 @@ impl Question {
     }
 }
 
+impl Question {
+    /// Asks many queries in order by the session's batch call. `args` has their vertices, query after query.
+    ///
+    /// # Panics
+    /// If there is not one place in `out` for each query.
+    pub fn ask_batch<P: Predicates + ?Sized>(self, session: &P, args: &[Vertex], out: &mut [Sign]) {
+        assert_eq!(args.len(), out.len() * self.kind().arity(), "one place for each answer");
+        match self {
+            Question::Compare(axis) => session.compare_batch(axis, args.as_chunks().0, out),
+            Question::Orient2d(plane) => session.orient2d_batch(plane, args.as_chunks().0, out),
+            Question::Orient3d => session.orient3d_batch(args.as_chunks().0, out),
+            Question::Incircle => session.incircle_batch(args.as_chunks().0, out),
+            Question::Insphere => session.insphere_batch(args.as_chunks().0, out),
+        }
+    }
+
+    /// Asks many queries in order, one at a time, as a loop of a user's does. `args` has their vertices, query after query.
+    ///
+    /// The compiler may not answer several at once: each answer is stored before the next query is read.
+    ///
+    /// # Panics
+    /// If there is not one place in `out` for each query.
+    pub fn ask_singly<P: Predicates + ?Sized>(self, session: &P, args: &[Vertex], out: &mut [Sign]) {
+        assert_eq!(args.len(), out.len() * self.kind().arity(), "one place for each answer");
+        match self {
+            Question::Compare(axis) => singly(args, out, |&[a, b]| session.compare(axis, a, b)),
+            Question::Orient2d(plane) => singly(args, out, |&[a, b, c]| session.orient2d(plane, a, b, c)),
+            Question::Orient3d => singly(args, out, |&[a, b, c, d]| session.orient3d(a, b, c, d)),
+            Question::Incircle => singly(args, out, |&[a, b, c, d]| session.incircle(a, b, c, d)),
+            Question::Insphere => singly(args, out, |&[a, b, c, d, e]| session.insphere(a, b, c, d, e)),
+        }
+    }
+}
+
+#[inline(always)]
+fn singly<const N: usize>(args: &[Vertex], out: &mut [Sign], ask: impl Fn(&[Vertex; N]) -> Sign) {
+    for (query, out) in args.as_chunks().0.iter().zip(out) {
+        *out = ask(query);
+        // No instruction: the compiler moves no access to memory across it.
+        compiler_fence(Ordering::SeqCst);
+    }
+}
+
 /// Many queries of one kind, their vertices in one flat array.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct QuerySet {
@@ -192,13 +237,6 @@ impl QuerySet {
     pub fn ask_batch<P: Predicates + ?Sized>(&self, session: &P, range: std::ops::Range<usize>, out: &mut [Sign]) {
         assert_eq!(range.len(), out.len(), "one place for each answer");
         let arity = self.kind().arity();
-        let args = &self.args[range.start * arity..range.end * arity];
-        match self.question {
-            Question::Compare(axis) => session.compare_batch(axis, args.as_chunks().0, out),
-            Question::Orient2d(plane) => session.orient2d_batch(plane, args.as_chunks().0, out),
-            Question::Orient3d => session.orient3d_batch(args.as_chunks().0, out),
-            Question::Incircle => session.incircle_batch(args.as_chunks().0, out),
-            Question::Insphere => session.insphere_batch(args.as_chunks().0, out),
-        }
+        self.question.ask_batch(session, &self.args[range.start * arity..range.end * arity], out);
     }
 }

@@ -1,6 +1,8 @@
 //! The backend: its names, its contract and its stages.
 
-use predicament_predicates::{Backend, Constructs, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
+use predicament_predicates::{
+    Backend, Batches, Constructs, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning,
+};
 
 use crate::breaker::Breaker;
 use crate::{Scheme, Session, stage};
@@ -41,6 +43,10 @@ impl Backend for Sos {
     /// in the predicate's list the deciding term stands.
     fn stages(&self) -> &'static [&'static str] {
         stage::names(self.scheme)
+    }
+
+    fn batches(&self, _: PredicateKind) -> Batches {
+        Batches::Own
     }
 
     fn constructs(&self) -> Constructs {

@@ -1,6 +1,6 @@
 //! The ties of a batch, found among its answers and broken: many at once where that is worth it.
 
-use predicament_exact::lanes;
+use predicament_lanes::BLOCK;
 use predicament_predicates::Sign;
 
 use crate::leading::Decided;
@@ -39,8 +39,6 @@ impl<Q, F: Fn(Q) -> Decided, M: Fn(&[Q], &mut [Sign]) -> u64> Ties<Q> for (F, M)
     }
 }
 
-/// Queries of a batch whose answers are looked at together.
-const BLOCK: usize = lanes::MOST;
 /// Ties of a block that are worth registers.
 const MANY: usize = 8;
 

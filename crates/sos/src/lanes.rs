@@ -9,7 +9,7 @@
 #![allow(clippy::needless_range_loop)]
 
 use predicament_exact::anywhere::{self, Bounded};
-use predicament_exact::lanes::signs_of;
+use predicament_lanes::signs_of;
 use predicament_predicates::{PredicateKind, Sign, Vertex};
 
 use crate::filter::{self, Struck};

@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use predicament_corpus::Content;
 use predicament_judge::TieJudge;
 use predicament_predicates::{
-    Backend, Contract, Counts, Declined, Off, PredicateKind, Predicates, Question, Scene, Sign, Vertex,
+    Backend, Batches, Contract, Counts, Declined, Off, PredicateKind, Predicates, Question, Scene, Sign, Vertex,
 };
 
 use crate::{Halt, How, Purpose, Solver, Task, Watch, solvers};
@@ -22,6 +22,9 @@ pub trait Contestant: Send + Sync {
 
     /// The names of its stages, cheapest first.
     fn stages(&self) -> &'static [&'static str];
+
+    /// Whether it answers batches of this predicate by code of its own.
+    fn batches(&self, kind: PredicateKind) -> Batches;
 
     /// The version of the library behind it, where that is another one's.
     fn version(&self) -> Option<String>;
@@ -162,6 +165,10 @@ impl<B: Backend + 'static> Contestant for Entry<B> {
 
     fn stages(&self) -> &'static [&'static str] {
         self.backend.stages()
+    }
+
+    fn batches(&self, kind: PredicateKind) -> Batches {
+        self.backend.batches(kind)
     }
 
     fn version(&self) -> Option<String> {

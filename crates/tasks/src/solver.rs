@@ -9,9 +9,12 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use predicament_corpus::Content;
-use predicament_predicates::{Backend, Broken, Counts, Declined, Off, PredicateKind, Predicates, Refused, Scene};
+use predicament_predicates::{
+    Backend, Batches, Broken, Counts, Declined, Off, Predicates, QuerySet, Refused, Scene, Vertex,
+};
+use predicament_records::Interface;
 
-use crate::{Answer, AnyTask, Class, Outcome, Phase, Stop, Task, Watch};
+use crate::{Answer, AnyTask, Class, Outcome, Phase, Rounds, Stop, Task, Watch};
 
 /// What an answer is for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -99,7 +102,12 @@ pub trait Solver: Send + Sync {
         then: &mut Then<'_>,
     ) -> Result<(), Halt>;
 
-    /// Prepares the backend for timed passes on so many threads.
+    /// The interfaces by which the content of a scene is timed: single queries and batches of them where it asks one predicate, else the
+    /// answer to the whole scene.
+    fn interfaces(&self, content: &dyn Content) -> Vec<Interface>;
+
+    /// Prepares the backend for timed passes by one of these [interfaces](Solver::interfaces), on so many threads; none for single queries
+    /// of a session with a clock of its own: each would be a message to a program of another language.
     ///
     /// # Errors
     /// The reason, where the backend declines.
@@ -108,7 +116,8 @@ pub trait Solver: Send + Sync {
         scene: &'a Scene,
         content: &'a dyn Content,
         threads: usize,
-    ) -> Result<Box<dyn Stopwatch + 'a>, String>;
+        interface: Interface,
+    ) -> Result<Option<Box<dyn Stopwatch + 'a>>, String>;
 }
 
 /// A prepared session that can be timed again and again, so that backends can take turns.
@@ -185,21 +194,48 @@ impl<B: Backend + 'static, T: Task> Solver for OnTask<B, T> {
         then(&session, &answer).map_err(Halt::Stopped)
     }
 
+    fn interfaces(&self, content: &dyn Content) -> Vec<Interface> {
+        match self.task.queries(self.content(content)) {
+            None => vec![Interface::Whole],
+            Some(queries) => vec![
+                Interface::Single,
+                match self.backend.batches(queries.kind()) {
+                    Batches::Own => Interface::Batch,
+                    Batches::Loop => Interface::Loop,
+                },
+            ],
+        }
+    }
+
     fn stopwatch<'a>(
         &'a self,
         scene: &'a Scene,
         content: &'a dyn Content,
         threads: usize,
-    ) -> Result<Box<dyn Stopwatch + 'a>, String> {
+        interface: Interface,
+    ) -> Result<Option<Box<dyn Stopwatch + 'a>>, String> {
         let session = self.prepare(scene, Off).map_err(|refusal| refusal.to_string())?;
-        let asks_in_batches = PredicateKind::ALL.into_iter().any(|kind| kind.name() == self.task.name());
-        if session.own_nanoseconds().is_some() && !asks_in_batches {
-            return Err("it times its predicates by its own clock, which does not see the algorithm".to_owned());
-        }
-        let session = Some(session);
+        let has_own_clock = session.own_nanoseconds().is_some();
         // Algorithms would use all threads that there are.
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| error.to_string())?;
-        Ok(Box::new(Passes { solver: self, session, scene, content, pool, answer: T::Answer::default() }))
+        Ok(match self.task.queries(self.content(content)) {
+            Some(_) if has_own_clock && interface == Interface::Single => None,
+            Some(queries) => Some(Box::new(Queries {
+                session,
+                queries,
+                interface,
+                pool,
+                rounds: Rounds::of(queries.len()),
+                args: Vec::new(),
+            })),
+            None if has_own_clock => {
+                return Err("it times its predicates by its own clock, which does not see the algorithm".to_owned());
+            }
+            None => {
+                let (session, answer) = (Some(session), T::Answer::default());
+                Some(Box::new(Passes { solver: self, session, scene, content, pool, answer }))
+            }
+        })
     }
 }
 
@@ -300,5 +336,71 @@ impl<B: Backend + 'static, T: Task> Passes<'_, B, T> {
             let own = before.zip(session.own_nanoseconds()).map(|(before, after)| [before, after]);
             Passed { done: done.is_ok(), own }
         })
+    }
+}
+
+/// Queries of one predicate that are timed by themselves.
+struct Queries<'a, P> {
+    session: P,
+    queries: &'a QuerySet,
+    interface: Interface,
+    pool: rayon::ThreadPool,
+    rounds: Rounds,
+    /// The vertices of the queries that are timed together, in the order of the rounds.
+    args: Vec<Vertex>,
+}
+
+impl<P: Predicates> Stopwatch for Queries<'_, P> {
+    fn pass(&mut self) -> Duration {
+        self.passes(1)
+    }
+
+    fn passes(&mut self, count: u32) -> Duration {
+        let Queries { session, queries, interface, pool, rounds, args } = self;
+        let session = &*session;
+        let question = queries.question();
+        pool.install(|| {
+            rounds.time(count, |order, out| {
+                let asked = match order {
+                    None => queries.flat(),
+                    Some(order) => {
+                        arrange(queries, order, args);
+                        &**args
+                    }
+                };
+                let before = session.own_nanoseconds();
+                let start = Instant::now();
+                match interface {
+                    Interface::Single => question.ask_singly(session, black_box(asked), out),
+                    Interface::Batch | Interface::Loop | Interface::Whole => {
+                        question.ask_batch(session, black_box(asked), out);
+                    }
+                }
+                black_box(&mut *out);
+                let elapsed = start.elapsed();
+                let own = before.zip(session.own_nanoseconds());
+                own.map_or(elapsed, |(before, after)| Duration::from_nanos(after - before))
+            })
+        })
+    }
+
+    fn digest(&self) -> u64 {
+        self.rounds.digest()
+    }
+}
+
+/// Copies the vertices of queries in this order.
+fn arrange(queries: &QuerySet, order: &[u32], args: &mut Vec<Vertex>) {
+    fn copy<const N: usize>(from: &[Vertex], order: &[u32], to: &mut [Vertex]) {
+        let from = from.as_chunks::<N>().0;
+        to.as_chunks_mut::<N>().0.iter_mut().zip(order).for_each(|(to, &at)| *to = from[at as usize]);
+    }
+    let arity = queries.kind().arity();
+    args.resize(order.len() * arity, Vertex::input(0));
+    match arity {
+        2 => copy::<2>(queries.flat(), order, args),
+        3 => copy::<3>(queries.flat(), order, args),
+        4 => copy::<4>(queries.flat(), order, args),
+        _ => copy::<5>(queries.flat(), order, args),
     }
 }

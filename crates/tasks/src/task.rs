@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use predicament_corpus::{Content, LoadedScene, SceneFormat};
-use predicament_predicates::{Declined, PredicateKind, Predicates, Query, Scene, Sign, Vertex};
+use predicament_predicates::{Declined, PredicateKind, Predicates, Query, QuerySet, Scene, Sign, Vertex};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 use predicament_report::drawing::Role;
@@ -151,6 +151,13 @@ pub trait Task: SceneFormat + Sized + 'static {
     ) -> std::io::Result<()> {
         let _ = (content, answer);
         canvas.points(scene, "points", Role::Given, scene.vertices()).map(|_| ())
+    }
+
+    /// The queries of a scene that asks nothing but one predicate. They are timed one by one and in batches, in
+    /// [orders](crate::Rounds) that no branch predictor can learn; of other scenes whole answers are timed.
+    fn queries<'c>(&self, content: &'c Self::Content) -> Option<&'c QuerySet> {
+        let _ = content;
+        None
     }
 
     /// How large a scene is, by which the growth of times is told: the number of queries where it has no better measure.

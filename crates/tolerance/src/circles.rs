@@ -52,7 +52,7 @@ fn quartic<F: Float>(length: F, epsilon: F) -> F {
 
 /// d in the circle of a, b and c: the sum of each squared distance from d times
 /// the area of the other two, (‖a‖² b×c + ‖b‖² c×a) + ‖c‖² a×b.
-#[inline]
+#[inline(always)]
 pub fn incircle<N: Ring>([a, b, c, d]: &[[N; 2]; 4]) -> N {
     let [a, b, c] = [minus(a, d), minus(b, d), minus(c, d)];
     let term = |p, q, r| norm_squared(p) * perp(q, r);
@@ -63,7 +63,7 @@ pub fn incircle<N: Ring>([a, b, c, d]: &[[N; 2]; 4]) -> N {
 /// (‖d‖² \[abc\] − ‖c‖² \[dab\]) + (‖b‖² \[cda\] − ‖a‖² \[bcd\]).
 ///
 /// A volume \[pqr\] is (p_z q×r − q_z p×r) + r_z p×q, with × of x and y.
-#[inline]
+#[inline(always)]
 pub fn insphere<N: Ring>([a, b, c, d, e]: &[[N; 3]; 5]) -> N {
     let [a, b, c, d] = [minus(a, e), minus(b, e), minus(c, e), minus(d, e)];
     let term = |p, [q, r, s]: [&[N; 3]; 3]| norm_squared(p) * lifted_volume(q, r, s);
@@ -71,7 +71,7 @@ pub fn insphere<N: Ring>([a, b, c, d, e]: &[[N; 3]; 5]) -> N {
 }
 
 /// The determinant of rows p, q and r, by their last column.
-#[inline]
+#[inline(always)]
 fn lifted_volume<N: Ring>(p: &[N; 3], q: &[N; 3], r: &[N; 3]) -> N {
     let flat = |[x, y, _]: &[N; 3]| [x.clone(), y.clone()];
     let term = |[_, _, z]: &[N; 3], q, r| z.clone() * perp(&flat(q), &flat(r));

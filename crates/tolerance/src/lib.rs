@@ -32,12 +32,14 @@ mod extent;
 mod float;
 mod planted;
 pub mod quantities;
+mod session;
 mod tolerances2d;
 mod tolerances3d;
 
-pub use backend::{Session, Tolerance};
+pub use backend::Tolerance;
 pub use contacts::ContactTolerances;
 pub use float::Float;
 pub use planted::Misscaled;
+pub use session::Session;
 pub use tolerances2d::Tolerances2d;
 pub use tolerances3d::Tolerances3d;

@@ -7,16 +7,12 @@
 //! answers that were judged, or it is not a measurement. A backend is done when
 //! its median is known well enough. The parts of some algorithms are timed one by one after that: see `phases.rs`.
 
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use predicament_corpus::LoadedScene;
 use predicament_oracle::caught;
-use predicament_predicates::PredicateKind;
-use predicament_records::{
-    self as records, FindingRow, Interface, Plan, PlannedScene, RunDir, RunWriter, Shard, SummaryRow, ThroughputRow,
-};
+use predicament_records::{self as records, Interface, Plan, PlannedScene, RunWriter, Shard, ThroughputRow};
 use predicament_tasks::contacts::Complexes;
 use predicament_tasks::mesh_intersect::TwoMeshes;
 use predicament_tasks::mesh_locate::ProbedMesh;
@@ -24,7 +20,7 @@ use predicament_tasks::{AnyCase, Contestant, Stop, Stopwatch, Watch};
 
 use crate::contact_tables::{self, Primitives, on_threads};
 use crate::exit::{self, Failure};
-use crate::judged::JudgedRow;
+use crate::judged::Judged;
 use crate::planning::{budget, env_of, free_folder, plan};
 use crate::select::Selector;
 use crate::tool::{Tool, engines};
@@ -33,7 +29,7 @@ use crate::{expectations, interrupt, peers, phases, progress, rows};
 const EXAMPLES: &str = "\
 Examples:
   predicament bench                                     all embedded corpora
-  predicament bench --judged predicament-run-1          reuse what a run has judged
+  predicament bench --judged predicament-run-1          the scenes and backends of a run, and what it has judged
   predicament bench families -f orient2d --samples 21 --precision 0.01
   predicament bench families -b exact,sos,naive         built with `--features peers`, other crates take part
   predicament bench maps -f 10m -b exact,sos,naive      the same with maps, against `geo`
@@ -47,7 +43,7 @@ pub struct Args {
     #[command(flatten)]
     pub selector: Selector,
 
-    /// Backends, several with commas or by repeating; all if left out
+    /// Backends, several with commas or by repeating; all if left out, or those of --judged
     #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
     pub backends: Vec<String>,
 
@@ -60,8 +56,8 @@ pub struct Args {
     #[arg(long, value_name = "FRACTION", default_value_t = 0.05, value_parser = fraction)]
     pub precision: f64,
 
-    /// A run of the same scenes whose judgements are taken over: answers are not judged
-    /// again, only compared with those that were
+    /// A run whose judgements are taken over: answers are not judged again, only compared with those that were. Without suites its scenes
+    /// are timed, at its level, and without -b on its backends, but for engines
     #[arg(long, value_name = "RUN")]
     pub judged: Option<PathBuf>,
 
@@ -110,14 +106,26 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         return Err(Failure::usage("--samples: at least one sample is needed"));
     }
     let expected = expectations::load(tool, None)?;
-    let backends = tool.pick(&args.backends)?;
-    let judged = Judged::read(args.judged.as_ref())?;
-    let selection = args.selector.select(tool)?;
-    let mut scenes = selection.plan()?;
+    let judged = args.judged.as_deref().map(Judged::read).transpose()?;
+    let (selection, mut scenes) = match &judged {
+        None => {
+            let selection = args.selector.select(tool)?;
+            let scenes = selection.plan()?;
+            (selection, scenes)
+        }
+        Some(judged) => judged.select(&args.selector, tool)?,
+    };
+    let mut remarks = Vec::new();
+    let names = match &judged {
+        Some(judged) if args.backends.is_empty() => judged.backends(&mut remarks),
+        _ => args.backends.clone(),
+    };
+    let backends = tool.pick(&names)?;
+    let mut taken_over = 0;
     let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-bench"));
     let plan = Plan {
         timed: true,
-        engines: engines(&args.backends)?,
+        engines: engines(&names)?,
         ..plan(tool, &selection, &scenes, &backends, Shard::WHOLE)
     };
     let mut writer =
@@ -128,7 +136,6 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let quiet = |_: u64| {};
     let watch = Watch::new(interrupt::flag(), None, &quiet);
     let mut ended = records::Outcome::Complete;
-    let mut remarks = Vec::new();
     let mut primitives = Primitives::default();
     let mut threads = vec![1];
     threads.extend(args.threads.map(usize::from).filter(|&threads| threads > 1));
@@ -147,7 +154,8 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         let task = tool.task(loaded.task);
         for backend in &backends {
             let name = backend.name();
-            let digest = if let Some(before) = judged.of(&scene, &name) {
+            let digest = if let Some(before) = judged.as_ref().and_then(|judged| judged.of(&scene, &name)) {
+                taken_over += 1;
                 writer.write(std::slice::from_ref(before.summary)).map_err(Failure::usage)?;
                 writer.write(&before.findings).map_err(Failure::usage)?;
                 before.digest
@@ -206,7 +214,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
                         name: peer.name,
                         family: scene.family.clone(),
                         version: peer.version,
-                        interface: interface(&scene.task),
+                        interface: timed.interface,
                         threads: 1,
                         watch: timed.watch,
                         judged: timed.judged,
@@ -231,6 +239,9 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     bar.finish_and_clear();
     writer.finish(ended).map_err(Failure::usage)?;
     say!("{}: {timed} scenes timed, {}", folder.display(), ended.describe());
+    if let Some(judged) = &judged {
+        say!("  {}", judged.told(taken_over));
+    }
     for line in &remarks {
         say!("  {line}");
     }
@@ -239,46 +250,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     Ok(if ended == records::Outcome::Complete { exit::OK } else { exit::INCOMPLETE })
 }
 
-/// The judgements of an earlier run.
-#[derive(Default)]
-struct Judged {
-    run: Option<RunDir>,
-    digests: BTreeMap<(String, String), u64>,
-}
-
-/// The judgement of one scene on one backend.
-struct Before<'r> {
-    summary: &'r SummaryRow,
-    findings: Vec<FindingRow>,
-    digest: Option<u64>,
-}
-
-impl Judged {
-    fn read(folder: Option<&PathBuf>) -> Result<Judged, Failure> {
-        let Some(folder) = folder else { return Ok(Judged::default()) };
-        let run = RunDir::open(folder).map_err(Failure::usage)?;
-        let rows = run.rows::<JudgedRow>().map_err(Failure::usage)?;
-        let digest = |row: &JudgedRow| {
-            let digest = u64::from_str_radix(&row.digest, 16);
-            let digest = digest.map_err(|_| Failure::usage(format!("judged.csv: `{}` is no digest", row.digest)))?;
-            Ok(((row.scene_id.clone(), row.backend.clone()), digest))
-        };
-        let digests = rows.iter().map(digest).collect::<Result<_, Failure>>()?;
-        Ok(Judged { run: Some(run), digests })
-    }
-
-    /// What the run says about a scene on a backend; none where it says nothing.
-    fn of(&self, scene: &PlannedScene, backend: &str) -> Option<Before<'_>> {
-        let run = self.run.as_ref()?;
-        let summary = run.summary.iter().find(|row| row.scene_id == scene.scene_id && row.backend == backend)?;
-        let of_this = |row: &&FindingRow| row.scene_id == scene.scene_id && row.backend == backend;
-        let findings = run.findings.iter().filter(of_this).cloned().collect();
-        let digest = self.digests.get(&(scene.scene_id.clone(), backend.to_owned())).copied();
-        Some(Before { summary, findings, digest })
-    }
-}
-
-/// Prepares one backend: contacts and meshes with points or other meshes for each number of threads, all else for one.
+/// Prepares one backend by each interface: contacts and meshes with points or other meshes for each number of threads, all else for one.
 fn start<'a>(
     loaded: &'a LoadedScene,
     backend: &'a dyn Contestant,
@@ -292,29 +264,27 @@ fn start<'a>(
         || loaded.content::<ProbedMesh>().is_some()
         || loaded.content::<TwoMeshes>().is_some();
     let threads = if is_parallel { threads } else { &threads[..1] };
-    let runner = |&threads: &usize| {
-        Ok(Runner {
-            name: backend.name(),
-            family: on_threads(&scene.family, threads),
-            version: backend.version().unwrap_or_else(|| env!("CARGO_PKG_VERSION").to_owned()),
-            watch: caught(|| solver.stopwatch(&loaded.scene, loaded.content.as_ref(), threads))
-                .map_err(|broken| broken.to_string())
-                .flatten()?,
-            interface: interface(&scene.task),
-            threads,
-            judged,
-            queries: scene.queries,
-            passes: 1,
-            samples: Vec::new(),
-        })
-    };
-    threads.iter().map(runner).collect()
-}
-
-/// How backends are asked on this task: sign tasks ask in batches.
-fn interface(task: &str) -> Interface {
-    let is_sign = PredicateKind::ALL.into_iter().any(|kind| kind.name() == task);
-    if is_sign { Interface::Batch } else { Interface::Whole }
+    let content = loaded.content.as_ref();
+    let mut runners = Vec::new();
+    for &threads in threads {
+        for interface in solver.interfaces(content) {
+            let prepared = caught(|| solver.stopwatch(&loaded.scene, content, threads, interface));
+            let Some(watch) = prepared.map_err(|broken| broken.to_string()).flatten()? else { continue };
+            runners.push(Runner {
+                name: backend.name(),
+                family: on_threads(&scene.family, threads),
+                version: backend.version().unwrap_or_else(|| env!("CARGO_PKG_VERSION").to_owned()),
+                watch,
+                interface,
+                threads,
+                judged,
+                queries: scene.queries,
+                passes: 1,
+                samples: Vec::new(),
+            });
+        }
+    }
+    Ok(runners)
 }
 
 /// Prepares predicates that return at once: what they answer is not judged, only that it stays the same.

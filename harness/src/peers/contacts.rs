@@ -16,6 +16,7 @@ use predicament_exact::Exact;
 use predicament_judge::Judged;
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Axis, Backend, Dimension, Off, Plane, Predicates, Scene, Vertex};
+use predicament_records::Interface;
 use predicament_tasks::contacts::Complexes;
 use predicament_tasks::{AnyCase, Class, Outcome, Stopwatch, digest};
 use rstar::primitives::{GeomWithData, Rectangle};
@@ -102,7 +103,13 @@ fn peer<'a>(
     let wrong = missing + extra + repeated > 0;
     let remark = format!("{name} misses {missing} pairs, has {extra} that don't meet, and {repeated} twice");
     let remarks = wrong.then_some(remark).into_iter().collect();
-    Peer { name, version, outcome, timed: Some(Timed { watch: Box::new(watch), judged }), remarks }
+    Peer {
+        name,
+        version,
+        outcome,
+        timed: Some(Timed { watch: Box::new(watch), interface: Interface::Whole, judged }),
+        remarks,
+    }
 }
 
 struct Watch<F> {

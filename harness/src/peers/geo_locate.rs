@@ -14,6 +14,7 @@ use geo::indexed::IntervalTreeMultiPolygon;
 use geo::{BoundingRect, Contains, CoordinatePosition, LineString, MultiPolygon, Point, Polygon, Rect};
 use predicament_mesh::{PolygonMap, Ring};
 use predicament_predicates::{Plane, Scene};
+use predicament_records::Interface;
 use predicament_tasks::{AnyCase, Class, Outcome, Stopwatch, digest};
 use rstar::RTree;
 use rstar::primitives::{GeomWithData, Rectangle};
@@ -146,7 +147,7 @@ fn peer<'a, R: Find + 'a>(case: Case<'a>, name: &str, regions: R) -> Peer<'a> {
         name: name.to_owned(),
         version: env!("PREDICAMENT_GEO").to_owned(),
         outcome,
-        timed: Some(Timed { watch: Box::new(watch), judged }),
+        timed: Some(Timed { watch: Box::new(watch), interface: Interface::Whole, judged }),
         remarks: first_wrong.map(|first| format!("{wrong} wrong; first, {first}")).into_iter().collect(),
     }
 }

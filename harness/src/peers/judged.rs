@@ -6,6 +6,7 @@ use std::sync::Once;
 
 use predicament_judge as judge;
 use predicament_predicates::{Question, Scene, Sign, Vertex, ZeroMeaning};
+use predicament_records::Interface;
 use predicament_tasks::signs::{Answers, classify};
 use predicament_tasks::{Answer, Budget, Class, Finding, Outcome, Stopwatch};
 
@@ -105,7 +106,11 @@ impl Verdict {
     pub fn timed<'a>(self, watch: impl Stopwatch + 'a) -> Peer<'a> {
         let Verdict { name, version, outcome, answers, mut remarks } = self;
         let panics = outcome.counts.get(Class::Panic);
-        let timed = (panics == 0).then(|| Timed { watch: Box::new(watch), judged: answers.digest() });
+        let timed = (panics == 0).then(|| Timed {
+            watch: Box::new(watch),
+            interface: Interface::Single,
+            judged: answers.digest(),
+        });
         if panics > 0 {
             remarks.push(format!("{name}: not timed, {panics} queries made it panic"));
         }

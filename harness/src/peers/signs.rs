@@ -7,17 +7,20 @@
 //! knows the orientation of its triangles; queries whose points allow for no
 //! such order (all five in a plane, say) are not asked.
 //!
+//! No crate has batches: each is asked one query at a time, in the orders in which backends are ([`Rounds`]).
+//!
 //! No crate knows constructed vertices. They are computed in doubles before
 //! anybody looks at a clock, and stand in the array after the scene's points.
 
 use std::hint::black_box;
+use std::sync::atomic::{Ordering, compiler_fence};
 use std::time::{Duration, Instant};
 
 use predicament_controls::constructed;
 use predicament_judge as judge;
 use predicament_predicates::{Axis, Plane, QuerySet, Question, Scene, Sign, Vertex};
-use predicament_tasks::signs::{Answers, SignQueries};
-use predicament_tasks::{Answer, AnyCase, Stopwatch};
+use predicament_tasks::signs::SignQueries;
+use predicament_tasks::{AnyCase, Rounds, Stopwatch};
 
 use super::Peer;
 use super::judged::Judged;
@@ -182,28 +185,46 @@ impl<'a> Asked<'a> {
 struct Watch<Q, F> {
     queries: Vec<Q>,
     ask: F,
-    out: Answers,
+    rounds: Rounds,
 }
 
 impl<Q, F: Fn(&Q) -> Sign> Watch<Q, F> {
     fn new(queries: Vec<Q>, ask: F) -> Watch<Q, F> {
-        let out = Answers(vec![Sign::Zero; queries.len()]);
-        Watch { queries, ask, out }
+        Watch { rounds: Rounds::of(queries.len()), queries, ask }
     }
 }
 
 impl<Q, F: Fn(&Q) -> Sign> Stopwatch for Watch<Q, F> {
     fn pass(&mut self) -> Duration {
-        let start = Instant::now();
-        for (query, out) in black_box(&self.queries).iter().zip(&mut self.out.0) {
-            *out = (self.ask)(query);
-        }
-        black_box(&mut self.out);
-        start.elapsed()
+        self.passes(1)
+    }
+
+    fn passes(&mut self, count: u32) -> Duration {
+        let Watch { queries, ask, rounds } = self;
+        rounds.time(count, |order, out| {
+            let queries = black_box(&*queries);
+            let start = Instant::now();
+            match order {
+                None => singly(queries.iter(), out, &*ask),
+                // (Coordinates of so many queries would not stay in a cache.)
+                Some(order) => singly(order.iter().map(|&at| &queries[at as usize]), out, &*ask),
+            }
+            black_box(&mut *out);
+            start.elapsed()
+        })
     }
 
     fn digest(&self) -> u64 {
-        self.out.digest()
+        self.rounds.digest()
+    }
+}
+
+/// Asks queries one at a time, as backends are asked: no two are answered at once.
+#[inline(always)]
+fn singly<'q, Q: 'q>(queries: impl Iterator<Item = &'q Q>, out: &mut [Sign], ask: impl Fn(&Q) -> Sign) {
+    for (query, out) in queries.zip(out) {
+        *out = ask(query);
+        compiler_fence(Ordering::SeqCst);
     }
 }
 

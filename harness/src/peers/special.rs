@@ -12,6 +12,7 @@ use predicament_algorithms::polygon_locate::special::Point;
 use predicament_algorithms::polygon_locate::{Location, Scratch};
 use predicament_exact::raw;
 use predicament_predicates::{Plane, Sign};
+use predicament_records::Interface;
 use predicament_tasks::{AnyCase, Class, Outcome, Stopwatch, digest};
 use robust::Coord;
 
@@ -53,7 +54,7 @@ fn peer<'a>(
         version: version.to_owned(),
         outcome,
         remarks: wrong.first().map(remark).into_iter().collect(),
-        timed: Some(Timed { watch: Box::new(watch), judged }),
+        timed: Some(Timed { watch: Box::new(watch), interface: Interface::Whole, judged }),
     }
 }
 

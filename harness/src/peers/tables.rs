@@ -1,12 +1,12 @@
-//! A bench folder as four tables: times by vertex id, times by raw
-//! coordinates, times on maps, and wrong answers. All of it is read back from the folder, so
+//! A bench folder as five tables: times by vertex id, times by raw
+//! coordinates, times in batches, times on maps, and wrong answers. All of it is read back from the folder, so
 //! every number can be traced to a row.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use predicament_records::{Error, RunDir, Spread, SummaryRow, ThroughputRow};
+use predicament_records::{Error, Interface, RunDir, Spread, SummaryRow, ThroughputRow};
 use predicament_report::text::{in_order, markdown};
 use predicament_tasks::Class;
 
@@ -15,6 +15,9 @@ const ONE: &str = "robust";
 
 /// The backend whose time is one on maps, where no peer asks for single signs.
 const ONE_ON_MAPS: &str = "sos";
+
+/// The backend whose time is one in batches, of which no peer has any.
+const ONE_IN_BATCHES: &str = "shewchuk";
 
 const MAPS: &str = "polygon-locate";
 
@@ -30,10 +33,13 @@ pub fn tables(folder: &Path) -> Result<String, Error> {
     let mut text = String::new();
     let of_sign = |row: &ThroughputRow| row.task != MAPS;
     let is_raw = |row: &ThroughputRow| row.backend.starts_with(RAW);
+    let in_batches = |row: &ThroughputRow| matches!(row.interface, Interface::Batch | Interface::Loop);
     let by_id = "Asked by vertex id, in sessions of a prepared scene";
-    times(&mut text, &run, by_id, ONE, |row| of_sign(row) && !is_raw(row));
+    times(&mut text, &run, by_id, ONE, |row| of_sign(row) && !is_raw(row) && !in_batches(row));
     let raw = "Asked by raw coordinates, nothing prepared";
     times(&mut text, &run, raw, ONE, |row| of_sign(row) && is_raw(row));
+    let batches = "Asked in batches by vertex id";
+    times(&mut text, &run, batches, ONE_IN_BATCHES, |row| in_batches(row));
     times(&mut text, &run, "Points of maps located", ONE_ON_MAPS, |row| !of_sign(row));
     wrong(&mut text, &run);
     Ok(text)

@@ -347,8 +347,8 @@ fn page_of_data_finds_the_night_that_was_slower() {
     let [commit, before] = [night, night - 1].map(|night| format!("{:040x}", 0xC0FFEE + night / 2));
     let lines: Vec<&str> = told.lines().collect();
     assert_eq!(lines.len(), 2, "{told}");
-    assert_eq!(lines[0], "date,commit,commit_before,task,backend,families,times_as_slow");
-    let start = format!("{} 03:00:0{},{commit},{before},{task},{backend},2,1.", &date[..10], night % 7);
+    assert_eq!(lines[0], "date,commit,commit_before,task,backend,interface,families,times_as_slow");
+    let start = format!("{} 03:00:0{},{commit},{before},{task},{backend},batch,2,1.", &date[..10], night % 7);
     assert!(lines[1].starts_with(&start), "{} does not start with {start}", lines[1]);
 
     // A year without that night has nothing to tell: the query is no alarm of its own.

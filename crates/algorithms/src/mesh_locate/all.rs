@@ -66,19 +66,19 @@ pub fn locate_all_planted<P: Predicates + ?Sized, F: Planted>(
     labelled::<P, F>(index, session, &labels, queries, progress)
 }
 
-/// [`locate_all`] by [`MeshIndex::question`]: every triangle in the way is asked about, so that a session that is
+/// [`locate_all`] by [`MeshIndex::question_any`]: every triangle in the way is asked about, so that a session that is
 /// wrong about one can't hide it.
 ///
 /// # Panics
-/// As [`MeshIndex::locate`].
+/// As [`MeshIndex::question_any`].
 pub fn question_all<P: Predicates + ?Sized>(
     index: &MeshIndex,
     session: &P,
     queries: &[Vertex],
-    ray: Ray,
+    rays: &[Ray],
     progress: &(dyn Fn(usize) -> bool + Sync),
 ) -> Vec<Location> {
-    gather(queries, progress, |q, scratch| index.question(session, q, ray, scratch))
+    gather(queries, progress, |q, scratch| index.question_any(session, q, rays, scratch))
 }
 
 fn gather(

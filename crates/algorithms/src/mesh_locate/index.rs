@@ -181,7 +181,7 @@ impl MeshIndex {
             match self.by_ray(session, &none, v, &mut Scratch::new()) {
                 Location::In(region) => region,
                 // A point in an empty cell is on no triangle; a session that says so is asked again for each point.
-                Location::On(_) | Location::Contradiction => UNKNOWN,
+                Location::On(_) | Location::Contradiction | Location::Undecided => UNKNOWN,
             }
         };
         let mut of_region = crate::parallel::each(self.empty.len(), &of_region);

@@ -11,12 +11,21 @@
 //!   nearer, as of two faces of a sheet without thickness, the sum below decides.
 //!
 //! # Zeros
-//! The same code serves exact, perturbed and tolerant sessions:
+//! Zeros of exact sessions are ties, and perturbed sessions have none:
 //! * a point with a zero `orient3d`, whose projection is in that of the triangle, borders included, is **on** the triangle;
 //! * else, where `orient2d` is zero, the ray is taken at (ε, ε²) beside the point, in the plane across the ray: the signs of ε and ε²
 //!   are differences of coordinates, which `compare` tells. So the ray passes beside all vertices and edges, and vertical
 //!   triangles are never met;
 //! * under Simulation of Simplicity no zero comes up for a point that is a vertex of its own, and the answer is that of the perturbed scene.
+//!
+//! # Zeros within a band
+//! A session with a [reach](predicament_predicates::Predicates::reach) answers zero within a band, where the true sign is not known. No zero is
+//! broken there, edge by edge: signs that were chosen so need not be those of any ray. Every triangle along the ray is asked about, and
+//! * a point is **on** a triangle if its box, drawn out by the reach, holds the point, and all four signs allow it;
+//! * a triangle is passed or missed where signs that are not zero, and boxes, say so;
+//! * if another triangle may be passed or not, the ray does not decide. Then the next of the six rays along the axes is asked.
+//!
+//! A point that no ray decides about is [`Location::Undecided`].
 //!
 //! # Meshes that contradict themselves
 //! [`MeshIndex::question`] follows the ray to its end and adds up what it passes: at each triangle one of the region before, less
@@ -58,4 +67,6 @@ pub enum Location {
     On(u32),
     /// In no region, or in several.
     Contradiction,
+    /// Not known: a zero within the session's band decides along every ray.
+    Undecided,
 }

@@ -7,7 +7,7 @@ use predicament_predicates::{Predicates, Scene, Sign, Vertex};
 
 use super::nearer::is_nearer;
 use super::planted::Planted;
-use super::stab::{Direction, Stab, stab};
+use super::stab::{Direction, Stab, Way, stab, stab_in_band};
 use super::{Labels, Location, MeshIndex};
 use crate::planted::Honest;
 
@@ -15,8 +15,8 @@ use crate::planted::Honest;
 #[derive(Clone, Default, Debug)]
 pub struct Scratch {
     listed: Vec<u32>,
-    /// Triangles in the way, and whether their boxes hold the point within the reach.
-    triangles: Vec<(u32, bool)>,
+    /// Triangles in the way, and where their boxes are.
+    triangles: Vec<(u32, Way)>,
     /// Regions, and how often each is passed into more than out of.
     sums: Vec<(u32, i64)>,
 }
@@ -64,7 +64,8 @@ struct Nearest {
 }
 
 impl MeshIndex {
-    /// Where the vertex `q` is: by the label of its cell, else by the nearest triangle above it.
+    /// Where the vertex `q` is: by the label of its cell, else by the nearest triangle above it; for a session with a band by the first
+    /// ray that decides.
     ///
     /// # Panics
     /// If the session's scene lacks the vertex or one of the mesh.
@@ -91,9 +92,8 @@ impl MeshIndex {
         q: Vertex,
         scratch: &mut Scratch,
     ) -> Location {
-        let reach = session.reach();
-        if reach != 0.0 {
-            return self.by_all::<P>(session, q, reach, scratch);
+        if session.reach() != 0.0 {
+            return self.question_any(session, q, &Ray::ALL, scratch);
         }
         match labels.of(self.grid().at(session.scene().point3(q))) {
             Some(region) => Location::In(region),
@@ -111,7 +111,7 @@ impl MeshIndex {
     ) -> Location {
         match session.reach() {
             0.0 => self.walk::<P, Honest>(session, labels, q, scratch),
-            reach => self.by_all::<P>(session, q, reach, scratch),
+            _ => self.question_any(session, q, &Ray::ALL, scratch),
         }
     }
 
@@ -155,6 +155,7 @@ impl MeshIndex {
                 };
                 match stab(session, direction, corners, q, low <= p[2], turn) {
                     Stab::Missed => {}
+                    Stab::Unsure => unreachable!("no zero here is that of a band"),
                     Stab::On => {
                         // Entries are ascending, and the point's own cell lists all triangles that it is on.
                         found = Some(Location::On(triangle));
@@ -190,35 +191,27 @@ impl MeshIndex {
         found.unwrap_or(Location::In(nearest.map_or(OUTSIDE, |nearest| nearest.region)))
     }
 
-    /// By the nearest of all triangles above, for sessions that register points beyond boxes.
-    #[cold]
-    fn by_all<P: Predicates + ?Sized>(&self, session: &P, q: Vertex, reach: f64, scratch: &mut Scratch) -> Location {
-        let direction = Direction::of(Ray::UP);
-        self.in_the_way(session.scene(), q, Ray::UP, reach, scratch);
-        let mut nearest: Option<(u32, u32)> = None;
-        for &(triangle, is_near) in &scratch.triangles {
-            let corners = self.mesh().triangles()[triangle as usize];
-            match stab(session, direction, corners, q, is_near, |u, v| session.orient2d(direction.plane, u, v, q)) {
-                Stab::Missed => {}
-                Stab::On => return Location::On(triangle),
-                Stab::Passed { from_behind } => {
-                    let other = nearest.map(|(nearest, _)| self.mesh().triangles()[nearest as usize]);
-                    let is_nearer = other.map_or(Some(true), |other| is_nearer(session, direction, corners, other));
-                    let Some(is_nearer) = is_nearer else { return self.question(session, q, Ray::UP, scratch) };
-                    if is_nearer {
-                        nearest = Some((triangle, self.mesh().sides()[triangle as usize][usize::from(from_behind)]));
-                    }
-                }
-            }
-        }
-        Location::In(nearest.map_or(OUTSIDE, |(_, region)| region))
+    /// Where the vertex `q` is by the first of these rays that decides: all but sessions with a band decide by each.
+    ///
+    /// # Panics
+    /// As [`MeshIndex::locate`], and if there are no rays.
+    pub fn question_any<P: Predicates + ?Sized>(
+        &self,
+        session: &P,
+        q: Vertex,
+        rays: &[Ray],
+        scratch: &mut Scratch,
+    ) -> Location {
+        assert!(!rays.is_empty(), "a point is located by a ray");
+        let decide = |&ray: &Ray| Some(self.question(session, q, ray, scratch)).filter(|at| *at != Location::Undecided);
+        rays.iter().find_map(decide).unwrap_or(Location::Undecided)
     }
 
     /// Where the vertex `q` is, all of it asked: every triangle along the ray, to its end, whether or not raw coordinates or
     /// labels decide about it.
     ///
     /// The same as [`locate`](MeshIndex::locate) for exact and perturbed signs and a mesh that does not cross itself, and slower: for
-    /// judging sessions, not for using them.
+    /// judging sessions, not for using them. With a band [`Location::Undecided`] where this ray does not decide.
     ///
     /// # Panics
     /// As [`MeshIndex::locate`].
@@ -229,19 +222,26 @@ impl MeshIndex {
         ray: Ray,
         scratch: &mut Scratch,
     ) -> Location {
-        let direction = Direction::of(ray);
-        self.in_the_way(session.scene(), q, ray, session.reach(), scratch);
+        let (direction, reach) = (Direction::of(ray), session.reach());
+        self.in_the_way(session.scene(), q, ray, reach, scratch);
         scratch.sums.clear();
         scratch.sums.push((OUTSIDE, 1));
         let mut add = |region: u32, by: i64| match scratch.sums.iter_mut().find(|(known, _)| *known == region) {
             Some((_, sum)) => *sum += by,
             None => scratch.sums.push((region, by)),
         };
-        for &(triangle, is_near) in &scratch.triangles {
+        let mut is_unsure = false;
+        for &(triangle, way) in &scratch.triangles {
             let corners = self.mesh().triangles()[triangle as usize];
             let turn = |u, v| session.orient2d(direction.plane, u, v, q);
-            match stab(session, direction, corners, q, is_near, turn) {
+            let met = match reach {
+                0.0 => stab(session, direction, corners, q, way.is_near, turn),
+                _ => stab_in_band(session, direction, corners, q, way),
+            };
+            match met {
                 Stab::Missed => {}
+                // It may still be on one of the others.
+                Stab::Unsure => is_unsure = true,
                 Stab::On => return Location::On(triangle),
                 Stab::Passed { from_behind } => {
                     let [front, back] = self.mesh().sides()[triangle as usize];
@@ -250,6 +250,9 @@ impl MeshIndex {
                     add(behind, -1);
                 }
             }
+        }
+        if is_unsure {
+            return Location::Undecided;
         }
         let mut left = scratch.sums.iter().filter(|(_, sum)| *sum != 0);
         match (left.next(), left.next()) {
@@ -284,7 +287,9 @@ impl MeshIndex {
         triangles.extend(listed.iter().filter_map(|&triangle| {
             let corners = self.mesh().triangles()[triangle as usize].map(|v| scene.point3(v));
             let bounds = Bounds::of(corners);
-            bounds.is_near(&way, 0.0).then(|| (triangle, bounds.is_near(&around, 0.0)))
+            let [before, behind] = [bounds.high[ray.axis] < p[ray.axis], bounds.low[ray.axis] > p[ray.axis]];
+            let ahead = (before != behind).then_some(behind == ray.is_up);
+            bounds.is_near(&way, 0.0).then(|| (triangle, Way { is_near: bounds.is_near(&around, 0.0), ahead }))
         }));
     }
 }

@@ -34,6 +34,8 @@ pub(super) enum Stab {
     Missed,
     /// The point itself is on the triangle.
     On,
+    /// By signs that are zero within a band it may pass or not.
+    Unsure,
     /// It passes from the back of the triangle to its front, or from the front to the back.
     Passed {
         /// Whether the point is behind the triangle.
@@ -84,6 +86,50 @@ fn passed<P: Predicates + ?Sized>(
     }
     let is_before = (side == turns) == direction.is_up();
     if is_before { Stab::Passed { from_behind: side == Sign::Positive } } else { Stab::Missed }
+}
+
+/// Where a triangle's box is, seen from a point along a ray.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Way {
+    /// Whether the box holds the point, or is within the reach of it.
+    pub(super) is_near: bool,
+    /// Whether all of the box is further along the ray than the point (true), or less far (false); none where it is neither.
+    pub(super) ahead: Option<bool>,
+}
+
+/// [`stab`] for a session whose zeros are those of a band: the true sign may be any.
+///
+/// Signs that are not zero are right, and so is what is answered here, but for `Unsure`.
+pub(super) fn stab_in_band<P: Predicates + ?Sized>(
+    session: &P,
+    direction: Direction,
+    corners: [Vertex; 3],
+    q: Vertex,
+    way: Way,
+) -> Stab {
+    let [a, b, c] = corners;
+    let turns = [[a, b], [b, c], [c, a]].map(|[u, v]| session.orient2d(direction.plane, u, v, q));
+    if turns.contains(&Sign::Positive) && turns.contains(&Sign::Negative) {
+        return Stab::Missed;
+    }
+    let side = session.orient3d(a, b, c, q);
+    if way.is_near && side == Sign::Zero && is_within(session, corners, q) {
+        return Stab::On;
+    }
+    // The turn of the triangle, if the ray passes it.
+    let turn = turns.into_iter().find(|&turn| turn != Sign::Zero);
+    let is_ahead = match (way.ahead, turn) {
+        (Some(is_ahead), _) => is_ahead,
+        (None, Some(turn)) if side != Sign::Zero => (side == turn) == direction.is_up(),
+        _ => return Stab::Unsure,
+    };
+    match turn {
+        _ if !is_ahead => Stab::Missed,
+        Some(turn) if !turns.contains(&Sign::Zero) => {
+            Stab::Passed { from_behind: (turn == Sign::Positive) == direction.is_up() }
+        }
+        _ => Stab::Unsure,
+    }
 }
 
 /// The projected point is on the line of an edge at least.

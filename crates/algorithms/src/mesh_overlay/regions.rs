@@ -191,7 +191,7 @@ impl Known<'_> {
         };
         let region = |(root, location)| match location {
             Location::In(region) => Ok((root, region)),
-            Location::On(_) | Location::Contradiction => {
+            Location::On(_) | Location::Contradiction | Location::Undecided => {
                 Err(Undone::Broken("a vertex is in one region of the other mesh"))
             }
         };

@@ -122,10 +122,19 @@ impl LocateIndex {
         q: Vertex,
         scratch: &'a mut Scratch,
     ) -> Location<'a> {
-        let point = session.scene().point2(Plane::Xy, q);
+        let (scene, reach) = (session.scene(), session.reach());
+        let point = scene.point2(Plane::Xy, q);
+        let top = if reach == 0.0 { f64::MAX } else { (point[1] + reach).next_up() };
         scratch.fit(self);
-        for edge in self.columns().above(point, session.reach()) {
-            if let Some(mark) = meet(session, self.ends(edge), q).mark() {
+        for edge in self.columns().above(point, reach) {
+            let ends = self.ends(edge);
+            let mut meeting = meet(session, ends, q);
+            if meeting == Meeting::Touches && ends.iter().all(|&v| scene.point2(Plane::Xy, v)[1] > top) {
+                // A zero within the band of a steep edge's line, far below the edge: it is in the way, and not touched.
+                let [past, other] = ends.map(|v| session.compare(Axis::X, v, q) != Sign::Positive);
+                meeting = if past == other { Meeting::Misses } else { Meeting::Crosses };
+            }
+            if let Some(mark) = meeting.mark() {
                 scratch.owner_sets.add(self.owners_of(edge), mark);
             }
         }

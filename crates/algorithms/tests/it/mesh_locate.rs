@@ -10,6 +10,7 @@ use predicament_judge::solids::{Materials, Place};
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Backend, Off, Predicates, Question, Scene, Sign, Vertex};
 use predicament_sos::{PerMesh, Sos};
+use predicament_tolerance::Tolerance;
 use proptest::prelude::*;
 
 /// Tetrahedra over points.
@@ -139,7 +140,7 @@ fn agrees(solids: &Solids, queries: &[[f64; 3]]) {
 fn all_ways(index: &MeshIndex, session: &dyn Predicates, queries: &[Vertex]) -> Vec<Location> {
     let answers = locate_all(index, session, queries, &|_| true);
     for ray in Ray::ALL {
-        let asked = question_all(index, session, queries, ray, &|_| true);
+        let asked = question_all(index, session, queries, &[ray], &|_| true);
         for (at, (answer, asked)) in answers.iter().zip(&asked).enumerate() {
             let point = session.scene().point3(queries[at]);
             assert_eq!(answer, asked, "{point:?} by {ray:?}");
@@ -303,11 +304,88 @@ fn a_surface_that_crosses_itself_is_told_as_a_contradiction_by_sums() {
     let session = Exact.prepare(&scene, Off).unwrap();
     let queries = [16, 17, 18, 19].map(Vertex::input);
     for ray in Ray::ALL {
-        let answers = question_all(&index, &session, &queries, ray, &|_| true);
+        let answers = question_all(&index, &session, &queries, &[ray], &|_| true);
         assert_eq!(answers, [Location::In(1), Location::Contradiction, Location::In(1), Location::In(0)]);
     }
     let judge = Materials::new(&scene, index.mesh().triangles(), index.mesh().sides());
     assert_eq!(judge.locate(queries[1]), Place::Windings(vec![(0, -1), (1, 2)]));
+}
+
+/// The answers of tolerances, each a place where the point may be: how many are in a region, on the mesh and undecided.
+fn registered(solids: &Solids, queries: &[[f64; 3]]) -> [usize; 3] {
+    let (scene, mesh, vertices) = solids.scene(queries);
+    let index = MeshIndex::new(mesh, &scene);
+    let judge = Materials::new(&scene, index.mesh().triangles(), index.mesh().sides());
+    let session = Tolerance.prepare(&scene, Off).unwrap();
+    let ways: Vec<Vec<Ray>> = Ray::ALL.iter().map(|&ray| vec![ray]).chain([Ray::ALL.to_vec()]).collect();
+    let located = locate_all(&index, &session, &vertices, &|_| true);
+    let asked = ways.iter().map(|rays| question_all(&index, &session, &vertices, rays, &|_| true));
+    let answers: Vec<Vec<Location>> = asked.chain([located]).collect();
+    assert_eq!(answers[ways.len() - 1], answers[ways.len()], "users get what is judged");
+    for (at, &q) in vertices.iter().enumerate() {
+        let place = judge.locate(q);
+        for answer in answers.iter().map(|all| all[at]) {
+            let is_legal = match (answer, &place) {
+                (Location::In(region), Place::In(truth)) => region == *truth,
+                // On all triangles that it is on, and the first of those within the band of it.
+                (Location::On(triangle), Place::On(triangles)) => triangle <= triangles[0],
+                (Location::On(triangle), Place::In(_)) => {
+                    is_beside(&scene, index.mesh().triangles()[triangle as usize], q)
+                }
+                (Location::Undecided, Place::In(_)) => true,
+                _ => false,
+            };
+            assert!(is_legal, "{:?}: {answer:?}, {place:?}", queries[at]);
+        }
+    }
+    let count = |is: fn(&Location) -> bool| answers[ways.len()].iter().filter(|answer| is(answer)).count();
+    [
+        count(|at| matches!(at, Location::In(_))),
+        count(|at| matches!(at, Location::On(_))),
+        count(|at| *at == Location::Undecided),
+    ]
+}
+
+/// Whether a point is in the box of a triangle, give or take a millionth.
+fn is_beside(scene: &Scene, corners: [Vertex; 3], q: Vertex) -> bool {
+    (0..3).all(|axis| {
+        let along = corners.map(|v| scene.point3(v)[axis]);
+        let x = scene.point3(q)[axis];
+        !along.iter().all(|end| x < end - 1e-6) && !along.iter().all(|end| x > end + 1e-6)
+    })
+}
+
+#[test]
+fn zeros_within_a_band_put_no_point_into_another_region() {
+    // As an exact zero, that of the edge from 0 to 1 would put the ray up beside the edge on the wrong side.
+    let solids = Solids {
+        points: vec![[0., -f64::EPSILON * 16., 0.], [1., 0., 0.], [0., 0., 1.], [0., 1., 0.]],
+        tetrahedra: vec![[0, 1, 2, 3]],
+    };
+    assert_eq!(registered(&solids, &[[0., 0., -1.]]), [1, 0, 0]);
+    let [within, on, _] = registered(&solids, &solids.queries());
+    assert!(within > 5 && on > 5);
+}
+
+#[test]
+fn a_zero_of_a_small_or_steep_triangle_is_no_place_on_it() {
+    // A point in line with all edges of a triangle, as the tolerance of the scene has it, and far from it.
+    let solids = Solids {
+        points: vec![
+            [0., 0., 0.],
+            [1e-9, 0., 0.],
+            [0., 1e-9, 0.],
+            [0., 0., 1e-9],
+            [4., 0., 0.],
+            [4., 4., 0.],
+            [4., 0., 4.],
+            [5., 0., 0.],
+        ],
+        tetrahedra: vec![[0, 1, 2, 3], [4, 5, 6, 7]],
+    };
+    let [within, on, undecided] =
+        registered(&solids, &[[1e-10, 1e-10, 2.], [1., 1e-10, 1e-10], [2e-10, 2e-10, 1e-10], [3., 3., 3.]]);
+    assert_eq!([within, on, undecided], [3, 1, 0]);
 }
 
 #[test]
@@ -356,5 +434,18 @@ proptest! {
         let mut queries = solids.queries();
         queries.extend(more);
         agrees(&solids, &queries);
+    }
+
+    /// Points of a lattice, moved by about as much as a tolerance.
+    #[test]
+    fn lattices_with_noise_are_answered_within_bands(size in prop::array::uniform3(1..3_usize), noise in prop::collection::vec(prop::array::uniform3(-1.0..1.0_f64), 27), power in 30..54_i32) {
+        let mut solids = lattice(size);
+        for (point, noise) in solids.points.iter_mut().zip(noise) {
+            *point = [0, 1, 2].map(|axis: usize| point[axis] + noise[axis] * 2f64.powi(-power));
+        }
+        let mut queries = lattice(size).queries();
+        queries.extend(solids.queries());
+        queries.extend([[0.3, 0.4, 0.6], [-1.0, 0.5, 0.5], [0.5, 0.5, -1.0], [0.0, 0.0, -1.0]]);
+        registered(&solids, &queries);
     }
 }

@@ -91,7 +91,7 @@ impl Case {
             (Location::In(region), Some(truth)) => region == truth,
             (Location::In(region), None) => !is_exact && self.truth.touches(region, p),
             (Location::On(triangle), None) => is_exact && self.holds(triangle, p),
-            (Location::On(_), Some(_)) | (Location::Contradiction, _) => false,
+            (Location::On(_), Some(_)) | (Location::Contradiction | Location::Undecided, _) => false,
         }
     }
 }
@@ -169,8 +169,8 @@ fn counts<F: Planted>(case: &Case, queries: usize, sizes: Option<Sizes>) -> Coun
         let per_mesh = PerMesh.prepare(&scene, Off).unwrap();
         counts.judge(case, &points, "sos:per-mesh", &locate::<F, _>(&index, &per_mesh, some));
         for ray in Ray::ALL {
-            counts.judge(case, &points, "exact", &question_all(&index, &exact, few, ray, &|_| true));
-            counts.judge(case, &points, "sos", &question_all(&index, &sos, few, ray, &|_| true));
+            counts.judge(case, &points, "exact", &question_all(&index, &exact, few, &[ray], &|_| true));
+            counts.judge(case, &points, "sos", &question_all(&index, &sos, few, &[ray], &|_| true));
         }
     }
     counts

@@ -13,6 +13,7 @@ use predicament_exact::Exact;
 use predicament_mesh::PolygonMap;
 use predicament_predicates::{Axis, Backend, Off, Plane, Predicates, Scene, Sign, Vertex};
 use predicament_sos::Sos;
+use predicament_tolerance::Tolerance;
 use proptest::prelude::*;
 
 fn located<P: Predicates>(map: &PolygonMap, session: &P) -> Locations {
@@ -252,6 +253,25 @@ fn ask_everything<P: Predicates>(index: &LocateIndex, session: &P, q: Vertex) ->
     let regions =
         |is: &dyn Fn(usize) -> bool| (0..).zip(0..odd.len()).filter(|&(_, at)| is(at)).map(|(r, _)| r).collect();
     [regions(&|at| odd[at] && !touched[at]), regions(&|at| touched[at])]
+}
+
+#[test]
+fn a_point_far_below_a_steep_edge_is_not_on_it() {
+    // In line with the edge from 0 to 1, as the tolerance of the scene has it; and as near to its line, beside the edge itself.
+    let width = 2f64.powi(-46);
+    let points = [[1., 3.], [1. + width, 4.], [3., 3.5], [0., 0.], [1. + width / 2., 0.5], [1. + width / 2., 3.25]];
+    let (map, scene) = problem(&points, &[vec![vec![0, 1, 2]]]);
+    let session = Tolerance.prepare(&scene, Off).unwrap();
+    let [below, beside] = [4, 5].map(Vertex::input);
+    assert_eq!(session.orient2d(Plane::Xy, Vertex::input(0), Vertex::input(1), below), Sign::Zero);
+    let index = LocateIndex::new(&map, &scene);
+    let mut scratch = Scratch::new();
+    for (q, boundary) in [(below, &[][..]), (beside, &[0])] {
+        let location = index.question(&session, q, &mut scratch);
+        assert_eq!((location.inside, location.boundary), (&[][..], boundary), "{q}, all asked");
+        let location = index.locate(&session, q, &mut scratch);
+        assert_eq!((location.inside, location.boundary), (&[][..], boundary), "{q}");
+    }
 }
 
 /// For sessions of all kinds: what the coordinates force need not be asked.

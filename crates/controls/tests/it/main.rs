@@ -1,5 +1,6 @@
 //! The integration tests, as one binary: each further one would link the crate and compile what they share again.
 
+mod batches;
 mod condemned;
 mod controls;
 mod wild;

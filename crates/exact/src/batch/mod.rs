@@ -8,23 +8,18 @@
 #![allow(clippy::needless_range_loop)]
 #![allow(unsafe_code)]
 
-mod block;
-pub mod lanes;
-mod simd;
 mod sweep;
 #[cfg(test)]
 mod tests;
 
 use std::marker::PhantomData;
 
+use predicament_lanes::{BLOCK, Block, Kernel, View, dispatch};
 use predicament_predicates::{Sign, Vertex};
 
 use crate::anywhere::Bounded;
 use crate::predicate::Predicate;
 use crate::stage;
-pub(crate) use block::{Along, View, Whole, Xy, Yz, Zx};
-use block::{BLOCK, Block};
-use simd::{Kernel, dispatch};
 pub(crate) use sweep::{Sweep, sweep};
 
 /// How many queries of a batch each stage has settled, by the stage's index.

@@ -4,10 +4,9 @@
 
 use std::marker::PhantomData;
 
+use predicament_lanes::{BLOCK, Block, Kernel, View, dispatch};
 use predicament_predicates::{Sign, Vertex};
 
-use super::block::{BLOCK, Block, View};
-use super::simd::{Kernel, dispatch};
 use super::{Filtered, NONE, Settled, filter, ones};
 
 /// Queries of `N` vertices each, their value, and what to do about them.

@@ -1,10 +1,10 @@
 //! Every width of registers answers as one query at a time would.
 
+use predicament_lanes::{Along, View, Whole, Width, Xy, Yz, Zx, run_on};
 use predicament_predicates::{Sign, Vertex};
 use proptest::prelude::*;
 
-use super::simd::{Width, run_on};
-use super::{Along, Batch, Of, Sweep, View, Whole, Xy, Yz, Zx, sweep};
+use super::{Batch, Of, Sweep, sweep};
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::side::Side;
 use crate::stage;

@@ -1,10 +1,11 @@
 //! Answers in batches, with the number that each stage has settled.
 
 use predicament_arithmetic::bound;
+use predicament_lanes::{Along, View, Whole, Xy, Yz, Zx};
 use predicament_predicates::{Axis, Dimension, Plane, Sign, Vertex};
 
 use super::Decider;
-use crate::batch::{self, Along, Batch, NONE, Settled, Sweep, View, Whole, Xy, Yz, Zx};
+use crate::batch::{self, Batch, NONE, Settled, Sweep};
 use crate::first;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::side::Side;

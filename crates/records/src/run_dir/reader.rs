@@ -18,7 +18,8 @@ use super::writer::map_key;
 use super::{ENV, MAPS, PLAN, TABLES};
 use crate::rows::{MOST, NO_COUNT};
 use crate::{
-    Env, Error, FORMAT, FindingRow, Plan, PrecisionRow, Row, Rows, SampledRow, StageRow, SummaryRow, ThroughputRow,
+    Env, Error, FORMAT, FindingRow, Interface, Plan, PrecisionRow, Row, Rows, SampledRow, StageRow, SummaryRow,
+    ThroughputRow,
 };
 
 /// A run that was read back. Rows stand in the order of their files.
@@ -155,12 +156,22 @@ impl RunDir {
         self.tables.get(table.file).map_or_else(Vec::new, |text| text.records(table))
     }
 
-    /// The rows of `throughput.csv` of each scene, by task, family and backend. They stand in the order in which they
-    /// were measured: where the number of the sample starts again, a family has another scene.
+    /// The rows of `throughput.csv` of each scene, by task, family and backend: of single queries or whole answers. A backend that was
+    /// timed on a family in batches only has those.
     #[must_use]
     pub fn timed_scenes(&self) -> BTreeMap<[&str; 3], Vec<Vec<&ThroughputRow>>> {
+        let mut timed = self.timed_scenes_by(&[Interface::Batch, Interface::Loop]);
+        timed.extend(self.timed_scenes_by(&[Interface::Single, Interface::Whole]));
+        timed
+    }
+
+    /// The rows of `throughput.csv` of each scene that were timed by one of these interfaces, by task, family and backend. They stand in
+    /// the order in which they were measured: where the number of the sample starts again, a family has another scene. So no backend
+    /// may have been timed on a task by two of the interfaces.
+    #[must_use]
+    pub fn timed_scenes_by(&self, interfaces: &[Interface]) -> BTreeMap<[&str; 3], Vec<Vec<&ThroughputRow>>> {
         let mut timed: BTreeMap<_, Vec<Vec<&ThroughputRow>>> = BTreeMap::new();
-        for row in &self.throughput {
+        for row in self.throughput.iter().filter(|row| interfaces.contains(&row.interface)) {
             let scenes = timed.entry([&*row.task, &*row.family, &*row.backend]).or_default();
             match scenes.last_mut().filter(|scene| scene.last().is_some_and(|last| row.sample > last.sample)) {
                 Some(scene) => scene.push(row),

@@ -107,7 +107,9 @@ breaks.csv, limits.csv (knobs that do not fit a task), stress-laws.csv, stress.m
 knob as SVG and PDF: scenes that are wrong, and the time. With --suites also a suite for each position of each knob, with its points
 written out: `predicament run` keeps a break point as a regression.
 
-Exit codes: 0 if no backend with a proved promise breaks or violates a law, 100 otherwise.
+Exit codes: 100 if a backend with a proved promise gives a wrong answer (sign_flip, missed_zero, overreach, nan, inconsistent) or
+violates a law, 0 otherwise. Checks of whole scenes that fail are no broken promise: where zeros are a band, signs need not fit
+each other. They are in the tables.
 
 Examples:
   predicament stress --out target/stress

@@ -6,6 +6,11 @@ pub(super) const CHECKS: &[Check] = &[
     Check::topology("one region", "a point is in one region, or on the mesh"),
     Check::new(Class::SignFlip, "exact location", "a point is in the region that it is in"),
     Check::new(Class::Overreach, "exact location", "a point that is found on a triangle is there, on the first one"),
+    Check::new(
+        Class::Overreach,
+        "undecided location",
+        "a point is left undecided only where zeros within a tolerance decide",
+    ),
     Check::new(Class::MissedZero, "missed surface", "a point on the mesh is found there"),
     Check::new(Class::Inconsistent, "unbroken tie", "where ties are broken no point is on the mesh"),
     Check::topology("region not around", "where ties are broken a point on the mesh is in a region around it"),

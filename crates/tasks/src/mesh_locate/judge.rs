@@ -12,6 +12,7 @@ use predicament_mesh::OUTSIDE;
 use predicament_predicates::{PredicateKind, Predicates, Query, Question, Scene, Sign, Vertex, ZeroMeaning};
 use rayon::prelude::*;
 
+use super::bands::Bands;
 use super::content::{Probe, ProbeKind, ProbedMesh};
 use super::section::MeshLocateRow;
 use super::{Located, MeshLocate, named};
@@ -106,15 +107,20 @@ fn among(scene: &Scene, tetrahedra: &[[Vertex; 4]], q: Vertex) -> Place {
     }
 }
 
-/// The class of an answer by itself, and the check that found it.
+/// The class of an answer by itself, and the check that found it. `bands` says what zeros within the session's bands allow.
 fn class_of(
     answer: Location,
     place: &Place,
     zero: ZeroMeaning,
     mesh_sides: &dyn Fn(u32) -> [u32; 2],
+    bands: &dyn Fn(Location) -> bool,
 ) -> (Class, &'static str) {
     const EXACT: &str = "exact location";
     match (answer, place) {
+        (Location::Undecided, Place::On(_)) if zero == ZeroMeaning::Band => (Class::MissedZero, "missed surface"),
+        (Location::Undecided, _) if zero != ZeroMeaning::Band => (Class::Topology, "one region"),
+        (Location::Undecided, _) if bands(answer) => (Class::InBand, EXACT),
+        (Location::Undecided, _) => (Class::Overreach, "undecided location"),
         // What the mesh itself contradicts is not the backend's.
         (Location::Contradiction, Place::Windings(_)) => (Class::Agree, EXACT),
         (Location::Contradiction, _) => (Class::Topology, "one region"),
@@ -123,14 +129,15 @@ fn class_of(
         (Location::In(_), Place::In(_)) => (Class::SignFlip, EXACT),
         (Location::On(_), Place::In(_) | Place::Windings(_)) => match zero {
             ZeroMeaning::Exact => (Class::Overreach, EXACT),
-            ZeroMeaning::Band => (Class::InBand, EXACT),
+            ZeroMeaning::Band if bands(answer) => (Class::InBand, EXACT),
+            ZeroMeaning::Band => (Class::Overreach, EXACT),
             ZeroMeaning::Never => (Class::Inconsistent, "unbroken tie"),
         },
         (Location::On(triangle), Place::On(triangles)) => match zero {
             ZeroMeaning::Never => (Class::Inconsistent, "unbroken tie"),
             _ if triangle == triangles[0] => (Class::Agree, EXACT),
-            ZeroMeaning::Band => (Class::InBand, EXACT),
-            ZeroMeaning::Exact => (Class::Overreach, EXACT),
+            ZeroMeaning::Band if bands(answer) => (Class::InBand, EXACT),
+            ZeroMeaning::Exact | ZeroMeaning::Band => (Class::Overreach, EXACT),
         },
         (Location::In(region), Place::On(triangles)) => {
             let is_around = triangles.iter().any(|&triangle| mesh_sides(triangle).contains(&region));
@@ -146,8 +153,7 @@ fn class_of(
 
 /// Whether two answers to one question can both be given by a session of this kind.
 fn agree(one: Location, other: Location, zero: ZeroMeaning) -> bool {
-    // With a band, each plane has its own, and what is near the mesh along one axis need not be along another. Near a vertex above the point
-    // the edges around it are told apart one by one, which is no promise either. Two regions are.
+    // With a band one ray may decide where another does not; where a point is on a triangle, all rays find it there. Two regions are no such case.
     one == other || (zero == ZeroMeaning::Band && [one, other].iter().any(|at| !matches!(at, Location::In(_))))
 }
 
@@ -171,6 +177,7 @@ pub(super) fn judge(
     let turned = turned(index, asked, answers, &probes)?;
     let sides = |triangle: u32| content.mesh.sides()[triangle as usize];
     let judge = Materials::new(case.scene(), content.mesh.triangles(), content.mesh.sides());
+    let in_bands = Bands::new(asked.session, content);
     let mut asked_later = 0;
     let mut rows: BTreeMap<ProbeKind, MeshLocateRow> = BTreeMap::new();
     for (at, &answer) in answers.iter().enumerate() {
@@ -180,7 +187,7 @@ pub(super) fn judge(
         let later = is_open.then(|| judge.locate(probes[at]));
         let known = truth.of(at).or(later.as_ref().map(|place| (place, None)));
         let (mut class, mut check) = match known {
-            Some((place, _)) => class_of(answer, place, zero, &sides),
+            Some((place, _)) => class_of(answer, place, zero, &sides, &|answer| in_bands.allow(probes[at], answer)),
             None if answer == Location::Contradiction => (Class::Topology, "one region"),
             None => (Class::Agree, "one region"),
         };
@@ -197,7 +204,7 @@ pub(super) fn judge(
             (_, Place::On(_)) => true,
             // In tetrahedra that overlap.
             (Location::Contradiction, Place::Windings(_)) => true,
-            _ => matches!(answer, Location::On(_)) && zero == ZeroMeaning::Band,
+            _ => matches!(answer, Location::On(_) | Location::Undecided) && zero == ZeroMeaning::Band,
         });
         law(fits, "tetrahedron", answer, by_solids.map_or_else(String::new, told));
         if let Some(&other) = turned.get(&at) {

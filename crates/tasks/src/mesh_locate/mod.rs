@@ -3,6 +3,7 @@
 //! PinMesh (Franklin and Magalhães, section 4.4). Each point of space should be in exactly one region, whichever way a ray from
 //! it goes, also on lines through vertices and edges.
 
+mod bands;
 mod checks;
 pub(crate) mod content;
 pub(crate) mod generate;
@@ -50,11 +51,12 @@ const FARTHER_CHECKS: &[Catch] = &[(Class::SignFlip, "exact location")];
 
 /// What a drawing of an answer has of the probes.
 type LocationLayer = (&'static str, Role, fn(&Location) -> bool);
-const LAYERS: [LocationLayer; 4] = [
+const LAYERS: [LocationLayer; 5] = [
     ("outside", Role::Given, |location| *location == Location::In(OUTSIDE)),
     ("in a region", Role::Found, |location| matches!(location, Location::In(region) if *region != OUTSIDE)),
     ("on the mesh", Role::Second, |location| matches!(location, Location::On(_))),
     ("contradictory", Role::Mark, |location| *location == Location::Contradiction),
+    ("undecided", Role::Faint, |location| *location == Location::Undecided),
 ];
 
 /// The task.
@@ -72,6 +74,7 @@ impl Answer for Located {
                 Location::In(region) => [0, region],
                 Location::On(triangle) => [1, triangle],
                 Location::Contradiction => [2, 0],
+                Location::Undecided => [3, 0],
             };
             [kind, number].into_iter().flat_map(u32::to_le_bytes)
         }))
@@ -178,7 +181,7 @@ impl Task for MeshLocate {
         answer.0 = match how.purpose {
             Purpose::Judge => {
                 let session: &dyn Predicates = session;
-                how.watch.counted(|go_on| question_all(index, session, &probes, Ray::UP, go_on))?
+                how.watch.counted(|go_on| question_all(index, session, &probes, &Ray::ALL, go_on))?
             }
             Purpose::Use | Purpose::Files => how.watch.counted(|go_on| locate_all(index, session, &probes, go_on))?,
         };
@@ -305,6 +308,7 @@ impl Task for MeshLocate {
                 Location::In(region) => ["in", &region.to_string(), ""].map(str::to_owned),
                 Location::On(triangle) => ["on", "", &triangle.to_string()].map(str::to_owned),
                 Location::Contradiction => ["contradiction", "", ""].map(str::to_owned),
+                Location::Undecided => ["undecided", "", ""].map(str::to_owned),
             };
             let (vertex, kind) = (probe.vertex, probe.kind.name());
             lines.push_str(&format!("{vertex},{kind},{x:?},{y:?},{z:?},{answer},{region},{triangle}\n"));
@@ -350,5 +354,6 @@ pub fn named(location: Location) -> String {
         Location::In(region) => format!("in region {region}"),
         Location::On(triangle) => format!("on triangle {triangle}"),
         Location::Contradiction => "in no one region".to_owned(),
+        Location::Undecided => "undecided".to_owned(),
     }
 }

@@ -32,6 +32,8 @@ predicament_records::table! {
         pub on_mesh: u64,
         /// Probes in no region, or in several.
         pub contradictions: u64,
+        /// Probes that were left undecided, by zeros within a band.
+        pub undecided: u64,
         /// Probes that were held against all triangles.
         pub known: u64,
         /// Answers that are wrong, or contradict others: the points that are lost.
@@ -39,9 +41,9 @@ predicament_records::table! {
     }
 
     fn check(&self) -> Result<(), String> {
-        let answers = [self.in_region, self.on_mesh, self.contradictions].into_iter().try_fold(0_u64, u64::checked_add);
-        if answers != Some(self.probes) {
-            return Err("the probes are not those in a region, on the mesh and in no one region".to_owned());
+        let answers = [self.in_region, self.on_mesh, self.contradictions, self.undecided];
+        if answers.into_iter().try_fold(0_u64, u64::checked_add) != Some(self.probes) {
+            return Err("the probes are not those in a region, on the mesh, in no one region and undecided".to_owned());
         }
         if self.known > self.probes || self.lost > self.probes {
             return Err("more probes are known or lost than there are".to_owned());
@@ -63,6 +65,7 @@ impl MeshLocateRow {
             in_region: 0,
             on_mesh: 0,
             contradictions: 0,
+            undecided: 0,
             known: 0,
             lost: 0,
         }
@@ -74,6 +77,7 @@ impl MeshLocateRow {
             Location::In(_) => self.in_region += 1,
             Location::On(_) => self.on_mesh += 1,
             Location::Contradiction => self.contradictions += 1,
+            Location::Undecided => self.undecided += 1,
         }
         self.known += u64::from(is_known);
         self.lost += u64::from(!class.is_legal());
@@ -87,7 +91,7 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
         .words(run_head(runs))
         .words(["scene", "probes at", "backend"])
         .of(Origin::of(MeshLocateRow::FILE).keys(["scene", "backend"]).key("probes at", "kind").under("scene", "suite"))
-        .numbers(["probes", "in a region", "on the mesh", "contradictions", "known", "lost"]);
+        .numbers(["probes", "in a region", "on the mesh", "contradictions", "undecided", "known", "lost"]);
     for (index, run) in runs.iter().enumerate() {
         let mut rows = run.rows::<MeshLocateRow>()?;
         rows.sort_by_cached_key(|r| {
@@ -103,6 +107,7 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
                 Cell::count(row.in_region),
                 Cell::count(row.on_mesh),
                 Cell::count(row.contradictions),
+                Cell::count(row.undecided),
                 Cell::count(row.known),
                 Cell::count(row.lost).tone(lost),
             ];
@@ -113,7 +118,8 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
         id: "mesh-locate",
         title: "Points in meshes",
         lead: "Probes of multi-material meshes by how they were chosen, and where each backend found them. A probe is lost if its \
-               answer is wrong, is no one region, or differs from axis to axis."
+               answer is wrong, is no one region, or differs from axis to axis. One that is undecided is within a tolerance of a border, as seen along \
+               each axis."
             .to_owned(),
         blocks: vec![Block::Table(table)],
     }))

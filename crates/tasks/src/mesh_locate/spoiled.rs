@@ -28,6 +28,13 @@ pub(super) fn all() -> Vec<Spoiled<MeshLocate>> {
             |_, _, answer: &mut Located| answer.0.iter_mut().for_each(|place| *place = Location::On(0)),
         ),
         Spoiled::new(
+            "mesh-locate-decides-nothing",
+            "each point is left undecided, also where no zero of the tolerance is in the way",
+            "tolerance",
+            &[(Class::Overreach, "undecided location")],
+            |_, _, answer: &mut Located| answer.0.iter_mut().for_each(|place| *place = Location::Undecided),
+        ),
+        Spoiled::new(
             "mesh-locate-leaves-ties",
             "each point is on the first triangle although ties are broken",
             "sos",

@@ -9,9 +9,10 @@
 //! has to give the same answers by it.
 
 use predicament_algorithms::polygon_locate::{Location, Locations, locate_all, question_all};
+use predicament_checks::audit::published;
 use predicament_checks::tiling::{Fault, Flaws, Ground, Surroundings, map_flaws, surroundings, tiling_report};
-use predicament_judge::{Judged, Sample, locate as judge};
-use predicament_predicates::{PredicateKind, Query, Scene, Vertex, ZeroMeaning};
+use predicament_judge::{Judged, Sample, is_within, locate as judge};
+use predicament_predicates::{Plane, PredicateKind, Predicates, Query, Question, Scene, Vertex, ZeroMeaning};
 use rayon::prelude::*;
 
 use super::section::LocateRow;
@@ -102,7 +103,7 @@ pub(super) fn judge(
                 // Where the probe touches nothing there is no tie.
                 ZeroMeaning::Never if exact.boundary.is_empty() => Class::SignFlip,
                 ZeroMeaning::Never => Class::TieBroken,
-                ZeroMeaning::Band => Class::InBand,
+                ZeroMeaning::Band => in_band(asked.session, content, probes[at], answer, exact),
                 ZeroMeaning::Exact if answer.boundary.len() < exact.boundary.len() => Class::MissedZero,
                 ZeroMeaning::Exact => Class::Overreach,
             },
@@ -144,6 +145,36 @@ pub(super) fn judge(
         }
     }
     Ok(())
+}
+
+/// The class of an answer with zeros within a band, where it is not the exact one: all boundaries that the probe is on are found, and others
+/// only where the probe is within the band of an edge, and within the reach of its box.
+fn in_band(
+    session: &dyn Predicates,
+    content: &MapWithProbes,
+    probe: Vertex,
+    answer: Location<'_>,
+    exact: Location<'_>,
+) -> Class {
+    if exact.boundary.iter().any(|region| answer.boundary.binary_search(region).is_err()) {
+        return Class::MissedZero;
+    }
+    let (scene, question, reach) = (session.scene(), Question::Orient2d(Plane::Xy), session.reach());
+    let limit = published::band(session, question).map_or(0.0, |band| band.upper);
+    let p = scene.point2(Plane::Xy, probe);
+    let is_near = |[u, v]: [Vertex; 2]| {
+        let ends = [u, v].map(|v| scene.point2(Plane::Xy, v));
+        // Outward by more than the sums are rounded.
+        (0..2).all(|axis| {
+            let (low, high) = (ends[0][axis].min(ends[1][axis]), ends[0][axis].max(ends[1][axis]));
+            (low - reach).next_down() <= p[axis] && p[axis] <= (high + reach).next_up()
+        }) && is_within(scene, question, &[u, v, probe], limit)
+    };
+    let is_explained = |region: &u32| {
+        let rings = &content.map.regions()[*region as usize].rings;
+        exact.boundary.binary_search(region).is_ok() || rings.iter().flat_map(|ring| ring.edges()).any(is_near)
+    };
+    if answer.boundary.iter().all(is_explained) { Class::InBand } else { Class::Overreach }
 }
 
 fn location(all: &Locations, at: usize) -> Location<'_> {

@@ -27,7 +27,7 @@ use std::path::{Path, PathBuf};
 
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
-use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Sign};
+use predicament_predicates::{PredicateKind, Predicates, Query, QuerySet, Scene, Sign};
 use rayon::prelude::*;
 
 pub use class::classify;
@@ -38,8 +38,8 @@ pub use truth::truth;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Check, Compared, Contestant, Dispute, Explanation, Halt, How, Knob, Outcome, Purpose, Stop,
-    Task, Turns, Watch, digest,
+    Answer, Asked, Case, Check, Compared, Contestant, Dispute, Explanation, Halt, How, Knob, Outcome, Stop, Task,
+    Turns, Watch, digest,
 };
 
 /// Queries to a chunk: small enough to stop soon, large enough to cost nothing.
@@ -195,6 +195,10 @@ impl Task for Signs {
         Ok(())
     }
 
+    fn queries<'c>(&self, content: &'c SignQueries) -> Option<&'c QuerySet> {
+        Some(&content.queries)
+    }
+
     fn judge(
         &self,
         case: &Case<'_, Signs>,
@@ -249,19 +253,14 @@ impl Task for Signs {
 fn signs(session: &dyn Predicates, content: &SignQueries, how: &How<'_>, out: &mut Vec<Sign>) -> Result<(), Stop> {
     let queries = &content.queries;
     out.resize(queries.len(), Sign::Zero);
-    // What is timed is one batch where it can be, as users ask it.
-    let size = match how.purpose {
-        Purpose::Use if rayon::current_num_threads() == 1 => 256 * CHUNK,
-        Purpose::Use | Purpose::Judge | Purpose::Files => CHUNK,
-    };
     let batch = |(chunk, out): (usize, &mut [Sign])| {
-        queries.ask_batch(session, chunk * size..chunk * size + out.len(), out);
+        queries.ask_batch(session, chunk * CHUNK..chunk * CHUNK + out.len(), out);
         how.watch.done(out.len() as u64)
     };
-    if out.len() <= size || rayon::current_num_threads() == 1 {
-        return out.chunks_mut(size).enumerate().try_for_each(batch);
+    if out.len() <= CHUNK || rayon::current_num_threads() == 1 {
+        return out.chunks_mut(CHUNK).enumerate().try_for_each(batch);
     }
-    out.par_chunks_mut(size).enumerate().try_for_each(batch)
+    out.par_chunks_mut(CHUNK).enumerate().try_for_each(batch)
 }
 
 /// Points to start from, which plain doubles get wrong, or nearly.

@@ -12,7 +12,7 @@ use predicament_formats::{Cache, CorpusError, Fields, Manifest, read_points};
 use predicament_oracle::roster::{backend, backend_on};
 use predicament_oracle::run;
 use predicament_predicates::{Dimension, Plane, PredicateKind, Predicates, Query, Question, Scene, Sign, Vertex};
-use predicament_records::{Env, Outcome as Ended, Plan, Row, RunDir, RunWriter, TableSpec};
+use predicament_records::{Env, Interface, Outcome as Ended, Plan, Row, RunDir, RunWriter, TableSpec};
 use predicament_report::{Block, Cell, Section, Table, html, markdown};
 use predicament_tasks::{
     Answer, AnyCase, AnyTask, Asked, Budget, Case, Class, Contestant, Explanation, Finding, Halt, How, Outcome,
@@ -365,7 +365,8 @@ fn its_answers_are_written_and_timed() {
     assert_eq!(std::fs::read_to_string(&files[0]).unwrap(), "2\n");
 
     let solver = exact.solver("left-turns").unwrap();
-    let mut stopwatch = solver.stopwatch(&zigzag.scene, zigzag.content.as_ref(), 1).unwrap();
+    assert_eq!(solver.interfaces(zigzag.content.as_ref()), [Interface::Whole]);
+    let mut stopwatch = solver.stopwatch(&zigzag.scene, zigzag.content.as_ref(), 1, Interface::Whole).unwrap().unwrap();
     stopwatch.pass();
     assert_eq!(stopwatch.digest(), Count(2).digest());
 }

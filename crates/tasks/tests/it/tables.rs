@@ -88,6 +88,7 @@ fn mesh_locate() -> MeshLocateRow {
         in_region: 5,
         on_mesh: 3,
         contradictions: 1,
+        undecided: 0,
         known: 8,
         lost: 2,
     }
@@ -184,6 +185,7 @@ fn rows_that_make_no_sense_are_not_written() {
     }
     for row in [
         MeshLocateRow { probes: 8, ..mesh_locate() },
+        MeshLocateRow { undecided: 1, ..mesh_locate() },
         MeshLocateRow { lost: 10, ..mesh_locate() },
         MeshLocateRow { known: 10, ..mesh_locate() },
     ] {

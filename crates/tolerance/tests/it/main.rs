@@ -2,6 +2,7 @@
 
 mod backend;
 mod band;
+mod batches;
 mod bounds;
 mod constraints;
 mod contacts;

@@ -7,7 +7,7 @@ use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::PredicateKind;
 
 use super::constructed::{self, Kind};
-use super::{band, by_query, degenerate, far, kettner, near, pixels, plain, wide};
+use super::{band, by_query, degenerate, far, kettner, near, pixels, plain, scattered, wide};
 
 const ALL: &[PredicateKind] = &PredicateKind::ALL;
 const FLAT: &[PredicateKind] = &[PredicateKind::Compare, PredicateKind::Orient2d];
@@ -40,6 +40,14 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
         family("uniform", "uniform", ALL, &[], "multiples of 2^-53, uniform in [0, 1)", |task, fields| {
             by_query(task, fields, plain::uniform)
         }),
+        family(
+            "scattered",
+            "scattered",
+            &[PredicateKind::Orient2d, PredicateKind::Orient3d, PredicateKind::Incircle, PredicateKind::Insphere],
+            &[],
+            "random vertices among five times as many uniform points as queries",
+            scattered::read,
+        ),
         family("grid", "grid", ALL, &[], "integers from 0 to 15: many ties, all arithmetic short", |task, fields| {
             by_query(task, fields, plain::grid)
         }),

@@ -14,6 +14,7 @@ mod list;
 mod near;
 mod pixels;
 mod plain;
+mod scattered;
 mod shape;
 mod wide;
 

@@ -10,7 +10,7 @@
 /// Work that is worth a register width of its own.
 ///
 /// `run` has to be `#[inline(always)]`: it takes on the features of its caller.
-pub(crate) trait Kernel {
+pub trait Kernel {
     /// What it gives.
     type Output;
 
@@ -23,7 +23,7 @@ pub(crate) trait Kernel {
 
 /// How many doubles a register holds.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Width {
+pub enum Width {
     /// As many as all processors of the target have.
     Any,
     /// Four: AVX2.
@@ -57,14 +57,14 @@ impl Width {
 
 /// Does the work with the widest registers.
 #[inline]
-pub(crate) fn dispatch<K: Kernel>(kernel: K) -> K::Output {
+pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     let width = Width::ALL.into_iter().find(|width| width.is_available());
     run_on(width.unwrap_or(Width::Any), kernel)
 }
 
 /// Does the work with registers of this width, or of any if the machine has no such ones.
 #[inline]
-pub(crate) fn run_on<K: Kernel>(width: Width, kernel: K) -> K::Output {
+pub fn run_on<K: Kernel>(width: Width, kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
     if width.is_available() {
         match width {

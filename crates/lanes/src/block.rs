@@ -11,25 +11,25 @@
 use predicament_predicates::Vertex;
 
 /// The queries of a block: a bit each in a mask.
-pub(super) const BLOCK: usize = 64;
+pub const BLOCK: usize = 64;
 
 /// The `D` coordinates that a predicate takes from a point of `E`.
-pub(crate) trait View<const E: usize, const D: usize> {
+pub trait View<const E: usize, const D: usize> {
     /// The coordinates that it sees, in its order.
     fn see<T: Copy>(point: [T; E]) -> [T; D];
 }
 
 /// All coordinates.
-pub(crate) struct Whole;
+pub struct Whole;
 /// The projection along z.
-pub(crate) struct Xy;
+pub struct Xy;
 /// The projection along x.
-pub(crate) struct Yz;
+pub struct Yz;
 /// The projection along y.
-pub(crate) struct Zx;
+pub struct Zx;
 
 /// One coordinate.
-pub(crate) struct Along<const AXIS: usize>;
+pub struct Along<const AXIS: usize>;
 
 impl<const E: usize, const AXIS: usize> View<E, 1> for Along<AXIS> {
     #[inline(always)]
@@ -69,9 +69,10 @@ impl View<3, 2> for Zx {
 /// The coordinates of up to [`BLOCK`] queries of `N` points: by place in the
 /// query, by axis, by query.
 #[repr(align(64))]
-pub(super) struct Block<const D: usize, const N: usize>([[[f64; BLOCK]; D]; N]);
+pub struct Block<const D: usize, const N: usize>([[[f64; BLOCK]; D]; N]);
 
 impl<const D: usize, const N: usize> Block<D, N> {
+    /// No queries.
     pub const EMPTY: Block<D, N> = Block([[[0.0; BLOCK]; D]; N]);
 
     /// The points of one query.

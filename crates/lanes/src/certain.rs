@@ -1,4 +1,4 @@
-//! A value of a few dozen queries at once, for backends that stand on this one.
+//! The sign of a formula for each query of a block, where it is certain.
 
 #![allow(unsafe_code)]
 
@@ -6,11 +6,8 @@ use std::marker::PhantomData;
 
 use predicament_predicates::{Sign, Vertex};
 
-use super::block::{BLOCK, Block, Whole};
-use super::simd::{Kernel, dispatch};
-
-/// The most queries that [`signs_of`] takes.
-pub const MOST: usize = BLOCK;
+use crate::block::{BLOCK, Block, Whole};
+use crate::simd::{Kernel, dispatch};
 
 /// The signs of a value of each query, and a mask of the queries that are left open, by the bit of their place.
 ///
@@ -19,7 +16,7 @@ pub const MOST: usize = BLOCK;
 /// machine: what it does should have no branch. An open query's place in `out` means nothing.
 ///
 /// # Panics
-/// If there are more than [`MOST`] queries, or less room for signs than queries.
+/// If there are more than [`BLOCK`] queries, or less room for signs than queries.
 #[inline]
 pub fn signs_of<const D: usize, const N: usize>(
     points: &[[f64; D]],
@@ -27,7 +24,7 @@ pub fn signs_of<const D: usize, const N: usize>(
     out: &mut [Sign],
     evaluate: impl Fn([[f64; D]; N], [f64; N]) -> (f64, f64),
 ) -> u64 {
-    assert!(queries.len() <= MOST, "{} queries are more than {MOST}", queries.len());
+    assert!(queries.len() <= BLOCK, "{} queries are more than {BLOCK}", queries.len());
     if queries.is_empty() {
         return 0;
     }
@@ -91,7 +88,7 @@ mod tests {
         let points = [[1.0, 4.0], [2.0, -4.0], [3.0, 0.5], [5.0, 0.0]];
         let v = Vertex::input;
         // Every length, with blocks of eight and without; the last point, and a vertex without one.
-        for count in 0..=MOST {
+        for count in 0..=BLOCK {
             let query = |at: usize| match at % 5 {
                 4 => [Vertex::constructed(at), v(1)],
                 row => [v(row), v(1)],
@@ -104,7 +101,7 @@ mod tests {
                 let expected = [Some(Sign::Positive), Some(Sign::Negative), None, None, None][at % 5];
                 assert_eq!(certain, expected, "{at} of {count}");
             }
-            assert!(count == MOST || open >> count == 0);
+            assert!(count == BLOCK || open >> count == 0);
         }
     }
 

@@ -1,0 +1,120 @@
+//! The sign of a formula for each query of a batch, as it is.
+
+#![allow(unsafe_code)]
+
+use std::marker::PhantomData;
+
+use predicament_predicates::{Sign, Vertex};
+
+use crate::block::{BLOCK, Block, View};
+use crate::simd::{Kernel, dispatch};
+
+/// Answers all queries of a batch: `evaluate` computes a determinant from the points of a query, seen in the view, and `sign` says what
+/// it answers for a determinant. Both are compiled for the widest registers of the machine: neither should branch.
+///
+/// `elsewhere` answers queries with a vertex that has no point in `points`, one by one.
+#[inline]
+pub fn answer<V: View<E, D>, const E: usize, const D: usize, const N: usize>(
+    points: &[[f64; E]],
+    queries: &[[Vertex; N]],
+    out: &mut [Sign],
+    evaluate: impl Fn([[f64; D]; N]) -> f64,
+    sign: impl Fn(f64) -> Sign,
+    elsewhere: impl Fn([Vertex; N]) -> Sign,
+) {
+    dispatch(Of { points, queries, out, evaluate, sign, elsewhere, view: PhantomData::<(V, [(); D])> });
+}
+
+struct Of<'a, F, S, L, P, const E: usize, const N: usize> {
+    points: &'a [[f64; E]],
+    queries: &'a [[Vertex; N]],
+    out: &'a mut [Sign],
+    evaluate: F,
+    sign: S,
+    elsewhere: L,
+    view: PhantomData<P>,
+}
+
+impl<V, F, S, L, const E: usize, const D: usize, const N: usize> Kernel for Of<'_, F, S, L, (V, [(); D]), E, N>
+where
+    V: View<E, D>,
+    F: Fn([[f64; D]; N]) -> f64,
+    S: Fn(f64) -> Sign,
+    L: Fn([Vertex; N]) -> Sign,
+{
+    type Output = ();
+
+    #[inline(always)]
+    unsafe fn run<const WIDE: bool>(self) {
+        let Of { points, queries, out, evaluate, sign, elsewhere, .. } = self;
+        let mut block = Block::EMPTY;
+        for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
+            // SAFETY: the kernel is run wide where the processor has AVX-512F.
+            unsafe { block.fetch::<V, E, WIDE>(points, queries) };
+            let mut determinants = [0.0; BLOCK];
+            for at in 0..BLOCK {
+                determinants[at] = evaluate(block.query(at));
+            }
+            let mut signs = [Sign::Zero; BLOCK];
+            for at in 0..BLOCK {
+                signs[at] = sign(determinants[at]);
+            }
+            out.copy_from_slice(&signs[..queries.len()]);
+            // (A determinant that is NaN does not tell: finite points can have one.)
+            let is_elsewhere = |v: &Vertex| v.index() >= points.len();
+            if queries.as_flattened().iter().any(is_elsewhere) {
+                for (query, out) in queries.iter().zip(out) {
+                    if query.iter().any(is_elsewhere) {
+                        *out = elsewhere(*query);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::block::{Whole, Zx};
+    use crate::simd::{Width, run_on};
+
+    const POINTS: usize = 30;
+
+    /// A formula whose result depends on the order of its operations.
+    fn formula([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
+        a * d - b * c + (a - c)
+    }
+
+    fn check<V: View<E, 2>, const E: usize>(points: &[[f64; E]], vertices: &[Vertex]) {
+        let queries = vertices.as_chunks::<2>().0;
+        let one = |query: &[Vertex; 2]| {
+            let seen = query.map(|v| points.get(v.index()).map(|point| V::see(*point)));
+            let [Some(p), Some(q)] = seen else { return Sign::Zero };
+            Sign::of(formula([p, q]))
+        };
+        let expected: Vec<Sign> = queries.iter().map(one).collect();
+        for width in Width::ALL.into_iter().filter(|width| width.is_available()) {
+            let mut out = vec![Sign::Zero; queries.len()];
+            let (sign, elsewhere) = (Sign::of, |_| Sign::Zero);
+            let view = PhantomData::<(V, [(); 2])>;
+            run_on(width, Of { points, queries, out: &mut out, evaluate: formula, sign, elsewhere, view });
+            assert_eq!(out, expected, "{width:?}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn every_width_answers_as_one_query_at_a_time(
+            points in prop::collection::vec(prop::array::uniform3(-1.0..1.0_f64), POINTS),
+            // The last few have no points.
+            vertices in prop::collection::vec((0..POINTS + 2).prop_map(Vertex::input), 0..400),
+        ) {
+            check::<Zx, 3>(&points, &vertices);
+            let flat: Vec<[f64; 2]> = points.iter().map(|[x, y, _]| [*x, *y]).collect();
+            check::<Whole, 2>(&flat, &vertices);
+        }
+    }
+}

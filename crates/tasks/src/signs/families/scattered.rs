@@ -1,0 +1,39 @@
+//! Queries at random vertices among many points, as they come from an index, a hash or a queue.
+//!
+//! In the other families the points of a query lie side by side in memory, and those of the next query follow. Here each vertex is
+//! anywhere, so that the time of a query is that of fetching its points, once these are more than a cache holds.
+
+use predicament_corpus::{Random, Recipe};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{PredicateKind, Vertex};
+
+use super::{Asked, Cloud};
+
+/// Points for each query: 10^6 for 200,000.
+const POINTS: usize = 5;
+
+/// Reads a table of the family, which has no parameters of its own.
+pub(super) fn read(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
+    let asked = Asked::read(task, fields, None)?;
+    let coordinates = move |n| POINTS as u64 * n * asked.dimension.count() as u64;
+    Ok(Recipe::new(move |making| asked.placed(scattered(asked.kind(), making.n, &mut making.random()), making))
+        .with_coordinates(coordinates))
+}
+
+/// `n` queries of distinct vertices of points that are uniform in [0, 1).
+fn scattered(kind: PredicateKind, n: usize, rng: &mut Random) -> Cloud {
+    let points = POINTS * n;
+    let coordinates = (0..points * super::native(kind)).map(|_| rng.unit()).collect();
+    let last = i64::try_from(points).expect("so many points fit into memory") - 1;
+    let mut args: Vec<Vertex> = Vec::with_capacity(n * kind.arity());
+    for _ in 0..n {
+        let start = args.len();
+        while args.len() < start + kind.arity() {
+            let index = usize::try_from(rng.integer(0, last)).expect("from 0 on");
+            if !args[start..].contains(&Vertex::input(index)) {
+                args.push(Vertex::input(index));
+            }
+        }
+    }
+    Cloud { coordinates, args: Some(args), constructions: Vec::new() }
+}

@@ -1,0 +1,458 @@
+//! The session: points and widths at hand, queries one by one and in batches.
+//!
+//! A batch is computed in vector registers, in the order of operations of one query, so that its answers are the same bit by bit.
+
+use predicament_lanes::{self as lanes, Along, View, Whole, Xy, Yz, Zx};
+use predicament_predicates::{
+    Axis, Band, Construction, Declined, Dimension, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sign,
+    Tally, Vertex,
+};
+
+use crate::backend::INPUT_ONLY;
+use crate::contacts::{EdgeVertex, Pairs};
+use crate::{ContactTolerances, Float, Tolerances2d, Tolerances3d, circles, quantities};
+
+/// [`struct@Tolerance`], prepared for one scene.
+#[derive(Clone, Debug)]
+pub struct Session<'s, T, F = f64> {
+    scene: &'s Scene,
+    /// The scene's points, in the view of its dimension; the other one is empty.
+    points2: &'s [[f64; 2]],
+    points3: &'s [[f64; 3]],
+    widths: Widths,
+    tally: T,
+    tolerances: Tolerances<F>,
+    form: EdgeVertex,
+}
+
+/// The tolerances of a scene, or why it has none.
+#[derive(Clone, Debug)]
+pub(crate) struct Tolerances<F> {
+    /// One for each plane, in their order; a 2D scene has the first only.
+    pub(crate) planar: Vec<Result<Tolerances2d<F>, Declined>>,
+    pub(crate) spatial: Option<Tolerances3d<F>>,
+    /// That of `incircle` in 2D, of `insphere` in 3D.
+    pub(crate) circular: Result<Band, Declined>,
+    pub(crate) contacts: Result<ContactTolerances<F>, Declined>,
+}
+
+/// T of each predicate, as queries look it up; NaN where it is declined.
+#[derive(Clone, Copy, Debug)]
+struct Widths {
+    /// κ of each plane.
+    kappa: [f64; 3],
+    xi: f64,
+    incircle: f64,
+    insphere: f64,
+}
+
+impl Widths {
+    fn new<F>(tolerances: &Tolerances<F>, dimension: Dimension) -> Widths {
+        let Tolerances { planar, spatial, circular, .. } = tolerances;
+        let of_plane = |at: usize| planar.get(at).and_then(|plane| plane.as_ref().ok()).map(|plane| plane.kappa.width);
+        let circular = circular.as_ref().map_or(f64::NAN, |band| band.width);
+        let [incircle, insphere] = match dimension {
+            Dimension::Two => [circular, f64::NAN],
+            Dimension::Three => [f64::NAN, circular],
+        };
+        Widths {
+            kappa: [0, 1, 2].map(|at| of_plane(at).unwrap_or(f64::NAN)),
+            xi: spatial.as_ref().map_or(f64::NAN, |spatial| spatial.xi.width),
+            incircle,
+            insphere,
+        }
+    }
+}
+
+/// The number whose sign is answered: a computed value beyond the tolerance, else zero, as for NaN.
+#[inline(always)]
+fn beyond(width: f64, value: f64) -> f64 {
+    if value.abs() > width { value } else { 0.0 }
+}
+
+/// The order of two coordinates.
+#[inline(always)]
+fn order([[a], [b]]: [[f64; 1]; 2]) -> f64 {
+    // Zero for equal coordinates only, since differences underflow gradually.
+    a - b
+}
+
+// The points of a scene are numbers of `F`: nothing is rounded here before it is computed with.
+
+/// Twice the signed area, as Algorithm 5 computes its first: edge vectors from the last point, then their cross product.
+#[inline(always)]
+fn area<F: Float>([a, b, c]: [[f64; 2]; 3]) -> f64 {
+    quantities::area(&flat::<F>(c), &flat::<F>(a), &flat::<F>(b)).wide()
+}
+
+/// Six times the signed volume, as Algorithm 11 computes its first: edge vectors from the last point, a cross product and a dot product.
+#[inline(always)]
+fn volume<F: Float>([a, b, c, d]: [[f64; 3]; 4]) -> f64 {
+    quantities::volume(&solid::<F>(a), &solid::<F>(b), &solid::<F>(c), &solid::<F>(d)).wide()
+}
+
+/// The determinant of `incircle`, in the order of [`circles::incircle`].
+#[inline(always)]
+fn circle<F: Float>([a, b, c, d]: [[f64; 2]; 4]) -> f64 {
+    circles::incircle(&[flat::<F>(a), flat::<F>(b), flat::<F>(c), flat::<F>(d)]).wide()
+}
+
+/// The determinant of `insphere`, in the order of [`circles::insphere`].
+#[inline(always)]
+fn sphere<F: Float>([a, b, c, d, e]: [[f64; 3]; 5]) -> f64 {
+    circles::insphere(&[solid::<F>(a), solid::<F>(b), solid::<F>(c), solid::<F>(d), solid::<F>(e)]).wide()
+}
+
+#[inline(always)]
+fn flat<F: Float>([x, y]: [f64; 2]) -> [F; 2] {
+    [F::nearest(x), F::nearest(y)]
+}
+
+#[inline(always)]
+fn solid<F: Float>([x, y, z]: [f64; 3]) -> [F; 3] {
+    [F::nearest(x), F::nearest(y), F::nearest(z)]
+}
+
+impl<'s, T, F: Float> Session<'s, T, F> {
+    pub(crate) fn new(scene: &'s Scene, tally: T, tolerances: Tolerances<F>, form: EdgeVertex) -> Session<'s, T, F> {
+        let (points2, points3): (&[_], &[_]) = match scene.dimension() {
+            Dimension::Two => (scene.coordinates().as_chunks().0, &[]),
+            Dimension::Three => (&[], scene.coordinates().as_chunks().0),
+        };
+        let widths = Widths::new(&tolerances, scene.dimension());
+        Session { scene, points2, points3, widths, tally, tolerances, form }
+    }
+}
+
+impl<T, F: Float> Session<'_, T, F> {
+    /// The tolerances of a projection; a 2D scene has only [`Plane::Xy`].
+    ///
+    /// # Errors
+    /// [`Declined`] where the projection has none, or is not of this scene.
+    #[inline]
+    pub fn tolerances2d(&self, plane: Plane) -> Result<&Tolerances2d<F>, Declined> {
+        match self.tolerances.planar.get(plane as usize) {
+            Some(tolerances) => tolerances.as_ref().map_err(Clone::clone),
+            None => Err(Declined::predicate(PredicateKind::Orient2d, "a 2D scene has no such projection")),
+        }
+    }
+
+    /// The tolerances of a 3D scene.
+    #[must_use]
+    pub fn tolerances3d(&self) -> Option<&Tolerances3d<F>> {
+        self.tolerances.spatial.as_ref()
+    }
+
+    /// The tolerances of contacts.
+    ///
+    /// # Errors
+    /// [`Declined`] where the scene has no primitive lengths, or `F` no room for them.
+    pub fn contact_tolerances(&self) -> Result<&ContactTolerances<F>, Declined> {
+        self.tolerances.contacts.as_ref().map_err(Clone::clone)
+    }
+
+    fn pairs(&self) -> Pairs<'_, F> {
+        match &self.tolerances.contacts {
+            Ok(tolerances) => Pairs { scene: self.scene, tolerances, form: self.form },
+            Err(declined) => panic!("{declined}"),
+        }
+    }
+
+    /// The points of some vertices as seen along an axis.
+    #[inline(always)]
+    fn flat<const N: usize>(&self, plane: Plane, vertices: [Vertex; N]) -> [[f64; 2]; N] {
+        let mut points = [[0.0; 2]; N];
+        if let (Dimension::Two, Plane::Xy) = (self.scene.dimension(), plane) {
+            for (point, v) in points.iter_mut().zip(vertices) {
+                *point = self.points2[v.index()];
+            }
+        } else {
+            let [x, y] = plane.axes().map(Axis::index);
+            for (point, v) in points.iter_mut().zip(vertices) {
+                let solid = self.points3[v.index()];
+                *point = [solid[x], solid[y]];
+            }
+        }
+        points
+    }
+
+    #[inline(always)]
+    fn solid<const N: usize>(&self, vertices: [Vertex; N]) -> [[f64; 3]; N] {
+        let mut points = [[0.0; 3]; N];
+        for (point, v) in points.iter_mut().zip(vertices) {
+            *point = self.points3[v.index()];
+        }
+        points
+    }
+
+    /// A width, which is there.
+    #[inline(always)]
+    fn width(&self, width: f64, question: Question) -> f64 {
+        if width.is_nan() {
+            self.refuse(question);
+        }
+        width
+    }
+
+    /// Panics with the reason why the session does not answer a question.
+    #[cold]
+    #[inline(never)]
+    fn refuse(&self, question: Question) -> ! {
+        let declined = match question {
+            Question::Orient2d(plane) => self.tolerances2d(plane).err(),
+            Question::Incircle => self.circular(Dimension::Two).err(),
+            Question::Insphere => self.circular(Dimension::Three).err(),
+            Question::Compare(_) | Question::Orient3d => None,
+        };
+        panic!("{}", declined.unwrap_or_else(|| Declined::predicate(question.kind(), "needs a 3D scene")))
+    }
+
+    /// The band of the predicate for circles that scenes of `dimension` have.
+    fn circular(&self, dimension: Dimension) -> Result<Band, Declined> {
+        if self.scene.dimension() == dimension {
+            return self.tolerances.circular.clone();
+        }
+        Err(match dimension {
+            Dimension::Two => Declined::predicate(PredicateKind::Incircle, "needs a 2D scene"),
+            Dimension::Three => Declined::predicate(PredicateKind::Insphere, "needs a 3D scene"),
+        })
+    }
+}
+
+impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
+    fn scene(&self) -> &Scene {
+        self.scene
+    }
+
+    fn construct(&mut self, _: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        Err(Refused::session(INPUT_ONLY))
+    }
+
+    fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
+        match kind {
+            PredicateKind::Compare => Ok(()),
+            PredicateKind::Orient2d => {
+                self.tolerances.planar.iter().try_for_each(|plane| plane.as_ref().map(|_| ()).map_err(Clone::clone))
+            }
+            PredicateKind::Orient3d if self.tolerances.spatial.is_some() => Ok(()),
+            PredicateKind::Orient3d => Err(Declined::predicate(kind, "needs a 3D scene")),
+            PredicateKind::Incircle => self.circular(Dimension::Two).map(|_| ()),
+            PredicateKind::Insphere => self.circular(Dimension::Three).map(|_| ()),
+        }
+    }
+
+    #[inline]
+    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        self.tally.settled(PredicateKind::Compare, 0);
+        let [a, b] = match self.scene.dimension() {
+            Dimension::Two => [a, b].map(|v| self.points2[v.index()][axis.index()]),
+            Dimension::Three => [a, b].map(|v| self.points3[v.index()][axis.index()]),
+        };
+        Sign::of(order([[a], [b]]))
+    }
+
+    #[inline(always)]
+    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        self.tally.settled(PredicateKind::Orient2d, 0);
+        let width = self.width(self.widths.kappa[plane as usize], Question::Orient2d(plane));
+        Sign::of(beyond(width, area::<F>(self.flat(plane, [a, b, c]))))
+    }
+
+    #[inline(always)]
+    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.tally.settled(PredicateKind::Orient3d, 0);
+        let width = self.width(self.widths.xi, Question::Orient3d);
+        Sign::of(beyond(width, volume::<F>(self.solid([a, b, c, d]))))
+    }
+
+    #[inline]
+    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        self.tally.settled(PredicateKind::Incircle, 0);
+        let width = self.width(self.widths.incircle, Question::Incircle);
+        Sign::of(beyond(width, circle::<F>(self.flat(Plane::Xy, [a, b, c, d]))))
+    }
+
+    #[inline]
+    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
+        self.tally.settled(PredicateKind::Insphere, 0);
+        let width = self.width(self.widths.insphere, Question::Insphere);
+        Sign::of(beyond(width, sphere::<F>(self.solid([a, b, c, d, e]))))
+    }
+
+    fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {
+        match (question, args) {
+            (Question::Orient2d(plane), &[a, b, c]) => Some(area::<F>(self.flat(plane, [a, b, c]))),
+            (Question::Orient3d, &[a, b, c, d]) => Some(volume::<F>(self.solid([a, b, c, d]))),
+            (Question::Incircle, &[a, b, c, d]) => Some(circle::<F>(self.flat(Plane::Xy, [a, b, c, d]))),
+            (Question::Insphere, &[a, b, c, d, e]) => Some(sphere::<F>(self.solid([a, b, c, d, e]))),
+            _ => None,
+        }
+    }
+
+    /// κ of the projection, ξ, or a band of [`circles`].
+    fn band(&self, question: Question) -> Option<Band> {
+        match question {
+            Question::Orient2d(plane) => self.tolerances2d(plane).ok().map(|tolerances| tolerances.kappa),
+            Question::Orient3d => self.tolerances.spatial.map(|tolerances| tolerances.xi),
+            Question::Incircle => self.circular(Dimension::Two).ok(),
+            Question::Insphere => self.circular(Dimension::Three).ok(),
+            Question::Compare(_) => None,
+        }
+    }
+
+    /// σ₊, the largest of the tolerances that are distances: that of contacts,
+    /// where the scene has primitive lengths.
+    fn reach(&self) -> f64 {
+        if let Ok(tolerances) = &self.tolerances.contacts {
+            return tolerances.band([0, 0]).map_or(0.0, |sigma| sigma.upper);
+        }
+        match (&self.tolerances.spatial, &self.tolerances.planar[0]) {
+            (Some(tolerances), _) => tolerances.sigma.upper,
+            (None, Ok(tolerances)) => tolerances.sigma.upper,
+            (None, Err(_)) => 0.0,
+        }
+    }
+
+    fn contact_band(&self, ranks: [u8; 2]) -> Option<Band> {
+        self.tolerances.contacts.as_ref().ok().and_then(|tolerances| tolerances.band(ranks))
+    }
+
+    fn supports_contacts(&self) -> Result<(), Declined> {
+        self.contact_tolerances().map(|_| ())
+    }
+
+    #[inline]
+    fn vertex_vertex(&self, a: Vertex, p: Vertex) -> bool {
+        self.pairs().vertex_vertex(a, p)
+    }
+
+    #[inline]
+    fn edge_vertex(&self, edge: [Vertex; 2], p: Vertex) -> Option<f64> {
+        self.pairs().edge_vertex(edge, p)
+    }
+
+    #[inline]
+    fn edge_edge(&self, e: [Vertex; 2], f: [Vertex; 2]) -> Option<[f64; 2]> {
+        self.pairs().edge_edge(e, f)
+    }
+
+    #[inline]
+    fn triangle_vertex(&self, triangle: [Vertex; 3], p: Vertex) -> Option<[f64; 3]> {
+        self.pairs().triangle_vertex(triangle, p)
+    }
+
+    #[inline]
+    fn triangle_edge(&self, triangle: [Vertex; 3], edge: [Vertex; 2]) -> Option<([f64; 3], f64)> {
+        self.pairs().triangle_edge(triangle, edge)
+    }
+
+    #[inline]
+    fn tetrahedron_vertex(&self, tetrahedron: [Vertex; 4], p: Vertex) -> Option<[f64; 4]> {
+        self.pairs().tetrahedron_vertex(tetrahedron, p)
+    }
+
+    fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {
+        match (self.scene.dimension(), axis) {
+            (Dimension::Two, Axis::X) => self.compare_many::<Along<0>, 2>(self.points2, axis, queries, out),
+            (Dimension::Two, Axis::Y) => self.compare_many::<Along<1>, 2>(self.points2, axis, queries, out),
+            (Dimension::Two, Axis::Z) => assert!(queries.is_empty(), "a 2D scene has no axis z"),
+            (Dimension::Three, Axis::X) => self.compare_many::<Along<0>, 3>(self.points3, axis, queries, out),
+            (Dimension::Three, Axis::Y) => self.compare_many::<Along<1>, 3>(self.points3, axis, queries, out),
+            (Dimension::Three, Axis::Z) => self.compare_many::<Along<2>, 3>(self.points3, axis, queries, out),
+        }
+    }
+
+    fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
+        self.turn_many(plane, queries, out, |vertices| vertices, area::<F>);
+    }
+
+    fn orient2d_line(&self, plane: Plane, [a, b]: [Vertex; 2], points: &[Vertex], out: &mut [Sign]) {
+        if points.is_empty() {
+            return;
+        }
+        let [p, q] = self.flat(plane, [a, b]);
+        self.turn_many(plane, points.as_chunks::<1>().0, out, |[c]| [a, b, c], move |[r]| area::<F>([p, q, r]));
+    }
+
+    fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        let band = (self.widths.xi, Question::Orient3d);
+        let one = |query| volume::<F>(self.solid(query));
+        self.many::<Whole, 3, 3, 4>(band, self.points3, (queries, out), volume::<F>, one);
+    }
+
+    fn orient3d_plane(&self, [a, b, c]: [Vertex; 3], points: &[Vertex], out: &mut [Sign]) {
+        if points.is_empty() {
+            return;
+        }
+        let [p, q, r] = self.solid([a, b, c]);
+        let band = (self.widths.xi, Question::Orient3d);
+        let one = |[d]: [Vertex; 1]| volume::<F>(self.solid([a, b, c, d]));
+        let evaluate = move |[s]: [[f64; 3]; 1]| volume::<F>([p, q, r, s]);
+        self.many::<Whole, 3, 3, 1>(band, self.points3, (points.as_chunks::<1>().0, out), evaluate, one);
+    }
+
+    fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
+        let band = (self.widths.incircle, Question::Incircle);
+        let one = |query| circle::<F>(self.flat(Plane::Xy, query));
+        self.many::<Whole, 2, 2, 4>(band, self.points2, (queries, out), circle::<F>, one);
+    }
+
+    fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
+        let band = (self.widths.insphere, Question::Insphere);
+        let one = |query| sphere::<F>(self.solid(query));
+        self.many::<Whole, 3, 3, 5>(band, self.points3, (queries, out), sphere::<F>, one);
+    }
+}
+
+impl<T: Tally, F: Float> Session<'_, T, F> {
+    fn compare_many<V: View<E, 1>, const E: usize>(
+        &self,
+        points: &[[f64; E]],
+        axis: Axis,
+        queries: &[[Vertex; 2]],
+        out: &mut [Sign],
+    ) {
+        // Within zero of it: a comparison has no band.
+        let band = (0.0, Question::Compare(axis));
+        let one = |query: [Vertex; 2]| order(query.map(|v| [points[v.index()][axis.index()]]));
+        self.many::<V, E, 1, 2>(band, points, (queries, out), order, one);
+    }
+
+    /// Turns of `N` vertices each, and what they are with those that are the same in all.
+    fn turn_many<const N: usize>(
+        &self,
+        plane: Plane,
+        queries: &[[Vertex; N]],
+        out: &mut [Sign],
+        all: impl Fn([Vertex; N]) -> [Vertex; 3],
+        evaluate: impl Fn([[f64; 2]; N]) -> f64,
+    ) {
+        let band = (self.widths.kappa[plane as usize], Question::Orient2d(plane));
+        let (both, one) = ((queries, out), |query| area::<F>(self.flat(plane, all(query))));
+        match (self.scene.dimension(), plane) {
+            (Dimension::Two, _) => self.many::<Whole, 2, 2, N>(band, self.points2, both, evaluate, one),
+            (Dimension::Three, Plane::Xy) => self.many::<Xy, 3, 2, N>(band, self.points3, both, evaluate, one),
+            (Dimension::Three, Plane::Yz) => self.many::<Yz, 3, 2, N>(band, self.points3, both, evaluate, one),
+            (Dimension::Three, Plane::Zx) => self.many::<Zx, 3, 2, N>(band, self.points3, both, evaluate, one),
+        }
+    }
+
+    /// Answers a batch: by `evaluate` from points in view, and by `one` where a vertex is none of the scene's points.
+    #[inline(always)]
+    fn many<V: View<E, D>, const E: usize, const D: usize, const N: usize>(
+        &self,
+        (width, question): (f64, Question),
+        points: &[[f64; E]],
+        (queries, out): (&[[Vertex; N]], &mut [Sign]),
+        evaluate: impl Fn([[f64; D]; N]) -> f64,
+        one: impl Fn([Vertex; N]) -> f64,
+    ) {
+        if queries.is_empty() {
+            return;
+        }
+        let width = self.width(width, question);
+        let (evaluate, one) = (|points| beyond(width, evaluate(points)), |query| Sign::of(beyond(width, one(query))));
+        lanes::answer::<V, E, D, N>(points, queries, out, evaluate, Sign::of, one);
+        self.tally.settled_many(question.kind(), 0, queries.len().min(out.len()) as u64);
+    }
+}
