@@ -1,20 +1,81 @@
-//! A run beside an earlier one: what is worse.
+//! A run beside an earlier one: what is worse, and what is better.
+//!
+//! A class that has become more frequent is worse, and one that has become rarer is better, whatever else happened to the scene. The one
+//! exception: a scene that was broken and is off by rounding now is better, and the rounding in place of what was broken is not worse.
 //!
 //! Findings count always. Times differ from machine to machine and from hour to hour, so they are judged only where somebody asks for
 //! it, on the same machine, and beyond both the range of samples and a threshold.
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use predicament_predicates::{Class, Severity};
 use predicament_records::{Interface, RunDir, Spread, SummaryRow, ThroughputRow};
-use predicament_tasks::Class;
 
 use crate::exit::Failure;
 
-/// What is worse than in an earlier run.
+/// A class of a row whose count has changed.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Change {
+    /// The class.
+    pub class: Class,
+    /// `suite/scene on backend`.
+    pub place: String,
+    /// The count of before.
+    pub then: u64,
+    /// The count of now.
+    pub now: u64,
+    /// Whether it is worse, and not better.
+    pub is_worse: bool,
+}
+
+impl Change {
+    /// The classes of a row whose counts have changed, the worst severity first.
+    pub fn of(old: &SummaryRow, new: &SummaryRow) -> Vec<Change> {
+        let place = format!("{}/{} on {}", new.suite, new.scene, new.backend);
+        let (mut changes, mut mended) = (Vec::new(), 0);
+        for severity in Severity::ALL.into_iter().rev() {
+            let classes = Class::ALL.into_iter().filter(|class| !class.is_legal() && class.severity() == severity);
+            let mut rarer = 0;
+            for class in classes {
+                let (then, now) = (old.count(class), new.count(class));
+                let instead = severity == Severity::Rounded && now.saturating_sub(then) <= mended;
+                if now != then {
+                    let is_worse = now > then && !instead;
+                    changes.push(Change { class, place: place.clone(), then, now, is_worse });
+                }
+                rarer += then.saturating_sub(now);
+            }
+            if severity == Severity::Broken {
+                mended = rarer;
+            }
+        }
+        changes
+    }
+}
+
+/// One line, without a mark.
+impl std::fmt::Display for Change {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Change { class, place, then, now, is_worse } = self;
+        let severity = class.severity();
+        match (is_worse, now) {
+            (true, _) => write!(f, "worse than the baseline: {place}: {now} {class}, was {then} ({severity})"),
+            (false, 0) => write!(f, "mended since the baseline: {place}: {class}, was {then} ({severity})"),
+            (false, _) if now > then => {
+                write!(f, "better than the baseline: {place}: {now} {class} in place of what was broken")
+            }
+            (false, _) => write!(f, "better than the baseline: {place}: {now} {class}, was {then} ({severity})"),
+        }
+    }
+}
+
+/// What is worse than in an earlier run, and what is better.
 #[derive(Default)]
-pub struct Worse {
-    /// Rows with more of an illegal class than before.
-    pub findings: Vec<String>,
+pub struct Beside {
+    /// Classes of rows that are more frequent than before, the worst severity first.
+    pub worse: Vec<Change>,
+    /// Those that are rarer, or milder.
+    pub better: Vec<Change>,
     /// Scenes that have become slower; none where times were not judged.
     pub timings: Vec<String>,
     /// Whether times were judged, and why not; nothing where neither run has any.
@@ -23,18 +84,18 @@ pub struct Worse {
     pub not_compared: Vec<String>,
 }
 
-impl Worse {
+impl Beside {
     /// Holds a run against an earlier one. Times are judged where `percent` says from how much on they count.
     ///
     /// # Errors
     /// If the runs have nothing in common.
-    pub fn than(run: &RunDir, baseline: &RunDir, percent: Option<f64>) -> Result<Worse, Failure> {
+    pub fn baseline(run: &RunDir, baseline: &RunDir, percent: Option<f64>) -> Result<Beside, Failure> {
         comparable(run, baseline)?;
-        let findings = more_findings(run, baseline);
+        let (worse, better) = changes(run, baseline).into_iter().partition(|change| change.is_worse);
         let then = timings(baseline);
         let in_common = timings(run).keys().any(|key| then.contains_key(key));
-        let not_judged = |why: Option<String>| Worse { times: why.map(Err), ..Worse::default() };
-        let worse = match percent {
+        let not_judged = |why: Option<String>| Beside { times: why.map(Err), ..Beside::default() };
+        let timed = match percent {
             None => not_judged(in_common.then(|| "nobody asked: `--time` does".to_owned())),
             Some(_) if !in_common => not_judged(Some("the two have no timing in common".to_owned())),
             Some(percent) => match another_machine(run, baseline) {
@@ -42,7 +103,7 @@ impl Worse {
                 None => slower(run, baseline, percent),
             },
         };
-        Ok(Worse { findings, ..worse })
+        Ok(Beside { worse, better, ..timed })
     }
 }
 
@@ -57,30 +118,21 @@ fn another_machine(run: &RunDir, baseline: &RunDir) -> Option<String> {
         .then(|| format!("it was another machine, or another build for it ({})", differing.join("; ")))
 }
 
-/// Rows of the same scene and backend with more of an illegal class than before.
-fn more_findings(run: &RunDir, baseline: &RunDir) -> Vec<String> {
+/// What has changed in rows of the same scene and backend, the worst severity first.
+fn changes(run: &RunDir, baseline: &RunDir) -> Vec<Change> {
     let before: BTreeMap<(&str, &str), &SummaryRow> =
         baseline.summary.iter().map(|row| ((row.scene_id.as_str(), row.backend.as_str()), row)).collect();
-    let mut worse = Vec::new();
-    for row in &run.summary {
-        let Some(old) = before.get(&(row.scene_id.as_str(), row.backend.as_str())) else { continue };
-        for class in Class::ALL.into_iter().filter(|class| !class.is_legal()) {
-            let (now, then) = (row.count(class), old.count(class));
-            if now > then {
-                worse.push(format!(
-                    "worse than the baseline: {}/{} on {}: {} {class}, was {then}",
-                    row.suite, row.scene, row.backend, now
-                ));
-            }
-        }
-    }
-    worse
+    let old = |row: &SummaryRow| before.get(&(row.scene_id.as_str(), row.backend.as_str())).copied();
+    let mut changes: Vec<Change> =
+        run.summary.iter().flat_map(|row| old(row).map(|old| Change::of(old, row)).unwrap_or_default()).collect();
+    changes.sort_by_key(|change| std::cmp::Reverse(change.class.severity()));
+    changes
 }
 
 /// Timings of a scene whose fastest sample is slower than the slowest sample of before,
 /// and by so many percent at least: beyond what noise explains. A family of several scenes is compared scene by scene, as
 /// those take different times; where it had other scenes, there is nothing to compare.
-fn slower(run: &RunDir, baseline: &RunDir, percent: f64) -> Worse {
+fn slower(run: &RunDir, baseline: &RunDir, percent: f64) -> Beside {
     let (now, then) = (timings(run), timings(baseline));
     let (scenes, scenes_then) = (scenes(run), scenes(baseline));
     let (mut slower, mut not_compared) = (Vec::new(), Vec::new());
@@ -111,7 +163,7 @@ fn slower(run: &RunDir, baseline: &RunDir, percent: f64) -> Worse {
     } else {
         Err(std::mem::take(&mut not_compared).join("; "))
     };
-    Worse { timings: slower, times: Some(times), not_compared, ..Worse::default() }
+    Beside { timings: slower, times: Some(times), not_compared, ..Beside::default() }
 }
 
 /// The timings of each scene, by task, family, backend and interface.

@@ -5,14 +5,15 @@
 use std::collections::BTreeSet;
 
 use predicament_oracle::expect::{Expectations, Unused};
+use predicament_predicates::{Class, Severity};
 use predicament_records::format::thousands;
-use predicament_records::{FindingRow, RunDir, Status};
+use predicament_records::{FindingRow, RunDir, Status, SummaryRow};
 use predicament_report::{Block, Section, against, section_markdown};
 
-use crate::baseline::Worse;
+use crate::baseline::Beside;
 use crate::exit::{self, Failure};
 use crate::ledger::describe;
-use crate::out::program;
+use crate::out::{program, word};
 
 /// The most characters that the services take in a comment.
 pub const LIMIT: usize = 65_536;
@@ -29,12 +30,20 @@ pub struct Comment<'a> {
     pub run: &'a RunDir,
     /// The earlier run, if there is one.
     pub baseline: Option<&'a RunDir>,
-    /// What is worse than there.
-    pub worse: &'a Worse,
+    /// What is worse than there, and what is better.
+    pub beside: &'a Beside,
+    /// What was not asked for, and is let pass.
+    pub passed: &'a [String],
+    /// Expectations that the run does not meet.
+    pub unmet: &'a [String],
+    /// The command that takes them out.
+    pub prune: &'a str,
     /// What was expected.
     pub expected: &'a Expectations,
     /// Expectations that nothing can meet.
     pub unused: &'a Unused,
+    /// The severities that make the gate red.
+    pub fail_on: &'a [Severity],
     /// The code that the gate leaves with.
     pub code: u8,
 }
@@ -49,17 +58,25 @@ impl Comment<'_> {
         text.line(&format!("## Gate: {}", self.verdict()));
         text.line("");
         self.counts(&mut text);
-        let failed = self.run.summary.iter().filter(|row| !row.status.passes()).map(describe);
-        text.list("Not as expected", failed);
-        text.list("Worse than the baseline", self.worse.findings.iter().chain(&self.worse.timings).cloned());
+        let mut failed: Vec<&SummaryRow> = self.run.summary.iter().filter(|row| !row.status.passes()).collect();
+        failed.sort_by_key(|row| std::cmp::Reverse(worst(row)));
+        text.list("Not as expected", failed.into_iter().map(describe));
+        let worse = self.beside.worse.iter().map(ToString::to_string);
+        text.list("❌ Worse than the baseline", worse.chain(self.beside.timings.iter().cloned()));
+        text.list("✅ Better than the baseline", self.beside.better.iter().map(ToString::to_string));
+        text.list("Let pass", self.passed.iter().cloned());
+        text.list("Expectations that are not met any more", self.unmet.iter().cloned());
+        if !self.unmet.is_empty() || !self.unused.never.is_empty() {
+            text.line(&format!("\nTake out what is not met with {}.", code(self.prune)));
+        }
         let not_run = self.run.not_run().into_iter();
         text.list("Not run", not_run.map(|pair| format!("{}/{} on {}", pair.suite, pair.scene, pair.backend)));
         text.list("Expectations that nothing can meet", self.unused.never.iter().cloned());
         self.findings(&mut text);
-        if let Some(Err(why)) = &self.worse.times {
+        if let Some(Err(why)) = &self.beside.times {
             text.line(&format!("\nTimes were not judged: {}.", code(why)));
         }
-        text.list("Times that were not compared", self.worse.not_compared.iter().cloned());
+        text.list("Times that were not compared", self.beside.not_compared.iter().cloned());
         if let Some(baseline) = self.baseline {
             let section = against(std::slice::from_ref(self.run), std::slice::from_ref(baseline));
             let section = section.map_err(Failure::usage)?;
@@ -90,7 +107,7 @@ impl Comment<'_> {
     }
 
     fn counts(&self, text: &mut Bounded) {
-        let times = self.worse.timings.len();
+        let times = self.beside.timings.len();
         let columns = [
             ("scenes", self.run.plan.scenes.len()),
             ("backends", self.run.plan.backends.len()),
@@ -100,7 +117,8 @@ impl Comment<'_> {
             ("unexpected pass", self.count(Status::UnexpectedPass)),
             ("never true", self.unused.never.len()),
             ("not run", self.run.not_run().len()),
-            ("worse", self.worse.findings.len()),
+            ("worse", self.beside.worse.len()),
+            ("better", self.beside.better.len()),
             ("slower", times),
         ];
         let row = |cells: Vec<String>| format!("| {} |", cells.join(" | "));
@@ -118,9 +136,10 @@ impl Comment<'_> {
     /// The first findings of each class, scene and backend that make the gate red, with what to type next.
     fn findings(&self, text: &mut Bounded) {
         let mut seen = BTreeSet::new();
-        let red = self.run.findings.iter().filter(|finding| self.is_red(finding));
+        let mut red: Vec<&FindingRow> = self.run.findings.iter().filter(|finding| self.is_red(finding)).collect();
+        red.sort_by_key(|finding| std::cmp::Reverse(finding.class.severity()));
         let shown: Vec<&FindingRow> =
-            red.filter(|of| seen.insert((&of.scene_id, &of.backend, of.class))).take(FIRST).collect();
+            red.into_iter().filter(|of| seen.insert((&of.scene_id, &of.backend, of.class))).take(FIRST).collect();
         if shown.is_empty() {
             return;
         }
@@ -148,8 +167,10 @@ impl Comment<'_> {
         let FindingRow { suite, scene, backend, class, .. } = finding;
         let level = self.run.plan.level.to_string();
         let is_expected = self.expected.matching(suite, scene, backend, &level).any(|entry| entry.class == *class);
-        let place = format!(": {suite}/{scene} on {backend}: ");
-        !is_expected || self.worse.findings.iter().any(|line| line.contains(&place) && line.contains(class.name()))
+        let place = format!("{suite}/{scene} on {backend}");
+        let is_asked = self.fail_on.contains(&class.severity());
+        is_asked
+            && (!is_expected || self.beside.worse.iter().any(|change| change.place == place && change.class == *class))
     }
 }
 
@@ -171,14 +192,9 @@ fn plain(c: char) -> char {
     }
 }
 
-/// A word of a shell's command line.
-fn word(text: &str) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || "/._-+=:,@%".contains(c);
-    if !text.is_empty() && text.chars().all(is_plain) {
-        text.to_owned()
-    } else {
-        format!("'{}'", text.replace('\'', r"'\''"))
-    }
+/// The worst severity that a row has.
+fn worst(row: &SummaryRow) -> Option<Severity> {
+    Class::ALL.into_iter().filter(|class| row.count(*class) > 0).map(Class::severity).max()
 }
 
 /// A text that takes whole lines up to a limit, and counts the others.
@@ -238,8 +254,6 @@ mod tests {
         assert_eq!(code("a`b\n# c @d"), "`a'b # c @d`");
         assert_eq!(code(&"x".repeat(300)).chars().count(), LONGEST + 3);
         assert_eq!(code(" "), "`-`");
-        assert_eq!(word("out/run-1"), "out/run-1");
-        assert_eq!(word("my out's"), r"'my out'\''s'");
     }
 
     #[test]

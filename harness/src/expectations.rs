@@ -8,11 +8,13 @@ use predicament_engines::PREFIX;
 use predicament_formats::{hex, read_suite};
 use predicament_oracle::expect::{Expectations, Known, Unused};
 use predicament_oracle::known::Scenes;
-use predicament_records::{Error, ExpectedFile, Plan, RunDir, SummaryRow};
+use predicament_predicates::Severity;
+use predicament_records::{Error, ExpectedFile, Plan, RunDir, Status, SummaryRow};
 use predicament_tasks::{Class, ClassCounts};
 use sha2::{Digest, Sha256};
 
 use crate::exit::{CORPUS, Failure};
+use crate::ledger::describe;
 use crate::tool::Tool;
 
 /// The file of the corpora that has the expectations.
@@ -83,6 +85,46 @@ pub fn hold(expected: &Expectations, run: &mut RunDir) {
     for row in &mut run.summary {
         row.status = expected.status(&row.suite, &row.scene, &row.backend, &level, &counts(row));
     }
+}
+
+/// Lets the rows pass of a run that is held, which only classes of other severities than these keep from it. Each is described
+/// as it was.
+pub fn let_pass(expected: &Expectations, run: &mut RunDir, fail_on: &[Severity]) -> Vec<String> {
+    let level = run.plan.level.to_string();
+    let mut passed = Vec::new();
+    for row in run.summary.iter_mut().filter(|row| !row.status.passes()) {
+        let known: Vec<Class> =
+            expected.matching(&row.suite, &row.scene, &row.backend, &level).map(|entry| entry.class).collect();
+        let mut counted = ClassCounts::default();
+        for class in Class::ALL {
+            // What does not count is there where it is expected, and nowhere else.
+            let is_asked = class.is_legal() || fail_on.contains(&class.severity());
+            counted.add(class, if is_asked { row.count(class) } else { u64::from(known.contains(&class)) });
+        }
+        let status = expected.status(&row.suite, &row.scene, &row.backend, &level, &counted);
+        if status.passes() {
+            passed.push(describe(row));
+            row.status = Status::Expected;
+        } else {
+            row.status = status;
+        }
+    }
+    passed
+}
+
+/// The expectations that rows of a run do not meet, with their places.
+pub fn unmet(expected: &Expectations, run: &RunDir) -> Vec<String> {
+    let level = run.plan.level.to_string();
+    let mut unmet = Vec::new();
+    for row in run.summary.iter().filter(|row| row.status == Status::UnexpectedPass) {
+        let SummaryRow { suite, scene, backend, .. } = row;
+        for entry in expected.matching(suite, scene, backend, &level).filter(|entry| row.count(entry.class) == 0) {
+            let (place, class) = (&entry.place, entry.class);
+            let pattern = entry.pattern(suite, scene).unwrap_or_default();
+            unmet.push(format!("{place}: `{pattern}` on {backend}: no {class} of {suite}/{scene} any more"));
+        }
+    }
+    unmet
 }
 
 /// How often each class was found.

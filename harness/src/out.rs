@@ -77,3 +77,24 @@ pub fn program() -> String {
     let name = called.as_ref().and_then(|path| Path::new(path).file_stem());
     name.map_or_else(|| "predicament".to_owned(), |name| name.to_string_lossy().into_owned())
 }
+
+/// A word of a shell's command line.
+pub fn word(text: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "/._-+=:,@%".contains(c);
+    if !text.is_empty() && text.chars().all(is_plain) {
+        text.to_owned()
+    } else {
+        format!("'{}'", text.replace('\'', r"'\''"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_word_is_one_word_to_a_shell() {
+        assert_eq!(word("out/run-1"), "out/run-1");
+        assert_eq!(word("my out's"), r"'my out'\''s'");
+    }
+}

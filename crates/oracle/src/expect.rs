@@ -23,8 +23,16 @@ pub struct Expectation {
     /// Why it is so; ends up in the report.
     pub reason: String,
     level: Option<String>,
-    /// The line where the table starts.
-    pub line: usize,
+    /// `file:line` of the table.
+    pub place: Arc<str>,
+}
+
+impl Expectation {
+    /// The first of its patterns that names a scene.
+    #[must_use]
+    pub fn pattern(&self, suite: &str, scene: &str) -> Option<&str> {
+        self.scenes.iter().find(|pattern| pattern.names(suite, scene)).map(Pattern::text)
+    }
 }
 
 /// The parsed file.
@@ -136,6 +144,7 @@ impl Expectations {
             }
         });
         let level = level.transpose()?;
+        let place: Arc<str> = format!("{file}:{}", fields.line()).into();
         for backend in &backends {
             self.entries.extend(classes.iter().map(|&class| Expectation {
                 scenes: scenes.clone(),
@@ -143,11 +152,10 @@ impl Expectations {
                 class,
                 reason: reason.clone(),
                 level: level.clone(),
-                line: fields.line(),
+                place: place.clone(),
             }));
         }
-        let place = format!("{file}:{}", fields.line());
-        self.tables.push(Written { place, scenes, backends, level });
+        self.tables.push(Written { place: place.to_string(), scenes, backends, level });
         fields.finish()
     }
 

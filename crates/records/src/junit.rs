@@ -11,11 +11,16 @@ use crate::{Class, Error, NotRun, Status, SummaryRow};
 ///
 /// Unexpected findings and unexpected passes are failures. A pair that was
 /// planned and not run is an error: silence is no success. A scene that was
-/// declined as expected is skipped.
+/// declined as expected is skipped. The body of a failure is what `told` says of its row.
 ///
 /// # Errors
 /// If the XML can't be written.
-pub fn junit(name: &str, rows: &[SummaryRow], not_run: &[NotRun]) -> Result<String, Error> {
+pub fn junit(
+    name: &str,
+    rows: &[SummaryRow],
+    not_run: &[NotRun],
+    told: &dyn Fn(&SummaryRow) -> String,
+) -> Result<String, Error> {
     let mut cases: Vec<([&str; 5], Option<&SummaryRow>)> = Vec::new();
     cases.extend(rows.iter().map(|r| ([&*r.suite, &*r.scene, &*r.scene_id, &*r.task, &*r.backend], Some(r))));
     cases.extend(not_run.iter().map(|m| ([&*m.suite, &*m.scene, &*m.scene_id, &*m.task, &*m.backend], None)));
@@ -26,7 +31,11 @@ pub fn junit(name: &str, rows: &[SummaryRow], not_run: &[NotRun]) -> Result<Stri
         let mut test_suite = TestSuite::new(xml(suite[0].0[0]));
         for &([suite, scene, scene_id, task, backend], row) in suite {
             let name = xml(&format!("{scene} [{backend}]"));
-            let mut case = TestCase::new(name, row.map_or_else(missing, outcome));
+            let mut status = row.map_or_else(missing, outcome);
+            if let Some(row) = row.filter(|row| !row.status.passes()) {
+                status.set_description(xml(&told(row)));
+            }
+            let mut case = TestCase::new(name, status);
             case.set_classname(xml(&format!("{suite}.{task}")));
             case.extra.insert("id".into(), xml(scene_id).into());
             test_suite.add_test_case(case);

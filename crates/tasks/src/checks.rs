@@ -35,6 +35,13 @@ impl Check {
         Check::new(Class::Topology, name, means)
     }
 
+    /// A metric law that is violated by the rounding of vertices alone; what is violated by more is
+    /// [`topology`](Check::topology) of the same name.
+    #[must_use]
+    pub const fn rounded(name: &'static str, means: &'static str) -> Check {
+        Check::new(Class::Rounded, name, means)
+    }
+
     /// The statements that an algorithm looks after itself: where signs contradict each other it stops and says which does
     /// not hold, and that is the name of the finding.
     #[must_use]

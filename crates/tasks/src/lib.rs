@@ -36,6 +36,7 @@ mod map_source;
 mod outcome;
 mod phases;
 mod planted;
+mod rounding;
 mod rounds;
 mod run;
 mod segment_source;

@@ -1,19 +1,23 @@
 //! `diff`: what changed from one run to another, as Markdown for a comment or as JSON for a script.
 
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
+use predicament_predicates::Severity;
 use predicament_records::{RunDir, SummaryRow};
 use predicament_report::{Block, Section, against, section_markdown};
 use predicament_tasks::Class;
 use serde_json::{Value, json};
 
+use crate::baseline::Change;
 use crate::exit::{self, Failure};
 
 const EXAMPLES: &str = "\
-A scene on a backend has changed if a count of any class or its status has. Times, where both folders have some, are
-shown with their intervals and decide nothing: `gate --baseline` does that. Code 100 where something that changed or
-was added is not as expected, 0 otherwise.
+A scene on a backend has changed if a count of any class or its status has. What is worse and what is better comes
+first, the worst severity on top: broken, not done, rounded. Times, where both folders have some, are
+shown with their intervals and decide nothing: `gate --baseline` does that. Code 100 where something that was added, or
+has become worse, is not as expected, 0 otherwise: what is mended is no failure.
 
 Examples:
   predicament diff out/main out/branch > comment.md
@@ -37,6 +41,12 @@ pub struct Args {
 
 type Key<'r> = [&'r str; 5];
 
+/// The worst severity that a pair is worse in, then the worst that it is better in.
+type Rank = [Option<Severity>; 2];
+
+/// How many changes are listed before the rest is counted.
+const LINES: usize = 50;
+
 /// Runs the command.
 pub fn run(args: &Args) -> exit::Outcome {
     let [before, now] = [&args.before, &args.now].map(RunDir::open);
@@ -44,13 +54,17 @@ pub fn run(args: &Args) -> exit::Outcome {
     let [old, new] = [&before, &now].map(pairs);
     let keys: BTreeSet<&Key<'_>> = old.keys().chain(new.keys()).collect();
     let (mut added, mut removed, mut changed, mut unchanged) = (Vec::new(), Vec::new(), Vec::new(), 0_usize);
-    let mut alarming = 0_usize;
+    let (mut alarming, mut changes) = (0_usize, Vec::new());
     for key in keys {
         match (old.get(key), new.get(key)) {
             (Some(old), Some(new)) if old == new => unchanged += 1,
             (old, new) => {
-                alarming += usize::from(new.is_some_and(|row| !row.status.passes()));
-                let told = told(*key, old.copied(), new.copied());
+                let of = old.zip(new).map_or_else(Vec::new, |(old, new)| Change::of(old, new));
+                let is_worse = of.iter().any(|change| change.is_worse);
+                let is_news = old.is_none_or(|old| is_worse || old.status.passes() && of.is_empty());
+                alarming += usize::from(is_news && new.is_some_and(|row| !row.status.passes()));
+                let told = (worst(&of), told(*key, old.copied(), new.copied(), &of));
+                changes.extend(of);
                 match (old, new) {
                     (None, _) => added.push(told),
                     (_, None) => removed.push(told),
@@ -59,13 +73,30 @@ pub fn run(args: &Args) -> exit::Outcome {
             }
         }
     }
+    changes.sort_by_key(|change| Reverse(change.class.severity()));
+    // What is worse first, the worst on top; what only got better last.
+    let ordered = |mut told: Vec<(Rank, Value)>| {
+        told.sort_by_key(|(rank, _)| Reverse(*rank));
+        told.into_iter().map(|(_, told)| told).collect::<Vec<Value>>()
+    };
     if args.json {
+        let [added, removed, changed] = [added, removed, changed].map(ordered);
         say!("{}", json!({ "unchanged": unchanged, "added": added, "removed": removed, "changed": changed }));
     } else {
         let section = against(std::slice::from_ref(&now), std::slice::from_ref(&before)).map_err(Failure::usage)?;
         let blocks = section.blocks.into_iter().filter(|block| !matches!(block, Block::Plot { .. }));
         let section = Section { lead: String::new(), blocks: blocks.collect(), ..section };
         say!("## {} → {}", args.before.display(), args.now.display());
+        for (title, is_worse) in [("❌ Worse", true), ("✅ Better", false)] {
+            let of: Vec<&Change> = changes.iter().filter(|change| change.is_worse == is_worse).collect();
+            if !of.is_empty() {
+                say!("\n### {title}\n");
+                of.iter().take(LINES).for_each(|change| say!("* `{change}`"));
+            }
+            if of.len() > LINES {
+                say!("* and {} more", of.len() - LINES);
+            }
+        }
         say!("\n{}", section_markdown(&section).map_err(Failure::usage)?.trim());
     }
     Ok(if alarming > 0 { exit::UNEXPECTED } else { exit::OK })
@@ -76,8 +107,19 @@ fn pairs(run: &RunDir) -> BTreeMap<Key<'_>, &SummaryRow> {
     rows.map(|row| ([&*row.suite, &*row.scene, &*row.scene_id, &*row.task, &*row.backend], row)).collect()
 }
 
-/// A pair with the classes whose counts differ, before and now.
-fn told([suite, scene, scene_id, task, backend]: Key<'_>, old: Option<&SummaryRow>, new: Option<&SummaryRow>) -> Value {
+fn worst(changes: &[Change]) -> Rank {
+    [true, false].map(|is_worse| {
+        changes.iter().filter(|change| change.is_worse == is_worse).map(|change| change.class.severity()).max()
+    })
+}
+
+/// A pair with the classes whose counts differ, before and now, and the severities in which it is worse and better.
+fn told(
+    [suite, scene, scene_id, task, backend]: Key<'_>,
+    old: Option<&SummaryRow>,
+    new: Option<&SummaryRow>,
+    changes: &[Change],
+) -> Value {
     let count = |row: Option<&SummaryRow>, class| row.map_or(0, |row| row.count(class));
     let classes: serde_json::Map<String, Value> = Class::ALL
         .into_iter()
@@ -86,8 +128,9 @@ fn told([suite, scene, scene_id, task, backend]: Key<'_>, old: Option<&SummaryRo
         .map(|(class, counts)| (class.name().to_owned(), json!(counts)))
         .collect();
     let status = |row: Option<&SummaryRow>| row.map(|row| row.status.name());
+    let [worse, better] = worst(changes).map(|severity| severity.map(Severity::name));
     json!({
         "suite": suite, "scene": scene, "scene_id": scene_id, "task": task, "backend": backend,
-        "status": [status(old), status(new)], "classes": classes,
+        "status": [status(old), status(new)], "classes": classes, "worse": worse, "better": better,
     })
 }

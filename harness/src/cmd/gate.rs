@@ -3,16 +3,19 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use predicament_predicates::Severity;
 use predicament_records::{self as records, RunDir, Status, SummaryRow, junit};
 use predicament_tasks::{Class, is_declared};
 use serde_json::json;
 
-use crate::baseline::Worse;
+use crate::baseline::{Beside, Change};
 use crate::comment::{Comment, LIMIT};
+use crate::details::Bodies;
 use crate::exit::{self, Failure};
 use crate::expect_file::grouped;
 use crate::expectations;
 use crate::ledger::describe;
+use crate::out::{program, word};
 use crate::places::apart;
 use crate::tool::Tool;
 
@@ -22,6 +25,7 @@ Examples:
   predicament gate out/run --baseline out/main --junit out/junit.xml
   predicament gate out/run --baseline out/main --summary comment.md      for a comment on a pull request
   predicament gate out/bench --baseline out/bench-before --time 20       and no scene slower by 20 %
+  predicament gate out/run --fail-on broken,not_done     vertices off by rounding, within its bound, are let pass
   predicament gate out/run --expected mine-expected.toml --suggest more.toml";
 
 /// Hold a run against expectations and a baseline
@@ -34,6 +38,13 @@ pub struct Args {
     /// An earlier run: no finding may have become more frequent
     #[arg(long, value_name = "RUN")]
     pub baseline: Option<PathBuf>,
+
+    /// The severities that turn the gate red, of `broken` (a wrong sign or topology), `not_done` (declined, out of time, crashed) and
+    /// `rounded` (off by the rounding of output coordinates, within a stated bound): findings of the others are listed and let pass,
+    /// expected or not
+    #[arg(long, value_name = "SEVERITIES", value_delimiter = ',', value_parser = severity,
+          default_value = "broken,not_done,rounded")]
+    pub fail_on: Vec<Severity>,
 
     /// Judge times, too: on the same machine, a scene whose samples are all slower than those of the baseline, and by
     /// this much in the median, is an error (10 if no number is given)
@@ -70,6 +81,16 @@ fn percent(text: &str) -> Result<f64, String> {
     percent.ok_or_else(|| format!("`{text}` is no threshold; write percent, such as 10"))
 }
 
+/// A severity that findings have.
+fn severity(text: &str) -> Result<Severity, String> {
+    match text.parse()? {
+        legal @ (Severity::Right | Severity::Undecided) => {
+            Err(format!("what is `{legal}` is no finding; leave it out"))
+        }
+        severity => Ok(severity),
+    }
+}
+
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let to_stdout = args.summary.as_deref() == Some(Path::new("-"));
@@ -89,12 +110,20 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     if let Some(baseline) = &mut baseline {
         expectations::hold(&expected, baseline);
     }
-    let worse = match &baseline {
-        None => Worse::default(),
-        Some(baseline) => Worse::than(&run, baseline, args.time)?,
+    let mut beside = match &baseline {
+        None => Beside::default(),
+        Some(baseline) => Beside::baseline(&run, baseline, args.time)?,
     };
+    let mut passed = expectations::let_pass(&expected, &mut run, &args.fail_on);
+    let is_asked = |change: &Change| args.fail_on.contains(&change.class.severity());
+    let (worse, milder) = beside.worse.into_iter().partition(is_asked);
+    beside.worse = worse;
+    passed.extend(milder.iter().map(Change::to_string));
+    let unmet = expectations::unmet(&expected, &run);
     if let Some(path) = &args.junit {
-        let text = junit("predicament", &run.summary, &run.not_run()).map_err(Failure::usage)?;
+        let bodies = Bodies::new(&run, &expected, tool);
+        let text = junit("predicament", &run.summary, &run.not_run(), &|row| bodies.of(row, &unmet));
+        let text = text.map_err(Failure::usage)?;
         records::replace(path, text.as_bytes()).map_err(Failure::usage)?;
     }
     let not_run = run.not_run();
@@ -118,55 +147,79 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             "unexpected": unexpected,
             "unexpected_pass": passes,
             "failed": failed,
+            "let_pass": passed,
             "not_declared": undeclared,
+            "not_met": unmet,
             "never_true": unused.never,
             "not_held": unused.here,
             "not_run": missing,
-            "worse": worse.findings.iter().chain(&worse.timings).collect::<Vec<_>>(),
-            "times_not_compared": worse.not_compared,
-            "times_not_judged": worse.times.as_ref().and_then(|times| times.as_ref().err()),
+            "worse": lines(&beside.worse).into_iter().chain(beside.timings.clone()).collect::<Vec<_>>(),
+            "better": lines(&beside.better),
+            "times_not_compared": beside.not_compared,
+            "times_not_judged": beside.times.as_ref().and_then(|times| times.as_ref().err()),
         });
         say!("{told}");
     } else if !to_stdout {
-        failed.iter().chain(&worse.findings).chain(&worse.timings).for_each(|line| say!("{line}"));
+        failed.iter().chain(&lines(&beside.worse)).chain(&beside.timings).for_each(|line| say!("{line}"));
+        passed.iter().for_each(|line| say!("let pass: {line}"));
+        beside.better.iter().for_each(|change| say!("{change}"));
         undeclared.iter().for_each(|line| say!("not declared: {line}"));
         missing.iter().for_each(|line| say!("not run: {line}"));
         unused.never.iter().for_each(|line| say!("never true: {line}"));
-        if let Some(Err(why)) = &worse.times {
+        unmet.iter().for_each(|line| say!("not met: {line}"));
+        if !unmet.is_empty() || !unused.never.is_empty() {
+            say!("take out what is not met with: {}", prune(args));
+        }
+        if let Some(Err(why)) = &beside.times {
             say!("times were not judged: {why}");
         }
-        worse.not_compared.iter().for_each(|line| say!("time not compared: {line}"));
+        beside.not_compared.iter().for_each(|line| say!("time not compared: {line}"));
         if !unused.here.is_empty() {
             say!("{} expectations are not about this run's scenes, backends and level", unused.here.len());
         }
         say!(
             "{}: {} rows: {} ok, {} expected, {unexpected} unexpected, {passes} unexpected pass, {} never true, {} not \
-             run, {} worse than the baseline{}; {}",
+             run, {} worse than the baseline, {} better{}{}; {}",
             args.run.display(),
             run.summary.len(),
             count(Status::Ok),
             count(Status::Expected),
             unused.never.len(),
             not_run.len(),
-            worse.findings.len(),
-            if worse.timings.is_empty() { String::new() } else { format!(", {} slower", worse.timings.len()) },
+            beside.worse.len(),
+            beside.better.len(),
+            if passed.is_empty() { String::new() } else { format!(", {} let pass", passed.len()) },
+            if beside.timings.is_empty() { String::new() } else { format!(", {} slower", beside.timings.len()) },
             run.outcome.describe(),
         );
     }
-    let code = if unexpected > 0 || !undeclared.is_empty() || !worse.findings.is_empty() {
+    let code = if unexpected > 0 || !undeclared.is_empty() || !beside.worse.is_empty() {
         exit::UNEXPECTED
     } else if passes > 0 || !unused.never.is_empty() {
         exit::UNEXPECTED_PASS
     } else if !run.is_complete() || !not_run.is_empty() {
         exit::INCOMPLETE
-    } else if !worse.timings.is_empty() {
+    } else if !beside.timings.is_empty() {
         exit::SLOWER
     } else {
         exit::OK
     };
     if let Some(file) = &args.summary {
         let (run, baseline, expected, unused) = (&run, baseline.as_ref(), &expected, &unused);
-        let text = Comment { run, baseline, worse: &worse, expected, unused, code }.text(LIMIT)?;
+        let prune = prune(args);
+        let comment = Comment {
+            run,
+            baseline,
+            beside: &beside,
+            passed: &passed,
+            unmet: &unmet,
+            prune: &prune,
+            expected,
+            unused,
+            fail_on: &args.fail_on,
+            code,
+        };
+        let text = comment.text(LIMIT)?;
         if to_stdout {
             say_text!("{text}");
         } else {
@@ -174,6 +227,19 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         }
     }
     Ok(code)
+}
+
+fn lines(changes: &[Change]) -> Vec<String> {
+    changes.iter().map(ToString::to_string).collect()
+}
+
+/// The command that takes out of the file what the run does not meet.
+fn prune(args: &Args) -> String {
+    let mut command = format!("{} expect prune {}", program(), word(&args.run.display().to_string()));
+    if let Some(file) = &args.expected {
+        command += &format!(" --expected {}", word(&file.display().to_string()));
+    }
+    command
 }
 
 /// The findings that no task declares a check for, each kind once: their judges say what their lists do not.

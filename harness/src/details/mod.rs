@@ -5,6 +5,7 @@
 
 mod apart;
 mod around;
+mod bodies;
 mod result;
 mod shape;
 
@@ -20,6 +21,8 @@ use crate::cmd::replay::{lines, point_lines, signs};
 use crate::exit::Failure;
 use crate::select::Selector;
 use crate::tool::Tool;
+
+pub use bodies::Bodies;
 
 /// So many findings of each class, backend and task, each of a suite of its own.
 const FEW: usize = 3;

@@ -10,6 +10,7 @@ mod diff;
 mod engines;
 mod expect;
 mod gate;
+mod gate_severities;
 mod gate_summary;
 mod habits;
 mod hunt;

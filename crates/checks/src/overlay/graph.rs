@@ -3,7 +3,9 @@
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-use super::plane::{Common, Neighbours, Point, area, common, is_on, side};
+use rug::Rational;
+
+use super::plane::{Common, Neighbours, Point, area, common, distance, is_on, side};
 use super::{Check, Expected, Flaw, Flaws, stride};
 
 /// An arrangement as it was made.
@@ -69,13 +71,11 @@ impl Graph {
         for (at, ([a, b], chain)) in self.segments.iter().zip(&self.chains).enumerate() {
             let ends = [chain.first(), chain.last()].map(|node| node.map(|&node| self.node(node)));
             let mut is_right = ends == [Some(a), Some(b)];
-            is_right &= chain.iter().all(|&node| is_on(a, b, self.node(node)));
             for pair in chain.windows(2) {
                 let [p, q] = [self.node(pair[0]), self.node(pair[1])];
-                // Along the segment: both differences have the signs of its own.
-                let along = [0, 1].map(|i: usize| (q[i].cmp(&p[i]), b[i].cmp(&a[i])));
-                let is_ahead = along.iter().all(|&(step, own)| step == own || step.is_eq());
-                is_right &= is_ahead && (p != q || !expected.has_areas);
+                // Along the segment, also where nodes are rounded and beside it.
+                let along = |i: usize| Rational::from(&q[i] - &p[i]) * Rational::from(&b[i] - &a[i]);
+                is_right &= (along(0) + along(1)).cmp0().is_gt() || p == q && !expected.has_areas;
                 if pair[0] != pair[1] {
                     is_right &= edges.contains(&sorted([pair[0], pair[1]]));
                     passed.insert(sorted([pair[0], pair[1]]));
@@ -83,6 +83,11 @@ impl Graph {
             }
             if !is_right {
                 flaws.add(Check::Chain, || format!("segment {at} is not covered by its {} nodes", chain.len()));
+            }
+            for &node in chain.iter().filter(|&&node| !is_on(a, b, self.node(node))) {
+                flaws.add(Check::OnSegment, || {
+                    format!("node {node} is {:e} off segment {at}", distance(a, b, self.node(node)))
+                });
             }
         }
         for edge in edges.difference(&passed) {

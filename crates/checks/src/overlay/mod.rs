@@ -37,8 +37,10 @@ pub struct Expected {
 pub enum Check {
     /// No two nodes are at one place.
     Nodes,
-    /// Each segment is covered by its chain of edges, from end to end, in order.
+    /// The chain of a segment is of edges, from end to end, in order.
     Chain,
+    /// The nodes of a segment's chain are on it.
+    OnSegment,
     /// Each edge is on a segment's chain.
     Edges,
     /// No two edges meet but in nodes that they share.
@@ -68,6 +70,7 @@ impl Check {
         match self {
             Check::Nodes => "nodes",
             Check::Chain => "chain",
+            Check::OnSegment => "node off its segment",
             Check::Edges => "edges",
             Check::Crossing => "undiscovered crossing",
             Check::Euler => "euler",
@@ -81,12 +84,20 @@ impl Check {
         }
     }
 
+    /// Whether it is about lengths or areas, so that vertices that are rounded are enough to violate it. All others are about how
+    /// things turn and hang together.
+    #[must_use]
+    pub const fn is_metric(self) -> bool {
+        matches!(self, Check::OnSegment | Check::Area)
+    }
+
     /// The law, as a statement.
     #[must_use]
     pub const fn law(self) -> &'static str {
         match self {
             Check::Nodes => "no two nodes are at one place",
             Check::Chain => "the nodes on a segment go from one end to the other, in order",
+            Check::OnSegment => "the nodes on a segment are on it",
             Check::Edges => "each edge is between nodes that follow each other on a segment",
             Check::Crossing => "two edges have no point in common but a common node",
             Check::Euler => "V - E + F = 1 + C",

@@ -109,6 +109,9 @@ impl Results {
     fn areas(&self, operands: &Operands, only: [Option<i32>; 2], flaws: &mut Flaws) {
         let areas = self.regions.each_ref().map(|regions| area_of(regions));
         let [union, both, first, either] = &areas;
+        for (name, area) in NAMES.iter().zip(&areas).filter(|(_, area)| area.cmp0().is_lt()) {
+            flaws.add(Check::Orientation, || format!("the {name} has the area {:e}", area.to_f64() / 2.0));
+        }
         let mut law = |holds: bool, what: &str| {
             if !holds {
                 let told: Vec<String> = areas.iter().map(|area| format!("{:e}", area.to_f64() / 2.0)).collect();
@@ -116,7 +119,6 @@ impl Results {
             }
         };
         law(Rational::from(union - both) == *either, "|A or B| - |A and B| is not |A xor B|");
-        law(areas.iter().all(|area| area.cmp0().is_ge()), "an area is negative");
         if let (Some(a), Some(b)) = (operands.area(0), operands.area(1)) {
             law(Rational::from(union + both) == Rational::from(&a + &b), "|A or B| + |A and B| is not |A| + |B|");
             law(Rational::from(first + both) == a, "|A not B| is not |A| - |A and B|");

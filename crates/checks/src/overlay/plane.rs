@@ -31,6 +31,18 @@ pub(super) fn is_on(a: &Point, b: &Point, p: &Point) -> bool {
     is_between(a, b, p) && side(a, b, p).is_eq()
 }
 
+/// How far p is from the closed segment from a to b, rounded at the end only.
+pub(super) fn distance(a: &Point, b: &Point, p: &Point) -> f64 {
+    let minus = |p: &Point, q: &Point| [0, 1].map(|i: usize| Rational::from(&p[i] - &q[i]));
+    let dot = |u: &Point, v: &Point| Rational::from(&u[0] * &v[0]) + Rational::from(&u[1] * &v[1]);
+    let [along, to] = [minus(b, a), minus(p, a)];
+    let square = dot(&along, &along);
+    let part = if square.is_zero() { square } else { dot(&to, &along) / square };
+    let part = part.clamp(&0, &1);
+    let off = [0, 1].map(|i: usize| Rational::from(&to[i] - &Rational::from(&along[i] * &part)).to_f64());
+    off[0].hypot(off[1])
+}
+
 /// What two segments have in common besides equal ends.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Common {

@@ -52,23 +52,28 @@ impl Slices {
                 let mut first: [Option<u32>; 2] = [None; 2];
                 for &p in points {
                     let side = *known[p as usize].get_or_insert_with(|| plane.side(&self.points[p as usize]));
-                    let slot = match side {
-                        Ordering::Less => 0,
+                    match side {
+                        Ordering::Less => first[0].get_or_insert(p),
                         Ordering::Equal => continue,
-                        Ordering::Greater => 1,
+                        Ordering::Greater => first[1].get_or_insert(p),
                     };
-                    first[slot].get_or_insert(p);
-                    if let [Some(below), Some(above)] = first {
-                        flaws.add(Check::Side, &[below, above], || {
-                            format!("part {at} is on both sides of plane {place}")
-                        });
-                        break;
-                    }
                 }
                 let side = match first {
                     [Some(_), None] => Ordering::Less,
                     [None, Some(_)] => Ordering::Greater,
-                    _ => Ordering::Equal,
+                    [None, None] => Ordering::Equal,
+                    [Some(below), Some(above)] => {
+                        let reach = |on: Ordering| {
+                            let there = points.iter().filter(|&&p| known[p as usize] == Some(on));
+                            there.map(|&p| plane.distance(&self.points[p as usize])).fold(0.0, f64::max)
+                        };
+                        let [under, over] = [Ordering::Less, Ordering::Greater].map(reach);
+                        flaws.add(Check::Side, &[below, above], || {
+                            format!("part {at} is on both sides of plane {place}, by {:e}", under.min(over))
+                        });
+                        // Where most of it is: a point that was rounded to the other side does not turn the caps.
+                        over.total_cmp(&under)
+                    }
                 };
                 sides.insert((at, place), side);
             }

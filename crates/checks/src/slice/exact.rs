@@ -57,6 +57,14 @@ impl Plane {
         dot(&self.normal, &minus(p, &self.at)).cmp0()
     }
 
+    /// How far p is from it, rounded at the end only; of no plane, zero.
+    pub(super) fn distance(&self, p: &Point) -> f64 {
+        let lengths = self.normal.iter().map(|x| x.clone().abs());
+        let Some(longest) = lengths.max().filter(|longest| !longest.is_zero()) else { return 0.0 };
+        let square: Rational = self.normal.iter().map(|x| Rational::from(x / &longest).square()).sum();
+        (dot(&self.normal, &minus(p, &self.at)).abs() / longest).to_f64() / square.to_f64().sqrt()
+    }
+
     /// An axis along which the normal is not zero.
     pub(super) fn axis(&self) -> Option<usize> {
         self.normal.iter().position(|x| !x.is_zero())

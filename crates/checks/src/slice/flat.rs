@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use rug::Rational;
 
-use super::exact::{Plane, area, normal};
+use super::exact::{Plane, area, dot, normal};
 use super::{Check, Expected, Flaws, Piece, Slices};
 use crate::sum::sum;
 
@@ -19,12 +19,13 @@ impl Slices {
                 let plane = &planes[place];
                 let corners = self.points(*triangle);
                 if corners.iter().any(|p| plane.side(p) != Ordering::Equal) {
-                    flaws.add(Check::CapInPlane, triangle, || format!("a cap of part {at} is off plane {place}"));
-                    continue;
+                    flaws.add(Check::CapInPlane, triangle, || {
+                        let off = corners.iter().map(|p| plane.distance(p)).fold(0.0, f64::max);
+                        format!("a cap of part {at} is {off:e} off plane {place}")
+                    });
                 }
-                let turns = plane
-                    .axis()
-                    .map_or(Ordering::Equal, |axis| area(corners, axis).cmp0().times(plane.normal[axis].cmp0()));
+                // One that is off its plane may be turned over as well.
+                let turns = dot(&normal(corners), &plane.normal).cmp0();
                 // Away from the part: along the normal where the part is below the plane.
                 if turns != Ordering::Equal && turns == sides[&(at, place)] {
                     flaws.add(Check::CapOrientation, triangle, || {
@@ -65,9 +66,9 @@ impl Slices {
         let fan = || corners.windows(2).skip(1).map(|next| [corners[0], next[0], next[1]]);
         // Of a polygon no three corners need turn as it does; the sum over a fan does.
         let of_axis = |axis| sum(fan().map(|triangle| area(self.points(triangle), axis)).collect());
-        let Some((axis, whole)) =
-            (0..3).map(|axis| (axis, of_axis(axis))).find(|(_, whole): &(usize, Rational)| !whole.is_zero())
-        else {
+        // Seen from where most of it is seen: pieces that rounding has moved out of the plane do not turn.
+        let seen = (0..3).map(|axis| (axis, of_axis(axis))).filter(|(_, whole)| !whole.is_zero());
+        let Some((axis, whole)) = seen.max_by_key(|(_, whole): &(usize, Rational)| whole.clone().abs()) else {
             return;
         };
         let plane = fan().map(|triangle| Plane::of(self.points(triangle))).find(|plane| plane.axis().is_some());
@@ -78,7 +79,12 @@ impl Slices {
                 plane.as_ref().is_some_and(|plane| plane.side(&self.points[place as usize]) != Ordering::Equal)
             };
             if new.copied().any(|place| is_off(&place)) {
-                flaws.add(Check::PieceInFace, triangle, || format!("a piece of face {face} is off its plane"));
+                let far =
+                    |place: &u32| plane.as_ref().map_or(0.0, |plane| plane.distance(&self.points[*place as usize]));
+                flaws.add(Check::PieceInFace, triangle, || {
+                    let off = triangle.iter().map(far).fold(0.0, f64::max);
+                    format!("a piece of face {face} is {off:e} off its plane")
+                });
             }
             let area = area(self.points(*triangle), axis);
             match area.cmp0().times(whole.cmp0()) {
@@ -90,9 +96,11 @@ impl Slices {
             }
             areas.push(area);
         }
-        if sum(areas) != whole {
+        let more = sum(areas) - &whole;
+        if !more.is_zero() {
             flaws.add(Check::FaceArea, corners, || {
-                format!("the {} pieces of face {face} have not its area", pieces.len())
+                let more = (more / whole).to_f64();
+                format!("the {} pieces of face {face} have {more:e} of its area too much", pieces.len())
             });
         }
     }

@@ -121,6 +121,13 @@ impl Check {
         }
     }
 
+    /// Whether it is about lengths, areas or volumes, so that vertices that are rounded are enough to violate it. All others are
+    /// about how things turn and hang together.
+    #[must_use]
+    pub const fn is_metric(self) -> bool {
+        matches!(self, Check::Side | Check::CapInPlane | Check::PieceInFace | Check::FaceArea | Check::Volume)
+    }
+
     /// What should hold, in a few words.
     #[must_use]
     pub const fn law(self) -> &'static str {

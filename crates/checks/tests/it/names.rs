@@ -12,6 +12,7 @@ fn checks_of_overlays() {
     let names = [
         (Check::Nodes, "nodes"),
         (Check::Chain, "chain"),
+        (Check::OnSegment, "node off its segment"),
         (Check::Edges, "edges"),
         (Check::Crossing, "undiscovered crossing"),
         (Check::Euler, "euler"),

@@ -87,6 +87,28 @@ fn each_law_of_arrangements_is_violated_by_something() {
 }
 
 #[test]
+fn a_node_beside_its_segment_is_no_flaw_of_the_chain_unless_it_goes_back() {
+    // A segment of two edges, with nothing around it.
+    let along = |x: Rational, y: Rational| Graph {
+        nodes: vec![at(0, 0), [x, y], at(8, 0)],
+        segments: vec![[at(0, 0), at(8, 0)]],
+        chains: vec![vec![0, 1, 2]],
+        edges: vec![[0, 1], [1, 2]],
+        next: vec![2, 0, 3, 1],
+        face: vec![0; 4],
+        faces: 1,
+    };
+    let little = || Rational::from((1, 1_u64 << 52));
+    assert_eq!(along(Rational::from(3), Rational::new()).flaws(EXPECTED), []);
+    let beside = along(Rational::from(3), -little()).flaws(EXPECTED);
+    assert_eq!(beside.iter().map(|flaw| flaw.check).collect::<Vec<_>>(), [Check::OnSegment]);
+    assert_eq!(beside[0].what, "node 1 is 2.220446049250313e-16 off segment 0");
+    assert!(Check::OnSegment.is_metric() && !Check::Chain.is_metric());
+    // Beyond an end the chain goes back, and that is not about lengths.
+    assert_eq!(found(&along(-little(), Rational::new())), [Check::Chain, Check::OnSegment, Check::Crossing]);
+}
+
+#[test]
 fn directions_of_edges_do_not_matter() {
     for turns in 0..1_u32 << 6 {
         let graph = (0..6).filter(|edge| turns >> edge & 1 == 1).fold(graph(), turned);

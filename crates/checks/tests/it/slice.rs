@@ -94,6 +94,14 @@ const SPOILT: &[Spoilt] = &[
         &[Check::Closed, Check::CapOrientation, Check::Volume],
     ),
     (
+        "a cap that faces into its part, and is off its plane by what rounding could do",
+        |slices| {
+            slices.points[11][2] += Rational::from((1, 1_u64 << 52));
+            slices.parts[0].triangles[2..4].iter_mut().for_each(|triangle| triangle.reverse());
+        },
+        &[Check::Closed, Check::Side, Check::CapInPlane, Check::CapOrientation, Check::Volume],
+    ),
+    (
         "both caps face into their parts",
         |slices| {
             slices.parts[0].triangles[2..4].iter_mut().for_each(|triangle| triangle.reverse());
@@ -242,4 +250,19 @@ fn edges_that_pass_beside_a_triangle_do_not_pass_through_it() {
         }
     }
     assert!(through > 50 && beside > 50, "{through} through, {beside} beside");
+}
+
+#[test]
+fn metric_flaws_say_by_how_much() {
+    let mut slices = halves();
+    slices.points[11][2] += Rational::from((1, 1 << 20));
+    slices.points[9][0] += Rational::from((1, 1 << 10));
+    let flaws = slices.flaws(STRICT);
+    let metric = Check::ALL.into_iter().filter(|check| check.is_metric());
+    assert_eq!(flaws.iter().map(|flaw| flaw.check).collect::<Vec<_>>(), metric.collect::<Vec<_>>());
+    let told = |check: Check| &*flaws.iter().find(|flaw| flaw.check == check).unwrap().what;
+    assert_eq!(told(Check::Side), "part 0 is on both sides of plane 0, by 9.5367431640625e-7");
+    assert_eq!(told(Check::CapInPlane), "a cap of part 0 is 9.5367431640625e-7 off plane 0");
+    assert_eq!(told(Check::PieceInFace), "a piece of face 3 is 9.765625e-4 off its plane");
+    assert!(told(Check::FaceArea).starts_with("the 4 pieces of face 2 have "), "{}", told(Check::FaceArea));
 }

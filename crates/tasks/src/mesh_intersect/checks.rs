@@ -3,7 +3,7 @@
 use predicament_checks::slice::Check as Law;
 
 use crate::overlay::RULES as ARRANGEMENT;
-use crate::slice::law;
+use crate::slice::{law, rounded};
 use crate::triangulate::RULES as TRIANGULATION;
 use crate::{Check, Class};
 
@@ -30,15 +30,21 @@ pub(super) const CHECKS: &[Check] = &[
     law(Law::FaceArea),
     law(Law::Degenerate),
     law(Law::SelfIntersection),
+    rounded(Law::PieceInFace),
+    rounded(Law::FaceArea),
     Check::topology("region of a piece", "a piece is in the region that its middle is in"),
     Check::topology(
         "point in a result",
         "a result goes once around what the operation says is in it, and not around anything else",
     ),
     Check::topology("volume", "the volumes of a region's parts add up to its volume"),
+    Check::rounded("volume", "the volumes of a region's parts add up to its volume"),
     Check::topology("volumes of results", "volumes of results add up to those of the meshes"),
+    Check::rounded("volumes of results", "volumes of results add up to those of the meshes"),
     Check::topology("areas of results", "so do their areas, triangle by triangle"),
+    Check::rounded("areas of results", "so do their areas, triangle by triangle"),
     Check::topology("a mesh with itself", "union and intersection are the mesh, differences have no volume"),
+    Check::rounded("a mesh with itself", "union and intersection are the mesh, differences have no volume"),
     Check::topology(
         "edge of a piece",
         "an edge is inside of a triangle with a piece on either side, or on an edge of a mesh with a piece of each triangle there",
@@ -53,7 +59,9 @@ pub(super) const CHECKS: &[Check] = &[
     Check::topology("corner of a result", "the triangles at a constructed vertex are one fan"),
     Check::topology("Euler characteristic", "the characteristics of results add up to those of the meshes"),
     Check::topology("meshes exchanged", "with the meshes exchanged the results are the same"),
+    Check::rounded("meshes exchanged", "with the meshes exchanged the results are the same"),
     Check::topology("difference by complement", "A∖B is what A has in common with the complement of B"),
+    Check::rounded("difference by complement", "A∖B is what A has in common with the complement of B"),
     Check::topology("limit", "where each constructed vertex is a point, a result has a limit"),
     Check::topology("vertex of a limit", "every vertex of a limit is a point"),
     Check::topology("vertices of a limit", "at one place of a limit there is one vertex"),

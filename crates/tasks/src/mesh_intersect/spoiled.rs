@@ -1,6 +1,7 @@
 //! Answers with faults: what no fault in the algorithm reaches. Those of its results are in `planted.rs`.
 
 use super::{MeshIntersect, OfMesh, Overlaid};
+use crate::rounding::{far, one_place, spoiled};
 use crate::{Class, Spoiled};
 
 pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
@@ -11,6 +12,38 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
             "exact",
             &[(Class::Topology, "vertex not finite")],
             |_, _, answer: &mut Overlaid| answer.rounded = Some(vec![[f64::NAN; 3]; answer.constructions.len()]),
+        ),
+        Spoiled::new(
+            "mesh-intersect-rounds-vertices",
+            "constructed vertices are rounded, the first to doubles an ulp beside the nearest",
+            "sos",
+            &[
+                (Class::Rounded, "piece not in its face"),
+                (Class::Rounded, "face area"),
+                (Class::Rounded, "volume"),
+                (Class::Rounded, "volumes of results"),
+                (Class::Rounded, "areas of results"),
+                (Class::Rounded, "a mesh with itself"),
+                (Class::Rounded, "meshes exchanged"),
+                (Class::Rounded, "difference by complement"),
+            ],
+            |scene, _, answer: &mut Overlaid| answer.rounded = spoiled(scene, &answer.constructions, one_place),
+        ),
+        Spoiled::new(
+            "mesh-intersect-drags-a-vertex",
+            "constructed vertices are rounded, the first to doubles a thousandth beside the nearest",
+            "sos",
+            &[
+                (Class::Topology, "piece not in its face"),
+                (Class::Topology, "face area"),
+                (Class::Topology, "volume"),
+                (Class::Topology, "volumes of results"),
+                (Class::Topology, "areas of results"),
+                (Class::Topology, "a mesh with itself"),
+                (Class::Topology, "meshes exchanged"),
+                (Class::Topology, "difference by complement"),
+            ],
+            |scene, _, answer: &mut Overlaid| answer.rounded = spoiled(scene, &answer.constructions, far),
         ),
         Spoiled::new(
             "mesh-intersect-other-triangles",

@@ -2,7 +2,7 @@
 
 use predicament_checks::overlay::Check as Law;
 
-use crate::{Check, Class};
+use crate::Check;
 
 /// What the algorithm looks after itself.
 pub(crate) const RULES: &[&str] = &[
@@ -16,12 +16,18 @@ pub(crate) const RULES: &[&str] = &[
 ];
 
 const fn law(law: Law) -> Check {
-    Check::new(Class::Topology, law.name(), law.law())
+    Check::topology(law.name(), law.law())
+}
+
+/// The same law, violated by no more than rounding.
+const fn rounded(law: Law) -> Check {
+    Check::rounded(law.name(), law.law())
 }
 
 pub(super) const CHECKS: &[Check] = &[
     law(Law::Nodes),
     law(Law::Chain),
+    law(Law::OnSegment),
     law(Law::Edges),
     law(Law::Crossing),
     law(Law::Euler),
@@ -32,6 +38,8 @@ pub(super) const CHECKS: &[Check] = &[
     law(Law::ResultCrossing),
     law(Law::Area),
     law(Law::Membership),
+    rounded(Law::OnSegment),
+    rounded(Law::Area),
     Check::topology("vertex not finite", "every node is a point"),
     Check::invariants("the sweep and the winding numbers do not contradict themselves", &[RULES]),
 ];

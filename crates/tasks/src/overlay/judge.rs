@@ -8,6 +8,7 @@ use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 
 use super::content::Layers;
 use super::{Layered, Overlaid, Overlay2d};
+use crate::rounding::Rounding;
 use crate::{Asked, Case, Class, Finding, Outcome, Stop};
 
 /// Edges held against their neighbours, at the two levels.
@@ -34,14 +35,14 @@ pub(super) fn judge(
 ) -> Result<(), Stop> {
     let broken = answer.overlay.arrangement.broken.into_iter();
     for rule in broken.chain(answer.regions.iter().filter_map(|made| made.broken)) {
-        note(outcome, rule, "violated".to_owned(), rule);
+        note(outcome, Class::Topology, rule, "violated".to_owned(), rule);
     }
-    let (scene, content) = (case.scene(), case.content);
     asked.watch.done(0)?;
-    let at = match Places::new(scene, answer) {
+    let at = match Places::new(case.scene(), answer) {
         Ok(at) => at,
         Err(v) => {
-            note(outcome, "vertex not finite", format!("{v} has no finite coordinates"), "every vertex is a point");
+            let got = format!("{v} has no finite coordinates");
+            note(outcome, Class::Topology, "vertex not finite", got, "every vertex is a point");
             return Ok(());
         }
     };
@@ -51,9 +52,44 @@ pub(super) fn judge(
         located: LOCATED[usize::from(asked.budget.thorough)],
     };
     asked.watch.done(0)?;
+    let found = flaws(case, asked, answer, &at, expected)?;
+    let is_metric = |flaw: &&Flaw| flaw.check.is_metric();
+    let mut rounding = None;
+    if answer.rounded.is_some() && found.iter().any(|flaw| is_metric(&flaw)) {
+        let (rounded, exactly) = at.exactly(case.scene(), answer);
+        // Of the laws that are not metric nothing is asked.
+        let few = Expected { edges_crossed: 1, located: 1, ..expected };
+        let violated = flaws(case, asked, answer, &exactly, few)?;
+        rounding = Some((rounded, violated.iter().filter(is_metric).map(|flaw| flaw.check).collect::<Vec<_>>()));
+    }
+    for flaw in found {
+        let mut got = format!("{} times, first: {}", flaw.count, flaw.what);
+        let mut class = Class::Topology;
+        if let Some((rounding, violated)) = rounding.as_ref().filter(|_| is_metric(&&flaw)) {
+            let (of, why) = rounding.class(!violated.contains(&flaw.check));
+            got += &format!("; {why}");
+            class = of;
+        }
+        note(outcome, class, flaw.check.name(), got, flaw.check.law());
+    }
+    if outcome.findings.is_empty() {
+        outcome.counts.add(Class::Agree, outcome.queries);
+    }
+    Ok(())
+}
+
+/// What violates a law with vertices at these places.
+fn flaws(
+    case: &Case<'_, Overlay2d>,
+    asked: &Asked<'_>,
+    answer: &Overlaid,
+    at: &Places,
+    expected: Expected,
+) -> Result<Vec<Flaw>, Stop> {
+    let (scene, content) = (case.scene(), case.content);
     let wanted = wanted(content);
-    let graph = graph(scene, &wanted, answer, &at);
-    flaws(outcome, graph.flaws(expected));
+    let graph = graph(scene, &wanted, answer, at);
+    let mut flaws = graph.flaws(expected);
     asked.watch.done(0)?;
     if let Layers::Polygons(loops, rule) = &content.layers {
         let exactly = |one: &Vec<Vertex>| one.iter().map(|&v| input(scene, v)).collect();
@@ -70,30 +106,21 @@ pub(super) fn judge(
             faces: answer.overlay.windings.clone(),
             modulo_two: *rule == predicament_algorithms::overlay::Rule::EvenOdd,
         };
-        flaws(outcome, windings.flaws(&graph));
+        flaws.extend(windings.flaws(&graph));
         asked.watch.done(0)?;
         let mut results = Results::default();
         for (regions, made) in results.regions.iter_mut().zip(&answer.regions) {
             *regions = made.regions.iter().map(|region| region.loops().map(one).collect()).collect();
         }
         let only = [0, 1].map(|operand| windings.only(operand));
-        flaws(outcome, results.flaws(&operands, &probes(scene), expected, only));
+        flaws.extend(results.flaws(&operands, &probes(scene), expected, only));
     }
-    if outcome.findings.is_empty() {
-        outcome.counts.add(Class::Agree, outcome.queries);
-    }
-    Ok(())
+    Ok(flaws)
 }
 
-fn flaws(outcome: &mut Outcome, flaws: Vec<Flaw>) {
-    for flaw in flaws {
-        note(outcome, flaw.check.name(), format!("{} times, first: {}", flaw.count, flaw.what), flaw.check.law());
-    }
-}
-
-fn note(outcome: &mut Outcome, check: &str, got: String, law: &str) {
-    outcome.counts.add(Class::Topology, 1);
-    outcome.findings.push(Finding::plain(Class::Topology, check, Vec::new(), got, law.to_owned()));
+fn note(outcome: &mut Outcome, class: Class, check: &str, got: String, law: &str) {
+    outcome.counts.add(class, 1);
+    outcome.findings.push(Finding::plain(class, check, Vec::new(), got, law.to_owned()));
 }
 
 fn input(scene: &Scene, v: Vertex) -> Point {
@@ -125,6 +152,18 @@ impl Places {
             of.insert(v, point);
         }
         Ok(Places { of })
+    }
+
+    /// The same with all that was rounded where it is exactly.
+    fn exactly(&self, scene: &Scene, answer: &Overlaid) -> (Rounding<2>, Places) {
+        let vertices = &answer.overlay.arrangement.vertices;
+        let rounded = answer.rounded.iter().flatten().zip(vertices).filter(|(_, v)| v.is_constructed());
+        let (constructed, rounded): (Vec<Vertex>, Vec<[f64; 2]>) = rounded.map(|(point, &v)| (v, *point)).unzip();
+        let scene = answer.scene.as_ref().unwrap_or(scene);
+        let rounding = Rounding::new(scene, constructed.iter().copied().zip(rounded));
+        let mut of = self.of.clone();
+        of.extend(constructed.into_iter().zip(rounding.exact.iter().cloned()));
+        (rounding, Places { of })
     }
 
     fn of(&self, v: Vertex) -> Point {

@@ -1,7 +1,16 @@
 //! Answers with faults: what no fault in the algorithm reaches.
 
 use super::{Overlaid, Overlay2d};
+use crate::rounding::{far, one_place, spoiled};
 use crate::{Class, Spoiled};
+
+/// The nodes as doubles: see [`spoiled`].
+fn rounded(answer: &Overlaid, moved: fn(f64) -> f64) -> Option<Vec<[f64; 2]>> {
+    let scene = answer.scene.as_ref()?;
+    let places = spoiled::<2>(scene, scene.constructions(), moved)?;
+    let of = |v: &predicament_predicates::Vertex| v.construction().map_or([0.0; 2], |index| places[index]);
+    Some(answer.overlay.arrangement.vertices.iter().map(of).collect())
+}
 
 pub(super) fn all() -> Vec<Spoiled<Overlay2d>> {
     vec![
@@ -59,6 +68,20 @@ pub(super) fn all() -> Vec<Spoiled<Overlay2d>> {
             |_, _, answer: &mut Overlaid| {
                 answer.rounded = Some(vec![[f64::NAN; 2]; answer.overlay.arrangement.vertices.len()]);
             },
+        ),
+        Spoiled::new(
+            "overlay-rounds-vertices",
+            "crossings are rounded, the first to doubles an ulp beside the nearest",
+            "exact",
+            &[(Class::Rounded, "node off its segment"), (Class::Rounded, "area")],
+            |_, _, answer: &mut Overlaid| answer.rounded = rounded(answer, one_place),
+        ),
+        Spoiled::new(
+            "overlay-moves-a-vertex",
+            "crossings are rounded, the first to doubles a thousandth beside the nearest",
+            "exact",
+            &[(Class::Topology, "node off its segment"), (Class::Topology, "area")],
+            |_, _, answer: &mut Overlaid| answer.rounded = rounded(answer, far),
         ),
         Spoiled::new(
             "overlay-gives-up",

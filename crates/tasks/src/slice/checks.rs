@@ -2,8 +2,8 @@
 
 use predicament_checks::slice::Check as Law;
 
+use crate::Check;
 use crate::triangulate::RULES as TRIANGULATION;
-use crate::{Check, Class};
 
 /// What the algorithm looks after itself.
 const RULES: &[&str] = &[
@@ -19,7 +19,12 @@ const RULES: &[&str] = &[
 ];
 
 pub(crate) const fn law(law: Law) -> Check {
-    Check::new(Class::Topology, law.name(), law.law())
+    Check::topology(law.name(), law.law())
+}
+
+/// The same law, violated by no more than rounding.
+pub(crate) const fn rounded(law: Law) -> Check {
+    Check::rounded(law.name(), law.law())
 }
 
 pub(super) const CHECKS: &[Check] = &[
@@ -33,6 +38,11 @@ pub(super) const CHECKS: &[Check] = &[
     law(Law::Volume),
     law(Law::Degenerate),
     law(Law::SelfIntersection),
+    rounded(Law::Side),
+    rounded(Law::CapInPlane),
+    rounded(Law::PieceInFace),
+    rounded(Law::FaceArea),
+    rounded(Law::Volume),
     Check::topology("vertex not finite", "every vertex of the parts is a point"),
     Check::invariants("cutting faces and covering caps does not contradict itself", &[RULES, TRIANGULATION]),
 ];

@@ -8,6 +8,7 @@ use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 use rug::Rational;
 
 use super::{Cut, Slice};
+use crate::rounding::Rounding;
 use crate::{Asked, Case, Class, Finding, Outcome};
 
 /// How many triangles are held against their neighbours at the two levels.
@@ -17,7 +18,7 @@ const TRIANGLES_CROSSED: [usize; 2] = [100, 4_000];
 pub(super) fn judge(case: &Case<'_, Slice>, asked: &Asked<'_>, answer: &Cut, outcome: &mut Outcome) {
     if let Some((what, place)) = answer.sliced.broken {
         let place = place.map_or("in the end".to_owned(), |place| format!("at plane {place}"));
-        note(outcome, what, format!("violated {place}"), "holds".to_owned());
+        note(outcome, Class::Topology, what, format!("violated {place}"), "holds".to_owned());
         if answer.sliced.broken.is_some_and(|(_, place)| place.is_some()) {
             // The parts are not done: laws about them say nothing.
             return;
@@ -27,7 +28,7 @@ pub(super) fn judge(case: &Case<'_, Slice>, asked: &Asked<'_>, answer: &Cut, out
         Ok(slices) => slices,
         Err(vertex) => {
             let got = format!("{vertex} has no finite coordinates");
-            note(outcome, "vertex not finite", got, "every vertex is a point".to_owned());
+            note(outcome, Class::Topology, "vertex not finite", got, "every vertex is a point".to_owned());
             return;
         }
     };
@@ -36,18 +37,34 @@ pub(super) fn judge(case: &Case<'_, Slice>, asked: &Asked<'_>, answer: &Cut, out
         has_areas: asked.contract(PredicateKind::Orient3d).zero != ZeroMeaning::Never,
         triangles_crossed: TRIANGLES_CROSSED[usize::from(asked.budget.thorough)],
     };
-    for flaw in slices.flaws(expected) {
-        let got = format!("{} times, first: {}", flaw.count, flaw.what);
-        note(outcome, flaw.check.name(), got, flaw.check.law().to_owned());
+    let flaws = slices.flaws(expected);
+    let is_metric = |flaw: &&laws::Flaw| flaw.check.is_metric();
+    let rounding = answer.rounded.as_ref().filter(|_| flaws.iter().any(|flaw| is_metric(&flaw))).map(|rounded| {
+        let rounding = Rounding::of_definitions(case.scene(), &answer.sliced.constructions, rounded);
+        // The laws where the vertices are exactly; of those that are not metric nothing is asked.
+        let inputs = slices.points[..case.scene().len()].iter();
+        let slices = Slices { points: inputs.chain(&rounding.exact).cloned().collect(), ..slices.clone() };
+        let violated = slices.flaws(Expected { triangles_crossed: 1, ..expected });
+        (rounding, violated.iter().filter(is_metric).map(|flaw| flaw.check).collect::<Vec<_>>())
+    });
+    for flaw in flaws {
+        let mut got = format!("{} times, first: {}", flaw.count, flaw.what);
+        let mut class = Class::Topology;
+        if let Some((rounding, violated)) = rounding.as_ref().filter(|_| is_metric(&&flaw)) {
+            let (of, why) = rounding.class(!violated.contains(&flaw.check));
+            got += &format!("; {why}");
+            class = of;
+        }
+        note(outcome, class, flaw.check.name(), got, flaw.check.law().to_owned());
     }
     if outcome.findings.is_empty() {
         outcome.counts.add(Class::Agree, outcome.queries);
     }
 }
 
-fn note(outcome: &mut Outcome, check: &str, got: String, law: String) {
-    outcome.counts.add(Class::Topology, 1);
-    outcome.findings.push(Finding::plain(Class::Topology, check, Vec::new(), got, law));
+fn note(outcome: &mut Outcome, class: Class, check: &str, got: String, law: String) {
+    outcome.counts.add(class, 1);
+    outcome.findings.push(Finding::plain(class, check, Vec::new(), got, law));
 }
 
 /// The parts with their points, those that the session has; or a vertex that is no point.

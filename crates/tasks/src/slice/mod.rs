@@ -25,7 +25,7 @@ use predicament_report::drawing::Role;
 pub use content::Solid;
 
 use crate::output::{Canvas, Placed};
-pub(crate) use checks::law;
+pub(crate) use checks::{law, rounded};
 
 use crate::{
     Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,

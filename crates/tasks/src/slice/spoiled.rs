@@ -4,6 +4,7 @@ use predicament_algorithms::slice::Source;
 use predicament_predicates::Construction;
 
 use super::{Cut, Slice, Solid};
+use crate::rounding::{far, one_place, spoiled};
 use crate::{Class, Spoiled};
 
 pub(super) fn all() -> Vec<Spoiled<Slice>> {
@@ -84,6 +85,32 @@ pub(super) fn all() -> Vec<Spoiled<Slice>> {
                     *line = [*a, *b];
                 }
             },
+        ),
+        Spoiled::new(
+            "slice-rounds-vertices",
+            "constructed vertices are rounded, the first to doubles an ulp beside the nearest",
+            "exact",
+            &[
+                (Class::Rounded, "wrong side"),
+                (Class::Rounded, "cap not in its plane"),
+                (Class::Rounded, "piece not in its face"),
+                (Class::Rounded, "face area"),
+                (Class::Rounded, "volume"),
+            ],
+            |scene, _, answer: &mut Cut| answer.rounded = spoiled(scene, &answer.sliced.constructions, one_place),
+        ),
+        Spoiled::new(
+            "slice-moves-a-vertex",
+            "constructed vertices are rounded, the first to doubles a thousandth beside the nearest",
+            "exact",
+            &[
+                (Class::Topology, "wrong side"),
+                (Class::Topology, "cap not in its plane"),
+                (Class::Topology, "piece not in its face"),
+                (Class::Topology, "face area"),
+                (Class::Topology, "volume"),
+            ],
+            |scene, _, answer: &mut Cut| answer.rounded = spoiled(scene, &answer.sliced.constructions, far),
         ),
         Spoiled::new(
             "slice-gives-up",

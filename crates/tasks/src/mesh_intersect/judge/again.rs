@@ -86,11 +86,11 @@ impl Laws<'_> {
             note(outcome, check, rule.to_owned(), law);
             return None;
         }
-        let Ok(points) = points(&other.scene, &answer) else {
+        let Ok(points) = points(&other.scene, &answer, self.place) else {
             note(outcome, check, "a vertex is no point".to_owned(), law);
             return None;
         };
-        let laws = Laws { scene: &other.scene, content: &other.content, answer: &answer, points };
+        let laws = Laws { scene: &other.scene, content: &other.content, answer: &answer, points, place: self.place };
         let of =
             |at: usize| laws.of_result(at).into_iter().map(|(source, measure)| (places(source), measure)).collect();
         Some([0, 1, 2, 3].map(of))

@@ -13,8 +13,10 @@ mod pieces;
 mod settled;
 mod topology;
 
+use std::cell::OnceCell;
+
 use predicament_algorithms::mesh_overlay::{Regions, Source};
-use predicament_checks::slice::Expected;
+use predicament_checks::slice::{Check as Law, Expected};
 use predicament_judge::{Points, rational};
 use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 use rug::Rational;
@@ -22,6 +24,7 @@ use rug::Rational;
 use self::settled::Settlement;
 use super::content::TwoMeshes;
 use super::{MeshIntersect, Overlaid};
+use crate::rounding::Rounding;
 use crate::{Asked, Case, Class, Finding, Outcome, Stop};
 
 /// Triangles held against their neighbours, at the two levels.
@@ -33,6 +36,17 @@ const ADDED_UP: [usize; 2] = [1_500, 40_000];
 
 /// Points of space that are located, at the two levels.
 const PROBED: [usize; 2] = [8, 200];
+/// The checks of laws that rounded vertices are enough to violate: those about planes, areas and volumes.
+const METRIC: [&str; 8] = [
+    Law::PieceInFace.name(),
+    Law::FaceArea.name(),
+    "volume",
+    "volumes of results",
+    "areas of results",
+    "a mesh with itself",
+    "meshes exchanged",
+    "difference by complement",
+];
 /// Meshes of more triangles are not overlaid again, at the two levels; of 24 times as many where ties are not broken, which takes the most time.
 const AGAIN: [usize; 2] = [12, 100];
 
@@ -55,7 +69,7 @@ pub(super) fn judge(
         note(outcome, rule, "violated".to_owned(), rule);
         return Ok(());
     }
-    let points = match points(case.scene(), answer) {
+    let points = match points(case.scene(), answer, Where::Given) {
         Ok(points) => points,
         Err(v) => {
             note(outcome, "vertex not finite", format!("{v} has no finite coordinates"), "every vertex is a point");
@@ -63,21 +77,31 @@ pub(super) fn judge(
         }
     };
     let level = usize::from(asked.budget.thorough);
-    let laws = Laws { scene: case.scene(), content: case.content, answer, points };
+    let laws = Laws { scene: case.scene(), content: case.content, answer, points, place: Where::Given };
+    let exact = OnceCell::new();
     asked.watch.done(0)?;
     laws.closed(outcome);
     laws.sides(outcome);
     laws.operations(outcome);
     asked.watch.done(0)?;
     let has_areas = asked.contract(PredicateKind::Orient3d).zero != ZeroMeaning::Never;
-    laws.pieces(Expected { is_closed: false, has_areas, triangles_crossed: CROSSED[level] }, outcome);
+    let crossed = |place: Where| if place == Where::Given { CROSSED[level] } else { 1 };
+    let pieces = |laws: &Laws<'_>, outcome: &mut Outcome| {
+        laws.pieces(Expected { is_closed: false, has_areas, triangles_crossed: crossed(laws.place) }, outcome);
+        Ok(())
+    };
+    laws.measured(&exact, &pieces, outcome)?;
     asked.watch.done(0)?;
     laws.located(LOCATED[level], outcome);
     asked.watch.done(0)?;
     if laws.regions().triangles.len() <= ADDED_UP[level] {
-        laws.volumes(outcome);
-        asked.watch.done(0)?;
-        laws.results(outcome);
+        let measures = |laws: &Laws<'_>, outcome: &mut Outcome| {
+            laws.volumes(outcome);
+            asked.watch.done(0)?;
+            laws.results(outcome);
+            Ok(())
+        };
+        laws.measured(&exact, &measures, outcome)?;
     }
     asked.watch.done(0)?;
     laws.topology(outcome);
@@ -95,7 +119,7 @@ pub(super) fn judge(
     asked.watch.done(0)?;
     let many = if has_areas { 24 * AGAIN[level] } else { AGAIN[level] };
     if case.content.triangles() <= many {
-        laws.again(asked, outcome)?;
+        laws.measured(&exact, &|laws, outcome| laws.again(asked, outcome), outcome)?;
     }
     if outcome.findings.is_empty() {
         outcome.counts.add(Class::Agree, outcome.queries);
@@ -108,10 +132,26 @@ fn note(outcome: &mut Outcome, check: &str, got: String, law: &str) {
     outcome.findings.push(Finding::plain(Class::Topology, check, Vec::new(), got, law.to_owned()));
 }
 
-/// All points: those of the scene, then the constructed ones, as they are or as the session has rounded them.
-fn points(scene: &Scene, answer: &Overlaid) -> Result<Vec<Point>, Vertex> {
+/// Where vertices are that a session has rounded.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Where {
+    /// Where it has them.
+    Given,
+    /// Where they are exactly, if that is within the bound of [`Rounding`].
+    Exactly,
+}
+
+/// All points: those of the scene, then the constructed ones, as they are or as the session has rounded them; or a vertex that is
+/// no point, or not where it should be.
+fn points(scene: &Scene, answer: &Overlaid, place: Where) -> Result<Vec<Point>, Vertex> {
     let mut all: Vec<Point> = scene.vertices().map(|v| scene.point3(v).map(rational)).collect();
     let vertex = |at: usize| Vertex::constructed(answer.before + at);
+    if let (Some(rounded), Where::Exactly) = (&answer.rounded, place) {
+        let rounding = Rounding::of_definitions(scene, &answer.constructions, rounded);
+        let is_there = rounding.is_within() && rounding.exact.len() == rounded.len();
+        all.extend(rounding.exact);
+        return if is_there { Ok(all) } else { Err(vertex(0)) };
+    }
     if let Some(rounded) = &answer.rounded {
         for (at, point) in rounded.iter().enumerate() {
             if point.iter().any(|x| !x.is_finite()) {
@@ -135,6 +175,49 @@ struct Laws<'a> {
     content: &'a TwoMeshes,
     answer: &'a Overlaid,
     points: Vec<Point>,
+    place: Where,
+}
+
+/// What holds laws and notes what violates them.
+type Holds<'l> = dyn Fn(&Laws<'_>, &mut Outcome) -> Result<(), Stop> + 'l;
+
+impl<'a> Laws<'a> {
+    /// Holds laws of which some are metric: what rounding alone explains is of the class that says so. `exact` is filled with the
+    /// same answer with vertices where they are exactly, once it is needed.
+    fn measured(
+        &self,
+        exact: &OnceCell<(Rounding<3>, Laws<'a>)>,
+        laws: &Holds<'_>,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        let mut found = Outcome::default();
+        laws(self, &mut found)?;
+        let is_metric = |finding: &Finding| METRIC.contains(&finding.check.as_str());
+        let rounded = self.answer.rounded.as_ref().filter(|_| found.findings.iter().any(is_metric));
+        let exact = rounded.map(|rounded| exact.get_or_init(|| self.exactly(rounded)));
+        let mut violated = Outcome::default();
+        if let Some((_, exactly)) = exact {
+            laws(exactly, &mut violated)?;
+        }
+        for mut finding in found.findings {
+            if let Some((rounding, _)) = exact.filter(|_| is_metric(&finding)) {
+                let (class, why) = rounding.class(violated.findings.iter().all(|other| other.check != finding.check));
+                finding.class = class;
+                finding.got += &format!("; {why}");
+            }
+            outcome.counts.add(finding.class, 1);
+            outcome.findings.push(finding);
+        }
+        Ok(())
+    }
+
+    /// The same answer with vertices where they are exactly.
+    fn exactly(&self, rounded: &[[f64; 3]]) -> (Rounding<3>, Laws<'a>) {
+        let rounding = Rounding::of_definitions(self.scene, &self.answer.constructions, rounded);
+        let inputs = self.points[..self.scene.len()].iter();
+        let points = inputs.chain(&rounding.exact).cloned().collect();
+        (rounding, Laws { points, place: Where::Exactly, ..*self })
+    }
 }
 
 impl Laws<'_> {
