@@ -43,7 +43,7 @@ pub use pixel_map::{PixelMap, PixelMapError, Standing, data_uri, side_by_side};
 pub use pixel_sheet::{Column, sheet};
 pub use plot::{Bar, Bars, Curve, Curves, Picture, XAxis, curves, histogram, ranges, scatter};
 pub use sections::against;
-pub use splice::splice;
+pub use splice::{Part, splice};
 pub use table::{Block, Cell, Headline, Section, Table, Tone};
 pub use web::{Detail, Strip};
 
