@@ -162,7 +162,7 @@ impl<B: Backend + 'static, T: TaskList> Conformance<B, T> {
             }
             std::fs::remove_dir_all(&folder).map_err(Failure::io(&folder))?;
         }
-        let plan = plan(&selection, &scenes, &backends, Shard::WHOLE);
+        let plan = plan(&tool, &selection, &scenes, &backends, Shard::WHOLE);
         let mut writer =
             RunWriter::create(&folder, &plan, &env_of(&backends), &tables(&tool)).map_err(Failure::usage)?;
         let never = AtomicBool::new(false);

@@ -58,7 +58,14 @@ pub fn every_table(tool: &Tool) -> Vec<TableSpec> {
 }
 
 /// The plan of a run over these scenes.
-pub fn plan(selection: &Selection, scenes: &[Planned], backends: &[Box<dyn Contestant>], shard: Shard) -> Plan {
+pub fn plan(
+    tool: &Tool,
+    selection: &Selection,
+    scenes: &[Planned],
+    backends: &[Box<dyn Contestant>],
+    shard: Shard,
+) -> Plan {
+    let judged_whole = tool.tasks().iter().filter(|task| task.is_judged_whole());
     Plan {
         format: records::FORMAT,
         created_by: format!("predicament {}", env!("CARGO_PKG_VERSION")),
@@ -75,6 +82,7 @@ pub fn plan(selection: &Selection, scenes: &[Planned], backends: &[Box<dyn Conte
         timed: false,
         scenes: scenes.iter().map(|scene| scene.plan.clone()).collect(),
         backends: backends.iter().map(|backend| backend.name()).collect(),
+        judged_whole: judged_whole.map(|task| task.name().to_owned()).collect(),
         ladder: Exact.stages().iter().map(|&stage| stage.to_owned()).collect(),
         shard,
         whole: None,

@@ -3,7 +3,7 @@
 //! An interrupted run can be explained only by someone who knows what it was
 //! after, so this is the first file in a run folder.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -204,6 +204,9 @@ pub struct Plan {
     pub scenes: Vec<PlannedScene>,
     /// The backends' names, with their parameters.
     pub backends: Vec<String>,
+    /// The tasks whose answers are judged as a whole: where one law is broken, the answer to the scene is.
+    #[serde(default, skip_serializing_if = "BTreeSet::is_empty")]
+    pub judged_whole: BTreeSet<String>,
     /// The rungs of the exact backend's ladder, cheapest first: columns go by it.
     /// Empty in folders made before it was written down.
     #[serde(default)]

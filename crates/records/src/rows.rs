@@ -7,6 +7,8 @@
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+use predicament_predicates::PredicateKind;
+
 use crate::{Class, Column, PlannedScene, Status};
 
 /// A line of one of the CSV files of a run folder.
@@ -218,6 +220,12 @@ crate::table! {
         }
         Ok(())
     }
+}
+
+/// Whether a task asks the signs of one predicate, and nothing more.
+#[must_use]
+pub fn is_predicate(task: &str) -> bool {
+    PredicateKind::ALL.into_iter().any(|kind| kind.name() == task)
 }
 
 /// How a backend was asked while it was timed. Times of different interfaces are never compared.

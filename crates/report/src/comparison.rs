@@ -1,92 +1,211 @@
-//! Who is compared with whom, and on what: the one rule behind every mean.
+//! What is said about one backend: the one rule behind every figure.
 //!
-//! A mean over what each backend happened to do compares nothing: the one that leaves out what is hard looks fast. So
-//! backends are compared on what all of them did, and a backend that did too little of it is set aside.
+//! A figure about a backend depends on that backend and the scenes alone. Errors are counted over everything that the
+//! backend was asked, so each backend has its own denominator: a backend that declines what is hard shows it as "not
+//! done", and takes nothing from the others. Times are compared in pairs: a ratio to the reference is over the families
+//! that both were timed on, and no third backend decides which these are.
 
-use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
-/// Backends with what they are compared on.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Comparison<'r, C> {
-    /// What all compared backends did.
-    pub common: BTreeSet<C>,
-    /// How much there was: what any backend did.
-    pub of: usize,
-    /// The compared backends, in the order in which they came.
-    pub compared: Vec<&'r str>,
-    /// The backends that were set aside, each with what it did: partial, and not to be compared with the others.
-    pub partial: Vec<(&'r str, BTreeSet<C>)>,
+use predicament_records::format::{counted, percent, significant};
+use predicament_records::{approximately, is_predicate, wilson};
+
+use crate::{Class, RunDir, SummaryRow};
+
+/// Everything that a backend was asked, by how it went.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Standing {
+    /// Queries of tasks whose answers are judged one by one.
+    pub answers: Answers,
+    /// Scenes of tasks that ask for more than signs.
+    pub scenes: Scenes,
+    /// Results that no expectation lists: pairs of scene and backend.
+    pub unexpected: u64,
 }
 
-impl<'r, C: Ord + Clone> Comparison<'r, C> {
-    /// Compares backends on what all of them did. Where that is less than half of what any of them did, backends are set
-    /// aside, one after the other: each time the one without which the others have the most in common; of several, the
-    /// one that did the least, and of these the last. Backends that did nothing are left out.
-    pub fn of(did: Vec<(&'r str, BTreeSet<C>)>) -> Comparison<'r, C> {
-        let mut left: Vec<(&str, BTreeSet<C>)> = did.into_iter().filter(|(_, did)| !did.is_empty()).collect();
-        let order: Vec<&str> = left.iter().map(|(backend, _)| *backend).collect();
-        let of = left.iter().flat_map(|(_, did)| did).collect::<BTreeSet<_>>().len();
-        let mut partial = Vec::new();
-        loop {
-            let common = in_common(left.iter().map(|(_, did)| did));
-            if 2 * common.len() >= of || left.len() < 2 {
-                partial.sort_by_key(|(backend, _)| order.iter().position(|other| other == backend));
-                let compared = left.into_iter().map(|(backend, _)| backend).collect();
-                return Comparison { common, of, compared, partial };
-            }
-            let without = |at: usize| {
-                let others = left.iter().enumerate().filter(|(other, _)| *other != at);
-                in_common(others.map(|(_, (_, did))| did)).len()
-            };
-            let worst = (0..left.len()).max_by_key(|&at| (without(at), Reverse(left[at].1.len()), at));
-            partial.push(left.remove(worst.unwrap_or(0)));
+/// Queries: the four shares add up to everything that was asked.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Answers {
+    /// The exact answer, or a tie broken as promised.
+    pub right: u64,
+    /// No decision: the value is within the band.
+    pub undecided: u64,
+    /// A wrong answer, or none although the backend says that it is done.
+    pub wrong: u64,
+    /// Declined, out of time, or crashed.
+    pub not_done: u64,
+}
+
+/// Whole scenes: the four shares add up to everything that was asked.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Scenes {
+    /// Every law holds.
+    pub held: u64,
+    /// Only the rounding of output coordinates shows.
+    pub rounded: u64,
+    /// A law is broken.
+    pub broken: u64,
+    /// Declined, out of time, or crashed.
+    pub not_done: u64,
+}
+
+impl Answers {
+    /// All queries.
+    pub fn asked(&self) -> u64 {
+        self.right + self.undecided + self.wrong + self.not_done
+    }
+}
+
+impl Scenes {
+    /// All scenes.
+    pub fn asked(&self) -> u64 {
+        self.done() + self.not_done
+    }
+
+    /// The scenes that the backend answered.
+    pub fn done(&self) -> u64 {
+        self.held + self.rounded + self.broken
+    }
+}
+
+impl Standing {
+    /// Adds the result of one scene; `is_whole` says that its answer is judged as a whole.
+    pub fn add(&mut self, row: &SummaryRow, is_whole: bool) {
+        self.unexpected += u64::from(row.status == crate::Status::Unexpected);
+        let is_undone =
+            !row.has_answers() && [Class::Declined, Class::Timeout, Class::Panic].iter().any(|&of| row.count(of) > 0);
+        if !is_whole {
+            let answers = &mut self.answers;
+            let [right, undecided, wrong] = [row.agree + row.tie_broken, row.in_band, row.wrong()];
+            // A query without an answer of its own, in a scene that was answered, was lost by a broken law.
+            let lost = row.queries.saturating_sub(right + undecided + wrong);
+            answers.right += right;
+            answers.undecided += undecided;
+            answers.wrong += wrong + if is_undone { 0 } else { lost };
+            answers.not_done += if is_undone { lost } else { 0 };
+        }
+        if !is_predicate(&row.task) {
+            let scenes = &mut self.scenes;
+            *match row {
+                _ if is_undone => &mut scenes.not_done,
+                row if row.topology > 0 => &mut scenes.broken,
+                row if row.panic + row.timeout + row.declined > 0 => &mut scenes.not_done,
+                row if row.rounded > 0 => &mut scenes.rounded,
+                _ => &mut scenes.held,
+            } += 1;
         }
     }
 
-    /// All backends, the compared ones first, each with what its mean is over and whether it is partial.
-    pub fn each(&self) -> impl Iterator<Item = (&'r str, &BTreeSet<C>, bool)> {
-        let compared = self.compared.iter().map(|backend| (*backend, &self.common, false));
-        compared.chain(self.partial.iter().map(|(backend, did)| (*backend, did, true)))
+    /// Whether there was no mistake.
+    pub fn is_right(&self) -> bool {
+        self.answers.wrong == 0 && self.scenes.broken == 0
+    }
+
+    /// Whether the backend decided everything that it was asked.
+    pub fn is_complete(&self) -> bool {
+        self.answers.undecided + self.answers.not_done + self.scenes.not_done == 0
     }
 }
 
-fn in_common<'s, C: Ord + Clone + 's>(mut sets: impl Iterator<Item = &'s BTreeSet<C>>) -> BTreeSet<C> {
-    let first = sets.next().cloned().unwrap_or_default();
-    sets.fold(first, |common, set| common.intersection(set).cloned().collect())
+/// The errors of a backend, in all these runs, on the scenes for which `keep` holds.
+pub fn standing(runs: &[RunDir], backend: &str, keep: impl Fn(&SummaryRow) -> bool) -> Standing {
+    let whole = judged_whole(runs);
+    let mut standing = Standing::default();
+    let rows = runs.iter().flat_map(|run| &run.summary);
+    rows.filter(|row| row.backend == backend && keep(row))
+        .for_each(|row| standing.add(row, whole.contains(&*row.task)));
+    standing
+}
+
+/// The tasks whose answers are judged as a whole.
+pub fn judged_whole(runs: &[RunDir]) -> BTreeSet<&str> {
+    runs.iter().flat_map(|run| &run.plan.judged_whole).map(String::as_str).collect()
+}
+
+/// A share with its denominator and Wilson's interval at 95 %.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Share {
+    pub count: u64,
+    pub of: u64,
+}
+
+impl Share {
+    /// The share itself; none of nothing.
+    pub fn value(self) -> Option<f64> {
+        (self.of > 0).then(|| approximately(self.count) / approximately(self.of))
+    }
+
+    /// The interval.
+    pub fn interval(self) -> [f64; 2] {
+        wilson(self.count.min(self.of), self.of)
+    }
+
+    /// In percent, short.
+    pub fn text(self) -> String {
+        percent(self.count, self.of)
+    }
+
+    /// The counts and the interval: `3 of 40; 95 %: 2.6 to 19.9 %`.
+    pub fn told(self, noun: &str) -> String {
+        let [low, high] = self.interval().map(|share| significant(100.0 * share, 2));
+        format!(
+            "{} of {}; 95 %: {low} to {high} %",
+            predicament_records::format::thousands(self.count),
+            counted(self.of, noun)
+        )
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use predicament_records::{PlannedScene, Status};
 
-    fn of<'r>(did: &[(&'r str, std::ops::Range<u32>)]) -> Comparison<'r, u32> {
-        Comparison::of(did.iter().map(|(backend, did)| (*backend, did.clone().collect())).collect())
+    fn row(task: &str, counts: &[(Class, u64)]) -> SummaryRow {
+        let scene = PlannedScene {
+            suite: "s".to_owned(),
+            scene: "a".to_owned(),
+            scene_id: "0".to_owned(),
+            task: task.to_owned(),
+            family: "f".to_owned(),
+            queries: 10,
+        };
+        let mut row = SummaryRow::new(&scene, "b", 10, Status::Ok);
+        counts.iter().for_each(|&(class, count)| *row.count_mut(class) = count);
+        row
+    }
+
+    fn of(task: &str, is_whole: bool, counts: &[(Class, u64)]) -> Standing {
+        let mut standing = Standing::default();
+        standing.add(&row(task, counts), is_whole);
+        standing
     }
 
     #[test]
-    fn what_all_did_is_compared_while_it_is_half_of_what_anybody_did() {
-        let half = of(&[("a", 0..10), ("b", 0..6), ("c", 1..10)]);
-        assert_eq!(half.common, (1..6).collect());
-        assert_eq!((half.of, half.compared.as_slice(), half.partial.len()), (10, &["a", "b", "c"][..], 0));
+    fn four_shares_are_everything_that_was_asked() {
+        let cases: [(&[(Class, u64)], Answers); 5] = [
+            (&[(Class::Agree, 7), (Class::TieBroken, 3)], Answers { right: 10, ..Answers::default() }),
+            (&[(Class::Agree, 7), (Class::InBand, 3)], Answers { right: 7, undecided: 3, ..Answers::default() }),
+            (&[(Class::Agree, 7), (Class::SignFlip, 3)], Answers { right: 7, wrong: 3, ..Answers::default() }),
+            (&[(Class::Declined, 1)], Answers { not_done: 10, ..Answers::default() }),
+            // What a broken law took with it is not right.
+            (&[(Class::Agree, 7), (Class::Topology, 1)], Answers { right: 7, wrong: 3, ..Answers::default() }),
+        ];
+        for (counts, answers) in cases {
+            let standing = of("polygon-locate", false, counts);
+            assert_eq!((standing.answers, standing.answers.asked()), (answers, 10));
+            assert_eq!(standing.scenes.asked(), 1);
+        }
     }
 
     #[test]
-    fn who_did_little_is_set_aside_and_takes_nothing_from_the_others() {
-        let few = of(&[("little", 0..4), ("a", 0..21), ("less", 0..3), ("b", 0..21), ("nothing", 0..0)]);
-        assert_eq!(few.common, (0..21).collect());
-        assert_eq!(few.compared, ["a", "b"]);
-        assert_eq!(few.partial, [("little", (0..4).collect()), ("less", (0..3).collect())]);
-        let partial: Vec<bool> = few.each().map(|(_, _, is_partial)| is_partial).collect();
-        assert_eq!(partial, [false, false, true, true]);
-    }
-
-    #[test]
-    fn backends_with_nothing_in_common_are_not_compared() {
-        // Without `odd` the others have all of theirs in common.
-        assert_eq!(of(&[("odd", 10..20), ("a", 0..10), ("b", 0..10)]).compared, ["a", "b"]);
-        let apart = of(&[("a", 0..5), ("b", 5..10)]);
-        assert_eq!((apart.compared.as_slice(), apart.partial.len()), (&["a"][..], 1));
-        assert_eq!(of(&[]), Comparison { common: BTreeSet::new(), of: 0, compared: vec![], partial: vec![] });
+    fn a_scene_is_held_rounded_broken_or_not_done() {
+        let scenes = |counts: &[(Class, u64)]| of("slice", true, counts).scenes;
+        assert_eq!(scenes(&[(Class::Agree, 10)]), Scenes { held: 1, ..Scenes::default() });
+        assert_eq!(scenes(&[(Class::Rounded, 2)]), Scenes { rounded: 1, ..Scenes::default() });
+        assert_eq!(scenes(&[(Class::Rounded, 2), (Class::Topology, 1)]), Scenes { broken: 1, ..Scenes::default() });
+        assert_eq!(scenes(&[(Class::Timeout, 1)]), Scenes { not_done: 1, ..Scenes::default() });
+        assert_eq!(of("slice", true, &[(Class::Topology, 1)]).answers, Answers::default());
+        assert_eq!(of("orient2d", false, &[(Class::Agree, 10)]).scenes, Scenes::default());
     }
 }

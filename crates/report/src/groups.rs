@@ -1,75 +1,55 @@
-//! Errors and timings grouped by task, family and backend.
+//! Timings grouped by task, family, backend and interface, and their ratios in pairs of backends.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::{Class, RunDir, Spread, SummaryRow};
-use predicament_records::{ThroughputRow, geometric_mean};
+use crate::{RunDir, Spread};
+use predicament_records::{Interface, ThroughputRow, geometric_mean};
 
-/// The control that every time is compared with: Shewchuk's adaptive
-/// predicates, as most programs that care already use them.
-pub const REFERENCE: &str = "shewchuk";
+/// The control that every time is compared with: the plain determinant in doubles, so that a ratio is the price of what a
+/// backend does beyond it.
+pub const REFERENCE: &str = "naive";
 
-/// Task, family, backend.
-pub type Key<'r> = [&'r str; 3];
-
-/// Task and family: the least that backends are compared on.
-pub type Pair<'r> = [&'r str; 2];
-
-/// What is known of each backend, by task and family.
-pub type ByPair<'r, T> = BTreeMap<Pair<'r>, BTreeMap<&'r str, T>>;
-
-/// Questions, wrong answers and failed checks.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct Errors {
-    pub queries: u64,
-    pub wrong: u64,
-    /// Failed checks of whole scenes, panics and timeouts.
-    pub failed: u64,
+/// How backends are asked where their times are compared. A batch that is a loop is compared with batches.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Way {
+    Single,
+    Batch,
+    Whole,
 }
 
-impl Errors {
-    /// Adds what one row counts.
-    pub fn add(&mut self, row: &SummaryRow) {
-        self.queries += row.queries;
-        self.wrong += row.wrong();
-        self.failed +=
-            [Class::Topology, Class::Panic, Class::Timeout].map(|class| row.count(class)).iter().sum::<u64>();
-    }
+impl Way {
+    /// All three, in the order of columns.
+    pub const ALL: [Way; 3] = [Way::Single, Way::Batch, Way::Whole];
 
-    /// The sum of several.
-    pub fn sum(all: impl IntoIterator<Item = Errors>) -> Errors {
-        all.into_iter().fold(Errors::default(), |a, b| Errors {
-            queries: a.queries + b.queries,
-            wrong: a.wrong + b.wrong,
-            failed: a.failed + b.failed,
-        })
-    }
-
-    /// Whether there was no mistake.
-    pub fn is_right(&self) -> bool {
-        self.wrong == 0 && self.failed == 0
-    }
-}
-
-/// The errors of the answers to the scenes that these runs have planned, wherever they were judged: of each family, of the
-/// backends that answered every scene of it that any backend answered.
-pub fn answered<'r>(runs: &'r [RunDir], planned: &[&'r RunDir]) -> ByPair<'r, Errors> {
-    let families: BTreeMap<_, _> = planned.iter().flat_map(|run| run.plan.families()).collect();
-    let mut found: ByPair<(BTreeSet<[&str; 3]>, Errors)> = BTreeMap::new();
-    for row in runs.iter().flat_map(|run| &run.summary).filter(|row| row.has_answers()) {
-        if let Some(family) = families.get(&[&*row.suite, &*row.scene, &*row.scene_id, &*row.task]) {
-            let (scenes, errors) = found.entry([&row.task, family]).or_default().entry(&row.backend).or_default();
-            scenes.insert([&*row.suite, &*row.scene, &*row.scene_id]);
-            errors.add(row);
+    pub const fn of(interface: Interface) -> Way {
+        match interface {
+            Interface::Single => Way::Single,
+            Interface::Batch | Interface::Loop => Way::Batch,
+            Interface::Whole => Way::Whole,
         }
     }
-    let whole = |backends: BTreeMap<&'r str, (BTreeSet<[&str; 3]>, Errors)>| {
-        let all = backends.values().flat_map(|(scenes, _)| scenes).collect::<BTreeSet<_>>().len();
-        let whole = backends.iter().filter(|(_, (scenes, _))| scenes.len() == all);
-        whole.map(|(&backend, &(_, errors))| (backend, errors)).collect()
-    };
-    found.into_iter().map(|(pair, backends)| (pair, whole(backends))).collect()
+
+    /// The name in `figures.csv`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Way::Single => "single",
+            Way::Batch => "batch",
+            Way::Whole => "whole",
+        }
+    }
+
+    /// What is timed, as a column's head.
+    pub const fn head(self) -> &'static str {
+        match self {
+            Way::Single => "single query",
+            Way::Batch => "batch",
+            Way::Whole => "whole scene",
+        }
+    }
 }
+
+/// Task, family, backend, and how the backend was asked.
+pub type Key<'r> = (&'r str, &'r str, &'r str, Way);
 
 /// The time of one query on one backend.
 #[derive(Clone, PartialEq, Debug)]
@@ -79,6 +59,8 @@ pub struct Timing<'r> {
     pub spread: Spread,
     /// How many scenes were timed.
     pub scenes: usize,
+    /// Whether the batches are loops over single queries.
+    pub is_loop: bool,
     /// The engine's version, or versions.
     pub versions: BTreeSet<&'r str>,
 }
@@ -86,8 +68,16 @@ pub struct Timing<'r> {
 /// The timings of one run. Scenes take different times and numbers of samples, so that a median over those of a family
 /// would be of one scene here and of another there.
 pub fn timings(run: &RunDir) -> BTreeMap<Key<'_>, Timing<'_>> {
-    let timed = run.timed_scenes().into_iter();
-    timed.filter_map(|(key, scenes)| Some((key, timing(&scenes)?))).collect()
+    let mut scenes: BTreeMap<Key<'_>, Vec<Vec<&ThroughputRow>>> = BTreeMap::new();
+    for row in &run.throughput {
+        let scenes = scenes.entry((&row.task, &row.family, &row.backend, Way::of(row.interface))).or_default();
+        // Samples are numbered from 0 for each scene.
+        match scenes.last_mut().filter(|scene| scene.last().is_some_and(|last| row.sample > last.sample)) {
+            Some(scene) => scene.push(row),
+            None => scenes.push(vec![row]),
+        }
+    }
+    scenes.into_iter().filter_map(|(key, scenes)| Some((key, timing(&scenes)?))).collect()
 }
 
 /// The timing of a backend on the scenes of a family.
@@ -97,21 +87,98 @@ fn timing<'r>(scenes: &[Vec<&'r ThroughputRow>]) -> Option<Timing<'r>> {
     let medians = scenes.iter().filter_map(|scene| Some(Spread::of(scene.iter().map(|row| row.ns_per_query))?.median));
     let median = if scenes.len() == 1 { all.median } else { geometric_mean(medians)? };
     let versions = rows().map(|row| &*row.engine_version).collect();
-    Some(Timing { spread: Spread { median, ..all }, scenes: scenes.len(), versions })
+    let is_loop = rows().any(|row| row.interface == Interface::Loop);
+    Some(Timing { spread: Spread { median, ..all }, scenes: scenes.len(), is_loop, versions })
 }
 
-/// The nanoseconds per query of one run: of each family, of the backends that were timed on as many scenes as any.
-pub fn timed(run: &RunDir) -> ByPair<'_, Spread> {
-    let mut found: ByPair<Timing> = BTreeMap::new();
-    for ([task, family, backend], timing) in timings(run) {
-        found.entry([task, family]).or_default().insert(backend, timing);
+/// The timings of several runs.
+pub struct Times<'r> {
+    runs: Vec<BTreeMap<Key<'r>, Timing<'r>>>,
+    /// How many scenes a family has, by run, task and family.
+    planned: Vec<BTreeMap<[&'r str; 2], usize>>,
+}
+
+/// What a backend takes beside a reference, asked in one way.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Pace {
+    pub way: Way,
+    /// On how many pairs of task and family both were timed.
+    pub families: usize,
+    /// On how many the reference was.
+    pub of: usize,
+    /// The geometric means of the times over these, in nanoseconds per query.
+    pub ns: f64,
+    /// The same of the shortest and of the longest sample of each family.
+    pub range: [f64; 2],
+    /// The same of the reference.
+    pub reference: f64,
+    /// The geometric mean of the ratios.
+    pub ratio: f64,
+    /// Whether its batches are loops over single queries.
+    pub is_loop: bool,
+}
+
+impl<'r> Times<'r> {
+    pub fn of(runs: &'r [RunDir]) -> Times<'r> {
+        let planned = |run: &'r RunDir| {
+            let mut counts = BTreeMap::new();
+            for scene in &run.plan.scenes {
+                *counts.entry([&*scene.task, &*scene.family]).or_default() += 1;
+            }
+            counts
+        };
+        Times { runs: runs.iter().map(timings).collect(), planned: runs.iter().map(planned).collect() }
     }
-    let whole = |backends: BTreeMap<_, Timing<'_>>| {
-        let all = backends.values().map(|timing| timing.scenes).max();
-        let whole = backends.into_iter().filter(|(_, timing)| Some(timing.scenes) == all);
-        whole.map(|(backend, timing)| (backend, timing.spread)).collect()
-    };
-    found.into_iter().map(|(pair, backends)| (pair, whole(backends))).collect()
+
+    /// The tasks that a backend was timed on.
+    pub fn tasks(&self) -> BTreeSet<&'r str> {
+        self.runs.iter().flat_map(|run| run.keys()).map(|(task, ..)| *task).collect()
+    }
+
+    /// What a backend takes beside a reference on the tasks for which `keep` holds: over the families that both were timed
+    /// on in one run, scene by scene. None where there is no such family.
+    pub fn pace(&self, backend: &str, reference: &str, way: Way, keep: impl Fn(&str) -> bool) -> Option<Pace> {
+        let (mut of, mut pairs): (BTreeSet<[&str; 2]>, BTreeMap<[&str; 2], Vec<[f64; 4]>>) = Default::default();
+        let mut is_loop = false;
+        for (run, planned) in self.runs.iter().zip(&self.planned) {
+            let of_reference =
+                run.iter().filter(|((task, _, name, of), _)| *name == reference && *of == way && keep(task));
+            for (&(task, family, ..), base) in of_reference {
+                let is_whole =
+                    |timing: &Timing| planned.get(&[task, family]).is_none_or(|&scenes| scenes == timing.scenes);
+                if !is_whole(base) {
+                    continue;
+                }
+                of.insert([task, family]);
+                let timing = run.get(&(task, family, backend, way));
+                if let Some(timing) = timing.filter(|timing| timing.scenes == base.scenes) {
+                    let Spread { min, median, max, .. } = timing.spread;
+                    is_loop |= timing.is_loop;
+                    pairs.entry([task, family]).or_default().push([median, min, max, base.spread.median]);
+                }
+            }
+        }
+        // A family that was timed in several runs is one pair.
+        let mean = |of: &dyn Fn(&[f64; 4]) -> f64| {
+            geometric_mean(pairs.values().filter_map(|again| geometric_mean(again.iter().map(of))))
+        };
+        Some(Pace {
+            way,
+            families: pairs.len(),
+            of: of.len(),
+            ns: mean(&|times| times[0])?,
+            range: [mean(&|times| times[1])?, mean(&|times| times[2])?],
+            reference: mean(&|times| times[3])?,
+            ratio: mean(&|times| times[0] / times[3])?,
+            is_loop,
+        })
+    }
+
+    /// What a backend takes on a task beside a reference, by the first way in which both were timed; batches last.
+    pub fn pace_on(&self, backend: &str, reference: &str, task: &str) -> Option<Pace> {
+        let ways = [Way::Single, Way::Whole, Way::Batch];
+        ways.into_iter().find_map(|way| self.pace(backend, reference, way, |of| of == task))
+    }
 }
 
 /// The backends of all runs: in the order of the plans, then the others by name.

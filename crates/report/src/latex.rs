@@ -39,6 +39,7 @@ fn write(text: &mut String, title: &str, label: &str, table: &Table) {
     let aligned: String = table.columns().map(|(_, numeric)| if numeric { 'r' } else { 'l' }).collect();
     let line = |cells: &mut dyn Iterator<Item = String>| format!("{} \\\\\n", cells.collect::<Vec<_>>().join(" & "));
     let caption = if table.caption().is_empty() { title.to_owned() } else { format!("{title}: {}", table.caption()) };
+    let caption = if table.basis_text().is_empty() { caption } else { format!("{caption} ({})", table.basis_text()) };
     let _ = write!(
         text,
         "\n\\begin{{table}}\n\\caption{{{}}}\n\\label{{tab:{label}}}\n\\begin{{tabular}}{{{aligned}}}\n\\toprule\n",
@@ -74,6 +75,9 @@ fn escaped(text: &str) -> String {
             '—' => out += "---",
             '∞' => out += "$\\infty$",
             '✗' => out += "$\\times$",
+            '≤' => out += "$\\le$",
+            '≈' => out += "$\\approx$",
+            '✓' => out += "$\\checkmark$",
             '\u{a0}' => out.push('~'),
             '\n' | '\r' => out.push(' '),
             _ => out.push(c),

@@ -7,13 +7,14 @@
 //! * [`markdown`], [`html`] and [`write_pages`] make the report.
 //! * [`Section`], [`Table`], [`Block`] and [`Cell`] are a page as data;
 //!   [`layout`] has what sections about runs share.
-//! * [`scatter`], [`curves`], [`histogram`] and [`ranges`] are plots as SVG and PDF, a [`Picture`] each.
+//! * [`tradeoff`], [`curves`], [`histogram`] and [`ranges`] are plots as SVG and PDF, a [`Picture`] each.
 //! * [`picture`] draws the points of a finding; [`Detail`] is what a page says about one.
 //! * [`drawing`]: scenes and results as pictures, in the plane and in space.
 //! * [`PixelMap`] shows the signs of a predicate over a raster.
 //!
 //! Runs are read together by [`RunDir::open_all`](predicament_records::RunDir::open_all), so that each scene on each
-//! backend counts once. Every mean compares only what all its backends did: the module `comparison` has the rule.
+//! backend counts once. A figure about a backend depends on that backend and the scenes alone: the module `comparison` has
+//! the rule.
 //!
 //! The same folder gives the same bytes: rows are sorted before they are
 //! printed, and nothing asks for the time.
@@ -41,7 +42,9 @@ pub use origin::Origin;
 pub use page::{html, markdown, section_markdown, write_pages};
 pub use pixel_map::{PixelMap, PixelMapError, Standing, data_uri, side_by_side};
 pub use pixel_sheet::{Column, sheet};
-pub use plot::{Bar, Bars, Curve, Curves, Picture, XAxis, curves, histogram, ranges, scatter};
+pub use plot::{
+    Bar, Bars, Curve, Curves, Picture, Point, Tradeoff, XAxis, colour_of, curves, histogram, ranges, tradeoff,
+};
 pub use sections::against;
 pub use splice::{Part, splice};
 pub use table::{Block, Cell, Headline, Section, Table, Tone};

@@ -7,7 +7,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::Error;
-use crate::plot::{Area, COLOURS, Drawn, INK, Recording, failed};
+use crate::plot::{Area, Drawn, INK, Recording, failed};
 use predicament_records::format::significant;
 
 const SIZE: (u32, u32) = (360, 240);
@@ -15,6 +15,10 @@ const SIZE: (u32, u32) = (360, 240);
 const ROOM: f64 = 34.0;
 /// How long a bar of a scale is, in pixels.
 const BAR: i32 = 60;
+
+/// The colours of points: of the last one, which is asked about, and of the others.
+const LAST: RGBColor = RGBColor(213, 94, 0);
+const OTHERS: RGBColor = RGBColor(46, 134, 204);
 
 /// A point with its name.
 #[derive(Clone, PartialEq, Debug)]
@@ -85,7 +89,7 @@ fn marks(root: &Area, view: &View, points: &[Named]) -> Drawn {
     let mut taken: Vec<(i32, i32)> = Vec::new();
     for (at, point) in points.iter().enumerate() {
         // What is asked about, the last point, stands out.
-        let colour = COLOURS[if at + 1 == points.len() { 1 } else { 0 }];
+        let colour = if at + 1 == points.len() { LAST } else { OTHERS };
         let place = view.place(point.at);
         root.draw(&Circle::new(place, 4, colour.filled()))?;
         // Names of points at one place go below each other, those at the right edge to the left of theirs.

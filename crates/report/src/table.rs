@@ -173,6 +173,8 @@ pub struct Table {
     rows_from: BTreeMap<usize, Origin>,
     /// Whether cells are small and coloured, and heads stand upright.
     heat: bool,
+    /// What shares and means are over, for readers who see the table alone.
+    basis: String,
 }
 
 impl Table {
@@ -185,6 +187,12 @@ impl Table {
     #[must_use]
     pub fn heat(self) -> Table {
         Table { heat: true, ..self }
+    }
+
+    /// Says what shares and means are over: a table in a paper has it in its caption.
+    #[must_use]
+    pub fn basis(self, basis: impl Into<String>) -> Table {
+        Table { basis: basis.into(), ..self }
     }
 
     /// Says what the columns are from that are added from here on, up to where another origin is given.
@@ -226,6 +234,10 @@ impl Table {
 
     pub(crate) fn caption(&self) -> &str {
         &self.caption
+    }
+
+    pub(crate) fn basis_text(&self) -> &str {
+        &self.basis
     }
 
     /// Heads, and whether there are numbers below.

@@ -1,7 +1,6 @@
 // Plots that answer to the pointer: each picture with numbers in its metadata gets one, when it comes into sight. Pictures are what is printed.
 (() => {
   "use strict";
-  const COLOURS = ["#2e86cc", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8c8c8c", "#96823c"];
   const number = (x) => (x === null || x === undefined ? "—" : Math.abs(x) >= 1e-3 && Math.abs(x) < 1e6 ? String(Number(x.toPrecision(4))) : x.toExponential(2));
   const tick = (x) => {
     if (!(x > 0)) return "";
@@ -47,8 +46,8 @@
       },
       series: [
         { label: data.x, value: (_, x) => number(x) },
-        ...data.curves.map(({ name, band }, at) => ({
-          label: name, stroke: COLOURS[at % COLOURS.length], width: 1.5, fill: band ? `${COLOURS[at % COLOURS.length]}26` : undefined, spanGaps: true, points: { show: true, size: 5 }, value: (_, y) => number(y),
+        ...data.curves.map(({ name, band, colour }) => ({
+          label: name, stroke: colour, width: 1.5, fill: band ? `${colour}26` : undefined, spanGaps: true, points: { show: true, size: 5 }, value: (_, y) => number(y),
         })),
       ],
       axes: [axis(data.x, data.linear ? { values: (_, splits) => splits } : {}), axis(data.y, { size: 64 })],

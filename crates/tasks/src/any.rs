@@ -65,6 +65,8 @@ pub trait AnyTask: SceneFormat {
 
     /// [`Task::constructs`].
     fn constructs_vertices(&self) -> bool;
+    /// [`Task::judges_whole`].
+    fn is_judged_whole(&self) -> bool;
 
     /// [`Task::compared`].
     fn compared_on(&self) -> &'static [Compared];
@@ -173,6 +175,10 @@ impl<T: Task> AnyTask for T {
 
     fn constructs_vertices(&self) -> bool {
         self.constructs()
+    }
+
+    fn is_judged_whole(&self) -> bool {
+        self.judges_whole()
     }
 
     fn compared_on(&self) -> &'static [Compared] {

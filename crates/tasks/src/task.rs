@@ -53,6 +53,12 @@ pub trait Task: SceneFormat + Sized + 'static {
         false
     }
 
+    /// Whether the answer to a scene is judged as a whole: if one law is broken, the answer is. Otherwise each query has an
+    /// answer of its own, with a class.
+    fn judges_whole(&self) -> bool {
+        false
+    }
+
     /// Whether [`solve`](Task::solve) looks at its watch often enough to be stopped by it. What
     /// does not runs in a process of its own under a time limit.
     fn looks_at_watch(&self) -> bool {

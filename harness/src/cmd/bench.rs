@@ -115,8 +115,11 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let selection = args.selector.select(tool)?;
     let mut scenes = selection.plan()?;
     let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-bench"));
-    let plan =
-        Plan { timed: true, engines: engines(&args.backends)?, ..plan(&selection, &scenes, &backends, Shard::WHOLE) };
+    let plan = Plan {
+        timed: true,
+        engines: engines(&args.backends)?,
+        ..plan(tool, &selection, &scenes, &backends, Shard::WHOLE)
+    };
     let mut writer =
         RunWriter::create(&folder, &plan, &env_of(&backends), &phases::tables(tool)).map_err(Failure::usage)?;
     // A pass over a large scene looks at no flag.

@@ -72,7 +72,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         permutations: args.permutations.map(|most| most as u64),
         engines: engines(&args.backends)?,
         left_out: tool.left_out(&args.backends),
-        ..plan(&selection, &scenes, &backends, Shard::WHOLE)
+        ..plan(tool, &selection, &scenes, &backends, Shard::WHOLE)
     };
     let known: Vec<(Option<u64>, Basis)> = plan.scenes.iter().map(|scene| costs.of(scene, &plan.backends)).collect();
     let weighed: Vec<(&str, Option<u64>)> =

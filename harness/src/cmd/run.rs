@@ -352,7 +352,7 @@ impl Job {
             left_out: tool.left_out(&args.backends),
             expected: args.expected.as_deref().map(expectations::file).transpose()?,
             whole: whole.map(|whole| Whole { expected: Some(expected.to_owned()), ..whole }),
-            ..plan(&selection, &scenes, &backends, shard)
+            ..plan(tool, &selection, &scenes, &backends, shard)
         };
         let job = Job::start(args, tool, (selection, scenes, backends), plan, None)?;
         tell_not_selected(&job.selection.not_selected, "run");

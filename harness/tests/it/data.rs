@@ -179,7 +179,7 @@ fn plan() -> Plan {
         queries: 1000,
     };
     Plan {
-        format: 1,
+        format: predicament::records::FORMAT,
         created_by: "predicament 0.1.0".to_owned(),
         level: predicament::records::Level::Quick,
         suites: vec!["families".to_owned()],
@@ -192,6 +192,7 @@ fn plan() -> Plan {
         timed: true,
         scenes: vec![scene("orient2d", "near"), scene("orient3d", "near")],
         backends: ["exact", "naive", "sos"].map(str::to_owned).into(),
+        judged_whole: [].into(),
         ladder: Vec::new(),
         shard: Shard::WHOLE,
         whole: None,

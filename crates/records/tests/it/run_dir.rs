@@ -64,6 +64,7 @@ pub fn plan() -> Plan {
         paths: [(scene("").suite, "far/near.toml".to_owned())].into(),
         scenes: vec![scene("one"), scene("two")],
         backends: vec!["exact".to_owned()],
+        judged_whole: ["hull2d".to_owned()].into(),
         ladder: vec!["filter".to_owned(), "wide integer".to_owned()],
         whole: None,
         shard: Shard::new(2, 3).unwrap(),

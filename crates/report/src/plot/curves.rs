@@ -5,7 +5,8 @@ use std::ops::Range;
 use plotters::prelude::*;
 use serde_json::{Value, json};
 
-use super::{COLOURS, Decades, Drawn, Recording, failed, power_of_ten, quiet, small};
+use super::palette::{colours, hex};
+use super::{Decades, Drawn, Recording, failed, power_of_ten, quiet, small};
 use crate::{Error, Picture};
 
 const SIZE: (u32, u32) = (760, 380);
@@ -109,12 +110,13 @@ pub fn curves(curves: &Curves) -> Result<Option<Picture>, Error> {
 
 /// Puts the numbers of the lines into the picture, as its metadata: a page makes a plot of them that answers to the pointer.
 fn carry(svg: &mut String, curves: &Curves) {
-    let line = |curve: &Curve| {
+    let colours = colours(curves.curves.iter().map(|curve| curve.name.as_str()));
+    let line = |(curve, colour): (&Curve, RGBColor)| {
         let points: Vec<[f64; 2]> =
             curve.points.iter().filter(|&point| curves.place(point).is_some()).map(|&(x, y)| [x, y]).collect();
-        json!({ "name": curve.name, "points": points, "band": curve.is_band })
+        json!({ "name": curve.name, "points": points, "band": curve.is_band, "colour": hex(colour) })
     };
-    let lines: Vec<Value> = curves.curves.iter().map(line).collect();
+    let lines: Vec<Value> = curves.curves.iter().zip(colours).map(line).collect();
     let data =
         json!({ "x": curves.x, "y": curves.y, "linear": curves.spread == XAxis::Linear, "curves": lines }).to_string();
     // JSON as text of XML.
@@ -178,7 +180,8 @@ fn draw(recording: &mut Recording, curves: &Curves, (x, y): (Decades, Decades)) 
     .x_desc(&curves.x)
     .y_desc(&curves.y)
     .draw()?;
-    let colour = |at: usize| COLOURS[at % COLOURS.len()];
+    let palette = colours(curves.curves.iter().map(|curve| curve.name.as_str()));
+    let colour = |at: usize| palette[at];
     for (at, curve) in curves.curves.iter().enumerate() {
         let points: Vec<_> = curves.places(curve).collect();
         if curve.is_band {

@@ -3,7 +3,8 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{COLOURS, Decades, Drawn, Recording, failed, power_of_ten, quiet, small};
+use super::palette::colours;
+use super::{Decades, Drawn, Recording, failed, power_of_ten, quiet, small};
 use crate::{Error, Picture};
 
 const SIZE: (u32, u32) = (760, 300);
@@ -58,7 +59,8 @@ fn draw(recording: &mut Recording, bars: &Bars, top: f64) -> Drawn {
         .y_desc(&bars.y)
         .draw()?;
     let width = FILLED / number(bars.series.len().max(1));
-    for (at, ((name, counts), colour)) in bars.series.iter().zip(COLOURS.iter().cycle()).enumerate() {
+    let palette = colours(bars.series.iter().map(|(name, _)| name.as_str()));
+    for (at, ((name, counts), colour)) in bars.series.iter().zip(palette).enumerate() {
         let left = (1.0 - FILLED) / 2.0 + width * number(at);
         let bar = |(place, &count): (usize, &f64)| {
             let from = number(place) + left;
@@ -95,7 +97,7 @@ mod tests {
         }
         let filled = |RGBColor(r, g, b): RGBColor| svg.matches(&format!("#{r:02X}{g:02X}{b:02X}")).count();
         // With one more in the legend.
-        assert_eq!([filled(COLOURS[0]), filled(COLOURS[1])], [2, 3], "{svg}");
+        assert_eq!(["one", "two"].map(super::super::colour_of).map(filled), [2, 3], "{svg}");
         let nothing = Bars { series: vec![("one".into(), vec![0.0, 0.0])], ..bars };
         assert_eq!(histogram(&nothing), Ok(None));
     }

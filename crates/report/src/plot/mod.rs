@@ -2,7 +2,7 @@
 //!
 //! Each draws into a [`Recording`], of which both are made.
 //!
-//! * [`scatter`]: speed against error.
+//! * [`tradeoff`]: speed against error.
 //! * [`ranges`]: from where something is lost to where it is safe.
 //! * [`curves`]: one quantity over another, on logarithmic axes.
 //! * [`histogram`]: how often, by place.
@@ -11,11 +11,11 @@ mod curves;
 mod helvetica;
 mod histogram;
 mod labels;
-mod overall;
+mod palette;
 mod pdf;
 mod ranges;
 mod recording;
-mod scatter;
+mod tradeoff;
 
 use std::convert::Infallible;
 use std::fmt::Display;
@@ -29,28 +29,15 @@ use plotters::prelude::*;
 use crate::Error;
 pub use curves::{Curve, Curves, XAxis, curves};
 pub use histogram::{Bars, histogram};
-pub(crate) use overall::{beside, overall};
+pub use palette::colour_of;
 pub use ranges::{Bar, ranges};
 pub(crate) use recording::{Recorder, Recording};
-pub use scatter::scatter;
+pub use tradeoff::{Point, Tradeoff, tradeoff};
 
 /// Stands for the colour of the text around the picture, which no fixed
 /// colour can be on both light and dark pages.
 pub(crate) const INK: RGBColor = RGBColor(1, 2, 3);
 const INK_IN_SVG: &str = "#010203";
-
-/// The Okabe-Ito colours without black and yellow, its blue lightened, then two that fit: told
-/// apart by every kind of colour vision, on light and dark ground.
-pub(crate) const COLOURS: [RGBColor; 8] = [
-    RGBColor(46, 134, 204),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(230, 159, 0),
-    RGBColor(86, 180, 233),
-    RGBColor(140, 140, 140),
-    RGBColor(150, 130, 60),
-];
 
 /// A plot for pages and files.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -88,21 +75,6 @@ fn quiet<X: Ranged, Y: Ranged, B: DrawingBackend>(mesh: &mut MeshStyle<'_, '_, X
         .light_line_style(TRANSPARENT)
         .label_style(small(size))
         .axis_desc_style(small(size));
-}
-
-/// A staircase from the top of a plot to its right edge: what is above and to the right of it is beaten.
-fn frontier(chart: &mut Chart, mut places: Vec<(f64, f64)>, (right, top): (f64, f64)) -> Drawn {
-    places.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    let (mut stairs, mut height) = (Vec::new(), top);
-    for (x, y) in places {
-        if y < height {
-            stairs.extend([(x, height), (x, y)]);
-            height = y;
-        }
-    }
-    stairs.push((right, height));
-    chart.draw_series(DashedLineSeries::new(stairs, 5, 4, INK.mix(0.5).stroke_width(1)))?;
-    Ok(())
 }
 
 /// The drawn picture with the colours of the page around it, or of the

@@ -4,7 +4,8 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{COLOURS, Decades, Drawn, Recording, failed, power_of_ten, quiet, small};
+use super::palette::colours;
+use super::{Decades, Drawn, Recording, failed, power_of_ten, quiet, small};
 use crate::{Error, Picture};
 
 const WIDTH: u32 = 760;
@@ -60,7 +61,8 @@ fn draw(recording: &mut Recording, bars: &[Bar], x: &str, [low, high]: [f64; 2])
     let mut mesh = chart.configure_mesh();
     quiet(&mut mesh, FONT);
     mesh.disable_y_mesh().disable_y_axis().x_label_formatter(&|x| power_of_ten(*x)).x_desc(x).draw()?;
-    let colour = |backend: &str| COLOURS[backends.iter().position(|b| *b == backend).unwrap_or(0) % COLOURS.len()];
+    let palette = colours(backends.iter().copied());
+    let colour = |backend: &str| palette[backends.iter().position(|b| *b == backend).unwrap_or(0)];
     let place = |x: Option<f64>, edge: f64| x.map_or(edge, |x| x.log10().clamp(low, high));
     let mut row = 0.5;
     for group in groups {
@@ -103,7 +105,8 @@ mod tests {
         for text in ["a gap", "a tip", "one", "two", "size"] {
             assert!(svg.contains(text), "{text}");
         }
-        let colours = [COLOURS[0], COLOURS[1]].map(|RGBColor(r, g, b)| format!("#{r:02X}{g:02X}{b:02X}"));
+        let colours =
+            ["one", "two"].map(super::super::colour_of).map(|RGBColor(r, g, b)| format!("#{r:02X}{g:02X}{b:02X}"));
         let filled = |colour: &str| svg.matches("<rect").count().min(svg.matches(colour).count());
         assert_eq!(filled(&colours[0]), 3, "two bars and a name: {svg}");
         assert_eq!(filled(&colours[1]), 2, "a bar and a name");

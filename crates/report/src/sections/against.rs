@@ -2,11 +2,14 @@
 
 use std::collections::BTreeMap;
 
+use super::glance;
 use super::rank;
-use crate::groups::{backends, timed};
-use crate::plot::beside;
+use crate::figures::overall;
+use crate::groups::{Key, Times, backends, timings};
+use crate::plot::tradeoff;
 use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Class, Error, Origin, RunDir, SummaryRow};
+use predicament_records::Severity;
 use predicament_records::format::{factor, length, significant, thousands};
 
 /// How many changed pairs are named.
@@ -44,14 +47,21 @@ pub fn against(runs: &[RunDir], earlier: &[RunDir]) -> Result<Section, Error> {
             blocks.push(Block::Table(table));
         }
     }
-    if let Some(picture) = beside(runs, earlier)? {
-        let alt = "Times over the reference's against wrong answers per million: rings are the earlier run";
-        blocks.push(Block::Plot { picture, file: "against.svg".into(), alt: alt.into() });
+    let (now, before) = (Times::of(runs), Times::of(earlier));
+    let plots = glance::plots(&overall(runs, &now).marks, &overall(earlier, &before).marks);
+    for ((plot, _), file) in plots.into_iter().zip(["against.svg", "against-scenes.svg"]) {
+        if plot.points.iter().any(|point| point.before.is_some())
+            && let Some(picture) = tradeoff(&plot)?
+        {
+            let alt = format!("{} against {}: rings are the earlier run", plot.y, plot.x);
+            blocks.push(Block::Plot { picture, file: file.into(), alt: alt.into() });
+        }
     }
     Ok(Section {
         id: "against",
         title: "Beside the earlier run",
-        lead: "A pair is changed if it has other counts of any class, or another status; a scene of other contents is removed and added. A ratio of \
+        lead: "A pair is changed if it has other counts of any class, or another status; a scene of other contents is removed and added. It is worse or \
+               better by the worst severity in which the counts differ. A ratio of \
                times is the geometric mean over the families that were timed in both, with its interval at 95 % from how much families differ. Where 1 is not in the \
                interval, times differ by more than that. In the plot rings are the earlier run."
             .to_owned(),
@@ -59,9 +69,9 @@ pub fn against(runs: &[RunDir], earlier: &[RunDir]) -> Result<Section, Error> {
     })
 }
 
-type Key<'r> = [&'r str; 5];
-type Pairs<'r> = BTreeMap<Key<'r>, &'r SummaryRow>;
-type Change<'r> = (Key<'r>, &'r SummaryRow, &'r SummaryRow);
+type Pair<'r> = [&'r str; 5];
+type Pairs<'r> = BTreeMap<Pair<'r>, &'r SummaryRow>;
+type Change<'r> = (Pair<'r>, &'r SummaryRow, &'r SummaryRow);
 
 /// Rows by suite, scene, content, task and backend.
 fn pairs(runs: &[RunDir]) -> Pairs<'_> {
@@ -73,9 +83,19 @@ fn classes(row: &SummaryRow) -> Vec<u64> {
     Class::ALL.into_iter().map(|class| row.count(class)).collect()
 }
 
-/// What changed, first what is not expected any more.
+/// Whether a result is better or worse than an earlier one: less or more of the worst severity in which they differ.
+fn verdict(old: &SummaryRow, new: &SummaryRow) -> std::cmp::Ordering {
+    let count = |row: &SummaryRow, severity: Severity| {
+        Class::ALL.into_iter().filter(|class| class.severity() == severity).map(|class| row.count(class)).sum::<u64>()
+    };
+    let mut worst = Severity::ALL.into_iter().rev().filter(|severity| *severity != Severity::Right);
+    let differing = worst.find(|&severity| count(old, severity) != count(new, severity));
+    differing.map_or(std::cmp::Ordering::Equal, |severity| count(new, severity).cmp(&count(old, severity)))
+}
+
+/// What changed, first what is worse, then what is neither, then what is better.
 fn changes(mut changed: Vec<Change<'_>>, order: &[&str]) -> Table {
-    changed.sort_by_key(|(key, _, new)| (new.status.passes(), *key, rank(order, key[4])));
+    changed.sort_by_key(|(key, old, new)| (verdict(old, new).reverse(), *key, rank(order, key[4])));
     let mut caption = "Changed".to_owned();
     if changed.len() > MANY {
         caption += &format!(": the first {MANY} of {}", thousands(length(changed.len())));
@@ -83,7 +103,7 @@ fn changes(mut changed: Vec<Change<'_>>, order: &[&str]) -> Table {
     let mut table = Table::new(caption)
         .words(["suite", "scene", "task", "backend", "before"])
         .of(Origin::of("summary.csv").keys(["suite", "scene", "task", "backend"]))
-        .words(["now"]);
+        .words(["now", "verdict"]);
     for ([suite, scene, _, task, backend], old, new) in changed.into_iter().take(MANY) {
         let differing: Vec<Class> =
             Class::ALL.into_iter().filter(|&class| old.count(class) != new.count(class)).collect();
@@ -91,7 +111,11 @@ fn changes(mut changed: Vec<Change<'_>>, order: &[&str]) -> Table {
             let counts = differing.iter().map(|&class| format!("{class} {}", thousands(row.count(class))));
             Cell::from(counts.collect::<Vec<_>>().join(", ")).detail(row.status.name())
         };
-        let tone = if new.status.passes() { Tone::Plain } else { Tone::Bad };
+        let (tone, verdict) = match verdict(old, new) {
+            std::cmp::Ordering::Greater => (Tone::Bad, "worse"),
+            std::cmp::Ordering::Less => (Tone::Good, "better"),
+            std::cmp::Ordering::Equal => (Tone::Plain, ""),
+        };
         table.push(vec![
             suite.into(),
             scene.into(),
@@ -99,6 +123,7 @@ fn changes(mut changed: Vec<Change<'_>>, order: &[&str]) -> Table {
             Cell::code(backend),
             tell(old).tone(Tone::Muted),
             tell(new).tone(tone),
+            Cell::from(verdict).tone(tone),
         ]);
     }
     table
@@ -107,17 +132,18 @@ fn changes(mut changed: Vec<Change<'_>>, order: &[&str]) -> Table {
 /// Times over those of earlier runs by task and backend.
 fn times(runs: &[RunDir], earlier: &[RunDir], order: &[&str]) -> Table {
     let [now, before] = [runs, earlier].map(medians);
-    let mut ratios: BTreeMap<(&str, usize), Vec<f64>> = BTreeMap::new();
-    for ([task, family, backend], ns) in &now {
-        if let Some(old) = before.get(&[*task, *family, *backend]) {
-            ratios.entry((task, rank(order, backend))).or_default().push((ns / old).ln());
+    let mut ratios: BTreeMap<_, Vec<f64>> = BTreeMap::new();
+    for (key, ns) in &now {
+        if let Some(old) = before.get(key) {
+            let (task, _, backend, way) = key;
+            ratios.entry((*task, rank(order, backend), *way)).or_default().push((ns / old).ln());
         }
     }
     let mut table = Table::new("Times over the earlier ones")
-        .words(["task", "backend"])
+        .words(["task", "backend", "asked"])
         .of(Origin::of("throughput.csv").keys(["task", "backend"]))
         .numbers(["families", "ratio", "from", "to"]);
-    for ((task, backend), logs) in ratios {
+    for ((task, backend, way), logs) in ratios {
         let (mean, half) = mean_and_half(&logs);
         let interval = half.map(|half| [mean - half, mean + half].map(f64::exp));
         let tone = match interval {
@@ -129,6 +155,7 @@ fn times(runs: &[RunDir], earlier: &[RunDir], order: &[&str]) -> Table {
         table.push(vec![
             task.into(),
             Cell::code(order.get(backend).copied().unwrap_or_default()),
+            way.name().into(),
             thousands(length(logs.len())).into(),
             Cell::from(factor(mean.exp())).tone(tone),
             end(0),
@@ -138,15 +165,11 @@ fn times(runs: &[RunDir], earlier: &[RunDir], order: &[&str]) -> Table {
     table
 }
 
-/// Nanoseconds per query by task, family and backend; of several runs the first that timed it.
-fn medians(runs: &[RunDir]) -> BTreeMap<[&str; 3], f64> {
+/// Nanoseconds per query by task, family, backend and how it was asked; of several runs the first that timed it.
+fn medians(runs: &[RunDir]) -> BTreeMap<Key<'_>, f64> {
     let mut all = BTreeMap::new();
-    for run in runs {
-        for ([task, family], of) in timed(run) {
-            for (backend, spread) in of {
-                all.entry([task, family, backend]).or_insert(spread.median);
-            }
-        }
+    for (key, timing) in runs.iter().flat_map(timings) {
+        all.entry(key).or_insert(timing.spread.median);
     }
     all
 }

@@ -11,7 +11,8 @@ use predicament_records::format::{counted, length, significant, thousands};
 /// How many findings of a class are shown for each backend.
 const FEW: usize = 3;
 
-pub fn section(runs: &[RunDir]) -> Section {
+/// None where nothing was found.
+pub fn section(runs: &[RunDir]) -> Option<Section> {
     let order = backends(runs);
     let mut blocks = Vec::new();
     for (index, run) in runs.iter().enumerate() {
@@ -27,10 +28,7 @@ pub fn section(runs: &[RunDir]) -> Section {
             blocks.push(Block::Table(table));
         }
     }
-    if blocks.is_empty() {
-        blocks.push(Block::Note("No finding was recorded.".to_owned(), Tone::Good));
-    }
-    Section {
+    (!blocks.is_empty()).then(|| Section {
         id: "findings",
         title: "Findings",
         lead: format!(
@@ -40,7 +38,7 @@ pub fn section(runs: &[RunDir]) -> Section {
              tie. Distances are in units of L, the largest extent of the scene."
         ),
         blocks,
-    }
+    })
 }
 
 fn few_of(runs: &[RunDir], class: Class, order: &[&str]) -> Table {

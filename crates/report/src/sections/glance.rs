@@ -1,87 +1,160 @@
-//! The backends at a glance: what each got right and wrong over everything, and what it costs. README shows this table.
+//! Which backend to use: each one over everything that it was asked. README shows this table.
 
-use std::collections::BTreeMap;
-
-use super::rank;
-use crate::figures::{FILE, Price, Prices, all_prices};
-use crate::groups::{REFERENCE, backends};
-use crate::plot::overall;
+use crate::comparison::Share;
+use crate::figures::{FILE, Mark, overall};
+use crate::groups::{Pace, REFERENCE, Times, Way};
+use crate::plot::{Point, Tradeoff, tradeoff};
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Class, Error, Origin, RunDir};
-use predicament_records::format::{counted, factor, length, thousands};
+use crate::{Error, Origin, RunDir};
+use predicament_records::format::{factor, significant, thousands};
 
-pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
-    let rows = || runs.iter().flat_map(|run| &run.summary);
-    let occurred: Vec<Class> = Class::ALL.into_iter().filter(|&class| rows().any(|row| row.count(class) > 0)).collect();
-    let order = backends(runs);
-    let mut counts: BTreeMap<usize, BTreeMap<Class, u64>> = BTreeMap::new();
-    for row in rows() {
-        let of = counts.entry(rank(&order, &row.backend)).or_default();
-        for &class in &occurred {
-            *of.entry(class).or_default() += row.count(class);
+pub fn section(runs: &[RunDir], times: &Times) -> Result<Section, Error> {
+    let mut marks = overall(runs, times).marks;
+    let mut drawn = Vec::new();
+    for plot in plots(&marks, &[]) {
+        if let Some(picture) = tradeoff(&plot.0)? {
+            let alt = format!("{} against {}", plot.0.y, plot.0.x);
+            drawn.push(Block::Plot { picture, file: plot.1.into(), alt: alt.into() });
         }
     }
-    let prices = all_prices(runs);
-    let mut table = Table::new("")
-        .words(["backend"])
-        .of(Origin::of("summary.csv").keys(["backend"]))
-        .numbers(occurred.iter().map(|class| class.name()));
-    if prices.is_some() {
-        let origin = Origin::of(FILE).keys(["backend"]).only("panel", "all");
-        table = table.of(origin).numbers([format!("time / {REFERENCE}")]);
-    }
-    for (backend, of) in counts {
-        let backend = order.get(backend).copied().unwrap_or_default();
-        let classes = occurred.iter().map(|class| match of.get(class) {
-            None | Some(0) => Cell::default(),
-            Some(&count) => {
-                Cell::from(thousands(count)).tone(if class.is_legal() { Tone::Plain } else { Tone::Notable })
+    marks.sort_by(|a, b| rank(a).partial_cmp(&rank(b)).unwrap_or(std::cmp::Ordering::Equal));
+    let mut blocks = vec![Block::table_or(table(&marks), "No scene was checked.")];
+    blocks.append(&mut drawn);
+    blocks.push(Block::Note(key(&marks), Tone::Muted));
+    Ok(Section { id: "glance", title: "Which backend to use", lead: LEAD.to_owned(), blocks })
+}
+
+/// What the ranking goes by: broken laws and wrong answers, then what is not done, then the time.
+fn rank(mark: &Mark) -> [f64; 4] {
+    let share = |share: Share| share.value().unwrap_or(0.0);
+    let [answers, scenes] = mark.not_done();
+    let is_wrong = if mark.standing.is_right() { 0.0 } else { 1.0 };
+    let wrong = share(mark.wrong()).max(share(mark.broken()));
+    [is_wrong, wrong, share(answers).max(share(scenes)), mark.paces.first().map_or(f64::INFINITY, |pace| pace.ratio)]
+}
+
+/// The two panels of what backends get wrong against what they cost: single answers, and whole scenes.
+pub fn plots(marks: &[Mark], earlier: &[Mark]) -> [(Tradeoff, &'static str); 2] {
+    // 0: answers, 1: scenes.
+    let points = |way: Way, which: usize| {
+        let errors = |mark: &Mark| [mark.wrong(), mark.broken()][which];
+        let point = |mark: &Mark| {
+            let pair = |share: Share| [share.count, share.of];
+            let before = earlier.iter().find(|old| old.backend == mark.backend);
+            Point {
+                backend: mark.backend.to_owned(),
+                time: mark.pace(way).map(|pace| pace.ratio),
+                errors: pair(errors(mark)),
+                not_done: pair(mark.not_done()[which]),
+                is_marked: which == 0 && mark.standing.scenes.broken > 0,
+                curve: None,
+                before: before.and_then(|old| Some((old.pace(way)?.ratio, pair(errors(old))))),
             }
-        });
-        let time = prices.iter().map(|prices| time(prices, backend));
-        table.push([Cell::code(backend)].into_iter().chain(classes).chain(time).collect());
-    }
-    let mut blocks = Vec::new();
-    if let Some(picture) = overall(runs)? {
-        let alt = "Times over the reference's against wrong answers per million, over all tasks";
-        blocks.push(Block::Plot { picture, file: "overall.svg".into(), alt: alt.into() });
-    }
-    blocks.push(Block::table_or(table, "No scene was checked."));
-    Ok(Section { id: "glance", title: "Backends at a glance", lead: lead(prices.as_ref()), blocks })
+        };
+        marks.iter().map(point).collect()
+    };
+    let answers = Tradeoff {
+        title: "Answers".to_owned(),
+        x: format!("time of a single query over {REFERENCE}'s"),
+        y: "wrong answers per million".to_owned(),
+        per: 1e6,
+        points: points(Way::Single, 0),
+    };
+    let scenes = Tradeoff {
+        title: "Whole scenes".to_owned(),
+        x: format!("time of a whole scene over {REFERENCE}'s"),
+        y: "broken scenes per thousand".to_owned(),
+        per: 1e3,
+        points: points(Way::Whole, 1),
+    };
+    [(answers, "overall.svg"), (scenes, "overall-scenes.svg")]
 }
 
-fn time(prices: &Prices, backend: &str) -> Cell {
-    match prices.prices.iter().find(|price| price.backend == backend) {
-        None => Cell::from("—").tone(Tone::Muted),
-        Some(Price { ratio, is_partial: false, .. }) => factor(*ratio).into(),
-        Some(Price { ratio, pairs, .. }) => {
-            Cell::from(factor(*ratio)).tone(Tone::Muted).detail(format!("partial: {}", counted(length(*pairs), "pair")))
+fn table(marks: &[Mark]) -> Table {
+    let ways: Vec<Way> =
+        Way::ALL.into_iter().filter(|&way| marks.iter().any(|mark| mark.pace(way).is_some())).collect();
+    let scenes = marks.iter().any(|mark| mark.standing.scenes.asked() > 0);
+    let rounded = marks.iter().any(|mark| mark.standing.scenes.rounded > 0);
+    let mut table = Table::new("")
+        .basis(
+            "right, undecided, wrong and not done are shares of the answers asked for; broken and rounded are shares of the \
+             scenes that were done, left undone of all scenes; in parentheses counts and Wilson's intervals at 95 %",
+        )
+        .words(["backend"])
+        .of(Origin::of(FILE).keys(["backend"]).only("panel", "all"))
+        .numbers(["answers", "right", "undecided", "wrong", "not done"]);
+    if scenes {
+        table = table.numbers(["scenes", "broken"]);
+        table = table.numbers(rounded.then_some("rounded")).numbers(["left undone"]);
+    }
+    table = table.numbers(ways.iter().map(|way| format!("{} / {REFERENCE}", way.head())));
+    for mark in marks {
+        let (answers, of) = (&mark.standing.answers, mark.standing.answers.asked());
+        let share = |count| Share { count, of };
+        let mut row = vec![
+            Cell::code(mark.backend),
+            Cell::count(of),
+            told(share(answers.right), "answer", Tone::Plain),
+            told(share(answers.undecided), "answer", Tone::Legal),
+            told(share(answers.wrong), "answer", Tone::Bad),
+            told(share(answers.not_done), "answer", Tone::Notable),
+        ];
+        if scenes {
+            let of = &mark.standing.scenes;
+            let rounding = Share { count: of.rounded, of: of.done() };
+            row.extend([Cell::count(of.asked()), told(mark.broken(), "scene that was done", Tone::Bad)]);
+            row.extend(rounded.then(|| told(rounding, "scene that was done", Tone::Notable)));
+            row.push(told(mark.not_done()[1], "scene", Tone::Notable));
         }
+        row.extend(ways.iter().map(|&way| time(mark.pace(way))));
+        table.push(row);
+    }
+    table
+}
+
+/// A share, in this tone unless it is zero, with its count; a share of errors also with its interval.
+fn told(share: Share, noun: &str, tone: Tone) -> Cell {
+    if share.of == 0 {
+        return Cell::from("—").tone(Tone::Muted);
+    }
+    let cell = Cell::from(share.text()).title(share.told(noun));
+    let cell = cell.tone(if share.count == 0 { Tone::Muted } else { tone });
+    let [low, high] = share.interval().map(|share| significant(100.0 * share, 2));
+    match (share.count, tone) {
+        (0, Tone::Bad) => cell.detail(format!("≤ {high} %")),
+        (0, _) | (_, Tone::Plain) => cell,
+        (count, Tone::Bad) => cell.detail(format!("{}; {low} to {high} %", thousands(count))),
+        (count, _) => cell.detail(thousands(count)),
     }
 }
 
-fn lead(prices: Option<&Prices>) -> String {
-    let mut lead = "Answers and failed checks by class over all suites; each scene on each backend counts once. \
-                    tie_broken and in_band are what a symbolic perturbation and a tolerance promise: a tie given a \
-                    consistent side, and a value too small to tell."
+/// A ratio with the number of families that it is over.
+pub fn time(pace: Option<&Pace>) -> Cell {
+    let Some(pace) = pace else { return Cell::from("—").tone(Tone::Muted) };
+    let families = format!("{} of {} families", pace.families, pace.of);
+    let [low, high] = pace.range.map(|ns| significant(ns / pace.reference, 2));
+    let title = format!("over {families} that both were timed on; shortest to longest samples {low} to {high}");
+    let detail = if pace.is_loop { format!("a loop; {families}") } else { families };
+    Cell::from(factor(pace.ratio)).detail(detail).title(title)
+}
+
+const LEAD: &str = "Best first: never wrong, then the least wrong, the least undecided or undone, then the fastest. What is said \
+                    about a backend is over everything that it was asked, and does not depend on which others ran.";
+
+/// What the columns and the plots mean.
+fn key(marks: &[Mark]) -> String {
+    let mut key = "Answers are queries that are judged one by one: right (ties broken as promised are right), undecided (within \
+                   a tolerance), wrong, or not done (declined, out of time, crashed). Scenes are whole answers: broken is a \
+                   violated law, rounded a law that only the rounding of coordinates violates."
         .to_owned();
-    if let Some(Prices { pairs, of, prices }) = prices {
-        let compared = prices.iter().filter(|price| !price.is_partial).count();
-        lead += &format!(
-            " The time is that of a query over {REFERENCE}'s in the same run: the geometric mean over the {} of task and \
-             family that all {} were checked and timed on, of {} that {REFERENCE} was.",
-            counted(length(*pairs), "pair"),
-            counted(length(compared), "compared backend"),
-            thousands(length(*of)),
+    if marks.iter().any(|mark| !mark.paces.is_empty()) {
+        key += &format!(
+            " A time is the geometric mean of the ratios to {REFERENCE}'s in the same run, over the families of scenes that \
+             both were timed on. Single queries, batches and whole scenes are never mixed. A batch is compared with \
+             {REFERENCE} in vector registers: its ratio is the price of exactness. In the plots a line is Wilson's interval \
+             at 95 %; never wrong is at the bottom, up to what may be. A cross is a broken law of a whole scene, a bar what \
+             was left undone."
         );
-        if compared > 1 {
-            lead += " The plot has the compared backends, with Wilson's interval at 95 % of what is wrong; those that were never wrong are at \
-                     the bottom, up to what may be. What is above and to the right of the dashed line is beaten.";
-        }
-        if compared < prices.len() {
-            lead += " A backend that did too few of them is partial: its mean is over its own pairs, and not to be compared \
-                     with the others.";
-        }
     }
-    lead
+    key
 }

@@ -1,12 +1,12 @@
-//! The numbers on top of a report: unexpected findings, what was not run, and the cost of exact answers.
+//! The numbers on top of a report: what is worse than expected, what was not run, and the price of being right.
 
 use std::collections::BTreeSet;
 
-use super::some_of;
-use crate::figures::{Price, Prices, all_prices};
-use crate::groups::REFERENCE;
+use crate::comparison::{Share, standing};
+use crate::figures::{Mark, Scope, faultless, marks};
+use crate::groups::{REFERENCE, Times, Way};
 use crate::table::{Headline, Tone};
-use crate::{Class, Outcome, RunDir};
+use crate::{Class, Outcome, RunDir, Status};
 use predicament_records::format::{counted, factor, length, thousands};
 
 pub fn headlines(runs: &[RunDir]) -> [Headline; 3] {
@@ -38,24 +38,22 @@ fn not_run(runs: &[RunDir]) -> Headline {
     }
 }
 
+/// Findings that no expectation lists; an expected one that is gone is no fault of a backend, and is told apart.
 fn unexpected(runs: &[RunDir]) -> Headline {
-    let pairs: usize = runs.iter().map(|run| run.summary.len()).sum();
-    let failed = runs.iter().flat_map(|run| &run.summary).filter(|row| !row.status.passes()).count();
-    let answered = runs.iter().flat_map(|run| &run.summary).filter(|row| row.has_answers());
-    let queries: u64 = answered.map(|row| row.queries).sum();
-    let wrong: u64 = runs.iter().flat_map(|run| &run.summary).map(crate::SummaryRow::wrong).sum();
+    let rows = || runs.iter().flat_map(|run| &run.summary);
+    let of = |status: Status| rows().filter(|row| row.status == status).count();
+    let (worse, better) = (of(Status::Unexpected), of(Status::UnexpectedPass));
     let missing: usize = runs.iter().map(|run| run.not_run().len()).sum();
-    let detail = format!(
-        "of {} of scene and backend; {} of {} answers are wrong, expected ones included",
-        counted(length(pairs), "pair"),
-        thousands(wrong),
-        thousands(queries)
-    );
+    let pairs = rows().count();
+    let mut detail = format!("of {} of scene and backend", counted(length(pairs), "pair"));
+    if better > 0 {
+        detail += &format!("; {} better than expected: prune their expectations", thousands(length(better)));
+    }
     Headline {
-        number: thousands(length(failed)),
-        label: "unexpected results",
+        number: thousands(length(worse)),
+        label: "unexpected findings",
         detail,
-        tone: match failed {
+        tone: match worse {
             0 if missing > 0 || pairs == 0 => Tone::Notable,
             0 => Tone::Good,
             _ => Tone::Bad,
@@ -63,42 +61,65 @@ fn unexpected(runs: &[RunDir]) -> Headline {
     }
 }
 
-/// The smallest time relative to the reference among the backends that made no mistake on what they are compared on: the
-/// geometric mean over the pairs of task and family that all compared backends did.
+/// The price of being right: what the cheapest backend without a fault takes beside the reference.
+///
+/// Without a fault is who answers everything that it is asked, is never wrong and breaks no law. Where that is nobody, the
+/// same is asked of predicates alone.
 fn price(runs: &[RunDir]) -> Headline {
-    let none = |detail: String| Headline {
-        number: "—".to_owned(),
-        label: "the price of being right",
-        detail,
-        tone: Tone::Muted,
-    };
+    const LABEL: &str = "the price of being right";
+    let none = |detail: String| Headline { number: "—".to_owned(), label: LABEL, detail, tone: Tone::Muted };
     if runs.iter().flat_map(|run| &run.throughput).all(|row| row.backend != REFERENCE) {
         return none(format!("{REFERENCE}, which times are compared with, was not timed"));
     }
-    let Some(Prices { pairs, prices, .. }) = all_prices(runs) else {
-        return none(format!("{REFERENCE}, which times are compared with, was not checked wherever it was timed"));
+    let times = Times::of(runs);
+    let rule = "the cheapest backend that answers everything it was asked, is never wrong and breaks no law";
+    if let Some(best) = faultless(runs, &times, Scope::Everything).first() {
+        return found(best, LABEL, rule);
+    }
+    let nearest = nearest(runs, &times);
+    match faultless(runs, &times, Scope::Predicates).first() {
+        Some(best) => {
+            let rule = format!("{rule}, of predicates alone; over everything there is none{nearest}");
+            found(best, "the price of being right about signs", &rule)
+        }
+        None => none(format!("no backend answers everything it was asked, is never wrong and breaks no law{nearest}")),
+    }
+}
+
+fn found(best: &Mark, label: &'static str, rule: &str) -> Headline {
+    let told = |way: Way| {
+        let pace = best.pace(way)?;
+        Some(format!(
+            "{} of {REFERENCE}'s time for a {} ({})",
+            factor(pace.ratio),
+            way.head(),
+            counted(length(pace.families), "pair")
+        ))
     };
-    let (compared, partial): (Vec<Price>, Vec<Price>) = prices.into_iter().partition(|price| !price.is_partial);
-    let mut basis = format!(
-        "over {} of task and family that all {} did",
-        counted(length(pairs), "pair"),
-        counted(length(compared.len()), "compared backend")
-    );
-    if !partial.is_empty() {
-        let names: Vec<&str> = partial.iter().map(|price| price.backend).collect();
-        basis += &format!("; {} did too few of them to be compared", some_of(names.into_iter(), usize::MAX));
+    let times: Vec<String> = Way::ALL.into_iter().filter_map(told).collect();
+    Headline {
+        number: factor(best.paces[0].ratio),
+        label,
+        detail: format!("{} is {rule}: {}, of task and family", best.backend, times.join(", ")),
+        tone: Tone::Plain,
     }
-    let right = compared.iter().filter(|price| price.errors.is_right());
-    match right.min_by(|a, b| a.ratio.total_cmp(&b.ratio)) {
-        None => none(format!("no compared backend is without a mistake {basis}")),
-        Some(Price { backend, ratio, .. }) => Headline {
-            number: factor(*ratio),
-            label: "the time of shewchuk: the price of being right",
-            detail: format!(
-                "{backend} is the fastest backend without a wrong answer or a failed check on what is compared; geometric \
-                 mean {basis}"
-            ),
-            tone: Tone::Plain,
-        },
-    }
+}
+
+/// The backend that is never wrong on answers and breaks the fewest laws, with what is against it.
+fn nearest(runs: &[RunDir], times: &Times) -> String {
+    let mut never_wrong = marks(runs, times, |_| true);
+    never_wrong.retain(|mark| mark.standing.answers.wrong + mark.standing.answers.undecided == 0);
+    let share = |share: Share| share.value().unwrap_or(0.0);
+    let best = never_wrong.iter().min_by(|a, b| {
+        share(a.broken()).total_cmp(&share(b.broken())).then(share(a.not_done()[1]).total_cmp(&share(b.not_done()[1])))
+    });
+    best.map_or_else(String::new, |mark| {
+        let of = standing(runs, mark.backend, |_| true).scenes;
+        format!(
+            "; {} is never wrong, breaks {} and leaves {} undone",
+            mark.backend,
+            counted(of.broken, "scene"),
+            thousands(of.not_done)
+        )
+    })
 }

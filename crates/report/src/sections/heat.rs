@@ -1,110 +1,130 @@
-//! Where something is wrong: a cell for each backend and suite, in the tone of the share of its answers that are wrong.
+//! Where something is wrong: a cell for each backend and suite, or scene where there are few, in the tone of its share of
+//! wrong answers.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::rank;
+use crate::comparison::{Standing, judged_whole};
 use crate::groups::backends;
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Class, Origin, RunDir, SummaryRow};
+use crate::{Origin, RunDir, Status, SummaryRow};
 use predicament_records::format::{counted, per_million, significant, thousands};
+
+/// With so many suites or fewer, and so many scenes or fewer, a column is a scene.
+const FEW: (usize, usize) = (2, 30);
 
 pub fn section(runs: &[RunDir]) -> Section {
     let order = backends(runs);
-    let mut suites: Vec<&str> = runs.iter().flat_map(|run| &run.summary).map(|row| &*row.suite).collect();
-    suites.sort_unstable();
-    suites.dedup();
-    let mut sums: BTreeMap<(usize, &str), Sums> = BTreeMap::new();
-    for row in runs.iter().flat_map(|run| &run.summary) {
-        sums.entry((rank(&order, &row.backend), &row.suite)).or_default().add(row);
+    let rows = || runs.iter().flat_map(|run| &run.summary);
+    let suites: BTreeSet<&str> = rows().map(|row| &*row.suite).collect();
+    let scenes: BTreeSet<[&str; 2]> = rows().map(|row| [&*row.suite, &*row.scene]).collect();
+    let by_scene = suites.len() <= FEW.0 && scenes.len() <= FEW.1;
+    let column_of = |row: &'_ SummaryRow| if by_scene { row.scene.clone() } else { row.suite.clone() };
+    let columns: BTreeSet<String> = rows().map(column_of).collect();
+    let whole = judged_whole(runs);
+    let mut sums: BTreeMap<(usize, String), Sums> = BTreeMap::new();
+    for row in rows() {
+        let sums = sums.entry((rank(&order, &row.backend), column_of(row))).or_default();
+        sums.suites.insert(&row.suite);
+        sums.rows += 1;
+        sums.better += u64::from(row.status == Status::UnexpectedPass);
+        sums.standing.add(row, whole.contains(&*row.task));
     }
     let mut table = Table::new("")
         .heat()
         .words(["backend"])
-        .of(Origin::of("summary.csv").keys(["backend"]).across("suite"))
-        .numbers(suites.iter().copied());
+        .of(Origin::of("summary.csv").keys(["backend"]).across(if by_scene { "scene" } else { "suite" }))
+        .numbers(columns.iter().map(String::as_str));
     for (at, backend) in order.iter().enumerate() {
-        let cells: Vec<Cell> = suites
-            .iter()
-            .map(|&suite| sums.get(&(at, suite)).map_or_else(Cell::default, |sums| sums.cell(backend, suite)))
-            .collect();
+        let cell = |column: &String| {
+            sums.get(&(at, column.clone())).map_or_else(Cell::default, |sums| sums.cell(backend, column))
+        };
         if sums.keys().any(|(of, _)| *of == at) {
-            table.push([Cell::code(*backend)].into_iter().chain(cells).collect());
+            table.push([Cell::code(*backend)].into_iter().chain(columns.iter().map(cell)).collect());
         }
     }
+    let of = if by_scene { "scene" } else { "suite" };
     Section {
         id: "heat",
         title: "Where something is wrong",
-        lead: "The share of answers that are wrong, by backend and suite; ✗ and a number are failed checks of whole scenes. Ties broken and values within a tolerance \
-               are what a backend promises and may. An empty cell was not run. A cell leads to its findings."
-            .to_owned(),
+        lead: format!(
+            "The share of answers that are wrong, by backend and {of}; ✗ and a number are whole scenes with a broken law, ≈ \
+             scenes that are off by rounding alone. Ties broken and values within a tolerance are what a backend promises \
+             and may. A frame is a finding that no expectation lists, a tick an expected one that is gone. An empty cell \
+             was not run. A cell leads to its findings."
+        ),
         blocks: vec![Block::table_or(table, "No scene was checked.")],
     }
 }
 
-/// The sums over the scenes of a suite on one backend.
+/// A backend on the scenes of a column.
 #[derive(Default)]
-struct Sums {
-    scenes: u64,
-    declined: u64,
-    unexpected: u64,
-    queries: u64,
-    wrong: u64,
-    /// Failed checks of whole scenes, panics and timeouts.
-    failed: u64,
-    /// Broken ties and values within a tolerance.
-    legal: u64,
+struct Sums<'r> {
+    suites: BTreeSet<&'r str>,
+    standing: Standing,
+    /// How many results there are.
+    rows: u64,
+    /// Expected findings that are gone.
+    better: u64,
 }
 
-impl Sums {
-    fn add(&mut self, row: &SummaryRow) {
-        let of = |classes: &[Class]| classes.iter().map(|&class| row.count(class)).sum::<u64>();
-        self.scenes += 1;
-        self.unexpected += u64::from(!row.status.passes());
-        self.failed += of(&[Class::Topology, Class::Panic, Class::Timeout]);
-        if row.has_answers() {
-            self.queries += row.queries;
-            self.wrong += row.wrong();
-            self.legal += of(&[Class::TieBroken, Class::InBand]);
-        } else {
-            self.declined += u64::from(row.count(Class::Declined) > 0);
+impl Sums<'_> {
+    fn cell(&self, backend: &str, column: &str) -> Cell {
+        let Standing { answers, scenes, unexpected } = &self.standing;
+        let rate = per_million(answers.wrong, answers.asked()).unwrap_or(0.0);
+        let mut words = Vec::new();
+        if answers.wrong > 0 {
+            words.push(share(rate));
+        }
+        if scenes.broken > 0 {
+            words.push(format!("✗{}", thousands(scenes.broken)));
+        }
+        if scenes.rounded > 0 {
+            words.push(format!("≈{}", thousands(scenes.rounded)));
+        }
+        if words.is_empty() {
+            words.push(if self.is_undone() { "–" } else { "0" }.to_owned());
+        }
+        if self.better > 0 {
+            words.push("✓".to_owned());
+        }
+        let mut title = format!(
+            "{backend} on {column}: {} wrong of {}, {} undecided, {} not done; {} with a broken law, {} rounded, {} not done",
+            thousands(answers.wrong),
+            counted(answers.asked(), "answer"),
+            thousands(answers.undecided),
+            thousands(answers.not_done),
+            counted(scenes.broken, "scene"),
+            thousands(scenes.rounded),
+            thousands(scenes.not_done),
+        );
+        if *unexpected > 0 {
+            title += &format!("; {} not expected", counted(*unexpected, "result"));
+        }
+        if self.better > 0 {
+            title += &format!("; {} better than expected", counted(self.better, "result"));
+        }
+        let cell = Cell::from(words.join(" ")).tone(self.tone(rate)).title(title);
+        let cell = if *unexpected > 0 { cell.framed() } else { cell };
+        match self.suites.first() {
+            Some(suite) if answers.wrong + scenes.broken + scenes.rounded > 0 => cell.link(filter(backend, suite)),
+            _ => cell,
         }
     }
 
-    fn cell(&self, backend: &str, suite: &str) -> Cell {
-        let rate = per_million(self.wrong, self.queries).unwrap_or(0.0);
-        let text = match (self.wrong, self.failed) {
-            (0, 0) if self.declined == self.scenes => "–".to_owned(),
-            (0, 0) => "0".to_owned(),
-            (0, failed) => format!("✗{}", thousands(failed)),
-            (_, 0) => share(rate),
-            (_, failed) => format!("{} ✗{}", share(rate), thousands(failed)),
-        };
-        let mut title = format!(
-            "{backend} on {suite}, {}: {} wrong of {}, {}, {} ties broken or within a tolerance",
-            counted(self.scenes, "scene"),
-            thousands(self.wrong),
-            counted(self.queries, "answer"),
-            counted(self.failed, "failed check"),
-            thousands(self.legal),
-        );
-        if self.declined > 0 {
-            title += &format!(", {} declined", thousands(self.declined));
-        }
-        if self.unexpected > 0 {
-            title += &format!("; {} not expected", thousands(self.unexpected));
-        }
-        let cell = Cell::from(text).tone(self.tone(rate)).title(title);
-        let cell = if self.unexpected > 0 { cell.framed() } else { cell };
-        if self.wrong + self.failed == 0 { cell } else { cell.link(filter(backend, suite)) }
+    fn is_undone(&self) -> bool {
+        let Standing { answers, scenes, .. } = &self.standing;
+        answers.asked() == answers.not_done && scenes.asked() == scenes.not_done
     }
 
     fn tone(&self, rate: f64) -> Tone {
-        match (self.wrong, self.failed) {
-            (0, 0) if self.declined == self.scenes => Tone::Muted,
-            (0, 0) if self.legal > 0 => Tone::Legal,
+        let Standing { answers, scenes, .. } = &self.standing;
+        match (answers.wrong, scenes.broken) {
+            (0, 0) if self.is_undone() => Tone::Muted,
+            (0, 0) if answers.undecided + scenes.rounded > 0 => Tone::Legal,
             (0, 0) => Tone::Good,
-            _ if rate >= 10_000.0 || self.failed >= self.scenes => Tone::Heat3,
-            _ if rate >= 100.0 || self.failed > 0 => Tone::Heat2,
+            (_, broken) if rate >= 10_000.0 || broken > 0 && broken == scenes.done() => Tone::Heat3,
+            (_, broken) if rate >= 100.0 || broken > 0 => Tone::Heat2,
             _ => Tone::Heat1,
         }
     }
@@ -113,7 +133,6 @@ impl Sums {
 /// A share that is given in millionths, short: as a percentage where that is not too small.
 fn share(per_million: f64) -> String {
     match per_million {
-        rate if rate > 1e6 => ">100\u{a0}%".to_owned(),
         rate if rate >= 95_000.0 => format!("{:.0}\u{a0}%", rate / 1e4),
         rate if rate >= 950.0 => format!("{}\u{a0}%", significant(rate / 1e4, 1)),
         rate => format!("{}\u{a0}ppm", significant(rate, 1)),
@@ -140,6 +159,7 @@ fn filter(backend: &str, suite: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::comparison::{Answers, Scenes};
 
     #[test]
     fn anchors_hold_any_name() {
@@ -148,29 +168,27 @@ mod tests {
 
     #[test]
     fn shares_are_short() {
-        let shares = [2e6, 1e6, 123_456.0, 12_345.0, 1_234.0, 123.0, 0.123].map(share);
+        let shares = [1e6, 123_456.0, 12_345.0, 1_234.0, 123.0, 0.123].map(share);
         let shares = shares.map(|share| share.replace('\u{a0}', " "));
-        assert_eq!(shares, [">100 %", "100 %", "12 %", "1 %", "0.1 %", "100 ppm", "0.1 ppm"]);
+        assert_eq!(shares, ["100 %", "12 %", "1 %", "0.1 %", "100 ppm", "0.1 ppm"]);
     }
 
     #[test]
     fn the_tone_follows_what_is_wrong() {
-        let sums = |wrong, failed, legal, declined| Sums {
-            scenes: 10,
-            queries: 1_000_000,
-            wrong,
-            failed,
-            legal,
-            declined,
-            unexpected: 0,
+        let tone = |answers: [u64; 3], scenes: [u64; 3]| {
+            let [right, undecided, wrong] = answers;
+            let [held, broken, not_done] = scenes;
+            let answers = Answers { right, undecided, wrong, not_done: 0 };
+            let scenes = Scenes { held, broken, not_done, rounded: 0 };
+            let sums = Sums { standing: Standing { answers, scenes, unexpected: 0 }, ..Sums::default() };
+            sums.tone(per_million(wrong, answers.asked()).unwrap_or(0.0))
         };
-        let tone = |sums: Sums| sums.tone(per_million(sums.wrong, sums.queries).unwrap());
-        assert_eq!(tone(sums(0, 0, 0, 0)), Tone::Good);
-        assert_eq!(tone(sums(0, 0, 5, 0)), Tone::Legal);
-        assert_eq!(tone(sums(0, 0, 0, 10)), Tone::Muted);
-        assert_eq!(tone(sums(1, 0, 5, 0)), Tone::Heat1);
-        assert_eq!(tone(sums(0, 1, 0, 0)), Tone::Heat2);
-        assert_eq!(tone(sums(20_000, 0, 0, 0)), Tone::Heat3);
-        assert_eq!(tone(sums(0, 10, 0, 0)), Tone::Heat3);
+        assert_eq!(tone([1_000_000, 0, 0], [10, 0, 0]), Tone::Good);
+        assert_eq!(tone([1_000_000, 5, 0], [10, 0, 0]), Tone::Legal);
+        assert_eq!(tone([0, 0, 0], [0, 0, 10]), Tone::Muted);
+        assert_eq!(tone([1_000_000, 5, 1], [10, 0, 0]), Tone::Heat1);
+        assert_eq!(tone([1_000_000, 0, 0], [9, 1, 0]), Tone::Heat2);
+        assert_eq!(tone([980_000, 0, 20_000], [10, 0, 0]), Tone::Heat3);
+        assert_eq!(tone([0, 0, 0], [0, 10, 0]), Tone::Heat3);
     }
 }

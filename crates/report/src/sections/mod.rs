@@ -20,28 +20,51 @@ mod ties;
 pub use against::against;
 pub use headlines::headlines;
 
+use crate::groups::Times;
 use crate::layout::{rank, run_head, run_label, some_of};
 use crate::table::Section;
+use crate::table::{Block, Tone};
 use crate::{Error, RunDir};
 
 /// The sections of the first screen, which are never folded.
-pub const FIRST: [&str; 4] = ["against", "heat", "glance", "compare"];
+pub const FIRST: [&str; 5] = ["against", "glance", "which", "heat", "compare"];
 /// The other sections that are open at first.
 pub const UNFOLDED: [&str; 2] = ["findings", "speed"];
 
 /// All sections, in reading order; `of_tasks` are those of single tasks, and of the comparison of backends, which comes with the first.
+/// A section that has nothing to show is left out, and named at the end.
 pub fn sections(runs: &[RunDir], of_tasks: &[Section]) -> Result<Vec<Section>, Error> {
-    let (first, of_tasks): (Vec<_>, Vec<_>) = of_tasks.iter().cloned().partition(|section| FIRST.contains(&section.id));
-    let (mut sections, first): (Vec<_>, Vec<_>) = first.into_iter().partition(|section| section.id == "against");
-    sections.extend([heat::section(runs), glance::section(runs)?]);
-    sections.extend(first);
-    sections.extend([findings::section(runs), run::section(runs), counts::section(runs)]);
-    sections.extend(invariants::section(runs));
-    sections.extend([speed::section(runs)?, throughput::section(runs)]);
-    sections.extend(phases::section(runs)?);
-    sections.extend([precision::section(runs), stages::section(runs), ties::section(runs)?]);
-    sections.extend(of_tasks);
-    sections.push(not_run::section(runs)?);
-    sections.extend(maps::section(runs));
-    Ok(sections)
+    let times = Times::of(runs);
+    let (mut first, of_tasks): (Vec<_>, Vec<_>) =
+        of_tasks.iter().cloned().partition(|section| FIRST.contains(&section.id));
+    first.extend([glance::section(runs, &times)?, heat::section(runs)]);
+    first.sort_by_key(|section| FIRST.iter().position(|id| *id == section.id));
+    let mut empty = Vec::new();
+    let mut rest: Vec<Section> = [
+        ("Findings", findings::section(runs)),
+        ("What was run", Some(run::section(runs))),
+        ("Answers by class", Some(counts::section(runs))),
+        ("Broken invariants", invariants::section(runs)),
+        ("Speed against error", speed::section(runs, &times)?),
+        ("Throughput", throughput::section(runs)),
+        ("Phases", phases::section(runs)?),
+        ("Precision plans", precision::section(runs)),
+        ("Stages", stages::section(runs)),
+        ("Ties", ties::section(runs, &times)?),
+    ]
+    .into_iter()
+    .filter_map(|(title, section)| {
+        if section.is_none() {
+            empty.push(title);
+        }
+        section
+    })
+    .collect();
+    rest.extend(of_tasks);
+    let mut last = not_run::section(runs)?;
+    if !empty.is_empty() {
+        let note = format!("Sections with nothing to show, which are left out: {}.", empty.join(", "));
+        last.blocks.push(Block::Note(note, Tone::Muted));
+    }
+    Ok(first.into_iter().chain(rest).chain([last]).chain(maps::section(runs)).collect())
 }

@@ -17,7 +17,8 @@ struct Group<'r> {
     families: BTreeSet<&'r str>,
 }
 
-pub fn section(runs: &[RunDir]) -> Section {
+/// None where no plan was written down.
+pub fn section(runs: &[RunDir]) -> Option<Section> {
     let mut table = Table::new("")
         .words(run_head(runs))
         .words(["suite", "families"])
@@ -43,8 +44,7 @@ pub fn section(runs: &[RunDir]) -> Section {
             table.push(run_label(runs, index).into_iter().chain(cells).chain(choices).collect());
         }
     }
-    let block = Block::table_or(table, "No precision plan was written down.");
-    Section {
+    (!table.is_empty()).then(|| Section {
         id: "precision",
         title: "Precision plans",
         lead: "Before the first query, the exact backend reads what the coordinates of a scene span: each is a \
@@ -52,8 +52,8 @@ pub fn section(runs: &[RunDir]) -> Section {
                cheapest arithmetic that makes no error, for each predicate that the scene has. Scenes of a suite \
                that got the same share a line."
             .to_owned(),
-        blocks: vec![block],
-    }
+        blocks: vec![Block::Table(table)],
+    })
 }
 
 /// The scenes of a run by suite and by what was chosen for the four predicates.

@@ -1,101 +1,117 @@
-//! The section about speed and error: the scatter plot and its numbers.
+//! The section about speed and error, task by task: a plot each, and the numbers.
 
-use super::{run_head, run_label};
-use crate::figures::{FILE, Mark, panels};
-use crate::groups::{REFERENCE, backends};
+use crate::figures::{FILE, Mark, Panel, panels};
+use crate::groups::{REFERENCE, Times, Way};
+use crate::plot::{Point, Tradeoff, tradeoff};
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Error, Origin, RunDir, scatter};
+use crate::{Error, Origin, RunDir};
 use predicament_records::format::{factor, nanoseconds, per_million, significant};
 
-pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
+/// None where nothing was timed.
+pub fn section(runs: &[RunDir], times: &Times) -> Result<Option<Section>, Error> {
+    let panels = panels(runs, times);
+    if panels.is_empty() {
+        return Ok(None);
+    }
     let mut blocks = Vec::new();
-    match scatter(runs)? {
-        None => {
-            let note = "No backend was both checked and timed on the same task and family.";
-            blocks.push(Block::Note(note.to_owned(), Tone::Notable));
-        }
-        Some(picture) => {
-            let alt = "Wrong answers per million queries against nanoseconds per query, a panel for each task";
-            blocks.push(Block::Plot { picture, file: "scatter.svg".into(), alt: alt.into() });
-            blocks.push(Block::Table(table(runs)));
-            let partial = partial(runs);
-            if !partial.is_empty() {
-                blocks.push(Block::Table(partial));
-            }
+    for panel in &panels {
+        let plot = plot(panel);
+        if let Some(picture) = tradeoff(&plot)? {
+            let file = format!("speed-{}.svg", panel.task.unwrap_or("all"));
+            let alt = format!("{}: {} against {}", plot.title, plot.y, plot.x);
+            blocks.push(Block::Plot { picture, file: file.into(), alt: alt.into() });
         }
     }
-    Ok(Section {
+    blocks.push(Block::Table(table(&panels)));
+    Ok(Some(Section {
         id: "speed",
         title: "Speed against error",
         lead: format!(
-            "One mark for each backend and task: the geometric mean of the families' times, and wrong answers per million \
-             of their queries, over the families that all compared backends of the panel were checked and timed on; the \
-             title says how many of how many these are. A mark has lines from its shortest to its longest samples, and over Wilson's interval at 95 % of what is wrong; what was never wrong stands on the \
-             shelf at the bottom. In the table {REFERENCE} stands beside it on the very same families. A \
-             backend that did too few of them is partial: a hollow mark over its own families; a table of its own \
-             has all that did the same. The dashed line is the Pareto frontier: of the compared backends, what is above or \
-             to the right of it is beaten by one on it. figures.csv, beside this page, has the same figures in full."
+            "A panel for each task that was timed: the time over {REFERENCE}'s, and the rate of wrong answers, or of broken \
+             scenes where answers are judged as a whole. Errors are over everything that the backend was asked, times over \
+             the families that it and {REFERENCE} were both timed on. A line is Wilson's interval at 95 % of what is wrong; \
+             what was never wrong stands on the shelf at the bottom. A cross is a broken law of a whole scene, a bar what \
+             was left undone. figures.csv, beside this page, has the same figures in full."
         ),
         blocks,
-    })
+    }))
 }
 
-fn table(runs: &[RunDir]) -> Table {
-    let mut table = Table::new("The marks of the plot")
-        .words(run_head(runs))
-        .words(["task", "backend"])
-        .of(Origin::of(FILE).key("task", "panel").keys(["run", "backend"]))
-        .numbers(["families", "queries", "wrong", "wrong per million", "ns per query"])
-        .numbers([format!("{REFERENCE} on the same"), "ratio".to_owned()])
-        .words(["frontier"]);
-    for panel in panels(runs) {
-        for mark in panel.marks {
-            let rate = per_million(mark.errors.wrong, mark.errors.queries);
-            let wrong = if mark.errors.wrong == 0 { Tone::Muted } else { Tone::Plain };
-            let none = || Cell::from("—").tone(Tone::Muted);
-            let cells = [
-                panel.task.into(),
-                mark.backend.into(),
-                format!("{} of {}", mark.families, panel.of).into(),
-                Cell::count(mark.errors.queries),
-                Cell::count(mark.errors.wrong),
-                Cell::from(rate.map_or_else(String::new, |rate| significant(rate, 3))).tone(wrong),
-                nanoseconds(mark.ns).into(),
-                mark.reference.map_or_else(none, |reference| nanoseconds(reference).into()),
-                mark.reference.map_or_else(none, |reference| factor(mark.ns / reference).into()),
-                match mark {
-                    Mark { is_partial: true, .. } => Cell::from("partial").tone(Tone::Muted),
-                    Mark { on_frontier: true, .. } => Cell::from("yes"),
-                    _ => Cell::default(),
-                },
-            ];
-            table.push(run_label(runs, panel.run).into_iter().chain(cells).collect());
+/// How a panel's backends are asked: as most of them were timed.
+fn way(panel: &Panel) -> Way {
+    let timed = |way: Way| panel.marks.iter().filter(|mark| mark.pace(way).is_some()).count();
+    // Of two that are even the first, in this order.
+    let ways = [Way::Batch, Way::Whole, Way::Single];
+    ways.into_iter().max_by_key(|&way| timed(way)).unwrap_or(Way::Single)
+}
+
+fn plot(panel: &Panel) -> Tradeoff {
+    let way = way(panel);
+    let point = |mark: &Mark| {
+        let errors = if panel.is_whole { mark.broken() } else { mark.wrong() };
+        let not_done = mark.not_done()[usize::from(panel.is_whole)];
+        Point {
+            backend: mark.backend.to_owned(),
+            time: mark.pace(way).map(|pace| pace.ratio),
+            errors: [errors.count, errors.of],
+            not_done: [not_done.count, not_done.of],
+            is_marked: !panel.is_whole && mark.standing.scenes.broken > 0,
+            curve: None,
+            before: None,
         }
+    };
+    let families = panel.marks.iter().filter_map(|mark| mark.pace(way)).map(|pace| pace.of).max().unwrap_or(0);
+    Tradeoff {
+        title: format!("{}, {}", panel.task.unwrap_or("all"), families_of(families)),
+        x: format!("time of a {} over {REFERENCE}'s", way.head()),
+        y: if panel.is_whole { "broken scenes per thousand" } else { "wrong answers per million" }.to_owned(),
+        per: if panel.is_whole { 1e3 } else { 1e6 },
+        points: panel.marks.iter().map(point).collect(),
     }
-    table
 }
 
-/// What each partial backend did, and what that took the others.
-fn partial(runs: &[RunDir]) -> Table {
-    let panels = panels(runs);
-    let does = |backend: &str| panels.iter().flat_map(|panel| &panel.partial).any(|of| of.ns.contains_key(backend));
-    let columns: Vec<&str> = backends(runs).into_iter().filter(|backend| does(backend)).collect();
-    let mut table = Table::new("Partial backends: ns per query over the families that each of them did")
-        .words(run_head(runs))
-        .words(["task", "partial"])
-        .of(Origin::of("throughput.csv").keys(["task"]).key("partial", "backend"))
-        .numbers(["families"])
-        .of(Origin::of("throughput.csv").keys(["task"]).across("backend"))
-        .numbers(columns.iter().copied());
-    for panel in &panels {
-        for of in &panel.partial {
-            let families = format!("{} of {}", of.families, panel.of);
-            let cells = [panel.task.into(), of.backend.into(), families.into()].into_iter();
-            let times = columns.iter().map(|backend| match of.ns.get(backend) {
-                None => Cell::from("—").tone(Tone::Muted),
-                Some(&ns) => nanoseconds(ns).into(),
-            });
-            table.push(run_label(runs, panel.run).into_iter().chain(cells).chain(times).collect());
+fn families_of(count: usize) -> String {
+    if count == 1 { "1 family".to_owned() } else { format!("{count} families") }
+}
+
+fn table(panels: &[Panel]) -> Table {
+    let mut table = Table::new("The marks of the plots")
+        .basis(format!(
+            "errors over everything that was asked; times are geometric means over the families that the backend and {REFERENCE} \
+             were both timed on"
+        ))
+        .words(["task", "backend", "asked"])
+        .of(Origin::of(FILE).key("task", "panel").keys(["backend"]).key("asked", "interface"))
+        .numbers(["answers", "wrong per million", "scenes", "broken", "families", "ns per query"])
+        .numbers([format!("{REFERENCE} on the same"), "ratio".to_owned()]);
+    for panel in panels {
+        for mark in &panel.marks {
+            let rate = per_million(mark.standing.answers.wrong, mark.standing.answers.asked());
+            let tone = |count: u64| if count == 0 { Tone::Muted } else { Tone::Bad };
+            let scenes = &mark.standing.scenes;
+            let counts = [
+                Cell::count(mark.standing.answers.asked()),
+                Cell::from(rate.map_or_else(String::new, |rate| significant(rate, 3)))
+                    .tone(tone(mark.standing.answers.wrong)),
+                Cell::count(scenes.asked()),
+                Cell::count(scenes.broken).tone(tone(scenes.broken)),
+            ];
+            let head = |asked: &str| [panel.task.unwrap_or_default().into(), mark.backend.into(), asked.into()];
+            if mark.paces.is_empty() {
+                let none = || Cell::from("—").tone(Tone::Muted);
+                table
+                    .push(head("").into_iter().chain(counts.clone()).chain([none(), none(), none(), none()]).collect());
+            }
+            for pace in &mark.paces {
+                let times = [
+                    Cell::from(format!("{} of {}", pace.families, pace.of)),
+                    nanoseconds(pace.ns).into(),
+                    nanoseconds(pace.reference).into(),
+                    factor(pace.ratio).into(),
+                ];
+                let asked = if pace.is_loop { "loop" } else { pace.way.name() };
+                table.push(head(asked).into_iter().chain(counts.clone()).chain(times).collect());
+            }
         }
     }
     table

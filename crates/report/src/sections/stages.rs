@@ -16,7 +16,8 @@ struct Settled {
     deepest: Option<u64>,
 }
 
-pub fn section(runs: &[RunDir]) -> Section {
+/// None where no stage was counted.
+pub fn section(runs: &[RunDir]) -> Option<Section> {
     let order = backends(runs);
     let mut climbed: BTreeMap<usize, BTreeSet<&str>> = BTreeMap::new();
     for row in runs.iter().flat_map(|run| &run.stages).filter(|row| row.settled > 0) {
@@ -63,17 +64,14 @@ pub fn section(runs: &[RunDir]) -> Section {
         let names: Vec<String> = names.map(|(backend, rung)| format!("{} ({rung})", order[backend])).collect();
         blocks.push(Block::Note(format!("One stage settled every query: {}.", names.join(", ")), Tone::Muted));
     }
-    if blocks.is_empty() {
-        blocks.push(Block::Note("No stage was counted.".to_owned(), Tone::Notable));
-    }
-    Section {
+    (!blocks.is_empty()).then(|| Section {
         id: "stages",
         title: "Stages",
         lead: "A query climbs a backend's ladder, cheapest rung first, until one can settle it: the exact backend's from \
                left to right, then the others. Stages that only differ by a number share a column; the deepest one stands beside the share."
             .to_owned(),
         blocks,
-    }
+    })
 }
 
 fn share(settled: Option<&Settled>, all: u64) -> Cell {

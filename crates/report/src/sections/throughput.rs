@@ -8,55 +8,56 @@ use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Origin, RunDir};
 use predicament_records::format::{factor, nanoseconds};
 
-pub fn section(runs: &[RunDir]) -> Section {
+/// None where nothing was timed.
+pub fn section(runs: &[RunDir]) -> Option<Section> {
     let timings: Vec<_> = runs.iter().map(timings).collect();
-    let timed: BTreeSet<&str> = timings.iter().flat_map(|t| t.keys()).map(|[_, _, backend]| *backend).collect();
+    let timed: BTreeSet<&str> = timings.iter().flat_map(|t| t.keys()).map(|(_, _, backend, _)| *backend).collect();
     let columns: Vec<&str> = backends(runs).into_iter().filter(|backend| timed.contains(backend)).collect();
 
     let mut table = Table::new("")
+        .basis(format!("ns per query: median (smallest to largest sample, multiple of {REFERENCE}'s)"))
         .words(run_head(runs))
-        .words(["task", "family"])
+        .words(["task", "family", "asked"])
         .of(Origin::of("throughput.csv").keys(["task", "family"]).across("backend"))
         .numbers(columns.iter().copied());
     for (index, timings) in timings.iter().enumerate() {
-        let groups: BTreeSet<[&str; 2]> = timings.keys().map(|[task, family, _]| [*task, *family]).collect();
-        for [task, family] in groups {
-            let reference = timings.get(&[task, family, REFERENCE]);
-            let of_family = || columns.iter().map(|backend| timings.get(&[task, family, backend]));
+        let groups: BTreeSet<_> = timings.keys().map(|(task, family, _, way)| (*task, *family, *way)).collect();
+        for (task, family, way) in groups {
+            let reference = timings.get(&(task, family, REFERENCE, way));
+            let of_family = || columns.iter().map(|&backend| timings.get(&(task, family, backend, way)));
             let scenes = of_family().flatten().map(|timing| timing.scenes).max().unwrap_or(0);
             let cells = of_family().map(|timing| match timing {
                 None => Cell::from("—").tone(Tone::Muted),
                 Some(timing) => cell(timing, reference, scenes),
             });
-            let labels = run_label(runs, index).into_iter().chain([task.into(), family.into()]);
+            let labels = run_label(runs, index).into_iter().chain([task.into(), family.into(), way.name().into()]);
             table.push(labels.chain(cells).collect());
         }
     }
 
-    let mut blocks = Vec::new();
     if table.is_empty() {
-        blocks.push(Block::Note("Nothing was timed.".to_owned(), Tone::Notable));
-    } else {
-        blocks.push(Block::Table(table));
-        let mut versions: BTreeSet<(&str, &str)> = BTreeSet::new();
-        for timings in &timings {
-            for ([_, _, backend], timing) in timings {
-                versions.extend(timing.versions.iter().map(|version| (*backend, *version)));
-            }
-        }
-        let versions: Vec<String> = versions.iter().map(|(backend, version)| format!("{backend} {version}")).collect();
-        blocks.push(Block::Note(format!("Engine versions: {}.", versions.join(", ")), Tone::Muted));
+        return None;
     }
-    Section {
+    let mut versions: BTreeSet<(&str, &str)> = BTreeSet::new();
+    for timings in &timings {
+        for ((_, _, backend, _), timing) in timings {
+            versions.extend(timing.versions.iter().map(|version| (*backend, *version)));
+        }
+    }
+    let versions: Vec<String> = versions.iter().map(|(backend, version)| format!("{backend} {version}")).collect();
+    let versions = Block::Note(format!("Engine versions: {}.", versions.join(", ")), Tone::Muted);
+    Some(Section {
         id: "throughput",
         title: "Throughput",
         lead: format!(
             "Nanoseconds per query: the median of the samples (of several scenes of a family the geometric mean of their \
              medians), then the smallest and largest sample, and the median as a multiple of {REFERENCE}'s in the same \
-             run, where it was timed on as many scenes. Only verified answers are timed."
+             run, where it was timed on as many scenes. Only verified answers are timed. Asked is how: one query at a \
+             time (single), in slices (batch; a loop where the backend has no batches of its own), or for the answer to a \
+             whole scene."
         ),
-        blocks,
-    }
+        blocks: vec![Block::Table(table), versions],
+    })
 }
 
 /// The time of a backend on a family of so many scenes; as a multiple only where the same scenes were timed.
@@ -65,6 +66,9 @@ fn cell(timing: &Timing, reference: Option<&Timing>, scenes: usize) -> Cell {
     let mut detail = format!("{}–{}", nanoseconds(spread.min), nanoseconds(spread.max));
     if timing.scenes < scenes {
         detail += &format!(" · {} of {scenes} scenes", timing.scenes);
+    }
+    if timing.is_loop {
+        detail += " · loop";
     }
     if let Some(reference) = reference.filter(|reference| reference.scenes == timing.scenes) {
         detail += &format!(" · {}", factor(spread.median / reference.spread.median));

@@ -1,16 +1,16 @@
 //! Ties that a perturbation broke: how many, how deep the term was that decided, and what it cost.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
+use super::glance::time;
 use super::rank;
-use crate::figures::{Price, Prices, prices};
-use crate::groups::backends;
+use crate::groups::{Times, backends};
 use crate::plot::{Bars, histogram};
 use crate::rungs::rung;
-use crate::table::{Block, Cell, Section, Table, Tone};
+use crate::table::{Block, Cell, Section, Table};
 use crate::{Error, Origin, RunDir};
 use predicament_records::approximately;
-use predicament_records::format::{factor, percent};
+use predicament_records::format::percent;
 
 /// What breaking ties is compared with.
 const UNPERTURBED: &str = "exact";
@@ -49,7 +49,8 @@ impl Ties {
     }
 }
 
-pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
+/// None where no tie was broken.
+pub fn section(runs: &[RunDir], times: &Times) -> Result<Option<Section>, Error> {
     let order = backends(runs);
     let mut table = Table::new("Answers that are ties, and time over that of exact on the same families")
         .words(["task", "backend"])
@@ -78,12 +79,11 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
         }
     }
     groups.retain(|_, ties| !ties.is_empty());
-    let costs = costs(runs, &groups.keys().map(|&(task, backend)| (task, order[backend])).collect());
     for ((task, backend), ties) in groups {
         let name = order[backend];
         let deepest = if ties.deepest == 0 { Cell::default() } else { Cell::count(ties.deepest) };
         let cells = [task.into(), name.into(), Cell::count(ties.queries), Cell::count(ties.broken)].into_iter();
-        let cost = costs.get(&(task, name)).map_or_else(Cell::default, cost);
+        let cost = time(times.pace_on(name, UNPERTURBED, task).as_ref());
         table.push(cells.chain([percent(ties.broken, ties.queries).into(), deepest, cost]).collect());
         if ties.places.iter().chain(&ties.degrees).all(|&settled| settled == 0) {
             continue;
@@ -93,54 +93,32 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
         let all = pictured.entry(backend).or_default();
         all.iter_mut().zip(ties.places).for_each(|(all, settled)| *all += settled);
     }
-    let mut blocks = Vec::new();
     if table.is_empty() {
-        blocks.push(Block::Note("No tie was broken.".to_owned(), Tone::Notable));
-    } else {
-        let series = pictured.into_iter().map(|(backend, places)| {
-            (order.get(backend).copied().unwrap_or_default().to_owned(), places.map(approximately).to_vec())
-        });
-        let bars = Bars {
-            x: "place of the term that decided".to_owned(),
-            y: "questions".to_owned(),
-            places: PLACE_NAMES.map(str::to_owned).to_vec(),
-            series: series.collect(),
-        };
-        blocks.push(Block::Table(table));
-        if let Some(picture) = histogram(&bars)? {
-            let alt = "How many questions the first, second, … term of the perturbation decided, over all tasks";
-            blocks.push(Block::Plot { picture, file: "ties.svg".into(), alt: alt.into() });
-        }
-        blocks.push(Block::Table(depths));
+        return Ok(None);
     }
-    Ok(Section {
+    let series = pictured.into_iter().map(|(backend, places)| {
+        (order.get(backend).copied().unwrap_or_default().to_owned(), places.map(approximately).to_vec())
+    });
+    let bars = Bars {
+        x: "place of the term that decided".to_owned(),
+        y: "questions".to_owned(),
+        places: PLACE_NAMES.map(str::to_owned).to_vec(),
+        series: series.collect(),
+    };
+    let mut blocks = vec![Block::Table(table)];
+    if let Some(picture) = histogram(&bars)? {
+        let alt = "How many questions the first, second, … term of the perturbation decided, over all tasks";
+        blocks.push(Block::Plot { picture, file: "ties.svg".into(), alt: alt.into() });
+    }
+    blocks.push(Block::Table(depths));
+    Ok(Some(Section {
         id: "ties",
         title: "Ties",
         lead:
             "Where the exact answer is zero, a symbolic perturbation looks at its terms, the largest first, until one \
                is not zero. Time over exact is the geometric mean of the ratios of times in one run, over the families of \
-               the task that exact and all compared backends of this table were checked and timed on; a backend that did \
-               too few of them is partial, and its mean is over its own."
+               the task that both were timed on."
                 .to_owned(),
         blocks,
-    })
-}
-
-/// What each backend costs on each of its tasks beside [`UNPERTURBED`].
-fn costs<'r>(runs: &'r [RunDir], wanted: &BTreeSet<(&'r str, &'r str)>) -> BTreeMap<(&'r str, &'r str), Price<'r>> {
-    let tasks: BTreeSet<&str> = wanted.iter().map(|(task, _)| *task).collect();
-    let mut costs = BTreeMap::new();
-    for task in tasks {
-        let keep = |of: &str, backend: &str| of == task && (backend == UNPERTURBED || wanted.contains(&(of, backend)));
-        let found = prices(runs, UNPERTURBED, keep);
-        let found = found.into_iter().flat_map(|Prices { prices, .. }| prices);
-        costs.extend(found.map(|price| ((task, price.backend), price)));
-    }
-    costs
-}
-
-fn cost(price: &Price) -> Cell {
-    let families = if price.pairs == 1 { "1 family".to_owned() } else { format!("{} families", price.pairs) };
-    let standing = if price.is_partial { format!("partial: {families}") } else { families };
-    Cell::from(factor(price.ratio)).detail(standing)
+    }))
 }

@@ -1,144 +1,243 @@
-//! What is compared with what, in panels, headlines and `figures.csv`.
+//! What is said about a backend, in tables, headlines, plots and `figures.csv`.
+
+use std::collections::BTreeMap;
 
 use predicament_records::{Class, Interface, PlannedScene, RunDir, Status, SummaryRow, ThroughputRow};
-use predicament_report::{markdown, scatter, write_pages};
+use predicament_report::{html, markdown, write_pages};
+use proptest::prelude::*;
 
 fn runs() -> Vec<RunDir> {
     ["../tasks/tests/data/checked", "../tasks/tests/data/timed"].map(|path| RunDir::open(path).unwrap()).into()
 }
 
-/// The runs with three more families of `orient2d` that all backends but `sos` were checked and timed on: `exact` in 8 ns,
-/// `naive` in 1 and `shewchuk` in 32.
-fn with_families_that_sos_lacks() -> Vec<RunDir> {
-    let mut runs = runs();
-    for family in ["one", "two", "three"] {
-        let scene = PlannedScene {
-            suite: "more".to_owned(),
-            scene: family.to_owned(),
-            scene_id: format!("{family:0>8}"),
-            task: "orient2d".to_owned(),
-            family: family.to_owned(),
-            queries: 1000,
-        };
-        for (backend, ns_per_query) in [("exact", 8.0), ("naive", 1.0), ("shewchuk", 32.0)] {
-            let row = SummaryRow { agree: 1000, ..SummaryRow::new(&scene, backend, 1000, Status::Ok) };
-            runs[0].summary.push(row);
-            runs[1].throughput.push(ThroughputRow {
-                task: scene.task.clone(),
-                family: family.to_owned(),
-                backend: backend.to_owned(),
-                interface: Interface::Batch,
-                engine_version: "1".to_owned(),
-                queries: 1000,
-                sample: 0,
-                ns_per_query,
-            });
-        }
-        for run in &mut runs {
-            run.plan.scenes.push(scene.clone());
-        }
+/// One run without rows.
+fn empty() -> RunDir {
+    let mut run = runs().remove(0);
+    run.plan.scenes.clear();
+    run.plan.backends.clear();
+    run.summary.edit(Vec::clear);
+    run.findings.edit(Vec::clear);
+    run.stages.edit(Vec::clear);
+    run.precision.edit(Vec::clear);
+    run
+}
+
+fn scene(task: &str, family: &str, queries: u64) -> PlannedScene {
+    PlannedScene {
+        suite: "families".to_owned(),
+        scene: format!("{family}-{task}"),
+        scene_id: format!("{task}{family}"),
+        task: task.to_owned(),
+        family: family.to_owned(),
+        queries,
     }
-    runs
+}
+
+/// A result with these counts; where they are of no answers the others are right.
+fn result(scene: &PlannedScene, backend: &str, counts: &[(Class, u64)]) -> SummaryRow {
+    let mut row = SummaryRow::new(scene, backend, scene.queries, Status::Ok);
+    counts.iter().for_each(|&(class, count)| *row.count_mut(class) = count);
+    let is_undone = counts.iter().any(|(class, _)| !class.is_answer());
+    row.agree = if is_undone { 0 } else { scene.queries - counts.iter().map(|(_, count)| count).sum::<u64>() };
+    row
+}
+
+fn sample(scene: &PlannedScene, backend: &str, interface: Interface, ns_per_query: f64) -> ThroughputRow {
+    ThroughputRow {
+        task: scene.task.clone(),
+        family: scene.family.clone(),
+        backend: backend.to_owned(),
+        interface,
+        engine_version: "1".to_owned(),
+        queries: scene.queries,
+        sample: 0,
+        ns_per_query,
+    }
 }
 
 /// `figures.csv`, row by row, by column.
-fn figures(runs: &[RunDir]) -> Vec<std::collections::BTreeMap<String, String>> {
+fn figures(runs: &[RunDir]) -> Vec<BTreeMap<String, String>> {
     let folder = tempfile::tempdir().unwrap();
     write_pages(runs, &[], &[], folder.path()).unwrap();
     let mut reader = csv::Reader::from_path(folder.path().join("figures.csv")).unwrap();
     reader.deserialize().map(Result::unwrap).collect()
 }
 
-#[test]
-fn a_backend_that_did_little_is_partial_and_takes_nothing_from_the_others() {
-    let runs = with_families_that_sos_lacks();
-    let page = markdown(&runs, &[]).unwrap();
-    // exact: (21 · 2.25 · 8³)^(1/5) = 7.53, shewchuk (42 · 9 · 32³)^(1/5) = 26.2.
-    assert!(page.contains("| exact | 5 of 5 | 1,103,000 | 0 | 0 | 7.53 | 26.2 | 0.29× | yes |"), "{page}");
-    // sos over its own two, beside shewchuk over these two: as without the others.
-    assert!(page.contains("| sos | 2 of 5 | 1,100,000 | 0 | 0 | 8.83 | 19.4 | 0.45× | partial |"), "{page}");
-    // And beside all others on these two.
-    assert!(page.contains("| 2 | orient2d | sos | 2 of 5 | 6.87 | 8.83 | 1.12 | 19.4 |"), "{page}");
-    assert!(page.contains("1,103,012 | 2,000 |  |  |  |  |  |  | 0.45× (partial: 2 pairs) |"), "{page}");
-    assert!(
-        page.contains("over 5 pairs of task and family that all 3 compared backends did; sos did too few"),
-        "{page}"
-    );
-    // The same rule where ties are compared with exact: sos did two of five families, and nobody else breaks ties.
-    assert!(page.contains("| 3 | 1.3× (partial: 2 families) |"), "{page}");
-
-    let [before, after] = [self::runs(), runs].map(|runs| scatter(&runs).unwrap().unwrap().svg);
-    assert!(before.contains("orient2d, 2 of 2 families") && after.contains("orient2d, 5 of 5 families"));
-    // Marks have a radius of 4; one of them is hollow, and says on how many families it stands.
-    let hollow =
-        |svg: &str| svg.lines().filter(|line| line.contains("r=\"4\"") && line.contains("fill=\"none\"")).count();
-    assert_eq!((hollow(&before), hollow(&after)), (0, 1), "{after}");
-    assert!(after.contains("sos (2)") && !before.contains("sos (2)"));
+/// The row of a backend over everything, asked in this way.
+fn overall(runs: &[RunDir], backend: &str, interface: &str) -> BTreeMap<String, String> {
+    let row = |row: &BTreeMap<String, String>| {
+        row["panel"] == "all" && row["backend"] == backend && row["interface"] == interface
+    };
+    figures(runs).into_iter().find(row).unwrap_or_else(|| panic!("no row of {backend}, {interface}"))
 }
 
-/// A fast backend that did little stands on no frontier and moves nobody off it.
-#[test]
-fn a_partial_mark_is_on_no_frontier() {
-    let mut runs = with_families_that_sos_lacks();
-    for row in runs[1].throughput.iter_mut().filter(|row| row.backend == "sos") {
-        row.ns_per_query = 0.01;
+/// The line of a backend in the table of the first screen.
+fn glance(runs: &[RunDir], backend: &str) -> String {
+    let page = markdown(runs, &[]).unwrap();
+    let rest = page.split_once("## Which backend to use").expect("the section").1;
+    rest.lines().find(|line| line.starts_with(&format!("| `{backend}` |"))).expect("its row").to_owned()
+}
+
+/// The families of the audit: on five of seven everything is easy; on `wide` shewchuk is wrong 5,329 times, and tolerance
+/// declines.
+fn with_wide(backends: &[&str]) -> Vec<RunDir> {
+    let mut run = empty();
+    for family in ["uniform", "grid", "near", "degen", "far", "wide", "wider"] {
+        let scene = scene("orient2d", family, 10_000);
+        for &backend in backends {
+            let is_wide = family.starts_with("wide");
+            let counts: &[(Class, u64)] = match backend {
+                "shewchuk" if family == "wide" => &[(Class::SignFlip, 5_000)],
+                "shewchuk" if family == "wider" => &[(Class::MissedZero, 329)],
+                "tolerance" if is_wide => &[(Class::Declined, 1)],
+                "tolerance" => &[(Class::InBand, 6_000)],
+                "naive" => &[(Class::SignFlip, 1)],
+                _ => &[],
+            };
+            let row = result(&scene, backend, counts);
+            if row.has_answers() {
+                let ns = match backend {
+                    "naive" => 1.0,
+                    "tolerance" => 1.1,
+                    "exact" => 1.5,
+                    _ => 4.0,
+                };
+                run.throughput.push(sample(&scene, backend, Interface::Single, ns));
+            }
+            run.summary.push(row);
+        }
+        run.plan.scenes.push(scene);
     }
-    let frontier: Vec<(String, String)> = figures(&runs)
-        .into_iter()
-        .filter(|row| row["panel"] == "orient2d")
-        .map(|mut row| (row.remove("backend").unwrap(), row.remove("frontier").unwrap()))
-        .collect();
-    let expected = [("exact", "true"), ("sos", "false"), ("naive", "true"), ("shewchuk", "false")];
-    assert_eq!(frontier, expected.map(|(a, b)| (a.to_owned(), b.to_owned())));
+    run.plan.backends = backends.iter().map(|&name| name.to_owned()).collect();
+    vec![run]
+}
+
+#[test]
+fn what_a_third_backend_declines_is_still_an_error_of_the_others() {
+    for backends in [&["exact", "naive", "shewchuk"][..], &["exact", "naive", "shewchuk", "tolerance"]] {
+        let row = overall(&with_wide(backends), "shewchuk", "single");
+        assert_eq!((&*row["wrong"], &*row["queries"], &*row["families"]), ("5329", "70000", "7"));
+        let row = glance(&with_wide(backends), "shewchuk");
+        assert!(row.contains("| 70,000 | 92.4 % | 0 % | 7.6 % (5,329; 7.4 to 7.8 %) | 0 % |"), "{row}");
+    }
+    let lazy = overall(&with_wide(&["naive", "tolerance"]), "tolerance", "single");
+    let shares = ["right", "undecided", "wrong", "not_done", "families", "reference_families"].map(|key| &*lazy[key]);
+    assert_eq!(shares, ["20000", "30000", "0", "20000", "5", "7"]);
+}
+
+#[test]
+fn who_decides_nothing_has_no_price_of_being_right() {
+    let page = markdown(&with_wide(&["exact", "naive", "shewchuk", "tolerance"]), &[]).unwrap();
+    let headline = page.lines().find(|line| line.contains("the price of being right")).unwrap();
+    assert!(headline.starts_with("- **1.5×** the price of being right: exact is the cheapest backend"), "{headline}");
+    let page = markdown(&with_wide(&["naive", "shewchuk", "tolerance"]), &[]).unwrap();
+    assert!(page.contains("- **—** the price of being right: no backend answers everything"), "{page}");
+}
+
+/// A task whose answers are judged as a whole: exact, tolerance breaks a law of one scene of four, naive rounds in one.
+fn with_slices() -> Vec<RunDir> {
+    let mut run = empty();
+    run.plan.judged_whole = ["slice".to_owned()].into();
+    run.plan.backends = ["exact", "tolerance", "naive"].map(str::to_owned).into();
+    for (at, family) in ["a", "b", "c", "d"].into_iter().enumerate() {
+        let scene = scene("slice", family, 7);
+        for backend in ["exact", "tolerance", "naive"] {
+            let counts: &[(Class, u64)] = match (backend, at) {
+                ("tolerance", 0) => &[(Class::Topology, 2)],
+                ("naive", 1) => &[(Class::Rounded, 3)],
+                _ => &[],
+            };
+            run.summary.push(result(&scene, backend, counts));
+            run.throughput.push(sample(&scene, backend, Interface::Whole, 100.0));
+        }
+        run.plan.scenes.push(scene);
+    }
+    vec![run]
+}
+
+#[test]
+fn a_failed_check_is_in_every_figure() {
+    let runs = with_slices();
+    let row = overall(&runs, "tolerance", "whole");
+    let scenes =
+        ["queries", "scenes", "scenes_held", "scenes_rounded", "scenes_broken", "families"].map(|key| &*row[key]);
+    assert_eq!(scenes, ["0", "4", "3", "0", "1", "4"], "its time stands");
+    assert!(glance(&runs, "tolerance").contains("| 4 | 25.0 % (1; 4.6 to 70 %) |"), "{}", glance(&runs, "tolerance"));
+    assert_eq!(overall(&runs, "naive", "whole")["scenes_rounded"], "1");
+    // Two plots, of all tasks and of slices, with a mark for each backend; the broken one is above the shelf.
+    let heights = |runs: &[RunDir]| {
+        let folder = tempfile::tempdir().unwrap();
+        write_pages(runs, &[], &[], folder.path()).unwrap();
+        ["overall-scenes.svg", "speed-slice.svg"].map(|file| {
+            let svg = std::fs::read_to_string(folder.path().join(file)).unwrap();
+            let at = svg
+                .split("<circle ")
+                .skip(1)
+                .map(|mark| mark.split("cy=\"").nth(1).unwrap().split('"').next().unwrap());
+            at.map(|y| y.parse::<i32>().unwrap()).collect::<Vec<_>>()
+        })
+    };
+    for marks in heights(&runs) {
+        assert_eq!(marks.len(), 3);
+        assert!(marks[1] < marks[0] && marks[0] == marks[2], "tolerance is above the others: {marks:?}");
+    }
+    // The fault that was there: a count of failed checks that is dropped.
+    let mut dropped = runs;
+    dropped[0].summary.iter_mut().for_each(|row| row.topology = 0);
+    assert_ne!(heights(&dropped)[0][1], heights(&with_slices())[0][1]);
+}
+
+#[test]
+fn single_queries_and_batches_are_apart() {
+    let mut run = empty();
+    run.plan.backends = ["exact", "naive", "shewchuk"].map(str::to_owned).into();
+    let scene = scene("incircle", "uniform", 1000);
+    for (backend, single, batch, interface) in [
+        ("exact", 15.0, 3.0, Interface::Batch),
+        ("naive", 12.0, 2.0, Interface::Batch),
+        ("shewchuk", 24.0, 24.0, Interface::Loop),
+    ] {
+        let counts: &[(Class, u64)] = if backend == "naive" { &[(Class::SignFlip, 1)] } else { &[] };
+        run.summary.push(result(&scene, backend, counts));
+        run.throughput.push(sample(&scene, backend, Interface::Single, single));
+        run.throughput.push(sample(&scene, backend, interface, batch));
+    }
+    run.plan.scenes.push(scene);
+    let runs = [run];
+    let exact = glance(&runs, "exact");
+    assert!(exact.ends_with("| 1.2× (1 of 1 families) | 1.5× (1 of 1 families) |"), "{exact}");
+    let loops = glance(&runs, "shewchuk");
+    assert!(loops.ends_with("| 2.0× (1 of 1 families) | 12× (a loop; 1 of 1 families) |"), "{loops}");
+    let page = markdown(&runs, &[]).unwrap();
+    let told = "1.2× of naive's time for a single query (1 pair), 1.5× of naive's time for a batch (1 pair)";
+    assert!(page.contains(told), "{page}");
 }
 
 /// A page, a headline and the CSV tell one story.
 #[test]
 fn the_csv_has_the_figures_of_the_page() {
-    let runs = with_families_that_sos_lacks();
-    let (page, rows) = (markdown(&runs, &[]).unwrap(), figures(&runs));
-    let from_glance = page.split_once("## Backends at a glance").expect("the section").1;
-    assert_eq!(rows.len(), 8, "four backends, over all and on orient2d");
-    for row in &rows {
-        let is_all = row["panel"] == "all";
-        let ratio = format!("{}×", predicament_records::format::significant(row["ratio"].parse().unwrap(), 2));
-        let backend = if is_all { format!("| `{}` |", row["backend"]) } else { format!("| {} | ", row["backend"]) };
-        let families = format!("| {} of 5 |", row["families"]);
-        let found = from_glance.lines().find(|line| line.contains(&backend) && (is_all || line.contains(&families)));
-        let line = found.unwrap_or_else(|| panic!("{row:?}: {page}"));
-        assert!(line.contains(&format!("| {ratio}")), "{ratio}: {line}");
-        assert_eq!(line.contains("partial"), row["standing"] == "partial", "{line}");
-        assert_eq!(row["basis"], "5");
-        assert_eq!(row["reference"], "shewchuk");
-        if !is_all {
-            let ns: f64 = row["ns_per_query"].parse().unwrap();
-            let reference: f64 = row["reference_ns_per_query"].parse().unwrap();
-            assert!((ns / reference - row["ratio"].parse::<f64>().unwrap()).abs() < 1e-9);
-        }
-    }
-    let right = rows.iter().filter(|row| row["panel"] == "all" && row["standing"] == "compared");
-    let right = right.filter(|row| row["wrong"] == "0" && row["failed_checks"] == "0");
-    let best = right.min_by(|a, b| a["ratio"].parse::<f64>().unwrap().total_cmp(&b["ratio"].parse().unwrap())).unwrap();
-    assert!(
-        page.contains(&format!("right: {} is the fastest backend without a wrong answer", best["backend"])),
-        "{page}"
+    let runs = runs();
+    // exact over naive: near 21/1.25, uniform 2.25/1; √(16.8 · 2.25) = 6.148.
+    let exact = overall(&runs, "exact", "single");
+    assert!((exact["ratio"].parse::<f64>().unwrap() - 37.8_f64.sqrt()).abs() < 1e-9);
+    assert!(glance(&runs, "exact").ends_with("| 6.1× (2 of 2 families) |"));
+    // naive: 400 + 2000 + 100, 2 and 1 wrong, of what it was asked.
+    let naive = overall(&runs, "naive", "single");
+    let counts = ["queries", "right", "undecided", "wrong", "not_done"].map(|key| &*naive[key]);
+    assert_eq!(counts, ["1105012", "1102509", "0", "2503", "0"]);
+    let tolerance = overall(&runs, "tolerance", "");
+    assert_eq!(
+        ["queries", "right", "undecided", "not_done"].map(|key| &*tolerance[key]),
+        ["1105000", "1039000", "61000", "5000"]
     );
-    assert_eq!(best["backend"], "exact");
-}
-
-/// Whether a backend is right is asked of what is compared: its times are about that.
-#[test]
-fn a_failed_check_counts_where_it_is_compared() {
-    let fastest = |scene: &str| {
-        let mut runs = runs();
-        let row = runs[0].summary.iter_mut().find(|row| row.backend == "exact" && row.scene == scene).unwrap();
-        *row.count_mut(Class::Topology) = 17;
-        let page = markdown(&runs, &[]).unwrap();
-        let at = page.find(" is the fastest backend").unwrap();
-        page[..at].rsplit(' ').next().unwrap().to_owned()
-    };
-    assert_eq!(fastest("two-squares"), "exact", "nobody was timed there");
-    assert_eq!(fastest("near-7"), "sos");
+    for row in figures(&runs) {
+        let number = |key: &str| row[key].parse::<u64>().unwrap();
+        let shares: u64 = ["right", "undecided", "wrong", "not_done"].map(number).iter().sum();
+        assert_eq!(shares, number("queries"), "{row:?}");
+        let scenes: u64 =
+            ["held", "rounded", "broken", "not_done"].map(|key| number(&format!("scenes_{key}"))).iter().sum();
+        assert_eq!(scenes, number("scenes"), "{row:?}");
+    }
 }
 
 /// A family is one scene here and two there: what one backend did of it is not what another did.
@@ -151,31 +250,20 @@ fn a_part_of_a_family_is_not_the_family() {
         let again: Vec<ThroughputRow> = again.filter(|row| backends.contains(&&*row.backend)).collect();
         let slower = again.into_iter().map(|row| ThroughputRow { ns_per_query: 100.0 * row.ns_per_query, ..row });
         runs[1].throughput.extend(slower.collect::<Vec<_>>());
-        markdown(&runs, &[]).unwrap()
+        let scene = PlannedScene { scene: "near-8".to_owned(), ..runs[1].plan.scenes[0].clone() };
+        runs[1].plan.scenes.push(scene);
+        runs
     };
-    // The geometric mean of 21 and 2,200, the medians of the scenes; a median over all samples would be 24. Of shewchuk
-    // it is that of 42 and 4,100.
-    let page = twice(&["exact", "sos", "naive", "shewchuk"]);
-    assert!(page.contains("| 2 | orient2d | near | 215 (20.0–2,400 · 0.52×) |"), "{page}");
-    // Timed on exact only, it leaves `uniform` to compare: half of the families.
-    let page = twice(&["exact"]);
-    assert!(page.contains("| exact | 1 of 2 | 1,000,000 | 0 | 0 | 2.25 | 9.00 | 0.25× | yes |"), "{page}");
-
-    assert!(
-        page.contains("| 2 | orient2d | near | 215 (20.0–2,400) | 30.0 (29.5–31.0 · 1 of 2 scenes · 0.71×) |"),
-        "{page}"
-    );
-
-    // An answer that is missing: `shewchuk` declined another scene of the family `near`.
-    let mut runs = runs();
-    let scene = PlannedScene { scene: "near-8".to_owned(), ..runs[1].plan.scenes[0].clone() };
-    for backend in ["exact", "sos", "naive"] {
-        runs[0].summary.push(SummaryRow { agree: 5, ..SummaryRow::new(&scene, backend, 5, Status::Ok) });
-    }
-    runs[0].summary.push(SummaryRow { declined: 1, ..SummaryRow::new(&scene, "shewchuk", 5, Status::Expected) });
-    runs[1].plan.scenes.push(scene);
+    // The geometric mean of 21 and 2,200, the medians of the scenes; a median over all samples would be 24. Of naive it
+    // is that of 1.25 and 137.5.
+    let page = markdown(&twice(&["exact", "sos", "naive", "shewchuk"]), &[]).unwrap();
+    assert!(page.contains("| 2 | orient2d | near | single | 215 (20.0–2,400 · 16×) |"), "{page}");
+    // Timed on two backends only, `near` is a pair of these two, and of nobody else.
+    let runs = twice(&["exact", "naive"]);
+    assert_eq!(overall(&runs, "exact", "single")["families"], "2");
+    assert_eq!(overall(&runs, "shewchuk", "single")["families"], "1");
     let page = markdown(&runs, &[]).unwrap();
-    assert!(page.contains("| shewchuk | 1 of 2 | 1,000,000 |"), "{page}");
+    assert!(page.contains("30.0 (29.5–31.0 · 1 of 2 scenes)"), "{page}");
 }
 
 /// Two benches of one family are one pair: the mean of both ratios.
@@ -187,12 +275,97 @@ fn what_was_timed_twice_is_one_pair() {
         row.ns_per_query *= 4.0;
     }
     runs.push(again);
-    let rows = figures(&runs);
-    let exact = rows.iter().find(|row| row["panel"] == "all" && row["backend"] == "exact").unwrap();
-    assert_eq!(exact["basis"], "2");
-    // √(1/2 · 1/4), twice as long in the mean over both runs.
-    assert!((exact["ratio"].parse::<f64>().unwrap() - 0.5_f64.sqrt()).abs() < 1e-9, "{exact:?}");
-    assert_eq!(rows.iter().filter(|row| row["panel"] == "orient2d").count(), 8, "a panel for each run");
+    let exact = overall(&runs, "exact", "single");
+    assert_eq!(exact["families"], "2");
+    // Twice as long in the mean over both runs.
+    assert!((exact["ratio"].parse::<f64>().unwrap() - 2.0 * 37.8_f64.sqrt()).abs() < 1e-9, "{exact:?}");
+}
+
+/// A random run: results and times of backends on families.
+fn random_run() -> impl Strategy<Value = RunDir> {
+    let cell = (0..8_u8, 1..400_u64, any::<bool>(), 1..50_u32);
+    prop::collection::vec(prop::collection::vec(prop::option::weighted(0.8, cell), 5), 1..7).prop_map(|families| {
+        let names = ["naive", "exact", "tolerance", "shewchuk", "engine:mine"];
+        let tasks = ["orient2d", "slice", "polygon-locate"];
+        let mut run = empty();
+        run.plan.judged_whole = ["slice".to_owned()].into();
+        run.plan.backends = names.map(str::to_owned).into();
+        for (at, cells) in families.into_iter().enumerate() {
+            let scene = scene(tasks[at % 3], &format!("family-{at}"), 1000);
+            for (backend, cell) in names.into_iter().zip(cells) {
+                let Some((class, count, is_timed, ns)) = cell else { continue };
+                let class = [
+                    Class::Agree,
+                    Class::InBand,
+                    Class::SignFlip,
+                    Class::Topology,
+                    Class::Rounded,
+                    Class::Declined,
+                    Class::Timeout,
+                    Class::TieBroken,
+                ][usize::from(class)];
+                run.summary.push(result(&scene, backend, &[(class, count)]));
+                if is_timed {
+                    let ways: &[Interface] =
+                        if at % 3 == 0 { &[Interface::Single, Interface::Batch] } else { &[Interface::Whole] };
+                    let rows = ways.iter().map(|&interface| sample(&scene, backend, interface, f64::from(ns)));
+                    run.throughput.extend(rows.collect::<Vec<_>>());
+                }
+            }
+            run.plan.scenes.push(scene);
+        }
+        run
+    })
+}
+
+/// The run as it would be if this backend had not been there.
+fn without(run: &RunDir, backend: &str) -> RunDir {
+    let mut run = run.clone();
+    run.plan.backends.retain(|name| name != backend);
+    run.summary.edit(|rows| rows.retain(|(_, row)| row.backend != backend));
+    run.throughput.edit(|rows| rows.retain(|(_, row)| row.backend != backend));
+    run
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(16))]
+
+    /// No figure about a backend depends on which others ran, but for the reference's time.
+    #[test]
+    fn figures_about_a_backend_are_its_own(run in random_run(), gone in 1..5_usize) {
+        let gone = ["naive", "exact", "tolerance", "shewchuk", "engine:mine"][gone];
+        let said = |run: RunDir| {
+            let mut rows = figures(&[run]);
+            rows.retain(|row| row["backend"] != gone);
+            // A task that only the other was timed on has no panel.
+            rows.retain(|row| row["panel"] == "all" || !row["interface"].is_empty());
+            rows
+        };
+        prop_assert_eq!(said(without(&run, gone)), said(run));
+    }
+
+    /// The same of the colours of marks, and of rows of the table on the first screen.
+    #[test]
+    fn rows_and_colours_of_a_backend_are_its_own(run in random_run(), gone in 1..5_usize) {
+        let names = ["naive", "exact", "tolerance", "shewchuk", "engine:mine"];
+        let said = |run: RunDir| {
+            let page = html(&[run], &[], &[]).unwrap();
+            let of = |name: &&str| {
+                let label = format!("\n{name}\n");
+                let mut colours: Vec<String> = page
+                    .split("<text ")
+                    .filter(|text| text.contains(&label))
+                    .map(|text| text.split("fill=\"").nth(1).unwrap()[..7].to_owned())
+                    .collect();
+                colours.dedup();
+                colours
+            };
+            names.iter().filter(|name| **name != names[gone]).map(of).collect::<Vec<_>>()
+        };
+        for (with, without) in said(run.clone()).iter().zip(&said(without(&run, names[gone]))) {
+            prop_assert!(with.len() <= 1 && (without.is_empty() || with == without), "{:?} {:?}", with, without);
+        }
+    }
 }
 
 #[test]
@@ -202,9 +375,9 @@ fn a_page_that_can_t_be_written_leaves_the_earlier_one() {
     write_pages(&runs()[..1], &[], &[], folder.path()).unwrap();
     let before = std::fs::read_to_string(at("report.md")).unwrap();
     // No file can be written where a folder is, as none can on a full disk.
-    std::fs::create_dir(at("scatter.svg.next")).unwrap();
+    std::fs::create_dir(at("overall.svg.next")).unwrap();
     let error = write_pages(&runs(), &[], &[], folder.path()).unwrap_err();
-    assert_eq!(error.path, at("scatter.svg.next"));
+    assert_eq!(error.path, at("overall.svg.next"));
     assert_eq!(std::fs::read_to_string(at("report.md")).unwrap(), before);
     let mut names: Vec<String> = std::fs::read_dir(folder.path())
         .unwrap()
@@ -213,9 +386,9 @@ fn a_page_that_can_t_be_written_leaves_the_earlier_one() {
     names.sort();
     assert_eq!(
         names,
-        ["figures.csv", "report.html", "report.md", "scatter.svg.next", "tables.tex", "ties.pdf", "ties.svg"]
+        ["figures.csv", "overall.svg.next", "report.html", "report.md", "tables.tex", "ties.pdf", "ties.svg"]
     );
-    std::fs::remove_dir(at("scatter.svg.next")).unwrap();
+    std::fs::remove_dir(at("overall.svg.next")).unwrap();
     write_pages(&runs(), &[], &[], folder.path()).unwrap();
     assert_ne!(std::fs::read_to_string(at("report.md")).unwrap(), before);
 }

@@ -4,7 +4,7 @@
 //! here are made by hand.
 
 use predicament_records::{Class, Env, FindingRow, Outcome, RunDir, RunWriter, SampledRow, TableSpec};
-use predicament_report::{Block, Cell, PixelMap, Section, Table, Tone, data_uri, html, markdown, scatter, write_pages};
+use predicament_report::{Block, Cell, PixelMap, Section, Table, Tone, data_uri, html, markdown, write_pages};
 
 fn runs() -> Vec<RunDir> {
     ["../tasks/tests/data/checked", "../tasks/tests/data/timed"].map(|path| RunDir::open(path).unwrap()).into()
@@ -67,17 +67,18 @@ fn a_section_of_a_task_stands_where_it_belongs_on_both_pages() {
 #[test]
 fn numbers_trace_to_rows() {
     let page = markdown(&runs(), &[]).unwrap();
-    // naive: (400 + 2000 + 100) + 2 + 1 wrong. exact, sos and naive answered 1,105,012 queries,
-    // shewchuk and tolerance, which declined one scene, 1,100,000.
-    assert!(page.contains("2,503 of 5,515,036 answers are wrong"));
-    // exact against shewchuk: near 21/42, uniform 2.25/9; √(1/2 · 1/4) = 0.354.
-    assert!(page.contains("**0.35×** the time of shewchuk"));
-    // naive on orient2d: 2502 of 1.1 million; √(1.25 · 1.0) = 1.118 ns, and shewchuk √(42 · 9) = 19.44 ns.
-    assert!(page.contains("| naive | 2 of 2 | 1,100,000 | 2,502 | 2,270 | 1.12 | 19.4 | 0.058× | yes |"));
+    // One scene of naive has more findings than expected, and one has fewer: 17 results in all.
+    let headline = "- **1** unexpected findings: of 17 pairs of scene and backend; 1 better than expected";
+    assert!(page.contains(headline), "{page}");
+    // exact over naive: near 21/1.25, uniform 2.25/1; √(16.8 · 2.25) = 6.148.
+    assert!(page.contains("- **6.1×** the price of being right: exact is the cheapest"), "{page}");
+    // naive on orient2d: 2502 of 1.1 million, and shewchuk √(42 · 9) = 19.44 ns beside its √(1.25 · 1.0) = 1.118 ns.
+    assert!(page.contains("| orient2d | naive | single | 1,100,000 | 2,270 | 0 | 0 | 2 of 2 | 1.12 | 1.12 | 1.0× |"));
+    assert!(page.contains("| orient2d | shewchuk | single | 1,100,000 | 0 | 0 | 0 | 2 of 2 | 19.4 | 1.12 | 17× |"));
     // sos near: 38000 of 100000.
     assert!(page.contains("| 1 | orient2d | near | sos | 100,000 | — | 61.0 % | 38.0 % | 1.0 % (to 3) |"));
     // Ties: 1,000 of 1.1 million; √(30/21 · 2.6/2.25) = 1.285 of exact's time. Terms 1 and 3 decided.
-    assert!(page.contains("| orient2d | sos | 1,100,000 | 1,000 | \\<0.1 % | 3 | 1.3× (2 families) |"), "{page}");
+    assert!(page.contains("| orient2d | sos | 1,100,000 | 1,000 | \\<0.1 % | 3 | 1.3× (2 of 2 families) |"), "{page}");
     assert!(page.contains("| orient2d | sos | 990 | 0 | 10 | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 0 |"), "{page}");
     // Two scenes of suite near got the same, one of 54 bits and one of 61.
     assert!(page.contains("| 1 | near | near, uniform | 2 | 54 to 61 | −60 to −53 | integer | — | wide integer | — |"));
@@ -228,18 +229,20 @@ fn a_single_wrong_answer_moves_the_mark_and_the_headline() {
     let row = after[0].summary.iter_mut().find(|row| row.backend == "exact" && row.scene == "near-7").unwrap();
     row.agree -= 1;
     row.sign_flip += 1;
-    assert_ne!(scatter(&before).unwrap(), scatter(&after).unwrap());
+    let plot = |runs: &[RunDir]| html(runs, &[], &[]).unwrap().split("<svg").nth(1).unwrap().to_owned();
+    assert_ne!(plot(&before), plot(&after));
     let page = markdown(&after, &[]).unwrap();
-    assert!(page.contains("2,504 of 5,515,036"));
-    assert!(page.contains("sos is the fastest backend without a wrong answer"));
+    assert!(page.contains("the price of being right: sos is the cheapest backend"), "{page}");
 }
 
 #[test]
 fn without_both_times_and_answers_there_is_no_plot() {
     let runs = runs();
-    assert_eq!(scatter(&runs[..1]).unwrap(), None);
-    assert_eq!(scatter(&runs[1..]).unwrap(), None);
-    assert!(markdown(&runs[..1], &[]).unwrap().contains("No backend was both checked and timed"));
+    let pages = [&runs[..1], &runs[1..]].map(|runs| markdown(runs, &[]).unwrap());
+    assert!(pages.iter().all(|page| !page.contains("overall.svg")));
+    assert!(markdown(&runs, &[]).unwrap().contains("overall.svg"));
+    let left_out = "Sections with nothing to show, which are left out: Speed against error, Throughput, Phases.";
+    assert!(pages[0].contains(left_out) && !pages[0].contains("## Throughput"), "{}", pages[0]);
 }
 
 #[test]
@@ -247,17 +250,17 @@ fn pages_are_written_beside_their_plot() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("new/report");
     write_pages(&runs(), &[of_a_task("toys")], &[], &out).unwrap();
-    let plot = std::fs::read_to_string(out.join("scatter.svg")).unwrap();
+    let plot = std::fs::read_to_string(out.join("overall.svg")).unwrap();
     assert!(plot.starts_with("<svg") && plot.contains("shewchuk") && !plot.contains("#010203"));
     let ties = std::fs::read_to_string(out.join("ties.svg")).unwrap();
     assert!(ties.starts_with("<svg") && ties.contains("sos"), "{ties}");
     assert_eq!(std::fs::read_to_string(out.join("toy.svg")).unwrap(), "<svg class=\"toy\"></svg>");
-    for name in ["scatter.pdf", "ties.pdf"] {
+    for name in ["overall.pdf", "ties.pdf"] {
         assert!(std::fs::read(out.join(name)).unwrap().starts_with(b"%PDF-"), "{name}");
     }
     assert!(!out.join("toy.pdf").exists(), "the toy has none");
     let page = std::fs::read_to_string(out.join("report.md")).unwrap();
-    assert!(page.contains("(toy.svg)") && page.contains("(scatter.svg)") && page.contains("(ties.svg)"));
+    assert!(page.contains("(toy.svg)") && page.contains("(overall.svg)") && page.contains("(ties.svg)"));
     assert!(std::fs::read_to_string(out.join("report.html")).unwrap().contains("<svg class=\"scatter\""));
 }
 

@@ -121,6 +121,10 @@ impl Task for CubeUnion {
         vec![PredicateKind::Compare]
     }
 
+    fn judges_whole(&self) -> bool {
+        true
+    }
+
     fn truth(&self, scene: &Scene, _: &Cubes, watch: &Watch) -> Result<Truth, Stop> {
         Truth::new(scene, watch)
     }

@@ -126,6 +126,10 @@ impl Task for Delaunay2d {
         true
     }
 
+    fn judges_whole(&self) -> bool {
+        true
+    }
+
     fn truth(&self, scene: &Scene, _: &Sites, watch: &Watch) -> Result<Truth, Stop> {
         watch.done(0)?;
         Ok(Truth::new(scene))

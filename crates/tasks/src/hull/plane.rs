@@ -100,6 +100,10 @@ impl Task for Hull2d {
         vec![PredicateKind::Compare, PredicateKind::Orient2d]
     }
 
+    fn judges_whole(&self) -> bool {
+        true
+    }
+
     fn truth(&self, scene: &Scene, _: &Cloud<PlaneMethod>, watch: &Watch) -> Result<Truth, Stop> {
         watch.done(0)?;
         Ok(Truth::new(scene))

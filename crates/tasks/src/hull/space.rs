@@ -104,6 +104,10 @@ impl Task for Hull3d {
         vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]
     }
 
+    fn judges_whole(&self) -> bool {
+        true
+    }
+
     fn truth(&self, scene: &Scene, _: &Cloud<SpaceMethod>, watch: &Watch) -> Result<Truth, Stop> {
         watch.done(0)?;
         Ok(Truth::new(scene))

@@ -198,6 +198,10 @@ impl Task for MeshIntersect {
         true
     }
 
+    fn judges_whole(&self) -> bool {
+        true
+    }
+
     /// The truth is in the laws, and in the meshes.
     fn truth(&self, _: &Scene, _: &TwoMeshes, watch: &Watch) -> Result<(), Stop> {
         watch.done(0)

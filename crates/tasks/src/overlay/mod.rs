@@ -185,6 +185,10 @@ impl Task for Overlay2d {
         true
     }
 
+    fn judges_whole(&self) -> bool {
+        true
+    }
+
     /// The truth is in the laws, and in the operands.
     fn truth(&self, _: &Scene, _: &Layered, watch: &Watch) -> Result<(), Stop> {
         watch.done(0)

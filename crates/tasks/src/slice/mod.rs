@@ -154,6 +154,10 @@ impl Task for Slice {
         true
     }
 
+    fn judges_whole(&self) -> bool {
+        true
+    }
+
     /// The truth is in the laws, and in the mesh.
     fn truth(&self, _: &Scene, _: &Solid, watch: &Watch) -> Result<(), Stop> {
         watch.done(0)

@@ -200,6 +200,10 @@ impl Task for Snap2d {
         true
     }
 
+    fn judges_whole(&self) -> bool {
+        true
+    }
+
     fn truth(&self, scene: &Scene, content: &Drawn, watch: &Watch) -> Result<judge::Truth, Stop> {
         judge::Truth::new(scene, content, watch)
     }
