@@ -74,6 +74,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     if compared.iter().all(|section| section.id != COMPARISON) {
         compared.push(compare::missing(&folders[0].join(COMPARISON)));
     }
+    compared.push(compare::decision());
     let runs = RunDir::open_all(&folders).map_err(Failure::usage)?;
     for warning in runs.iter().flat_map(|run| &run.warnings) {
         note!("{warning}");

@@ -44,6 +44,6 @@ pub use study::{Compare, Compared, Promise};
 pub(crate) use survey::{Group, measures_of};
 pub(crate) use table::WRONG;
 pub use tradeoff::{Tradeoff, tradeoffs};
-pub use tree::{Node, decision_tree};
+pub use tree::{Node, decision, decision_tree};
 pub use which::part;
 pub(crate) use words::short;

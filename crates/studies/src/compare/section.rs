@@ -1,11 +1,11 @@
-//! The comparison in a report: the decision tree, the ranking, plots, and the long table after them.
+//! The comparison in a report: the ranking, plots, and the long table after them.
 
 use std::path::Path;
 
 use predicament_report::{Block, Section, Tone};
 
 use super::measure::read;
-use super::{Promise, details, ranking, tree};
+use super::{Promise, details, ranking};
 use crate::folder::{plots_in, rows_of};
 
 /// The file that a folder of this study has.
@@ -21,7 +21,7 @@ const TITLE: &str = "Which backend for what";
 pub fn missing(folder: &Path) -> Section {
     let lead = "No comparison of backends is in the folders of these runs. This command makes one, and then every report has its table:";
     let command = format!("predicament compare --out {}", folder.display());
-    Section { id: ID, title: TITLE, lead: lead.to_owned(), blocks: vec![tree::block(), Block::Command(command)] }
+    Section { id: ID, title: TITLE, lead: lead.to_owned(), blocks: vec![Block::Command(command)] }
 }
 
 /// The section of a report from a folder that the study has written; none where the folder has no such file.
@@ -36,7 +36,6 @@ pub fn section(folder: &Path) -> Result<Option<Section>, String> {
     let measures = read(&path)?;
     let promises: Vec<Promise> = rows_of(&folder.join(PROMISES), "compare")?;
     let mut blocks = vec![
-        tree::block(),
         Block::Table(ranking::table(&measures, &promises)),
         Block::Note(format!("{} {}", ranking::MEANING, ranking::rule(&measures)), Tone::Muted),
     ];

@@ -3,7 +3,7 @@
 use super::Measure;
 use super::standing::{InputKey, REFERENCE, Ratio, Share, Standing, backends, inputs_of, key, ratio};
 use crate::{Error, File};
-use predicament_report::{Curve, Curves, curves};
+use predicament_report::{Point, tradeoff};
 
 /// A backend between time and errors.
 #[derive(Clone, PartialEq, Debug)]
@@ -67,30 +67,28 @@ pub fn tradeoffs(measures: &[Measure]) -> Vec<Tradeoff<'_>> {
     all.iter().map(of).collect()
 }
 
-/// Errors over time, of answers and of whole scenes: a line where a parameter is turned, else a point for each backend. An error that was not seen
-/// is drawn at the upper end of its interval.
+/// Two plots of errors over time: of answers, and of whole scenes.
 pub(super) fn plots(measures: &[Measure]) -> Result<Vec<File>, Error> {
     let all = tradeoffs(measures);
-    let axes: [(&str, &str, f64, fn(&Tradeoff<'_>) -> Share); 2] = [
-        ("answers", "wrong answers in 10^6", 1e6, |of| of.answers),
-        ("scenes", "scenes in 1000 with a broken law", 1e3, |of| of.scenes),
+    let panels: [(&str, &str, &str, f64, fn(&Tradeoff<'_>) -> Share); 2] = [
+        ("answers", "Single answers", "wrong answers in 10^6", 1e6, |of| of.answers),
+        ("scenes", "Whole scenes", "scenes in 1000 with a broken law", 1e3, |of| of.scenes),
     ];
     let mut files = Vec::new();
-    for (name, y, per, get) in axes {
-        let mut lines: Vec<Curve> = Vec::new();
-        for of in &all {
-            let share = get(of);
-            let (Some(time), Some(value)) = (of.time, share.value()) else { continue };
-            let value = if share.count == 0 { share.interval()[1] } else { value };
-            let name = of.knob.map_or(of.backend, |knob| knob.trim_end_matches([':', '='])).to_owned();
-            match lines.iter_mut().find(|line| line.name == name) {
-                Some(line) => line.points.push((time.value, per * value)),
-                None => lines.push(Curve::new(name, [(time.value, per * value)])),
-            }
-        }
+    for (name, title, y, per, get) in panels {
+        let point = |of: &Tradeoff<'_>| Point {
+            backend: of.backend.to_owned(),
+            time: of.time.map(|time| time.value),
+            errors: [get(of).count, get(of).of],
+            not_done: [of.not_done.count, of.not_done.of],
+            is_marked: name == "answers" && of.scenes.count > 0,
+            curve: of.knob.map(|knob| knob.trim_end_matches([':', '=']).to_owned()),
+            before: None,
+        };
+        let points = all.iter().map(point).collect();
         let x = format!("time over that of {REFERENCE}");
-        let picture = curves(&Curves { x, y: y.into(), curves: lines, ..Curves::default() }).map_err(Error::format)?;
-        files.extend(File::plot(format!("error-time-{name}"), picture));
+        let plot = predicament_report::Tradeoff { title: title.into(), x, y: y.into(), per, points };
+        files.extend(File::plot(format!("error-time-{name}"), tradeoff(&plot).map_err(Error::format)?));
     }
     Ok(files)
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use predicament_report::{Block, Picture};
+use predicament_report::{Block, Picture, Section};
 
 /// A question with its answers, or advice.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -73,8 +73,15 @@ pub(super) fn text() -> String {
     page
 }
 
+/// The section of a report with the tree, for its first screen.
+#[must_use]
+pub fn decision() -> Section {
+    let lead = "From what answers are for to the backend that gives them.".to_owned();
+    Section { id: "which", title: "Which backend to take", lead, blocks: vec![block()] }
+}
+
 /// The picture as a block of a page.
-pub(super) fn block() -> Block {
+fn block() -> Block {
     let picture = Picture { svg: svg(), pdf: None };
     Block::Plot { picture, file: "which.svg".into(), alt: "Which backend for what: a decision tree".into() }
 }
@@ -94,7 +101,7 @@ pub(super) fn svg() -> String {
     draw(&decision_tree(), 0, &mut y, &mut drawn);
     let height = y - GAP + 2;
     format!(
-        "<svg id=\"which\" class=\"which\" viewBox=\"0 0 {WIDTH} {height}\" width=\"{WIDTH}\" height=\"{height}\" xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" \
+        "<svg id=\"which-tree\" class=\"which\" viewBox=\"0 0 {WIDTH} {height}\" width=\"{WIDTH}\" height=\"{height}\" xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" \
          aria-label=\"Which backend for what: a decision tree\" font-family=\"sans-serif\" font-size=\"12\" fill=\"currentColor\" stroke=\"none\" \
          style=\"max-width:100%;height:auto\">\n{drawn}</svg>\n"
     )

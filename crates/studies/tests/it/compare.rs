@@ -156,7 +156,7 @@ fn fewer_stages_are_a_curve_that_ends_without_an_error() {
     assert!(of.promises.iter().skip(1).all(|of| !of.proved), "a control");
     let plots = small.plots(&of).unwrap();
     let curve = plots.iter().find(|file| file.name == "error-time-answers.svg").unwrap().text();
-    assert!(curve.contains("exact:stages") && !curve.contains("exact:stages="), "one curve: {curve}");
+    assert!(curve.contains("\nexact:stages=6\n") && curve.contains("<polyline"), "one curve: {curve}");
     let page = small.page(&of);
     let table = &page[page.find("## One parameter turned").unwrap()..];
     assert!(names[1..].iter().all(|name| table.contains(&format!("| {name} | "))), "{table}");
@@ -180,11 +180,9 @@ fn a_folder_is_a_section_of_a_report() {
     let file = files.iter().find(|file| file.name == "compare.csv").unwrap();
     let section = predicament_studies::compare::section(&folder).unwrap().unwrap();
     assert_eq!(section.id, "compare");
-    // The picture, the ranking with a row for each backend, and at the end the long table: three kinds of input.
+    // The ranking with a row for each backend, and at the end the long table: three kinds of input.
     let is_table = |block: &Block| matches!(block, Block::Table(_));
-    let Block::Plot { picture, .. } = &section.blocks[0] else { panic!("{:?}", section.blocks[0]) };
-    assert!(picture.svg.contains("id=\"which\"") && picture.svg.contains("currentColor"));
-    assert!(is_table(&section.blocks[1]));
+    assert!(is_table(&section.blocks[0]));
     let counts: Vec<usize> = section
         .blocks
         .iter()
@@ -196,6 +194,17 @@ fn a_folder_is_a_section_of_a_report() {
     let why = predicament_studies::compare::section(&folder).unwrap_err();
     assert!(why.contains("compare.csv:"), "{why}");
     std::fs::remove_dir_all(&folder).unwrap();
+}
+
+#[test]
+fn the_first_screen_has_the_decision_tree() {
+    let section = predicament_studies::compare::decision();
+    let [Block::Plot { picture, .. }] = &section.blocks[..] else { panic!("{section:?}") };
+    assert_eq!(section.id, "which");
+    assert!(picture.svg.contains("currentColor") && picture.svg.contains("viewBox=\"0 0 400 "), "{}", picture.svg);
+    for backend in ["naive", "exact", "tolerance", "sos", "sos:per-mesh"] {
+        assert!(picture.svg.contains(backend), "{backend}");
+    }
 }
 
 #[test]
