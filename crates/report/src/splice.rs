@@ -1,6 +1,7 @@
 //! Parts of a report in a page of your own: what stands between two marks is replaced.
 //!
-//! `<!-- predicament: glance -->` and `<!-- /predicament -->` hold the section `glance`; `glance tables` only its tables.
+//! `<!-- predicament: glance -->` and `<!-- /predicament -->` hold the section `glance`; `glance tables` only its tables. Whoever splices
+//! may have parts of its own, such as the tables and sentences of a study.
 
 use crate::page::section_markdown;
 use crate::sections::sections;
@@ -11,21 +12,27 @@ const OPEN: &str = "<!-- predicament: ";
 const CLOSE: &str = "<!-- /predicament -->";
 const END: &str = " -->";
 
-/// The page with what stands between its marks replaced by the sections that they name, in Markdown, and how many there were.
+/// What makes a part by its name, in Markdown: none for a name that it does not know, an error in one line for a part that can't be made.
+pub type Part<'a> = dyn Fn(&str) -> Option<Result<String, String>> + 'a;
+
+/// The page with what stands between its marks replaced by the sections or parts that they name, in Markdown, and how many there were.
 ///
 /// A page whose lines all end by CR LF stays one.
 ///
 /// # Errors
-/// If a mark names no section, has no end, is not closed before the next one, or there is none.
-pub fn splice(page: &str, runs: &[RunDir], of_tasks: &[Section]) -> Result<(String, usize), Error> {
+/// If a mark names no section and no part, names one that can't be made, has no end, is not closed before the next one, or there is none.
+pub fn splice(page: &str, runs: &[RunDir], of_tasks: &[Section], part: &Part<'_>) -> Result<(String, usize), Error> {
     let all = sections(runs, of_tasks)?;
     let (mut text, mut rest, mut count) = (String::new(), page, 0);
     while let Some(start) = rest.find(OPEN) {
         let line = page[..page.len() - rest.len() + start].matches('\n').count() + 1;
         let (before, marked) = rest.split_at(start);
         let (name, after) = held(marked, line)?;
-        let section = section_markdown(&named(name, &all, line)?)?;
-        text += &format!("{before}{OPEN}{name}{END}\n{}\n{CLOSE}", section.trim());
+        let filled = match part(name.trim()) {
+            Some(part) => part.map_err(|why| fail(line, &why))?,
+            None => section_markdown(&named(name, &all, line)?)?,
+        };
+        text += &format!("{before}{OPEN}{name}{END}\n{}\n{CLOSE}", filled.trim());
         (rest, count) = (after, count + 1);
     }
     if count == 0 {

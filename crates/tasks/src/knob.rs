@@ -5,8 +5,10 @@
 pub enum Knob {
     /// Degenerate scenes, each coordinate moved at random by up to so much of the scene's extent.
     Noise,
-    /// General scenes, moved away from the origin by 2^k of their extent.
+    /// General scenes, moved away from the origin by 2^k of their extent: coordinates are rounded, to 53 - k bits of the extent.
     Translation,
+    /// General scenes, coordinates rounded to [`SHIFTED_BITS`] bits of their extent, then moved by 2^k of it: the move rounds nothing.
+    Shift,
     /// General scenes, times 2^k.
     Scale,
     /// General scenes, the last coordinate times 2^-k.
@@ -24,9 +26,10 @@ pub enum Knob {
 
 impl Knob {
     /// All of them.
-    pub const ALL: [Knob; 8] = [
+    pub const ALL: [Knob; 9] = [
         Knob::Noise,
         Knob::Translation,
+        Knob::Shift,
         Knob::Scale,
         Knob::Aspect,
         Knob::Size,
@@ -41,6 +44,7 @@ impl Knob {
         match self {
             Knob::Noise => "noise",
             Knob::Translation => "translation",
+            Knob::Shift => "shift",
             Knob::Scale => "scale",
             Knob::Aspect => "aspect",
             Knob::Size => "size",
@@ -55,7 +59,8 @@ impl Knob {
     pub const fn about(self) -> &'static str {
         match self {
             Knob::Noise => "Degenerate scenes, each coordinate moved at random by up to so much of the extent.",
-            Knob::Translation => "General scenes, moved away from the origin.",
+            Knob::Translation => "General scenes, moved away from the origin; their coordinates are rounded there.",
+            Knob::Shift => "General scenes, cut to 24 bits at every position, then moved away from the origin exactly.",
             Knob::Scale => "General scenes, times a power of two.",
             Knob::Aspect => "General scenes, the last coordinate times 2^-k.",
             Knob::Size => "General scenes of more primitives.",
@@ -70,7 +75,7 @@ impl Knob {
     pub const fn unit(self) -> &'static str {
         match self {
             Knob::Noise => "log2 of the noise over the extent (none: -1075)",
-            Knob::Translation => "log2 of the way over the extent",
+            Knob::Translation | Knob::Shift => "log2 of the way over the extent",
             Knob::Scale | Knob::Aspect => "log2 of the factor",
             Knob::Size => "times as many",
             Knob::Precision => "bits lost of 53",
@@ -85,6 +90,7 @@ impl Knob {
         match self {
             Knob::Noise => &[-1075, -53, -50, -46, -40, -34, -27, -20, -10],
             Knob::Translation => &[0, 8, 16, 24, 32, 40, 44, 48, 52],
+            Knob::Shift => &[0, 8, 16, 20, 24, 28],
             Knob::Scale => &[0, -50, -100, -150, -250, -350, -500, 50, 100, 150, 250, 350, 500],
             Knob::Aspect => &[0, 5, 10, 15, 20, 25, 30, 40, 50],
             Knob::Size => &[1, 2, 4, 8],
@@ -94,10 +100,47 @@ impl Knob {
         }
     }
 
+    /// Whether turning the knob rounds the coordinates of a scene, so that the scene itself changes: nearly degenerate points may become
+    /// degenerate. A knob that does not keeps each sign of the scene at rest, as far as its map keeps signs.
+    #[must_use]
+    pub const fn rounds(self) -> Rounds {
+        match self {
+            Knob::Noise | Knob::Translation | Knob::Precision | Knob::Turn => Rounds::Always,
+            Knob::Pythagorean => Rounds::Beyond53Bits,
+            Knob::Shift | Knob::Scale | Knob::Aspect | Knob::Size => Rounds::Never,
+        }
+    }
+
     /// Whether it begins with degenerate scenes.
     #[must_use]
     pub const fn is_of_degenerate(self) -> bool {
         matches!(self, Knob::Noise | Knob::Pythagorean | Knob::Turn)
+    }
+}
+
+/// The bits of a coordinate, over the extent, that [`Knob::Shift`] keeps: with 28 of the way and one of the sum these are 53.
+pub const SHIFTED_BITS: i32 = 24;
+
+/// Whether a knob rounds the coordinates of a scene.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Rounds {
+    /// Not at any of its positions.
+    Never,
+    /// At each position but rest.
+    Always,
+    /// Where coordinates would have more than 53 bits.
+    Beyond53Bits,
+}
+
+impl Rounds {
+    /// The word in tables.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Rounds::Never => "no",
+            Rounds::Always => "yes",
+            Rounds::Beyond53Bits => "beyond 53 bits",
+        }
     }
 }
 

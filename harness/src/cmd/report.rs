@@ -39,7 +39,7 @@ pub struct Args {
     #[arg(long, value_name = "RUN")]
     pub against: Vec<PathBuf>,
 
-    /// Put sections into a Markdown page of your own, between `<!-- predicament: SECTION -->` and `<!-- /predicament -->`; `SECTION tables` for its tables alone
+    /// Put sections into a Markdown page of your own, between `<!-- predicament: SECTION -->` and `<!-- /predicament -->`; `SECTION tables` for its tables alone, `which PART` for a part of docs/WHICH.md, made of the studies in RUN/compare, RUN/curves, RUN/stress, RUN/cut, RUN/parity and RUN/parity-space
     #[arg(long, value_name = "FILE")]
     pub splice: Vec<PathBuf>,
 }
@@ -74,6 +74,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     if compared.iter().all(|section| section.id != COMPARISON) {
         compared.push(compare::missing(&folders[0].join(COMPARISON)));
     }
+    compared.push(compare::decision());
     let runs = RunDir::open_all(&folders).map_err(Failure::usage)?;
     for warning in runs.iter().flat_map(|run| &run.warnings) {
         note!("{warning}");
@@ -87,12 +88,14 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         let earlier = RunDir::open_all(&args.against).map_err(Failure::usage)?;
         compared.push(against(&runs, &earlier).map_err(Failure::usage)?);
     }
+    let with_studies = folders.iter().find(|folder| folder.join(COMPARISON).exists()).unwrap_or(&folders[0]);
     // All pages are made before any is written.
     let mut spliced = Vec::new();
     for page in &args.splice {
         let named = |why: String| Failure::usage(format!("{}: {why}", page.display()));
         let text = std::fs::read_to_string(page).map_err(|why| named(why.to_string()))?;
-        let (text, _) = splice(&text, &runs, &compared).map_err(|why| named(why.message))?;
+        let part = |name: &str| compare::part(with_studies, name);
+        let (text, _) = splice(&text, &runs, &compared, &part).map_err(|why| named(why.message))?;
         spliced.push((page, text));
     }
     write_pages(&runs, &compared, &told, &args.out).map_err(Failure::usage)?;

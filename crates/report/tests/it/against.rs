@@ -59,7 +59,7 @@ fn what_changed_is_named() {
 fn sections_go_where_their_marks_are() {
     let page = "Before\n<!-- predicament: glance tables -->\nold\n<!-- /predicament -->\nbetween\n\
                 <!-- predicament: ties -->\n<!-- /predicament -->\nafter\n";
-    let (once, count) = splice(page, &runs(), &[]).unwrap();
+    let (once, count) = splice(page, &runs(), &[], &|_| None).unwrap();
     assert_eq!(count, 2);
     assert!(once.starts_with("Before\n<!-- predicament: glance tables -->\n| backend |"), "{once}");
     assert!(once.contains("|\n<!-- /predicament -->\nbetween\n<!-- predicament: ties -->\n"), "{once}");
@@ -67,15 +67,15 @@ fn sections_go_where_their_marks_are() {
     // The rows are those of the whole page.
     let whole = markdown(&runs(), &[]).unwrap();
     assert!(once.lines().filter(|line| line.starts_with("| `")).all(|line| whole.contains(line)));
-    assert_eq!(splice(&once, &runs(), &[]).unwrap().0, once, "and again");
+    assert_eq!(splice(&once, &runs(), &[], &|_| None).unwrap().0, once, "and again");
     // A page of an editor on Windows stays one.
-    let windows = splice(&page.replace('\n', "\r\n"), &runs(), &[]).unwrap().0;
+    let windows = splice(&page.replace('\n', "\r\n"), &runs(), &[], &|_| None).unwrap().0;
     assert_eq!(windows, once.replace('\n', "\r\n"));
 }
 
 #[test]
 fn marks_that_name_nothing_are_refused() {
-    let refused = |page: &str| splice(page, &runs(), &[]).unwrap_err().message;
+    let refused = |page: &str| splice(page, &runs(), &[], &|_| None).unwrap_err().message;
     assert!(refused("no marks").contains("there is no mark"));
     assert!(refused("\n<!-- predicament: nothing -->\n<!-- /predicament -->").starts_with("line 2: no section"));
     assert!(refused("<!-- predicament: glance -->\n").contains("<!-- /predicament -->"));
@@ -86,6 +86,21 @@ fn marks_that_name_nothing_are_refused() {
         "\n<!-- predicament: glance -->\n\nMy text\n\n<!-- predicament: heat -->\nold\n<!-- /predicament -->\n";
     let why = refused(forgotten);
     assert!(why.starts_with("line 2: `<!-- predicament: glance -->` is not closed before line 6"), "{why}");
+}
+
+#[test]
+fn parts_of_ones_own_go_where_their_marks_are() {
+    let part = |name: &str| match name {
+        "which tree" => Some(Ok("a tree\n".to_owned())),
+        "which words" => Some(Err("compare.csv: no such file".to_owned())),
+        _ => None,
+    };
+    let of = |name: &str| format!("\n<!-- predicament: {name} -->\nold\n<!-- /predicament -->\n");
+    let (page, count) = splice(&of("which tree"), &[], &[], &part).unwrap();
+    assert_eq!((page, count), (of("which tree").replace("old", "a tree"), 1));
+    let why = splice(&of("which words"), &[], &[], &part).unwrap_err().message;
+    assert_eq!(why, "line 2: compare.csv: no such file");
+    assert!(splice(&of("which nothing"), &[], &[], &part).unwrap_err().message.contains("no section is called"));
 }
 
 #[test]

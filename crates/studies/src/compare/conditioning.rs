@@ -27,9 +27,9 @@ const NOISE: [i32; 13] = [-52, -48, -44, -40, -36, -32, -28, -24, -20, -16, -12,
 /// Keys of nearly degenerate scenes.
 const NEAR: [&str; 3] = ["ulps = 4", "ulps = 1024", "ulps = 1048576"];
 /// The place of exact zeros.
-const ZERO: i32 = -1100;
+pub(super) const ZERO: i32 = -1100;
 /// Binary digits to a bin.
-const BIN: i32 = 4;
+pub(super) const BIN: i32 = 4;
 
 /// Answers of a backend to queries that are about as degenerate as each other: a row of `conditioning.csv`.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]

@@ -3,6 +3,9 @@
 use predicament_records::{Spread, wilson};
 use serde::{Deserialize, Serialize};
 
+/// The word for a task in rows about sizes of features.
+pub(super) const FEATURES: &str = "resolution";
+
 /// A number about a backend on scenes of one kind: a row of `compare.csv`.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub struct Measure {

@@ -7,24 +7,43 @@
 //! * [`Compare`]: the study.
 //! * [`Input`]: the scenes, which each task names itself.
 //! * [`Measure`]: a number with its interval, a row of `compare.csv`.
+//! * [`Standing`]: what is said about one backend, whatever the others are.
+//! * [`Tradeoff`]: errors against time, as data of a plot.
+//! * [`part`]: the tables and sentences of a page of your own, made of the files of a folder.
 
 mod bits;
 mod clock;
 mod conditioning;
+mod details;
 mod errors;
 mod inputs;
 mod measure;
 mod memory;
+mod ranking;
 mod section;
+mod standing;
 mod study;
 mod survey;
 mod table;
+mod tradeoff;
+mod tree;
+mod twice;
+mod which;
+mod words;
 
 pub use conditioning::{Conditioned, conditioning};
 pub(crate) use inputs::tasks;
 pub use inputs::{Input, inputs};
 pub use measure::Measure;
 pub use section::{missing, section};
-pub use study::{Compare, Compared};
+pub use standing::{
+    ASKED_TWICE, BARELY, InputKey, REFERENCE, Ratio, Scenes, Share, Standing, inputs_of, left_out, standings,
+    time_ratio,
+};
+pub use study::{Compare, Compared, Promise};
 pub(crate) use survey::{Group, measures_of};
-pub(crate) use table::{WRONG, short};
+pub(crate) use table::WRONG;
+pub use tradeoff::{Tradeoff, tradeoffs};
+pub use tree::{Node, decision, decision_tree};
+pub use which::part;
+pub(crate) use words::short;

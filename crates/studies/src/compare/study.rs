@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use predicament_predicates::{PredicateKind, ZeroMeaning};
 use predicament_tasks::Contestant;
+use serde::{Deserialize, Serialize};
 
-use super::measure::{About, Measure};
-use super::{Conditioned, Input, conditioning, inputs, survey, table, tasks};
+use super::measure::{About, FEATURES as FEATURES_TASK, Measure};
+use super::{Conditioned, Input, conditioning, inputs, survey, table, tasks, tradeoff};
 use crate::contacts::contacts;
 use crate::laws::Format;
 use crate::resolution::{self, FEATURES};
@@ -64,8 +65,19 @@ pub struct Compared {
     pub measures: Vec<Measure>,
     /// Errors by how degenerate queries are.
     pub conditioning: Vec<Conditioned>,
-    /// For each backend its name, its promise in a few words, and whether that is proved.
-    pub promises: Vec<(String, &'static str, bool)>,
+    /// What each backend promises.
+    pub promises: Vec<Promise>,
+}
+
+/// What a backend promises about the sign of a determinant: a row of `promises.csv`.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct Promise {
+    /// The backend's name, with its parameters.
+    pub backend: String,
+    /// The promise in a few words.
+    pub promise: String,
+    /// Whether the promise is proved.
+    pub proved: bool,
 }
 
 impl Study for Compare {
@@ -73,15 +85,27 @@ impl Study for Compare {
     const ASKS: &'static str = "Compare the philosophies on the same scenes: promises, errors, topology, time, memory";
     const HELP: &'static str = "\
 For each task there are scenes in general position, nearly degenerate ones and degenerate ones, so many of each kind,
-by consecutive seeds. Every backend answers all of them, and is judged as `run` judges. Contacts are held against where
-the simplices meet in rationals. Times are of one scene of each kind, eight times as large, on one thread, the backends in turns; memory is
-what the process takes more while a backend prepares and answers it, where the system says so (Linux). Intervals are
-Wilson's at 95 % for shares, and the least and the largest of the samples for times.
+by consecutive seeds; a family without chance makes one scene, which counts once. Every backend answers all of them, and is
+judged as `run` judges. Contacts are held against where the simplices meet in rationals. Times are of one scene of each kind,
+eight times as large, on one thread, the backends in turns; memory is what the process takes more while a backend prepares and
+answers it, where the system says so (Linux).
 
-Written to the folder: compare.csv (a row for each number, with its interval and what it is of), compare.md (the tables
-that are printed; each number is in a row of compare.csv), conditioning.csv and plots of it (wrong answers by how degenerate
-queries are, each backend's band beside them), error-time.svg (scenes that are wrong against time, over all inputs).
-Each plot is there as PDF, too.
+A ratio of times is a geometric mean over the inputs that the backend and `exact` both answered, and says how many these are.
+It leaves out inputs whose time barely depends on predicates: where `exact` takes less than 1.1 times its time if it computes
+each answer twice. Errors are over the backend's own scenes and answers. No third backend changes a number.
+
+Columns of compare.csv:
+  task, kind, family     the input: task, general, near or degenerate, and what made the scenes
+  backend                with its parameters
+  measure, unit          what is measured, and in what: shares of scenes asked (right, undecided, rounded, not done, declined),
+                         per 1000 scenes answered (wrong scenes, topology and its checks), per 10^6 answers (wrong answers and
+                         each class), shares of queries (stages), times, bytes, bits, and errors of contacts
+  value, low, high       the number and its interval: Wilson's at 95 % for shares, the least and the largest sample for times
+  of                     what it is of: scenes, answers, samples
+
+Written to the folder: compare.csv, promises.csv (what each backend promises, and whether that is proved), compare.md (the
+tables that are printed), conditioning.csv and plots of it (wrong answers by how degenerate queries are, each backend's band
+beside them), error-time plots (errors against time). Each plot is there as PDF, too.
 
 Exit codes: 0 if no backend with a proved promise has answered a question against it, 100 otherwise.
 
@@ -131,7 +155,8 @@ Examples:
     }
 
     fn rows(&self, measured: &Compared) -> Result<Vec<File>, Error> {
-        let mut files = vec![File::csv("compare.csv", &measured.measures)?];
+        let mut files =
+            vec![File::csv("compare.csv", &measured.measures)?, File::csv("promises.csv", &measured.promises)?];
         if !measured.conditioning.is_empty() {
             files.push(File::csv("conditioning.csv", &measured.conditioning)?);
         }
@@ -140,7 +165,7 @@ Examples:
 
     fn plots(&self, measured: &Compared) -> Result<Vec<File>, Error> {
         let mut files = conditioning::plots(&measured.conditioning)?;
-        files.extend(table::error_against_time(measured)?);
+        files.extend(tradeoff::plots(&measured.measures)?);
         Ok(files)
     }
 
@@ -149,7 +174,7 @@ Examples:
     }
 
     fn holds(&self, measured: &Compared) -> bool {
-        let proved = |backend: &str| measured.promises.iter().any(|(name, _, proved)| name == backend && *proved);
+        let proved = |backend: &str| measured.promises.iter().any(|of| of.backend == backend && of.proved);
         let is_broken = |row: &Measure| super::table::WRONG.contains(&row.measure.as_str()) && row.value > 0.0;
         !measured.measures.iter().any(|row| is_broken(row) && proved(&row.backend))
     }
@@ -167,7 +192,7 @@ impl Compare {
         let mut all = Vec::new();
         for feature in FEATURES {
             let dimension = format!("{}D", feature.dimension.count());
-            let about = About { task: "resolution", kind: &dimension, family: feature.name, backend: &name };
+            let about = About { task: FEATURES_TASK, kind: &dimension, family: feature.name, backend: &name };
             let ask: &resolution::Ask<'_> = &|scene, a, b| contacts(backend, scene, [a, b]);
             let length = resolution::length(&name, feature.dimension);
             let precision = Precision::of_backend(&name);
@@ -186,13 +211,13 @@ impl Compare {
     }
 }
 
-/// What a backend promises about the sign of a determinant.
-fn promise(backend: &dyn Contestant) -> (String, &'static str, bool) {
+/// The promise of a backend.
+fn promise(backend: &dyn Contestant) -> Promise {
     let contract = backend.contract(PredicateKind::Orient2d);
     let words = match contract.zero {
         ZeroMeaning::Exact => "the sign; zero is zero",
         ZeroMeaning::Never => "the sign of a perturbed scene; never zero",
         ZeroMeaning::Band => "a sign is right; zero is within a band",
     };
-    (backend.name(), words, contract.proved)
+    Promise { backend: backend.name(), promise: words.to_owned(), proved: contract.proved }
 }

@@ -3,10 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_corpus::LoadedScene;
-use predicament_predicates::Counts;
-use predicament_records::approximately;
+use predicament_predicates::{Counts, Severity};
+use predicament_records::{Spread, approximately};
 use predicament_tasks::contacts::Complexes;
-use predicament_tasks::{AnyTask, Budget, Class, ClassCounts, Contestant, How, Outcome, Purpose, Watch, built_in, run};
+use predicament_tasks::{
+    AnyTask, Budget, Class, ClassCounts, Contestant, Entry, How, Outcome, Purpose, Watch, built_in, run,
+};
 use rayon::prelude::*;
 
 use super::bits::bits;
@@ -14,20 +16,21 @@ use super::clock::taken;
 use super::errors::{Errors, exact_places, tail};
 use super::inputs::Input;
 use super::measure::{About, Measure};
+use super::standing::{ASKED_TWICE, REFERENCE};
+use super::twice::Twice;
 use crate::Error;
 
 /// What a backend did on all scenes of an input.
 #[derive(Default)]
 struct Seen {
     scenes: u64,
-    queries: u64,
     counts: ClassCounts,
     declined: u64,
+    /// Scenes by the worst class of their answers, in the order of [`Severity::ALL`].
+    worst: [u64; Severity::ALL.len()],
     /// Scenes with a topology finding, by check.
     checks: BTreeMap<String, u64>,
     broken: u64,
-    /// Scenes with any finding.
-    wrong: u64,
     errors: Errors,
     /// Queries by the stage that settled them.
     stages: BTreeMap<&'static str, u64>,
@@ -38,17 +41,17 @@ struct Seen {
 impl Seen {
     fn add(&mut self, outcome: &Outcome, bits: Option<i32>) {
         self.scenes += 1;
-        if outcome.counts.get(Class::Declined) > 0 {
-            self.declined += 1;
+        let worst = worst(outcome);
+        self.worst[worst as usize] += 1;
+        if worst == Severity::NotDone {
+            self.declined += u64::from(outcome.counts.get(Class::Declined) > 0);
             return;
         }
-        self.queries += outcome.queries;
         match bits {
             Some(bits) => self.bits = (self.bits.0.max(bits), self.bits.1 + 1, self.bits.2),
             None => self.bits.2 += 1,
         }
         self.counts.merge(&outcome.counts);
-        self.wrong += u64::from(outcome.counts.findings() > 0);
         let topology = outcome.findings.iter().filter(|finding| finding.class == Class::Topology);
         let mut checks: Vec<&str> = topology.map(|finding| finding.check.as_str()).collect();
         checks.sort_unstable();
@@ -61,6 +64,12 @@ impl Seen {
             *self.stages.entry(stage).or_default() += count;
         }
     }
+}
+
+/// The severity of the worst class of a scene; right where there is none.
+fn worst(outcome: &Outcome) -> Severity {
+    let seen = Class::ALL.into_iter().filter(|&class| outcome.counts.get(class) > 0);
+    seen.map(Class::severity).max().unwrap_or(Severity::Right)
 }
 
 fn task_of(name: &str) -> Result<&'static dyn AnyTask, Error> {
@@ -83,7 +92,30 @@ pub(super) fn measures(
     loaded.retain(|scene| known.insert(scene.id.clone()));
     let timed = (samples > 0).then(|| input.timed(seed)).transpose()?;
     let group = Group { task: input.task, kind: input.of.kind.name(), family: input.of.family };
-    measures_of(&group, &loaded, timed.as_ref(), backends, samples, watch)
+    let mut all = measures_of(&group, &loaded, timed.as_ref(), backends, samples, watch)?;
+    if let Some(timed) = &timed {
+        all.extend(asked_twice(&group, timed, backends, samples, watch)?);
+    }
+    Ok(all)
+}
+
+/// How many times as long the reference takes where it computes each answer twice; nothing without the reference.
+fn asked_twice(
+    group: &Group<'_>,
+    timed: &LoadedScene,
+    backends: &[&dyn Contestant],
+    samples: u32,
+    watch: &Watch<'_>,
+) -> Result<Option<Measure>, Error> {
+    let Some(&reference) = backends.iter().find(|backend| backend.name() == REFERENCE) else { return Ok(None) };
+    let twice = Entry::new(Twice);
+    let taken = taken(timed, &[reference, &twice], samples, watch)?;
+    let [Some(once), Some(twice)] = [0, 1].map(|at: usize| Spread::of(taken[at].nanoseconds.iter().copied())) else {
+        return Ok(None);
+    };
+    let about = About { task: group.task, kind: group.kind, family: group.family, backend: REFERENCE };
+    let ends = [twice.min / once.max, twice.max / once.min];
+    Ok(Some(about.measure(ASKED_TWICE, "times the time", twice.median / once.median, ends, twice.samples as u64)))
 }
 
 /// What scenes have in common, as columns of their measures.
@@ -132,7 +164,8 @@ pub(crate) fn measures_of(
     for (at, (backend, seen)) in backends.iter().zip(&seen).enumerate() {
         let name = backend.name();
         let about = About { task: group.task, kind: group.kind, family: group.family, backend: &name };
-        all.extend(answers(&about, seen));
+        let has_laws = task.declared_checks().iter().any(|check| check.class == Class::Topology);
+        all.extend(answers(&about, seen, has_laws));
         all.extend(located(&about, &seen.errors));
         if let Some(taken) = taken.get(at) {
             all.extend(about.median("time", "ns a query", &taken.nanoseconds));
@@ -143,24 +176,42 @@ pub(crate) fn measures_of(
     Ok(all)
 }
 
-/// What the answers were.
-fn answers(about: &About<'_>, seen: &Seen) -> Vec<Measure> {
+/// What the answers were: the scenes that were asked by their worst class, then scenes and answers of those that were answered.
+fn answers(about: &About<'_>, seen: &Seen, has_laws: bool) -> Vec<Measure> {
+    let of_worst = |severity: Severity| seen.worst[severity as usize];
+    let not_done = of_worst(Severity::NotDone);
     let mut all = vec![about.share("declined", "share of scenes", 1.0, seen.declined, seen.scenes)];
-    let answered = seen.scenes - seen.declined;
+    for (measure, severity) in [
+        ("not done", Severity::NotDone),
+        ("right", Severity::Right),
+        ("undecided", Severity::Undecided),
+        ("rounded", Severity::Rounded),
+    ] {
+        all.push(about.share(measure, "share of scenes", 1.0, of_worst(severity), seen.scenes));
+    }
+    let answered = seen.scenes - not_done;
     if answered == 0 {
         return all;
     }
-    all.push(about.share("wrong scenes", "per 1000 scenes", 1000.0, seen.wrong, answered));
-    all.push(about.share("topology", "per 1000 scenes", 1000.0, seen.broken, answered));
+    all.push(about.share("wrong scenes", "per 1000 scenes", 1000.0, of_worst(Severity::Broken), answered));
+    if has_laws {
+        all.push(about.share("topology", "per 1000 scenes", 1000.0, seen.broken, answered));
+    }
     for (check, &count) in &seen.checks {
         all.push(about.share(&format!("topology: {check}"), "per 1000 scenes", 1000.0, count, answered));
     }
+    let judged: u64 =
+        Class::ALL.into_iter().filter(|class| class.is_answer()).map(|class| seen.counts.get(class)).sum();
+    if judged > 0 {
+        let wrong = Class::ALL.into_iter().filter(|class| class.is_wrong_answer());
+        let wrong: u64 = wrong.map(|class| seen.counts.get(class)).sum();
+        all.push(about.share("wrong answers", "per 10^6 answers", 1e6, wrong, judged));
+    }
     let of_queries = [Class::SignFlip, Class::MissedZero, Class::Overreach, Class::Nan, Class::Inconsistent];
-    let judged: u64 = Class::ALL.iter().map(|&class| seen.counts.get(class)).sum();
     for class in of_queries.into_iter().chain([Class::TieBroken, Class::InBand]) {
         let count = seen.counts.get(class);
-        if count > 0 || of_queries[..3].contains(&class) {
-            all.push(about.share(class.name(), "per 10^6 answers", 1e6, count, judged.max(count)));
+        if count > 0 || (judged > 0 && of_queries[..3].contains(&class)) {
+            all.push(about.share(class.name(), "per 10^6 answers", 1e6, count, judged));
         }
     }
     let settled: u64 = seen.stages.values().sum();

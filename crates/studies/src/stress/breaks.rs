@@ -3,10 +3,10 @@
 use predicament_tasks::Knob;
 use serde::{Deserialize, Serialize};
 
-use crate::compare::Measure;
+use crate::compare::{Measure, Share};
 
 /// Where a backend breaks on a task as a knob is turned: a row of `breaks.csv`.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub struct BreakPoint {
     /// The task.
     pub task: String,
@@ -14,17 +14,23 @@ pub struct BreakPoint {
     pub knob: String,
     /// Which way it is turned: `up`, or `down` for negative factors.
     pub way: String,
+    /// Whether turning the knob rounds the scene: `no`, `yes`, or `beyond 53 bits`.
+    pub rounds: String,
     /// The backend's name, with its parameters.
     pub backend: String,
     /// The last position up to which every scene was answered as promised; none if the first was not.
     pub holds_to: Option<i32>,
     /// The first position at which one was not; none if all were. The break point is between the two.
     pub breaks_at: Option<i32>,
-    /// Scenes in a thousand that were not, there.
-    pub wrong: u32,
+    /// Scenes that were not, there, of those answered.
+    pub wrong: u64,
+    /// Scenes that were answered there; at the last position that was looked at, where there is no break.
+    pub answered: u64,
+    /// The upper end of the share of wrong scenes that is not surprising there (Wilson's, 95 %).
+    pub wrong_high: f64,
     /// The first position at which a scene was declined.
     pub declines_at: Option<i32>,
-    /// How many scenes there are at each position.
+    /// How many distinct scenes there are at each position.
     pub scenes: u64,
 }
 
@@ -42,10 +48,13 @@ pub(super) fn break_point(task: &str, knob: Knob, way: &str, backend: &str, rows
         task: task.to_owned(),
         knob: knob.name().to_owned(),
         way: way.to_owned(),
+        rounds: knob.rounds().name().to_owned(),
         backend: backend.to_owned(),
         holds_to: None,
         breaks_at: None,
         wrong: 0,
+        answered: 0,
+        wrong_high: 1.0,
         declines_at: None,
         scenes: 0,
     };
@@ -60,16 +69,14 @@ pub(super) fn break_point(task: &str, knob: Knob, way: &str, backend: &str, rows
             found.declines_at = Some(position);
         }
         let Some(wrong) = of("wrong scenes") else { continue };
-        if wrong.value > 0.0 {
-            if found.breaks_at.is_none() {
+        if found.breaks_at.is_none() {
+            let share = Share::of_row(wrong);
+            (found.wrong, found.answered, found.wrong_high) = (share.count, share.of, share.interval()[1]);
+            if share.count > 0 {
                 found.breaks_at = Some(position);
-                // A share of a thousand: a small whole number after rounding.
-                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-                let rounded = wrong.value.round() as u32;
-                found.wrong = rounded;
+            } else {
+                found.holds_to = Some(position);
             }
-        } else if found.breaks_at.is_none() {
-            found.holds_to = Some(position);
         }
     }
     found

@@ -6,7 +6,7 @@ use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 use predicament_tasks::Knob;
 
 use super::BreakPoint;
-use super::table::place;
+use super::table::{counts, place};
 use crate::folder::{plots_in, rows_of};
 
 /// The file that a folder of this study has.
@@ -39,8 +39,10 @@ pub fn section(folder: &Path) -> Result<Option<Section>, String> {
     for [knob, way] in ways {
         let unit = Knob::ALL.iter().find(|of| of.name() == knob).map_or("", |knob| knob.unit());
         let down = if way == "down" { ", down" } else { "" };
-        let mut table = Table::new(format!("{knob}{down}: {unit}"))
+        let rounds = rows.iter().find(|row| row.knob == knob).map_or("", |row| &row.rounds);
+        let mut table = Table::new(format!("{knob}{down}: {unit}; rounds the scene: {rounds}"))
             .words(["task"])
+            .numbers(["scenes"])
             .of(Origin::at(&path).keys(["task"]).across("backend").only("knob", knob).only("way", way))
             .numbers(backends.iter().copied());
         for task in &tasks {
@@ -54,10 +56,12 @@ pub fn section(folder: &Path) -> Result<Option<Section>, String> {
                         (None, None, Some(_)) => Tone::Good,
                         (None, ..) => Tone::Muted,
                     };
-                    Cell::from(place(row)).tone(tone)
+                    Cell::from(place(row)).tone(tone).detail(counts(row).unwrap_or_default())
                 })
             };
-            table.push(std::iter::once(Cell::from(*task)).chain(backends.iter().map(of)).collect());
+            let scenes = rows.iter().filter(|row| row.task == *task && row.knob == knob && row.way == way);
+            let scenes = Cell::count(scenes.map(|row| row.scenes).max().unwrap_or(0));
+            table.push([Cell::from(*task), scenes].into_iter().chain(backends.iter().map(of)).collect());
         }
         blocks.push(Block::Table(table));
         if down.is_empty() {
@@ -73,7 +77,7 @@ pub fn section(folder: &Path) -> Result<Option<Section>, String> {
         title: "Where backends break",
         lead: format!(
             "One knob at a time: the position at which a backend first answers a scene against its promise, in parentheses the last one before; - where it never does; d where it \
-             only declines; n/a where the knob does not fit the task. Each is a row of {}.",
+             only declines; n/a where the knob does not fit the task. Under it the wrong scenes of those answered there, or the share that so few scenes leave possible where none is wrong. A knob that rounds the scene changes what is true of it. Each is a row of {}.",
             path.display()
         ),
         blocks,

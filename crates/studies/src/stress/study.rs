@@ -1,5 +1,6 @@
 //! The command line of the stress study, its survey and its rows.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -92,7 +93,8 @@ impl Study for Stress {
     const HELP: &'static str = "\
 A scene is made for each task, general or degenerate as the knob needs it, and its points are moved as the knob says, as far
 as the scene stays one of the task (a mesh that is rounded crosses itself): what does not fit is listed with the reason.
-What is true is found anew for each scene. A backend holds where it answers every scene of a position as it promises; its
+What is true is found anew for each scene. Some knobs round the scene (translation by 2^k leaves 53 - k bits of the extent, so that
+general points become degenerate), others do not: `shift` cuts scenes to 24 bits first, and moves them exactly. A backend holds where it answers every scene of a position as it promises; its
 break point is between the last position where it does and the first where it does not.
 
 Metamorphic laws need no truth: signs are the same where points are scaled by a power of two, moved by integers or named
@@ -103,7 +105,7 @@ Times are of the first scene of each position, on one thread, the backends in tu
 and the largest for an interval.
 
 Written to the folder: stress.csv (a row for each number, with its interval; `kind` is the knob, `family` its position),
-breaks.csv, limits.csv (knobs that do not fit a task), stress-laws.csv, stress.md (the tables that are printed), plots for each
+breaks.csv (where each backend breaks, with the scenes at that position, and whether the knob rounds the scene), limits.csv (knobs that do not fit a task), stress-laws.csv, stress.md (the tables that are printed), plots for each
 knob as SVG and PDF: scenes that are wrong, and the time. With --suites also a suite for each position of each knob, with its points
 written out: `predicament run` keeps a break point as a regression.
 
@@ -215,7 +217,10 @@ impl Stress {
     /// The measures of all backends where a knob is at a position.
     fn at(&self, position: &Position, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Vec<Measure>, Error> {
         let seeds = (0..self.scenes).map(|at| self.seed + u64::from(at));
-        let scenes: Vec<LoadedScene> = seeds.map(|seed| position.scene(seed)).collect::<Result<_, Error>>()?;
+        let mut scenes: Vec<LoadedScene> = seeds.map(|seed| position.scene(seed)).collect::<Result<_, Error>>()?;
+        // A family without chance makes one scene.
+        let mut known = BTreeSet::new();
+        scenes.retain(|scene| known.insert(scene.id.clone()));
         let group = Group { task: position.task, kind: position.knob.name(), family: &position.at.to_string() };
         let timed = if self.samples > 0 { scenes.first() } else { None };
         measures_of(&group, &scenes, timed, backends, self.samples, host.watch())

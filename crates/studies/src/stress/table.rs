@@ -12,7 +12,9 @@ pub(super) fn page(stressed: &Stressed) -> String {
     // A String takes everything.
     let mut page = String::from("# Where backends break\n\n");
     page += "For each knob the position at which a backend first answers a scene against its promise (in parentheses the last one before), `-` where \
-             it never does, `d` and the position where it only declines, `n/a` where the knob does not fit the task. Each is a row of `breaks.csv`; shares with their intervals are in `stress.csv`.\n";
+             it never does, `d` and the position where it only declines, `n/a` where the knob does not fit the task; after it the wrong scenes of those answered \
+             there, or the upper end of the share that none of so many leaves possible (Wilson's, 95 %). Scenes: distinct ones at each position. Each is a row of \
+             `breaks.csv`; shares with their intervals are in `stress.csv`.\n";
     let mut ways: Vec<(&str, &str)> = Vec::new();
     for row in &stressed.breaks {
         if !ways.contains(&(&row.knob, &row.way)) {
@@ -21,11 +23,13 @@ pub(super) fn page(stressed: &Stressed) -> String {
     }
     for (knob, way) in ways {
         let unit = Knob::ALL.iter().find(|of| of.name() == knob).map_or("", |knob| knob.unit());
-        let _ = write!(page, "\n## {knob}{}\n\n{unit}\n\n| task |", if way == "down" { ", down" } else { "" });
+        let down = if way == "down" { ", down" } else { "" };
+        let rounds = stressed.breaks.iter().find(|row| row.knob == knob).map_or("", |row| &row.rounds);
+        let _ = write!(page, "\n## {knob}{down}\n\n{unit}. Rounds the scene: {rounds}.\n\n| task | scenes |");
         for (backend, _) in &stressed.backends {
             let _ = write!(page, " {backend} |");
         }
-        let _ = writeln!(page, "\n|---|{}", "---:|".repeat(stressed.backends.len()));
+        let _ = writeln!(page, "\n|---|---:|{}", "---:|".repeat(stressed.backends.len()));
         let mut tasks: Vec<&str> = stressed.breaks.iter().map(|row| row.task.as_str()).collect();
         tasks.dedup();
         let mut seen = Vec::new();
@@ -34,12 +38,16 @@ pub(super) fn page(stressed: &Stressed) -> String {
                 continue;
             }
             seen.push(task);
-            let _ = write!(page, "| {task} |");
+            let scenes = stressed.breaks.iter().filter(|row| row.task == task && row.knob == knob && row.way == way);
+            let _ = write!(page, "| {task} | {} |", scenes.map(|row| row.scenes).max().unwrap_or(0));
             for (backend, _) in &stressed.backends {
                 let is = |row: &&super::BreakPoint| {
                     row.task == task && row.knob == knob && row.way == way && row.backend == *backend
                 };
-                let cell = stressed.breaks.iter().find(is).map_or_else(String::new, place);
+                let cell = stressed.breaks.iter().find(is).map_or_else(String::new, |row| match counts(row) {
+                    Some(counts) => format!("{}; {counts}", place(row)),
+                    None => place(row),
+                });
                 let _ = write!(page, " {cell} |");
             }
             page.push('\n');
@@ -60,6 +68,14 @@ pub(super) fn place(row: &BreakPoint) -> String {
         (None, Some(_), None) => "-".to_owned(),
         (None, None, None) => "n/a".to_owned(),
     }
+}
+
+/// The wrong scenes at a break point; where there is none, what none of so many scenes leaves possible.
+pub(super) fn counts(row: &BreakPoint) -> Option<String> {
+    (row.answered > 0).then(|| match row.breaks_at {
+        Some(_) => format!("{} of {}", row.wrong, row.answered),
+        None => format!("at most {:.0} %", 100.0 * row.wrong_high),
+    })
 }
 
 /// Knobs that do not fit a task, or not to the end.

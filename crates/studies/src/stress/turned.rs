@@ -3,7 +3,7 @@
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 use predicament_corpus::Random;
 use predicament_predicates::Dimension;
-use predicament_tasks::Knob;
+use predicament_tasks::{Knob, SHIFTED_BITS};
 
 /// The coordinates where the knob is at a position.
 pub(crate) fn turned(
@@ -24,6 +24,12 @@ pub(crate) fn turned(
         Knob::Translation => {
             let way = if position == 0 { 0.0 } else { extent * power(position) };
             coordinates.iter().map(|x| x + way).collect()
+        }
+        Knob::Shift => {
+            // Multiples of this: the sum of one that is at most the extent and a way of at most 2^28 of it has 53 bits.
+            let unit = extent * power(-SHIFTED_BITS);
+            let way = if position == 0 { 0.0 } else { extent * power(position) };
+            coordinates.iter().map(|x| (x / unit).round_ties_even() * unit + way).collect()
         }
         // In two steps: a factor alone may be no double.
         Knob::Scale => coordinates.iter().map(|x| x * power(position / 2) * power(position - position / 2)).collect(),
@@ -103,7 +109,29 @@ fn rotated(dimension: Dimension, coordinates: &[f64], angle: f64) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
+    use predicament_tasks::Rounds;
+
     use super::*;
+
+    /// Shifted points have the differences that they have at rest, in rationals; translated ones do not.
+    #[test]
+    fn a_shift_keeps_all_differences_and_a_translation_does_not() {
+        use predicament_judge::rational;
+        let mut random = Random::new("knob", "shift", 1);
+        let points: Vec<f64> = (0..60).map(|_| random.between(-3.0, 3.0)).collect();
+        let differences = |knob: Knob, position: i32| -> Vec<rug::Rational> {
+            let mut random = Random::new("knob", "shift", 2);
+            let moved = turned(knob, position, Dimension::Two, &points, &mut random);
+            moved.windows(3).map(|of| rational(of[2]) - rational(of[0])).collect()
+        };
+        for &position in Knob::Shift.positions() {
+            assert_eq!(differences(Knob::Shift, position), differences(Knob::Shift, 0), "{position}");
+        }
+        let last = *Knob::Shift.positions().last().unwrap();
+        assert_eq!(last + SHIFTED_BITS + 1, 53);
+        assert_ne!(differences(Knob::Translation, 8), differences(Knob::Translation, 0));
+        assert_eq!([Knob::Shift, Knob::Translation].map(Knob::rounds), [Rounds::Never, Rounds::Always]);
+    }
 
     #[test]
     fn knobs_at_rest_change_nothing_and_exact_ones_nothing_that_is_counted() {

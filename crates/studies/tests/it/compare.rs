@@ -1,5 +1,6 @@
 //! The comparison: errors of contacts are known where they are planted, a broken promise is seen, and rows are the same again.
 
+use predicament_report::Block;
 use predicament_studies::compare::{Compare, Compared, inputs};
 use predicament_studies::laws::Format;
 use predicament_studies::{Host, Quiet, Study};
@@ -59,7 +60,7 @@ fn a_broken_promise_is_seen() {
         let mut of = compared(&small, &[name]);
         assert!(small.holds(&of));
         // The fault does not say that it is proved.
-        of.promises[0].2 = true;
+        of.promises[0].proved = true;
         assert_eq!(small.holds(&of), holds, "{name}");
         assert_eq!(value(&of, Kind::Near, name, "overreach", "per 10^6 answers").map(|x| x == 0.0), Some(holds));
     }
@@ -132,7 +133,7 @@ fn bits_are_those_of_the_arithmetic_that_was_needed() {
     // Crossings of a lattice compare points that are constructed.
     assert_eq!(bits("crossings", Kind::Degenerate, "exact"), None);
     let page = small.page(&of);
-    assert!(page.contains("| bits, general |") && page.contains("| near | exact | "), "{page}");
+    assert!(page.contains("| bits |") && page.contains("| near | exact | "), "{page}");
     // The shares of stages are of all queries.
     let shares = of.measures.iter().filter(|row| {
         [&*row.task, &row.kind, &row.backend] == ["orient3d", "near", "exact"] && row.measure.starts_with("stage: ")
@@ -144,23 +145,24 @@ fn bits_are_those_of_the_arithmetic_that_was_needed() {
 #[test]
 fn fewer_stages_are_a_curve_that_ends_without_an_error() {
     let names: Vec<String> = (1..=6).map(|stages| format!("exact:stages={stages}")).collect();
+    let names: Vec<String> = std::iter::once("exact".to_owned()).chain(names).collect();
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let small = Compare { samples: 1, ..study(&["insphere"], 1) };
     let mut of = compared(&small, &names);
     let wrong: Vec<f64> =
-        names.iter().map(|name| value(&of, Kind::Near, name, "sign_flip", "per 10^6 answers").unwrap()).collect();
+        names[1..].iter().map(|name| value(&of, Kind::Near, name, "sign_flip", "per 10^6 answers").unwrap()).collect();
     assert!(wrong[0] > 0.0 && wrong.windows(2).all(|pair| pair[0] >= pair[1]), "{wrong:?}");
     assert_eq!(wrong[5], 0.0);
-    assert!(of.promises.iter().all(|(_, _, proved)| !proved), "a control");
+    assert!(of.promises.iter().skip(1).all(|of| !of.proved), "a control");
     let plots = small.plots(&of).unwrap();
-    let curve = plots.iter().find(|file| file.name == "error-time.svg").unwrap().text();
-    assert!(curve.contains("exact:stages") && !curve.contains("exact:stages="), "one curve: {curve}");
+    let curve = plots.iter().find(|file| file.name == "error-time-answers.svg").unwrap().text();
+    assert!(curve.contains("\nexact:stages=6\n") && curve.contains("<polyline"), "one curve: {curve}");
     let page = small.page(&of);
-    let table = &page[page.find("## Run time against error").unwrap()..];
-    assert!(names.iter().all(|name| table.contains(&format!("| {name} | "))), "{table}");
+    let table = &page[page.find("## One parameter turned").unwrap()..];
+    assert!(names[1..].iter().all(|name| table.contains(&format!("| {name} | "))), "{table}");
     // Without times there is nothing to draw against.
     of.measures.retain(|row| row.measure != "time");
-    assert!(!small.page(&of).contains("Run time against error"));
+    assert!(!small.page(&of).contains("One parameter turned"));
     assert!(small.plots(&of).unwrap().is_empty());
 }
 
@@ -171,17 +173,38 @@ fn a_folder_is_a_section_of_a_report() {
     assert_eq!(predicament_studies::compare::section(&folder), Ok(None));
     let small = study(&["contacts2d"], 1);
     let of = compared(&small, &["exact", "epsilon:1e-4"]);
-    let [file] = <[_; 1]>::try_from(small.rows(&of).unwrap()).unwrap();
-    std::fs::write(folder.join(&file.name), &file.bytes).unwrap();
+    let files = small.rows(&of).unwrap();
+    for file in &files {
+        std::fs::write(folder.join(&file.name), &file.bytes).unwrap();
+    }
+    let file = files.iter().find(|file| file.name == "compare.csv").unwrap();
     let section = predicament_studies::compare::section(&folder).unwrap().unwrap();
     assert_eq!(section.id, "compare");
-    // Three kinds of input, two backends.
-    let shown = format!("{:?}", section.blocks);
-    assert_eq!(shown.matches("epsilon:1e-4").count(), 3, "{shown}");
+    // The ranking with a row for each backend, and at the end the long table: three kinds of input.
+    let is_table = |block: &Block| matches!(block, Block::Table(_));
+    assert!(is_table(&section.blocks[0]));
+    let counts: Vec<usize> = section
+        .blocks
+        .iter()
+        .filter(|block| is_table(block))
+        .map(|table| format!("{table:?}").matches("epsilon:1e-4").count())
+        .collect();
+    assert_eq!(counts, [1, 3]);
     std::fs::write(folder.join("compare.csv"), file.text().replace(",1.0,", ",one,")).unwrap();
     let why = predicament_studies::compare::section(&folder).unwrap_err();
     assert!(why.contains("compare.csv:"), "{why}");
     std::fs::remove_dir_all(&folder).unwrap();
+}
+
+#[test]
+fn the_first_screen_has_the_decision_tree() {
+    let section = predicament_studies::compare::decision();
+    let [Block::Plot { picture, .. }] = &section.blocks[..] else { panic!("{section:?}") };
+    assert_eq!(section.id, "which");
+    assert!(picture.svg.contains("currentColor") && picture.svg.contains("viewBox=\"0 0 400 "), "{}", picture.svg);
+    for backend in ["naive", "exact", "tolerance", "sos", "sos:per-mesh"] {
+        assert!(picture.svg.contains(backend), "{backend}");
+    }
 }
 
 #[test]

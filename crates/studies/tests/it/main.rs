@@ -11,7 +11,9 @@ mod mesh_cascades;
 mod parity;
 mod parity_space;
 mod shape;
+mod standing;
 mod stress;
+mod which;
 mod worst;
 
 use predicament_oracle::roster;

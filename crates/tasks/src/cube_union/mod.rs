@@ -110,7 +110,9 @@ impl Task for CubeUnion {
             Knob::Size => Turns::Everywhere,
             Knob::Scale => Turns::UpTo(250, "volumes are no doubles"),
             Knob::Translation => Turns::UpTo(16, "corners are rounded, and cubes are no longer of one size"),
-            Knob::Noise | Knob::Aspect | Knob::Precision => Turns::Nowhere("cubes have to stay cubes of one size"),
+            Knob::Noise | Knob::Shift | Knob::Aspect | Knob::Precision => {
+                Turns::Nowhere("cubes have to stay cubes of one size")
+            }
             Knob::Pythagorean | Knob::Turn => Turns::Nowhere("the faces of cubes are across the axes"),
         }
     }

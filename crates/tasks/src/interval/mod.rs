@@ -104,7 +104,7 @@ impl Task for Interval {
 
     fn turns(&self, knob: Knob) -> Turns {
         match knob {
-            Knob::Scale | Knob::Aspect | Knob::Size => Turns::Everywhere,
+            Knob::Shift | Knob::Scale | Knob::Aspect | Knob::Size => Turns::Everywhere,
             Knob::Translation => Turns::UpTo(32, "ends of cells are rounded to one place"),
             Knob::Precision => Turns::UpTo(29, "ends of cells are rounded to one place"),
             Knob::Noise | Knob::Pythagorean | Knob::Turn => {

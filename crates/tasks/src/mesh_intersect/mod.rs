@@ -185,7 +185,7 @@ impl Task for MeshIntersect {
     fn turns(&self, knob: Knob) -> Turns {
         match knob {
             Knob::Translation => Turns::UpTo(32, "meshes that are rounded cross themselves"),
-            Knob::Precision => Turns::Nowhere("meshes that are rounded cross themselves"),
+            Knob::Shift | Knob::Precision => Turns::Nowhere("meshes that are rounded cross themselves"),
             _ => Turns::Everywhere,
         }
     }

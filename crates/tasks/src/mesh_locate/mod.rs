@@ -149,7 +149,7 @@ impl Task for MeshLocate {
         match knob {
             Knob::Translation => Turns::UpTo(32, "a mesh that is rounded crosses itself"),
             Knob::Precision => Turns::UpTo(29, "a mesh that is rounded crosses itself"),
-            Knob::Noise | Knob::Scale | Knob::Aspect | Knob::Size | Knob::Pythagorean | Knob::Turn => Turns::Everywhere,
+            _ => Turns::Everywhere,
         }
     }
 

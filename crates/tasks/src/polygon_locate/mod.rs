@@ -118,7 +118,7 @@ impl Task for PolygonLocate {
             Knob::Translation => Turns::UpTo(44, "vertices are rounded to one place"),
             Knob::Precision => Turns::UpTo(45, "vertices are rounded to one place"),
             Knob::Size => Turns::UpTo(4, "a map of n courses has n² regions"),
-            Knob::Noise | Knob::Scale | Knob::Aspect | Knob::Pythagorean | Knob::Turn => Turns::Everywhere,
+            _ => Turns::Everywhere,
         }
     }
 

@@ -138,7 +138,7 @@ impl Task for Slice {
 
     fn turns(&self, knob: Knob) -> Turns {
         match knob {
-            Knob::Scale | Knob::Aspect | Knob::Size => Turns::Everywhere,
+            Knob::Shift | Knob::Scale | Knob::Aspect | Knob::Size => Turns::Everywhere,
             Knob::Translation => Turns::UpTo(32, "a mesh that is rounded crosses itself"),
             Knob::Precision => Turns::UpTo(29, "a mesh that is rounded crosses itself"),
             Knob::Pythagorean => Turns::UpTo(8, "coordinates have more than 53 bits, and faces do not stay flat"),

@@ -125,7 +125,7 @@ impl Task for Triangulate {
         match knob {
             Knob::Translation => Turns::UpTo(32, "a polygon that is rounded crosses itself"),
             Knob::Precision => Turns::UpTo(37, "a polygon that is rounded crosses itself"),
-            Knob::Noise | Knob::Scale | Knob::Aspect | Knob::Size | Knob::Pythagorean | Knob::Turn => Turns::Everywhere,
+            _ => Turns::Everywhere,
         }
     }
 

@@ -1,4 +1,4 @@
-//! The sample report: what the tool says of the embedded and the fetched suites, in `reports/sample` and in README.
+//! The sample report: what the tool says of the embedded and the fetched suites, in `reports/sample`, in README and in `docs/WHICH.md`.
 
 #[cfg(test)]
 mod agrees;
@@ -15,7 +15,24 @@ const SAMPLE: &str = "reports/sample";
 /// What `corpus list` says of suites whose data have to be fetched.
 const FETCHED: &str = "(needs `predicament corpus fetch`)";
 
-/// Runs, times and compares everything, writes the report, and puts what is kept of it into the sample and README.
+/// Backends that differ in one parameter: the curves of errors over time.
+const CURVES: &str = "exact,epsilon:1e-16,epsilon:1e-14,epsilon:1e-12,epsilon:1e-10,epsilon:1e-8,epsilon:1e-6,epsilon:1e-4,\
+    exact:stages=1,exact:stages=2,exact:stages=3,exact:stages=4,exact:stages=5,exact:stages=6";
+
+/// The files of studies, in their folders in that of the run, from which the figures of `docs/WHICH.md` are made.
+const STUDIED: [&str; 9] = [
+    "compare/compare.csv",
+    "compare/promises.csv",
+    "compare/conditioning.csv",
+    "curves/compare.csv",
+    "stress/breaks.csv",
+    "stress/stress-laws.csv",
+    "cut/cut.csv",
+    "parity/parity.csv",
+    "parity-space/parity-space.csv",
+];
+
+/// Runs, times and compares everything, writes the report, and puts what is kept of it into the sample, README and `docs/WHICH.md`.
 pub fn make() -> Result<(), String> {
     let work = fresh(WORK)?;
     let path = |name: &str| work.join(name).display().to_string();
@@ -32,16 +49,28 @@ pub fn make() -> Result<(), String> {
         ["run"].into_iter().chain(suites.iter().map(String::as_str)).chain(["--out", &fetched]).collect();
     tool("run the fetched suites", &all)?;
     tool("time the backends", &["bench", "--judged", &run, "--out", &bench])?;
-    tool("compare the backends", &["compare", "--quiet", "--out", &format!("{run}/compare")])?;
-    tool("turn the knobs", &["stress", "--quiet", "--out", &format!("{run}/stress")])?;
-    let readme = root().join("README.md").display().to_string();
-    tool("write the report", &["report", &run, &fetched, &bench, "--out", &report, "--splice", &readme])?;
+    let study = |name: &str| format!("{run}/{name}");
+    tool("compare the backends", &["compare", "--quiet", "--out", &study("compare")])?;
+    let one_parameter = ["compare", "--quiet", "-b", CURVES, "--scenes", "5", "--trials", "0", "--queries", "0"];
+    tool("turn one parameter", &[&one_parameter[..], &["--out", &study("curves")]].concat())?;
+    tool("cut tetrahedra", &["cut", "--quiet", "--out", &study("cut")])?;
+    let pairs = ["parity", "--quiet", "--pairs", "2000", "--shrink", "0"];
+    tool("merge closed curves", &[&pairs[..], &["--out", &study("parity")]].concat())?;
+    let surfaces = ["--dimension", "3", "--out", &study("parity-space")];
+    tool("merge closed surfaces", &[&pairs[..], &surfaces].concat())?;
+    tool("turn the knobs", &["stress", "--quiet", "--out", &study("stress")])?;
+    let [readme, which] = ["README.md", "docs/WHICH.md"].map(|page| root().join(page).display().to_string());
+    let spliced = ["--splice", &readme, "--splice", &which];
+    tool("write the report", &[&["report", &run, &fetched, &bench, "--out", &report], &spliced[..]].concat())?;
     let picture = root().join(SAMPLE).join("kettner.png").display().to_string();
     tool(
         "draw a pixel map",
         &["map", "kettner-pixels-a", "-b", "naive,naive:first,exact,tolerance", "--out", &picture],
     )?;
-    keep(Path::new(&report))
+    keep(Path::new(&report))?;
+    keep_studied(Path::new(&run))?;
+    println!("\n{SAMPLE}, the table of README and docs/WHICH.md are new; commit them together");
+    Ok(())
 }
 
 /// The suites whose data have to be fetched.
@@ -70,6 +99,16 @@ fn keep(report: &Path) -> Result<(), String> {
     for name in names(report)? {
         std::fs::copy(report.join(&name), sample.join(&name)).map_err(|error| format!("{name}: {error}"))?;
     }
-    println!("\n{SAMPLE} and the table of README are new; commit them together");
+    Ok(())
+}
+
+/// Replaces the files of studies in the sample.
+fn keep_studied(run: &Path) -> Result<(), String> {
+    for file in STUDIED {
+        let to = root().join(SAMPLE).join(file);
+        let failed = |error: std::io::Error| format!("{}: {error}", to.display());
+        std::fs::create_dir_all(to.parent().unwrap_or(&to)).map_err(failed)?;
+        std::fs::copy(run.join(file), &to).map_err(failed)?;
+    }
     Ok(())
 }

@@ -1,0 +1,94 @@
+//! Errors against time, as data of a plot: a point for each backend, and a curve where one parameter of a backend is turned.
+
+use super::Measure;
+use super::standing::{InputKey, REFERENCE, Ratio, Share, Standing, backends, inputs_of, key, ratio};
+use crate::{Error, File};
+use predicament_report::{Point, tradeoff};
+
+/// A backend between time and errors.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Tradeoff<'m> {
+    /// Its name, with its parameters.
+    pub backend: &'m str,
+    /// Its time over that of the reference; none without a pair.
+    pub time: Option<Ratio>,
+    /// Wrong answers, of its answers to single questions.
+    pub answers: Share,
+    /// Scenes with a broken law, of the scenes that it answered in tasks with laws.
+    pub scenes: Share,
+    /// Scenes that it has not done, of the scenes that it was asked.
+    pub not_done: Share,
+    /// The parameter that makes a curve of it and of others; none for a point of its own.
+    pub knob: Option<&'static str>,
+}
+
+/// The parameters that make curves: the beginning of the names of backends that differ in nothing else.
+const KNOBS: [&str; 2] = ["epsilon:", "exact:stages="];
+
+/// The parameter that a backend's name has, if it is one that makes curves.
+fn knob_of(backend: &str) -> Option<&'static str> {
+    KNOBS.into_iter().find(|knob| backend.starts_with(knob))
+}
+
+/// The inputs on which all of these backends, and the reference, answered a scene and have a time.
+fn common<'m>(measures: &'m [Measure], members: &[&str]) -> Vec<InputKey<'m>> {
+    let has = |input: &InputKey<'_>, backend: &str, measure: &str, is: &dyn Fn(&Measure) -> bool| {
+        measures.iter().any(|row| row.backend == backend && row.measure == measure && key(row) == *input && is(row))
+    };
+    let is_timed = |input: &InputKey<'_>, backend: &str| has(input, backend, "time", &|_| true);
+    let is_answered = |input: &InputKey<'_>, backend: &str| has(input, backend, "not done", &|row| row.value < 1.0);
+    let is_common = |input: &InputKey<'_>| {
+        let all = members.iter().all(|backend| is_timed(input, backend) && is_answered(input, backend));
+        all && is_timed(input, REFERENCE)
+    };
+    inputs_of(measures).into_iter().map(|(input, _)| input).filter(is_common).collect()
+}
+
+/// All backends, in the order in which they come. The members of a curve are compared over the inputs that all of them answered.
+#[must_use]
+pub fn tradeoffs(measures: &[Measure]) -> Vec<Tradeoff<'_>> {
+    let all = backends(measures);
+    let members = |knob: &str| -> Vec<&str> { all.iter().copied().filter(|name| name.starts_with(knob)).collect() };
+    let of = |&backend| {
+        // A parameter that is not turned makes no curve.
+        let knob = knob_of(backend).filter(|knob| members(knob).len() > 1);
+        let common = knob.map(|knob| common(measures, &members(knob)));
+        let standing = match &common {
+            Some(common) => Standing::of(measures, backend, |input| common.contains(input)),
+            None => Standing::of(measures, backend, |_| true),
+        };
+        let time = match &common {
+            Some(common) => ratio(measures, backend, common),
+            None => standing.time,
+        };
+        let not_done = Share { count: standing.scenes.not_done, of: standing.scenes.asked };
+        Tradeoff { backend, time, answers: standing.answers, scenes: standing.laws, not_done, knob }
+    };
+    all.iter().map(of).collect()
+}
+
+/// Two plots of errors over time: of answers, and of whole scenes.
+pub(super) fn plots(measures: &[Measure]) -> Result<Vec<File>, Error> {
+    let all = tradeoffs(measures);
+    let panels: [(&str, &str, &str, f64, fn(&Tradeoff<'_>) -> Share); 2] = [
+        ("answers", "Single answers", "wrong answers in 10^6", 1e6, |of| of.answers),
+        ("scenes", "Whole scenes", "scenes in 1000 with a broken law", 1e3, |of| of.scenes),
+    ];
+    let mut files = Vec::new();
+    for (name, title, y, per, get) in panels {
+        let point = |of: &Tradeoff<'_>| Point {
+            backend: of.backend.to_owned(),
+            time: of.time.map(|time| time.value),
+            errors: [get(of).count, get(of).of],
+            not_done: [of.not_done.count, of.not_done.of],
+            is_marked: name == "answers" && of.scenes.count > 0,
+            curve: of.knob.map(|knob| knob.trim_end_matches([':', '=']).to_owned()),
+            before: None,
+        };
+        let points = all.iter().map(point).collect();
+        let x = format!("time over that of {REFERENCE}");
+        let plot = predicament_report::Tradeoff { title: title.into(), x, y: y.into(), per, points };
+        files.extend(File::plot(format!("error-time-{name}"), tradeoff(&plot).map_err(Error::format)?));
+    }
+    Ok(files)
+}

@@ -1,0 +1,103 @@
+//! The reference with every question asked twice: a yardstick for how much of an input's time is spent on predicates.
+//!
+//! An input whose time hardly grows would take as long with any backend: a ratio of times on it says nothing about
+//! backends. The yardstick needs no third backend, so no choice of backends changes which inputs are left out.
+
+use std::hint::black_box;
+
+use predicament_exact::Exact;
+use predicament_predicates::{
+    Axis, Backend, Construction, Constructs, Contract, Declined, Plane, PredicateKind, Predicates, Refused, Scene,
+    Sessions, Sign, Tally, Vertex,
+};
+
+/// The exact backend, which computes each answer twice.
+pub(super) struct Twice;
+
+/// A session that asks another one twice.
+pub(super) struct Asked<P>(P);
+
+impl Backend for Twice {
+    type Session<'s, T: Tally + 's> = Asked<<Exact as Backend>::Session<'s, T>>;
+
+    fn name(&self) -> String {
+        format!("{}, asked twice", Exact.name())
+    }
+
+    fn contract(&self, kind: PredicateKind) -> Contract {
+        Exact.contract(kind)
+    }
+
+    fn stages(&self) -> &'static [&'static str] {
+        Exact.stages()
+    }
+
+    fn constructs(&self) -> Constructs {
+        Exact.constructs()
+    }
+
+    fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Self::Session<'s, T>, Declined> {
+        Exact.prepare(scene, tally).map(Asked)
+    }
+}
+
+/// Methods that are answered by the second of two calls.
+macro_rules! twice {
+    ($($method:ident($($name:ident: $type:ty),*);)+) => {
+        $(fn $method(&self, $($name: $type),*) -> Sign {
+            black_box(self.0.$method($(black_box($name)),*));
+            self.0.$method($($name),*)
+        })+
+    };
+}
+
+/// Batches that are answered by the second of two calls.
+macro_rules! batches_twice {
+    ($($method:ident($($name:ident: $type:ty),*);)+) => {
+        $(fn $method(&self, $($name: $type,)* out: &mut [Sign]) {
+            self.0.$method($($name,)* out);
+            black_box(&mut *out);
+            self.0.$method($($name,)* out);
+        })+
+    };
+}
+
+impl<P: Predicates> Predicates for Asked<P> {
+    fn scene(&self) -> &Scene {
+        self.0.scene()
+    }
+
+    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        self.0.construct(definitions)
+    }
+
+    fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
+        self.0.supports(kind)
+    }
+
+    fn unperturbed(&self) -> Option<&dyn Sessions> {
+        self.0.unperturbed()
+    }
+
+    fn rounded_point(&self, v: Vertex) -> Option<&[f64]> {
+        self.0.rounded_point(v)
+    }
+
+    twice! {
+        compare(axis: Axis, a: Vertex, b: Vertex);
+        orient2d(plane: Plane, a: Vertex, b: Vertex, c: Vertex);
+        orient3d(a: Vertex, b: Vertex, c: Vertex, d: Vertex);
+        incircle(a: Vertex, b: Vertex, c: Vertex, d: Vertex);
+        insphere(a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex);
+    }
+
+    batches_twice! {
+        compare_batch(axis: Axis, queries: &[[Vertex; 2]]);
+        orient2d_batch(plane: Plane, queries: &[[Vertex; 3]]);
+        orient2d_line(plane: Plane, line: [Vertex; 2], points: &[Vertex]);
+        orient3d_batch(queries: &[[Vertex; 4]]);
+        orient3d_plane(plane: [Vertex; 3], points: &[Vertex]);
+        incircle_batch(queries: &[[Vertex; 4]]);
+        insphere_batch(queries: &[[Vertex; 5]]);
+    }
+}

@@ -1,0 +1,127 @@
+//! Where backends break as a knob is turned, and which metamorphic laws they break.
+
+use predicament_report::{Cell, Table};
+use predicament_tasks::Knob;
+
+use super::files::Files;
+use crate::compare::words::{counted, listed, percents};
+use crate::compare::{Share, ranking};
+use crate::stress::{BreakPoint, Violations};
+
+/// The tasks that are predicates; the others are algorithms.
+const PREDICATES: [&str; 5] = ["compare", "orient2d", "orient3d", "incircle", "insphere"];
+
+/// The first position of each knob at which a backend breaks: of predicates, then of algorithms.
+pub(super) fn breaks(files: &Files) -> Result<String, String> {
+    let rows = files.breaks()?;
+    let (mut ways, mut backends): (Vec<[&str; 2]>, Vec<&str>) = Default::default();
+    for row in &rows {
+        let way = [row.knob.as_str(), row.way.as_str()];
+        if !ways.contains(&way) {
+            ways.push(way);
+        }
+        if !backends.contains(&row.backend.as_str()) {
+            backends.push(&row.backend);
+        }
+    }
+    let mut table =
+        Table::new("").words(["knob", "rounds the scene", "scenes a position"]).numbers(backends.iter().copied());
+    for [name, way] in ways {
+        let own = || rows.iter().filter(|row| row.knob == name && row.way == way && row.scenes > 0);
+        let Some(first) = own().next() else { continue };
+        let down = if way == "down" { ", down" } else { "" };
+        let unit = Knob::ALL.iter().find(|knob| knob.name() == name).map_or("", |knob| knob.unit());
+        let (least, most) = (own().map(|row| row.scenes).min(), own().map(|row| row.scenes).max());
+        let scenes = match (least.unwrap_or(0), most.unwrap_or(0)) {
+            (least, most) if least == most => least.to_string(),
+            (least, most) => format!("{least} to {most}"),
+        };
+        let cells = backends.iter().map(|backend| {
+            let of = |is_predicate: bool| {
+                let is = |row: &&BreakPoint| {
+                    row.backend == *backend && PREDICATES.contains(&row.task.as_str()) == is_predicate
+                };
+                earliest(&own().filter(is).collect::<Vec<_>>())
+            };
+            Cell::from(format!("{}; {}", of(true), of(false)))
+        });
+        let words = [format!("{name}{down}: {unit}"), first.rounds.clone(), scenes].map(Cell::from);
+        table.push(words.into_iter().chain(cells).collect());
+    }
+    Ok(format!(
+        "{}\n\nThe first position at which a scene is wrong, with the wrong scenes of the answered ones there, of predicates; of algorithms, the earliest of all tasks that the knob fits. \
+         -: not one scene of any position. d: declines from there on. With n scenes a position, none wrong is a share below Wilson's upper end: {}.",
+        ranking::markdown(table),
+        upper_ends(&rows)
+    ))
+}
+
+/// The upper end of a share of none, for each number of scenes that there is.
+fn upper_ends(rows: &[BreakPoint]) -> String {
+    let mut counts: Vec<u64> = rows.iter().map(|row| row.scenes).filter(|&n| n > 0).collect();
+    counts.sort_unstable();
+    counts.dedup();
+    let ends = counts.into_iter().map(|of| format!("{} for n = {of}", percents(Share { count: 0, of })));
+    listed(&ends.collect::<Vec<_>>())
+}
+
+/// The earliest break point of some tasks; where there is none, where the first declines.
+fn earliest(rows: &[&BreakPoint]) -> String {
+    let place = |knob: &str, position: i32| {
+        let knob = Knob::ALL.into_iter().find(|of| of.name() == knob);
+        knob.and_then(|knob| knob.positions().iter().position(|at| *at == position)).unwrap_or(usize::MAX)
+    };
+    let broken = rows.iter().filter_map(|row| Some((place(&row.knob, row.breaks_at?), row.breaks_at?, row)));
+    // Of the tasks that break first the one with the largest share of wrong scenes.
+    let worst = broken.min_by(|(a, _, row), (b, _, other)| {
+        a.cmp(b).then((other.wrong * row.answered).cmp(&(row.wrong * other.answered)))
+    });
+    if let Some((_, at, row)) = worst {
+        return format!("{at} ({})", counted(Share { count: row.wrong, of: row.answered }));
+    }
+    if rows.is_empty() {
+        return "n/a".to_owned();
+    }
+    let declined = rows.iter().filter_map(|row| Some((place(&row.knob, row.declines_at?), row.declines_at?)));
+    let holds = rows.iter().any(|row| row.holds_to.is_some());
+    match declined.min() {
+        Some((_, at)) => format!("d {at}"),
+        None if holds => "-".to_owned(),
+        None => "n/a".to_owned(),
+    }
+}
+
+/// Violations of metamorphic laws by each backend.
+pub(super) fn laws(files: &Files) -> Result<String, String> {
+    let rows = files.violations()?;
+    let mut backends: Vec<&str> = Vec::new();
+    for row in &rows {
+        if !backends.contains(&row.backend.as_str()) {
+            backends.push(&row.backend);
+        }
+    }
+    let line = |backend: &&str| {
+        let own: Vec<&Violations> = rows.iter().filter(|row| row.backend == **backend).collect();
+        let sum = |rows: &[&Violations]| {
+            rows.iter().fold(Share::default(), |sum, row| Share {
+                count: sum.count + row.violations,
+                of: sum.of + row.tuples - row.silent,
+            })
+        };
+        let all = sum(&own);
+        let mut laws: Vec<&str> = own.iter().filter(|row| row.violations > 0).map(|row| row.law.as_str()).collect();
+        laws.sort_unstable();
+        laws.dedup();
+        let of_law = |law: &&str| {
+            let of: Vec<&Violations> = own.iter().filter(|row| row.law == *law).copied().collect();
+            format!("{law} {}", counted(sum(&of)))
+        };
+        if all.count == 0 {
+            format!("* `{backend}` violates no metamorphic law in {} tuples ({}).", all.of, percents(all))
+        } else {
+            let laws: Vec<String> = laws.iter().map(of_law).collect();
+            format!("* `{backend}` violates a law in {} tuples ({}): {}.", counted(all), percents(all), listed(&laws))
+        }
+    };
+    Ok(backends.iter().map(line).collect::<Vec<_>>().join("\n"))
+}

@@ -1,0 +1,46 @@
+//! Backends that differ in one parameter.
+
+use predicament_report::{Cell, Table};
+use predicament_tasks::Kind;
+
+use super::files::Files;
+use crate::compare::standing::backends;
+use crate::compare::words::{counted, millionths, rate};
+use crate::compare::{Standing, inputs_of, ranking, table};
+
+/// The members of curves over the inputs that all of a curve answered.
+pub(super) fn curves(files: &Files) -> Result<String, String> {
+    let mut page = String::new();
+    table::curves(&mut page, &files.curves()?);
+    if page.is_empty() {
+        return Err("curves/compare.csv: no two backends differ in one parameter".to_owned());
+    }
+    Ok(page.trim_start().trim_start_matches("## One parameter turned").trim_start().to_owned())
+}
+
+/// The stages of exact arithmetic: wrong answers of the predicates by the number of stages.
+pub(super) fn stages(files: &Files) -> Result<String, String> {
+    let measures = files.curves()?;
+    let is_predicate = |task: &str| ["orient2d", "orient3d", "incircle", "insphere"].contains(&task);
+    let inputs: Vec<_> = inputs_of(&measures)
+        .into_iter()
+        .map(|(input, _)| input)
+        .filter(|[task, kind, _]| is_predicate(task) && *kind != Kind::General.name())
+        .collect();
+    let members: Vec<&str> =
+        backends(&measures).into_iter().filter(|backend| backend.starts_with("exact:stages=")).collect();
+    if members.is_empty() || inputs.is_empty() {
+        return Err("curves/compare.csv: there is no `exact:stages=K` on nearly degenerate predicates".to_owned());
+    }
+    let mut table = Table::new("")
+        .words(["backend"])
+        .numbers(inputs.iter().map(|[task, kind, _]| format!("{task}, {kind}: wrong in 10^6")));
+    for backend in members {
+        let cells = inputs.iter().map(|input| {
+            let answers = Standing::of(&measures, backend, |other| other == input).answers;
+            Cell::from(rate(answers)).detail(format!("{}: {}", counted(answers), millionths(answers)))
+        });
+        table.push(std::iter::once(Cell::code(backend)).chain(cells).collect());
+    }
+    Ok(ranking::markdown(table))
+}

@@ -1,0 +1,64 @@
+//! The page "which backend for what": each of its tables and sentences with figures, made of the files of studies.
+//!
+//! The page has marks (`<!-- predicament: which NAME -->`), and a report puts these parts between them. A part is made of rows of files in
+//! the folder of a run: nothing in it is true of one run only. A part whose file is missing is an error with the file's name.
+
+mod breaks;
+mod conditioning;
+mod curves;
+mod files;
+mod kinds;
+mod pieces;
+mod promises;
+mod words;
+
+use std::path::Path;
+
+use files::Files;
+
+/// What makes a part.
+type Make = fn(&Files) -> Result<String, String>;
+
+/// What the names of all parts begin with.
+const PREFIX: &str = "which ";
+
+/// The parts, in the order of the page.
+const PARTS: [(&str, Make); 17] = [
+    ("tree", |_| Ok(format!("```text\n{}```", super::tree::text()))),
+    ("scenes", words::scenes),
+    ("words", words::backends),
+    ("promises", promises::promises),
+    ("ranking", promises::ranking),
+    ("general", kinds::general),
+    ("near", kinds::near),
+    ("degenerate", kinds::degenerate),
+    ("rule", promises::rule),
+    ("curves", curves::curves),
+    ("stages", curves::stages),
+    ("conditioning", conditioning::wrong),
+    ("bits", conditioning::bits),
+    ("breaks", breaks::breaks),
+    ("laws", breaks::laws),
+    ("cut", pieces::cut),
+    ("parity", pieces::parity),
+];
+
+/// A part of the page from what studies have written into the folder of a run; none for a name that is no part's.
+///
+/// Studies have folders there: `compare`, `curves` (a comparison of backends that differ in one parameter), `stress`, `cut`, `parity` and
+/// `parity-space`.
+///
+/// # Errors
+/// One line with the file that is missing or wrong, or with the names that there are.
+#[must_use]
+pub fn part(folder: &Path, name: &str) -> Option<Result<String, String>> {
+    let name = name.strip_prefix(PREFIX)?;
+    let make = PARTS.iter().find(|(known, _)| *known == name).map(|(_, make)| make);
+    Some(make.map_or_else(
+        || {
+            let names: Vec<&str> = PARTS.iter().map(|(name, _)| *name).collect();
+            Err(format!("no part is called `{PREFIX}{name}`; there are {}", names.join(", ")))
+        },
+        |make| make(&Files::of(folder)).map(|text| text.trim().to_owned()),
+    ))
+}

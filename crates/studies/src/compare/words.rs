@@ -1,0 +1,85 @@
+//! Numbers in words: shares with their intervals, counts with their denominators.
+
+use predicament_records::format::{per_million, percent, significant, thousands};
+
+use super::Measure;
+use super::standing::{InputKey, Ratio, Share};
+
+/// `12 of 820`.
+pub(super) fn counted(share: Share) -> String {
+    format!("{} of {}", thousands(share.count), thousands(share.of))
+}
+
+/// The interval of a share in percent: `0.84 to 2.5 %`, `at most 0.47 %`.
+pub(super) fn percents(share: Share) -> String {
+    ends(share.interval().map(|x| 100.0 * x), " %")
+}
+
+/// The interval of a share in a million: `12 to 40 in a million`, `at most 12 in a million`.
+pub(super) fn millionths(share: Share) -> String {
+    ends(share.interval().map(|x| 1e6 * x), " in a million")
+}
+
+fn ends([low, high]: [f64; 2], unit: &str) -> String {
+    let high = significant(high, 2);
+    if low == 0.0 { format!("at most {high}{unit}") } else { format!("{} to {high}{unit}", significant(low, 2)) }
+}
+
+/// A share in percent; a dash of nothing.
+pub(super) fn share(share: Share) -> String {
+    if share.of == 0 { "–".to_owned() } else { percent(share.count, share.of) }
+}
+
+/// Wrong answers in a million; a dash of nothing.
+pub(super) fn rate(share: Share) -> String {
+    per_million(share.count, share.of).map_or_else(|| "–".to_owned(), |x| significant(x, 2))
+}
+
+/// `1.11×`; three digits.
+pub(super) fn times(ratio: f64) -> String {
+    format!("{}×", significant(ratio, 3))
+}
+
+/// `42 of 55 inputs`.
+pub(super) fn pairs(ratio: &Ratio) -> String {
+    format!("{} of {} inputs", ratio.pairs, ratio.of)
+}
+
+/// `1 scene`, `20 scenes`.
+pub(super) fn scenes(n: u64) -> String {
+    predicament_records::format::counted(n, "scene")
+}
+
+/// The name of an input: `orient2d, uniform`.
+pub(super) fn input([task, _, family]: &InputKey<'_>) -> String {
+    format!("{task}, {family}")
+}
+
+/// Words in a row: `a`, `a and b`, `a, b and c`.
+pub(super) fn listed(words: &[String]) -> String {
+    match words {
+        [] => String::new(),
+        [one] => one.clone(),
+        [most @ .., last] => format!("{} and {last}", most.join(", ")),
+    }
+}
+
+/// A number in three digits.
+pub(crate) fn short(value: Option<f64>) -> String {
+    match value {
+        None => "–".to_owned(),
+        Some(0.0) => "0".to_owned(),
+        Some(x) if x.is_infinite() => "none".to_owned(),
+        Some(x) if (0.01..100.0).contains(&x) => {
+            format!("{x:.3}").trim_end_matches('0').trim_end_matches('.').to_owned()
+        }
+        Some(x) if (100.0..1e7).contains(&x) => format!("{x:.0}"),
+        Some(x) => format!("{x:.1e}"),
+    }
+}
+
+/// The largest value of the rows of a backend that are asked for.
+pub(super) fn largest(measures: &[Measure], backend: &str, is_asked: impl Fn(&Measure) -> bool) -> Option<f64> {
+    let of = measures.iter().filter(|row| row.backend == backend && is_asked(row));
+    of.map(|row| row.value).max_by(f64::total_cmp)
+}
