@@ -103,11 +103,11 @@ impl Knob {
     /// Whether turning the knob rounds the coordinates of a scene, so that the scene itself changes: nearly degenerate points may become
     /// degenerate. A knob that does not keeps each sign of the scene at rest, as far as its map keeps signs.
     #[must_use]
-    pub const fn rounds(self) -> Rounds {
+    pub const fn rounds(self) -> RoundsScene {
         match self {
-            Knob::Noise | Knob::Translation | Knob::Precision | Knob::Turn => Rounds::Always,
-            Knob::Pythagorean => Rounds::Beyond53Bits,
-            Knob::Shift | Knob::Scale | Knob::Aspect | Knob::Size => Rounds::Never,
+            Knob::Noise | Knob::Translation | Knob::Precision | Knob::Turn => RoundsScene::Always,
+            Knob::Pythagorean => RoundsScene::Beyond53Bits,
+            Knob::Shift | Knob::Scale | Knob::Aspect | Knob::Size => RoundsScene::Never,
         }
     }
 
@@ -123,7 +123,7 @@ pub const SHIFTED_BITS: i32 = 24;
 
 /// Whether a knob rounds the coordinates of a scene.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Rounds {
+pub enum RoundsScene {
     /// Not at any of its positions.
     Never,
     /// At each position but rest.
@@ -132,14 +132,14 @@ pub enum Rounds {
     Beyond53Bits,
 }
 
-impl Rounds {
+impl RoundsScene {
     /// The word in tables.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
-            Rounds::Never => "no",
-            Rounds::Always => "yes",
-            Rounds::Beyond53Bits => "beyond 53 bits",
+            RoundsScene::Never => "no",
+            RoundsScene::Always => "yes",
+            RoundsScene::Beyond53Bits => "beyond 53 bits",
         }
     }
 }

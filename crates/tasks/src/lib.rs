@@ -69,7 +69,7 @@ pub use compared::{Compared, Kind};
 pub use contestant::{Contestant, Entry};
 pub use counts::ClassCounts;
 pub use digest::digest;
-pub use knob::{Knob, Rounds, SHIFTED_BITS, Turns};
+pub use knob::{Knob, RoundsScene, SHIFTED_BITS, Turns};
 pub use list::{TaskList, built_in, solvers, vocabulary};
 pub use outcome::{AnswerLine, Finding, Outcome, finding_id, ids, symbol};
 pub use phases::Phase;

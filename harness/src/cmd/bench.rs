@@ -123,11 +123,8 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let backends = tool.pick(&names)?;
     let mut taken_over = 0;
     let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-bench"));
-    let plan = Plan {
-        timed: true,
-        engines: engines(&names)?,
-        ..plan(tool, &selection, &scenes, &backends, Shard::WHOLE)
-    };
+    let plan =
+        Plan { timed: true, engines: engines(&names)?, ..plan(tool, &selection, &scenes, &backends, Shard::WHOLE) };
     let mut writer =
         RunWriter::create(&folder, &plan, &env_of(&backends), &phases::tables(tool)).map_err(Failure::usage)?;
     // A pass over a large scene looks at no flag.

@@ -109,7 +109,7 @@ fn rotated(dimension: Dimension, coordinates: &[f64], angle: f64) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use predicament_tasks::Rounds;
+    use predicament_tasks::RoundsScene;
 
     use super::*;
 
@@ -130,7 +130,7 @@ mod tests {
         let last = *Knob::Shift.positions().last().unwrap();
         assert_eq!(last + SHIFTED_BITS + 1, 53);
         assert_ne!(differences(Knob::Translation, 8), differences(Knob::Translation, 0));
-        assert_eq!([Knob::Shift, Knob::Translation].map(Knob::rounds), [Rounds::Never, Rounds::Always]);
+        assert_eq!([Knob::Shift, Knob::Translation].map(Knob::rounds), [RoundsScene::Never, RoundsScene::Always]);
     }
 
     #[test]
