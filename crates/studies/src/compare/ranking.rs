@@ -28,17 +28,12 @@ pub(super) fn rule(measures: &[Measure]) -> String {
     text
 }
 
-/// Backends by the share of answered scenes that they get wrong, then by what they have not done, then by time.
-pub(super) fn ranked(measures: &[Measure]) -> Vec<Standing<'_>> {
+/// Backends by the share of their scenes that are neither wrong nor left undone, the largest first, then by time.
+fn ranked(measures: &[Measure]) -> Vec<Standing<'_>> {
     let mut all = standings(measures);
     let place = |of: &Standing<'_>| {
-        let wrong = Share { count: of.scenes.wrong, of: of.scenes.asked - of.scenes.not_done };
-        let not_done = Share { count: of.scenes.not_done, of: of.scenes.asked };
-        [
-            wrong.value().unwrap_or(2.0),
-            not_done.value().unwrap_or(2.0),
-            of.time.map_or(f64::INFINITY, |time| time.value),
-        ]
+        let failed = Share { count: of.scenes.wrong + of.scenes.not_done, of: of.scenes.asked };
+        [failed.value().unwrap_or(2.0), of.time.map_or(f64::INFINITY, |time| time.value)]
     };
     all.sort_by(|a, b| {
         let pairs = place(a).into_iter().zip(place(b));

@@ -51,7 +51,7 @@ pub fn section(folder: &Path) -> Result<Option<Section>, String> {
         id: ID,
         title: TITLE,
         lead: format!(
-            "Backends of all philosophies on the same scenes, best first: by the scenes that they get wrong, then by those that they do not do, then by time. Each number is made of rows of {}, which have intervals and what they are of.",
+            "Backends of all philosophies on the same scenes, best first: by the scenes that are neither wrong nor left undone, then by time. Each number is made of rows of {}, which have intervals and what they are of.",
             path.display()
         ),
         blocks,

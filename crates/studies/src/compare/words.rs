@@ -21,8 +21,11 @@ pub(super) fn millionths(share: Share) -> String {
 }
 
 fn ends([low, high]: [f64; 2], unit: &str) -> String {
-    let high = significant(high, 2);
-    if low == 0.0 { format!("at most {high}{unit}") } else { format!("{} to {high}{unit}", significant(low, 2)) }
+    if low == 0.0 {
+        format!("at most {}{unit}", significant(high, 2))
+    } else {
+        format!("{} to {}{unit}", significant(low, 3), significant(high, 3))
+    }
 }
 
 /// A share in percent; a dash of nothing.
@@ -32,7 +35,7 @@ pub(super) fn share(share: Share) -> String {
 
 /// Wrong answers in a million; a dash of nothing.
 pub(super) fn rate(share: Share) -> String {
-    per_million(share.count, share.of).map_or_else(|| "–".to_owned(), |x| significant(x, 2))
+    per_million(share.count, share.of).map_or_else(|| "–".to_owned(), |x| significant(x, 3))
 }
 
 /// `1.11×`; three digits.

@@ -32,6 +32,20 @@ const STUDIED: [&str; 9] = [
     "parity-space/parity-space.csv",
 ];
 
+/// Measures that no figure of the page is of: their rows are left out of the sample.
+const UNUSED: [&str; 10] = [
+    "stage: ",
+    "topology: ",
+    "memory,",
+    "declined,",
+    "tie_broken,",
+    "sign_flip,",
+    "missed_zero,",
+    "overreach,",
+    "nan,",
+    "inconsistent,",
+];
+
 /// Runs, times and compares everything, writes the report, and puts what is kept of it into the sample, README and `docs/WHICH.md`.
 pub fn make() -> Result<(), String> {
     let work = fresh(WORK)?;
@@ -108,7 +122,15 @@ fn keep_studied(run: &Path) -> Result<(), String> {
         let to = root().join(SAMPLE).join(file);
         let failed = |error: std::io::Error| format!("{}: {error}", to.display());
         std::fs::create_dir_all(to.parent().unwrap_or(&to)).map_err(failed)?;
-        std::fs::copy(run.join(file), &to).map_err(failed)?;
+        let text = std::fs::read_to_string(run.join(file)).map_err(failed)?;
+        // The fifth column is the measure.
+        let is_unused = |line: &&str| {
+            let measure = line.splitn(5, ',').nth(4).unwrap_or_default().trim_start_matches('"');
+            UNUSED.iter().any(|unused| measure.starts_with(unused))
+        };
+        let is_kept = |line: &&str| !file.ends_with("/compare.csv") || !is_unused(line);
+        let kept: String = text.lines().filter(is_kept).flat_map(|line| [line, "\n"]).collect();
+        std::fs::write(&to, kept).map_err(failed)?;
     }
     Ok(())
 }
