@@ -1,7 +1,7 @@
 //! Plain floating point with a fixed epsilon.
 
 use predicament_predicates::{
-    Backend, Batches, Constructs, Contract, Declined, PredicateKind, Scene, Sign, Tally, ZeroMeaning,
+    Backend, Batches, Constructs, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning,
 };
 
 use crate::naive_session::Last;
@@ -80,9 +80,9 @@ impl Float for Epsilon {
     }
 
     #[inline(always)]
-    fn sign(&self, determinant: f64) -> Sign {
+    fn value(&self, determinant: f64) -> f64 {
         // A selected zero, not a branch: which determinants are small can't be predicted.
-        Sign::of(if determinant.abs() < self.eps { 0.0 } else { determinant })
+        if determinant.abs() < self.eps { 0.0 } else { determinant }
     }
 }
 

@@ -78,6 +78,14 @@ macro_rules! each {
     };
 }
 
+/// [`Sign::of`], from a table. After a choice of pivots that one is compiled to branches, and a wrong guess at the sign of a random
+/// determinant costs more than the determinant.
+#[inline(always)]
+fn sign(x: f64) -> Sign {
+    const SIGNS: [Sign; 4] = [Sign::Zero, Sign::Positive, Sign::Negative, Sign::Zero];
+    SIGNS[usize::from(x > 0.0) | usize::from(x < 0.0) << 1]
+}
+
 // A method that is left out would fall back to its default and pass over the session's own.
 #[deny(clippy::missing_trait_methods)]
 impl<T: Tally> Predicates for NaiveSession<'_, T> {
@@ -96,27 +104,27 @@ impl<T: Tally> Predicates for NaiveSession<'_, T> {
 
     #[inline]
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        each!(self, session => session.compare(axis, a, b))
+        sign(each!(self, session => session.compare_value(axis, [a, b])))
     }
 
     #[inline]
     fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        each!(self, session => session.orient2d(plane, a, b, c))
+        sign(each!(self, session => session.orient2d_value(plane, [a, b, c])))
     }
 
     #[inline]
     fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        each!(self, session => session.orient3d(a, b, c, d))
+        sign(each!(self, session => session.orient3d_value([a, b, c, d])))
     }
 
     #[inline]
     fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        each!(self, session => session.incircle(a, b, c, d))
+        sign(each!(self, session => session.incircle_value([a, b, c, d])))
     }
 
     #[inline]
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        each!(self, session => session.insphere(a, b, c, d, e))
+        sign(each!(self, session => session.insphere_value([a, b, c, d, e])))
     }
 
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {

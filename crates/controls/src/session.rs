@@ -7,7 +7,7 @@ use predicament_predicates::{
 
 use crate::rounded;
 
-/// How a control computes: a determinant for each predicate, and what sign it makes of it.
+/// How a control computes: a determinant for each predicate, and the number whose sign it answers.
 pub(crate) trait Float: Send + Sync {
     /// Whether batches are answered in vector registers: for formulas without branches. Else they are loops over single queries.
     const IN_LANES: bool;
@@ -17,10 +17,10 @@ pub(crate) trait Float: Send + Sync {
     fn incircle(&self, points: [[f64; 2]; 4]) -> f64;
     fn insphere(&self, points: [[f64; 3]; 5]) -> f64;
 
-    /// The sign that is answered for a determinant.
+    /// The number whose sign is answered for a determinant.
     #[inline(always)]
-    fn sign(&self, determinant: f64) -> Sign {
-        Sign::of(determinant)
+    fn value(&self, determinant: f64) -> f64 {
+        determinant
     }
 }
 
@@ -148,18 +148,18 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
     // Out of the way of scenes without constructed vertices.
 
     #[inline(never)]
-    fn compare_all(&self, axis: Axis, vertices: [Vertex; 2]) -> Sign {
-        self.answer(PredicateKind::Compare, self.difference(self.all(), axis, vertices))
+    fn difference_all(&self, axis: Axis, vertices: [Vertex; 2]) -> f64 {
+        self.difference(self.all(), axis, vertices)
     }
 
     #[inline(never)]
-    fn orient2d_all(&self, plane: Plane, vertices: [Vertex; 3]) -> Sign {
-        self.answer(PredicateKind::Orient2d, self.turn(self.all(), plane, vertices))
+    fn turn_all(&self, plane: Plane, vertices: [Vertex; 3]) -> f64 {
+        self.turn(self.all(), plane, vertices)
     }
 
     #[inline(never)]
-    fn orient3d_all(&self, vertices: [Vertex; 4]) -> Sign {
-        self.answer(PredicateKind::Orient3d, self.side(self.all(), vertices))
+    fn side_all(&self, vertices: [Vertex; 4]) -> f64 {
+        self.side(self.all(), vertices)
     }
 
     #[inline(never)]
@@ -178,10 +178,61 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         if self.has_constructed() { self.circle_all(vertices) } else { self.input().flat(Plane::Xy, vertices) }
     }
 
-    #[inline]
-    fn answer(&self, kind: PredicateKind, determinant: f64) -> Sign {
+    #[inline(always)]
+    fn difference_of(&self, axis: Axis, vertices: [Vertex; 2]) -> f64 {
+        if self.has_constructed() {
+            return self.difference_all(axis, vertices);
+        }
+        self.difference(self.input(), axis, vertices)
+    }
+
+    #[inline(always)]
+    fn turn_of(&self, plane: Plane, vertices: [Vertex; 3]) -> f64 {
+        if self.has_constructed() {
+            return self.turn_all(plane, vertices);
+        }
+        self.turn(self.input(), plane, vertices)
+    }
+
+    #[inline(always)]
+    fn side_of(&self, vertices: [Vertex; 4]) -> f64 {
+        if self.has_constructed() {
+            return self.side_all(vertices);
+        }
+        self.side(self.input(), vertices)
+    }
+
+    #[inline(always)]
+    fn settled(&self, kind: PredicateKind, determinant: f64) -> f64 {
         self.tally.settled(kind, 0);
-        self.float.sign(determinant)
+        self.float.value(determinant)
+    }
+
+    // The numbers whose signs are answered.
+
+    #[inline(always)]
+    pub(crate) fn compare_value(&self, axis: Axis, vertices: [Vertex; 2]) -> f64 {
+        self.settled(PredicateKind::Compare, self.difference_of(axis, vertices))
+    }
+
+    #[inline(always)]
+    pub(crate) fn orient2d_value(&self, plane: Plane, vertices: [Vertex; 3]) -> f64 {
+        self.settled(PredicateKind::Orient2d, self.turn_of(plane, vertices))
+    }
+
+    #[inline(always)]
+    pub(crate) fn orient3d_value(&self, vertices: [Vertex; 4]) -> f64 {
+        self.settled(PredicateKind::Orient3d, self.side_of(vertices))
+    }
+
+    #[inline(always)]
+    pub(crate) fn incircle_value(&self, vertices: [Vertex; 4]) -> f64 {
+        self.settled(PredicateKind::Incircle, self.float.incircle(self.circle(vertices)))
+    }
+
+    #[inline(always)]
+    pub(crate) fn insphere_value(&self, vertices: [Vertex; 5]) -> f64 {
+        self.settled(PredicateKind::Insphere, self.float.insphere(self.input().solid(vertices)))
     }
 }
 
@@ -210,52 +261,36 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
 
     #[inline]
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        if self.has_constructed() {
-            return self.compare_all(axis, [a, b]);
-        }
-        self.answer(PredicateKind::Compare, self.difference(self.input(), axis, [a, b]))
+        Sign::of(self.compare_value(axis, [a, b]))
     }
 
     #[inline]
     fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        if self.has_constructed() {
-            return self.orient2d_all(plane, [a, b, c]);
-        }
-        self.answer(PredicateKind::Orient2d, self.turn(self.input(), plane, [a, b, c]))
+        Sign::of(self.orient2d_value(plane, [a, b, c]))
     }
 
     #[inline]
     fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        if self.has_constructed() {
-            return self.orient3d_all([a, b, c, d]);
-        }
-        self.answer(PredicateKind::Orient3d, self.side(self.input(), [a, b, c, d]))
+        Sign::of(self.orient3d_value([a, b, c, d]))
     }
 
     #[inline]
     fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.answer(PredicateKind::Incircle, self.float.incircle(self.circle([a, b, c, d])))
+        Sign::of(self.incircle_value([a, b, c, d]))
     }
 
     #[inline]
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.answer(PredicateKind::Insphere, self.float.insphere(self.input().solid([a, b, c, d, e])))
+        Sign::of(self.insphere_value([a, b, c, d, e]))
     }
 
     /// The determinant; none for wrong numbers of vertices. For a comparison
     /// it is the difference.
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {
         match (question, args) {
-            (Question::Compare(axis), &[a, b]) if self.has_constructed() => {
-                Some(self.difference(self.all(), axis, [a, b]))
-            }
-            (Question::Orient2d(plane), &[a, b, c]) if self.has_constructed() => {
-                Some(self.turn(self.all(), plane, [a, b, c]))
-            }
-            (Question::Orient3d, &[a, b, c, d]) if self.has_constructed() => Some(self.side(self.all(), [a, b, c, d])),
-            (Question::Compare(axis), &[a, b]) => Some(self.difference(self.input(), axis, [a, b])),
-            (Question::Orient2d(plane), &[a, b, c]) => Some(self.turn(self.input(), plane, [a, b, c])),
-            (Question::Orient3d, &[a, b, c, d]) => Some(self.side(self.input(), [a, b, c, d])),
+            (Question::Compare(axis), &[a, b]) => Some(self.difference_of(axis, [a, b])),
+            (Question::Orient2d(plane), &[a, b, c]) => Some(self.turn_of(plane, [a, b, c])),
+            (Question::Orient3d, &[a, b, c, d]) => Some(self.side_of([a, b, c, d])),
             (Question::Incircle, &[a, b, c, d]) => Some(self.float.incircle(self.circle([a, b, c, d]))),
             (Question::Insphere, &[a, b, c, d, e]) => Some(self.float.insphere(self.input().solid([a, b, c, d, e]))),
             _ => None,
@@ -269,10 +304,7 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
     }
 
     fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {
-        let one = |pair| match self.has_constructed() {
-            true => self.difference(self.all(), axis, pair),
-            false => self.difference(self.input(), axis, pair),
-        };
+        let one = |pair| self.difference_of(axis, pair);
         let kind = PredicateKind::Compare;
         match (self.scene.dimension(), axis) {
             (Dimension::Two, Axis::X) => self.compare_lanes::<Along<0>, 2>(self.points2, queries, out, one),
@@ -286,10 +318,7 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
     }
 
     fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
-        let one = |triple| match self.has_constructed() {
-            true => self.turn(self.all(), plane, triple),
-            false => self.turn(self.input(), plane, triple),
-        };
+        let one = |triple| self.turn_of(plane, triple);
         match (self.scene.dimension(), plane) {
             (Dimension::Two, Plane::Xy) => self.turn_lanes::<Whole, 2>(self.points2, queries, out, one),
             (_, Plane::Xy) => self.turn_lanes::<Xy, 3>(self.points3, queries, out, one),
@@ -299,10 +328,7 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
     }
 
     fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
-        let one = |quadruple| match self.has_constructed() {
-            true => self.side(self.all(), quadruple),
-            false => self.side(self.input(), quadruple),
-        };
+        let one = |quadruple| self.side_of(quadruple);
         let evaluate = |points| self.float.orient3d(points);
         self.many::<Whole, 3, 3, 4>(PredicateKind::Orient3d, self.points3, (queries, out), evaluate, one);
     }
@@ -358,8 +384,9 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         if !F::IN_LANES {
             return self.one_by_one(kind, queries, out, one);
         }
-        let sign = |determinant| self.float.sign(determinant);
-        lanes::answer::<V, E, D, N>(points, queries, out, evaluate, sign, |query| sign(one(query)));
+        let value = |points| self.float.value(evaluate(points));
+        let elsewhere = |query| Sign::of(self.float.value(one(query)));
+        lanes::answer::<V, E, D, N>(points, queries, out, value, elsewhere);
         self.tally.settled_many(kind, 0, queries.len().min(out.len()) as u64);
     }
 
@@ -372,7 +399,7 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         one: impl Fn([Vertex; N]) -> f64,
     ) {
         for (&query, out) in queries.iter().zip(out) {
-            *out = self.answer(kind, one(query));
+            *out = Sign::of(self.settled(kind, one(query)));
         }
     }
 }

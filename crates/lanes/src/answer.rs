@@ -1,6 +1,8 @@
 //! The sign of a formula for each query of a batch, as it is.
 
 #![allow(unsafe_code)]
+// Loops over indices stay in registers.
+#![allow(clippy::needless_range_loop)]
 
 use std::marker::PhantomData;
 
@@ -9,8 +11,8 @@ use predicament_predicates::{Sign, Vertex};
 use crate::block::{BLOCK, Block, View};
 use crate::simd::{Kernel, dispatch};
 
-/// Answers all queries of a batch: `evaluate` computes a determinant from the points of a query, seen in the view, and `sign` says what
-/// it answers for a determinant. Both are compiled for the widest registers of the machine: neither should branch.
+/// Answers all queries of a batch by the signs of what `evaluate` computes from the points of a query, seen in the view: zero for NaN. It is
+/// compiled for the widest registers of the machine, and should not branch.
 ///
 /// `elsewhere` answers queries with a vertex that has no point in `points`, one by one.
 #[inline]
@@ -19,52 +21,54 @@ pub fn answer<V: View<E, D>, const E: usize, const D: usize, const N: usize>(
     queries: &[[Vertex; N]],
     out: &mut [Sign],
     evaluate: impl Fn([[f64; D]; N]) -> f64,
-    sign: impl Fn(f64) -> Sign,
     elsewhere: impl Fn([Vertex; N]) -> Sign,
 ) {
-    dispatch(Of { points, queries, out, evaluate, sign, elsewhere, view: PhantomData::<(V, [(); D])> });
+    dispatch(Of { points, queries, out, evaluate, elsewhere, view: PhantomData::<(V, [(); D])> });
 }
 
-struct Of<'a, F, S, L, P, const E: usize, const N: usize> {
+struct Of<'a, F, L, P, const E: usize, const N: usize> {
     points: &'a [[f64; E]],
     queries: &'a [[Vertex; N]],
     out: &'a mut [Sign],
     evaluate: F,
-    sign: S,
     elsewhere: L,
     view: PhantomData<P>,
 }
 
-impl<V, F, S, L, const E: usize, const D: usize, const N: usize> Kernel for Of<'_, F, S, L, (V, [(); D]), E, N>
+impl<V, F, L, const E: usize, const D: usize, const N: usize> Kernel for Of<'_, F, L, (V, [(); D]), E, N>
 where
     V: View<E, D>,
     F: Fn([[f64; D]; N]) -> f64,
-    S: Fn(f64) -> Sign,
     L: Fn([Vertex; N]) -> Sign,
 {
     type Output = ();
 
     #[inline(always)]
     unsafe fn run<const WIDE: bool>(self) {
-        let Of { points, queries, out, evaluate, sign, elsewhere, .. } = self;
+        let Of { points, queries, out, evaluate, elsewhere, .. } = self;
         let mut block = Block::EMPTY;
         for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
             // SAFETY: the kernel is run wide where the processor has AVX-512F.
-            unsafe { block.fetch::<V, E, WIDE>(points, queries) };
-            let mut determinants = [0.0; BLOCK];
+            let all_have_points = unsafe { block.fetch::<V, E, WIDE>(points, queries) };
+            let mut values = [0.0; BLOCK];
             for at in 0..BLOCK {
-                determinants[at] = evaluate(block.query(at));
+                values[at] = evaluate(block.query(at));
             }
             let mut signs = [Sign::Zero; BLOCK];
             for at in 0..BLOCK {
-                signs[at] = sign(determinants[at]);
+                signs[at] = if values[at] > 0.0 {
+                    Sign::Positive
+                } else if values[at] < 0.0 {
+                    Sign::Negative
+                } else {
+                    Sign::Zero
+                };
             }
             out.copy_from_slice(&signs[..queries.len()]);
-            // (A determinant that is NaN does not tell: finite points can have one.)
-            let is_elsewhere = |v: &Vertex| v.index() >= points.len();
-            if queries.as_flattened().iter().any(is_elsewhere) {
+            // (A value that is NaN does not tell: finite points can have one.)
+            if !all_have_points {
                 for (query, out) in queries.iter().zip(out) {
-                    if query.iter().any(is_elsewhere) {
+                    if query.iter().any(|v| v.index() >= points.len()) {
                         *out = elsewhere(*query);
                     }
                 }
@@ -98,9 +102,9 @@ mod tests {
         let expected: Vec<Sign> = queries.iter().map(one).collect();
         for width in Width::ALL.into_iter().filter(|width| width.is_available()) {
             let mut out = vec![Sign::Zero; queries.len()];
-            let (sign, elsewhere) = (Sign::of, |_| Sign::Zero);
+            let elsewhere = |_| Sign::Zero;
             let view = PhantomData::<(V, [(); 2])>;
-            run_on(width, Of { points, queries, out: &mut out, evaluate: formula, sign, elsewhere, view });
+            run_on(width, Of { points, queries, out: &mut out, evaluate: formula, elsewhere, view });
             assert_eq!(out, expected, "{width:?}");
         }
     }

@@ -87,7 +87,7 @@ impl<const D: usize, const N: usize> Block<D, N> {
         points
     }
 
-    /// Takes the points of these queries, [`BLOCK`] at most. A vertex that has
+    /// Takes the points of these queries, [`BLOCK`] at most, and says whether all vertices have one. A vertex that has
     /// none gets NaN for coordinates.
     ///
     /// # Safety
@@ -97,12 +97,12 @@ impl<const D: usize, const N: usize> Block<D, N> {
         &mut self,
         points: &[[f64; E]],
         queries: &[[Vertex; N]],
-    ) {
+    ) -> bool {
+        let of_all = |largest, &v| if v > largest { v } else { largest };
+        let largest = queries.as_flattened().iter().fold(Vertex::input(0), of_all);
         let mut first = 0;
         #[cfg(target_arch = "x86_64")]
         if W {
-            let of_all = |largest, &v| if v > largest { v } else { largest };
-            let largest = queries.as_flattened().iter().fold(Vertex::input(0), of_all);
             // The last point is left out, since registers reach into what comes after a point.
             if largest.index() + 1 < points.len() {
                 let (eights, rest) = queries.as_chunks::<8>();
@@ -131,6 +131,7 @@ impl<const D: usize, const N: usize> Block<D, N> {
                 }
             }
         }
+        largest.index() < points.len()
     }
 }
 

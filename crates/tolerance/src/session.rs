@@ -452,7 +452,7 @@ impl<T: Tally, F: Float> Session<'_, T, F> {
         }
         let width = self.width(width, question);
         let (evaluate, one) = (|points| beyond(width, evaluate(points)), |query| Sign::of(beyond(width, one(query))));
-        lanes::answer::<V, E, D, N>(points, queries, out, evaluate, Sign::of, one);
+        lanes::answer::<V, E, D, N>(points, queries, out, evaluate, one);
         self.tally.settled_many(question.kind(), 0, queries.len().min(out.len()) as u64);
     }
 }

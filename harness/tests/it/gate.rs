@@ -167,7 +167,7 @@ fn a_baseline_catches_what_has_become_slower() {
         rewrite(out, "throughput.csv", &made_up);
     }
     let told = expect(102, &["gate", &slow, "--baseline", &fast, "--time"]);
-    assert!(told.stdout.contains("on exact: 1.20 ns/query, was 1.00 (1.20 times)"), "{}", told.stdout);
+    assert!(told.stdout.contains("on exact (single): 1.20 ns/query, was 1.00 (1.20 times)"), "{}", told.stdout);
     expect(0, &["gate", &fast, "--baseline", &slow, "--time"]);
     expect(0, &["gate", &slow, "--baseline", &slow, "--time"]);
     // Within the threshold, or where nobody asks, times are no error.

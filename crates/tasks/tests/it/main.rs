@@ -15,3 +15,4 @@ mod pages;
 mod sizes;
 mod spelled;
 mod tables;
+mod timed;
