@@ -8,20 +8,33 @@ use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Error, Origin, RunDir};
 use predicament_records::format::{factor, significant, thousands};
 
-pub fn section(runs: &[RunDir], times: &Times) -> Result<Section, Error> {
+pub fn section(runs: &[RunDir], times: &Times) -> Section {
     let mut marks = overall(runs, times).marks;
-    let mut drawn = Vec::new();
-    for plot in plots(&marks, &[]) {
-        if let Some(picture) = tradeoff(&plot.0)? {
-            let alt = format!("{} against {}", plot.0.y, plot.0.x);
-            drawn.push(Block::Plot { picture, file: plot.1.into(), alt: alt.into() });
-        }
-    }
     marks.sort_by(|a, b| rank(a).partial_cmp(&rank(b)).unwrap_or(std::cmp::Ordering::Equal));
     let mut blocks = vec![Block::table_or(table(&marks), "No scene was checked.")];
-    blocks.append(&mut drawn);
-    blocks.push(Block::Note(key(&marks), Tone::Muted));
-    Ok(Section { id: "glance", title: "Which backend to use", lead: LEAD.to_owned(), blocks })
+    if !marks.is_empty() {
+        blocks.push(Block::Note(key(&marks), Tone::Muted));
+    }
+    Section { id: "glance", title: "Which backend to use", lead: LEAD.to_owned(), blocks }
+}
+
+/// The same as plots; none where nothing was timed.
+pub fn drawn(runs: &[RunDir], times: &Times) -> Result<Option<Section>, Error> {
+    let mut blocks = Vec::new();
+    for (plot, file) in plots(&overall(runs, times).marks, &[]) {
+        if let Some(picture) = tradeoff(&plot)? {
+            let alt = format!("{} against {}", plot.y, plot.x);
+            blocks.push(Block::Plot { picture, file: file.into(), alt: alt.into() });
+        }
+    }
+    Ok((!blocks.is_empty()).then(|| Section {
+        id: "tradeoff",
+        title: "What being right costs",
+        lead: "Errors over everything that was asked, against time. A line is Wilson's interval at 95 %; never wrong is at the \
+               bottom, up to what may be. A cross is a broken law of a whole scene, a bar what was left undone."
+            .to_owned(),
+        blocks,
+    }))
 }
 
 /// What the ranking goes by: broken laws and wrong answers, then what is not done, then the time.
@@ -119,7 +132,7 @@ fn told(share: Share, noun: &str, tone: Tone) -> Cell {
     }
     let cell = Cell::from(share.text()).title(share.told(noun));
     let cell = cell.tone(if share.count == 0 { Tone::Muted } else { tone });
-    let [low, high] = share.interval().map(|share| significant(100.0 * share, 2));
+    let [low, high] = share.interval().map(|share| significant(100.0 * share, 3));
     match (share.count, tone) {
         (0, Tone::Bad) => cell.detail(format!("≤ {high} %")),
         (0, _) | (_, Tone::Plain) => cell,
@@ -151,9 +164,7 @@ fn key(marks: &[Mark]) -> String {
         key += &format!(
             " A time is the geometric mean of the ratios to {REFERENCE}'s in the same run, over the families of scenes that \
              both were timed on. Single queries, batches and whole scenes are never mixed. A batch is compared with \
-             {REFERENCE} in vector registers: its ratio is the price of exactness. In the plots a line is Wilson's interval \
-             at 95 %; never wrong is at the bottom, up to what may be. A cross is a broken law of a whole scene, a bar what \
-             was left undone."
+             {REFERENCE} in vector registers: its ratio is the price of exactness."
         );
     }
     key

@@ -27,7 +27,7 @@ use crate::table::{Block, Tone};
 use crate::{Error, RunDir};
 
 /// The sections of the first screen, which are never folded.
-pub const FIRST: [&str; 5] = ["against", "glance", "which", "heat", "compare"];
+pub const FIRST: [&str; 6] = ["against", "glance", "heat", "tradeoff", "which", "compare"];
 /// The other sections that are open at first.
 pub const UNFOLDED: [&str; 2] = ["findings", "speed"];
 
@@ -37,7 +37,8 @@ pub fn sections(runs: &[RunDir], of_tasks: &[Section]) -> Result<Vec<Section>, E
     let times = Times::of(runs);
     let (mut first, of_tasks): (Vec<_>, Vec<_>) =
         of_tasks.iter().cloned().partition(|section| FIRST.contains(&section.id));
-    first.extend([glance::section(runs, &times)?, heat::section(runs)]);
+    first.extend([glance::section(runs, &times), heat::section(runs)]);
+    first.extend(glance::drawn(runs, &times)?);
     first.sort_by_key(|section| FIRST.iter().position(|id| *id == section.id));
     let mut empty = Vec::new();
     let mut rest: Vec<Section> = [
@@ -60,6 +61,10 @@ pub fn sections(runs: &[RunDir], of_tasks: &[Section]) -> Result<Vec<Section>, E
         section
     })
     .collect();
+    // A task says in a note that it was not asked.
+    let (silent, of_tasks): (Vec<_>, Vec<_>) =
+        of_tasks.into_iter().partition(|section| section.blocks.iter().all(|block| matches!(block, Block::Note(..))));
+    empty.extend(silent.iter().map(|section| section.title));
     rest.extend(of_tasks);
     let mut last = not_run::section(runs)?;
     if !empty.is_empty() {

@@ -51,7 +51,7 @@ fn what_changed_is_named() {
     assert!(place("against") < place("heat"));
     // A ring for each backend beside its mark, which the plot of the run alone has not.
     let plot = |id: &str| page[place(id)..].split("</svg>").next().unwrap().to_owned();
-    let [both, alone] = ["against", "glance"].map(|id| plot(id).matches("<circle").count());
+    let [both, alone] = ["against", "tradeoff"].map(|id| plot(id).matches("<circle").count());
     assert_eq!(both, 2 * alone, "{alone}");
 }
 

@@ -134,6 +134,7 @@ fn html_has_every_section_and_needs_nothing_else() {
     for id in [
         "heat",
         "glance",
+        "tradeoff",
         "run",
         "answers",
         "findings",
