@@ -1,4 +1,4 @@
-//! No batch and no single query of a control allocates.
+//! No batch and no single query of a control or of tolerances allocates.
 #![allow(unsafe_code)] // an allocator is
 
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -6,6 +6,7 @@ use std::cell::Cell;
 
 use predicament_controls::{Epsilon, Naive, Pivot, Shewchuk};
 use predicament_predicates::{Axis, Backend, Off, Plane, QuerySet, Question, Scene, Sign, Vertex};
+use predicament_tolerance::Tolerance;
 
 thread_local! {
     static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
@@ -50,7 +51,7 @@ fn check(backend: &impl Backend, scene: &Scene, questions: &[Question]) {
 }
 
 #[test]
-fn controls_allocate_nothing() {
+fn controls_and_tolerances_allocate_nothing() {
     assert!(allocations(|| drop(std::hint::black_box(vec![1]))) > 0, "allocations are counted");
     let coordinate = |at: usize| f64::from(u32::try_from(at * 37 % 101).unwrap());
     let flat: Vec<[f64; 2]> = (0..50).map(|at| [coordinate(at), coordinate(at + 13)]).collect();
@@ -71,5 +72,7 @@ fn controls_allocate_nothing() {
         }
         check(&Epsilon::default(), scene, questions);
         check(&Shewchuk, scene, questions);
+        check(&Tolerance, scene, questions);
+        check(&Tolerance::<f32>::new(), scene, questions);
     }
 }
