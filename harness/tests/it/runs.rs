@@ -421,10 +421,10 @@ fn a_report_has_the_comparison_in_the_run_s_folder_or_says_how_to_make_it() {
     // What can't be made has the file that is missing.
     let own = at(&folder, "page.md");
     std::fs::write(&own, "<!-- predicament: which laws -->\n<!-- /predicament -->\n").unwrap();
-    let why = expect(2, &["report", &out, "--out", &owns, "--splice", &own]).stderr;
+    let why = expect(2, &["report", &out, "--out", &pages, "--splice", &own]).stderr;
     assert!(why.contains("stress-laws.csv") && why.contains("line 1"), "{why}");
     std::fs::write(&own, "<!-- predicament: which ranking -->\n<!-- /predicament -->\n").unwrap();
-    expect(0, &["report", &out, "--out", &owns, "--splice", &own]);
+    expect(0, &["report", &out, "--out", &pages, "--splice", &own]);
     assert!(std::fs::read_to_string(&own).unwrap().contains("| `naive` |"));
     // Beside the tables of the run, too, and once where it is named as well.
     std::fs::rename(format!("{compared}/compare.csv"), format!("{out}/compare.csv")).unwrap();
