@@ -416,6 +416,16 @@ fn a_report_has_the_comparison_in_the_run_s_folder_or_says_how_to_make_it() {
     expect(0, &[&["compare"][..], &few, &["--out", &compared]].concat());
     let with = page();
     assert!(with.contains("Backends on scenes of each kind") && !with.contains(&command), "{with}");
+    // The decision tree is on the first screen, whether there is a comparison or not.
+    assert!([&without, &with].iter().all(|page| page.contains("(which.svg)")), "{with}");
+    // What can't be made has the file that is missing.
+    let own = at(&folder, "page.md");
+    std::fs::write(&own, "<!-- predicament: which laws -->\n<!-- /predicament -->\n").unwrap();
+    let why = expect(2, &["report", &out, "--out", &pages, "--splice", &own]).stderr;
+    assert!(why.contains("stress-laws.csv") && why.contains("line 1"), "{why}");
+    std::fs::write(&own, "<!-- predicament: which ranking -->\n<!-- /predicament -->\n").unwrap();
+    expect(0, &["report", &out, "--out", &pages, "--splice", &own]);
+    assert!(std::fs::read_to_string(&own).unwrap().contains("| `naive` |"));
     // Beside the tables of the run, too, and once where it is named as well.
     std::fs::rename(format!("{compared}/compare.csv"), format!("{out}/compare.csv")).unwrap();
     assert!(page().contains("Backends on scenes of each kind"));

@@ -32,7 +32,7 @@ const MEASURES: [(&str, &str); 10] = [
 
 /// All inputs of a task, or of all tasks, with all backends; `path` is the file that the measures are from.
 pub(super) fn table(measures: &[Measure], task: Option<&str>, path: Option<&Path>) -> Table {
-    let mut table = Table::new(if path.is_some() { "Each backend on each input" } else { "" });
+    let mut table = Table::new(if path.is_some() { "Backends on scenes of each kind" } else { "" });
     if let Some(path) = path {
         let origin = Origin::at(path).keys(["task", "backend"]).key("input", "kind").under("input", "family");
         table = table.of(origin.named("measure", MEASURES));

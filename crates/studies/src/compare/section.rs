@@ -34,12 +34,15 @@ pub fn section(folder: &Path) -> Result<Option<Section>, String> {
         return Ok(None);
     }
     let measures = read(&path)?;
-    let promises: Vec<Promise> = rows_of(&folder.join(PROMISES), "compare")?;
+    let promises = folder.join(PROMISES);
+    // Earlier versions wrote none.
+    let promises: Vec<Promise> = if promises.exists() { rows_of(&promises, "compare")? } else { Vec::new() };
     let mut blocks = vec![
         Block::Table(ranking::table(&measures, &promises)),
         Block::Note(format!("{} {}", ranking::MEANING, ranking::rule(&measures)), Tone::Muted),
     ];
     blocks.extend(plots_in(folder, "error-time", "Errors against time, over the inputs of each backend")?);
+    blocks.extend(curves(folder)?);
     blocks.push(Block::Table(details::table(&measures, None, Some(&path))));
     blocks.push(Block::Note(details::MEANING.to_owned(), Tone::Muted));
     blocks.extend(plots_in(
@@ -56,4 +59,22 @@ pub fn section(folder: &Path) -> Result<Option<Section>, String> {
         ),
         blocks,
     }))
+}
+
+/// The plots of a comparison of backends that differ in one parameter, in the folder `curves` beside that of the comparison.
+fn curves(folder: &Path) -> Result<Vec<Block>, String> {
+    let beside = folder.with_file_name("curves");
+    if !beside.join(FILE).exists() {
+        return Ok(Vec::new());
+    }
+    let plots = plots_in(
+        &beside,
+        "error-time",
+        "One parameter turned: errors against time, over the inputs that a whole curve answered",
+    )?;
+    let renamed = |block: Block| match block {
+        Block::Plot { picture, file, alt } => Block::Plot { picture, file: format!("curves-{file}").into(), alt },
+        other => other,
+    };
+    Ok(plots.into_iter().map(renamed).collect())
 }

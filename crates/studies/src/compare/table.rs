@@ -2,9 +2,11 @@
 
 use std::fmt::Write as _;
 
+use predicament_report::{Cell, Table};
+
 use super::measure::FEATURES;
 use super::words::{short, times};
-use super::{Compared, Measure, Promise, details, ranking, tradeoffs, words};
+use super::{Compared, Measure, Promise, REFERENCE, details, ranking, tradeoffs, words};
 
 /// What the measures of stages begin with.
 const STAGE: &str = "stage: ";
@@ -21,7 +23,10 @@ pub(super) fn page(compared: &Compared) -> String {
         ranking::MEANING,
         ranking::rule(measures)
     );
-    curves(&mut page, measures);
+    if let Some(curves) = curves(measures) {
+        page += "\n## One parameter turned\n\nOver the inputs that all backends of a curve, and the reference, answered.\n\n";
+        page += &format!("{curves}\n");
+    }
     let mut tasks: Vec<&str> = measures.iter().map(|row| row.task.as_str()).collect();
     tasks.dedup();
     for task in tasks.into_iter().filter(|task| *task != FEATURES) {
@@ -38,23 +43,33 @@ pub(super) fn page(compared: &Compared) -> String {
     page
 }
 
-/// Backends that differ in one parameter, over the inputs that all of them answered.
-pub(super) fn curves(page: &mut String, measures: &[Measure]) {
+/// Backends that differ in one parameter, over the inputs that all of them answered; none where no two do.
+pub(super) fn curves(measures: &[Measure]) -> Option<String> {
     let all = tradeoffs(measures);
     let on_curves: Vec<_> = all.iter().filter(|of| of.knob.is_some() && of.time.is_some()).collect();
     if on_curves.is_empty() {
-        return;
+        return None;
     }
-    page.push_str(
-        "\n## One parameter turned\n\nOver the inputs that all backends of a curve, and the reference, answered.\n\n\
-         | backend | time | inputs | wrong answers in 10^6 | broken laws |\n|---|---:|---:|---:|---:|\n",
-    );
+    let mut table = Table::new("").words(["backend"]).numbers([
+        &format!("time / {REFERENCE}"),
+        "inputs",
+        "wrong answers in 10^6",
+        "broken laws",
+        "not done",
+    ]);
     for of in on_curves {
         let time = of.time.map_or("–".to_owned(), |time| times(time.value));
-        let inputs = of.time.map_or(0, |time| time.pairs);
-        let answers = words::rate(of.answers);
-        let _ = writeln!(page, "| {} | {time} | {inputs} | {answers} | {} |", of.backend, words::counted(of.scenes));
+        let inputs = of.time.map_or("–".to_owned(), |time| words::pairs(&time));
+        table.push(vec![
+            Cell::code(of.backend),
+            Cell::from(time),
+            Cell::from(inputs),
+            Cell::from(words::rate(of.answers)).detail(words::millionths(of.answers)),
+            Cell::from(words::counted(of.scenes)).detail(words::percents(of.scenes)),
+            Cell::from(words::counted(of.not_done)),
+        ]);
     }
+    Some(ranking::markdown(table))
 }
 
 /// The shares of queries that each stage settled, largest first.

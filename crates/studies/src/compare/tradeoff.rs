@@ -67,10 +67,13 @@ pub fn tradeoffs(measures: &[Measure]) -> Vec<Tradeoff<'_>> {
     all.iter().map(of).collect()
 }
 
+/// A plot: its name, its title, what its vertical axis counts and in how many, and where from.
+type Panel = (&'static str, &'static str, &'static str, f64, fn(&Tradeoff<'_>) -> Share);
+
 /// Two plots of errors over time: of answers, and of whole scenes.
 pub(super) fn plots(measures: &[Measure]) -> Result<Vec<File>, Error> {
     let all = tradeoffs(measures);
-    let panels: [(&str, &str, &str, f64, fn(&Tradeoff<'_>) -> Share); 2] = [
+    let panels: [Panel; 2] = [
         ("answers", "Single answers", "wrong answers in 10^6", 1e6, |of| of.answers),
         ("scenes", "Whole scenes", "scenes in 1000 with a broken law", 1e3, |of| of.scenes),
     ];

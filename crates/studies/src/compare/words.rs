@@ -53,9 +53,9 @@ pub(super) fn scenes(n: u64) -> String {
     predicament_records::format::counted(n, "scene")
 }
 
-/// The name of an input: `orient2d, uniform`.
-pub(super) fn input([task, _, family]: &InputKey<'_>) -> String {
-    format!("{task}, {family}")
+/// The name of an input: `orient2d near`. A task has one family of each kind.
+pub(super) fn input([task, kind, _]: &InputKey<'_>) -> String {
+    format!("{task} {kind}")
 }
 
 /// Words in a row: `a`, `a and b`, `a, b and c`.

@@ -14,8 +14,6 @@ pub struct BreakPoint {
     pub knob: String,
     /// Which way it is turned: `up`, or `down` for negative factors.
     pub way: String,
-    /// Whether turning the knob rounds the scene: `no`, `yes`, or `beyond 53 bits`.
-    pub rounds: String,
     /// The backend's name, with its parameters.
     pub backend: String,
     /// The last position up to which every scene was answered as promised; none if the first was not.
@@ -32,6 +30,8 @@ pub struct BreakPoint {
     pub declines_at: Option<i32>,
     /// How many distinct scenes there are at each position.
     pub scenes: u64,
+    /// Whether turning the knob rounds the scene: `no`, `yes`, or `beyond 53 bits`.
+    pub rounds: String,
 }
 
 /// A measure with where the knob was.
@@ -48,7 +48,6 @@ pub(super) fn break_point(task: &str, knob: Knob, way: &str, backend: &str, rows
         task: task.to_owned(),
         knob: knob.name().to_owned(),
         way: way.to_owned(),
-        rounds: knob.rounds().name().to_owned(),
         backend: backend.to_owned(),
         holds_to: None,
         breaks_at: None,
@@ -57,6 +56,7 @@ pub(super) fn break_point(task: &str, knob: Knob, way: &str, backend: &str, rows
         wrong_high: 1.0,
         declines_at: None,
         scenes: 0,
+        rounds: knob.rounds().name().to_owned(),
     };
     for &position in knob.positions().iter().filter(|&&position| is_of(position)) {
         let of = |measure: &str| {

@@ -159,7 +159,7 @@ fn fewer_stages_are_a_curve_that_ends_without_an_error() {
     assert!(curve.contains("\nexact:stages=6\n") && curve.contains("<polyline"), "one curve: {curve}");
     let page = small.page(&of);
     let table = &page[page.find("## One parameter turned").unwrap()..];
-    assert!(names[1..].iter().all(|name| table.contains(&format!("| {name} | "))), "{table}");
+    assert!(names[1..].iter().all(|name| table.contains(&format!("| `{name}` | "))), "{table}");
     // Without times there is nothing to draw against.
     of.measures.retain(|row| row.measure != "time");
     assert!(!small.page(&of).contains("One parameter turned"));

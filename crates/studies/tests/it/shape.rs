@@ -27,7 +27,7 @@ fn report(study: &dyn Ready, host: &dyn Host) -> Result<Report, Error> {
 const SMALL: [(&str, &[&str]); 10] = [
     (
         "compare -b exact,tolerance -t orient2d --scenes 1 --samples 1 --out x",
-        &["compare.csv", "compare.md", "error-time.svg", "error-time.pdf"],
+        &["compare.csv", "promises.csv", "compare.md", "error-time-answers.svg", "error-time-answers.pdf"],
     ),
     (
         "stress -b exact,naive -t orient2d -k noise,scale --scenes 1 --samples 1 --tuples 10 --out x",

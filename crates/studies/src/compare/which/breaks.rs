@@ -7,6 +7,7 @@ use super::files::Files;
 use crate::compare::words::{counted, listed, percents};
 use crate::compare::{Share, ranking};
 use crate::stress::{BreakPoint, Violations};
+use predicament_records::format::thousands;
 
 /// The tasks that are predicates; the others are algorithms.
 const PREDICATES: [&str; 5] = ["compare", "orient2d", "orient3d", "incircle", "insphere"];
@@ -50,7 +51,7 @@ pub(super) fn breaks(files: &Files) -> Result<String, String> {
     }
     Ok(format!(
         "{}\n\nThe first position at which a scene is wrong, with the wrong scenes of the answered ones there, of predicates; of algorithms, the earliest of all tasks that the knob fits. \
-         -: not one scene of any position. d: declines from there on. With n scenes a position, none wrong is a share below Wilson's upper end: {}.",
+         -: not one scene of any position. d: declines scenes, from that position on where it does so in all tasks. With n scenes a position, none wrong is a share below Wilson's upper end: {}.",
         ranking::markdown(table),
         upper_ends(&rows)
     ))
@@ -82,13 +83,13 @@ fn earliest(rows: &[&BreakPoint]) -> String {
     if rows.is_empty() {
         return "n/a".to_owned();
     }
-    let declined = rows.iter().filter_map(|row| Some((place(&row.knob, row.declines_at?), row.declines_at?)));
-    let holds = rows.iter().any(|row| row.holds_to.is_some());
-    match declined.min() {
-        Some((_, at)) => format!("d {at}"),
-        None if holds => "-".to_owned(),
-        None => "n/a".to_owned(),
+    let declining = rows.iter().filter(|row| row.declines_at.is_some()).count();
+    if rows.iter().any(|row| row.holds_to.is_some()) {
+        // What one task declines says nothing of the others.
+        return if declining == 0 { "-".to_owned() } else { format!("-, d in {declining} of {} tasks", rows.len()) };
     }
+    let declined = rows.iter().filter_map(|row| Some((place(&row.knob, row.declines_at?), row.declines_at?)));
+    declined.min().map_or("n/a".to_owned(), |(_, at)| format!("d {at}"))
 }
 
 /// Violations of metamorphic laws by each backend.
@@ -117,7 +118,7 @@ pub(super) fn laws(files: &Files) -> Result<String, String> {
             format!("{law} {}", counted(sum(&of)))
         };
         if all.count == 0 {
-            format!("* `{backend}` violates no metamorphic law in {} tuples ({}).", all.of, percents(all))
+            format!("* `{backend}` violates no metamorphic law in {} tuples ({}).", thousands(all.of), percents(all))
         } else {
             let laws: Vec<String> = laws.iter().map(of_law).collect();
             format!("* `{backend}` violates a law in {} tuples ({}): {}.", counted(all), percents(all), listed(&laws))

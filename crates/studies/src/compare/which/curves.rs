@@ -5,17 +5,13 @@ use predicament_tasks::Kind;
 
 use super::files::Files;
 use crate::compare::standing::backends;
-use crate::compare::words::{counted, millionths, rate};
+use crate::compare::words::{counted, percents};
 use crate::compare::{Standing, inputs_of, ranking, table};
 
 /// The members of curves over the inputs that all of a curve answered.
 pub(super) fn curves(files: &Files) -> Result<String, String> {
-    let mut page = String::new();
-    table::curves(&mut page, &files.curves()?);
-    if page.is_empty() {
-        return Err("curves/compare.csv: no two backends differ in one parameter".to_owned());
-    }
-    Ok(page.trim_start().trim_start_matches("## One parameter turned").trim_start().to_owned())
+    table::curves(&files.curves()?)
+        .ok_or_else(|| "curves/compare.csv: no two backends differ in one parameter".to_owned())
 }
 
 /// The stages of exact arithmetic: wrong answers of the predicates by the number of stages.
@@ -32,15 +28,14 @@ pub(super) fn stages(files: &Files) -> Result<String, String> {
     if members.is_empty() || inputs.is_empty() {
         return Err("curves/compare.csv: there is no `exact:stages=K` on nearly degenerate predicates".to_owned());
     }
-    let mut table = Table::new("")
-        .words(["backend"])
-        .numbers(inputs.iter().map(|[task, kind, _]| format!("{task}, {kind}: wrong in 10^6")));
+    let mut table =
+        Table::new("").words(["backend"]).numbers(inputs.iter().map(|[task, kind, _]| format!("{task}, {kind}")));
     for backend in members {
         let cells = inputs.iter().map(|input| {
             let answers = Standing::of(&measures, backend, |other| other == input).answers;
-            Cell::from(rate(answers)).detail(format!("{}: {}", counted(answers), millionths(answers)))
+            Cell::from(counted(answers)).detail(percents(answers))
         });
         table.push(std::iter::once(Cell::code(backend)).chain(cells).collect());
     }
-    Ok(ranking::markdown(table))
+    Ok(format!("{}\n\nWrong answers of all answers, with the interval of their share.", ranking::markdown(table)))
 }

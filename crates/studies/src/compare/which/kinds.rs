@@ -5,7 +5,7 @@ use predicament_tasks::Kind;
 
 use super::files::Files;
 use crate::compare::standing::{backends, time_ratio};
-use crate::compare::words::{counted, input, percents, scenes};
+use crate::compare::words::{counted, percents, scenes};
 use crate::compare::{InputKey, Measure, REFERENCE, Share, Standing, inputs_of, ranking};
 use predicament_records::format::significant;
 
@@ -27,7 +27,8 @@ fn table(files: &Files, kind: Kind) -> Result<String, String> {
     let inputs = inputs_of(&measures).into_iter().filter(|([_, of, _], _)| *of == kind.name());
     let mut table = Table::new("").words(["input"]).numbers(backends.iter().copied());
     for (of, n) in inputs {
-        let name = format!("{} ({})", input(&of), scenes(n));
+        let [task, _, family] = of;
+        let name = format!("{task}, {family} ({})", scenes(n));
         let cells = backends.iter().map(|backend| Cell::from(cell(&measures, backend, &of)));
         table.push(std::iter::once(Cell::from(name)).chain(cells).collect());
     }

@@ -123,8 +123,12 @@ fn not_done(measures: &[Measure], of: &Standing<'_>) -> Option<String> {
             let scenes = Standing::of(measures, of.backend, |other| other == input).scenes;
             scenes.asked > 0 && scenes.asked == scenes.not_done
         });
-        let whole = inputs.count();
-        format!("Does not do {} scenes ({}), and none of {whole} inputs.", counted(part), share(part))
+        let whole = match inputs.count() {
+            0 => String::new(),
+            1 => "; one input not at all".to_owned(),
+            n => format!("; {n} inputs not at all"),
+        };
+        format!("Does not do {} scenes ({}){whole}.", counted(part), share(part))
     })
 }
 
