@@ -138,7 +138,8 @@ impl<'r> Times<'r> {
     /// What a backend takes beside a reference on the tasks for which `keep` holds: over the families that both were timed
     /// on in one run, scene by scene. None where there is no such family.
     pub fn pace(&self, backend: &str, reference: &str, way: Way, keep: impl Fn(&str) -> bool) -> Option<Pace> {
-        let (mut of, mut pairs): (BTreeSet<[&str; 2]>, BTreeMap<[&str; 2], Vec<[f64; 4]>>) = Default::default();
+        let mut of: BTreeSet<[&str; 2]> = BTreeSet::new();
+        let mut pairs: BTreeMap<[&str; 2], Vec<[f64; 4]>> = BTreeMap::new();
         let mut is_loop = false;
         for (run, planned) in self.runs.iter().zip(&self.planned) {
             let of_reference =
