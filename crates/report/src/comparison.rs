@@ -77,10 +77,12 @@ impl Standing {
         if !is_whole {
             let answers = &mut self.answers;
             let right = row.agree + row.tie_broken;
-            // Contacts are counted where they are registered, so they may be more than were planned.
-            let answered = right + row.in_band + row.wrong() - row.inconsistent;
-            let asked = row.queries.max(answered);
-            let [undone, lost] = if is_undone { [asked - answered, 0] } else { [0, asked - answered] };
+            let counted = right + row.in_band + row.wrong();
+            // Axioms are violated by further orders of the arguments, too, which were not asked for themselves. Contacts are
+            // counted where they are registered, so they may be more than were planned.
+            let asked = row.queries.max(counted - counted.saturating_sub(row.queries).min(row.inconsistent));
+            let rest = asked.saturating_sub(counted);
+            let [undone, lost] = if is_undone { [rest, 0] } else { [0, rest] };
             // Answers that contradict each other are not right, even where one of them is. A query without an answer of its own,
             // in a scene that was answered, was lost by a broken law.
             let wrong = (row.wrong() + lost).min(asked - undone - row.in_band);

@@ -73,9 +73,9 @@ fn cells_and_columns_are_held_to_the_schema() {
         (
             "sample",
             "simple",
-            "throughput.csv:1: the columns must be task,family,backend,engine_version,queries,sample,",
+            "throughput.csv:1: the columns must be task,family,backend,interface,engine_version,queries,sample,",
         ),
-        (",3,0", ",3", "throughput.csv:2: there are 6 fields, and there should be 7"),
+        (",3,0", ",3", "throughput.csv:2: there are 7 fields, and there should be 8"),
     ] {
         assert!(text.contains(from));
         fs::write(&path, text.replacen(from, to, 1)).unwrap();

@@ -45,6 +45,6 @@ fn types_names_and_units_are_those_of_the_fields() {
     assert!(page.contains("### throughput\nOne timed sample.\n"), "{page}");
     assert!(page.contains("| `bytes` | int64, or null | bytes | The memory of what the phase has made, in bytes;"));
     let json = schema_json(&[TableSpec::of::<ThroughputRow>()]);
-    assert_eq!(json["tables"][0]["columns"][6]["type"], "float64");
+    assert_eq!(json["tables"][0]["columns"][7]["type"], "float64");
     assert_eq!(json["tables"][0]["columns"].as_array().unwrap().len(), ThroughputRow::COLUMNS.len());
 }
