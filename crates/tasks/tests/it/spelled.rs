@@ -25,6 +25,7 @@ const OTHER_IDS: [&str; 23] = [
     "mesh-points/two-tetrahedra",
     "mesh-points/vertical-faces",
     "mesh-points/a-triangle-without-area",
+    "mesh-points/an-edge-within-the-tolerance",
     "mesh-points/scales-apart",
     "mesh-points/locate-sphere-mesh-locate",
     "mesh-points/locate-torus-mesh-locate",
