@@ -78,13 +78,18 @@ impl Standing {
             let answers = &mut self.answers;
             let right = row.agree + row.tie_broken;
             let counted = right + row.in_band + row.wrong();
-            // Axioms are violated by further orders of the arguments, too, which were not asked for themselves. Contacts are
-            // counted where they are registered, so they may be more than were planned.
+            // Axioms are violated by further orders of the arguments, too, which were not asked for themselves.
             let asked = row.queries.max(counted - counted.saturating_sub(row.queries).min(row.inconsistent));
             let rest = asked.saturating_sub(counted);
-            let [undone, lost] = if is_undone { [rest, 0] } else { [0, rest] };
-            // Answers that contradict each other are not right, even where one of them is. A query without an answer of its own,
-            // in a scene that was answered, was lost by a broken law.
+            // A query without a class of its own was lost by a broken law, if there is one; without one there is nothing to say of
+            // it, as of a simplex that meets no other.
+            let [undone, lost] = match row.topology {
+                _ if is_undone => [rest, 0],
+                broken if counted > 0 => [0, rest.min(broken)],
+                0 => [0, 0],
+                _ => [0, rest],
+            };
+            // Answers that contradict each other are not right, even where one of them is.
             let wrong = (row.wrong() + lost).min(asked - undone - row.in_band);
             answers.right += asked - undone - row.in_band - wrong;
             answers.undecided += row.in_band;
@@ -190,7 +195,7 @@ mod tests {
 
     #[test]
     fn four_shares_are_everything_that_was_asked() {
-        let cases: [(&[(Class, u64)], Answers); 6] = [
+        let cases: [(&[(Class, u64)], Answers); 8] = [
             // Two queries have other answers to their arguments in another order.
             (
                 &[(Class::Agree, 9), (Class::SignFlip, 1), (Class::Inconsistent, 2)],
@@ -201,7 +206,10 @@ mod tests {
             (&[(Class::Agree, 7), (Class::SignFlip, 3)], Answers { right: 7, wrong: 3, ..Answers::default() }),
             (&[(Class::Declined, 1)], Answers { not_done: 10, ..Answers::default() }),
             // What a broken law took with it is not right.
-            (&[(Class::Agree, 7), (Class::Topology, 1)], Answers { right: 7, wrong: 3, ..Answers::default() }),
+            (&[(Class::Agree, 9), (Class::Topology, 1)], Answers { right: 9, wrong: 1, ..Answers::default() }),
+            (&[(Class::Topology, 1)], Answers { wrong: 10, ..Answers::default() }),
+            // Simplices that meet no other.
+            (&[(Class::Agree, 2)], Answers { right: 10, ..Answers::default() }),
         ];
         for (counts, answers) in cases {
             let standing = of("polygon-locate", false, counts);
