@@ -17,7 +17,7 @@ const JUDGED: usize = 1_500;
 /// Scenes that have another id when they are written out: of a row of cells the order in which its probes are listed, and of a
 /// probe of a mesh how it was chosen, is part of the id, and suites have no words for these. Of a map that is none, probes are of other kinds
 /// once they are given.
-const OTHER_IDS: [&str; 23] = [
+const OTHER_IDS: [&str; 24] = [
     "intervals/cells-uniform-interval",
     "intervals/cells-uniform-interval-axis-z",
     "intervals/cells-degen-interval",
