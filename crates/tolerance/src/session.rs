@@ -12,7 +12,7 @@ use crate::backend::INPUT_ONLY;
 use crate::contacts::{EdgeVertex, Pairs};
 use crate::{ContactTolerances, Float, Tolerances2d, Tolerances3d, circles, quantities};
 
-/// [`struct@Tolerance`], prepared for one scene.
+/// [`Tolerance`](struct@crate::Tolerance), prepared for one scene.
 #[derive(Clone, Debug)]
 pub struct Session<'s, T, F = f64> {
     scene: &'s Scene,
