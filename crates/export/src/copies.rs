@@ -56,7 +56,7 @@ fn places_of(columns: &[&str]) -> Option<[usize; 4]> {
     Some([place(KEY[0])?, place(KEY[1])?, place(KEY[2])?, place(KEY[3])?])
 }
 
-/// Of the build and of the cells. By 64 bits two of a million rows are taken for one once in 30 million exports.
+/// A 64-bit hash of the build and of the key cells. Two of a million rows collide in one of 30 million exports.
 fn digest<'c>(folder: &RunFolder, places: [usize; 4], cell: impl Fn(usize) -> Option<&'c str>) -> u64 {
     let mut hasher = DefaultHasher::new();
     (&folder.env.commit, folder.env.dirty, &folder.plan.created_by, folder.plan.level).hash(&mut hasher);

@@ -19,9 +19,9 @@ use crate::{
 /// How a backend answers a batch of queries.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Batches {
-    /// By code of its own, such as in vector registers.
+    /// The backend has code for batches, such as in vector registers.
     Own,
-    /// By a loop over single queries.
+    /// A batch is a loop over single queries.
     Loop,
 }
 

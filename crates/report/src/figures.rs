@@ -10,7 +10,7 @@ use predicament_records::{Lined, is_predicate};
 /// The backends on one task, or on all.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Panel<'r> {
-    /// None for all tasks.
+    /// The task, or none where the panel is about all tasks.
     pub task: Option<&'r str>,
     /// Whether the answers are judged as a whole: then scenes are counted, and no single answers.
     pub is_whole: bool,
@@ -21,8 +21,9 @@ pub struct Panel<'r> {
 #[derive(Clone, PartialEq, Debug)]
 pub struct Mark<'r> {
     pub backend: &'r str,
+    /// The errors over everything that the backend was asked.
     pub standing: Standing,
-    /// By how the two were asked; what was not timed with the reference is not there.
+    /// The times beside the reference's, one for each interface; an interface without a common family has none.
     pub paces: Vec<Pace>,
 }
 

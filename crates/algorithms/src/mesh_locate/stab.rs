@@ -34,7 +34,7 @@ pub(super) enum Stab {
     Missed,
     /// The point itself is on the triangle.
     On,
-    /// By signs that are zero within a band it may pass or not.
+    /// A sign is zero within a band, so the ray may pass the triangle or not.
     Unsure,
     /// It passes from the back of the triangle to its front, or from the front to the back.
     Passed {

@@ -3,7 +3,7 @@
 use predicament_records::{RunDir, SummaryRow, junit};
 use quick_junit::{NonSuccessKind, Report, TestCaseStatus};
 
-/// What failures are told with here.
+/// The body of a failed test case: text that XML has to escape.
 fn told(row: &SummaryRow) -> String {
     format!("<first> of {}\u{1b}\nand so on", row.scene)
 }

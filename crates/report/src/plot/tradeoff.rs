@@ -1,4 +1,4 @@
-//! What backends cost against what they get wrong, and below it what they did not do.
+//! A plot of time against errors, a mark for each backend, and bars for the share that a backend left undone.
 //!
 //! Time is on the one axis, the rate of errors on the other. Zero has no logarithm: what is never wrong stands on a shelf at
 //! the bottom, with the upper end of its interval above it. A backend that left things undone looks better than it is, so
