@@ -81,14 +81,11 @@ impl Standing {
             // Axioms are violated by further orders of the arguments, too, which were not asked for themselves.
             let asked = row.queries.max(counted - counted.saturating_sub(row.queries).min(row.inconsistent));
             let rest = asked.saturating_sub(counted);
-            // A query without a class of its own was lost by a broken law, if there is one; without one there is nothing to say of
-            // it, as of a simplex that meets no other.
-            let [undone, lost] = match row.topology {
-                _ if is_undone => [rest, 0],
-                broken if counted > 0 => [0, rest.min(broken)],
-                0 => [0, 0],
-                _ => [0, rest],
-            };
+            // Each failed check takes the place of the class of at most one query, so a query without a class is wrong where there
+            // are as many failed checks. Where there are not, there is nothing to say of it, as of a simplex that meets no other.
+            let is_lost = row.topology > 0 && (counted == 0 || rest <= row.topology);
+            let undone = if is_undone { rest } else { 0 };
+            let lost = if is_lost && !is_undone { rest } else { 0 };
             // Answers that contradict each other are not right, even where one of them is.
             let wrong = (row.wrong() + lost).min(asked - undone - row.in_band);
             answers.right += asked - undone - row.in_band - wrong;
@@ -195,7 +192,7 @@ mod tests {
 
     #[test]
     fn four_shares_are_everything_that_was_asked() {
-        let cases: [(&[(Class, u64)], Answers); 8] = [
+        let cases: [(&[(Class, u64)], Answers); 9] = [
             // Two queries have other answers to their arguments in another order.
             (
                 &[(Class::Agree, 9), (Class::SignFlip, 1), (Class::Inconsistent, 2)],
@@ -208,6 +205,8 @@ mod tests {
             // What a broken law took with it is not right.
             (&[(Class::Agree, 9), (Class::Topology, 1)], Answers { right: 9, wrong: 1, ..Answers::default() }),
             (&[(Class::Topology, 1)], Answers { wrong: 10, ..Answers::default() }),
+            // A law of the whole scene, beside contacts of two of ten simplices.
+            (&[(Class::Agree, 2), (Class::Topology, 1)], Answers { right: 10, ..Answers::default() }),
             // Simplices that meet no other.
             (&[(Class::Agree, 2)], Answers { right: 10, ..Answers::default() }),
         ];

@@ -133,6 +133,10 @@ impl Task for Triangulate {
         vec![PredicateKind::Compare, PredicateKind::Orient2d]
     }
 
+    fn judges_whole(&self) -> bool {
+        true
+    }
+
     fn truth(&self, scene: &Scene, content: &Polygons, watch: &Watch) -> Result<Truth, Stop> {
         Truth::new(scene, &content.polygons, watch)
     }
