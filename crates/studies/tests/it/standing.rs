@@ -167,7 +167,10 @@ fn scenes_are_counted_once_and_inputs_are_timed_twice() {
     let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
     let tasks = ["orient2d", "contacts2d", "delaunay2d", "slice"];
     let of = study(&tasks).survey(&backends, &Quiet::new()).unwrap();
-    let all = standings(&of.measures);
+    // Without the yardstick no input is left out, however slow the machine is.
+    let (twice, measures): (Vec<Measure>, Vec<Measure>) =
+        of.measures.into_iter().partition(|row| row.measure == ASKED_TWICE);
+    let all = standings(&measures);
     assert_eq!(all.iter().map(|of| of.backend).collect::<Vec<_>>(), names);
     for of in &all {
         let scenes = of.scenes;
@@ -179,12 +182,11 @@ fn scenes_are_counted_once_and_inputs_are_timed_twice() {
     assert_eq!((exact.answers.count, exact.in_band.count, exact.scenes.undecided), (0, 0, 0));
     assert!(tolerance.scenes.undecided > 0 && tolerance.in_band.count > 0, "{tolerance:?}");
     assert!(per_mesh.scenes.not_done > per_mesh.scenes.asked / 2, "{per_mesh:?}");
-    assert!(per_mesh.time.is_some_and(|time| time.pairs + time.left_out < per_mesh.inputs[1]), "{per_mesh:?}");
+    assert!(per_mesh.time.is_some_and(|time| time.pairs < per_mesh.inputs[1]), "{per_mesh:?}");
     assert!(epsilon.answers.count > 0 && epsilon.scenes.wrong > 0, "{epsilon:?}");
     // Signs of single queries have no laws.
     assert!(exact.laws.of > 0 && exact.laws.of < exact.scenes.asked, "{exact:?}");
-    let twice: Vec<&Measure> = of.measures.iter().filter(|row| row.measure == ASKED_TWICE).collect();
-    let inputs = of.measures.iter().filter(|row| row.measure == "not done" && row.backend == REFERENCE).count();
+    let inputs = measures.iter().filter(|row| row.measure == "not done" && row.backend == REFERENCE).count();
     assert_eq!(twice.len(), inputs);
     assert!(twice.iter().all(|row| row.backend == REFERENCE && row.value.is_finite() && row.value > 0.0), "{twice:?}");
 }
