@@ -99,6 +99,22 @@ impl<const D: usize> Rounding<D> {
     }
 }
 
+/// What rounding explains of the laws that an answer violates.
+pub(crate) struct Excuse<const D: usize, L> {
+    pub(crate) rounding: Rounding<D>,
+    /// The metric laws that are violated with vertices in their exact places, too.
+    pub(crate) violated: Vec<L>,
+}
+
+impl<const D: usize, L: PartialEq> Excuse<D, L> {
+    /// The class of a violated law, and what is told of it. Only a metric law has an excuse.
+    pub(crate) fn judged(excuse: Option<&Excuse<D, L>>, law: &L, told: String) -> (Class, String) {
+        let Some(Excuse { rounding, violated }) = excuse else { return (Class::Topology, told) };
+        let (class, why) = rounding.class(!violated.contains(law));
+        (class, format!("{told}; {why}"))
+    }
+}
+
 /// A number of units, and the part of the largest coordinate that it is.
 fn told(off: &Rational) -> String {
     let off = nearest(off);

@@ -8,7 +8,7 @@ use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 
 use super::content::Layers;
 use super::{Layered, Overlaid, Overlay2d};
-use crate::rounding::Rounding;
+use crate::rounding::{Excuse, Rounding};
 use crate::{Asked, Case, Class, Finding, Outcome, Stop};
 
 /// Edges held against their neighbours, at the two levels.
@@ -54,22 +54,18 @@ pub(super) fn judge(
     asked.watch.done(0)?;
     let found = flaws(case, asked, answer, &at, expected)?;
     let is_metric = |flaw: &&Flaw| flaw.check.is_metric();
-    let mut rounding = None;
+    let mut excuse = None;
     if answer.rounded.is_some() && found.iter().any(|flaw| is_metric(&flaw)) {
-        let (rounded, exactly) = at.exactly(case.scene(), answer);
+        let (rounding, exactly) = at.exactly(case.scene(), answer);
         // Of the laws that are not metric nothing is asked.
         let few = Expected { edges_crossed: 1, located: 1, ..expected };
         let violated = flaws(case, asked, answer, &exactly, few)?;
-        rounding = Some((rounded, violated.iter().filter(is_metric).map(|flaw| flaw.check).collect::<Vec<_>>()));
+        let violated = violated.iter().filter(is_metric).map(|flaw| flaw.check).collect();
+        excuse = Some(Excuse { rounding, violated });
     }
     for flaw in found {
-        let mut got = format!("{} times, first: {}", flaw.count, flaw.what);
-        let mut class = Class::Topology;
-        if let Some((rounding, violated)) = rounding.as_ref().filter(|_| is_metric(&&flaw)) {
-            let (of, why) = rounding.class(!violated.contains(&flaw.check));
-            got += &format!("; {why}");
-            class = of;
-        }
+        let told = format!("{} times, first: {}", flaw.count, flaw.what);
+        let (class, got) = Excuse::judged(excuse.as_ref().filter(|_| is_metric(&&flaw)), &flaw.check, told);
         note(outcome, class, flaw.check.name(), got, flaw.check.law());
     }
     if outcome.findings.is_empty() {

@@ -8,7 +8,7 @@ use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 use rug::Rational;
 
 use super::{Cut, Slice};
-use crate::rounding::Rounding;
+use crate::rounding::{Excuse, Rounding};
 use crate::{Asked, Case, Class, Finding, Outcome};
 
 /// How many triangles are held against their neighbours at the two levels.
@@ -39,22 +39,18 @@ pub(super) fn judge(case: &Case<'_, Slice>, asked: &Asked<'_>, answer: &Cut, out
     };
     let flaws = slices.flaws(expected);
     let is_metric = |flaw: &&laws::Flaw| flaw.check.is_metric();
-    let rounding = answer.rounded.as_ref().filter(|_| flaws.iter().any(|flaw| is_metric(&flaw))).map(|rounded| {
+    let excuse = answer.rounded.as_ref().filter(|_| flaws.iter().any(|flaw| is_metric(&flaw))).map(|rounded| {
         let rounding = Rounding::of_definitions(case.scene(), &answer.sliced.constructions, rounded);
         // The laws where the vertices are exactly; of those that are not metric nothing is asked.
         let inputs = slices.points[..case.scene().len()].iter();
         let slices = Slices { points: inputs.chain(&rounding.exact).cloned().collect(), ..slices.clone() };
         let violated = slices.flaws(Expected { triangles_crossed: 1, ..expected });
-        (rounding, violated.iter().filter(is_metric).map(|flaw| flaw.check).collect::<Vec<_>>())
+        let violated = violated.iter().filter(is_metric).map(|flaw| flaw.check).collect();
+        Excuse { rounding, violated }
     });
     for flaw in flaws {
-        let mut got = format!("{} times, first: {}", flaw.count, flaw.what);
-        let mut class = Class::Topology;
-        if let Some((rounding, violated)) = rounding.as_ref().filter(|_| is_metric(&&flaw)) {
-            let (of, why) = rounding.class(!violated.contains(&flaw.check));
-            got += &format!("; {why}");
-            class = of;
-        }
+        let told = format!("{} times, first: {}", flaw.count, flaw.what);
+        let (class, got) = Excuse::judged(excuse.as_ref().filter(|_| is_metric(&&flaw)), &flaw.check, told);
         note(outcome, class, flaw.check.name(), got, flaw.check.law().to_owned());
     }
     if outcome.findings.is_empty() {

@@ -8,9 +8,7 @@ use crate::compare::words::{counted, listed, percents};
 use crate::compare::{Share, ranking};
 use crate::stress::{BreakPoint, Violations};
 use predicament_records::format::thousands;
-
-/// The tasks that are predicates; the others are algorithms.
-const PREDICATES: [&str; 5] = ["compare", "orient2d", "orient3d", "incircle", "insphere"];
+use predicament_records::is_predicate;
 
 /// The first position of each knob at which a backend breaks: of predicates, then of algorithms.
 pub(super) fn breaks(files: &Files) -> Result<String, String> {
@@ -38,10 +36,8 @@ pub(super) fn breaks(files: &Files) -> Result<String, String> {
             (least, most) => format!("{least} to {most}"),
         };
         let cells = backends.iter().map(|backend| {
-            let of = |is_predicate: bool| {
-                let is = |row: &&BreakPoint| {
-                    row.backend == *backend && PREDICATES.contains(&row.task.as_str()) == is_predicate
-                };
+            let of = |of_predicates: bool| {
+                let is = |row: &&BreakPoint| row.backend == *backend && is_predicate(&row.task) == of_predicates;
                 earliest(&own().filter(is).collect::<Vec<_>>())
             };
             Cell::from(format!("{}; {}", of(true), of(false)))
