@@ -30,18 +30,26 @@ pub struct Curve {
     pub points: Vec<(f64, f64)>,
     /// Whether it is the upper end of a band, and all below it is shaded.
     pub is_band: bool,
+    /// Vertical bars through points: the place, the lower end, the upper end.
+    pub bars: Vec<(f64, f64, f64)>,
 }
 
 impl Curve {
     /// A line with this name.
     pub fn new(name: impl Into<String>, points: impl Into<Vec<(f64, f64)>>) -> Curve {
-        Curve { name: name.into(), points: points.into(), is_band: false }
+        Curve { name: name.into(), points: points.into(), ..Curve::default() }
     }
 
     /// The line as the upper end of a band.
     #[must_use]
     pub fn band(self) -> Curve {
         Curve { is_band: true, ..self }
+    }
+
+    /// The line with vertical bars through its points: the place, the lower end, the upper end of each.
+    #[must_use]
+    pub fn bars(self, bars: impl IntoIterator<Item = (f64, f64, f64)>) -> Curve {
+        Curve { bars: bars.into_iter().collect(), ..self }
     }
 }
 
@@ -84,7 +92,7 @@ impl XAxis {
 /// # Errors
 /// If the picture can't be drawn.
 pub fn curves(curves: &Curves) -> Result<Option<Picture>, Error> {
-    let points = || curves.curves.iter().flat_map(|curve| curves.places(curve));
+    let points = || curves.curves.iter().flat_map(|curve| curves.places(curve).chain(curves.bars(curve).flatten()));
     if points().next().is_none() {
         return Ok(None);
     }
@@ -134,6 +142,11 @@ impl Curves {
 
     fn places<'c>(&'c self, curve: &'c Curve) -> impl Iterator<Item = (f64, f64)> + 'c {
         curve.points.iter().filter_map(|point| self.place(point))
+    }
+
+    /// The two ends of each bar.
+    fn bars<'c>(&'c self, curve: &'c Curve) -> impl Iterator<Item = [(f64, f64); 2]> + 'c {
+        curve.bars.iter().filter_map(|&(x, low, high)| Some([self.place(&(x, low))?, self.place(&(x, high))?]))
     }
 }
 
@@ -186,6 +199,9 @@ fn draw(recording: &mut Recording, curves: &Curves, (x, y): (Decades, Decades)) 
         let points: Vec<_> = curves.places(curve).collect();
         if curve.is_band {
             chart.draw_series(AreaSeries::new(points.iter().copied(), floor, colour(at).mix(0.15)))?;
+        }
+        for bar in curves.bars(curve) {
+            chart.draw_series(std::iter::once(PathElement::new(bar, colour(at).mix(0.5))))?;
         }
         // A line of one point is not to be seen without a mark.
         chart.draw_series(points.iter().map(|&point| Circle::new(point, 3, colour(at).filled())))?;
@@ -257,6 +273,18 @@ mod tests {
         assert_eq!((&data["curves"][0]["points"], &data["x"]), (&carried, &json!("angle")), "zero has no logarithm");
         let nothing = Curves { curves: vec![curve("one", &[(0.0, 1.0)])], ..lines };
         assert_eq!(curves(&nothing), Ok(None));
+    }
+
+    #[test]
+    fn bars_are_drawn_whole() {
+        let line = Curve::new("one", [(1.0, 10.0)]);
+        let of = |line| curves(&Curves { curves: vec![line], ..Curves::default() }).unwrap().unwrap().svg;
+        let count = |svg: &str| svg.matches("<line").count() + svg.matches("<polyline").count();
+        let (bare, barred) = (of(line.clone()), of(line.bars([(1.0, 2.0, 300.0), (1.0, 0.0, 1.0)])));
+        assert!(count(&barred) > count(&bare), "{barred}");
+        // The axis reaches to the end of the bar, above its point.
+        let highest = |svg: &str| svg.matches("\n1k\n").count();
+        assert_eq!((highest(&bare), highest(&barred)), (0, 1), "{barred}");
     }
 
     #[test]

@@ -66,20 +66,15 @@ pub fn plots(marks: &[Mark], earlier: &[Mark]) -> [(Tradeoff, &'static str); 2] 
         };
         marks.iter().map(point).collect()
     };
-    let answers = Tradeoff {
-        title: "Answers".to_owned(),
-        x: format!("time of a single query over {REFERENCE}'s"),
-        y: "wrong answers per million".to_owned(),
-        per: 1e6,
-        points: points(Way::Single, 0),
+    let panel = |title: &str, what: &str, (y, per): (&str, f64), points| Tradeoff {
+        title: title.to_owned(),
+        x: format!("time of a {what} over {REFERENCE}'s"),
+        y: y.to_owned(),
+        per,
+        points,
     };
-    let scenes = Tradeoff {
-        title: "Whole scenes".to_owned(),
-        x: format!("time of a whole scene over {REFERENCE}'s"),
-        y: "broken scenes per thousand".to_owned(),
-        per: 1e3,
-        points: points(Way::Whole, 1),
-    };
+    let answers = panel("Answers", "single query", ("wrong answers per million", 1e6), points(Way::Single, 0));
+    let scenes = panel("Whole scenes", "whole scene", ("broken scenes per thousand", 1e3), points(Way::Whole, 1));
     [(answers, "overall.svg"), (scenes, "overall-scenes.svg")]
 }
 

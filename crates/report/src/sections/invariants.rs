@@ -1,4 +1,4 @@
-//! Broken invariants: what fails in whole algorithms, under which backend, on how many scenes.
+//! Broken invariants: what fails in whole algorithms, under which backend, on how many scenes; what only rounding fails is apart.
 //!
 //! The counts of findings tell little here, as one wrong sign can break one check a thousand times. Scenes are counted.
 
@@ -7,11 +7,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::rank;
 use crate::groups::backends;
 use crate::table::{Block, Cell, Section, Table, Tone};
-use crate::{Class, Origin, RunDir};
+use crate::{Class, FindingRow, Origin, RunDir};
 use predicament_records::format::{length, thousands};
 
 /// A scene, with the number of its queries first: the least is the smallest scene.
 type Sized<'r> = (u64, &'r str, &'r str);
+
+/// The scenes on which a check failed, by check and by the place of the backend.
+type Checks<'r> = BTreeMap<&'r str, BTreeMap<usize, BTreeSet<Sized<'r>>>>;
 
 /// None where nothing was broken.
 pub fn section(runs: &[RunDir]) -> Option<Section> {
@@ -25,41 +28,47 @@ pub fn section(runs: &[RunDir]) -> Option<Section> {
             answered.entry((&row.task, rank(&order, &row.backend))).or_default().insert(&row.scene_id);
         }
     }
-    let mut broken: BTreeMap<&str, BTreeMap<&str, BTreeMap<usize, BTreeSet<Sized<'_>>>>> = BTreeMap::new();
-    for finding in runs.iter().flat_map(|run| &run.findings).filter(|finding| finding.class == Class::Topology) {
+    let mut broken: BTreeMap<(&str, Class), Checks<'_>> = BTreeMap::new();
+    let is_law = |finding: &&FindingRow| [Class::Topology, Class::Rounded].contains(&finding.class);
+    for finding in runs.iter().flat_map(|run| &run.findings).filter(is_law) {
         let queries = sizes.get(&*finding.scene_id).copied().unwrap_or(u64::MAX);
-        let of_check = broken.entry(&finding.task).or_default().entry(&finding.check).or_default();
+        let of_check = broken.entry((&finding.task, finding.class)).or_default().entry(&finding.check).or_default();
         let scenes = of_check.entry(rank(&order, &finding.backend)).or_default();
         scenes.insert((queries, &finding.scene_id, &finding.scene));
     }
-    let blocks: Vec<Block> =
-        broken.iter().map(|(task, checks)| Block::Table(of_task(task, checks, &order, &answered))).collect();
+    let table = |(of, checks)| Block::Table(of_task(of, checks, &order, &answered));
+    let blocks: Vec<Block> = broken.iter().map(table).collect();
     (!blocks.is_empty()).then(|| Section {
         id: "invariants",
         title: "Broken invariants",
         lead:
             "Checks of whole answers that failed, and on how many scenes under each backend; the name is that of the \
-               smallest of them. Below them, how many scenes the backend answered. A check that only failed after the \
-               first recorded findings of a scene is not seen here."
+               smallest of them. Below them, how many scenes the backend answered. Laws that only the rounding of \
+               coordinates violates have tables of their own. A check that only failed after the first recorded findings of \
+               a scene is not seen here."
                 .to_owned(),
         blocks,
     })
 }
 
 fn of_task(
-    task: &str,
-    checks: &BTreeMap<&str, BTreeMap<usize, BTreeSet<Sized<'_>>>>,
+    &(task, class): &(&str, Class),
+    checks: &Checks<'_>,
     order: &[&str],
     answered: &BTreeMap<(&str, usize), BTreeSet<&str>>,
 ) -> Table {
     let of_task = |&backend: &usize| answered.get(&(task, backend)).map_or(0, |scenes| length(scenes.len()));
     let columns: Vec<usize> = (0..order.len()).filter(|backend| of_task(backend) > 0).collect();
-    let mut table = Table::new(task)
-        .words(["broken"])
+    let (title, failed, tone) = match class {
+        Class::Rounded => (format!("{task}, by rounding alone"), "rounded", Tone::Notable),
+        _ => (task.to_owned(), "broken", Tone::Bad),
+    };
+    let mut table = Table::new(title)
+        .words([failed])
         .of(Origin::of("findings.csv")
-            .key("broken", "check")
+            .key(failed, "check")
             .across("backend")
-            .only("class", "topology")
+            .only("class", class.name())
             .only("task", task))
         .words(columns.iter().map(|&backend| order[backend]));
     for (check, by_backend) in checks {
@@ -67,7 +76,7 @@ fn of_task(
             None => Cell::from("").tone(Tone::Muted),
             Some(scenes) => {
                 let smallest = scenes.first().map_or("", |(_, _, scene)| scene);
-                Cell::from(thousands(length(scenes.len()))).detail(smallest).tone(Tone::Bad)
+                Cell::from(thousands(length(scenes.len()))).detail(smallest).tone(tone)
             }
         };
         table.push(std::iter::once(Cell::from(*check)).chain(columns.iter().map(cell)).collect());

@@ -110,7 +110,9 @@ fn broken_invariants_are_counted_by_scenes() {
     let added = [(row, "loops do not cross", "a"), (row, "loops do not cross", "b"), (other, "area", "c")]
         .map(|(of, check, id)| broken(run, of, check, id));
     let names = [row, other].map(|of| (run.summary[of].scene.clone(), run.summary[of].backend.clone()));
-    runs[0].findings.extend(added);
+    let rounded = FindingRow { class: Class::Rounded, ..broken(run, other, "volumes", "d") };
+    let task = run.summary[other].task.clone();
+    runs[0].findings.extend(added.into_iter().chain([rounded]));
     let page = markdown(&runs, &[]).unwrap();
     let section = page.split_once("## Broken invariants").unwrap().1.split_once("\n## ").unwrap().0;
     let line = |of: &str| section.lines().find(|line| line.starts_with(&format!("| {of} |"))).unwrap().to_owned();
@@ -123,6 +125,9 @@ fn broken_invariants_are_counted_by_scenes() {
         assert_eq!(cells.iter().filter(|cell| cell.starts_with("1 (")).count(), 1, "{line}");
     }
     assert!(line("scenes answered").contains(" 2 "), "{section}");
+    // What only rounding violates is not among what is broken.
+    let (broken, rounded) = section.split_once(&format!("{task}, by rounding alone")).expect("a table of its own");
+    assert!(!broken.contains("volumes") && rounded.contains("| volumes |") && !rounded.contains("area"), "{section}");
 }
 
 #[test]

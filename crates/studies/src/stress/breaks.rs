@@ -34,6 +34,32 @@ pub struct BreakPoint {
     pub rounds: String,
 }
 
+/// What there are rows of, each once, in the order of the rows.
+pub(crate) struct Asked<'r> {
+    /// The knobs, each with the way that it is turned.
+    pub(crate) ways: Vec<[&'r str; 2]>,
+    pub(crate) backends: Vec<&'r str>,
+    pub(crate) tasks: Vec<&'r str>,
+}
+
+impl<'r> Asked<'r> {
+    pub(crate) fn of(rows: &'r [BreakPoint]) -> Asked<'r> {
+        fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
+            all.fold(Vec::new(), |mut found, next| {
+                if !found.contains(&next) {
+                    found.push(next);
+                }
+                found
+            })
+        }
+        Asked {
+            ways: distinct(rows.iter().map(|row| [row.knob.as_str(), row.way.as_str()])),
+            backends: distinct(rows.iter().map(|row| row.backend.as_str())),
+            tasks: distinct(rows.iter().map(|row| row.task.as_str())),
+        }
+    }
+}
+
 /// A measure with where the knob was.
 pub(super) struct At<'a> {
     pub knob: Knob,

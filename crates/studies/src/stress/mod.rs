@@ -21,6 +21,7 @@ mod suites;
 mod table;
 mod turned;
 
+pub(crate) use breaks::Asked;
 pub use breaks::BreakPoint;
 pub use laws::{Law, Violations};
 pub use limits::Limit;

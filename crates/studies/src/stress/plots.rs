@@ -1,9 +1,10 @@
-//! Plots for each knob by position: scenes that are answered against a promise, the mean of all tasks, and the time over that at rest.
+//! Plots for each knob by position: scenes of all tasks that are answered against a promise, and the time over that at rest.
 
 use predicament_report::{Curve, Curves, XAxis, curves};
 use predicament_tasks::Knob;
 
 use super::Stressed;
+use crate::compare::Share;
 use crate::{Error, File};
 
 /// The plots of knobs with anything to draw.
@@ -11,24 +12,29 @@ pub(super) fn all(stressed: &Stressed) -> Result<Vec<File>, Error> {
     let mut files = Vec::new();
     for knob in Knob::ALL {
         let curve = |(backend, _): &(String, bool)| {
-            let points = knob.positions().iter().filter_map(|&position| {
+            let shares = knob.positions().iter().filter_map(|&position| {
                 let is = |row: &&crate::compare::Measure| {
                     row.kind == knob.name()
                         && row.backend == *backend
                         && row.measure == "wrong scenes"
                         && row.family == position.to_string()
                 };
-                let values: Vec<f64> = stressed.measures.iter().filter(is).map(|row| row.value).collect();
-                let count = predicament_records::approximately(values.len() as u64);
-                let at = drawn_at(knob, position).filter(|_| !values.is_empty())?;
-                Some((at, values.iter().sum::<f64>() / count))
+                let of_tasks = stressed.measures.iter().filter(is).map(Share::of_row);
+                let all = of_tasks.reduce(|a, b| Share { count: a.count + b.count, of: a.of + b.of })?;
+                Some((drawn_at(knob, position)?, all))
             });
-            Curve::new(backend.clone(), sorted(points))
+            let shares: Vec<(f64, Share)> = shares.collect();
+            let points = shares.iter().filter_map(|(at, share)| Some((*at, 1000.0 * share.value()?)));
+            let bars = shares.iter().filter(|(_, share)| share.count > 0).map(|(at, share)| {
+                let [low, high] = share.interval();
+                (*at, 1000.0 * low, 1000.0 * high)
+            });
+            Curve::new(backend.clone(), sorted(points)).bars(bars)
         };
         let drawn = |curve: &Curve| curve.points.iter().any(|(_, y)| *y > 0.0);
         let lines: Vec<Curve> = stressed.backends.iter().map(curve).filter(drawn).collect();
         let x = format!("{}: {}", knob.name(), knob.unit());
-        let y = "scenes in 1000 answered against the promise".into();
+        let y = "wrong scenes in 1000, with 95 % intervals".into();
         let picture = curves(&Curves { x, y, curves: lines, spread: XAxis::Linear }).map_err(Error::format)?;
         files.extend(File::plot(format!("stress-{}", knob.name()), picture));
         files.extend(time(stressed, knob)?);

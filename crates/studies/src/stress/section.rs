@@ -5,8 +5,8 @@ use std::path::Path;
 use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 use predicament_tasks::Knob;
 
-use super::BreakPoint;
 use super::table::{counts, place};
+use super::{Asked, BreakPoint};
 use crate::folder::{plots_in, rows_of};
 
 /// The file that a folder of this study has.
@@ -22,19 +22,7 @@ pub fn section(folder: &Path) -> Result<Option<Section>, String> {
         return Ok(None);
     }
     let rows: Vec<BreakPoint> = rows_of(&path, "stress")?;
-    let (mut ways, mut backends, mut tasks): (Vec<[&str; 2]>, Vec<&str>, Vec<&str>) = Default::default();
-    for row in &rows {
-        let way = [row.knob.as_str(), row.way.as_str()];
-        if !ways.contains(&way) {
-            ways.push(way);
-        }
-        if !backends.contains(&row.backend.as_str()) {
-            backends.push(&row.backend);
-        }
-        if !tasks.contains(&row.task.as_str()) {
-            tasks.push(&row.task);
-        }
-    }
+    let Asked { ways, backends, tasks } = Asked::of(&rows);
     let mut blocks = Vec::new();
     for [knob, way] in ways {
         let unit = Knob::ALL.iter().find(|of| of.name() == knob).map_or("", |knob| knob.unit());

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use predicament_tasks::Knob;
 
-use super::{BreakPoint, Stressed};
+use super::{Asked, BreakPoint, Stressed};
 use crate::compare::short;
 
 /// All tables.
@@ -15,13 +15,8 @@ pub(super) fn page(stressed: &Stressed) -> String {
              it never does, `d` and the position where it only declines, `n/a` where the knob does not fit the task; after it the wrong scenes of those answered \
              there, or the upper end of the share that none of so many leaves possible (Wilson's, 95 %). Scenes: distinct ones at each position. Each is a row of \
              `breaks.csv`; shares with their intervals are in `stress.csv`.\n";
-    let mut ways: Vec<(&str, &str)> = Vec::new();
-    for row in &stressed.breaks {
-        if !ways.contains(&(&row.knob, &row.way)) {
-            ways.push((&row.knob, &row.way));
-        }
-    }
-    for (knob, way) in ways {
+    let Asked { ways, tasks, .. } = Asked::of(&stressed.breaks);
+    for [knob, way] in ways {
         let unit = Knob::ALL.iter().find(|of| of.name() == knob).map_or("", |knob| knob.unit());
         let down = if way == "down" { ", down" } else { "" };
         let rounds = stressed.breaks.iter().find(|row| row.knob == knob).map_or("", |row| &row.rounds);
@@ -30,19 +25,12 @@ pub(super) fn page(stressed: &Stressed) -> String {
             let _ = write!(page, " {backend} |");
         }
         let _ = writeln!(page, "\n|---|---:|{}", "---:|".repeat(stressed.backends.len()));
-        let mut tasks: Vec<&str> = stressed.breaks.iter().map(|row| row.task.as_str()).collect();
-        tasks.dedup();
-        let mut seen = Vec::new();
-        for task in tasks {
-            if seen.contains(&task) {
-                continue;
-            }
-            seen.push(task);
-            let scenes = stressed.breaks.iter().filter(|row| row.task == task && row.knob == knob && row.way == way);
+        for task in &tasks {
+            let scenes = stressed.breaks.iter().filter(|row| row.task == *task && row.knob == knob && row.way == way);
             let _ = write!(page, "| {task} | {} |", scenes.map(|row| row.scenes).max().unwrap_or(0));
             for (backend, _) in &stressed.backends {
                 let is = |row: &&super::BreakPoint| {
-                    row.task == task && row.knob == knob && row.way == way && row.backend == *backend
+                    row.task == *task && row.knob == knob && row.way == way && row.backend == *backend
                 };
                 let cell = stressed.breaks.iter().find(is).map_or_else(String::new, |row| match counts(row) {
                     Some(counts) => format!("{}; {counts}", place(row)),
@@ -111,7 +99,8 @@ fn times(page: &mut String, stressed: &Stressed) {
         for &(_, task) in of.iter().filter(|(of, _)| *of == knob) {
             let _ = write!(page, "| {knob} | {task} |");
             for (backend, _) in &stressed.backends {
-                let own = || timed.iter().filter(|row| row.kind == knob && row.task == task && row.backend == *backend);
+                let own =
+                    || timed.iter().filter(|row| row.kind == knob && row.task == *task && row.backend == *backend);
                 let longest = own().max_by(|a, b| a.value.total_cmp(&b.value));
                 let cell = own().next().zip(longest).map_or("–".to_owned(), |(rest, longest)| {
                     let times = short(Some(longest.value / rest.value));

@@ -6,23 +6,14 @@ use predicament_tasks::Knob;
 use super::files::Files;
 use crate::compare::words::{counted, listed, percents};
 use crate::compare::{Share, ranking};
-use crate::stress::{BreakPoint, Violations};
+use crate::stress::{Asked, BreakPoint, Violations};
 use predicament_records::format::thousands;
 use predicament_records::is_predicate;
 
 /// The first position of each knob at which a backend breaks: of predicates, then of algorithms.
 pub(super) fn breaks(files: &Files) -> Result<String, String> {
     let rows = files.breaks()?;
-    let (mut ways, mut backends): (Vec<[&str; 2]>, Vec<&str>) = Default::default();
-    for row in &rows {
-        let way = [row.knob.as_str(), row.way.as_str()];
-        if !ways.contains(&way) {
-            ways.push(way);
-        }
-        if !backends.contains(&row.backend.as_str()) {
-            backends.push(&row.backend);
-        }
-    }
+    let Asked { ways, backends, .. } = Asked::of(&rows);
     let mut table =
         Table::new("").words(["knob", "rounds the scene", "scenes a position"]).numbers(backends.iter().copied());
     for [name, way] in ways {
