@@ -60,6 +60,7 @@ fn make(folder: &PathBuf) -> Result<(), predicament_records::Error> {
         whole: Some(predicament_records::Whole::new(&scenes, vec![0, 1])),
         scenes: scenes.clone(),
         backends: vec!["exact".to_owned()],
+        judged_whole: [].into(),
         ladder: Vec::new(),
         shard: Shard::WHOLE,
         not_selected: Vec::new(),
@@ -104,7 +105,7 @@ pub fn check(bytes: &[u8]) {
     }
     if let Ok(run) = read {
         let _ = run.timed_scenes();
-        let _ = predicament_records::junit("fuzzed", &run.summary, &run.not_run());
+        let _ = predicament_records::junit("fuzzed", &run.summary, &run.not_run(), &|row| row.scene.clone());
         let _ = run.rows::<SegmentRow>();
     }
 }
