@@ -3,11 +3,12 @@
 //! `hunt.json` has all that is needed to go on, and is put in place whole after each generation, behind the files that it tells
 //! of. So an end at any moment loses one generation.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use predicament_corpus::{Heading, Spelled};
 use predicament_predicates::Class;
-use predicament_records::replace;
+use predicament_records::{EngineFile, replace};
 use predicament_search::hunt::{Find, State, read};
 use predicament_search::snippets::Subject;
 use predicament_tasks::Finding;
@@ -27,10 +28,13 @@ pub struct Order {
     pub task: String,
     pub class: Option<String>,
     pub check: Option<String>,
-    /// The backends that have to show it, as `-b` takes them.
+    /// The backends that have to show it, by their names.
     pub shown_by: Vec<String>,
     /// The backends that must not.
     pub not_by: Vec<String>,
+    /// What engines among them are.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub engines: BTreeMap<String, EngineFile>,
     pub seed: u64,
     /// The suites that scenes to begin with are from, and whether shapes are.
     pub suites: Vec<String>,

@@ -10,7 +10,7 @@ use predicament_records::{FindingRow, PlannedScene, RunDir, SummaryRow};
 use predicament_tasks::Outcome;
 
 use crate::exit::Failure;
-use crate::select::{Planned, Selection, Selector};
+use crate::select::{Planned, Selection, Selector, suites_of};
 use crate::tool::Tool;
 
 predicament_records::table! {
@@ -102,7 +102,7 @@ impl Judged {
                 "{run}: the run is of level quick, and --level asks for full; leave out --level, or name a run of level full"
             )));
         }
-        let selection = Selector { suites: plan.arguments(), level, ..selector.clone() }.select(tool)?;
+        let selection = Selector { suites: suites_of(&self.folder, plan), level, ..selector.clone() }.select(tool)?;
         let passes = |scene: &&PlannedScene| selection.passes(&scene.suite, &scene.scene);
         let planned: Vec<PlannedScene> = plan.scenes.iter().filter(passes).cloned().collect();
         if planned.is_empty() {

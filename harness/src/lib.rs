@@ -56,6 +56,7 @@ mod pixels;
 mod places;
 mod planning;
 mod precision;
+mod programs;
 mod progress;
 mod rows;
 mod scorecard;

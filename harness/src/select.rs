@@ -1,16 +1,18 @@
 //! Which scenes a command works on.
 
-use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use predicament_corpus::{Level, LoadedScene, SceneDef, SeenIds, Suite};
 use predicament_formats::{Cache, CorpusError, ErrorKind, hex};
-use predicament_records::{NotSelected, PlannedScene, Shard, Whole, part_of_id};
+use predicament_records::{NotSelected, Plan, PlannedScene, Shard, Whole, part_of_id};
 use regex::Regex;
 use sha2::{Digest, Sha256};
 
 use crate::exit::{CORPUS, Failure, USAGE};
 use crate::out::program;
+use crate::programs::is_within;
 use crate::tool::Tool;
 
 /// Why a suite is left out that nobody asked for, where others were asked for.
@@ -33,6 +35,25 @@ pub struct Selector {
     /// Where fetched data lie; $PREDICAMENT_CACHE or the user's cache if left out
     #[arg(long, value_name = "DIR")]
     pub cache: Option<PathBuf>,
+}
+
+/// What names the suites of a plan on a command line. A file that the plan names and that is not in its folder is told of
+/// before it is read, once; `folder` is the plan's, or the plan by itself.
+pub fn suites_of(folder: &Path, plan: &Plan) -> Vec<String> {
+    plan.suites.iter().map(|suite| suite_of(folder, plan, suite)).collect()
+}
+
+/// The same of one suite.
+pub fn suite_of(folder: &Path, plan: &Plan, suite: &str) -> String {
+    static TOLD: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+    let argument = plan.argument(suite).to_owned();
+    if argument != suite && !is_within(Path::new(&argument), folder) {
+        let mut told = TOLD.lock().unwrap_or_else(PoisonError::into_inner);
+        if told.insert(argument.clone()) {
+            note!("{} has the suite `{suite}` from {argument}, which is read", folder.display());
+        }
+    }
+    argument
 }
 
 /// What was selected.

@@ -7,17 +7,17 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use predicament_corpus::{Heading, Level, LoadedScene, Spelled, Suite};
-use predicament_engines::PREFIX;
 use predicament_formats::Manifest;
 use predicament_predicates::{Class, Query, Vertex};
-use predicament_records::replace;
+use predicament_records::{EngineFile, replace};
 use predicament_search::shrink::{End, Limits, Shrunk, Size, shrink};
 use predicament_search::snippets::Subject;
 use predicament_search::{Backends, Wanted, Witness};
-use predicament_tasks::{Budget, Contestant, Finding, Stop, Watch};
+use predicament_tasks::{Budget, Finding, Stop, Watch};
 use serde::{Deserialize, Serialize};
 
 use crate::exit::Failure;
+use crate::programs::{Picked, Programs, Recorded};
 use crate::select::planned_scene;
 use crate::tool::Tool;
 use crate::worker::Worker;
@@ -41,10 +41,13 @@ pub struct State {
     pub task: String,
     pub class: String,
     pub check: String,
-    /// The backends that have to show it, as `-b` takes them; the first is the finding's.
+    /// The backends that have to show it, by their names; the first is the finding's.
     pub shown_by: Vec<String>,
     /// The backends that must not.
     pub not_by: Vec<String>,
+    /// What engines among them are.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub engines: BTreeMap<String, EngineFile>,
     pub level: String,
     /// Seconds for each backend and scene.
     pub limit: f64,
@@ -85,6 +88,8 @@ pub struct Job<'a> {
     pub source: String,
     /// The vertices that the finding is about.
     pub named: Vec<Vertex>,
+    /// The backends that have to show it, and those that must not.
+    pub backends: [Picked; 2],
 }
 
 /// The vertices of queries as text.
@@ -96,24 +101,21 @@ fn queries(text: &str) -> Vec<Query> {
     text.split(" | ").filter_map(|one| one.parse().ok()).collect()
 }
 
-/// A backend as scenes name it: an engine by the folder of its file, as its path is that of one machine.
-fn label(backend: &str) -> String {
-    let file = backend.strip_prefix(PREFIX).map(Path::new);
-    let folder = file.filter(|file| file.extension().is_some()).and_then(Path::parent).and_then(Path::file_name);
-    folder.map_or_else(|| backend.to_owned(), |folder| format!("{PREFIX}{}", folder.to_string_lossy()))
-}
-
 /// The name of a shrunk scene: what it shows, and of which finding it is.
 fn name_of(state: &State) -> String {
-    let backend = state.shown_by.first().map_or_else(String::new, |backend| label(backend));
+    let backend = state.shown_by.first().map_or("", String::as_str);
     let backend: String = backend.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
     format!("{}-{}-{}-{}", state.task, state.class.replace('_', "-"), backend, state.finding_id)
 }
 
-impl Job<'_> {
+impl State {
+    /// The backends of a shrink: those that have to show it, and those that must not.
+    pub fn pick(&self, tool: &Tool, programs: &Programs, recorded: Recorded<'_>) -> Result<[Picked; 2], Failure> {
+        Ok([programs.pick(tool, &self.shown_by, recorded)?, programs.pick(tool, &self.not_by, recorded)?])
+    }
+
     fn analysis(&self, finding: &Finding) -> String {
-        let shown_by: Vec<String> = self.state.shown_by.iter().map(|backend| label(backend)).collect();
-        let mut text = format!("{}: {} ({})", shown_by.join(", "), finding.class.name(), finding.check);
+        let mut text = format!("{}: {} ({})", self.shown_by.join(", "), finding.class.name(), finding.check);
         if !finding.queries.is_empty() {
             text += &format!(" of {}", finding.query_text());
         }
@@ -125,24 +127,26 @@ impl Job<'_> {
         text.replace('\n', " ")
     }
 
-    /// The scene as a `[[scene]]` table.
-    pub fn table(&self, spelled: &Spelled, finding: &Finding) -> String {
-        let (state, analysis) = (&self.state, self.analysis(finding));
-        let mut source = format!("shrunk from {}/{} ({})", state.suite, state.scene, state.scene_id);
-        if !self.source.is_empty() {
-            source += &format!("; {}", self.source);
+    /// The scene as a `[[scene]]` table; `from` is where the original is from, in words.
+    pub fn table(&self, from: &str, spelled: &Spelled, finding: &Finding) -> String {
+        let analysis = self.analysis(finding);
+        let mut source = format!("shrunk from {}/{} ({})", self.suite, self.scene, self.scene_id);
+        if !from.is_empty() {
+            source += &format!("; {from}");
         }
         let tags = ["shrunk".to_owned()];
-        spelled.table(Heading { name: &name_of(state), tags: &tags, source: &source, analysis: &analysis })
+        spelled.table(Heading { name: &name_of(self), tags: &tags, source: &source, analysis: &analysis })
     }
+}
 
+impl Job<'_> {
     /// Shrinks and writes into a folder that exists; `told` hears of evaluations and pieces.
     pub fn run(mut self, folder: &Path, told: &mut dyn FnMut(u64, usize)) -> Result<(State, Shrunk), Failure> {
         let level: Level = self.state.level.parse().map_err(Failure::usage)?;
-        let find = |names: &[String]| -> Result<Vec<Box<dyn Contestant>>, Failure> {
-            names.iter().map(|name| self.tool.backend(name).map_err(Failure::usage)).collect()
-        };
-        let (shown_by, not_by) = (find(&self.state.shown_by)?, find(&self.state.not_by)?);
+        for picked in &self.backends {
+            self.state.engines.extend(picked.recorded()?);
+        }
+        let [shown_by, not_by] = [&self.backends[0], &self.backends[1]];
         let class: Class = self.state.class.parse().map_err(Failure::usage)?;
         let wanted = Wanted::finding(class, &self.state.check);
         let limit = Duration::try_from_secs_f64(self.state.limit).map_err(Failure::usage)?;
@@ -153,8 +157,8 @@ impl Job<'_> {
         let here = Backends {
             task,
             wanted: wanted.clone(),
-            shown_by: shown_by.iter().map(AsRef::as_ref).collect(),
-            not_by: not_by.iter().map(AsRef::as_ref).collect(),
+            shown_by: shown_by.backends.iter().map(AsRef::as_ref).collect(),
+            not_by: not_by.backends.iter().map(AsRef::as_ref).collect(),
             budget,
             watch: &watch,
             limit: Some(limit),
@@ -166,10 +170,10 @@ impl Job<'_> {
         let apart = Apart {
             tool: self.tool,
             folder: folder.join("worker"),
-            engines: crate::tool::engines(&all().cloned().collect::<Vec<_>>())?,
+            engines: self.backends.iter().flat_map(|picked| picked.files.clone()).collect(),
             wanted,
-            shown_by: shown_by.iter().map(|one| one.name()).collect(),
-            not_by: not_by.iter().map(|one| one.name()).collect(),
+            shown_by: shown_by.backends.iter().map(|one| one.name()).collect(),
+            not_by: not_by.backends.iter().map(|one| one.name()).collect(),
             limit,
             level,
         };
@@ -206,10 +210,10 @@ impl Job<'_> {
     /// Writes the scene, its tests and the state, in this order: what the state says is there.
     fn write(&self, folder: &Path, state: &State, spelled: &Spelled, finding: &Finding) -> Result<(), Failure> {
         let put = |name: &str, text: &str| replace(&folder.join(name), text.as_bytes()).map_err(Failure::usage);
-        put(SUITE, &format!("title = \"Shrunk findings\"\n\n{}", self.table(spelled, finding)))?;
+        put(SUITE, &format!("title = \"Shrunk findings\"\n\n{}", state.table(&self.source, spelled, finding)))?;
         if state.end.is_some() {
             let name = name_of(state);
-            let backend = state.shown_by.iter().map(|backend| label(backend)).collect::<Vec<_>>().join(", ");
+            let backend = state.shown_by.join(", ");
             let subject = Subject { spelled, finding, backend: &backend, name: &name, suite: SUITE };
             for (file, text) in TESTS.iter().zip([subject.rust(), subject.cpp(), subject.python()]) {
                 put(file, &text)?;
@@ -309,18 +313,5 @@ impl Witness for Apart<'_> {
         let found = found();
         let _ = std::fs::remove_file(&suite);
         found
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::label;
-
-    #[test]
-    fn engines_are_named_without_the_path_of_a_machine() {
-        assert_eq!(label("naive:first"), "naive:first");
-        assert_eq!(label("engine:cgal-epick"), "engine:cgal-epick");
-        assert_eq!(label("engine:../engines/mine/engine.toml"), "engine:mine");
-        assert_eq!(label("engine:./mine/engine.toml"), "engine:mine");
     }
 }

@@ -8,7 +8,7 @@ use predicament_corpus::{Library, SceneFormat, Suite, Vocabulary};
 use predicament_engines::PREFIX;
 use predicament_formats::CorpusError;
 use predicament_oracle::roster;
-use predicament_records::{Plan, RunDir, TableSpec};
+use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 use predicament_tasks::{AnyTask, Contestant, TaskList, built_in, vocabulary};
 
@@ -163,25 +163,6 @@ impl Tool {
     pub fn left_out(&self, names: &[String]) -> Vec<String> {
         let more: &[&str] = if names.is_empty() { roster::MORE } else { &[] };
         more.iter().map(|&name| name.to_owned()).collect()
-    }
-
-    /// The backends of an earlier run, also those that were engines named by file.
-    ///
-    /// # Errors
-    /// If a backend isn't there, or an engine has another name by now: its rows would not be those of the plan.
-    pub fn pick_planned(&self, plan: &Plan) -> Result<Vec<Box<dyn Contestant>>, Failure> {
-        let arguments: Vec<String> = plan.backends.iter().map(|backend| plan.backend_argument(backend)).collect();
-        let picked = self.pick(&arguments)?;
-        for (at, (planned, argument)) in plan.backends.iter().zip(&arguments).enumerate() {
-            let now = picked.get(at).map_or_else(|| "nothing else".to_owned(), |backend| backend.name());
-            if now != *planned {
-                let message = format!(
-                    "{argument}: it was `{planned}` when this was planned, and is `{now}` now; give it its name back, or start anew"
-                );
-                return Err(Failure::usage(message));
-            }
-        }
-        Ok(picked)
     }
 
     /// What can be written after `-b`.

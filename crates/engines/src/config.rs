@@ -7,9 +7,9 @@ use std::time::Duration;
 use predicament_formats::{CorpusError, Document, Field, Fields, TableKind, shown};
 
 /// The file that makes a folder an engine.
-const FILE: &str = "engine.toml";
+pub const FILE: &str = "engine.toml";
 /// The variable that names the folder of engines.
-const FOLDER: &str = "PREDICAMENT_ENGINES";
+pub const FOLDER: &str = "PREDICAMENT_ENGINES";
 /// A configuration is a few lines.
 const MOST_BYTES: u64 = 1 << 20;
 /// Seconds of silence after which a process is ended, where the file does not say.
@@ -170,7 +170,8 @@ fn environment(fields: &Fields<'_, '_>) -> Result<BTreeMap<String, String>, Corp
 }
 
 /// The folder of engines: `$PREDICAMENT_ENGINES`, or `engines`.
-fn folder() -> PathBuf {
+#[must_use]
+pub fn folder() -> PathBuf {
     std::env::var_os(FOLDER).map_or_else(|| PathBuf::from("engines"), PathBuf::from)
 }
 

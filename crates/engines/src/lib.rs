@@ -21,6 +21,6 @@ mod session;
 
 pub use backend::{Engine, PREFIX};
 pub use command::{Step, chore};
-pub use config::{Config, all, find};
+pub use config::{Config, FILE, FOLDER, all, find, folder};
 pub use message::{MOST_BYTES, Message};
 pub use process::end_all;

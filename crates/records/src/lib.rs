@@ -42,7 +42,7 @@ pub use imported::ImportRow;
 pub use junit::junit;
 pub use lined::Rows;
 pub use phases::PhaseRow;
-pub use plan::{ExpectedFile, FORMAT, Level, NotSelected, Plan, PlannedScene, Shard, Whole};
+pub use plan::{EngineFile, ExpectedFile, FORMAT, Level, NotSelected, Plan, PlannedScene, Shard, Whole};
 pub use predicament_predicates::{Class, Severity, Status};
 pub use replace::replace;
 pub use rows::{FindingRow, Interface, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow, is_predicate};

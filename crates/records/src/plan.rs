@@ -188,9 +188,9 @@ pub struct Plan {
     /// The SHA-256 of those files, in hex digits.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub hashes: BTreeMap<String, String>,
-    /// The files of engines, by the backends' names: an engine may have been named by path.
+    /// What the engines were, by the backends' names. A folder is data: nobody starts an engine because it stands here.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub engines: BTreeMap<String, String>,
+    pub engines: BTreeMap<String, EngineFile>,
     /// Whether every answer is written to `answers.csv`.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub answers: bool,
@@ -228,6 +228,18 @@ pub struct Plan {
     pub expected: Option<ExpectedFile>,
 }
 
+/// An engine as it was when it was asked.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct EngineFile {
+    /// Where its `engine.toml` was.
+    pub file: String,
+    /// The SHA-256 of that file in hex digits.
+    pub sha256: String,
+    /// The version of the library behind it; none where it said none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub version: Option<String>,
+}
+
 /// A file of expectations that a run was given.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct ExpectedFile {
@@ -238,16 +250,10 @@ pub struct ExpectedFile {
 }
 
 impl Plan {
-    /// What names the suites on a command line: the file where one was named, the suite's name where not.
+    /// What names a suite on a command line: the file where one was named, the suite's name where not.
     #[must_use]
-    pub fn arguments(&self) -> Vec<String> {
-        self.suites.iter().map(|suite| self.paths.get(suite).unwrap_or(suite).clone()).collect()
-    }
-
-    /// What names the backend on a command line: an engine's file, the backend's name where it is none.
-    #[must_use]
-    pub fn backend_argument(&self, backend: &str) -> String {
-        self.engines.get(backend).map_or_else(|| backend.to_owned(), |file| format!("engine:{file}"))
+    pub fn argument<'p>(&'p self, suite: &'p str) -> &'p str {
+        self.paths.get(suite).map_or(suite, String::as_str)
     }
 
     /// The family of each scene, by suite, name, id and task: `summary.csv` has no such column.

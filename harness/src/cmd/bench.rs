@@ -22,8 +22,9 @@ use crate::contact_tables::{self, Primitives, on_threads};
 use crate::exit::{self, Failure};
 use crate::judged::Judged;
 use crate::planning::{budget, env_of, free_folder, plan};
+use crate::programs::recorded;
 use crate::select::Selector;
-use crate::tool::{Tool, engines};
+use crate::tool::Tool;
 use crate::{expectations, interrupt, peers, phases, progress, rows};
 
 const EXAMPLES: &str = "\
@@ -123,8 +124,11 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     let backends = tool.pick(&names)?;
     let mut taken_over = 0;
     let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-bench"));
-    let plan =
-        Plan { timed: true, engines: engines(&names)?, ..plan(tool, &selection, &scenes, &backends, Shard::WHOLE) };
+    let plan = Plan {
+        timed: true,
+        engines: recorded(&names, &backends)?,
+        ..plan(tool, &selection, &scenes, &backends, Shard::WHOLE)
+    };
     let mut writer =
         RunWriter::create(&folder, &plan, &env_of(&backends), &phases::tables(tool)).map_err(Failure::usage)?;
     // A pass over a large scene looks at no flag.

@@ -1,17 +1,19 @@
 //! `hunt`: scenes are changed and recombined until one shows a finding.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use predicament_predicates::Class;
 use predicament_search::Wanted;
 use predicament_search::hunt::{Hunt, Options, Quarry, Seed, State, has_shapes, seeds};
-use predicament_tasks::{AnyTask, Contestant, Watch, digest};
+use predicament_tasks::{AnyTask, Watch, digest};
 
 use crate::exit::{self, Failure};
 use crate::hunting::{Order, STATE, SUITE, Saved, TABLE};
 use crate::out::program;
 use crate::planning::free_folder;
+use crate::programs::{Programs, Recorded};
 use crate::tool::{Tool, each};
 use crate::{interrupt, progress};
 
@@ -85,6 +87,9 @@ pub struct Args {
     #[arg(long, value_name = "SECONDS", value_parser = super::run::seconds, default_value = "10", conflicts_with = "resume")]
     pub timeout: Duration,
 
+    #[command(flatten)]
+    pub programs: Programs,
+
     /// Threads; all if left out
     #[arg(long, value_name = "N")]
     pub threads: Option<usize>,
@@ -112,6 +117,8 @@ const SHAPES: &str = "shapes";
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     super::run::set_threads(args.threads)?;
+    let (programs, shown_by) = args.programs.clone().and_named(&args.backends)?;
+    let (programs, not_by) = programs.and_named(&args.not_by)?;
     let (mut saved, seeds, folder) = match (&args.resume, &args.task) {
         (Some(folder), _) => {
             let saved = Saved::open(folder)?;
@@ -119,7 +126,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             (saved, seeds, folder.clone())
         }
         (None, Some(task)) => {
-            let (saved, seeds) = begun(args, tool, task)?;
+            let (saved, seeds) = begun(args, tool, task, (shown_by, not_by))?;
             let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-hunt"));
             make(&folder)?;
             (saved, seeds, folder)
@@ -130,7 +137,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     saved.evaluations = args.evaluations.unwrap_or(if by_time { u64::MAX } else { saved.evaluations });
     saved.finds = args.finds.map_or(saved.finds, std::num::NonZeroUsize::get);
     interrupt::listen();
-    let ended = hunt(args, tool, &mut saved, seeds, &folder)?;
+    let ended = hunt(args, tool, &programs, &mut saved, (seeds, &folder))?;
     if let Some(file) = &args.into {
         add(tool, file, &saved)?;
     }
@@ -138,13 +145,21 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
 }
 
 /// Hunts until the budget has run out, or enough is found; whether it came to that.
-fn hunt(args: &Args, tool: &Tool, saved: &mut Saved, seeds: Vec<Seed>, folder: &Path) -> Result<bool, Failure> {
+fn hunt(
+    args: &Args,
+    tool: &Tool,
+    programs: &Programs,
+    saved: &mut Saved,
+    (seeds, folder): (Vec<Seed>, &Path),
+) -> Result<bool, Failure> {
     let order = saved.order.clone();
     let task = task_of(tool, &order.task)?;
-    let pick = |names: &[String]| -> Result<Vec<Box<dyn Contestant>>, Failure> {
-        names.iter().map(|name| tool.backend(name).map_err(Failure::usage)).collect()
-    };
-    let (shown_by, not_by) = (pick(&order.shown_by)?, pick(&order.not_by)?);
+    let recorded = Recorded { file: &folder.join(STATE), folder: Some(folder), engines: &order.engines };
+    let shown_by = programs.pick(tool, &order.shown_by, recorded)?;
+    let not_by = programs.pick(tool, &order.not_by, recorded)?;
+    for picked in [&shown_by, &not_by] {
+        saved.order.engines.extend(picked.recorded()?);
+    }
     let class = order.class.as_deref().map(str::parse::<Class>).transpose().map_err(Failure::usage)?;
     let wanted = Wanted { class, check: order.check.clone() };
     let quiet = |_: u64| {};
@@ -154,8 +169,8 @@ fn hunt(args: &Args, tool: &Tool, saved: &mut Saved, seeds: Vec<Seed>, folder: &
         task,
         budget: Quarry::budget(&wanted),
         wanted,
-        shown_by: shown_by.iter().map(AsRef::as_ref).collect(),
-        not_by: not_by.iter().map(AsRef::as_ref).collect(),
+        shown_by: shown_by.backends.iter().map(AsRef::as_ref).collect(),
+        not_by: not_by.backends.iter().map(AsRef::as_ref).collect(),
         watch: &watch,
         limit: Some(Duration::try_from_secs_f64(order.limit).map_err(Failure::usage)?),
     };
@@ -257,20 +272,24 @@ fn task_of<'t>(tool: &'t Tool, name: &str) -> Result<&'t dyn AnyTask, Failure> {
 }
 
 /// A hunt that begins, and its seeds.
-fn begun(args: &Args, tool: &Tool, task: &str) -> Result<(Saved, Vec<Seed>), Failure> {
+fn begun(
+    args: &Args,
+    tool: &Tool,
+    task: &str,
+    (shown_by, not_by): (Vec<String>, Vec<String>),
+) -> Result<(Saved, Vec<Seed>), Failure> {
     let task = task_of(tool, task)?.name();
-    let names = |given: &[String]| each(given).map(ToOwned::to_owned).collect::<Vec<String>>();
-    let from = names(&args.from);
+    let from: Vec<String> = each(&args.from).map(ToOwned::to_owned).collect();
     let shapes = from.is_empty() || from.iter().any(|name| name == SHAPES);
     let suites: Vec<String> = from.into_iter().filter(|name| name != SHAPES).collect();
     let all = args.from.is_empty();
     let seeds = seeds_of(tool, task, &suites, all)?;
     let pinned = args.class.is_some() && args.check.is_some();
     // Before a folder is made.
-    for name in names(&args.backends).iter().chain(&names(&args.not_by)).filter(|name| !tool.knows_backend(name)) {
+    for name in each(&args.backends).chain(each(&args.not_by)).filter(|name| !tool.knows_backend(name)) {
         tool.backend(name).map_err(Failure::usage)?;
     }
-    possible(args, &names(&args.backends), &names(&args.not_by))?;
+    possible(args, &shown_by, &not_by)?;
     let nothing = seeds.is_empty() && !(shapes && has_shapes(task));
     if nothing {
         let message = format!("no small scene of {task} is in these suites; name others with --from");
@@ -280,8 +299,9 @@ fn begun(args: &Args, tool: &Tool, task: &str) -> Result<(Saved, Vec<Seed>), Fai
         task: task.to_owned(),
         class: args.class.map(|class| class.name().to_owned()),
         check: args.check.clone(),
-        shown_by: names(&args.backends),
-        not_by: names(&args.not_by),
+        shown_by,
+        not_by,
+        engines: BTreeMap::new(),
         seed: args.seed,
         suites: if all { vec![ALL.to_owned()] } else { suites },
         shapes,

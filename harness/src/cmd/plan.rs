@@ -7,8 +7,9 @@ use predicament_records::{self as records, Basis, Costs, Plan, Shard, Share, Wor
 
 use crate::exit::{self, Failure};
 use crate::planning::{env, plan};
+use crate::programs::recorded;
 use crate::select::Selector;
-use crate::tool::{Tool, engines};
+use crate::tool::Tool;
 use crate::{expectations, out};
 
 const EXAMPLES: &str = "\
@@ -70,7 +71,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let plan = Plan {
         answers: args.answers,
         permutations: args.permutations.map(|most| most as u64),
-        engines: engines(&args.backends)?,
+        engines: recorded(&args.backends, &backends)?,
         left_out: tool.left_out(&args.backends),
         ..plan(tool, &selection, &scenes, &backends, Shard::WHOLE)
     };

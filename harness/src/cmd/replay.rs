@@ -12,8 +12,9 @@ use sha2::{Digest, Sha256};
 
 use crate::exit::{self, Failure};
 use crate::interrupt;
-use crate::select::Selector;
-use crate::tool::{Tool, each};
+use crate::programs::{Picked, Programs, Recorded};
+use crate::select::{Selector, suite_of};
+use crate::tool::Tool;
 use crate::worker::Worker;
 
 const EXAMPLES: &str = "\
@@ -35,6 +36,9 @@ pub struct Args {
     /// Backends to ask besides the one that the finding is about; all if left out
     #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
     pub backends: Vec<String>,
+
+    #[command(flatten)]
+    pub programs: Programs,
 
     /// Where fetched data lie; $PREDICAMENT_CACHE or the user's cache if left out
     #[arg(long, value_name = "DIR")]
@@ -66,10 +70,10 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     if finding.query.is_empty() {
         return whole(&run, finding, args, tool);
     }
-    let mut backends = tool.pick(&[run.plan.backend_argument(&finding.backend)])?;
-    let named: Vec<String> = each(&args.backends).map(|name| run.plan.backend_argument(name)).collect();
-    let others = tool.pick(&named)?;
-    backends.extend(others.into_iter().filter(|backend| backend.name() != finding.backend));
+    let Picked { mut backends, .. } = of_finding(args, tool, &run, finding)?;
+    if args.backends.is_empty() {
+        backends.extend(tool.pick(&[])?.into_iter().filter(|backend| backend.name() != finding.backend));
+    }
     let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
     for query in finding.query.split(" | ") {
         say!("\n{query}");
@@ -80,30 +84,38 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     Ok(exit::OK)
 }
 
+/// The backend that a finding is about, and those that the command line names.
+fn of_finding(args: &Args, tool: &Tool, run: &RunDir, finding: &FindingRow) -> Result<Picked, Failure> {
+    let file = args.run.join("plan.json");
+    let recorded = Recorded { file: &file, folder: Some(&args.run), engines: &run.plan.engines };
+    let (programs, named) = args.programs.clone().and_named(&args.backends)?;
+    let names: Vec<String> = std::iter::once(finding.backend.clone()).chain(named).collect();
+    programs.pick(tool, &names, recorded)
+}
+
 /// A finding about a whole scene: the scene is run again, in a process of its own, as it may loop or crash.
 fn whole(run: &RunDir, finding: &FindingRow, args: &Args, tool: &Tool) -> exit::Outcome {
     let scene = run.plan.scenes.iter().find(|scene| scene.scene_id == finding.scene_id && scene.suite == finding.suite);
     let scene = scene.ok_or_else(|| Failure::usage(format!("{}: its plan has no such scene", args.run.display())))?;
     let level: Level = run.plan.level.to_string().parse().map_err(Failure::usage)?;
+    let picked = of_finding(args, tool, run, finding)?;
     interrupt::listen_for_all();
     let worker = Worker {
         permutations: None,
         threads: None,
         cache: args.cache.as_deref(),
         folder: std::env::temp_dir().join(format!("predicament-replay-{}", std::process::id())),
-        engines: &run.plan.engines,
-        suite: run.plan.paths.get(&finding.suite).unwrap_or(&finding.suite).clone(),
+        engines: &picked.files,
+        suite: suite_of(&args.run, &run.plan, &finding.suite),
         scene,
         limit: Some(args.timeout),
         level,
         answers: false,
     };
     say!("\nThe whole scene again:");
-    let mut names = vec![finding.backend.clone()];
-    names.extend(each(&args.backends).map(str::to_owned));
     let mut seen = false;
-    for backend in names {
-        let Some(found) = worker.run(tool, &backend)? else {
+    for backend in &picked.backends {
+        let Some(found) = worker.run(tool, &backend.name())? else {
             return Err(Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE });
         };
         for row in &found.summary {
@@ -141,7 +153,7 @@ pub fn find<'a>(run: &'a RunDir, id: &str, folder: &Path) -> Result<&'a FindingR
 /// The scene of a finding, as it was in its run.
 pub fn load(run: &RunDir, finding: &FindingRow, cache: Option<&Path>, tool: &Tool) -> Result<LoadedScene, Failure> {
     let level: Level = run.plan.level.to_string().parse().map_err(Failure::usage)?;
-    let suite = run.plan.paths.get(&finding.suite).unwrap_or(&finding.suite).clone();
+    let suite = suite_of(&run.path, &run.plan, &finding.suite);
     let selection =
         Selector { suites: vec![suite], filter: None, level, cache: cache.map(Path::to_path_buf) }.select(tool)?;
     let Some(def) = selection.defs().into_iter().find(|def| def.name == finding.scene) else {

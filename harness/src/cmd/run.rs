@@ -18,7 +18,8 @@ use crate::expectations::Held;
 use crate::ledger::Ledger;
 use crate::out::program;
 use crate::planning::{budget, env, env_of, free_folder, plan, same_versions, tables_of};
-use crate::select::{NOT_NAMED, Planned, Selection, Selector};
+use crate::programs::{Picked, Programs, Recorded, recorded};
+use crate::select::{NOT_NAMED, Planned, Selection, Selector, suites_of};
 use crate::stopwatch::{Cost, Stopwatch};
 use crate::tool::{Tool, engines};
 use crate::worker::{self, Worker};
@@ -66,6 +67,9 @@ pub struct Args {
     /// Go on with an incomplete run; takes its selection from that run's plan
     #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "plan", "shard", "backends", "answers", "filter", "level", "permutations"])]
     pub resume: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub programs: Programs,
 
     /// Expected disagreements; those of the embedded corpora if left out
     #[arg(long, value_name = "FILE")]
@@ -168,7 +172,7 @@ pub fn run(mut args: Args, tool: &Tool) -> exit::Outcome {
         // All that was left of it is to shrink.
         interrupt::listen();
         let run = exit::open(folder)?;
-        let end = super::shrink::first_of_each_class(tool, folder, n, args.selector.cache.as_deref())?;
+        let end = super::shrink::first_of_each_class(tool, folder, n, args.selector.cache.as_deref(), &args.programs)?;
         return Ok(if end == exit::OK { exit::of_rows(run.outcome, &run.summary) } else { end });
     }
     let Held { expected, digest } = expectations::held(tool, args.expected.as_ref())?;
@@ -177,6 +181,7 @@ pub fn run(mut args: Args, tool: &Tool) -> exit::Outcome {
         (None, Some(file)) => Job::planned(&args, tool, file, &digest)?,
         (None, None) => Job::new(&args, tool, &digest)?,
     };
+    let (programs, _) = args.programs.clone().and_named(&args.backends)?;
     interrupt::listen();
     let work: u64 = scenes.iter().map(|scene| scene.plan.queries * (backends.len() as u64 + 1)).sum();
     let bar = progress::bar(work, "answers");
@@ -285,7 +290,7 @@ pub fn run(mut args: Args, tool: &Tool) -> exit::Outcome {
     let code = ledger.finish(ended)?;
     match args.shrink {
         Some(n) if ended != records::Outcome::Interrupted => {
-            let end = super::shrink::first_of_each_class(tool, &folder, n, args.selector.cache.as_deref())?;
+            let end = super::shrink::first_of_each_class(tool, &folder, n, args.selector.cache.as_deref(), &programs)?;
             Ok(if end == exit::OK { code } else { end })
         }
         _ => Ok(code),
@@ -348,13 +353,14 @@ impl Job {
         let plan = Plan {
             answers: args.answers,
             permutations: args.permutations.map(|most| most as u64),
-            engines: engines(&args.backends)?,
+            engines: recorded(&args.backends, &backends)?,
             left_out: tool.left_out(&args.backends),
             expected: args.expected.as_deref().map(expectations::file).transpose()?,
             whole: whole.map(|whole| Whole { expected: Some(expected.to_owned()), ..whole }),
             ..plan(tool, &selection, &scenes, &backends, shard)
         };
-        let job = Job::start(args, tool, (selection, scenes, backends), plan, None)?;
+        let picked = Picked { backends, files: engines(&args.backends)? };
+        let job = Job::start(args, tool, (selection, scenes, picked), plan, None)?;
         tell_not_selected(&job.selection.not_selected, "run");
         Ok(job)
     }
@@ -376,7 +382,7 @@ impl Job {
         let named = args.expected.as_deref().map(expectations::file).transpose()?;
         let plan = Plan { expected: named, ..work.part(args.shard).map_err(refuse)? };
         let level: Level = plan.level.to_string().parse().map_err(Failure::usage)?;
-        let selector = Selector { suites: plan.arguments(), level, ..args.selector.clone() };
+        let selector = Selector { suites: suites_of(file, &plan), level, ..args.selector.clone() };
         let selection = selector.select(tool)?;
         let scenes = selection.of_plan(&plan.scenes, |scene| {
             refuse(format!(
@@ -388,24 +394,26 @@ impl Job {
         {
             return Err(refuse(format!("the file of the suite `{suite}` has changed since; make the plan anew")));
         }
-        let backends = tool.pick_planned(&plan)?;
-        Job::start(args, tool, (selection, scenes, backends), plan, Some(work.hash))
+        let recorded = Recorded { file, folder: None, engines: &plan.engines };
+        let picked = args.programs.pick(tool, &plan.backends, recorded)?;
+        Job::start(args, tool, (selection, scenes, picked), plan, Some(work.hash))
     }
 
     /// Makes the folder.
     fn start(
         args: &Args,
         tool: &Tool,
-        (selection, scenes, backends): (Selection, Vec<Planned>, Vec<Box<dyn Contestant>>),
+        (selection, scenes, picked): (Selection, Vec<Planned>, Picked),
         plan: Plan,
         work: Option<String>,
     ) -> Result<Job, Failure> {
         let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-run"));
+        let Picked { backends, files: engines } = picked;
         let env = Env { plan: work, ..env_of(&backends) };
         let writer = RunWriter::create(&folder, &plan, &env, &tables_of(tool, &plan)).map_err(Failure::usage)?;
         let (level, answers, permutations) = (selection.level, plan.answers, permutations(&plan));
         let (done, precision, wholes) = (Vec::new(), Vec::new(), BTreeMap::new());
-        let (places, left_out, engines) = (places(&plan), plan.left_out, plan.engines);
+        let (places, left_out) = (places(&plan), plan.left_out);
         let ledger = Ledger { level, answers, wholes, done, precision, left_out, places, folder, writer };
         Ok(Job { selection, scenes, backends, engines, permutations, ledger })
     }
@@ -427,10 +435,14 @@ impl Job {
         }
         let level: Level = plan.level.to_string().parse().map_err(Failure::usage)?;
         let selector = Selector { level, ..args.selector.clone() };
-        let selector =
-            if selector.suites.is_empty() { Selector { suites: plan.arguments(), ..selector } } else { selector };
+        let selector = if selector.suites.is_empty() {
+            Selector { suites: suites_of(folder, plan), ..selector }
+        } else {
+            selector
+        };
         let selection = selector.select(tool)?;
-        let (backends, engines) = (tool.pick_planned(plan)?, plan.engines.clone());
+        let recorded = Recorded { file: &folder.join("plan.json"), folder: Some(folder), engines: &plan.engines };
+        let Picked { backends, files: engines } = args.programs.pick(tool, &plan.backends, recorded)?;
         // The filter of the first call isn't needed: the plan lists its scenes.
         let scenes = selection.of_plan(&plan.scenes, |lost| {
             Failure::usage(format!(

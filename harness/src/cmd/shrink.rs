@@ -13,8 +13,9 @@ use crate::adding::add;
 use crate::exit::{self, Failure};
 use crate::out::program;
 use crate::planning::free_folder;
+use crate::programs::{Programs, Recorded};
 use crate::shrinking::{self, Job, Measure, STATE, SUITE, State};
-use crate::tool::{Tool, each};
+use crate::tool::Tool;
 use crate::{interrupt, progress};
 
 const EXAMPLES: &str = "\
@@ -70,6 +71,9 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub into: Option<PathBuf>,
 
+    #[command(flatten)]
+    pub programs: Programs,
+
     /// Where fetched data lie; $PREDICAMENT_CACHE or the user's cache if left out
     #[arg(long, value_name = "DIR")]
     pub cache: Option<PathBuf>,
@@ -80,17 +84,20 @@ pub const EVALUATIONS: u64 = 5_000;
 
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
+    let (programs, also) = args.programs.clone().and_named(&args.backends)?;
+    let (programs, not_by) = programs.and_named(&args.not_by)?;
     let (job, folder) = match (&args.resume, &args.id, &args.run) {
         (Some(folder), ..) => (resumed(args, tool, folder)?, folder.clone()),
         (None, Some(id), Some(run)) => {
             let dir = RunDir::open(run).map_err(Failure::usage)?;
             let finding = find(&dir, id, run)?;
             let ask = Ask {
-                also: each(&args.backends).map(ToOwned::to_owned).collect(),
-                not_by: each(&args.not_by).map(ToOwned::to_owned).collect(),
+                also,
+                not_by,
                 evaluations: args.evaluations.unwrap_or(EVALUATIONS),
                 timeout: args.timeout,
                 cache: args.cache.as_deref(),
+                programs: &programs,
             };
             let job = begun(tool, &dir, finding, &ask)?;
             let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-shrink"));
@@ -109,9 +116,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         });
         // Where nothing was begun, nothing is left: a folder with files in it stays.
         let (state, shrunk) = done.inspect_err(|_| drop(std::fs::remove_dir(&folder)))?;
-        let (named, start) = (Vec::new(), shrunk.spelled.clone());
-        let job = Job { tool, state: state.clone(), start, source, named };
-        (job.table(&shrunk.spelled, &shrunk.finding), state)
+        (state.table(&source, &shrunk.spelled, &shrunk.finding), state)
     };
     bar.finish_and_clear();
     say_text!("{table}");
@@ -159,6 +164,7 @@ pub struct Ask<'a> {
     pub evaluations: u64,
     pub timeout: Duration,
     pub cache: Option<&'a Path>,
+    pub programs: &'a Programs,
 }
 
 /// The work on a finding of a run.
@@ -167,7 +173,7 @@ pub fn begun<'a>(tool: &'a Tool, dir: &RunDir, finding: &FindingRow, ask: &Ask<'
     let start = loaded.spelled().ok_or_else(|| {
         Failure::usage(format!("{}: the task {} cannot write its scenes out", finding.finding_id, finding.task))
     })?;
-    let mut shown_by = vec![dir.plan.backend_argument(&finding.backend)];
+    let mut shown_by = vec![finding.backend.clone()];
     shown_by.extend(ask.also.iter().filter(|name| **name != finding.backend).cloned());
     let measure = Measure::of(&start);
     let state = State {
@@ -180,6 +186,7 @@ pub fn begun<'a>(tool: &'a Tool, dir: &RunDir, finding: &FindingRow, ask: &Ask<'
         check: finding.check.clone(),
         shown_by,
         not_by: ask.not_by.clone(),
+        engines: BTreeMap::new(),
         level: dir.plan.level.to_string(),
         limit: ask.timeout.as_secs_f64(),
         evaluations: 0,
@@ -188,7 +195,10 @@ pub fn begun<'a>(tool: &'a Tool, dir: &RunDir, finding: &FindingRow, ask: &Ask<'
         before: measure,
         after: measure,
     };
-    Ok(Job { tool, state, start, source: loaded.source, named: shrinking::named(&finding.query) })
+    let file = dir.path.join("plan.json");
+    let recorded = Recorded { file: &file, folder: Some(&dir.path), engines: &dir.plan.engines };
+    let backends = state.pick(tool, ask.programs, recorded)?;
+    Ok(Job { tool, state, start, source: loaded.source, named: shrinking::named(&finding.query), backends })
 }
 
 /// The folder in that of a run.
@@ -196,7 +206,13 @@ const SHRUNK: &str = "shrunk";
 
 /// Shrinks the first findings of each class of a run that has ended, each in a folder of its own in `shrunk`, and puts all scenes into
 /// one suite there. What was shrunk before stays; what was begun goes on.
-pub fn first_of_each_class(tool: &Tool, run: &Path, n: usize, cache: Option<&Path>) -> exit::Outcome {
+pub fn first_of_each_class(
+    tool: &Tool,
+    run: &Path,
+    n: usize,
+    cache: Option<&Path>,
+    programs: &Programs,
+) -> exit::Outcome {
     let dir = RunDir::open(run).map_err(Failure::usage)?;
     let unexpected: BTreeSet<(&str, &str, &str)> = dir
         .summary
@@ -225,17 +241,12 @@ pub fn first_of_each_class(tool: &Tool, run: &Path, n: usize, cache: Option<&Pat
             evaluations: EVALUATIONS,
             timeout: Duration::from_secs(10),
             cache,
+            programs,
         };
-        let job = if folder.join(STATE).exists() {
-            let (state, loaded) = shrinking::open(tool, &folder)?;
-            let start = loaded.spelled();
-            let source = source_of(&loaded.source);
-            start.map(|start| Job { tool, state, start, source, named: Vec::new() })
-        } else {
-            begun(tool, &dir, row, &ask).map_err(|failure| note!("not shrunk: {}", failure.message)).ok()
-        };
+        let job =
+            if folder.join(STATE).exists() { again(tool, &folder, programs) } else { begun(tool, &dir, row, &ask) };
         bar.inc(1);
-        let Some(job) = job else { continue };
+        let Ok(job) = job.map_err(|failure| note!("not shrunk: {}", failure.message)) else { continue };
         std::fs::create_dir_all(&folder).map_err(Failure::io(&folder))?;
         // A finding that comes only with the whole scene, such as one of a sample, is told and left.
         match done(job, &folder) {
@@ -265,11 +276,10 @@ pub fn first_of_each_class(tool: &Tool, run: &Path, n: usize, cache: Option<&Pat
 
 /// Shrinks, or tells what was shrunk before: how it ended, the scene's id, and the scene.
 fn done(job: Job<'_>, folder: &Path) -> Result<(State, String, String), Failure> {
-    let (tool, source) = (job.tool, job.source.clone());
+    let source = job.source.clone();
     let (state, shrunk) = job.run(folder, &mut |_, _| {})?;
-    let job = Job { tool, state, start: shrunk.spelled, source, named: Vec::new() };
-    let table = job.table(&job.start, &shrunk.finding);
-    Ok((job.state, shrunk.loaded.id, table))
+    let table = state.table(&source, &shrunk.spelled, &shrunk.finding);
+    Ok((state, shrunk.loaded.id, table))
 }
 
 /// What the source of a shrunk scene says about the source of the first one: what was put before it comes off again.
@@ -277,11 +287,20 @@ fn source_of(source: &str) -> String {
     source.split_once("); ").map_or_else(String::new, |(_, source)| source.to_owned())
 }
 
-fn resumed<'a>(args: &Args, tool: &'a Tool, folder: &Path) -> Result<Job<'a>, Failure> {
-    let (mut state, loaded) = shrinking::open(tool, folder)?;
-    state.most = args.evaluations.unwrap_or(state.most);
-    state.end = None;
+/// The work of a folder as it was left.
+fn again<'a>(tool: &'a Tool, folder: &Path, programs: &Programs) -> Result<Job<'a>, Failure> {
+    let (state, loaded) = shrinking::open(tool, folder)?;
     let start = loaded.spelled().ok_or_else(|| Failure::usage("the task cannot write its scenes out"))?;
     let source = source_of(&loaded.source);
-    Ok(Job { tool, state, start, source, named: Vec::new() })
+    let recorded = Recorded { file: &folder.join(STATE), folder: Some(folder), engines: &state.engines };
+    let backends = state.pick(tool, programs, recorded)?;
+    Ok(Job { tool, state, start, source, named: Vec::new(), backends })
+}
+
+/// The same, to go on with.
+fn resumed<'a>(args: &Args, tool: &'a Tool, folder: &Path) -> Result<Job<'a>, Failure> {
+    let mut job = again(tool, folder, &args.programs)?;
+    job.state.most = args.evaluations.unwrap_or(job.state.most);
+    job.state.end = None;
+    Ok(job)
 }

@@ -12,6 +12,7 @@ mod shape;
 use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_corpus::{Level, LoadedScene};
+use predicament_engines::PREFIX;
 use predicament_predicates::Query;
 use predicament_records::{FindingRow, RunDir};
 use predicament_report::{Detail, Strip};
@@ -19,7 +20,8 @@ use predicament_tasks::{Class, Contestant, Explanation};
 
 use crate::cmd::replay::{lines, point_lines, signs};
 use crate::exit::Failure;
-use crate::select::Selector;
+use crate::out::{program, word};
+use crate::select::{Selector, suite_of};
 use crate::tool::Tool;
 
 pub use bodies::Bodies;
@@ -37,7 +39,10 @@ pub fn details(runs: &[RunDir], tool: &Tool) -> Result<(Vec<Detail>, usize), Fai
     // One raster for each class and task is enough of them.
     let mut drawn = BTreeSet::new();
     for run in runs {
-        let backends = tool.pick_planned(&run.plan)?;
+        let (engines, names): (Vec<&String>, Vec<_>) =
+            run.plan.backends.iter().partition(|name| name.starts_with(PREFIX));
+        let names: Vec<String> = names.into_iter().cloned().collect();
+        let backends = if names.is_empty() { Vec::new() } else { tool.pick(&names)? };
         let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
         for ((suite, scene), findings) in chosen(run) {
             match load(run, suite, scene, &findings, tool) {
@@ -45,7 +50,10 @@ pub fn details(runs: &[RunDir], tool: &Tool) -> Result<(Vec<Detail>, usize), Fai
                     for finding in findings {
                         let detail = match finding.query.as_str() {
                             "" => answered(run, &loaded, finding),
-                            _ => detail(tool, &loaded, finding, &backends),
+                            _ => detail(tool, &loaded, finding, &backends).map(|detail| Detail {
+                                lines: recorded(run, finding, &engines, detail.lines),
+                                ..detail
+                            }),
                         };
                         match detail {
                             Some(mut detail) => {
@@ -65,9 +73,37 @@ pub fn details(runs: &[RunDir], tool: &Tool) -> Result<(Vec<Detail>, usize), Fai
     Ok((told, missing))
 }
 
+/// Lines about a query with those of engines: a report starts no program, so it has what the run wrote down, or the line
+/// that asks.
+fn recorded(run: &RunDir, finding: &FindingRow, engines: &[&String], mut lines: Vec<String>) -> Vec<String> {
+    for name in engines {
+        lines.push(match finding.backend == **name {
+            true => format!("{name:<24} {}  (in the run)", finding.got),
+            false => format!("{name:<24} not asked again: {}", asking(run, finding, name)),
+        });
+    }
+    lines
+}
+
+/// The line that asks an engine about a finding.
+fn asking(run: &RunDir, finding: &FindingRow, name: &str) -> String {
+    let file = run.plan.engines.get(name).map_or("FILE", |engine| &engine.file);
+    let engine = word(&format!("{}={file}", name.trim_start_matches(PREFIX)));
+    let (id, folder) = (&finding.finding_id, word(&run.path.display().to_string()));
+    format!("{} replay {id} --run {folder} -b {} --engine {engine}", program(), word(name))
+}
+
 /// A finding about a whole scene: what its backend answers.
 fn answered(run: &RunDir, loaded: &LoadedScene, finding: &FindingRow) -> Option<Detail> {
     let mut detail = Detail { finding: finding.finding_id.clone(), ..Detail::default() };
+    if finding.backend.starts_with(PREFIX) {
+        detail.lines.push(format!(
+            "{} is not started for a report: {}",
+            finding.backend,
+            asking(run, finding, &finding.backend)
+        ));
+        return Some(detail);
+    }
     result::draw(run, loaded, finding, &mut detail)?;
     Some(detail)
 }
@@ -103,7 +139,7 @@ fn chosen(run: &RunDir) -> BTreeMap<(&str, &str), Vec<&FindingRow>> {
 /// The scene as it was; none where it is not there any more.
 fn load(run: &RunDir, suite: &str, scene: &str, findings: &[&FindingRow], tool: &Tool) -> Option<LoadedScene> {
     let level: Level = run.plan.level.to_string().parse().ok()?;
-    let suite = run.plan.paths.get(suite).map_or(suite, String::as_str).to_owned();
+    let suite = suite_of(&run.path, &run.plan, suite);
     let selection = Selector { suites: vec![suite], filter: None, level, cache: None }.select(tool).ok()?;
     let def = selection.defs().into_iter().find(|def| def.name == scene)?;
     let loaded = selection.load(def).ok()?;

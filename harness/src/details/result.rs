@@ -6,31 +6,29 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use predicament_corpus::LoadedScene;
-use predicament_engines::PREFIX;
 use predicament_predicates::Dimension;
 use predicament_records::{FindingRow, RunDir};
 use predicament_report::Detail;
 use predicament_tasks::Class;
 
 use crate::child::{self, End};
+use crate::select::suite_of;
 
 /// Seconds for one answer.
 const LIMIT: Duration = Duration::from_secs(2);
 
-/// Puts the answer of the finding's backend to its scene, as a picture or a view, into what is said about the finding.
+/// Puts the answer of the finding's backend, which is not an engine, to its scene, as a picture or a view, into what is said about the finding.
 pub fn draw(run: &RunDir, loaded: &LoadedScene, finding: &FindingRow, detail: &mut Detail) -> Option<()> {
     let is_space = loaded.scene.dimension() == Dimension::Three;
     let file = Temporary::new(if is_space { "json" } else { "svg" });
     let mut command = child::command().ok()?;
-    let suite = run.plan.paths.get(&finding.suite).unwrap_or(&finding.suite);
+    let suite = suite_of(&run.path, &run.plan, &finding.suite);
     let filter = format!("^{}$", regex::escape(&format!("{}/{}", finding.suite, finding.scene)));
-    let backend = run.plan.engines.get(&finding.backend);
-    let backend = backend.map_or_else(|| finding.backend.clone(), |engine| format!("{PREFIX}{engine}"));
-    command.args(["show", suite, "-f", &filter, "--level", &run.plan.level.to_string()]);
+    command.args(["show", &suite, "-f", &filter, "--level", &run.plan.level.to_string()]);
     // Who declines has no answer: the scene is seen.
     let is_declined = finding.class == Class::Declined;
     if !is_declined {
-        command.args(["-b", &backend]);
+        command.args(["-b", &finding.backend]);
     }
     command.arg("--out").arg(&file.0);
     let mut child = child::start(command).ok()?;

@@ -66,8 +66,11 @@ fn an_engine_in_python_is_found_again_by_its_file() {
     let (code, told) = call(&["run", &suite, "-b", "engine:here/engine.toml,exact", "--out", "run"]);
     assert_eq!(code, 100, "{told}");
     let id = &column(&read(&out, "findings.csv"), "finding_id")[0];
-    // From another folder.
-    let replayed = expect(0, &["replay", id, "--run", &out, "-b", "exact"]);
+    // From another folder, where it is named: a run folder starts nothing by itself.
+    let here = format!("mine={}", at(&folder, "here/engine.toml"));
+    let refused = expect(2, &["replay", id, "--run", &out, "-b", "exact"]).stderr;
+    assert!(refused.contains(&format!("add --engine {here}")), "{refused}");
+    let replayed = expect(0, &["replay", id, "--run", &out, "-b", "exact", "--engine", &here]);
     assert!(replayed.stdout.contains("engine:mine"), "{}", replayed.stdout);
     let (code, told) = call(&["run", &suite, "-b", "engine:here/engine.toml", "--isolate", "--out", "apart"]);
     assert_eq!(code, 100, "{told}");
@@ -76,7 +79,7 @@ fn an_engine_in_python_is_found_again_by_its_file() {
     // A run that was interrupted before it began.
     crate::common::rewrite(&out, "summary.csv", &format!("{}\n", read(&out, "summary.csv").lines().next().unwrap()));
     write(&folder, "run/state.json", &read(&out, "state.json").replace("complete", "interrupted"));
-    let resumed = crate::common::run(&["run", "--resume", &out]);
+    let resumed = crate::common::run(&["run", "--resume", &out, "--engine", &here]);
     assert_eq!(resumed.code, 100, "{}", resumed.stderr);
     // Another version by then, or another name, is another engine.
     write(&folder, "run/state.json", &read(&out, "state.json").replace("complete", "interrupted"));
@@ -91,17 +94,21 @@ fn an_engine_in_python_is_found_again_by_its_file() {
             "engine.toml",
             "\"mine\"",
             "\"other\"",
-            "it was `engine:mine` when this was planned, and is `engine:other` now",
+            "the engine there is called `other`; name it by that, or give it its name back",
         ),
     ] {
         let file = format!("here/{file}");
         let before = std::fs::read_to_string(at(&folder, &file)).unwrap();
         write(&folder, &file, &before.replace(from, to));
-        let refused = expect(2, &["run", "--resume", &out]).stderr;
-        assert!(refused.contains(why) && refused.contains("start"), "{refused}");
+        let refused = expect(2, &["run", "--resume", &out, "--engine", &here]).stderr;
+        assert!(refused.contains(why), "{refused}");
         write(&folder, &file, &before);
     }
-    assert_eq!(crate::common::run(&["run", "--resume", &out]).code, 100, "with the engine that it was begun with");
+    assert_eq!(
+        crate::common::run(&["run", "--resume", &out, "--engine", &here]).code,
+        100,
+        "with the engine that it was begun with"
+    );
     // Two of one name are two backends.
     python(&folder, "there", DETERMINANT);
     let (code, told) = call(&["run", &suite, "-b", "engine:here/engine.toml,engine:there/engine.toml", "--out", "two"]);
@@ -183,7 +190,12 @@ fn an_engine_in_python_by_path_is_found_again() {
     let backends = format!("exact,engine:{one}");
     expect(100, &["run", &suite, "-b", &backends, "--out", &out]);
     let id = column(&read(&out, "findings.csv"), "finding_id")[0].clone();
-    for more in [&[][..], &["-b", "engine:naive-python,exact"], &["-b", &format!("engine:{two}")]] {
+    let named = format!("naive-python={one}");
+    for more in [
+        &["--engine", &named][..],
+        &["-b", "engine:naive-python,exact", "--engine", &named],
+        &["-b", &format!("engine:{two}")],
+    ] {
         let told = run(&[&["replay", &id, "--run", &out], more].concat());
         assert!(
             told.code == 0 && told.stdout.contains("engine:naive-python"),
@@ -194,7 +206,7 @@ fn an_engine_in_python_by_path_is_found_again() {
     }
     let late = at(&folder, "late");
     expect(103, &["run", &suite, "-b", &backends, "--timeout", "1e-9", "--out", &late]);
-    let resumed = run(&["run", "--resume", &late]);
+    let resumed = run(&["run", "--resume", &late, "--engine", &named]);
     assert!(resumed.stdout.contains("timeout"), "{}{}", resumed.stdout, resumed.stderr);
     expect(100, &["run", &suite, "-b", &backends, "--isolate", "--out", &apart]);
     crate::common::assert_same_tables(&out, &apart, "in a process of its own");
@@ -202,8 +214,8 @@ fn an_engine_in_python_by_path_is_found_again() {
     let both = format!("engine:{one},engine:{two}");
     let refused = expect(2, &["run", &suite, "-b", &both, "--out", &at(&folder, "both")]);
     assert!(refused.stderr.contains("two engines are called `engine:naive-python`: "), "{}", refused.stderr);
-    let named = |args: &[&str]| tool(args).env("PREDICAMENT_ENGINES", folder.path()).output().unwrap();
-    let refused = named(&["run", &suite, "-b", "engine:mine", "--out", &at(&folder, "named")]);
+    let in_folder = |args: &[&str]| tool(args).env("PREDICAMENT_ENGINES", folder.path()).output().unwrap();
+    let refused = in_folder(&["run", &suite, "-b", "engine:mine", "--out", &at(&folder, "named")]);
     let said = String::from_utf8(refused.stderr).unwrap();
     assert!(
         refused.status.code() == Some(2) && said.contains("is called `naive-python`; call it as its folder"),

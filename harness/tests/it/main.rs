@@ -36,6 +36,7 @@ mod runs;
 mod scorecard;
 mod show;
 mod shrink;
+mod strangers;
 mod studies;
 mod threads;
 mod tutorial;

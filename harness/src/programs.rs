@@ -1,0 +1,212 @@
+//! Engines that a folder names: which of them may be started.
+//!
+//! Folders of runs, shrinks and hunts travel. A folder that could say what is started would run a stranger's command on
+//! the machine of whoever reads it. So a folder only names an engine. Its program is one that the user names on the
+//! command line, or the engine of that name in the user's own folder of engines, if it is the one that the folder means:
+//! the digest of its `engine.toml` and the version of its library are those that were written down.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+use predicament_engines::{Config, FOLDER, PREFIX};
+use predicament_formats::hex;
+use predicament_records::EngineFile;
+use predicament_tasks::Contestant;
+use sha2::{Digest, Sha256};
+
+use crate::exit::Failure;
+use crate::out::word;
+use crate::tool::{Tool, each};
+
+/// The engines of a folder that the command line names.
+#[derive(clap::Args, Clone, Debug, Default)]
+pub struct Programs {
+    /// The program of an engine that the folder names: its name there and its engine.toml. Without it only engines of your own
+    /// engines folder are started, and only if they have not changed
+    #[arg(long = "engine", value_name = "NAME=FILE")]
+    engines: Vec<String>,
+
+    /// Engines that the command line names without their files, as `-b` does.
+    #[arg(skip)]
+    typed: BTreeSet<String>,
+}
+
+/// The engines that a file names.
+#[derive(Clone, Copy)]
+pub struct Recorded<'a> {
+    /// The file: a plan, or the state of a shrink or a hunt.
+    pub file: &'a Path,
+    /// The folder that it came with; none where it came alone.
+    pub folder: Option<&'a Path>,
+    /// What they were, by the backends' names.
+    pub engines: &'a BTreeMap<String, EngineFile>,
+}
+
+/// Backends that a folder names, ready to be asked.
+pub struct Picked {
+    /// In the order of their names.
+    pub backends: Vec<Box<dyn Contestant>>,
+    /// The `engine.toml` of each engine, by the backends' names.
+    pub files: BTreeMap<String, String>,
+}
+
+impl Picked {
+    /// What its engines are, for a file that names them.
+    pub fn recorded(&self) -> Result<BTreeMap<String, EngineFile>, Failure> {
+        record(self.files.clone(), &self.backends)
+    }
+}
+
+impl Programs {
+    /// The same, with the engines that `-b` or the like names; and what a plan calls all that it names.
+    pub fn and_named(mut self, backends: &[String]) -> Result<(Programs, Vec<String>), Failure> {
+        let mut names = Vec::new();
+        for argument in each(backends) {
+            match argument.strip_prefix(PREFIX) {
+                Some(file) if is_file(file) => {
+                    let config = predicament_engines::find(file).map_err(Failure::usage)?;
+                    names.push(format!("{PREFIX}{}", config.name));
+                    self.engines.push(format!("{}={file}", config.name));
+                }
+                engine => {
+                    names.push(argument.to_owned());
+                    self.typed.extend(engine.map(ToOwned::to_owned));
+                }
+            }
+        }
+        Ok((self, names))
+    }
+
+    /// Backends that a folder names, by what it says of its engines.
+    ///
+    /// # Errors
+    /// If one is not there, or is an engine that nobody named; with the line that would start it.
+    pub fn pick(&self, tool: &Tool, names: &[String], recorded: Recorded<'_>) -> Result<Picked, Failure> {
+        let mut files = BTreeMap::new();
+        let mut arguments = Vec::new();
+        for name in names {
+            arguments.push(match name.strip_prefix(PREFIX) {
+                None => name.clone(),
+                Some(engine) => {
+                    let config = self.config(engine, recorded)?;
+                    let file = config.file.display().to_string();
+                    files.insert(name.clone(), file.clone());
+                    format!("{PREFIX}{file}")
+                }
+            });
+        }
+        let mut backends: Vec<Box<dyn Contestant>> = Vec::new();
+        for (name, argument) in names.iter().zip(&arguments) {
+            let backend = tool.backend(argument).map_err(Failure::usage)?;
+            if backend.name() != *name {
+                let message = format!("it names `{name}`, and that is `{}` now; start anew", backend.name());
+                return Err(refused(recorded.file, &message));
+            }
+            self.same_version(backend.as_ref(), recorded)?;
+            if backends.iter().all(|other| other.name() != backend.name()) {
+                backends.push(backend);
+            }
+        }
+        Ok(Picked { backends, files })
+    }
+
+    /// The engine of this name: where the command line names it, or in the user's own folder of engines.
+    fn config(&self, engine: &str, recorded: Recorded<'_>) -> Result<Config, Failure> {
+        let Recorded { file, folder: with, engines } = recorded;
+        if let Some(place) = self.place(engine)? {
+            let config = Config::read(&place).map_err(Failure::usage)?;
+            if config.name != engine {
+                let message =
+                    format!("--engine {engine}={}: the engine there is called `{}`", place.display(), config.name);
+                return Err(Failure::usage(format!("{message}; name it by that, or give it its name back")));
+            }
+            return Ok(config);
+        }
+        let then = engines.get(&format!("{PREFIX}{engine}"));
+        let was = then.map_or("FILE", |then| &then.file);
+        let cure = format!("if that is the program you mean, add --engine {}", word(&format!("{engine}={was}")));
+        let refuse = |why: String| refused(file, &format!("it names the engine `{engine}`, and {why}; {cure}"));
+        let is_named = self.typed.contains(engine);
+        let folder = predicament_engines::folder();
+        let own = folder.join(engine).join(predicament_engines::FILE);
+        if is_file(engine) || !own.is_file() {
+            let folder = folder.display();
+            return Err(refuse(format!("a program that nobody named is not started: {folder} has no such engine")));
+        }
+        if with.is_some_and(|with| is_within(&folder, with)) {
+            return Err(refuse(format!(
+                "{} is in the same folder, so it is not yours; set ${FOLDER}",
+                folder.display()
+            )));
+        }
+        let config = Config::read(&own).map_err(Failure::usage)?;
+        let bytes = std::fs::read(&own).map_err(Failure::io(&own))?;
+        let is_same = then.is_some_and(|then| hex(&Sha256::digest(&bytes)) == then.sha256);
+        if config.name != engine || !is_same && !is_named {
+            return Err(refuse(format!("{} is not the file that it was then", own.display())));
+        }
+        Ok(config)
+    }
+
+    /// The file that the command line names for an engine.
+    fn place(&self, engine: &str) -> Result<Option<PathBuf>, Failure> {
+        let mut place = None;
+        for named in &self.engines {
+            let Some((name, file)) = named.split_once('=') else {
+                let message = format!("--engine {named}: write its name, `=` and its engine.toml");
+                return Err(Failure::usage(format!("{message}, as in --engine mine=mine/engine.toml")));
+            };
+            if name.strip_prefix(PREFIX).unwrap_or(name) == engine {
+                let file = Path::new(file);
+                place = Some(if file.is_dir() { file.join(predicament_engines::FILE) } else { file.to_owned() });
+            }
+        }
+        Ok(place)
+    }
+
+    /// Refuses an engine that the command line does not name, and that has another version by now.
+    fn same_version(&self, backend: &dyn Contestant, recorded: Recorded<'_>) -> Result<(), Failure> {
+        let name = backend.name();
+        let Some(engine) = name.strip_prefix(PREFIX) else { return Ok(()) };
+        let (now, then) = (backend.version(), recorded.engines.get(&name).and_then(|then| then.version.clone()));
+        if now == then || self.typed.contains(engine) || self.place(engine)?.is_some() {
+            return Ok(());
+        }
+        let told =
+            |version: Option<String>| version.map_or_else(|| "unknown".to_owned(), |version| format!("`{version}`"));
+        let message = format!("the version of {name} was {} then, and is {} now", told(then), told(now));
+        Err(refused(recorded.file, &format!("{message}; restore it, or name the engine by --engine {engine}=FILE")))
+    }
+}
+
+/// What engines are, for a plan: those that the command line has named, and that were started.
+pub fn recorded(names: &[String], backends: &[Box<dyn Contestant>]) -> Result<BTreeMap<String, EngineFile>, Failure> {
+    record(crate::tool::engines(names)?, backends)
+}
+
+fn record(
+    files: BTreeMap<String, String>,
+    backends: &[Box<dyn Contestant>],
+) -> Result<BTreeMap<String, EngineFile>, Failure> {
+    let record = |(name, file): (String, String)| {
+        let bytes = std::fs::read(&file).map_err(Failure::io(Path::new(&file)))?;
+        let version = backends.iter().find(|backend| backend.name() == name).and_then(|backend| backend.version());
+        Ok((name, EngineFile { file, sha256: hex(&Sha256::digest(&bytes)), version }))
+    };
+    files.into_iter().map(record).collect()
+}
+
+/// Whether an engine is named by its file, and not by its name.
+fn is_file(engine: &str) -> bool {
+    engine.ends_with(".toml") || engine.contains(['/', '\\'])
+}
+
+/// Whether a path is in a folder, or is that.
+pub fn is_within(path: &Path, folder: &Path) -> bool {
+    let canonical = |path: &Path| std::fs::canonicalize(path).ok();
+    canonical(path).zip(canonical(folder)).is_some_and(|(path, folder)| path.starts_with(folder))
+}
+
+fn refused(file: &Path, why: &str) -> Failure {
+    Failure::usage(format!("{}: {why}", file.display()))
+}
