@@ -11,6 +11,7 @@ use predicament_search::shrink::Size;
 
 use crate::exit::Failure;
 use crate::line_ends::{is_crlf, to_crlf, to_lf};
+use crate::out::hold;
 use crate::tool::Tool;
 
 /// What the source of a scene begins with that `shrink` has made.
@@ -22,6 +23,7 @@ const SHRUNK: &str = "shrunk from ";
 /// # Errors
 /// If the file can't be read or written, or the result is no suite: nothing is written then.
 pub fn add(tool: &Tool, file: &Path, table: &str) -> Result<(), Failure> {
+    let _hold = hold(file)?;
     let before = match std::fs::read_to_string(file) {
         Ok(text) => text,
         Err(error) if error.kind() == ErrorKind::NotFound => "title = \"Shrunk findings\"\n".to_owned(),

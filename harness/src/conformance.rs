@@ -177,7 +177,7 @@ impl<B: Backend + 'static, T: TaskList> Conformance<B, T> {
             let outcome = outcome.map_err(|_| Failure::usage("the run was stopped"))?;
             let level = selection.level.name();
             let row = rows::record(&mut writer, &planned, &name, &outcome, &expected, level).map_err(Failure::usage)?;
-            writer.commit().map_err(Failure::usage)?;
+            writer.commit_if_due().map_err(Failure::usage)?;
             answers += if row.has_answers() { outcome.queries } else { 0 };
             if row.status.passes() {
                 continue;

@@ -104,7 +104,7 @@ impl Ledger {
     fn commit(&mut self, scene: &PlannedScene, backend: &str) -> Result<(), Failure> {
         let committed = match self.places.get(scene) {
             Some(&place) => self.writer.commit_of(place, backend),
-            None => self.writer.commit(),
+            None => self.writer.commit_if_due(),
         };
         committed.map_err(Failure::usage)
     }

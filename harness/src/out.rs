@@ -6,6 +6,9 @@
 
 use std::path::Path;
 
+use predicament_records::Hold;
+
+use crate::exit::Failure;
 use std::fmt::Arguments;
 use std::io::{ErrorKind, Write};
 use std::sync::Mutex;
@@ -69,6 +72,12 @@ macro_rules! note {
             tell!("{}: {}", $crate::out::program(), format_args!($($arg)*));
         }
     };
+}
+
+/// The right to edit a file in place. Another process that edits it is waited for, and the file is to be read after this.
+pub fn hold(file: &Path) -> Result<Hold, Failure> {
+    let words: Vec<String> = std::env::args().skip(1).take(2).collect();
+    Hold::take(file, &format!("{} {}", program(), words.join(" "))).map_err(Failure::usage)
 }
 
 /// The name by which the tool was called, for lines that say what to type next.

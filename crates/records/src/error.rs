@@ -33,6 +33,16 @@ impl Error {
         move |error| Error::new(path, with_cure(&error))
     }
 
+    /// The same for a lock: some file systems that machines share have none.
+    #[must_use]
+    pub fn no_locks(path: &Path, error: std::io::Error) -> Error {
+        if error.kind() == ErrorKind::Unsupported {
+            Error::new(path, format!("{error}: the file system has no locks; name a folder on a disk of this machine"))
+        } else {
+            Error::io(path)(error)
+        }
+    }
+
     /// A JSON error with its line taken out of the message, for `map_err`.
     pub fn json(path: &Path) -> impl FnOnce(serde_json::Error) -> Error {
         move |error| {

@@ -20,6 +20,7 @@ mod balance;
 mod env;
 mod error;
 pub mod format;
+mod hold;
 mod imported;
 mod junit;
 mod lined;
@@ -38,13 +39,14 @@ pub use answers::AnswerRow;
 pub use balance::{Basis, Costs, balance, part_of_id};
 pub use env::Env;
 pub use error::{Error, with_cure};
+pub use hold::Hold;
 pub use imported::ImportRow;
 pub use junit::junit;
 pub use lined::Rows;
 pub use phases::PhaseRow;
 pub use plan::{EngineFile, ExpectedFile, FORMAT, Level, NotSelected, Plan, PlannedScene, Shard, Whole};
 pub use predicament_predicates::{Class, Severity, Status};
-pub use replace::replace;
+pub use replace::{Beside, replace};
 pub use rows::{FindingRow, Interface, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow, is_predicate};
 pub use run_dir::{
     CostRow, Lined, NotMerged, NotRun, Outcome, Record, RunDir, RunFolder, RunWriter, SegmentRow, TABLES, TableSpec,

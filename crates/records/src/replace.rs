@@ -1,42 +1,144 @@
 //! Files that are whole or not there.
+//!
+//! A file is written beside its place, under a name that nobody else has, and moved there when the disk has all of it. So a full disk, a
+//! power cut and a second writer leave the old file, or a whole new one, and never a half.
 
-use std::ffi::OsString;
-use std::fs;
-use std::io::Write as _;
-use std::path::Path;
+use std::collections::BTreeSet;
+use std::fs::{self, File, Permissions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::{Builder, NamedTempFile};
 
 use crate::Error;
 
-/// Writes a file beside its place and moves it there: a full disk leaves the old file, or none, never a half. A link
-/// stays, and the file that it names is replaced, keeping its permissions; into a pipe or a device the bytes are written as they are.
+/// What the name of a file that is being written ends in. It begins with a dot and the name that it will have.
+const ENDING: &str = ".next";
+
+/// A file that is being written beside its place. Unless it is kept, it is removed.
+#[derive(Debug)]
+pub struct Beside {
+    file: NamedTempFile,
+    place: PathBuf,
+    permissions: Option<Permissions>,
+}
+
+impl Beside {
+    /// An empty file for this place. A link stays, and the file that it names is replaced, keeping its permissions. What
+    /// processes that were killed have left in the folder is taken away.
+    ///
+    /// # Errors
+    /// That of the file system, with the file; if there is a folder in its place.
+    pub fn new(place: &Path) -> Result<Beside, Error> {
+        let failed = |error| Error::io(place)(error);
+        let (place, permissions) = match fs::metadata(place) {
+            Ok(found) if found.is_dir() => return Err(Error::new(place, "it is a folder; name a file")),
+            Ok(found) => (fs::canonicalize(place).map_err(failed)?, Some(found.permissions())),
+            Err(_) => (place.to_owned(), None),
+        };
+        let folder = folder_of(&place);
+        sweep(folder);
+        let name = place.file_name().unwrap_or_default().to_string_lossy();
+        let prefix = format!(".{name}.");
+        let mut builder = Builder::new();
+        builder.prefix(&prefix).suffix(ENDING);
+        // As any new file: the user's mask says who may read it.
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let file = builder.tempfile_in(folder).map_err(failed)?;
+        // Whoever sweeps sees that somebody is writing. Where there are no locks nobody sweeps either.
+        let _ = file.as_file().lock();
+        Ok(Beside { file, place, permissions })
+    }
+
+    /// The file, to be written.
+    #[must_use]
+    pub fn file(&self) -> &File {
+        self.file.as_file()
+    }
+
+    /// How many bytes were written.
+    ///
+    /// # Errors
+    /// That of the file system.
+    pub fn length(&self) -> Result<u64, Error> {
+        Ok(self.file().metadata().map_err(Error::io(&self.place))?.len())
+    }
+
+    /// Moves files into their places, when the disk has all of each.
+    ///
+    /// # Errors
+    /// That of the file system, with the file; those before it may be in their places.
+    pub fn keep(files: Vec<Beside>) -> Result<(), Error> {
+        for Beside { file, place, permissions } in &files {
+            let file = file.as_file();
+            permissions.clone().map_or(Ok(()), |of| file.set_permissions(of)).map_err(Error::io(place))?;
+            file.sync_data().map_err(Error::io(place))?;
+        }
+        let mut folders = BTreeSet::new();
+        for Beside { file, place, .. } in files {
+            file.persist(&place).map_err(|error| Error::io(&place)(error.error))?;
+            folders.insert(folder_of(&place).to_owned());
+        }
+        folders.iter().try_for_each(|folder| sync_folder(folder))
+    }
+}
+
+/// Writes a file beside its place and moves it there. Into a pipe or a device the bytes are written as they are.
 ///
 /// # Errors
 /// That of the file system, with the file.
 pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     let failed = |error| Error::io(path)(error);
-    let mut permissions = None;
-    let place = match fs::metadata(path) {
-        Ok(found) if found.is_file() => {
-            permissions = Some(found.permissions());
-            fs::canonicalize(path).map_err(failed)?
+    if fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir()) {
+        let mut special = fs::OpenOptions::new().write(true).open(path).map_err(failed)?;
+        return special.write_all(bytes).and_then(|()| special.flush()).map_err(failed);
+    }
+    let beside = Beside::new(path)?;
+    beside.file().write_all(bytes).map_err(failed)?;
+    Beside::keep(vec![beside])
+}
+
+/// Asks the disk to keep the names in a folder. Where folders can't be opened, there is nothing to ask.
+///
+/// # Errors
+/// That of the file system.
+pub(crate) fn sync_folder(folder: &Path) -> Result<(), Error> {
+    match File::open(folder).and_then(|opened| opened.sync_all()) {
+        // File systems that have no such thing say so in one of these ways.
+        Err(error)
+            if matches!(
+                error.kind(),
+                io::ErrorKind::InvalidInput | io::ErrorKind::Unsupported | io::ErrorKind::PermissionDenied
+            ) =>
+        {
+            Ok(())
         }
-        Ok(found) if found.is_dir() => return Err(Error::new(path, "it is a folder; name a file")),
-        Ok(_) => {
-            let mut special = fs::OpenOptions::new().write(true).open(path).map_err(failed)?;
-            return special.write_all(bytes).and_then(|()| special.flush()).map_err(failed);
+        done => done.map_err(Error::io(folder)),
+    }
+}
+
+/// Whether a name is that of a file that is being written.
+pub(crate) fn is_beside(name: &str) -> bool {
+    name.starts_with('.') && name.ends_with(ENDING)
+}
+
+fn folder_of(place: &Path) -> &Path {
+    place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Takes away what processes that are gone have left in a folder: nobody holds such a file. One without a byte may be about to be held.
+fn sweep(folder: &Path) {
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let path = entry.path();
+        if is_beside(&entry.file_name().to_string_lossy())
+            && fs::symlink_metadata(&path).is_ok_and(|found| found.is_file() && found.len() > 0)
+            && File::open(&path).is_ok_and(|file| file.try_lock().is_ok())
+        {
+            // What can't be removed is in nobody's way.
+            let _ = fs::remove_file(&path);
         }
-        Err(_) => path.to_owned(),
-    };
-    let mut beside = OsString::from(&place);
-    beside.push(".next");
-    let beside = Path::new(&beside);
-    let written = fs::write(beside, bytes)
-        .and_then(|()| permissions.map_or(Ok(()), |permissions| fs::set_permissions(beside, permissions)))
-        .and_then(|()| fs::rename(beside, &place));
-    written.map_err(|error| {
-        let _ = fs::remove_file(beside);
-        failed(error)
-    })
+    }
 }
 
 #[cfg(test)]
@@ -55,7 +157,35 @@ mod tests {
         // In the place of a file there is a folder.
         let error = replace(folder.path(), b"x").unwrap_err();
         assert_eq!(error.path, folder.path());
-        assert!(!folder.path().with_extension("next").exists());
+    }
+
+    #[test]
+    fn what_was_left_is_swept_and_what_is_written_is_not() {
+        let folder = tempfile::tempdir().unwrap();
+        let [left, new, held] = [".a.1.next", ".a.2.next", ".a.3.next"].map(|name| folder.path().join(name));
+        let [_, _, writer] = [&left, &new, &held].map(|path| File::create(path).unwrap());
+        writer.lock().unwrap();
+        for path in [&left, &held] {
+            fs::write(path, "half").unwrap();
+        }
+        replace(&folder.path().join("a"), b"x").unwrap();
+        assert_eq!([left, new, held].map(|path| path.exists()), [false, true, true]);
+    }
+
+    #[test]
+    fn ten_writers_leave_one_whole_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("junit.xml");
+        let text = |writer: u8| vec![b'0' + writer; 100_000];
+        std::thread::scope(|scope| {
+            for writer in 0..10 {
+                let path = &path;
+                scope.spawn(move || (0..20).for_each(|_| replace(path, &text(writer)).unwrap()));
+            }
+        });
+        let found = fs::read(&path).unwrap();
+        assert!((0..10).any(|writer| found == text(writer)));
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 
     #[test]
@@ -75,5 +205,11 @@ mod tests {
         assert!(!fs::metadata("/dev/null").unwrap().is_file());
         let full = Path::new("/dev/full");
         assert!(!full.exists() || replace(full, b"lost").is_err(), "a full device is an error");
+        // What is beside a place is nobody's: a link there is not followed.
+        let (mine, trap) = (folder.path().join("mine"), folder.path().join("page.next"));
+        fs::write(&mine, "mine").unwrap();
+        std::os::unix::fs::symlink(&mine, &trap).unwrap();
+        replace(&folder.path().join("page"), b"page").unwrap();
+        assert_eq!(fs::read_to_string(&mine).unwrap(), "mine");
     }
 }

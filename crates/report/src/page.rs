@@ -1,7 +1,6 @@
 //! The two pages: one for browsers and printers, one for terminals and forges.
 
 use std::borrow::Cow;
-use std::fs::File;
 use std::io::Write as _;
 use std::path::Path;
 
@@ -11,6 +10,7 @@ use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value, context};
 use crate::sections::{FIRST, UNFOLDED, headlines, sections};
 use crate::table::{Block, Headline, Section};
 use crate::{Detail, Error, RunDir, figures, latex, web};
+use predicament_records::{Beside, Hold};
 
 const HTML: &str = "page.html";
 const MORE: &str = "more.html";
@@ -63,26 +63,16 @@ pub fn write_pages(
             files.push((file, picture.svg.into()));
         }
     }
-    let next = |name: &str| folder.join(format!("{name}.next"));
-    for (at, (name, bytes)) in files.iter().enumerate() {
-        if let Err(error) = write_whole(&next(name), bytes) {
-            // What is left over is of no use; that it can't be removed is not what went wrong.
-            for (name, _) in &files[..=at] {
-                let _ = std::fs::remove_file(next(name));
-            }
-            return Err(error);
-        }
+    // The files of two reports that are written at once are not mixed.
+    let _hold = Hold::take(&folder.join("report.html"), "report")?;
+    let mut written = Vec::new();
+    for (name, bytes) in &files {
+        let path = folder.join(&**name);
+        let beside = Beside::new(&path)?;
+        beside.file().write_all(bytes).map_err(Error::io(&path))?;
+        written.push(beside);
     }
-    for (name, _) in &files {
-        std::fs::rename(next(name), folder.join(&**name)).map_err(Error::io(&folder.join(&**name)))?;
-    }
-    Ok(())
-}
-
-/// Writes a file to the end; a full disk may say so only when asked to keep what it was given.
-fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Error> {
-    let mut file = File::create(path).map_err(Error::io(path))?;
-    file.write_all(bytes).and_then(|()| file.sync_all()).map_err(Error::io(path))
+    Beside::keep(written)
 }
 
 fn render(template: &str, runs: &[RunDir], of_tasks: &[Section], details: &[Detail]) -> Result<String, Error> {

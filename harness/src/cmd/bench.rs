@@ -234,7 +234,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
             ended = records::Outcome::Interrupted;
             break;
         }
-        writer.commit().map_err(Failure::usage)?;
+        writer.commit_if_due().map_err(Failure::usage)?;
         bar.inc(1);
     }
     bar.finish_and_clear();

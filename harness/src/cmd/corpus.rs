@@ -12,7 +12,7 @@ use serde_json::json;
 use crate::cmd::run::tell_not_selected;
 use crate::exit::{self, CORPUS, Failure};
 use crate::interrupt;
-use crate::out::program;
+use crate::out::{hold, program};
 use crate::select::Selector;
 use crate::tool::Tool;
 
@@ -110,6 +110,7 @@ fn format(tool: &Tool, files: &[PathBuf], check: bool) -> exit::Outcome {
     let mut changed = 0;
     for file in files {
         let name = file.display().to_string();
+        let _hold = if check { None } else { Some(hold(file)?) };
         let (text, tidy) = tidied(tool, file, &name)?;
         if tidy == text {
             continue;

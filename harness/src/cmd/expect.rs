@@ -6,12 +6,13 @@ use std::path::{Path, PathBuf};
 use predicament_oracle::expect::Expectations;
 use predicament_oracle::known::Scenes;
 use predicament_oracle::pattern::Pattern;
-use predicament_records::{self as records, RunDir, Status, SummaryRow};
+use predicament_records::{self as records, Hold, RunDir, Status, SummaryRow};
 use predicament_tasks::Class;
 
 use crate::exit::{self, Failure};
 use crate::expect_file::{Edits, Told, grouped, prune, update};
 use crate::expectations;
+use crate::out::hold;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
@@ -77,6 +78,8 @@ struct Held {
     /// What rows are held against besides the file.
     beside: Expectations,
     expected: Expectations,
+    /// Nobody else edits the file until this is written.
+    _hold: Option<Hold>,
 }
 
 /// Runs the command.
@@ -156,15 +159,17 @@ fn held(of: &Of, tool: &Tool, may_begin: bool) -> Result<Held, Failure> {
             PathBuf::from(SHIPPED)
         }
     };
+    // Whoever edits it now is waited for, and what they have written is read.
+    let hold = if of.dry_run { None } else { Some(hold(&file)?) };
     if may_begin && of.expected.is_some() && !file.exists() {
         let none = Expectations::default();
-        return Ok(Held { file, text: String::new(), beside: none.clone(), expected: none });
+        return Ok(Held { file, text: String::new(), beside: none.clone(), expected: none, _hold: hold });
     }
     let text = expectations::text(&file)?;
     let expected = expectations::load(tool, of.expected.as_ref())?;
     let is_own = of.expected.is_none() && tool.expected.is_some();
     let beside = if is_own { expectations::shipped(tool)? } else { Expectations::default() };
-    Ok(Held { file, text, beside, expected })
+    Ok(Held { file, text, beside, expected, _hold: hold })
 }
 
 /// The run, each row with the status that the file gives it now.

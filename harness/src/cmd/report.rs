@@ -8,6 +8,7 @@ use predicament_studies::{compare, stress};
 
 use crate::details::details;
 use crate::exit::{self, Failure};
+use crate::out::hold;
 use crate::places::apart;
 use crate::tool::Tool;
 
@@ -91,15 +92,19 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let with_studies = folders.iter().find(|folder| folder.join(COMPARISON).exists()).unwrap_or(&folders[0]);
     // All pages are made before any is written.
     let mut spliced = Vec::new();
-    for page in &args.splice {
+    for (at, page) in args.splice.iter().enumerate() {
+        if args.splice[..at].contains(page) {
+            continue;
+        }
         let named = |why: String| Failure::usage(format!("{}: {why}", page.display()));
+        let hold = hold(page)?;
         let text = std::fs::read_to_string(page).map_err(|why| named(why.to_string()))?;
         let part = |name: &str| compare::part(with_studies, name);
         let (text, _) = splice(&text, &runs, &compared, &part).map_err(|why| named(why.message))?;
-        spliced.push((page, text));
+        spliced.push((page, text, hold));
     }
     write_pages(&runs, &compared, &told, &args.out).map_err(Failure::usage)?;
-    for (page, text) in spliced {
+    for (page, text, _hold) in spliced {
         replace(page, text.as_bytes()).map_err(Failure::usage)?;
         note!("{} has the sections that its marks name", page.display());
     }

@@ -7,6 +7,7 @@ use predicament_export::{FRONT, OWN_TABLES};
 use predicament_records::{TableSpec, replace, schema_json, schema_markdown};
 
 use crate::exit::{self, Failure};
+use crate::out::hold;
 use crate::planning::every_table;
 use crate::tool::Tool;
 
@@ -50,6 +51,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     match (&args.splice, args.format) {
         (Some(page), _) => {
             let named = |why: &dyn std::fmt::Display| Failure::usage(format!("{}: {why}", page.display()));
+            let _hold = hold(page)?;
             let text = std::fs::read_to_string(page).map_err(|why| named(&why))?;
             let [open, close] = MARKS;
             let parts = text.split_once(open).and_then(|(before, rest)| Some((before, rest.split_once(close)?.1)));

@@ -159,7 +159,7 @@ fn an_engine_of_a_run_is_not_started_unless_it_is_named() {
     let engine = write(&folder, "engine.toml", &engine);
     let mut plan: serde_json::Value = serde_json::from_str(&read(&out, "plan.json")).unwrap();
     plan["backends"] = serde_json::json!(["exact", "engine:evil"]);
-    plan["engines"] = serde_json::json!({ "engine:evil": engine });
+    plan["engines"] = serde_json::json!({ "engine:evil": { "file": engine, "sha256": "" } });
     std::fs::write(format!("{out}/plan.json"), serde_json::to_string_pretty(&plan).unwrap()).unwrap();
     // As a run that was never told of its digests.
     rewrite(&out, "summary.csv", &read(&out, "summary.csv"));

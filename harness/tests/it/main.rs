@@ -38,5 +38,6 @@ mod show;
 mod shrink;
 mod strangers;
 mod studies;
+mod ten_writers;
 mod threads;
 mod tutorial;

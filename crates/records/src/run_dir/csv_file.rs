@@ -68,6 +68,21 @@ impl CsvFile {
         Ok(self.writer.get_ref().length())
     }
 
+    /// Asks the disk to keep all that the last [`flush`](CsvFile::flush) has handed over.
+    pub fn sync(&self) -> Result<(), Error> {
+        self.writer.get_ref().sync().map_err(Error::io(&self.path))
+    }
+
+    /// Refuses a file that is no longer the one that is written, or has other bytes.
+    pub fn check(&self) -> Result<(), Error> {
+        let bytes = super::reader::read_regular(&self.path)?;
+        if bytes.len() as u64 == self.writer.get_ref().length() && digest(&bytes) == self.digest() {
+            return Ok(());
+        }
+        let cure = "its rows are lost; start a new run, and leave its folder alone";
+        Err(Error::new(&self.path, format!("somebody has changed it while the run was writing it: {cure}")))
+    }
+
     /// Takes back what was appended beyond this length. Nothing can be appended after that.
     pub fn cut(&mut self, length: u64) -> Result<(), Error> {
         self.flush()?;

@@ -3,7 +3,7 @@
 //! Each commit of a run writes down the length and the digest of every table. To read a table again for each would cost more than
 //! the run, so the digest grows with the file.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::fs::File;
 use std::io::{self, Write};
 
@@ -23,6 +23,8 @@ pub(super) fn hex(bytes: &[u8]) -> String {
 pub(super) struct Hashed {
     file: File,
     so_far: RefCell<(Sha256, u64)>,
+    /// How much of it the disk has.
+    synced: Cell<u64>,
 }
 
 impl Hashed {
@@ -33,7 +35,8 @@ impl Hashed {
 
     /// A file that has these bytes and is opened for appending.
     pub fn after(file: File, bytes: &[u8]) -> Hashed {
-        Hashed { file, so_far: RefCell::new((Sha256::new_with_prefix(bytes), bytes.len() as u64)) }
+        let so_far = RefCell::new((Sha256::new_with_prefix(bytes), bytes.len() as u64));
+        Hashed { file, so_far, synced: Cell::new(0) }
     }
 
     /// How many bytes are in the file.
@@ -46,9 +49,19 @@ impl Hashed {
         hex(&self.so_far.borrow().0.clone().finalize())
     }
 
+    /// Asks the disk for all that is in the file, if it has not got it already.
+    pub fn sync(&self) -> io::Result<()> {
+        if self.synced.get() != self.length() {
+            self.file.sync_data()?;
+            self.synced.set(self.length());
+        }
+        Ok(())
+    }
+
     /// Cuts the file to this length. What is known of its bytes is that of before.
     pub fn cut(&self, length: u64) -> io::Result<()> {
-        self.file.set_len(length)
+        self.file.set_len(length)?;
+        self.file.sync_data()
     }
 
     /// Appends all of these bytes.

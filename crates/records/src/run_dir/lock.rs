@@ -8,6 +8,7 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::path::Path;
 
 use crate::Error;
+use crate::replace::is_beside;
 
 /// The file that is locked.
 pub(super) const FILE: &str = "run.lock";
@@ -29,7 +30,7 @@ impl Lock {
             Err(TryLockError::WouldBlock) => {
                 Err(Error::new(folder, "another process is writing this run; wait for its end, or stop it"))
             }
-            Err(TryLockError::Error(error)) => Err(Error::io(&path)(error)),
+            Err(TryLockError::Error(error)) => Err(Error::no_locks(&path, error)),
         }
     }
 
@@ -51,7 +52,7 @@ impl Lock {
     pub fn others(folder: &Path) -> Result<bool, Error> {
         for entry in fs::read_dir(folder).map_err(Error::io(folder))? {
             let name = entry.map_err(Error::io(folder))?.file_name();
-            if name != FILE && name != "plan.json.next" {
+            if name != FILE && !is_beside(&name.to_string_lossy()) {
                 return Ok(true);
             }
         }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use serde::Serialize;
 
@@ -14,18 +15,21 @@ use super::segments::SegmentRow;
 use super::state::{Outcome, State, tables};
 use super::tables::{Record, TableSpec};
 use super::{ENV, MAPS, PLAN, TABLES};
+use crate::replace::sync_folder;
 use crate::{Env, Error, Plan, Row, RunDir, replace};
 
 /// Writes a run folder.
 ///
 /// [`write`](RunWriter::write) the rows of a scene to as many tables as it
-/// takes, then [`commit`](RunWriter::commit): that is the unit in which a run
-/// survives being killed. A folder whose writer was dropped without
+/// takes, then [`commit_if_due`](RunWriter::commit_if_due): that is the unit in which a run
+/// survives being killed, and a power cut. What `state.json` tells of is on the disk before it. To wait for the disk costs time, so it is
+/// waited for at most a hundredth of the time. A folder whose writer was dropped without
 /// [`finish`](RunWriter::finish) says that it is incomplete.
 pub struct RunWriter {
     folder: PathBuf,
     tables: BTreeMap<&'static str, CsvFile>,
     state: State,
+    pace: Pace,
     costs: CostLog,
     /// Held as long as the folder is written.
     _lock: Lock,
@@ -40,6 +44,9 @@ impl RunWriter {
     pub fn create(folder: impl AsRef<Path>, plan: &Plan, env: &Env, more: &[TableSpec]) -> Result<RunWriter, Error> {
         let folder = folder.as_ref();
         fs::create_dir_all(folder).map_err(Error::io(folder))?;
+        if let Some(parent) = folder.parent().filter(|parent| !parent.as_os_str().is_empty()) {
+            sync_folder(parent)?;
+        }
         let refuse_others = || {
             let message = "the folder is not empty; name another, or resume the run in it";
             if Lock::others(folder)? { Err(Error::new(folder, message)) } else { Ok(()) }
@@ -62,7 +69,8 @@ impl RunWriter {
         let plan = digest(&super::reader::read_regular(&folder.join(PLAN))?);
         let digests = [(PLAN.to_owned(), plan)].into();
         let state = State { outcome: Outcome::Unfinished, committed: BTreeMap::new(), digests };
-        let mut writer = RunWriter { folder: folder.to_owned(), tables, state, costs: CostLog::default(), _lock: lock };
+        let (folder, pace, costs) = (folder.to_owned(), Pace::default(), CostLog::default());
+        let mut writer = RunWriter { folder, tables, state, pace, costs, _lock: lock };
         writer.commit()?;
         Ok(writer)
     }
@@ -110,7 +118,8 @@ impl RunWriter {
             tables.insert(file, table);
         }
         state.outcome = Outcome::Unfinished;
-        let mut writer = RunWriter { folder: folder.to_owned(), tables, state, costs: CostLog::default(), _lock: lock };
+        let (pace, costs) = (Pace::default(), CostLog::default());
+        let mut writer = RunWriter { folder: folder.to_owned(), tables, state, pace, costs, _lock: lock };
         // New tables get their header, and the state is told of them.
         writer.commit()?;
         let done = RunDir::open(folder)?;
@@ -147,14 +156,38 @@ impl RunWriter {
     /// # Errors
     /// If the disk refuses.
     pub fn commit(&mut self) -> Result<(), Error> {
+        self.note()?;
+        self.save()
+    }
+
+    /// The same if it is due ([`Pace`]): after each scene.
+    ///
+    /// # Errors
+    /// If the disk refuses.
+    pub fn commit_if_due(&mut self) -> Result<(), Error> {
+        self.note()?;
+        if self.pace.is_due() { self.save() } else { Ok(()) }
+    }
+
+    /// Notes that what was written so far belongs together.
+    fn note(&mut self) -> Result<(), Error> {
         for (file, table) in &mut self.tables {
             self.state.committed.insert((*file).to_owned(), table.flush()?);
             self.state.digests.insert((*file).to_owned(), table.digest());
         }
-        self.state.write(&self.folder)
+        Ok(())
     }
 
-    /// The same, where it is what a backend has to say of the scene in this place of the whole selection: the folder of a part, which
+    /// Makes permanent what was noted: the tables first, and then the state that tells of them.
+    fn save(&mut self) -> Result<(), Error> {
+        let start = Instant::now();
+        self.tables.values().try_for_each(CsvFile::sync)?;
+        self.state.write(&self.folder)?;
+        self.pace.took(start.elapsed());
+        Ok(())
+    }
+
+    /// Commits if it is due, where it is what a backend has to say of the scene in this place of the whole selection: the folder of a part, which
     /// has the table `segments.csv`, writes it down.
     ///
     /// # Errors
@@ -170,7 +203,7 @@ impl RunWriter {
             }
             self.tables.insert(SegmentRow::FILE, segments);
         }
-        self.commit()
+        self.commit_if_due()
     }
 
     /// Notes what a scene has cost. It is in no commit: a run that was killed may have noted a scene twice, and the last note counts.
@@ -217,10 +250,32 @@ impl RunWriter {
                 table.cut(self.state.committed.get(*file).copied().unwrap_or(0))?;
             }
         } else {
-            self.commit()?;
+            self.note()?;
+            self.tables.values().try_for_each(CsvFile::check)?;
         }
         self.state.outcome = outcome;
-        self.state.write(&self.folder)
+        self.save()
+    }
+}
+
+/// When a commit is made permanent: the first one, and then as often as costs at most a hundredth of the time. A run that is killed, or
+/// loses its power, does again what came after.
+#[derive(Default)]
+struct Pace {
+    /// When the last one ended, and how long it took.
+    last: Option<(Instant, Duration)>,
+}
+
+impl Pace {
+    /// The time between two, as a multiple of what one takes.
+    const REST: u32 = 99;
+
+    fn is_due(&self) -> bool {
+        self.last.is_none_or(|(end, took)| end.elapsed() >= took.saturating_mul(Pace::REST))
+    }
+
+    fn took(&mut self, time: Duration) {
+        self.last = Some((Instant::now(), time));
     }
 }
 

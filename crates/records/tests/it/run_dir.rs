@@ -5,7 +5,7 @@ use std::io::Write;
 use std::path::Path;
 
 use predicament_records::{
-    Class, Env, ExpectedFile, FORMAT, FindingRow, Interface, Level, Outcome, PhaseRow, Plan, PlannedScene,
+    Class, EngineFile, Env, ExpectedFile, FORMAT, FindingRow, Interface, Level, Outcome, PhaseRow, Plan, PlannedScene,
     PrecisionRow, Record, Row, RunDir, RunWriter, Shard, StageRow, Status, SummaryRow, TableSpec, ThroughputRow,
 };
 use serde::{Deserialize, Serialize};
@@ -50,6 +50,10 @@ fn scene(name: &str) -> PlannedScene {
     }
 }
 
+fn engine() -> EngineFile {
+    EngineFile { file: "far/engine.toml".to_owned(), sha256: "0".repeat(64), version: Some("1".to_owned()) }
+}
+
 pub fn plan() -> Plan {
     Plan {
         format: FORMAT,
@@ -57,7 +61,7 @@ pub fn plan() -> Plan {
         level: Level::Full,
         suites: vec![scene("").suite],
         hashes: [(scene("").suite, "0f1e".to_owned())].into(),
-        engines: [("engine:mine".to_owned(), "far/engine.toml".to_owned())].into(),
+        engines: [("engine:mine".to_owned(), engine())].into(),
         answers: true,
         permutations: Some(7),
         timed: false,
@@ -205,7 +209,7 @@ fn every_table_survives_the_disk() {
     let run = RunDir::open(folder.path()).unwrap();
     assert!(run.is_complete());
     assert_eq!((&run.plan, &run.env), (&plan(), &env));
-    assert_eq!(run.plan.arguments(), ["far/near.toml"]);
+    assert_eq!((run.plan.argument("near, or \"far\""), run.plan.argument("other")), ("far/near.toml", "other"));
     assert_eq!(run.summary, [summary("one"), summary("two")]);
     assert_eq!(run.findings[0], finding());
     assert_eq!(run.findings[1].log2_relative_det, None);

@@ -379,20 +379,17 @@ fn a_page_that_can_t_be_written_leaves_the_earlier_one() {
     write_pages(&runs()[..1], &[], &[], folder.path()).unwrap();
     let before = std::fs::read_to_string(at("report.md")).unwrap();
     // No file can be written where a folder is, as none can on a full disk.
-    std::fs::create_dir(at("overall.svg.next")).unwrap();
+    std::fs::create_dir(at("overall.svg")).unwrap();
     let error = write_pages(&runs(), &[], &[], folder.path()).unwrap_err();
-    assert_eq!(error.path, at("overall.svg.next"));
+    assert_eq!(error.path, at("overall.svg"));
     assert_eq!(std::fs::read_to_string(at("report.md")).unwrap(), before);
     let mut names: Vec<String> = std::fs::read_dir(folder.path())
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
         .collect();
     names.sort();
-    assert_eq!(
-        names,
-        ["figures.csv", "overall.svg.next", "report.html", "report.md", "tables.tex", "ties.pdf", "ties.svg"]
-    );
-    std::fs::remove_dir(at("overall.svg.next")).unwrap();
+    assert_eq!(names, ["figures.csv", "overall.svg", "report.html", "report.md", "tables.tex", "ties.pdf", "ties.svg"]);
+    std::fs::remove_dir(at("overall.svg")).unwrap();
     write_pages(&runs(), &[], &[], folder.path()).unwrap();
     assert_ne!(std::fs::read_to_string(at("report.md")).unwrap(), before);
 }

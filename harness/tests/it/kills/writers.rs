@@ -174,8 +174,9 @@ fn a_page_that_a_full_disk_does_not_take_is_the_old_one() {
     let before = std::fs::read_to_string(&page).unwrap();
     let tool = tool(&["report", &out, "--splice", &page, "--out", &report]);
     let mut command = std::process::Command::new("strace");
-    command.args(["-f", "-q", "-o", "/dev/null", "-P", &page, "-P", &format!("{page}.next")]);
-    command.args(["-e", "trace=write", "-e", "inject=write:error=ENOSPC:when=1+"]);
+    // What is written beside it has a name of its own; all of it is there before it takes the place of the page.
+    command.args(["-f", "-q", "-o", "/dev/null", "-P", &page]);
+    command.args(["-e", "trace=/^rename", "-e", "inject=/^rename:error=ENOSPC:when=1+"]);
     command.arg(tool.get_program()).args(tool.get_args()).stdin(Stdio::null());
     let told = told(command.output().unwrap());
     assert_eq!(std::fs::read_to_string(&page).unwrap(), before);
