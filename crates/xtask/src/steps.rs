@@ -262,6 +262,8 @@ pub fn nightly() -> Result<(), String> {
         ),
         // Into a folder of its own: packages are compiled as somebody else's.
         cargo("packages", &["package", "--workspace", "--allow-dirty", "--target-dir", "target/package-check"]),
+        crate::deny::check(),
+        crate::advisories::check_if_at_hand(),
         crate::browser::check(true, false),
         crate::data::check(),
         crate::spread::check(),
