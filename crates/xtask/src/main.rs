@@ -15,6 +15,8 @@ mod deny;
 mod house;
 mod m4;
 mod mutants;
+#[cfg(test)]
+mod recipes;
 mod sample;
 mod spread;
 mod steps;
