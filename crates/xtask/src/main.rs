@@ -8,6 +8,7 @@
 
 mod advisories;
 mod browser;
+mod ci_page;
 mod cpu;
 mod data;
 mod deny;
@@ -32,7 +33,7 @@ Commands:
   demo   build the tool, run the embedded corpora, leave a report to open
   test   format, clippy, tests, doc tests, docs, the embedded corpora through the gate, the example crate
   nightly
-         heavy tests whole, the peers, the benches, cargo package, cargo deny, advisories, the report in a browser, the page about data, runs in parts by engines, the oldest compiler, ten minutes of each fuzz target
+         heavy tests whole, the peers, the benches, cargo package, cargo deny, advisories, the recipes of docs/CI.md, the report in a browser, the page about data, runs in parts by engines, the oldest compiler, ten minutes of each fuzz target
   engines [NAME...]
          install and build engines of other languages (CGAL, GEOS, libigl, ...) for `run -b engine:NAME`: by apt,
          pip and npm, into their folders where the client can
