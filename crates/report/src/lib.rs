@@ -25,6 +25,7 @@ mod figures;
 mod groups;
 mod latex;
 pub mod layout;
+mod licences;
 mod origin;
 mod page;
 pub mod picture;

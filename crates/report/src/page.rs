@@ -9,7 +9,7 @@ use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value, context};
 
 use crate::sections::{FIRST, UNFOLDED, headlines, sections};
 use crate::table::{Block, Headline, Section};
-use crate::{Detail, Error, RunDir, figures, latex, web};
+use crate::{Detail, Error, RunDir, figures, latex, licences, web};
 use predicament_records::{Beside, Hold};
 
 const HTML: &str = "page.html";
@@ -88,7 +88,10 @@ fn render(template: &str, runs: &[RunDir], of_tasks: &[Section], details: &[Deta
         let libraries = Value::from_safe_string(web::libraries()?);
         let [style, scripts] =
             [web::STYLE, &web::SCRIPTS.concat()].map(|text| Value::from_safe_string(text.to_owned()));
-        page = context! { rows => rows, libraries => libraries, style => style, scripts => scripts, ..page };
+        let licences = Value::from_safe_string(licences::comment());
+        page = context! {
+            rows => rows, libraries => libraries, licences => licences, style => style, scripts => scripts, ..page
+        };
     }
     fill(template, page)
 }

@@ -18,7 +18,7 @@ use crate::table::Section;
 use crate::{Error, RunDir};
 
 /// The libraries of a page, in this order. They are compressed within it: a page has a few megabytes, and they are a third of one.
-const LIBRARIES: [&str; 3] =
+pub(crate) const LIBRARIES: [&str; 3] =
     [include_str!("../web/vendor/tabulator.js"), include_str!("../web/vendor/uplot.js"), drawing::SCRIPTS[0]];
 /// What the page does with them, in this order.
 pub const SCRIPTS: [&str; 5] = [

@@ -39,7 +39,11 @@ pub fn check(is_needed: bool, accept: bool) -> Result<(), String> {
     }
     let words = |words: &[&str]| words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>();
     let at = folder.display().to_string();
-    step("fetch what drives the browser", &words(&["npm", "install", "--silent", "--prefix", &at]), &[])?;
+    step(
+        "fetch what drives the browser",
+        &words(&["npm", "ci", "--ignore-scripts", "--silent", "--prefix", &at]),
+        &[],
+    )?;
     let build = ["cargo", "build", "--profile", "ci", "--bin", "predicament"];
     step("build the tool", &words(&build), &[])?;
     let tool = target_directory()?.join("ci").join("predicament").display().to_string();

@@ -4,8 +4,8 @@ use crate::steps::{answers, fresh, root, step};
 
 /// Where the environment of Python is.
 const FOLDER: &str = "target/data";
-/// What is installed in it.
-const PACKAGES: [&str; 3] = ["duckdb", "pandas", "pyarrow"];
+/// What is installed in it: DuckDB, pandas and pyarrow, with digests.
+pub const REQUIREMENTS: &str = "crates/xtask/python/requirements.txt";
 
 /// Fails in R where a package of the page is not installed.
 const PACKAGES_OF_R: &str = "library(nanoparquet); library(dplyr)";
@@ -22,7 +22,8 @@ pub fn check() -> Result<(), String> {
     let words = |words: &[&str]| words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>();
     step("an environment of Python", &words(&["python3", "-m", "venv", &folder]), &[])?;
     let python = format!("{folder}/bin/python");
-    let install = [&[&python[..], "-m", "pip", "install", "--quiet"][..], &PACKAGES].concat();
+    let install =
+        [&python, "-m", "pip", "install", "--quiet", "--require-hashes", "--only-binary=:all:", "-r", REQUIREMENTS];
     step("install what the page uses", &words(&install), &[])?;
     let test =
         ["cargo", "test", "--profile", "ci", "-p", "predicament", "--test", "it", "--", "--ignored", "page_of_data"];

@@ -6,13 +6,18 @@
 //! look after one thing that cargo can't: `rug` builds GMP, and GMP's
 //! configure needs `m4`.
 
+mod advisories;
 mod browser;
+mod ci_page;
 mod cpu;
 mod data;
+mod deny;
 #[cfg(test)]
 mod house;
 mod m4;
 mod mutants;
+#[cfg(test)]
+mod recipes;
 mod sample;
 mod spread;
 mod steps;
@@ -28,7 +33,7 @@ Commands:
   demo   build the tool, run the embedded corpora, leave a report to open
   test   format, clippy, tests, doc tests, docs, the embedded corpora through the gate, the example crate
   nightly
-         heavy tests whole, the peers, the benches, cargo package, the report in a browser, the page about data, runs in parts by engines, the oldest compiler, ten minutes of each fuzz target
+         heavy tests whole, the peers, the benches, cargo package, cargo deny, advisories, the recipes of docs/CI.md, the report in a browser, the page about data, runs in parts by engines, the oldest compiler, ten minutes of each fuzz target
   engines [NAME...]
          install and build engines of other languages (CGAL, GEOS, libigl, ...) for `run -b engine:NAME`: by apt,
          pip and npm, into their folders where the client can
@@ -36,6 +41,9 @@ Commands:
          the report in Chromium: opened, searched, sorted, turned, printed, in light and dark, at three widths, with
          100,000 findings too, compared with pictures of it, and with faults planted; screenshots in target/browser.
          --accept makes new pictures to compare with. Says what is missing where there is no Chromium, Node.js or npm
+  advisories [--db DIR]
+         the lock files of cargo against a RustSec advisory database on this machine: DIR, or what cargo-audit or cargo-deny
+         has left in cargo's folder; red if a version is vulnerable or unsound. Asks no network
   data   the blocks of docs/DATA.md, run by DuckDB and pandas in an environment of Python in target/data
   fuzz-seeds
          write what the fuzz targets start from, of the embedded suites, into fuzz/corpus
@@ -60,7 +68,8 @@ fn main() -> ExitCode {
     let command = args.next().unwrap_or_else(|| "help".to_owned());
     let rest: Vec<String> = args.collect();
     let is_known = |argument: &str| {
-        ["engines", "mutants"].contains(&command.as_str()) || command == "browser" && argument == "--accept"
+        ["advisories", "engines", "mutants"].contains(&command.as_str())
+            || command == "browser" && argument == "--accept"
     };
     if let Some(extra) = rest.iter().find(|argument| !is_known(argument)) {
         eprintln!("xtask: unexpected argument `{extra}`; see `cargo xtask help`");
@@ -71,6 +80,7 @@ fn main() -> ExitCode {
         "test" => m4::ensure().and_then(|()| steps::test()),
         "nightly" => m4::ensure().and_then(|()| steps::nightly()),
         "browser" => m4::ensure().and_then(|()| browser::check(false, !rest.is_empty())),
+        "advisories" => advisories::check(&rest),
         "data" => data::check(),
         "engines" => m4::ensure().and_then(|()| steps::engines(&rest)),
         "mutants" => m4::ensure().and_then(|()| mutants::score(&rest)),

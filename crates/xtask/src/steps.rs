@@ -262,6 +262,9 @@ pub fn nightly() -> Result<(), String> {
         ),
         // Into a folder of its own: packages are compiled as somebody else's.
         cargo("packages", &["package", "--workspace", "--allow-dirty", "--target-dir", "target/package-check"]),
+        crate::deny::check(),
+        crate::advisories::check_if_at_hand(),
+        crate::ci_page::check(),
         crate::browser::check(true, false),
         crate::data::check(),
         crate::spread::check(),

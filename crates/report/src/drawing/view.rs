@@ -43,6 +43,7 @@ impl Drawing {
                 data => minijinja::Value::from_safe_string(data),
                 style => minijinja::Value::from_safe_string(crate::web::STYLE.to_owned()),
                 scripts => minijinja::Value::from_safe_string(SCRIPTS.concat()),
+                licences => minijinja::Value::from_safe_string(crate::licences::comment()),
             },
         )
     }

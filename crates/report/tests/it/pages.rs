@@ -270,7 +270,7 @@ fn pages_are_written_beside_their_plot() {
     assert!(std::fs::read_to_string(out.join("report.html")).unwrap().contains("<svg class=\"scatter\""));
 }
 
-/// A page without its own scripts, which are its last elements: libraries, rows, and what is done with them.
+/// A page without the licences of its libraries and its own scripts, which are its last elements: libraries, rows, and what is done with them.
 fn without_scripts(page: &str) -> String {
     let [libraries, rows] =
         ["libraries", "rows"].map(|id| format!("<script type=\"application/octet-stream\" id=\"{id}\">"));
@@ -281,6 +281,8 @@ fn without_scripts(page: &str) -> String {
     assert!(is_packed(libraries) && is_packed(rows), "both are in base 64");
     let (_, end) = rest.split_once("</script>").expect("scripts end");
     assert_eq!(end.trim(), "</body>\n</html>");
+    let (text, licences) = text.split_once("<!--").expect("the licences");
+    assert!(licences.ends_with("\n-->\n"), "the comment is the last thing before the libraries");
     format!("{text}{end}")
 }
 

@@ -1,0 +1,31 @@
+//! Licences and sources of dependencies, by cargo-deny where it is installed, as `deny.toml` says.
+
+use crate::steps::{answers, cargo};
+
+/// The workspaces of this repository. The smaller ones do not have every licence of the list, and only one has fuzz targets.
+const MANIFESTS: [&str; 3] = ["Cargo.toml", "fuzz/Cargo.toml", "examples/leftmost/Cargo.toml"];
+
+/// Holds licences, sources and bans of all workspaces against `deny.toml`; says so where cargo-deny is not installed.
+///
+/// Advisories are not among them: cargo-deny would fetch a database. [`advisories`](crate::advisories) takes the one that is there.
+///
+/// # Errors
+/// If a dependency has another licence or comes from elsewhere than the registry.
+pub fn check() -> Result<(), String> {
+    if !answers("cargo", &["deny", "--version"]) {
+        println!(
+            "\n== licences and sources of dependencies: NOT RUN: there is no cargo-deny here; type `cargo install --locked \
+             cargo-deny`"
+        );
+        return Ok(());
+    }
+    let checks = ["licenses", "sources", "bans"];
+    for (at, manifest) in MANIFESTS.into_iter().enumerate() {
+        let graph = ["deny", "--locked", "--manifest-path", manifest, "--config", "deny.toml"];
+        let quiet = ["check", "--hide-inclusion-graph", "-A", "duplicate", "-A", "license-exception-not-encountered"];
+        let allowed = if at == 0 { &[][..] } else { &["-A", "license-not-encountered"] };
+        let what = format!("licences and sources of dependencies of {manifest}");
+        cargo(&what, &[&graph[..], &quiet, allowed, &checks].concat())?;
+    }
+    Ok(())
+}
