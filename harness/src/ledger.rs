@@ -6,7 +6,9 @@ use std::path::PathBuf;
 use predicament_corpus::{Level, LoadedScene};
 use predicament_exact::Precision;
 use predicament_oracle::expect::Expectations;
-use predicament_records::{self as records, AnswerRow, PlannedScene, PrecisionRow, Row, RunWriter, Status, SummaryRow};
+use predicament_records::{
+    self as records, AnswerRow, PlannedScene, PrecisionRow, Row, RunDir, RunWriter, Status, SummaryRow,
+};
 use predicament_tasks::{AnyCase, Class, Contestant, Outcome};
 
 use crate::cmd::map;
@@ -121,7 +123,7 @@ impl Ledger {
         let tile = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| map::of_square(case, backend)));
         let Ok(Ok(tile)) = tile else { return Ok(()) };
         let png = tile.map.to_png(1).map_err(Failure::usage)?;
-        let name = format!("{} {}", case.loaded().name, backend.name()).replace(':', "-");
+        let name = RunDir::map_name(&case.loaded().id, &backend.name());
         self.writer.add_map(&name, &png).map_err(Failure::usage)
     }
 

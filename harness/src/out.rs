@@ -4,6 +4,7 @@
 //! command was about to say with its exit code is lost. Here a failed write is
 //! noted, the command goes on, and its code stays.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use predicament_records::Hold;
@@ -21,7 +22,8 @@ pub fn print(text: Arguments<'_>) {
     let mut failed = FAILED.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
     if failed.is_none() {
         let mut stdout = std::io::stdout().lock();
-        *failed = stdout.write_fmt(text).and_then(|()| stdout.flush()).err();
+        let text = text.to_string();
+        *failed = stdout.write_all(harmless(&text).as_bytes()).and_then(|()| stdout.flush()).err();
     }
 }
 
@@ -30,6 +32,22 @@ pub fn print(text: Arguments<'_>) {
 pub fn lost() -> Option<String> {
     let failed = FAILED.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
     failed.as_ref().filter(|error| error.kind() != ErrorKind::BrokenPipe).map(ToString::to_string)
+}
+
+/// A text without what a terminal would obey: folders of strangers are printed, too.
+fn harmless(text: &str) -> Cow<'_, str> {
+    let is_harmless = |c: char| !c.is_control() || matches!(c, '\n' | '\t' | '\r');
+    if text.chars().all(is_harmless) {
+        return Cow::Borrowed(text);
+    }
+    Cow::Owned(
+        text.chars().map(|c| if is_harmless(c) { c.to_string() } else { c.escape_default().to_string() }).collect(),
+    )
+}
+
+/// A text of a folder on one line.
+pub fn one_line(text: &str) -> Cow<'_, str> {
+    if text.contains(['\n', '\r']) { Cow::Owned(text.replace(['\n', '\r'], " ")) } else { Cow::Borrowed(text) }
 }
 
 /// Prints a line to stdout.
@@ -45,7 +63,7 @@ macro_rules! say_text {
 
 /// Writes a line to stderr. Where that is closed or full the line is lost, and the command and its code are not.
 pub fn tell(line: Arguments<'_>) {
-    let _ = writeln!(std::io::stderr(), "{line}");
+    let _ = writeln!(std::io::stderr(), "{}", harmless(&line.to_string()));
 }
 
 /// Prints a line to stderr.

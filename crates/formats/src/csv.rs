@@ -131,7 +131,10 @@ fn misplaced(names: &[&str]) -> Option<String> {
     let numbered = lower.iter().any(|name| is(name, NUMBERS));
     // Three columns of other names may be a number, a longitude and a latitude.
     let unnamed = !named && names.len() >= 3;
-    (numbered || unnamed || named && wrong).then(|| format!("the columns are {}", shown(&names.join(", "))))
+    // Latitude before longitude would be a map on its side.
+    const NORTH: [&str; 3] = ["lat", "latitude", "northing"];
+    let turned = lower.first().is_some_and(|name| is(name, NORTH));
+    (numbered || unnamed || turned || named && wrong).then(|| format!("the columns are {}", shown(&names.join(", "))))
 }
 
 /// Reads a CSV file of rows of numbers, one a line.
@@ -149,7 +152,7 @@ pub(crate) fn read(file: &str, text: &str, kind: &RowKind, decimals: &Decimals) 
             Kind::Header(cells) => {
                 let names: Vec<&str> = cells.into_iter().map(|cell| &body[cell]).collect();
                 if let Some(message) = misplaced(&names) {
-                    let cure = "write the columns x, y and z in this order and no other among them";
+                    let cure = "write the columns x, y and z in this order and no other among them; x is the longitude, y the latitude";
                     return Err(error((message, cure.into())));
                 }
                 width = Some(names.len());

@@ -15,7 +15,7 @@ use crate::exit::{self, Failure};
 use crate::expect_file::grouped;
 use crate::expectations;
 use crate::ledger::describe;
-use crate::out::{program, word};
+use crate::out::{one_line, program, word};
 use crate::places::apart;
 use crate::tool::Tool;
 
@@ -250,7 +250,7 @@ fn undeclared<'r>(findings: impl Iterator<Item = &'r records::FindingRow>, tool:
     };
     let mut first: BTreeMap<String, &str> = BTreeMap::new();
     for row in findings.filter(|row| !is_declared(row)) {
-        first.entry(format!("{} ({}) of {}", row.class, row.check, row.task)).or_insert(&row.finding_id);
+        first.entry(format!("{} ({}) of {}", row.class, one_line(&row.check), row.task)).or_insert(&row.finding_id);
     }
     first.into_iter().map(|(what, id)| format!("{what}, such as {id}")).collect()
 }

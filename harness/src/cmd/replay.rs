@@ -12,6 +12,7 @@ use sha2::{Digest, Sha256};
 
 use crate::exit::{self, Failure};
 use crate::interrupt;
+use crate::out::one_line;
 use crate::programs::{Picked, Programs, Recorded};
 use crate::select::{Selector, suite_of};
 use crate::tool::Tool;
@@ -62,10 +63,10 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         }
     }
     say!("backend   {}", finding.backend);
-    say!("check     {}", finding.check);
-    say!("got       {}", finding.got);
+    say!("check     {}", one_line(&finding.check));
+    say!("got       {}", one_line(&finding.got));
     if !finding.truth.is_empty() {
-        say!("truth     {}", finding.truth);
+        say!("truth     {}", one_line(&finding.truth));
     }
     if finding.query.is_empty() {
         return whole(&run, finding, args, tool);

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use tempfile::tempdir;
 
-use crate::common::{at, expect, run};
+use crate::common::{at, expect, read, run, write};
 
 type Colour = [u8; 3];
 
@@ -80,4 +80,27 @@ fn what_cannot_be_drawn_is_said_before_anything_is_written() {
     for name in ["c.jpg", "c", "c.PNG"] {
         refused(&["--query", "orient2d(xy; 0 1 2)"], name, &format!("{name}: name a file that ends in .png or .svg"));
     }
+}
+
+/// Scenes of one name in two suites have a picture each, whatever the name.
+#[test]
+fn pictures_of_a_run_go_by_scenes_and_not_by_names() {
+    let folder = tempdir().unwrap();
+    let name = "a/b: c";
+    let pixels = |x: &str| {
+        format!(
+            "title = \"Mine\"\n[[generate]]\nfamily = \"pixel-map\"\nname = {name:?}\ntask = \"orient2d\"\n\
+             p = [{x}, 0.5]\nq = [12, 12]\nr = [24, 24]\ntags = [\"picture\"]\n"
+        )
+    };
+    let (one, two) = (write(&folder, "one.toml", &pixels("0.5")), write(&folder, "two.toml", &pixels("0.25")));
+    let (run, report) = (at(&folder, "run"), at(&folder, "report"));
+    expect(0, &["run", &one, &two, "-b", "exact", "--out", &run]);
+    let files: Vec<_> =
+        std::fs::read_dir(at(&folder, "run/maps")).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let [one, two] = &files[..] else { panic!("{files:?}") };
+    assert_ne!(std::fs::read(one).unwrap(), std::fs::read(two).unwrap());
+    expect(0, &["report", &run, "--out", &report]);
+    let page = read(&report, "report.html").replace("&#x2f;", "/");
+    assert!(["one", "two"].iter().all(|suite| page.contains(&format!("{suite}/{name} exact"))), "both have captions");
 }

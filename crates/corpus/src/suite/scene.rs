@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use predicament_formats::{Cache, CorpusError, Entry, Field, Fields};
+use predicament_formats::{Cache, CorpusError, Entry, Field, Fields, shown};
 
 use super::Context;
 use crate::{Elsewhere, Level, LoadedScene, Parts, Source, content_id};
@@ -132,13 +132,21 @@ pub(super) fn define(
     Ok(define)
 }
 
-/// A name stands in tables, on command lines and in terminals.
+/// The longest name, in characters.
+const LONGEST_NAME: usize = 200;
+
+/// A name stands in tables, on command lines and in terminals. A spreadsheet takes what begins with `=`, `+`, `-` or `@` for a formula.
 pub(super) fn check_name(field: &Field<'_, '_>, name: &str) -> Result<(), CorpusError> {
-    if name.trim().is_empty() || name.chars().any(char::is_control) {
-        let message = format!("the name `{}` is empty or has control characters", name.escape_debug());
-        return Err(field.error(message, "write a name of letters, digits and the like"));
-    }
-    Ok(())
+    let message = if name.trim().is_empty() || name.chars().any(char::is_control) {
+        format!("the name `{}` is empty or has control characters", name.escape_debug())
+    } else if name.chars().nth(LONGEST_NAME).is_some() {
+        format!("the name `{}` has more than {LONGEST_NAME} characters", shown(name))
+    } else if name.starts_with(['=', '+', '-', '@']) {
+        format!("the name `{}` begins as a formula does, and tables of runs go into spreadsheets", shown(name))
+    } else {
+        return Ok(());
+    };
+    Err(field.error(message, "write a name of letters, digits and the like"))
 }
 
 /// Reads a `[[scene]]` table.

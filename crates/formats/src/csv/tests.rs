@@ -46,6 +46,8 @@ fn errors_name_file_line_and_cure() {
         ("id,x,y\n1,2,3\n", "p.csv:1: the columns are id, x, y; write the columns x, y and z in this order"),
         ("y,x\n1,2\n", "p.csv:1: the columns are y, x; write"),
         ("x,y,id\n1,2,7\n", "p.csv:1: the columns are x, y, id; write"),
+        ("lat,lon\n1,2\n", "p.csv:1: the columns are lat, lon; write the columns x, y and z in this order"),
+        ("Northing,Easting\n1,2\n", "p.csv:1: the columns are Northing, Easting; write"),
         ("lon,lat,FID\n1,2,7\n", "p.csv:1: the columns are lon, lat, FID; write"),
         (",x,y\n0,1,2\n", "p.csv:1: `` is not a number; write"),
         ("nan,1\n", "p.csv:1: coordinate `nan` is not finite; remove"),

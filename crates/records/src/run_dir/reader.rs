@@ -114,10 +114,41 @@ impl RunDir {
             let message = format!("the run has format {}, and this tool reads format {FORMAT}; {cure}", plan.format);
             return Err(Error::new(folder, message));
         }
+        // Names are printed, and stand in files of other programs.
+        let scenes = plan.scenes.iter().flat_map(|scene| [&scene.suite, &scene.scene, &scene.task, &scene.family]);
+        if let Some(name) =
+            plan.backends.iter().chain(&plan.suites).chain(scenes).find(|name| name.chars().any(char::is_control))
+        {
+            let message =
+                format!("the name `{}` has control characters, and no run writes such names", name.escape_debug());
+            return Err(Error::new(&path, message));
+        }
         if !State::is_missing(folder) {
             check(&path, &bytes, State::read(folder)?.digests.get(PLAN))?;
         }
         Ok(plan)
+    }
+
+    /// The name of the file of a picture of a scene on a backend. It goes by the scene's id, as names of scenes may be those of
+    /// several suites, and need not be names of files.
+    #[must_use]
+    pub fn map_name(scene_id: &str, backend: &str) -> String {
+        let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_.+".contains(c);
+        let plain: String = backend.chars().take(60).map(|c| if is_plain(c) { c } else { '-' }).collect();
+        let digest = if plain == backend { String::new() } else { format!(" {}", &digest(backend.as_bytes())[..8]) };
+        format!("{scene_id} {plain}{digest}")
+    }
+
+    /// What a picture is of: its suite, scene and backend; the name of its file where the plan has no such scene.
+    #[must_use]
+    pub fn map_title(&self, name: &str) -> String {
+        let id = name.split_once(' ').map_or(name, |(id, _)| id);
+        let scene = self.plan.scenes.iter().find(|scene| scene.scene_id == id);
+        let backend = self.plan.backends.iter().find(|backend| RunDir::map_name(id, backend) == name);
+        match scene.zip(backend) {
+            Some((scene, backend)) => format!("{}/{} {backend}", scene.suite, scene.scene),
+            None => name.to_owned(),
+        }
     }
 
     /// Whether a folder has the plan of a run and nothing that it has done: the run was ended before it had begun, and can be resumed.

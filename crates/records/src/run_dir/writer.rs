@@ -222,7 +222,7 @@ impl RunWriter {
         }
     }
 
-    /// Keeps a PNG picture, such as a pixel map, for the HTML page.
+    /// Keeps a PNG picture, such as a pixel map, for the HTML page; [`RunDir::map_name`] gives one to that of a scene on a backend.
     ///
     /// # Errors
     /// If the disk refuses, or the name is not a plain file name.

@@ -5,8 +5,10 @@ use crate::{RunDir, data_uri};
 
 /// None where there are no pictures.
 pub fn section(runs: &[RunDir]) -> Option<Section> {
-    let maps = runs.iter().flat_map(|run| &run.maps);
-    let blocks: Vec<Block> = maps.map(|(name, png)| Block::Image { name: name.clone(), uri: data_uri(png) }).collect();
+    let mut maps: Vec<(String, &[u8])> =
+        runs.iter().flat_map(|run| run.maps.iter().map(|(name, png)| (run.map_title(name), png.as_slice()))).collect();
+    maps.sort_unstable();
+    let blocks: Vec<Block> = maps.into_iter().map(|(name, png)| Block::Image { name, uri: data_uri(png) }).collect();
     (!blocks.is_empty()).then(|| Section {
         id: "maps",
         title: "Pixel maps",
