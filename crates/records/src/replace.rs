@@ -123,6 +123,16 @@ pub(crate) fn is_beside(name: &str) -> bool {
     name.starts_with('.') && name.ends_with(ENDING)
 }
 
+/// Takes away all that was being written in a folder by whoever had the lock of it before.
+pub(crate) fn sweep_all(folder: &Path) {
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        if is_beside(&entry.file_name().to_string_lossy()) {
+            // What can't be removed is in nobody's way.
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+}
+
 fn folder_of(place: &Path) -> &Path {
     place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }

@@ -15,7 +15,7 @@ use super::segments::SegmentRow;
 use super::state::{Outcome, State, tables};
 use super::tables::{Record, TableSpec};
 use super::{ENV, MAPS, PLAN, TABLES};
-use crate::replace::sync_folder;
+use crate::replace::{sweep_all, sync_folder};
 use crate::{Env, Error, Plan, Row, RunDir, replace};
 
 /// Writes a run folder.
@@ -55,6 +55,7 @@ impl RunWriter {
         refuse_others()?;
         let lock = Lock::take(folder)?;
         refuse_others()?;
+        sweep_all(folder);
         write_json(&folder.join(PLAN), plan)?;
         RunWriter::start(folder, lock, env, more)
     }
@@ -90,6 +91,8 @@ impl RunWriter {
         // A folder that is no run gets no lock.
         RunDir::plan(folder)?;
         let lock = Lock::take(folder)?;
+        sweep_all(folder);
+        sweep_all(&folder.join(MAPS));
         if State::is_missing(folder) {
             clear(folder)?;
             let writer = RunWriter::start(folder, lock, &env(), more)?;

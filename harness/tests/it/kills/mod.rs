@@ -8,6 +8,8 @@ mod clock;
 mod damage;
 mod disk;
 mod driver;
+#[cfg(target_os = "linux")]
+mod power;
 mod random;
 mod syscalls;
 mod writers;

@@ -1,0 +1,264 @@
+//! Power cuts: what the disk has of a run's folder when the power goes, and whether that is gone on with.
+//!
+//! A killed process loses nothing that the kernel has; a power cut loses what the disk was not asked for. `strace` writes down what a run does to its
+//! folder. For a moment of it, folders are made of what was synced for certain and of more or less of the rest, and each is resumed: the result has to be,
+//! byte for byte, that of an undisturbed run (the way of ALICE: Pillai et al., All File Systems Are Not Created Equal, OSDI 2014).
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use predicament_corpus::Random;
+
+use super::driver::{Shape, differing, files, with_out, words_of};
+use super::syscalls::can_trace;
+use crate::common::told;
+
+/// What a call did. Files go by a number, as they have other names later.
+#[derive(Clone, Debug)]
+enum Event {
+    Folder(PathBuf),
+    New(PathBuf, usize),
+    Rename(PathBuf, PathBuf),
+    Remove(PathBuf),
+    Append(usize, Vec<u8>),
+    Cut(usize, usize),
+    Sync(usize),
+    SyncFolder(PathBuf),
+}
+
+/// What is taken of that which nobody has asked the disk for.
+#[derive(Clone, Copy, Debug)]
+enum Rest {
+    Nothing,
+    /// Names, and no bytes: files are shorter than they were.
+    Names,
+    All,
+    /// The first of the names, and a part of the bytes of each file.
+    Some,
+}
+
+/// What a run does to its folder.
+fn events(words: &[String], out: &Path) -> Vec<Event> {
+    const CALLS: &str =
+        "openat,write,ftruncate,rename,renameat,renameat2,unlink,unlinkat,mkdir,mkdirat,fsync,fdatasync,close";
+    let log = tempfile::NamedTempFile::new().unwrap();
+    let tool = words_of(words);
+    let mut command = Command::new("strace");
+    command.args(["-f", "-q", "-xx", "-s", "100000000", "-e", &format!("trace={CALLS}"), "-o"]).arg(log.path());
+    command.arg(tool.get_program()).args(tool.get_args()).env_remove("PREDICAMENT_CACHE").stdin(Stdio::null());
+    let code = command.output().unwrap().status.code();
+    assert!(code == Some(0) || code == Some(100), "{code:?}");
+    let text = std::fs::read_to_string(log.path()).unwrap();
+    // Files and folders that are open, by their descriptors.
+    let (mut open, mut folders) = (BTreeMap::new(), BTreeMap::new());
+    let (mut numbers, mut events) = (BTreeMap::new(), Vec::new());
+    for line in whole_lines(&text) {
+        let Some((call, rest)) = line.split_once('(') else { continue };
+        let Some((arguments, result)) = rest.rsplit_once(" = ") else { continue };
+        let arguments = arguments.trim_end().trim_end_matches(')');
+        let Ok(result) = result.split_whitespace().next().unwrap_or_default().parse::<i64>() else { continue };
+        if result < 0 {
+            continue;
+        }
+        let texts = texts(arguments);
+        let paths: Vec<PathBuf> =
+            texts.iter().map(|text| PathBuf::from(String::from_utf8_lossy(text).into_owned())).collect();
+        let descriptor =
+            || arguments.split(',').next().and_then(|first| first.trim().parse::<i64>().ok()).unwrap_or(-1);
+        match call {
+            "openat" if paths[0].starts_with(out) => {
+                let path = paths[0].clone();
+                if arguments.contains("O_CREAT") || numbers.contains_key(&path) {
+                    let next = numbers.len() + events.len();
+                    let is_new = !numbers.contains_key(&path);
+                    let number = *numbers.entry(path.clone()).or_insert(next);
+                    if is_new {
+                        events.push(Event::New(path, number));
+                    } else if arguments.contains("O_TRUNC") {
+                        events.push(Event::Cut(number, 0));
+                    }
+                    open.insert(result, number);
+                } else {
+                    folders.insert(result, path);
+                }
+            }
+            "close" => {
+                open.remove(&descriptor());
+                folders.remove(&descriptor());
+            }
+            "write" => {
+                let Some(&number) = open.get(&descriptor()) else { continue };
+                events.push(Event::Append(number, texts[0][..usize::try_from(result).unwrap()].to_vec()));
+            }
+            "ftruncate" => {
+                let Some(&number) = open.get(&descriptor()) else { continue };
+                let length = arguments.rsplit(',').next().and_then(|length| length.trim().parse().ok()).unwrap();
+                events.push(Event::Cut(number, length));
+            }
+            "fsync" | "fdatasync" => {
+                events.extend(open.get(&descriptor()).map(|&number| Event::Sync(number)));
+                events.extend(folders.get(&descriptor()).map(|folder| Event::SyncFolder(folder.clone())));
+            }
+            "rename" | "renameat" | "renameat2" if paths[0].starts_with(out) => {
+                let number = numbers.remove(&paths[0]).expect("what is renamed was made");
+                numbers.insert(paths[1].clone(), number);
+                events.push(Event::Rename(paths[0].clone(), paths[1].clone()));
+            }
+            "unlink" | "unlinkat" if paths[0].starts_with(out) => {
+                numbers.remove(&paths[0]);
+                events.push(Event::Remove(paths[0].clone()));
+            }
+            "mkdir" | "mkdirat" if paths[0].starts_with(out) => events.push(Event::Folder(paths[0].clone())),
+            _ => {}
+        }
+    }
+    events
+}
+
+/// The calls of a log, those that another thread has broken in two put together again.
+fn whole_lines(log: &str) -> Vec<String> {
+    let (mut begun, mut lines) = (BTreeMap::new(), Vec::new());
+    for line in log.lines() {
+        let (process, call) = line.split_once(' ').unwrap_or((line, ""));
+        let call = call.trim_start();
+        if let Some(first) = call.strip_suffix(" <unfinished ...>") {
+            begun.insert(process.to_owned(), first.to_owned());
+        } else if let Some((_, second)) = call.strip_prefix("<... ").and_then(|rest| rest.split_once(" resumed>")) {
+            lines.push(begun.remove(process).unwrap_or_default() + second);
+        } else {
+            lines.push(call.to_owned());
+        }
+    }
+    lines
+}
+
+/// The texts in quotes among the arguments of a call.
+fn texts(arguments: &str) -> Vec<Vec<u8>> {
+    let (mut texts, mut rest) = (Vec::new(), arguments.bytes());
+    while rest.any(|byte| byte == b'"') {
+        let mut text = Vec::new();
+        loop {
+            match rest.next().expect("the text has an end") {
+                b'"' => break,
+                // All bytes are in hex digits.
+                byte => {
+                    assert_eq!([Some(byte), rest.next()], [b'\\', b'x'].map(Some));
+                    let digits = [rest.next().unwrap(), rest.next().unwrap()];
+                    text.push(u8::from_str_radix(std::str::from_utf8(&digits).unwrap(), 16).unwrap());
+                }
+            }
+        }
+        texts.push(text);
+    }
+    texts
+}
+
+/// Makes the folder that the disk has after these events.
+fn after_power(events: &[Event], rest: Rest, random: &mut Random) -> (Vec<PathBuf>, BTreeMap<PathBuf, Vec<u8>>) {
+    let synced_to = |of: &dyn Fn(&Event) -> bool| events.iter().rposition(of).map_or(0, |at| at + 1);
+    let folder_of = |path: &Path| path.parent().unwrap().to_owned();
+    // Names: what comes before the last sync of their folder is there; they reach the disk in their order.
+    let names: Vec<(usize, &Event)> = events
+        .iter()
+        .enumerate()
+        .filter(|(_, event)| matches!(event, Event::Folder(_) | Event::New(..) | Event::Rename(..) | Event::Remove(_)))
+        .collect();
+    let is_sure = |(at, event): &(usize, &Event)| {
+        let (Event::Folder(path) | Event::New(path, _) | Event::Rename(_, path) | Event::Remove(path)) = event else {
+            return false;
+        };
+        let folder = folder_of(path);
+        *at < synced_to(&|event| matches!(event, Event::SyncFolder(synced) if *synced == folder))
+    };
+    let sure = names.iter().rposition(is_sure).map_or(0, |at| at + 1);
+    let many = |random: &mut Random, least: usize, most: usize| {
+        usize::try_from(random.integer(i64::try_from(least).unwrap(), i64::try_from(most).unwrap())).unwrap()
+    };
+    let count = match rest {
+        Rest::Nothing => sure,
+        Rest::Names | Rest::All => names.len(),
+        Rest::Some => many(random, sure, names.len()),
+    };
+    let (mut folders, mut places) = (Vec::new(), BTreeMap::new());
+    for (_, event) in &names[..count] {
+        match event {
+            Event::Folder(path) => folders.push(path.clone()),
+            Event::New(path, number) => drop(places.insert(path.clone(), *number)),
+            Event::Rename(from, to) => {
+                let number = places.remove(from).expect("names come in their order");
+                places.insert(to.clone(), number);
+            }
+            Event::Remove(path) => drop(places.remove(path)),
+            _ => {}
+        }
+    }
+    let bytes = |number: usize, random: &mut Random| {
+        let own = |event: &&Event| matches!(event, Event::Append(of, _) | Event::Cut(of, _) if *of == number);
+        let content = |events: &[Event]| {
+            let mut bytes = Vec::new();
+            for event in events.iter().filter(own) {
+                match event {
+                    Event::Append(_, more) => bytes.extend(more),
+                    Event::Cut(_, length) => bytes.truncate(*length),
+                    _ => {}
+                }
+            }
+            bytes
+        };
+        let synced = content(&events[..synced_to(&|event| matches!(event, Event::Sync(of) if *of == number))]);
+        let all = content(events);
+        match rest {
+            Rest::Nothing | Rest::Names => synced,
+            Rest::All => all,
+            Rest::Some if all.starts_with(&synced) => all[..many(random, synced.len(), all.len())].to_vec(),
+            Rest::Some => all,
+        }
+    };
+    let places = places.into_iter().map(|(path, number)| (path, bytes(number, random))).collect();
+    (folders, places)
+}
+
+#[test]
+fn what_a_power_cut_leaves_is_gone_on_with() {
+    if !can_trace() {
+        return;
+    }
+    let (bench, seed) = (tempfile::tempdir().unwrap(), super::random::seed());
+    let out = bench.path().canonicalize().unwrap().join("run");
+    let words = with_out(Shape::Plain.words(), &out);
+    let words: Vec<String> = words.into_iter().chain(["--threads".to_owned(), "1".to_owned()]).collect();
+    let events = events(&words, &out);
+    let whole = files(&out);
+    let mut random = Random::new("kills", "power", seed);
+    let all = i64::try_from(events.len()).unwrap();
+    let tries = if predicament_effort::whole() { 50 } else { 2 };
+    let cuts: Vec<i64> = (0..tries).map(|_| random.integer(0, all)).collect();
+    let (mut begun, mut resumed) = (0, 0);
+    for (case, cut) in cuts.iter().enumerate() {
+        let so_far = &events[..usize::try_from(*cut).unwrap()];
+        for rest in [Rest::Nothing, Rest::Names, Rest::All, Rest::Some] {
+            let about =
+                format!("seed {seed}, case {case}: {rest:?} of what was not synced after {cut} of {all} events");
+            let _ = std::fs::remove_dir_all(&out);
+            let (folders, places) = after_power(so_far, rest, &mut random);
+            folders.iter().for_each(|folder| std::fs::create_dir_all(folder).unwrap());
+            for (path, bytes) in &places {
+                std::fs::write(path, bytes).unwrap();
+            }
+            let is_begun = out.join("plan.json").exists();
+            let call = if is_begun {
+                ["run", "--quiet", "--resume", &out.display().to_string()].map(str::to_owned).into()
+            } else {
+                words.clone()
+            };
+            let told = told(words_of(&call).output().unwrap());
+            let is_complete = told.stderr.contains("nothing to resume");
+            assert!([0, 100].contains(&told.code) || is_complete, "{about}: {}: {}", told.code, told.stderr);
+            let differ = differing(&files(&out), &whole);
+            assert!(differ.is_empty(), "{about}: these files differ: {differ:?}");
+            if is_begun { resumed += 1 } else { begun += 1 }
+        }
+    }
+    println!("{} states: {resumed} gone on with, {begun} cleanly unbegun, of {all} events", 4 * cuts.len());
+}
