@@ -362,13 +362,10 @@ public:
                       "the engine has no predicate with the parameters that predicament_engine.hpp expects");
         Message message;
         while (message.read()) {
-            try {
-                answer(message).send(out_);
-            } catch (const Declined& reason) {
-                Reply("declined").text("reason", reason.what()).send(out_);
-            } catch (const std::exception& problem) {
-                Reply("error").text("message", problem.what()).send(out_);
-            }
+            Reply reply = answer_or_reason(message);
+            const Bytes id = message.value("id");  // which question it answers
+            if (id.given) reply.bytes("id", id.at, id.size);
+            reply.send(out_);
         }
     }
 
@@ -378,6 +375,16 @@ private:
     template <class P>
     static constexpr bool offers() {
         return Offers<P, E>::value;
+    }
+
+    Reply answer_or_reason(const Message& message) {
+        try {
+            return answer(message);
+        } catch (const Declined& reason) {
+            return Reply("declined").text("reason", reason.what());
+        } catch (const std::exception& problem) {
+            return Reply("error").text("message", problem.what());
+        }
     }
 
     Reply answer(const Message& message) {

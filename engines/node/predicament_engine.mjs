@@ -49,7 +49,11 @@ export function serve(engine) {
     process.stdout.write = process.stderr.write.bind(process.stderr);
     const server = new Server(engine);
     try {
-        for (let message = read(); message !== null; message = read()) write(server.answer(message));
+        for (let question = read(); question !== null; question = read()) {
+            const answer = server.answer(question);
+            if (question.has("id")) answer.id = question.get("id"); // which question it answers
+            write(encoded(answer));
+        }
     } catch (problem) {
         if (!(problem instanceof Malformed) && problem.syscall === undefined) throw problem;
         console.error(`engine: ${problem.message}`);
@@ -112,7 +116,7 @@ function read() {
 }
 
 /** The bytes of a message. */
-function message(entries) {
+function encoded(entries) {
     const pieces = [Buffer.alloc(4)];
     for (const [key, value] of Object.entries(entries)) {
         const bytes = Buffer.isBuffer(value) ? value : Buffer.from(String(value));
@@ -133,7 +137,7 @@ function need(entries, key) {
     return entries.get(key);
 }
 
-/** The byte of an answer. */
+/** The byte of a sign. */
 function encode(value) {
     return value > 0 ? 1 : value < 0 ? 255 : value === undefined ? 2 : value === value ? 0 : 3;
 }
@@ -169,19 +173,19 @@ class Server {
         this.objects = [];
     }
 
-    /** The bytes of the answer. */
+    /** The answer, without the number of its question. */
     answer(entries) {
         const type = String(entries.get("type"));
         try {
             if (type === "hello") return this.hello(entries);
             if (type === "scene") return this.scene(entries);
             if (type === "batch") return this.batch(entries);
-            return message({ type: "error", message: `unknown message \`${type}\`` });
+            return { type: "error", message: `unknown message \`${type}\`` };
         } catch (problem) {
             if (problem instanceof Malformed) throw problem;
-            if (problem instanceof Declined) return message({ type: "declined", reason: problem.message });
+            if (problem instanceof Declined) return { type: "declined", reason: problem.message };
             console.error(problem);
-            return message({ type: "error", message: String(problem) });
+            return { type: "error", message: String(problem) };
         }
     }
 
@@ -189,7 +193,7 @@ class Server {
         const protocol = String(need(entries, "protocol"));
         if (protocol !== "1") throw new Declined(`this engine speaks protocol 1, not ${protocol}`);
         const { name, version, zero, precision = "f64" } = this.engine;
-        return message({ type: "hello", protocol: 1, name, version, predicates: this.names.join(" "), zero, precision });
+        return { type: "hello", protocol: 1, name, version, predicates: this.names.join(" "), zero, precision };
     }
 
     scene(entries) {
@@ -208,7 +212,7 @@ class Server {
         this.view = null;
         const start = process.hrtime.bigint();
         this.look("scene");
-        return message({ type: "ready", ns: process.hrtime.bigint() - start });
+        return { type: "ready", ns: process.hrtime.bigint() - start };
     }
 
     /** Makes the points of `view`, the scene or a plane of it, those that predicates see. */
@@ -248,7 +252,7 @@ class Server {
         const start = process.hrtime.bigint();
         EACH[ARITY[name]](ask, this.objects, ids, signs);
         const ns = process.hrtime.bigint() - start;
-        return message({ type: "signs", ns, signs });
+        return { type: "signs", ns, signs };
     }
 
     ids(bytes, name) {

@@ -74,7 +74,10 @@ def serve(engine):
     server = _Server(engine)
     try:
         while (message := _read(source)) is not None:
-            out.write(server.answer(message))
+            answer = server.answer(message)
+            if "id" in message:
+                answer["id"] = message["id"]  # which question it answers
+            out.write(_encode(answer))
             out.flush()
     except (Malformed, OSError) as problem:
         sys.exit(_complain(f"engine: {problem}"))
@@ -128,9 +131,14 @@ def _split(body):
 
 
 def _message(kind, **entries):
+    """A message as a dictionary, its type first."""
+    return {"type": kind, **entries}
+
+
+def _encode(message):
     """The bytes of a message."""
     body = b""
-    for key, value in {"type": kind, **entries}.items():
+    for key, value in message.items():
         value = value if isinstance(value, bytes) else str(value).encode()
         body += bytes([len(key)]) + key.encode() + struct.pack("<I", len(value)) + value
     return struct.pack("<I", len(body)) + body
@@ -174,7 +182,7 @@ class _Server:
         self.view = None
 
     def answer(self, message):
-        """The bytes of the answer."""
+        """The answer, without the number of its question."""
         kind = message["type"].decode("ascii", "replace")
         answers = {"hello": self.hello, "scene": self.scene, "batch": self.batch}
         try:

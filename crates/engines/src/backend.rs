@@ -53,12 +53,12 @@ impl Engine {
     /// Starts an engine and greets it.
     ///
     /// # Errors
-    /// One line: it does not start, or it does not speak the protocol.
+    /// One line with the engine and its file: it does not start, or it does not speak the protocol.
     pub fn start(config: Config) -> Result<Engine, String> {
-        let named = |message: String| format!("{PREFIX}{}: {message}", config.name);
-        let mut process = Process::start(&config).map_err(|broken| named(broken.to_string()))?;
-        let version = command::version(&config).map_err(named)?;
-        let hello = greet(&mut process, version).map_err(|broken| named(broken.to_string()))?;
+        let named = |broken: Broken| config.error(&broken.to_string());
+        let mut process = Process::start(&config).map_err(named)?;
+        let version = command::version(&config).map_err(|message| config.error(&message))?;
+        let hello = greet(&mut process, version).map_err(named)?;
         let shared = Shared { hello, processes: Pool::with(process), nanoseconds: AtomicU64::new(0), config };
         Ok(Engine { shared: Arc::new(shared), empty: false })
     }
@@ -79,7 +79,7 @@ impl Engine {
 /// Says hello, and reads what the engine says of itself.
 fn greet(process: &mut Process, version: Option<String>) -> Result<Hello, Broken> {
     let tool = concat!("predicament ", env!("CARGO_PKG_VERSION"));
-    let hello = process.ask(&Message::new("hello").with("protocol", PROTOCOL).with("tool", tool))?;
+    let hello = process.greet(Message::new("hello").with("protocol", PROTOCOL).with("tool", tool))?;
     read_hello(&hello, version).map_err(|message| process.broken(Class::Panic, "protocol", message))
 }
 

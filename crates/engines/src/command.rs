@@ -6,6 +6,7 @@ use std::process::{Command, Stdio};
 use std::sync::mpsc::channel;
 
 use crate::Config;
+use crate::group::Group;
 
 /// The bytes of a version command's output that are read.
 const MOST_BYTES: u64 = 4096;
@@ -24,7 +25,7 @@ pub enum Step {
 /// Runs the commands of a chore in turn, in the engine's folder; `tell` hears each before it starts.
 ///
 /// # Errors
-/// The first command that fails, with the last lines that it printed.
+/// The engine, its file and the first command that fails, with the last lines that it printed.
 pub fn chore(config: &Config, step: Step, mut tell: impl FnMut(&str)) -> Result<(), String> {
     let commands = match step {
         Step::Install => &config.install,
@@ -34,13 +35,15 @@ pub fn chore(config: &Config, step: Step, mut tell: impl FnMut(&str)) -> Result<
     for words in commands {
         let shown = words.join(" ");
         tell(&shown);
-        let output = command(config, words)?.output().map_err(|error| format!("`{shown}` did not start: {error}"))?;
+        let failed = |message: String| config.error(&format!("`{shown}` {message}"));
+        let mut command = command(config, words).map_err(|message| config.error(&message))?;
+        let output = command.output().map_err(|error| failed(format!("did not start: {error}")))?;
         if !output.status.success() {
             let said = [output.stdout, output.stderr].concat();
             let said = String::from_utf8_lossy(&said);
             let lines: Vec<&str> = said.lines().filter(|line| !line.trim().is_empty()).collect();
             let last = lines[lines.len().saturating_sub(8)..].join("\n  ");
-            return Err(format!("`{shown}` failed: {}\n  {last}", output.status));
+            return Err(failed(format!("failed: {}\n  {last}", output.status)));
         }
     }
     Ok(())
@@ -55,9 +58,10 @@ pub(crate) fn version(config: &Config) -> Result<Option<String>, String> {
     let shown = config.version.join(" ");
     let mut command = command(config, &config.version)?;
     command.stdout(Stdio::piped()).stderr(Stdio::null());
-    let mut child = command.spawn().map_err(|error| format!("`{shown}` did not start: {error}"))?;
+    let group = Group::start(&mut command, config.memory());
+    let mut group = group.map_err(|error| format!("`{shown}` did not start: {error}"))?;
     let (tell, told) = channel();
-    if let Some(stdout) = child.stdout.take() {
+    if let Some(stdout) = group.child.stdout.take() {
         std::thread::spawn(move || {
             let lines = BufReader::new(stdout.take(MOST_BYTES)).lines().map_while(Result::ok);
             let line = lines.map(|line| printable(&line)).find(|line| !line.is_empty());
@@ -65,8 +69,7 @@ pub(crate) fn version(config: &Config) -> Result<Option<String>, String> {
         });
     }
     let line = told.recv_timeout(config.silence());
-    let _ = child.kill();
-    let _ = child.wait();
+    drop(group);
     match line {
         Ok(Some(line)) => Ok(Some(line)),
         Ok(None) => Err(format!("`{shown}` printed no version")),
@@ -91,7 +94,7 @@ pub(crate) fn printable(text: &str) -> String {
 /// A command in the engine's folder with its environment. A program that is a path is one of that folder.
 pub(crate) fn command(config: &Config, words: &[String]) -> Result<Command, String> {
     let [program, args @ ..] = words else {
-        return Err(format!("{}: an empty command", config.name));
+        return Err("an empty command".to_owned());
     };
     let path = Path::new(program);
     let program: PathBuf = if program.contains(['/', '\\']) { config.folder.join(path) } else { path.to_owned() };

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use crate::PREFIX;
 use predicament_formats::{CorpusError, Document, Field, Fields, TableKind, shown};
 
 /// The file that makes a folder an engine.
@@ -16,6 +17,10 @@ const MOST_BYTES: u64 = 1 << 20;
 const SILENCE: u64 = 60;
 /// The most seconds of silence that a file may ask for: eleven days.
 const MOST_SILENCE: u64 = 1_000_000;
+/// MiB of memory that each process of an engine may have, where the file does not say.
+const MEMORY: u64 = 4096;
+/// The most MiB that a file may ask for: an exbibyte.
+const MOST_MEMORY: u64 = 1 << 40;
 /// The longest name, in characters: it stands in tables, legends and file names.
 const LONGEST_NAME: usize = 64;
 /// The longest of the other texts, in characters: each is a line.
@@ -23,7 +28,20 @@ pub(crate) const LONGEST_TEXT: usize = 200;
 
 static ENGINE: TableKind = TableKind::new(
     "configuration",
-    &["name", "about", "licence", "needs", "version", "install", "build", "run", "clean", "environment", "timeout"],
+    &[
+        "name",
+        "about",
+        "licence",
+        "needs",
+        "version",
+        "install",
+        "build",
+        "run",
+        "clean",
+        "environment",
+        "timeout",
+        "memory",
+    ],
 );
 
 /// The configuration of one engine.
@@ -51,6 +69,8 @@ pub struct Config {
     pub environment: BTreeMap<String, String>,
     /// Seconds of silence after which the process is ended.
     timeout: u64,
+    /// MiB of memory that each process of the engine may have; 0 for as much as there is.
+    memory: u64,
     /// The file, by its absolute path: [`find`] finds the engine by it from any folder.
     pub file: PathBuf,
     /// The folder of the file: all commands run there.
@@ -76,10 +96,22 @@ impl Config {
         Ok(config)
     }
 
+    /// An error about this engine, which names it and its file.
+    #[must_use]
+    pub(crate) fn error(&self, message: &str) -> String {
+        format!("{PREFIX}{} ({}): {message}", self.name, self.file.display())
+    }
+
     /// The silence after which the process is ended.
     #[must_use]
     pub fn silence(&self) -> Duration {
         Duration::from_secs(self.timeout)
+    }
+
+    /// MiB of memory that each process of the engine may write to; none where it has no limit.
+    #[must_use]
+    pub fn memory(&self) -> Option<u64> {
+        (self.memory > 0).then_some(self.memory)
     }
 }
 
@@ -100,6 +132,7 @@ fn parse(file: &str, text: &str) -> Result<Config, CorpusError> {
         clean: commands(&fields, "clean")?,
         environment: environment(&fields)?,
         timeout: fields.integer_or("timeout", SILENCE, 1..=MOST_SILENCE)?,
+        memory: fields.integer_or("memory", MEMORY, 0..=MOST_MEMORY)?,
         file: PathBuf::new(),
         folder: PathBuf::new(),
     };
@@ -232,7 +265,10 @@ mod tests {
         let config = read("name = \"mine\"\nrun = [\"./engine\", \"--fast\"]\n").unwrap();
         assert_eq!((config.name.as_str(), config.run.len()), ("mine", 2));
         assert_eq!(config.silence(), Duration::from_secs(60));
+        assert_eq!(config.memory(), Some(4096));
         assert!(config.folder.is_absolute());
+        let config = read("name = \"mine\"\nrun = [\"b\"]\nmemory = 0\n").unwrap();
+        assert_eq!(config.memory(), None);
     }
 
     #[test]
@@ -276,6 +312,10 @@ mod tests {
             ("name = \"a\"\nrun = [\"b\"]\nclean = [[]]\n", "F:3: `clean` has a command without a program; write"),
             ("name = \"a\"\nrun = [\"c\"]\ntimeout = 0\n", "F:3: `timeout` is 0; choose an integer from 1 to 1000000"),
             ("name = \"a\"\nrun = [\"c\"]\ntimeout = 1e9\n", "F:3: `timeout` is of type float; write an integer"),
+            (
+                "name = \"a\"\nrun = [\"c\"]\nmemory = -1\n",
+                "F:3: `memory` is -1; choose an integer from 0 to 1099511627776",
+            ),
             ("name = \"a\"\nrun = [\"c\"]\nenvironment = 1\n", "F:3: `environment` is of type integer; write a table"),
             (
                 "name = \"a\"\nrun = [\"c\"]\n[environment]\nB = \"1\"\n\"\" = \"2\"\n",

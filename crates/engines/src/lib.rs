@@ -14,7 +14,11 @@
 mod backend;
 mod command;
 mod config;
+#[cfg(target_os = "linux")]
+mod descendants;
+mod group;
 mod message;
+mod pipes;
 mod pool;
 mod process;
 mod session;
@@ -22,5 +26,5 @@ mod session;
 pub use backend::{Engine, PREFIX};
 pub use command::{Step, chore};
 pub use config::{Config, FILE, FOLDER, all, find, folder};
-pub use message::{MOST_BYTES, Message};
-pub use process::end_all;
+pub use group::end_all;
+pub use message::{Bound, MOST_BYTES, MOST_ENTRIES, MOST_TEXT, Message};

@@ -4,6 +4,25 @@ use std::io::{Error, ErrorKind, Read};
 
 /// The longest body of a message, in bytes.
 pub const MOST_BYTES: u32 = 1 << 30;
+/// The most entries of a message; the protocol has messages of up to eight.
+pub const MOST_ENTRIES: usize = 64;
+/// The most bytes of an answer without its signs.
+pub const MOST_TEXT: u32 = 1 << 16;
+
+/// The most bytes that the body of the next message may have. No message has more than [`MOST_ENTRIES`] entries.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Bound(u32);
+
+impl Bound {
+    /// The bound of messages that the tool sends.
+    pub const QUESTION: Bound = Bound(MOST_BYTES);
+
+    /// The bound of an answer with so many signs: a byte each, and [`MOST_TEXT`] for everything else.
+    #[must_use]
+    pub fn answer(signs: usize) -> Bound {
+        Bound(u32::try_from(signs).unwrap_or(MOST_BYTES).saturating_add(MOST_TEXT).min(MOST_BYTES))
+    }
+}
 
 /// One message: keys and values, the first of which is its type.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
@@ -65,40 +84,37 @@ impl Message {
     /// # Errors
     /// Where a key has more than 255 bytes or the body more than [`MOST_BYTES`].
     pub fn encode(&self) -> Result<Vec<u8>, String> {
-        self.encode_within(MOST_BYTES)
+        encode_within(MOST_BYTES, self.entries())
     }
 
-    fn encode_within(&self, most: u32) -> Result<Vec<u8>, String> {
-        let size: usize = self.entries.iter().map(|(key, value)| 1 + key.len() + 4 + value.len()).sum();
-        let length = u32::try_from(size).ok().filter(|&length| length <= most);
-        let length = length.ok_or_else(|| format!("a message of {size} bytes; the protocol has up to {most}"))?;
-        let mut bytes = Vec::with_capacity(4 + size);
-        bytes.extend(length.to_le_bytes());
-        for (key, value) in &self.entries {
-            bytes.push(u8::try_from(key.len()).map_err(|_| format!("the key `{key}` is too long"))?);
-            bytes.extend(key.as_bytes());
-            // Shorter than the body, which fits.
-            let length = u32::try_from(value.len()).map_err(|error| error.to_string())?;
-            bytes.extend(length.to_le_bytes());
-            bytes.extend(value);
-        }
-        Ok(bytes)
+    /// The bytes to send, with the number of the question as the last entry. A copy of a scene is not made for it.
+    ///
+    /// # Errors
+    /// As for [`Message::encode`].
+    pub fn encode_as(&self, id: u64) -> Result<Vec<u8>, String> {
+        let id = id.to_string();
+        encode_within(MOST_BYTES, self.entries().chain([("id", id.as_bytes())]))
+    }
+
+    fn entries(&self) -> impl Iterator<Item = (&str, &[u8])> + Clone {
+        self.entries.iter().map(|(key, value)| (key.as_str(), value.as_slice()))
     }
 
     /// Reads one message; none at the end of the stream.
     ///
+    /// A message that is longer than its bound is refused before its body is read, and one with more entries than
+    /// [`MOST_ENTRIES`] before they are copied.
+    ///
     /// # Errors
-    /// That of the reader; [`ErrorKind::InvalidData`] where the bytes are no message.
-    pub fn read(from: &mut impl Read) -> Result<Option<Message>, Error> {
+    /// That of the reader; [`ErrorKind::InvalidData`] where the bytes are no message, or one past its bound.
+    pub fn read(from: &mut impl Read, Bound(most): Bound) -> Result<Option<Message>, Error> {
         let mut length = [0; 4];
         if !read_or_end(from, &mut length)? {
             return Ok(None);
         }
         let size = u32::from_le_bytes(length);
-        if size > MOST_BYTES {
-            // Most often text that was printed to stdout.
-            let shown = String::from_utf8_lossy(&length).escape_default().to_string();
-            return Err(invalid(format!("no message: it begins with the bytes `{shown}`")));
+        if size > most {
+            return Err(invalid(too_long(length, most)));
         }
         // Not taken on trust: memory grows with the bytes that come.
         let mut body = Vec::new();
@@ -109,23 +125,58 @@ impl Message {
         Message::decode(&body).map(Some).map_err(invalid)
     }
 
-    fn decode(mut body: &[u8]) -> Result<Message, String> {
-        let cut = || "a message whose last entry is cut off".to_owned();
-        let mut entries = Vec::new();
-        while let Some((&length, rest)) = body.split_first() {
-            let (key, rest) = rest.split_at_checked(usize::from(length)).ok_or_else(cut)?;
-            let key = std::str::from_utf8(key).ok().filter(|key| key.is_ascii() && !key.is_empty());
-            let key = key.ok_or("a message with a key that is no ASCII word")?;
-            let (length, rest) = rest.split_first_chunk::<4>().ok_or_else(cut)?;
-            let (value, rest) = rest.split_at_checked(u32::from_le_bytes(*length) as usize).ok_or_else(cut)?;
-            entries.push((key.to_owned(), value.to_vec()));
-            body = rest;
-        }
-        match entries.first() {
-            Some((key, _)) if key == "type" => Ok(Message { entries }),
-            _ => Err("a message that does not begin with its `type`".to_owned()),
-        }
+    fn decode(body: &[u8]) -> Result<Message, String> {
+        let entries = split(body)?.into_iter().map(|(key, value)| (key.to_owned(), value.to_vec())).collect();
+        Ok(Message { entries })
     }
+}
+
+/// The keys and values of a body, at most [`MOST_ENTRIES`], of which the first is the type.
+fn split(mut body: &[u8]) -> Result<Vec<(&str, &[u8])>, String> {
+    let cut = || "a message whose last entry is cut off".to_owned();
+    let mut entries: Vec<(&str, &[u8])> = Vec::new();
+    while let Some((&length, rest)) = body.split_first() {
+        if entries.len() == MOST_ENTRIES {
+            return Err(format!("a message of more than {MOST_ENTRIES} entries"));
+        }
+        let (key, rest) = rest.split_at_checked(usize::from(length)).ok_or_else(cut)?;
+        let key = std::str::from_utf8(key).ok().filter(|key| key.is_ascii() && !key.is_empty());
+        let key = key.ok_or("a message with a key that is no ASCII word")?;
+        let (length, rest) = rest.split_first_chunk::<4>().ok_or_else(cut)?;
+        let (value, rest) = rest.split_at_checked(u32::from_le_bytes(*length) as usize).ok_or_else(cut)?;
+        entries.push((key, value));
+        body = rest;
+    }
+    match entries.first() {
+        Some(("type", _)) => Ok(entries),
+        _ => Err("a message that does not begin with its `type`".to_owned()),
+    }
+}
+
+/// What is wrong with a length past its bound: most often it is text that was printed to stdout.
+fn too_long(length: [u8; 4], most: u32) -> String {
+    let size = u32::from_le_bytes(length);
+    if size > MOST_BYTES || length.iter().all(|byte| byte.is_ascii_graphic() || byte.is_ascii_whitespace()) {
+        return format!("no message: it begins with the bytes `{}`", String::from_utf8_lossy(&length).escape_default());
+    }
+    format!("an answer of {size} bytes, where at most {most} were asked for")
+}
+
+fn encode_within<'m>(most: u32, entries: impl Iterator<Item = (&'m str, &'m [u8])> + Clone) -> Result<Vec<u8>, String> {
+    let size: usize = entries.clone().map(|(key, value)| 1 + key.len() + 4 + value.len()).sum();
+    let length = u32::try_from(size).ok().filter(|&length| length <= most);
+    let length = length.ok_or_else(|| format!("a message of {size} bytes; the protocol has up to {most}"))?;
+    let mut bytes = Vec::with_capacity(4 + size);
+    bytes.extend(length.to_le_bytes());
+    for (key, value) in entries {
+        bytes.push(u8::try_from(key.len()).map_err(|_| format!("the key `{key}` is too long"))?);
+        bytes.extend(key.as_bytes());
+        // Shorter than the body, which fits.
+        let length = u32::try_from(value.len()).map_err(|error| error.to_string())?;
+        bytes.extend(length.to_le_bytes());
+        bytes.extend(value);
+    }
+    Ok(bytes)
 }
 
 /// Fills the buffer; false where the stream ends before its first byte.
@@ -152,7 +203,7 @@ mod tests {
     use super::*;
 
     fn read(mut bytes: &[u8]) -> Result<Option<Message>, String> {
-        Message::read(&mut bytes).map_err(|error| error.to_string())
+        Message::read(&mut bytes, Bound::QUESTION).map_err(|error| error.to_string())
     }
 
     #[test]
@@ -173,11 +224,56 @@ mod tests {
     fn what_is_sent_is_bounded() {
         let message = Message::new("batch").with("ids", [1, 0, 0, 0]);
         let body = u32::try_from(message.encode().unwrap().len()).unwrap() - 4;
-        assert_eq!(message.encode_within(body), message.encode());
+        assert_eq!(encode_within(body, message.entries()), message.encode());
         let said = format!("a message of {body} bytes; the protocol has up to {}", body - 1);
-        assert_eq!(message.encode_within(body - 1), Err(said));
+        assert_eq!(encode_within(body - 1, message.entries()), Err(said));
         let long = Message::new("batch").with(&"k".repeat(256), "");
         assert!(long.encode().unwrap_err().ends_with("is too long"));
+    }
+
+    #[test]
+    fn the_number_of_a_question_is_its_last_entry() {
+        let message = Message::new("batch").with("ids", [1, 0, 0, 0]);
+        assert_eq!(message.encode_as(17), message.clone().with("id", "17").encode());
+    }
+
+    /// A reader that counts the bytes that were taken from it.
+    struct Counted<'b>(&'b [u8], usize);
+
+    impl Read for Counted<'_> {
+        fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Error> {
+            let read = self.0.read(buffer)?;
+            self.1 += read;
+            Ok(read)
+        }
+    }
+
+    #[test]
+    fn a_body_past_its_bound_is_not_read() {
+        let most = Bound::answer(7).0;
+        assert_eq!(most, MOST_TEXT + 7);
+        assert_eq!(Bound::answer(usize::MAX), Bound::QUESTION);
+        let empty = Message::new("signs").with("signs", "").encode().unwrap().len() - 4;
+        for (over, fits) in [(0, true), (1, false)] {
+            let signs = vec![0; most as usize - empty + over];
+            let bytes = Message::new("signs").with("signs", signs).encode().unwrap();
+            let mut from = Counted(&bytes, 0);
+            let read = Message::read(&mut from, Bound::answer(7)).map_err(|error| error.to_string());
+            let said = format!("an answer of {} bytes, where at most {most} were asked for", most + 1);
+            assert_eq!((read.is_ok(), from.1), (fits, if fits { bytes.len() } else { 4 }));
+            assert!(fits || read == Err(said));
+        }
+        // Digits are a length below 2^30.
+        let read = Message::read(&mut b"0.25\n".as_slice(), Bound::answer(7)).map_err(|error| error.to_string());
+        assert_eq!(read, Err("no message: it begins with the bytes `0.25`".to_owned()));
+    }
+
+    #[test]
+    fn entries_are_counted_before_they_are_kept() {
+        let with = |entries: usize| (1..entries).fold(Message::new("ready"), |message, _| message.with("k", ""));
+        assert_eq!(read(&with(MOST_ENTRIES).encode().unwrap()), Ok(Some(with(MOST_ENTRIES))));
+        let said = "a message of more than 64 entries".to_owned();
+        assert_eq!(read(&with(MOST_ENTRIES + 1).encode().unwrap()), Err(said));
     }
 
     #[test]

@@ -2,12 +2,15 @@
 //!
 //! Threads write, read and listen to stderr, so that an engine that neither
 //! reads nor answers cannot hold up the tool for longer than its silence lasts.
+//!
+//! # No answer is taken for another one
+//! Every question has a number, its `id`. An engine whose answer to `hello` has that
+//! number repeats the number in each answer. An engine that does not is greeted again
+//! behind each batch: if its next message is anything but a greeting, then what came
+//! before was perhaps the answer to something else.
 
-use std::collections::{BTreeSet, VecDeque};
-use std::io::{BufRead, BufReader, Read, Write};
-#[cfg(unix)]
-use std::process::Command;
-use std::process::{Child, ChildStderr, ExitStatus, Stdio};
+use std::collections::VecDeque;
+use std::process::{ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
@@ -16,48 +19,27 @@ use std::time::{Duration, Instant};
 use predicament_predicates::{Broken, Class};
 
 use crate::command::{command, printable};
-use crate::{Config, Message};
+use crate::group::Group;
+use crate::{Bound, Config, Message, pipes};
 
-/// Lines of stderr that are kept.
-const LAST_LINES: usize = 6;
-/// Bytes that are kept of a line.
-const LINE_BYTES: u64 = 400;
 /// How often a silent process is looked at.
 const LOOK: Duration = Duration::from_millis(200);
 /// How long a process that has closed its stdout may take to end.
 const FAREWELL: Duration = Duration::from_secs(2);
 
-/// The processes that are running, each the first of a group of its own.
-static RUNNING: Mutex<BTreeSet<u32>> = Mutex::new(BTreeSet::new());
-
-/// Ends all engines of this process and what they have started, for a process that is about to exit without
-/// dropping them. An engine that waits for input would end by itself; one that loops would not.
-pub fn end_all() {
-    let running = std::mem::take(&mut *RUNNING.lock().unwrap_or_else(PoisonError::into_inner));
-    running.into_iter().for_each(end_group);
-}
-
-/// Ends a group of processes, by the number of its first. The standard library can only end one process.
-fn end_group(first: u32) {
-    #[cfg(unix)]
-    let _ = Command::new("kill")
-        .args(["-KILL", "--", &format!("-{first}")])
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .status();
-    #[cfg(not(unix))]
-    let _ = first;
-}
-
 /// The process of an engine.
 pub struct Process {
-    child: Child,
-    to: Sender<Vec<u8>>,
-    from: Receiver<Result<Message, String>>,
+    group: Group,
+    questions: Sender<Vec<u8>>,
+    bounds: Sender<Bound>,
+    answers: Receiver<Result<Message, String>>,
     said: Arc<Mutex<VecDeque<String>>>,
     listener: Option<JoinHandle<()>>,
     silence: Duration,
+    /// The number of the last question.
+    asked: u64,
+    /// The greeting behind each batch; none where the engine repeats the numbers of questions.
+    fence: Option<Message>,
 }
 
 impl Process {
@@ -67,64 +49,83 @@ impl Process {
         let broken = |message: String| Broken { class: Class::Panic, check: "start", message };
         let mut command = command(config, &config.run).map_err(broken)?;
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        // A group of its own: what it starts ends with it.
-        #[cfg(unix)]
-        std::os::unix::process::CommandExt::process_group(&mut command, 0);
-        let mut child = command.spawn().map_err(|error| {
+        let mut group = Group::start(&mut command, config.memory()).map_err(|error| {
             let build = if config.build.is_empty() { "" } else { "; is it built? `engines build` builds it" };
             broken(format!("`{shown}` in {} did not start: {error}{build}", config.folder.display()))
         })?;
-        let (to, outgoing) = channel::<Vec<u8>>();
-        // Bounded: an engine that writes without being asked waits, and its messages take no memory.
-        let (incoming, from) = sync_channel(1);
-        RUNNING.lock().unwrap_or_else(PoisonError::into_inner).insert(child.id());
-        let said = Arc::new(Mutex::new(VecDeque::new()));
+        let child = &mut group.child;
         let pipes = (child.stdin.take(), child.stdout.take(), child.stderr.take());
-        let (Some(mut stdin), Some(stdout), Some(stderr)) = pipes else {
+        let (Some(stdin), Some(stdout), Some(stderr)) = pipes else {
             return Err(broken(format!("`{shown}`: no pipes to the process")));
         };
-        std::thread::spawn(move || {
-            // Where the engine has gone, the reader sees it too, and says how.
-            while outgoing.recv().is_ok_and(|bytes| stdin.write_all(&bytes).and_then(|()| stdin.flush()).is_ok()) {}
-        });
-        std::thread::spawn(move || {
-            let mut stdout = BufReader::new(stdout);
-            loop {
-                let (message, last) = match Message::read(&mut stdout) {
-                    Ok(Some(message)) => (Ok(message), false),
-                    Ok(None) => return,
-                    Err(error) => (Err(error.to_string()), true),
-                };
-                if incoming.send(message).is_err() || last {
-                    return;
-                }
-            }
-        });
+        let (questions, outgoing) = channel();
+        let (bounds, bounded) = channel();
+        // Bounded: an engine that writes without being asked waits, and its messages take no memory.
+        let (incoming, answers) = sync_channel(1);
+        let said = Arc::new(Mutex::new(VecDeque::new()));
         let heard = Arc::clone(&said);
-        let listener = Some(std::thread::spawn(move || listen(stderr, &heard)));
-        Ok(Process { child, to, from, said, listener, silence: config.silence() })
+        std::thread::spawn(move || pipes::write(stdin, &outgoing));
+        std::thread::spawn(move || pipes::read(stdout, &bounded, &incoming));
+        let listener = Some(std::thread::spawn(move || pipes::listen(stderr, &heard)));
+        let silence = config.silence();
+        Ok(Process { group, questions, bounds, answers, said, listener, silence, asked: 0, fence: None })
+    }
+
+    /// Greets the engine and waits for its greeting. After an error the process is gone.
+    pub fn greet(&mut self, hello: Message) -> Result<Message, Broken> {
+        let answer = self.ask(&hello)?;
+        self.fence = answer.bytes("id").is_none().then_some(hello);
+        Ok(answer)
     }
 
     /// Sends a message and waits for the answer. After an error the process is gone.
-    pub fn ask(&mut self, message: &Message) -> Result<Message, Broken> {
-        let bytes = message.encode().map_err(|message| Broken { class: Class::Panic, check: "protocol", message })?;
-        // An answer to nothing would be taken for the next one.
-        if let Ok(unasked) = self.from.try_recv() {
-            let what = unasked.map_or_else(|garbage| garbage, |message| format!("a message `{}`", message.kind()));
-            let message = format!("it wrote more than the answer to the message before: {}", printable(&what));
-            return Err(self.broken(Class::Panic, "protocol", message));
+    pub fn ask(&mut self, question: &Message) -> Result<Message, Broken> {
+        let id = self.send(question, Bound::answer(0))?;
+        let answer = self.answer(question, id)?;
+        self.unless_error(answer)
+    }
+
+    /// Sends a batch of so many queries and waits for the answer. After an error the process is gone.
+    pub fn ask_batch(&mut self, batch: &Message, queries: usize) -> Result<Message, Broken> {
+        let id = self.send(batch, Bound::answer(queries))?;
+        let Some(fence) = self.fence.clone() else {
+            let answer = self.answer(batch, id)?;
+            return self.unless_error(answer);
+        };
+        let after = self.send(&fence, Bound::answer(0))?;
+        let answer = self.answer(batch, id)?;
+        let answer = self.unless_error(answer)?;
+        let behind = self.answer(&fence, after)?;
+        // A second greeting may be refused. A refusal to which nothing was asked comes before the answer to the next
+        // greeting, which is no answer to a batch.
+        if ["hello", "declined", "error"].contains(&behind.kind().as_str()) {
+            return Ok(answer);
         }
-        // A writer that has stopped shows as an end of the answers.
-        let _ = self.to.send(bytes);
+        Err(self.broken(Class::Panic, "protocol", pipes::unasked(&behind)))
+    }
+
+    /// Sends a message, whose number it returns; the answer has to keep to the bound.
+    fn send(&mut self, question: &Message, bound: Bound) -> Result<u64, Broken> {
+        self.asked += 1;
+        let bytes = question.encode_as(self.asked);
+        let bytes = bytes.map_err(|message| Broken { class: Class::Panic, check: "protocol", message })?;
+        // First the bound: the answer may be there before this thread goes on. A reader or writer that has stopped
+        // shows as an end of the answers.
+        let _ = self.bounds.send(bound);
+        let _ = self.questions.send(bytes);
+        Ok(self.asked)
+    }
+
+    /// The next message, which answers the question with this number.
+    fn answer(&mut self, question: &Message, id: u64) -> Result<Message, Broken> {
         let error = match self.hear() {
-            Ok(Ok(answer)) if answer.kind() == "error" => {
-                let message = answer.text("message").unwrap_or_else(|| "an error without a message".to_owned());
-                (Class::Panic, "engine error", message)
-            }
-            Ok(Ok(answer)) => return Ok(answer),
+            Ok(Ok(answer)) => match self.is_to(&answer, id) {
+                Ok(()) => return Ok(answer),
+                Err(other) => (Class::Panic, "protocol", other),
+            },
             Ok(Err(garbage)) => (Class::Panic, "protocol", garbage),
             Err(RecvTimeoutError::Timeout) => {
-                (Class::Timeout, "silence", format!("no answer to `{}` within {:?}", message.kind(), self.silence))
+                (Class::Timeout, "silence", format!("no answer to `{}` within {:?}", question.kind(), self.silence))
             }
             Err(RecvTimeoutError::Disconnected) => {
                 let status = self.ended();
@@ -134,17 +135,39 @@ impl Process {
         Err(self.broken(error.0, error.1, error.2))
     }
 
+    /// The answer; an error where it says that the engine failed.
+    fn unless_error(&mut self, answer: Message) -> Result<Message, Broken> {
+        if answer.kind() != "error" {
+            return Ok(answer);
+        }
+        let message = answer.text("message").unwrap_or_else(|| "an error without a message".to_owned());
+        Err(self.broken(Class::Panic, "engine error", message))
+    }
+
+    /// Whether an answer is to the question with this number, as far as the answer says so.
+    fn is_to(&self, answer: &Message, id: u64) -> Result<(), String> {
+        match answer.text("id") {
+            Some(of) if of.trim() != id.to_string() => {
+                Err(format!("an answer to question `{}`, where question {id} was asked", printable(&of)))
+            }
+            None if self.asked > 1 && self.fence.is_none() => {
+                Err(format!("an answer `{}` without the `id` of its question", printable(&answer.kind())))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// The next answer; an end where the process has ended, also if a process that it started keeps its stdout open.
     fn hear(&mut self) -> Result<Result<Message, String>, RecvTimeoutError> {
         let start = Instant::now();
         let mut ended = None;
         loop {
-            match self.from.recv_timeout(LOOK.min(self.silence)) {
+            match self.answers.recv_timeout(LOOK.min(self.silence)) {
                 Err(RecvTimeoutError::Timeout) if start.elapsed() >= self.silence => {
                     return Err(RecvTimeoutError::Timeout);
                 }
                 Err(RecvTimeoutError::Timeout) => {
-                    let gone = matches!(self.child.try_wait(), Ok(Some(_)));
+                    let gone = matches!(self.group.child.try_wait(), Ok(Some(_)));
                     let since = *ended.get_or_insert_with(Instant::now);
                     if !gone {
                         ended = None;
@@ -171,7 +194,7 @@ impl Process {
     fn ended(&mut self) -> Option<ExitStatus> {
         let start = Instant::now();
         while start.elapsed() < FAREWELL {
-            if let Ok(Some(status)) = self.child.try_wait() {
+            if let Ok(Some(status)) = self.group.child.try_wait() {
                 return Some(status);
             }
             std::thread::sleep(Duration::from_millis(1));
@@ -181,11 +204,7 @@ impl Process {
 
     fn end(&mut self) {
         let Some(listener) = self.listener.take() else { return };
-        if RUNNING.lock().unwrap_or_else(PoisonError::into_inner).remove(&self.child.id()) {
-            end_group(self.child.id());
-        }
-        let _ = self.child.kill();
-        let _ = self.child.wait();
+        self.group.end();
         // All of stderr is heard once the process is gone, unless a child of its own holds on to it.
         let start = Instant::now();
         while !listener.is_finished() && start.elapsed() < FAREWELL {
@@ -197,27 +216,6 @@ impl Process {
 impl Drop for Process {
     fn drop(&mut self) {
         self.end();
-    }
-}
-
-/// Keeps the last lines of stderr.
-fn listen(stderr: ChildStderr, said: &Mutex<VecDeque<String>>) {
-    let mut stderr = BufReader::new(stderr);
-    let mut line = Vec::new();
-    loop {
-        line.clear();
-        // A long line comes in pieces.
-        match (&mut stderr).take(LINE_BYTES).read_until(b'\n', &mut line) {
-            Ok(0) | Err(_) => return,
-            Ok(_) => {
-                let text = printable(&String::from_utf8_lossy(&line));
-                let mut said = said.lock().unwrap_or_else(PoisonError::into_inner);
-                said.extend((!text.is_empty()).then_some(text));
-                while said.len() > LAST_LINES {
-                    said.pop_front();
-                }
-            }
-        }
     }
 }
 

@@ -109,7 +109,7 @@ impl<'s> Session<'s> {
         let batch = batch.with("ids", ids);
         let asked = self.ask(|process| {
             let start = Instant::now();
-            let answer = process.ask(&batch)?;
+            let answer = process.ask_batch(&batch, queries)?;
             let read = read_signs(&answer, queries, start.elapsed(), shown);
             read.map_err(|message| process.broken(Class::Panic, "protocol", message))
         });

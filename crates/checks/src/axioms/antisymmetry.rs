@@ -1,8 +1,19 @@
 //! The law of antisymmetry: an odd permutation of the arguments changes the sign.
 
-use predicament_predicates::{Predicates, Question, Sign, Vertex, ZeroMeaning};
+use std::sync::OnceLock;
+
+use predicament_predicates::{PredicateKind, Predicates, Question, Sign, Vertex, ZeroMeaning};
 
 use super::{Answer, Law, Violation, says_nothing};
+
+/// The most arguments of a predicate.
+const MOST: usize = 5;
+
+/// An order of arguments: which argument stands at each place, and the parity.
+struct Order {
+    places: [usize; MOST],
+    parity: Sign,
+}
 
 /// Asks one query in every order of its arguments.
 ///
@@ -19,24 +30,69 @@ pub fn antisymmetry<P: Predicates + ?Sized>(
     args: &[Vertex],
     zero: ZeroMeaning,
 ) -> Vec<Violation> {
-    let mut reference: Option<(Answer, Sign)> = None;
-    let mut violations = Vec::new();
-    each_order(args, &mut |args, parity| {
-        let sign = question.ask(session, args);
-        if says_nothing(sign, zero) {
-            return;
-        }
-        // Vectors are made for the first answer and for violations only.
-        match &reference {
-            None => reference = Some((Answer { question, args: args.to_vec(), sign }, sign * parity)),
-            Some((first, even)) if sign * parity != *even => {
-                let answers = vec![first.clone(), Answer { question, args: args.to_vec(), sign }];
-                violations.push(Violation { law: Law::Antisymmetry, answers });
-            }
-            Some(_) => {}
-        }
-    });
-    violations
+    let signs: Vec<Sign> =
+        orders(question.kind()).iter().map(|order| question.ask(session, &order.of(args)[..args.len()])).collect();
+    violations(question, args, &signs, zero)
+}
+
+/// Asks several queries in every order of their arguments, all in one batch: [`antisymmetry`] of each.
+///
+/// # Panics
+/// If a query has not exactly as many vertices as the predicate takes.
+pub fn antisymmetry_of_all<P: Predicates + ?Sized>(
+    session: &P,
+    question: Question,
+    queries: &[&[Vertex]],
+    zero: ZeroMeaning,
+) -> Vec<Vec<Violation>> {
+    let (orders, arity) = (orders(question.kind()), question.kind().arity());
+    let mut asked = Vec::with_capacity(queries.len() * orders.len() * arity);
+    for args in queries {
+        orders.iter().for_each(|order| asked.extend_from_slice(&order.of(args)[..args.len()]));
+    }
+    let mut signs = vec![Sign::Zero; queries.len() * orders.len()];
+    question.ask_batch(session, &asked, &mut signs);
+    queries
+        .iter()
+        .zip(signs.chunks(orders.len()))
+        .map(|(args, signs)| violations(question, args, signs, zero))
+        .collect()
+}
+
+/// The violations among the answers to every order.
+fn violations(question: Question, args: &[Vertex], signs: &[Sign], zero: ZeroMeaning) -> Vec<Violation> {
+    let answers = || orders(question.kind()).iter().zip(signs).filter(|(_, sign)| !says_nothing(**sign, zero));
+    let Some((first, &sign)) = answers().next() else { return Vec::new() };
+    let even = sign * first.parity;
+    let answer = |order: &Order, sign| Answer { question, args: order.of(args)[..args.len()].to_vec(), sign };
+    let contradictions = answers().filter(|(order, sign)| **sign * order.parity != even);
+    let violation = |(order, &other): (&Order, &Sign)| Violation {
+        law: Law::Antisymmetry,
+        answers: vec![answer(first, sign), answer(order, other)],
+    };
+    contradictions.map(violation).collect()
+}
+
+impl Order {
+    /// The arguments in this order; what follows them counts for nothing.
+    fn of(&self, args: &[Vertex]) -> [Vertex; MOST] {
+        self.places.map(|at| args[at])
+    }
+}
+
+/// All orders of a predicate's arguments, the given one first.
+fn orders(kind: PredicateKind) -> &'static [Order] {
+    static ORDERS: [OnceLock<Vec<Order>>; PredicateKind::ALL.len()] = [const { OnceLock::new() }; 5];
+    ORDERS[kind.index()].get_or_init(|| {
+        let mut orders = Vec::new();
+        let items: Vec<Vertex> = (0..kind.arity()).map(Vertex::input).collect();
+        each_order(&items, &mut |order, parity| {
+            let mut places = [0; MOST];
+            order.iter().zip(&mut places).for_each(|(item, place)| *place = item.index());
+            orders.push(Order { places, parity });
+        });
+        orders
+    })
 }
 
 /// Calls `visit` with every permutation of `items` and its parity, the given

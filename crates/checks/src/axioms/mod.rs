@@ -13,6 +13,9 @@
 //!   belongs to its vertices, not to what else is asked or is in the scene.
 //! * [`equals_reference`]: the one law here that needs the truth.
 //!
+//! Functions that end in `_of_all`, and [`Relation::check_all`], look at many tuples and ask in batches: a session may
+//! be a program at the other end of a pipe, where each question is a message.
+//!
 //! # What a zero counts for
 //! * [`ZeroMeaning::Exact`] and [`ZeroMeaning::Never`]: a zero is a sign like
 //!   the others, that of a determinant which vanishes. (A session that breaks
@@ -28,12 +31,12 @@ mod reference;
 mod relation;
 mod transitivity;
 
-pub use antisymmetry::{antisymmetry, each_order};
+pub use antisymmetry::{antisymmetry, antisymmetry_of_all, each_order};
 pub use never_zero::never_zero;
-pub use place::{independence_of_later_vertices, independence_of_place};
+pub use place::{independence_of_later_vertices, independence_of_later_vertices_of_all, independence_of_place};
 pub use reference::equals_reference;
 pub use relation::{Direction, Relation, relations};
-pub use transitivity::transitivity;
+pub use transitivity::{transitivity, transitivity_of_all};
 
 use predicament_predicates::{Contract, PredicateKind, Question, Sign, Vertex, ZeroMeaning};
 

@@ -73,6 +73,25 @@ pub fn independence_of_later_vertices<P: Predicates + ?Sized, Q: Predicates + ?S
     (signs[0] != signs[1]).then(|| violation(Law::LaterVertices, question, args, signs))
 }
 
+/// Asks both sessions several queries, each session in one batch: [`independence_of_later_vertices`] of each.
+pub fn independence_of_later_vertices_of_all<P: Predicates + ?Sized, Q: Predicates + ?Sized>(
+    fewer: &P,
+    all: &Q,
+    question: Question,
+    queries: &[&[Vertex]],
+) -> Vec<Option<Violation>> {
+    let flat = queries.concat();
+    let mut signs = [vec![Sign::Zero; queries.len()], vec![Sign::Zero; queries.len()]];
+    question.ask_batch(fewer, &flat, &mut signs[0]);
+    question.ask_batch(all, &flat, &mut signs[1]);
+    let [of_fewer, of_all] = signs;
+    let signs = of_fewer.into_iter().zip(of_all).map(<[Sign; 2]>::from);
+    let look = |(args, signs): (&&[Vertex], [Sign; 2])| {
+        (signs[0] != signs[1]).then(|| violation(Law::LaterVertices, question, args, signs))
+    };
+    queries.iter().zip(signs).map(look).collect()
+}
+
 fn violation(law: Law, question: Question, args: &[Vertex], signs: [Sign; 2]) -> Violation {
     Violation { law, answers: signs.map(|sign| Answer { question, args: args.to_vec(), sign }).into() }
 }

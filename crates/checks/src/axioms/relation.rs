@@ -178,12 +178,46 @@ impl Relation {
     /// # Panics
     /// If there are fewer than [`Relation::vertices`] vertices.
     pub fn check<P: Predicates + ?Sized>(&self, session: &P, vertices: &[Vertex], zeros: Zeros) -> Option<Violation> {
+        let ask = |bracket: &Bracket| {
+            let (question, args) = bracket.query(vertices)?;
+            Some(question.ask(session, &args[..question.kind().arity()]))
+        };
+        self.violation(vertices, self.brackets.each_ref().map(ask), zeros)
+    }
+
+    /// Asks the brackets of several tuples of vertices, those of one predicate in one batch: [`Relation::check`] of each.
+    ///
+    /// # Panics
+    /// If a tuple has fewer than [`Relation::vertices`] vertices.
+    pub fn check_all<P: Predicates + ?Sized>(
+        &self,
+        session: &P,
+        tuples: &[Vec<Vertex>],
+        zeros: Zeros,
+    ) -> Vec<Option<Violation>> {
+        let mut answers = vec![[None; 6]; tuples.len()];
+        for question in self.questions() {
+            let mut asked = Vec::new();
+            let of_it = |bracket: &&Bracket| bracket.question == Some(question);
+            for tuple in tuples {
+                let args = self.brackets.iter().filter(of_it).filter_map(|bracket| bracket.query(tuple));
+                args.for_each(|(_, args)| asked.extend_from_slice(&args[..question.kind().arity()]));
+            }
+            let mut signs = vec![Sign::Zero; asked.len() / question.kind().arity()];
+            question.ask_batch(session, &asked, &mut signs);
+            let places = answers.iter_mut().flat_map(|answers| answers.iter_mut().zip(&self.brackets));
+            let places = places.filter(|(_, bracket)| of_it(bracket));
+            places.zip(signs).for_each(|((place, _), sign)| *place = Some(sign));
+        }
+        tuples.iter().zip(answers).map(|(tuple, answers)| self.violation(tuple, answers, zeros)).collect()
+    }
+
+    /// What is wrong with the answers to the brackets that ask something.
+    fn violation(&self, vertices: &[Vertex], answers: [Option<Sign>; 6], zeros: Zeros) -> Option<Violation> {
         let mut signs = [Sign::Zero; 6];
-        for (sign, bracket) in signs.iter_mut().zip(&self.brackets) {
+        for ((sign, bracket), answer) in signs.iter_mut().zip(&self.brackets).zip(answers) {
             *sign = bracket.sign;
-            if let Some(question) = bracket.question {
-                let args = bracket.places.map(|place| vertices[usize::from(place)]);
-                let answer = question.ask(session, &args[..question.kind().arity()]);
+            if let (Some(question), Some(answer)) = (bracket.question, answer) {
                 if says_nothing(answer, zeros.of(question.kind())) {
                     return None;
                 }
@@ -192,19 +226,13 @@ impl Relation {
         }
         let terms = [signs[0] * signs[1], -(signs[2] * signs[3]), signs[4] * signs[5]];
         let balanced = terms.contains(&Sign::Positive) == terms.contains(&Sign::Negative);
-        (!balanced).then(|| Violation { law: self.law(), answers: self.answers(session, vertices) })
-    }
-
-    #[cold]
-    fn answers<P: Predicates + ?Sized>(&self, session: &P, vertices: &[Vertex]) -> Vec<Answer> {
-        let asked = self.brackets.iter().filter_map(|bracket| {
-            let question = bracket.question?;
-            let places = &bracket.places[..question.kind().arity()];
-            let args: Vec<Vertex> = places.iter().map(|&place| vertices[usize::from(place)]).collect();
-            let sign = question.ask(session, &args);
-            Some(Answer { question, args, sign })
-        });
-        asked.collect()
+        let answers = || {
+            self.brackets.iter().zip(answers).filter_map(|(bracket, sign)| {
+                let (question, args) = bracket.query(vertices)?;
+                Some(Answer { question, args: args[..question.kind().arity()].to_vec(), sign: sign? })
+            })
+        };
+        (!balanced).then(|| Violation { law: self.law(), answers: answers().collect() })
     }
 }
 
@@ -224,6 +252,12 @@ fn choices(n: usize, size: usize) -> impl Iterator<Item = Vec<usize>> {
 }
 
 impl Bracket {
+    /// What is asked about these of the relation's vertices, as many as the question takes; none where everything is
+    /// struck but the 1.
+    fn query(&self, vertices: &[Vertex]) -> Option<(Question, [Vertex; ROWS])> {
+        Some((self.question?, self.places.map(|place| vertices[usize::from(place)])))
+    }
+
     /// Strikes rows and columns until only vertices are left. None if what is left is no predicate.
     fn new(question: Question, mut vectors: Vec<Vector>) -> Option<Bracket> {
         // The column of ones comes last and has no direction.

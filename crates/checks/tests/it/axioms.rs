@@ -1,5 +1,6 @@
 //! The laws hold for what keeps them, and each catches a planted fault.
 
+mod batches;
 mod single;
 
 use crate::common::{self, Fault, Faulty};

@@ -1,8 +1,10 @@
 //! An engine that answers by plain doubles, or goes wrong in the way that its argument names: for tests.
+//!
+//! It repeats the numbers of questions, unless its argument begins with `without id, `.
 
-use std::io::{Write, stdin, stdout};
+use std::io::{Error, Write, stdin, stdout};
 
-use predicament_engines::Message;
+use predicament_engines::{Bound, Message};
 
 fn main() {
     let way = std::env::args().nth(1).unwrap_or_default();
@@ -10,9 +12,20 @@ fn main() {
         println!("library 7.1");
         return;
     }
+    if way == "fails" {
+        eprintln!("for a reason");
+        std::process::exit(3);
+    }
+    #[cfg(target_os = "linux")]
+    if way.starts_with("left ") {
+        return leave::play(&way);
+    }
+    let without_id = way.strip_prefix("without id, ");
+    let (way, repeats) = (without_id.unwrap_or(&way), without_id.is_none());
+    let mut before: Option<Vec<u8>> = None;
     let (mut input, mut output) = (stdin().lock(), stdout().lock());
     let (mut points, mut dimension) = (Vec::new(), 2);
-    while let Ok(Some(message)) = Message::read(&mut input) {
+    while let Ok(Some(message)) = Message::read(&mut input, Bound::QUESTION) {
         let kind = message.kind();
         if way == format!("crash on {kind}") {
             eprintln!("about to end\nthis is the reason");
@@ -28,18 +41,39 @@ fn main() {
             let _ = output.write_all(b"orient2d of 3 points is 1\n").and_then(|()| output.flush());
             continue;
         }
+        #[cfg(target_os = "linux")]
+        if kind == "hello" && way.starts_with("leaves ") {
+            leave::start(way);
+        }
+        let flood = match way {
+            "many entries" => Some(b"\x01k\0\0\0\0".as_slice()),
+            "long value" => Some([7; 1 << 16].as_slice()),
+            _ => None,
+        };
+        if let Some(piece) = flood.filter(|_| kind == "batch") {
+            let _ = pour(&mut output, piece);
+            continue;
+        }
+        if way == "hungry" && kind == "batch" {
+            // Up to a GiB.
+            let food: Vec<Vec<u8>> = (0..64).map(|_| vec![1; 1 << 24]).collect();
+            assert!(food.iter().all(|piece| piece[1 << 20] == 1));
+        }
         let answer = match kind.as_str() {
             _ if way == format!("decline {kind}") => Message::new("declined").with("reason", "not today"),
+            "hello" if way == "one greeting" && before.replace(Vec::new()).is_some() => {
+                Message::new("error").with("message", "was greeted before")
+            }
             _ if way == format!("error on {kind}") => Message::new("error").with("message", "out of triangles"),
             "hello" => Message::new("hello")
                 .with("protocol", if way == "old" { "0" } else { "1" })
-                .with("name", if way == "long name" { "x".repeat(1 << 20) } else { "tests".to_owned() })
+                .with("name", if way == "long name" { "x".repeat(1 << 12) } else { "tests".to_owned() })
                 .with("version", if way == "two lines" { "1.2\n\u{1b}[2J" } else { "1.2" })
                 .with(
                     "predicates",
-                    match way.as_str() {
+                    match way {
                         "odd" => "orient2d sidedness".to_owned(),
-                        "long predicate" => "x".repeat(1 << 20),
+                        "long predicate" => "x".repeat(1 << 12),
                         _ => "compare orient2d".to_owned(),
                     },
                 )
@@ -51,16 +85,40 @@ fn main() {
                 points = bytes.as_chunks().0.iter().map(|&bytes| f64::from_le_bytes(bytes)).collect();
                 Message::new("ready").with("ns", "5")
             }
-            _ => batch(&message, &points, dimension, &way),
+            _ => batch(&message, &points, dimension, way),
         };
+        let id = message.text("id").filter(|_| repeats && (way != "forgets" || kind != "batch"));
+        let answer = id.into_iter().fold(answer, |answer, id| answer.with("id", id));
+        let many = if way == "crumbs" && kind == "batch" { 100 } else { 0 };
+        let answer = (0..many).fold(answer, |answer, _| answer.with("crumb", ""));
         let mut bytes = answer.encode().expect("a short message");
         if way == "twice" && kind == "batch" {
             bytes.extend_from_within(..);
+        }
+        if way == "again" && kind == "batch" {
+            // The answer to the batch before once more, as late as it can come.
+            let late = before.replace(bytes.clone()).unwrap_or_default();
+            bytes.splice(..0, late);
         }
         if output.write_all(&bytes).and_then(|()| output.flush()).is_err() {
             return;
         }
     }
+}
+
+/// Writes a message of nearly 2^30 bytes: entries without a value, or one long value, piece after piece.
+fn pour(output: &mut impl Write, piece: &[u8]) -> Result<(), Error> {
+    let many = piece.repeat((1 << 16) / piece.len());
+    let times = (1 << 30) / many.len() - 1;
+    let mut head = Message::new("signs").encode().map_err(Error::other)?.split_off(4);
+    if piece.len() == 1 << 16 {
+        head.extend(b"\x05signs");
+        head.extend(u32::try_from(times * many.len()).map_err(Error::other)?.to_le_bytes());
+    }
+    output.write_all(&u32::try_from(head.len() + times * many.len()).map_err(Error::other)?.to_le_bytes())?;
+    output.write_all(&head)?;
+    (0..times).try_for_each(|_| output.write_all(&many))?;
+    output.flush()
 }
 
 fn batch(message: &Message, points: &[f64], dimension: usize, way: &str) -> Message {
@@ -92,7 +150,7 @@ fn batch(message: &Message, points: &[f64], dimension: usize, way: &str) -> Mess
         _ => {}
     }
     if way == "long number" {
-        return Message::new("signs").with("signs", signs).with("ns", "x".repeat(1 << 20));
+        return Message::new("signs").with("signs", signs).with("ns", "x".repeat(1 << 12));
     }
     let nanoseconds = match way {
         "slow clock" => "18446744073709551615",
@@ -109,5 +167,47 @@ fn byte(x: f64) -> u8 {
         255
     } else {
         0
+    }
+}
+
+/// Processes that the engine leaves behind: each writes its number into the file that the environment names.
+#[cfg(target_os = "linux")]
+mod leave {
+    use std::process::Command;
+    use std::time::Duration;
+
+    const FILE: &str = "LEFT_BEHIND";
+
+    /// Starts a process with a session of its own, and waits until it has one: a child, a child that does not have the
+    /// engine's environment, or an orphan.
+    pub fn start(way: &str) {
+        let file = std::env::var_os(FILE).expect("a file for its number");
+        let _ = match way {
+            "leaves an orphan" => again("left to nobody").status().map(|_| ()),
+            "leaves a stranger" => again("left alone").env_clear().env(FILE, &file).spawn().map(|_| ()),
+            _ => again("left alone").spawn().map(|_| ()),
+        };
+        while !std::fs::read(&file).is_ok_and(|text| text.ends_with(b"\n")) {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    }
+
+    /// The parts of the processes that are left behind.
+    pub fn play(part: &str) {
+        if part == "left to nobody" {
+            let _ = again("left alone").spawn();
+            return;
+        }
+        let _ = rustix::process::setsid();
+        if let Some(file) = std::env::var_os(FILE) {
+            let _ = std::fs::write(file, format!("{}\n", std::process::id()));
+        }
+        std::thread::sleep(Duration::from_secs(3600));
+    }
+
+    fn again(part: &str) -> Command {
+        let mut command = Command::new(std::env::current_exe().expect("this program"));
+        command.arg(part).stdin(std::process::Stdio::null());
+        command
     }
 }

@@ -1,5 +1,8 @@
 //! The backend against an engine that behaves, and against one that misbehaves in every way.
 
+#[cfg(target_os = "linux")]
+mod processes;
+
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
@@ -136,6 +139,10 @@ fn an_engine_that_goes_wrong_breaks_its_session_and_is_started_again() {
             "the process ended with code 3; stderr: about to end / this is the reason",
         ),
         ("abort on batch", Class::Panic, "crashed", "the process was ended by signal 6 (abort)"),
+        ("forgets", Class::Panic, "protocol", "an answer `signs` without the `id` of its question"),
+        ("crumbs", Class::Panic, "protocol", "a message of more than 64 entries"),
+        ("many entries", Class::Panic, "protocol", "an answer of 1073676302 bytes, where at most 65540 were asked for"),
+        ("long value", Class::Panic, "protocol", "an answer of 1073676312 bytes, where at most 65540 were asked for"),
         ("silent on batch", Class::Timeout, "silence", "no answer to `batch` within 1s"),
         ("garbage on batch", Class::Panic, "protocol", "no message: it begins with the bytes `orie`"),
         ("error on batch", Class::Panic, "engine error", "out of triangles"),
@@ -158,17 +165,48 @@ fn an_engine_that_goes_wrong_breaks_its_session_and_is_started_again() {
     }
 }
 
+/// What goes wrong where a session is asked.
+fn breaks(session: &dyn Predicates) -> String {
+    let thrown = catch_unwind(AssertUnwindSafe(|| ask(session))).unwrap_err();
+    thrown.downcast::<Broken>().unwrap_or_else(|_| panic!("another panic")).to_string()
+}
+
 #[test]
-fn a_message_that_nobody_asked_for_is_no_answer() {
-    let (engine, scene) = (engine("twice").unwrap(), scene());
-    let session = engine.prepare(&scene, Off).unwrap();
-    assert_eq!(ask(&session), SIGNS, "the first of two");
-    // The second of them is on its way.
-    std::thread::sleep(std::time::Duration::from_millis(100));
-    let thrown = catch_unwind(AssertUnwindSafe(|| ask(&session))).unwrap_err();
-    let broken = thrown.downcast::<Broken>().unwrap_or_else(|_| panic!("another panic"));
+fn an_answer_to_another_question_is_no_answer() {
+    let scene = scene();
+    // By its number.
+    for (way, said) in [
+        ("twice", "protocol: it wrote more than the answer to the message before: a message `signs`"),
+        ("again", "protocol: an answer to question `3`, where question 4 was asked"),
+    ] {
+        let engine = engine(way).unwrap();
+        let session = engine.prepare(&scene, Off).unwrap();
+        assert_eq!(ask(&session), SIGNS, "{way}: the first batch");
+        // The second of two answers at once is on its way.
+        std::thread::sleep(std::time::Duration::from_millis(100));
+        assert_eq!(breaks(&session), said, "{way}");
+    }
+    // By the greeting behind it.
     let said = "protocol: it wrote more than the answer to the message before: a message `signs`";
-    assert_eq!(broken.to_string(), said);
+    let once = engine("without id, twice").unwrap();
+    assert_eq!(breaks(&once.prepare(&scene, Off).unwrap()), said);
+    let late = engine("without id, again").unwrap();
+    let session = late.prepare(&scene, Off).unwrap();
+    assert_eq!(ask(&session), SIGNS, "the first batch");
+    assert_eq!(breaks(&session), said);
+}
+
+#[test]
+fn an_engine_that_repeats_no_numbers_is_an_engine() {
+    let scene = scene();
+    for way in ["without id, ", "without id, nan", "without id, one greeting"] {
+        let engine = engine(way).unwrap();
+        let session = engine.prepare(&scene, Off).unwrap();
+        (0..3).for_each(|_| assert_eq!(ask(&session)[1..], SIGNS[1..], "{way}"));
+    }
+    let declines = engine("without id, decline batch").unwrap();
+    let session = declines.prepare(&scene, Off).unwrap();
+    (0..3).for_each(|_| assert_eq!(breaks(&session), "batch: not today"));
 }
 
 #[test]
@@ -200,6 +238,13 @@ fn so_is_one_that_always_answers_nonsense() {
     assert!(broken().starts_with("given up, as it broke 5 times in a row"));
 }
 
+/// An error about an engine, without the engine and its file: it begins with them.
+fn unnamed(error: &str) -> &str {
+    let (named, error) = error.split_once("engine.toml): ").unwrap_or_else(|| panic!("no file: {error}"));
+    assert!(named.starts_with("engine:tests ("), "{named}");
+    error
+}
+
 #[test]
 #[cfg(unix)]
 fn a_version_command_has_a_limit() {
@@ -209,7 +254,7 @@ fn a_version_command_has_a_limit() {
     assert_eq!(Engine::start(config.clone()).unwrap().version().as_deref(), Some("7.1"));
     config.version = ["sleep", "1000"].map(str::to_owned).to_vec();
     let error = Engine::start(config).map(|_| ()).unwrap_err();
-    assert_eq!(error, "engine:tests: `sleep 1000` printed no version within 1s");
+    assert_eq!(unnamed(&error), "`sleep 1000` printed no version within 1s");
 }
 
 /// What an engine says ends up in tables and on terminals.
@@ -222,11 +267,12 @@ fn what_an_engine_says_is_bounded() {
         Engine::start(config).map(|_| ()).unwrap_err()
     };
     for (way, said) in [
-        ("long name", "engine:tests: protocol: its name is empty, longer than 200 characters, or not one line"),
-        ("two lines", "engine:tests: protocol: its version is empty, longer than 200 characters, or not one line"),
-        ("long predicate", "engine:tests: protocol: it offers `xxx"),
+        ("long name", "protocol: its name is empty, longer than 200 characters, or not one line"),
+        ("two lines", "protocol: its version is empty, longer than 200 characters, or not one line"),
+        ("long predicate", "protocol: it offers `xxx"),
     ] {
         let error = refused(way);
+        let error = unnamed(&error);
         assert!(error.starts_with(said) && error.len() < 400, "{way}: {error}");
     }
     let (engine, scene) = (engine("long number").unwrap(), scene());
@@ -249,16 +295,13 @@ fn a_nan_is_a_zero_that_says_so() {
 #[test]
 fn an_engine_that_does_not_greet_is_refused_at_once() {
     for (way, said) in [
-        ("old", "engine:tests: protocol: it speaks protocol 0, and the tool 1; rebuild the engine"),
-        ("odd", "engine:tests: protocol: it offers `sidedness`, which is no predicate of the protocol"),
-        ("silent on hello", "engine:tests: silence: no answer to `hello` within 1s"),
-        (
-            "crash on hello",
-            "engine:tests: crashed: the process ended with code 3; stderr: about to end / this is the reason",
-        ),
-        ("decline hello", "engine:tests: protocol: not today"),
+        ("old", "protocol: it speaks protocol 0, and the tool 1; rebuild the engine"),
+        ("odd", "protocol: it offers `sidedness`, which is no predicate of the protocol"),
+        ("silent on hello", "silence: no answer to `hello` within 1s"),
+        ("crash on hello", "crashed: the process ended with code 3; stderr: about to end / this is the reason"),
+        ("decline hello", "protocol: not today"),
     ] {
-        assert_eq!(engine(way).map(|_| ()).unwrap_err(), said);
+        assert_eq!(unnamed(&engine(way).map(|_| ()).unwrap_err()), said);
     }
 }
 
@@ -271,6 +314,10 @@ fn chores_run_in_turn_and_say_what_failed() {
     assert_eq!(told.len(), 2);
     assert!(told[0].ends_with(" version") && told[1].ends_with(" none"));
     let error = chore(&config, Step::Clean, |_| ()).unwrap_err();
-    assert!(error.starts_with("`./no-such-program` did not start: "), "{error}");
+    assert!(unnamed(&error).starts_with("`./no-such-program` did not start: "), "{error}");
+    let mut failing = config.clone();
+    failing.clean = vec![vec![env!("CARGO_BIN_EXE_engine-of-tests").to_owned(), "fails".to_owned()]];
+    let error = chore(&failing, Step::Clean, |_| ()).unwrap_err();
+    assert!(unnamed(&error).contains(" fails` failed: exit ") && error.ends_with("for a reason"), "{error}");
     chore(&config, Step::Install, |_| panic!("there is nothing to install")).unwrap();
 }

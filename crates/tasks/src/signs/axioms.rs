@@ -8,12 +8,13 @@
 //! is held against the truth, so those two laws are not asked again.
 
 use predicament_checks::axioms::{
-    Law, Relation, Violation, Zeros, antisymmetry, independence_of_later_vertices, independence_of_place, relations,
-    transitivity,
+    Law, Relation, Violation, Zeros, antisymmetry_of_all, independence_of_later_vertices_of_all, independence_of_place,
+    relations, transitivity_of_all,
 };
 use predicament_predicates::{Axis, Dimension, Plane, QuerySet, Question, Scene, Vertex, ZeroMeaning};
 use rayon::prelude::*;
 
+use super::CHUNK;
 use super::judge::Given;
 use crate::{Asked, Budget, Class, ClassCounts, Finding, Stop, Watch};
 
@@ -28,8 +29,11 @@ pub(super) struct Violations {
     first: Vec<Violation>,
 }
 
-/// Queries or tuples to a chunk of the sample.
-const CHUNK: usize = 256;
+/// Brackets of a relation.
+const BRACKETS: usize = 6;
+
+/// What a law finds, and the class that its query leaves.
+type Found = Option<(Option<Class>, Violation)>;
 
 pub(super) fn check(given: &Given<'_>, asked: &Asked<'_>) -> Result<Violations, Stop> {
     let (budget, watch) = (asked.budget, asked.watch);
@@ -80,11 +84,15 @@ fn orders(given: &Given<'_>, budget: Budget, watch: &Watch) -> Result<Violations
     let orders: usize = (1..=question.kind().arity()).product();
     let sample: Vec<usize> = Budget::spread(given.queries.len(), orders, budget.permutations).collect();
     let zero = given.contract.zero;
-    in_chunks(&sample, budget, watch, |&query| {
-        let args = given.queries.args(query);
-        let violation = antisymmetry(given.session, question, args, zero).into_iter().next()?;
-        let class = given.class(query);
-        class.is_legal().then_some((Some(class), violation))
+    in_chunks(&sample, orders, budget, watch, |sample| {
+        let queries: Vec<&[Vertex]> = sample.iter().map(|&query| given.queries.args(query)).collect();
+        let violations = antisymmetry_of_all(given.session, question, &queries, zero);
+        let leaves = |(&query, violations): (&usize, Vec<Violation>)| {
+            let violation = violations.into_iter().next()?;
+            let class = given.class(query);
+            class.is_legal().then_some((Some(class), violation))
+        };
+        sample.iter().zip(violations).map(leaves).collect()
     })
 }
 
@@ -96,22 +104,21 @@ fn related(given: &Given<'_>, zeros: Zeros, budget: Budget, watch: &Watch) -> Re
     let asked = asked(given, budget.thorough);
     for question in asked {
         if let Question::Compare(axis) = question {
-            let sample = tuples(given, 3, budget.relations);
-            found.merge(
-                in_chunks(&sample, budget, watch, |tuple| {
-                    let &[a, b, c] = tuple.as_slice() else { return None };
-                    transitivity(session, axis, [a, b, c], zeros.of(question.kind())).map(|violation| (None, violation))
-                })?,
-                budget,
-            );
+            let sample: Vec<[Vertex; 3]> = tuples(given, 3, budget.relations)
+                .iter()
+                .filter_map(|tuple| tuple.as_slice().try_into().ok())
+                .collect();
+            let zero = zeros.of(question.kind());
+            let look = |sample: &[[Vertex; 3]]| of_relations(transitivity_of_all(session, axis, sample, zero));
+            found.merge(in_chunks(&sample, 3, budget, watch, look)?, budget);
         }
         let lifted = matches!(question, Question::Incircle | Question::Insphere);
         let wanted = |relation: &Relation| budget.thorough || (!lifted && relation.law() == Law::GrassmannPlucker);
         for relation in relations(question).into_iter().filter(wanted) {
             let supported = relation.questions().all(|question| session.supports(question.kind()).is_ok());
             let sample = if supported { tuples(given, relation.vertices(), budget.relations) } else { Vec::new() };
-            let look = |tuple: &Vec<Vertex>| relation.check(session, tuple, zeros).map(|violation| (None, violation));
-            found.merge(in_chunks(&sample, budget, watch, look)?, budget);
+            let look = |sample: &[Vec<Vertex>]| of_relations(relation.check_all(session, sample, zeros));
+            found.merge(in_chunks(&sample, BRACKETS, budget, watch, look)?, budget);
         }
     }
     Ok(found)
@@ -145,8 +152,8 @@ fn places(given: &Given<'_>, budget: Budget, watch: &Watch) -> Result<Violations
             QuerySet::new(given.queries.question(), args)
         })
         .collect();
-    in_chunks(&batches, budget, watch, |batch| {
-        independence_of_place(given.session, batch).map(|violation| (None, violation))
+    in_chunks(&batches, BATCH, budget, watch, |batches| {
+        of_relations(batches.iter().map(|batch| independence_of_place(given.session, batch)).collect())
     })
 }
 
@@ -167,8 +174,8 @@ fn later_vertices(given: &Given<'_>, asked: &Asked<'_>, zeros: Zeros) -> Result<
     let sample: Vec<&[Vertex]> = Budget::spread(within.len(), 1, budget.relations).map(|at| within[at]).collect();
     let mut found = Ok(Violations::default());
     let prepared = asked.backend.with_session(&first, &mut |fewer| {
-        found = in_chunks(&sample, budget, asked.watch, |args| {
-            independence_of_later_vertices(fewer, given.session, question, args).map(|violation| (None, violation))
+        found = in_chunks(&sample, 1, budget, asked.watch, |sample| {
+            of_relations(independence_of_later_vertices_of_all(fewer, given.session, question, sample))
         });
     });
     // A backend that declines the smaller scene has answered nothing about it.
@@ -201,18 +208,25 @@ fn tuples(given: &Given<'_>, size: usize, wanted: usize) -> Vec<Vec<Vertex>> {
         .collect()
 }
 
-/// Looks at all items in parallel, notes what is found in order, and stops when the watch says so.
+/// Violations between different queries: none leaves its class.
+fn of_relations(violations: Vec<Option<Violation>>) -> Vec<Found> {
+    violations.into_iter().map(|violation| Some((None, violation?))).collect()
+}
+
+/// Looks at all items in parallel, many at a time, notes what is found in order, and stops when the watch says so. An
+/// item costs so many queries; a batch has no more than one of the scene's own queries has.
 fn in_chunks<T: Sync>(
     items: &[T],
+    cost: usize,
     budget: Budget,
     watch: &Watch,
-    look: impl Fn(&T) -> Option<(Option<Class>, Violation)> + Sync,
+    look: impl Fn(&[T]) -> Vec<Found> + Sync,
 ) -> Result<Violations, Stop> {
     let chunks: Result<Vec<Violations>, Stop> = items
-        .par_chunks(CHUNK)
+        .par_chunks((CHUNK / cost).max(1))
         .map(|chunk| {
             let mut found = Violations::default();
-            for (leaves, violation) in chunk.iter().filter_map(&look) {
+            for (leaves, violation) in look(chunk).into_iter().flatten() {
                 found.note(leaves, violation, budget);
             }
             watch.done(0).map(|()| found)

@@ -41,23 +41,23 @@ fn permuted(
     backends: &[&dyn Contestant],
 ) -> Vec<(String, Vec<Sign>)> {
     let orders = permutations(args.len());
-    let signs = |ask: &dyn Fn(&[Vertex]) -> Sign| -> Vec<Sign> {
-        let asked = |(order, is_odd): &(Vec<usize>, bool)| {
-            let sign = ask(&order.iter().map(|&at| args[at]).collect::<Vec<Vertex>>());
-            if *is_odd { -sign } else { sign }
-        };
-        orders.iter().map(asked).collect()
+    let asked: Vec<Vertex> = orders.iter().flat_map(|(order, _)| order.iter().map(|&at| args[at])).collect();
+    let turned = |signs: &[Sign]| -> Vec<Sign> {
+        signs.iter().zip(&orders).map(|(&sign, &(_, is_odd))| if is_odd { -sign } else { sign }).collect()
     };
-    let mut rows = vec![("exact sign".to_owned(), signs(&|args| judge::verdict(scene, question, args).sign()))];
+    let exact = asked.chunks(args.len()).map(|args| judge::verdict(scene, question, args).sign());
+    let mut rows = vec![("exact sign".to_owned(), turned(&exact.collect::<Vec<Sign>>()))];
     for backend in backends {
         let mut told = None;
-        let asked = backend.with_session(scene, &mut |session| {
+        let prepared = backend.with_session(scene, &mut |session| {
             if session.supports(question.kind()).is_ok() {
-                told = Some(signs(&|args| question.ask(session, args)));
+                let mut signs = vec![Sign::Zero; orders.len()];
+                question.ask_batch(session, &asked, &mut signs);
+                told = Some(turned(&signs));
             }
         });
         // Who declines has said so in the rows.
-        rows.extend(asked.ok().and(told).map(|signs| (backend.name(), signs)));
+        rows.extend(prepared.ok().and(told).map(|signs| (backend.name(), signs)));
     }
     rows
 }
