@@ -5,11 +5,11 @@
 //! [`descendants`]. Elsewhere they stay.
 
 use std::collections::BTreeMap;
+use std::hash::{BuildHasher as _, RandomState};
 use std::io::Error;
 use std::process::{Child, Command};
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError};
-use std::time::{SystemTime, UNIX_EPOCH};
 
 #[cfg(target_os = "linux")]
 use crate::descendants;
@@ -71,8 +71,9 @@ impl Drop for Group {
 /// A value that no other group has, of this or another process.
 fn mark() -> String {
     static NEXT: AtomicU64 = AtomicU64::new(0);
-    let now = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_nanos());
-    format!("{}-{now}-{}", std::process::id(), NEXT.fetch_add(1, Relaxed))
+    // The system's randomness: an earlier process may have had this number.
+    let random = RandomState::new().hash_one(std::process::id());
+    format!("{}-{random:016x}-{}", std::process::id(), NEXT.fetch_add(1, Relaxed))
 }
 
 /// Ends a group of processes, by the number of its first, and what has left the group.
