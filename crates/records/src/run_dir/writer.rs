@@ -163,7 +163,7 @@ impl RunWriter {
         self.save()
     }
 
-    /// The same if it is due ([`Pace`]): after each scene.
+    /// The same where it costs at most a hundredth of the time: after each scene.
     ///
     /// # Errors
     /// If the disk refuses.
