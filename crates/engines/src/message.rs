@@ -90,7 +90,7 @@ impl Message {
     /// The bytes to send, with the number of the question as the last entry. A copy of a scene is not made for it.
     ///
     /// # Errors
-    /// As for [`Message::encode`].
+    /// If a key has more than 255 bytes, or the body has more than [`MOST_BYTES`].
     pub fn encode_as(&self, id: u64) -> Result<Vec<u8>, String> {
         let id = id.to_string();
         encode_within(MOST_BYTES, self.entries().chain([("id", id.as_bytes())]))
@@ -106,7 +106,7 @@ impl Message {
     /// [`MOST_ENTRIES`] before they are copied.
     ///
     /// # Errors
-    /// That of the reader; [`ErrorKind::InvalidData`] where the bytes are no message, or one past its bound.
+    /// The reader's own error, or [`ErrorKind::InvalidData`] if the bytes are not a message or exceed the bound.
     pub fn read(from: &mut impl Read, Bound(most): Bound) -> Result<Option<Message>, Error> {
         let mut length = [0; 4];
         if !read_or_end(from, &mut length)? {

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use crate::Error;
 
-/// As long as this the second writer waits for the first.
+/// The longest time that a second writer waits for the first.
 const PATIENCE: Duration = Duration::from_secs(60);
 /// How often it looks.
 const LOOK: Duration = Duration::from_millis(5);
@@ -26,7 +26,7 @@ impl Hold {
     /// those who wait.
     ///
     /// # Errors
-    /// That of the file system; if another process has it for longer than a minute, with what that is.
+    /// If the file system refuses, or another process holds the place for longer than a minute; the message names that process.
     pub fn take(place: &Path, whose: &str) -> Result<Hold, Error> {
         Hold::take_within(place, whose, PATIENCE)
     }

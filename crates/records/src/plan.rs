@@ -250,7 +250,7 @@ pub struct ExpectedFile {
 }
 
 impl Plan {
-    /// What names a suite on a command line: the file where one was named, the suite's name where not.
+    /// The command-line argument for a suite: its file if the run was given a file, and its name otherwise.
     #[must_use]
     pub fn argument<'p>(&'p self, suite: &'p str) -> &'p str {
         self.paths.get(suite).map_or(suite, String::as_str)

@@ -28,7 +28,7 @@ impl Beside {
     /// processes that were killed have left in the folder is taken away.
     ///
     /// # Errors
-    /// That of the file system, with the file; if there is a folder in its place.
+    /// If the file system refuses, or a folder is in the place of the file; the error names the file.
     pub fn new(place: &Path) -> Result<Beside, Error> {
         let failed = |error| Error::io(place)(error);
         let (place, permissions) = match fs::metadata(place) {
@@ -60,7 +60,7 @@ impl Beside {
     /// How many bytes were written.
     ///
     /// # Errors
-    /// That of the file system.
+    /// If the file system refuses.
     pub fn length(&self) -> Result<u64, Error> {
         Ok(self.file().metadata().map_err(Error::io(&self.place))?.len())
     }
@@ -68,7 +68,7 @@ impl Beside {
     /// Moves files into their places, when the disk has all of each.
     ///
     /// # Errors
-    /// That of the file system, with the file; those before it may be in their places.
+    /// If the file system refuses one of the files; the error names it, and files before it may be in their places.
     pub fn keep(files: Vec<Beside>) -> Result<(), Error> {
         for Beside { file, place, permissions } in &files {
             let file = file.as_file();
@@ -87,7 +87,7 @@ impl Beside {
 /// Writes a file beside its place and moves it there. Into a pipe or a device the bytes are written as they are.
 ///
 /// # Errors
-/// That of the file system, with the file.
+/// If the file system refuses; the error names the file.
 pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     let failed = |error| Error::io(path)(error);
     if fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir()) {
@@ -102,7 +102,7 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Error> {
 /// Asks the disk to keep the names in a folder. Where folders can't be opened, there is nothing to ask.
 ///
 /// # Errors
-/// That of the file system.
+/// If the file system refuses.
 pub(crate) fn sync_folder(folder: &Path) -> Result<(), Error> {
     match File::open(folder).and_then(|opened| opened.sync_all()) {
         // File systems that have no such thing say so in one of these ways.

@@ -165,7 +165,7 @@ fn an_engine_that_goes_wrong_breaks_its_session_and_is_started_again() {
     }
 }
 
-/// What goes wrong where a session is asked.
+/// The message with which a session breaks when it is asked.
 fn breaks(session: &dyn Predicates) -> String {
     let thrown = catch_unwind(AssertUnwindSafe(|| ask(session))).unwrap_err();
     thrown.downcast::<Broken>().unwrap_or_else(|_| panic!("another panic")).to_string()
