@@ -12,6 +12,7 @@ use sha2::{Digest, Sha256};
 
 /// The machine, the compiler and the command.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Env {
     /// When the run began, in UTC: `2026-01-31T23:59:59Z`; none in folders made before it was written down.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -116,6 +116,8 @@ fn multiplied(run: &Path, many: &Path, count: usize) -> Result<(), String> {
     let digest = String::from_utf8_lossy(&output.stdout).chars().take(64).collect::<String>();
     let state = many.join("state.json");
     let text = std::fs::read_to_string(&state).map_err(failed(&state))?;
+    let text: String =
+        text.lines().filter(|line| !line.starts_with("  \"seal\"")).map(|line| format!("{line}\n")).collect();
     let text = replaced(&text, &[all.len().to_string(), format!("\"{digest}\"")]);
     std::fs::write(&state, text).map_err(failed(&state))
 }

@@ -12,7 +12,7 @@ use predicament::records::{Env, Interface, Outcome, Plan, PlannedScene, RunDir, 
 use serde_json::Value;
 use tempfile::tempdir;
 
-use crate::common::{SUITE, at, column, expect, read, run, tables, write};
+use crate::common::{SUITE, at, column, expect, read, run, tables, unsealed, write};
 
 const PAGE: &str = include_str!("../../../docs/DATA.md");
 
@@ -66,8 +66,7 @@ fn what_can_not_be_exported_is_named() {
     assert_eq!(std::fs::read_dir(&data).unwrap().count(), 0, "nothing was written");
     std::fs::write(Path::new(&out).join("summary.csv"), &summary).unwrap();
     let state = Path::new(&out).join("state.json");
-    let text = std::fs::read_to_string(&state).unwrap();
-    std::fs::write(&state, text.replace("\"complete\"", "\"interrupted\"")).unwrap();
+    std::fs::write(&state, unsealed(&out, "state.json").replace("\"complete\"", "\"interrupted\"")).unwrap();
     let told = expect(0, &["export", folder.path().to_str().unwrap(), "--out", &data]);
     assert!(
         told.stderr.contains("1 run not complete, as the column `outcome` of `runs` says: run is interrupted"),

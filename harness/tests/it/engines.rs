@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use crate::common::{SUITE, at, column, expect, read, run, tool, write};
+use crate::common::{SUITE, at, column, expect, read, run, tool, unsealed, write};
 use tempfile::tempdir;
 
 /// An engine that computes what `naive` computes has the same rows as `naive`, but for its name.
@@ -78,11 +78,11 @@ fn an_engine_in_python_is_found_again_by_its_file() {
     assert_eq!(column(&read(&at(&folder, "apart"), "summary.csv"), "overreach"), ["1", "0"], "{}", rows("apart"));
     // A run that was interrupted before it began.
     crate::common::rewrite(&out, "summary.csv", &format!("{}\n", read(&out, "summary.csv").lines().next().unwrap()));
-    write(&folder, "run/state.json", &read(&out, "state.json").replace("complete", "interrupted"));
+    write(&folder, "run/state.json", &unsealed(&out, "state.json").replace("complete", "interrupted"));
     let resumed = crate::common::run(&["run", "--resume", &out, "--engine", &here]);
     assert_eq!(resumed.code, 100, "{}", resumed.stderr);
     // Another version by then, or another name, is another engine.
-    write(&folder, "run/state.json", &read(&out, "state.json").replace("complete", "interrupted"));
+    write(&folder, "run/state.json", &unsealed(&out, "state.json").replace("complete", "interrupted"));
     for (file, from, to, why) in [
         (
             "here.py",

@@ -2,7 +2,7 @@
 
 use tempfile::{TempDir, tempdir};
 
-use crate::common::{SUITE, at, expect, run, write};
+use crate::common::{SUITE, at, expect, run, unsealed, write};
 
 /// The run of a suite on two backends, held against a file.
 fn go(folder: &TempDir, suite: &str, known: &str, name: &str) -> String {
@@ -185,7 +185,7 @@ fn a_run_or_file_that_says_nothing_is_refused() {
     let known = write(&folder, "known.toml", "");
     let run = go(&folder, &suite, &known, "run");
     let state = std::path::Path::new(&run).join("state.json");
-    let text = std::fs::read_to_string(&state).unwrap();
+    let text = unsealed(&run, "state.json");
     std::fs::write(&state, text.replace("\"complete\"", "\"interrupted\"")).unwrap();
     let told = expect(103, &["expect", "prune", &run, "--expected", &known]).stderr;
     assert!(told.contains("incomplete: interrupted; complete it first"), "{told}");

@@ -2,7 +2,7 @@
 
 use tempfile::tempdir;
 
-use crate::common::{at, column, expect, read, rewrite, run, write};
+use crate::common::{at, column, expect, read, rewrite, run, unsealed, write};
 
 const SCENES: [&str; 4] = ["-f", "kettner-a1$|tilings/bricks|three-cells|cubes/twins", "-b", "exact,sos,naive"];
 
@@ -57,7 +57,7 @@ fn a_scene_that_became_slower_is_seen_beside_a_slow_one() {
         out
     };
     let bench = |name: &str, suite: &str, times| timed(name, suite, "single", times);
-    let state = read(&bench("stopped", &suite, [2, 90]), "state.json").replace("complete", "interrupted");
+    let state = unsealed(&bench("stopped", &suite, [2, 90]), "state.json").replace("complete", "interrupted");
     write(&folder, "stopped/state.json", &state);
     let refused = expect(2, &["run", "--resume", &at(&folder, "stopped")]);
     assert!(refused.stderr.contains("a bench can't be resumed"), "{}", refused.stderr);

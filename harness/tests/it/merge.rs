@@ -5,7 +5,7 @@ use std::path::Path;
 
 use tempfile::{TempDir, tempdir};
 
-use crate::common::{at, expect, run};
+use crate::common::{at, expect, run, unsealed};
 
 const PARTS: u32 = 7;
 /// A few suites of many kinds of tables, and one that is quick.
@@ -100,7 +100,7 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
 
     // One that was killed says so, and one whose bytes were changed.
     let state = Path::new(&again).join("state.json");
-    let text = std::fs::read_to_string(&state).unwrap();
+    let text = unsealed(&again, "state.json");
     std::fs::write(&state, text.replace("\"complete\"", "\"unfinished\"")).unwrap();
     assert!(merge(&with(2, &again), &out, 103).contains("part 3/7 is not complete; `run --resume` goes on with it"));
     std::fs::write(&state, text.replace("\"complete\"", "\"timeout\"")).unwrap();
@@ -111,7 +111,7 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
     );
     std::fs::write(&state, &text).unwrap();
     let env = Path::new(&again).join("env.json");
-    let machine = std::fs::read_to_string(&env).unwrap();
+    let machine = unsealed(&again, "env.json");
     std::fs::write(&env, machine.replace("\"peers\": {", "\"peers\": {\n\"engine:mine\": \"2\",")).unwrap();
     let told = merge(&with(2, &again), &out, 2);
     assert!(told.contains("another version than in") && told.contains("engine:mine is `2` and not unknown"), "{told}");
@@ -189,8 +189,7 @@ fn a_resumed_part_is_merged_like_any_other() {
     }
     let kept_rows = rows[..=kept].join("\n") + "\n";
     lengths.insert("segments.csv".to_owned(), kept_rows.len() as u64);
-    let mut state: serde_json::Value =
-        serde_json::from_str(&std::fs::read_to_string(cut_path.join("state.json")).unwrap()).unwrap();
+    let mut state: serde_json::Value = serde_json::from_str(&unsealed(&cut, "state.json")).unwrap();
     state["outcome"] = "unfinished".into();
     state["digests"] = serde_json::json!({});
     let tables: Vec<String> = state["committed"].as_object().unwrap().keys().cloned().collect();

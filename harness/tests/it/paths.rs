@@ -4,7 +4,7 @@ use std::path::Path;
 
 use tempfile::tempdir;
 
-use crate::common::{SUITE, Told, at, column, expect, read, told, tool, write};
+use crate::common::{SUITE, Told, at, column, expect, read, told, tool, unsealed, write};
 
 /// Runs the tool in a folder.
 fn within(folder: &Path, args: &[&str]) -> Told {
@@ -26,7 +26,7 @@ fn suites_by_path_are_found_from_another_folder() {
     assert!(replay.stdout.contains("mine/wrong-once"), "{}", replay.stdout);
 
     // As if it had been interrupted before the last row.
-    let state = read(&out, "state.json").replace("\"complete\"", "\"interrupted\"");
+    let state = unsealed(&out, "state.json").replace("\"complete\"", "\"interrupted\"");
     std::fs::write(home.path().join("run/state.json"), state).unwrap();
     let resumed = within(elsewhere.path(), &["run", "--resume", &out]);
     assert_eq!(resumed.code, 100, "{}", resumed.stderr);

@@ -1,7 +1,8 @@
 //! `costs.csv`: how long each scene took on each backend.
 //!
-//! Times differ from run to run, so the file is no part of what is compared byte for byte, and `state.json` does not know it. It serves
-//! one end: to spread a later run evenly.
+//! Times differ from run to run, so the file is no part of what is compared byte for byte, and `state.json` does not know it. Its rows
+//! are appended without a commit, and a run that was killed leaves more of them than its state tells of, so no digest covers the file. It
+//! serves one end: to spread a later run evenly. A wrong time in it makes the parts of that run uneven, and changes no answer.
 
 use std::fs::{File, OpenOptions};
 use std::io::Write as _;

@@ -7,7 +7,7 @@
 //! summary.csv findings.csv throughput.csv stages.csv precision.csv
 //! *.csv            tables of single tasks, such as contacts.csv
 //! segments.csv     in a part of a run: which bytes of the tables are of which scene
-//! costs.csv        how long each scene took on each backend; `state.json` does not know it
+//! costs.csv        how long each scene took on each backend; no digest covers it: see `CostRow`
 //! maps/*.png       pictures for the report, if any
 //! run.lock         locked by the process that writes the folder
 //! ```
@@ -15,7 +15,7 @@
 //! tool that made the folder: it is read as empty, and started when the run is resumed.
 //!
 //! The folder says that the run is incomplete until somebody says otherwise. JSON files and pictures are whole or not there; a table
-//! counts as far as the state says, and only if it has the digest that the state says. So a run can be ended at any moment, and what
+//! counts as far as the state says, and only if it has the digest that the state says; a JSON file has a digest of itself, its seal. So a run can be ended at any moment, and what
 //! is left of it is gone on with or refused.
 
 mod costs;
@@ -26,6 +26,7 @@ mod lock;
 mod merge;
 mod once;
 mod reader;
+mod sealed;
 mod segments;
 mod state;
 mod stream;

@@ -6,12 +6,11 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use serde::de::DeserializeOwned;
-
 use super::costs::CostRow;
 use super::csv_file::{self, CHANGED, Extent};
 use super::hashed::digest;
 use super::once::Pair;
+use super::sealed::{of_json, read_json};
 use super::state::{Outcome, State};
 use super::tables::{Record, TableSpec};
 use super::writer::map_key;
@@ -298,17 +297,6 @@ fn read_others(
         tables.insert(file, text);
     }
     Ok(tables)
-}
-
-pub(super) fn read_json<T: DeserializeOwned>(path: &Path) -> Result<T, Error> {
-    of_json(path, &read_regular(path)?)
-}
-
-fn of_json<T: DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<T, Error> {
-    serde_json::from_slice(bytes).map_err(|error| {
-        let Error { path, line, message } = Error::json(path)(error);
-        Error { path, line, message: format!("{message}; restore the file from a copy, or start a new run") }
-    })
 }
 
 /// Refuses bytes that have another digest than was written down, if one was.

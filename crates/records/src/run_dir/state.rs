@@ -78,7 +78,7 @@ impl State {
             };
             return Err(Error::new(&path, message));
         }
-        let state: State = super::reader::read_json(&path)?;
+        let state: State = super::sealed::read_json(&path)?;
         let is_told = |file: &&String| state.digests.contains_key(*file);
         match state.committed.keys().find(|file| !is_told(file)) {
             Some(file) if !state.digests.is_empty() => {
@@ -136,7 +136,7 @@ impl State {
     }
 
     pub fn write(&self, folder: &Path) -> Result<(), Error> {
-        super::writer::write_json(&folder.join(State::FILE), self)
+        super::sealed::write_json(&folder.join(State::FILE), self)
     }
 }
 

@@ -14,7 +14,7 @@ use sha2::{Digest, Sha256};
 use super::csv_file::{Extent, failed};
 use super::hashed::hex;
 use super::lock::Lock;
-use super::reader::read_json;
+use super::sealed::read_json;
 use super::state::{Outcome, State};
 use super::{ENV, PLAN, TABLES};
 use crate::{Env, Error, FORMAT, Plan};

@@ -5,12 +5,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use serde::Serialize;
-
 use super::costs::{CostLog, CostRow};
 use super::csv_file::CsvFile;
 use super::hashed::digest;
 use super::lock::Lock;
+use super::sealed::write_json;
 use super::segments::SegmentRow;
 use super::state::{Outcome, State, tables};
 use super::tables::{Record, TableSpec};
@@ -295,11 +294,4 @@ fn clear(folder: &Path) -> Result<(), Error> {
         return Err(Error::new(&folder.join(table), message));
     }
     tables(folder)?.into_iter().try_for_each(|path| fs::remove_file(&path).map_err(Error::io(&path)))
-}
-
-/// Writes a JSON file that is whole or not there.
-pub(super) fn write_json(path: &Path, value: &impl Serialize) -> Result<(), Error> {
-    let mut json = serde_json::to_string_pretty(value).map_err(Error::json(path))?;
-    json.push('\n');
-    replace(path, json.as_bytes())
 }

@@ -1,0 +1,86 @@
+//! The JSON files of a run folder, each with the digest of itself.
+//!
+//! `state.json` has the digests of what must not change; it cannot have its own, nor that of `env.json`, as runs that do the same
+//! leave the same `state.json` on every machine. So each JSON file begins with the line `"seal"`, the SHA-256 of the file without that line:
+//! `grep -v '^  "seal"' state.json | sha256sum`. A folder that was made before there were seals has none.
+
+use std::path::Path;
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use super::hashed::digest;
+use super::reader::read_regular;
+use crate::{Error, replace};
+
+/// What the line of the seal begins with, and ends in.
+const LINE: [&str; 2] = ["  \"seal\": \"", "\",\n"];
+/// The first line of the file, before that of the seal.
+const FIRST: &str = "{\n";
+
+/// Writes a JSON file that is whole or not there.
+pub(super) fn write_json(path: &Path, value: &impl Serialize) -> Result<(), Error> {
+    let json = serde_json::to_string_pretty(value).map_err(Error::json(path))? + "\n";
+    let rest = json.strip_prefix(FIRST).unwrap_or_default();
+    let [before, after] = LINE;
+    replace(path, format!("{FIRST}{before}{}{after}{rest}", digest(json.as_bytes())).as_bytes())
+}
+
+pub(super) fn read_json<T: DeserializeOwned>(path: &Path) -> Result<T, Error> {
+    of_json(path, &read_regular(path)?)
+}
+
+/// The value in a file of these bytes. A file without a seal is taken as it is.
+pub(super) fn of_json<T: DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<T, Error> {
+    const CURE: &str = "restore the file from a copy, or start a new run";
+    let unsealed = match sealed(bytes) {
+        Some((seal, json)) if digest(&json).as_bytes() == seal => Some(json),
+        Some(_) => {
+            return Err(Error::new(
+                path,
+                format!("its bytes are not those that the run has written, by its seal; {CURE}"),
+            ));
+        }
+        None => None,
+    };
+    serde_json::from_slice(unsealed.as_deref().unwrap_or(bytes)).map_err(|error| {
+        let Error { path, line, message } = Error::json(path)(error);
+        let line = line.map(|line| line + u64::from(unsealed.is_some()));
+        Error { path, line, message: format!("{message}; {CURE}") }
+    })
+}
+
+/// The seal of a file, and the file without its line, if it has one.
+fn sealed(bytes: &[u8]) -> Option<(&[u8], Vec<u8>)> {
+    let [before, after] = LINE.map(str::as_bytes);
+    let rest = bytes.strip_prefix(FIRST.as_bytes())?.strip_prefix(before)?;
+    let end = rest.windows(after.len()).position(|window| window == after)?;
+    Some((&rest[..end], [FIRST.as_bytes(), &rest[end + after.len()..]].concat()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bit_that_flips_is_seen_wherever_it_is() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("env.json");
+        let env = crate::Env::collect("0.1.0");
+        write_json(&path, &env).unwrap();
+        let written = std::fs::read(&path).unwrap();
+        assert_eq!(read_json::<crate::Env>(&path).unwrap(), env);
+        for place in 0..written.len() {
+            for bit in 0..8 {
+                let mut changed = written.clone();
+                changed[place] ^= 1 << bit;
+                let error = of_json::<crate::Env>(&path, &changed).expect_err("the bit counts").to_string();
+                assert!(error.contains("env.json") && error.ends_with("or start a new run"), "{error}");
+            }
+        }
+        // The seal is that of the file without its line, which alone is as good as it was before there were seals.
+        let (seal, json) = sealed(&written).unwrap();
+        assert_eq!(seal, digest(&json).as_bytes());
+        assert_eq!(of_json::<crate::Env>(&path, &json).unwrap(), env);
+    }
+}
