@@ -6,7 +6,7 @@
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
-use predicament_records::{Beside, Error, Hold};
+use predicament_records::{Beside, Error, Hold, make_folder};
 
 /// The files of an export, which are removed unless they are kept.
 pub(crate) struct Places {
@@ -19,7 +19,7 @@ pub(crate) struct Places {
 
 impl Places {
     pub fn new(folder: &Path) -> Result<Places, Error> {
-        fs::create_dir_all(folder).map_err(Error::io(folder))?;
+        make_folder(folder)?;
         let hold = Hold::take(&folder.join("tables"), "export")?;
         Ok(Places { folder: folder.to_owned(), files: Vec::new(), _hold: hold })
     }

@@ -46,7 +46,7 @@ pub use lined::Rows;
 pub use phases::PhaseRow;
 pub use plan::{EngineFile, ExpectedFile, FORMAT, Level, NotSelected, Plan, PlannedScene, Shard, Whole};
 pub use predicament_predicates::{Class, Severity, Status};
-pub use replace::{Beside, replace};
+pub use replace::{Beside, make_folder, replace};
 pub use rows::{FindingRow, Interface, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow, is_predicate};
 pub use run_dir::{
     CostRow, Lined, NotMerged, NotRun, Outcome, Record, RunDir, RunFolder, RunWriter, SegmentRow, TABLES, TableSpec,

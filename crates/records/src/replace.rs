@@ -99,6 +99,17 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     Beside::keep(vec![beside])
 }
 
+/// Makes a folder with the folders above it, each of which the disk is asked to keep.
+///
+/// # Errors
+/// If the file system refuses; the error names the folder that was asked for.
+pub fn make_folder(folder: &Path) -> Result<(), Error> {
+    let missing: Vec<&Path> =
+        folder.ancestors().take_while(|above| !above.as_os_str().is_empty() && !above.exists()).collect();
+    fs::create_dir_all(folder).map_err(Error::io(folder))?;
+    missing.iter().try_for_each(|made| sync_folder(folder_of(made)))
+}
+
 /// Asks the disk to keep the names in a folder. Where folders can't be opened, there is nothing to ask.
 ///
 /// # Errors
@@ -133,7 +144,8 @@ pub(crate) fn sweep_all(folder: &Path) {
     }
 }
 
-fn folder_of(place: &Path) -> &Path {
+/// The folder in which a file or folder is.
+pub(crate) fn folder_of(place: &Path) -> &Path {
     place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 

@@ -10,7 +10,7 @@ use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value, context};
 use crate::sections::{FIRST, UNFOLDED, headlines, sections};
 use crate::table::{Block, Headline, Section};
 use crate::{Detail, Error, RunDir, figures, latex, licences, web};
-use predicament_records::{Beside, Hold};
+use predicament_records::{Beside, Hold, make_folder};
 
 const HTML: &str = "page.html";
 const MORE: &str = "more.html";
@@ -48,7 +48,7 @@ pub fn write_pages(
     folder: impl AsRef<Path>,
 ) -> Result<(), Error> {
     let folder = folder.as_ref();
-    std::fs::create_dir_all(folder).map_err(Error::io(folder))?;
+    make_folder(folder)?;
     let mut files: Vec<(Cow<'static, str>, Vec<u8>)> = vec![
         ("report.html".into(), html(runs, of_tasks, details)?.into()),
         ("report.md".into(), markdown(runs, of_tasks)?.into()),

@@ -103,6 +103,11 @@ impl CostLog {
         let bytes = writer.into_inner().map_err(|error| Error::new(&path, error.to_string()))?;
         file.write_all(&bytes).map_err(Error::io(&path))
     }
+
+    /// Asks the disk to keep what was appended.
+    pub fn sync(&self, folder: &Path) -> Result<(), Error> {
+        self.file.as_ref().map_or(Ok(()), File::sync_data).map_err(Error::io(&folder.join(CostRow::FILE)))
+    }
 }
 
 /// The file, cut back to whole lines, and whether it is empty.

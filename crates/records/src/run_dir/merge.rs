@@ -13,6 +13,7 @@ use super::lock::{FILE as LOCK, Lock};
 use super::segments::{Piece, SegmentRow, pieces};
 use super::state::State;
 use super::{RunDir, RunWriter, TableSpec};
+use crate::replace::{folder_of, sync_folder};
 use crate::{Env, Error, ExpectedFile, Outcome, Plan, PlannedScene, Row, Shard};
 
 /// Why parts were not put together.
@@ -159,7 +160,7 @@ impl Site {
         }
         fs::rename(&self.folder, out).map_err(Error::io(out))?;
         self.is_moved = true;
-        Ok(())
+        sync_folder(folder_of(out))
     }
 }
 

@@ -14,7 +14,7 @@ use super::segments::SegmentRow;
 use super::state::{Outcome, State, tables};
 use super::tables::{Record, TableSpec};
 use super::{ENV, MAPS, PLAN, TABLES};
-use crate::replace::{sweep_all, sync_folder};
+use crate::replace::{make_folder, sweep_all};
 use crate::{Env, Error, Plan, Row, RunDir, replace};
 
 /// Writes a run folder.
@@ -42,10 +42,7 @@ impl RunWriter {
     /// If the folder exists and is not empty: a run never overwrites another. If another process is writing it.
     pub fn create(folder: impl AsRef<Path>, plan: &Plan, env: &Env, more: &[TableSpec]) -> Result<RunWriter, Error> {
         let folder = folder.as_ref();
-        fs::create_dir_all(folder).map_err(Error::io(folder))?;
-        if let Some(parent) = folder.parent().filter(|parent| !parent.as_os_str().is_empty()) {
-            sync_folder(parent)?;
-        }
+        make_folder(folder)?;
         let refuse_others = || {
             let message = "the folder is not empty; name another, or resume the run in it";
             if Lock::others(folder)? { Err(Error::new(folder, message)) } else { Ok(()) }
@@ -234,7 +231,7 @@ impl RunWriter {
         if !plain {
             return Err(Error::new(&maps, format!("`{name}` can't be a file's name")));
         }
-        fs::create_dir_all(&maps).map_err(Error::io(&maps))?;
+        make_folder(&maps)?;
         let file = format!("{name}.png");
         replace(&maps.join(&file), png)?;
         self.state.digests.insert(map_key(&file), digest(png));
@@ -255,6 +252,7 @@ impl RunWriter {
             self.note()?;
             self.tables.values().try_for_each(CsvFile::check)?;
         }
+        self.costs.sync(&self.folder)?;
         self.state.outcome = outcome;
         self.save()
     }

@@ -10,7 +10,7 @@ use std::process::{Command, Stdio};
 
 use predicament_corpus::Random;
 
-use super::driver::{Shape, differing, files, with_out, words_of};
+use super::driver::{PARTS, Shape, differing, files, with_out, words_of};
 use super::syscalls::can_trace;
 use crate::common::told;
 
@@ -41,7 +41,7 @@ enum Rest {
 /// What a run does to its folder.
 fn events(words: &[String], out: &Path) -> Vec<Event> {
     const CALLS: &str =
-        "openat,write,ftruncate,rename,renameat,renameat2,unlink,unlinkat,mkdir,mkdirat,fsync,fdatasync,close";
+        "openat,write,ftruncate,rename,renameat,renameat2,unlink,unlinkat,mkdir,mkdirat,fsync,fdatasync,fcntl,close";
     let log = tempfile::NamedTempFile::new().unwrap();
     let tool = words_of(words);
     let mut command = Command::new("strace");
@@ -83,6 +83,10 @@ fn events(words: &[String], out: &Path) -> Vec<Event> {
                     folders.insert(result, path);
                 }
             }
+            "fcntl" if arguments.contains("F_DUPFD") => {
+                let same = open.get(&descriptor()).copied();
+                open.extend(same.map(|number| (result, number)));
+            }
             "close" => {
                 open.remove(&descriptor());
                 folders.remove(&descriptor());
@@ -101,8 +105,7 @@ fn events(words: &[String], out: &Path) -> Vec<Event> {
                 events.extend(folders.get(&descriptor()).map(|folder| Event::SyncFolder(folder.clone())));
             }
             "rename" | "renameat" | "renameat2" if paths[0].starts_with(out) => {
-                let number = numbers.remove(&paths[0]).expect("what is renamed was made");
-                numbers.insert(paths[1].clone(), number);
+                renamed(&mut numbers, &paths[0], &paths[1]);
                 events.push(Event::Rename(paths[0].clone(), paths[1].clone()));
             }
             "unlink" | "unlinkat" if paths[0].starts_with(out) => {
@@ -114,6 +117,16 @@ fn events(words: &[String], out: &Path) -> Vec<Event> {
         }
     }
     events
+}
+
+/// Gives what is in one place, or in the folder there, its other place.
+fn renamed(places: &mut BTreeMap<PathBuf, usize>, from: &Path, to: &Path) {
+    let below = |path: &Path| match path.strip_prefix(from).ok()? {
+        rest if rest.as_os_str().is_empty() => Some(to.to_owned()),
+        rest => Some(to.join(rest)),
+    };
+    places.remove(to);
+    *places = std::mem::take(places).into_iter().map(|(path, number)| (below(&path).unwrap_or(path), number)).collect();
 }
 
 /// The calls of a log, those that another thread has broken in two put together again.
@@ -185,10 +198,7 @@ fn after_power(events: &[Event], rest: Rest, random: &mut Random) -> (Vec<PathBu
         match event {
             Event::Folder(path) => folders.push(path.clone()),
             Event::New(path, number) => drop(places.insert(path.clone(), *number)),
-            Event::Rename(from, to) => {
-                let number = places.remove(from).expect("names come in their order");
-                places.insert(to.clone(), number);
-            }
+            Event::Rename(from, to) => renamed(&mut places, from, to),
             Event::Remove(path) => drop(places.remove(path)),
             _ => {}
         }
@@ -217,6 +227,55 @@ fn after_power(events: &[Event], rest: Rest, random: &mut Random) -> (Vec<PathBu
     };
     let places = places.into_iter().map(|(path, number)| (path, bytes(number, random))).collect();
     (folders, places)
+}
+
+/// What a command that ended well has written is on the disk, with its name.
+#[test]
+fn what_was_said_to_be_written_is_on_the_disk() {
+    if !can_trace() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path().canonicalize().unwrap();
+    let at = |name: &str| folder.join(name).display().to_string();
+    for k in 1..=PARTS {
+        let words = with_out(Shape::Part(k).words(), Path::new(&at(&format!("part{k}"))));
+        assert!([0, 100].contains(&told(words_of(&words).output().unwrap()).code));
+    }
+    let (merged, new) = (at("merged"), at("new"));
+    for (words, is_last) in [
+        (vec!["merge", "--out", "OUT/merged", "PARTS"], false),
+        (vec!["plan", "ties", "-b", "exact", "--shards", "2", "--out", "OUT/plan.json"], false),
+        (vec!["gate", "MERGED", "--junit", "OUT/junit.xml", "--suggest", "OUT/more.toml"], false),
+        (vec!["report", "MERGED", "--out", "OUT/pages"], false),
+        (vec!["export", "MERGED", "--out", "OUT/deep/tables"], false),
+        (vec!["expect", "update", "MERGED", "--expected", "OUT/expected.toml", "--reason", "seen"], true),
+    ] {
+        std::fs::create_dir(&new).unwrap();
+        if is_last {
+            std::fs::write(folder.join("new/expected.toml"), "# nothing yet\n").unwrap();
+        }
+        let mut call: Vec<String> = Vec::new();
+        for word in &words {
+            match *word {
+                "PARTS" => call.extend((1..=PARTS).map(|k| at(&format!("part{k}")))),
+                word => call.push(word.replace("MERGED", &merged).replace("OUT", &new)),
+            }
+        }
+        let events = events(&call, Path::new(&new));
+        let (_, mut kept) = after_power(&events, Rest::Nothing, &mut Random::new("kills", "said", 0));
+        let is_lock = |path: &Path| path.extension().is_some_and(|ending| ending == "lock");
+        kept.retain(|path, _| !is_lock(path));
+        let there = files(Path::new(&new));
+        for (name, bytes) in there.iter().filter(|(name, _)| !is_lock(Path::new(name))) {
+            assert!(kept.get(&Path::new(&new).join(name)) == Some(bytes), "{words:?}: {name} is not on the disk");
+        }
+        assert!(!kept.is_empty(), "{words:?}");
+        if words[0] == "merge" {
+            std::fs::rename(folder.join("new/merged"), &merged).unwrap();
+        }
+        std::fs::remove_dir_all(&new).unwrap();
+    }
 }
 
 #[test]
