@@ -44,6 +44,8 @@ impl Lock {
         match file.try_lock_shared() {
             Ok(()) => Ok(false),
             Err(TryLockError::WouldBlock) => Ok(true),
+            // Where there are no locks nobody writes: no run begins there.
+            Err(TryLockError::Error(error)) if error.kind() == std::io::ErrorKind::Unsupported => Ok(false),
             Err(TryLockError::Error(error)) => Err(Error::io(&path)(error)),
         }
     }
