@@ -90,13 +90,21 @@ fn sources() -> Vec<String> {
         ["Cargo.toml", "Cargo.lock", "corpora", "harness/Cargo.toml", "harness/build.rs", "harness/src"]
             .map(str::to_owned)
             .into();
-    let crates = std::fs::read_dir("../crates").into_iter().flatten().filter_map(|entry| Some(entry.ok()?.file_name()));
-    for name in crates.filter_map(|name| name.into_string().ok()) {
-        let parts = ["Cargo.toml", "build.rs", "src", "templates"].map(|part| format!("crates/{name}/{part}"));
-        sources.extend(parts.into_iter().filter(|path| Path::new("..").join(path).exists()));
+    // Crates stand in groups, each a folder.
+    for one in folders("crates").into_iter().flat_map(|group| folders(&group).into_iter().chain([group])) {
+        let parts = ["Cargo.toml", "build.rs", "src", "templates"].map(|part| format!("{one}/{part}"));
+        sources.extend(parts);
     }
+    sources.retain(|path| Path::new("..").join(path).exists());
     sources.sort();
     sources
+}
+
+/// The folders in a folder, from the top of the repository.
+fn folders(of: &str) -> Vec<String> {
+    let entries = std::fs::read_dir(Path::new("..").join(of)).into_iter().flatten().flatten();
+    let folders = entries.filter(|entry| entry.path().is_dir());
+    folders.filter_map(|entry| Some(format!("{of}/{}", entry.file_name().into_string().ok()?))).collect()
 }
 
 /// What git prints, without the end of the line; none if it fails or isn't there.

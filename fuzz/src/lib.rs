@@ -25,7 +25,7 @@ pub mod constructed;
 pub mod finds;
 pub mod formats;
 pub mod half_edge;
-#[path = "../../crates/exact/tests/it/constructed/judge.rs"]
+#[path = "../../crates/kernel/exact/tests/it/constructed/judge.rs"]
 mod judge_of_constructed;
 pub mod mutate;
 pub mod points;

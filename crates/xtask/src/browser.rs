@@ -10,7 +10,7 @@ const FOLDER: &str = "target/browser";
 const FEW: usize = 1_000;
 const MANY: usize = 100_000;
 /// Run folders that were written by hand.
-const SMALL: [&str; 2] = ["crates/tasks/tests/data/checked", "crates/tasks/tests/data/timed"];
+const SMALL: [&str; 2] = ["crates/instrument/tasks/tests/data/checked", "crates/instrument/tasks/tests/data/timed"];
 /// Where Debian has it.
 const CHROMIUM: &str = "/usr/bin/chromium";
 

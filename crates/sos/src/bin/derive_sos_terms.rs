@@ -1,5 +1,0 @@
-//! Prints the term lists: redirect the output to `crates/sos/src/tables.rs`.
-
-fn main() {
-    print!("{}", predicament_sos::derive::tables());
-}
