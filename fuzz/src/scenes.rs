@@ -8,9 +8,8 @@ use std::sync::{LazyLock, atomic::AtomicBool};
 
 use predicament_corpus::{Level, LoadedScene, SceneDef, Suite};
 use predicament_formats::{Cache, Manifest};
-use predicament_oracle::roster;
 use predicament_tasks::triangulate::Polygons;
-use predicament_tasks::{AnyTask, Budget, Class, Contestant, Outcome, Watch, built_in, vocabulary};
+use predicament_tasks::{AnyTask, Budget, Class, Contestant, Outcome, Watch};
 
 /// The backends that are held to their promises.
 pub const BACKENDS: [&str; 3] = ["exact", "sos", "tolerance"];
@@ -24,7 +23,7 @@ const BUDGET: Budget = Budget { permutations: 300, relations: 100, ties: 20, ..B
 
 /// Backends by name, made once.
 static CONTESTANTS: LazyLock<Vec<Box<dyn Contestant>>> =
-    LazyLock::new(|| BACKENDS.map(|name| roster::backend(name).expect("a backend of the house")).into());
+    LazyLock::new(|| BACKENDS.map(|name| predicament_bundle::backend(name).expect("a backend of the house")).into());
 
 /// The scenes of a text that are written out in it and small.
 #[must_use]
@@ -34,7 +33,7 @@ pub fn of_text(text: &str) -> Vec<SceneDef> {
     if text.lines().any(is_generator) {
         return Vec::new();
     }
-    let suite = Suite::parse(vocabulary(), "fuzzed.toml", text, None, &Manifest::default());
+    let suite = Suite::parse(predicament_bundle::vocabulary(), "fuzzed.toml", text, None, &Manifest::default());
     suite.map_or_else(|_| Vec::new(), |suite| suite.scenes)
 }
 
@@ -62,7 +61,7 @@ pub fn first_wrong(def: &SceneDef, backends: &[Box<dyn Contestant>]) -> Option<S
     if loaded.scene.len() > MOST_VERTICES || loaded.count() > MOST_QUERIES {
         return None;
     }
-    let task: &'static dyn AnyTask = built_in().into_iter().find(|task| task.name() == loaded.task)?;
+    let task: &'static dyn AnyTask = predicament_bundle::tasks().iter().copied().find(|task| task.name() == loaded.task)?;
     let never = AtomicBool::new(false);
     let watch = Watch::new(&never, None, &|_| {});
     let content: &dyn Any = loaded.content.as_ref();
@@ -120,7 +119,7 @@ mod tests {
     fn a_scene_that_is_written_out_is_judged() {
         let [def] = of_text(SUITE).try_into().unwrap();
         assert_eq!(first_wrong(&def, &CONTESTANTS), None);
-        let naive = [roster::backend("naive").unwrap()];
+        let naive = [predicament_bundle::backend("naive").unwrap()];
         let wrong = first_wrong(&def, &naive).unwrap();
         assert!(wrong.starts_with("orient2d on naive: 1 "), "{wrong}");
         check(SUITE.as_bytes(), &[]);
@@ -129,7 +128,7 @@ mod tests {
     #[test]
     fn a_planted_fault_is_caught_on_the_embedded_scenes() {
         for (fault, task) in [("fault:exact-halved-filter", "orient3d"), ("fault:compare-greater-on-ties", "compare")] {
-            let faulty = [roster::backend(fault).unwrap()];
+            let faulty = [predicament_bundle::backend(fault).unwrap()];
             let texts = crate::seeds::scenes().into_iter().map(|(_, text)| text);
             let mut defs = texts.flat_map(|text| of_text(&text)).filter(|def| def.task == task);
             assert!(defs.any(|def| first_wrong(&def, &faulty).is_some()), "{fault}");

@@ -5,7 +5,6 @@ use std::path::Path;
 use predicament_corpus::{Level, SceneDef, Suite};
 use predicament_formats::{Cache, Manifest};
 use predicament_predicates::{Dimension, PredicateKind};
-use predicament_tasks::vocabulary;
 
 /// Bytes of a seed at most: small ones are tried more often.
 const MOST: usize = 6000;
@@ -36,7 +35,7 @@ pub fn scenes() -> Vec<(String, String)> {
     for (suite, text) in files() {
         for (number, table) in tables(&text).into_iter().enumerate() {
             let alone = format!("title = \"{suite}\"\n\n{table}");
-            let parsed = Suite::parse(vocabulary(), "seed.toml", &alone, None, &Manifest::default());
+            let parsed = Suite::parse(predicament_bundle::vocabulary(), "seed.toml", &alone, None, &Manifest::default());
             if table.starts_with("[[scene]]")
                 && alone.len() <= MOST
                 && parsed.is_ok_and(|suite| !suite.scenes.is_empty())

@@ -7,7 +7,6 @@ use std::path::Path;
 use predicament_corpus::{Suite, fmt};
 use predicament_formats::Manifest;
 use predicament_oracle::expect::Expectations;
-use predicament_tasks::vocabulary;
 
 /// The number of kinds of files.
 pub const KINDS: u8 = 3;
@@ -22,10 +21,10 @@ pub fn check(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     match kind % KINDS {
         0 => {
-            let parse = |text: &str| Suite::parse(vocabulary(), "fuzzed.toml", text, None, &Manifest::default());
+            let parse = |text: &str| Suite::parse(predicament_bundle::vocabulary(), "fuzzed.toml", text, None, &Manifest::default());
             let suite = one_line(parse(text), text);
-            if let Some(tidy) = one_line(fmt(vocabulary(), "fuzzed.toml", text), text) {
-                assert_eq!(fmt(vocabulary(), "fuzzed.toml", &tidy).as_ref(), Ok(&tidy), "rewritten twice");
+            if let Some(tidy) = one_line(fmt(predicament_bundle::vocabulary(), "fuzzed.toml", text), text) {
+                assert_eq!(fmt(predicament_bundle::vocabulary(), "fuzzed.toml", &tidy).as_ref(), Ok(&tidy), "rewritten twice");
                 if suite.is_some() {
                     assert!(parse(&tidy).is_ok(), "rewritten, it is refused: {:?}", parse(&tidy).err());
                 }

@@ -5,13 +5,18 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 
-use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
+use predicament_bundle::Systems;
 use predicament_judge::TieJudge;
 use predicament_predicates::{Backend, Question, Scene, Sign, Vertex};
-use predicament_tasks::{Contestant, Entry, Task, TaskList};
+use predicament_studies::{Entry, Ready, Study};
+use predicament_tasks::{self as tasks, Contestant, Task, TaskList};
 
-use crate::tool::Tool;
+use crate::tool::{Guests, ReportSection, Tool};
 use crate::{cmd, exit, interrupt, out};
+
+/// The id of the option `--quiet`.
+const QUIET: &str = "quiet";
 
 /// A differential test harness for geometric predicates.
 ///
@@ -22,12 +27,16 @@ use crate::{cmd, exit, interrupt, out};
 #[command(name = "predicament", version, after_help = exit::HELP, propagate_version = true)]
 struct Arguments {
     /// No notes and no progress on stderr: only errors
-    #[arg(short = 'q', long, global = true)]
+    #[arg(short = 'q', long, global = true, id = QUIET)]
     quiet: bool,
 
     #[command(subcommand)]
     command: Command,
 }
+
+/// Where studies stand in the help, and what stands behind them.
+const OF_STUDIES: usize = 500;
+const BEHIND_STUDIES: usize = 1000;
 
 #[derive(Subcommand)]
 enum Command {
@@ -53,26 +62,28 @@ enum Command {
     Selftest(cmd::selftest::Args),
     Bounds(cmd::bounds::Args),
     Corpus(cmd::corpus::Args),
-    #[command(flatten)]
-    Study(cmd::study::Args),
+    #[command(display_order = BEHIND_STUDIES)]
     Engines(cmd::engines::Args),
+    #[command(display_order = BEHIND_STUDIES)]
     Doctor(cmd::doctor::Args),
+    #[command(display_order = BEHIND_STUDIES)]
     Completions(cmd::shell::Completions),
+    #[command(display_order = BEHIND_STUDIES)]
     Man(cmd::shell::Man),
 }
 
-/// The tool, ready to learn backends and tasks.
+/// The tool with the systems and studies that it comes with, ready to learn of more.
 #[must_use]
-pub fn cli() -> Cli<(), ()> {
-    Cli { backends: (), tasks: (), suites: Vec::new(), expected: None }
+pub fn cli() -> Cli<(), Systems> {
+    let guests = Guests { studies: predicament_bundle::STUDIES.to_vec(), ..Guests::default() };
+    Cli { backends: (), tasks: Systems, guests }
 }
 
-/// The tool with backends and tasks of its own; see [`cli`].
+/// The tool with backends, tasks and studies of its own; see [`cli`].
 pub struct Cli<B, T> {
     backends: B,
     tasks: T,
-    suites: Vec<PathBuf>,
-    expected: Option<PathBuf>,
+    guests: Guests,
 }
 
 impl<B: BackendList, T: TaskList> Cli<B, T> {
@@ -93,28 +104,43 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
     }
 
     fn own<N: Backend + 'static>(self, own: Own<N>) -> Cli<(Own<N>, B), T> {
-        let Cli { backends, tasks, suites, expected } = self;
-        Cli { backends: (own, backends), tasks, suites, expected }
+        let Cli { backends, tasks, guests } = self;
+        Cli { backends: (own, backends), tasks, guests }
     }
 
     /// Adds a task: every backend is run on its scenes.
     #[must_use]
     pub fn task<N: Task + Clone>(self, task: N) -> Cli<B, (N, T)> {
-        let Cli { backends, tasks, suites, expected } = self;
-        Cli { backends, tasks: (task, tasks), suites, expected }
+        let Cli { backends, tasks, guests } = self;
+        Cli { backends, tasks: (task, tasks), guests }
+    }
+
+    /// Adds a study: a command of its own.
+    #[must_use]
+    pub fn study<S: Study + 'static>(mut self) -> Cli<B, T> {
+        self.guests.studies.push(Entry::of::<S>());
+        self
+    }
+
+    /// Adds a section to reports, made of rows of the runs that they are about. What is about one task is the task's own
+    /// ([`Task::section`](predicament_tasks::Task::section)).
+    #[must_use]
+    pub fn section(mut self, section: ReportSection) -> Cli<B, T> {
+        self.guests.sections.push(section);
+        self
     }
 
     /// Adds a folder of suites of your own, known by their names and run by default.
     #[must_use]
     pub fn suites(mut self, folder: impl Into<PathBuf>) -> Cli<B, T> {
-        self.suites.push(folder.into());
+        self.guests.suites.push(folder.into());
         self
     }
 
     /// Names the file of expected disagreements about your own suites and backends; it adds to the shipped one.
     #[must_use]
     pub fn expected(mut self, file: impl Into<PathBuf>) -> Cli<B, T> {
-        self.expected = Some(file.into());
+        self.guests.expected = Some(file.into());
         self
     }
 
@@ -122,54 +148,81 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
     #[must_use]
     pub fn main(self) -> ExitCode {
         interrupt::outlive_limits();
-        let tool = Tool::new(self.backends, &self.tasks, self.suites, self.expected);
+        let tool = Tool::new(self.backends, &self.tasks, self.guests);
         // Backends and tasks of other crates belong into the help.
         let help = format!("Backends:\n{}", tool.backend_help());
+        let studies = tool.studies().iter().map(|study| study.command().display_order(OF_STUDIES));
         let command = Arguments::command()
-            .mut_subcommand("run", |run| run.after_help(format!("{help}\n\n{}", cmd::run::EXAMPLES)));
+            .mut_subcommand("run", |run| run.after_help(format!("{help}\n\n{}", cmd::run::EXAMPLES)))
+            .subcommands(studies);
         let words: Vec<OsString> = std::env::args_os().map(point).collect();
         if let Some(at) = words.iter().skip(1).position(is_empty) {
             return exit::code(Err(exit::Failure::usage(empty(&words, at + 1))));
         }
         let matches = command.clone().get_matches_from(words);
-        let arguments = match Arguments::from_arg_matches(&matches) {
-            Ok(arguments) => arguments,
-            Err(error) => error.exit(),
-        };
-        if arguments.quiet {
+        let asked = Asked::from_matches(&matches, tool.studies()).unwrap_or_else(|error| error.exit());
+        if matches.get_flag(QUIET) {
             out::be_quiet();
         }
         // A panic of the tool must not leave with the code that says `unexpected pass`.
-        let done = predicament_oracle::caught(|| match arguments.command {
-            Command::Ask(args) => cmd::ask::run(&args, &tool),
-            Command::New(args) => cmd::new::run(&args, &tool),
-            Command::Plan(args) => cmd::plan::run(&args, &tool),
-            Command::Run(args) => cmd::run::run(args, &tool),
-            Command::Merge(args) => cmd::merge::run(&args, &tool),
-            Command::Bench(args) => cmd::bench::run(args, &tool),
-            Command::Report(args) => cmd::report::run(&args, &tool),
-            Command::Diff(args) => cmd::diff::run(&args),
-            Command::Export(args) => cmd::export::run(&args, &tool),
-            Command::Schema(args) => cmd::schema::run(&args, &tool),
-            Command::Expect(args) => cmd::expect::run(&args, &tool),
-            Command::Gate(args) => cmd::gate::run(&args, &tool),
-            Command::Replay(args) => cmd::replay::run(&args, &tool),
-            Command::Shrink(args) => cmd::shrink::run(&args, &tool),
-            Command::Hunt(args) => cmd::hunt::run(&args, &tool),
-            Command::Solve(args) => cmd::solve::run(&args, &tool),
-            Command::Show(args) => cmd::show::run(&args, &tool),
-            Command::Resolve(args) => cmd::resolve::run(&args),
-            Command::Map(args) => cmd::map::run(args, &tool),
-            Command::Selftest(args) => cmd::selftest::run(args, &tool),
-            Command::Bounds(args) => cmd::bounds::run(&args),
-            Command::Corpus(args) => cmd::corpus::run(args, &tool),
-            Command::Study(args) => cmd::study::run(&args, &tool),
-            Command::Engines(args) => cmd::engines::run(&args),
-            Command::Doctor(args) => cmd::doctor::run(&args, &tool),
-            Command::Completions(args) => cmd::shell::completions(&args, command),
-            Command::Man(args) => cmd::shell::man(&args, command),
+        let done = predicament_oracle::caught(|| match asked {
+            Asked::Study(study) => cmd::study::run(study.as_ref(), &tool),
+            Asked::Command(asked) => asked.run(&tool, command),
         });
         exit::code(done.unwrap_or_else(|broken| Err(exit::Failure::usage(broken))))
+    }
+}
+
+/// What the command line asks for.
+enum Asked {
+    Command(Command),
+    Study(Box<dyn Ready>),
+}
+
+impl Asked {
+    fn from_matches(matches: &ArgMatches, studies: &[Entry]) -> Result<Asked, clap::Error> {
+        let study = matches.subcommand().and_then(|(name, own)| {
+            let study = studies.iter().find(|study| study.name == name)?;
+            Some(study.parse(own))
+        });
+        match study {
+            Some(study) => Ok(Asked::Study(study?)),
+            None => Ok(Asked::Command(Arguments::from_arg_matches(matches)?.command)),
+        }
+    }
+}
+
+impl Command {
+    /// Does what the command says.
+    fn run(self, tool: &Tool, command: clap::Command) -> exit::Outcome {
+        match self {
+            Command::Ask(args) => cmd::ask::run(&args, tool),
+            Command::New(args) => cmd::new::run(&args, tool),
+            Command::Plan(args) => cmd::plan::run(&args, tool),
+            Command::Run(args) => cmd::run::run(args, tool),
+            Command::Merge(args) => cmd::merge::run(&args, tool),
+            Command::Bench(args) => cmd::bench::run(args, tool),
+            Command::Report(args) => cmd::report::run(&args, tool),
+            Command::Diff(args) => cmd::diff::run(&args),
+            Command::Export(args) => cmd::export::run(&args, tool),
+            Command::Schema(args) => cmd::schema::run(&args, tool),
+            Command::Expect(args) => cmd::expect::run(&args, tool),
+            Command::Gate(args) => cmd::gate::run(&args, tool),
+            Command::Replay(args) => cmd::replay::run(&args, tool),
+            Command::Shrink(args) => cmd::shrink::run(&args, tool),
+            Command::Hunt(args) => cmd::hunt::run(&args, tool),
+            Command::Solve(args) => cmd::solve::run(&args, tool),
+            Command::Show(args) => cmd::show::run(&args, tool),
+            Command::Resolve(args) => cmd::resolve::run(&args),
+            Command::Map(args) => cmd::map::run(args, tool),
+            Command::Selftest(args) => cmd::selftest::run(args, tool),
+            Command::Bounds(args) => cmd::bounds::run(&args),
+            Command::Corpus(args) => cmd::corpus::run(args, tool),
+            Command::Engines(args) => cmd::engines::run(&args),
+            Command::Doctor(args) => cmd::doctor::run(&args, tool),
+            Command::Completions(args) => cmd::shell::completions(&args, command),
+            Command::Man(args) => cmd::shell::man(&args, command),
+        }
     }
 }
 
@@ -212,8 +265,8 @@ pub trait BackendList: Send + Sync + 'static {
     /// Their names.
     fn names(&self) -> Vec<String>;
 
-    /// The backend with this name, on the built-in tasks and on these.
-    fn find<T: TaskList>(&self, name: &str, tasks: &T) -> Option<Box<dyn Contestant>>;
+    /// The backend with this name, on the tasks that ask for signs and on those of the list.
+    fn find<T: TaskList>(&self, name: &str, list: &T) -> Option<Box<dyn Contestant>>;
 }
 
 impl BackendList for () {
@@ -233,16 +286,14 @@ impl<B: Backend + 'static, Rest: BackendList> BackendList for (Own<B>, Rest) {
         names
     }
 
-    fn find<T: TaskList>(&self, name: &str, tasks: &T) -> Option<Box<dyn Contestant>> {
+    fn find<T: TaskList>(&self, name: &str, list: &T) -> Option<Box<dyn Contestant>> {
         let Own { backend, ties } = &self.0;
         if backend.name() != name {
-            return self.1.find(name, tasks);
+            return self.1.find(name, list);
         }
         let ties = ties
             .clone()
             .map(|judge| -> Box<TieJudge> { Box::new(move |scene, question, args| judge(scene, question, args)) });
-        let mut entry = Entry::shared(Arc::clone(backend), ties);
-        entry.extend(tasks.solvers(backend));
-        Some(Box::new(entry))
+        Some(Box::new(tasks::Entry::shared(Arc::clone(backend), ties, list.clone())))
     }
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use predicament_bundle::Systems;
 use predicament_corpus::Level;
 use predicament_judge::TieJudge;
 use predicament_oracle::expect::Expectations;
@@ -17,7 +18,7 @@ use crate::exit::Failure;
 use crate::planning::{budget, env_of, plan, tables};
 use crate::rows;
 use crate::select::Selector;
-use crate::tool::Tool;
+use crate::tool::{Guests, Tool};
 
 /// Findings that are printed in full.
 const SHOWN: usize = 5;
@@ -31,7 +32,7 @@ const SHOWN: usize = 5;
 pub fn conformance<B: Backend + 'static>(backend: B) -> Conformance<B> {
     Conformance {
         backend: Arc::new(backend),
-        tasks: (),
+        tasks: Systems,
         ties: None,
         selector: Selector::everything(),
         suites: Vec::new(),
@@ -41,7 +42,7 @@ pub fn conformance<B: Backend + 'static>(backend: B) -> Conformance<B> {
 }
 
 /// See [`conformance`].
-pub struct Conformance<B, T = ()> {
+pub struct Conformance<B, T = Systems> {
     backend: Arc<B>,
     tasks: T,
     ties: Option<Arc<TieJudge>>,
@@ -130,18 +131,17 @@ impl<B: Backend + 'static, T: TaskList> Conformance<B, T> {
         }
     }
 
-    fn contestant(&self) -> Entry<B> {
+    fn contestant(&self) -> Entry<B, T> {
         let ties = self
             .ties
             .clone()
             .map(|judge| -> Box<TieJudge> { Box::new(move |scene, question, args| judge(scene, question, args)) });
-        let mut entry = Entry::shared(Arc::clone(&self.backend), ties);
-        entry.extend(self.tasks.solvers(&self.backend));
-        entry
+        Entry::shared(Arc::clone(&self.backend), ties, self.tasks.clone())
     }
 
     fn run(&self) -> Result<String, Failure> {
-        let tool = Tool::new((), &self.tasks, self.suites.clone(), None);
+        let guests = Guests { suites: self.suites.clone(), ..Guests::default() };
+        let tool = Tool::new((), &self.tasks, guests);
         let expected = match &self.expected {
             Some(file) => crate::expectations::load(&tool, Some(file))?,
             None => Expectations::default(),

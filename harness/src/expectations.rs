@@ -34,7 +34,7 @@ pub fn held(tool: &Tool, file: Option<&PathBuf>) -> Result<Held, Failure> {
     if let Some((_, text)) = shipped {
         digest.update(text.as_bytes());
     }
-    let own = if file.is_none() { tool.expected.as_ref() } else { file };
+    let own = if file.is_none() { tool.expected() } else { file };
     if let Some(own) = own {
         digest.update(text(own)?.as_bytes());
     }
@@ -47,7 +47,7 @@ pub fn load(tool: &Tool, file: Option<&PathBuf>) -> Result<Expectations, Failure
         return read(file);
     }
     let shipped = shipped(tool)?;
-    match &tool.expected {
+    match tool.expected() {
         None => Ok(shipped),
         Some(own) => Ok(shipped.and(read(own)?)),
     }

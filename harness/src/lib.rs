@@ -69,13 +69,17 @@ mod worker;
 pub use cli::{BackendList, Cli, cli};
 pub use conformance::{Conformance, conformance};
 pub use exit::{CORPUS, INCOMPLETE, NOTHING_SELECTED, OK, SLOWER, UNEXPECTED, UNEXPECTED_PASS, USAGE};
+/// The systems that the tool comes with.
+pub use predicament_bundle::Systems;
 pub use predicament_corpus::{self as corpus, Level};
 pub use predicament_formats as formats;
 pub use predicament_judge as judge;
 pub use predicament_predicates as predicates;
 pub use predicament_records as records;
 pub use predicament_report as report;
+pub use predicament_studies as studies;
 pub use predicament_tasks as tasks;
+pub use tool::ReportSection;
 
 /// The code blocks of `docs/BACKENDS.md`, compiled as doc tests.
 #[cfg(doctest)]

@@ -295,7 +295,9 @@ mod tests {
         std::fs::write(&suite, scene).unwrap();
         std::fs::write(&points, "0, 0\n1, 0\n0, 1\n").unwrap();
         let selector = Selector { suites: vec![suite.display().to_string()], ..Selector::everything() };
-        let selection = selector.select(&crate::tool::Tool::new((), &(), Vec::new(), None)).unwrap();
+        let selection = selector
+            .select(&crate::tool::Tool::new((), &predicament_bundle::Systems, crate::tool::Guests::default()))
+            .unwrap();
         let mut planned = selection.plan().unwrap();
         std::fs::remove_file(&points).unwrap();
         assert_eq!(planned[0].take(&selection).unwrap().count(), 1);

@@ -4,13 +4,14 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
-use predicament_corpus::{Library, SceneFormat, Suite, Vocabulary};
+use predicament_corpus::{Library, Suite, Vocabulary};
 use predicament_engines::PREFIX;
 use predicament_formats::CorpusError;
 use predicament_oracle::roster;
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
-use predicament_tasks::{AnyTask, Contestant, TaskList, built_in, vocabulary};
+use predicament_studies::Entry as Study;
+use predicament_tasks::{AnyTask, Contestant, TaskList, vocabulary, with_signs};
 
 use crate::BackendList;
 use crate::exit::Failure;
@@ -42,45 +43,54 @@ fn engine_files<'n>(names: impl Iterator<Item = &'n str>) -> Result<BTreeMap<Str
     Ok(files)
 }
 
+/// What the tool was told of besides backends and tasks.
+#[derive(Default)]
+pub struct Guests {
+    /// Folders of suites.
+    pub suites: Vec<PathBuf>,
+    /// A file of expectations.
+    pub expected: Option<PathBuf>,
+    /// Studies, in the order of the help.
+    pub studies: Vec<Study>,
+    /// Sections of reports that are no task's.
+    pub sections: Vec<ReportSection>,
+}
+
+/// A section of a report, made of the runs that the report is about; none where they have nothing for it.
+pub type ReportSection = fn(&[RunDir]) -> Result<Option<Section>, predicament_records::Error>;
+
 /// The tasks, backends and suites that the tool was put together from.
 pub struct Tool {
     tasks: Vec<&'static dyn AnyTask>,
     vocabulary: Vocabulary,
     own_backends: Vec<String>,
     find: Find,
-    own_suites: Vec<PathBuf>,
-    /// The file of expectations given to [`Cli::expected`](crate::Cli::expected), if any.
-    pub expected: Option<PathBuf>,
+    guests: Guests,
     library: OnceLock<Result<Library, CorpusError>>,
 }
 
 impl Tool {
-    pub fn new<B: BackendList, T: TaskList>(
-        backends: B,
-        own: &T,
-        own_suites: Vec<PathBuf>,
-        expected: Option<PathBuf>,
-    ) -> Tool {
-        let more = own.tasks();
-        let vocabulary = if more.is_empty() {
-            vocabulary().clone()
-        } else {
-            let all = built_in().into_iter().chain(more.iter().copied());
-            Vocabulary::new(all.map(|task| task as &'static dyn SceneFormat).collect())
-        };
-        let has_more = !more.is_empty();
-        let tasks = built_in().into_iter().chain(more).collect();
+    pub fn new<B: BackendList, T: TaskList>(backends: B, list: &T, guests: Guests) -> Tool {
+        let tasks = with_signs(list);
+        let vocabulary = vocabulary(&tasks);
         let own_backends = backends.names();
-        let own = own.clone();
-        let find: Find = Box::new(move |name| match backends.find(name, &own) {
-            Some(contestant) => Ok(contestant),
-            None if has_more => roster::backend_on(name, &own),
-            None => roster::backend(name),
-        });
-        Tool { tasks, vocabulary, own_backends, find, own_suites, expected, library: OnceLock::new() }
+        let list = list.clone();
+        let find: Find =
+            Box::new(move |name| backends.find(name, &list).map_or_else(|| roster::backend(name, &list), Ok));
+        Tool { tasks, vocabulary, own_backends, find, guests, library: OnceLock::new() }
     }
 
-    /// All tasks: those of the house, then the tool's own.
+    /// The file of expectations that the tool was told of, if any.
+    pub fn expected(&self) -> Option<&PathBuf> {
+        self.guests.expected.as_ref()
+    }
+
+    /// The studies, in the order of the help.
+    pub fn studies(&self) -> &[Study] {
+        &self.guests.studies
+    }
+
+    /// All tasks: those that ask for signs, then those that the tool was told of.
     pub fn tasks(&self) -> &[&'static dyn AnyTask] {
         &self.tasks
     }
@@ -119,6 +129,9 @@ impl Tool {
             {
                 sections.push(section);
             }
+        }
+        for section in &self.guests.sections {
+            sections.extend(section(runs)?);
         }
         Ok(sections)
     }
@@ -179,7 +192,7 @@ impl Tool {
     /// The suites of the folders that the tool's maker named, in the order of folders and names.
     pub fn own_suites(&self) -> Result<Vec<Suite>, CorpusError> {
         let mut suites = Vec::new();
-        for folder in &self.own_suites {
+        for folder in &self.guests.suites {
             suites.extend(Library::from_dir(&self.vocabulary, folder)?.suites().iter().cloned());
         }
         Ok(suites)

@@ -146,7 +146,7 @@ fn changed(run: &mut RunDir, expected: &Expectations) -> String {
 
 /// The file that is edited, and what it says together with what it adds to.
 fn held(of: &Of, tool: &Tool, may_begin: bool) -> Result<Held, Failure> {
-    let file = match (&of.expected, &tool.expected) {
+    let file = match (&of.expected, tool.expected()) {
         (Some(file), _) | (None, Some(file)) => file.clone(),
         (None, None) => {
             let shipped = tool.library()?.companion("expected.toml")?.map(|(_, text)| text);
@@ -167,7 +167,7 @@ fn held(of: &Of, tool: &Tool, may_begin: bool) -> Result<Held, Failure> {
     }
     let text = expectations::text(&file)?;
     let expected = expectations::load(tool, of.expected.as_ref())?;
-    let is_own = of.expected.is_none() && tool.expected.is_some();
+    let is_own = of.expected.is_none() && tool.expected().is_some();
     let beside = if is_own { expectations::shipped(tool)? } else { Expectations::default() };
     Ok(Held { file, text, beside, expected, _hold: hold })
 }

@@ -283,7 +283,7 @@ mod tests {
 
     #[test]
     fn a_finding_that_its_task_does_not_declare_is_named_once() {
-        let tool = Tool::new((), &(), Vec::new(), None);
+        let tool = Tool::new((), &predicament_bundle::Systems, crate::tool::Guests::default());
         let row = |task: &str, class: Class, check: &str, id: &str| {
             let scene = PlannedScene {
                 suite: "mine".to_owned(),

@@ -1,5 +1,4 @@
-//! Runs the studies: `laws`, `parity`, `resolution`, `audit`, and whatever else
-//! the list in `predicament-studies` names.
+//! Runs a study: one that the tool comes with, or one that it was told of.
 //!
 //! A study measures and formats. Here are threads, backends by name, Ctrl-C,
 //! the progress bar, the folder and the exit code, the same for all.
@@ -7,49 +6,16 @@
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
-use clap::{ArgMatches, Command, FromArgMatches, Subcommand};
 use indicatif::ProgressBar;
-use predicament_studies::{Error, Host, Ready, STUDIES};
-use predicament_tasks::{Contestant, Watch};
+use predicament_studies::{Error, Host, Ready};
+use predicament_tasks::{AnyTask, Contestant, Watch};
 
 use crate::exit::{self, Failure};
 use crate::tool::Tool;
 use crate::{interrupt, progress};
 
-/// One of the studies with its arguments.
-pub struct Args(Box<dyn Ready>);
-
-impl Subcommand for Args {
-    fn augment_subcommands(command: Command) -> Command {
-        command.subcommands(STUDIES.iter().map(|study| study.command()))
-    }
-
-    fn augment_subcommands_for_update(command: Command) -> Command {
-        Args::augment_subcommands(command)
-    }
-
-    fn has_subcommand(name: &str) -> bool {
-        STUDIES.iter().any(|study| study.name == name)
-    }
-}
-
-impl FromArgMatches for Args {
-    fn from_arg_matches(matches: &ArgMatches) -> Result<Args, clap::Error> {
-        let found = matches.subcommand().and_then(|(name, matches)| {
-            let study = STUDIES.iter().find(|study| study.name == name)?;
-            Some(study.parse(matches))
-        });
-        found.unwrap_or_else(|| Err(clap::Error::new(clap::error::ErrorKind::MissingSubcommand))).map(Args)
-    }
-
-    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
-        *self = Args::from_arg_matches(matches)?;
-        Ok(())
-    }
-}
-
 /// Runs the command.
-pub fn run(Args(study): &Args, tool: &Tool) -> exit::Outcome {
+pub fn run(study: &dyn Ready, tool: &Tool) -> exit::Outcome {
     super::run::set_threads(study.threads())?;
     let names = study.backends();
     let backends = if names.is_empty() { Vec::new() } else { tool.pick(&names)? };
@@ -59,7 +25,7 @@ pub fn run(Args(study): &Args, tool: &Tool) -> exit::Outcome {
     interrupt::listen();
     let bar = Mutex::new(ProgressBar::hidden());
     let told = |work: u64| held(&bar).inc(work);
-    let host = Terminal { bar: &bar, watch: Watch::new(interrupt::flag(), None, &told) };
+    let host = Terminal { tool, bar: &bar, watch: Watch::new(interrupt::flag(), None, &told) };
     let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
     let report = study.report(&backends, &host);
     held(&bar).finish_and_clear();
@@ -86,6 +52,7 @@ fn failure(error: Error, out: Option<&Path>) -> Failure {
 
 /// Shows a study's progress on stderr, and stops it at Ctrl-C.
 struct Terminal<'a> {
+    tool: &'a Tool,
     /// The bar of the part that the study is at.
     bar: &'a Mutex<ProgressBar>,
     watch: Watch<'a>,
@@ -94,6 +61,14 @@ struct Terminal<'a> {
 impl Host for Terminal<'_> {
     fn watch(&self) -> &Watch<'_> {
         &self.watch
+    }
+
+    fn tasks(&self) -> &[&'static dyn AnyTask] {
+        self.tool.tasks()
+    }
+
+    fn backend(&self, name: &str) -> Result<Box<dyn Contestant>, Error> {
+        self.tool.backend(name).map_err(Error::unfit)
     }
 
     fn begin(&self, total: u64, unit: &str) {

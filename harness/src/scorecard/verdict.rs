@@ -73,7 +73,7 @@ mod tests {
 
     /// All faults as if each check that has to find one had: `selftest` shows that they do.
     fn recorded() -> (Declarations, Vec<Entry>) {
-        let tool = Tool::new((), &(), Vec::new(), None);
+        let tool = Tool::new((), &predicament_bundle::Systems, crate::tool::Guests::default());
         let checks = Declarations::of(&tool);
         let mut all = entries(&tool, &checks).unwrap();
         for entry in &mut all {

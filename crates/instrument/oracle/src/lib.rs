@@ -21,6 +21,7 @@ pub mod pattern;
 pub mod roster;
 
 mod boxed;
+mod twice;
 #[cfg(feature = "peers")]
 mod wild;
 

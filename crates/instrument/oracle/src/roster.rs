@@ -3,6 +3,8 @@
 //! A name becomes a backend of some type, and whoever asks for it gets the type
 //! ([`Visit`]): so tasks of other crates can meet every backend of the house.
 
+use std::sync::Arc;
+
 use predicament_controls::{Epsilon, Naive, Pivot, Shewchuk};
 use predicament_engines::Engine;
 use predicament_exact::{Exact, Partial};
@@ -15,6 +17,7 @@ use predicament_tasks::{Contestant, Entry, TaskList};
 
 use crate::boxed::Boxed;
 use crate::faults;
+use crate::twice::Twice;
 
 /// The backends that run by default, in the order of reports.
 pub const DEFAULT: &[&str] =
@@ -26,6 +29,7 @@ pub const MORE: &[&str] = &["sos:per-mesh", "tolerance:f32", "naive:nalgebra"];
 /// What can be written after `-b`, for help texts.
 pub const HELP: &str = "\
 exact                   the sign of the real determinant
+exact:twice             the sign of the real determinant, computed twice: a yardstick of times
 exact:stages=K          the first K of its 6 stages, then the sign of the double determinant: a control
 sos                     Simulation of Simplicity, x_i + eps^(2^i) (Franklin)
 sos:edelsbrunner-mucke  Simulation of Simplicity, last coordinate strongest
@@ -75,6 +79,7 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, String> {
     };
     Ok(match name {
         "exact" => hand(visitor, Exact, None),
+        "exact:twice" => hand(visitor, Twice, None),
         "sos" | "sos:per-coordinate" => sos(visitor, Scheme::PerCoordinate),
         "sos:edelsbrunner-mucke" => sos(visitor, Scheme::EdelsbrunnerMucke),
         "sos:per-mesh" => visitor.visit(Boxed::new(PerMesh), Some(Box::new(infinitesimal::judge_per_mesh))),
@@ -134,36 +139,18 @@ pub fn knows(name: &str) -> bool {
     }
 }
 
-/// The backend with this name, on the built-in tasks.
+/// The backend with this name, on the tasks that ask for signs and on these.
 ///
 /// # Errors
 /// One line with the names that there are.
-pub fn backend(name: &str) -> Result<Box<dyn Contestant>, String> {
-    struct Enter;
-    impl Visit for Enter {
+pub fn backend<L: TaskList>(name: &str, tasks: &L) -> Result<Box<dyn Contestant>, String> {
+    struct Enter<'a, L>(&'a L);
+    impl<L: TaskList> Visit for Enter<'_, L> {
         type Out = Box<dyn Contestant>;
 
         fn visit<B: Backend + 'static>(self, backend: B, ties: Option<Box<TieJudge>>) -> Box<dyn Contestant> {
-            Box::new(Entry::judged(backend, ties))
+            Box::new(Entry::shared(Arc::new(backend), ties, self.0.clone()))
         }
     }
-    visit(name, Enter)
-}
-
-/// The backend with this name, on the built-in tasks and on these.
-///
-/// # Errors
-/// One line with the names that there are.
-pub fn backend_on<L: TaskList>(name: &str, tasks: &L) -> Result<Box<dyn Contestant>, String> {
-    struct More<'a, L>(&'a L);
-    impl<L: TaskList> Visit for More<'_, L> {
-        type Out = Vec<Box<dyn predicament_tasks::Solver>>;
-
-        fn visit<B: Backend + 'static>(self, backend: B, _: Option<Box<TieJudge>>) -> Self::Out {
-            self.0.solvers(&std::sync::Arc::new(backend))
-        }
-    }
-    let mut contestant = backend(name)?;
-    contestant.extend(visit(name, More(tasks))?);
-    Ok(contestant)
+    visit(name, Enter(tasks))
 }

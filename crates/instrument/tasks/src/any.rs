@@ -90,6 +90,19 @@ pub trait AnyTask: SceneFormat {
     fn own_section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error>;
 }
 
+impl std::fmt::Debug for dyn AnyTask {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// A task is told from others by its name.
+impl PartialEq for dyn AnyTask {
+    fn eq(&self, other: &dyn AnyTask) -> bool {
+        self.name() == other.name()
+    }
+}
+
 /// A [`Case`] whose types are hidden.
 pub trait AnyCase: Send + Sync {
     /// The scene.

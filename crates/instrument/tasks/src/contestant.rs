@@ -10,7 +10,8 @@ use predicament_predicates::{
     Backend, Batches, Contract, Counts, Declined, Off, PredicateKind, Predicates, Question, Scene, Sign, Vertex,
 };
 
-use crate::{Halt, How, Purpose, Solver, Task, Watch, solvers};
+use crate::list::solvers;
+use crate::{Halt, How, Purpose, Solver, Task, TaskList, Watch};
 
 /// A backend that the command line can pick.
 pub trait Contestant: Send + Sync {
@@ -54,9 +55,6 @@ pub trait Contestant: Send + Sync {
 
     /// Itself on the task with this name.
     fn solver(&self, task: &str) -> Option<&dyn Solver>;
-
-    /// Adds solvers for more tasks.
-    fn extend(&mut self, solvers: Vec<Box<dyn Solver>>);
 }
 
 impl dyn Contestant + '_ {
@@ -122,17 +120,18 @@ pub(crate) fn stage(stages: &[&'static str], counts: &Counts, kind: PredicateKin
     stages.iter().enumerate().find(|&(stage, _)| counts.get(kind, stage) > 0).map(|(_, &name)| name)
 }
 
-/// A backend with what judging needs to know about it.
-pub struct Entry<B> {
+/// A backend with what judging needs to know about it: on the tasks that ask for signs, and those of a list.
+pub struct Entry<B, L = ()> {
     backend: Arc<B>,
     tie_judge: Option<Box<TieJudge>>,
+    tasks: L,
     solvers: Vec<Box<dyn Solver>>,
 }
 
 impl<B: Backend + 'static> Entry<B> {
     /// A backend as it is.
     pub fn new(backend: B) -> Entry<B> {
-        Entry::judged(backend, None)
+        Entry::shared(Arc::new(backend), None, ())
     }
 
     /// A backend that breaks ties, with an independent judge of how it should.
@@ -140,21 +139,18 @@ impl<B: Backend + 'static> Entry<B> {
         backend: B,
         judge: impl Fn(&Scene, Question, &[Vertex]) -> Sign + Send + Sync + 'static,
     ) -> Entry<B> {
-        Entry::judged(backend, Some(Box::new(judge)))
-    }
-
-    /// A backend with a judge of how it breaks ties, if it does.
-    pub fn judged(backend: B, tie_judge: Option<Box<TieJudge>>) -> Entry<B> {
-        Entry::shared(Arc::new(backend), tie_judge)
-    }
-
-    /// A backend that is shared with its other owners.
-    pub fn shared(backend: Arc<B>, tie_judge: Option<Box<TieJudge>>) -> Entry<B> {
-        Entry { solvers: solvers(&backend), backend, tie_judge }
+        Entry::shared(Arc::new(backend), Some(Box::new(judge)), ())
     }
 }
 
-impl<B: Backend + 'static> Contestant for Entry<B> {
+impl<B: Backend + 'static, L: TaskList> Entry<B, L> {
+    /// A backend that is shared with its other owners, with a judge of how it breaks ties, if it does, on these tasks besides signs.
+    pub fn shared(backend: Arc<B>, tie_judge: Option<Box<TieJudge>>, tasks: L) -> Entry<B, L> {
+        Entry { solvers: solvers(&backend, &tasks), backend, tie_judge, tasks }
+    }
+}
+
+impl<B: Backend + 'static, L: TaskList> Contestant for Entry<B, L> {
     fn name(&self) -> String {
         self.backend.name()
     }
@@ -176,7 +172,8 @@ impl<B: Backend + 'static> Contestant for Entry<B> {
     }
 
     fn binding(&self) -> Option<Box<dyn Contestant>> {
-        self.backend.binding().map(|binding| Box::new(Entry::new(binding)) as Box<dyn Contestant>)
+        let binding = Arc::new(self.backend.binding()?);
+        Some(Box::new(Entry::shared(binding, None, self.tasks.clone())))
     }
 
     fn with_session(&self, scene: &Scene, ask: &mut dyn FnMut(&mut dyn Predicates)) -> Result<(), Declined> {
@@ -202,9 +199,5 @@ impl<B: Backend + 'static> Contestant for Entry<B> {
 
     fn solver(&self, task: &str) -> Option<&dyn Solver> {
         self.solvers.iter().map(AsRef::as_ref).find(|solver| solver.task().name() == task)
-    }
-
-    fn extend(&mut self, solvers: Vec<Box<dyn Solver>>) {
-        self.solvers.extend(solvers);
     }
 }

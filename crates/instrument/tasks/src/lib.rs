@@ -11,8 +11,7 @@
 //! limits and expectations, is the crate `oracle`.
 //!
 //! * [`Task`], [`Case`], [`Asked`]: what a task implements and is handed.
-//! * [`Contestant`], [`Entry`], [`Solver`]: a backend picked at run time. [`built_in`] is the
-//!   one list where backends and tasks meet.
+//! * [`Contestant`], [`Entry`], [`Solver`]: a backend picked at run time, on the tasks of a [`TaskList`].
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
 //! * [`Check`]: what a judge can report. [`Planted`], [`Spoiled`]: faults that prove that it does.
 //! * [`Compared`], [`Knob`]: the scenes on which a task is compared, and the ways in which they can be made harder.
@@ -70,7 +69,7 @@ pub use contestant::{Contestant, Entry};
 pub use counts::ClassCounts;
 pub use digest::digest;
 pub use knob::{Knob, RoundsScene, SHIFTED_BITS, Turns};
-pub use list::{TaskList, built_in, solvers, vocabulary};
+pub use list::{TaskList, vocabulary, with_signs};
 pub use outcome::{AnswerLine, Finding, Outcome, finding_id, ids, symbol};
 pub use phases::Phase;
 pub use planted::{AnyPlanted, Catch, Planted, Spoiled};

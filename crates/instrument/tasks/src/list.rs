@@ -1,84 +1,35 @@
-//! The one list where backends and tasks meet.
+//! Tasks that come together: the signs, which every tool has, and lists of tasks of other crates.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use predicament_corpus::{SceneFormat, Vocabulary};
 use predicament_predicates::Backend;
 
-use crate::contacts::Contacts;
-use crate::crossings::Crossings;
-use crate::cube_union::CubeUnion;
-use crate::delaunay::Delaunay2d;
-use crate::hull::{Hull2d, Hull3d};
-use crate::interval::Interval;
-use crate::mesh_intersect::MeshIntersect;
-use crate::mesh_locate::MeshLocate;
-use crate::overlay::Overlay2d;
-use crate::polygon_locate::PolygonLocate;
 use crate::signs::Signs;
-use crate::slice::Slice;
-use crate::snap::Snap2d;
-use crate::triangulate::Triangulate;
 use crate::{AnyTask, OnTask, Solver, Task};
 
-/// All built-in tasks, in the order of reports and messages. A new task is a line here.
-macro_rules! each_task {
-    ($do:ident) => {
-        vec![
-            $do!(Signs::COMPARE),
-            $do!(Signs::ORIENT2D),
-            $do!(Signs::ORIENT3D),
-            $do!(Signs::INCIRCLE),
-            $do!(Signs::INSPHERE),
-            $do!(Interval),
-            $do!(PolygonLocate),
-            $do!(CubeUnion),
-            $do!(Contacts::IN_PLANE),
-            $do!(Contacts::IN_SPACE),
-            $do!(Crossings),
-            $do!(Triangulate),
-            $do!(Hull2d),
-            $do!(Hull3d),
-            $do!(Slice),
-            $do!(Delaunay2d),
-            $do!(Overlay2d),
-            $do!(Snap2d),
-            $do!(MeshLocate),
-            $do!(MeshIntersect),
-        ]
-    };
-}
+/// The tasks that ask for single signs, in the order of reports and messages.
+const SIGNS: [&Signs; 5] = [&Signs::COMPARE, &Signs::ORIENT2D, &Signs::ORIENT3D, &Signs::INCIRCLE, &Signs::INSPHERE];
 
-/// The built-in tasks.
+/// The tasks of this list behind those that ask for single signs: what a tool with the list can be asked.
 #[must_use]
-pub fn built_in() -> Vec<&'static dyn AnyTask> {
-    macro_rules! any {
-        ($task:expr) => {
-            &$task as &'static dyn AnyTask
-        };
-    }
-    each_task!(any)
+pub fn with_signs(tasks: &impl TaskList) -> Vec<&'static dyn AnyTask> {
+    SIGNS.into_iter().map(|task| task as &'static dyn AnyTask).chain(tasks.tasks()).collect()
 }
 
-/// A backend on each built-in task.
-pub fn solvers<B: Backend + 'static>(backend: &Arc<B>) -> Vec<Box<dyn Solver>> {
-    macro_rules! on {
-        ($task:expr) => {
-            Box::new(OnTask::new(backend, $task)) as Box<dyn Solver>
-        };
-    }
-    each_task!(on)
+/// A backend on each of these tasks, and on those that ask for single signs.
+pub(crate) fn solvers<B: Backend + 'static>(backend: &Arc<B>, tasks: &impl TaskList) -> Vec<Box<dyn Solver>> {
+    let signs = SIGNS.into_iter().map(|task| Box::new(OnTask::new(backend, *task)) as Box<dyn Solver>);
+    signs.chain(tasks.solvers(backend)).collect()
 }
 
-/// The vocabulary of the built-in tasks, for reading suites.
+/// The vocabulary of tasks, for reading suites.
 #[must_use]
-pub fn vocabulary() -> &'static Vocabulary {
-    static VOCABULARY: OnceLock<Vocabulary> = OnceLock::new();
-    VOCABULARY
-        .get_or_init(|| Vocabulary::new(built_in().into_iter().map(|task| task as &'static dyn SceneFormat).collect()))
+pub fn vocabulary(tasks: &[&'static dyn AnyTask]) -> Vocabulary {
+    Vocabulary::new(tasks.iter().map(|&task| task as &'static dyn SceneFormat).collect())
 }
 
-/// Tasks of other crates: `()`, or a task and more of them.
+/// A list of tasks: `()`, or a task behind those of a list.
 pub trait TaskList: Clone + Send + Sync + 'static {
     /// The tasks, which live as long as the program.
     fn tasks(&self) -> Vec<&'static dyn AnyTask>;

@@ -69,7 +69,7 @@ fn compare(what: &str, contestants: &[Contestant<'_>]) {
 fn points(family: &str, n: usize) -> Scene {
     let text =
         format!("title = \"t\"\n[[generate]]\nfamily = \"{family}\"\ntask = \"delaunay2d\"\nn = {n}\nseed = 1\n");
-    let suite = Suite::parse(predicament_tasks::vocabulary(), "bench.toml", &text, None, &Manifest::default());
+    let suite = Suite::parse(predicament_bundle::vocabulary(), "bench.toml", &text, None, &Manifest::default());
     suite.expect("a suite").scenes[0].load(Level::Quick, &Cache::new("nowhere")).expect("points").scene
 }
 

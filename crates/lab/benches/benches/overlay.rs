@@ -30,7 +30,7 @@ fn scene(family: &str, n: usize) -> (Scene, Layers) {
     let text = format!(
         "title = \"t\"\n[[generate]]\nfamily = \"overlay-{family}\"\ntask = \"overlay2d\"\nn = {n}\nseed = 1\n"
     );
-    let suite = Suite::parse(predicament_tasks::vocabulary(), "bench.toml", &text, None, &Manifest::default());
+    let suite = Suite::parse(predicament_bundle::vocabulary(), "bench.toml", &text, None, &Manifest::default());
     let loaded = suite.expect("a suite").scenes[0].load(Level::Quick, &Cache::new("nowhere")).expect("a scene");
     let content: &Layered = loaded.content().expect("layers");
     (loaded.scene.clone(), content.layers.clone())

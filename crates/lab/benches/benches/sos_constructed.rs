@@ -14,7 +14,7 @@ use predicament_exact::Exact;
 use predicament_formats::{Cache, Manifest};
 use predicament_predicates::{Backend, Off, Predicates, QuerySet, Sign};
 use predicament_sos::Sos;
-use predicament_tasks::{signs::SignQueries, vocabulary};
+use predicament_tasks::signs::SignQueries;
 
 const QUERIES: usize = 2000;
 const ROUNDS: usize = 5;
@@ -24,7 +24,8 @@ fn load(family: &str, task: &str) -> LoadedScene {
         "title = \"ties\"\n[[generate]]\nfamily = \"{family}\"\ntask = \"{task}\"\nn = {QUERIES}\nseed = 5\n\
          source = \"generated\"\nanalysis = \"What ties cost.\"\n"
     );
-    let suite = Suite::parse(vocabulary(), "ties.toml", &text, None, &Manifest::default()).expect("a suite");
+    let suite = Suite::parse(predicament_bundle::vocabulary(), "ties.toml", &text, None, &Manifest::default())
+        .expect("a suite");
     suite.scenes[0].load(Level::Quick, &Cache::new("")).expect("generated")
 }
 

@@ -34,7 +34,7 @@ use predicament_predicates::{
     Axis, Backend, Dimension, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex,
 };
 use predicament_sos::{Scheme, Session, Sos};
-use predicament_tasks::{signs::SignQueries, vocabulary};
+use predicament_tasks::signs::SignQueries;
 use turns::{Engine, Turns};
 
 /// Queries of a family, and of a pass.
@@ -50,7 +50,7 @@ fn queries<const N: usize>(kind: PredicateKind, family: &str) -> (Scene, Vec<[Ve
          source = \"generated\"\nanalysis = \"What ties cost.\"\n"
     );
     let manifest = Manifest::default();
-    let suite = Suite::parse(vocabulary(), "ties.toml", &text, None, &manifest).expect("a suite");
+    let suite = Suite::parse(predicament_bundle::vocabulary(), "ties.toml", &text, None, &manifest).expect("a suite");
     let loaded = suite.scenes[0].load(Level::Quick, &Cache::new("")).expect("generated");
     let queries = &loaded.content::<SignQueries>().expect("a family of signs").queries;
     let mut random = Random(41);

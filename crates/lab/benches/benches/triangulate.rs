@@ -23,7 +23,7 @@ const ROUNDS: usize = 7;
 /// A generated polygon of about n vertices.
 fn polygon(family: &str, n: usize) -> (Scene, Vec<Vec<Vertex>>) {
     let text = format!("title = \"t\"\n[[generate]]\n{family}\ntask = \"triangulate\"\nn = {n}\nseed = 1\n");
-    let suite = Suite::parse(predicament_tasks::vocabulary(), "bench.toml", &text, None, &Manifest::default());
+    let suite = Suite::parse(predicament_bundle::vocabulary(), "bench.toml", &text, None, &Manifest::default());
     let loaded = suite.expect("a suite").scenes[0].load(Level::Quick, &Cache::new("nowhere")).expect("a polygon");
     let polygons: &Polygons = loaded.content().expect("polygons");
     let loops = polygons.polygons[0].clone();

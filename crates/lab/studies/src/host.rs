@@ -5,12 +5,23 @@
 
 use std::sync::atomic::AtomicBool;
 
-use predicament_tasks::Watch;
+use predicament_tasks::{AnyTask, Contestant, Watch};
+
+use crate::Error;
 
 /// Follows a study while it measures, and can stop it.
 pub trait Host {
     /// What the work looks at between its chunks, and reports to.
     fn watch(&self) -> &Watch<'_>;
+
+    /// The tasks that there are, for a study that goes through them.
+    fn tasks(&self) -> &[&'static dyn AnyTask];
+
+    /// A backend on these tasks, by its name: one that the study needs besides those that it was asked for.
+    ///
+    /// # Errors
+    /// [`Error::Unfit`] with the names that there are.
+    fn backend(&self, name: &str) -> Result<Box<dyn Contestant>, Error>;
 
     /// A part of the work begins: so many units, which are called so.
     fn begin(&self, total: u64, unit: &str) {
@@ -23,15 +34,28 @@ pub trait Host {
     }
 }
 
+/// How a backend is found by its name.
+type Find = fn(&str) -> Result<Box<dyn Contestant>, String>;
+
 /// A host that shows no progress and never stops a study.
-pub struct Quiet(Watch<'static>);
+pub struct Quiet {
+    watch: Watch<'static>,
+    tasks: &'static [&'static dyn AnyTask],
+    find: Find,
+}
 
 impl Quiet {
-    /// A host for tests and for programs that wait.
+    /// A host for tests and for programs that wait, without tasks and backends of its own.
     #[must_use]
     pub fn new() -> Quiet {
+        Quiet::on(&[], |name| Err(format!("no backend is called `{name}`")))
+    }
+
+    /// The same with these tasks and backends.
+    #[must_use]
+    pub fn on(tasks: &'static [&'static dyn AnyTask], find: Find) -> Quiet {
         static NEVER: AtomicBool = AtomicBool::new(false);
-        Quiet(Watch::new(&NEVER, None, &|_| {}))
+        Quiet { watch: Watch::new(&NEVER, None, &|_| {}), tasks, find }
     }
 }
 
@@ -43,6 +67,14 @@ impl Default for Quiet {
 
 impl Host for Quiet {
     fn watch(&self) -> &Watch<'_> {
-        &self.0
+        &self.watch
+    }
+
+    fn tasks(&self) -> &[&'static dyn AnyTask] {
+        self.tasks
+    }
+
+    fn backend(&self, name: &str) -> Result<Box<dyn Contestant>, Error> {
+        (self.find)(name).map_err(Error::unfit)
     }
 }

@@ -17,13 +17,12 @@
 //! * [`worst`]: how near do the worst inputs come to that paper's bounds?
 //! * [`cascades`]: what becomes of a polygon when results are operands of the next step?
 //! * [`cut`]: what is a tetrahedral mesh worth that is cut by the contacts of a backend?
-//! * [`Study`]: the shape of all of them; [`STUDIES`]: the list.
+//! * [`Study`]: the shape of all of them; [`Entry`]: one whose type is hidden.
 //! * [`shrink`]: the smallest scene that still shows a finding.
 //!
 //! # Adding a study
 //!
-//! A study is a folder of this crate and one line in `list.rs`; the tool and
-//! its help follow. This is a whole study: is zero smaller than one?
+//! A study is a type in anybody's crate that the tool is told of: `predicament::cli().study::<Order>()`. This is a whole study: is zero smaller than one?
 //!
 //! ```
 //! use predicament_oracle::roster;
@@ -78,10 +77,10 @@
 //!     }
 //! }
 //!
-//! let entry = Entry::of::<Order>(); // the line in the list
+//! let entry = Entry::of::<Order>();
 //! let matches = entry.command().get_matches_from(["order", "-b", "exact"]);
 //! let study = entry.parse(&matches).unwrap();
-//! let exact = roster::backend("exact").unwrap();
+//! let exact = roster::backend("exact", &()).unwrap();
 //! let report = study.report(&[exact.as_ref()], &Quiet::new()).unwrap();
 //! assert_eq!(report.printed, "* exact: true\n");
 //! assert!(report.holds);
@@ -102,18 +101,18 @@ pub mod worst;
 mod common;
 mod contacts;
 mod coordinate;
+mod entry;
 mod error;
 mod folder;
 mod host;
-mod list;
 mod precision;
 mod report;
 mod study;
 
 pub use common::Common;
+pub use entry::{Entry, Ready};
 pub use error::Error;
 pub use host::{Host, Quiet};
-pub use list::{Entry, Ready, STUDIES};
 pub use precision::Precision;
 pub use report::{File, Report};
 pub use study::Study;

@@ -4,12 +4,12 @@ use std::sync::atomic::AtomicBool;
 
 use predicament_corpus::{Level, Library, LoadedScene, SceneDef};
 use predicament_formats::Cache;
-use predicament_oracle::{roster, run};
-use predicament_tasks::{AnyCase, AnyTask, Budget, Class, Contestant, Outcome, Watch, built_in, vocabulary};
+use predicament_oracle::run;
+use predicament_tasks::{AnyCase, AnyTask, Budget, Class, Contestant, Outcome, Watch};
 
 /// The embedded scenes that need no download.
 pub fn definitions() -> Vec<SceneDef> {
-    let library = Library::embedded(vocabulary()).unwrap();
+    let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
     let scenes = library.suites().iter().flat_map(|suite| &suite.scenes);
     scenes.filter(|definition| !definition.needs_fetch()).cloned().collect()
 }
@@ -30,7 +30,7 @@ pub fn suite(name: &str) -> Vec<LoadedScene> {
 }
 
 pub fn task(loaded: &LoadedScene) -> &'static dyn AnyTask {
-    built_in().into_iter().find(|task| task.name() == loaded.task).expect("a task of the house")
+    predicament_bundle::tasks().iter().copied().find(|task| task.name() == loaded.task).expect("a task of the house")
 }
 
 /// The scene with the truth about it.
@@ -47,7 +47,7 @@ pub fn judged(loaded: &LoadedScene, contestant: &dyn Contestant) -> Outcome {
 
 /// A backend by name on a scene, at level quick.
 pub fn judged_by_name(loaded: &LoadedScene, backend: &str) -> Outcome {
-    judged(loaded, roster::backend(backend).unwrap().as_ref())
+    judged(loaded, predicament_bundle::backend(backend).unwrap().as_ref())
 }
 
 /// Classes that occur, with their checks.

@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 use predicament_corpus::LoadedScene;
 use predicament_mesh::{Complex, Simplex};
-use predicament_oracle::roster;
 use predicament_predicates::{Query, Scene, Vertex};
 use predicament_tasks::contacts::{Complexes, Contacts};
 use predicament_tasks::{Class, Outcome};
@@ -124,7 +123,7 @@ fn by_carriers(scene: &Scene, [a, b]: [&Complex; 2]) -> BTreeSet<[Simplex; 2]> {
 #[test]
 fn what_meets_by_definition_is_registered() {
     let mut kinds = BTreeSet::new();
-    let exact = roster::backend("exact").unwrap();
+    let exact = predicament_bundle::backend("exact").unwrap();
     for loaded in suite("contacts") {
         let content = complexes(&loaded);
         let task = if loaded.task == "contacts2d" { Contacts::IN_PLANE } else { Contacts::IN_SPACE };
@@ -211,7 +210,7 @@ fn a_pair_alone_is_what_it_is_among_all_others() {
         ("surfaces-degen", "exact", Contacts::IN_SPACE),
         ("touching-squares", "sos", Contacts::IN_PLANE),
     ] {
-        let (loaded, contestant) = (load(name), roster::backend(backend).unwrap());
+        let (loaded, contestant) = (load(name), predicament_bundle::backend(backend).unwrap());
         let content = complexes(&loaded);
         let all = contestant.answer(&task_of, &loaded.scene, content).unwrap();
         assert!(!all.registered.is_empty());

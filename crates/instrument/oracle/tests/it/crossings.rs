@@ -5,7 +5,6 @@ use std::sync::Arc;
 use predicament_algorithms::crossings::crossings;
 use predicament_corpus::LoadedScene;
 use predicament_judge::Judged;
-use predicament_oracle::roster;
 use predicament_predicates::{Predicates, Scene, Vertex};
 use predicament_tasks::crossings::{Crossed, Crossings, Segments};
 use predicament_tasks::{Asked, Budget, Class, Outcome};
@@ -14,7 +13,7 @@ use crate::common::{checks, load, suite, with_case};
 
 /// What is found about an answer that a backend might have given.
 fn judged(loaded: &LoadedScene, backend: &str, answer: &Crossed) -> Outcome {
-    let contestant = roster::backend(backend).unwrap();
+    let contestant = predicament_bundle::backend(backend).unwrap();
     with_case(loaded, |case, watch| {
         let mut outcome = Outcome::default();
         let ask = &mut |session: &mut dyn Predicates| {
@@ -28,7 +27,7 @@ fn judged(loaded: &LoadedScene, backend: &str, answer: &Crossed) -> Outcome {
 
 fn honest(loaded: &LoadedScene, backend: &str) -> Crossed {
     let content: &Segments = loaded.content().unwrap();
-    roster::backend(backend).unwrap().answer(&Crossings, &loaded.scene, content).unwrap()
+    predicament_bundle::backend(backend).unwrap().answer(&Crossings, &loaded.scene, content).unwrap()
 }
 
 /// A way to spoil the crossings of one segment; false where they are too few for it.
@@ -132,7 +131,7 @@ fn the_truth_about_a_perturbed_scene_is_computed_twice() {
         let points: Vec<[f64; 2]> = (0..12).map(|i| [at(2 * i), at(2 * i + 1)]).collect();
         let scene = Scene::from_points2(&points).unwrap();
         let segments: Vec<[Vertex; 2]> = (0..6).map(|i| [2 * i, 2 * i + 1].map(Vertex::input)).collect();
-        let contestant = roster::backend("sos").unwrap();
+        let contestant = predicament_bundle::backend("sos").unwrap();
         let ties = contestant.tie_judge().unwrap();
         let driver = crossings(&mut Judged::perturbed(&scene, ties), &segments).unwrap();
         let exact = crossings(&mut Judged::exact(&scene), &segments).unwrap();

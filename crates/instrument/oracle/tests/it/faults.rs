@@ -1,7 +1,6 @@
 //! Planted faults that only some ways of judging find.
 
 use predicament_judge::TieJudge;
-use predicament_oracle::roster;
 use predicament_predicates::{Question, Sign};
 use predicament_tasks::signs::{SignQueries, Signs};
 use predicament_tasks::{Budget, Class};
@@ -18,11 +17,11 @@ struct Tie {
 
 /// All broken ties of a scene, in order.
 fn ties(scene: &str, backend: &str) -> Vec<Tie> {
-    let (loaded, contestant) = (load(scene), roster::backend(backend).unwrap());
+    let (loaded, contestant) = (load(scene), predicament_bundle::backend(backend).unwrap());
     let content: &SignQueries = loaded.content().unwrap();
     let queries = &content.queries;
     let given = contestant.answer(&Signs::of(queries.kind()), &loaded.scene, content).unwrap().0;
-    let exact = roster::backend("exact").unwrap();
+    let exact = predicament_bundle::backend("exact").unwrap();
     let exact = exact.answer(&Signs::of(queries.kind()), &loaded.scene, content).unwrap().0;
     let perturbed: &TieJudge = contestant.tie_judge().unwrap();
     let question: Question = queries.question();

@@ -7,7 +7,6 @@
 
 use predicament_corpus::homogeneous;
 use predicament_judge as judge;
-use predicament_oracle::roster;
 use predicament_predicates::{Axis, Construction, Dimension, Plane, Question, Scene, Sign, Vertex};
 use predicament_tasks::signs::{SignQueries, Signs};
 use proptest::prelude::*;
@@ -91,7 +90,7 @@ fn agreed(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
 #[test]
 fn three_computations_agree_on_every_family() {
     let (mut scenes, mut zeros, mut rounded) = (0, 0, 0);
-    let naive = roster::backend("naive").unwrap();
+    let naive = predicament_bundle::backend("naive").unwrap();
     for definition in definitions() {
         let loaded = loaded(&definition);
         let Some(content) = loaded.content::<SignQueries>() else { continue };

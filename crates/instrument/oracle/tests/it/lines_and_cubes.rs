@@ -7,7 +7,7 @@ use predicament_predicates::{
 };
 use predicament_records::Row;
 use predicament_tasks::cube_union::MassRow;
-use predicament_tasks::{Class, Entry, Outcome, vocabulary};
+use predicament_tasks::{Class, Entry, Outcome};
 
 use crate::common::{checks, judged, judged_by_name, load, loaded};
 
@@ -180,7 +180,7 @@ fn a_part_of_many_cubes_can_be_found_wrong() {
         (0..405).map(|i| format!("[{}, {}, {}, 3]", 2 * (i % 9), 3 * (i / 9 % 9), 4 * (i / 81))).collect();
     let text =
         format!("title = \"t\"\n[[scene]]\nname = \"many\"\ntask = \"cube-union\"\ncubes = [{}]\n", cubes.join(", "));
-    let suite = Suite::parse(vocabulary(), "many", &text, None, &Manifest::default()).unwrap();
+    let suite = Suite::parse(predicament_bundle::vocabulary(), "many", &text, None, &Manifest::default()).unwrap();
     let many = loaded(&suite.scenes[0]);
     assert_eq!(checks(&judged_by_name(&many, "sos")), []);
     let found = judged_by_name(&many, "fault:compare-greater-on-ties");

@@ -8,13 +8,13 @@ fn every_backend_has_the_name_it_is_picked_by() {
     for name in
         DEFAULT.iter().copied().chain(MORE.iter().copied()).chain(["exact:stages=3", "fault:tolerance-as-printed"])
     {
-        assert_eq!(backend(name).unwrap().name(), name);
+        assert_eq!(backend(name, &()).unwrap().name(), name);
     }
 }
 
 #[test]
 fn mistakes_are_answered_with_what_there_is() {
-    let error = |name: &str| backend(name).err().unwrap();
+    let error = |name: &str| backend(name, &()).err().unwrap();
     assert!(error("exat").contains("sos:edelsbrunner-mucke"));
     assert!(error("epsilon:tiny").contains("`tiny` is no number"));
     assert!(error("epsilon:-1").contains("epsilon:-1"));
@@ -34,7 +34,7 @@ fn every_backend_of_the_help_runs_by_default_or_is_left_out_by_name() {
     let plain: Vec<&str> = names.filter(|name| !name.contains(char::is_uppercase)).collect();
     assert!(plain.len() > 8, "{plain:?}");
     for name in &plain {
-        let name = backend(name).unwrap().name();
+        let name = backend(name, &()).unwrap().name();
         assert!(DEFAULT.contains(&&*name) != MORE.contains(&&*name), "{name}");
     }
     assert!(MORE.iter().all(|name| plain.contains(name) && !WILD.contains(name)));
@@ -43,7 +43,7 @@ fn every_backend_of_the_help_runs_by_default_or_is_left_out_by_name() {
 /// `sos:per-mesh` is one of the backends behind a pointer: it counts, refuses and constructs as it is.
 #[test]
 fn a_backend_behind_a_pointer_is_the_backend() {
-    let per_mesh = backend("sos:per-mesh").unwrap();
+    let per_mesh = backend("sos:per-mesh", &()).unwrap();
     let scene = Scene::new(Dimension::Two, vec![0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0]).unwrap();
     let [a, b, c, d] = [0, 1, 2, 3].map(Vertex::input);
     assert!(per_mesh.ask(&scene, Question::Orient2d(Plane::Xy), &[a, b, c]).is_err(), "one mesh");

@@ -3,8 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use predicament_corpus::Library;
-use predicament_oracle::roster;
-use predicament_tasks::{Class, Contestant, Watch, built_in, vocabulary};
+use predicament_tasks::{Class, Contestant, Watch};
 
 use super::{Hunt, Options, Quarry, Seed, State, seeds};
 use crate::Wanted;
@@ -30,11 +29,11 @@ impl Order {
     fn hunt(&self, evaluations: u64, state: State) -> State {
         let quiet = |_: u64| {};
         let watch = Watch::new(&GO_ON, None, &quiet);
-        let backend = roster::backend(self.backend).unwrap();
-        let task = built_in().into_iter().find(|task| task.name() == self.task).unwrap();
+        let backend = predicament_bundle::backend(self.backend).unwrap();
+        let task = predicament_bundle::tasks().iter().copied().find(|task| task.name() == self.task).unwrap();
         let shown_by: Vec<&dyn Contestant> = vec![backend.as_ref()];
         let quarry = Quarry {
-            vocabulary: vocabulary(),
+            vocabulary: predicament_bundle::vocabulary(),
             task,
             budget: Quarry::budget(&self.wanted),
             wanted: self.wanted.clone(),
@@ -59,7 +58,7 @@ fn a_sign_flip_of_naive_is_found_soon_and_shrunk() {
     let [find] = state.finds.as_slice() else { panic!("{} finds in {}", state.finds.len(), state.evaluations) };
     assert_eq!((find.class.as_str(), find.check.as_str()), ("sign_flip", "sign"));
     assert!(find.pieces[1] <= find.pieces[0]);
-    assert!(super::read(vocabulary(), &find.shrunk).is_ok(), "{}", find.shrunk);
+    assert!(super::read(predicament_bundle::vocabulary(), &find.shrunk).is_ok(), "{}", find.shrunk);
     assert!(find.story.contains("shape"), "{}", find.story);
 }
 
@@ -81,7 +80,7 @@ fn the_number_of_threads_changes_nothing_and_a_stop_neither() {
 /// Scenes of some tasks are read in another order than they are written: edges that are turned, triangles that are there twice.
 #[test]
 fn what_is_derived_is_the_same_from_memory_and_from_a_file() {
-    let library = Library::embedded(vocabulary()).unwrap();
+    let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
     let seeds = seeds(library.suites(), "contacts2d").unwrap();
     let order = Order { seeds, finds: 40, ..Order::new("contacts2d", "epsilon:1e-4", None) };
     let whole = order.hunt(250, State::default());
@@ -103,7 +102,7 @@ fn a_right_backend_gives_no_find() {
 /// What a seed shows by itself is nothing that was found.
 #[test]
 fn seeds_that_show_it_already_are_left_out() {
-    let library = Library::embedded(vocabulary()).unwrap();
+    let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
     let seeds = seeds(&[library.suite("classics").unwrap()], "orient2d").unwrap();
     assert!(seeds.len() > 3 && seeds.iter().all(|seed| seed.spelled.points.len() <= 40));
     let order = Order { seeds, ..Order::new("orient2d", "naive", Some(Class::SignFlip)) };
@@ -115,13 +114,21 @@ fn seeds_that_show_it_already_are_left_out() {
 fn a_task_without_seeds_is_refused() {
     let quiet = |_: u64| {};
     let watch = Watch::new(&GO_ON, None, &quiet);
-    let backend = roster::backend("exact").unwrap();
-    let task = built_in().into_iter().find(|task| task.name() == "contacts2d").unwrap();
+    let backend = predicament_bundle::backend("exact").unwrap();
+    let task = predicament_bundle::tasks().iter().copied().find(|task| task.name() == "contacts2d").unwrap();
     let wanted = Wanted { class: None, check: None };
     let budget = Quarry::budget(&wanted);
     let (shown_by, not_by) = (vec![backend.as_ref()], Vec::new());
-    let quarry =
-        Quarry { vocabulary: vocabulary(), task, wanted, shown_by, not_by, budget, watch: &watch, limit: None };
+    let quarry = Quarry {
+        vocabulary: predicament_bundle::vocabulary(),
+        task,
+        wanted,
+        shown_by,
+        not_by,
+        budget,
+        watch: &watch,
+        limit: None,
+    };
     let options = Options { seed: 1, finds: 1, shrinking: 1, shapes: true };
     assert!(Hunt::new(quarry, options, Vec::new(), State::default()).is_err());
 }

@@ -207,7 +207,7 @@ impl Search<'_> {
 mod tests {
     use std::cell::Cell;
 
-    use predicament_tasks::{Class, vocabulary};
+    use predicament_tasks::Class;
 
     use super::*;
     use crate::hunt;
@@ -228,13 +228,13 @@ mod tests {
     fn the_first_scene_is_kept_before_any_smaller_one_is_looked_at() {
         let text = "title = \"a\"\n[[scene]]\nname = \"own\"\ntask = \"orient2d\"\n\
             points = [[0, 0], [1, 0], [0, 1], [5, 5]]\nqueries = [[0, 1, 2]]\n";
-        let start = hunt::read(vocabulary(), text).unwrap();
+        let start = hunt::read(predicament_bundle::vocabulary(), text).unwrap();
         for looks in 0..4 {
             let mut kept: Vec<(Spelled, u64)> = Vec::new();
             let witness = Interrupted(Cell::new(looks));
             let mut keep = |spelled: &Spelled, _: &Finding, evaluations| kept.push((spelled.clone(), evaluations));
             let limits = Limits { evaluations: 100 };
-            let shrunk = shrink(vocabulary(), &witness, start.clone(), &[], limits, 7, &mut keep);
+            let shrunk = shrink(predicament_bundle::vocabulary(), &witness, start.clone(), &[], limits, 7, &mut keep);
             if looks == 0 {
                 assert!(shrunk.unwrap_err().contains("interrupted") && kept.is_empty());
                 continue;

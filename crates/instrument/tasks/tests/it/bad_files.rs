@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use predicament_corpus::{Level, Library, Suite};
 use predicament_formats::{Cache, CorpusError, ErrorKind, Manifest};
-use predicament_tasks::vocabulary;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/it/bad")
@@ -13,7 +12,7 @@ fn folder() -> PathBuf {
 
 /// Parses and loads a suite as `run` would.
 fn load(name: &str, text: &str, cache: &Cache) -> Result<(), CorpusError> {
-    let suite = Suite::parse(vocabulary(), name, text, Some(&folder()), &Manifest::default())?;
+    let suite = Suite::parse(predicament_bundle::vocabulary(), name, text, Some(&folder()), &Manifest::default())?;
     suite.scenes.iter().try_for_each(|scene| scene.load(Level::Quick, cache).map(drop))
 }
 
@@ -56,32 +55,35 @@ fn the_same_scene_in_two_suites_is_an_error() {
     std::fs::write(folder.path().join("one.toml"), suite).unwrap();
     let generated = "[[generate]]\nfamily = \"grid\"\ntask = \"compare\"\nn = 5\n";
     std::fs::write(folder.path().join("three.toml"), format!("title = \"t\"\n{generated}")).unwrap();
-    Library::from_dir(vocabulary(), folder.path()).unwrap();
+    Library::from_dir(predicament_bundle::vocabulary(), folder.path()).unwrap();
     std::fs::write(folder.path().join("two.toml"), suite.replace("\"a\"", "\"b\"")).unwrap();
-    let error = Library::from_dir(vocabulary(), folder.path()).unwrap_err();
+    let error = Library::from_dir(predicament_bundle::vocabulary(), folder.path()).unwrap_err();
     assert_eq!(error.line(), Some(2));
     assert!(error.to_string().contains("two.toml:2: scene `two/b` has the same content as `one/a`"), "{error}");
 
     // Generated scenes are compared once they are loaded.
     std::fs::write(folder.path().join("two.toml"), format!("title = \"t\"\n{generated}name = \"again\"\n")).unwrap();
-    let library = Library::from_dir(vocabulary(), folder.path()).unwrap();
+    let library = Library::from_dir(predicament_bundle::vocabulary(), folder.path()).unwrap();
     let error = library.verify(Level::Quick, &Cache::new(folder.path()), |_| ()).unwrap_err();
     assert!(error.to_string().contains("two.toml:2: scene `two/again` has the same content"), "{error}");
 }
 
 #[test]
 fn what_is_not_there_is_a_usage_error() {
-    let library = Library::embedded(vocabulary()).unwrap();
+    let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
     let error = library.suite("clasics").unwrap_err();
     assert_eq!(error.kind, ErrorKind::Usage);
     assert!(error.to_string().starts_with("clasics: no suite has this name; use one of bands, classics"), "{error}");
     assert_eq!(library.suite("no/such/file.toml").unwrap_err().kind, ErrorKind::Usage);
-    assert_eq!(Library::from_dir(vocabulary(), Path::new("/no/such/folder")).unwrap_err().kind, ErrorKind::Usage);
+    assert_eq!(
+        Library::from_dir(predicament_bundle::vocabulary(), Path::new("/no/such/folder")).unwrap_err().kind,
+        ErrorKind::Usage
+    );
 }
 
 #[test]
 fn data_that_was_not_fetched_is_an_error_that_says_how() {
-    let library = Library::embedded(vocabulary()).unwrap();
+    let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
     let folder = tempfile::tempdir().unwrap();
     for suite in library.suites().iter().filter(|suite| suite.needs_fetch) {
         let error = suite.scenes[0].load(Level::Quick, &Cache::new(folder.path())).unwrap_err();

@@ -6,7 +6,6 @@ use predicament_corpus::{Level, Library, LoadedScene, Suite, homogeneous};
 use predicament_formats::{Cache, Manifest};
 use predicament_predicates::{Construction, Vertex};
 use predicament_tasks::signs::degeneracy;
-use predicament_tasks::vocabulary;
 use rug::Rational;
 
 use crate::common::queries;
@@ -22,13 +21,13 @@ queries = [["c1", 4, "c0"], [0, 1, 2]]
 "#;
 
 fn parse(text: &str) -> LoadedScene {
-    let suite = Suite::parse(vocabulary(), "s.toml", text, None, &Manifest::default()).unwrap();
+    let suite = Suite::parse(predicament_bundle::vocabulary(), "s.toml", text, None, &Manifest::default()).unwrap();
     suite.scenes[0].load(Level::Quick, &Cache::new("nowhere")).unwrap()
 }
 
 /// The scenes of the suite, loaded.
 fn suite() -> Vec<LoadedScene> {
-    let suite = Library::embedded(vocabulary()).unwrap().suite("constructed").unwrap();
+    let suite = Library::embedded(predicament_bundle::vocabulary()).unwrap().suite("constructed").unwrap();
     suite.scenes.iter().map(|scene| scene.load(Level::Quick, &Cache::new("nowhere")).unwrap()).collect()
 }
 
@@ -56,7 +55,9 @@ fn constructions_are_read_as_they_are_written() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("p.csv"), "0,0\n2,2\n0,2\n2,0\n1,1\n").unwrap();
     let text = SUITE.replace("[[0, 0], [2, 2], [0, 2], [2, 0], [1, 1]]", "{ path = \"p.csv\" }");
-    let suite = Suite::parse(vocabulary(), "s.toml", &text, Some(folder.path()), &Manifest::default()).unwrap();
+    let suite =
+        Suite::parse(predicament_bundle::vocabulary(), "s.toml", &text, Some(folder.path()), &Manifest::default())
+            .unwrap();
     let from_file = suite.scenes[0].load(Level::Quick, &Cache::new("nowhere")).unwrap();
     assert_eq!((&from_file.scene, &from_file.id), (&loaded.scene, &loaded.id));
 

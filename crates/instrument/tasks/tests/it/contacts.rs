@@ -8,11 +8,10 @@ use predicament_formats::{Cache, Manifest};
 use predicament_mesh::Complex;
 use predicament_predicates::{Scene, Vertex};
 use predicament_tasks::contacts::Complexes;
-use predicament_tasks::vocabulary;
 use rug::Rational;
 
 fn generated(name: &str) -> LoadedScene {
-    let library = Library::embedded(vocabulary()).unwrap();
+    let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
     let suite = library.suite("contacts").unwrap();
     let scene = suite.scenes.iter().find(|scene| scene.name == name).unwrap_or_else(|| panic!("no scene {name}"));
     scene.load(Level::Quick, &Cache::new("nowhere")).unwrap()
@@ -26,7 +25,8 @@ fn complexes(loaded: &LoadedScene) -> [&Complex; 2] {
 /// One scene from a suite in a folder.
 fn load(folder: &Path, scene: &str) -> LoadedScene {
     let text = format!("title = \"t\"\n[[scene]]\nname = \"x\"\n{scene}");
-    let suite = Suite::parse(vocabulary(), "s.toml", &text, Some(folder), &Manifest::default()).unwrap();
+    let suite =
+        Suite::parse(predicament_bundle::vocabulary(), "s.toml", &text, Some(folder), &Manifest::default()).unwrap();
     suite.scenes[0].load(Level::Quick, &Cache::new("nowhere")).unwrap()
 }
 

@@ -7,7 +7,6 @@ use predicament_formats::Cache;
 use predicament_predicates::{Sign, Vertex};
 use predicament_tasks::polygon_locate::{MapWithProbes, ProbeKind};
 use predicament_tasks::signs::{SignQueries, degeneracy};
-use predicament_tasks::vocabulary;
 use rug::Rational;
 
 use crate::common::{determinant, queries, sign};
@@ -17,7 +16,7 @@ fn cache() -> Cache {
 }
 
 fn library() -> Library {
-    Library::embedded(vocabulary()).unwrap()
+    Library::embedded(predicament_bundle::vocabulary()).unwrap()
 }
 
 fn definition(name: &str) -> SceneDef {
@@ -51,7 +50,7 @@ fn ids_are_pinned_on_every_platform() {
 #[test]
 fn the_folder_and_the_embedded_copy_are_the_same() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../corpora");
-    let library = Library::from_dir(vocabulary(), &folder).unwrap();
+    let library = Library::from_dir(predicament_bundle::vocabulary(), &folder).unwrap();
     let names = |library: &Library| -> Vec<(String, usize)> {
         library.suites().iter().map(|suite| (suite.name.clone(), suite.scenes.len())).collect()
     };
@@ -59,7 +58,12 @@ fn the_folder_and_the_embedded_copy_are_the_same() {
     assert_eq!(library.manifest(), self::library().manifest());
     for suite in library.suites() {
         let text = std::fs::read_to_string(suite.file()).unwrap();
-        assert_eq!(fmt(vocabulary(), suite.file(), &text).unwrap(), text, "{} is not formatted", suite.file());
+        assert_eq!(
+            fmt(predicament_bundle::vocabulary(), suite.file(), &text).unwrap(),
+            text,
+            "{} is not formatted",
+            suite.file()
+        );
         assert!(!suite.description.is_empty() && suite.scenes.iter().all(|scene| !scene.analysis.is_empty()));
         assert!(suite.scenes.iter().all(|scene| !scene.source.is_empty()), "{}", suite.name);
     }
@@ -69,7 +73,7 @@ fn the_folder_and_the_embedded_copy_are_the_same() {
 fn every_family_is_in_a_suite_for_every_task() {
     let used: BTreeSet<(String, &str)> = offline().into_iter().map(|loaded| (loaded.family, loaded.task)).collect();
     let mut families = 0;
-    for task in vocabulary().tasks() {
+    for task in predicament_bundle::vocabulary().tasks() {
         for &Family { name, reported_as, .. } in task.families() {
             // Where a scene is a family of its own, it is named after the generator here.
             let is_it =
@@ -86,7 +90,7 @@ fn a_rename_keeps_the_id_and_a_change_does_not() {
     let loaded = load("near-orient2d-ulps-4");
     assert_eq!(content_id(&loaded.scene, loaded.content.as_ref()), loaded.id);
     let parse = |text: &str| {
-        let suite = Suite::parse(vocabulary(), "s.toml", text, None, library().manifest()).unwrap();
+        let suite = Suite::parse(predicament_bundle::vocabulary(), "s.toml", text, None, library().manifest()).unwrap();
         suite.scenes[0].load(Level::Quick, &cache()).unwrap().id
     };
     let text = "title = \"t\"\n[[scene]]\nname = \"a\"\ntask = \"orient2d\"\npoints = [[0, 0], [1, 0], [0, 2]]\n";
@@ -123,7 +127,8 @@ fn the_first_queries_of_a_larger_amount_are_those_of_a_smaller_one() {
         let suite = library.suite(&small.suite).unwrap();
         let text = library.companion(&format!("{}.toml", suite.name)).unwrap().unwrap().1;
         let larger = text.replace("\nn = ", "\nn = 1");
-        let suite = Suite::parse(vocabulary(), "larger.toml", &larger, None, library.manifest()).unwrap();
+        let suite =
+            Suite::parse(predicament_bundle::vocabulary(), "larger.toml", &larger, None, library.manifest()).unwrap();
         let scene = suite.scenes.iter().find(|scene| scene.name == name).unwrap();
         let large = scene.load(Level::Quick, &cache()).unwrap();
         assert!(large.count() > small.count());

@@ -2,7 +2,6 @@
 
 use predicament_corpus::fmt;
 use predicament_formats::exact_coordinate;
-use predicament_tasks::vocabulary;
 use proptest::prelude::*;
 
 const SUITE: &str = r#"# a comment that stays
@@ -33,11 +32,11 @@ fn only_inexact_decimals_change_and_stay_as_comments() {
         )
         .replace("['-1e-1', \"0.5\"]]", "[\"-0x1.999999999999ap-4\", \"0.5\"]]  # -1e-1")
         .replace("[0.5, 0.30]", "[0.5, \"0x1.3333333333333p-2\"]  # 0.30");
-    let once = fmt(vocabulary(), "s.toml", SUITE).unwrap();
+    let once = fmt(predicament_bundle::vocabulary(), "s.toml", SUITE).unwrap();
     assert_eq!(once, expected);
-    assert_eq!(fmt(vocabulary(), "s.toml", &once).unwrap(), once);
+    assert_eq!(fmt(predicament_bundle::vocabulary(), "s.toml", &once).unwrap(), once);
     let windows = SUITE.replace('\n', "\r\n");
-    assert_eq!(fmt(vocabulary(), "s.toml", &windows).unwrap(), expected.replace('\n', "\r\n"));
+    assert_eq!(fmt(predicament_bundle::vocabulary(), "s.toml", &windows).unwrap(), expected.replace('\n', "\r\n"));
 }
 
 #[test]
@@ -46,7 +45,7 @@ fn what_no_double_is_near_to_is_refused() {
         [("inf", "not finite"), ("1e400", "beyond"), ("1e-400", "half the smallest"), ("\"x\"", "not a number")]
     {
         let text = SUITE.replace("0.2]", &format!("{bad}]"));
-        let error = fmt(vocabulary(), "s.toml", &text).unwrap_err().to_string();
+        let error = fmt(predicament_bundle::vocabulary(), "s.toml", &text).unwrap_err().to_string();
         assert!(error.starts_with("s.toml:8: ") && error.contains(message), "{error}");
     }
 }
@@ -58,8 +57,8 @@ proptest! {
         // Shortest decimals of doubles and of floats: most are not doubles.
         let rows: String = points.iter().map(|(x, y)| format!("  [{x:?}, \"{y:?}\"],\n")).collect();
         let text = format!("title = \"t\"\n[[scene]]\nname = \"a\"\ntask = \"compare\"\npoints = [\n{rows}]\n");
-        let once = fmt(vocabulary(), "s.toml", &text).unwrap();
-        prop_assert_eq!(&fmt(vocabulary(), "s.toml", &once).unwrap(), &once);
+        let once = fmt(predicament_bundle::vocabulary(), "s.toml", &text).unwrap();
+        prop_assert_eq!(&fmt(predicament_bundle::vocabulary(), "s.toml", &once).unwrap(), &once);
         let mut read = Vec::new();
         for row in once.lines().filter(|line| line.starts_with("  [")) {
             let row = row.split_once(']').unwrap().0.trim_start_matches(['[', ' ']);

@@ -6,11 +6,10 @@ use std::path::Path;
 use flate2::{Compression, write::GzEncoder};
 use predicament_corpus::{Level, Suite};
 use predicament_formats::{Cache, CorpusError, Manifest};
-use predicament_tasks::vocabulary;
 
 /// Reads a suite and loads its scenes, as `run` would.
 fn load(path: &Path) -> Result<(), CorpusError> {
-    let suite = Suite::from_file(vocabulary(), path, &Manifest::default())?;
+    let suite = Suite::from_file(predicament_bundle::vocabulary(), path, &Manifest::default())?;
     suite.scenes.iter().try_for_each(|scene| scene.load(Level::Full, &Cache::new("nowhere")).map(drop))
 }
 

@@ -4,11 +4,10 @@ use predicament_corpus::{Level, Library};
 use predicament_formats::Cache;
 use predicament_judge::solids::{Materials, Place};
 use predicament_tasks::mesh_locate::ProbedMesh;
-use predicament_tasks::vocabulary;
 
 #[test]
 fn winding_numbers_are_the_same_in_another_direction() {
-    let library = Library::embedded(vocabulary()).unwrap();
+    let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
     let suite = library.suites().iter().find(|suite| suite.name == "mesh-points").unwrap();
     for definition in &suite.scenes {
         let loaded = definition.load(Level::Quick, &Cache::new("/nonexistent/predicament-cache")).unwrap();

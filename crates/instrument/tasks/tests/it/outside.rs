@@ -5,18 +5,19 @@ use std::any::Any;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
+use predicament_bundle::Systems;
 use predicament_corpus::{
     Canon, Content, Context, Family, Level, LoadedScene, Parts, Recipe, SceneFormat, Source, Suite, Vocabulary,
 };
 use predicament_formats::{Cache, CorpusError, Fields, Manifest, read_points};
-use predicament_oracle::roster::{backend, backend_on};
+use predicament_oracle::roster::backend;
 use predicament_oracle::run;
 use predicament_predicates::{Dimension, Plane, PredicateKind, Predicates, Query, Question, Scene, Sign, Vertex};
 use predicament_records::{Env, Interface, Outcome as Ended, Plan, Row, RunDir, RunWriter, TableSpec};
 use predicament_report::{Block, Cell, Section, Table, html, markdown};
 use predicament_tasks::{
     Answer, AnyCase, AnyTask, Asked, Budget, Case, Class, Contestant, Explanation, Finding, Halt, How, Outcome,
-    Purpose, Stop, Task, TaskList, Watch, built_in, digest,
+    Purpose, Stop, Task, TaskList, Watch, digest,
 };
 use serde::{Deserialize, Serialize};
 
@@ -221,7 +222,9 @@ n = 256
 
 fn vocabulary() -> Vocabulary {
     let own = (LeftTurns, ()).tasks();
-    Vocabulary::new(built_in().into_iter().chain(own).map(|task| task as &'static dyn SceneFormat).collect())
+    Vocabulary::new(
+        predicament_bundle::tasks().iter().copied().chain(own).map(|task| task as &'static dyn SceneFormat).collect(),
+    )
 }
 
 fn parse(text: &str) -> Result<Vec<LoadedScene>, CorpusError> {
@@ -235,7 +238,7 @@ fn scenes() -> [LoadedScene; 2] {
 }
 
 fn on(name: &str) -> Box<dyn Contestant> {
-    backend_on(name, &(LeftTurns, ())).unwrap()
+    backend(name, &(LeftTurns, Systems)).unwrap()
 }
 
 /// Calls with a watch that lets everything pass.
@@ -278,11 +281,11 @@ fn its_scenes_are_read_from_suites() {
 
 #[test]
 fn the_house_refuses_a_suite_of_a_task_that_it_was_not_told_of() {
-    let parsed = Suite::parse(predicament_tasks::vocabulary(), "s.toml", SUITE, None, &Manifest::default());
+    let parsed = Suite::parse(predicament_bundle::vocabulary(), "s.toml", SUITE, None, &Manifest::default());
     let error = parsed.unwrap_err().to_string();
     assert!(error.contains("`left-turns`") || error.contains("`stride`"), "{error}");
     let [zigzag, _] = scenes();
-    let exact = backend("exact").unwrap();
+    let exact = backend("exact", &()).unwrap();
     let content = zigzag.content::<Stride>().unwrap();
     let answer = exact.answer(&LeftTurns, &zigzag.scene, content);
     assert_eq!(answer, Err("exact knows no task `left-turns`".to_owned()));

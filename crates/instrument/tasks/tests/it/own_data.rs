@@ -8,7 +8,6 @@ use predicament_tasks::contacts::Complexes;
 use predicament_tasks::crossings::Segments;
 use predicament_tasks::overlay::{Layered, Layers};
 use predicament_tasks::polygon_locate::MapWithProbes;
-use predicament_tasks::vocabulary;
 use tempfile::TempDir;
 
 fn folder(files: &[(&str, &str)]) -> TempDir {
@@ -22,7 +21,7 @@ fn folder(files: &[(&str, &str)]) -> TempDir {
 /// The scene of a suite, with keys of the suite before it.
 fn suite(folder: &Path, head: &str, scene: &str) -> Result<LoadedScene, CorpusError> {
     let text = format!("title = \"t\"\n{head}\n[[scene]]\nname = \"x\"\n{scene}\n");
-    let suite = Suite::parse(vocabulary(), "s.toml", &text, Some(folder), &Manifest::default())?;
+    let suite = Suite::parse(predicament_bundle::vocabulary(), "s.toml", &text, Some(folder), &Manifest::default())?;
     suite.scenes[0].load(Level::Quick, &Cache::new("nowhere"))
 }
 

@@ -5,7 +5,6 @@ use std::path::Path;
 
 use predicament_records::RunDir;
 use predicament_report::{Section, html, markdown};
-use predicament_tasks::built_in;
 
 const GOLDEN: &str = "tests/data/report.md";
 
@@ -16,7 +15,7 @@ fn runs() -> Vec<RunDir> {
 /// The sections of all tasks, each once: several tasks may share one.
 fn sections(runs: &[RunDir]) -> Vec<Section> {
     let mut sections: Vec<Section> = Vec::new();
-    for section in built_in().iter().filter_map(|task| task.own_section(runs).unwrap()) {
+    for section in predicament_bundle::tasks().iter().filter_map(|task| task.own_section(runs).unwrap()) {
         if !sections.contains(&section) {
             sections.push(section);
         }
@@ -134,8 +133,11 @@ fn rows_that_make_no_sense_are_errors_that_name_their_line() {
     for (table, row, message) in bad {
         let folder = tempfile::tempdir().unwrap();
         let run = [changed(folder.path(), |file, lines| lines.extend((file == table).then(|| row.to_owned())))];
-        let errors: Vec<String> =
-            built_in().iter().filter_map(|task| task.own_section(&run).err()).map(|error| error.to_string()).collect();
+        let errors: Vec<String> = predicament_bundle::tasks()
+            .iter()
+            .filter_map(|task| task.own_section(&run).err())
+            .map(|error| error.to_string())
+            .collect();
         assert!(!errors.is_empty() && errors.iter().all(|error| error.contains(message)), "{table}: {errors:?}");
     }
 }

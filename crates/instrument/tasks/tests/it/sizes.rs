@@ -2,7 +2,6 @@
 
 use predicament_corpus::{Level, Making};
 use predicament_formats::{Document, Fields, TableKind};
-use predicament_tasks::built_in;
 
 /// Parameters that some families need, and that make others large.
 const PARAMETERS: [(&str, &str); 8] = [
@@ -20,10 +19,14 @@ const PARAMETERS: [(&str, &str); 8] = [
 fn no_scene_is_larger_than_its_recipe_says() {
     let mut families = 0;
     // A table of a generator may have the keys of all families, as recipes that are read alike ask for them, and a seed.
-    let of_families = built_in().into_iter().flat_map(|task| task.families()).flat_map(|family| family.parameters);
-    let of_tasks = built_in().into_iter().flat_map(|task| task.generator_keys());
+    let of_families = predicament_bundle::tasks()
+        .iter()
+        .copied()
+        .flat_map(|task| task.families())
+        .flat_map(|family| family.parameters);
+    let of_tasks = predicament_bundle::tasks().iter().copied().flat_map(|task| task.generator_keys());
     let keys: Vec<&'static str> = of_families.chain(of_tasks).copied().chain(["seed"]).collect();
-    for task in built_in() {
+    for task in predicament_bundle::tasks() {
         for family in task.families() {
             let takes = |key: &str| family.parameters.contains(&key) || task.generator_keys().contains(&key);
             let text: Vec<&str> = PARAMETERS.iter().filter(|(key, _)| takes(key)).map(|(_, line)| *line).collect();

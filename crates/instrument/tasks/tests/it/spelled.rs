@@ -5,9 +5,9 @@ use std::sync::atomic::AtomicBool;
 
 use predicament_corpus::{Items, Level, Library, LoadedScene, Spelled, Suite};
 use predicament_formats::{Cache, Manifest};
-use predicament_oracle::{roster, run};
+use predicament_oracle::run;
 use predicament_predicates::Vertex;
-use predicament_tasks::{Budget, Class, Watch, built_in, vocabulary};
+use predicament_tasks::{Budget, Class, Watch};
 
 /// Scenes of more coordinates are left out: their text is long, and says nothing that others do not.
 const MOST: usize = 20_000;
@@ -46,7 +46,7 @@ const OTHER_IDS: [&str; 24] = [
 
 /// The embedded scenes that need no download and are of moderate size, and how many are larger.
 fn moderate() -> (Vec<LoadedScene>, usize) {
-    let library = Library::embedded(vocabulary()).unwrap();
+    let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
     let scenes = library.suites().iter().flat_map(|suite| &suite.scenes).filter(|scene| !scene.needs_fetch());
     let all: Vec<LoadedScene> = scenes.map(|scene| scene.load(Level::Quick, &Cache::new("nowhere")).unwrap()).collect();
     let count = all.len();
@@ -56,16 +56,16 @@ fn moderate() -> (Vec<LoadedScene>, usize) {
 }
 
 fn read(spelled: &Spelled, name: &str) -> LoadedScene {
-    spelled.loaded(vocabulary(), name).unwrap_or_else(|why| panic!("{name}: {why}"))
+    spelled.loaded(predicament_bundle::vocabulary(), name).unwrap_or_else(|why| panic!("{name}: {why}"))
 }
 
 /// How many answers of `exact` are of which class.
 fn classes(loaded: &LoadedScene) -> BTreeMap<String, u64> {
     let (cancel, silent) = (AtomicBool::new(false), |_: u64| {});
     let watch = Watch::new(&cancel, None, &silent);
-    let task = built_in().into_iter().find(|task| task.name() == loaded.task).unwrap();
+    let task = predicament_bundle::tasks().iter().copied().find(|task| task.name() == loaded.task).unwrap();
     let case = task.case(loaded, &watch).unwrap();
-    let exact = roster::backend("exact").unwrap();
+    let exact = predicament_bundle::backend("exact").unwrap();
     let outcome = run(case.as_ref(), exact.as_ref(), Budget::QUICK, &watch).unwrap();
     Class::ALL.iter().map(|&class| (format!("{class}"), outcome.counts.get(class))).collect()
 }
@@ -99,7 +99,7 @@ fn what_is_written_out_is_read_as_the_same_scene() {
     println!("{} of them have another id, of which {judged} are judged again", others.len());
     assert_eq!(others, OTHER_IDS);
     assert!(judged >= 8, "only {judged} are small enough to be judged");
-    let missing: Vec<&str> = vocabulary().names().filter(|task| !tasks.contains(task)).collect();
+    let missing: Vec<&str> = predicament_bundle::vocabulary().names().filter(|task| !tasks.contains(task)).collect();
     assert_eq!(missing, ["mesh-locate"], "no scene of these keeps its id");
     assert!(larger * 4 < scenes.len(), "{larger} of {} are left out", scenes.len());
 }
@@ -145,7 +145,7 @@ fn what_is_changed_is_another_scene() {
         ("last bit", change_a_bit::<0>),
         ("first bit", change_a_bit::<51>),
     ];
-    for task in vocabulary().names() {
+    for task in predicament_bundle::vocabulary().names() {
         let mut of_task: Vec<&LoadedScene> = scenes.iter().filter(|loaded| loaded.task == task).collect();
         of_task.sort_by_key(|loaded| loaded.scene.coordinates().len());
         for (what, change) in changes {
@@ -164,7 +164,7 @@ fn what_is_changed_is_another_scene() {
                 let spelled = loaded.spelled()?;
                 let mut other = spelled.clone();
                 let is_changed = change(&mut other);
-                let other = is_changed.then(|| other.loaded(vocabulary(), &loaded.name).ok())??;
+                let other = is_changed.then(|| other.loaded(predicament_bundle::vocabulary(), &loaded.name).ok())??;
                 Some(other.id != read(&spelled, &loaded.name).id)
             });
             let outcomes: Vec<bool> = changed.take(2).collect();
@@ -179,7 +179,8 @@ fn what_is_changed_is_another_scene() {
 /// The only scene of a suite in a folder.
 fn load(folder: &std::path::Path, scene: &str) -> LoadedScene {
     let text = format!("title = \"t\"\n[[scene]]\nname = \"x\"\n{scene}");
-    let suite = Suite::parse(vocabulary(), "s.toml", &text, Some(folder), &Manifest::default()).unwrap();
+    let suite =
+        Suite::parse(predicament_bundle::vocabulary(), "s.toml", &text, Some(folder), &Manifest::default()).unwrap();
     suite.scenes[0].load(Level::Quick, &Cache::new("nowhere")).unwrap()
 }
 
@@ -244,7 +245,7 @@ fn loops_that_are_none_are_refused_at_their_line() {
         let text = format!(
             "title = \"t\"\n[[scene]]\nname = \"x\"\ntask = \"polygon-locate\"\npoints = [[0, 0], [4, 0], [4, 4], [0, 4]]\n{keys}\n"
         );
-        let suite = Suite::parse(vocabulary(), "s.toml", &text, None, &Manifest::default());
+        let suite = Suite::parse(predicament_bundle::vocabulary(), "s.toml", &text, None, &Manifest::default());
         suite.and_then(|suite| suite.scenes[0].load(Level::Quick, &Cache::new("nowhere"))).unwrap_err().to_string()
     };
     for (keys, wanted) in [

@@ -1,7 +1,6 @@
 //! The tables of tasks: columns, checks, and the way to the disk and back.
 
 use predicament_records::{Env, Outcome, Plan, Record, Row, RunDir, RunWriter, TableSpec};
-use predicament_tasks::built_in;
 use predicament_tasks::contacts::ContactRow;
 use predicament_tasks::cube_union::MassRow;
 use predicament_tasks::mesh_intersect::MeshIntersectRow;
@@ -122,7 +121,7 @@ fn mesh_intersect() -> MeshIntersectRow {
 
 /// The tables of all tasks, each once.
 fn tables() -> Vec<TableSpec> {
-    let mut tables: Vec<TableSpec> = built_in().iter().flat_map(|task| task.own_tables()).collect();
+    let mut tables: Vec<TableSpec> = predicament_bundle::tasks().iter().flat_map(|task| task.own_tables()).collect();
     tables.dedup();
     tables
 }

@@ -11,7 +11,7 @@ use predicament_predicates::{
 };
 use predicament_records::Interface;
 use predicament_tasks::signs::Signs;
-use predicament_tasks::{Contestant, Entry, vocabulary};
+use predicament_tasks::{Contestant, Entry};
 
 /// What was asked: calls of batches with their queries, and single queries.
 #[derive(Default)]
@@ -106,8 +106,13 @@ const QUERIES: usize = 20;
 
 fn scene() -> LoadedScene {
     let generator = format!("[[generate]]\nfamily = \"uniform\"\ntask = \"orient2d\"\nn = {QUERIES}\n");
-    let suite =
-        Suite::parse(vocabulary(), "s.toml", &format!("title = \"t\"\n{generator}"), None, &Manifest::default());
+    let suite = Suite::parse(
+        predicament_bundle::vocabulary(),
+        "s.toml",
+        &format!("title = \"t\"\n{generator}"),
+        None,
+        &Manifest::default(),
+    );
     suite.unwrap().scenes[0].load(Level::Quick, &Cache::new("nowhere")).unwrap()
 }
 

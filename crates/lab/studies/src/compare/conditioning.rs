@@ -6,12 +6,12 @@
 
 use std::collections::BTreeMap;
 
-use predicament_corpus::{LoadedScene, Random};
+use predicament_corpus::{LoadedScene, Random, SceneFormat};
 use predicament_judge::{log2_relative, verdict};
 use predicament_predicates::{Sign, ZeroMeaning};
 use predicament_records::{approximately, wilson};
 use predicament_report::{Curve, Curves, XAxis, curves};
-use predicament_tasks::signs::SignQueries;
+use predicament_tasks::signs::{SignQueries, Signs};
 use predicament_tasks::{Compared, Contestant, Kind, Knob, Watch};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -21,7 +21,7 @@ use crate::stress::turned;
 use crate::{Error, File};
 
 /// The predicates, by task.
-const TASKS: [&str; 4] = ["orient2d", "orient3d", "incircle", "insphere"];
+const TASKS: [&Signs; 4] = [&Signs::ORIENT2D, &Signs::ORIENT3D, &Signs::INCIRCLE, &Signs::INSPHERE];
 /// Noise, as exponents of two, in units of a scene's extent.
 const NOISE: [i32; 13] = [-52, -48, -44, -40, -36, -32, -28, -24, -20, -16, -12, -8, -4];
 /// Keys of nearly degenerate scenes.
@@ -72,9 +72,10 @@ pub fn conditioning(
     watch: &Watch<'_>,
 ) -> Result<Vec<Conditioned>, Error> {
     let mut all = Vec::new();
-    for task in TASKS {
+    for asked in TASKS {
+        let task = asked.name();
         let keyed = |family: &'static str, keys: &'static str| {
-            Input { task, of: Compared { kind: Kind::General, family, n: queries, keys } }.scene(seed)
+            Input { task: asked, of: Compared { kind: Kind::General, family, n: queries, keys } }.scene(seed)
         };
         let of = |family: &'static str| keyed(family, "");
         let noisy = |&exponent: &i32| {
@@ -149,7 +150,7 @@ fn bins(backend: &dyn Contestant, scene: &LoadedScene) -> BTreeMap<i32, Bin> {
 /// A plot for each task: wrong answers in a million by how degenerate queries are, and as bands the zeros that a tolerance may answer.
 pub(super) fn plots(measured: &[Conditioned]) -> Result<Vec<File>, Error> {
     let mut files = Vec::new();
-    for task in TASKS {
+    for task in TASKS.map(SceneFormat::name) {
         let mut backends: Vec<&str> = Vec::new();
         for row in measured.iter().filter(|row| row.task == task) {
             if !backends.contains(&row.backend.as_str()) {

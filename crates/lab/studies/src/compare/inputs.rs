@@ -2,7 +2,7 @@
 
 use predicament_corpus::{Level, LoadedScene, Suite};
 use predicament_formats::{Cache, Manifest};
-use predicament_tasks::{AnyTask, Compared, built_in, vocabulary};
+use predicament_tasks::{AnyTask, Compared, vocabulary};
 
 use crate::Error;
 
@@ -10,24 +10,27 @@ use crate::Error;
 #[derive(Clone, Copy, Debug)]
 pub struct Input {
     /// The task.
-    pub task: &'static str,
+    pub task: &'static dyn AnyTask,
     /// How special they are, and what makes them.
     pub of: Compared,
 }
 
-/// The inputs of all tasks that name some, in the order of the tasks.
+/// The inputs of these tasks, in their order: a task may name none.
 #[must_use]
-pub fn inputs() -> Vec<Input> {
-    let of_task = |task: &'static dyn AnyTask| task.compared_on().iter().map(|&of| Input { task: task.name(), of });
-    built_in().into_iter().flat_map(of_task).collect()
+pub fn inputs(tasks: &[&'static dyn AnyTask]) -> Vec<Input> {
+    tasks.iter().flat_map(|&task| task.compared_on().iter().map(move |&of| Input { task, of })).collect()
 }
 
-/// The tasks that name inputs, of these names or, of none, all.
+/// Those of the `tasks` that name inputs, of the names that were asked for or, of none, all.
 ///
 /// # Errors
 /// [`Error::Unfit`] with the names that there are, where one is unknown; `done` is what is done with a task.
-pub(crate) fn tasks(asked: &[String], done: &str) -> Result<Vec<&'static dyn AnyTask>, Error> {
-    let all: Vec<&'static dyn AnyTask> = built_in().into_iter().filter(|task| !task.compared_on().is_empty()).collect();
+pub(crate) fn compared(
+    tasks: &[&'static dyn AnyTask],
+    asked: &[String],
+    done: &str,
+) -> Result<Vec<&'static dyn AnyTask>, Error> {
+    let all: Vec<&'static dyn AnyTask> = tasks.iter().copied().filter(|task| !task.compared_on().is_empty()).collect();
     if let Some(unknown) = asked.iter().find(|name| all.iter().all(|task| task.name() != name.as_str())) {
         let names: Vec<&str> = all.iter().map(|task| task.name()).collect();
         return Err(Error::unfit(format!("no task `{unknown}` is {done}; there are {}", names.join(", "))));
@@ -64,6 +67,7 @@ impl Input {
 
     fn table_of_size(&self, name: &str, n: usize, seed: u64) -> String {
         let Input { task, of: Compared { family, keys, .. } } = self;
+        let task = task.name();
         let table = format!(
             "[[generate]]\nname = \"{name}\"\nfamily = \"{family}\"\ntask = \"{task}\"\nn = {n}\nseed = {seed}\n"
         );
@@ -73,7 +77,8 @@ impl Input {
     fn of_size(&self, n: usize, seed: u64) -> Result<LoadedScene, Error> {
         let name = format!("{}-{seed}", self.of.kind.name());
         let text = format!("title = \"compare\"\n{}", self.table_of_size(&name, n, seed));
-        let suite = Suite::parse(vocabulary(), "compare", &text, None, &Manifest::default()).map_err(Error::unfit)?;
+        let suite = Suite::parse(&vocabulary(&[self.task]), "compare", &text, None, &Manifest::default())
+            .map_err(Error::unfit)?;
         // A generator needs nothing of a cache.
         suite.scenes[0].load(Level::Quick, &Cache::new("compare")).map_err(Error::unfit)
     }

@@ -27,12 +27,11 @@ mod survey;
 mod table;
 mod tradeoff;
 mod tree;
-mod twice;
 mod which;
 mod words;
 
 pub use conditioning::{Conditioned, conditioning};
-pub(crate) use inputs::tasks;
+pub(crate) use inputs::compared;
 pub use inputs::{Input, inputs};
 pub use measure::Measure;
 pub use section::{missing, section};

@@ -16,6 +16,9 @@ pub const REFERENCE: &str = "exact";
 /// The measure of an input: how many times as long the reference takes where it computes each answer twice.
 pub const ASKED_TWICE: &str = "asked twice";
 
+/// The reference with every question asked twice, as a backend.
+pub(super) const TWICE: &str = "exact:twice";
+
 /// An input barely depends on predicates if the reference takes less than this many times its time when it computes each answer twice.
 pub const BARELY: f64 = 1.1;
 

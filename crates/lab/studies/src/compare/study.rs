@@ -7,7 +7,7 @@ use predicament_tasks::Contestant;
 use serde::{Deserialize, Serialize};
 
 use super::measure::{About, FEATURES as FEATURES_TASK, Measure};
-use super::{Conditioned, Input, conditioning, inputs, survey, table, tasks, tradeoff};
+use super::{Conditioned, Input, compared, conditioning, inputs, survey, table, tradeoff};
 use crate::contacts::contacts;
 use crate::laws::Format;
 use crate::resolution::{self, FEATURES};
@@ -130,13 +130,13 @@ Examples:
     }
 
     fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Compared, Error> {
-        let inputs = self.inputs()?;
+        let inputs = self.inputs(host)?;
         let scenes = inputs.len() * self.scenes as usize * backends.len();
         host.begin(scenes as u64, "answers");
         let mut measures = Vec::new();
         for input in inputs {
-            host.turn_to(input.task);
-            measures.extend(survey::measures(&input, backends, [self.scenes, self.samples], self.seed, host.watch())?);
+            host.turn_to(input.task.name());
+            measures.extend(survey::measures(&input, backends, [self.scenes, self.samples], self.seed, host)?);
         }
         if self.trials > 0 && self.tasks.is_empty() {
             host.begin((backends.len() * FEATURES.len()) as u64, "features");
@@ -181,9 +181,8 @@ Examples:
 }
 
 impl Compare {
-    fn inputs(&self) -> Result<Vec<Input>, Error> {
-        let tasks = tasks(&self.tasks, "compared")?;
-        Ok(inputs().into_iter().filter(|input| tasks.iter().any(|task| task.name() == input.task)).collect())
+    fn inputs(&self, host: &dyn Host) -> Result<Vec<Input>, Error> {
+        Ok(inputs(&compared(host.tasks(), &self.tasks, "compared")?))
     }
 
     /// The smallest size of each feature from which on a backend tells it.

@@ -6,9 +6,7 @@ use predicament_corpus::LoadedScene;
 use predicament_predicates::{Counts, Severity};
 use predicament_records::{Spread, approximately};
 use predicament_tasks::contacts::Complexes;
-use predicament_tasks::{
-    AnyTask, Budget, Class, ClassCounts, Contestant, Entry, How, Outcome, Purpose, Watch, built_in, run,
-};
+use predicament_tasks::{AnyTask, Budget, Class, ClassCounts, Contestant, How, Outcome, Purpose, Watch, run};
 use rayon::prelude::*;
 
 use super::bits::bits;
@@ -16,9 +14,8 @@ use super::clock::taken;
 use super::errors::{Errors, exact_places, tail};
 use super::inputs::Input;
 use super::measure::{About, Measure};
-use super::standing::{ASKED_TWICE, REFERENCE};
-use super::twice::Twice;
-use crate::Error;
+use super::standing::{ASKED_TWICE, REFERENCE, TWICE};
+use crate::{Error, Host};
 
 /// What a backend did on all scenes of an input.
 #[derive(Default)]
@@ -72,19 +69,15 @@ fn worst(outcome: &Outcome) -> Severity {
     seen.map(Class::severity).max().unwrap_or(Severity::Right)
 }
 
-fn task_of(name: &str) -> Result<&'static dyn AnyTask, Error> {
-    let task = built_in().into_iter().find(|task| task.name() == name);
-    task.ok_or_else(|| Error::unfit(format!("there is no task `{name}`")))
-}
-
 /// The measures of all backends on an input, in the order of the backends.
 pub(super) fn measures(
     input: &Input,
     backends: &[&dyn Contestant],
     [scenes, samples]: [u32; 2],
     seed: u64,
-    watch: &Watch<'_>,
+    host: &dyn Host,
 ) -> Result<Vec<Measure>, Error> {
+    let watch = host.watch();
     let mut loaded: Vec<LoadedScene> =
         (0..u64::from(scenes)).map(|at| input.scene(seed + at)).collect::<Result<_, Error>>()?;
     // A family without chance makes one scene.
@@ -94,7 +87,7 @@ pub(super) fn measures(
     let group = Group { task: input.task, kind: input.of.kind.name(), family: input.of.family };
     let mut all = measures_of(&group, &loaded, timed.as_ref(), backends, samples, watch)?;
     if let Some(timed) = &timed {
-        all.extend(asked_twice(&group, timed, backends, samples, watch)?);
+        all.extend(asked_twice(&group, timed, backends, samples, host)?);
     }
     Ok(all)
 }
@@ -105,15 +98,15 @@ fn asked_twice(
     timed: &LoadedScene,
     backends: &[&dyn Contestant],
     samples: u32,
-    watch: &Watch<'_>,
+    host: &dyn Host,
 ) -> Result<Option<Measure>, Error> {
     let Some(&reference) = backends.iter().find(|backend| backend.name() == REFERENCE) else { return Ok(None) };
-    let twice = Entry::new(Twice);
-    let taken = taken(timed, &[reference, &twice], samples, watch)?;
+    let twice = host.backend(TWICE)?;
+    let taken = taken(timed, &[reference, twice.as_ref()], samples, host.watch())?;
     let [Some(once), Some(twice)] = [0, 1].map(|at: usize| Spread::of(taken[at].nanoseconds.iter().copied())) else {
         return Ok(None);
     };
-    let about = About { task: group.task, kind: group.kind, family: group.family, backend: REFERENCE };
+    let about = About { task: group.task.name(), kind: group.kind, family: group.family, backend: REFERENCE };
     // What disturbs a sample makes it longer: the shortest ones are compared.
     let ends = [twice.min / once.max, twice.max / once.min];
     Ok(Some(about.measure(ASKED_TWICE, "times the time", twice.min / once.min, ends, twice.samples as u64)))
@@ -121,7 +114,7 @@ fn asked_twice(
 
 /// What scenes have in common, as columns of their measures.
 pub(crate) struct Group<'a> {
-    pub task: &'a str,
+    pub task: &'static dyn AnyTask,
     pub kind: &'a str,
     pub family: &'a str,
 }
@@ -135,7 +128,7 @@ pub(crate) fn measures_of(
     samples: u32,
     watch: &Watch<'_>,
 ) -> Result<Vec<Measure>, Error> {
-    let task = task_of(group.task)?;
+    let task = group.task;
     let judged = loaded.par_iter().map(|scene| {
         let case = task.case(scene, watch).map_err(Error::from)?;
         let places = scene.content::<Complexes>().map(|content| exact_places(&scene.scene, content));
@@ -164,7 +157,7 @@ pub(crate) fn measures_of(
     let mut all = Vec::new();
     for (at, (backend, seen)) in backends.iter().zip(&seen).enumerate() {
         let name = backend.name();
-        let about = About { task: group.task, kind: group.kind, family: group.family, backend: &name };
+        let about = About { task: group.task.name(), kind: group.kind, family: group.family, backend: &name };
         let has_laws = task.declared_checks().iter().any(|check| check.class == Class::Topology);
         all.extend(answers(&about, seen, has_laws));
         all.extend(located(&about, &seen.errors));

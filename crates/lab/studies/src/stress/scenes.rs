@@ -30,7 +30,7 @@ impl Position {
             let times = if knob == Knob::Size { usize::try_from(at).unwrap_or(1) } else { 1 };
             // A quarter of what is compared: there are many positions.
             let n = (of.n / 4).max(12).min(of.n) * times;
-            let input = Input { task: task.name(), of: Compared { n, ..*of } };
+            let input = Input { task, of: Compared { n, ..*of } };
             Position { task: task.name(), knob, at, input }
         };
         knob.positions().iter().filter(|&&at| turns.reaches(at)).map(position).collect()

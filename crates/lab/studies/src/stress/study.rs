@@ -11,7 +11,7 @@ use super::breaks::{At, break_point};
 use super::limits::{Limit, limits};
 use super::scenes::Position;
 use super::{BreakPoint, Violations, laws, plots, suites, table};
-use crate::compare::{Group, Measure, measures_of, tasks};
+use crate::compare::{Group, Measure, compared, measures_of};
 use crate::laws::Format;
 use crate::{Error, File, Host, Study};
 
@@ -74,6 +74,8 @@ fn knob() -> impl TypedValueParser<Value = Knob> {
 /// All measures, break points, and violations of laws.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Stressed {
+    /// The tasks that were stressed.
+    pub tasks: Vec<&'static dyn AnyTask>,
     /// By task, knob and position; `kind` is the knob and `family` its position.
     pub measures: Vec<Measure>,
     /// For each task, knob, way and backend.
@@ -136,7 +138,7 @@ Examples:
     }
 
     fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Stressed, Error> {
-        let (tasks, knobs) = (tasks(&self.tasks, "stressed")?, self.knobs());
+        let (tasks, knobs) = (compared(host.tasks(), &self.tasks, "stressed")?, self.knobs());
         let positions = self.positions(&tasks);
         host.begin((positions.len() * self.scenes as usize * backends.len()) as u64, "answers");
         let (mut measures, mut places) = (Vec::new(), Vec::new());
@@ -170,7 +172,7 @@ Examples:
         let proved = |backend: &&dyn Contestant| {
             (backend.name(), backend.contract(predicament_predicates::PredicateKind::Orient2d).proved)
         };
-        Ok(Stressed { measures, breaks, limits, violations, backends: backends.iter().map(proved).collect() })
+        Ok(Stressed { tasks, measures, breaks, limits, violations, backends: backends.iter().map(proved).collect() })
     }
 
     fn rows(&self, measured: &Stressed) -> Result<Vec<File>, Error> {
@@ -190,9 +192,9 @@ Examples:
         plots::all(measured)
     }
 
-    fn suites(&self, _: &Stressed) -> Result<Vec<File>, Error> {
+    fn suites(&self, measured: &Stressed) -> Result<Vec<File>, Error> {
         let Some(folder) = &self.suites else { return Ok(Vec::new()) };
-        suites::all(folder, &self.positions(&tasks(&self.tasks, "stressed")?), self.seed, self.scenes)
+        suites::all(folder, &self.positions(&measured.tasks), self.seed, self.scenes)
     }
 
     fn holds(&self, measured: &Stressed) -> bool {
@@ -221,7 +223,7 @@ impl Stress {
         // A family without chance makes one scene.
         let mut known = BTreeSet::new();
         scenes.retain(|scene| known.insert(scene.id.clone()));
-        let group = Group { task: position.task, kind: position.knob.name(), family: &position.at.to_string() };
+        let group = Group { task: position.input.task, kind: position.knob.name(), family: &position.at.to_string() };
         let timed = if self.samples > 0 { scenes.first() } else { None };
         measures_of(&group, &scenes, timed, backends, self.samples, host.watch())
     }

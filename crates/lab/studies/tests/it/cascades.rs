@@ -6,11 +6,11 @@ use predicament_algorithms::overlay::Operation;
 use predicament_checks::overlay::Operands;
 use predicament_judge::rational;
 use predicament_studies::cascades::{Cascade, Cascades, Keep, Measured, Method};
-use predicament_studies::{Common, Quiet, Study};
+use predicament_studies::{Common, Study};
 use predicament_tasks::Contestant;
 use rug::Rational;
 
-use crate::backend;
+use crate::{backend, quiet};
 
 pub(crate) type Exact = [Rational; 2];
 
@@ -28,7 +28,7 @@ pub(crate) fn cascades(cascade: Cascade, methods: &[&str], steps: u32) -> Cascad
 pub(crate) fn measured(study: &Cascades) -> Measured {
     let backends: Vec<_> = study.backends().iter().map(|name| backend(name)).collect();
     let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
-    study.survey(&backends, &Quiet::new()).unwrap()
+    study.survey(&backends, &quiet()).unwrap()
 }
 
 pub(crate) fn exactly(corners: &[[f64; 2]]) -> Vec<Exact> {
@@ -204,6 +204,6 @@ fn methods_are_read_as_they_are_written() {
 fn two_names_of_one_backend_are_refused() {
     let study = cascades(Cascade::Stars, &["exact"], 1);
     let exact = backend("exact");
-    let refused = study.survey(&[exact.as_ref()], &Quiet::new());
+    let refused = study.survey(&[exact.as_ref()], &quiet());
     assert!(refused.unwrap_err().to_string().contains("two of exact, naive are one backend"));
 }

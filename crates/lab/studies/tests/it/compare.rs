@@ -3,10 +3,10 @@
 use predicament_report::Block;
 use predicament_studies::compare::{Compare, Compared, inputs};
 use predicament_studies::laws::Format;
-use predicament_studies::{Host, Quiet, Study};
-use predicament_tasks::{Contestant, Kind, built_in};
+use predicament_studies::{Host, Study};
+use predicament_tasks::{Contestant, Kind};
 
-use crate::backend;
+use crate::{backend, quiet};
 
 fn study(tasks: &[&str], scenes: u32) -> Compare {
     Compare {
@@ -25,7 +25,7 @@ fn study(tasks: &[&str], scenes: u32) -> Compare {
 fn compared(study: &Compare, names: &[&str]) -> Compared {
     let backends: Vec<Box<dyn Contestant>> = names.iter().map(|name| backend(name)).collect();
     let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
-    study.survey(&backends, &Quiet::new()).unwrap()
+    study.survey(&backends, &quiet()).unwrap()
 }
 
 /// A number about a backend; none if there is no row.
@@ -84,7 +84,7 @@ fn rows_are_the_same_on_any_number_of_threads() {
 #[test]
 fn every_input_makes_scenes_of_two_sizes() {
     let mut again = Vec::new();
-    let inputs = inputs();
+    let inputs = inputs(predicament_bundle::tasks());
     for input in &inputs {
         let [small, large] = [input.scene(3).unwrap(), input.timed(3).unwrap()];
         assert!(small.scene.len() < large.scene.len(), "{input:?}");
@@ -95,17 +95,16 @@ fn every_input_makes_scenes_of_two_sizes() {
     let of = compared(&study(&["polygon-locate"], 4), &["exact"]);
     let declined = |kind: Kind| of.measures.iter().find(|row| row.kind == kind.name() && row.measure == "declined");
     assert_eq!([Kind::General, Kind::Degenerate].map(|kind| declined(kind).unwrap().of), [4, 1]);
-    let unknown = study(&["orient4d"], 1).survey(&[], &Quiet::new()).unwrap_err();
+    let unknown = study(&["orient4d"], 1).survey(&[], &quiet()).unwrap_err();
     assert!(unknown.to_string().contains("orient2d"), "{unknown}");
 }
 
 /// A task joins by itself: nothing here names one.
 #[test]
 fn every_task_is_compared_on_general_and_degenerate_scenes() {
-    let inputs = inputs();
-    for task in built_in() {
-        let kinds: Vec<Kind> =
-            inputs.iter().filter(|input| input.task == task.name()).map(|input| input.of.kind).collect();
+    let inputs = inputs(predicament_bundle::tasks());
+    for task in predicament_bundle::tasks() {
+        let kinds: Vec<Kind> = inputs.iter().filter(|input| input.task == *task).map(|input| input.of.kind).collect();
         assert!(kinds.is_sorted() && kinds.windows(2).all(|pair| pair[0] < pair[1]), "{}: {kinds:?}", task.name());
         assert!(kinds.contains(&Kind::General) && kinds.contains(&Kind::Degenerate), "{}: {kinds:?}", task.name());
     }
@@ -211,7 +210,7 @@ fn the_first_screen_has_the_decision_tree() {
 fn plain_doubles_are_wrong_where_queries_are_nearly_degenerate() {
     let backends = ["exact", "sos", "tolerance", "naive"].map(backend);
     let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
-    let quiet = Quiet::new();
+    let quiet = quiet();
     let found = predicament_studies::compare::conditioning(&backends, 60, 1, quiet.watch()).unwrap();
     for row in &found {
         assert!(row.low <= row.share && row.share <= row.high, "{row:?}");

@@ -4,10 +4,10 @@ use predicament_algorithms::contacts::{Contact, Contacts};
 use predicament_mesh::Simplex;
 use predicament_predicates::Predicates;
 use predicament_studies::cut::{Cut, Deviation, Made, Measured, Pieces, Placement, Row, Scene, Shape, pieces, sides};
-use predicament_studies::{Common, Quiet, Study};
+use predicament_studies::{Common, Study};
 use predicament_tasks::Contestant;
 
-use crate::backend;
+use crate::{backend, quiet};
 
 fn cuts(backends: &[&str]) -> Measured {
     survey(&cut(backends))
@@ -28,7 +28,7 @@ fn cut(backends: &[&str]) -> Cut {
 fn survey(cut: &Cut) -> Measured {
     let made: Vec<Box<dyn Contestant>> = cut.backends().iter().map(|name| backend(name)).collect();
     let made: Vec<&dyn Contestant> = made.iter().map(AsRef::as_ref).collect();
-    cut.survey(&made, &Quiet::new()).unwrap()
+    cut.survey(&made, &quiet()).unwrap()
 }
 
 fn name(row: &Row) -> String {

@@ -16,10 +16,15 @@ mod stress;
 mod which;
 mod worst;
 
-use predicament_oracle::roster;
+use predicament_studies::Quiet;
 use predicament_tasks::Contestant;
+
+/// A host that is not watched, with all tasks and backends.
+fn quiet() -> Quiet {
+    Quiet::on(predicament_bundle::tasks(), predicament_bundle::backend)
+}
 
 /// The backend with this name.
 fn backend(name: &str) -> Box<dyn Contestant> {
-    roster::backend(name).unwrap_or_else(|why| panic!("{why}"))
+    predicament_bundle::backend(name).unwrap_or_else(|why| panic!("{why}"))
 }

@@ -3,8 +3,12 @@
 use predicament_exact::Exact;
 use predicament_sos::PerMesh;
 use predicament_studies::mesh_cascades::{Cascade, MeshCascades, Rounding};
-use predicament_studies::{Common, Quiet, Study};
+
+use predicament_studies::{Common, Study};
+
 use predicament_tasks::{Contestant, Entry};
+
+use crate::quiet;
 
 fn study(cascades: &[Cascade], steps: u32) -> MeshCascades {
     MeshCascades {
@@ -23,7 +27,7 @@ fn lattices_are_what_is_counted_and_spheres_have_their_points() {
     let backends: [Box<dyn Contestant>; 2] = [Box::new(Entry::new(PerMesh)), Box::new(Entry::new(Exact))];
     let backends = backends.each_ref().map(|backend| &**backend);
     let study = study(&[Cascade::Cubes, Cascade::Shuffled], 15);
-    let measured = study.survey(&backends, &Quiet::new()).unwrap();
+    let measured = study.survey(&backends, &quiet()).unwrap();
     assert!(study.holds(&measured), "{}", study.page(&measured));
     for one in &measured.followed {
         assert_eq!((one.samples.len(), one.samples[4].triangles, &one.ended), (5, 0, &None));
@@ -43,7 +47,7 @@ fn a_sphere_is_shaved_twice_in_the_same_way() {
     let backends: [Box<dyn Contestant>; 2] = [Box::new(Entry::new(PerMesh)), Box::new(Entry::new(Exact))];
     let backends = backends.each_ref().map(|backend| &**backend);
     let study = study(&[Cascade::Shave], 5);
-    let [first, second] = [(); 2].map(|()| study.survey(&backends, &Quiet::new()).unwrap());
+    let [first, second] = [(); 2].map(|()| study.survey(&backends, &quiet()).unwrap());
     assert!(study.holds(&first), "{}", study.page(&first));
     assert!(first.followed[0].done.moved > 0);
     let rows = |measured| study.rows(measured).unwrap()[0].text().to_owned();
@@ -55,12 +59,12 @@ fn what_rounding_leaves_is_resolved() {
     let backends: [Box<dyn Contestant>; 2] = [Box::new(Entry::new(PerMesh)), Box::new(Entry::new(Exact))];
     let backends = backends.each_ref().map(|backend| &**backend);
     let resolved = MeshCascades { samples: 1, probes: 4, ..study(&[Cascade::Copies], 5) };
-    let measured = resolved.survey(&backends, &Quiet::new()).unwrap();
+    let measured = resolved.survey(&backends, &quiet()).unwrap();
     assert!(resolved.holds(&measured), "{}", resolved.page(&measured));
     let done = measured.followed[0].done;
     assert!(done.left == 0 && done.resolved > 0 && done.cut > 0, "{done:?}");
     assert!(measured.followed[0].samples.iter().all(|sample| sample.is_clean()));
     let counted = MeshCascades { rounding: Rounding::Counted, ..resolved };
-    let measured = counted.survey(&backends, &Quiet::new()).unwrap();
+    let measured = counted.survey(&backends, &quiet()).unwrap();
     assert!(measured.followed[0].done.left > 0);
 }

@@ -5,10 +5,12 @@ use std::sync::atomic::AtomicBool;
 
 use predicament_exact::Exact;
 use predicament_predicates::{Backend, Contract, Declined, PredicateKind, Scene, Tally};
-use predicament_studies::{Entry, Error, File, Host, Quiet, Ready, Report, STUDIES, Study};
-use predicament_tasks::{Contestant, Stop, Watch};
+use predicament_studies::{Entry, Error, File, Host, Ready, Report, Study};
+use predicament_tasks::{AnyTask, Contestant, Stop, Watch};
 
-use crate::backend;
+use predicament_bundle::STUDIES;
+
+use crate::{backend, quiet};
 
 /// A study with these arguments.
 fn ready(line: &str) -> Box<dyn Ready> {
@@ -103,7 +105,7 @@ fn every_study_is_tried_here() {
 #[test]
 fn every_study_makes_its_files_and_a_page() {
     for (line, files) in SMALL {
-        let one = report(ready(line).as_ref(), &Quiet::new()).unwrap();
+        let one = report(ready(line).as_ref(), &quiet()).unwrap();
         assert_eq!(one.files.iter().map(|file| file.name.as_str()).collect::<Vec<_>>(), files, "{line}");
         assert!(one.files.iter().all(|file| !file.bytes.is_empty()), "{line}");
         assert_eq!(one.holds, !line.starts_with("laws"), "{line}");
@@ -114,7 +116,7 @@ fn every_study_makes_its_files_and_a_page() {
 
 #[test]
 fn rows_are_printed_where_the_arguments_ask_for_them() {
-    let rows = report(ready("laws -b exact --tuples 0 --format csv").as_ref(), &Quiet::new()).unwrap();
+    let rows = report(ready("laws -b exact --tuples 0 --format csv").as_ref(), &quiet()).unwrap();
     assert_eq!(rows.printed, rows.files[0].text());
     assert!(rows.printed.starts_with("backend,law,predicates,tuples,violations,panics,first\n"), "{}", rows.printed);
 }
@@ -128,6 +130,14 @@ struct Impatient<'a> {
 impl Host for Impatient<'_> {
     fn watch(&self) -> &Watch<'_> {
         &self.watch
+    }
+
+    fn tasks(&self) -> &[&'static dyn AnyTask] {
+        predicament_bundle::tasks()
+    }
+
+    fn backend(&self, name: &str) -> Result<Box<dyn Contestant>, Error> {
+        predicament_bundle::backend(name).map_err(Error::unfit)
     }
 
     fn begin(&self, total: u64, unit: &str) {
@@ -174,9 +184,9 @@ impl Backend for Never {
 fn a_backend_that_declines_is_named() {
     let never = predicament_tasks::Entry::new(Never);
     let never: [&dyn Contestant; 1] = [&never];
-    let refused = ready("resolution --trials 1 --out x").report(&never, &Quiet::new());
+    let refused = ready("resolution --trials 1 --out x").report(&never, &quiet());
     assert_eq!(refused.err(), Some(Error::unfit("never on `vertices apart`: scene declined: not today")));
-    let laws = ready("laws --tuples 0 --format csv").report(&never, &Quiet::new()).unwrap();
+    let laws = ready("laws --tuples 0 --format csv").report(&never, &quiet()).unwrap();
     assert!(laws.holds && laws.printed.lines().skip(1).all(|row| row.ends_with(",0,0,0,")), "{}", laws.printed);
 }
 
@@ -230,7 +240,7 @@ fn a_study_of_ones_own_needs_four_methods() {
     let study = |line: &str| entry.parse(&entry.command().get_matches_from(line.split(' '))).unwrap();
     let plain = study("census");
     assert_eq!((plain.backends(), plain.threads(), plain.out()), (Vec::new(), None, None));
-    let told = plain.report(&[backend("exact").as_ref()], &Quiet::new()).unwrap();
+    let told = plain.report(&[backend("exact").as_ref()], &quiet()).unwrap();
     assert_eq!((told.printed.as_str(), told.files.len(), told.holds), ("1 backends\n", 2, true));
-    assert_eq!(study("census --fails").report(&[], &Quiet::new()), Err(Error::unfit("as asked")));
+    assert_eq!(study("census --fails").report(&[], &quiet()), Err(Error::unfit("as asked")));
 }

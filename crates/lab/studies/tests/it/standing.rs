@@ -1,14 +1,14 @@
 //! What is said about a backend: its times over pairs with the reference, its errors over its own scenes, and nothing by what others did.
 
+use predicament_studies::Study;
 use predicament_studies::compare::{
     ASKED_TWICE, BARELY, Compare, Compared, Measure, REFERENCE, Ratio, Share, left_out, standings, tradeoffs,
 };
 use predicament_studies::laws::Format;
-use predicament_studies::{Quiet, Study};
 use predicament_tasks::Contestant;
 use proptest::prelude::*;
 
-use crate::backend;
+use crate::{backend, quiet};
 
 fn row(input: usize, backend: &str, measure: &str, unit: &str, value: f64, of: u64) -> Measure {
     let [task, family] = ["orient2d", "family"].map(|word| format!("{word}{input}"));
@@ -166,7 +166,7 @@ fn scenes_are_counted_once_and_inputs_are_timed_twice() {
     let backends = names.map(backend);
     let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
     let tasks = ["orient2d", "contacts2d", "delaunay2d", "slice"];
-    let of = study(&tasks).survey(&backends, &Quiet::new()).unwrap();
+    let of = study(&tasks).survey(&backends, &quiet()).unwrap();
     // Without the yardstick no input is left out, however slow the machine is.
     let (twice, measures): (Vec<Measure>, Vec<Measure>) =
         of.measures.into_iter().partition(|row| row.measure == ASKED_TWICE);

@@ -3,13 +3,13 @@
 use predicament_corpus::{Level, Suite};
 use predicament_formats::{Cache, Manifest};
 use predicament_report::Block;
+use predicament_studies::Study;
 use predicament_studies::compare::Measure;
 use predicament_studies::laws::Format;
 use predicament_studies::stress::{BreakPoint, Stress, Stressed};
-use predicament_studies::{Quiet, Study};
-use predicament_tasks::{Contestant, Knob, Turns, built_in, vocabulary};
+use predicament_tasks::{Contestant, Knob, Turns};
 
-use crate::backend;
+use crate::{backend, quiet};
 
 fn study(tasks: &[&str], knobs: &[Knob]) -> Stress {
     Stress {
@@ -29,7 +29,7 @@ fn study(tasks: &[&str], knobs: &[Knob]) -> Stress {
 fn stressed(study: &Stress, names: &[&str]) -> Stressed {
     let backends: Vec<Box<dyn Contestant>> = names.iter().map(|name| backend(name)).collect();
     let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
-    study.survey(&backends, &Quiet::new()).unwrap()
+    study.survey(&backends, &quiet()).unwrap()
 }
 
 fn of<'a>(stressed: &'a Stressed, knob: Knob, way: &str, backend: &str) -> &'a BreakPoint {
@@ -92,14 +92,14 @@ fn meshes_and_contacts_stay_what_they_are() {
     }
     let again = stressed(&study, &["sos:per-mesh"]);
     assert_eq!(study.rows(&found).unwrap(), study.rows(&again).unwrap());
-    let unknown = Stress { tasks: vec!["orient4d".to_owned()], ..study }.survey(&[], &Quiet::new()).unwrap_err();
+    let unknown = Stress { tasks: vec!["orient4d".to_owned()], ..study }.survey(&[], &quiet()).unwrap_err();
     assert!(unknown.to_string().contains("contacts3d"), "{unknown}");
 }
 
 #[test]
 fn a_knob_that_does_not_fit_a_task_is_listed_with_the_reason() {
     let mut fits = 0;
-    for task in built_in() {
+    for task in predicament_bundle::tasks() {
         for knob in Knob::ALL {
             let why = match task.turned_by(knob) {
                 Turns::Everywhere => {
@@ -169,7 +169,8 @@ fn the_scenes_of_each_position_are_suites_that_are_read_back() {
     assert_eq!(suites.len(), Knob::Scale.positions().len() + Knob::Noise.positions().len());
     let load = |name: &str| {
         let file = suites.iter().find(|file| file.name.ends_with(&format!("suites/{name}"))).unwrap();
-        let suite = Suite::parse(vocabulary(), name, file.text(), None, &Manifest::default()).unwrap();
+        let suite =
+            Suite::parse(predicament_bundle::vocabulary(), name, file.text(), None, &Manifest::default()).unwrap();
         let cache = Cache::new("nowhere");
         suite.scenes.iter().map(|scene| scene.load(Level::Quick, &cache).unwrap()).collect::<Vec<_>>()
     };
@@ -195,8 +196,8 @@ fn the_scenes_of_each_position_are_suites_that_are_read_back() {
         };
         of.measures.iter().find(is).map(|row| row.value * f64::from(u32::try_from(row.of).unwrap()) / 1e6).unwrap()
     };
-    let task = built_in().into_iter().find(|task| task.name() == "orient2d").unwrap();
-    let quiet = Quiet::new();
+    let task = predicament_bundle::tasks().iter().copied().find(|task| task.name() == "orient2d").unwrap();
+    let quiet = quiet();
     let watch = predicament_studies::Host::watch(&quiet);
     let case = task.case(turns, watch).unwrap();
     let outcome =

@@ -1,13 +1,18 @@
 //! The search for worst inputs, on a small effort.
 
 use predicament_studies::Host;
+
 use predicament_studies::worst::Found;
+
 use predicament_studies::worst::{Worst, errors, guards};
-use predicament_studies::{Common, Quiet, Study};
+
+use predicament_studies::{Common, Study};
+
+use crate::quiet;
 
 #[test]
 fn errors_come_near_their_bounds_and_not_beyond() {
-    let host = Quiet::new();
+    let host = quiet();
     let found = errors([1, 60], 1, host.watch()).unwrap();
     // 42 quantities, both L̂ and 16 tolerances, in two precisions
     assert_eq!(found.len(), 2 * (42 + 2 + 16));
@@ -29,7 +34,7 @@ fn errors_come_near_their_bounds_and_not_beyond() {
 
 #[test]
 fn guards_are_above_their_bounds_and_a_climb_lowers_them() {
-    let host = Quiet::new();
+    let host = quiet();
     let [little, more] = [5, 150].map(|steps| guards([1, steps], 1, host.watch()).unwrap());
     assert_eq!(more.len(), 2 * 8, "all algorithms but those of two vertices");
     assert!(more.iter().all(|row| row.least >= 1.0 - 1e-12), "{more:?}");

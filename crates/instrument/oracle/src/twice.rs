@@ -12,16 +12,18 @@ use predicament_predicates::{
 };
 
 /// The exact backend, which computes each answer twice.
-pub(super) struct Twice;
+#[derive(Clone, Copy, Debug)]
+pub struct Twice;
 
 /// A session that asks another one twice.
-pub(super) struct Asked<P>(P);
+#[derive(Debug)]
+pub struct Asked<P>(P);
 
 impl Backend for Twice {
     type Session<'s, T: Tally + 's> = Asked<<Exact as Backend>::Session<'s, T>>;
 
     fn name(&self) -> String {
-        format!("{}, asked twice", Exact.name())
+        "exact:twice".to_owned()
     }
 
     fn contract(&self, kind: PredicateKind) -> Contract {

@@ -1,35 +1,11 @@
-//! The list of studies: the one place where they are named.
+//! A study whose type is hidden, as a list of them has it.
 
 use std::path::Path;
 
 use clap::{ArgMatches, Command};
 use predicament_tasks::Contestant;
 
-use crate::audit::Audit;
-use crate::cascades::Cascades;
-use crate::compare::Compare;
-use crate::cut::Cut;
-use crate::laws::Laws;
-use crate::mesh_cascades::MeshCascades;
-use crate::parity::Parity;
-use crate::resolution::Resolution;
-use crate::stress::Stress;
-use crate::worst::Worst;
 use crate::{Error, Host, Report, Study};
-
-/// All studies, in the order of the help.
-pub const STUDIES: &[Entry] = &[
-    Entry::of::<Compare>(),
-    Entry::of::<Stress>(),
-    Entry::of::<Resolution>(),
-    Entry::of::<Parity>(),
-    Entry::of::<Cut>(),
-    Entry::of::<Audit>(),
-    Entry::of::<Worst>(),
-    Entry::of::<Laws>(),
-    Entry::of::<Cascades>(),
-    Entry::of::<MeshCascades>(),
-];
 
 /// A study as a command line needs it.
 #[derive(Clone, Copy)]

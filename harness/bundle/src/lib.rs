@@ -1,0 +1,124 @@
+//! The systems and studies that the tool comes with: the one list of them.
+//!
+//! A system enters as a task of anybody's crate does, by a [`TaskList`], and a study as an [`Entry`]. The list is a crate of its own, as tests below the tool need
+//! backends that know every task; it is where backends and systems are compiled together.
+
+use std::sync::{Arc, OnceLock};
+
+use predicament_corpus::Vocabulary;
+use predicament_oracle::roster;
+use predicament_predicates::Backend;
+use predicament_studies::Entry;
+use predicament_studies::audit::Audit;
+use predicament_studies::cascades::Cascades;
+use predicament_studies::compare::Compare;
+use predicament_studies::cut::Cut;
+use predicament_studies::laws::Laws;
+use predicament_studies::mesh_cascades::MeshCascades;
+use predicament_studies::parity::Parity;
+use predicament_studies::resolution::Resolution;
+use predicament_studies::stress::Stress;
+use predicament_studies::worst::Worst;
+use predicament_tasks::contacts::Contacts;
+use predicament_tasks::crossings::Crossings;
+use predicament_tasks::cube_union::CubeUnion;
+use predicament_tasks::delaunay::Delaunay2d;
+use predicament_tasks::hull::{Hull2d, Hull3d};
+use predicament_tasks::interval::Interval;
+use predicament_tasks::mesh_intersect::MeshIntersect;
+use predicament_tasks::mesh_locate::MeshLocate;
+use predicament_tasks::overlay::Overlay2d;
+use predicament_tasks::polygon_locate::PolygonLocate;
+use predicament_tasks::slice::Slice;
+use predicament_tasks::snap::Snap2d;
+use predicament_tasks::triangulate::Triangulate;
+use predicament_tasks::{AnyTask, Contestant, OnTask, Solver, TaskList, with_signs};
+
+/// All systems, in the order of reports and messages. A new system is a line here.
+macro_rules! each_task {
+    ($do:ident) => {
+        vec![
+            $do!(Interval),
+            $do!(PolygonLocate),
+            $do!(CubeUnion),
+            $do!(Contacts::IN_PLANE),
+            $do!(Contacts::IN_SPACE),
+            $do!(Crossings),
+            $do!(Triangulate),
+            $do!(Hull2d),
+            $do!(Hull3d),
+            $do!(Slice),
+            $do!(Delaunay2d),
+            $do!(Overlay2d),
+            $do!(Snap2d),
+            $do!(MeshLocate),
+            $do!(MeshIntersect),
+        ]
+    };
+}
+
+/// The systems, as a list of tasks.
+#[derive(Clone, Copy, Default, Debug)]
+pub struct Systems;
+
+impl TaskList for Systems {
+    fn tasks(&self) -> Vec<&'static dyn AnyTask> {
+        macro_rules! any {
+            ($task:expr) => {
+                &$task as &'static dyn AnyTask
+            };
+        }
+        each_task!(any)
+    }
+
+    fn solvers<B: Backend + 'static>(&self, backend: &Arc<B>) -> Vec<Box<dyn Solver>> {
+        macro_rules! on {
+            ($task:expr) => {
+                Box::new(OnTask::new(backend, $task)) as Box<dyn Solver>
+            };
+        }
+        each_task!(on)
+    }
+}
+
+/// The studies, in the order of the help.
+pub const STUDIES: &[Entry] = &[
+    Entry::of::<Compare>(),
+    Entry::of::<Stress>(),
+    Entry::of::<Resolution>(),
+    Entry::of::<Parity>(),
+    Entry::of::<Cut>(),
+    Entry::of::<Audit>(),
+    Entry::of::<Worst>(),
+    Entry::of::<Laws>(),
+    Entry::of::<Cascades>(),
+    Entry::of::<MeshCascades>(),
+];
+
+/// The tasks that ask for signs, and the systems.
+#[must_use]
+pub fn tasks() -> &'static [&'static dyn AnyTask] {
+    static TASKS: OnceLock<Vec<&'static dyn AnyTask>> = OnceLock::new();
+    TASKS.get_or_init(|| with_signs(&Systems))
+}
+
+/// The task with this name.
+#[must_use]
+pub fn task(name: &str) -> Option<&'static dyn AnyTask> {
+    tasks().iter().copied().find(|task| task.name() == name)
+}
+
+/// The vocabulary of [`tasks`], for reading suites.
+#[must_use]
+pub fn vocabulary() -> &'static Vocabulary {
+    static VOCABULARY: OnceLock<Vocabulary> = OnceLock::new();
+    VOCABULARY.get_or_init(|| predicament_tasks::vocabulary(tasks()))
+}
+
+/// The backend with this name, on all of [`tasks`].
+///
+/// # Errors
+/// One line with the names that there are.
+pub fn backend(name: &str) -> Result<Box<dyn Contestant>, String> {
+    roster::backend(name, &Systems)
+}
