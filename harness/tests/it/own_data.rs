@@ -99,7 +99,7 @@ fn what_is_wrong_with_points_of_a_file_names_the_file() {
         &["ask", "orient2d", "--points", &file, "--queries", "0,1,2"],
         &["ask", "orient3d", "--points", &file],
         &["solve", "orient2d", &file, "--out", &out],
-        &["solve", "snap2d", &file, "--set", "segments=[[0, 2]]", "--out", &out],
+        &["solve", "delaunay2d", &file, "--set", "constraints=[[0, 2]]", "--out", &out],
     ] {
         let refused = expect(2, args);
         assert_eq!(refused.stderr.lines().count(), 1, "{args:?}: {}", refused.stderr);

@@ -95,7 +95,7 @@ fn what_runs_out_of_evaluations_goes_on_and_ends_as_well() {
         ("\"limit\": 10.0", "\"limit\": -1.0", "`limit` is no time limit"),
         ("\"class\": \"sign_flip\"", "\"class\": \"flip\"", "no class is called `flip`"),
         ("\"level\": \"quick\"", "\"level\": \"slow\"", "slow"),
-        ("\"naive:first\"", "\"naive:last\"", "no backend is called `naive:last`"),
+        ("\"naive:first\"", "\"nave\"", "no backend is called `nave`"),
     ] {
         fs::write(&file, text.replace(from, to)).unwrap();
         let told = expect(2, &["shrink", "--resume", &short]);
