@@ -5,6 +5,7 @@
 
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::time::Duration;
 
 use predicament_corpus::{Heading, Spelled};
 use predicament_predicates::Class;
@@ -75,14 +76,28 @@ struct Row<'a> {
 }
 
 impl Saved {
-    /// Reads the folder of a hunt.
-    pub fn open(folder: &Path) -> Result<Saved, Failure> {
+    /// Reads the folder of a hunt. What is wrong in a scene or a name of it is wrong in its file, and said here, where the file is
+    /// known.
+    pub fn open(tool: &Tool, folder: &Path) -> Result<Saved, Failure> {
         let file = folder.join(STATE);
         let text = std::fs::read_to_string(&file).map_err(|error| {
             Failure::usage(format!("{}: {error}; name the folder of a `hunt` that was begun", file.display()))
         })?;
-        serde_json::from_str(&text)
-            .map_err(|error| Failure::usage(format!("{}: {error}; start the hunt again", file.display())))
+        let refuse = |why: &str| Failure::usage(format!("{}: {why}; start the hunt again", file.display()));
+        let saved: Saved = serde_json::from_str(&text).map_err(|error| refuse(&error.to_string()))?;
+        let Order { task, class, shown_by, not_by, limit, .. } = &saved.order;
+        if tool.vocabulary().names().all(|name| name != task) {
+            return Err(refuse(&format!("there is no task `{task}`")));
+        }
+        for class in class.iter().chain(saved.state.finds.iter().map(|find| &find.class)) {
+            class.parse::<Class>().map_err(|why| refuse(&why.to_string()))?;
+        }
+        for name in shown_by.iter().chain(not_by).filter(|name| !tool.knows_backend(name)) {
+            tool.backend(name).map_err(|why| refuse(&why.to_string()))?;
+        }
+        Duration::try_from_secs_f64(*limit).map_err(|why| refuse(&format!("`limit` is no time limit: {why}")))?;
+        saved.state.check(tool.vocabulary(), task).map_err(|why| refuse(&why))?;
+        Ok(saved)
     }
 
     /// Writes everything, the state last: what it says is there. Where so many finds are written already, only what is new.

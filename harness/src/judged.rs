@@ -108,9 +108,9 @@ impl Judged {
         if planned.is_empty() {
             return Err(Failure::nothing(format!("{run}: no scene of the run is selected; leave out -f")));
         }
-        let scenes = selection.of_plan(&planned, |scene| {
+        let scenes = selection.of_plan(&planned, |scene, of| {
             Failure::usage(format!(
-                "{run}: scene {}/{} has changed since it was judged, or is gone; start a new run, or name suites",
+                "{run}: scene {}/{}{of} has changed since it was judged, or is gone; start a new run, or name suites",
                 scene.suite, scene.scene
             ))
         })?;

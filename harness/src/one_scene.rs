@@ -7,7 +7,6 @@ use predicament_formats::{CorpusError, Manifest};
 use predicament_tasks::AnyTask;
 
 use crate::exit::Failure;
-use crate::out::program;
 use crate::select::Selector;
 use crate::tool::Tool;
 
@@ -46,10 +45,7 @@ fn of_suite(args: &OneScene, tool: &Tool) -> Result<LoadedScene, Failure> {
     let defs = selection.defs();
     match defs.as_slice() {
         [def] => selection.load(def),
-        [] => {
-            let message = format!("no scene is selected; `{} corpus list --scenes` names them", program());
-            Err(Failure::nothing(message))
-        }
+        [] => Err(selection.nothing()),
         [first, second, ..] => {
             let message = format!("{}/{} and {}/{} are selected", first.suite, first.name, second.suite, second.name);
             Err(Failure::usage(format!("{message}; choose one scene with -f")))

@@ -162,6 +162,19 @@ impl Selection {
         self.paths.get(&def.suite).cloned().unwrap_or_else(|| def.suite.clone())
     }
 
+    /// What to put behind the name of a scene or suite: the file, where one was named.
+    pub fn of_file(&self, suite: &str) -> String {
+        self.paths.get(suite).map_or_else(String::new, |file| format!(" of {file}"))
+    }
+
+    /// That nothing is selected, with the files that were named.
+    pub fn nothing(&self) -> Failure {
+        let files: Vec<&str> = self.paths.values().map(String::as_str).collect();
+        let of = if files.is_empty() { String::new() } else { format!(" of {}", files.join(" and ")) };
+        let list = format!("{} corpus list --scenes", program());
+        Failure::nothing(format!("no scene{of} is selected; `{list}` names those that there are"))
+    }
+
     /// The files of the suites that were named by path.
     pub fn paths(&self) -> BTreeMap<String, String> {
         self.paths.clone()
@@ -200,10 +213,7 @@ impl Selection {
             }
         }
         if all.is_empty() {
-            return Err(Failure::nothing(format!(
-                "no scene is selected; see `{} corpus list` for what there is",
-                program()
-            )));
+            return Err(self.nothing());
         }
         let whole = (shard != Shard::WHOLE).then(|| Whole::new(&all, places));
         Ok((planned, whole))
@@ -212,15 +222,16 @@ impl Selection {
     /// The scenes that were planned before, and no others are loaded.
     ///
     /// # Errors
-    /// The first that is gone or has other contents by now, as `changed` puts it.
+    /// The first that is gone or has other contents by now, as `changed` puts it, which is told of its [file](Self::of_file) too.
     pub fn of_plan(
         &self,
         scenes: &[PlannedScene],
-        changed: impl Fn(&PlannedScene) -> Failure,
+        changed: impl Fn(&PlannedScene, &str) -> Failure,
     ) -> Result<Vec<Planned>, Failure> {
         let defs: BTreeMap<(&str, &str), &SceneDef> =
             self.defs().into_iter().map(|def| ((&*def.suite, &*def.name), def)).collect();
         let mut room = Room(KEPT);
+        let changed = |scene: &PlannedScene| changed(scene, &self.of_file(&scene.suite));
         let load = |scene: &PlannedScene| {
             let def = defs.get(&(&*scene.suite, &*scene.scene)).ok_or_else(|| changed(scene))?;
             let loaded = self.load(def)?;

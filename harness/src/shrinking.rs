@@ -194,7 +194,10 @@ impl Job<'_> {
         let done = shrink(vocabulary, witness, start, &self.named, limits, evaluations, &mut kept);
         let done = done.map_err(|why| {
             let State { suite, scene, finding_id, .. } = &self.state;
-            Failure::usage(format!("{suite}/{scene}, finding {finding_id}: {why}"))
+            // Where it goes on, the scene is that of its own file.
+            let own = folder.join(SUITE);
+            let place = if own.exists() { format!("{}: ", own.display()) } else { String::new() };
+            Failure::usage(format!("{place}{suite}/{scene}, finding {finding_id}: {why}; start it again"))
         });
         let done = done?;
         if let Some(failure) = failed {
@@ -241,6 +244,17 @@ pub fn open(tool: &Tool, folder: &Path) -> Result<(State, LoadedScene), Failure>
     match loaded.spelled() {
         Some(spelled) if spelled.task == state.task => {}
         _ => return refuse(format!("the scene of {SUITE} is not of the task `{}`", state.task)),
+    }
+    if let Err(why) = state.class.parse::<Class>() {
+        return refuse(why.to_string());
+    }
+    if let Err(why) = state.level.parse::<Level>() {
+        return refuse(why.to_string());
+    }
+    for name in state.shown_by.iter().chain(&state.not_by).filter(|name| !tool.knows_backend(name)) {
+        if let Err(why) = tool.backend(name) {
+            return refuse(why.to_string());
+        }
     }
     if let Err(error) = Duration::try_from_secs_f64(state.limit) {
         return refuse(format!("`limit` is no time limit: {error}"));

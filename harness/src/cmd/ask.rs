@@ -1,7 +1,7 @@
 //! `ask`: one question about a few points, put to every backend.
 
 use std::io::Read;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use predicament_corpus::{Level, LoadedScene, Suite};
 use predicament_formats::{CoordinateError, CorpusError, Decimals, Manifest, Place, hexfloat, points};
@@ -75,6 +75,9 @@ pub struct Args {
 
 /// The name of the suite that is not written down.
 const ASKED: &str = "ask";
+
+/// What errors call points that are typed or piped in.
+const STDIN: &str = "stdin";
 
 /// How answers are printed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
@@ -241,7 +244,7 @@ fn load(args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
         None => listed(args.typed.iter().enumerate().map(|(at, text)| (format!("point {at}"), text.clone())), args)?,
         Some(file) if file.as_os_str() == "-" => {
             let mut bytes = Vec::new();
-            std::io::stdin().read_to_end(&mut bytes).map_err(|error| Failure::usage(format!("stdin: {error}")))?;
+            std::io::stdin().read_to_end(&mut bytes).map_err(|error| Failure::usage(format!("{STDIN}: {error}")))?;
             let read = points::read("stdin.csv", bytes, &Decimals::new(args.round)).map_err(for_ask)?;
             let rows = read.coordinates.chunks(read.dimension.count()).map(written);
             format!("[{}]", rows.collect::<Vec<_>>().join(",\n"))
@@ -268,10 +271,15 @@ fn load(args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
     if args.round && args.points.is_some() {
         text += "round = true\n";
     }
-    let base = Some(std::path::Path::new("."));
-    let suite = Suite::parse(tool.vocabulary(), ASKED, &text, base, &Manifest::default()).map_err(for_ask)?;
+    let base = Some(Path::new("."));
+    let is_stdin = args.points.as_deref() == Some(Path::new("-"));
+    let told = |error: CorpusError| match is_stdin && error.file == ASKED {
+        true => for_ask(CorpusError { message: format!("with {STDIN}: {}", error.message), ..error }),
+        false => for_ask(error),
+    };
+    let suite = Suite::parse(tool.vocabulary(), ASKED, &text, base, &Manifest::default()).map_err(told)?;
     let cache = Selector::everything().cache()?;
-    suite.scenes[0].load(Level::Quick, &cache).map_err(for_ask)
+    suite.scenes[0].load(Level::Quick, &cache).map_err(told)
 }
 
 /// An error about data, with the cure of this command: there is no suite to write `round` in.
@@ -284,7 +292,7 @@ fn for_ask(error: CorpusError) -> Failure {
         Some(_) => "add --round to read the nearest doubles".to_owned(),
         None => error.cure.clone(),
     };
-    let file = error.file.replace("stdin.csv", "stdin");
+    let file = error.file.replace("stdin.csv", STDIN);
     CorpusError { cure, file, ..error }.into()
 }
 

@@ -153,7 +153,7 @@ fn generate(tool: &Tool, selector: &Selector, as_suite: bool) -> exit::Outcome {
     let selection = selector.select(tool)?;
     let defs = selection.defs();
     if defs.is_empty() {
-        return Err(Failure::nothing(format!("no scene is selected; see `{} corpus list --scenes`", program())));
+        return Err(selection.nothing());
     }
     if as_suite {
         say!("title = \"Scenes written out\"");

@@ -121,7 +121,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let (programs, not_by) = programs.and_named(&args.not_by)?;
     let (mut saved, seeds, folder) = match (&args.resume, &args.task) {
         (Some(folder), _) => {
-            let saved = Saved::open(folder)?;
+            let saved = Saved::open(tool, folder)?;
             let seeds = resumed(&saved, tool, folder)?;
             (saved, seeds, folder.clone())
         }
@@ -331,11 +331,16 @@ const ALL: &str = "*";
 fn resumed(saved: &Saved, tool: &Tool, folder: &Path) -> Result<Vec<Seed>, Failure> {
     let Order { task, suites, .. } = &saved.order;
     let all = suites.iter().any(|name| name == ALL);
-    let seeds = seeds_of(tool, task, if all { &[] } else { suites }, all)?;
+    let file = folder.join(STATE);
+    // A name that is no suite is wrong in this file, and what is wrong in a suite is told with the suite's.
+    let named = |failure: Failure| match failure.code {
+        exit::USAGE => Failure::usage(format!("{}: {}", file.display(), failure.message)),
+        _ => failure,
+    };
+    let seeds = seeds_of(tool, task, if all { &[] } else { suites }, all).map_err(named)?;
     if digest_of(&seeds) == saved.order.seeds {
         return Ok(seeds);
     }
-    let file = folder.join(STATE);
     Err(Failure::usage(format!(
         "{}: the suites have changed since the hunt began, so it cannot go on as it would have; begin another",
         file.display()

@@ -158,7 +158,12 @@ pub fn load(run: &RunDir, finding: &FindingRow, cache: Option<&Path>, tool: &Too
     let selection =
         Selector { suites: vec![suite], filter: None, level, cache: cache.map(Path::to_path_buf) }.select(tool)?;
     let Some(def) = selection.defs().into_iter().find(|def| def.name == finding.scene) else {
-        return Err(Failure::nothing(format!("suite `{}` has no scene `{}` any more", finding.suite, finding.scene)));
+        let (suite, of) = (&finding.suite, selection.of_file(&finding.suite));
+        return Err(Failure::nothing(format!(
+            "{}: the suite `{suite}`{of} has no scene `{}` any more; run it again",
+            run.path.display(),
+            finding.scene
+        )));
     };
     let loaded = selection.load(def)?;
     if loaded.id != finding.scene_id {

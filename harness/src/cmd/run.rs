@@ -384,15 +384,16 @@ impl Job {
         let level: Level = plan.level.to_string().parse().map_err(Failure::usage)?;
         let selector = Selector { suites: suites_of(file, &plan), level, ..args.selector.clone() };
         let selection = selector.select(tool)?;
-        let scenes = selection.of_plan(&plan.scenes, |scene| {
+        let scenes = selection.of_plan(&plan.scenes, |scene, of| {
             refuse(format!(
-                "scene {}/{} has changed since the plan was made, or is gone; make the plan anew",
+                "scene {}/{}{of} has changed since the plan was made, or is gone; make the plan anew",
                 scene.suite, scene.scene
             ))
         })?;
         if let Some((suite, _)) = plan.hashes.iter().find(|(suite, hash)| selection.hashes().get(*suite) != Some(hash))
         {
-            return Err(refuse(format!("the file of the suite `{suite}` has changed since; make the plan anew")));
+            let of = selection.of_file(suite);
+            return Err(refuse(format!("the suite `{suite}`{of} has changed since; make the plan anew")));
         }
         let recorded = Recorded { file, folder: None, engines: &plan.engines };
         let picked = args.programs.pick(tool, &plan.backends, recorded)?;
@@ -444,10 +445,10 @@ impl Job {
         let recorded = Recorded { file: &folder.join("plan.json"), folder: Some(folder), engines: &plan.engines };
         let Picked { backends, files: engines } = args.programs.pick(tool, &plan.backends, recorded)?;
         // The filter of the first call isn't needed: the plan lists its scenes.
-        let scenes = selection.of_plan(&plan.scenes, |lost| {
+        let scenes = selection.of_plan(&plan.scenes, |lost, of| {
             Failure::usage(format!(
-                "{}: scene {}/{} has changed since the run was planned; start a new run",
-                folder.display(),
+                "{}: scene {}/{}{of} has changed since the run was planned, or is gone; start a new run",
+                folder.join("plan.json").display(),
                 lost.suite,
                 lost.scene
             ))

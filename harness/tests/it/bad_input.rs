@@ -37,6 +37,21 @@ fn suites_are_refused_with_file_line_and_cure() {
 }
 
 #[test]
+fn a_suite_without_scenes_is_named() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "empty.toml", "title = \"Nothing\"\n");
+    let told = format!("no scene of {suite} is selected; `predicament corpus list --scenes` names");
+    for args in [
+        &["corpus", "verify", &suite][..],
+        &["corpus", "gen", &suite],
+        &["run", &suite, "--out", &at(&folder, "run")],
+        &["solve", &suite, "-f", ".", "--out", &at(&folder, "solved")],
+    ] {
+        fails(4, args, &[&told]);
+    }
+}
+
+#[test]
 fn a_scene_twice_is_refused() {
     let folder = tempdir().unwrap();
     let twice = SUITE.replace(

@@ -86,6 +86,38 @@ fn what_cannot_be_hunted_is_refused_with_the_cure() {
     }
 }
 
+/// Whatever is wrong in `hunt.json` is told with its name: the scenes in it are in no file of their own.
+#[test]
+fn a_changed_hunt_is_refused_with_the_name_of_its_file() {
+    let folder = tempdir().unwrap();
+    let out = at(&folder, "out");
+    expect(0, &["hunt", "orient2d", "-b", "naive", "--from", "shapes", "--evaluations", "300", "--out", &out]);
+    let file = format!("{out}/hunt.json");
+    let text = fs::read_to_string(&file).unwrap();
+    let whole: Value = serde_json::from_str(&text).unwrap();
+    let refused = |spoil: &dyn Fn(&mut Value), why: &str| {
+        let mut spoiled = whole.clone();
+        spoil(&mut spoiled);
+        fs::write(&file, spoiled.to_string()).unwrap();
+        let told = expect(2, &["hunt", "--resume", &out, "--evaluations", "400"]).stderr;
+        let named = told.starts_with(&format!("predicament: {file}: ")) && told.contains(why);
+        assert!(named && told.lines().count() == 1, "{why}: {told}");
+    };
+    let cut = |text: &mut Value| *text = text.as_str().unwrap().replacen("[[", "[[,", 2).into();
+    assert!(!whole["state"]["finds"].as_array().unwrap().is_empty());
+    refused(&|hunt| cut(&mut hunt["state"]["finds"][0]["shrunk"]), "find 1: line ");
+    refused(&|hunt| cut(&mut hunt["state"]["islands"][0]["members"][0]["scene"]), " of the scene: ");
+    refused(&|hunt| drop(hunt["state"]["islands"].as_array_mut().unwrap().pop()), "islands where the task has");
+    refused(&|hunt| hunt["state"]["finds"][0]["class"] = "flip".into(), "no class is called `flip`");
+    refused(&|hunt| hunt["order"]["class"] = "flip".into(), "no class is called `flip`");
+    refused(&|hunt| hunt["order"]["task"] = "orient4d".into(), "there is no task `orient4d`");
+    refused(&|hunt| hunt["order"]["shown_by"][0] = "naife".into(), "no backend is called `naife`");
+    refused(&|hunt| hunt["order"]["limit"] = (-1.0).into(), "`limit` is no time limit");
+    refused(&|hunt| hunt["order"]["suites"] = ["no-such-suite"].into(), "no-such-suite");
+    fs::write(&file, text).unwrap();
+    expect(0, &["hunt", "--resume", &out, "--evaluations", "400"]);
+}
+
 /// Maps and meshes are read when they are run, and have probes by the hundred.
 #[test]
 fn maps_and_meshes_are_hunted() {

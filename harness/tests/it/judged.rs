@@ -145,7 +145,7 @@ fn a_run_that_says_nothing_about_what_is_timed_is_refused() {
     let told = expect(4, &["bench", "--judged", &out, "-f", "bricks", "--out", &bench]);
     assert!(told.stderr.contains("no scene of the run is selected"), "{}", told.stderr);
     write(&folder, "mine.toml", &SUITE.replace("n = 5", "n = 6"));
-    refused("scene mine/signs has changed since it was judged", &[]);
+    refused(&format!("scene mine/signs of {suite} has changed since it was judged"), &[]);
 }
 
 #[test]

@@ -88,6 +88,35 @@ fn what_cannot_be_asked_is_said_in_a_line() {
     assert!(expect(0, &["ask", "orient2d", "--round", "0.1,0", "1,0", "0,1", "-b", "exact"]).stdout.contains("  +  "));
 }
 
+/// The scene is not written down anywhere, so the file of its points is all that a reader can correct.
+#[test]
+fn what_is_wrong_with_points_of_a_file_names_the_file() {
+    let folder = tempdir().unwrap();
+    let file = write(&folder, "odd.csv", "0,0\n1,0\n");
+    let out = at(&folder, "out");
+    for args in [
+        &["ask", "orient2d", "--points", &file][..],
+        &["ask", "orient2d", "--points", &file, "--queries", "0,1,2"],
+        &["ask", "orient3d", "--points", &file],
+        &["solve", "orient2d", &file, "--out", &out],
+        &["solve", "delaunay2d", &file, "--set", "constraints=[[0, 2]]", "--out", &out],
+    ] {
+        let refused = expect(2, args);
+        assert_eq!(refused.stderr.lines().count(), 1, "{args:?}: {}", refused.stderr);
+        assert!(refused.stderr.contains(&format!("with {file}: ")), "{args:?}: {}", refused.stderr);
+    }
+    let mut child = tool(&["ask", "orient2d", "--points", "-"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(b"0,0\n1,0\n").unwrap();
+    let refused = told(child.wait_with_output().unwrap());
+    assert_eq!(refused.code, 2, "{}", refused.stderr);
+    assert!(refused.stderr.starts_with("predicament: with stdin: 2 points don't divide"), "{}", refused.stderr);
+}
+
 #[test]
 fn a_new_suite_runs_as_it_is() {
     let folder = tempdir().unwrap();

@@ -93,12 +93,22 @@ fn what_runs_out_of_evaluations_goes_on_and_ends_as_well() {
     for (from, to, why) in [
         ("\"task\": \"orient2d\"", "\"task\": \"hull3d\"", "is not of the task `hull3d`"),
         ("\"limit\": 10.0", "\"limit\": -1.0", "`limit` is no time limit"),
+        ("\"class\": \"sign_flip\"", "\"class\": \"flip\"", "no class is called `flip`"),
+        ("\"level\": \"quick\"", "\"level\": \"slow\"", "slow"),
+        ("\"naive:first\"", "\"nave\"", "no backend is called `nave`"),
     ] {
         fs::write(&file, text.replace(from, to)).unwrap();
         let told = expect(2, &["shrink", "--resume", &short]);
         assert!(told.stderr.contains("shrink.json") && told.stderr.contains(why), "{}", told.stderr);
     }
     fs::write(&file, &text).unwrap();
+    let scene = format!("{short}/shrunk.toml");
+    let smallest = fs::read_to_string(&scene).unwrap();
+    let points = smallest.split("points = ").nth(1).unwrap().split('\n').next().unwrap().to_owned();
+    fs::write(&scene, smallest.replace(&points, "[[0, 0], [1, 0], [0, 1]]")).unwrap();
+    let told = expect(2, &["shrink", "--resume", &short]);
+    assert!(told.stderr.contains(&format!("{scene}: ")) && told.stderr.contains("does not show"), "{}", told.stderr);
+    fs::write(&scene, smallest).unwrap();
     expect(0, &["shrink", &id, "--run", &run_dir, "--out", &long]);
     let (short, long) = (state(&short), state(&long));
     assert_eq!((&short["end"], &short["after"]["pieces"]), (&long["end"], &long["after"]["pieces"]), "{short} {long}");

@@ -80,8 +80,22 @@ impl fmt::Display for Error {
         if let Some(line) = self.line {
             write!(f, ":{line}")?;
         }
-        write!(f, ": {}", self.message)
+        // Other libraries quote what they have found, line breaks and all.
+        let words: Vec<&str> = self.message.split_whitespace().collect();
+        write!(f, ": {}", words.join(" "))
     }
 }
 
 impl std::error::Error for Error {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_message_is_one_line_whatever_it_quotes() {
+        let error = Error::at(Path::new("run/summary.csv"), 13, "unknown variant `\nmine,a\r\n`, expected `ok`");
+        assert_eq!(error.to_string(), "run/summary.csv:13: unknown variant ` mine,a `, expected `ok`");
+        assert_eq!(Error::new(Path::new("my run/a  b"), "gone").to_string(), "my run/a  b: gone");
+    }
+}

@@ -49,8 +49,10 @@ fn fail(line: usize, message: &str) -> Error {
 fn held(marked: &str, line: usize) -> Result<(&str, &str), Error> {
     let (name, after) =
         marked[OPEN.len()..].split_once(END).ok_or_else(|| fail(line, &format!("`{OPEN}` has no `{END}` after it")))?;
+    // What is not closed may go on for lines.
+    let shown = name.lines().next().unwrap_or_default();
     let open = |before: &str| {
-        fail(line, &format!("`{OPEN}{name}{END}` is not closed{before}; write `{CLOSE}` where its part ends"))
+        fail(line, &format!("`{OPEN}{shown}{END}` is not closed{before}; write `{CLOSE}` where its part ends"))
     };
     let (part, after) = after.split_once(CLOSE).ok_or_else(|| open(""))?;
     match part.find(OPEN) {

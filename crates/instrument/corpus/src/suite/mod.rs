@@ -3,11 +3,12 @@
 mod generator;
 mod scene;
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use predicament_formats::{
-    CorpusError, Decimals, Document, Entry, Field, Fields, Manifest, TableKind, read_suite, shown,
+    Cache, CorpusError, Decimals, Document, Entry, Field, Fields, Manifest, TableKind, read_suite, shown,
 };
 
 use crate::{SeenIds, Vocabulary};
@@ -63,8 +64,14 @@ impl Suite {
         let title = fields.required("title")?.string()?;
         let description = fields.string_or_empty("description")?;
         let round = fields.bool_or("round", false)?;
-        let mut context =
-            Context { suite: name.clone(), base: base.map(Path::to_path_buf), manifest, vocabulary, round };
+        let mut context = Context {
+            suite: name.clone(),
+            base: base.map(Path::to_path_buf),
+            manifest,
+            vocabulary,
+            round,
+            data: RefCell::default(),
+        };
         let mut scenes = Vec::new();
         for (tables, kind, read) in [
             ("scene", &vocabulary.scene, scene::read as Read),
@@ -138,6 +145,27 @@ pub struct Context<'m> {
     manifest: &'m Manifest,
     vocabulary: &'m Vocabulary,
     round: bool,
+    /// The data files that the scene has named so far.
+    data: RefCell<Vec<DataName>>,
+}
+
+/// A data file that a scene names.
+#[derive(Clone, Debug)]
+pub(crate) enum DataName {
+    /// One beside the suite.
+    Path(PathBuf),
+    /// One of a package.
+    Fetched(Entry),
+}
+
+impl DataName {
+    /// The file as error messages name it.
+    pub(crate) fn shown(&self, cache: &Cache) -> String {
+        match self {
+            DataName::Path(path) => path.display().to_string(),
+            DataName::Fetched(entry) => cache.path(entry).display().to_string(),
+        }
+    }
 }
 
 impl Context<'_> {
@@ -155,7 +183,11 @@ impl Context<'_> {
     pub fn path(&self, field: &Field<'_, '_>) -> Result<PathBuf, CorpusError> {
         let name = field.str()?;
         match &self.base {
-            Some(base) => Ok(base.join(name)),
+            Some(base) => {
+                let path = base.join(name);
+                self.data.borrow_mut().push(DataName::Path(path.clone()));
+                Ok(path)
+            }
             None => {
                 Err(field
                     .error("an embedded suite has no files beside it", "use `fetch`, or run the suite from a folder"))
@@ -169,9 +201,11 @@ impl Context<'_> {
     /// Where the manifest has no such key.
     pub fn fetched(&self, key: &Field<'_, '_>) -> Result<Entry, CorpusError> {
         let name = key.str()?;
-        self.manifest.entry(name).cloned().ok_or_else(|| {
+        let entry = self.manifest.entry(name).cloned().ok_or_else(|| {
             key.error(format!("fetch.toml has no key `{name}`"), "use a key of fetch.toml or add an entry there")
-        })
+        })?;
+        self.data.borrow_mut().push(DataName::Fetched(entry.clone()));
+        Ok(entry)
     }
 }
 

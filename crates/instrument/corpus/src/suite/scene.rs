@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use predicament_formats::{Cache, CorpusError, Entry, Field, Fields, shown};
 
-use super::Context;
+use super::{Context, DataName};
 use crate::{Elsewhere, Level, LoadedScene, Parts, Source, content_id};
 
 /// A scene as its suite defines it; [`SceneDef::load`] makes it ready.
@@ -30,6 +30,8 @@ pub struct SceneDef {
     /// The line where its table starts.
     pub line: usize,
     content: Where,
+    /// The data files that its table names, in their order.
+    data: Vec<DataName>,
     /// How many decimals of its table were rounded.
     rounded: usize,
 }
@@ -72,11 +74,14 @@ impl SceneDef {
     ///
     /// # Errors
     /// [`CorpusError`] where a data file is missing or wrong; data that was
-    /// not fetched yet is an error that says how to fetch it.
+    /// not fetched yet is an error that says how to fetch it. An error at a line
+    /// of the suite names the data files that the scene is made of.
     pub fn load(&self, level: Level, cache: &Cache) -> Result<LoadedScene, CorpusError> {
         let Parts { scene, content, mut notes } = match &self.content {
             Where::Written(parts) => Parts::clone(parts),
-            Where::Elsewhere(elsewhere) => elsewhere.load(level, cache)?,
+            Where::Elsewhere(elsewhere) => {
+                elsewhere.load(level, cache).map_err(|error| self.with_data(error, cache))?
+            }
         };
         notes.rounded += self.rounded;
         Ok(LoadedScene {
@@ -92,6 +97,17 @@ impl SceneDef {
             content,
             notes,
         })
+    }
+
+    /// The error, with the names of the scene's data files if it is about the suite and names none of them: what a
+    /// table says of points may be wrong because of the file that has them.
+    fn with_data(&self, error: CorpusError, cache: &Cache) -> CorpusError {
+        let mut names: Vec<String> = self.data.iter().map(|data| data.shown(cache)).collect();
+        names.dedup();
+        if names.is_empty() || error.file != self.file || names.iter().any(|name| error.message.contains(name)) {
+            return error;
+        }
+        CorpusError { message: format!("with {}: {}", names.join(" and "), error.message), ..error }
     }
 
     /// The content id, where the scene is written out in the suite.
@@ -126,6 +142,7 @@ pub(super) fn define(
             Source::Written(parts) => Where::Written(Arc::new(parts)),
             Source::Elsewhere(elsewhere) => Where::Elsewhere(elsewhere),
         },
+        data: context.data.take(),
         rounded: fields.decimals().rounded(),
     };
     fields.finish()?;

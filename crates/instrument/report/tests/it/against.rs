@@ -86,6 +86,11 @@ fn marks_that_name_nothing_are_refused() {
         "\n<!-- predicament: glance -->\n\nMy text\n\n<!-- predicament: heat -->\nold\n<!-- /predicament -->\n";
     let why = refused(forgotten);
     assert!(why.starts_with("line 2: `<!-- predicament: glance -->` is not closed before line 6"), "{why}");
+    // A mark whose own end is missing goes on to the next one: a line of it is enough.
+    let spoiled = "<!-- predicament: glance tab>\nold\n<!-- /predicament -->\nmine\n<!-- predicament: heat -->\n";
+    let why = refused(spoiled);
+    assert!(why.starts_with("line 1: `<!-- predicament: glance tab> -->` is not closed"), "{why}");
+    assert_eq!(why.lines().count(), 1, "{why}");
 }
 
 #[test]

@@ -1,9 +1,10 @@
 //! A hunt written down: all that is needed to go on as if it had never stopped.
 
 use predicament_corpus::{Heading, Level, Spelled, Suite, Vocabulary};
-use predicament_formats::{Cache, Manifest};
+use predicament_formats::{Cache, CorpusError, Manifest};
 use serde::{Deserialize, Serialize};
 
+use super::heights::heights;
 use super::population::{Island, Member, Population};
 
 /// How far a hunt has come, and what it has found.
@@ -87,10 +88,14 @@ pub(super) fn text(spelled: &Spelled) -> String {
 /// # Errors
 /// One line, where it is none, or of a task that cannot write it out.
 pub fn read(vocabulary: &Vocabulary, text: &str) -> Result<Spelled, String> {
-    let suite =
-        Suite::parse(vocabulary, "hunt", text, None, &Manifest::default()).map_err(|error| error.to_string())?;
+    // The text is in no file of its own.
+    let placed = |error: CorpusError| {
+        let place = error.line().map_or_else(String::new, |line| format!("line {line} of the scene: "));
+        format!("{place}{}; {}", error.message, error.cure)
+    };
+    let suite = Suite::parse(vocabulary, "hunt", text, None, &Manifest::default()).map_err(placed)?;
     let [def] = suite.scenes.as_slice() else { return Err("a suite with one scene was expected".to_owned()) };
-    let loaded = def.load(Level::Quick, &Cache::new("")).map_err(|error| error.to_string())?;
+    let loaded = def.load(Level::Quick, &Cache::new("")).map_err(placed)?;
     loaded.spelled().ok_or_else(|| format!("the task {} cannot write its scenes out", def.task))
 }
 
@@ -102,11 +107,23 @@ impl SavedMember {
 
     fn member(&self, vocabulary: &Vocabulary) -> Result<Member, String> {
         let SavedMember { scene, heights, conduct, number, parents, story } = self.clone();
-        Ok(Member { spelled: read(vocabulary, &scene)?, heights, conduct, number, parents, story })
+        let spelled = read(vocabulary, &scene).map_err(|why| format!("scene {number}: {why}"))?;
+        Ok(Member { spelled, heights, conduct, number, parents, story })
     }
 }
 
 impl State {
+    /// Whether everything in it can be read, for a hunt of this task.
+    ///
+    /// # Errors
+    /// One line, with the first find or scene that is none.
+    pub fn check(&self, vocabulary: &Vocabulary, task: &str) -> Result<(), String> {
+        for (at, find) in self.finds.iter().enumerate() {
+            read(vocabulary, &find.shrunk).map_err(|why| format!("find {}: {why}", at + 1))?;
+        }
+        self.population(vocabulary, heights(task).len()).map(drop)
+    }
+
     /// Takes the population down.
     pub(super) fn save(&mut self, population: &Population) {
         let all = |members: &[Member]| members.iter().map(SavedMember::of).collect();

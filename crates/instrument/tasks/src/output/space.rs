@@ -33,7 +33,11 @@ pub fn mesh(scene: &Scene, faces: &[Vec<Vertex>], folder: &Path, name: &str) -> 
             let mut file = BufWriter::new(std::fs::File::create(&path)?);
             write_mesh(&mut file, format, &coordinates, &indexed).map_err(|why| match why {
                 ExportError::Io(error) => error,
-                why => Error::other(why.to_string()),
+                why => {
+                    // Nothing is written, and an empty file is not left.
+                    let _ = std::fs::remove_file(&path);
+                    Error::other(format!("{name}{} can't hold the answer: {why}", format.extension()))
+                }
             })?;
             file.flush()?;
             Ok(path)

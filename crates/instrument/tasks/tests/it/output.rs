@@ -81,6 +81,7 @@ fn meshes_are_read_again_and_refused_where_they_are_none() {
         assert_eq!(mesh.points, &corners[..4], "{name}: the vertices of faces only");
         assert_eq!(mesh.faces.len(), 4);
     }
-    let why = output::mesh(&scene, &[face([0, 1, 1])], folder.path(), "part").unwrap_err();
-    assert!(why.to_string().contains("twice"), "{why}");
+    let why = output::mesh(&scene, &[face([0, 1, 1])], folder.path(), "none").unwrap_err();
+    assert!(why.to_string().starts_with("none.off can't hold the answer: face 0 has vertex 1 twice"), "{why}");
+    assert!(!folder.path().join("none.off").exists(), "no empty file is left");
 }
