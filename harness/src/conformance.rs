@@ -13,11 +13,11 @@ use predicament_predicates::{Backend, Question, Scene, Sign, Vertex};
 use predicament_records::{RunWriter, Shard};
 use predicament_tasks::{Contestant, Entry, Task, TaskList, Watch};
 
-use crate::cmd::replay::point_lines;
 use crate::exit::Failure;
 use crate::planning::{budget, env_of, plan, tables};
 use crate::rows;
 use crate::select::Selector;
+use crate::told::point_lines;
 use crate::tool::{Guests, Tool};
 
 /// Findings that are printed in full.

@@ -8,6 +8,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use predicament_corpus::{Heading, Spelled};
+use predicament_engines::PREFIX;
 use predicament_predicates::Class;
 use predicament_records::{EngineFile, replace};
 use predicament_search::hunt::{Find, State, read};
@@ -92,7 +93,9 @@ impl Saved {
         for class in class.iter().chain(saved.state.finds.iter().map(|find| &find.class)) {
             class.parse::<Class>().map_err(|why| refuse(&why.to_string()))?;
         }
-        for name in shown_by.iter().chain(not_by).filter(|name| !tool.knows_backend(name)) {
+        // Engines are looked for where they are picked: a folder names none that is started.
+        let is_strange = |name: &&String| !name.starts_with(PREFIX) && !tool.knows_backend(name);
+        for name in shown_by.iter().chain(not_by).filter(is_strange) {
             tool.backend(name).map_err(|why| refuse(&why.to_string()))?;
         }
         Duration::try_from_secs_f64(*limit).map_err(|why| refuse(&format!("`limit` is no time limit: {why}")))?;

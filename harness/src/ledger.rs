@@ -11,8 +11,8 @@ use predicament_records::{
 };
 use predicament_tasks::{AnyCase, Class, Contestant, Outcome};
 
-use crate::cmd::map;
 use crate::exit::{self, Failure};
+use crate::pixels::of_square;
 use crate::rows;
 use crate::stopwatch::Cost;
 
@@ -120,7 +120,7 @@ impl Ledger {
 
     pub fn draw(&mut self, case: &dyn AnyCase, backend: &dyn Contestant) -> Result<(), Failure> {
         // A backend that declines or panics has a row that says so, and no picture.
-        let tile = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| map::of_square(case, backend)));
+        let tile = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| of_square(case, backend)));
         let Ok(Ok(tile)) = tile else { return Ok(()) };
         let png = tile.map.to_png(1).map_err(Failure::usage)?;
         let name = RunDir::map_name(&case.loaded().id, &backend.name());

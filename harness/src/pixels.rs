@@ -3,10 +3,11 @@
 //! Kettner, Mehlhorn, Pion, Schirra and Yap have shown so what doubles make of an orientation. The scene stays what it is, its extent and
 //! the order of its vertices, too: backends that look at either answer as they do in the scene.
 
+use predicament_corpus::LoadedScene;
 use predicament_predicates::{Axis, Dimension, Query, QuerySet, Question, Scene, Sign, Vertex};
-use predicament_report::{PixelMap, Standing};
+use predicament_report::{Column, PixelMap, Standing};
 use predicament_tasks::signs::{SignQueries, classes};
-use predicament_tasks::{Class, Contestant};
+use predicament_tasks::{AnyCase, Class, Contestant};
 
 use crate::exit::Failure;
 
@@ -219,6 +220,42 @@ fn of(answers: &[(Sign, Class)], truth: &[Sign], side: usize) -> Result<Tile, Fa
         differ: answers.iter().zip(truth).filter(|((answer, _), truth)| answer != *truth).count(),
         wrong: wrong.iter().filter(|&&wrong| wrong).count(),
     })
+}
+
+/// What stands on a sheet.
+pub fn columns(tiles: Vec<(String, Tile)>) -> Vec<Column> {
+    let column = |(name, tile): (String, Tile)| {
+        let [negative, zero, positive] = tile.signs;
+        let lines = vec![
+            format!("{negative} negative"),
+            format!("{zero} zero"),
+            format!("{positive} positive"),
+            format!("{} differ, {} wrong", tile.differ, tile.wrong),
+        ];
+        Column { name, answers: tile.map, difference: tile.difference, lines }
+    };
+    tiles.into_iter().map(column).collect()
+}
+
+/// The queries of a scene as they are.
+pub fn square(loaded: &LoadedScene) -> Result<Raster, Failure> {
+    let Some(content) = loaded.content::<SignQueries>() else {
+        return Err(Failure::usage(format!("`{}` asks for no signs; only sign scenes can be drawn", loaded.name)));
+    };
+    let count = content.queries.len();
+    let side = count.isqrt();
+    if side == 0 || side * side != count {
+        let message = format!("`{}` has {count} queries, which is no square", loaded.name);
+        return Err(Failure::usage(format!("{message}; choose one with --query, whose last vertex walks then")));
+    }
+    Ok(Raster { scene: loaded.scene.clone(), content: content.clone(), side })
+}
+
+/// Draws one backend's answers to a scene of a square number of queries.
+pub fn of_square(case: &dyn AnyCase, backend: &dyn Contestant) -> Result<Tile, Failure> {
+    let Raster { scene, content, side } = square(case.loaded())?;
+    let signs = case.truth().downcast_ref::<Vec<Sign>>().map_or(&[][..], Vec::as_slice);
+    tile(&scene, &content, signs, side, backend)
 }
 
 #[cfg(test)]

@@ -156,6 +156,21 @@ fn no_file_names_a_host_or_somebodys_folders() {
     assert!(names_a_host(&["see ", "do", "cs.rs/rug"].concat()));
 }
 
+/// A command is a leaf: what two of them need is not in either.
+#[test]
+fn nothing_imports_a_command() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../harness/src");
+    let imports = |text: &str| ["crate::cmd", "super::cmd"].iter().any(|path| text.contains(path));
+    let of_commands = |path: &Path| path.starts_with(root.join("cmd"));
+    let mut seen = 0;
+    for path in sources(&root).into_iter().filter(|path| !of_commands(path) && !path.ends_with("cli.rs")) {
+        let text = std::fs::read_to_string(&path).expect("a file");
+        assert!(!imports(&text), "{} imports a command", path.display());
+        seen += 1;
+    }
+    assert!(seen > 50 && imports("use crate::cmd::run;"), "{seen} files");
+}
+
 /// The blocks of Rust of a page.
 fn rust_blocks(page: &str) -> Vec<&str> {
     let blocks = page.split("```rust\n").skip(1);
@@ -168,14 +183,16 @@ fn unknown<'p>(page: &'p str, files: &[String]) -> Vec<&'p str> {
 }
 
 #[test]
-fn the_page_about_tasks_shows_the_example_as_it_is() {
+fn pages_show_the_example_as_it_is() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let read = |path: &Path| std::fs::read_to_string(path).unwrap_or_else(|why| panic!("{}: {why}", path.display()));
     let sources = std::fs::read_dir(root.join("examples/leftmost/src")).expect("the example");
     let sources: Vec<String> = sources.map(|entry| read(&entry.expect("a file").path())).collect();
-    let page = read(&root.join("docs/TASKS.md"));
-    assert!(rust_blocks(&page).len() >= 8, "the page shows code");
-    assert_eq!(unknown(&page, &sources), [""; 0], "copy these from examples/leftmost/src");
+    for (name, blocks) in [("TASKS", 8), ("STUDIES", 3)] {
+        let page = read(&root.join(format!("docs/{name}.md")));
+        assert!(rust_blocks(&page).len() >= blocks, "{name} shows code");
+        assert_eq!(unknown(&page, &sources), [""; 0], "{name}: copy these from examples/leftmost/src");
+    }
 }
 
 #[test]

@@ -1,12 +1,13 @@
-//! The tool with one more task and one more backend.
+//! The tool with one more task, one more backend and one more study.
 
 use std::process::ExitCode;
 
-use leftmost::{ByDifference, Leftmost};
+use leftmost::{ByDifference, Column, Leftmost};
 
 fn main() -> ExitCode {
     predicament::cli()
         .task(Leftmost)
+        .study::<Column>()
         .backend(ByDifference)
         .suites(concat!(env!("CARGO_MANIFEST_DIR"), "/corpora"))
         .expected(concat!(env!("CARGO_MANIFEST_DIR"), "/expected.toml"))

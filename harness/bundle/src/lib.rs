@@ -1,6 +1,6 @@
 //! The systems and studies that the tool comes with: the one list of them.
 //!
-//! A system enters as a task of anybody's crate does, by a [`TaskList`], and a study as an [`Entry`]. The list is a crate of its own, as tests below the tool need
+//! A system enters as a task of anybody's crate does, by a [`TaskList`], and a study as a [`studies::Entry`]. The list is a crate of its own, as tests below the tool need
 //! backends that know every task; it is where backends and systems are compiled together.
 
 use std::sync::{Arc, OnceLock};
@@ -8,7 +8,7 @@ use std::sync::{Arc, OnceLock};
 use predicament_corpus::Vocabulary;
 use predicament_oracle::roster;
 use predicament_predicates::Backend;
-use predicament_studies::Entry;
+use predicament_studies as studies;
 use predicament_studies::audit::Audit;
 use predicament_studies::cascades::Cascades;
 use predicament_studies::compare::Compare;
@@ -32,7 +32,7 @@ use predicament_tasks::polygon_locate::PolygonLocate;
 use predicament_tasks::slice::Slice;
 use predicament_tasks::snap::Snap2d;
 use predicament_tasks::triangulate::Triangulate;
-use predicament_tasks::{AnyTask, Contestant, OnTask, Solver, TaskList, with_signs};
+use predicament_tasks::{AnyTask, Contestant, Entry, OnTask, Solver, TaskList, with_signs};
 
 /// All systems, in the order of reports and messages. A new system is a line here.
 macro_rules! each_task {
@@ -82,17 +82,17 @@ impl TaskList for Systems {
 }
 
 /// The studies, in the order of the help.
-pub const STUDIES: &[Entry] = &[
-    Entry::of::<Compare>(),
-    Entry::of::<Stress>(),
-    Entry::of::<Resolution>(),
-    Entry::of::<Parity>(),
-    Entry::of::<Cut>(),
-    Entry::of::<Audit>(),
-    Entry::of::<Worst>(),
-    Entry::of::<Laws>(),
-    Entry::of::<Cascades>(),
-    Entry::of::<MeshCascades>(),
+pub const STUDIES: &[studies::Entry] = &[
+    studies::Entry::of::<Compare>(),
+    studies::Entry::of::<Stress>(),
+    studies::Entry::of::<Resolution>(),
+    studies::Entry::of::<Parity>(),
+    studies::Entry::of::<Cut>(),
+    studies::Entry::of::<Audit>(),
+    studies::Entry::of::<Worst>(),
+    studies::Entry::of::<Laws>(),
+    studies::Entry::of::<Cascades>(),
+    studies::Entry::of::<MeshCascades>(),
 ];
 
 /// The tasks that ask for signs, and the systems.
@@ -113,6 +113,11 @@ pub fn task(name: &str) -> Option<&'static dyn AnyTask> {
 pub fn vocabulary() -> &'static Vocabulary {
     static VOCABULARY: OnceLock<Vocabulary> = OnceLock::new();
     VOCABULARY.get_or_init(|| predicament_tasks::vocabulary(tasks()))
+}
+
+/// A backend of any type, on all of [`tasks`].
+pub fn entry<B: Backend + 'static>(backend: B) -> Entry<B, Systems> {
+    Entry::shared(Arc::new(backend), None, Systems)
 }
 
 /// The backend with this name, on all of [`tasks`].

@@ -15,6 +15,7 @@ use crate::exit::{self, Failure};
 use crate::interrupt;
 use crate::out::program;
 use crate::select::Selector;
+use crate::told::point_lines;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
@@ -209,7 +210,7 @@ fn text(loaded: &LoadedScene, rows: &[Row], answered: &[(String, Outcome)]) {
     if rows.len() <= 3 {
         say!();
         let vertices: Vec<_> = loaded.scene.vertices().collect();
-        for line in super::replay::point_lines(loaded, &vertices) {
+        for line in point_lines(loaded, &vertices) {
             say!("{line}");
         }
     }

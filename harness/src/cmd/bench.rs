@@ -5,27 +5,26 @@
 //! `summary.csv`. Then the backends take turns, sample by sample, so that a
 //! noisy machine is noisy for all of them; each timed pass has to give the
 //! answers that were judged, or it is not a measurement. A backend is done when
-//! its median is known well enough. The parts of some algorithms are timed one by one after that: see `phases.rs`.
+//! its median is known well enough. The parts of some algorithms are timed one by one after that: see `timing/phases.rs`.
 
+use std::ops::ControlFlow;
 use std::path::PathBuf;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use predicament_corpus::LoadedScene;
-use predicament_oracle::caught;
-use predicament_records::{self as records, Interface, Plan, PlannedScene, RunWriter, Shard, ThroughputRow};
-use predicament_tasks::contacts::Complexes;
-use predicament_tasks::mesh_intersect::TwoMeshes;
-use predicament_tasks::mesh_locate::ProbedMesh;
-use predicament_tasks::{AnyCase, Contestant, Stop, Stopwatch, Watch};
+use predicament_oracle::expect::Expectations;
+use predicament_records::{self as records, Plan, PlannedScene, RunWriter, Shard};
+use predicament_tasks::{AnyCase, AnyTask, Contestant, Watch};
 
-use crate::contact_tables::{self, Primitives, on_threads};
+use crate::contact_tables::{self, Primitives};
 use crate::exit::{self, Failure};
 use crate::judged::Judged;
 use crate::planning::{budget, env_of, free_folder, plan};
 use crate::programs::recorded;
-use crate::select::Selector;
+use crate::select::{Planned, Selection, Selector};
+use crate::timing::{Runner, Samples, empty, phases, start};
 use crate::tool::Tool;
-use crate::{expectations, interrupt, peers, phases, progress, rows};
+use crate::{expectations, interrupt, peers, progress, rows};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -82,25 +81,6 @@ fn fraction(text: &str) -> Result<f64, String> {
         .ok_or_else(|| format!("`{text}` is no precision; write a fraction such as 0.05 for 5 %, or 0 for all samples"))
 }
 
-/// One backend at its starting line.
-pub struct Runner<'a> {
-    /// The backend's name.
-    pub name: String,
-    family: String,
-    version: String,
-    /// How it is asked.
-    interface: Interface,
-    /// The threads that it uses.
-    pub threads: usize,
-    /// Its passes.
-    pub watch: Box<dyn Stopwatch + 'a>,
-    judged: u64,
-    queries: u64,
-    passes: u32,
-    /// Nanoseconds per query of each sample.
-    samples: Vec<f64>,
-}
-
 /// Runs the command.
 pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     if args.samples == 0 {
@@ -122,122 +102,49 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         _ => args.backends.clone(),
     };
     let backends = tool.pick(&names)?;
-    let mut taken_over = 0;
     let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-bench"));
     let plan = Plan {
         timed: true,
         engines: recorded(&names, &backends)?,
         ..plan(tool, &selection, &scenes, &backends, Shard::WHOLE)
     };
-    let mut writer =
+    let writer =
         RunWriter::create(&folder, &plan, &env_of(&backends), &phases::tables(tool)).map_err(Failure::usage)?;
     // A pass over a large scene looks at no flag.
     interrupt::listen_for(Duration::from_secs(3));
     let bar = progress::bar(scenes.len() as u64, "scenes");
-    let quiet = |_: u64| {};
-    let watch = Watch::new(interrupt::flag(), None, &quiet);
-    let mut ended = records::Outcome::Complete;
-    let mut primitives = Primitives::default();
-    let mut threads = vec![1];
-    threads.extend(args.threads.map(usize::from).filter(|&threads| threads > 1));
     let timed = scenes.len();
     let bindings: Vec<(String, Box<dyn Contestant>)> =
         backends.iter().filter_map(|backend| Some((backend.name(), backend.binding()?))).collect();
-    'scenes: for planned in &mut scenes {
-        let scene = planned.plan.clone();
-        bar.set_message(scene.scene.clone());
-        let loaded = planned.take(&selection)?;
-        primitives.learn(&loaded);
-        writer.write(rows::imported(&scene, &loaded.notes).as_slice()).map_err(Failure::usage)?;
-        // The truth is worked out only where somebody's answers have not been judged.
-        let mut case: Option<Box<dyn AnyCase + '_>> = None;
-        let mut runners = Vec::new();
-        let task = tool.task(loaded.task);
-        for backend in &backends {
-            let name = backend.name();
-            let digest = if let Some(before) = judged.as_ref().and_then(|judged| judged.of(&scene, &name)) {
-                taken_over += 1;
-                writer.write(std::slice::from_ref(before.summary)).map_err(Failure::usage)?;
-                writer.write(&before.findings).map_err(Failure::usage)?;
-                before.digest
-            } else {
-                if case.is_none() {
-                    case = task.case(&loaded, &watch).ok();
-                }
-                let Some(case) = &case else {
-                    ended = records::Outcome::Interrupted;
-                    break 'scenes;
-                };
-                let budget = budget(selection.level);
-                let outcome = match predicament_oracle::run(case.as_ref(), backend.as_ref(), budget, &watch) {
-                    Ok(outcome) => outcome,
-                    Err(Stop::Interrupted | Stop::Timeout) => {
-                        ended = records::Outcome::Interrupted;
-                        break 'scenes;
-                    }
-                };
-                let level = selection.level.name();
-                rows::record(&mut writer, &scene, &name, &outcome, &expected, level).map_err(Failure::usage)?;
-                outcome.digest
-            };
-            match start(&loaded, backend.as_ref(), &scene, digest, &threads) {
-                Ok(started) => runners.extend(started),
-                Err(why) => remarks.push(format!("not timed: {}/{} on {name}: {why}", scene.suite, scene.scene)),
-            }
-            // What it costs to reach a predicate of another language, as a row of its own.
-            if let Some(binding) = bindings.iter().find(|(of, _)| *of == name).map(|(_, binding)| binding)
-                && digest.is_some()
-            {
-                match empty(&loaded, binding.as_ref(), &scene, &threads[..1]) {
-                    Ok(started) => runners.extend(started),
-                    Err(why) => {
-                        remarks.push(format!(
-                            "not timed: {}/{} on {}: {why}",
-                            scene.suite,
-                            scene.scene,
-                            binding.name()
-                        ));
-                    }
-                }
-            }
-        }
-        if peers::ANY {
-            if case.is_none() {
-                case = task.case(&loaded, &watch).ok();
-            }
-            for peer in case.iter().flat_map(|case| peers::runners(case.as_ref())) {
-                let level = selection.level.name();
-                rows::record(&mut writer, &scene, &peer.name, &peer.outcome, &expected, level)
-                    .map_err(Failure::usage)?;
-                remarks.extend(peer.remarks.iter().map(|remark| format!("{}/{}: {remark}", scene.suite, scene.scene)));
-                if let Some(timed) = peer.timed {
-                    runners.push(Runner {
-                        name: peer.name,
-                        family: scene.family.clone(),
-                        version: peer.version,
-                        interface: timed.interface,
-                        threads: 1,
-                        watch: timed.watch,
-                        judged: timed.judged,
-                        queries: peer.outcome.queries,
-                        passes: 1,
-                        samples: Vec::new(),
-                    });
-                }
-            }
-        }
-        let samples =
-            Samples { most: args.samples, least: Duration::from_millis(args.sample_ms), precision: args.precision };
-        let is_done = samples.take(&scene, &mut runners, &mut writer, &mut remarks)?
-            && phases::take(&samples, &scene, (&loaded, task), (&mut runners, &threads), &mut writer, &mut remarks)?;
-        if !is_done {
+    let mut bench = Bench {
+        tool,
+        selection: &selection,
+        backends: &backends,
+        bindings: &bindings,
+        judged: judged.as_ref(),
+        expected: &expected,
+        threads: std::iter::once(1).chain(args.threads.map(usize::from).filter(|&threads| threads > 1)).collect(),
+        samples: Samples {
+            most: args.samples,
+            least: Duration::from_millis(args.sample_ms),
+            precision: args.precision,
+        },
+        writer,
+        remarks,
+        taken_over: 0,
+        primitives: Primitives::default(),
+    };
+    let mut ended = records::Outcome::Complete;
+    for planned in &mut scenes {
+        bar.set_message(planned.plan.scene.clone());
+        if bench.scene(planned)?.is_break() {
             ended = records::Outcome::Interrupted;
             break;
         }
-        writer.commit_if_due().map_err(Failure::usage)?;
         bar.inc(1);
     }
     bar.finish_and_clear();
+    let Bench { writer, remarks, taken_over, primitives, threads, .. } = bench;
     writer.finish(ended).map_err(Failure::usage)?;
     say!("{}: {timed} scenes timed, {}", folder.display(), ended.describe());
     if let Some(judged) = &judged {
@@ -251,209 +158,131 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     Ok(if ended == records::Outcome::Complete { exit::OK } else { exit::INCOMPLETE })
 }
 
-/// Prepares one backend by each interface: contacts and meshes with points or other meshes for each number of threads, all else for one.
-fn start<'a>(
-    loaded: &'a LoadedScene,
-    backend: &'a dyn Contestant,
-    scene: &PlannedScene,
-    judged: Option<u64>,
-    threads: &[usize],
-) -> Result<Vec<Runner<'a>>, String> {
-    let judged = judged.ok_or("there are no judged answers")?;
-    let solver = backend.solver(loaded.task).ok_or("the backend was not told of the task")?;
-    let is_parallel = loaded.content::<Complexes>().is_some()
-        || loaded.content::<ProbedMesh>().is_some()
-        || loaded.content::<TwoMeshes>().is_some();
-    let threads = if is_parallel { threads } else { &threads[..1] };
-    let content = loaded.content.as_ref();
-    let mut runners = Vec::new();
-    for &threads in threads {
-        for interface in solver.interfaces(content) {
-            let prepared = caught(|| solver.stopwatch(&loaded.scene, content, threads, interface));
-            let Some(watch) = prepared.map_err(|broken| broken.to_string()).flatten()? else { continue };
-            runners.push(Runner {
-                name: backend.name(),
-                family: on_threads(&scene.family, threads),
-                version: backend.version().unwrap_or_else(|| env!("CARGO_PKG_VERSION").to_owned()),
-                watch,
-                interface,
-                threads,
-                judged,
-                queries: scene.queries,
-                passes: 1,
-                samples: Vec::new(),
-            });
+/// A bench under way.
+struct Bench<'b> {
+    tool: &'b Tool,
+    selection: &'b Selection,
+    backends: &'b [Box<dyn Contestant>],
+    /// What it costs to reach the predicates of programs in other languages, by the backends' names.
+    bindings: &'b [(String, Box<dyn Contestant>)],
+    /// What an earlier run has judged.
+    judged: Option<&'b Judged>,
+    expected: &'b Expectations,
+    /// The numbers of threads that are timed.
+    threads: Vec<usize>,
+    samples: Samples,
+    writer: RunWriter,
+    remarks: Vec<String>,
+    /// How many judgements were those of an earlier run.
+    taken_over: usize,
+    primitives: Primitives,
+}
+
+/// A scene, and its truth once somebody's answers have to be judged.
+struct Truth<'s> {
+    task: &'static dyn AnyTask,
+    loaded: &'s LoadedScene,
+    case: Option<Box<dyn AnyCase + 's>>,
+}
+
+impl Truth<'_> {
+    /// The scene with its truth; none if interrupted.
+    fn known(&mut self, watch: &Watch<'_>) -> Option<&dyn AnyCase> {
+        if self.case.is_none() {
+            self.case = self.task.case(self.loaded, watch).ok();
         }
+        self.case.as_deref()
     }
-    Ok(runners)
 }
 
-/// Prepares predicates that return at once: what they answer is not judged, only that it stays the same.
-fn empty<'a>(
-    loaded: &'a LoadedScene,
-    binding: &'a dyn Contestant,
-    scene: &PlannedScene,
-    threads: &[usize],
-) -> Result<Vec<Runner<'a>>, String> {
-    let mut runners = start(loaded, binding, scene, Some(0), threads)?;
-    for runner in &mut runners {
-        caught(|| runner.watch.pass()).map_err(|broken| broken.to_string())?;
-        runner.judged = runner.watch.digest();
+impl Bench<'_> {
+    /// Judges and times one scene.
+    fn scene(&mut self, planned: &mut Planned) -> Result<ControlFlow<()>, Failure> {
+        const STOPPED: Result<ControlFlow<()>, Failure> = Ok(ControlFlow::Break(()));
+        let scene = planned.plan.clone();
+        let loaded = planned.take(self.selection)?;
+        self.primitives.learn(&loaded);
+        self.writer.write(rows::imported(&scene, &loaded.notes).as_slice()).map_err(Failure::usage)?;
+        let task = self.tool.task(loaded.task);
+        let quiet = |_: u64| {};
+        let watch = Watch::new(interrupt::flag(), None, &quiet);
+        let mut truth = Truth { task, loaded: &loaded, case: None };
+        let mut runners = Vec::new();
+        for backend in self.backends.iter().map(AsRef::as_ref) {
+            let Some(digest) = self.judge(&scene, &mut truth, backend, &watch)? else { return STOPPED };
+            runners.extend(self.started(&scene, &loaded, backend, digest));
+        }
+        if peers::ANY {
+            truth.known(&watch);
+            for peer in truth.case.iter().flat_map(|case| peers::runners(case.as_ref())) {
+                runners.extend(self.peer(&scene, peer)?);
+            }
+        }
+        let Bench { samples, threads, writer, remarks, .. } = self;
+        let is_done = samples.take(&scene, &mut runners, writer, remarks)?
+            && phases::take(samples, &scene, (&loaded, task), (&mut runners, threads), writer, remarks)?;
+        if !is_done {
+            return STOPPED;
+        }
+        self.writer.commit_if_due().map_err(Failure::usage)?;
+        Ok(ControlFlow::Continue(()))
     }
-    Ok(runners)
-}
 
-/// How samples are taken.
-pub struct Samples {
-    /// How many, at most.
-    pub most: u64,
-    /// What a sample takes, at least.
-    pub least: Duration,
-    precision: f64,
-}
-
-/// How many times longer than it lasts a sample may take.
-const PATIENCE: u128 = 10;
-
-/// Samples before the first look at the confidence interval: the smallest and the
-/// largest of six enclose the median with 97 %.
-const FIRST_LOOK: usize = 6;
-
-impl Samples {
-    /// Times the runners in turns. False if interrupted.
-    fn take(
-        &self,
+    /// Judges a backend, or takes over what an earlier run has judged: the digest of its answers, if there are any. None if interrupted.
+    fn judge(
+        &mut self,
         scene: &PlannedScene,
-        runners: &mut Vec<Runner>,
-        writer: &mut RunWriter,
-        remarks: &mut Vec<String>,
-    ) -> Result<bool, Failure> {
-        // A pass to warm up, to size the samples, and to see that the answers are the judged ones.
-        runners.retain_mut(|runner| {
-            let warm = caught(|| {
-                runner.watch.pass();
-                let start = Instant::now();
-                let pass = runner.watch.pass().max(Duration::from_nanos(1));
-                (pass, start.elapsed().max(Duration::from_nanos(1)))
-            });
-            let (pass, wall) = match warm {
-                Ok(warm) => warm,
-                Err(broken) => {
-                    remarks.push(format!("not timed: {}/{} on {}: {broken}", scene.suite, scene.scene, runner.name));
-                    return false;
-                }
-            };
-            // By a clock of its own a pass can be much shorter than we wait for it.
-            let passes =
-                (self.least.as_nanos() / pass.as_nanos()).min(PATIENCE * self.least.as_nanos() / wall.as_nanos());
-            runner.passes = u32::try_from(passes + 1).unwrap_or(u32::MAX);
-            let same = runner.watch.digest() == runner.judged;
-            if !same {
-                remarks.push(format!(
-                    "not timed: {}/{} on {}: the timed answers are not the judged ones",
-                    scene.suite, scene.scene, runner.name
-                ));
-            }
-            same
-        });
-        for sample in 0..self.most {
-            let mut rows = Vec::with_capacity(runners.len());
-            let mut broken = Vec::new();
-            for (at, runner) in runners.iter_mut().enumerate().filter(|(_, runner)| !self.is_known(&runner.samples)) {
-                if interrupt::flag().load(std::sync::atomic::Ordering::Relaxed) {
-                    return Ok(false);
-                }
-                let total = match caught(|| runner.watch.passes(runner.passes)) {
-                    Ok(total) => total,
-                    Err(why) => {
-                        let (suite, scene, name) = (&scene.suite, &scene.scene, &runner.name);
-                        remarks.push(format!("timed {sample} times only: {suite}/{scene} on {name}: {why}"));
-                        broken.push(at);
-                        continue;
-                    }
-                };
-                // Counts of queries and passes are far below 2^53: no rounding.
-                #[allow(clippy::cast_precision_loss)]
-                let queries = runner.queries as f64 * f64::from(runner.passes);
-                // A clock that has not moved says that it was less than its step.
-                let ns_per_query = total.max(Duration::from_nanos(1)).as_secs_f64() * 1e9 / queries;
-                runner.samples.push(ns_per_query);
-                rows.push(ThroughputRow {
-                    task: scene.task.clone(),
-                    family: runner.family.clone(),
-                    backend: runner.name.clone(),
-                    interface: runner.interface,
-                    engine_version: runner.version.clone(),
-                    queries: runner.queries,
-                    sample,
-                    ns_per_query,
-                });
-            }
-            writer.write(&rows).map_err(Failure::usage)?;
-            for at in broken.into_iter().rev() {
-                runners.remove(at);
+        truth: &mut Truth<'_>,
+        backend: &dyn Contestant,
+        watch: &Watch<'_>,
+    ) -> Result<Option<Option<u64>>, Failure> {
+        let name = backend.name();
+        if let Some(before) = self.judged.and_then(|judged| judged.of(scene, &name)) {
+            self.taken_over += 1;
+            self.writer.write(std::slice::from_ref(before.summary)).map_err(Failure::usage)?;
+            self.writer.write(&before.findings).map_err(Failure::usage)?;
+            return Ok(Some(before.digest));
+        }
+        let level = self.selection.level;
+        let Some(case) = truth.known(watch) else { return Ok(None) };
+        let Ok(outcome) = predicament_oracle::run(case, backend, budget(level), watch) else { return Ok(None) };
+        rows::record(&mut self.writer, scene, &name, &outcome, self.expected, level.name()).map_err(Failure::usage)?;
+        Ok(Some(outcome.digest))
+    }
+
+    /// A backend at its starting lines, and its binding, where it has one, as a row of its own.
+    fn started<'s>(
+        &mut self,
+        scene: &PlannedScene,
+        loaded: &'s LoadedScene,
+        backend: &'s dyn Contestant,
+        digest: Option<u64>,
+    ) -> Vec<Runner<'s>>
+    where
+        Self: 's,
+    {
+        let name = backend.name();
+        let mut all = vec![(name.clone(), start(loaded, backend, scene, digest, &self.threads))];
+        let bindings: &'s [(String, Box<dyn Contestant>)] = self.bindings;
+        if let Some((_, binding)) = bindings.iter().find(|(of, _)| *of == name && digest.is_some()) {
+            all.push((binding.name(), empty(loaded, binding.as_ref(), scene, &self.threads[..1])));
+        }
+        let mut runners = Vec::new();
+        for (name, started) in all {
+            match started {
+                Ok(started) => runners.extend(started),
+                Err(why) => self.remarks.push(format!("not timed: {}/{} on {name}: {why}", scene.suite, scene.scene)),
             }
         }
-        if let Some(runner) = runners.iter().find(|runner| runner.watch.digest() != runner.judged) {
-            let message = format!("{}/{} on {}: answers changed while timed", scene.suite, scene.scene, runner.name);
-            return Err(Failure { message, code: exit::UNEXPECTED });
-        }
-        Ok(true)
+        runners
     }
 
-    /// Whether the median is known well enough.
-    pub fn is_known(&self, samples: &[f64]) -> bool {
-        interval(samples).is_some_and(|[low, high]| high - low <= self.precision * (low + high))
-    }
-}
-
-/// A confidence interval of the median, of at least 95 %: between two order
-/// statistics, so that it needs no distribution. None for fewer than six samples.
-fn interval(samples: &[f64]) -> Option<[f64; 2]> {
-    let n = samples.len();
-    if n < FIRST_LOOK {
-        return None;
-    }
-    let mut sorted = samples.to_vec();
-    sorted.sort_unstable_by(f64::total_cmp);
-    // The share of outcomes of n fair coins with at most `below` heads, doubled, is what the interval misses.
-    let mut below = 0;
-    let (mut term, mut tail) = (0.5_f64.powi(i32::try_from(n).unwrap_or(i32::MAX)), 0.0);
-    while below < n / 2 {
-        tail += term;
-        if 2.0 * tail > 0.05 {
-            break;
-        }
-        below += 1;
-        // Counts of samples: exact as doubles.
-        #[allow(clippy::cast_precision_loss)]
-        let next = (n - below + 1) as f64 / below as f64;
-        term *= next;
-    }
-    let at = below.checked_sub(1)?;
-    Some([sorted[at], sorted[n - 1 - at]])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_interval_is_that_of_the_binomial_distribution() {
-        let samples = |n: u32| (1..=n).rev().map(f64::from).collect::<Vec<_>>();
-        assert_eq!(interval(&samples(5)), None);
-        // The tables of order statistics: 1 and 6 of 6 (96.9 %), 2 and 10 of 11 (98.8 %), 6 and 15 of 20 (95.9 %).
-        assert_eq!(interval(&samples(6)), Some([1.0, 6.0]));
-        assert_eq!(interval(&samples(11)), Some([2.0, 10.0]));
-        assert_eq!(interval(&samples(20)), Some([6.0, 15.0]));
-    }
-
-    #[test]
-    fn sampling_stops_when_the_median_is_known() {
-        let samples = Samples { most: 11, least: Duration::ZERO, precision: 0.05 };
-        assert!(samples.is_known(&[1.0, 1.01, 0.99, 1.0, 1.02, 1.0]));
-        assert!(!samples.is_known(&[1.0, 1.01, 0.99, 1.0, 1.02]), "too few to know");
-        assert!(!samples.is_known(&[1.0, 1.2, 0.99, 1.0, 1.02, 1.0]), "too far apart");
-        assert!(!Samples { precision: 0.0, ..samples }.is_known(&[1.0, 1.0, 1.0, 1.0, 1.0, 1.01]));
+    /// Writes down what a peer has answered: a runner, where it can be timed.
+    fn peer<'s>(&mut self, scene: &PlannedScene, peer: peers::Peer<'s>) -> Result<Option<Runner<'s>>, Failure> {
+        let level = self.selection.level.name();
+        rows::record(&mut self.writer, scene, &peer.name, &peer.outcome, self.expected, level)
+            .map_err(Failure::usage)?;
+        self.remarks.extend(peer.remarks.iter().map(|remark| format!("{}/{}: {remark}", scene.suite, scene.scene)));
+        Ok(Runner::of_peer(peer, scene))
     }
 }

@@ -9,11 +9,11 @@ use predicament_records::replace;
 use predicament_tasks::Watch;
 use serde_json::json;
 
-use crate::cmd::run::tell_not_selected;
 use crate::exit::{self, CORPUS, Failure};
 use crate::interrupt;
 use crate::out::{hold, program};
 use crate::select::Selector;
+use crate::shared::tell_not_selected;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\

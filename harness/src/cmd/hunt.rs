@@ -14,6 +14,7 @@ use crate::hunting::{Order, STATE, SUITE, Saved, TABLE};
 use crate::out::program;
 use crate::planning::free_folder;
 use crate::programs::{Programs, Recorded};
+use crate::shared::{seconds, set_threads};
 use crate::tool::{Tool, each};
 use crate::{interrupt, progress};
 
@@ -68,7 +69,7 @@ pub struct Args {
     pub evaluations: Option<u64>,
 
     /// Seconds after which no generation begins
-    #[arg(long, value_name = "SECONDS", value_parser = super::run::seconds)]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub seconds: Option<Duration>,
 
     /// What random numbers begin with
@@ -84,7 +85,7 @@ pub struct Args {
     pub from: Vec<String>,
 
     /// Seconds that one backend may take for one scene
-    #[arg(long, value_name = "SECONDS", value_parser = super::run::seconds, default_value = "10", conflicts_with = "resume")]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, default_value = "10", conflicts_with = "resume")]
     pub timeout: Duration,
 
     #[command(flatten)]
@@ -116,7 +117,7 @@ const SHAPES: &str = "shapes";
 
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
-    super::run::set_threads(args.threads)?;
+    set_threads(args.threads)?;
     let (programs, shown_by) = args.programs.clone().and_named(&args.backends)?;
     let (programs, not_by) = programs.and_named(&args.not_by)?;
     let (mut saved, seeds, folder) = match (&args.resume, &args.task) {

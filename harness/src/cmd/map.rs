@@ -3,17 +3,17 @@
 use std::path::{Path, PathBuf};
 
 use predicament_corpus::LoadedScene;
-use predicament_predicates::{Axis, Plane, Query, Sign};
+use predicament_predicates::{Axis, Plane, Query};
 use predicament_records::{RunDir, replace};
-use predicament_report::{Column, sheet, side_by_side};
-use predicament_tasks::signs::{SignQueries, truth};
-use predicament_tasks::{AnyCase, Contestant, Watch};
+use predicament_report::{sheet, side_by_side};
+use predicament_tasks::Watch;
+use predicament_tasks::signs::truth;
 
-use super::replay;
 use crate::exit::{self, Failure};
+use crate::found::{find, load};
 use crate::interrupt;
 use crate::out::program;
-use crate::pixels::{Raster, Step, Tile, Walk, axes, exact, tile};
+use crate::pixels::{Raster, Step, Tile, Walk, axes, columns, exact, square, tile};
 use crate::select::Selector;
 use crate::tool::Tool;
 
@@ -138,27 +138,12 @@ fn is_svg(out: &Path) -> Result<bool, Failure> {
     }
 }
 
-/// What stands on a sheet.
-pub fn columns(tiles: Vec<(String, Tile)>) -> Vec<Column> {
-    let column = |(name, tile): (String, Tile)| {
-        let [negative, zero, positive] = tile.signs;
-        let lines = vec![
-            format!("{negative} negative"),
-            format!("{zero} zero"),
-            format!("{positive} positive"),
-            format!("{} differ, {} wrong", tile.differ, tile.wrong),
-        ];
-        Column { name, answers: tile.map, difference: tile.difference, lines }
-    };
-    tiles.into_iter().map(column).collect()
-}
-
 /// The scene, and the query whose vertex walks.
 fn what(args: &Args, tool: &Tool) -> Result<(LoadedScene, Option<Query>), Failure> {
     if let (Some(id), Some(folder)) = (&args.finding, &args.run) {
         let run = RunDir::open(folder).map_err(Failure::usage)?;
-        let finding = replay::find(&run, id, folder)?;
-        let loaded = replay::load(&run, finding, None, tool)?;
+        let finding = find(&run, id, folder)?;
+        let loaded = load(&run, finding, None, tool)?;
         let query = finding.query.split(" | ").next().unwrap_or_default();
         let query = query.parse().map_err(|_| {
             Failure::usage(format!(
@@ -187,27 +172,6 @@ fn walk<'a>(args: &Args, loaded: &'a LoadedScene, query: &'a Query) -> Result<Wa
     let axes: [Axis; 2] = args.plane.map_or_else(|| axes(question, &loaded.scene), Plane::axes);
     let place = args.place.unwrap_or(vertices.len() - 1);
     Ok(Walk { scene: &loaded.scene, query, place, axes, step: args.step, side: args.side })
-}
-
-/// The queries of a scene as they are.
-fn square(loaded: &LoadedScene) -> Result<Raster, Failure> {
-    let Some(content) = loaded.content::<SignQueries>() else {
-        return Err(Failure::usage(format!("`{}` asks for no signs; only sign scenes can be drawn", loaded.name)));
-    };
-    let count = content.queries.len();
-    let side = count.isqrt();
-    if side == 0 || side * side != count {
-        let message = format!("`{}` has {count} queries, which is no square", loaded.name);
-        return Err(Failure::usage(format!("{message}; choose one with --query, whose last vertex walks then")));
-    }
-    Ok(Raster { scene: loaded.scene.clone(), content: content.clone(), side })
-}
-
-/// Draws one backend's answers to a scene of a square number of queries.
-pub fn of_square(case: &dyn AnyCase, backend: &dyn Contestant) -> Result<Tile, Failure> {
-    let Raster { scene, content, side } = square(case.loaded())?;
-    let signs = case.truth().downcast_ref::<Vec<Sign>>().map_or(&[][..], Vec::as_slice);
-    tile(&scene, &content, signs, side, backend)
 }
 
 fn step(text: &str) -> Result<Step, String> {

@@ -9,6 +9,7 @@ use crate::exit::{self, Failure};
 use crate::planning::{env, plan};
 use crate::programs::recorded;
 use crate::select::Selector;
+use crate::shared::tell_not_selected;
 use crate::tool::Tool;
 use crate::{expectations, out};
 
@@ -67,7 +68,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let backends = tool.pick(&args.backends)?;
     let selection = args.selector.select(tool)?;
     let scenes = selection.plan()?;
-    super::run::tell_not_selected(&selection.not_selected, "planned");
+    tell_not_selected(&selection.not_selected, "planned");
     let plan = Plan {
         answers: args.answers,
         permutations: args.permutations.map(|most| most as u64),

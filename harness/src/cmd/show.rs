@@ -9,11 +9,11 @@ use predicament_report::drawing::{Drawing, Look, Role, Window};
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{AnyTask, Purpose};
 
-use super::replay;
-use super::solve::cure;
 use crate::child;
 use crate::exit::{self, Failure};
+use crate::found::{find, load};
 use crate::one_scene::OneScene;
+use crate::told::cure;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
@@ -124,8 +124,8 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
 fn what(args: &Args, tool: &Tool) -> Result<(LoadedScene, Option<Query>), Failure> {
     let (Some(id), Some(folder)) = (&args.finding, &args.run) else { return Ok((args.scene.load(tool)?, None)) };
     let run = RunDir::open(folder).map_err(Failure::usage)?;
-    let finding = replay::find(&run, id, folder)?;
-    let loaded = replay::load(&run, finding, args.scene.selector.cache.as_deref(), tool)?;
+    let finding = find(&run, id, folder)?;
+    let loaded = load(&run, finding, args.scene.selector.cache.as_deref(), tool)?;
     // A finding about several queries has the first one shown; one about a whole scene has none.
     let query = finding.query.split(" | ").next().filter(|query| !query.is_empty()).map(str::parse).transpose();
     Ok((loaded, query.map_err(|error| Failure::usage(format!("findings.csv was changed: {error}")))?))

@@ -1,20 +1,17 @@
 //! `shrink`: the smallest scene that still shows a finding.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::Ordering;
 use std::time::Duration;
 
-use predicament_predicates::Class;
-use predicament_records::{FindingRow, RunDir, replace};
+use predicament_records::RunDir;
 
-use super::replay::{find, load};
 use crate::adding::add;
 use crate::exit::{self, Failure};
-use crate::out::program;
+use crate::found::find;
 use crate::planning::free_folder;
-use crate::programs::{Programs, Recorded};
-use crate::shrinking::{self, Job, Measure, STATE, SUITE, State};
+use crate::programs::Programs;
+use crate::shared::seconds;
+use crate::shrinking::{Ask, EVALUATIONS, Job, STATE, SUITE, again, begun, told};
 use crate::tool::Tool;
 use crate::{interrupt, progress};
 
@@ -56,7 +53,7 @@ pub struct Args {
     pub evaluations: Option<u64>,
 
     /// Seconds that one backend may take for one scene
-    #[arg(long, value_name = "SECONDS", value_parser = super::run::seconds, default_value = "10")]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, default_value = "10")]
     pub timeout: Duration,
 
     /// A new folder; the first free predicament-shrink-N if left out
@@ -78,9 +75,6 @@ pub struct Args {
     #[arg(long, value_name = "DIR")]
     pub cache: Option<PathBuf>,
 }
-
-/// Evaluations where none are asked for.
-pub const EVALUATIONS: u64 = 5_000;
 
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
@@ -131,23 +125,8 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     Ok(if state.end.is_some() { exit::OK } else { exit::INCOMPLETE })
 }
 
-/// What became of a scene, in a line.
-pub fn told(state: &State) -> String {
-    let State { before, after, evaluations, .. } = state;
-    let end = match state.end.as_deref() {
-        Some("smallest") => "nothing smaller was found".to_owned(),
-        Some(end) => format!("the {end} have run out; `{} shrink --resume` goes on with --evaluations", program()),
-        None => format!("interrupted; `{} shrink --resume` goes on", program()),
-    };
-    let Measure { points, pieces, digits } = after;
-    format!(
-        "{} points to {points}, {} pieces to {pieces}, {} digits to {digits}, {evaluations} scenes looked at; {end}",
-        before.points, before.pieces, before.digits
-    )
-}
-
 /// Makes a new folder.
-pub fn make(folder: &Path) -> Result<(), Failure> {
+fn make(folder: &Path) -> Result<(), Failure> {
     let failed = |error| Failure::io(folder)(error);
     std::fs::create_dir_all(folder).map_err(failed)?;
     if folder.join(STATE).exists() || folder.join(SUITE).exists() {
@@ -157,147 +136,7 @@ pub fn make(folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// How a finding is to be shrunk.
-pub struct Ask<'a> {
-    pub also: Vec<String>,
-    pub not_by: Vec<String>,
-    pub evaluations: u64,
-    pub timeout: Duration,
-    pub cache: Option<&'a Path>,
-    pub programs: &'a Programs,
-}
-
-/// The work on a finding of a run.
-pub fn begun<'a>(tool: &'a Tool, dir: &RunDir, finding: &FindingRow, ask: &Ask<'_>) -> Result<Job<'a>, Failure> {
-    let loaded = load(dir, finding, ask.cache, tool)?;
-    let start = loaded.spelled().ok_or_else(|| {
-        Failure::usage(format!("{}: the task {} cannot write its scenes out", finding.finding_id, finding.task))
-    })?;
-    let mut shown_by = vec![finding.backend.clone()];
-    shown_by.extend(ask.also.iter().filter(|name| **name != finding.backend).cloned());
-    let measure = Measure::of(&start);
-    let state = State {
-        finding_id: finding.finding_id.clone(),
-        suite: finding.suite.clone(),
-        scene: finding.scene.clone(),
-        scene_id: finding.scene_id.clone(),
-        task: finding.task.clone(),
-        class: finding.class.name().to_owned(),
-        check: finding.check.clone(),
-        shown_by,
-        not_by: ask.not_by.clone(),
-        engines: BTreeMap::new(),
-        level: dir.plan.level.to_string(),
-        limit: ask.timeout.as_secs_f64(),
-        evaluations: 0,
-        most: ask.evaluations,
-        end: None,
-        before: measure,
-        after: measure,
-    };
-    let file = dir.path.join("plan.json");
-    let recorded = Recorded { file: &file, folder: Some(&dir.path), engines: &dir.plan.engines };
-    let backends = state.pick(tool, ask.programs, recorded)?;
-    Ok(Job { tool, state, start, source: loaded.source, named: shrinking::named(&finding.query), backends })
-}
-
-/// The folder in that of a run.
-const SHRUNK: &str = "shrunk";
-
-/// Shrinks the first findings of each class of a run that has ended, each in a folder of its own in `shrunk`, and puts all scenes into
-/// one suite there. What was shrunk before stays; what was begun goes on.
-pub fn first_of_each_class(
-    tool: &Tool,
-    run: &Path,
-    n: usize,
-    cache: Option<&Path>,
-    programs: &Programs,
-) -> exit::Outcome {
-    let dir = RunDir::open(run).map_err(Failure::usage)?;
-    let unexpected: BTreeSet<(&str, &str, &str)> = dir
-        .summary
-        .iter()
-        .filter(|row| !row.status.passes())
-        .map(|row| (row.suite.as_str(), row.scene.as_str(), row.backend.as_str()))
-        .collect();
-    let is_unexpected = |row: &FindingRow| unexpected.contains(&(&*row.suite, &*row.scene, &*row.backend));
-    let (first, rest): (Vec<&FindingRow>, Vec<_>) = dir.findings.iter().partition(|row| is_unexpected(row));
-    let mut chosen: BTreeMap<Class, Vec<&FindingRow>> = BTreeMap::new();
-    for row in first.into_iter().chain(rest) {
-        let of_class = chosen.entry(row.class).or_default();
-        if of_class.len() < n && of_class.iter().all(|other| other.finding_id != row.finding_id) {
-            of_class.push(row);
-        }
-    }
-    let all: Vec<&FindingRow> = chosen.into_values().flatten().collect();
-    let bar = progress::bar(all.len() as u64, "findings");
-    let mut tables: BTreeMap<String, String> = BTreeMap::new();
-    let mut complete = true;
-    for row in all {
-        let folder = run.join(SHRUNK).join(&row.finding_id);
-        let ask = Ask {
-            also: Vec::new(),
-            not_by: Vec::new(),
-            evaluations: EVALUATIONS,
-            timeout: Duration::from_secs(10),
-            cache,
-            programs,
-        };
-        let job =
-            if folder.join(STATE).exists() { again(tool, &folder, programs) } else { begun(tool, &dir, row, &ask) };
-        bar.inc(1);
-        let Ok(job) = job.map_err(|failure| note!("not shrunk: {}", failure.message)) else { continue };
-        std::fs::create_dir_all(&folder).map_err(Failure::io(&folder))?;
-        // A finding that comes only with the whole scene, such as one of a sample, is told and left.
-        match done(job, &folder) {
-            Ok((state, scene, table)) => {
-                complete &= state.end.is_some();
-                note!("{}: {}", folder.display(), told(&state));
-                // Two findings may have one smallest scene, which a suite holds once.
-                tables.entry(scene).or_insert(table);
-            }
-            Err(failure) => note!("not shrunk: {}", failure.message),
-        }
-        if interrupt::flag().load(Ordering::Relaxed) {
-            complete = false;
-            break;
-        }
-    }
-    bar.finish_and_clear();
-    if !tables.is_empty() {
-        let text: Vec<String> = tables.into_values().collect();
-        let text = format!("title = \"Shrunk findings\"\n\n{}", text.join("\n"));
-        let file = run.join(SHRUNK).join(SUITE);
-        replace(&file, text.as_bytes()).map_err(Failure::usage)?;
-        say!("{}: the smallest scenes, as a suite", file.display());
-    }
-    Ok(if complete { exit::OK } else { exit::INCOMPLETE })
-}
-
-/// Shrinks, or tells what was shrunk before: how it ended, the scene's id, and the scene.
-fn done(job: Job<'_>, folder: &Path) -> Result<(State, String, String), Failure> {
-    let source = job.source.clone();
-    let (state, shrunk) = job.run(folder, &mut |_, _| {})?;
-    let table = state.table(&source, &shrunk.spelled, &shrunk.finding);
-    Ok((state, shrunk.loaded.id, table))
-}
-
-/// What the source of a shrunk scene says about the source of the first one: what was put before it comes off again.
-fn source_of(source: &str) -> String {
-    source.split_once("); ").map_or_else(String::new, |(_, source)| source.to_owned())
-}
-
-/// The work of a folder as it was left.
-fn again<'a>(tool: &'a Tool, folder: &Path, programs: &Programs) -> Result<Job<'a>, Failure> {
-    let (state, loaded) = shrinking::open(tool, folder)?;
-    let start = loaded.spelled().ok_or_else(|| Failure::usage("the task cannot write its scenes out"))?;
-    let source = source_of(&loaded.source);
-    let recorded = Recorded { file: &folder.join(STATE), folder: Some(folder), engines: &state.engines };
-    let backends = state.pick(tool, programs, recorded)?;
-    Ok(Job { tool, state, start, source, named: Vec::new(), backends })
-}
-
-/// The same, to go on with.
+/// The work of a folder, to go on with.
 fn resumed<'a>(args: &Args, tool: &'a Tool, folder: &Path) -> Result<Job<'a>, Failure> {
     let mut job = again(tool, folder, &args.programs)?;
     job.state.most = args.evaluations.unwrap_or(job.state.most);

@@ -6,6 +6,7 @@ use predicament_tasks::Purpose;
 
 use crate::exit::{self, Failure};
 use crate::one_scene::OneScene;
+use crate::told::cure;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
@@ -61,13 +62,4 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         say!("{}", path.display());
     }
     Ok(exit::OK)
-}
-
-/// What helps where a backend has said that another kind is needed.
-pub fn cure(why: &str) -> &'static str {
-    if why.contains("backends that break ties") {
-        "; add -b sos:per-mesh, which moves the second mesh by an infinitesimal, or -b sos, which moves every vertex"
-    } else {
-        ""
-    }
 }

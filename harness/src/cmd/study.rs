@@ -11,12 +11,13 @@ use predicament_studies::{Error, Host, Ready};
 use predicament_tasks::{AnyTask, Contestant, Watch};
 
 use crate::exit::{self, Failure};
+use crate::shared::set_threads;
 use crate::tool::Tool;
 use crate::{interrupt, progress};
 
 /// Runs the command.
 pub fn run(study: &dyn Ready, tool: &Tool) -> exit::Outcome {
-    super::run::set_threads(study.threads())?;
+    set_threads(study.threads())?;
     let names = study.backends();
     let backends = if names.is_empty() { Vec::new() } else { tool.pick(&names)? };
     if let Some(folder) = study.out() {

@@ -8,8 +8,8 @@ use predicament_tasks::signs::truth;
 use predicament_tasks::{Contestant, Watch};
 
 use super::apart::distance;
-use crate::cmd::map::columns;
 use crate::interrupt;
+use crate::pixels::columns;
 use crate::pixels::{Step, Walk, axes, exact, tile};
 
 /// Places in a row.

@@ -10,8 +10,8 @@ use predicament_predicates::{Query, Vertex};
 use predicament_records::{FindingRow, RunDir, SummaryRow};
 
 use super::{MOST_QUERIES, load};
-use crate::cmd::replay::point_lines;
 use crate::out::{program, word};
+use crate::told::point_lines;
 use crate::tool::Tool;
 
 /// So many points are written out.

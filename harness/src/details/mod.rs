@@ -18,10 +18,10 @@ use predicament_records::{FindingRow, RunDir};
 use predicament_report::{Detail, Strip};
 use predicament_tasks::{Class, Contestant, Explanation};
 
-use crate::cmd::replay::{lines, point_lines, signs};
 use crate::exit::Failure;
 use crate::out::{program, word};
 use crate::select::{Selector, suite_of};
+use crate::told::{lines, point_lines, signs};
 use crate::tool::Tool;
 
 pub use bodies::Bodies;

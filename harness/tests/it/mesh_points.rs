@@ -75,7 +75,7 @@ fn meshes_that_are_none_are_refused_where_they_are_written() {
         (of("probes = [1, 1, 1]"), "s.toml:7: `probes` is of type integer; write three coordinates".into()),
         (of("probes = [[1, 1, nan]]"), "s.toml:7: coordinate `nan` is not finite; remove the point".into()),
         (of("probes = [[\"a\", 1, 1]]"), "s.toml:7: `a` is not a number; write a decimal or a hex float".into()),
-        (of("probes = { path = \"p.csv\" }"), "s.toml:7: `probes` have 2 coordinates each, and meshes are in".into()),
+        (of("probes = { path = \"p.csv\" }"), "s.toml:7: with p.csv: `probes` have 2 coordinates each, and meshes are in".into()),
         (of("random = 100000000"), "s.toml:2: a mesh with 100000036 probes: a scene has at most 268435456".into()),
         ("mesh = { path = \"p.csv\" }".into(), "p.csv: the file is no mesh; name a .off, .obj, .ply or .stl file".into()),
     ];

@@ -29,8 +29,8 @@ pub const MORE: &[&str] = &["sos:per-mesh", "tolerance:f32", "naive:nalgebra"];
 /// What can be written after `-b`, for help texts.
 pub const HELP: &str = "\
 exact                   the sign of the real determinant
-exact:twice             the sign of the real determinant, computed twice: a yardstick of times
 exact:stages=K          the first K of its 6 stages, then the sign of the double determinant: a control
+                        (and exact:twice computes each sign twice: a yardstick of times)
 sos                     Simulation of Simplicity, x_i + eps^(2^i) (Franklin)
 sos:edelsbrunner-mucke  Simulation of Simplicity, last coordinate strongest
 sos:per-mesh            the second of two meshes moved by (eps, eps^2, eps^3), for contacts

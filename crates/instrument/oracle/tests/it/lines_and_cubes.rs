@@ -7,7 +7,7 @@ use predicament_predicates::{
 };
 use predicament_records::Row;
 use predicament_tasks::cube_union::MassRow;
-use predicament_tasks::{Class, Entry, Outcome};
+use predicament_tasks::{Class, Outcome};
 
 use crate::common::{checks, judged, judged_by_name, load, loaded};
 
@@ -73,7 +73,7 @@ fn larger_is_further([a, b]: [f64; 2], [i, j]: [usize; 2]) -> Sign {
 }
 
 fn by_rule(name: &str, zero: ZeroMeaning, rule: fn([f64; 2], [usize; 2]) -> Sign) -> Outcome {
-    judged(&load(name), &Entry::new(ByRule { zero, rule }))
+    judged(&load(name), &predicament_bundle::entry(ByRule { zero, rule }))
 }
 
 /// What a backend measured of a union, by the columns of its row.

@@ -12,7 +12,7 @@ use predicament_predicates::{
 };
 use predicament_sos::{Scheme, Sos};
 use predicament_tasks::polygon_locate::{MapWithProbes, Probe, ProbeKind};
-use predicament_tasks::{Class, Entry, Outcome};
+use predicament_tasks::{Class, Outcome};
 
 use crate::common;
 
@@ -74,7 +74,7 @@ fn judged(backend: impl Backend + 'static, probes: usize) -> Outcome {
         content: Arc::new(MapWithProbes::new(map, (0..probes).map(probe).collect())),
         notes: ImportNotes::default(),
     };
-    common::judged(&loaded, &Entry::new(backend))
+    common::judged(&loaded, &predicament_bundle::entry(backend))
 }
 
 #[test]

@@ -63,7 +63,10 @@ fn constructions_are_read_as_they_are_written() {
 
     std::fs::write(folder.path().join("p.csv"), "0,0\n2,2\n0,2\n2,4\n1,1\n").unwrap();
     let error = suite.scenes[0].load(Level::Quick, &Cache::new("nowhere")).unwrap_err().to_string();
-    assert!(error.starts_with("s.toml:7: c0 = SSI(0 1, 2 3): the lines are parallel; "), "{error}");
+    assert!(
+        error.starts_with("s.toml:7: with ") && error.contains("p.csv: c0 = SSI(0 1, 2 3): the lines are parallel; "),
+        "{error}"
+    );
 }
 
 #[test]

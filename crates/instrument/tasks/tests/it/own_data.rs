@@ -65,7 +65,7 @@ fn the_same_points_from_every_format_are_the_same_scene() {
     assert_eq!(interval.count(), 2);
     assert_eq!(
         refused(&folder, "task = \"interval\"\npoints = { path = \"p.csv\" }\ncells = [[1, 0]]"),
-        "s.toml:7: the cell from 1 at 1 to 0 at 0 goes to the left, or nowhere; write the left end first; of two ends \
+        "s.toml:7: with p.csv: the cell from 1 at 1 to 0 at 0 goes to the left, or nowhere; write the left end first; of two ends \
          at one place that with the larger index, which symbolic perturbation moves less"
     );
     assert_eq!(
@@ -153,7 +153,7 @@ fn a_map_is_the_same_in_every_format() {
         ),
         (
             "path = \"m.wkt\", polygons = []",
-            "s.toml:6: a map from more than one place; keep one of `path`, `topojson`, `fetch` and `polygons`",
+            "s.toml:6: with m.wkt: a map from more than one place; keep one of `path`, `topojson`, `fetch` and `polygons`",
         ),
     ] {
         let got = refused(&folder, &format!("task = \"polygon-locate\"\nmap = {{ {map} }}"));

@@ -6,7 +6,7 @@ use predicament_studies::mesh_cascades::{Cascade, MeshCascades, Rounding};
 
 use predicament_studies::{Common, Study};
 
-use predicament_tasks::{Contestant, Entry};
+use predicament_tasks::Contestant;
 
 use crate::quiet;
 
@@ -24,7 +24,8 @@ fn study(cascades: &[Cascade], steps: u32) -> MeshCascades {
 
 #[test]
 fn lattices_are_what_is_counted_and_spheres_have_their_points() {
-    let backends: [Box<dyn Contestant>; 2] = [Box::new(Entry::new(PerMesh)), Box::new(Entry::new(Exact))];
+    let backends: [Box<dyn Contestant>; 2] =
+        [Box::new(predicament_bundle::entry(PerMesh)), Box::new(predicament_bundle::entry(Exact))];
     let backends = backends.each_ref().map(|backend| &**backend);
     let study = study(&[Cascade::Cubes, Cascade::Shuffled], 15);
     let measured = study.survey(&backends, &quiet()).unwrap();
@@ -44,7 +45,8 @@ fn lattices_are_what_is_counted_and_spheres_have_their_points() {
 
 #[test]
 fn a_sphere_is_shaved_twice_in_the_same_way() {
-    let backends: [Box<dyn Contestant>; 2] = [Box::new(Entry::new(PerMesh)), Box::new(Entry::new(Exact))];
+    let backends: [Box<dyn Contestant>; 2] =
+        [Box::new(predicament_bundle::entry(PerMesh)), Box::new(predicament_bundle::entry(Exact))];
     let backends = backends.each_ref().map(|backend| &**backend);
     let study = study(&[Cascade::Shave], 5);
     let [first, second] = [(); 2].map(|()| study.survey(&backends, &quiet()).unwrap());
@@ -56,7 +58,8 @@ fn a_sphere_is_shaved_twice_in_the_same_way() {
 
 #[test]
 fn what_rounding_leaves_is_resolved() {
-    let backends: [Box<dyn Contestant>; 2] = [Box::new(Entry::new(PerMesh)), Box::new(Entry::new(Exact))];
+    let backends: [Box<dyn Contestant>; 2] =
+        [Box::new(predicament_bundle::entry(PerMesh)), Box::new(predicament_bundle::entry(Exact))];
     let backends = backends.each_ref().map(|backend| &**backend);
     let resolved = MeshCascades { samples: 1, probes: 4, ..study(&[Cascade::Copies], 5) };
     let measured = resolved.survey(&backends, &quiet()).unwrap();

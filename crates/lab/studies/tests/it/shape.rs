@@ -182,7 +182,7 @@ impl Backend for Never {
 
 #[test]
 fn a_backend_that_declines_is_named() {
-    let never = predicament_tasks::Entry::new(Never);
+    let never = predicament_bundle::entry(Never);
     let never: [&dyn Contestant; 1] = [&never];
     let refused = ready("resolution --trials 1 --out x").report(&never, &quiet());
     assert_eq!(refused.err(), Some(Error::unfit("never on `vertices apart`: scene declined: not today")));

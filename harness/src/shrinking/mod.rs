@@ -2,11 +2,15 @@
 //!
 //! Each smaller scene is written down as it is found, so that an end at any moment loses one evaluation.
 
+mod begun;
+mod first;
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use predicament_corpus::{Heading, Level, LoadedScene, Spelled, Suite};
+use predicament_engines::PREFIX;
 use predicament_formats::Manifest;
 use predicament_predicates::{Class, Query, Vertex};
 use predicament_records::{EngineFile, replace};
@@ -22,6 +26,9 @@ use crate::select::planned_scene;
 use crate::tool::Tool;
 use crate::worker::Worker;
 use crate::{interrupt, planning};
+
+pub use begun::{Ask, EVALUATIONS, again, begun, told};
+pub use first::first_of_each_class;
 
 /// The files of a folder: what is shrunk and how far, and the smallest scene so far.
 pub const STATE: &str = "shrink.json";
@@ -251,7 +258,9 @@ pub fn open(tool: &Tool, folder: &Path) -> Result<(State, LoadedScene), Failure>
     if let Err(why) = state.level.parse::<Level>() {
         return refuse(why.to_string());
     }
-    for name in state.shown_by.iter().chain(&state.not_by).filter(|name| !tool.knows_backend(name)) {
+    // Engines are looked for where they are picked: a folder names none that is started.
+    let is_strange = |name: &&String| !name.starts_with(PREFIX) && !tool.knows_backend(name);
+    for name in state.shown_by.iter().chain(&state.not_by).filter(is_strange) {
         if let Err(why) = tool.backend(name) {
             return refuse(why.to_string());
         }

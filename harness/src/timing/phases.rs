@@ -8,7 +8,7 @@ use predicament_oracle::caught;
 use predicament_records::{PhaseRow, PlannedScene, RunWriter, TableSpec};
 use predicament_tasks::{AnyTask, Phase};
 
-use crate::cmd::bench::{Runner, Samples};
+use super::{Runner, Samples};
 use crate::exit::Failure;
 use crate::interrupt;
 use crate::tool::Tool;

@@ -1,0 +1,251 @@
+//! The scenes of a run, one after the other: each backend judged here or in a process of its own, and its rows written.
+
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use indicatif::ProgressBar;
+use predicament_engines::PREFIX;
+use predicament_oracle::expect::Expectations;
+use predicament_oracle::run as judge;
+use predicament_records::{self as records, CostRow, PlannedScene, SummaryRow};
+use predicament_tasks::{AnyCase, Budget, Class, Contestant, Outcome, Stop, Watch};
+use rayon::prelude::*;
+
+use predicament_corpus::Level;
+
+use super::{Args, Job};
+use crate::exit::{self, Failure};
+use crate::ledger::Ledger;
+use crate::planning::budget;
+use crate::select::{Planned, Selection};
+use crate::stopwatch::{Cost, Stopwatch};
+use crate::tool::Tool;
+use crate::worker::{self, Worker};
+use crate::{interrupt, progress};
+
+/// Whether the run goes on.
+type Flow = ControlFlow<()>;
+
+/// What came of all scenes.
+pub struct Ended {
+    /// The run's folder.
+    pub folder: PathBuf,
+    /// The exit code, by the rows.
+    pub code: u8,
+    /// Whether somebody interrupted the run.
+    pub is_interrupted: bool,
+}
+
+/// Runs the scenes of a job, those that are done apart.
+pub fn all(args: &Args, tool: &Tool, job: Job, expected: &Expectations) -> Result<Ended, Failure> {
+    let Job { selection, mut scenes, backends, engines, permutations, ledger } = job;
+    let work = scenes.iter().map(|scene| scene.plan.queries * (backends.len() as u64 + 1)).sum();
+    let by_level = budget(selection.level);
+    let mut run = Run {
+        args,
+        tool,
+        selection: &selection,
+        backends: &backends,
+        engines: &engines,
+        expected,
+        permutations,
+        budget: Budget {
+            permutations: permutations.unwrap_or(by_level.permutations),
+            answers: ledger.answers,
+            ..by_level
+        },
+        // What ran out of time before it was resumed has.
+        ended: later(records::Outcome::Complete, &ledger.done),
+        ledger,
+        bar: progress::bar(work, "answers"),
+    };
+    // Each scene is dropped before the next.
+    for planned in &mut scenes {
+        if run.scene(planned)?.is_break() {
+            run.ended = records::Outcome::Interrupted;
+            break;
+        }
+    }
+    run.bar.finish_and_clear();
+    let folder = run.ledger.folder.clone();
+    let is_interrupted = run.ended == records::Outcome::Interrupted;
+    Ok(Ended { folder, code: run.ledger.finish(run.ended)?, is_interrupted })
+}
+
+/// A run under way.
+struct Run<'r> {
+    args: &'r Args,
+    tool: &'r Tool,
+    selection: &'r Selection,
+    backends: &'r [Box<dyn Contestant>],
+    /// The files of engines, by the backends' names.
+    engines: &'r BTreeMap<String, String>,
+    expected: &'r Expectations,
+    permutations: Option<usize>,
+    budget: Budget,
+    /// How the run has ended so far.
+    ended: records::Outcome,
+    ledger: Ledger,
+    bar: ProgressBar,
+}
+
+impl<'r> Run<'r> {
+    /// Runs the backends that are not done with a scene.
+    fn scene(&mut self, planned: &mut Planned) -> Result<Flow, Failure> {
+        let scene = planned.plan.clone();
+        let left = self.left(&scene);
+        if left.is_empty() && self.ledger.is_planned(&scene) {
+            return Ok(self.pass_over(&scene));
+        }
+        self.bar.set_message(scene.scene.clone());
+        let clock = Stopwatch::start();
+        let loaded = planned.take(self.selection)?;
+        self.ledger.plan(&scene, &loaded)?;
+        if left.is_empty() {
+            return Ok(self.pass_over(&scene));
+        }
+        let task = self.tool.task(loaded.task);
+        let (apart, here): (Vec<&dyn Contestant>, Vec<_>) =
+            left.iter().partition(|backend| self.args.isolates(self.tool, &backend.name(), task));
+        let bar = self.bar.clone();
+        let told = |done: u64| bar.inc(done);
+        let watch = Watch::new(interrupt::flag(), None, &told);
+        let Ok(case) = (!here.is_empty()).then(|| task.case(&loaded, &watch)).transpose() else {
+            return Ok(Flow::Break(()));
+        };
+        self.ledger.cost(&scene, CostRow::TRUTH, clock.read())?;
+        let case = case.as_deref();
+        refuse_disputed(&scene, case)?;
+        let worker = self.worker(planned, &scene);
+        let mut side_by_side = self.side_by_side(case, &here, &watch).map(Vec::into_iter);
+        for backend in left {
+            let is_apart = apart.iter().any(|other| other.name() == backend.name());
+            let flow = match case.filter(|_| !is_apart) {
+                None => self.apart(&worker, &scene, backend)?,
+                Some(case) => {
+                    // The pictures of pixel maps go with their rows; every other scene has none.
+                    if loaded.family == "pixel-map" {
+                        self.ledger.draw(case, backend)?;
+                    }
+                    let (outcome, cost) = match &mut side_by_side {
+                        Some(outcomes) => outcomes.next().expect("one for each backend"),
+                        None => self.alone(case, backend, &watch),
+                    };
+                    self.note(&scene, backend, outcome, cost)?
+                }
+            };
+            if flow.is_break() {
+                return Ok(flow);
+            }
+        }
+        Ok(Flow::Continue(()))
+    }
+
+    /// The backends that have not answered a scene.
+    fn left(&self, scene: &PlannedScene) -> Vec<&'r dyn Contestant> {
+        let backends = self.backends.iter().map(AsRef::as_ref);
+        backends.filter(|backend| !self.ledger.is_done(scene, &backend.name())).collect()
+    }
+
+    fn pass_over(&self, scene: &PlannedScene) -> Flow {
+        self.bar.inc(scene.queries * (self.backends.len() as u64 + 1));
+        Flow::Continue(())
+    }
+
+    /// The process in which a scene is run by itself.
+    fn worker<'s>(&self, planned: &Planned, scene: &'s PlannedScene) -> Worker<'s>
+    where
+        'r: 's,
+    {
+        Worker {
+            permutations: self.permutations,
+            threads: self.args.threads,
+            cache: self.args.selector.cache.as_deref(),
+            folder: worker::folder(&self.ledger.folder),
+            suite: self.selection.argument(&planned.def),
+            engines: self.engines,
+            scene,
+            limit: self.args.limit(self.selection.level),
+            level: self.selection.level,
+            answers: self.ledger.answers,
+        }
+    }
+
+    /// Judges one backend, and says what it has cost.
+    fn alone(&self, case: &dyn AnyCase, backend: &dyn Contestant, watch: &Watch<'_>) -> (Result<Outcome, Stop>, Cost) {
+        let clock = Stopwatch::start();
+        let outcome = judge(case, backend, self.budget, &watch.restarted(self.args.timeout));
+        (outcome, clock.read())
+    }
+
+    /// Judges backends at once. Small scenes leave threads idle, so backends share them; what a crash can lose is one such scene. Time
+    /// limits are for a backend by itself.
+    fn side_by_side(
+        &self,
+        case: Option<&dyn AnyCase>,
+        backends: &[&dyn Contestant],
+        watch: &Watch<'_>,
+    ) -> Option<Vec<(Result<Outcome, Stop>, Cost)>> {
+        let is_small = self.selection.level == Level::Quick && self.args.timeout.is_none();
+        let case = case.filter(|_| is_small)?;
+        let (budget, limit) = (self.budget, self.args.timeout);
+        Some(together(backends, |backend| judge(case, backend, budget, &watch.restarted(limit))))
+    }
+
+    /// Runs one backend in a process of its own.
+    fn apart(&mut self, worker: &Worker<'_>, scene: &PlannedScene, backend: &dyn Contestant) -> Result<Flow, Failure> {
+        let clock = Stopwatch::start();
+        let Some(found) = worker.run(self.tool, &backend.name())? else { return Ok(Flow::Break(())) };
+        self.ledger.cost(scene, &backend.name(), clock.read().of_another())?;
+        self.ended = later(self.ended, &found.summary);
+        self.ledger.adopt(found, scene, &backend.name(), self.expected)?;
+        self.bar.inc(scene.queries);
+        Ok(Flow::Continue(()))
+    }
+
+    /// Writes down what came of one backend.
+    fn note(
+        &mut self,
+        scene: &PlannedScene,
+        backend: &dyn Contestant,
+        outcome: Result<Outcome, Stop>,
+        cost: Cost,
+    ) -> Result<Flow, Failure> {
+        let Ok(outcome) = outcome else { return Ok(Flow::Break(())) };
+        let name = backend.name();
+        let cost = if name.starts_with(PREFIX) { cost.of_another() } else { cost };
+        self.ledger.cost(scene, &name, cost)?;
+        let summary = self.ledger.record(scene, &name, &outcome, self.expected)?;
+        self.ended = later(self.ended, std::slice::from_ref(&summary));
+        Ok(Flow::Continue(()))
+    }
+}
+
+/// Refuses data about which two truths disagree.
+fn refuse_disputed(scene: &PlannedScene, case: Option<&dyn AnyCase>) -> Result<(), Failure> {
+    let Some(dispute) = case.and_then(|case| case.dispute()) else { return Ok(()) };
+    let message = format!("{}/{}: {dispute}; fix the data before anything is compared", scene.suite, scene.scene);
+    Err(Failure { message, code: exit::CORPUS })
+}
+
+/// Does the same for each backend at once. Threads work for one or another as they are free, so of what all have cost together each has the
+/// share that its own clock says.
+fn together<T: Send>(backends: &[&dyn Contestant], each: impl Fn(&dyn Contestant) -> T + Sync) -> Vec<(T, Cost)> {
+    let clock = Stopwatch::start();
+    let timed = |backend: &&dyn Contestant| {
+        let start = Instant::now();
+        let done = each(*backend);
+        (done, start.elapsed())
+    };
+    let done: Vec<(T, Duration)> = backends.par_iter().map(timed).collect();
+    let (cost, whole) = (clock.read(), done.iter().map(|(_, time)| *time).sum());
+    done.into_iter().map(|(done, time)| (done, cost.share(time, whole))).collect()
+}
+
+/// How the run has ended so far, with these rows.
+fn later(ended: records::Outcome, rows: &[SummaryRow]) -> records::Outcome {
+    let timed_out = rows.iter().any(|row| row.count(Class::Timeout) > 0);
+    if timed_out && ended == records::Outcome::Complete { records::Outcome::Timeout } else { ended }
+}

@@ -1,0 +1,9 @@
+//! Timing: backends at their starting lines, samples in turns, and the parts of algorithms one by one.
+
+pub mod phases;
+
+mod runner;
+mod samples;
+
+pub use runner::{Runner, empty, start};
+pub use samples::Samples;

@@ -1,0 +1,102 @@
+//! Backends at their starting lines: what is timed, and what it has to answer.
+
+use predicament_corpus::LoadedScene;
+use predicament_oracle::caught;
+use predicament_records::{Interface, PlannedScene};
+use predicament_tasks::contacts::Complexes;
+use predicament_tasks::mesh_intersect::TwoMeshes;
+use predicament_tasks::mesh_locate::ProbedMesh;
+use predicament_tasks::{Contestant, Stopwatch};
+
+use crate::contact_tables::on_threads;
+use crate::peers::Peer;
+
+/// One backend at its starting line.
+pub struct Runner<'a> {
+    /// The backend's name.
+    pub name: String,
+    pub(super) family: String,
+    pub(super) version: String,
+    /// How it is asked.
+    pub(super) interface: Interface,
+    /// The threads that it uses.
+    pub threads: usize,
+    /// Its passes.
+    pub watch: Box<dyn Stopwatch + 'a>,
+    pub(super) judged: u64,
+    pub(super) queries: u64,
+    pub(super) passes: u32,
+    /// Nanoseconds per query of each sample.
+    pub(super) samples: Vec<f64>,
+}
+
+impl<'a> Runner<'a> {
+    /// A peer, where its answers can be timed.
+    pub fn of_peer(peer: Peer<'a>, scene: &PlannedScene) -> Option<Runner<'a>> {
+        let timed = peer.timed?;
+        Some(Runner {
+            name: peer.name,
+            family: scene.family.clone(),
+            version: peer.version,
+            interface: timed.interface,
+            threads: 1,
+            watch: timed.watch,
+            judged: timed.judged,
+            queries: peer.outcome.queries,
+            passes: 1,
+            samples: Vec::new(),
+        })
+    }
+}
+
+/// Prepares one backend by each interface: contacts and meshes with points or other meshes for each number of threads, all else for one.
+pub fn start<'a>(
+    loaded: &'a LoadedScene,
+    backend: &'a dyn Contestant,
+    scene: &PlannedScene,
+    judged: Option<u64>,
+    threads: &[usize],
+) -> Result<Vec<Runner<'a>>, String> {
+    let judged = judged.ok_or("there are no judged answers")?;
+    let solver = backend.solver(loaded.task).ok_or("the backend was not told of the task")?;
+    let is_parallel = loaded.content::<Complexes>().is_some()
+        || loaded.content::<ProbedMesh>().is_some()
+        || loaded.content::<TwoMeshes>().is_some();
+    let threads = if is_parallel { threads } else { &threads[..1] };
+    let content = loaded.content.as_ref();
+    let mut runners = Vec::new();
+    for &threads in threads {
+        for interface in solver.interfaces(content) {
+            let prepared = caught(|| solver.stopwatch(&loaded.scene, content, threads, interface));
+            let Some(watch) = prepared.map_err(|broken| broken.to_string()).flatten()? else { continue };
+            runners.push(Runner {
+                name: backend.name(),
+                family: on_threads(&scene.family, threads),
+                version: backend.version().unwrap_or_else(|| env!("CARGO_PKG_VERSION").to_owned()),
+                watch,
+                interface,
+                threads,
+                judged,
+                queries: scene.queries,
+                passes: 1,
+                samples: Vec::new(),
+            });
+        }
+    }
+    Ok(runners)
+}
+
+/// Prepares predicates that return at once: what they answer is not judged, only that it stays the same.
+pub fn empty<'a>(
+    loaded: &'a LoadedScene,
+    binding: &'a dyn Contestant,
+    scene: &PlannedScene,
+    threads: &[usize],
+) -> Result<Vec<Runner<'a>>, String> {
+    let mut runners = start(loaded, binding, scene, Some(0), threads)?;
+    for runner in &mut runners {
+        caught(|| runner.watch.pass()).map_err(|broken| broken.to_string())?;
+        runner.judged = runner.watch.digest();
+    }
+    Ok(runners)
+}
