@@ -24,4 +24,4 @@ mod boxed;
 #[cfg(feature = "peers")]
 mod wild;
 
-pub use predicament_tasks::{caught, run, run_planted};
+pub use predicament_tasks::{caught, run, run_spoiled};
