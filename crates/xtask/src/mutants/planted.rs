@@ -102,10 +102,12 @@ pub(super) fn try_all(names: &[String]) -> Result<(), String> {
     let mut unseen = Vec::new();
     for fault in chosen {
         println!("\n== {}: {}", fault.name, fault.what);
-        if !without.contains_key(&fault.seen) {
-            without.insert(fault.seen, tree.sees(fault.seen)?);
-        }
-        let seen = if without[&fault.seen] == Sight::Nothing { tree.planted(fault)? } else { Sight::Unclear };
+        let before = match without.get(&fault.seen) {
+            Some(&known) => known,
+            None => tree.sees(fault.seen)?,
+        };
+        without.insert(fault.seen, before);
+        let seen = if before == Sight::Nothing { tree.planted(fault)? } else { Sight::Unclear };
         println!("{}: {}", fault.name, seen.told());
         if seen != Sight::Fault {
             unseen.push(fault.name);
