@@ -53,6 +53,9 @@ Commands:
          the mutation score: every N-th (50th) small change to arithmetic, exact, sos, tolerance, checks and judge, from
          the K-th on (0), by cargo-mutants and the tests of the package; with --all-tests what these miss is tried again
          by those of the packages above; prints what no test noticed (hours)
+  mutants --planted [NAME...]
+         the faults that are known by name, or those named: each is planted in a copy of the tree, and has to turn its test or
+         its run of a suite red (minutes for each)
   spread a run in parts by GNU parallel, HyperQueue and Slurm, each with a part that is killed; says which of them is missing
   setup  only make sure that what the build needs is there (m4, a C compiler, make)
   help   this text

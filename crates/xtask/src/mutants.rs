@@ -5,6 +5,10 @@
 //!
 //! A crate's own tests are the quick ones. What they miss is tried once more, if `--all-tests` says so, by the tests of the crates
 //! above: these compare backends, judges and checks with each other.
+//!
+//! `--planted` tries the faults that somebody did think of, in algorithms ([`planted`]).
+
+mod planted;
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -140,7 +144,14 @@ impl Asked {
 }
 
 /// Tries every n-th mutant of the packages, from the k-th on, and prints the score and the survivors.
+///
+/// With `--planted`, the faults that are known by name instead.
 pub fn score(args: &[String]) -> Result<(), String> {
+    if let [first, names @ ..] = args
+        && first == "--planted"
+    {
+        return planted::try_all(names);
+    }
     let asked = Asked::parse(args)?;
     if !answers("cargo", &["mutants", "--version"]) {
         return Err("mutants: there is no cargo-mutants; `cargo install cargo-mutants --locked` installs it".to_owned());

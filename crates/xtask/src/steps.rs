@@ -139,7 +139,7 @@ fn example() -> Result<(), String> {
     let tool = |what: &str, args: &[&str]| step(what, &words(&tool, args), &[]);
     tool("run the example's suite", &["run", "leftmost-suite", "--out", &run])?;
     tool("hold the example's run against its expectations", &["gate", &run])?;
-    let faults = ["selftest", "--only", "algorithm:leftmost-first-only", "-f", "^leftmost-suite/"];
+    let faults = ["selftest", "--only", "answer:leftmost-first-only", "-f", "^leftmost-suite/"];
     tool("see that the example's planted fault is caught", &faults)
 }
 

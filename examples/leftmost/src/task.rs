@@ -7,7 +7,7 @@ use predicament::predicates::{Axis, PredicateKind, Predicates, Query, Scene, Sig
 use predicament::records::{self, RunDir, TableSpec};
 use predicament::report::Section;
 use predicament::tasks::{
-    Answer, Asked, Case, Check, Class, Contestant, Explanation, Halt, How, Outcome, Planted, Stop, Task, Watch, digest,
+    Answer, Asked, Case, Check, Class, Contestant, Explanation, Halt, How, Outcome, Spoiled, Stop, Task, Watch, digest,
 };
 
 use crate::{Among, LeftmostRow, judge, section};
@@ -122,20 +122,14 @@ impl Task for Leftmost {
         }
     }
 
-    fn planted(&self) -> Vec<Planted<Leftmost>> {
-        vec![Planted {
-            name: "leftmost-first-only",
-            what: "of several leftmost vertices only the first is found",
-            backend: "exact",
-            caught_by: &[(Class::MissedZero, "smallest x")],
-            solve: |session, content| {
-                let left = |best, vertex| match session.compare(Axis::X, vertex, best) {
-                    Sign::Negative => vertex,
-                    _ => best,
-                };
-                Ok(Found(content.0.iter().copied().reduce(left).into_iter().collect()))
-            },
-        }]
+    fn spoiled(&self) -> Vec<Spoiled<Leftmost>> {
+        vec![Spoiled::new(
+            "leftmost-first-only",
+            "of several leftmost vertices only the first is found",
+            "exact",
+            &[(Class::MissedZero, "smallest x")],
+            |_, _, answer| answer.0.truncate(1),
+        )]
     }
 
     fn tables(&self) -> Vec<TableSpec> {

@@ -1,7 +1,7 @@
 //! `selftest`: plants faults and sees whether they are caught.
 //!
 //! Each faulty backend claims a real contract and runs through the embedded
-//! corpora like any other; each faulty algorithm runs on an honest backend; what judges
+//! corpora like any other; right answers of honest backends are spoiled before they are judged; what judges
 //! and what reads is held to facts that are known without it. A
 //! fault names the checks that have to find it: one that finds nothing means that
 //! the corpora have a hole or that the check does not work, whatever else finds
@@ -35,7 +35,7 @@ Examples:
   predicament selftest
   predicament selftest --list                      the faults, and the checks that have to find them
   predicament selftest --checks                    the checks, and the faults that need them: docs/CHECKS.md
-  predicament selftest --only algorithm:closed-interval,fault:contacts-one-sided
+  predicament selftest --only answer:interval-next-cell,fault:contacts-one-sided
   predicament selftest --only fault:exact-flushed --everything   all checks that find it, on all scenes
   predicament selftest -f kettner                  which faults does one part of the corpora catch?
   predicament selftest --without 'perturbed sign'  red: faults are missed without the check
@@ -49,7 +49,7 @@ const EVALUATIONS: u64 = 300;
 const CARD: &str = "selftest.csv";
 const CHECKS: &str = "checks.csv";
 
-/// Plant faults in backends, algorithms, judges and readers; each must be caught by its checks
+/// Plant faults in backends, answers, judges and readers; each must be caught by its checks
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {

@@ -92,7 +92,7 @@ impl Declarations {
             }
             // A task that declares nothing has the checks that its faults name.
             if task.declared_checks().is_empty() {
-                for &(class, name) in task.planted_faults().iter().flat_map(|fault| fault.caught_by()) {
+                for &(class, name) in task.spoiled_answers().iter().flat_map(|fault| fault.caught_by()) {
                     all.add(Check::new(class, name, ""), task.name());
                 }
             }

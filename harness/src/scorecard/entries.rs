@@ -1,4 +1,4 @@
-//! All that `selftest` runs: honest backends, faults in backends, in algorithms and in parts of the tool.
+//! All that `selftest` runs: honest backends, faults in backends, in answers and in parts of the tool.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -23,8 +23,8 @@ pub enum Kind {
     Honest,
     /// A fault in a backend.
     Backend(Fault),
-    /// A fault in an algorithm or an answer of the task with this name, and of those that share it.
-    Algorithm,
+    /// A fault in right answers of a task, and of those that share it.
+    Answer,
     /// Nothing, in a part of the tool.
     HonestPart(Area),
     /// A fault in a part of the tool.
@@ -108,9 +108,9 @@ impl Entry {
     }
 }
 
-/// The name of a fault in an algorithm.
-pub fn algorithm(fault: &str) -> String {
-    format!("algorithm:{fault}")
+/// The name of a fault in an answer.
+pub fn answer(fault: &str) -> String {
+    format!("answer:{fault}")
 }
 
 /// The checks of all findings but refusals; what is not declared, in words.
@@ -129,7 +129,7 @@ pub fn caught(checks: &Declarations, task: &str, outcome: &Outcome) -> (BTreeSet
     (found, undeclared)
 }
 
-/// Honest backends, faulty backends, faulty algorithms, parts of the tool, in this order.
+/// Honest backends, faulty backends, spoiled answers, parts of the tool, in this order.
 ///
 /// # Errors
 /// One line, where a fault names a check that is not declared.
@@ -144,19 +144,19 @@ pub fn entries(tool: &Tool, checks: &Declarations) -> Result<Vec<Entry>, String>
         entries.push(Entry::new(name, fault.what(), Some(fault.area()), Kind::Backend(fault), wants));
     }
     for &task in tool.tasks() {
-        for planted in task.planted_faults() {
-            let name = algorithm(planted.name());
-            // Tasks of one family share their algorithm and so its faults.
+        for spoiled in task.spoiled_answers() {
+            let name = answer(spoiled.name());
+            // Tasks of one family share their answers and so the faults in these.
             if entries.iter().any(|entry| entry.name == name) {
                 continue;
             }
             // What one of them declares, the others need not.
             let has_it =
-                |task: &&&dyn AnyTask| task.planted_faults().iter().any(|other| other.name() == planted.name());
+                |task: &&&dyn AnyTask| task.spoiled_answers().iter().any(|other| other.name() == spoiled.name());
             let tasks: Vec<&str> = tool.tasks().iter().filter(has_it).map(|task| task.name()).collect();
-            let wants = planted.caught_by().iter().map(|&catch| checks.named_by(&tasks, catch));
+            let wants = spoiled.caught_by().iter().map(|&catch| checks.named_by(&tasks, catch));
             let wants = wants.collect::<Result<_, _>>().map_err(|why| format!("{name}: {why}"))?;
-            entries.push(Entry::new(name, planted.what(), Some(Area::Algorithms), Kind::Algorithm, wants));
+            entries.push(Entry::new(name, spoiled.what(), Some(Area::Answers), Kind::Answer, wants));
         }
     }
     for area in [Area::Oracle, Area::Readers] {
@@ -189,7 +189,7 @@ pub fn only(mut entries: Vec<Entry>, names: &[String]) -> Result<Vec<Entry>, Str
     entries.retain(|entry| match entry.kind {
         Kind::Honest => true,
         Kind::HonestPart(area) => parts.contains(&area) || names.contains(&entry.name),
-        Kind::Backend(_) | Kind::Algorithm | Kind::Part(_) => names.contains(&entry.name),
+        Kind::Backend(_) | Kind::Answer | Kind::Part(_) => names.contains(&entry.name),
     });
     Ok(entries)
 }

@@ -5,10 +5,10 @@ use std::time::Duration;
 use predicament_corpus::{Level, LoadedScene};
 use predicament_search::shrink::{Limits, shrink};
 use predicament_search::{Backends, Wanted, Witness};
-use predicament_tasks::{AnyPlanted, AnyTask, Budget, Contestant, Finding, Outcome, Stop, Watch};
+use predicament_tasks::{AnySpoiled, AnyTask, Budget, Contestant, Finding, Outcome, Stop, Watch};
 
 use super::declared::{Declared, Of};
-use super::entries::{Entry, Kind, algorithm};
+use super::entries::{Entry, Kind, answer};
 use super::work::honest;
 use crate::shrinking::Measure;
 use crate::tool::Tool;
@@ -56,11 +56,11 @@ impl Shrinking<'_> {
                 };
                 run(&witness)
             }
-            Kind::Algorithm => {
-                let faults = task.planted_faults();
-                let fault = faults.iter().find(|fault| algorithm(fault.name()) == entry.name)?.as_ref();
+            Kind::Answer => {
+                let faults = task.spoiled_answers();
+                let fault = faults.iter().find(|fault| answer(fault.name()) == entry.name)?.as_ref();
                 let backend = honest(self.contestants, fault.backend());
-                run(&Planted { task, fault, backend, wanted, budget, watch: &watch })
+                run(&Answers { task, fault, backend, wanted, budget, watch: &watch })
             }
             Kind::Honest | Kind::HonestPart(_) | Kind::Part(_) => return None,
         };
@@ -68,17 +68,17 @@ impl Shrinking<'_> {
     }
 }
 
-/// An algorithm with a fault, or an answer that is spoiled.
-struct Planted<'a> {
+/// Right answers that are spoiled.
+struct Answers<'a> {
     task: &'a dyn AnyTask,
-    fault: &'a dyn AnyPlanted,
+    fault: &'a dyn AnySpoiled,
     backend: &'a dyn Contestant,
     wanted: Wanted,
     budget: Budget,
     watch: &'a Watch<'a>,
 }
 
-impl Witness for Planted<'_> {
+impl Witness for Answers<'_> {
     fn look(&self, loaded: &LoadedScene) -> Result<Option<Finding>, Stop> {
         let watch = self.watch.restarted(Some(LIMIT));
         let case = match self.task.case(loaded, &watch) {
@@ -89,7 +89,7 @@ impl Witness for Planted<'_> {
         if case.dispute().is_some() {
             return Ok(None);
         }
-        let outcome = predicament_oracle::run_planted(case.as_ref(), self.fault, self.backend, self.budget, &watch)?;
+        let outcome = predicament_oracle::run_spoiled(case.as_ref(), self.fault, self.backend, self.budget, &watch)?;
         Ok(self.wanted.of(&outcome).cloned())
     }
 }

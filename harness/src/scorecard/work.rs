@@ -9,7 +9,7 @@ use predicament_tasks::{AnyCase, Budget, Contestant, Outcome, Stop, Watch};
 use rayon::prelude::*;
 
 use super::declared::Declarations;
-use super::entries::{Entry, Kind, TWO_MESHES, algorithm, caught};
+use super::entries::{Entry, Kind, TWO_MESHES, answer, caught};
 use super::shrunk::Shrinking;
 use crate::exit::{self, Failure};
 use crate::select::Selection;
@@ -61,7 +61,7 @@ impl Work<'_> {
             bar.inc(1);
             let task = scene.plan.task.as_str();
             let is_needed = self.entries.iter().any(|entry| self.is_open_in(entry, task))
-                || self.tool.task(task).planted_faults().iter().any(|planted| self.open(planted.name()).is_some());
+                || self.tool.task(task).spoiled_answers().iter().any(|spoiled| self.open(spoiled.name()).is_some());
             let loaded = scene.take(selection)?;
             if is_needed || loaded.scene.second_mesh().is_some() {
                 self.scene(&loaded, &contestants).map_err(interrupted)?;
@@ -80,9 +80,9 @@ impl Work<'_> {
             || self.how.everything && matches!(entry.kind, Kind::Backend(fault) if fault.shows_in(task))
     }
 
-    /// The place of a fault in an algorithm that is run on the next scene.
+    /// The place of a fault in an answer that is run on the next scene.
     fn open(&self, fault: &str) -> Option<usize> {
-        let name = algorithm(fault);
+        let name = answer(fault);
         self.entries.iter().position(|entry| entry.name == name && self.is_open(entry))
     }
 
@@ -92,7 +92,7 @@ impl Work<'_> {
             let held: Vec<Held> = match entry.kind {
                 Kind::Part(fault) => fault.run(),
                 Kind::HonestPart(area) => guards::honest(area),
-                Kind::Honest | Kind::Backend(_) | Kind::Algorithm => continue,
+                Kind::Honest | Kind::Backend(_) | Kind::Answer => continue,
             };
             entry.record.scenes = 1;
             for Held { guard, facts, broken } in held {
@@ -205,17 +205,17 @@ impl Work<'_> {
         chosen.into_par_iter().map(run).collect()
     }
 
-    /// Backends with a fault, and the algorithm of the scene's task with each of its faults: those that are open.
+    /// Backends with a fault, and right answers with each fault of the scene's task: those that are open.
     fn faulty(&self, case: &dyn AnyCase, contestants: &[Box<dyn Contestant>], watch: &Watch) -> Result<Found, Stop> {
         let task = case.task().name();
         let open: BTreeSet<&str> =
             self.entries.iter().filter(|entry| self.is_open_in(entry, task)).map(|entry| entry.name.as_str()).collect();
         let mut found = self.run_backends(case, contestants, watch, |entry| open.contains(entry.name.as_str()))?;
-        for planted in case.task().planted_faults() {
-            let Some(at) = self.open(planted.name()) else { continue };
-            let honest = honest(contestants, planted.backend());
+        for spoiled in case.task().spoiled_answers() {
+            let Some(at) = self.open(spoiled.name()) else { continue };
+            let honest = honest(contestants, spoiled.backend());
             let budget = planning::budget(Level::Quick);
-            found.push((at, predicament_oracle::run_planted(case, planted.as_ref(), honest, budget, watch)?));
+            found.push((at, predicament_oracle::run_spoiled(case, spoiled.as_ref(), honest, budget, watch)?));
         }
         Ok(found)
     }

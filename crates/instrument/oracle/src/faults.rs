@@ -240,7 +240,7 @@ impl Fault {
             | Fault::ExactStaleBound
             | Fault::ExactUnguarded => Area::Filters,
             Fault::ExactNan | Fault::ExactOneLimb | Fault::ExactFlushed | Fault::ExactRoundedVertex => Area::Arithmetic,
-            Fault::ContactsEndlessEdge | Fault::ContactsOneSided => Area::Algorithms,
+            Fault::ContactsEndlessEdge | Fault::ContactsOneSided => Area::Answers,
             Fault::ToleranceNarrow
             | Fault::ToleranceWide
             | Fault::ToleranceNarrowContacts

@@ -25,4 +25,4 @@ mod twice;
 #[cfg(feature = "peers")]
 mod wild;
 
-pub use predicament_tasks::{caught, run, run_planted};
+pub use predicament_tasks::{caught, run, run_spoiled};

@@ -10,7 +10,7 @@ use predicament_report::Section;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, AnyPlanted, Asked, Case, Check, Compared, Contestant, Dispute, Explanation, Knob, Outcome, Phase, Stop,
+    Answer, AnySpoiled, Asked, Case, Check, Compared, Contestant, Dispute, Explanation, Knob, Outcome, Phase, Stop,
     Task, Turns, Watch,
 };
 
@@ -77,8 +77,8 @@ pub trait AnyTask: SceneFormat {
     /// [`Task::checks`].
     fn declared_checks(&self) -> &'static [Check];
 
-    /// [`Task::planted`] and [`Task::spoiled`].
-    fn planted_faults(&self) -> Vec<Box<dyn AnyPlanted>>;
+    /// [`Task::spoiled`].
+    fn spoiled_answers(&self) -> Vec<Box<dyn AnySpoiled>>;
 
     /// [`Task::tables`].
     fn own_tables(&self) -> Vec<TableSpec>;
@@ -206,9 +206,8 @@ impl<T: Task> AnyTask for T {
         self.checks()
     }
 
-    fn planted_faults(&self) -> Vec<Box<dyn AnyPlanted>> {
-        let planted = self.planted().into_iter().map(|planted| Box::new(planted) as Box<dyn AnyPlanted>);
-        planted.chain(self.spoiled().into_iter().map(|spoiled| Box::new(spoiled) as Box<dyn AnyPlanted>)).collect()
+    fn spoiled_answers(&self) -> Vec<Box<dyn AnySpoiled>> {
+        self.spoiled().into_iter().map(|spoiled| Box::new(spoiled) as Box<dyn AnySpoiled>).collect()
     }
 
     fn own_tables(&self) -> Vec<TableSpec> {

@@ -13,7 +13,7 @@
 //! * [`Task`], [`Case`], [`Asked`]: what a task implements and is handed.
 //! * [`Contestant`], [`Entry`], [`Solver`]: a backend picked at run time, on the tasks of a [`TaskList`].
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
-//! * [`Check`]: what a judge can report. [`Planted`], [`Spoiled`]: faults that prove that it does.
+//! * [`Check`]: what a judge can report. [`Spoiled`]: answers that prove that it does.
 //! * [`Compared`], [`Knob`]: the scenes on which a task is compared, and the ways in which they can be made harder.
 //! * [`output`]: answers as files for other programs, vertices exactly.
 //! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
@@ -34,13 +34,13 @@ mod map_loops;
 mod map_source;
 mod outcome;
 mod phases;
-mod planted;
 mod rounding;
 mod rounds;
 mod run;
 mod segment_source;
 mod solids;
 mod solver;
+mod spoiled;
 mod task;
 mod watch;
 
@@ -72,10 +72,10 @@ pub use knob::{Knob, RoundsScene, SHIFTED_BITS, Turns};
 pub use list::{TaskList, vocabulary, with_signs};
 pub use outcome::{AnswerLine, Finding, Outcome, finding_id, ids, symbol};
 pub use phases::Phase;
-pub use planted::{AnyPlanted, Catch, Planted, Spoiled};
 pub use predicament_predicates::{Class, Status};
 pub use rounds::{PLENTY, Rounds};
-pub use run::{caught, run, run_planted};
+pub use run::{caught, run, run_spoiled};
 pub use solver::{Halt, How, OnTask, Purpose, Refusal, Solver, Stopwatch};
+pub use spoiled::{AnySpoiled, Catch, Spoiled};
 pub use task::{Answer, Explanation, Task};
 pub use watch::{Stop, Watch};

@@ -3,9 +3,9 @@
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use predicament_predicates::{Broken, Counts, PredicateKind, Predicates};
+use predicament_predicates::{Broken, Counts, PredicateKind};
 
-use crate::{AnyCase, AnyPlanted, Asked, Budget, Class, Contestant, Halt, How, Outcome, Purpose, Refusal, Stop, Watch};
+use crate::{AnyCase, AnySpoiled, Asked, Budget, Class, Contestant, Halt, How, Outcome, Purpose, Stop, Watch};
 
 /// Runs one backend on one scene and judges what it answers. A panic is a
 /// finding about the backend and stays here, as do refusals and timeouts.
@@ -17,40 +17,25 @@ pub fn run(case: &dyn AnyCase, contestant: &dyn Contestant, budget: Budget, watc
     guarded(queries, || judged(case, contestant, budget, watch, queries))
 }
 
-/// Judges what an algorithm with a planted fault answers on a backend, or its right answer once it is spoiled.
+/// Judges the right answer of a backend once it is spoiled.
 ///
 /// # Errors
 /// [`Stop::Interrupted`]; a timeout is an outcome.
-pub fn run_planted(
+pub fn run_spoiled(
     case: &dyn AnyCase,
-    fault: &dyn AnyPlanted,
+    fault: &dyn AnySpoiled,
     contestant: &dyn Contestant,
     budget: Budget,
     watch: &Watch,
 ) -> Result<Outcome, Stop> {
     let (loaded, queries) = (case.loaded(), case.loaded().count() as u64);
-    let judge = |session: &dyn Predicates, answer: &dyn Any| {
-        let mut outcome = Outcome { queries, ..Outcome::default() };
-        case.judge(&Asked { backend: contestant, session, budget, watch }, answer, &mut outcome).map(|()| outcome)
-    };
     guarded(queries, || {
-        if !fault.spoils() {
-            let mut judged = None;
-            let prepared = contestant.with_session(&loaded.scene, &mut |session| {
-                let answer = fault.solve(session, loaded.content.as_ref());
-                judged = answer.map(|answer| Ok(judge(session, answer?.as_ref())?));
-            });
-            prepared.map_err(|why| Halt::Refused(Refusal { check: "prepare", why }))?;
-            return judged.unwrap_or_else(|| Ok(Outcome { queries, ..Outcome::default() }));
-        }
         let mut outcome = Outcome { queries, ..Outcome::default() };
         let how = How { purpose: Purpose::Judge, watch };
         let solver = solver(contestant, case);
         solver.solve(&loaded.scene, loaded.content.as_ref(), &Counts::new(), &how, &mut |session, answer| {
-            if let Some(spoiled) = fault.spoil(&loaded.scene, loaded.content.as_ref(), answer) {
-                outcome = judge(session, spoiled.as_ref())?;
-            }
-            Ok(())
+            let spoiled = fault.spoil(&loaded.scene, loaded.content.as_ref(), answer);
+            case.judge(&Asked { backend: contestant, session, budget, watch }, spoiled.as_ref(), &mut outcome)
         })?;
         Ok(outcome)
     })

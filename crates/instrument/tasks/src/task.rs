@@ -10,8 +10,7 @@ use predicament_report::drawing::Role;
 
 use crate::output::Canvas;
 use crate::{
-    Asked, Case, Check, Compared, Contestant, Dispute, Halt, How, Knob, Outcome, Phase, Planted, Spoiled, Stop, Turns,
-    Watch,
+    Asked, Case, Check, Compared, Contestant, Dispute, Halt, How, Knob, Outcome, Phase, Spoiled, Stop, Turns, Watch,
 };
 
 /// An answer to everything that a scene asks. It is reused from pass to pass
@@ -195,11 +194,6 @@ pub trait Task: SceneFormat + Sized + 'static {
     /// nothing is declared.
     fn checks(&self) -> &'static [Check] {
         &[]
-    }
-
-    /// Its algorithm with faults planted in it, each of which its judge has to find.
-    fn planted(&self) -> Vec<Planted<Self>> {
-        Vec::new()
     }
 
     /// Its answers with faults planted in them, each of which its judge has to find.

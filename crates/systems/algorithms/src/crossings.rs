@@ -6,11 +6,7 @@
 //! depend on threads; then the crossings of each segment are sorted along it, by
 //! comparing constructed points. Nothing is rounded unless the session rounds.
 
-pub mod planted;
-
-use self::planted::Planted;
 use crate::parallel;
-use crate::planted::Honest;
 use predicament_predicates::{Axis, Construction, Plane, Predicates, Refused, Scene, Sign, Vertex};
 
 /// The crossings of one segment from its first end to its second: groups of
@@ -25,21 +21,7 @@ pub type Along = Vec<Vec<u32>>;
 /// # Panics
 /// If there are 2^32 segments.
 pub fn crossings<P: Predicates + ?Sized>(session: &mut P, segments: &[[Vertex; 2]]) -> Result<Vec<Along>, Refused> {
-    crossings_planted::<Honest, P>(session, segments)
-}
-
-/// [`crossings`] with a planted fault.
-///
-/// # Errors
-/// As [`crossings`].
-///
-/// # Panics
-/// As [`crossings`].
-pub fn crossings_planted<F: Planted, P: Predicates + ?Sized>(
-    session: &mut P,
-    segments: &[[Vertex; 2]],
-) -> Result<Vec<Along>, Refused> {
-    let pairs = crossing_pairs::<F, P>(&*session, segments);
+    let pairs = crossing_pairs(&*session, segments);
     let definitions: Vec<Construction> =
         pairs.iter().map(|&[i, j]| Construction::Ssi([segments[i as usize], segments[j as usize]])).collect();
     let points = session.construct(&definitions)?;
@@ -49,11 +31,11 @@ pub fn crossings_planted<F: Planted, P: Predicates + ?Sized>(
         of[j as usize].push((point, i));
     }
     let session = &*session;
-    Ok(parallel::each(segments.len(), &|at| sorted::<F, P>(session, segments[at], of[at].clone())))
+    Ok(parallel::each(segments.len(), &|at| sorted(session, segments[at], of[at].clone())))
 }
 
 /// The pairs of segments that cross, each by its places, ascending.
-fn crossing_pairs<F: Planted, P: Predicates + ?Sized>(session: &P, segments: &[[Vertex; 2]]) -> Vec<[u32; 2]> {
+fn crossing_pairs<P: Predicates + ?Sized>(session: &P, segments: &[[Vertex; 2]]) -> Vec<[u32; 2]> {
     let scene = session.scene();
     let reach = |segment| reach(scene, segment);
     // By left ends: what starts right of a segment's right end is past it. A
@@ -62,10 +44,7 @@ fn crossing_pairs<F: Planted, P: Predicates + ?Sized>(session: &P, segments: &[[
     let of = |place: usize| -> Vec<[u32; 2]> {
         let i = order[place];
         let right = reach(segments[i])[1];
-        let near = order[place + 1..].iter().take_while(|&&j| {
-            let left = reach(segments[j])[0];
-            if F::STOPS_EARLY { left < right } else { left <= right }
-        });
+        let near = order[place + 1..].iter().take_while(|&&j| reach(segments[j])[0] <= right);
         let crossing = near.filter(|&&j| cross(session, segments[i], segments[j]));
         let number = |i: usize| u32::try_from(i).expect("fewer than 2^32 segments");
         crossing.map(|&j| [number(i.min(j)), number(i.max(j))]).collect()
@@ -96,11 +75,7 @@ fn cross<P: Predicates + ?Sized>(session: &P, [a, b]: [Vertex; 2], [p, q]: [Vert
 }
 
 /// The crossings in their order along a segment, those in one point together.
-fn sorted<F: Planted, P: Predicates + ?Sized>(
-    session: &P,
-    [a, b]: [Vertex; 2],
-    mut found: Vec<(Vertex, u32)>,
-) -> Along {
+fn sorted<P: Predicates + ?Sized>(session: &P, [a, b]: [Vertex; 2], mut found: Vec<(Vertex, u32)>) -> Along {
     let axes = [Axis::X, Axis::Y];
     let forward = axes.map(|axis| session.compare(axis, b, a));
     let order = |u: Vertex, v: Vertex| {
@@ -113,9 +88,7 @@ fn sorted<F: Planted, P: Predicates + ?Sized>(
         signs.into_iter().find(|sign| *sign != Sign::Zero).unwrap_or(Sign::Zero)
     };
     // Signs of a session that contradicts itself are no order, which sorting has to survive.
-    if !F::LEAVES_UNSORTED {
-        insertion_sort(&mut found, |u, v| order(u.0, v.0) == Sign::Negative);
-    }
+    insertion_sort(&mut found, |u, v| order(u.0, v.0) == Sign::Negative);
     let mut along: Along = Vec::new();
     for (at, &(point, other)) in found.iter().enumerate() {
         match along.last_mut() {

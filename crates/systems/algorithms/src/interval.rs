@@ -28,12 +28,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod planted;
-
 use predicament_predicates::{Axis, Predicates, Sign, Vertex};
-
-use self::planted::Planted;
-use crate::planted::Honest;
 
 /// Where a point is, seen from a cell.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -51,18 +46,7 @@ pub enum Place {
 ///
 /// No point is inside a cell whose right end is not right of the left one.
 #[inline]
-pub fn place<P: Predicates + ?Sized>(session: &P, axis: Axis, cell: [Vertex; 2], point: Vertex) -> Place {
-    place_planted::<Honest, P>(session, axis, cell, point)
-}
-
-/// [`place`] with a planted fault.
-#[inline]
-fn place_planted<F: Planted, P: Predicates + ?Sized>(
-    session: &P,
-    axis: Axis,
-    [left, right]: [Vertex; 2],
-    point: Vertex,
-) -> Place {
+pub fn place<P: Predicates + ?Sized>(session: &P, axis: Axis, [left, right]: [Vertex; 2], point: Vertex) -> Place {
     let from_left = session.compare(axis, point, left);
     if from_left == Sign::Negative {
         return Place::Outside;
@@ -70,7 +54,6 @@ fn place_planted<F: Planted, P: Predicates + ?Sized>(
     match session.compare(axis, right, point) {
         Sign::Negative => Place::Outside,
         Sign::Positive if from_left == Sign::Positive => Place::Inside,
-        _ if F::CLOSES_INTERVALS => Place::Inside,
         _ => Place::AtEnd,
     }
 }
@@ -90,16 +73,6 @@ pub fn cells_at<P: Predicates + ?Sized>(
     cells: &[[Vertex; 2]],
     point: Vertex,
 ) -> impl Iterator<Item = (usize, Place)> {
-    cells_at_planted::<Honest, P>(session, axis, cells, point)
-}
-
-/// [`cells_at`] with a planted fault.
-pub fn cells_at_planted<F: Planted, P: Predicates + ?Sized>(
-    session: &P,
-    axis: Axis,
-    cells: &[[Vertex; 2]],
-    point: Vertex,
-) -> impl Iterator<Item = (usize, Place)> {
-    let places = cells.iter().map(move |&cell| place_planted::<F, P>(session, axis, cell, point));
+    let places = cells.iter().map(move |&cell| place(session, axis, cell, point));
     places.enumerate().filter(|&(_, place)| place != Place::Outside)
 }

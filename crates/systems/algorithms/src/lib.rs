@@ -17,7 +17,6 @@
 //! * [`mesh_limit`], [`mesh_rounding`], [`mesh_cascade`]: the results of these as meshes of doubles, step after step.
 //! * [`mod@mesh_resolve`]: a mesh that crosses itself, without that.
 //! * [`overlay`]: arrangements of segments, and Boolean operations on polygons.
-//! * [`planted`]: faults planted in these, to prove the judge.
 //! * [`polygon_locate`]: points in the regions of a map, by ray casting.
 //! * [`mod@slice`]: a mesh split by planes, its parts capped and triangulated.
 //! * [`mod@snap`]: segments and their crossings brought back to doubles by snap rounding.
@@ -40,7 +39,6 @@ pub mod mesh_resolve;
 pub mod mesh_rounding;
 pub mod overlay;
 mod parallel;
-pub mod planted;
 pub mod polygon_locate;
 pub mod sessions;
 pub mod slice;

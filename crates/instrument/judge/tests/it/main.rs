@@ -8,7 +8,6 @@ mod hull;
 mod interval;
 mod locate;
 mod nearest;
-mod planted;
 mod random;
 mod rational_solids;
 mod sample;

@@ -11,8 +11,8 @@ pub enum Area {
     Sos,
     /// Bands and the contacts that go by distances.
     Tolerance,
-    /// What is built on predicates.
-    Algorithms,
+    /// What algorithms hand over: contacts, and right answers that are spoiled.
+    Answers,
     /// What judges answers: a check that is off.
     Checks,
     /// Truth, classes, expectations, ids.
@@ -28,7 +28,7 @@ impl Area {
         Area::Filters,
         Area::Sos,
         Area::Tolerance,
-        Area::Algorithms,
+        Area::Answers,
         Area::Checks,
         Area::Oracle,
         Area::Readers,
@@ -42,7 +42,7 @@ impl Area {
             Area::Filters => "filters",
             Area::Sos => "sos",
             Area::Tolerance => "tolerance",
-            Area::Algorithms => "algorithms",
+            Area::Answers => "answers",
             Area::Checks => "checks",
             Area::Oracle => "oracle",
             Area::Readers => "readers",

@@ -20,8 +20,7 @@ mod topology;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::contacts::planted::{ForgottenSubPairs, LostSubPair, SkippedVertices};
-use predicament_algorithms::contacts::{Contact, Contacts as Registered, Weights, contacts, contacts_planted};
+use predicament_algorithms::contacts::{Contact, Contacts as Registered, Weights, contacts};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_judge::Judged;
@@ -38,17 +37,10 @@ pub use section::ContactRow;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Spoiled, Stop, Task, Turns, Watch, digest,
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest,
 };
 use pairs::{Pair, closure};
-
-/// The checks that have to find a missing pair.
-const LOST_CHECKS: &[Catch] = &[(Class::MissedZero, "contact"), (Class::Topology, "crossing parity")];
-/// The checks that have to find a level that was never gone through.
-const SKIPPED_CHECKS: &[Catch] = &[(Class::MissedZero, "band")];
-/// The checks that have to find a pair that was not to be asked about.
-const FORGOTTEN_CHECKS: &[Catch] = &[(Class::Inconsistent, "unasked"), (Class::Topology, "loose ends")];
 
 /// The task, in the plane or in space.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -191,20 +183,6 @@ impl Task for Contacts {
 
     fn checks(&self) -> &'static [Check] {
         checks::checks(self.dimension)
-    }
-
-    fn planted(&self) -> Vec<Planted<Contacts>> {
-        vec![
-            Planted::new::<LostSubPair>("exact", LOST_CHECKS, |session, content: &Complexes| {
-                Ok(contacts_planted::<LostSubPair, _>(&*session, &content.a, &content.b))
-            }),
-            Planted::new::<ForgottenSubPairs>("tolerance", FORGOTTEN_CHECKS, |session, content: &Complexes| {
-                Ok(contacts_planted::<ForgottenSubPairs, _>(&*session, &content.a, &content.b))
-            }),
-            Planted::new::<SkippedVertices>("tolerance", SKIPPED_CHECKS, |session, content: &Complexes| {
-                Ok(contacts_planted::<SkippedVertices, _>(&*session, &content.a, &content.b))
-            }),
-        ]
     }
 
     fn spoiled(&self) -> Vec<Spoiled<Contacts>> {

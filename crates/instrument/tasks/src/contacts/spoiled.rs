@@ -1,4 +1,4 @@
-//! Answers with faults: what no fault in the algorithm reaches.
+//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
 
 use predicament_algorithms::contacts::Contact;
 use predicament_mesh::Simplex;
@@ -38,6 +38,32 @@ pub(super) fn all(task: Contacts) -> Vec<Spoiled<Contacts>> {
                 if let Some((edge, contact)) = found {
                     contact.a = edge;
                 }
+            },
+        ),
+        Spoiled::new(
+            "contacts-lose-a-pair",
+            "the most degenerate pair is not registered",
+            "exact",
+            &[(Class::MissedZero, "contact")],
+            |scene: &Scene, _, answer: &mut Registered| {
+                let ranks = |contact: &Contact| usize::from(contact.a.rank) + usize::from(contact.b.rank);
+                if answer.registered.first().is_some_and(|first| ranks(first) < scene.dimension().count()) {
+                    answer.registered.remove(0);
+                }
+            },
+        ),
+        Spoiled::new(
+            "contacts-ask-again",
+            "of the first vertex that is registered an edge is registered as well",
+            "tolerance",
+            &[(Class::Inconsistent, "unasked")],
+            |_, content: &Complexes, answer: &mut Registered| {
+                let found = answer.registered.iter().filter(|contact| contact.a.rank == 0).find_map(|contact| {
+                    let [v] = *content.a.vertices_of(contact.a) else { return None };
+                    let edge = content.a.edges().iter().find(|edge| edge.contains(&v))?;
+                    Some(Contact { a: content.a.find(edge)?, ..*contact })
+                });
+                answer.registered.extend(found);
             },
         ),
         Spoiled::new(

@@ -13,8 +13,7 @@ mod truth;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::crossings::planted::{StrictSweep, UnsortedCrossings};
-use predicament_algorithms::crossings::{Along, crossings, crossings_planted};
+use predicament_algorithms::crossings::{Along, crossings};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Scene, Vertex};
@@ -25,14 +24,9 @@ pub use content::Segments;
 use crate::output::Canvas;
 use crate::segment_source::named;
 use crate::{
-    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Spoiled, Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest, output,
 };
-
-/// The checks that have to find a missing crossing which only the perturbation makes.
-const STRICT_CHECKS: &[Catch] = &[(Class::SignFlip, "perturbed crossings")];
-/// The checks that have to find crossings in the wrong order.
-const UNSORTED_CHECKS: &[Catch] = &[(Class::MissedZero, "order"), (Class::SignFlip, "order")];
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -139,17 +133,6 @@ impl Task for Crossings {
 
     fn checks(&self) -> &'static [Check] {
         checks::CHECKS
-    }
-
-    fn planted(&self) -> Vec<Planted<Crossings>> {
-        vec![
-            Planted::new::<StrictSweep>("sos", STRICT_CHECKS, |session, content: &Segments| {
-                Ok(Crossed(crossings_planted::<StrictSweep, _>(session, &content.0)?))
-            }),
-            Planted::new::<UnsortedCrossings>("exact", UNSORTED_CHECKS, |session, content: &Segments| {
-                Ok(Crossed(crossings_planted::<UnsortedCrossings, _>(session, &content.0)?))
-            }),
-        ]
     }
 
     fn spoiled(&self) -> Vec<Spoiled<Crossings>> {

@@ -1,4 +1,4 @@
-//! Answers with faults: what no fault in the algorithm reaches.
+//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
 
 use predicament_predicates::Scene;
 
@@ -48,6 +48,35 @@ pub(super) fn all() -> Vec<Spoiled<Crossings>> {
                     *along = vec![all];
                 }
             },
+        ),
+        Spoiled::new(
+            "crossings-lose-the-last-perturbed",
+            "where ties are broken the last crossing of each segment is lost",
+            "sos",
+            &[(Class::SignFlip, "perturbed crossings")],
+            |_, _, answer: &mut Crossed| {
+                for along in &mut answer.0 {
+                    along.pop();
+                }
+            },
+        ),
+        Spoiled::new(
+            "crossings-told-apart",
+            "crossings at one place follow each other",
+            "exact",
+            &[(Class::MissedZero, "order")],
+            |_, _, answer: &mut Crossed| {
+                for along in &mut answer.0 {
+                    *along = along.iter().flatten().map(|&other| vec![other]).collect();
+                }
+            },
+        ),
+        Spoiled::new(
+            "crossings-go-back",
+            "the crossings of a segment are in order from its other end",
+            "exact",
+            &[(Class::SignFlip, "order")],
+            |_, _, answer: &mut Crossed| answer.0.iter_mut().for_each(|along| along.reverse()),
         ),
     ]
 }

@@ -9,11 +9,11 @@ mod content;
 mod generate;
 mod judge;
 mod section;
+mod spoiled;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::cube_union::planted::DroppedBorderCube;
-use predicament_algorithms::cube_union::{Mass, ScaledCubes, cube_union_by, cube_union_planted};
+use predicament_algorithms::cube_union::{Mass, cube_union_by};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
@@ -27,18 +27,9 @@ pub use section::MassRow;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Stop, Task, Turns, Watch, digest,
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest,
 };
-
-/// The checks that have to find a cube missing at the border of a cell.
-const BORDER_CHECKS: &[Catch] = &[
-    (Class::Topology, "area"),
-    (Class::Topology, "edge length"),
-    (Class::Topology, "euler characteristic"),
-    (Class::Topology, "vertices"),
-    (Class::Topology, "volume"),
-];
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -162,12 +153,8 @@ impl Task for CubeUnion {
         checks::CHECKS
     }
 
-    fn planted(&self) -> Vec<Planted<CubeUnion>> {
-        vec![Planted::new::<DroppedBorderCube>("sos", BORDER_CHECKS, |session, _| {
-            let cubes = ScaledCubes::of_scene(session.scene()).expect("read as cubes");
-            let mass = cube_union_planted::<DroppedBorderCube, _>(&cubes.lowers, cubes.edge).expect("sums that fit");
-            Ok(Union { mass, exponent: cubes.exponent })
-        })]
+    fn spoiled(&self) -> Vec<Spoiled<CubeUnion>> {
+        spoiled::all()
     }
 
     fn describe(&self, _: &LoadedScene, content: &Cubes, _: &Watch) -> Result<String, Stop> {

@@ -12,11 +12,7 @@ mod spoiled;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::delaunay::planted::{
-    CopiesForgotten, FacesLeft, LinesOutside, NeighboursOnly, OneEdgeSeen, Planted as Wrong, StoppedConstraint,
-};
-use predicament_algorithms::delaunay::{Delaunay2, constrained_delaunay2d_planted, delaunay2d_planted};
-use predicament_algorithms::planted::Honest;
+use predicament_algorithms::delaunay::{Delaunay2, constrained_delaunay2d, delaunay2d};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Refused, Scene, Vertex};
@@ -27,23 +23,9 @@ pub use judge::Truth;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Spoiled, Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest, output,
 };
-
-/// The checks that have to find triangles that stay though a vertex is in their circle.
-const NEIGHBOURS_CHECKS: &[Catch] = &[(Class::Topology, "empty circle"), (Class::Topology, "positive")];
-/// The checks that have to find a hull with dents.
-const ONE_EDGE_CHECKS: &[Catch] = &[(Class::Topology, "convex"), (Class::Topology, "area")];
-/// The checks that have to find flat triangles.
-const LINES_CHECKS: &[Catch] = &[(Class::Topology, "positive")];
-/// The checks that have to find faces that are not cut by the rule.
-const FACES_CHECKS: &[Catch] = &[(Class::Topology, "fan")];
-/// The checks that have to find vertices that are nowhere.
-const COPIES_CHECKS: &[Catch] = &[(Class::Topology, "copies")];
-
-/// The checks that have to find a constraint that is not there.
-const STOPPED_CHECKS: &[Catch] = &[(Class::Topology, "constraint")];
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -148,7 +130,7 @@ impl Task for Delaunay2d {
     ) -> Result<(), Halt> {
         how.watch.done(0)?;
         // To compile it for each session costs much, and runs no faster: memory is what it waits for.
-        answer.0 = solve::<Honest>(session, content)?;
+        answer.0 = solve(session, content)?;
         how.watch.done(content.points as u64)?;
         Ok(())
     }
@@ -167,22 +149,6 @@ impl Task for Delaunay2d {
 
     fn checks(&self) -> &'static [Check] {
         checks::CHECKS
-    }
-
-    fn planted(&self) -> Vec<Planted<Delaunay2d>> {
-        fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<Delaunay2d> {
-            Planted::new::<F>("exact", caught_by, |session, content: &Sites| {
-                Ok(Triangles(solve::<F>(session, content)?))
-            })
-        }
-        vec![
-            fault::<NeighboursOnly>(NEIGHBOURS_CHECKS),
-            fault::<OneEdgeSeen>(ONE_EDGE_CHECKS),
-            fault::<LinesOutside>(LINES_CHECKS),
-            fault::<FacesLeft>(FACES_CHECKS),
-            fault::<CopiesForgotten>(COPIES_CHECKS),
-            fault::<StoppedConstraint>(STOPPED_CHECKS),
-        ]
     }
 
     fn spoiled(&self) -> Vec<Spoiled<Delaunay2d>> {
@@ -257,13 +223,13 @@ impl Task for Delaunay2d {
     }
 }
 
-/// The triangulation, perhaps with a fault in it.
-fn solve<F: Wrong>(session: &mut dyn Predicates, content: &Sites) -> Result<Delaunay2, Refused> {
+/// The triangulation.
+fn solve(session: &mut dyn Predicates, content: &Sites) -> Result<Delaunay2, Refused> {
     let found = match &content.constraints[..] {
-        [] => delaunay2d_planted::<F, dyn Predicates>(session),
-        constraints => constrained_delaunay2d_planted::<F, dyn Predicates>(session, constraints)?,
+        [] => delaunay2d(session),
+        constraints => constrained_delaunay2d(session, constraints)?,
     };
-    Ok(found.answer_planted::<F>())
+    Ok(found.answer())
 }
 
 /// The triangles in words, as far as they are about these vertices.

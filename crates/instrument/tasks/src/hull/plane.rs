@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::hull::planted::{CollinearKept, HalfTangent};
-use predicament_algorithms::hull::{Hull2, PlaneMethod, hull2d, hull2d_planted};
+use predicament_algorithms::hull::{Hull2, PlaneMethod, hull2d};
 use predicament_checks::hull::plane_flaws;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
@@ -15,14 +14,9 @@ use super::judge::{Found, Truth, judge};
 use super::{generate, template};
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Spoiled, Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest, output,
 };
-
-/// The checks that have to find a vertex in the middle of an edge.
-const COLLINEAR_CHECKS: &[Catch] = &[(Class::Topology, "extreme"), (Class::Topology, "extreme vertices")];
-/// The checks that have to find a tangent that is none.
-const TANGENT_CHECKS: &[Catch] = &[(Class::Topology, "convex"), (Class::Topology, "extreme vertices")];
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -142,17 +136,6 @@ impl Task for Hull2d {
 
     fn checks(&self) -> &'static [Check] {
         super::checks::IN_PLANE
-    }
-
-    fn planted(&self) -> Vec<Planted<Hull2d>> {
-        vec![
-            Planted::new::<CollinearKept>("exact", COLLINEAR_CHECKS, |session, content: &Cloud<PlaneMethod>| {
-                Ok(Polygon(hull2d_planted::<CollinearKept>(&*session, content.method)))
-            }),
-            Planted::new::<HalfTangent>("exact", TANGENT_CHECKS, |session, content: &Cloud<PlaneMethod>| {
-                Ok(Polygon(hull2d_planted::<HalfTangent>(&*session, content.method)))
-            }),
-        ]
     }
 
     fn spoiled(&self) -> Vec<Spoiled<Hull2d>> {

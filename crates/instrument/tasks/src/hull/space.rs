@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::hull::planted::{CoplanarLeft, LostConflict, OneSidedWrap};
-use predicament_algorithms::hull::{Hull3, SpaceMethod, hull3d, hull3d_planted};
+use predicament_algorithms::hull::{Hull3, SpaceMethod, hull3d};
 use predicament_checks::hull::space_flaws;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
@@ -15,16 +14,9 @@ use super::judge::{Found, Truth, judge};
 use super::{generate, template};
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Spoiled, Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest, output,
 };
-
-/// The checks that have to find faces in one plane.
-const COPLANAR_CHECKS: &[Catch] = &[(Class::Topology, "coplanar faces")];
-/// The checks that have to find vertices that got lost.
-const CONFLICT_CHECKS: &[Catch] = &[(Class::Topology, "extreme vertices"), (Class::Topology, "inside")];
-/// The checks that have to find a stitching face with a vertex outside of it.
-const WRAP_CHECKS: &[Catch] = &[(Class::Topology, "no vertex is outside of a stitching face")];
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -149,20 +141,6 @@ impl Task for Hull3d {
 
     fn checks(&self) -> &'static [Check] {
         super::checks::IN_SPACE
-    }
-
-    fn planted(&self) -> Vec<Planted<Hull3d>> {
-        vec![
-            Planted::new::<LostConflict>("exact", CONFLICT_CHECKS, |session, content: &Cloud<SpaceMethod>| {
-                Ok(Surface(hull3d_planted::<LostConflict>(&*session, content.method)))
-            }),
-            Planted::new::<CoplanarLeft>("exact", COPLANAR_CHECKS, |session, content: &Cloud<SpaceMethod>| {
-                Ok(Surface(hull3d_planted::<CoplanarLeft>(&*session, content.method)))
-            }),
-            Planted::new::<OneSidedWrap>("exact", WRAP_CHECKS, |session, content: &Cloud<SpaceMethod>| {
-                Ok(Surface(hull3d_planted::<OneSidedWrap>(&*session, content.method)))
-            }),
-        ]
     }
 
     fn spoiled(&self) -> Vec<Spoiled<Hull3d>> {

@@ -1,4 +1,4 @@
-//! Answers with faults: what no fault in the algorithm reaches.
+//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -63,6 +63,37 @@ pub(super) fn in_plane() -> Vec<Spoiled<Hull2d>> {
                 let later = |v: &Vertex| scene.vertices().find(|w| w > v && scene.point(*w) == scene.point(*v));
                 for v in &mut answer.0.vertices {
                     *v = later(v).unwrap_or(*v);
+                }
+            },
+        ),
+        Spoiled::new(
+            "hull-turns-right",
+            "the second vertex of the polygon and the third are exchanged",
+            "exact",
+            &[(Class::Topology, "convex")],
+            |_, _, answer: &mut Polygon| {
+                if let [_, second, third, _, ..] = &mut answer.0.vertices[..] {
+                    std::mem::swap(second, third);
+                }
+            },
+        ),
+        Spoiled::new(
+            "hull-keeps-a-point-of-an-edge",
+            "a point in the middle of an edge is a vertex",
+            "exact",
+            &[(Class::Topology, "extreme"), (Class::Topology, "extreme vertices")],
+            |scene: &Scene, _, answer: &mut Polygon| {
+                let ring = &mut answer.0.vertices;
+                let found = (0..ring.len()).find_map(|at| {
+                    let [a, b] = [ring[at], ring[(at + 1) % ring.len()]];
+                    let is_between = |v: &Vertex| {
+                        let apart = [a, b].iter().all(|&end| scene.point(*v) != scene.point(end));
+                        apart && sign(scene, Question::Orient2d(Plane::Xy), &[a, b, *v]).is_zero()
+                    };
+                    Some((at, scene.vertices().find(is_between)?))
+                });
+                if let Some((at, v)) = found.filter(|_| ring.len() > 2) {
+                    ring.insert(at + 1, v);
                 }
             },
         ),
@@ -326,6 +357,48 @@ pub(super) fn in_space() -> Vec<Spoiled<Hull3d>> {
                     hull.faces = faces;
                 }
             },
+        ),
+        Spoiled::new(
+            "hull-cuts-a-face",
+            "a face with more than three corners is two",
+            "exact",
+            &[(Class::Topology, "coplanar faces")],
+            |_, _, answer: &mut Surface| {
+                let faces = &mut answer.0.faces;
+                if let Some(at) = faces.iter().position(|face| face.len() > 3) {
+                    let other = faces[at][..3].to_vec();
+                    faces[at].remove(1);
+                    faces.push(other);
+                }
+            },
+        ),
+        Spoiled::new(
+            "hull-cut-off",
+            "a vertex of three triangles is cut off by the triangle of its neighbours",
+            "exact",
+            &[(Class::Topology, "inside")],
+            |_, _, answer: &mut Surface| {
+                let hull = &mut answer.0;
+                let around = |v: Vertex| hull.faces.iter().filter(move |face| face.contains(&v));
+                let is_tip = |v: &Vertex| around(*v).count() == 3 && around(*v).all(|face| face.len() == 3);
+                let Some(tip) = hull.vertices.iter().copied().find(is_tip).filter(|_| hull.faces.len() > 4) else {
+                    return;
+                };
+                let next: BTreeMap<Vertex, Vertex> =
+                    around(tip).filter_map(|face| turned(face, tip)).map(|[a, b]| (a, b)).collect();
+                let ring = |a: Vertex| Some(vec![a, *next.get(&a)?, *next.get(next.get(&a)?)?]);
+                let Some(face) = next.keys().next().and_then(|&a| ring(a)) else { return };
+                hull.faces.retain(|face| !face.contains(&tip));
+                hull.faces.push(face);
+                hull.vertices = corners(&hull.faces);
+            },
+        ),
+        Spoiled::new(
+            "hull-stops-stitching",
+            "the faces between two hulls are said to make no band",
+            "exact",
+            &[(Class::Topology, "the stitching faces close to a band")],
+            |_, _, answer: &mut Surface| answer.0.broken = Some("the stitching faces close to a band"),
         ),
     ]
 }

@@ -11,8 +11,7 @@ mod spoiled;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::interval::planted::ClosedInterval;
-use predicament_algorithms::interval::{Place, cells_at, cells_at_planted};
+use predicament_algorithms::interval::{Place, cells_at};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
@@ -23,8 +22,8 @@ pub use content::Cells;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Spoiled,
-    Stop, Task, Turns, Watch, digest,
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest,
 };
 
 /// Probes between two looks at the watch.
@@ -158,13 +157,6 @@ impl Task for Interval {
 
     fn checks(&self) -> &'static [Check] {
         checks::CHECKS
-    }
-
-    fn planted(&self) -> Vec<Planted<Interval>> {
-        vec![Planted::new::<ClosedInterval>("exact", &[(Class::Topology, "double")], |session, content: &Cells| {
-            let found = |&probe| cells_at_planted::<ClosedInterval, _>(&*session, content.axis, &content.cells, probe);
-            Ok(CellsFound(content.probes.iter().map(|probe| found(probe).collect()).collect()))
-        })]
     }
 
     fn spoiled(&self) -> Vec<Spoiled<Interval>> {

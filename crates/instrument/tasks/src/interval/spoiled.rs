@@ -1,4 +1,4 @@
-//! Answers with faults: what no fault in the algorithm reaches.
+//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
 
 use predicament_algorithms::interval::Place;
 

@@ -11,23 +11,18 @@ mod judge;
 mod manner;
 mod memory;
 mod phases;
-mod planted;
 mod read;
 mod section;
 mod settled;
 mod shapes;
 mod spoiled;
+mod spoiled_results;
 mod surface;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::mesh_limit::planted::Planted as WrongLimit;
-use predicament_algorithms::mesh_overlay::planted::Planted as Wrong;
-use predicament_algorithms::mesh_overlay::{
-    Regions, Source as OfMesh, Undone, mesh_overlay_planted, mesh_overlay_registered_planted,
-};
+use predicament_algorithms::mesh_overlay::{Regions, Source as OfMesh, Undone, mesh_overlay, mesh_overlay_registered};
 use predicament_algorithms::overlay::Operation;
-use predicament_algorithms::planted::Honest;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Construction, Declined, PredicateKind, Predicates, Query, Scene, Vertex};
@@ -45,8 +40,8 @@ pub use surface::flaw_of;
 
 use crate::output::{Canvas, Placed};
 use crate::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Planted, Purpose,
-    Refusal, Spoiled, Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Purpose, Refusal,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -81,18 +76,12 @@ impl Overlaid {
     ///
     /// # Errors
     /// [`Halt::Refused`] where the session does not construct a vertex, or meshes touch and it says so.
-    fn of<F: Wrong, L: WrongLimit>(
-        session: &mut dyn Predicates,
-        content: &TwoMeshes,
-        settles: bool,
-    ) -> Result<Overlaid, Halt> {
+    fn of(session: &mut dyn Predicates, content: &TwoMeshes, settles: bool) -> Result<Overlaid, Halt> {
         memory::affordable(session.scene(), content)?;
         let before = session.scene().constructions().len();
         let overlaid = match manner(session, content) {
-            Manner::Signs(zeros) => {
-                mesh_overlay_planted::<F>(session, content.meshes.clone(), zeros).map(|overlay| (overlay, None))
-            }
-            Manner::Contacts => mesh_overlay_registered_planted::<F>(session, content.meshes.clone())
+            Manner::Signs(zeros) => mesh_overlay(session, content.meshes.clone(), zeros).map(|overlay| (overlay, None)),
+            Manner::Contacts => mesh_overlay_registered(session, content.meshes.clone(), &mut |_| {})
                 .map(|(overlay, registered)| (overlay, Some(registered))),
         };
         let (overlay, registered) = match overlaid {
@@ -107,7 +96,7 @@ impl Overlaid {
         let constructions = overlay.constructions().to_vec();
         let solids = Operation::ALL.map(|operation| overlay.solid(operation));
         Ok(Overlaid {
-            settled: if settles { settled::settled::<L>(session, &overlay, &solids, before) } else { None },
+            settled: if settles { settled::settled(session, &overlay, &solids, before) } else { None },
             regions: overlay.regions(),
             sources: solids.each_ref().map(|solid| solid.sources.clone()),
             solids: solids.map(|solid| solid.triangles),
@@ -220,7 +209,7 @@ impl Task for MeshIntersect {
     ) -> Result<(), Halt> {
         how.watch.done(0)?;
         let settles = how.purpose != Purpose::Use;
-        *answer = Overlaid::of::<Honest, Honest>(session, content, settles)?;
+        *answer = Overlaid::of(session, content, settles)?;
         how.watch.done(content.triangles() as u64)?;
         Ok(())
     }
@@ -257,12 +246,10 @@ impl Task for MeshIntersect {
         checks::CHECKS
     }
 
-    fn planted(&self) -> Vec<Planted<MeshIntersect>> {
-        planted::all()
-    }
-
     fn spoiled(&self) -> Vec<Spoiled<MeshIntersect>> {
-        spoiled::all()
+        let mut all = spoiled::all();
+        all.extend(spoiled_results::all());
+        all
     }
 
     fn describe(&self, _: &LoadedScene, content: &TwoMeshes, _: &Watch) -> Result<String, Stop> {

@@ -3,8 +3,7 @@
 //! An overlay's results are those of perturbed meshes. Who uses one wants the meshes that were given, and a file of doubles. Both steps are
 //! taken where an answer is judged or written, and not where it is timed.
 
-use predicament_algorithms::mesh_limit::planted::Planted;
-use predicament_algorithms::mesh_limit::{self, limit_planted};
+use predicament_algorithms::mesh_limit::{self, limit};
 use predicament_algorithms::mesh_overlay::{MeshOverlay, Solid, Undone};
 use predicament_algorithms::mesh_rounding::{NotRounded, Rounded, rounded};
 use predicament_algorithms::overlay::Operation;
@@ -58,7 +57,7 @@ impl std::fmt::Display for Unsettled {
 ///
 /// # Errors
 /// What does not hold, such as that a constructed vertex is a point where the meshes are.
-pub(super) fn settled<F: Planted>(
+pub(super) fn settled(
     session: &dyn Predicates,
     overlay: &MeshOverlay,
     solids: &[Solid; 4],
@@ -69,7 +68,7 @@ pub(super) fn settled<F: Planted>(
     let mut settled: std::result::Result<Settled, Unsettled> = Ok(Settled::default());
     let asked = exact.with_session(&scene, &mut |session| {
         let mut one = |solid: &Solid| -> std::result::Result<Result, Unsettled> {
-            let limit = limit_planted::<F>(session, overlay, solid.clone()).map_err(Unsettled::Undone)?;
+            let limit = limit(session, overlay, solid.clone()).map_err(Unsettled::Undone)?;
             let rounded = rounded(exact, session, &limit).map_err(Unsettled::NotRounded)?;
             Ok(Result { solid: limit.solid, counts: limit.counts, rounded })
         };

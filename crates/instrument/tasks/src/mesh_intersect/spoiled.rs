@@ -1,4 +1,6 @@
-//! Answers with faults: what no fault in the algorithm reaches. Those of its results are in `planted.rs`.
+//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
+
+use predicament_mesh::OUTSIDE;
 
 use super::{MeshIntersect, OfMesh, Overlaid};
 use crate::rounding::{far, one_place, spoiled};
@@ -101,6 +103,51 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
             "sos:per-mesh",
             &[(Class::Topology, "limit")],
             |_, _, answer: &mut Overlaid| answer.settled = Some(Err("there is none".to_owned())),
+        ),
+        Spoiled::new(
+            "mesh-intersect-loses-a-piece",
+            "the first piece is lost",
+            "exact",
+            &[(Class::Topology, "region not closed")],
+            |_, _, answer: &mut Overlaid| {
+                let regions = &mut answer.regions;
+                if !regions.triangles.is_empty() {
+                    regions.triangles.remove(0);
+                    regions.sides.remove(0);
+                    regions.sources.remove(0);
+                }
+            },
+        ),
+        Spoiled::new(
+            "mesh-intersect-exchanges-sides",
+            "what is in front of each piece is said to be behind it",
+            "exact",
+            &[(Class::Topology, "sides of a piece")],
+            |_, _, answer: &mut Overlaid| answer.regions.sides.iter_mut().for_each(|sides| sides.reverse()),
+        ),
+        Spoiled::new(
+            "mesh-intersect-other-regions",
+            "pieces of the first mesh that are inside of the second are said to be outside, and the other way round",
+            "exact",
+            &[(Class::Topology, "region of a piece")],
+            |_, _, answer: &mut Overlaid| {
+                let regions = &mut answer.regions;
+                let count = u32::try_from(regions.pairs.len()).unwrap_or(0);
+                // Each pair once more, with the other region of the second mesh.
+                let others: Vec<[u32; 2]> =
+                    regions.pairs.iter().map(|&[own, other]| [own, u32::from(other == OUTSIDE)]).collect();
+                regions.pairs.extend(others);
+                for (sides, _) in regions.sides.iter_mut().zip(&regions.sources).filter(|(_, of)| of.mesh == 0) {
+                    sides.iter_mut().for_each(|side| *side += count);
+                }
+            },
+        ),
+        Spoiled::new(
+            "mesh-intersect-gives-up",
+            "two triangles are said to meet in more than one segment",
+            "exact",
+            &[(Class::Topology, "two triangles meet in one segment")],
+            |_, _, answer: &mut Overlaid| answer.broken = Some("two triangles meet in one segment"),
         ),
     ]
 }

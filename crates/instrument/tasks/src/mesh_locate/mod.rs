@@ -17,12 +17,7 @@ mod spoiled;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::mesh_locate::planted::{
-    FartherTriangle, MistakenCavity, Planted as Wrong, SkippedTriangle,
-};
-use predicament_algorithms::mesh_locate::{
-    Location, MeshIndex, Ray, Scratch, locate_all, locate_all_planted, question_all,
-};
+use predicament_algorithms::mesh_locate::{Location, Ray, Scratch, locate_all, question_all};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_judge::solids::{Materials, Place};
@@ -38,16 +33,9 @@ pub use section::MeshLocateRow;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase,
-    Planted, Purpose, Spoiled, Stop, Task, Turns, Watch, digest,
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Purpose, Spoiled,
+    Stop, Task, Turns, Watch, digest,
 };
-
-/// The checks that have to find a triangle missing in the grid.
-const SKIPPED_CHECKS: &[Catch] = &[(Class::SignFlip, "exact location"), (Class::MissedZero, "missed surface")];
-/// The checks that have to find a label that is wrong.
-const CAVITY_CHECKS: &[Catch] = &[(Class::SignFlip, "exact location")];
-/// The checks that have to find a ray that ends at the wrong triangle.
-const FARTHER_CHECKS: &[Catch] = &[(Class::SignFlip, "exact location")];
 
 /// What a drawing of an answer has of the probes.
 type LocationLayer = (&'static str, Role, fn(&Location) -> bool);
@@ -212,21 +200,6 @@ impl Task for MeshLocate {
 
     fn checks(&self) -> &'static [Check] {
         checks::CHECKS
-    }
-
-    fn planted(&self) -> Vec<Planted<MeshLocate>> {
-        fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<MeshLocate> {
-            Planted::new::<F>("exact", caught_by, |session, content: &ProbedMesh| {
-                let index = MeshIndex::planted::<F>(content.mesh.clone(), session.scene(), None);
-                let session: &dyn Predicates = session;
-                Ok(Located(locate_all_planted::<dyn Predicates, F>(&index, session, &content.vertices(), &|_| true)))
-            })
-        }
-        vec![
-            fault::<SkippedTriangle>(SKIPPED_CHECKS),
-            fault::<MistakenCavity>(CAVITY_CHECKS),
-            fault::<FartherTriangle>(FARTHER_CHECKS),
-        ]
     }
 
     fn spoiled(&self) -> Vec<Spoiled<MeshLocate>> {

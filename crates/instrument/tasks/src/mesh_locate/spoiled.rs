@@ -1,8 +1,8 @@
-//! Answers with faults: what no fault in the algorithm reaches.
+//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
 
 use predicament_algorithms::mesh_locate::Location;
 use predicament_judge::solids::{Materials, Place};
-
+use predicament_mesh::OUTSIDE;
 use predicament_predicates::Scene;
 
 use super::{Located, MeshLocate, ProbedMesh};
@@ -65,6 +65,31 @@ pub(super) fn all() -> Vec<Spoiled<MeshLocate>> {
                     if let Some(other) = sides.into_iter().find(|&other| other != region) {
                         *place = Location::In(other);
                     }
+                }
+            },
+        ),
+        Spoiled::new(
+            "mesh-locate-next-region",
+            "each point in a region is in the next one",
+            "exact",
+            &[(Class::SignFlip, "exact location")],
+            |_, content: &ProbedMesh, answer: &mut Located| {
+                let count = content.mesh.regions();
+                for place in &mut answer.0 {
+                    if let Location::In(region) = place {
+                        *region = (*region + 1) % count;
+                    }
+                }
+            },
+        ),
+        Spoiled::new(
+            "mesh-locate-misses-the-surface",
+            "each point on the mesh is outside of it",
+            "exact",
+            &[(Class::MissedZero, "missed surface")],
+            |_, _, answer: &mut Located| {
+                for place in answer.0.iter_mut().filter(|place| matches!(place, Location::On(_))) {
+                    *place = Location::In(OUTSIDE);
                 }
             },
         ),

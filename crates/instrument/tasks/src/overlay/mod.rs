@@ -12,11 +12,7 @@ mod spoiled;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::overlay::planted::{
-    DroppedHoles, ForgottenTouches, OpenBoxes, OutsideNests, Planted as Wrong, SingleCounts, UnsortedChains,
-};
-use predicament_algorithms::overlay::{Edge, Operation, Overlay, Regions, arrange_planted, overlay_planted};
-use predicament_algorithms::planted::Honest;
+use predicament_algorithms::overlay::{Edge, Operation, Overlay, Regions, arrange, overlay};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Refused, Scene, Vertex};
@@ -26,25 +22,10 @@ pub use content::{Layered, Layers};
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Spoiled, Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest, output,
 };
 pub(crate) use checks::RULES;
-
-/// The checks that have to find segments that are not compared.
-const OPEN_CHECKS: &[Catch] = &[(Class::Topology, "undiscovered crossing")];
-/// The checks that have to find vertices that divide no segment.
-const TOUCH_CHECKS: &[Catch] = &[(Class::Topology, "undiscovered crossing")];
-/// The checks that have to find chains that go to and fro.
-const UNSORTED_CHECKS: &[Catch] = &[(Class::Topology, "chain")];
-/// The checks that have to find labels of several edges taken for one.
-const COUNT_CHECKS: &[Catch] =
-    &[(Class::Topology, "winding"), (Class::Topology, "area"), (Class::Topology, "membership")];
-/// The checks that have to find components in the wrong face.
-const NEST_CHECKS: &[Catch] =
-    &[(Class::Topology, "nesting"), (Class::Topology, "area"), (Class::Topology, "membership")];
-/// The checks that have to find missing holes.
-const HOLE_CHECKS: &[Catch] = &[(Class::Topology, "area"), (Class::Topology, "membership")];
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -68,15 +49,15 @@ impl Overlaid {
     ///
     /// # Errors
     /// [`Refused`] where the session does not construct a crossing.
-    fn of<F: Wrong>(session: &mut dyn Predicates, content: &Layered) -> Result<Overlaid, Refused> {
+    fn of(session: &mut dyn Predicates, content: &Layered) -> Result<Overlaid, Refused> {
         let (overlay, regions) = match content.operands() {
             None => {
                 let mut overlay = Overlay::default();
-                overlay.arrangement = arrange_planted::<F>(session, &content.edges(), content.method)?;
+                overlay.arrangement = arrange(session, &content.edges(), content.method)?;
                 (overlay, <[Regions; 4]>::default())
             }
             Some([a, b]) => {
-                let overlay = overlay_planted::<F>(session, [&a, &b], content.method)?;
+                let overlay = overlay(session, [&a, &b], content.method)?;
                 let regions = Operation::ALL.map(|operation| overlay.regions(&*session, operation));
                 (overlay, regions)
             }
@@ -202,7 +183,7 @@ impl Task for Overlay2d {
         answer: &mut Overlaid,
     ) -> Result<(), Halt> {
         how.watch.done(0)?;
-        *answer = Overlaid::of::<Honest>(session, content)?;
+        *answer = Overlaid::of(session, content)?;
         how.watch.done(content.size() as u64)?;
         Ok(())
     }
@@ -220,20 +201,6 @@ impl Task for Overlay2d {
 
     fn checks(&self) -> &'static [Check] {
         checks::CHECKS
-    }
-
-    fn planted(&self) -> Vec<Planted<Overlay2d>> {
-        fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<Overlay2d> {
-            Planted::new::<F>("exact", caught_by, |session, content: &Layered| Ok(Overlaid::of::<F>(session, content)?))
-        }
-        vec![
-            fault::<OpenBoxes>(OPEN_CHECKS),
-            fault::<ForgottenTouches>(TOUCH_CHECKS),
-            fault::<UnsortedChains>(UNSORTED_CHECKS),
-            fault::<SingleCounts>(COUNT_CHECKS),
-            fault::<OutsideNests>(NEST_CHECKS),
-            fault::<DroppedHoles>(HOLE_CHECKS),
-        ]
     }
 
     fn spoiled(&self) -> Vec<Spoiled<Overlay2d>> {

@@ -1,4 +1,6 @@
-//! Answers with faults: what no fault in the algorithm reaches.
+//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
+
+use predicament_mesh::Nesting;
 
 use super::{Overlaid, Overlay2d};
 use crate::rounding::{far, one_place, spoiled};
@@ -89,6 +91,57 @@ pub(super) fn all() -> Vec<Spoiled<Overlay2d>> {
             "exact",
             &[(Class::Topology, "events come from left to right")],
             |_, _, answer: &mut Overlaid| answer.overlay.arrangement.broken = Some("events come from left to right"),
+        ),
+        Spoiled::new(
+            "overlay-loses-a-segment",
+            "the last segment is not there",
+            "exact",
+            &[(Class::Topology, "chain")],
+            |_, _, answer: &mut Overlaid| {
+                answer.overlay.arrangement.segments.pop();
+            },
+        ),
+        Spoiled::new(
+            "overlay-exchanges-nodes",
+            "the first node and the last are exchanged",
+            "exact",
+            &[(Class::Topology, "undiscovered crossing")],
+            |_, _, answer: &mut Overlaid| {
+                if let [first, .., last] = &mut answer.overlay.arrangement.vertices[..] {
+                    std::mem::swap(first, last);
+                }
+            },
+        ),
+        Spoiled::new(
+            "overlay-nests-outside",
+            "components in a face of another one are said to be outside of all",
+            "exact",
+            &[(Class::Topology, "nesting")],
+            |_, _, answer: &mut Overlaid| {
+                let subdivision = &mut answer.overlay.arrangement.subdivision;
+                let inner = subdivision.faces().iter().flat_map(|face| &face.inner);
+                let outside = inner.map(|&cycle| subdivision.cycles()[cycle as usize]);
+                let nestings: Vec<Nesting> = outside.map(|outside| Nesting { outside, within: None }).collect();
+                (*subdivision, _) = std::mem::take(subdivision).with_faces(&nestings);
+            },
+        ),
+        Spoiled::new(
+            "overlay-winds-once-more",
+            "the first polygon winds once more around the last face",
+            "exact",
+            &[(Class::Topology, "winding")],
+            |_, _, answer: &mut Overlaid| {
+                if let Some([first, _]) = answer.overlay.windings.last_mut() {
+                    *first += 1;
+                }
+            },
+        ),
+        Spoiled::new(
+            "overlay-loses-the-union",
+            "the union is empty",
+            "exact",
+            &[(Class::Topology, "membership")],
+            |_, _, answer: &mut Overlaid| answer.regions[0].regions.clear(),
         ),
     ]
 }

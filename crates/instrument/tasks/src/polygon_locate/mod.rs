@@ -13,8 +13,7 @@ mod spoiled;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::polygon_locate::planted::SkippedEdge;
-use predicament_algorithms::polygon_locate::{LocateIndex, Location, Locations, Scratch, locate_all, question_all};
+use predicament_algorithms::polygon_locate::{Location, Locations, Scratch, locate_all, question_all};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_mesh::PolygonMap;
@@ -29,13 +28,9 @@ pub use section::LocateRow;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Purpose, Spoiled, Stop, Task, Turns, Watch, digest,
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Purpose, Spoiled, Stop,
+    Task, Turns, Watch, digest,
 };
-
-/// The checks that have to find an edge missing in the grid.
-const SKIPPED_CHECKS: &[Catch] =
-    &[(Class::MissedZero, "missed-boundary"), (Class::Topology, "double"), (Class::Topology, "misplaced")];
 
 /// What a drawing of an answer has of the probes, by how many regions they are in or on.
 type CountLayer = (&'static str, Role, fn(usize) -> bool);
@@ -166,13 +161,6 @@ impl Task for PolygonLocate {
 
     fn checks(&self) -> &'static [Check] {
         checks::CHECKS
-    }
-
-    fn planted(&self) -> Vec<Planted<PolygonLocate>> {
-        vec![Planted::new::<SkippedEdge>("exact", SKIPPED_CHECKS, |session, content: &MapWithProbes| {
-            let index = LocateIndex::planted::<SkippedEdge>(&content.map, session.scene());
-            Ok(Located(locate_all(&index, &*session, &content.vertices(), &|_| true)))
-        })]
     }
 
     fn spoiled(&self) -> Vec<Spoiled<PolygonLocate>> {

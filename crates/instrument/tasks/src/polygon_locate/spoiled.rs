@@ -1,4 +1,4 @@
-//! Answers with faults: what no fault in the algorithm reaches.
+//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
 
 use predicament_algorithms::polygon_locate::Locations;
 use predicament_judge::locate::Borders;
@@ -59,6 +59,34 @@ pub(super) fn all() -> Vec<Spoiled<PolygonLocate>> {
                 each(answer, |_, (inside, boundary)| {
                     if !boundary.is_empty() {
                         *inside = (0..count).filter(|region| !boundary.contains(region)).collect();
+                    }
+                });
+            },
+        ),
+        Spoiled::new(
+            "polygon-locate-next-region",
+            "a point in one region is in the next one",
+            "exact",
+            &[(Class::Topology, "misplaced")],
+            |_, content: &MapWithProbes, answer: &mut Located| {
+                let count = u32::try_from(content.map.regions().len()).unwrap_or(1);
+                each(answer, |_, (inside, _)| {
+                    if let [region] = &mut inside[..] {
+                        *region = (*region + 1) % count;
+                    }
+                });
+            },
+        ),
+        Spoiled::new(
+            "polygon-locate-misses-a-border",
+            "a point on the border of several regions is in the first of them and on no border",
+            "exact",
+            &[(Class::MissedZero, "missed-boundary")],
+            |_, _, answer: &mut Located| {
+                each(answer, |_, (inside, boundary)| {
+                    if boundary.len() > 1 && inside.is_empty() {
+                        *inside = vec![boundary[0]];
+                        boundary.clear();
                     }
                 });
             },

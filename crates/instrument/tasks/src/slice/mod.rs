@@ -13,13 +13,10 @@ mod spoiled;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::slice::planted::{
-    DuplicatedSplitPoints, OneLoopCapped, Planted as Wrong, ReversedCaps, UnsortedSplitPoints, WrongSide,
-};
-use predicament_algorithms::slice::{Sliced, Source, slice, slice_planted};
+use predicament_algorithms::slice::{Sliced, Source, slice};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source as SceneSource};
 use predicament_formats::{CorpusError, Fields};
-use predicament_predicates::{PredicateKind, Predicates, Query, Refused, Scene, Vertex};
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
 use predicament_report::drawing::Role;
 
 pub use content::Solid;
@@ -28,20 +25,9 @@ use crate::output::{Canvas, Placed};
 pub(crate) use checks::{law, rounded};
 
 use crate::{
-    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Spoiled, Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest, output,
 };
-
-/// The checks that have to find split points that faces do not share.
-const DUPLICATES_CHECKS: &[Catch] = &[(Class::Topology, "part not closed")];
-/// The checks that have to find a cap of which a loop is missing.
-const ONE_LOOP_CHECKS: &[Catch] = &[(Class::Topology, "part not closed"), (Class::Topology, "volume")];
-/// The checks that have to find caps that face the wrong way.
-const REVERSED_CHECKS: &[Catch] = &[(Class::Topology, "cap orientation"), (Class::Topology, "part not closed")];
-/// The checks that have to find a face on the wrong side.
-const WRONG_SIDE_CHECKS: &[Catch] = &[(Class::Topology, "part not closed"), (Class::Topology, "wrong side")];
-/// The checks that have to find edges across a concave face that leave it.
-const UNSORTED_CHECKS: &[Catch] = &[(Class::Topology, "piece orientation")];
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -59,16 +45,6 @@ pub struct Cut {
 }
 
 impl Cut {
-    /// Splits the mesh of a scene.
-    ///
-    /// # Errors
-    /// [`Refused`] where the session does not construct a vertex.
-    fn of<F: Wrong>(session: &mut dyn Predicates, content: &Solid) -> Result<Cut, Refused> {
-        let before = session.scene().constructions().len();
-        let sliced = slice_planted::<F>(session, content.mesh(), &content.supports, &content.planes)?;
-        Ok(Cut::with_points(session, sliced, before))
-    }
-
     fn with_points(session: &dyn Predicates, sliced: Sliced, before: usize) -> Cut {
         let rounded = output::rounded_points(session, before, sliced.constructions.len());
         Cut { rounded, sliced, before }
@@ -192,19 +168,6 @@ impl Task for Slice {
 
     fn checks(&self) -> &'static [Check] {
         checks::CHECKS
-    }
-
-    fn planted(&self) -> Vec<Planted<Slice>> {
-        fn fault<F: Wrong>(caught_by: &'static [Catch]) -> Planted<Slice> {
-            Planted::new::<F>("exact", caught_by, |session, content: &Solid| Ok(Cut::of::<F>(session, content)?))
-        }
-        vec![
-            fault::<DuplicatedSplitPoints>(DUPLICATES_CHECKS),
-            fault::<OneLoopCapped>(ONE_LOOP_CHECKS),
-            fault::<ReversedCaps>(REVERSED_CHECKS),
-            fault::<WrongSide>(WRONG_SIDE_CHECKS),
-            fault::<UnsortedSplitPoints>(UNSORTED_CHECKS),
-        ]
     }
 
     fn spoiled(&self) -> Vec<Spoiled<Slice>> {

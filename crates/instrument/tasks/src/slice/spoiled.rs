@@ -1,4 +1,4 @@
-//! Answers with faults: what no fault in the algorithm reaches.
+//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
 
 use predicament_algorithms::slice::Source;
 use predicament_predicates::Construction;
@@ -118,6 +118,20 @@ pub(super) fn all() -> Vec<Spoiled<Slice>> {
             "exact",
             &[(Class::Topology, "a face has an even number of crossings")],
             |_, _, answer: &mut Cut| answer.sliced.broken = Some(("a face has an even number of crossings", Some(0))),
+        ),
+        Spoiled::new(
+            "slice-turns-caps",
+            "caps face into their part",
+            "exact",
+            &[(Class::Topology, "cap orientation")],
+            |_, _, answer: &mut Cut| {
+                for part in &mut answer.sliced.parts {
+                    let pieces = part.triangles.iter_mut().zip(&part.sources);
+                    for (triangle, _) in pieces.filter(|(_, source)| matches!(source, Source::Cap(_))) {
+                        triangle.swap(1, 2);
+                    }
+                }
+            },
         ),
     ]
 }

@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use predicament_algorithms::overlay::{self, Arrangement, Edge, arrange};
-use predicament_algorithms::snap::{Drawing, Method, Pixel, Snapped, snap};
+use predicament_algorithms::snap::{Drawing, Pixel, Snapped, snap};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Construction, Plane, PredicateKind, Predicates, Query, Scene, Sign, Vertex};
@@ -27,8 +27,8 @@ pub use section::SnapRow;
 use crate::output::Canvas;
 use crate::segment_source::named;
 use crate::{
-    Answer, Asked, Case, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted, Spoiled,
-    Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -102,12 +102,7 @@ fn incidences(
 }
 
 /// Arranges and rounds.
-fn solve(
-    session: &mut dyn Predicates,
-    content: &Drawn,
-    method: Method,
-    edit: fn(&mut Vec<[u32; 2]>),
-) -> Result<Chains, Halt> {
+fn solve(session: &mut dyn Predicates, content: &Drawn) -> Result<Chains, Halt> {
     let edges: Vec<Edge> = content.segments.iter().map(|&[a, b]| Edge::whole(a, b)).collect();
     let arrangement = arrange(session, &edges, overlay::Method::Grid)?;
     if arrangement.segments != content.segments {
@@ -115,13 +110,12 @@ fn solve(
     }
     let turn = |[a, b]: [Vertex; 2], c| session.orient2d(Plane::Xy, a, b, c);
     let in_line = |line, [c, d]: [Vertex; 2]| [turn(line, c), turn(line, d)] == [Sign::Zero; 2];
-    let (mut crossings, touching) = incidences(session.scene(), &arrangement, in_line);
-    edit(&mut crossings);
+    let (crossings, touching) = incidences(session.scene(), &arrangement, in_line);
     let points = points(session.scene());
     let segments: Vec<[u32; 2]> =
         content.segments.iter().map(|ends| ends.map(|v| u32::try_from(v.index()).expect("fewer than 2^32"))).collect();
     let drawing = Drawing { points: &points, segments: &segments, crossings: &crossings, touching: &touching };
-    Ok(match snap(drawing, content.pixel, method) {
+    Ok(match snap(drawing, content.pixel, content.method) {
         Ok(snapped) => Chains { snapped, broken: arrangement.broken },
         Err(_) => Chains { broken: Some("segments that cross have a point in common"), ..Chains::default() },
     })
@@ -220,7 +214,7 @@ impl Task for Snap2d {
         answer: &mut Chains,
     ) -> Result<(), Halt> {
         how.watch.done(0)?;
-        *answer = solve(session, content, content.method, |_| {})?;
+        *answer = solve(session, content)?;
         how.watch.done(content.segments.len() as u64)?;
         Ok(())
     }
@@ -237,33 +231,6 @@ impl Task for Snap2d {
 
     fn checks(&self) -> &'static [Check] {
         checks::CHECKS
-    }
-
-    fn planted(&self) -> Vec<Planted<Snap2d>> {
-        vec![
-            Planted {
-                name: "snap-points-only",
-                what: "ends and crossings are rounded, and edges are left to pass over the vertices beside them",
-                backend: "exact",
-                caught_by: &[(Class::Topology, "all hot pixels"), (Class::Topology, "no vertex near an edge")],
-                solve: |session, content| solve(session, content, Method::Naive, |_| {}),
-            },
-            Planted {
-                name: "snap-crossing-forgotten",
-                what: "every third crossing is not hot",
-                backend: "exact",
-                caught_by: &[(Class::Topology, "all hot pixels"), (Class::Topology, "no new crossing")],
-                solve: |session, content| {
-                    solve(session, content, content.method, |crossings| {
-                        let mut at = 0;
-                        crossings.retain(|_| {
-                            at += 1;
-                            at % 3 != 0
-                        });
-                    })
-                },
-            },
-        ]
     }
 
     fn spoiled(&self) -> Vec<Spoiled<Snap2d>> {

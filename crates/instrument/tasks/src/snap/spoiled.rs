@@ -1,4 +1,4 @@
-//! Answers with faults: what no fault in the algorithm reaches.
+//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
 
 use super::{Chains, Snap2d};
 use crate::{Class, Spoiled};
@@ -57,6 +57,21 @@ pub(super) fn all() -> Vec<Spoiled<Snap2d>> {
             "exact",
             &[(Class::Topology, "segments that cross have a point in common")],
             |_, _, answer: &mut Chains| answer.broken = Some("segments that cross have a point in common"),
+        ),
+        Spoiled::new(
+            "snap-goes-straight",
+            "each chain goes from its first pixel to its last, and passes over those between",
+            "exact",
+            &[
+                (Class::Topology, "all hot pixels"),
+                (Class::Topology, "no vertex near an edge"),
+                (Class::Topology, "no new crossing"),
+            ],
+            |_, _, answer: &mut Chains| {
+                for chain in answer.snapped.chains.iter_mut().filter(|chain| chain.len() > 2) {
+                    chain.drain(1..chain.len() - 1);
+                }
+            },
         ),
     ]
 }

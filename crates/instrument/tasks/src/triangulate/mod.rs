@@ -12,11 +12,7 @@ mod spoiled;
 
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::planted::Honest;
-use predicament_algorithms::triangulate::planted::{
-    BlindEars, DroppedTriangle, FlatCorners, HiddenHelper, Planted as Wrong,
-};
-use predicament_algorithms::triangulate::{Triangulation, oriented, projection, triangulate_planted};
+use predicament_algorithms::triangulate::{Triangulation, oriented, projection, triangulate};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Dimension, Plane, PredicateKind, Predicates, Query, Scene, Vertex};
@@ -27,24 +23,10 @@ pub use judge::Truth;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Catch, Check, Class, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Planted,
-    Spoiled, Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest, output,
 };
 pub(crate) use checks::RULES;
-
-/// The checks that have to find flat corners cut off.
-const FLAT_CHECKS: &[Catch] = &[(Class::Topology, "positive")];
-/// The checks that have to find holes joined to what they do not see.
-const HIDDEN_CHECKS: &[Catch] = &[(Class::Topology, "positive"), (Class::Topology, "overlap")];
-/// The checks that have to find ears with vertices in them.
-const BLIND_CHECKS: &[Catch] = &[(Class::Topology, "positive"), (Class::Topology, "overlap")];
-/// The checks that have to find a triangle missing.
-const DROPPED_CHECKS: &[Catch] = &[
-    (Class::Topology, "area"),
-    (Class::Topology, "boundary"),
-    (Class::Topology, "count"),
-    (Class::Topology, "diagonals"),
-];
 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -154,7 +136,7 @@ impl Task for Triangulate {
     ) -> Result<(), Halt> {
         answer.0.clear();
         for polygon in &content.polygons {
-            answer.0.push(solve::<Honest>(session, polygon, content));
+            answer.0.push(solve(session, polygon, content));
             how.watch.done(1)?;
         }
         Ok(())
@@ -172,15 +154,6 @@ impl Task for Triangulate {
 
     fn checks(&self) -> &'static [Check] {
         checks::CHECKS
-    }
-
-    fn planted(&self) -> Vec<Planted<Triangulate>> {
-        vec![
-            Planted::new::<FlatCorners>("exact", FLAT_CHECKS, wrong::<FlatCorners>),
-            Planted::new::<HiddenHelper>("exact", HIDDEN_CHECKS, wrong::<HiddenHelper>),
-            Planted::new::<BlindEars>("sos", BLIND_CHECKS, wrong::<BlindEars>),
-            Planted::new::<DroppedTriangle>("sos", DROPPED_CHECKS, wrong::<DroppedTriangle>),
-        ]
     }
 
     fn spoiled(&self) -> Vec<Spoiled<Triangulate>> {
@@ -255,7 +228,7 @@ impl Task for Triangulate {
 }
 
 /// Turns the loops as they nest, in a plane in which the polygon is seen, and triangulates it.
-fn solve<F: Wrong>(session: &dyn Predicates, polygon: &[Vec<Vertex>], content: &Polygons) -> Triangulation {
+fn solve(session: &dyn Predicates, polygon: &[Vec<Vertex>], content: &Polygons) -> Triangulation {
     let (plane, reversed) = match session.scene().dimension() {
         Dimension::Two => (Plane::Xy, false),
         Dimension::Three => match projection(session, polygon) {
@@ -264,11 +237,7 @@ fn solve<F: Wrong>(session: &dyn Predicates, polygon: &[Vec<Vertex>], content: &
         },
     };
     let loops = oriented(session, plane, reversed, polygon);
-    triangulate_planted::<F, dyn Predicates>(session, plane, reversed, &loops, content.method)
-}
-
-fn wrong<F: Wrong>(session: &mut dyn Predicates, content: &Polygons) -> Result<Triangulated, Halt> {
-    Ok(Triangulated(content.polygons.iter().map(|polygon| solve::<F>(&*session, polygon, content)).collect()))
+    triangulate(session, plane, reversed, &loops, content.method)
 }
 
 /// Vertices as text.

@@ -1,4 +1,4 @@
-//! Answers with faults: what no fault in the algorithm reaches.
+//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
 
 use predicament_judge::sign;
 use predicament_predicates::{Question, Scene, Vertex};
@@ -40,6 +40,44 @@ pub(super) fn all() -> Vec<Spoiled<Triangulate>> {
             &[(Class::Topology, "a polygon has an ear")],
             |_, _, answer: &mut Triangulated| {
                 answer.0.iter_mut().for_each(|found| found.broken = Some("a polygon has an ear"))
+            },
+        ),
+        Spoiled::new(
+            "triangulate-loses-a-triangle",
+            "the last triangle is lost",
+            "sos",
+            &[
+                (Class::Topology, "area"),
+                (Class::Topology, "boundary"),
+                (Class::Topology, "count"),
+                (Class::Topology, "diagonals"),
+            ],
+            |_, _, answer: &mut Triangulated| {
+                for found in &mut answer.0 {
+                    found.triangles.pop();
+                }
+            },
+        ),
+        Spoiled::new(
+            "triangulate-turns-a-triangle",
+            "the first triangle is turned over",
+            "exact",
+            &[(Class::Topology, "positive")],
+            |_, _, answer: &mut Triangulated| {
+                for triangle in answer.0.iter_mut().filter_map(|found| found.triangles.first_mut()) {
+                    triangle.swap(1, 2);
+                }
+            },
+        ),
+        Spoiled::new(
+            "triangulate-repeats-a-triangle",
+            "the first triangle is there twice",
+            "exact",
+            &[(Class::Topology, "overlap")],
+            |_, _, answer: &mut Triangulated| {
+                for found in &mut answer.0 {
+                    found.triangles.extend(found.triangles.first().copied());
+                }
             },
         ),
     ]

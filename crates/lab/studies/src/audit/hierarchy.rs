@@ -3,11 +3,9 @@
 //! The streams ask the algorithms one by one, with a hierarchy of the audit's own.
 //! Here the driver does it, on scenes of one pair, with a session of the backend.
 
-use predicament_algorithms::contacts::contacts_planted;
-use predicament_algorithms::contacts::planted::{ForgottenSubPairs, LostSubPair, Planted, SkippedVertices};
-use predicament_algorithms::planted::Honest;
+use predicament_algorithms::contacts::{Contact, contacts};
 use predicament_checks::audit::{PairKind, Published, Verdict};
-use predicament_mesh::{Complex, Simplices};
+use predicament_mesh::{Complex, Simplex, Simplices};
 use predicament_predicates::{Backend, Dimension, Off, Scene, Vertex};
 use predicament_tasks::{Stop, Watch};
 use predicament_tolerance::{Float, Tolerance};
@@ -17,21 +15,21 @@ use super::stream::{CHUNK, draw, length};
 use super::{Algorithm, Form, Row, Scheme, ThresholdPairs, Thresholds};
 use crate::Precision;
 
-/// The driver, or one with a planted fault.
+/// The driver, or one whose registrations are spoiled.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Driver {
     /// As it has to be.
     Honest,
-    /// Loses the last registration of a level.
+    /// The last registration below full dimension is lost.
     LostSubPair,
-    /// Asks about pairs that have ended.
+    /// Of the first registration below full dimension, a pair that it has ended is registered as well.
     ForgottenSubPairs,
-    /// Never compares vertices.
+    /// No two vertices are registered.
     SkippedVertices,
 }
 
 impl Driver {
-    /// Those with a fault.
+    /// Those that are spoiled.
     pub const PLANTED: [Driver; 3] = [Driver::LostSubPair, Driver::ForgottenSubPairs, Driver::SkippedVertices];
 
     /// In words, with dashes.
@@ -44,6 +42,39 @@ impl Driver {
             Driver::SkippedVertices => "skipped-vertices",
         }
     }
+
+    /// What the driver makes of the registrations of a scene.
+    fn spoil(self, dimension: Dimension, [a, b]: [&Complex; 2], registered: &mut Vec<Contact>) {
+        let is_below = |contact: &Contact| usize::from(contact.a.rank + contact.b.rank) < dimension.count();
+        match self {
+            Driver::Honest => {}
+            Driver::LostSubPair => {
+                let last = registered.iter().rposition(is_below);
+                last.map(|at| registered.remove(at));
+            }
+            Driver::ForgottenSubPairs => {
+                let ended = |contact: &Contact| {
+                    let more = above(a, contact.a).map(|a| Contact { a, ..*contact });
+                    more.or_else(|| Some(Contact { b: above(b, contact.b)?, ..*contact }))
+                };
+                let more = registered.iter().filter(|contact| is_below(contact)).find_map(ended);
+                registered.extend(more);
+            }
+            Driver::SkippedVertices => registered.retain(|contact| contact.a.rank + contact.b.rank > 0),
+        }
+    }
+}
+
+/// A simplex of one more vertex that has this one for a face.
+fn above(complex: &Complex, simplex: Simplex) -> Option<Simplex> {
+    let face = complex.vertices_of(simplex);
+    let all = (0..).map(|index| Simplex { rank: simplex.rank + 1, index });
+    let count = match simplex.rank {
+        0 => complex.edges().len(),
+        1 => complex.triangles().len(),
+        _ => complex.tetrahedra().len(),
+    };
+    all.take(count).find(|&other| face.iter().all(|v| complex.vertices_of(other).contains(v)))
 }
 
 /// What became of the scenes of one dimension and precision.
@@ -153,20 +184,9 @@ fn one<F: Float>(driver: Driver, dimension: Dimension, pair: &[Vec<[f64; 3]>; 2]
     let backend = Tolerance::<F>::new();
     let session = backend.prepare(&scene, Off).expect("L is in the middle of the format's range");
     debug_assert!(Published::of(&session).is_some());
-    let contacts = match driver {
-        Driver::Honest => run::<Honest, _>(&session, [&a, &b]),
-        Driver::LostSubPair => run::<LostSubPair, _>(&session, [&a, &b]),
-        Driver::ForgottenSubPairs => run::<ForgottenSubPairs, _>(&session, [&a, &b]),
-        Driver::SkippedVertices => run::<SkippedVertices, _>(&session, [&a, &b]),
-    };
-    let audit = predicament_checks::audit::audit(&session, &a, &b, &contacts);
+    let mut found = contacts(&session, &a, &b);
+    driver.spoil(dimension, [&a, &b], &mut found.registered);
+    let audit = predicament_checks::audit::audit(&session, &a, &b, &found);
     let verdicts = Verdict::ALL.map(|verdict| PairKind::ALL.into_iter().map(|kind| audit.count(kind, verdict)).sum());
-    Hierarchy { scenes: 1, registered: contacts.registered.len() as u64, ended: audit.ended, verdicts }
-}
-
-fn run<F: Planted, S: predicament_predicates::Predicates>(
-    session: &S,
-    [a, b]: [&Complex; 2],
-) -> predicament_algorithms::contacts::Contacts {
-    contacts_planted::<F, S>(session, a, b)
+    Hierarchy { scenes: 1, registered: found.registered.len() as u64, ended: audit.ended, verdicts }
 }

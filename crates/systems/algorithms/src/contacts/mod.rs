@@ -17,7 +17,6 @@
 mod ask;
 mod ended;
 mod near;
-pub mod planted;
 
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Dimension, Predicates};
@@ -26,9 +25,7 @@ pub use ask::ask;
 use ended::Ended;
 use near::Near;
 
-use self::planted::Planted;
 use crate::parallel;
-use crate::planted::Honest;
 
 /// Barycentric coordinates of a point in a simplex, one for each of its
 /// vertices in ascending order; those that the simplex lacks are zero.
@@ -94,21 +91,12 @@ pub fn levels(dimension: Dimension) -> &'static [&'static [[u8; 2]]] {
 /// If the session doesn't [support](Predicates::supports_contacts) contacts, or `b` has 2^29 maximal simplices or more.
 #[must_use]
 pub fn contacts<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex) -> Contacts {
-    contacts_planted::<Honest, S>(session, a, b)
-}
-
-/// [`contacts`] with a planted fault.
-///
-/// # Panics
-/// As [`contacts`].
-#[must_use]
-pub fn contacts_planted<F: Planted, S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex) -> Contacts {
     if let Err(declined) = session.supports_contacts() {
         panic!("the session must support contacts: {declined}");
     }
     match session.scene().dimension() {
-        Dimension::Two => hierarchy::<F, S, 2>(session, [a, b]),
-        Dimension::Three => hierarchy::<F, S, 3>(session, [a, b]),
+        Dimension::Two => hierarchy::<S, 2>(session, [a, b]),
+        Dimension::Three => hierarchy::<S, 3>(session, [a, b]),
     }
 }
 
@@ -132,7 +120,7 @@ pub fn contacts3d<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex)
     contacts(session, a, b)
 }
 
-fn hierarchy<F: Planted, S: Predicates + ?Sized, const D: usize>(session: &S, complexes: [&Complex; 2]) -> Contacts {
+fn hierarchy<S: Predicates + ?Sized, const D: usize>(session: &S, complexes: [&Complex; 2]) -> Contacts {
     let near = Near::<D>::new(session.scene(), complexes, session.reach());
     let mut all = Contacts::default();
     let mut ended = Ended::default();
@@ -141,18 +129,10 @@ fn hierarchy<F: Planted, S: Predicates + ?Sized, const D: usize>(session: &S, co
         // A level's pairs come by the ranks of the first simplex: what is appended stays sorted.
         let start = all.registered.len();
         for &ranks in *pairs {
-            let level = if F::SKIPS_VERTICES && ranks == [0, 0] {
-                Level { ranks, candidates: 0, ended: 0, asked: 0, registered: 0 }
-            } else {
-                of_ranks(session, complexes, ranks, &near, &ended, &mut all.registered)
-            };
-            all.levels.push(level);
+            all.levels.push(of_ranks(session, complexes, ranks, &near, &ended, &mut all.registered));
         }
         let is_last = level + 1 == levels.len();
-        if F::LOSES_SUB_PAIRS && !is_last && all.registered.len() > start {
-            all.registered.pop();
-        }
-        if all.registered.len() > start && !is_last && !F::FORGETS_SUB_PAIRS {
+        if all.registered.len() > start && !is_last {
             ended.learn(complexes, &all.registered);
         }
     }

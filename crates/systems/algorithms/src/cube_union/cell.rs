@@ -9,7 +9,6 @@
 
 use super::crowd::add_crowd;
 use super::mass::Mass;
-use super::planted::Planted;
 
 /// A cell with more cubes than this is divided, but no further than to a
 /// quarter of a cube's edge.
@@ -65,9 +64,8 @@ impl Scratch {
 
 /// Whether the cube reaches the cell: a face of it may be on the lower border.
 #[inline]
-pub(super) fn reaches<F: Planted>(lower: [i64; 3], edge: i64, cell: Range) -> bool {
-    let from = |axis: usize| if F::DROPS_BORDER_CUBES { cell[axis][0] + 1 } else { cell[axis][0] };
-    (0..3).all(|axis| lower[axis] < cell[axis][1] && lower[axis] + edge >= from(axis))
+pub(super) fn reaches(lower: [i64; 3], edge: i64, cell: Range) -> bool {
+    (0..3).all(|axis| lower[axis] < cell[axis][1] && lower[axis] + edge >= cell[axis][0])
 }
 
 /// The face of a cube in a range: none, or whether it is the upper one. In a
@@ -97,7 +95,7 @@ pub(super) struct Cube {
 ///
 /// `cubes` from `first` on are all that reach the cell. They are put into
 /// another order.
-pub(super) fn add_cell<F: Planted>(
+pub(super) fn add_cell(
     cubes: &mut Vec<Cube>,
     first: usize,
     edge: i64,
@@ -111,7 +109,7 @@ pub(super) fn add_cell<F: Planted>(
     }
     let widest = cell.iter().map(|[from, to]| to - from).max().unwrap_or(0);
     if (widest > edge || count > WORD || (count > CROWD && 4 * widest > edge)) && widest > 1 {
-        return divide::<F>(cubes, first, edge, cell, scratch, mass);
+        return divide(cubes, first, edge, cell, scratch, mass);
     }
     sort(&mut cubes[first..], &mut scratch.copy);
     if count > WORD {
@@ -173,14 +171,7 @@ fn bounds(cubes: &[Cube], edge: i64, cell: Range) -> Option<Range> {
 }
 
 /// Adds the cell part by part: its halves along each axis where they are not covered.
-fn divide<F: Planted>(
-    cubes: &mut Vec<Cube>,
-    first: usize,
-    edge: i64,
-    mut cell: Range,
-    scratch: &mut Scratch,
-    mass: &mut Mass,
-) {
+fn divide(cubes: &mut Vec<Cube>, first: usize, edge: i64, mut cell: Range, scratch: &mut Scratch, mass: &mut Mass) {
     let end = cubes.len();
     if end - first > WORD && cell.iter().all(|[from, to]| 4 * (to - from) < edge) {
         // Of what lies in few places, most of the cell is without faces.
@@ -215,11 +206,11 @@ fn divide<F: Planted>(
         }
         for at in first..end {
             let cube = cubes[at];
-            if reaches::<F>(cube.lower, edge, part) {
+            if reaches(cube.lower, edge, part) {
                 cubes.push(cube);
             }
         }
-        add_cell::<F>(cubes, end, edge, part, scratch, mass);
+        add_cell(cubes, end, edge, part, scratch, mass);
         cubes.truncate(end);
     }
 }

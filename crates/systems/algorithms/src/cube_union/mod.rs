@@ -110,7 +110,6 @@ mod crowd;
 mod error;
 mod mass;
 mod order;
-pub mod planted;
 mod scaled;
 mod wide;
 
@@ -124,9 +123,6 @@ pub use error::CubesError;
 pub use mass::{Mass, Vertices};
 pub use order::{ByIndex, BySession, Face, Order};
 pub use scaled::ScaledCubes;
-
-use self::planted::Planted;
-use crate::planted::Honest;
 
 /// Cells that are looked at by one task.
 const CELLS: usize = 1 << 12;
@@ -143,14 +139,6 @@ const CELLS: usize = 1 << 12;
 /// [`CubesError`] if the edge length is not positive, or the cubes are more,
 /// or further apart, than exact sums can hold.
 pub fn cube_union<C: Coordinate>(lowers: &[[C; 3]], edge: C) -> Result<Mass, CubesError> {
-    cube_union_planted::<Honest, C>(lowers, edge)
-}
-
-/// [`cube_union`] with a planted fault.
-///
-/// # Errors
-/// As [`cube_union`].
-pub fn cube_union_planted<F: Planted, C: Coordinate>(lowers: &[[C; 3]], edge: C) -> Result<Mass, CubesError> {
     let length = positive(edge.into())?;
     if u32::try_from(lowers.len()).is_err() {
         return Err(CubesError::TooMany { cubes: lowers.len() });
@@ -178,11 +166,11 @@ pub fn cube_union_planted<F: Planted, C: Coordinate>(lowers: &[[C; 3]], edge: C)
                 });
                 cubes.clear();
                 bins.near(id, place, |entry| cubes.push(cube(entry)));
-                if !is_tight || F::DROPS_BORDER_CUBES {
-                    cubes.retain(|cube| reaches::<F>(cube.lower, length, cell));
+                if !is_tight {
+                    cubes.retain(|cube| reaches(cube.lower, length, cell));
                 }
                 if size == length || !is_covered(cubes, length, cell) {
-                    add_cell::<F>(cubes, 0, length, cell, scratch, &mut mass);
+                    add_cell(cubes, 0, length, cell, scratch, &mut mass);
                 }
             }
             mass

@@ -5,8 +5,6 @@ use std::collections::HashMap;
 use predicament_predicates::{Construction, Vertex};
 
 use super::Triangulation;
-use super::planted::Planted;
-use crate::planted::Honest;
 
 /// The Delaunay triangulation of points of the plane.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
@@ -46,13 +44,6 @@ impl Triangulation {
     /// The triangles in their canonical form.
     #[must_use]
     pub fn answer(&self) -> Delaunay2 {
-        self.answer_planted::<Honest>()
-    }
-
-    /// [`answer`](Triangulation::answer) with a planted fault.
-    #[must_use]
-    pub fn answer_planted<F: Planted>(&self) -> Delaunay2 {
-        let copies = if F::FORGETS_COPIES { Vec::new() } else { resolved(&self.copies) };
         let ends = |edge| {
             let [a, b] = [self.mesh.start(edge), self.mesh.end(edge)];
             [a.min(b), a.max(b)]
@@ -62,7 +53,7 @@ impl Triangulation {
         Delaunay2 {
             triangles: sorted(self.triangles()),
             chain: self.chain.clone(),
-            copies,
+            copies: resolved(&self.copies),
             constrained,
             crossings: self.crossings.clone(),
             broken: self.broken,

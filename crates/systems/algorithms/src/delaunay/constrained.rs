@@ -16,8 +16,6 @@ use super::Triangulation;
 use super::chain::is_between;
 use super::hole::Side;
 use super::mesh::{Edge, INFINITE};
-use super::planted::Planted;
-use crate::planted::Honest;
 
 /// The invariant of constraints.
 const TOWARD: &str = "a constraint leaves its end through an edge or a vertex";
@@ -34,18 +32,7 @@ pub fn constrained_delaunay2d<P: Predicates + ?Sized>(
     session: &mut P,
     constraints: &[[Vertex; 2]],
 ) -> Result<Triangulation, Refused> {
-    constrained_delaunay2d_planted::<Honest, P>(session, constraints)
-}
-
-/// [`constrained_delaunay2d`] with a planted fault.
-///
-/// # Errors
-/// As [`constrained_delaunay2d`].
-pub fn constrained_delaunay2d_planted<F: Planted, P: Predicates + ?Sized>(
-    session: &mut P,
-    constraints: &[[Vertex; 2]],
-) -> Result<Triangulation, Refused> {
-    let mut triangulation = super::delaunay2d_planted::<F, P>(&*session);
+    let mut triangulation = super::delaunay2d(&*session);
     if triangulation.mesh.is_empty() || triangulation.broken.is_some() {
         return Ok(triangulation);
     }
@@ -56,14 +43,12 @@ pub fn constrained_delaunay2d_planted<F: Planted, P: Predicates + ?Sized>(
     laying.note((0..laying.triangulation.mesh.len()).collect());
     for (number, constraint) in constraints.iter().enumerate() {
         let ends = constraint.map(|v| stands.get(&v).copied().unwrap_or(v));
-        if let Err(broken) = laying.lay::<F, P>(session, constraints, number, ends)? {
+        if let Err(broken) = laying.lay(session, constraints, number, ends)? {
             laying.triangulation.broken = Some(broken);
             break;
         }
     }
-    if !F::LEAVES_FACES {
-        triangulation.cut_faces();
-    }
+    triangulation.cut_faces();
     Ok(triangulation)
 }
 
@@ -121,7 +106,7 @@ impl Laying<'_> {
     }
 
     /// Lays one constraint; inside an invariant that does not hold.
-    fn lay<F: Planted, P: Predicates + ?Sized>(
+    fn lay<P: Predicates + ?Sized>(
         &mut self,
         session: &mut P,
         constraints: &[[Vertex; 2]],
@@ -161,7 +146,7 @@ impl Laying<'_> {
                     Err(broken) => return Ok(Err(broken)),
                 },
             };
-            if v != w && !F::STOPS_AT_VERTICES {
+            if v != w {
                 open.push([v, w]);
             }
         }
@@ -299,7 +284,7 @@ impl Laying<'_> {
         if self.at.get(self.place(v)).is_some_and(|&triangle| triangle != NONE) {
             return Ok(Err(ONCE));
         }
-        if let Err(broken) = self.triangulation.replace::<Honest, P>(&*session, v, edge.triangle(), Some(edge)) {
+        if let Err(broken) = self.triangulation.replace(&*session, v, edge.triangle(), Some(edge)) {
             return Ok(Err(broken));
         }
         let mesh = &mut self.triangulation.mesh;

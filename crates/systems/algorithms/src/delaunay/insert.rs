@@ -6,7 +6,6 @@ use super::Triangulation;
 use super::chain::{self, is_between};
 use super::locate::{Place, locate};
 use super::mesh::{Edge, INFINITE, Mesh};
-use super::planted::Planted;
 use super::region::DISC;
 
 /// So many vertices are fetched from memory at once.
@@ -24,7 +23,7 @@ fn touch(points: &[[f64; 2]], next: &[Vertex]) {
 
 impl Triangulation {
     /// These vertices, inserted in this order.
-    pub(super) fn in_order<F: Planted, P: Predicates + ?Sized>(session: &P, vertices: &[Vertex]) -> Triangulation {
+    pub(super) fn in_order<P: Predicates + ?Sized>(session: &P, vertices: &[Vertex]) -> Triangulation {
         let mut triangulation =
             Triangulation { mesh: Mesh::with_capacity(2 * vertices.len()), ..Triangulation::default() };
         let Some(&first) = vertices.first() else { return triangulation };
@@ -47,7 +46,7 @@ impl Triangulation {
             if is_first && !triangulation.mesh.is_empty() {
                 continue;
             }
-            if let Err(broken) = triangulation.insert_planted::<F, P>(session, v) {
+            if let Err(broken) = triangulation.insert(session, v) {
                 triangulation.broken = Some(broken);
                 break;
             }
@@ -59,16 +58,8 @@ impl Triangulation {
     ///
     /// # Errors
     /// The invariant that does not hold, where signs contradict each other: then the triangulation is as it was.
-    pub fn insert<P: Predicates + ?Sized>(&mut self, session: &P, v: Vertex) -> Result<(), &'static str> {
-        self.insert_planted::<crate::planted::Honest, P>(session, v)
-    }
-
     #[inline]
-    fn insert_planted<F: Planted, P: Predicates + ?Sized>(
-        &mut self,
-        session: &P,
-        v: Vertex,
-    ) -> Result<(), &'static str> {
+    pub fn insert<P: Predicates + ?Sized>(&mut self, session: &P, v: Vertex) -> Result<(), &'static str> {
         if self.mesh.is_empty() {
             self.insert_in_chain(session, v);
             return Ok(());
@@ -78,21 +69,20 @@ impl Triangulation {
                 self.stand_for(edge, v);
                 Ok(())
             }
-            Place::In(triangle) => self.replace::<F, P>(session, v, triangle, None),
+            Place::In(triangle) => self.replace(session, v, triangle, None),
         }
     }
 
     /// Replaces the triangles whose circle a vertex is in, from one of them on. Constraints are not crossed, but for the
     /// edge that the vertex is on.
     #[inline]
-    pub(super) fn replace<F: Planted, P: Predicates + ?Sized>(
+    pub(super) fn replace<P: Predicates + ?Sized>(
         &mut self,
         session: &P,
         v: Vertex,
         triangle: u32,
         on: Option<Edge>,
     ) -> Result<(), &'static str> {
-        let mut reached = 0;
         self.mesh.unmark();
         self.region.fill::<true>(&mut self.mesh, triangle, |mesh, inside, outside| {
             if Some(inside) == on {
@@ -101,11 +91,7 @@ impl Triangulation {
             if mesh.is_constrained(inside) {
                 return false;
             }
-            if F::LOOKS_AT_NEIGHBOURS_ONLY && reached >= 3 {
-                return false;
-            }
-            reached += 1;
-            is_in_circle::<F, P>(session, mesh, outside, v)
+            is_in_circle(session, mesh, outside, v)
         })?;
         // Wrong signs can hide from the walk that it is there already.
         if self.region.border.iter().any(|&outside| self.mesh.start(outside) == v) {
@@ -158,7 +144,7 @@ impl Triangulation {
 /// An edge between two new triangles never is: all four vertices on one circle, which is empty, were a face before the new one
 /// came, and its triangles stay.
 #[inline(always)]
-fn is_in_circle<F: Planted, P: Predicates + ?Sized>(session: &P, mesh: &mut Mesh, outside: Edge, v: Vertex) -> bool {
+fn is_in_circle<P: Predicates + ?Sized>(session: &P, mesh: &mut Mesh, outside: Edge, v: Vertex) -> bool {
     let [a, b, c] = mesh.corners(outside.triangle());
     if c != INFINITE {
         let sign = session.incircle(a, b, c, v);
@@ -166,8 +152,8 @@ fn is_in_circle<F: Planted, P: Predicates + ?Sized>(session: &P, mesh: &mut Mesh
         return sign == Sign::Positive;
     }
     match session.orient2d(Plane::Xy, a, b, v) {
-        Sign::Positive => !F::SEES_ONE_EDGE,
+        Sign::Positive => true,
         Sign::Negative => false,
-        Sign::Zero => F::TAKES_LINES_FOR_OUTSIDE || is_between(session, a, b, v),
+        Sign::Zero => is_between(session, a, b, v),
     }
 }

@@ -24,41 +24,30 @@ mod insert;
 mod locate;
 mod mesh;
 mod order;
-pub mod planted;
 mod region;
 mod remove;
 
 use predicament_predicates::{Construction, Predicates, Vertex};
 
 pub use answer::Delaunay2;
-pub use constrained::{constrained_delaunay2d, constrained_delaunay2d_planted};
+pub use constrained::constrained_delaunay2d;
 
-use crate::planted::Honest;
 use mesh::Mesh;
-use planted::Planted;
 use region::Region;
 
 /// The Delaunay triangulation of the scene's input vertices.
 #[must_use]
 pub fn delaunay2d<P: Predicates + ?Sized>(session: &P) -> Triangulation {
-    delaunay2d_planted::<Honest, P>(session)
-}
-
-/// [`delaunay2d`] with a planted fault.
-#[must_use]
-pub fn delaunay2d_planted<F: Planted, P: Predicates + ?Sized>(session: &P) -> Triangulation {
     let points = session.scene().coordinates().as_chunks().0;
-    let mut triangulation = Triangulation::in_order::<F, P>(session, &order::insertion_order(points));
-    if !F::LEAVES_FACES {
-        triangulation.cut_faces();
-    }
+    let mut triangulation = Triangulation::in_order(session, &order::insertion_order(points));
+    triangulation.cut_faces();
     triangulation
 }
 
 /// The Delaunay triangulation of these vertices, inserted in this order.
 #[must_use]
 pub fn delaunay2d_in_order<P: Predicates + ?Sized>(session: &P, vertices: &[Vertex]) -> Triangulation {
-    let mut triangulation = Triangulation::in_order::<Honest, P>(session, vertices);
+    let mut triangulation = Triangulation::in_order(session, vertices);
     triangulation.cut_faces();
     triangulation
 }

@@ -2,8 +2,6 @@
 
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
-use super::planted::Planted;
-
 /// One of the two chains between the first and the last vertex.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Side {
@@ -14,23 +12,18 @@ pub(super) enum Side {
 }
 
 /// Whether the chain keeps b between a and c.
-fn keeps<F: Planted>(session: &dyn Predicates, plane: Plane, side: Side, [a, b, c]: [Vertex; 3]) -> bool {
+fn keeps(session: &dyn Predicates, plane: Plane, side: Side, [a, b, c]: [Vertex; 3]) -> bool {
     let turn = session.orient2d(plane, a, b, c);
     let turn = if side == Side::Lower { turn } else { -turn };
-    turn == Sign::Positive || F::KEEPS_COLLINEAR && turn == Sign::Zero
+    turn == Sign::Positive
 }
 
 /// The chain of sorted vertices, left to right: each vertex drops those before it that it makes superfluous.
-pub(super) fn monotone<F: Planted>(
-    session: &dyn Predicates,
-    plane: Plane,
-    side: Side,
-    sorted: &[Vertex],
-) -> Vec<Vertex> {
+pub(super) fn monotone(session: &dyn Predicates, plane: Plane, side: Side, sorted: &[Vertex]) -> Vec<Vertex> {
     let mut chain: Vec<Vertex> = Vec::new();
     for &v in sorted {
         while let [.., a, b] = chain[..] {
-            if keeps::<F>(session, plane, side, [a, b, v]) {
+            if keeps(session, plane, side, [a, b, v]) {
                 break;
             }
             chain.pop();
@@ -42,7 +35,7 @@ pub(super) fn monotone<F: Planted>(
 
 /// The same by divide and conquer: the chain is written to the front of `out`, which is as long as `sorted`, and its
 /// length returned.
-pub(super) fn divided<F: Planted>(
+pub(super) fn divided(
     session: &dyn Predicates,
     plane: Plane,
     side: Side,
@@ -54,16 +47,16 @@ pub(super) fn divided<F: Planted>(
         return sorted.len();
     }
     let middle = sorted.len() / 2;
-    let left = divided::<F>(session, plane, side, &sorted[..middle], &mut out[..middle]);
-    let right = divided::<F>(session, plane, side, &sorted[middle..], &mut out[middle..]);
-    let [i, j] = tangent::<F>(session, plane, side, &out[..left], &out[middle..middle + right]);
+    let left = divided(session, plane, side, &sorted[..middle], &mut out[..middle]);
+    let right = divided(session, plane, side, &sorted[middle..], &mut out[middle..]);
+    let [i, j] = tangent(session, plane, side, &out[..left], &out[middle..middle + right]);
     out.copy_within(middle + j..middle + right, i + 1);
     i + 1 + right - j
 }
 
 /// The places of the two vertices at which the common tangent of two chains touches them; all vertices of the first
 /// chain come before those of the second. Each step leaves a vertex behind for good.
-pub(super) fn tangent<F: Planted>(
+pub(super) fn tangent(
     session: &dyn Predicates,
     plane: Plane,
     side: Side,
@@ -73,13 +66,10 @@ pub(super) fn tangent<F: Planted>(
     let [mut i, mut j] = [left.len() - 1, 0];
     loop {
         let before = [i, j];
-        while i > 0 && !keeps::<F>(session, plane, side, [left[i - 1], left[i], right[j]]) {
+        while i > 0 && !keeps(session, plane, side, [left[i - 1], left[i], right[j]]) {
             i -= 1;
         }
-        while !F::TURNS_ONE_END
-            && j + 1 < right.len()
-            && !keeps::<F>(session, plane, side, [left[i], right[j], right[j + 1]])
-        {
+        while j + 1 < right.len() && !keeps(session, plane, side, [left[i], right[j], right[j + 1]]) {
             j += 1;
         }
         if [i, j] == before {

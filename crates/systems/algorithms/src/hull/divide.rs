@@ -5,10 +5,8 @@ use predicament_predicates::{Plane, Predicates, Vertex};
 
 use super::chains::{Side, monotone, tangent};
 use super::first::AXES;
-use super::planted::Planted;
 use super::scratch::Scratch;
 use super::{Hull3, faces, incremental, order, stitch};
-use crate::planted::Honest;
 
 /// So many vertices are a part that is not divided: their hull is found by insertion.
 const LEAF: usize = 8;
@@ -29,32 +27,32 @@ pub(super) enum Body {
 }
 
 /// The hull of these vertices. Faces are in no order, and begin anywhere.
-pub(super) fn hull<F: Planted>(session: &dyn Predicates, scratch: &mut Scratch, vertices: &[Vertex]) -> Hull3 {
+pub(super) fn hull(session: &dyn Predicates, scratch: &mut Scratch, vertices: &[Vertex]) -> Hull3 {
     let sorted = order::sorted(session, &AXES, vertices);
     if sorted.is_empty() {
         return Hull3::default();
     }
-    match part::<F>(session, scratch, &sorted) {
+    match part(session, scratch, &sorted) {
         Ok(part) => part.body.into_hull(),
         Err(hull) => hull,
     }
 }
 
 /// The hull of sorted vertices; an error is the hull of the part at which an invariant did not hold.
-fn part<F: Planted>(session: &dyn Predicates, scratch: &mut Scratch, sorted: &[Vertex]) -> Result<Part, Hull3> {
+fn part(session: &dyn Predicates, scratch: &mut Scratch, sorted: &[Vertex]) -> Result<Part, Hull3> {
     if sorted.len() <= LEAF {
-        let lower = monotone::<Honest>(session, Plane::Xy, Side::Lower, sorted);
-        return Ok(Part { body: by_insertion::<F>(session, scratch, sorted)?, lower });
+        let lower = monotone(session, Plane::Xy, Side::Lower, sorted);
+        return Ok(Part { body: by_insertion(session, scratch, sorted)?, lower });
     }
     let (left, right) = sorted.split_at(sorted.len() / 2);
-    let [left, right] = [part::<F>(session, scratch, left)?, part::<F>(session, scratch, right)?];
-    let [i, j] = tangent::<Honest>(session, Plane::Xy, Side::Lower, &left.lower, &right.lower);
+    let [left, right] = [part(session, scratch, left)?, part(session, scratch, right)?];
+    let [i, j] = tangent(session, Plane::Xy, Side::Lower, &left.lower, &right.lower);
     let touching = [left.lower[i], right.lower[j]];
     let lower = left.lower[..=i].iter().chain(&right.lower[j..]).copied().collect();
     let body = match (left.body, right.body) {
         (Body::Solid(left), Body::Solid(right)) => {
             let mut parts = [*left, *right];
-            match stitch::stitched::<F>(session, &mut parts, touching) {
+            match stitch::stitched(session, &mut parts, touching) {
                 Ok(mesh) => Body::Solid(Box::new(mesh)),
                 Err(why) => {
                     let [left, _] = parts;
@@ -65,18 +63,14 @@ fn part<F: Planted>(session: &dyn Predicates, scratch: &mut Scratch, sorted: &[V
         (left, right) => {
             // A part without volume has no surface to be stitched.
             let both: Vec<Vertex> = [left, right].into_iter().flat_map(|body| body.into_hull().vertices).collect();
-            by_insertion::<F>(session, scratch, &both)?
+            by_insertion(session, scratch, &both)?
         }
     };
     Ok(Part { body, lower })
 }
 
-fn by_insertion<F: Planted>(
-    session: &dyn Predicates,
-    scratch: &mut Scratch,
-    vertices: &[Vertex],
-) -> Result<Body, Hull3> {
-    let hull = incremental::hull::<F>(session, scratch, vertices);
+fn by_insertion(session: &dyn Predicates, scratch: &mut Scratch, vertices: &[Vertex]) -> Result<Body, Hull3> {
+    let hull = incremental::hull(session, scratch, vertices);
     if hull.broken.is_some() {
         return Err(hull);
     }

@@ -3,7 +3,6 @@
 use predicament_predicates::{Predicates, Sign, Vertex};
 
 use super::Hull3;
-use super::planted::Planted;
 use super::scratch::NONE;
 
 /// Edges that are asked about at once.
@@ -11,7 +10,7 @@ const CHUNK: usize = 4096;
 
 /// The hull with these triangles, each with its neighbours across the edges that begin at its corners: those in one plane
 /// are one face, and its corners are the vertices of three faces or more.
-pub(super) fn merged<F: Planted>(session: &dyn Predicates, triangles: &[[Vertex; 3]], near: &[[u32; 3]]) -> Hull3 {
+pub(super) fn merged(session: &dyn Predicates, triangles: &[[Vertex; 3]], near: &[[u32; 3]]) -> Hull3 {
     let mut groups: Vec<u32> = (0..).take(triangles.len()).collect();
     let mut broken = None;
     let mut is_flat = false;
@@ -33,7 +32,6 @@ pub(super) fn merged<F: Planted>(session: &dyn Predicates, triangles: &[[Vertex;
             match sign {
                 Sign::Positive => {}
                 Sign::Negative => broken = Some("the hull is convex at every edge"),
-                Sign::Zero if F::LEAVES_COPLANAR => {}
                 Sign::Zero => {
                     is_flat = true;
                     let [a, b] = [find(&mut groups, at), find(&mut groups, other)];

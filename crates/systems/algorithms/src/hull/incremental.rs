@@ -4,7 +4,6 @@ use predicament_predicates::{Predicates, Vertex};
 
 use super::first::{Span, span};
 use super::plane::{PlaneMethod, flat};
-use super::planted::Planted;
 use super::scratch::Scratch;
 use super::surface::Surface;
 use super::{Hull3, faces};
@@ -15,13 +14,13 @@ const FEW: usize = 64;
 const DIRECTIONS: usize = 26;
 
 /// The hull of these vertices. Faces are in no order, and begin anywhere.
-pub(super) fn hull<F: Planted>(session: &dyn Predicates, scratch: &mut Scratch, vertices: &[Vertex]) -> Hull3 {
+pub(super) fn hull(session: &dyn Predicates, scratch: &mut Scratch, vertices: &[Vertex]) -> Hull3 {
     let first = match span(session, vertices) {
         Span::Nothing => return Hull3::default(),
         Span::Point(v) => return Hull3 { vertices: vec![v], ..Hull3::default() },
         Span::Line(ends) => return Hull3 { vertices: ends.to_vec(), ..Hull3::default() },
         Span::Flat(plane) => {
-            let flat = flat::<F>(session, plane, PlaneMethod::Chain, vertices);
+            let flat = flat(session, plane, PlaneMethod::Chain, vertices);
             let back = flat.vertices.iter().rev().copied().collect();
             // Where signs contradict each other, fewer than three may be left.
             let faces = if flat.vertices.len() < 3 { Vec::new() } else { vec![flat.vertices.clone(), back] };
@@ -29,28 +28,24 @@ pub(super) fn hull<F: Planted>(session: &dyn Predicates, scratch: &mut Scratch, 
         }
         Span::Space(first) => first,
     };
-    let mut surface = Surface::tetrahedron::<F>(session, scratch, first, vertices);
-    let broken = insert_all::<F>(session, &mut surface, vertices).err();
+    let mut surface = Surface::tetrahedron(session, scratch, first, vertices);
+    let broken = insert_all(session, &mut surface, vertices).err();
     let (triangles, near) = surface.triangles();
     scratch.clear(vertices);
-    let mut hull = faces::merged::<F>(session, &triangles, &near);
+    let mut hull = faces::merged(session, &triangles, &near);
     hull.broken = broken.or(hull.broken);
     hull
 }
 
-fn insert_all<F: Planted>(
-    session: &dyn Predicates,
-    surface: &mut Surface<'_>,
-    vertices: &[Vertex],
-) -> Result<(), &'static str> {
+fn insert_all(session: &dyn Predicates, surface: &mut Surface<'_>, vertices: &[Vertex]) -> Result<(), &'static str> {
     if vertices.len() >= FEW {
         for v in extreme(session, vertices) {
-            surface.insert::<F>(v)?;
+            surface.insert(v)?;
         }
     }
     let mut order: Vec<Vertex> = vertices.iter().copied().filter(|&v| surface.is_outside(v)).collect();
     shuffle(&mut order);
-    order.into_iter().try_for_each(|v| surface.insert::<F>(v))
+    order.into_iter().try_for_each(|v| surface.insert(v))
 }
 
 /// The extreme vertices in all directions whose components are −1, 0 or 1, by rounded coordinates: with these inserted

@@ -27,7 +27,6 @@ mod incremental;
 mod interior;
 mod order;
 mod plane;
-pub mod planted;
 mod scratch;
 mod space;
 mod stitch;
@@ -35,8 +34,8 @@ mod surface;
 
 use predicament_predicates::Vertex;
 
-pub use plane::{PlaneMethod, hull2d, hull2d_planted};
-pub use space::{SpaceMethod, hull3d, hull3d_planted};
+pub use plane::{PlaneMethod, hull2d};
+pub use space::{SpaceMethod, hull3d};
 
 /// The convex hull of points of the plane.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]

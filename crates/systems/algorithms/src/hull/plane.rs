@@ -3,9 +3,7 @@
 use predicament_predicates::{Plane, Predicates, Vertex};
 
 use super::chains::{Side, divided, monotone, polygon};
-use super::planted::Planted;
 use super::{Hull2, interior, order};
-use crate::planted::Honest;
 
 /// How the hull of points of the plane is found.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
@@ -21,32 +19,21 @@ pub enum PlaneMethod {
 /// The convex hull of the scene's vertices.
 #[must_use]
 pub fn hull2d(session: &dyn Predicates, method: PlaneMethod) -> Hull2 {
-    hull2d_planted::<Honest>(session, method)
-}
-
-/// [`hull2d`] with a planted fault.
-#[must_use]
-pub fn hull2d_planted<F: Planted>(session: &dyn Predicates, method: PlaneMethod) -> Hull2 {
     let vertices = match method {
         PlaneMethod::Chain => interior::outer(session),
         PlaneMethod::Divide => session.scene().vertices().collect(),
     };
-    flat::<F>(session, Plane::Xy, method, &vertices)
+    flat(session, Plane::Xy, method, &vertices)
 }
 
 /// The convex hull of vertices seen in a coordinate plane.
-pub(super) fn flat<F: Planted>(
-    session: &dyn Predicates,
-    plane: Plane,
-    method: PlaneMethod,
-    vertices: &[Vertex],
-) -> Hull2 {
+pub(super) fn flat(session: &dyn Predicates, plane: Plane, method: PlaneMethod, vertices: &[Vertex]) -> Hull2 {
     let sorted = order::sorted(session, &plane.axes(), vertices);
     let [lower, upper] = [Side::Lower, Side::Upper].map(|side| match method {
-        PlaneMethod::Chain => monotone::<F>(session, plane, side, &sorted),
+        PlaneMethod::Chain => monotone(session, plane, side, &sorted),
         PlaneMethod::Divide => {
             let mut chain = sorted.clone();
-            let length = divided::<F>(session, plane, side, &sorted, &mut chain);
+            let length = divided(session, plane, side, &sorted, &mut chain);
             chain.truncate(length);
             chain
         }

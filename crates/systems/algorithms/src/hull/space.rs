@@ -6,10 +6,8 @@ use predicament_predicates::{Predicates, Scene, Sign, Vertex};
 
 use super::first::AXES;
 use super::order::lexicographic;
-use super::planted::Planted;
 use super::scratch::Scratch;
 use super::{Hull3, divide, incremental};
-use crate::planted::Honest;
 
 /// How the hull of points of space is found.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
@@ -24,22 +22,16 @@ pub enum SpaceMethod {
 /// The convex hull of the scene's vertices.
 #[must_use]
 pub fn hull3d(session: &dyn Predicates, method: SpaceMethod) -> Hull3 {
-    hull3d_planted::<Honest>(session, method)
-}
-
-/// [`hull3d`] with a planted fault.
-#[must_use]
-pub fn hull3d_planted<F: Planted>(session: &dyn Predicates, method: SpaceMethod) -> Hull3 {
     let scene = session.scene();
     let vertices: Vec<Vertex> = scene.vertices().collect();
     let mut scratch = Scratch::new(scene.len());
     let mut hull = match method {
         SpaceMethod::Incremental => {
-            let mut hull = incremental::hull::<F>(session, &mut scratch, &vertices);
+            let mut hull = incremental::hull(session, &mut scratch, &vertices);
             name_by_smallest(session, &mut hull);
             hull
         }
-        SpaceMethod::Divide => divide::hull::<F>(session, &mut scratch, &vertices),
+        SpaceMethod::Divide => divide::hull(session, &mut scratch, &vertices),
     };
     hull.vertices.sort_unstable();
     for face in &mut hull.faces {

@@ -16,9 +16,7 @@ use predicament_mesh::half_edge::{Face, HalfEdge, HalfEdgeMesh, IndexedFaces, Me
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 
 use super::plane::{PlaneMethod, flat};
-use super::planted::Planted;
 use super::scratch::NONE;
-use crate::planted::Honest;
 
 type Broken = &'static str;
 
@@ -46,13 +44,13 @@ struct Stitch<'s> {
 ///
 /// # Errors
 /// The invariant that does not hold.
-pub(super) fn stitched<F: Planted>(
+pub(super) fn stitched(
     session: &dyn Predicates,
     parts: &mut [HalfEdgeMesh; 2],
     touching: [Vertex; 2],
 ) -> Result<HalfEdgeMesh, Broken> {
     let mut stitch = Stitch { session, parts };
-    let band = stitch.band::<F>(touching)?;
+    let band = stitch.band(touching)?;
     stitch.cut(&band)?;
     let kept = [0, 1].map(|part| stitch.kept(part));
     stitch.joined(&band, &kept)
@@ -60,14 +58,14 @@ pub(super) fn stitched<F: Planted>(
 
 impl Stitch<'_> {
     /// The stitching faces, each counterclockwise from outside.
-    fn band<F: Planted>(&self, touching: [Vertex; 2]) -> Result<Vec<Vec<Corner>>, Broken> {
+    fn band(&self, touching: [Vertex; 2]) -> Result<Vec<Vec<Corner>>, Broken> {
         let first = self.first_bridge(touching)?;
         // There are not twice as many faces as vertices in a hull.
         let most = 2 * self.parts.iter().map(HalfEdgeMesh::vertex_count).sum::<usize>();
         let mut band = Vec::new();
         let mut bridge = first;
         while band.len() < most {
-            let face = self.face::<F>(bridge)?;
+            let face = self.face(bridge)?;
             let edges = face.iter().zip(face.iter().cycle().skip(1)).filter(|(a, b)| a.part != b.part);
             let [mut there, mut back] = [None, None];
             let mut count = 0;
@@ -124,7 +122,7 @@ impl Stitch<'_> {
     /// The polygon of these corners, counterclockwise in a coordinate plane.
     fn polygon(&self, plane: Plane, corners: &[Corner]) -> Vec<Corner> {
         let vertices: Vec<Vertex> = corners.iter().map(|corner| corner.vertex).collect();
-        let hull = flat::<Honest>(self.session, plane, PlaneMethod::Chain, &vertices);
+        let hull = flat(self.session, plane, PlaneMethod::Chain, &vertices);
         // Only looked up, never iterated: its order reaches no output.
         let of: HashMap<Vertex, Corner> = corners.iter().map(|&corner| (corner.vertex, corner)).collect();
         hull.vertices.iter().filter_map(|v| of.get(v).copied()).collect()
@@ -140,7 +138,7 @@ impl Stitch<'_> {
     }
 
     /// The face of the joined hull on the left of an edge between its parts.
-    fn face<F: Planted>(&self, [u, v]: [Corner; 2]) -> Result<Vec<Corner>, Broken> {
+    fn face(&self, [u, v]: [Corner; 2]) -> Result<Vec<Corner>, Broken> {
         let session = self.session;
         let is_off_line = |w: Corner| {
             [Plane::Xy, Plane::Yz, Plane::Zx]
@@ -148,8 +146,7 @@ impl Stitch<'_> {
                 .find(|&plane| session.orient2d(plane, u.vertex, v.vertex, w.vertex) != Sign::Zero)
         };
         let mut best: Option<Corner> = None;
-        let from_second = if F::WRAPS_ONE_PART { None } else { Some(v) };
-        for w in self.neighbours(u).chain(from_second.into_iter().flat_map(|v| self.neighbours(v))) {
+        for w in self.neighbours(u).chain(self.neighbours(v)) {
             let is_better = match best {
                 None => is_off_line(w).is_some(),
                 Some(best) => session.orient3d(u.vertex, v.vertex, best.vertex, w.vertex) == Sign::Negative,

@@ -6,7 +6,6 @@
 
 use predicament_predicates::{Predicates, Sign, Vertex};
 
-use super::planted::Planted;
 use super::scratch::{NONE, Scratch};
 
 /// With fewer vertices a batch costs more than single questions.
@@ -54,7 +53,7 @@ pub(super) type Broken = &'static str;
 impl<'s> Surface<'s> {
     /// The tetrahedron of four vertices, the last of which is below the plane of the others; and the other ones outside
     /// of it.
-    pub fn tetrahedron<F: Planted>(
+    pub fn tetrahedron(
         session: &'s dyn Predicates,
         scratch: &'s mut Scratch,
         [a, b, c, d]: [Vertex; 4],
@@ -79,7 +78,7 @@ impl<'s> Surface<'s> {
             signs: Vec::new(),
             made: vec![0, 1, 2, 3],
         };
-        surface.seat::<F>();
+        surface.seat();
         surface
     }
 
@@ -107,7 +106,7 @@ impl<'s> Surface<'s> {
     ///
     /// # Errors
     /// The invariant that does not hold; the surface is as it was.
-    pub fn insert<F: Planted>(&mut self, v: Vertex) -> Result<(), Broken> {
+    pub fn insert(&mut self, v: Vertex) -> Result<(), Broken> {
         let first = self.scratch.seat[v.index()];
         if first == NONE {
             return Ok(());
@@ -121,7 +120,7 @@ impl<'s> Surface<'s> {
         self.pending.retain(|&w| w != v);
         self.scratch.seat[v.index()] = NONE;
         self.replace(v);
-        self.seat::<F>();
+        self.seat();
         Ok(())
     }
 
@@ -220,10 +219,9 @@ impl<'s> Surface<'s> {
     }
 
     /// Seats each pending vertex at the first new triangle that it is outside of; those without a seat are inside.
-    fn seat<F: Planted>(&mut self) {
+    fn seat(&mut self) {
         let Surface { session, triangles, outside, pending, signs, made, scratch, .. } = self;
-        let tried = if F::TRIES_ONE_FACE && self.step > 1 { 1 } else { made.len() };
-        for &at in &made[..tried] {
+        for &at in made.iter() {
             if pending.is_empty() {
                 return;
             }

@@ -24,7 +24,6 @@ pub(crate) mod joints;
 mod nearest;
 pub(crate) mod places;
 pub(crate) mod plane;
-pub mod planted;
 pub(crate) mod sheets;
 
 use predicament_grid::{Bounds, shared};
@@ -35,11 +34,9 @@ pub use places::Places;
 use self::chain::Chain;
 use self::joints::Joints;
 use self::places::Same;
-use self::planted::{Planted, Wrong};
 use self::sheets::{Gone, Label, Left, Part};
 use crate::mesh_overlay::number;
 use crate::mesh_overlay::{MeshOverlay, Solid, Undone};
-use crate::planted::Honest;
 
 /// The invariant of a result.
 const CLOSED: &str = "the limit of a closed surface is closed";
@@ -77,34 +74,14 @@ pub struct Counts {
 /// [`Undone::Broken`] where a constructed vertex is no point without a move, or signs break an invariant; [`Undone::Refused`] where
 /// the session does not construct a point.
 pub fn limit(session: &mut dyn Predicates, overlay: &MeshOverlay, solid: Solid) -> Result<Limit, Undone> {
-    limit_planted::<Honest>(session, overlay, solid)
-}
-
-/// [`limit`] with a planted fault.
-///
-/// # Errors
-/// As [`limit`].
-pub fn limit_planted<F: Planted>(
-    session: &mut dyn Predicates,
-    overlay: &MeshOverlay,
-    solid: Solid,
-) -> Result<Limit, Undone> {
-    run(session, overlay, solid, F::WRONG)
-}
-
-fn run(session: &mut dyn Predicates, overlay: &MeshOverlay, solid: Solid, wrong: Wrong) -> Result<Limit, Undone> {
     let places = Places::new(session.scene())?;
     let mut work = Work { places, ..Work::default() };
-    work.merge(session, &solid, wrong);
+    work.merge(session, &solid);
     work.cancel();
     work.flatten(session, overlay)?;
-    if wrong != Wrong::KeepsSheets {
-        work.uncover(session, overlay)?;
-    }
-    if wrong != Wrong::KeepsJoints {
-        work.divide(session);
-    }
-    work.finish(solid, wrong)
+    work.uncover(session, overlay)?;
+    work.divide(session);
+    work.finish(solid)
 }
 
 /// A result on the way to its limit.
@@ -125,13 +102,10 @@ struct Work {
 
 impl Work {
     /// Takes the triangles that are near the other mesh, by vertices of which each stands for all at its place.
-    fn merge(&mut self, session: &dyn Predicates, solid: &Solid, wrong: Wrong) {
+    fn merge(&mut self, session: &dyn Predicates, solid: &Solid) {
         let near = near(session, &self.places, solid);
         let vertices = near.iter().flatten().flat_map(|&place| solid.triangles[place as usize]).collect();
-        let same = match wrong {
-            Wrong::KeepsVertices => Same::default(),
-            _ => Same::of(session, &self.places, vertices),
-        };
+        let same = Same::of(session, &self.places, vertices);
         self.counts.merged = same.count();
         for (parts, near) in self.parts.iter_mut().zip(near) {
             for place in near {
@@ -271,8 +245,8 @@ impl Work {
     }
 
     /// The result with all changes.
-    fn finish(mut self, mut solid: Solid, wrong: Wrong) -> Result<Limit, Undone> {
-        if wrong == Wrong::Nothing && !self.open().is_empty() {
+    fn finish(mut self, mut solid: Solid) -> Result<Limit, Undone> {
+        if !self.open().is_empty() {
             return Err(Undone::Broken(CLOSED));
         }
         for part in self.parts.iter().flatten() {

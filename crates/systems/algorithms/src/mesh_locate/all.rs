@@ -5,9 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 use predicament_grid::two_level::Ray;
 use predicament_predicates::{Predicates, Vertex};
 
-use super::planted::Planted;
 use super::{Labels, Location, MeshIndex, Scratch};
-use crate::planted::Honest;
 
 /// The number of queries between two calls of the progress hook.
 pub const CHUNK: usize = 4096;
@@ -25,7 +23,8 @@ pub fn locate_all<P: Predicates + ?Sized>(
     queries: &[Vertex],
     progress: &(dyn Fn(usize) -> bool + Sync),
 ) -> Vec<Location> {
-    locate_all_planted::<P, Honest>(index, session, queries, progress)
+    let labels = index.labels(session, queries);
+    locate_labelled(index, session, &labels, queries, progress)
 }
 
 /// [`locate_all`] with labels that were found before.
@@ -39,31 +38,7 @@ pub fn locate_labelled<P: Predicates + ?Sized>(
     queries: &[Vertex],
     progress: &(dyn Fn(usize) -> bool + Sync),
 ) -> Vec<Location> {
-    labelled::<P, Honest>(index, session, labels, queries, progress)
-}
-
-fn labelled<P: Predicates + ?Sized, F: Planted>(
-    index: &MeshIndex,
-    session: &P,
-    labels: &Labels,
-    queries: &[Vertex],
-    progress: &(dyn Fn(usize) -> bool + Sync),
-) -> Vec<Location> {
-    gather(queries, progress, |q, scratch| index.planted_locate::<P, F>(session, labels, q, scratch))
-}
-
-/// [`locate_all`] with a planted fault.
-///
-/// # Panics
-/// As [`MeshIndex::locate`].
-pub fn locate_all_planted<P: Predicates + ?Sized, F: Planted>(
-    index: &MeshIndex,
-    session: &P,
-    queries: &[Vertex],
-    progress: &(dyn Fn(usize) -> bool + Sync),
-) -> Vec<Location> {
-    let labels = index.planted_labels::<P, F>(session, queries);
-    labelled::<P, F>(index, session, &labels, queries, progress)
+    gather(queries, progress, |q, scratch| index.locate(session, labels, q, scratch))
 }
 
 /// [`locate_all`] by [`MeshIndex::question_any`]: every triangle in the way is asked about, so that a session that is

@@ -8,9 +8,7 @@ use predicament_mesh::{MaterialMesh, OUTSIDE};
 use predicament_predicates::{Predicates, Scene, Vertex};
 use rayon::prelude::*;
 
-use super::planted::Planted;
 use super::{Location, Scratch};
-use crate::planted::Honest;
 
 /// Triangles that one thread takes at a time.
 const PART: usize = 4096;
@@ -96,22 +94,9 @@ impl MeshIndex {
     /// As [`MeshIndex::new`].
     #[must_use]
     pub fn with_sizes(mesh: impl Into<Arc<MaterialMesh>>, scene: &Scene, sizes: Option<Sizes>) -> MeshIndex {
-        MeshIndex::planted::<Honest>(mesh.into(), scene, sizes)
-    }
-
-    /// [`MeshIndex::with_sizes`] with a planted fault.
-    ///
-    /// # Panics
-    /// As [`MeshIndex::new`].
-    #[must_use]
-    pub fn planted<F: Planted>(mesh: Arc<MaterialMesh>, scene: &Scene, sizes: Option<Sizes>) -> MeshIndex {
+        let mesh: Arc<MaterialMesh> = mesh.into();
         let of_triangle = |corners: &[Vertex; 3]| Bounds::of(corners.map(|v| scene.point3(v)));
-        let mut boxes: Vec<Bounds<3>> = mesh.triangles().par_iter().with_min_len(PART).map(of_triangle).collect();
-        if F::SKIPS_A_TRIANGLE {
-            // A box of a corner alone: the rest of the triangle is in no cell.
-            let middle = boxes.len() / 2;
-            boxes[middle].high = boxes[middle].low;
-        }
+        let boxes: Vec<Bounds<3>> = mesh.triangles().par_iter().with_min_len(PART).map(of_triangle).collect();
         let grid = TwoLevel::new(&boxes, sizes.unwrap_or_else(|| Sizes::of(&boxes)));
         let shadows = boxes.par_iter().with_min_len(PART).map(Shadow::of).collect();
         drop(boxes);
@@ -157,14 +142,6 @@ impl MeshIndex {
     /// # Panics
     /// If the session's scene lacks one of the vertices.
     pub fn labels<P: Predicates + ?Sized>(&self, session: &P, vertices: &[Vertex]) -> Labels {
-        self.planted_labels::<P, Honest>(session, vertices)
-    }
-
-    /// [`MeshIndex::labels`] with a planted fault.
-    ///
-    /// # Panics
-    /// As [`MeshIndex::labels`].
-    pub fn planted_labels<P: Predicates + ?Sized, F: Planted>(&self, session: &P, vertices: &[Vertex]) -> Labels {
         let scene = session.scene();
         let mut first: Vec<Option<Vertex>> = vec![None; self.empty.len()];
         for &v in vertices {
@@ -184,12 +161,7 @@ impl MeshIndex {
                 Location::On(_) | Location::Contradiction | Location::Undecided => UNKNOWN,
             }
         };
-        let mut of_region = crate::parallel::each(self.empty.len(), &of_region);
-        if F::MISTAKES_A_CAVITY
-            && let Some(cavity) = (0..self.empty.len()).find(|&region| !self.empty.is_open(region))
-        {
-            of_region[cavity] = OUTSIDE;
-        }
+        let of_region = crate::parallel::each(self.empty.len(), &of_region);
         let of_slot = |slot: usize| self.empty.of_index(slot).map_or(UNKNOWN, |region| of_region[region]);
         Labels { of_slot: (0..self.grid.slots()).into_par_iter().with_min_len(PART).map(of_slot).collect() }
     }

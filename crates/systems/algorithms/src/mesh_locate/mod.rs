@@ -49,11 +49,10 @@
 mod all;
 mod index;
 mod nearer;
-pub mod planted;
 mod single;
 mod stab;
 
-pub use all::{CHUNK, locate_all, locate_all_planted, locate_labelled, question_all};
+pub use all::{CHUNK, locate_all, locate_labelled, question_all};
 pub use index::{Labels, MeshIndex};
 pub use predicament_grid::two_level::Ray;
 pub use single::Scratch;

@@ -6,10 +6,8 @@ use predicament_mesh::OUTSIDE;
 use predicament_predicates::{Predicates, Scene, Sign, Vertex};
 
 use super::nearer::is_nearer;
-use super::planted::Planted;
 use super::stab::{Direction, Stab, Way, stab, stab_in_band};
 use super::{Labels, Location, MeshIndex};
-use crate::planted::Honest;
 
 /// Working memory for one point after the other.
 #[derive(Clone, Default, Debug)]
@@ -77,27 +75,12 @@ impl MeshIndex {
         q: Vertex,
         scratch: &mut Scratch,
     ) -> Location {
-        self.planted_locate::<P, Honest>(session, labels, q, scratch)
-    }
-
-    /// [`MeshIndex::locate`] with a planted fault.
-    ///
-    /// # Panics
-    /// As [`MeshIndex::locate`].
-    #[inline]
-    pub fn planted_locate<P: Predicates + ?Sized, F: Planted>(
-        &self,
-        session: &P,
-        labels: &Labels,
-        q: Vertex,
-        scratch: &mut Scratch,
-    ) -> Location {
         if session.reach() != 0.0 {
             return self.question_any(session, q, &Ray::ALL, scratch);
         }
         match labels.of(self.grid().at(session.scene().point3(q))) {
             Some(region) => Location::In(region),
-            None => self.walk::<P, F>(session, labels, q, scratch),
+            None => self.walk(session, labels, q, scratch),
         }
     }
 
@@ -110,19 +93,13 @@ impl MeshIndex {
         scratch: &mut Scratch,
     ) -> Location {
         match session.reach() {
-            0.0 => self.walk::<P, Honest>(session, labels, q, scratch),
+            0.0 => self.walk(session, labels, q, scratch),
             _ => self.question_any(session, q, &Ray::ALL, scratch),
         }
     }
 
     /// Up from cell to cell, to the nearest triangle or a cell whose region is known.
-    fn walk<P: Predicates + ?Sized, F: Planted>(
-        &self,
-        session: &P,
-        labels: &Labels,
-        q: Vertex,
-        scratch: &mut Scratch,
-    ) -> Location {
+    fn walk<P: Predicates + ?Sized>(&self, session: &P, labels: &Labels, q: Vertex, scratch: &mut Scratch) -> Location {
         let (scene, direction) = (session.scene(), Direction::of(Ray::UP));
         let points: &[[f64; 3]] = scene.coordinates().as_chunks().0;
         let (p, triangles, shadows) = (points[q.index()], self.mesh().triangles(), self.shadows());
@@ -163,10 +140,7 @@ impl MeshIndex {
                     }
                     Stab::Passed { from_behind } => {
                         let other = nearest.map(|nearest| triangles[nearest.triangle as usize]);
-                        let is_nearer = other.map_or(Some(true), |other| {
-                            let is_nearer = is_nearer(session, direction, corners, other)?;
-                            Some(is_nearer != F::TAKES_THE_FARTHER)
-                        });
+                        let is_nearer = other.map_or(Some(true), |other| is_nearer(session, direction, corners, other));
                         let Some(is_nearer) = is_nearer else {
                             coincide = true;
                             return true;

@@ -11,7 +11,6 @@ use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 use rayon::prelude::*;
 
 use super::near::{Near, number};
-use super::planted::Wrong;
 use super::{Touch, Zeros};
 
 /// Triangles that one thread takes at a time.
@@ -36,7 +35,6 @@ pub(super) struct Question<'a> {
     pub of: &'a MaterialMesh,
     pub triangles: &'a Near,
     pub zeros: Zeros,
-    pub wrong: Wrong,
 }
 
 impl Question<'_> {
@@ -145,7 +143,7 @@ impl Question<'_> {
         if is_opposite(first, second) {
             return Err(PassesBy);
         }
-        let third = if self.wrong == Wrong::LooksAtTwoSides { first } else { side(c, a) };
+        let third = side(c, a);
         if is_opposite(first, third) || is_opposite(second, third) {
             return Err(PassesBy);
         }

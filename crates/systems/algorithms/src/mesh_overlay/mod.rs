@@ -53,7 +53,6 @@ mod cut;
 mod known;
 mod meet;
 mod near;
-pub mod planted;
 mod points;
 mod radial;
 mod regions;
@@ -68,17 +67,15 @@ use predicament_grid::Bounds;
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Construction, Predicates, Refused, Vertex};
 
-pub use registered::{Registered, mesh_overlay_registered, mesh_overlay_registered_planted};
+pub use registered::{Registered, mesh_overlay_registered};
 pub use result::{Regions, Solid, Source};
 
 use self::cut::Cutting;
 use self::meet::{Hit, Question};
 use self::near::Near;
 pub(crate) use self::near::number;
-use self::planted::{Planted, Wrong};
 use self::points::Points;
 use self::regions::Known;
-use crate::planted::Honest;
 
 /// What a zero between the two meshes is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -163,7 +160,6 @@ pub struct MeshOverlay {
     /// The pieces of triangles that are cut, in their order.
     pieces: [Vec<Piece>; 2],
     constructions: Vec<Construction>,
-    wrong: Wrong,
 }
 
 impl MeshOverlay {
@@ -206,19 +202,7 @@ pub fn mesh_overlay(
     meshes: [Arc<MaterialMesh>; 2],
     zeros: Zeros,
 ) -> Result<MeshOverlay, Undone> {
-    mesh_overlay_planted::<Honest>(session, meshes, zeros)
-}
-
-/// [`mesh_overlay`] with a planted fault.
-///
-/// # Errors
-/// As [`mesh_overlay`].
-pub fn mesh_overlay_planted<F: Planted>(
-    session: &mut dyn Predicates,
-    meshes: [Arc<MaterialMesh>; 2],
-    zeros: Zeros,
-) -> Result<MeshOverlay, Undone> {
-    run(session, meshes, zeros, Extent::Whole, F::WRONG, &mut |_| {})
+    run(session, meshes, zeros, Extent::Whole, &mut |_| {})
 }
 
 /// What an overlay does, in this order.
@@ -246,7 +230,7 @@ pub fn mesh_overlay_by_steps(
     zeros: Zeros,
     done: &mut dyn FnMut(Step),
 ) -> Result<MeshOverlay, Undone> {
-    run(session, meshes, zeros, Extent::Whole, Wrong::Nothing, done)
+    run(session, meshes, zeros, Extent::Whole, done)
 }
 
 /// How much of two meshes there is.
@@ -264,32 +248,31 @@ pub(crate) fn overlay_of_columns(
     meshes: [Arc<MaterialMesh>; 2],
     zeros: Zeros,
 ) -> Result<MeshOverlay, Undone> {
-    run(session, meshes, zeros, Extent::Columns, Wrong::Nothing, &mut |_| {})
+    run(session, meshes, zeros, Extent::Columns, &mut |_| {})
 }
 
-/// One function for all faults, so that it is compiled once.
+/// An overlay of the whole of two meshes, or of columns.
 fn run(
     session: &mut dyn Predicates,
     meshes: [Arc<MaterialMesh>; 2],
     zeros: Zeros,
     extent: Extent,
-    wrong: Wrong,
     done: &mut dyn FnMut(Step),
 ) -> Result<MeshOverlay, Undone> {
     let before = session.scene().constructions().len();
     let both = [&*meshes[0], &*meshes[1]];
-    let asked = if extent == Extent::Whole { same::asked_about(session, both, wrong) } else { None };
+    let asked = if extent == Extent::Whole { same::asked_about(session, both) } else { None };
     let (near, bounds) = Near::of(session.scene(), both, asked);
     done(Step::Near);
     let near = [&near[0], &near[1]];
     let hits = |mesh: u8| {
         let [own, other] = [usize::from(mesh), usize::from(1 - mesh)];
         let session = &*session;
-        Question { session, mesh, edges: near[own], of: both[other], triangles: near[other], zeros, wrong }.hits()
+        Question { session, mesh, edges: near[own], of: both[other], triangles: near[other], zeros }.hits()
     };
     let hits = [hits(0).map_err(Undone::Touch)?, hits(1).map_err(Undone::Touch)?];
     done(Step::Passages);
-    finish(session, &meshes, before, (near, &bounds), hits, (extent, wrong), done)
+    finish(session, &meshes, before, (near, &bounds), hits, extent, done)
 }
 
 /// The steps after it is known what passes through what.
@@ -299,19 +282,17 @@ fn finish(
     before: usize,
     (near, bounds): ([&Near; 2], &[Bounds<3>; 2]),
     [first, second]: [Vec<Hit>; 2],
-    (extent, wrong): (Extent, Wrong),
+    extent: Extent,
     done: &mut dyn FnMut(Step),
 ) -> Result<MeshOverlay, Undone> {
     let both = [&*meshes[0], &*meshes[1]];
     let vertices = points::construct(session, [&first, &second], near, both)?;
     let session = &*session;
-    let points = [
-        Points::new(session, near[0], first, &vertices[0], wrong),
-        Points::new(session, near[1], second, &vertices[1], wrong),
-    ];
+    let points =
+        [Points::new(session, near[0], first, &vertices[0]), Points::new(session, near[1], second, &vertices[1])];
     done(Step::Points);
     let points = [&points[0], &points[1]];
-    let regions = regions::regions(&Known { session, meshes, near, points, bounds, extent, wrong })?;
+    let regions = regions::regions(&Known { session, meshes, near, points, bounds, extent })?;
     done(Step::Regions);
     let mut whole = [0, 1].map(|own: usize| {
         let region = |&[v, ..]: &[Vertex; 3]| NonZero::new(regions[own].of(v).wrapping_add(1));
@@ -336,10 +317,7 @@ fn finish(
         }
         cut.iter().for_each(|&place| whole[own][near[own].triangles[place as usize] as usize] = None);
     }
-    if wrong == Wrong::DropsAPiece {
-        pieces[0].pop();
-    }
     let constructions = session.scene().constructions()[before..].to_vec();
     done(Step::Faces);
-    Ok(MeshOverlay { meshes: meshes.clone(), whole, pieces, constructions, wrong })
+    Ok(MeshOverlay { meshes: meshes.clone(), whole, pieces, constructions })
 }

@@ -5,7 +5,6 @@ use predicament_predicates::{Axis, Construction, Predicates, Refused, Vertex};
 
 use super::meet::Hit;
 use super::near::{Near, number};
-use super::planted::Wrong;
 use crate::sort::sort_by_sign;
 
 /// The points on the edges of one mesh.
@@ -34,7 +33,7 @@ pub(super) fn definitions(hits: [&[Hit]; 2], near: [&Near; 2], meshes: [&Materia
 
 impl Points {
     /// The points of these hits on the edges of a mesh, sorted.
-    pub fn new(session: &dyn Predicates, near: &Near, hits: Vec<Hit>, vertices: &[Vertex], wrong: Wrong) -> Points {
+    pub fn new(session: &dyn Predicates, near: &Near, hits: Vec<Hit>, vertices: &[Vertex]) -> Points {
         let mut ends = vec![0_u32; near.edges.len()];
         hits.iter().for_each(|hit| ends[hit.edge as usize] += 1);
         let mut sum = 0;
@@ -54,9 +53,6 @@ impl Points {
         let sorted = crate::parallel::each(many.len(), &|at| {
             let mut places = points.on(many[at]).to_vec();
             points.sort(session, near.edges[many[at] as usize], &mut places);
-            if wrong == Wrong::SortsPointsBackwards {
-                places.reverse();
-            }
             places
         });
         for (edge, places) in many.into_iter().zip(sorted) {

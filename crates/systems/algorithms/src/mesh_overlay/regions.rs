@@ -13,7 +13,6 @@ use predicament_predicates::{Predicates, Vertex};
 use rayon::prelude::*;
 
 use super::near::{Near, number, span};
-use super::planted::Wrong;
 use super::points::Points;
 use super::{Extent, Undone};
 use crate::mesh_locate::{Location, MeshIndex, Ray, Scratch, locate_all};
@@ -81,7 +80,6 @@ pub(super) struct Known<'a> {
     pub points: [&'a Points; 2],
     pub bounds: &'a [Bounds<3>; 2],
     pub extent: Extent,
-    pub wrong: Wrong,
 }
 
 /// For each vertex of either mesh the region of the other that it is in. The two meshes are two tasks.
@@ -175,9 +173,6 @@ impl Known<'_> {
     fn located(&self, mesh: &Arc<MaterialMesh>, unknown: BTreeMap<u32, Vertex>) -> Result<Vec<(u32, u32)>, Undone> {
         if unknown.is_empty() {
             return Ok(Vec::new());
-        }
-        if self.wrong == Wrong::TakesComponentsForOutside {
-            return Ok(unknown.into_keys().map(|root| (root, OUTSIDE)).collect());
         }
         let index = MeshIndex::new(Arc::clone(mesh), self.session.scene());
         let queries: Vec<Vertex> = unknown.values().copied().collect();

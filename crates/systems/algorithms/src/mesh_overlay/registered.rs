@@ -14,7 +14,6 @@ use predicament_predicates::{
 
 use super::meet::Hit;
 use super::near::Near;
-use super::planted::{Planted, Wrong};
 use super::{Extent, MeshOverlay, Step, Undone, finish};
 use crate::contacts::{Contact, contacts};
 
@@ -44,27 +43,6 @@ pub fn mesh_overlay_registered(
     meshes: [Arc<MaterialMesh>; 2],
     done: &mut dyn FnMut(Step),
 ) -> Result<(MeshOverlay, Registered), Undone> {
-    run(session, meshes, Wrong::Nothing, done)
-}
-
-/// [`mesh_overlay_registered`] with a planted fault.
-///
-/// # Errors
-/// As [`mesh_overlay_registered`].
-pub fn mesh_overlay_registered_planted<F: Planted>(
-    session: &dyn Predicates,
-    meshes: [Arc<MaterialMesh>; 2],
-) -> Result<(MeshOverlay, Registered), Undone> {
-    run(session, meshes, F::WRONG, &mut |_| {})
-}
-
-/// One function for all faults, so that it is compiled once.
-fn run(
-    session: &dyn Predicates,
-    meshes: [Arc<MaterialMesh>; 2],
-    wrong: Wrong,
-    done: &mut dyn FnMut(Step),
-) -> Result<(MeshOverlay, Registered), Undone> {
     let declined = |why: Declined| Undone::Refused(Refused::session(why.to_string()));
     session.supports_contacts().map_err(declined)?;
     let scene = session.scene();
@@ -87,12 +65,9 @@ fn run(
         found.add(&contact, both, &mut points, &mut hits)?;
     }
     hits.iter_mut().for_each(|hits| hits.sort_unstable_by_key(|hit| (hit.triangle, hit.edge)));
-    if wrong == Wrong::LosesAContact {
-        hits[0].pop();
-    }
     done(Step::Passages);
     let before = scene.constructions().len();
-    let overlay = finish(&mut points, &meshes, before, (near, &bounds), hits, (Extent::Whole, wrong), done)?;
+    let overlay = finish(&mut points, &meshes, before, (near, &bounds), hits, Extent::Whole, done)?;
     Ok((overlay, points))
 }
 

@@ -5,7 +5,6 @@ use predicament_mesh::{MaterialMesh, OUTSIDE};
 use predicament_predicates::Vertex;
 use rayon::prelude::*;
 
-use super::planted::Wrong;
 use super::{MeshOverlay, Piece};
 use crate::overlay::Operation;
 
@@ -73,7 +72,6 @@ impl MeshOverlay {
                 let source = Source { mesh: u8::from(side == 1), triangle: of };
                 match [front, behind] {
                     [false, true] => Some(([a, b, c], (source, false))),
-                    [true, false] if self.wrong == Wrong::ForgetsToTurn => Some(([a, b, c], (source, false))),
                     [true, false] => Some(([a, c, b], (source, true))),
                     _ => None,
                 }
@@ -113,8 +111,7 @@ impl MeshOverlay {
             .collect();
         let of = |(side, piece): &(u8, Piece)| {
             let pair = |own: u32| if *side == 0 { [own, piece.region] } else { [piece.region, own] };
-            let [front, behind] = self.meshes[usize::from(*side)].sides()[piece.of as usize].map(pair);
-            if self.wrong == Wrong::SwapsSides { [behind, front] } else { [front, behind] }
+            self.meshes[usize::from(*side)].sides()[piece.of as usize].map(pair)
         };
         pairs.extend(all.iter().flat_map(of));
         pairs.sort_unstable();

@@ -27,7 +27,6 @@ use predicament_predicates::{Plane, Predicates, Scene, Sign, Vertex};
 
 use super::meet::do_meet;
 use super::near::{number, span};
-use super::planted::Wrong;
 
 /// Smaller meshes are asked about in full.
 const FEWEST: usize = 4096;
@@ -44,7 +43,7 @@ const NONE: u32 = u32::MAX;
 
 /// The triangles of either mesh that are asked about, ascending: all but those that are set aside. None if that is not worth its while, or not
 /// known of the session.
-pub(super) fn asked_about(session: &dyn Predicates, meshes: [&MaterialMesh; 2], wrong: Wrong) -> Option<[Vec<u32>; 2]> {
+pub(super) fn asked_about(session: &dyn Predicates, meshes: [&MaterialMesh; 2]) -> Option<[Vec<u32>; 2]> {
     let is_one_surface = |mesh: &MaterialMesh| mesh.sides().iter().all(|sides| sides == &mesh.sides()[0]);
     let is_large = meshes.iter().all(|mesh| mesh.triangles().len() >= FEWEST);
     if !session.moves_second_mesh() || !is_large || !is_one_surface(meshes[0]) {
@@ -59,16 +58,14 @@ pub(super) fn asked_about(session: &dyn Predicates, meshes: [&MaterialMesh; 2], 
     let mut is_same = vec![false; meshes[0].triangles().len()];
     same.iter().filter(|&&at| at != NONE).for_each(|&at| is_same[at as usize] = true);
     let clear = clear_vertices(session, meshes[0], first);
-    let is_clear = |at: usize| {
-        wrong == Wrong::TakesVerticesForClear || meshes[0].triangles()[at].iter().all(|&v| clear[first.place(v)])
-    };
+    let is_clear = |at: usize| meshes[0].triangles()[at].iter().all(|&v| clear[first.place(v)]);
     let candidates: Vec<u32> = (0..is_same.len()).filter(|&at| is_same[at] && is_clear(at)).map(number).collect();
     if candidates.len() < is_same.len() / SHARE {
         return None;
     }
     let mut aside = vec![false; is_same.len()];
     for (&at, is_apart) in candidates.iter().zip(apart(scene, meshes[0], &candidates)) {
-        aside[at as usize] = is_apart || wrong == Wrong::TakesTrianglesForApart;
+        aside[at as usize] = is_apart;
     }
     let asked =
         |count: usize, is_aside: &dyn Fn(usize) -> bool| (0..count).filter(|&at| !is_aside(at)).map(number).collect();

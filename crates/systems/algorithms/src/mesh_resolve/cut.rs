@@ -12,7 +12,6 @@ use predicament_predicates::{Construction, Plane, Predicates, Sign, Vertex};
 
 use super::faces::{Face, side, turn};
 use super::planar::Points;
-use super::planted::Wrong;
 use crate::mesh_limit::Places;
 use crate::mesh_limit::plane::{InPlane, Line};
 use crate::mesh_limit::sheets::view;
@@ -31,7 +30,7 @@ pub(super) struct Groups {
 
 impl Groups {
     /// The groups of triangles that meet in pairs, each pair with whether it is of one plane.
-    pub fn of(pairs: &[([u32; 2], bool)], wrong: Wrong) -> Groups {
+    pub fn of(pairs: &[([u32; 2], bool)]) -> Groups {
         let mut leaders: BTreeMap<u32, u32> = pairs.iter().flat_map(|(pair, _)| *pair).map(|at| (at, at)).collect();
         let leader = |leaders: &BTreeMap<u32, u32>, mut at: u32| {
             while leaders[&at] != at {
@@ -39,7 +38,7 @@ impl Groups {
             }
             at
         };
-        let joined = pairs.iter().filter(|(_, is_coplanar)| *is_coplanar && wrong != Wrong::CutsApart);
+        let joined = pairs.iter().filter(|(_, is_coplanar)| *is_coplanar);
         for (pair, _) in joined {
             let [first, second] = pair.map(|at| leader(&leaders, at));
             leaders.insert(first.max(second), first.min(second));
@@ -68,7 +67,6 @@ pub(super) fn cut(
     places: &mut Places,
     faces: &[Face],
     [members, others]: &[Vec<u32>; 2],
-    wrong: Wrong,
 ) -> Result<Vec<Face>, Undone> {
     let corners = |&at: &u32| faces[at as usize].corners;
     let own = corners(&members[0]);
@@ -95,9 +93,7 @@ pub(super) fn cut(
             _ => {}
         }
     }
-    if wrong != Wrong::ForgetsPoints {
-        points.into_iter().for_each(|v| segments.point(v));
-    }
+    points.into_iter().for_each(|v| segments.point(v));
     places.extend(session.scene())?;
     let mut flat =
         InPlane::new(session, places, plane, segments.vertices, (own, apart)).ok_or(Undone::Broken(SCENE))?;

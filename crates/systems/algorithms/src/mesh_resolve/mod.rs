@@ -27,20 +27,17 @@
 mod cut;
 mod faces;
 mod planar;
-pub mod planted;
 mod winding;
 
 use predicament_predicates::{Declined, Predicates, Scene, SceneError, Vertex};
 
 use self::cut::Groups;
 use self::faces::Face;
-use self::planted::{Planted, Wrong};
 use crate::mesh_limit::Places;
 use crate::mesh_limit::places::Same;
 use crate::mesh_overlay::{Undone, number};
 use crate::mesh_rounding::flaws::pairs;
 use crate::mesh_rounding::{self, Closed, NotRounded, Rounded};
-use crate::planted::Honest;
 use crate::sessions::{Sessions, with};
 
 /// Roundings, at most, each of the resolution of what the one before it left.
@@ -142,21 +139,10 @@ impl From<NotRounded> for Unresolved {
 /// # Panics
 /// If a triangle has a vertex that there is not.
 pub fn resolved(exact: &dyn Sessions, mesh: &Closed) -> Result<Resolved, Unresolved> {
-    resolved_planted::<Honest>(exact, mesh)
-}
-
-/// [`resolved`] with a planted fault.
-///
-/// # Errors
-/// As [`resolved`].
-///
-/// # Panics
-/// As [`resolved`].
-pub fn resolved_planted<F: Planted>(exact: &dyn Sessions, mesh: &Closed) -> Result<Resolved, Unresolved> {
     let scene = Scene::from_points3(&mesh.points).map_err(Unresolved::Scene)?;
     with(exact, &scene, &mut |session| {
-        let Found { faces, pairs } = find(session, mesh, &|_| true, F::WRONG);
-        let Kept { triangles, places, counts } = kept(session, &faces, &pairs, F::WRONG)?;
+        let Found { faces, pairs } = find(session, mesh, &|_| true);
+        let Kept { triangles, places, counts } = kept(session, &faces, &pairs)?;
         Ok(Resolved { scene: session.scene().clone(), triangles, places, counts })
     })
 }
@@ -187,7 +173,7 @@ pub(crate) fn rounded_since(
     for pass in 0..=PASSES {
         let scene = Scene::from_points3(&mesh.points).map_err(Unresolved::Scene)?;
         let next = with(exact, &scene, &mut |session| {
-            let Found { faces, pairs } = find(session, &mesh, &|v| moved[v as usize], Wrong::Nothing);
+            let Found { faces, pairs } = find(session, &mesh, &|v| moved[v as usize]);
             counts.left = pairs.len();
             let fewest = best.as_ref().map_or(usize::MAX, |(_, best)| best.left);
             worse = if pairs.len() < fewest { 0 } else { worse + 1 };
@@ -200,12 +186,11 @@ pub(crate) fn rounded_since(
             if is_done || pass == PASSES || worse > WORSE || pairs.len() > most {
                 return Ok::<_, Unresolved>(None);
             }
-            let Kept { triangles, places, counts: of_pass } = kept(session, &faces, &pairs, Wrong::Nothing)?;
+            let Kept { triangles, places, counts: of_pass } = kept(session, &faces, &pairs)?;
             counts.add(&of_pass);
             let surface = (&triangles[..], &places);
             let ways = mesh_rounding::PASSES;
-            let made =
-                mesh_rounding::of_triangles(exact, session, surface, ways, mesh_rounding::planted::Wrong::Nothing)?;
+            let made = mesh_rounding::of_triangles(exact, session, surface, ways)?;
             counts.farthest += farthest(session, &triangles, &places);
             Ok(Some(made))
         })?;
@@ -240,7 +225,7 @@ struct Found {
     pairs: Vec<([u32; 2], bool)>,
 }
 
-fn find(session: &dyn Predicates, mesh: &Closed, is_moved: &(dyn Fn(u32) -> bool + Sync), wrong: Wrong) -> Found {
+fn find(session: &dyn Predicates, mesh: &Closed, is_moved: &(dyn Fn(u32) -> bool + Sync)) -> Found {
     // Of vertices at one place the first stands for all, and has moved if one of them has.
     let key = |v: u32| mesh.points[v as usize].map(|x| (x + 0.0).to_bits());
     let mut order: Vec<u32> = (0..number(mesh.points.len())).collect();
@@ -254,10 +239,7 @@ fn find(session: &dyn Predicates, mesh: &Closed, is_moved: &(dyn Fn(u32) -> bool
     let triangles = mesh.triangles.iter().map(|triangle| triangle.map(|v| Vertex::input(stands[v as usize] as usize)));
     let faces = faces::summed(session, triangles);
     let triangle = |at: usize| faces[at].corners.map(|v| number(v.index()));
-    let pairs = match wrong {
-        Wrong::LooksForNothing => Vec::new(),
-        _ => pairs(session, faces.len(), &triangle, &|v| moved[v as usize]),
-    };
+    let pairs = pairs(session, faces.len(), &triangle, &|v| moved[v as usize]);
     let is_coplanar = |[first, second]: [u32; 2]| {
         let [first, second] = [first, second].map(|at| faces[at as usize].corners);
         second.into_iter().all(|v| faces::side(session, first, v).is_zero())
@@ -273,20 +255,15 @@ struct Kept {
     counts: Counts,
 }
 
-fn kept(
-    session: &mut dyn Predicates,
-    faces: &[Face],
-    pairs: &[([u32; 2], bool)],
-    wrong: Wrong,
-) -> Result<Kept, Undone> {
+fn kept(session: &mut dyn Predicates, faces: &[Face], pairs: &[([u32; 2], bool)]) -> Result<Kept, Undone> {
     let mut places = Places::new(session.scene())?;
     let mut counts = Counts { passes: 1, pairs: pairs.len(), ..Counts::default() };
-    let groups = Groups::of(pairs, wrong);
+    let groups = Groups::of(pairs);
     let mut is_cut = vec![false; faces.len()];
     let mut parts: Vec<Face> = Vec::new();
     for group in &groups.all {
         group[0].iter().for_each(|&at| is_cut[at as usize] = true);
-        parts.extend(cut::cut(session, &mut places, faces, group, wrong)?);
+        parts.extend(cut::cut(session, &mut places, faces, group)?);
     }
     counts.cut = is_cut.iter().filter(|is| **is).count();
     counts.constructed = session.scene().constructions().len();
@@ -295,7 +272,7 @@ fn kept(
     let mut all: Vec<Face> = faces.iter().zip(is_cut).filter(|(_, is_cut)| !is_cut).map(|(face, _)| *face).collect();
     all.extend(parts);
     let in_front = winding::in_front(session, &places, &all)?;
-    let bounds = |&(face, front): &(&Face, i32)| wrong == Wrong::KeepsInside || (front <= 0 && front + face.times > 0);
+    let bounds = |&(face, front): &(&Face, i32)| front <= 0 && front + face.times > 0;
     let triangles: Vec<[Vertex; 3]> = all.iter().zip(in_front).filter(bounds).map(|(face, _)| face.corners).collect();
     counts.dropped = all.len() - triangles.len();
     Ok(Kept { triangles, places, counts })

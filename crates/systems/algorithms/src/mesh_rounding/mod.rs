@@ -18,17 +18,14 @@
 //! for that, vertices would have to move farther (Valque, *Iterated snap rounding in space*), or triangles be divided.
 
 pub mod flaws;
-pub mod planted;
 
 use predicament_mesh::{MaterialError, MaterialMesh};
 use predicament_predicates::{Axis, Declined, Plane, Predicates, Scene, SceneError, Sign, Vertex};
 
 use self::flaws::Flaws;
-use self::planted::{Planted, Wrong};
 use crate::mesh_limit::chain::Chain;
 use crate::mesh_limit::joints::Joints;
 use crate::mesh_limit::{Limit, Places};
-use crate::planted::Honest;
 use crate::sessions::{Sessions, with};
 
 /// Ways of rounding that are tried.
@@ -123,19 +120,7 @@ impl std::error::Error for NotRounded {}
 /// # Errors
 /// [`NotRounded`], where the rounded mesh is no scene that the backend takes.
 pub fn rounded(exact: &dyn Sessions, session: &dyn Predicates, limit: &Limit) -> Result<Rounded, NotRounded> {
-    rounded_planted::<Honest>(exact, session, limit)
-}
-
-/// [`rounded`] with a planted fault.
-///
-/// # Errors
-/// As [`rounded`].
-pub fn rounded_planted<F: Planted>(
-    exact: &dyn Sessions,
-    session: &dyn Predicates,
-    limit: &Limit,
-) -> Result<Rounded, NotRounded> {
-    of_triangles(exact, session, (&limit.solid.triangles, &limit.places), PASSES, F::WRONG)
+    of_triangles(exact, session, (&limit.solid.triangles, &limit.places), PASSES)
 }
 
 /// A closed surface in doubles, by at most so many ways.
@@ -144,7 +129,6 @@ pub(crate) fn of_triangles(
     session: &dyn Predicates,
     (triangles, places): (&[[Vertex; 3]], &Places),
     passes: u32,
-    wrong: Wrong,
 ) -> Result<Rounded, NotRounded> {
     let mut rounding = Rounding::new(session, triangles, places);
     let moved = rounding.vertices.iter().filter(|vertex| vertex.is_moved).count();
@@ -161,10 +145,7 @@ pub(crate) fn of_triangles(
         let (built, flaws) = with(exact, &scene, &mut |session| {
             let built = rounding.built(session);
             let is_moved = |v: u32| built.moved[v as usize];
-            let flaws = match wrong {
-                Wrong::LooksForNothing => Flaws::default(),
-                Wrong::Nothing => flaws::flaws(session, &built.triangles, &is_moved, &rounding.turns),
-            };
+            let flaws = flaws::flaws(session, &built.triangles, &is_moved, &rounding.turns);
             Ok::<_, NotRounded>((built, flaws))
         })?;
         if pass == 0 {

@@ -17,7 +17,6 @@ use predicament_predicates::{Axis, Construction, Plane, Predicates, Refused, Sig
 use super::meet::Asker;
 use super::reach::{Extent, Reach};
 use super::view::View;
-use super::wrong::Wrong;
 
 /// Cells with more segments are looked at more closely.
 const CROWD: usize = 32;
@@ -40,7 +39,6 @@ pub(super) struct Cells<'a> {
     ends: &'a [[Vertex; 2]],
     asker: Asker<'a>,
     asked: u64,
-    wrong: Wrong,
 }
 
 /// What all segments have in common.
@@ -52,9 +50,8 @@ pub(super) fn meetings(
     raster: &Raster,
     reach: &Reach,
     ends: &[[Vertex; 2]],
-    wrong: Wrong,
 ) -> Result<super::meet::Meetings, Refused> {
-    let mut cells = Cells { reach, ends, asker: Asker::new(ends), asked: 0, wrong };
+    let mut cells = Cells { reach, ends, asker: Asker::new(ends), asked: 0 };
     let mut boxes = Vec::new();
     for cell in 0..raster.count() {
         let members = raster.cell(cell);
@@ -83,9 +80,6 @@ pub(super) fn meetings(
 impl Cells<'_> {
     #[inline]
     fn meets(&self, a: &Extent, b: &Extent) -> bool {
-        if self.wrong.boxes_are_open {
-            return a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
-        }
         (a[0] <= b[2]) & (b[0] <= a[2]) & (a[1] <= b[3]) & (b[1] <= a[3])
     }
 

@@ -6,7 +6,6 @@ use super::far::Run;
 use super::meet::{Meetings, Pair};
 use super::supports::{Label, Supports};
 use super::view::View;
-use super::wrong::Wrong;
 use super::{NONE, number, partial};
 use crate::sort::sort_by_sign;
 
@@ -88,9 +87,8 @@ impl Chains {
         supports: &Supports,
         meetings: Meetings,
         runs: &[Run],
-        wrong: Wrong,
     ) -> Result<Chains, Refused> {
-        let on_segments = constructed(session, supports, meetings, wrong)?;
+        let on_segments = constructed(session, supports, meetings)?;
         let view = View::new(session);
         let scene = session.scene();
         let slots = Slots { inputs: scene.len() };
@@ -121,7 +119,7 @@ impl Chains {
             } else if on_segments.may_be_ends {
                 inner.extend(ends);
             }
-            sort_along(view, ends, &mut inner, &mut about, wrong);
+            sort_along(view, ends, &mut inner, &mut about);
             let is_open = supports.are_whole && !on_segments.may_be_ends;
             if inner.len() > 1 {
                 let along = view.along(ends);
@@ -138,7 +136,7 @@ impl Chains {
         chains.first.push(number(chains.along.len()));
         let node = chains.number_nodes(scene, slots, &mut places);
         let mut node_of = |v: Vertex| node[places.root(slots.of(v)) as usize];
-        chains.cut(supports, &mut node_of, on_segments.has_overlaps, wrong);
+        chains.cut(supports, &mut node_of, on_segments.has_overlaps);
         for run in runs {
             let ends = run.ends().map(&mut node_of);
             if ends.contains(&NONE) || ends[0] == ends[1] {
@@ -206,7 +204,7 @@ impl Chains {
     }
 
     /// The pieces between the nodes, each once.
-    fn cut(&mut self, supports: &Supports, mut node_of: impl FnMut(Vertex) -> u32, has_overlaps: bool, wrong: Wrong) {
+    fn cut(&mut self, supports: &Supports, mut node_of: impl FnMut(Vertex) -> u32, has_overlaps: bool) {
         self.piece = vec![NONE; self.along.len()];
         self.pieces.reserve(self.along.len());
         let mut sums: Vec<(Label, i32)> = Vec::new();
@@ -235,18 +233,17 @@ impl Chains {
                 let (label, covers) = if supports.are_whole { (spans[0].label, 1) } else { sums[at - 1 - range.start] };
                 if ends[0] != ends[1] && covers > 0 {
                     self.piece[at - 1] = number(self.pieces.len());
-                    let label = if wrong.counts_once { label.map(i32::signum) } else { label };
                     self.pieces.push(Piece { ends, segment: number(segment), label });
                 }
             }
         }
         if has_overlaps {
-            self.join_pieces(wrong);
+            self.join_pieces();
         }
     }
 
     /// Makes one of the pieces between the same two nodes.
-    fn join_pieces(&mut self, wrong: Wrong) {
+    fn join_pieces(&mut self) {
         let key = |piece: &Piece| [piece.ends[0].min(piece.ends[1]), piece.ends[0].max(piece.ends[1])];
         let mut order: Vec<([u32; 2], u32)> = self.pieces.iter().map(key).zip(0..).collect();
         order.sort_unstable();
@@ -257,10 +254,8 @@ impl Chains {
                 let other = self.pieces[at as usize];
                 let first = &mut self.pieces[group[0].1 as usize];
                 let direction = if first.ends == other.ends { 1 } else { -1 };
-                if !wrong.counts_once {
-                    for (sum, more) in first.label.iter_mut().zip(other.label) {
-                        *sum = sum.saturating_add(direction * more);
-                    }
+                for (sum, more) in first.label.iter_mut().zip(other.label) {
+                    *sum = sum.saturating_add(direction * more);
                 }
                 kept[at as usize] = group[0].1;
             }
@@ -298,12 +293,7 @@ impl OnSegments {
 }
 
 /// Constructs the crossings, in the order of the segments.
-fn constructed(
-    session: &mut dyn Predicates,
-    supports: &Supports,
-    meetings: Meetings,
-    wrong: Wrong,
-) -> Result<OnSegments, Refused> {
+fn constructed(session: &mut dyn Predicates, supports: &Supports, meetings: Meetings) -> Result<OnSegments, Refused> {
     let Meetings { crossings, mut touches, same, overlaps, bundles, .. } = meetings;
     // A bundle's point is defined by its first segment and the first that crosses it.
     let mut defined: Vec<(Pair, Option<&[u32]>)> = crossings.iter().map(|&pair| (pair, None)).collect();
@@ -329,9 +319,6 @@ fn constructed(
             Some(bundle) => on.extend(bundle.iter().map(|&at| (at, point))),
         }
     }
-    if wrong.forgets_touches {
-        touches.clear();
-    }
     on.append(&mut touches);
     if !supports.are_whole {
         partial::keep_what_edges_reach(&*session, supports, &overlaps, &mut on);
@@ -354,12 +341,8 @@ fn constructed(
 }
 
 /// Sorts vertices along a segment: by rounded coordinates first, then by signs, for which they are in order mostly.
-fn sort_along(view: View<'_>, ends: [Vertex; 2], inner: &mut [Vertex], about: &mut About<'_>, wrong: Wrong) {
+fn sort_along(view: View<'_>, ends: [Vertex; 2], inner: &mut [Vertex], about: &mut About<'_>) {
     if inner.len() < 2 {
-        return;
-    }
-    if wrong.leaves_unsorted {
-        inner.sort_unstable();
         return;
     }
     let along = view.along(ends);

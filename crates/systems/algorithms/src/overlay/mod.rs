@@ -31,14 +31,12 @@ mod heap;
 mod meet;
 mod nest;
 mod partial;
-pub mod planted;
 mod polygon;
 mod reach;
 mod result;
 mod supports;
 mod sweep;
 mod view;
-mod wrong;
 
 use predicament_grid::Raster;
 use predicament_mesh::Subdivision;
@@ -48,14 +46,11 @@ pub use chains::Piece;
 pub use polygon::{Edge, Operation, Polygon, Region, Rule};
 pub use result::Regions;
 
-use self::planted::Planted;
-use crate::planted::Honest;
 use chains::Chains;
 use far::Run;
 use nest::Pieces;
 use reach::Reach;
 use supports::{Label, Supports};
-use wrong::Wrong;
 
 /// The number that names nothing.
 const NONE: u32 = u32::MAX;
@@ -107,7 +102,6 @@ pub struct Overlay {
     /// By faces, for each operand: its winding number, or 0 and 1 where its rule is even and odd.
     pub windings: Vec<[i32; 2]>,
     rules: [Rule; 2],
-    wrong: bool,
 }
 
 impl Overlay {
@@ -119,7 +113,7 @@ impl Overlay {
 
     /// The regions of a result that has others besides.
     fn beside(&self, session: &dyn Predicates, operation: Operation, apart: &[Region]) -> Regions {
-        self.arrangement.extraction(session, &self.windings, self.rules, self.wrong, apart).regions(operation)
+        self.arrangement.extraction(session, &self.windings, self.rules, apart).regions(operation)
     }
 }
 
@@ -131,24 +125,9 @@ impl Overlay {
 /// # Panics
 /// If the support of an edge is no input segment of a 2D scene, or there are 2^30 edges or more.
 pub fn arrange(session: &mut dyn Predicates, edges: &[Edge], method: Method) -> Result<Arrangement, Refused> {
-    arrange_planted::<Honest>(session, edges, method)
-}
-
-/// [`arrange`] with a planted fault.
-///
-/// # Errors
-/// As [`arrange`].
-///
-/// # Panics
-/// As [`arrange`].
-pub fn arrange_planted<F: Planted>(
-    session: &mut dyn Predicates,
-    edges: &[Edge],
-    method: Method,
-) -> Result<Arrangement, Refused> {
     let edges: Vec<(Edge, usize)> = edges.iter().map(|&edge| (edge, 0)).collect();
     let supports = Supports::new(&*session, &edges, |_| false);
-    arranged(session, supports, &[], method, Wrong::of::<F>())
+    arranged(session, supports, &[], method)
 }
 
 /// The overlay of two polygons.
@@ -162,28 +141,13 @@ pub fn arrange_planted<F: Planted>(
 /// # Panics
 /// As [`arrange`].
 pub fn overlay(session: &mut dyn Predicates, operands: [&Polygon; 2], method: Method) -> Result<Overlay, Refused> {
-    overlay_planted::<Honest>(session, operands, method)
-}
-
-/// [`overlay`] with a planted fault.
-///
-/// # Errors
-/// As [`arrange`].
-///
-/// # Panics
-/// As [`arrange`].
-pub fn overlay_planted<F: Planted>(
-    session: &mut dyn Predicates,
-    operands: [&Polygon; 2],
-    method: Method,
-) -> Result<Overlay, Refused> {
     let rules = operands.map(|polygon| polygon.rule);
     let mut edges: Vec<(Edge, usize)> =
         Vec::with_capacity(operands.iter().flat_map(|polygon| &polygon.loops).map(Vec::len).sum());
     for (operand, polygon) in operands.into_iter().enumerate() {
         edges.extend(polygon.loops.iter().flatten().map(|&edge| (edge, operand)));
     }
-    overlaid(session, edges, &[], rules, method, Wrong::of::<F>())
+    overlaid(session, edges, &[], rules, method)
 }
 
 /// The result of an operation on an earlier result and a polygon: the same as by [`overlay`], but edges of the first operand that are
@@ -207,7 +171,7 @@ pub fn combine(
     let far::Split { near, runs, apart } = far::split(&*session, first, second);
     let edges = near.into_iter().map(|edge| (edge, 0));
     let edges = edges.chain(second.loops.iter().flatten().map(|&edge| (edge, 1))).collect();
-    let made = overlaid(session, edges, &runs, [Rule::NonZero, second.rule], method, Wrong::default())?;
+    let made = overlaid(session, edges, &runs, [Rule::NonZero, second.rule], method)?;
     let apart = if operation.holds([true, false]) { apart } else { Vec::new() };
     let mut result = made.beside(&*session, operation, &apart);
     result.broken = made.arrangement.broken.or(result.broken);
@@ -223,7 +187,6 @@ fn overlaid(
     runs: &[Run],
     rules: [Rule; 2],
     method: Method,
-    wrong: Wrong,
 ) -> Result<Overlay, Refused> {
     let is_idle = |label: Label| {
         (0..2).all(|operand| match rules[operand] {
@@ -233,12 +196,12 @@ fn overlaid(
     };
     let supports = Supports::new(&*session, &edges, is_idle);
     drop(edges);
-    let mut arrangement = arranged(session, supports, runs, method, wrong)?;
+    let mut arrangement = arranged(session, supports, runs, method)?;
     let (windings, agree) = result::windings(&arrangement.subdivision, &arrangement.pieces, rules);
     if !agree {
         arrangement.broken.get_or_insert("winding numbers agree around every edge");
     }
-    Ok(Overlay { arrangement, windings, rules, wrong: wrong.drops_holes })
+    Ok(Overlay { arrangement, windings, rules })
 }
 
 fn arranged(
@@ -246,22 +209,21 @@ fn arranged(
     supports: Supports,
     runs: &[Run],
     method: Method,
-    wrong: Wrong,
 ) -> Result<Arrangement, Refused> {
     let reach = Reach::new(&*session, &supports);
     let mut raster = None;
     let (meetings, mut broken) = match method {
         Method::Grid => {
             let raster = raster.insert(Raster::new(&reach.raw));
-            (cells::meetings(session, raster, &reach, &supports.ends, wrong)?, None)
+            (cells::meetings(session, raster, &reach, &supports.ends)?, None)
         }
         Method::Sweep => sweep::meetings(session, &supports.ends)?,
     };
-    let chains = Chains::new(session, &supports, meetings, runs, wrong)?;
+    let chains = Chains::new(session, &supports, meetings, runs)?;
     broken = broken.or(chains.broken);
     let pieces = Pieces::new(&*session, &supports, &chains);
     let subdivision = pieces.subdivision();
-    let nestings = pieces.nestings(&subdivision, raster, &reach, wrong.nests_outside);
+    let nestings = pieces.nestings(&subdivision, raster, &reach);
     let (subdivision, all_known) = subdivision.with_faces(&nestings);
     if !all_known {
         broken.get_or_insert("a component lies in a face of one that begins left of it");

@@ -97,13 +97,7 @@ impl<'a> Pieces<'a> {
     }
 
     /// Where each component with edges is, from left to right by their leftmost nodes.
-    pub fn nestings(
-        &self,
-        subdivision: &Subdivision,
-        raster: Option<Raster>,
-        reach: &Reach,
-        nests_outside: bool,
-    ) -> Vec<Nesting> {
+    pub fn nestings(&self, subdivision: &Subdivision, raster: Option<Raster>, reach: &Reach) -> Vec<Nesting> {
         // A crossing is right of an end of both its segments: it is leftmost nowhere, but where edges are parts of segments.
         let candidates = if self.supports.are_whole { self.chains.inputs } else { self.chains.nodes.len() };
         let mut leftmost = vec![NONE; subdivision.components()];
@@ -120,7 +114,7 @@ impl<'a> Pieces<'a> {
             // The last counterclockwise has all others on its right, and the outside on its left.
             halves.reduce(|last, half| if self.order_around(last, half) == Sign::Negative { half } else { last })
         };
-        if leftmost.len() < 2 || nests_outside {
+        if leftmost.len() < 2 {
             let outside = leftmost.iter().filter_map(|&node| outside(node));
             return outside.map(|outside| Nesting { outside, within: None }).collect();
         }

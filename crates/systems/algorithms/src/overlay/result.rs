@@ -62,7 +62,6 @@ pub(super) struct Extraction<'a> {
     pub arrangement: &'a Arrangement,
     pub windings: &'a [[i32; 2]],
     pub rules: [Rule; 2],
-    pub drops_holes: bool,
     /// Regions that are in the result besides, and touch what is made here in vertices at most.
     pub apart: &'a [Region],
 }
@@ -117,11 +116,8 @@ impl Extraction<'_> {
         });
         for group in bounds.chunk_by(|a, b| a.region == b.region) {
             let outer: Vec<&Bound> = group.iter().filter(|bound| !bound.is_hole).collect();
-            let mut holes: Vec<Vec<Edge>> =
+            let holes: Vec<Vec<Edge>> =
                 group.iter().filter(|bound| bound.is_hole).map(|bound| bound.edges.clone()).collect();
-            if self.drops_holes {
-                holes.clear();
-            }
             let [outer] = outer.as_slice() else {
                 result.broken.get_or_insert("a region has one outer loop");
                 continue;
@@ -275,9 +271,8 @@ impl Arrangement {
         session: &'a dyn Predicates,
         windings: &'a [[i32; 2]],
         rules: [Rule; 2],
-        drops_holes: bool,
         apart: &'a [Region],
     ) -> Extraction<'a> {
-        Extraction { view: View::new(session), arrangement: self, windings, rules, drops_holes, apart }
+        Extraction { view: View::new(session), arrangement: self, windings, rules, apart }
     }
 }

@@ -6,9 +6,6 @@ use predicament_grid::{Cells, Columns, Labels};
 use predicament_mesh::PolygonMap;
 use predicament_predicates::{Plane, Scene, Vertex};
 
-use super::planted::Planted;
-use crate::planted::Honest;
-
 /// The edges of a map with a broad phase over them. It depends on raw coordinates, and on no backend.
 #[derive(Clone, Debug)]
 pub struct LocateIndex {
@@ -40,17 +37,6 @@ impl LocateIndex {
     /// regions.
     #[must_use]
     pub fn new(map: &PolygonMap, scene: &Scene) -> LocateIndex {
-        LocateIndex::planted::<Honest>(map, scene)
-    }
-
-    /// [`LocateIndex::new`] with a planted fault, of which
-    /// [`locate`](LocateIndex::locate) takes notice and
-    /// [`question`](LocateIndex::question), which uses no cells, does not.
-    ///
-    /// # Panics
-    /// As [`LocateIndex::new`].
-    #[must_use]
-    pub fn planted<F: Planted>(map: &PolygonMap, scene: &Scene) -> LocateIndex {
         let mut uses: Vec<([Vertex; 2], u32)> = map
             .edges()
             .map(|(region, [a, b])| {
@@ -80,13 +66,8 @@ impl LocateIndex {
         }
         edges.sort_by(|a, b| point(a.ends[0])[0].total_cmp(&point(b.ends[0])[0]));
 
-        let mut segments: Vec<_> = edges.iter().map(|edge| edge.ends.map(point)).collect();
+        let segments: Vec<_> = edges.iter().map(|edge| edge.ends.map(point)).collect();
         let columns = Columns::new(&segments);
-        if F::SKIPS_AN_EDGE && !segments.is_empty() {
-            // An edge without length is never crossed.
-            let middle = segments.len() / 2;
-            segments[middle] = [segments[middle][0]; 2];
-        }
         let cells = Cells::new(&segments, &mut Cover { edges: &edges, sets: &mut sets, regions: Vec::new() });
         LocateIndex { edges, sets: sets.sets, owner_sets, regions: map.regions().len(), cells, columns }
     }

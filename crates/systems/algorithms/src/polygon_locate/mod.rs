@@ -41,7 +41,6 @@
 
 mod all;
 mod index;
-pub mod planted;
 mod single;
 pub mod special;
 

@@ -97,9 +97,7 @@ impl Cutter<'_> {
         let Some(axis) = axes.into_iter().map(|(axis, _)| axis).find(|&axis| tells(axis)) else {
             return (as_they_are, Sign::Positive);
         };
-        if !self.wrong.unsorted {
-            sort_by_sign(corners, |a, b| self.session.compare(axis, vertex(&a), vertex(&b)));
-        }
+        sort_by_sign(corners, |a, b| self.session.compare(axis, vertex(&a), vertex(&b)));
         let apart = |at: usize| !self.session.compare(axis, vertex(&corners[at - 1]), vertex(&corners[at])).is_zero();
         let ends = (1..corners.len()).filter(|&at| apart(at)).chain([corners.len()]).collect();
         let up =

@@ -1,15 +1,12 @@
 //! The mesh between two planes, and the first step: vertices on their sides, edges split.
 
-use std::collections::BTreeMap;
-
 use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::{Face, HalfEdge, MeshVertex};
-use predicament_predicates::{Construction, Plane, Predicates, Refused, Scene, Sign, Vertex};
+use predicament_predicates::{Construction, Plane, Predicates, Scene, Sign, Vertex};
 
 use super::Halt;
 use super::lines::Line;
 use super::planar::Planar;
-use super::planted::Wrong;
 
 /// The covered loops of one part in one plane, on one side of it.
 pub(super) struct Cap {
@@ -44,18 +41,10 @@ pub(super) struct Cutter<'a> {
     /// How many parts there are, with those that later planes left nothing of.
     pub(super) parts: usize,
     pub(super) faces_split: u64,
-    pub(super) wrong: Wrong,
-    /// Planted: for a split point the one that other faces use.
-    pub(super) duplicates: BTreeMap<Vertex, Vertex>,
 }
 
 impl<'a> Cutter<'a> {
-    pub(super) fn new(
-        session: &'a mut dyn Predicates,
-        planar: Planar,
-        planes: &'a [[Vertex; 3]],
-        wrong: Wrong,
-    ) -> Cutter<'a> {
+    pub(super) fn new(session: &'a mut dyn Predicates, planar: Planar, planes: &'a [[Vertex; 3]]) -> Cutter<'a> {
         let Planar { mut mesh, supports, faces: of } = planar;
         let faces: Vec<Face> = mesh.faces().collect();
         for (face, at) in faces.into_iter().zip(0..) {
@@ -74,8 +63,6 @@ impl<'a> Cutter<'a> {
             sides: Vec::new(),
             parts: 1,
             faces_split: 0,
-            wrong,
-            duplicates: BTreeMap::new(),
         };
         let vertices: Vec<MeshVertex> = cutter.mesh.vertices().collect();
         cutter.see_new_vertices(&vertices);
@@ -138,26 +125,7 @@ impl<'a> Cutter<'a> {
         let definitions: Vec<Construction> = edges.iter().map(|&h| self.definition(h, plane)).collect();
         let vertices = self.session.construct(&definitions)?;
         for (h, vertex) in edges.into_iter().zip(vertices) {
-            if self.wrong.duplicates {
-                self.duplicate(h, vertex, plane)?;
-            }
             self.split_edge(h, vertex)?;
-        }
-        Ok(())
-    }
-
-    /// Planted: the same point once more, by planes instead of the edge.
-    fn duplicate(&mut self, h: HalfEdge, vertex: Vertex, plane: [Vertex; 3]) -> Result<(), Halt> {
-        let supports = [h, self.mesh.opposite(h)].map(|h| self.mesh.face(h).map(|f| self.support(f)));
-        if let [Some(first), Some(second)] = supports {
-            let definition = Construction::Tpi([first, second, plane]);
-            match self.session.construct(&[definition]) {
-                Ok(copy) => {
-                    self.duplicates.insert(vertex, copy[0]);
-                }
-                Err(Refused::Definition { .. }) => {}
-                Err(why) => return Err(why.into()),
-            }
         }
         Ok(())
     }

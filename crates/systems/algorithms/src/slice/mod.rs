@@ -38,7 +38,6 @@ mod cutter;
 mod lines;
 mod output;
 mod planar;
-pub mod planted;
 mod sides;
 
 use predicament_mesh::HalfEdgeMesh;
@@ -47,8 +46,6 @@ use predicament_predicates::{Construction, Predicates, Refused, Vertex};
 
 use self::cutter::Cutter;
 use self::planar::Planar;
-use self::planted::{Planted, Wrong};
-use crate::planted::Honest;
 
 /// What a triangle of a part is a piece of.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -99,41 +96,14 @@ pub fn slice(
     supports: &[[Vertex; 3]],
     planes: &[[Vertex; 3]],
 ) -> Result<Sliced, Refused> {
-    slice_planted::<Honest>(session, mesh, supports, planes)
-}
-
-/// [`slice()`] with a planted fault.
-///
-/// # Errors
-/// As [`slice()`].
-///
-/// # Panics
-/// As [`slice()`].
-pub fn slice_planted<F: Planted>(
-    session: &mut dyn Predicates,
-    mesh: HalfEdgeMesh,
-    supports: &[[Vertex; 3]],
-    planes: &[[Vertex; 3]],
-) -> Result<Sliced, Refused> {
     assert_eq!(mesh.face_count(), supports.len(), "a support for each face");
-    run(session, mesh, supports, planes, F::WRONG)
-}
-
-/// One function for all faults, so that it is compiled once.
-fn run(
-    session: &mut dyn Predicates,
-    mesh: HalfEdgeMesh,
-    supports: &[[Vertex; 3]],
-    planes: &[[Vertex; 3]],
-    wrong: Wrong,
-) -> Result<Sliced, Refused> {
     let before = session.scene().constructions().len();
     let planar = match Planar::new(session, mesh, supports) {
         Ok(planar) => planar,
         Err(Halt::Refused(why)) => return Err(why),
         Err(Halt::Broken(what)) => return Ok(Sliced { broken: Some((what, Some(0))), ..Sliced::default() }),
     };
-    let mut cutter = Cutter::new(session, planar, planes, wrong);
+    let mut cutter = Cutter::new(session, planar, planes);
     let mut broken = None;
     for place in 0..planes.len() {
         match cutter.cut(place) {

@@ -31,41 +31,30 @@ impl Cutter<'_> {
         let mut out = Parts { parts: vec![Part::default(); self.parts], broken: None };
         let faces: Vec<Face> = self.mesh.faces().collect();
         let mut caps: BTreeMap<(usize, u32), Vec<Vec<Vertex>>> = BTreeMap::new();
-        let mut strays = self.wrong.wrong_side;
         for f in faces {
             let first = self.mesh.half_edge_of_face(f);
-            let mut part = self.mesh.vertex_user_data(self.mesh.end(first));
+            let part = self.mesh.vertex_user_data(self.mesh.end(first));
             if let Some(cap) = self.cap_of(f) {
-                caps.entry((cap, part)).or_default().push(self.vertices(f, first));
+                caps.entry((cap, part)).or_default().push(self.vertices(first));
                 continue;
-            }
-            if strays && self.parts > 1 {
-                (part, strays) = ((part + 1) % 2, false);
             }
             let source = Source::Face(self.faces[self.mesh.face_user_data(f) as usize]);
             let mut around = self.mesh.loop_of(first);
             if let (Some(a), Some(b), Some(c), None) = (around.next(), around.next(), around.next(), around.next()) {
-                let [a, b, c] = [a, b, c].map(|h| self.vertex(f, h));
+                let [a, b, c] = [a, b, c].map(|h| self.vertex(h));
                 // An edge without length leaves nothing of a triangle.
                 out.push(part, source, (a != b && b != c && a != c).then_some([a, b, c]));
                 continue;
             }
             drop(around);
             let support = self.support(f);
-            let around = self.vertices(f, first);
+            let around = self.vertices(first);
             self.triangulate(&mut out, part, source, support, &[around]);
         }
-        for ((cap, part), mut loops) in caps {
-            if self.wrong.one_loop {
-                loops.truncate(1);
-            }
+        for ((cap, part), loops) in caps {
             let support = self.support(self.caps[cap].faces[0]);
             let plane = u32::try_from(self.caps[cap].plane).expect("a plane's place in a list of vertices");
-            let from = out.parts[part as usize].triangles.len();
             self.triangulate(&mut out, part, Source::Cap(plane), support, &loops);
-            if self.wrong.reverses_caps {
-                out.parts[part as usize].triangles[from..].iter_mut().for_each(|triangle| triangle.reverse());
-            }
         }
         self.cover_open(&mut out);
         out.parts.retain(|part| !part.triangles.is_empty());
@@ -107,16 +96,12 @@ impl Cutter<'_> {
         }
     }
 
-    /// The vertices of a face.
-    fn vertices(&self, f: Face, first: HalfEdge) -> Vec<Vertex> {
-        self.mesh.loop_of(first).map(|h| self.vertex(f, h)).collect()
+    /// The vertices of a loop.
+    fn vertices(&self, first: HalfEdge) -> Vec<Vertex> {
+        self.mesh.loop_of(first).map(|h| self.vertex(h)).collect()
     }
 
-    fn vertex(&self, f: Face, h: HalfEdge) -> Vertex {
-        let vertex = self.mesh.scene_vertex(self.mesh.end(h));
-        if self.wrong.duplicates && self.cap_of(f).is_none() && self.mesh.face_user_data(f) % 2 == 1 {
-            return self.duplicates.get(&vertex).copied().unwrap_or(vertex);
-        }
-        vertex
+    fn vertex(&self, h: HalfEdge) -> Vertex {
+        self.mesh.scene_vertex(self.mesh.end(h))
     }
 }

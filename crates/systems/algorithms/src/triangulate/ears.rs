@@ -9,7 +9,6 @@ use predicament_mesh::half_edge::{Face, HalfEdge, HalfEdgeMesh, IndexedFaces, Me
 use predicament_predicates::{Predicates, Sign, Vertex};
 
 use super::corners::{Corners, ranks};
-use super::planted::Planted;
 use super::reflex::Reflex;
 use super::view::View;
 use super::{NONE, Output, number, sweep};
@@ -22,9 +21,9 @@ struct Walk {
 }
 
 /// Triangulates what the walks bound.
-pub(super) fn triangulate<P: Predicates + ?Sized, F: Planted>(view: &View<'_, P>, corners: &Corners, out: &mut Output) {
+pub(super) fn triangulate<P: Predicates + ?Sized>(view: &View<'_, P>, corners: &Corners, out: &mut Output) {
     let mut walks = walks(corners, out);
-    let splits = if walks.len() > 1 { sweep::splits::<P, F>(view, corners, out) } else { Vec::new() };
+    let splits = if walks.len() > 1 { sweep::splits(view, corners, out) } else { Vec::new() };
     let mut sees = vec![NONE; corners.vertex.len()];
     for &[split, seen] in &splits {
         sees[split as usize] = seen;
@@ -46,7 +45,7 @@ pub(super) fn triangulate<P: Predicates + ?Sized, F: Planted>(view: &View<'_, P>
     let across = ranks(&view.across(), &corners.vertex);
     for (walk, &face) in walks.iter().zip(&joined.faces.clone()) {
         if walk.split.is_none() {
-            Ears::new(view, corners, &across, &mut joined, face).clip::<F>(out);
+            Ears::new(view, corners, &across, &mut joined, face).clip(out);
         }
     }
 }
@@ -197,7 +196,7 @@ impl<'a, 'b, P: Predicates + ?Sized> Ears<'a, 'b, P> {
         self.view.turn(a, b, c)
     }
 
-    fn clip<F: Planted>(&mut self, out: &mut Output) {
+    fn clip(&mut self, out: &mut Output) {
         for corner in 0..number(self.left) {
             self.is_reflex[corner as usize] = self.turn(self.around(corner)) != Sign::Positive;
             if !self.is_reflex[corner as usize] {
@@ -219,7 +218,7 @@ impl<'a, 'b, P: Predicates + ?Sized> Ears<'a, 'b, P> {
             if self.next[corner as usize] == NONE || self.is_reflex[corner as usize] {
                 continue;
             }
-            match if F::LOOKS_INTO_NO_EAR { None } else { self.blocker(corner) } {
+            match self.blocker(corner) {
                 Some(blocker) => {
                     self.waits.push([corner, self.waiting[blocker as usize]]);
                     self.waiting[blocker as usize] = number(self.waits.len() - 1);

@@ -40,7 +40,6 @@ mod corners;
 mod ears;
 mod few;
 mod nesting;
-pub mod planted;
 mod projection;
 mod reflex;
 mod sweep;
@@ -52,8 +51,6 @@ pub use few::{MOST, triangulate_few};
 pub use nesting::oriented;
 pub use projection::projection;
 
-use self::planted::Planted;
-use crate::planted::Honest;
 use corners::Corners;
 use view::View;
 
@@ -113,27 +110,13 @@ pub fn triangulate<P: Predicates + ?Sized>(
     loops: &[Vec<Vertex>],
     method: Method,
 ) -> Triangulation {
-    triangulate_planted::<Honest, P>(session, plane, reversed, loops, method)
-}
-
-/// [`triangulate`] with a planted fault.
-pub fn triangulate_planted<F: Planted, P: Predicates + ?Sized>(
-    session: &P,
-    plane: Plane,
-    reversed: bool,
-    loops: &[Vec<Vertex>],
-    method: Method,
-) -> Triangulation {
     let mut out = Output::default();
     let view = View::new(session, plane, reversed);
     let Some(corners) = corners(&view, loops, &mut out) else { return out.made };
     out.made.triangles.reserve(corners.vertex.len());
     match method {
-        Method::Monotone => sweep::triangulate::<P, F>(&view, &corners, &mut out),
-        Method::Ears => ears::triangulate::<P, F>(&view, &corners, &mut out),
-    }
-    if F::DROPS_A_TRIANGLE {
-        out.made.triangles.pop();
+        Method::Monotone => sweep::triangulate(&view, &corners, &mut out),
+        Method::Ears => ears::triangulate(&view, &corners, &mut out),
     }
     out.made
 }

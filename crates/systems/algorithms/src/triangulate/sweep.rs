@@ -12,7 +12,6 @@
 use predicament_predicates::{Predicates, Sign, Vertex};
 
 use super::corners::Corners;
-use super::planted::Planted;
 use super::view::View;
 use super::{NONE, Output, number};
 use crate::status::Status;
@@ -54,7 +53,7 @@ enum Event {
 }
 
 /// The sweep over all corners.
-pub(super) struct Sweep<'a, P: ?Sized, F> {
+pub(super) struct Sweep<'a, P: ?Sized> {
     view: &'a View<'a, P>,
     corners: &'a Corners,
     out: &'a mut Output,
@@ -67,26 +66,21 @@ pub(super) struct Sweep<'a, P: ?Sized, F> {
     cuts: bool,
     /// For each splitting corner one that it sees, which came before it.
     splits: Vec<[u32; 2]>,
-    fault: std::marker::PhantomData<F>,
 }
 
 /// Triangulates what the walks bound.
-pub(super) fn triangulate<P: Predicates + ?Sized, F: Planted>(view: &View<'_, P>, corners: &Corners, out: &mut Output) {
-    Sweep::<P, F>::new(view, corners, out, true).run();
+pub(super) fn triangulate<P: Predicates + ?Sized>(view: &View<'_, P>, corners: &Corners, out: &mut Output) {
+    Sweep::new(view, corners, out, true).run();
 }
 
 /// For each corner at which a walk divides the inside, one that it sees and that came before it.
-pub(super) fn splits<P: Predicates + ?Sized, F: Planted>(
-    view: &View<'_, P>,
-    corners: &Corners,
-    out: &mut Output,
-) -> Vec<[u32; 2]> {
-    let mut sweep = Sweep::<P, F>::new(view, corners, out, false);
+pub(super) fn splits<P: Predicates + ?Sized>(view: &View<'_, P>, corners: &Corners, out: &mut Output) -> Vec<[u32; 2]> {
+    let mut sweep = Sweep::new(view, corners, out, false);
     sweep.run();
     sweep.splits
 }
 
-impl<'a, P: Predicates + ?Sized, F: Planted> Sweep<'a, P, F> {
+impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
     fn new(view: &'a View<'a, P>, corners: &'a Corners, out: &'a mut Output, cuts: bool) -> Self {
         let region_of = vec![NONE; corners.vertex.len()];
         Sweep {
@@ -99,7 +93,6 @@ impl<'a, P: Predicates + ?Sized, F: Planted> Sweep<'a, P, F> {
             status: Status::default(),
             cuts,
             splits: Vec::new(),
-            fault: std::marker::PhantomData,
         }
     }
 
@@ -204,7 +197,6 @@ impl<'a, P: Predicates + ?Sized, F: Planted> Sweep<'a, P, F> {
             return self.start_inverted(corner);
         };
         let Region { upper, high, last, .. } = self.regions[below as usize];
-        let last = if F::JOINS_SPLITS_TO_THE_LEFT { self.regions[below as usize].low } else { last };
         self.splits.push([corner, self.nodes[last as usize].corner]);
         // The chain is divided at its last corner, which then is in both parts.
         let above = self.nodes[last as usize].up;
@@ -290,7 +282,7 @@ impl<'a, P: Predicates + ?Sized, F: Planted> Sweep<'a, P, F> {
             }
             let [b, a] = [low, up].map(|node| self.vertex(self.nodes[node as usize].corner));
             let sign = self.view.turn(v, a, b);
-            if !(sign == Sign::Positive || sign == Sign::Zero && (!is_past || F::CUTS_FLAT_CORNERS)) {
+            if !(sign == Sign::Positive || sign == Sign::Zero && !is_past) {
                 if !is_past {
                     self.out.broken("a vertex sees the opposite chain");
                 }
@@ -314,7 +306,7 @@ impl<'a, P: Predicates + ?Sized, F: Planted> Sweep<'a, P, F> {
             }
             let [a, b] = [high, down].map(|node| self.vertex(self.nodes[node as usize].corner));
             let sign = self.view.turn(v, a, b);
-            if !(sign == Sign::Positive || sign == Sign::Zero && (!is_past || F::CUTS_FLAT_CORNERS)) {
+            if !(sign == Sign::Positive || sign == Sign::Zero && !is_past) {
                 if !is_past {
                     self.out.broken("a vertex sees the opposite chain");
                 }

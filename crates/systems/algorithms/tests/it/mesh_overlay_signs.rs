@@ -1,13 +1,8 @@
-//! Overlays on any number of threads, with planted faults, and by signs that mean nothing.
+//! Overlays on any number of threads, and by signs that mean nothing.
 
 use std::collections::BTreeMap;
 
-use predicament_algorithms::mesh_overlay::planted::{
-    DropsAPiece, ForgetsToTurn, LooksAtTwoSides, Planted, SortsPointsBackwards, TakesComponentsForOutside,
-};
-use predicament_algorithms::mesh_overlay::{
-    MeshOverlay, Piece, Regions, Solid, Undone, Zeros, mesh_overlay, mesh_overlay_planted,
-};
+use predicament_algorithms::mesh_overlay::{MeshOverlay, Piece, Regions, Solid, Undone, Zeros, mesh_overlay};
 use predicament_algorithms::overlay::Operation;
 use predicament_exact::Exact;
 use predicament_predicates::{
@@ -46,52 +41,6 @@ fn the_answer_is_the_same_on_any_number_of_threads() {
     assert_eq!(one, on(3));
     let mut exact = Exact.prepare(&pair.scene, Off).unwrap();
     assert_eq!(one, told(&mesh_overlay(&mut exact, pair.meshes(), Zeros::Refused).unwrap()), "nothing is tied");
-}
-
-/// Pairs on which each planted fault shows.
-fn pairs() -> Vec<Pair> {
-    let unit = || Shape::cuboid([0.; 3], [8.; 3]);
-    let lean = |shape: Shape| shape.mapped(|[x, y, z]| [x + y / 8.0 + 0.5, y + z / 16.0 - 0.25, z - x / 8.0 + 0.25]);
-    let thin = Shape::cuboid([1., -2., 1.], [2., 11., 2.]);
-    vec![
-        Pair::new(unit(), lean(unit())),
-        Pair::new(unit(), lean(thin)),
-        Pair::new(unit(), Shape::cuboid([2.; 3], [3.; 3])),
-        Pair::new(lean(Shape::lattice([1, 1, 1])), Shape::sphere(3.0, 1).mapped(|p| p.map(|x| x / 4.0))),
-    ]
-}
-
-/// On which pairs a fault shows: another answer, or a broken invariant.
-fn shows<F: Planted>() -> Vec<usize> {
-    let does = |pair: &Pair| {
-        let answer = |planted: bool| {
-            let mut session = PerMesh.prepare(&pair.scene, Off).unwrap();
-            let meshes = pair.meshes();
-            if planted {
-                mesh_overlay_planted::<F>(&mut session, meshes, Zeros::Refused)
-            } else {
-                mesh_overlay(&mut session, meshes, Zeros::Refused)
-            }
-        };
-        let honest = told(&answer(false).unwrap());
-        match answer(true) {
-            Ok(overlay) => told(&overlay) != honest,
-            Err(why) => {
-                assert!(matches!(why, Undone::Broken(_)), "{why}");
-                true
-            }
-        }
-    };
-    pairs().iter().enumerate().filter(|(_, pair)| does(pair)).map(|(at, _)| at).collect()
-}
-
-#[test]
-fn planted_faults_show() {
-    assert_eq!(shows::<LooksAtTwoSides>(), [0, 1, 3]);
-    assert_eq!(shows::<SortsPointsBackwards>(), [0, 1, 3]);
-    assert_eq!(shows::<DropsAPiece>(), [0, 1, 3]);
-    assert_eq!(shows::<TakesComponentsForOutside>(), [2]);
-    assert_eq!(shows::<ForgetsToTurn>(), [0, 1, 2, 3]);
 }
 
 #[test]

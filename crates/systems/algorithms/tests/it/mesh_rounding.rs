@@ -5,10 +5,8 @@ use std::sync::Arc;
 use predicament_algorithms::mesh_limit::limit;
 use predicament_algorithms::mesh_overlay::{Zeros, mesh_overlay};
 use predicament_algorithms::mesh_rounding::flaws::{Flaw, Flaws, flaw, flaws};
-use predicament_algorithms::mesh_rounding::planted::{LooksForNothing, Planted};
-use predicament_algorithms::mesh_rounding::{Counts, Rounded, rounded_planted};
+use predicament_algorithms::mesh_rounding::{Counts, Rounded, rounded};
 use predicament_algorithms::overlay::Operation;
-use predicament_algorithms::planted::Honest;
 use predicament_exact::Exact;
 use predicament_judge::rational;
 use predicament_predicates::{Backend, Off, Plane, Predicates, Scene, Sign, Vertex};
@@ -134,7 +132,7 @@ fn flaws_are_counted_by_kind() {
 }
 
 /// The union of a sphere and the same with points an ulp beside its own, in doubles.
-fn united<F: Planted>(seed: u64) -> Rounded {
+fn united(seed: u64) -> Rounded {
     let mut random = Random(seed);
     let mut sphere = Shape::sphere(1e9, 1);
     let scale = 3e9 + random.whole(1 << 20);
@@ -152,7 +150,7 @@ fn united<F: Planted>(seed: u64) -> Rounded {
     let perturbed = session.scene().clone();
     let mut exact = Exact.prepare(&perturbed, Off).unwrap();
     let limit = limit(&mut exact, &overlay, overlay.solid(Operation::Union)).unwrap();
-    rounded_planted::<F>(&Exact, &exact, &limit).unwrap()
+    rounded(&Exact, &exact, &limit).unwrap()
 }
 
 /// Whether a mesh crosses itself, by all pairs in rationals.
@@ -164,16 +162,13 @@ fn crosses(rounded: &Rounded) -> bool {
 
 #[test]
 fn flaws_are_left_where_the_mesh_crosses_itself() {
-    let mut missed = 0;
+    let mut flawed = 0;
     for seed in 1..=u64::from(predicament_effort::cases(160)) {
-        let rounded = united::<Honest>(seed);
+        let rounded = united(seed);
         // What has only turned over crosses nothing.
         assert!(rounded.counts.left > 0 || !crosses(&rounded), "{seed}: {:?}", rounded.counts);
         let Counts { turned, folded, crossing, .. } = rounded.counts;
-        if turned + folded + crossing > 0 {
-            let faulty = united::<LooksForNothing>(seed);
-            missed += usize::from(faulty.counts.left == 0 && crosses(&faulty));
-        }
+        flawed += usize::from(turned + folded + crossing > 0);
     }
-    assert!(missed > 0, "the fault is not found");
+    assert!(flawed > 0, "nothing has to be mended");
 }

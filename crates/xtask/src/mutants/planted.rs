@@ -1,0 +1,318 @@
+//! Faults that are known by name, planted one by one in a copy of the tree: each has to be seen.
+//!
+//! Spoiled answers prove that judges can fail. What they do not prove is that the scenes of the corpora, or the tests, lead an
+//! algorithm to the place where it can go wrong, and that it shows. A fault is data: the text of a file as it is, and what it becomes.
+//! No algorithm knows of it.
+
+mod meshes;
+mod plane;
+mod space;
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use crate::steps::{cargo_command, root};
+
+/// Where the copy of the tree is, and what runs in it leave.
+const FOLDER: &str = "target/planted";
+
+/// A fault.
+struct Planted {
+    name: &'static str,
+    /// What is wrong, in one line.
+    what: &'static str,
+    changes: &'static [Change],
+    seen: Seen,
+}
+
+/// A text that is in a file once, and what it becomes.
+struct Change {
+    package: &'static str,
+    /// The file, in the package's folder `src`.
+    file: &'static str,
+    is: &'static str,
+    becomes: &'static str,
+}
+
+/// A change of the package `algorithms`.
+const fn change(file: &'static str, is: &'static str, becomes: &'static str) -> Change {
+    Change { package: "algorithms", file, is, becomes }
+}
+
+/// What has to see a fault, and sees nothing without it.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+enum Seen {
+    /// A test of this package with this in its name fails.
+    Test(&'static str, &'static str),
+    /// A run of this suite by this backend has findings of each of these classes and checks.
+    Run(&'static str, &'static str, &'static [[&'static str; 2]]),
+}
+
+fn all() -> impl Iterator<Item = &'static Planted> {
+    plane::FAULTS.iter().chain(space::FAULTS).chain(meshes::FAULTS)
+}
+
+impl Change {
+    /// The file, in a tree: its package is a folder of `crates`, or of one of the folders there.
+    fn path(&self, tree: &Path) -> Result<PathBuf, String> {
+        let crates = tree.join("crates");
+        let groups = std::fs::read_dir(&crates).map_err(|why| format!("{}: {why}", crates.display()))?;
+        let groups = groups.filter_map(|entry| entry.ok().map(|entry| entry.path()));
+        let mut folders = std::iter::once(crates).chain(groups).map(|folder| folder.join(self.package));
+        let package = folders.find(|folder| folder.join("Cargo.toml").exists());
+        let package = package.ok_or_else(|| format!("there is no package {}", self.package))?;
+        Ok(package.join("src").join(self.file))
+    }
+
+    /// The file as it is, and with the change.
+    ///
+    /// # Errors
+    /// If the text is not in it exactly once.
+    fn texts(&self, tree: &Path) -> Result<[String; 2], String> {
+        let path = self.path(tree)?;
+        let text = std::fs::read_to_string(&path).map_err(|why| format!("{}: {why}", path.display()))?;
+        let changed = self.applied(&text).map_err(|why| format!("{}: {why}", path.display()))?;
+        Ok([text, changed])
+    }
+
+    fn applied(&self, text: &str) -> Result<String, String> {
+        match text.matches(self.is).count() {
+            1 => Ok(text.replacen(self.is, self.becomes, 1)),
+            count => Err(format!("this is there {count} times, and not once:\n{}", self.is)),
+        }
+    }
+}
+
+/// Plants the faults with these names, or all, and says which were seen.
+///
+/// # Errors
+/// If one is not seen, does not compile, or there is no such fault.
+pub(super) fn try_all(names: &[String]) -> Result<(), String> {
+    if let Some(unknown) = names.iter().find(|name| all().all(|fault| fault.name != name.as_str())) {
+        let known: Vec<&str> = all().map(|fault| fault.name).collect();
+        return Err(format!("mutants: no planted fault is called `{unknown}`; there are {}", known.join(", ")));
+    }
+    let chosen: Vec<&Planted> =
+        all().filter(|fault| names.is_empty() || names.iter().any(|name| name == fault.name)).collect();
+    let folder = root().join(FOLDER);
+    let tree = Tree { path: folder.join("tree"), built: root().join(super::BUILT), out: folder.join("run") };
+    tree.copy()?;
+    let mut without = BTreeMap::new();
+    let mut unseen = Vec::new();
+    for fault in chosen {
+        println!("\n== {}: {}", fault.name, fault.what);
+        let before = match without.get(&fault.seen) {
+            Some(&known) => known,
+            None => tree.sees(fault.seen)?,
+        };
+        without.insert(fault.seen, before);
+        let seen = if before == Sight::Nothing { tree.planted(fault)? } else { Sight::Unclear };
+        println!("{}: {}", fault.name, seen.told());
+        if seen != Sight::Fault {
+            unseen.push(fault.name);
+        }
+    }
+    match unseen[..] {
+        [] => Ok(()),
+        _ => Err(format!("mutants: not seen: {}", unseen.join(", "))),
+    }
+}
+
+/// What was seen.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Sight {
+    Fault,
+    Nothing,
+    /// The faulty tree does not compile.
+    Unbuilt,
+    /// Something is seen without the fault.
+    Unclear,
+}
+
+impl Sight {
+    fn told(self) -> &'static str {
+        match self {
+            Sight::Fault => "caught",
+            Sight::Nothing => "MISSED",
+            Sight::Unbuilt => "DOES NOT COMPILE",
+            Sight::Unclear => "NOT TRIED: what has to see it sees something without it, or does not run",
+        }
+    }
+}
+
+/// A copy of the tree, where its builds are, and a folder for a run.
+struct Tree {
+    path: PathBuf,
+    built: PathBuf,
+    out: PathBuf,
+}
+
+impl Tree {
+    /// Makes it the same as the tree, without what git ignores. Files that are the same already stay, and are not compiled again.
+    fn copy(&self) -> Result<(), String> {
+        let listed = Command::new("git")
+            .args(["ls-files", "-z", "--cached", "--others", "--exclude-standard"])
+            .current_dir(root())
+            .stderr(Stdio::inherit())
+            .output()
+            .map_err(|why| format!("git did not start: {why}"))?;
+        if !listed.status.success() {
+            return Err("mutants: git does not list the files of the tree".to_owned());
+        }
+        let listed = String::from_utf8_lossy(&listed.stdout).into_owned();
+        let files: Vec<&Path> = listed
+            .split('\0')
+            .filter(|name| !name.is_empty())
+            .map(Path::new)
+            .filter(|&f| root().join(f).is_file())
+            .collect();
+        let text = |why: std::io::Error, path: &Path| format!("{}: {why}", path.display());
+        let mut kept: Vec<PathBuf> = Vec::with_capacity(files.len());
+        for file in files {
+            let (from, to) = (root().join(file), self.path.join(file));
+            let new = std::fs::read(&from).map_err(|why| text(why, &from))?;
+            if std::fs::read(&to).ok().as_ref() != Some(&new) {
+                let folder = to.parent().expect("a file in the tree");
+                std::fs::create_dir_all(folder).map_err(|why| text(why, folder))?;
+                std::fs::write(&to, new).map_err(|why| text(why, &to))?;
+            }
+            kept.push(to);
+        }
+        kept.sort_unstable();
+        for old in files_in(&self.path).into_iter().filter(|path| kept.binary_search(path).is_err()) {
+            std::fs::remove_file(&old).map_err(|why| text(why, &old))?;
+        }
+        Ok(())
+    }
+
+    /// What is seen with a fault in it.
+    fn planted(&self, fault: &Planted) -> Result<Sight, String> {
+        let mut before: Vec<(PathBuf, String)> = Vec::new();
+        let write =
+            |path: &Path, text: &str| std::fs::write(path, text).map_err(|why| format!("{}: {why}", path.display()));
+        let mut planted = Ok(());
+        for change in fault.changes {
+            planted = change.path(&self.path).and_then(|path| {
+                let [text, changed] = change.texts(&self.path)?;
+                before.push((path.clone(), text));
+                write(&path, &changed)
+            });
+            if planted.is_err() {
+                break;
+            }
+        }
+        let seen = planted.and_then(|()| self.sees(fault.seen));
+        // The last first: a file may have changed twice.
+        for (path, text) in before.iter().rev() {
+            write(path, text)?;
+        }
+        seen
+    }
+
+    /// What a test or a run sees in the tree as it is.
+    fn sees(&self, seen: Seen) -> Result<Sight, String> {
+        match seen {
+            Seen::Test(package, name) => {
+                let package = format!("predicament-{package}");
+                let build = ["test", "--quiet", "--profile", "mutants", "-p", &package, "--test", "it", "--no-run"];
+                if self.cargo(&build)? != 0 {
+                    return Ok(Sight::Unbuilt);
+                }
+                let run = ["test", "--quiet", "--profile", "mutants", "-p", &package, "--test", "it", "--", name];
+                Ok(if self.cargo(&run)? == 0 { Sight::Nothing } else { Sight::Fault })
+            }
+            Seen::Run(suite, backend, finds) => {
+                if self.cargo(&["build", "--quiet", "--profile", "mutants", "--bin", "predicament"])? != 0 {
+                    return Ok(Sight::Unbuilt);
+                }
+                if self.out.exists() {
+                    std::fs::remove_dir_all(&self.out).map_err(|why| format!("{}: {why}", self.out.display()))?;
+                }
+                let out = self.out.display().to_string();
+                let tool = self.built.join("mutants/predicament").with_extension(std::env::consts::EXE_EXTENSION);
+                let run = ["run", suite, "-b", backend, "--quiet", "--out", &out];
+                let code = self.run(tool.as_os_str(), &run)?;
+                let path = self.out.join("findings.csv");
+                let findings = std::fs::read_to_string(&path).map_err(|why| format!("{}: {why}", path.display()))?;
+                Ok(match (code, has_all(&findings, backend, finds)) {
+                    // Findings that are expected are no fault's.
+                    (0 | 100, [_, false]) => Sight::Nothing,
+                    (100, [true, _]) => Sight::Fault,
+                    _ => Sight::Unclear,
+                })
+            }
+        }
+    }
+
+    fn cargo(&self, args: &[&str]) -> Result<i32, String> {
+        let words = cargo_command(args);
+        let args: Vec<&str> = words[1..].iter().map(String::as_str).collect();
+        self.run(words[0].as_ref(), &args)
+    }
+
+    /// Runs a program in the tree; what it ended with.
+    fn run(&self, program: &std::ffi::OsStr, args: &[&str]) -> Result<i32, String> {
+        let status = Command::new(program)
+            .args(args)
+            .env("CARGO_TARGET_DIR", &self.built)
+            .current_dir(&self.path)
+            .stdout(Stdio::null())
+            .status()
+            .map_err(|why| format!("{} did not start: {why}", program.display()))?;
+        Ok(status.code().unwrap_or(-1))
+    }
+}
+
+/// Whether there are findings of a backend of all of these classes and checks, and whether there are any.
+fn has_all(findings: &str, backend: &str, finds: &[[&str; 2]]) -> [bool; 2] {
+    let has = |[class, check]: &[&str; 2]| findings.contains(&format!(",{backend},{class},{check},"));
+    [finds.iter().all(has), finds.iter().any(has)]
+}
+
+/// The files in a folder, and in those in it.
+fn files_in(folder: &Path) -> Vec<PathBuf> {
+    let entries =
+        std::fs::read_dir(folder).into_iter().flatten().filter_map(|entry| entry.ok().map(|entry| entry.path()));
+    let of = |path: PathBuf| if path.is_dir() { files_in(&path) } else { vec![path] };
+    entries.flat_map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    /// Each fault can be planted in the tree as it is; whether it is seen takes minutes, and is for the command to say.
+    #[test]
+    fn every_text_is_in_its_file_once() {
+        for fault in all() {
+            assert!(!fault.changes.is_empty(), "{}", fault.name);
+            for change in fault.changes {
+                let [text, changed] = change.texts(&root()).unwrap_or_else(|why| panic!("{}: {why}", fault.name));
+                assert_ne!(text, changed, "{}", fault.name);
+            }
+        }
+        let names: BTreeSet<&str> = all().map(|fault| fault.name).collect();
+        assert_eq!(names.len(), all().count(), "each name once");
+        assert!(names.len() > 50, "{}", names.len());
+    }
+
+    #[test]
+    fn a_text_that_is_not_there_once_is_an_error() {
+        let of = |is| change("a.rs", is, "z").applied("x y y");
+        assert_eq!(of("x"), Ok("z y y".to_owned()));
+        assert!(of("y").unwrap_err().starts_with("this is there 2 times"));
+        assert!(of("w").unwrap_err().starts_with("this is there 0 times"));
+        assert!(try_all(&["no-such-fault".to_owned()]).unwrap_err().contains("closed-interval"));
+    }
+
+    #[test]
+    fn findings_are_told_by_class_and_check() {
+        let table = "id,suite,scene,scene_id,task,backend,class,check\n1,s,a,b,t,exact,topology,gap,\n";
+        assert_eq!(has_all(table, "exact", &[["topology", "gap"]]), [true, true]);
+        assert_eq!(has_all(table, "exact", &[["topology", "gap"], ["topology", "double"]]), [false, true]);
+        assert_eq!(has_all(table, "sos", &[["topology", "gap"]]), [false, false]);
+    }
+}
