@@ -7,7 +7,7 @@ use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::IndexedFaces;
 use predicament_predicates::Vertex;
 
-#[path = "../../crates/systems/mesh/tests/it/half_edge/sequence.rs"]
+#[path = "../../crates/instrument/mesh/tests/it/half_edge/sequence.rs"]
 mod sequence;
 
 use sequence::{KINDS, Sequence};

@@ -8,7 +8,7 @@ use std::sync::{LazyLock, atomic::AtomicBool};
 
 use predicament_corpus::{Level, LoadedScene, SceneDef, Suite};
 use predicament_formats::{Cache, Manifest};
-use predicament_tasks::triangulate::Polygons;
+use predicament_triangulate::task::Polygons;
 use predicament_tasks::{AnyTask, Budget, Class, Contestant, Outcome, Watch};
 
 /// The backends that are held to their promises.

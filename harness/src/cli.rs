@@ -175,7 +175,7 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
 
 /// What the command line asks for.
 enum Asked {
-    Command(Command),
+    Command(Box<Command>),
     Study(Box<dyn Ready>),
 }
 
@@ -187,7 +187,7 @@ impl Asked {
         });
         match study {
             Some(study) => Ok(Asked::Study(study?)),
-            None => Ok(Asked::Command(Arguments::from_arg_matches(matches)?.command)),
+            None => Ok(Asked::Command(Box::new(Arguments::from_arg_matches(matches)?.command))),
         }
     }
 }

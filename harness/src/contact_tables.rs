@@ -4,12 +4,12 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use predicament_contacts::task::{Complexes, ContactRow};
 use predicament_corpus::LoadedScene;
 use predicament_mesh::Complex;
 use predicament_predicates::Dimension;
 use predicament_records::{Error, PlannedScene, RunDir, Spread};
 use predicament_report::text::{in_order, markdown};
-use predicament_tasks::contacts::{Complexes, ContactRow};
 
 /// The number of primitives of each scene: edges in the plane, triangles in space.
 #[derive(Default)]

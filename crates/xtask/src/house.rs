@@ -35,6 +35,46 @@ fn whoever_names_rug_names_the_feature_of_gmp() {
     }
 }
 
+/// The groups of crates, from the one that imports nothing of the others to the one that may import all.
+const GROUPS: [&str; 4] = ["kernel", "instrument", "systems", "lab"];
+
+/// The packages of this workspace that a manifest names in its section of dependencies.
+fn dependencies(manifest: &str) -> Vec<&str> {
+    let sections = manifest.split("\n[").filter(|section| section.starts_with("dependencies]"));
+    let lines = sections.flat_map(str::lines).filter(|line| line.starts_with("predicament-"));
+    lines.map(|line| line.split(['.', ' ', '=']).next().unwrap_or_default()).collect()
+}
+
+/// Kernel, instrument, systems, lab: a crate imports its own group and those before it. Tests may import anything.
+#[test]
+fn dependencies_point_one_way() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let group = |package: &str| {
+        let folder = package.trim_start_matches("predicament-");
+        GROUPS.iter().position(|group| root.join("crates").join(group).join(folder).join("Cargo.toml").is_file())
+    };
+    let mut seen = 0;
+    for path in manifests() {
+        let Some(own) = GROUPS.iter().position(|group| path.starts_with(root.join("crates").join(group))) else {
+            continue;
+        };
+        let text = std::fs::read_to_string(&path).expect("a manifest");
+        for package in dependencies(&text) {
+            let of = group(package).unwrap_or(GROUPS.len());
+            assert!(of <= own, "{} may not import {package}", path.display());
+            let is_backend =
+                ["exact", "sos", "tolerance", "controls", "oracle"].map(|name| format!("predicament-{name}"));
+            let names_one = GROUPS[own] == "systems" && is_backend.iter().any(|name| name == package);
+            assert!(!names_one, "{}: a system names no backend, and this is {package}", path.display());
+            seen += 1;
+        }
+    }
+    assert!(seen > 100, "{seen} dependencies");
+    let manifest = "[package]\n\n[dependencies]\npredicament-hull.workspace = true\nrug = \"1\"\n\n[dev-dependencies]\npredicament-sos = {}\n";
+    assert_eq!(dependencies(manifest), ["predicament-hull"]);
+    assert!(group("predicament-hull") > group("predicament-judge"));
+}
+
 /// The Rust files in a folder, and in those in it.
 fn sources(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).unwrap_or_else(|why| panic!("{}: {why}", folder.display()));

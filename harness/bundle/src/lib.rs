@@ -5,9 +5,21 @@
 
 use std::sync::{Arc, OnceLock};
 
+use predicament_contacts::task::Contacts;
 use predicament_corpus::Vocabulary;
+use predicament_crossings::task::Crossings;
+use predicament_cube_union::task::CubeUnion;
+use predicament_delaunay::task::Delaunay2d;
+use predicament_hull::task::{Hull2d, Hull3d};
+use predicament_interval::task::Interval;
+use predicament_mesh_intersect::task::MeshIntersect;
+use predicament_mesh_locate::task::MeshLocate;
 use predicament_oracle::roster;
+use predicament_overlay::task::overlay::Overlay2d;
+use predicament_overlay::task::snap::Snap2d;
+use predicament_polygon_locate::task::PolygonLocate;
 use predicament_predicates::Backend;
+use predicament_slice::task::Slice;
 use predicament_studies as studies;
 use predicament_studies::audit::Audit;
 use predicament_studies::cascades::Cascades;
@@ -19,20 +31,8 @@ use predicament_studies::parity::Parity;
 use predicament_studies::resolution::Resolution;
 use predicament_studies::stress::Stress;
 use predicament_studies::worst::Worst;
-use predicament_tasks::contacts::Contacts;
-use predicament_tasks::crossings::Crossings;
-use predicament_tasks::cube_union::CubeUnion;
-use predicament_tasks::delaunay::Delaunay2d;
-use predicament_tasks::hull::{Hull2d, Hull3d};
-use predicament_tasks::interval::Interval;
-use predicament_tasks::mesh_intersect::MeshIntersect;
-use predicament_tasks::mesh_locate::MeshLocate;
-use predicament_tasks::overlay::Overlay2d;
-use predicament_tasks::polygon_locate::PolygonLocate;
-use predicament_tasks::slice::Slice;
-use predicament_tasks::snap::Snap2d;
-use predicament_tasks::triangulate::Triangulate;
 use predicament_tasks::{AnyTask, Contestant, Entry, OnTask, Solver, TaskList, with_signs};
+use predicament_triangulate::task::Triangulate;
 
 /// All systems, in the order of reports and messages. A new system is a line here.
 macro_rules! each_task {

@@ -4,15 +4,15 @@ use std::collections::BTreeMap;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
-use predicament_algorithms::mesh_resolve::{Counts, Unresolved, rounded};
-use predicament_algorithms::mesh_rounding::Closed;
 use predicament_exact::Exact;
 use predicament_formats::{CorpusError, Decimals, MeshFormat, mesh, read_bytes, write_mesh};
 use predicament_mesh::MaterialError;
 use predicament_mesh::half_edge::IndexedFaces;
+use predicament_mesh_intersect::algorithm::resolve::{Counts, Unresolved, rounded};
+use predicament_mesh_intersect::algorithm::rounding::Closed;
+use predicament_mesh_intersect::task::flaw_of;
 use predicament_predicates::Vertex;
 use predicament_records::replace;
-use predicament_tasks::mesh_intersect::flaw_of;
 
 use crate::exit::{self, Failure};
 

@@ -11,13 +11,13 @@ use std::time::{Duration, Instant};
 
 use geo::sweep::{Cross, Intersections};
 use geo::{Coord, Line};
-use predicament_algorithms::contacts::{Contact, contacts};
+use predicament_contacts::algorithm::pairs::{Contact, contacts};
+use predicament_contacts::task::Complexes;
 use predicament_exact::Exact;
 use predicament_judge::Judged;
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Axis, Backend, Dimension, Off, Plane, Predicates, Scene, Vertex};
 use predicament_records::Interface;
-use predicament_tasks::contacts::Complexes;
 use predicament_tasks::{AnyCase, Class, Outcome, Stopwatch, digest};
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, Point, RTree};

@@ -2,12 +2,12 @@
 
 use std::rc::Rc;
 
-use predicament_algorithms::polygon_locate::{LocateIndex, Locations, question_all};
 use predicament_judge::Judged;
 use predicament_mesh::PolygonMap;
+use predicament_polygon_locate::algorithm::{LocateIndex, Locations, question_all};
+use predicament_polygon_locate::task::MapWithProbes;
 use predicament_predicates::{Scene, Vertex};
 use predicament_tasks::AnyCase;
-use predicament_tasks::polygon_locate::MapWithProbes;
 
 /// A map with its probes, and where they are.
 #[derive(Clone)]

@@ -8,9 +8,9 @@ use std::hint::black_box;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-use predicament_algorithms::polygon_locate::special::Point;
-use predicament_algorithms::polygon_locate::{Location, Scratch};
 use predicament_exact::raw;
+use predicament_polygon_locate::algorithm::special::Point;
+use predicament_polygon_locate::algorithm::{Location, Scratch};
 use predicament_predicates::{Plane, Sign};
 use predicament_records::Interface;
 use predicament_tasks::{AnyCase, Class, Outcome, Stopwatch, digest};

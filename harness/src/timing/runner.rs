@@ -1,11 +1,11 @@
 //! Backends at their starting lines: what is timed, and what it has to answer.
 
+use predicament_contacts::task::Complexes;
 use predicament_corpus::LoadedScene;
+use predicament_mesh_intersect::task::TwoMeshes;
+use predicament_mesh_locate::task::ProbedMesh;
 use predicament_oracle::caught;
 use predicament_records::{Interface, PlannedScene};
-use predicament_tasks::contacts::Complexes;
-use predicament_tasks::mesh_intersect::TwoMeshes;
-use predicament_tasks::mesh_locate::ProbedMesh;
 use predicament_tasks::{Contestant, Stopwatch};
 
 use crate::contact_tables::on_threads;

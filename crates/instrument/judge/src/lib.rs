@@ -16,6 +16,7 @@
 //! * [`locate`]: the regions of a map that a point is in.
 //! * [`nearest`]: a rational as a double, for display and files.
 //! * [`solids`]: the region of a mesh that a point is in.
+//! * [`sum`]: sums of many rationals.
 //! * [`Sample`]: which part of a large input is judged.
 
 mod constructed;
@@ -31,6 +32,7 @@ mod points;
 mod sample;
 mod session;
 pub mod solids;
+pub mod sum;
 #[cfg(test)]
 mod tests;
 

@@ -1,11 +1,10 @@
-//! Tasks: what can be asked of a scene, one folder each.
+//! Tasks: what can be asked of a scene.
 //!
 //! A [`Task`] is everything about one question: its keys in suites, its
 //! generators, its truth, how it is solved by any backend, how answers are
 //! judged and explained, and its section of a report. The other crates see a
-//! task only as [`AnyTask`]; none of them names one. A new task is a new folder
-//! here (or in anybody's crate) and one line in a list: `docs/TASKS.md` walks
-//! through one.
+//! task only as [`AnyTask`]; none of them names one. A new task is a crate
+//! and one line in a list: `docs/TASKS.md` walks through one.
 //!
 //! This crate never names a backend. What runs tasks on backends, with time
 //! limits and expectations, is the crate `oracle`.
@@ -16,9 +15,9 @@
 //! * [`Check`]: what a judge can report. [`Spoiled`]: answers that prove that it does.
 //! * [`Compared`], [`Knob`]: the scenes on which a task is compared, and the ways in which they can be made harder.
 //! * [`output`]: answers as files for other programs, vertices exactly.
-//! * [`signs`], [`interval`], [`polygon_locate`], [`cube_union`], [`contacts`],
-//!   [`crossings`], [`triangulate`], [`hull`], [`mod@slice`], [`delaunay`],
-//!   [`overlay`], [`snap`], [`mesh_locate`], [`mesh_intersect`]: the tasks.
+//! * [`signs`]: the tasks that ask for single signs. All others are crates of their own.
+//! * [`map_source`], [`map_loops`], [`segment_source`], [`solids`]: what scenes of several tasks are made of.
+//! * [`rounding`]: what the rounding of output coordinates excuses.
 
 mod any;
 mod budget;
@@ -30,35 +29,22 @@ mod counts;
 mod digest;
 mod knob;
 mod list;
-mod map_loops;
-mod map_source;
+pub mod map_loops;
+pub mod map_source;
 mod outcome;
 mod phases;
-mod rounding;
+pub mod rounding;
 mod rounds;
 mod run;
-mod segment_source;
-mod solids;
+pub mod segment_source;
+pub mod solids;
 mod solver;
 mod spoiled;
 mod task;
 mod watch;
 
-pub mod contacts;
-pub mod crossings;
-pub mod cube_union;
-pub mod delaunay;
-pub mod hull;
-pub mod interval;
-pub mod mesh_intersect;
-pub mod mesh_locate;
 pub mod output;
-pub mod overlay;
-pub mod polygon_locate;
 pub mod signs;
-pub mod slice;
-pub mod snap;
-pub mod triangulate;
 
 pub use any::{AnyCase, AnyTask};
 pub use budget::Budget;

@@ -9,20 +9,20 @@ use predicament_mesh::PolygonMap;
 use predicament_predicates::{Dimension, Vertex};
 
 /// More regions than this are a slip of the pen.
-pub(crate) const MOST_REGIONS: usize = 1 << 22;
+pub const MOST_REGIONS: usize = 1 << 22;
 
 /// What a scene about a map has.
-pub(crate) const NEEDED: &str = "`map`, or `points` and `loops`";
+pub const NEEDED: &str = "`map`, or `points` and `loops`";
 
 const LOOPS: &str = "loops: arrays of the indices of points, one for each loop";
 const REGIONS: &str = "an array of the numbers of regions, one for each loop";
 
 /// Each loop with its line in the suite.
-pub(crate) type Loops = Vec<(usize, Vec<Vertex>)>;
+pub type Loops = Vec<(usize, Vec<Vertex>)>;
 
 /// Loops of points, each of a region.
 #[derive(Clone, Debug)]
-pub(crate) struct MapLoops {
+pub struct MapLoops {
     points: PointSource,
     loops: Loops,
     /// The region of each loop.
@@ -31,7 +31,7 @@ pub(crate) struct MapLoops {
 }
 
 /// Reads loops.
-pub(crate) fn read_loops(field: &Field<'_, '_>) -> Result<Loops, CorpusError> {
+pub fn read_loops(field: &Field<'_, '_>) -> Result<Loops, CorpusError> {
     let one = |item: Field<'_, '_>| {
         let corners: Vec<Vertex> = item.items(LOOPS)?.map(|corner| corner.point()).collect::<Result<_, _>>()?;
         Ok((item.line(), corners))
@@ -41,7 +41,7 @@ pub(crate) fn read_loops(field: &Field<'_, '_>) -> Result<Loops, CorpusError> {
 
 impl MapLoops {
     /// Reads `points`, `loops` and `regions`; without the last, each loop is a region of its own.
-    pub(crate) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<MapLoops, CorpusError> {
+    pub fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<MapLoops, CorpusError> {
         let points = PointSource::read(context, &fields.required("points")?, fields.file())?;
         let loops = fields.get("loops").ok_or_else(|| {
             let missing = fields.error("points without `loops`", format!("write {NEEDED}"));
@@ -65,7 +65,7 @@ impl MapLoops {
     }
 
     /// The map.
-    pub(crate) fn map(&self, cache: &Cache) -> Result<ImportedMap, CorpusError> {
+    pub fn map(&self, cache: &Cache) -> Result<ImportedMap, CorpusError> {
         let (dimension, coordinates, notes) = self.points.coordinates(cache)?;
         if dimension == Dimension::Three {
             let message = "the points of a map have 2 coordinates, not 3";
@@ -106,14 +106,14 @@ impl MapLoops {
     }
 
     /// The fetched file that holds the points, if one does.
-    pub(crate) fn entry(&self) -> Option<&Entry> {
+    pub fn entry(&self) -> Option<&Entry> {
         self.points.entry()
     }
 }
 
 /// The loops of regions under `loops`, with `regions` where that does not number them one after the other. None where
 /// there are too many regions. A last region without loops is left out.
-pub(crate) fn spelled_loops(regions: &[Vec<Vec<Vertex>>]) -> Option<List> {
+pub fn spelled_loops(regions: &[Vec<Vec<Vertex>>]) -> Option<List> {
     let loops: Vec<Vec<Vertex>> = regions.iter().flatten().cloned().collect();
     if regions.iter().all(|loops| loops.len() == 1) {
         return Some(List::required("loops", Items::Loops(loops)));
@@ -122,7 +122,7 @@ pub(crate) fn spelled_loops(regions: &[Vec<Vec<Vertex>>]) -> Option<List> {
 }
 
 /// The same with `regions` in any case.
-pub(crate) fn labelled_loops(regions: &[Vec<Vec<Vertex>>]) -> Option<List> {
+pub fn labelled_loops(regions: &[Vec<Vec<Vertex>>]) -> Option<List> {
     let loops: Vec<Vec<Vertex>> = regions.iter().flatten().cloned().collect();
     let labels = (0_u32..).zip(regions).flat_map(|(region, loops)| std::iter::repeat_n(vec![region], loops.len()));
     let items = Items::Labelled { tuples: loops, key: "regions", rows: labels.collect() };

@@ -13,11 +13,29 @@ static MAP: TableKind =
 
 /// Where a map is.
 #[derive(Clone, Debug)]
-pub(crate) enum MapSource {
+pub enum MapSource {
     /// An object of a TopoJSON file.
-    Topology { origin: Origin, object: String, round: bool, selected: Selected },
+    Topology {
+        /// The file.
+        origin: Origin,
+        /// The object's name.
+        object: String,
+        /// Whether decimals that are no doubles are rounded.
+        round: bool,
+        /// Which of its regions.
+        selected: Selected,
+    },
     /// A GeoJSON or WKT file, or a member of a JSON file.
-    Geometry { origin: Origin, member: Option<String>, round: bool, selected: Selected },
+    Geometry {
+        /// The file.
+        origin: Origin,
+        /// The member, where the file has several.
+        member: Option<String>,
+        /// Whether decimals that are no doubles are rounded.
+        round: bool,
+        /// Which of its regions.
+        selected: Selected,
+    },
     /// Polygons in the suite.
     Written(ImportedMap),
     /// Loops of points.
@@ -26,7 +44,7 @@ pub(crate) enum MapSource {
 
 impl MapSource {
     /// Reads `map`, or `points` and `loops`.
-    pub(crate) fn of_scene(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<MapSource, CorpusError> {
+    pub fn of_scene(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<MapSource, CorpusError> {
         let loops = ["points", "loops", "regions"].into_iter().find_map(|key| fields.get(key));
         match loops {
             Some(_) if fields.get("map").is_none() => Ok(MapSource::Loops(MapLoops::read(context, fields)?)),
@@ -40,7 +58,7 @@ impl MapSource {
     }
 
     /// Reads `path`, `topojson` or `fetch` with `object` or `member`, or `polygons`; and `ids` or `regions`.
-    pub(crate) fn read(context: &Context<'_>, map: &Field<'_, '_>) -> Result<MapSource, CorpusError> {
+    pub fn read(context: &Context<'_>, map: &Field<'_, '_>) -> Result<MapSource, CorpusError> {
         const ONE: &str = "one of `path`, `topojson`, `fetch` and `polygons`";
         let table = map.fields(&MAP)?;
         let round = context.round();
@@ -79,7 +97,7 @@ impl MapSource {
     }
 
     /// The map.
-    pub(crate) fn map(&self, cache: &Cache) -> Result<ImportedMap, CorpusError> {
+    pub fn map(&self, cache: &Cache) -> Result<ImportedMap, CorpusError> {
         match self {
             MapSource::Topology { origin, object, round, selected } => {
                 let (name, text) = origin.text(cache)?;
@@ -99,7 +117,7 @@ impl MapSource {
     }
 
     /// The fetched file, if it needs one.
-    pub(crate) fn entry(&self) -> Option<&Entry> {
+    pub fn entry(&self) -> Option<&Entry> {
         match self {
             MapSource::Topology { origin, .. } | MapSource::Geometry { origin, .. } => origin.entry(),
             MapSource::Written(_) => None,
@@ -110,17 +128,23 @@ impl MapSource {
 
 /// Which regions of a file are the map.
 #[derive(Clone, Debug)]
-pub(crate) enum Selected {
+pub enum Selected {
+    /// All of them.
     All,
-    /// Those whose ids begin with a text, and where the suite says so.
+    /// Those whose ids begin with a text.
     Ids {
+        /// The text.
         begin: String,
+        /// The suite that says so.
         file: String,
+        /// Its line.
         line: usize,
     },
-    /// Those with these numbers, ascending, from 0 in the file's order, each with its line in the suite.
+    /// Those with these numbers.
     Numbers {
+        /// The numbers, ascending, from 0 in the file's order, each with its line in the suite.
         numbers: Vec<(usize, usize)>,
+        /// The suite.
         file: String,
     },
 }

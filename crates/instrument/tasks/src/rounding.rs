@@ -36,19 +36,19 @@ use rug::Rational;
 use crate::Class;
 
 /// The most units that each coordinate of a vertex may be off its exact place, to be called rounded.
-pub(crate) const BOUND: u32 = 4;
+pub const BOUND: u32 = 4;
 
 /// Where rounded vertices are exactly.
-pub(crate) struct Rounding<const D: usize> {
+pub struct Rounding<const D: usize> {
     /// In the order of the vertices; those that are no point, where they were rounded to.
-    pub(crate) exact: Vec<[Rational; D]>,
+    pub exact: Vec<[Rational; D]>,
     /// The vertex that is farthest from its place, in its units; nothing where one has no place.
     worst: Option<(Vertex, Option<Rational>)>,
 }
 
 impl<const D: usize> Rounding<D> {
     /// Vertices of a scene, and what each was rounded to, finite coordinates.
-    pub(crate) fn new(scene: &Scene, rounded: impl IntoIterator<Item = (Vertex, [f64; D])>) -> Rounding<D> {
+    pub fn new(scene: &Scene, rounded: impl IntoIterator<Item = (Vertex, [f64; D])>) -> Rounding<D> {
         let (points, largest) = (Points::of(scene), largest(scene));
         let mut all = Rounding { exact: Vec::new(), worst: None };
         for (v, rounded) in rounded {
@@ -76,18 +76,18 @@ impl<const D: usize> Rounding<D> {
     }
 
     /// The same of vertices that these definitions add to a scene.
-    pub(crate) fn of_definitions(scene: &Scene, definitions: &[Construction], rounded: &[[f64; D]]) -> Rounding<D> {
+    pub fn of_definitions(scene: &Scene, definitions: &[Construction], rounded: &[[f64; D]]) -> Rounding<D> {
         let (scene, vertices) = defined(scene, definitions);
         Rounding::new(&scene, vertices.into_iter().zip(rounded.iter().copied()))
     }
 
     /// Whether all vertices are within the bound.
-    pub(crate) fn is_within(&self) -> bool {
+    pub fn is_within(&self) -> bool {
         self.worst.as_ref().is_none_or(|(_, off)| off.as_ref().is_some_and(|off| *off <= BOUND))
     }
 
     /// The class of a violated metric law, and why, for the end of what is told of it.
-    pub(crate) fn class(&self, holds_exactly: bool) -> (Class, String) {
+    pub fn class(&self, holds_exactly: bool) -> (Class, String) {
         let class = if holds_exactly && self.is_within() { Class::Rounded } else { Class::Topology };
         let far = match &self.worst {
             None => "no vertex is rounded".to_owned(),
@@ -100,15 +100,16 @@ impl<const D: usize> Rounding<D> {
 }
 
 /// What rounding explains of the laws that an answer violates.
-pub(crate) struct Excuse<const D: usize, L> {
-    pub(crate) rounding: Rounding<D>,
+pub struct Excuse<const D: usize, L> {
+    /// How far vertices are from their places.
+    pub rounding: Rounding<D>,
     /// The metric laws that are violated with vertices in their exact places, too.
-    pub(crate) violated: Vec<L>,
+    pub violated: Vec<L>,
 }
 
 impl<const D: usize, L: PartialEq> Excuse<D, L> {
     /// The class of a violated law, and what is told of it. Only a metric law has an excuse.
-    pub(crate) fn judged(excuse: Option<&Excuse<D, L>>, law: &L, told: String) -> (Class, String) {
+    pub fn judged(excuse: Option<&Excuse<D, L>>, law: &L, told: String) -> (Class, String) {
         let Some(Excuse { rounding, violated }) = excuse else { return (Class::Topology, told) };
         let (class, why) = rounding.class(!violated.contains(law));
         (class, format!("{told}; {why}"))
@@ -150,7 +151,7 @@ fn last_place(x: f64) -> f64 {
 
 /// The doubles nearest to the vertices that these definitions add to a scene, of which the first is moved besides, in each coordinate; for faults. None where
 /// one is no point, or there are none.
-pub(crate) fn spoiled<const D: usize>(
+pub fn spoiled<const D: usize>(
     scene: &Scene,
     definitions: &[Construction],
     moved: impl Fn(f64) -> f64,
@@ -168,12 +169,12 @@ pub(crate) fn spoiled<const D: usize>(
 }
 
 /// A coordinate one place further: what rounding explains.
-pub(crate) fn one_place(x: f64) -> f64 {
+pub fn one_place(x: f64) -> f64 {
     x.next_up()
 }
 
 /// A coordinate a thousandth further: what no rounding explains.
-pub(crate) fn far(x: f64) -> f64 {
+pub fn far(x: f64) -> f64 {
     if x == 0.0 { 1e-3 } else { x * 1.001 }
 }
 

@@ -9,21 +9,29 @@ use crate::Explanation;
 static SEGMENTS: TableKind = TableKind::new("reference to segments", &["path", "fetch"]);
 
 /// Where segments are.
-pub(crate) enum SegmentSource {
+pub enum SegmentSource {
     /// The edges of the lines in a geometry file; vertices with equal coordinates are one point.
-    File { origin: Origin, round: bool },
+    File {
+        /// The file.
+        origin: Origin,
+        /// Whether decimals that are no doubles are rounded.
+        round: bool,
+    },
     /// Segments between points that are written out or in a data file; every two points where none are listed.
     Points {
+        /// The points.
         points: PointSource,
-        /// Each with its line in the suite.
+        /// The segments, each with its line in the suite.
         segments: Option<Vec<(usize, [Vertex; 2])>>,
+        /// The suite.
         file: String,
+        /// The task that asks.
         task: &'static str,
     },
 }
 
 /// The place of the segment that a query names by its ends, and an explanation about these.
-pub(crate) fn named(segments: &[[Vertex; 2]], query: &Query) -> Result<(usize, Explanation), String> {
+pub fn named(segments: &[[Vertex; 2]], query: &Query) -> Result<(usize, Explanation), String> {
     let ends: Vec<Vertex> = query.vertices().collect();
     let at = segments.iter().position(|segment| *segment == *ends);
     let at = at.ok_or_else(|| format!("`{query}`: the scene has no such segment"))?;
@@ -31,11 +39,11 @@ pub(crate) fn named(segments: &[[Vertex; 2]], query: &Query) -> Result<(usize, E
 }
 
 /// A scene, its segments, and what reading changed.
-pub(crate) type Read = (Scene, Vec<[Vertex; 2]>, ImportNotes);
+pub type Read = (Scene, Vec<[Vertex; 2]>, ImportNotes);
 
 impl SegmentSource {
     /// Reads `points` and `segments`; without the latter, every two points in turn are a segment.
-    pub(crate) fn read(
+    pub fn read(
         context: &Context<'_>,
         fields: &Fields<'_, '_>,
         task: &'static str,
@@ -72,12 +80,12 @@ impl SegmentSource {
     }
 
     /// Whether everything is written out, so that nothing is read from files.
-    pub(crate) fn is_written(&self) -> bool {
+    pub fn is_written(&self) -> bool {
         matches!(self, SegmentSource::Points { points, .. } if points.is_written())
     }
 
     /// The fetched file, if it needs one.
-    pub(crate) fn entry(&self) -> Option<&Entry> {
+    pub fn entry(&self) -> Option<&Entry> {
         match self {
             SegmentSource::File { origin, .. } => origin.entry(),
             SegmentSource::Points { points, .. } => points.entry(),
@@ -85,7 +93,7 @@ impl SegmentSource {
     }
 
     /// The segments.
-    pub(crate) fn load(&self, cache: &Cache) -> Result<Read, CorpusError> {
+    pub fn load(&self, cache: &Cache) -> Result<Read, CorpusError> {
         match self {
             SegmentSource::File { origin, round } => of_file(origin, *round, cache),
             SegmentSource::Points { points, segments, file, task } => {

@@ -8,9 +8,11 @@ use predicament_mesh::half_edge::IndexedFaces;
 
 /// Points and faces, which are seen counterclockwise from outside.
 #[derive(Default)]
-pub(crate) struct Shape {
-    pub(crate) points: Vec<[f64; 3]>,
-    pub(crate) faces: IndexedFaces,
+pub struct Shape {
+    /// The points.
+    pub points: Vec<[f64; 3]>,
+    /// The faces, by the indices of points.
+    pub faces: IndexedFaces,
 }
 
 impl Shape {
@@ -30,7 +32,7 @@ fn count(n: usize) -> i64 {
 }
 
 /// An octahedron with its faces divided, pushed out to a sphere around the origin.
-pub(crate) fn sphere(n: usize, _: &mut Random) -> Shape {
+pub fn sphere(n: usize, _: &mut Random) -> Shape {
     let parts = count((n / 8).isqrt()).max(1);
     let mut shape = Shape::default();
     let mut numbers: BTreeMap<[i64; 3], u32> = BTreeMap::new();
@@ -78,7 +80,7 @@ fn circle(n: i64) -> Vec<[f64; 2]> {
 }
 
 /// A torus around the z axis.
-pub(crate) fn torus(n: usize, _: &mut Random) -> Shape {
+pub fn torus(n: usize, _: &mut Random) -> Shape {
     let around = count((n / 2).isqrt()).max(4);
     let circle = circle(around);
     let mut shape = Shape::default();
@@ -98,7 +100,7 @@ pub(crate) fn torus(n: usize, _: &mut Random) -> Shape {
 }
 
 /// The surface of a cube of unit cells, a square for each.
-pub(crate) fn lattice(n: usize, _: &mut Random) -> Shape {
+pub fn lattice(n: usize, _: &mut Random) -> Shape {
     let side = count((n / 6).isqrt()).max(1);
     let mut shape = Shape::default();
     let mut numbers: BTreeMap<[i64; 3], u32> = BTreeMap::new();
@@ -136,7 +138,7 @@ fn prism(polygon: &[[f64; 2]]) -> Shape {
 }
 
 /// Teeth that end on one line, and gaps of which each is a little less deep than the one before.
-pub(crate) fn comb(n: usize, _: &mut Random) -> Shape {
+pub fn comb(n: usize, _: &mut Random) -> Shape {
     let teeth = count(n / 4).max(1);
     let mut polygon = vec![[0.0, -1.0], [integer(2 * teeth - 1), -1.0]];
     for tooth in (0..teeth).rev() {
@@ -151,7 +153,7 @@ pub(crate) fn comb(n: usize, _: &mut Random) -> Shape {
 }
 
 /// A band folded to and fro, with its creases on two lines.
-pub(crate) fn fold(n: usize, _: &mut Random) -> Shape {
+pub fn fold(n: usize, _: &mut Random) -> Shape {
     let folds = count(n / 2).max(2);
     let crease = |at: i64, by: f64| [integer(at), integer(at % 2) * 16.0 + by];
     let polygon: Vec<[f64; 2]> =
@@ -160,7 +162,7 @@ pub(crate) fn fold(n: usize, _: &mut Random) -> Shape {
 }
 
 /// Cubes in each other, of which every second one is a hole.
-pub(crate) fn shells(n: usize, _: &mut Random) -> Shape {
+pub fn shells(n: usize, _: &mut Random) -> Shape {
     let shells = count(n / 6).max(1);
     let mut shape = Shape::default();
     for shell in 0..shells {
@@ -180,7 +182,7 @@ pub(crate) fn shells(n: usize, _: &mut Random) -> Shape {
 }
 
 /// Heights over a square, in triangles.
-pub(crate) fn terrain(n: usize, rng: &mut Random) -> Shape {
+pub fn terrain(n: usize, rng: &mut Random) -> Shape {
     let side = count((n / 2).isqrt()).max(1);
     let mut shape = Shape::default();
     for i in 0..=side {

@@ -52,7 +52,7 @@ impl<'a> Watch<'a> {
     ///
     /// # Errors
     /// [`Stop`] with the reason, once it was told to end.
-    pub(crate) fn counted<T>(&self, all: impl FnOnce(&(dyn Fn(usize) -> bool + Sync)) -> T) -> Result<T, Stop> {
+    pub fn counted<T>(&self, all: impl FnOnce(&(dyn Fn(usize) -> bool + Sync)) -> T) -> Result<T, Stop> {
         let (before, stop) = (AtomicUsize::new(0), OnceLock::new());
         let made = all(&|done| {
             let news = done.saturating_sub(before.fetch_max(done, Relaxed));

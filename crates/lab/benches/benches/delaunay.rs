@@ -13,8 +13,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 
-use predicament_algorithms::delaunay::delaunay2d;
 use predicament_corpus::{Level, Suite};
+use predicament_delaunay::algorithm::delaunay2d;
 use predicament_exact::Exact;
 use predicament_formats::{Cache, Manifest};
 use predicament_predicates::{Backend, Off, Predicates, Scene};

@@ -15,9 +15,9 @@ use std::hint::black_box;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use predicament_algorithms::overlay::{Method, Operation, Polygon, Rule, overlay};
 use predicament_exact::Exact;
 use predicament_formats::{Cache, Decimals, ImportedMap, Manifest, text_of, topojson};
+use predicament_overlay::algorithm::overlay::{Method, Operation, Polygon, Rule, overlay};
 use predicament_predicates::{Backend, Off, Scene, Vertex};
 use predicament_sos::Sos;
 

@@ -11,9 +11,9 @@ use std::process::Command;
 use std::time::Instant;
 
 use geo::ConvexHull;
-use predicament_algorithms::hull::{PlaneMethod, SpaceMethod, hull2d, hull3d};
 use predicament_corpus::Random;
 use predicament_exact::Exact;
+use predicament_hull::algorithm::{PlaneMethod, SpaceMethod, hull2d, hull3d};
 use predicament_predicates::{Backend, Dimension, Off, Predicates, Scene};
 use predicament_sos::Sos;
 

@@ -14,10 +14,10 @@ use std::hint::black_box;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use predicament_algorithms::mesh_locate::{Location, MeshIndex, Scratch, locate_all};
 use predicament_exact::Exact;
 use predicament_grid::two_level::Sizes;
 use predicament_mesh::MaterialMesh;
+use predicament_mesh_locate::algorithm::{Location, MeshIndex, Scratch, locate_all};
 use predicament_predicates::{Backend, Dimension, Off, Predicates, Scene, Vertex};
 use predicament_sos::{PerMesh, Sos};
 

@@ -18,10 +18,10 @@ use std::process::Command;
 use std::sync::Arc;
 use std::time::Instant;
 
-use predicament_algorithms::mesh_overlay::{Zeros, mesh_overlay};
-use predicament_algorithms::overlay::Operation;
 use predicament_exact::Exact;
 use predicament_mesh::MaterialMesh;
+use predicament_mesh_intersect::algorithm::overlay::{Zeros, mesh_overlay};
+use predicament_overlay::algorithm::overlay::Operation;
 use predicament_predicates::{Backend, Construction, Off, Predicates, Scene, Vertex};
 use predicament_sos::{PerMesh, Sos};
 

@@ -15,13 +15,13 @@ use std::hint::black_box;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use predicament_algorithms::overlay::{Method, Operation, Polygon, Rule, arrange, overlay};
 use predicament_corpus::{Level, Suite};
 use predicament_exact::Exact;
 use predicament_formats::{Cache, Manifest};
+use predicament_overlay::algorithm::overlay::{Method, Operation, Polygon, Rule, arrange, overlay};
+use predicament_overlay::task::overlay::{Layered, Layers};
 use predicament_predicates::{Backend, Off, Plane, Scene, Vertex};
 use predicament_sos::Sos;
-use predicament_tasks::overlay::{Layered, Layers};
 
 const ROUNDS: usize = 7;
 
@@ -66,7 +66,7 @@ fn ours<'a, B: Backend>(
         match layers {
             Layers::Segments(segments) => {
                 let edges: Vec<_> =
-                    segments.iter().map(|&[a, b]| predicament_algorithms::overlay::Edge::whole(a, b)).collect();
+                    segments.iter().map(|&[a, b]| predicament_overlay::algorithm::overlay::Edge::whole(a, b)).collect();
                 arrange(&mut session, &edges, method).map_or(0, |made| made.pieces.len())
             }
             Layers::Polygons(loops, rule) => {

@@ -8,12 +8,12 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use predicament_algorithms::slice::slice;
 use predicament_corpus::Random;
 use predicament_exact::Exact;
 use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::IndexedFaces;
 use predicament_predicates::{Backend, Off, Predicates, Scene, Sign, Vertex};
+use predicament_slice::algorithm::slice;
 use predicament_sos::Sos;
 
 /// Cells around the torus, both ways: 999,698 triangles.

@@ -4,10 +4,10 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use predicament_algorithms::overlay::{self, Edge, arrange};
-use predicament_algorithms::snap::{Drawing, Method, snap};
 use predicament_corpus::Random;
 use predicament_exact::Exact;
+use predicament_overlay::algorithm::overlay::{self, Edge, arrange};
+use predicament_overlay::algorithm::snap::{Drawing, Method, snap};
 use predicament_predicates::{Backend, Construction, Off, Predicates, Scene, Vertex};
 
 const SEGMENTS: [usize; 5] = [200, 400, 800, 1600, 3000];

@@ -10,13 +10,13 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use predicament_algorithms::triangulate::{Method, triangulate};
 use predicament_corpus::{Level, Suite};
 use predicament_exact::Exact;
 use predicament_formats::{Cache, Manifest};
 use predicament_predicates::{Backend, Off, Plane, Predicates, Scene, Vertex};
 use predicament_sos::Sos;
-use predicament_tasks::triangulate::Polygons;
+use predicament_triangulate::algorithm::{Method, triangulate};
+use predicament_triangulate::task::Polygons;
 
 const ROUNDS: usize = 7;
 

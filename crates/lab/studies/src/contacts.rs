@@ -3,10 +3,11 @@
 //! Parity and resolution are about contacts; how a backend is asked for them is
 //! written here only.
 
-use predicament_algorithms::contacts::Contacts;
+use predicament_contacts::algorithm::pairs::Contacts;
+use predicament_contacts::task;
 use predicament_mesh::Complex;
 use predicament_predicates::{Dimension, Scene};
-use predicament_tasks::{Contestant, contacts as task};
+use predicament_tasks::Contestant;
 
 /// All contacts of two complexes of a scene, which has to know the lengths of their primitives.
 ///

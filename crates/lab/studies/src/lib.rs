@@ -3,7 +3,7 @@
 //! A study answers one question about backends by measuring many random or
 //! exhausted cases, and shows the answer as rows, tables and plots. It never
 //! judges the scenes of a suite (that is the crate `oracle`), never decides
-//! what is true by itself (that is the crates `judge` and `checks`), and reads
+//! what is true by itself (that is the crate `judge`, and the checks of systems), and reads
 //! and writes no files: whoever starts it does. Go next to the trait [`Study`]
 //! for the common shape, to [`laws`] for the shortest example of it, and to
 //! `harness/src/cmd/study.rs` for how the tool runs one.

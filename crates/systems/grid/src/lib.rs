@@ -11,14 +11,19 @@
 //! * [`BoxIndex`]: the boxes near a box.
 //! * [`Raster`]: the segments through each cell of a grid.
 //! * [`shared()`]: the boxes of two sets that may meet one of the other set.
+//! * [`parallel`]: loops over pieces of work, compiled once. [`sort`]: sorting by signs that may contradict each other.
+//!   [`status`]: what a sweep line crosses.
 //! * [`two_level`]: the boxes in each cell of a grid in space, whose full cells have grids of their own.
 
 mod bounds;
 mod box_index;
 mod cells;
 mod columns;
+pub mod parallel;
 mod raster;
 mod shared;
+pub mod sort;
+pub mod status;
 mod steps;
 pub mod two_level;
 

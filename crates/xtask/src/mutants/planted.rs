@@ -35,9 +35,9 @@ struct Change {
     becomes: &'static str,
 }
 
-/// A change of the package `algorithms`.
-const fn change(file: &'static str, is: &'static str, becomes: &'static str) -> Change {
-    Change { package: "algorithms", file, is, becomes }
+/// A change of a system: of a file in its folder `src`.
+const fn change(package: &'static str, file: &'static str, is: &'static str, becomes: &'static str) -> Change {
+    Change { package, file, is, becomes }
 }
 
 /// What has to see a fault, and sees nothing without it.
@@ -301,7 +301,7 @@ mod tests {
 
     #[test]
     fn a_text_that_is_not_there_once_is_an_error() {
-        let of = |is| change("a.rs", is, "z").applied("x y y");
+        let of = |is| change("hull", "a.rs", is, "z").applied("x y y");
         assert_eq!(of("x"), Ok("z y y".to_owned()));
         assert!(of("y").unwrap_err().starts_with("this is there 2 times"));
         assert!(of("w").unwrap_err().starts_with("this is there 0 times"));

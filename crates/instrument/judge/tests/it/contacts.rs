@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use predicament_algorithms::contacts::contacts as by_algorithm;
+use predicament_contacts::algorithm::pairs::contacts as by_algorithm;
 use predicament_exact::Exact;
 use predicament_judge::contacts::{contact, contacts, contacts_of, ended_by, registered_twice};
 use predicament_judge::{Sample, rational};

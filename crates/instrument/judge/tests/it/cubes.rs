@@ -1,6 +1,6 @@
 //! Unions of cubes: against known ones, against cells looked at one by one, against the algorithm.
 
-use predicament_algorithms::cube_union::{Mass, ScaledCubes, cube_union, cube_union_by};
+use predicament_cube_union::algorithm::{Mass, ScaledCubes, cube_union, cube_union_by};
 use predicament_judge::cubes::{Cubes, Measures, NotCubes, Vertices};
 use predicament_predicates::{Backend, Scene, Vertex};
 use predicament_predicates::{Dimension, Off};

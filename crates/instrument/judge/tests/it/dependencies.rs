@@ -17,5 +17,5 @@ fn no_path_leads_from_the_judge_to_what_it_judges() {
     );
     assert_eq!(dependencies(include_str!("../../../../kernel/predicates/Cargo.toml")), ["serde"]);
     // The reader of manifests sees what there is.
-    assert!(dependencies(include_str!("../../../../systems/algorithms/Cargo.toml")).contains(&"predicament-mesh"));
+    assert!(dependencies(include_str!("../../../../systems/contacts/Cargo.toml")).contains(&"predicament-mesh"));
 }

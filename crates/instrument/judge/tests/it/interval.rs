@@ -1,7 +1,7 @@
 //! Cells of a line: against the algorithm, by exact and by perturbed signs.
 
-use predicament_algorithms::interval::{self as algorithm, half_open};
 use predicament_exact::Exact;
+use predicament_interval::algorithm::{self as algorithm, half_open};
 use predicament_judge::interval::{Place, cells_at, perturbed_place, place};
 use predicament_predicates::{Axis, Backend, Off, Scene, Vertex};
 use predicament_sos::Sos;

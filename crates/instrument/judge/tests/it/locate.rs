@@ -1,9 +1,9 @@
 //! Points in maps: against hand-made maps, against winding numbers, against the algorithm.
 
-use predicament_algorithms::polygon_locate::{LocateIndex, Scratch};
 use predicament_exact::Exact;
 use predicament_judge::locate::{Borders, Location, locate};
 use predicament_judge::rational;
+use predicament_polygon_locate::algorithm::{LocateIndex, Scratch};
 use predicament_predicates::{Backend, Off, Scene, Vertex};
 use rug::Rational;
 

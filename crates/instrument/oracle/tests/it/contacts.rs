@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
+use predicament_contacts::task::{Complexes, Contacts};
 use predicament_corpus::LoadedScene;
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Query, Scene, Vertex};
-use predicament_tasks::contacts::{Complexes, Contacts};
 use predicament_tasks::{Class, Outcome};
 use rug::Rational;
 

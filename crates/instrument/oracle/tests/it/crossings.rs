@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use predicament_algorithms::crossings::crossings;
 use predicament_corpus::LoadedScene;
+use predicament_crossings::algorithm::crossings;
+use predicament_crossings::task::{Crossed, Crossings, Segments};
 use predicament_judge::Judged;
 use predicament_predicates::{Predicates, Scene, Vertex};
-use predicament_tasks::crossings::{Crossed, Crossings, Segments};
 use predicament_tasks::{Asked, Budget, Class, Outcome};
 
 use crate::common::{checks, load, suite, with_case};

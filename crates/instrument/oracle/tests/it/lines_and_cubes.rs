@@ -1,12 +1,12 @@
 //! Cells of a line and unions of cubes: what a backend gets wrong is found, and classed by its promise.
 
 use predicament_corpus::Suite;
+use predicament_cube_union::task::MassRow;
 use predicament_formats::Manifest;
 use predicament_predicates::{
     Axis, Backend, Contract, Declined, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 use predicament_records::Row;
-use predicament_tasks::cube_union::MassRow;
 use predicament_tasks::{Class, Outcome};
 
 use crate::common::{checks, judged, judged_by_name, load, loaded};

@@ -6,12 +6,12 @@ use std::sync::Arc;
 use predicament_corpus::LoadedScene;
 use predicament_formats::ImportNotes;
 use predicament_mesh::PolygonMap;
+use predicament_polygon_locate::task::{MapWithProbes, Probe, ProbeKind};
 use predicament_predicates::{
     Backend, Contract, Declined, Off, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, ZeroMeaning,
     forward_to,
 };
 use predicament_sos::{Scheme, Sos};
-use predicament_tasks::polygon_locate::{MapWithProbes, Probe, ProbeKind};
 use predicament_tasks::{Class, Outcome};
 
 use crate::common;

@@ -2,12 +2,12 @@
 //! test, the generic code under both exact signs and a perturbation, and the
 //! judge of tilings.
 
-use predicament_algorithms::polygon_locate::{LocateIndex, locate_all, locate_all_specially};
-use predicament_checks::tiling::{surroundings, tiling_report};
 use predicament_exact::{Exact, raw};
+use predicament_polygon_locate::algorithm::{LocateIndex, locate_all, locate_all_specially};
+use predicament_polygon_locate::checks::{surroundings, tiling_report};
+use predicament_polygon_locate::task::MapWithProbes;
 use predicament_predicates::{Backend, Off, ZeroMeaning};
 use predicament_sos::Sos;
-use predicament_tasks::polygon_locate::MapWithProbes;
 
 use crate::common::suite;
 

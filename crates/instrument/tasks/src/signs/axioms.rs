@@ -1,13 +1,13 @@
 //! Samples of answers held against each other: argument orders and relations.
 //!
-//! The laws themselves are in the crate `checks`; this file picks which tuples
+//! The laws themselves are in the crate `laws`; this file picks which tuples
 //! of a scene are asked. The choice depends on indices only, never on chance
 //! or time, so a finding comes back in every run.
 //!
 //! That ties are broken at all, and no sign changed, is seen when every query
 //! is held against the truth, so those two laws are not asked again.
 
-use predicament_checks::axioms::{
+use predicament_laws::axioms::{
     Law, Relation, Violation, Zeros, antisymmetry_of_all, independence_of_later_vertices_of_all, independence_of_place,
     relations, transitivity_of_all,
 };

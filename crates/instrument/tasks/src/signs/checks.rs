@@ -1,6 +1,6 @@
 //! What is reported about signs.
 
-use predicament_checks::axioms::Law;
+use predicament_laws::axioms::Law;
 
 use crate::{Check, Class};
 

@@ -1,6 +1,6 @@
 //! The class of every single answer, for pictures: judging a scene counts classes and keeps a few findings.
 
-use predicament_checks::audit::published;
+use predicament_laws::published;
 use predicament_predicates::{Scene, Sign};
 use rayon::prelude::*;
 

@@ -3,8 +3,8 @@
 //! What is judged is the answer that was given, in a batch or not. Samples are
 //! spread evenly over all queries.
 
-use predicament_checks::audit::published;
 use predicament_judge::{self as judge, TieJudge};
+use predicament_laws::published;
 use predicament_predicates::{Band, Contract, Counts, Predicates, QuerySet, Scene, Sign};
 use rayon::prelude::*;
 

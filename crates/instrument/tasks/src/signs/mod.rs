@@ -19,7 +19,7 @@ pub mod families;
 mod fixture;
 mod judge;
 mod queries;
-pub(crate) use queries::axis;
+pub use queries::axis;
 mod truth;
 mod write;
 

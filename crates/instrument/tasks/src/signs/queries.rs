@@ -117,7 +117,7 @@ pub(super) fn question(fields: &Fields<'_, '_>, kind: PredicateKind) -> Result<Q
 }
 
 /// The `axis` of a table; x where it has none.
-pub(crate) fn axis(fields: &Fields<'_, '_>) -> Result<Axis, CorpusError> {
+pub fn axis(fields: &Fields<'_, '_>) -> Result<Axis, CorpusError> {
     fields.get("axis").map_or(Ok(Axis::X), |field| {
         field.str()?.parse().map_err(|message: String| field.error(message, "write x, y or z"))
     })

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use predicament_contacts::task::Complexes;
 use predicament_corpus::{Level, Library, LoadedScene, Suite};
 use predicament_formats::{Cache, Manifest};
 use predicament_mesh::Complex;
 use predicament_predicates::{Scene, Vertex};
-use predicament_tasks::contacts::Complexes;
 use rug::Rational;
 
 fn generated(name: &str) -> LoadedScene {

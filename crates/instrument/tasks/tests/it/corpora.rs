@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_corpus::{Family, Level, Library, LoadedScene, SceneDef, Suite, content_id, fmt};
 use predicament_formats::Cache;
+use predicament_polygon_locate::task::{MapWithProbes, ProbeKind};
 use predicament_predicates::{Sign, Vertex};
-use predicament_tasks::polygon_locate::{MapWithProbes, ProbeKind};
 use predicament_tasks::signs::{SignQueries, degeneracy};
 use rug::Rational;
 

@@ -1,6 +1,7 @@
 //! The integration tests, as one binary: each further one would link the crate and compile what they share again.
 
 mod bad_files;
+mod check_names;
 mod common;
 mod constructed;
 mod contacts;

@@ -3,7 +3,7 @@
 use predicament_corpus::{Level, Library};
 use predicament_formats::Cache;
 use predicament_judge::solids::{Materials, Place};
-use predicament_tasks::mesh_locate::ProbedMesh;
+use predicament_mesh_locate::task::ProbedMesh;
 
 #[test]
 fn winding_numbers_are_the_same_in_another_direction() {

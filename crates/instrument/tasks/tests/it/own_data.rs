@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
+use predicament_contacts::task::Complexes;
 use predicament_corpus::{Level, LoadedScene, Suite};
+use predicament_crossings::task::Segments;
 use predicament_formats::{Cache, CorpusError, ImportNotes, Manifest};
-use predicament_tasks::contacts::Complexes;
-use predicament_tasks::crossings::Segments;
-use predicament_tasks::overlay::{Layered, Layers};
-use predicament_tasks::polygon_locate::MapWithProbes;
+use predicament_overlay::task::overlay::{Layered, Layers};
+use predicament_polygon_locate::task::MapWithProbes;
 use tempfile::TempDir;
 
 fn folder(files: &[(&str, &str)]) -> TempDir {
@@ -70,7 +70,7 @@ fn the_same_points_from_every_format_are_the_same_scene() {
     );
     assert_eq!(
         refused(&folder, "task = \"crossings\"\npoints = { path = \"p.csv\" }"),
-        "s.toml:6: crossings takes points of 2 coordinates, not of 3; give every point 2 coordinates"
+        "s.toml:6: with p.csv: crossings takes points of 2 coordinates, not of 3; give every point 2 coordinates"
     );
     assert_eq!(
         refused(&folder, "task = \"orient3d\"\npoints = { path = \"p.dat\" }"),
@@ -153,7 +153,7 @@ fn a_map_is_the_same_in_every_format() {
         ),
         (
             "path = \"m.wkt\", polygons = []",
-            "s.toml:6: with m.wkt: a map from more than one place; keep one of `path`, `topojson`, `fetch` and `polygons`",
+            "s.toml:6: a map from more than one place; keep one of `path`, `topojson`, `fetch` and `polygons`",
         ),
     ] {
         let got = refused(&folder, &format!("task = \"polygon-locate\"\nmap = {{ {map} }}"));
@@ -191,9 +191,12 @@ fn some_regions_of_a_file_are_a_map() {
     for (map, expected) in [
         (
             "path = \"m.geojson\", ids = \"07\"",
-            "s.toml:6: of 3 regions none has an id that begins with `07`; correct `ids`",
+            "s.toml:6: with m.geojson: of 3 regions none has an id that begins with `07`; correct `ids`",
         ),
-        ("path = \"m.wkt\", regions = [1, 3]", "s.toml:6: there is no region 3: the file has 3; numbers count from 0"),
+        (
+            "path = \"m.wkt\", regions = [1, 3]",
+            "s.toml:6: with m.wkt: there is no region 3: the file has 3; numbers count from 0",
+        ),
         ("path = \"m.wkt\", regions = [1, 1]", "s.toml:6: regions out of order; write each once, the smallest first"),
         (
             "path = \"m.wkt\", regions = []",

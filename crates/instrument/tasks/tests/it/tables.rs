@@ -1,12 +1,12 @@
 //! The tables of tasks: columns, checks, and the way to the disk and back.
 
+use predicament_contacts::task::ContactRow;
+use predicament_cube_union::task::MassRow;
+use predicament_mesh_intersect::task::MeshIntersectRow;
+use predicament_mesh_locate::task::MeshLocateRow;
+use predicament_overlay::task::snap::SnapRow;
+use predicament_polygon_locate::task::LocateRow;
 use predicament_records::{Env, Outcome, Plan, Record, Row, RunDir, RunWriter, TableSpec};
-use predicament_tasks::contacts::ContactRow;
-use predicament_tasks::cube_union::MassRow;
-use predicament_tasks::mesh_intersect::MeshIntersectRow;
-use predicament_tasks::mesh_locate::MeshLocateRow;
-use predicament_tasks::polygon_locate::LocateRow;
-use predicament_tasks::snap::SnapRow;
 
 fn locate() -> LocateRow {
     LocateRow {

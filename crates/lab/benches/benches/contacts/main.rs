@@ -9,7 +9,7 @@ mod scenes;
 use std::time::Instant;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use predicament_algorithms::contacts::{Contacts, contacts2d, contacts3d};
+use predicament_contacts::algorithm::pairs::{Contacts, contacts2d, contacts3d};
 use predicament_controls::Naive;
 use predicament_exact::Exact;
 use predicament_mesh::Complex;

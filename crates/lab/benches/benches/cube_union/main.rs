@@ -1,11 +1,11 @@
 //! Unions of 10³ to 10⁶ random cubes, one of which covers a point on average,
 //! on one thread; and of 10⁵ at other densities.
 
-#[path = "../../../../systems/algorithms/examples/cube_union/random.rs"]
+#[path = "../../../../systems/cube-union/examples/cube_union/random.rs"]
 mod random;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use predicament_algorithms::cube_union::cube_union;
+use predicament_cube_union::algorithm::cube_union;
 
 fn bench(criterion: &mut Criterion) {
     let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("one thread");

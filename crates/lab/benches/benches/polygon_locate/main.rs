@@ -12,10 +12,10 @@ mod wiggly;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use geo::algorithm::indexed::IntervalTreeMultiPolygon;
 use geo::{BoundingRect, Contains, Coord, Intersects, LineString, MultiPolygon, Polygon, Rect};
-use predicament_algorithms::polygon_locate::special::Point;
-use predicament_algorithms::polygon_locate::{LocateIndex, Locations, Scratch, locate_all, locate_all_specially};
 use predicament_exact::{Exact, raw};
 use predicament_mesh::PolygonMap;
+use predicament_polygon_locate::algorithm::special::Point;
+use predicament_polygon_locate::algorithm::{LocateIndex, Locations, Scratch, locate_all, locate_all_specially};
 use predicament_predicates::{Backend, Off, Predicates, Scene, Sign, Vertex};
 use predicament_sos::Sos;
 

@@ -3,9 +3,9 @@
 //! A tolerance can be off and nothing be seen of it: another test stands behind it, or its
 //! T₋ and T₊ leave it the room ([`Misscaled::keeps_its_promise`]). The numbers say it all the
 //! same. So those of the code under audit are held to the figures, entered a second time
-//! for the audit alone ([`Published`](predicament_checks::audit::Published)).
+//! for the audit alone ([`Published`](predicament_contacts::checks::audit::Published)).
 
-use predicament_checks::audit::Symbol;
+use predicament_contacts::checks::audit::Symbol;
 use predicament_predicates::Dimension;
 use predicament_tolerance::{Float, Misscaled};
 

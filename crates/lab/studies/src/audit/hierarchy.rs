@@ -3,8 +3,8 @@
 //! The streams ask the algorithms one by one, with a hierarchy of the audit's own.
 //! Here the driver does it, on scenes of one pair, with a session of the backend.
 
-use predicament_algorithms::contacts::{Contact, contacts};
-use predicament_checks::audit::{PairKind, Published, Verdict};
+use predicament_contacts::algorithm::pairs::{Contact, contacts};
+use predicament_contacts::checks::audit::{PairKind, Published, Verdict};
 use predicament_mesh::{Complex, Simplex, Simplices};
 use predicament_predicates::{Backend, Dimension, Off, Scene, Vertex};
 use predicament_tasks::{Stop, Watch};
@@ -186,7 +186,7 @@ fn one<F: Float>(driver: Driver, dimension: Dimension, pair: &[Vec<[f64; 3]>; 2]
     debug_assert!(Published::of(&session).is_some());
     let mut found = contacts(&session, &a, &b);
     driver.spoil(dimension, [&a, &b], &mut found.registered);
-    let audit = predicament_checks::audit::audit(&session, &a, &b, &found);
+    let audit = predicament_contacts::checks::audit::audit(&session, &a, &b, &found);
     let verdicts = Verdict::ALL.map(|verdict| PairKind::ALL.into_iter().map(|kind| audit.count(kind, verdict)).sum());
     Hierarchy { scenes: 1, registered: found.registered.len() as u64, ended: audit.ended, verdicts }
 }

@@ -4,7 +4,7 @@
 //! scenes never have. So pairs are made at the thresholds
 //! ([`ThresholdPairs`]), each is asked about
 //! as the hierarchy would, its sub-pairs first, and each answer is judged by
-//! exact distances ([`Bands::judge`](predicament_checks::audit::Bands::judge)).
+//! exact distances ([`Bands::judge`](predicament_contacts::checks::audit::Bands::judge)).
 //!
 //! The hierarchy leaves most tests no choice, so each is asked about by itself as well,
 //! with pairs at its own tolerance ([`read()`]). And the driver that goes through the

@@ -1,8 +1,8 @@
 //! Each test of each algorithm by itself, with pairs at its tolerance.
 
-use predicament_checks::audit::{Bands, Symbol, Verdict};
+use predicament_contacts::checks::audit::{Bands, Readings, Symbol, Verdict};
+use predicament_contacts::task::thresholds;
 use predicament_corpus::Random;
-use predicament_tasks::contacts::thresholds;
 use predicament_tasks::{Stop, Watch};
 use predicament_tolerance::Float;
 use rayon::prelude::*;
@@ -91,7 +91,7 @@ fn judge<F: Float>(row: Row, symbol: Symbol, count: u64, [seed, bits]: [u64; 2])
             .map(|simplex| simplex.into_iter().map(place).collect::<Vec<_>>());
         let registered = scheme.ask(&first, &second).is_some();
         let pair = exactly(dimension, &first, &second);
-        for hit in published.read(&pair).hits(&published, NEAR_LIMIT).filter(|hit| hit.symbol == symbol) {
+        for hit in Readings::of(&published, &pair).hits(&published, NEAR_LIMIT).filter(|hit| hit.symbol == symbol) {
             reads.hits[hit.limit][usize::from(hit.beyond)] += 1;
         }
         reads.registered += u64::from(registered);

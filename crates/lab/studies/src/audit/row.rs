@@ -1,6 +1,6 @@
 //! The rows of an audit: an algorithm, a precision, and a form of Algorithms 3 and 8.
 
-use predicament_checks::audit::{PairKind, Symbol};
+use predicament_contacts::checks::audit::{PairKind, Symbol};
 use predicament_predicates::Dimension;
 use predicament_tolerance::Misscaled;
 

@@ -1,7 +1,7 @@
 //! The algorithms of the tolerance crate, asked about a pair of point lists.
 
-use predicament_algorithms::contacts::Weights;
-use predicament_checks::audit::{Bands, Published, Symbol};
+use predicament_contacts::algorithm::pairs::Weights;
+use predicament_contacts::checks::audit::{Bands, Published, Symbol};
 use predicament_error_calculus::Enclosure;
 use predicament_predicates::Dimension;
 use predicament_tolerance::algorithms::{as_printed, plane, space};

@@ -4,7 +4,7 @@
 //! its own, so what is counted does not depend on the number of threads.
 
 use crate::audit::ThresholdPairs;
-use predicament_checks::audit::{Pair, Verdict};
+use predicament_contacts::checks::audit::{Pair, Verdict};
 use predicament_predicates::Dimension;
 use predicament_tasks::{Stop, Watch};
 use predicament_tolerance::Float;

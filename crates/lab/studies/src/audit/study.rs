@@ -1,9 +1,9 @@
 //! The command line of the audit, its survey and its rows.
 
-use predicament_checks::audit::{Symbol, Verdict};
+use predicament_contacts::checks::audit::{Symbol, Verdict};
+use predicament_contacts::task::thresholds;
 use predicament_predicates::Dimension;
 use predicament_tasks::Contestant;
-use predicament_tasks::contacts::thresholds;
 use predicament_tolerance::Misscaled;
 use serde::Serialize;
 

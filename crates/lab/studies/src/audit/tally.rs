@@ -1,6 +1,6 @@
 //! The counts of a stream of pairs.
 
-use predicament_checks::audit::{Judgement, Verdict};
+use predicament_contacts::checks::audit::{Judgement, Verdict};
 
 /// Distances whose difference to T₋ or T₊ is at most this part of it, 2⁻²⁰, are near.
 pub const NEAR: f64 = 1.0 / 1_048_576.0;

@@ -2,9 +2,9 @@
 //!
 //! Only the four operations and square roots are used, which are the same everywhere. All coordinates are below 4.
 
-use predicament_algorithms::overlay::Operation;
 use predicament_corpus::Random;
 use predicament_formats::bits::{integer, step};
+use predicament_overlay::algorithm::overlay::Operation;
 
 /// Corners of a polygon, in their order.
 pub type Loop = Vec<[f64; 2]>;

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use predicament_algorithms::overlay::{Edge, Polygon, Region, Rule};
+use predicament_overlay::algorithm::overlay::{Edge, Polygon, Region, Rule};
 use predicament_predicates::{Scene, Vertex};
 
 use super::cascade::Loop;

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
-use predicament_algorithms::overlay::{Method as Search, combine};
 use predicament_judge::{nearest, point, rational};
+use predicament_overlay::algorithm::overlay::{Method as Search, combine};
 use predicament_predicates::{Plane, Predicates, Scene, Vertex};
 use predicament_tasks::Contestant;
 

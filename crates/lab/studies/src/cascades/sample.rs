@@ -1,6 +1,6 @@
 //! What is measured after a step, in rationals.
 
-use predicament_checks::overlay::{Defects, Point, Shape};
+use predicament_overlay::checks::overlay::{Defects, Point, Shape};
 use rug::{Integer, Rational};
 
 /// The measurements of a result after one step.

@@ -6,11 +6,11 @@
 use std::collections::{BTreeMap, HashMap};
 use std::time::{Duration, Instant};
 
-use predicament_algorithms::arrangement::{Arrangement, MergedPoint, Side, Stand};
-use predicament_algorithms::contacts::Weights;
-use predicament_algorithms::overlay::{Edge, Method as Search, Polygon, Regions, Rule, overlay};
-use predicament_algorithms::thick::{self, Disc, Drawing, settle};
+use predicament_contacts::algorithm::arrangement::{Arrangement, MergedPoint, Side, Stand};
+use predicament_contacts::algorithm::pairs::Weights;
+use predicament_contacts::algorithm::thick::{self, Disc, Drawing, settle};
 use predicament_mesh::{Complex, Simplex, Simplices};
+use predicament_overlay::algorithm::overlay::{Edge, Method as Search, Polygon, Regions, Rule, overlay};
 use predicament_predicates::{Predicates, Scene, Vertex};
 use predicament_tasks::Contestant;
 
@@ -149,7 +149,7 @@ fn ring(corners: &Loop, radius: f64, operand: usize) -> Drawing {
 
 fn loops(made: &Combined) -> Vec<Vec<Loop>> {
     let corner = |v: &Vertex| made.at[v];
-    let of = |region: &predicament_algorithms::overlay::Region| {
+    let of = |region: &predicament_overlay::algorithm::overlay::Region| {
         region.loops().map(|one| origins(one).iter().map(corner).collect()).collect()
     };
     made.result.regions.iter().map(of).collect()

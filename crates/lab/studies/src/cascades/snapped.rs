@@ -7,8 +7,8 @@
 use std::collections::{BTreeSet, HashMap};
 use std::time::Instant;
 
-use predicament_algorithms::overlay::{Edge, Method as Search, Polygon, Region, Rule, arrange, combine};
-use predicament_algorithms::snap::{Drawing, Method as Snapping, Snapped, snap};
+use predicament_overlay::algorithm::overlay::{Edge, Method as Search, Polygon, Region, Rule, arrange, combine};
+use predicament_overlay::algorithm::snap::{Drawing, Method as Snapping, Snapped, snap};
 use predicament_predicates::{Construction, Plane, Scene, Vertex};
 use predicament_tasks::Contestant;
 

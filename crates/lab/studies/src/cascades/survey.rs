@@ -2,10 +2,10 @@
 
 use std::time::Duration;
 
-use predicament_algorithms::overlay::Operation;
-use predicament_checks::overlay::{Point, Shape, winding_of};
 use predicament_corpus::Random;
 use predicament_judge::rational;
+use predicament_overlay::algorithm::overlay::Operation;
+use predicament_overlay::checks::overlay::{Point, Shape, winding_of};
 use predicament_tasks::{Contestant, Stop, Watch};
 
 use super::cascade::{Cascade, Loop, Operand};

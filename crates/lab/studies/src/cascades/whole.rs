@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-use predicament_algorithms::overlay::{Edge, Method as Search, Polygon, Region, Rule, combine};
-use predicament_checks::overlay::{Point, Shape};
 use predicament_judge::{point, rational};
+use predicament_overlay::algorithm::overlay::{Edge, Method as Search, Polygon, Region, Rule, combine};
+use predicament_overlay::checks::overlay::{Point, Shape};
 use predicament_predicates::{Plane, Predicates, Vertex};
 use predicament_tasks::Contestant;
 

@@ -4,13 +4,13 @@
 //! an edge that passes one of them closely. Such a contact is as far off as the nearest place where the two complexes meet. The other way round,
 //! each place where they meet is as far from the nearest registered one as the scheme has moved it.
 
-use predicament_algorithms::contacts::{Contact, Contacts, Weights};
+use predicament_contacts::algorithm::pairs::{Contact, Contacts, Weights};
+use predicament_contacts::task::Complexes;
 use predicament_judge::contacts::{contact, contacts};
 use predicament_judge::rational;
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Dimension, Scene, Vertex};
 use predicament_records::Spread;
-use predicament_tasks::contacts::Complexes;
 use predicament_tolerance::{Tolerances2d, Tolerances3d};
 use rug::Rational;
 

@@ -2,10 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use predicament_contacts::task::Complexes;
 use predicament_corpus::LoadedScene;
 use predicament_predicates::{Counts, Severity};
 use predicament_records::{Spread, approximately};
-use predicament_tasks::contacts::Complexes;
 use predicament_tasks::{AnyTask, Budget, Class, ClassCounts, Contestant, How, Outcome, Purpose, Watch, run};
 use rayon::prelude::*;
 

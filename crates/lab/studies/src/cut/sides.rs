@@ -1,6 +1,6 @@
 //! The side of each vertex of the lattice, from what was registered on its edges.
 
-use predicament_algorithms::contacts::Contacts;
+use predicament_contacts::algorithm::pairs::Contacts;
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use predicament_algorithms::contacts::Contacts;
+use predicament_contacts::algorithm::pairs::Contacts;
 use predicament_predicates::{PredicateKind, Predicates, ZeroMeaning};
 use predicament_report::text::in_order;
 use predicament_tasks::Contestant;

@@ -4,11 +4,11 @@
 //! each. The triangles of a surface are about as large as the faces of the
 //! lattice, so each tetrahedron that is cut meets a few of them.
 
+use predicament_contacts::task::Complexes;
 use predicament_corpus::Random;
 use predicament_formats::bits::{integer, rounded};
 use predicament_mesh::{Complex, Simplices};
 use predicament_predicates::Vertex;
-use predicament_tasks::contacts::Complexes;
 use rug::Rational;
 
 use super::volume;

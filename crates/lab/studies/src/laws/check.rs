@@ -1,6 +1,6 @@
 //! A law about a predicate, and how a tuple of vertices is tried.
 
-use predicament_checks::axioms::{
+use predicament_laws::axioms::{
     Law, Relation, Violation, Zeros, antisymmetry, equals_reference, independence_of_later_vertices,
     independence_of_place, never_zero, relations, transitivity,
 };

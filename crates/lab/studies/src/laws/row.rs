@@ -1,6 +1,6 @@
 //! The counts of one law.
 
-use predicament_checks::axioms::{Law, Violation};
+use predicament_laws::axioms::{Law, Violation};
 use predicament_predicates::{Scene, Vertex};
 
 use super::Family;

@@ -6,9 +6,9 @@
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use predicament_checks::axioms::{Law, Zeros};
 use predicament_corpus::Random;
 use predicament_exact::Exact;
+use predicament_laws::axioms::{Law, Zeros};
 use predicament_predicates::{Backend, Broken, Dimension, Off, Predicates, Question, Scene, Vertex};
 use predicament_tasks::{Contestant, Stop, Watch};
 use rayon::prelude::*;

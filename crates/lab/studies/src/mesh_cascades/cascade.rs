@@ -4,10 +4,10 @@
 
 use std::collections::BTreeSet;
 
-use predicament_algorithms::mesh_cascade::Closed;
-use predicament_algorithms::overlay::Operation;
 use predicament_corpus::Random;
 use predicament_formats::bits::{integer, step};
+use predicament_mesh_intersect::algorithm::cascade::Closed;
+use predicament_overlay::algorithm::overlay::Operation;
 
 /// A step: an operation and its second operand.
 #[derive(Clone, PartialEq, Debug)]

@@ -5,8 +5,8 @@
 //! are done, and what is left is measured in rationals.
 //!
 //! * [`Cascade`] makes the steps. All operands are doubles that are known beforehand.
-//! * A backend does them, as [`predicament_algorithms::mesh_cascade`] has it: the overlay by its signs, the limit by exact
-//!   ones, then the nearest doubles. Where these make a result cross itself, it is resolved ([`predicament_algorithms::mesh_resolve`]).
+//! * A backend does them, as [`predicament_mesh_intersect::algorithm::cascade`] has it: the overlay by its signs, the limit by exact
+//!   ones, then the nearest doubles. Where these make a result cross itself, it is resolved ([`predicament_mesh_intersect::algorithm::resolve`]).
 //! * [`Sample`] is what is measured after a step.
 //!
 //! # What is true

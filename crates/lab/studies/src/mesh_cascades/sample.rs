@@ -1,11 +1,11 @@
 //! What is measured after a step, in rationals.
 
-use predicament_algorithms::mesh_cascade::{Closed, Step};
-use predicament_checks::slice::{Check, Expected, Part, Piece, Slices};
 use predicament_judge::rational;
 use predicament_judge::solids::{Materials, Place};
 use predicament_mesh::OUTSIDE;
+use predicament_mesh_intersect::algorithm::cascade::{Closed, Step};
 use predicament_predicates::{Scene, Vertex};
+use predicament_slice::checks::{Check, Expected, Part, Piece, Slices};
 use rug::Rational;
 
 use super::cascade::{Cells, Operand};

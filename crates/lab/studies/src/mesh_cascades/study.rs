@@ -137,8 +137,8 @@ Examples:
             seed: self.common.seed,
         };
         let rounding = match self.rounding {
-            Rounding::Counted => predicament_algorithms::mesh_cascade::Rounding::Counted,
-            Rounding::Resolved => predicament_algorithms::mesh_cascade::Rounding::Resolved,
+            Rounding::Counted => predicament_mesh_intersect::algorithm::cascade::Rounding::Counted,
+            Rounding::Resolved => predicament_mesh_intersect::algorithm::cascade::Rounding::Resolved,
         };
         let cascades = if self.cascades.is_empty() { Cascade::ALL.to_vec() } else { self.cascades.clone() };
         host.begin(u64::from(self.steps) * (self.backends.len() * cascades.len()) as u64, "steps");

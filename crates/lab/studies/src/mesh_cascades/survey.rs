@@ -2,11 +2,11 @@
 
 use std::time::{Duration, Instant};
 
-use predicament_algorithms::mesh_cascade as steps;
-use predicament_algorithms::mesh_overlay::Zeros;
-use predicament_algorithms::sessions::Sessions;
 use predicament_corpus::Random;
 use predicament_judge::rational;
+use predicament_mesh_intersect::algorithm::cascade as steps;
+use predicament_mesh_intersect::algorithm::overlay::Zeros;
+use predicament_mesh_intersect::algorithm::sessions::Sessions;
 use predicament_predicates::{Declined, PredicateKind, Predicates, Scene, ZeroMeaning};
 use predicament_tasks::{Contestant, Watch};
 

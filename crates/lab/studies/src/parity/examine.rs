@@ -1,8 +1,8 @@
 //! Two polygons merged by what a backend registers.
 
-use predicament_algorithms::arrangement::Arrangement;
-use predicament_algorithms::contacts::Contacts;
-use predicament_checks::contacts::{Cluster, Collapse, Crossings, Seat, clusters, collapses, crossings};
+use predicament_contacts::algorithm::arrangement::Arrangement;
+use predicament_contacts::algorithm::pairs::Contacts;
+use predicament_contacts::checks::pairs::{Cluster, Collapse, Crossings, Seat, clusters, collapses, crossings};
 use predicament_tasks::Contestant;
 
 use super::PolygonPair;

@@ -1,6 +1,6 @@
 //! What odd pairs of polygons have in common.
 
-use predicament_checks::contacts::Seat;
+use predicament_contacts::checks::pairs::Seat;
 use predicament_tasks::Contestant;
 
 use super::{Find, Found, PolygonPair, Recipe, examine, random_pair, shrink_odd};

@@ -1,6 +1,6 @@
 //! A pair of polygons, and how it is shrunk.
 
-use predicament_checks::contacts::{Seat, is_embedded};
+use predicament_contacts::checks::pairs::{Seat, is_embedded};
 use predicament_exact::Exact;
 use predicament_mesh::{Complex, Simplices};
 use predicament_predicates::{Backend, Off, Scene, Vertex};

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use predicament_checks::contacts::Seat;
+use predicament_contacts::checks::pairs::Seat;
 use predicament_tasks::Contestant;
 use rayon::prelude::*;
 

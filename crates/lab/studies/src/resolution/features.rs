@@ -4,7 +4,7 @@
 //! where the contacts it makes are registered as what they are, at the last
 //! level of the hierarchy and with nothing more degenerate beside them.
 
-use predicament_algorithms::contacts::Contacts;
+use predicament_contacts::algorithm::pairs::Contacts;
 use predicament_mesh::Simplices;
 use predicament_predicates::{Dimension, Vertex};
 

@@ -112,7 +112,7 @@ fn area([a, b, c]: [[f64; 2]; 3]) -> Rational {
 
 #[cfg(test)]
 mod tests {
-    use predicament_algorithms::contacts::{Contact, Contacts, contacts};
+    use predicament_contacts::algorithm::pairs::{Contact, Contacts, contacts};
     use predicament_exact::Exact;
     use predicament_mesh::Simplex;
     use predicament_predicates::{Backend, Off};

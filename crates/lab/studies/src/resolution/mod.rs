@@ -24,7 +24,7 @@ pub use location::{Location, location};
 pub use study::{Resolution, Resolved};
 pub use survey::{Survey, survey};
 
-use predicament_algorithms::contacts::Contacts;
+use predicament_contacts::algorithm::pairs::Contacts;
 use predicament_mesh::Complex;
 use predicament_predicates::{Dimension, Scene};
 use predicament_tolerance::{Tolerances2d, Tolerances3d};

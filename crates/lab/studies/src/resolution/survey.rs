@@ -92,14 +92,18 @@ fn place(feature: &Feature, size: f64, precision: Precision, random: &mut Random
 
 #[cfg(test)]
 mod tests {
-    use predicament_algorithms::contacts::contacts;
+    use predicament_contacts::algorithm::pairs::contacts;
     use predicament_exact::Exact;
     use predicament_predicates::{Backend, Off};
 
     use super::super::FEATURES;
     use super::*;
 
-    fn exactly(scene: &Scene, a: &Complex, b: &Complex) -> Result<predicament_algorithms::contacts::Contacts, String> {
+    fn exactly(
+        scene: &Scene,
+        a: &Complex,
+        b: &Complex,
+    ) -> Result<predicament_contacts::algorithm::pairs::Contacts, String> {
         Ok(contacts(&Exact.prepare(scene, Off).map_err(|declined| declined.to_string())?, a, b))
     }
 

@@ -3,7 +3,7 @@
 //! Exact are rationals; roots are enclosed to 2⁻¹⁹². Coordinates are numbers of the
 //! precision between −½ and ½, so that L is 1. Lengths are between 1 and 4.
 
-use predicament_checks::audit::{Published, Symbol};
+use predicament_contacts::checks::audit::{Published, Symbol};
 use predicament_corpus::Random;
 use predicament_error_calculus::{Adversary, Enclosure, Perturbed};
 use predicament_formats::bits::power_of_two;

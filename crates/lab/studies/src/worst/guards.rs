@@ -4,7 +4,7 @@
 //! by exact distances: what the lemmas start from. What is climbed is the inverse of
 //! the smallest quotient of a guarded quantity and its bound.
 
-use predicament_checks::audit::PairKind;
+use predicament_contacts::checks::audit::PairKind;
 use predicament_corpus::Random;
 use predicament_formats::bits::power_of_two;
 use predicament_predicates::Dimension;

@@ -2,14 +2,14 @@
 
 use std::sync::atomic::AtomicBool;
 
-use predicament_checks::audit::{Bands, Pair, PairKind, Verdict};
+use predicament_contacts::checks::audit::{Bands, Pair, PairKind, Verdict};
+use predicament_contacts::task::thresholds;
 use predicament_predicates::{Band, Dimension};
 use predicament_studies::Precision;
 use predicament_studies::audit::{
     Algorithm, Constant, Driver, Form, Hierarchy, Row, Scheme, Tally, ThresholdPairs, audit, constants, hierarchy,
     read, rows,
 };
-use predicament_tasks::contacts::thresholds;
 use predicament_tasks::{Stop, Watch};
 use predicament_tolerance::Misscaled;
 use rug::Rational;

@@ -2,9 +2,9 @@
 
 use std::str::FromStr;
 
-use predicament_algorithms::overlay::Operation;
-use predicament_checks::overlay::Operands;
 use predicament_judge::rational;
+use predicament_overlay::algorithm::overlay::Operation;
+use predicament_overlay::checks::overlay::Operands;
 use predicament_studies::cascades::{Cascade, Cascades, Keep, Measured, Method};
 use predicament_studies::{Common, Study};
 use predicament_tasks::Contestant;

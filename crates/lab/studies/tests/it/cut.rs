@@ -1,6 +1,6 @@
 //! A lattice of tetrahedra cut by surfaces: right contacts lose nothing, wrong ones do.
 
-use predicament_algorithms::contacts::{Contact, Contacts};
+use predicament_contacts::algorithm::pairs::{Contact, Contacts};
 use predicament_mesh::Simplex;
 use predicament_predicates::Predicates;
 use predicament_studies::cut::{Cut, Deviation, Made, Measured, Pieces, Placement, Row, Scene, Shape, pieces, sides};

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 
-use predicament_checks::axioms::Law;
+use predicament_laws::axioms::Law;
 use predicament_oracle::faults::Fault;
 use predicament_studies::laws::{Row, Survey, survey};
 use predicament_tasks::{Stop, Watch};

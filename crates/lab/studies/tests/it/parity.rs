@@ -1,7 +1,7 @@
 //! Odd crossings: the smallest scenes found, and the search that found them.
 
-use predicament_algorithms::arrangement::Arrangement;
-use predicament_checks::contacts::Seat;
+use predicament_contacts::algorithm::arrangement::Arrangement;
+use predicament_contacts::checks::pairs::Seat;
 use predicament_predicates::{Backend, Off};
 use predicament_studies::Precision;
 use predicament_studies::parity::{Census, PolygonPair, Recipe, examine, random_pair, shrink_odd, smallest};

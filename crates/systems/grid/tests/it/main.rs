@@ -5,4 +5,5 @@ mod cells;
 mod columns;
 mod raster;
 mod shared;
+mod sort;
 mod two_level;

@@ -8,7 +8,8 @@ pub(super) const FAULTS: &[Planted] = &[
         name: "hull-lost-conflict",
         what: "a vertex outside of a replaced face is held against one of the new faces only",
         changes: &[change(
-            "hull/surface.rs",
+            "hull",
+            "algorithm/surface.rs",
             "        for &at in made.iter() {",
             "        let tried = if self.step > 1 { 1 } else { made.len() };\n        for &at in &made[..tried] {",
         )],
@@ -18,7 +19,8 @@ pub(super) const FAULTS: &[Planted] = &[
         name: "hull-coplanar-left",
         what: "faces of the hull in one plane are not merged",
         changes: &[change(
-            "hull/faces.rs",
+            "hull",
+            "algorithm/faces.rs",
             "                    is_flat = true;",
             "                    is_flat = false;",
         )],
@@ -27,7 +29,12 @@ pub(super) const FAULTS: &[Planted] = &[
     Planted {
         name: "hull-one-sided-wrap",
         what: "a face that joins two hulls is turned against the vertices of the first one only",
-        changes: &[change("hull/stitch.rs", "self.neighbours(u).chain(self.neighbours(v))", "self.neighbours(u)")],
+        changes: &[change(
+            "hull",
+            "algorithm/stitch.rs",
+            "self.neighbours(u).chain(self.neighbours(v))",
+            "self.neighbours(u)",
+        )],
         seen: Run("hulls", "exact", &[["topology", "no vertex is outside of a stitching face"]]),
     },
     Planted {
@@ -35,12 +42,14 @@ pub(super) const FAULTS: &[Planted] = &[
         what: "a cube whose upper face is on the border of a cell is not looked at there",
         changes: &[
             change(
-                "cube_union/mod.rs",
+                "cube-union",
+                "algorithm/mod.rs",
                 "                if !is_tight {",
                 "                if !is_tight || !cubes.is_empty() {",
             ),
             change(
-                "cube_union/cell.rs",
+                "cube-union",
+                "algorithm/cell.rs",
                 "lower[axis] < cell[axis][1] && lower[axis] + edge >= cell[axis][0])",
                 "lower[axis] < cell[axis][1] && lower[axis] + edge > cell[axis][0])",
             ),
@@ -62,7 +71,8 @@ pub(super) const FAULTS: &[Planted] = &[
         name: "lost-sub-pair",
         what: "the last pair that a level below full dimension registers is lost",
         changes: &[change(
-            "contacts/mod.rs",
+            "contacts",
+            "algorithm/pairs/mod.rs",
             "        let is_last = level + 1 == levels.len();\n",
             "        let is_last = level + 1 == levels.len();
         if !is_last && all.registered.len() > start {
@@ -75,7 +85,8 @@ pub(super) const FAULTS: &[Planted] = &[
         name: "skipped-vertices",
         what: "the hierarchy begins with edges and vertices, no two vertices are registered",
         changes: &[change(
-            "contacts/mod.rs",
+            "contacts",
+            "algorithm/pairs/mod.rs",
             "        for &ranks in *pairs {",
             "        for &ranks in pairs.iter().filter(|ranks| **ranks != [0, 0]) {",
         )],
@@ -84,7 +95,7 @@ pub(super) const FAULTS: &[Planted] = &[
     Planted {
         name: "forgotten-sub-pairs",
         what: "pairs of which a sub-pair is registered are asked about all the same",
-        changes: &[change("contacts/mod.rs", " && !is_last {", " && level > levels.len() {")],
+        changes: &[change("contacts", "algorithm/pairs/mod.rs", " && !is_last {", " && level > levels.len() {")],
         seen: Run("contacts", "tolerance", &[["inconsistent", "unasked"], ["topology", "loose ends"]]),
     },
     Planted {
@@ -92,7 +103,8 @@ pub(super) const FAULTS: &[Planted] = &[
         what: "each of the two faces at an edge that crosses the plane has a split point of its own",
         changes: &[
             change(
-                "slice/cutter.rs",
+                "slice",
+                "algorithm/cutter.rs",
                 "        let vertices = self.session.construct(&definitions)?;\n",
                 "        let vertices = self.session.construct(&definitions)?;
         let again = definitions.iter().map(|definition| match *definition {
@@ -102,7 +114,8 @@ pub(super) const FAULTS: &[Planted] = &[
         self.session.construct(&again.collect::<Vec<_>>())?;\n",
             ),
             change(
-                "slice/output.rs",
+                "slice",
+                "algorithm/output.rs",
                 "    fn vertex(&self, h: HalfEdge) -> Vertex {
         self.mesh.scene_vertex(self.mesh.end(h))",
                 "    fn vertex(&self, h: HalfEdge) -> Vertex {
@@ -121,7 +134,8 @@ pub(super) const FAULTS: &[Planted] = &[
         name: "one-loop-capped",
         what: "of a cap with several loops only the first is covered",
         changes: &[change(
-            "slice/output.rs",
+            "slice",
+            "algorithm/output.rs",
             "        for ((cap, part), loops) in caps {\n",
             "        for ((cap, part), mut loops) in caps {\n            loops.truncate(1);\n",
         )],
@@ -131,7 +145,8 @@ pub(super) const FAULTS: &[Planted] = &[
         name: "reversed-caps",
         what: "caps face into the part",
         changes: &[change(
-            "slice/output.rs",
+            "slice",
+            "algorithm/output.rs",
             "            self.triangulate(&mut out, part, Source::Cap(plane), support, &loops);\n",
             "            let from = out.parts[part as usize].triangles.len();
             self.triangulate(&mut out, part, Source::Cap(plane), support, &loops);
@@ -143,7 +158,8 @@ pub(super) const FAULTS: &[Planted] = &[
         name: "wrong-side",
         what: "the first face is put with the part on the other side",
         changes: &[change(
-            "slice/output.rs",
+            "slice",
+            "algorithm/output.rs",
             "            let source = Source::Face(",
             "            let is_first = self.parts > 1 && out.parts.iter().all(|part| part.triangles.is_empty());
             let part = if is_first { (part + 1) % 2 } else { part };
@@ -155,7 +171,8 @@ pub(super) const FAULTS: &[Planted] = &[
         name: "unsorted-split-points",
         what: "the points of a concave face on the plane are joined in the order of its edges",
         changes: &[change(
-            "slice/chords.rs",
+            "slice",
+            "algorithm/chords.rs",
             "        sort_by_sign(corners, |a, b| self.session.compare(axis, vertex(&a), vertex(&b)));\n",
             "        sort_by_sign(corners, |_, _| Sign::Zero);\n",
         )],
@@ -165,7 +182,8 @@ pub(super) const FAULTS: &[Planted] = &[
         name: "skipped-triangle",
         what: "the grid lists a triangle in the cell of one corner only",
         changes: &[change(
-            "mesh_locate/index.rs",
+            "mesh-locate",
+            "algorithm/index.rs",
             "        let grid = TwoLevel::new(&boxes, sizes",
             "        let mut boxes = boxes;
         // A box of a corner alone: the rest of the triangle is in no cell.
@@ -173,13 +191,14 @@ pub(super) const FAULTS: &[Planted] = &[
         boxes[middle].high = boxes[middle].low;
         let grid = TwoLevel::new(&boxes, sizes",
         )],
-        seen: Test("algorithms", "mesh_locate_scale::"),
+        seen: Test("mesh-locate", "mesh_locate_scale::"),
     },
     Planted {
         name: "mistaken-cavity",
         what: "a set of empty cells inside of a region is taken for the outside",
         changes: &[change(
-            "mesh_locate/index.rs",
+            "mesh-locate",
+            "algorithm/index.rs",
             "        let of_slot = |slot: usize| self.empty",
             "        let mut of_region = of_region;
         if let Some(cavity) = (0..self.empty.len()).find(|&region| !self.empty.is_open(region)) {
@@ -193,7 +212,8 @@ pub(super) const FAULTS: &[Planted] = &[
         name: "farther-triangle",
         what: "of two triangles above a point the farther is taken",
         changes: &[change(
-            "mesh_locate/single.rs",
+            "mesh-locate",
+            "algorithm/single.rs",
             "|other| is_nearer(session, direction, corners, other));",
             "|other| is_nearer(session, direction, corners, other).map(|is| !is));",
         )],

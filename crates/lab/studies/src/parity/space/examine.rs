@@ -1,8 +1,8 @@
 //! Two closed surfaces merged by what a backend registers.
 
-use predicament_algorithms::arrangement::Arrangement;
-use predicament_algorithms::contacts::Contacts;
-use predicament_checks::contacts::{Boundaries, LooseEnds, boundaries, loose_ends};
+use predicament_contacts::algorithm::arrangement::Arrangement;
+use predicament_contacts::algorithm::pairs::Contacts;
+use predicament_contacts::checks::pairs::{Boundaries, LooseEnds, boundaries, loose_ends};
 use predicament_tasks::Contestant;
 
 use super::SurfacePair;

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use predicament_checks::contacts::is_embedded;
+use predicament_contacts::checks::pairs::is_embedded;
+use predicament_contacts::task::Complexes;
 use predicament_exact::Exact;
 use predicament_mesh::{Complex, Simplices};
 use predicament_predicates::{Backend, Off, Scene, Vertex};
 use predicament_tasks::Contestant;
-use predicament_tasks::contacts::Complexes;
 
 use super::examine::{Broken, Examined, examine};
 use crate::shrink::{Shrink, Shrunk, length, shorter, shrink};

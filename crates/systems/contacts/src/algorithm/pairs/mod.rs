@@ -1,0 +1,186 @@
+//! Contacts between two complexes: which pairs of simplices meet, the most
+//! degenerate first.
+//!
+//! Wang, Jiang, Schroeder and Teran register degeneracies in a hierarchy: first
+//! vertices with vertices, then vertices with edges, and so on to the pairs
+//! whose dimensions add up to that of the space. A pair of which a sub-pair (a
+//! face of the one with a face of the other) is registered has ended and is not
+//! asked about: what meets in a common vertex does not meet again in an edge.
+//! So each question may assume that nothing more degenerate is there, which is
+//! what makes it safe to ask in floating point.
+//!
+//! The driver is the same for every philosophy: with exact signs it sorts the
+//! common points of two closed complexes by their carriers, with perturbed
+//! signs only pairs of the last level can register, with tolerances it is the
+//! paper's scheme.
+
+mod ask;
+mod ended;
+mod near;
+
+use predicament_mesh::{Complex, Simplex};
+use predicament_predicates::{Dimension, Predicates};
+
+pub use ask::ask;
+use ended::Ended;
+use near::Near;
+
+use predicament_grid::parallel;
+
+/// Barycentric coordinates of a point in a simplex, one for each of its
+/// vertices in ascending order; those that the simplex lacks are zero.
+pub type Weights = [f64; 4];
+
+/// A registered pair: a simplex of each complex, and where on it they meet.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Contact {
+    /// The simplex of the first complex.
+    pub a: Simplex,
+    /// The simplex of the second complex.
+    pub b: Simplex,
+    /// Where on the first.
+    pub on_a: Weights,
+    /// Where on the second.
+    pub on_b: Weights,
+}
+
+/// Counts of the pairs of two ranks: candidates, ended, asked, registered.
+///
+/// Every candidate either had ended or was asked about.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Level {
+    /// The ranks of the simplices of the first and of the second complex.
+    pub ranks: [u8; 2],
+    /// Pairs whose boxes are within the session's reach of each other.
+    pub candidates: u64,
+    /// Those that had ended: a sub-pair was registered.
+    pub ended: u64,
+    /// Those that the session was asked about.
+    pub asked: u64,
+    /// Those that it registered.
+    pub registered: u64,
+}
+
+/// All registered pairs, and how many there were to look at.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Contacts {
+    /// The registered pairs, by level (the sum of the ranks), then by simplices.
+    pub registered: Vec<Contact>,
+    /// Counts of the pairs, in the order of [`levels`].
+    pub levels: Vec<Level>,
+}
+
+/// The ranks of the pairs of each level, level after level.
+#[must_use]
+pub fn levels(dimension: Dimension) -> &'static [&'static [[u8; 2]]] {
+    const LEVELS: [&[[u8; 2]]; 4] =
+        [&[[0, 0]], &[[0, 1], [1, 0]], &[[0, 2], [1, 1], [2, 0]], &[[0, 3], [1, 2], [2, 1], [3, 0]]];
+    &LEVELS[..=dimension.count()]
+}
+
+/// The contacts of two complexes of the session's scene.
+///
+/// Asked about are the pairs whose boxes are within the session's
+/// [reach](Predicates::reach), as far as they haven't ended. The complexes may
+/// share vertices; a vertex meets itself, whatever the session does with ties.
+///
+/// The answer doesn't depend on the number of threads, nor, up to the exchange
+/// of the two sides, on which complex comes first.
+///
+/// # Panics
+/// If the session doesn't [support](Predicates::supports_contacts) contacts, or `b` has 2^29 maximal simplices or more.
+#[must_use]
+pub fn contacts<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex) -> Contacts {
+    if let Err(declined) = session.supports_contacts() {
+        panic!("the session must support contacts: {declined}");
+    }
+    match session.scene().dimension() {
+        Dimension::Two => hierarchy::<S, 2>(session, [a, b]),
+        Dimension::Three => hierarchy::<S, 3>(session, [a, b]),
+    }
+}
+
+/// [`contacts`] in the plane.
+///
+/// # Panics
+/// As [`contacts`], and if the scene is in space.
+#[must_use]
+pub fn contacts2d<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex) -> Contacts {
+    assert_eq!(session.scene().dimension(), Dimension::Two, "contacts2d needs a 2D scene; contacts3d takes this one");
+    contacts(session, a, b)
+}
+
+/// [`contacts`] in space.
+///
+/// # Panics
+/// As [`contacts`], and if the scene is in the plane.
+#[must_use]
+pub fn contacts3d<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex) -> Contacts {
+    assert_eq!(session.scene().dimension(), Dimension::Three, "contacts3d needs a 3D scene; contacts2d takes this one");
+    contacts(session, a, b)
+}
+
+fn hierarchy<S: Predicates + ?Sized, const D: usize>(session: &S, complexes: [&Complex; 2]) -> Contacts {
+    let near = Near::<D>::new(session.scene(), complexes, session.reach());
+    let mut all = Contacts::default();
+    let mut ended = Ended::default();
+    let levels = levels(session.scene().dimension());
+    for (level, pairs) in levels.iter().enumerate() {
+        // A level's pairs come by the ranks of the first simplex: what is appended stays sorted.
+        let start = all.registered.len();
+        for &ranks in *pairs {
+            all.levels.push(of_ranks(session, complexes, ranks, &near, &ended, &mut all.registered));
+        }
+        let is_last = level + 1 == levels.len();
+        if all.registered.len() > start && !is_last {
+            ended.learn(complexes, &all.registered);
+        }
+    }
+    all
+}
+
+/// The pairs of two ranks, which are appended in ascending order.
+fn of_ranks<S: Predicates + ?Sized, const D: usize>(
+    session: &S,
+    [a, b]: [&Complex; 2],
+    ranks: [u8; 2],
+    near: &Near<D>,
+    ended: &Ended,
+    all: &mut Vec<Contact>,
+) -> Level {
+    let none = Level { ranks, candidates: 0, ended: 0, asked: 0, registered: 0 };
+    let piece = |piece: usize| {
+        let (mut level, mut registered) = (none, Vec::new());
+        let mut partners = Vec::new();
+        near.each(piece, ranks, &mut |of_one| {
+            level.candidates += of_one.len() as u64;
+            let s = Simplex { rank: ranks[0], index: of_one[0][0] };
+            ended.partners(s, &mut partners);
+            for &[_, index] in of_one {
+                let t = Simplex { rank: ranks[1], index };
+                if ended.has_face(&partners, t) {
+                    level.ended += 1;
+                    continue;
+                }
+                level.asked += 1;
+                registered.extend(ask(session, [a, b], [s, t]));
+            }
+        });
+        level.registered = registered.len() as u64;
+        (level, registered)
+    };
+    let pieces: Vec<(Level, Vec<Contact>)> = parallel::each(near.pieces(), &piece);
+    let mut sum = none;
+    let start = all.len();
+    all.reserve(pieces.iter().map(|(_, registered)| registered.len()).sum());
+    for (level, registered) in pieces {
+        sum.candidates += level.candidates;
+        sum.ended += level.ended;
+        sum.asked += level.asked;
+        sum.registered += level.registered;
+        all.extend(registered);
+    }
+    // Simplices come by the maximal ones that own them; where these are of the same rank they are sorted already.
+    all[start..].sort_unstable_by_key(|contact| (contact.a, contact.b));
+    sum
+}

@@ -1,0 +1,101 @@
+//! The intersection curves of two closed surfaces have no loose ends.
+
+use crate::algorithm::arrangement::{Arrangement, Side};
+use crate::algorithm::pairs::Contacts;
+use predicament_mesh::Complex;
+use predicament_predicates::Vertex;
+
+use super::NotOriented;
+use super::orient::triangle_degrees;
+
+/// A point where an edge of one surface pierces a triangle of the other, but
+/// from which no curve goes on in one of the edge's triangles.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct LooseEnd {
+    /// The point of the arrangement.
+    pub point: usize,
+    /// The triangle of each complex.
+    pub triangles: [u32; 2],
+    /// How many other points the two triangles have in common. One would be
+    /// right: none leaves the curve without a way on, more without a direction.
+    pub others: usize,
+}
+
+/// The piercings of two surfaces, and where their curves end.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct LooseEnds {
+    /// Registered piercings of triangles by edges.
+    pub piercings: usize,
+    /// Pieces of intersection curves.
+    pub pieces: usize,
+    /// Pairs of triangles with more than two points in common: they overlap,
+    /// and no curve is read off them.
+    pub overlaps: usize,
+    /// What is wrong, in order.
+    pub loose: Vec<LooseEnd>,
+}
+
+/// Follows the intersection curves of two closed surfaces through each
+/// piercing.
+///
+/// Where an edge pierces a triangle, each of the edge's triangles has a piece
+/// of curve that begins there and ends in one other point that both triangles
+/// have: another piercing, or a degeneracy, merged. (The intersection of two
+/// triangles that are not in one plane is a segment, and between its ends there
+/// is no point of the boundary of either. To exact signs what is pierced has
+/// area; a triangle of the edge that has none is a segment, and its boundary
+/// passes through each of its points twice.) Of two closed surfaces an edge has
+/// two triangles, so a piercing is the end of two pieces. The law holds through
+/// degeneracies; at a merged point itself any number of pieces can meet, and
+/// surfaces that touch can share a piece with loose ends.
+///
+/// # Errors
+/// [`NotOriented::Border`] if an edge of a surface has an odd number of triangles.
+///
+/// # Panics
+/// If the arrangement was not made from these complexes and contacts.
+pub fn loose_ends(
+    complexes: [&Complex; 2],
+    contacts: &Contacts,
+    arrangement: &Arrangement,
+) -> Result<LooseEnds, NotOriented> {
+    for (side, complex) in Side::BOTH.into_iter().zip(complexes) {
+        let odd = |&(_, degree): &(_, usize)| !degree.is_multiple_of(2);
+        if let Some((edge, degree)) = triangle_degrees(complex).into_iter().find(odd) {
+            return Err(NotOriented::Border { side, edge, degree });
+        }
+    }
+    let intersection = arrangement.intersection(complexes, contacts);
+    let mut ends =
+        LooseEnds { pieces: intersection.pieces().len(), overlaps: intersection.overlaps(), ..LooseEnds::default() };
+    let around = complexes.map(triangles_around);
+    for (contact, &point) in contacts.registered.iter().zip(arrangement.of_contacts()) {
+        let pairs: Vec<[u32; 2]> = match [contact.a.rank, contact.b.rank] {
+            [1, 2] => around[0][contact.a.index as usize].iter().map(|&s| [s, contact.b.index]).collect(),
+            [2, 1] => around[1][contact.b.index as usize].iter().map(|&t| [contact.a.index, t]).collect(),
+            _ => continue,
+        };
+        ends.piercings += 1;
+        for triangles in pairs {
+            let points = intersection.of(triangles).map_or(&[][..], |meeting| &meeting.points);
+            let others = points.iter().filter(|&&other| other != point).count();
+            if others != 1 {
+                ends.loose.push(LooseEnd { point, triangles, others });
+            }
+        }
+    }
+    ends.loose.sort_unstable();
+    Ok(ends)
+}
+
+/// The triangles of each edge.
+fn triangles_around(complex: &Complex) -> Vec<Vec<u32>> {
+    let mut around = vec![Vec::new(); complex.edges().len()];
+    let place = |edge: &[Vertex; 2]| complex.edges().binary_search(edge).expect("a triangle's edges are there");
+    for (index, &[a, b, c]) in (0_u32..).zip(complex.triangles()) {
+        for edge in [[a, b], [a, c], [b, c]] {
+            around[place(&edge)].push(index);
+        }
+    }
+    around
+}

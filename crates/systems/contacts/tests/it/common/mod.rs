@@ -1,0 +1,5 @@
+//! What the tests share.
+
+pub mod faces;
+pub mod hierarchy;
+pub mod whim;

@@ -1,0 +1,110 @@
+//! All crossings of a set of segments, sorted along each: vertices constructed while it runs.
+//!
+//! Two segments cross where the ends of each are strictly on both sides of the
+//! other. All crossings are found first, in parallel; their points are then
+//! constructed in one call, in the order of the segments, so that ids do not
+//! depend on threads; then the crossings of each segment are sorted along it, by
+//! comparing constructed points. Nothing is rounded unless the session rounds.
+
+use predicament_grid::parallel;
+use predicament_predicates::{Axis, Construction, Plane, Predicates, Refused, Scene, Sign, Vertex};
+
+/// The crossings of one segment from its first end to its second: groups of
+/// segments that cross it in one point, ascending.
+pub type Along = Vec<Vec<u32>>;
+
+/// The crossings of all segments, sorted along each.
+///
+/// # Errors
+/// [`Refused`] where the session does not construct a crossing.
+///
+/// # Panics
+/// If there are 2^32 segments.
+pub fn crossings<P: Predicates + ?Sized>(session: &mut P, segments: &[[Vertex; 2]]) -> Result<Vec<Along>, Refused> {
+    let pairs = crossing_pairs(&*session, segments);
+    let definitions: Vec<Construction> =
+        pairs.iter().map(|&[i, j]| Construction::Ssi([segments[i as usize], segments[j as usize]])).collect();
+    let points = session.construct(&definitions)?;
+    let mut of: Vec<Vec<(Vertex, u32)>> = vec![Vec::new(); segments.len()];
+    for (&[i, j], &point) in pairs.iter().zip(&points) {
+        of[i as usize].push((point, j));
+        of[j as usize].push((point, i));
+    }
+    let session = &*session;
+    Ok(parallel::each(segments.len(), &|at| sorted(session, segments[at], of[at].clone())))
+}
+
+/// The pairs of segments that cross, each by its places, ascending.
+fn crossing_pairs<P: Predicates + ?Sized>(session: &P, segments: &[[Vertex; 2]]) -> Vec<[u32; 2]> {
+    let scene = session.scene();
+    let reach = |segment| reach(scene, segment);
+    // By left ends: what starts right of a segment's right end is past it. A
+    // perturbation can cross only what touches, so equal coordinates are kept.
+    let order = by_left_ends(scene, segments);
+    let of = |place: usize| -> Vec<[u32; 2]> {
+        let i = order[place];
+        let right = reach(segments[i])[1];
+        let near = order[place + 1..].iter().take_while(|&&j| reach(segments[j])[0] <= right);
+        let crossing = near.filter(|&&j| cross(session, segments[i], segments[j]));
+        let number = |i: usize| u32::try_from(i).expect("fewer than 2^32 segments");
+        crossing.map(|&j| [number(i.min(j)), number(i.max(j))]).collect()
+    };
+    let mut pairs: Vec<[u32; 2]> = parallel::each(order.len(), &of).concat();
+    pairs.sort_unstable();
+    pairs
+}
+
+/// The interval of a segment along the x axis.
+fn reach(scene: &Scene, ends: [Vertex; 2]) -> [f64; 2] {
+    let [x, y] = ends.map(|v| scene.coordinate(Axis::X, v));
+    [x.min(y), x.max(y)]
+}
+
+fn by_left_ends(scene: &Scene, segments: &[[Vertex; 2]]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..segments.len()).collect();
+    let left = |i: usize| reach(scene, segments[i])[0];
+    order.sort_by(|&i, &j| left(i).total_cmp(&left(j)).then(i.cmp(&j)));
+    order
+}
+
+/// Whether each segment's ends are strictly on both sides of the other.
+fn cross<P: Predicates + ?Sized>(session: &P, [a, b]: [Vertex; 2], [p, q]: [Vertex; 2]) -> bool {
+    let side = |[u, v]: [Vertex; 2], w| session.orient2d(Plane::Xy, u, v, w);
+    let opposite = |one: Sign, other: Sign| one != Sign::Zero && one == -other;
+    opposite(side([a, b], p), side([a, b], q)) && opposite(side([p, q], a), side([p, q], b))
+}
+
+/// The crossings in their order along a segment, those in one point together.
+fn sorted<P: Predicates + ?Sized>(session: &P, [a, b]: [Vertex; 2], mut found: Vec<(Vertex, u32)>) -> Along {
+    let axes = [Axis::X, Axis::Y];
+    let forward = axes.map(|axis| session.compare(axis, b, a));
+    let order = |u: Vertex, v: Vertex| {
+        let along = |(axis, forward): (Axis, Sign)| match forward {
+            // A segment across this axis tells nothing by it.
+            Sign::Zero => Sign::Zero,
+            forward => session.compare(axis, u, v) * forward,
+        };
+        let signs = axes.into_iter().zip(forward).map(along);
+        signs.into_iter().find(|sign| *sign != Sign::Zero).unwrap_or(Sign::Zero)
+    };
+    // Signs of a session that contradicts itself are no order, which sorting has to survive.
+    insertion_sort(&mut found, |u, v| order(u.0, v.0) == Sign::Negative);
+    let mut along: Along = Vec::new();
+    for (at, &(point, other)) in found.iter().enumerate() {
+        match along.last_mut() {
+            Some(group) if order(found[at - 1].0, point) == Sign::Zero => group.push(other),
+            _ => along.push(vec![other]),
+        }
+    }
+    along.iter_mut().for_each(|group| group.sort_unstable());
+    along
+}
+
+/// Binary insertion: ends after the same number of steps whatever `before` says.
+fn insertion_sort<T: Copy>(items: &mut [T], before: impl Fn(T, T) -> bool) {
+    for end in 1..items.len() {
+        let item = items[end];
+        let place = items[..end].partition_point(|&other| !before(item, other));
+        items[place..=end].rotate_right(1);
+    }
+}

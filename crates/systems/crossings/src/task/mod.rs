@@ -1,0 +1,233 @@
+//! `crossings`: all crossings of a set of segments, sorted along each.
+//!
+//! The smallest algorithm that constructs vertices while it runs: what overlays,
+//! slices and unions do many times over. Exact arithmetic and Simulation of
+//! Simplicity keep the points where segments cross; controls round them, and
+//! sort rounded points.
+
+mod checks;
+pub mod content;
+mod judge;
+mod spoiled;
+mod truth;
+
+use std::path::{Path, PathBuf};
+
+use crate::algorithm::{Along, crossings};
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Scene, Vertex};
+use predicament_report::drawing::Role;
+
+pub use content::Segments;
+
+use predicament_tasks::output::Canvas;
+use predicament_tasks::segment_source::named;
+use predicament_tasks::{
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest, output,
+};
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Crossings;
+
+/// The crossings along each segment, in the order of the segments.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Crossed(pub Vec<Along>);
+
+impl Answer for Crossed {
+    fn digest(&self) -> u64 {
+        let groups = self.0.iter().flat_map(|along| along.iter().map(Vec::as_slice).chain([&[u32::MAX][..]]));
+        digest(groups.flat_map(|group| group.iter().chain([&(u32::MAX - 1)])).flat_map(|other| other.to_le_bytes()))
+    }
+}
+
+impl SceneFormat for Crossings {
+    fn name(&self) -> &'static str {
+        "crossings"
+    }
+
+    fn template(&self) -> String {
+        include_str!("template.txt").to_owned()
+    }
+
+    fn about(&self) -> &'static str {
+        "all crossings of a set of segments, sorted along each"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["points", "segments"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points"]
+    }
+
+    fn file_keys(&self) -> &'static [&'static str] {
+        &["segments"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        content::read(context, fields)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &content::FAMILIES
+    }
+}
+
+impl Task for Crossings {
+    type Content = Segments;
+    type Truth = Vec<Along>;
+    type Answer = Crossed;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("segments-uniform", 60),
+                Compared::near("segments-near", 30),
+                Compared::degenerate("segments-lattice", 30),
+            ]
+        }
+    }
+
+    fn turns(&self, _: Knob) -> Turns {
+        Turns::Everywhere
+    }
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare, PredicateKind::Orient2d]
+    }
+
+    fn constructs(&self) -> bool {
+        true
+    }
+
+    fn truth(&self, scene: &Scene, content: &Segments, watch: &Watch) -> Result<Vec<Along>, Stop> {
+        truth::truth(scene, content, watch)
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &Segments,
+        how: &How<'_>,
+        answer: &mut Crossed,
+    ) -> Result<(), Halt> {
+        how.watch.done(0)?;
+        answer.0 = crossings(session, &content.0)?;
+        how.watch.done(content.0.len() as u64)?;
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, Crossings>,
+        asked: &Asked<'_>,
+        answer: &Crossed,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        judge::judge(case, asked, &answer.0, outcome)
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Crossings>> {
+        spoiled::all()
+    }
+
+    fn describe(&self, loaded: &LoadedScene, content: &Segments, watch: &Watch) -> Result<String, Stop> {
+        let truth = truth::truth(&loaded.scene, content, watch)?;
+        let crossings: usize = truth.iter().flatten().map(Vec::len).sum();
+        Ok(format!("{} segments, {} crossings\n", content.0.len(), crossings / 2))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &Segments,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let (at, about) = named(&content.0, query)?;
+        let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|found| describe(&found.0[at]));
+        Ok(about.with_answers(backends, ask))
+    }
+
+    fn write(
+        &self,
+        scene: &Scene,
+        content: &Segments,
+        answer: &Crossed,
+        folder: &Path,
+    ) -> std::io::Result<Vec<PathBuf>> {
+        let point = |v| scene.point(v).to_vec();
+        // Where two segments cross, as the algorithm defines it.
+        let mut scene = scene.clone();
+        let mut crossing = |i: usize, j: &u32| {
+            let lines = [content.0[i], content.0[*j as usize]];
+            scene.construct(Construction::Ssi(lines)).map_err(std::io::Error::other)
+        };
+        let mut segments: Vec<serde_json::Value> = Vec::with_capacity(content.0.len());
+        let mut crossings = Vec::new();
+        for (at, (ends, along)) in content.0.iter().zip(&answer.0).enumerate() {
+            let mut groups = Vec::with_capacity(along.len());
+            for group in along {
+                let vertices = group.iter().map(|j| crossing(at, j)).collect::<Result<Vec<_>, _>>()?;
+                groups.push(vertices.iter().map(ToString::to_string).collect::<Vec<_>>());
+                crossings.extend(vertices);
+            }
+            let ends_at = ends.map(point);
+            segments.push(serde_json::json!({ "ends": ends_at, "crossed_by": along, "crossed_at": groups }));
+        }
+        let path = folder.join("crossings.json");
+        std::fs::write(&path, format!("{}\n", serde_json::Value::Array(segments)))?;
+        // Segments that wrong signs make cross may be parallel: their lines have no point.
+        crossings.retain(|&v| predicament_judge::point(&scene, v).is_some());
+        let ends = content.0.iter().flatten().copied();
+        let vertices = output::vertices(&scene, ends.chain(crossings), folder)?;
+        Ok(vec![path, vertices])
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &Segments,
+        answer: Option<&Crossed>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        canvas.lines(scene, "segments", Role::Given, &content.0)?;
+        let Some(answer) = answer else { return Ok(()) };
+        let mut scene = scene.clone();
+        let mut crossings = Vec::new();
+        for (at, along) in answer.0.iter().enumerate() {
+            // Each pair is in the lists of both.
+            for &other in along.iter().flatten().filter(|&&other| other as usize > at) {
+                let lines = [content.0[at], content.0[other as usize]];
+                let v = scene.construct(Construction::Ssi(lines)).map_err(std::io::Error::other)?;
+                // Segments that wrong signs make cross may be parallel: their lines have no point.
+                crossings.extend(predicament_judge::point(&scene, v).is_some().then_some(v));
+            }
+        }
+        canvas.points(&scene, "crossings", Role::Found, crossings)?;
+        Ok(())
+    }
+}
+
+/// The crossings of each of these segments, in rationals.
+pub fn exactly(scene: &Scene, segments: &[[Vertex; 2]], watch: &Watch) -> Result<Vec<Along>, Stop> {
+    truth::truth(scene, &Segments(segments.to_vec()), watch)
+}
+
+/// The crossings along a segment in words: `3, 5 and 7, 2`.
+#[must_use]
+pub fn describe(along: &Along) -> String {
+    if along.is_empty() {
+        return "none".to_owned();
+    }
+    let group = |group: &Vec<u32>| group.iter().map(u32::to_string).collect::<Vec<_>>().join(" and ");
+    along.iter().map(group).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,82 @@
+//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
+
+use predicament_predicates::Scene;
+
+use super::{Crossed, Crossings, Segments, truth};
+use predicament_tasks::{Class, Spoiled};
+
+pub(super) fn all() -> Vec<Spoiled<Crossings>> {
+    vec![
+        Spoiled::new(
+            "crossings-touch",
+            "the first two segments of which one has an end in the line of the other cross",
+            "exact",
+            &[(Class::MissedZero, "crossings")],
+            |scene: &Scene, content: &Segments, answer: &mut Crossed| {
+                let count = content.0.len();
+                let pairs = (0..count).flat_map(|i| (0..count).map(move |j| [i, j])).filter(|[i, j]| i != j);
+                let touching = pairs.into_iter().find_map(|[i, j]| {
+                    let number = u32::try_from(j).ok()?;
+                    let is_new = answer.0[i].iter().flatten().all(|other| *other != number);
+                    (is_new && truth::touches(scene, content.0[i], content.0[j])).then_some((i, number))
+                });
+                if let Some((i, number)) = touching {
+                    answer.0[i].push(vec![number]);
+                }
+            },
+        ),
+        Spoiled::new(
+            "crossings-lose-the-last",
+            "the last crossing of each segment is lost",
+            "exact",
+            &[(Class::SignFlip, "crossings")],
+            |_, _, answer: &mut Crossed| {
+                for along in &mut answer.0 {
+                    along.pop();
+                }
+            },
+        ),
+        Spoiled::new(
+            "crossings-at-one-place",
+            "all crossings of a segment are at one place",
+            "exact",
+            &[(Class::Overreach, "order")],
+            |_, _, answer: &mut Crossed| {
+                for along in answer.0.iter_mut().filter(|along| along.len() > 1) {
+                    let mut all = along.concat();
+                    all.sort_unstable();
+                    *along = vec![all];
+                }
+            },
+        ),
+        Spoiled::new(
+            "crossings-lose-the-last-perturbed",
+            "where ties are broken the last crossing of each segment is lost",
+            "sos",
+            &[(Class::SignFlip, "perturbed crossings")],
+            |_, _, answer: &mut Crossed| {
+                for along in &mut answer.0 {
+                    along.pop();
+                }
+            },
+        ),
+        Spoiled::new(
+            "crossings-told-apart",
+            "crossings at one place follow each other",
+            "exact",
+            &[(Class::MissedZero, "order")],
+            |_, _, answer: &mut Crossed| {
+                for along in &mut answer.0 {
+                    *along = along.iter().flatten().map(|&other| vec![other]).collect();
+                }
+            },
+        ),
+        Spoiled::new(
+            "crossings-go-back",
+            "the crossings of a segment are in order from its other end",
+            "exact",
+            &[(Class::SignFlip, "order")],
+            |_, _, answer: &mut Crossed| answer.0.iter_mut().for_each(|along| along.reverse()),
+        ),
+    ]
+}

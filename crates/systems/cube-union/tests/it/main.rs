@@ -1,0 +1,3 @@
+//! The integration tests, as one binary: each further one would link the crate and compile what they share again.
+
+mod cubes;

@@ -1,0 +1,34 @@
+//! What is reported about Delaunay triangulations.
+
+use predicament_tasks::Check;
+
+/// What the algorithm looks after itself.
+const RULES: &[&str] = &[
+    "a constraint crosses a triangle once and stays in the hull",
+    "a constraint leaves its end through an edge or a vertex",
+    "a vertex on two sides of a triangle is in the place of their corner",
+    "a vertex that is removed is in the triangulation",
+    "a walk toward a vertex ends",
+    "an edge of a hole has a vertex on its inner side",
+    "the triangles that a vertex replaces are a disc",
+    "the vertices of a face are on its boundary",
+    "two constraints cross in one point",
+];
+
+pub(super) const CHECKS: &[Check] = &[
+    Check::topology("vertices", "the corners of each triangle are three vertices of the scene"),
+    Check::topology("copies", "each vertex is a corner, or in the place of a smaller one that is"),
+    Check::topology("chain", "where all points are in one line they are in order, and else there is no such list"),
+    Check::topology("positive", "each triangle is counterclockwise"),
+    Check::topology("edges", "an edge is one of two triangles, in both directions, or on the hull"),
+    Check::topology("hull", "the edges of one triangle make one cycle"),
+    Check::topology("convex", "the cycle of the hull does not turn to the right"),
+    Check::topology("wound once", "the cycle of the hull goes around once"),
+    Check::topology("area", "areas add up to that of the hull"),
+    Check::topology("constraint", "each constraint is a chain of edges"),
+    Check::topology("crossing", "where constraints cross there is a point"),
+    Check::topology("empty circle", "no circle of a triangle has the opposite vertex of a neighbour inside"),
+    Check::topology("fan", "faces of vertices on one circle are fans from their smallest vertex"),
+    Check::topology("empty", "no circle of a triangle has any vertex inside"),
+    Check::invariants("adding points and constraints does not contradict itself", &[RULES]),
+];

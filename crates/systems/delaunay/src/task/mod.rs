@@ -1,0 +1,244 @@
+//! `delaunay2d`: the Delaunay triangulation of points of the plane.
+//!
+//! The algorithm that asks more about circles than any other: a wrong answer near zero leaves an edge that should not be
+//! there, or opens a hole. Its answer is unique, so that digests of different backends can be compared. With constraints, edges
+//! are given, and where they cross, vertices are constructed while it runs.
+
+mod checks;
+mod content;
+mod generate;
+mod judge;
+mod spoiled;
+
+use std::path::{Path, PathBuf};
+
+use crate::algorithm::{Delaunay2, constrained_delaunay2d, delaunay2d};
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Refused, Scene, Vertex};
+use predicament_report::drawing::Role;
+
+pub use content::Sites;
+pub use judge::Truth;
+
+use predicament_tasks::output::Canvas;
+use predicament_tasks::{
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest, output,
+};
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Delaunay2d;
+
+/// The triangulation that was found.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Triangles(pub Delaunay2);
+
+impl Answer for Triangles {
+    fn digest(&self) -> u64 {
+        let Delaunay2 { triangles, chain, copies, constrained, crossings, broken } = &self.0;
+        let definitions: Vec<Vertex> = crossings.iter().flat_map(Construction::flats).flatten().copied().collect();
+        let constrained = constrained.as_flattened();
+        let lists = [triangles.as_flattened(), chain, copies.as_flattened(), constrained, &definitions];
+        // Without constraints nothing is said about them.
+        let count = if constrained.is_empty() { 3 } else { lists.len() };
+        let ids = lists
+            .into_iter()
+            .take(count)
+            .flat_map(|list| [list.len()].into_iter().chain(list.iter().map(|v| v.index())));
+        digest(ids.flat_map(usize::to_le_bytes).chain(broken.unwrap_or_default().bytes()))
+    }
+}
+
+impl SceneFormat for Delaunay2d {
+    fn name(&self) -> &'static str {
+        "delaunay2d"
+    }
+
+    fn template(&self) -> String {
+        include_str!("template.txt").to_owned()
+    }
+
+    fn about(&self) -> &'static str {
+        "the Delaunay triangulation of points of the plane, cocircular faces cut by a rule"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["points", "constraints"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        content::read(context, fields)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &generate::FAMILIES
+    }
+}
+
+impl Task for Delaunay2d {
+    type Content = Sites;
+    type Truth = Truth;
+    type Answer = Triangles;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("delaunay-uniform", 60),
+                Compared::near("delaunay-near-ring", 60),
+                Compared::degenerate("delaunay-grid", 64),
+            ]
+        }
+    }
+
+    fn turns(&self, _: Knob) -> Turns {
+        Turns::Everywhere
+    }
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Incircle]
+    }
+
+    fn constructs(&self) -> bool {
+        true
+    }
+
+    fn judges_whole(&self) -> bool {
+        true
+    }
+
+    fn truth(&self, scene: &Scene, _: &Sites, watch: &Watch) -> Result<Truth, Stop> {
+        watch.done(0)?;
+        Ok(Truth::new(scene))
+    }
+
+    fn sampled(&self, truth: &Truth) -> Option<String> {
+        truth.sampled()
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &Sites,
+        how: &How<'_>,
+        answer: &mut Triangles,
+    ) -> Result<(), Halt> {
+        how.watch.done(0)?;
+        // To compile it for each session costs much, and runs no faster: memory is what it waits for.
+        answer.0 = solve(session, content)?;
+        how.watch.done(content.points as u64)?;
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, Delaunay2d>,
+        asked: &Asked<'_>,
+        answer: &Triangles,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        asked.watch.done(0)?;
+        judge::judge(case, asked, &answer.0, outcome);
+        Ok(())
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Delaunay2d>> {
+        spoiled::all()
+    }
+
+    fn describe(&self, _: &LoadedScene, content: &Sites, watch: &Watch) -> Result<String, Stop> {
+        watch.done(0)?;
+        Ok(match content.constraints.len() {
+            0 => format!("{} points\n", content.points),
+            constraints => format!("{} points, {constraints} constraints\n", content.points),
+        })
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &Sites,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let vertices: Vec<Vertex> = query.vertices().collect();
+        let ask =
+            |backend: &dyn Contestant| backend.answer(self, scene, content).map(|found| describe(&found.0, &vertices));
+        Ok(Explanation { vertices: vertices.clone(), ..Explanation::default() }.with_answers(backends, ask))
+    }
+
+    /// SVG and GeoJSON of the triangles; chain, copies and edges of constraints as JSON; all vertices exactly.
+    fn write(&self, scene: &Scene, _: &Sites, answer: &Triangles, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+        let found = &answer.0;
+        let mut exact = scene.clone();
+        for definition in &found.crossings {
+            exact.construct(*definition).map_err(std::io::Error::other)?;
+        }
+        let polygons: Vec<Vec<Vec<Vertex>>> = found.triangles.iter().map(|triangle| vec![triangle.to_vec()]).collect();
+        let mut files = output::plane(&exact, &polygons, folder, "triangles")?;
+        let path = folder.join("edges.json");
+        let ids = |list: &[Vertex]| list.iter().map(ToString::to_string).collect::<Vec<_>>();
+        let pairs = |pairs: &[[Vertex; 2]]| pairs.iter().map(|pair| ids(pair)).collect::<Vec<_>>();
+        let json = serde_json::json!({
+            "chain": ids(&found.chain),
+            "copies": pairs(&found.copies),
+            "constrained": pairs(&found.constrained),
+            "broken": found.broken,
+        });
+        std::fs::write(&path, format!("{json}\n"))?;
+        files.push(path);
+        let crossings = (0..found.crossings.len()).map(Vertex::constructed);
+        files.push(output::vertices(&exact, scene.vertices().chain(crossings), folder)?);
+        Ok(files)
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &Sites,
+        answer: Option<&Triangles>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        let mut exact = scene.clone();
+        if let Some(Triangles(found)) = answer {
+            for definition in &found.crossings {
+                exact.construct(*definition).map_err(std::io::Error::other)?;
+            }
+            canvas.faces(&exact, "triangles", Role::Found, &found.triangles)?;
+            canvas.lines(&exact, "constrained edges", Role::Second, &found.constrained)?;
+        } else {
+            canvas.lines(scene, "constraints", Role::Second, &content.constraints)?;
+        }
+        canvas.points(scene, "points", Role::Given, scene.vertices())?;
+        Ok(())
+    }
+}
+
+/// The triangulation.
+fn solve(session: &mut dyn Predicates, content: &Sites) -> Result<Delaunay2, Refused> {
+    let found = match &content.constraints[..] {
+        [] => delaunay2d(session),
+        constraints => constrained_delaunay2d(session, constraints)?,
+    };
+    Ok(found.answer())
+}
+
+/// The triangles in words, as far as they are about these vertices.
+fn describe(found: &Delaunay2, vertices: &[Vertex]) -> String {
+    let is_about = |triangle: &&[Vertex; 3]| {
+        let common = triangle.iter().filter(|v| vertices.contains(v)).count();
+        common >= vertices.len().clamp(1, 3)
+    };
+    let about: Vec<String> =
+        found.triangles.iter().filter(is_about).take(6).map(|triangle| predicament_tasks::ids(triangle)).collect();
+    if about.is_empty() { found.to_string() } else { format!("{found}; {}", about.join(", ")) }
+}

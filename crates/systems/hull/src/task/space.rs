@@ -1,0 +1,192 @@
+//! `hull3d`: the convex hull of points of space.
+
+use std::path::{Path, PathBuf};
+
+use crate::algorithm::{Hull3, SpaceMethod, hull3d};
+use crate::checks::space_flaws;
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
+use predicament_report::drawing::Role;
+
+use super::cloud::{self, Cloud, Method};
+use super::judge::{Found, Truth, judge};
+use super::{generate, template};
+use predicament_tasks::output::Canvas;
+use predicament_tasks::{
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest, output,
+};
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Hull3d;
+
+/// The hull that was found.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Surface(pub Hull3);
+
+impl Answer for Surface {
+    fn digest(&self) -> u64 {
+        let broken = self.0.broken.unwrap_or_default();
+        let faces = self.0.faces.iter().flat_map(|face| face.iter().map(|v| v.index()).chain([usize::MAX]));
+        let vertices = self.0.vertices.iter().map(|v| v.index());
+        digest(vertices.chain([usize::MAX]).chain(faces).flat_map(usize::to_le_bytes).chain(broken.bytes()))
+    }
+}
+
+impl SceneFormat for Hull3d {
+    fn name(&self) -> &'static str {
+        SpaceMethod::TASK
+    }
+
+    fn template(&self) -> String {
+        template("[[0, 0, 0], [8, 0, 0], [0, 8, 0], [0, 0, 8], [2, 2, \"0x1.0p-60\"]]", "incremental", "hull-lattice")
+    }
+
+    fn about(&self) -> &'static str {
+        "the faces of the convex hull of points of space, counterclockwise as seen from outside"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["points", "method"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        cloud::read::<SpaceMethod>(context, fields)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &generate::SPACE
+    }
+
+    fn generator_keys(&self) -> &'static [&'static str] {
+        &["method"]
+    }
+
+    fn naming_keys(&self) -> &'static [&'static str] {
+        &["method"]
+    }
+}
+
+impl Task for Hull3d {
+    type Content = Cloud<SpaceMethod>;
+    type Truth = Truth;
+    type Answer = Surface;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("hull-ball", 60),
+                Compared::near("hull-slab", 60),
+                Compared::degenerate("hull-lattice", 64),
+            ]
+        }
+    }
+
+    fn turns(&self, _: Knob) -> Turns {
+        Turns::Everywhere
+    }
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]
+    }
+
+    fn judges_whole(&self) -> bool {
+        true
+    }
+
+    fn truth(&self, scene: &Scene, _: &Cloud<SpaceMethod>, watch: &Watch) -> Result<Truth, Stop> {
+        watch.done(0)?;
+        Ok(Truth::new(scene))
+    }
+
+    fn sampled(&self, truth: &Truth) -> Option<String> {
+        truth.sampled()
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &Cloud<SpaceMethod>,
+        how: &How<'_>,
+        answer: &mut Surface,
+    ) -> Result<(), Halt> {
+        how.watch.done(0)?;
+        answer.0 = hull3d(&*session, content.method);
+        how.watch.done(content.points as u64)?;
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, Hull3d>,
+        asked: &Asked<'_>,
+        answer: &Surface,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        let hull = &answer.0;
+        let found = Found {
+            vertices: &hull.vertices,
+            broken: hull.broken,
+            flaws: &|signs| space_flaws(signs, &hull.vertices, &hull.faces),
+        };
+        judge(SpaceMethod::TASK, case, asked, &found, outcome);
+        Ok(())
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        super::checks::IN_SPACE
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Hull3d>> {
+        super::spoiled::in_space()
+    }
+
+    fn describe(&self, loaded: &LoadedScene, content: &Cloud<SpaceMethod>, watch: &Watch) -> Result<String, Stop> {
+        watch.done(0)?;
+        let extreme = Truth::new(&loaded.scene).described();
+        Ok(format!("{} points, by method {}; {extreme}\n", content.points, content.method.name()))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &Cloud<SpaceMethod>,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|hull| hull.0.to_string());
+        let explanation = Explanation { vertices: query.vertices().collect(), ..Explanation::default() };
+        Ok(explanation.with_answers(backends, ask))
+    }
+
+    fn write(
+        &self,
+        scene: &Scene,
+        _: &Cloud<SpaceMethod>,
+        answer: &Surface,
+        folder: &Path,
+    ) -> std::io::Result<Vec<PathBuf>> {
+        let mut files = output::mesh(scene, &answer.0.faces, folder, "hull")?;
+        files.push(output::vertices(scene, answer.0.vertices.iter().copied(), folder)?);
+        Ok(files)
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        _: &Cloud<SpaceMethod>,
+        answer: Option<&Surface>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        let faces = answer.into_iter().flat_map(|answer| &answer.0.faces);
+        canvas.faces(scene, "hull", Role::Found, faces)?;
+        canvas.points(scene, "points", Role::Given, scene.vertices())?;
+        Ok(())
+    }
+}

@@ -1,0 +1,5 @@
+//! What the tests share.
+
+pub mod by_definition;
+#[path = "../../../../delaunay/tests/it/common/liar.rs"]
+pub mod liar;

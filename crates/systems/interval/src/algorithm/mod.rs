@@ -1,0 +1,78 @@
+//! Cells of a line, and which of them a point is in (Franklin & Magalhães, 4.1).
+//!
+//! As sets, [l, r] and [r, s] both hold r. What an algorithm on top needs is a
+//! partition: every point in exactly one cell. Simulation of Simplicity gives
+//! it without a case for r: a point is moved by an infinitesimal, so it never
+//! is at an end. With the point moved further than the ends, the predicate
+//! l ≤ p' ≤ r becomes the rule l ≤ p < r, in which no infinitesimal is left:
+//! [`half_open`].
+//!
+//! [`place`] is the same question to any session, which decides for itself
+//! what equal coordinates are.
+//!
+//! ```
+//! # use crate::algorithm::{Place, half_open, place};
+//! # use predicament_exact::Exact;
+//! # use predicament_sos::Sos;
+//! # use predicament_predicates::{Axis, Backend, Off, Scene, Vertex};
+//! // The point comes first, so that it is moved further than the ends of both cells.
+//! let scene = Scene::from_points2(&[[1., 0.], [0., 0.], [1., 0.], [2., 0.]])?;
+//! let [point, l, m, r] = [0, 1, 2, 3].map(Vertex::input);
+//! let sos = Sos::default();
+//! let (exact, sos) = (Exact.prepare(&scene, Off)?, sos.prepare(&scene, Off)?);
+//! for (cell, ends, rule) in [([l, m], [0., 1.], false), ([m, r], [1., 2.], true)] {
+//!     assert_eq!(place(&exact, Axis::X, cell, point), Place::AtEnd);
+//!     assert_eq!(place(&sos, Axis::X, cell, point) == Place::Inside, rule);
+//!     assert_eq!(half_open(ends, 1.), rule);
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+use predicament_predicates::{Axis, Predicates, Sign, Vertex};
+
+/// Where a point is, seen from a cell.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Place {
+    /// Left or right of it.
+    Outside,
+    /// As far along the line as one of the ends, and not outside.
+    AtEnd,
+    /// Between the ends.
+    Inside,
+}
+
+/// Where the point is, seen from the cell between a left and a right end, as
+/// the session compares them along the axis.
+///
+/// No point is inside a cell whose right end is not right of the left one.
+#[inline]
+pub fn place<P: Predicates + ?Sized>(session: &P, axis: Axis, [left, right]: [Vertex; 2], point: Vertex) -> Place {
+    let from_left = session.compare(axis, point, left);
+    if from_left == Sign::Negative {
+        return Place::Outside;
+    }
+    match session.compare(axis, right, point) {
+        Sign::Negative => Place::Outside,
+        Sign::Positive if from_left == Sign::Positive => Place::Inside,
+        _ => Place::AtEnd,
+    }
+}
+
+/// The rule of the paper: whether the point, moved to the right by less than
+/// anything, is in the cell [l, r].
+#[inline]
+#[must_use]
+pub fn half_open([left, right]: [f64; 2], point: f64) -> bool {
+    left <= point && point < right
+}
+
+/// The cells that the point is not outside of, by their numbers.
+pub fn cells_at<P: Predicates + ?Sized>(
+    session: &P,
+    axis: Axis,
+    cells: &[[Vertex; 2]],
+    point: Vertex,
+) -> impl Iterator<Item = (usize, Place)> {
+    let places = cells.iter().map(move |&cell| place(session, axis, cell, point));
+    places.enumerate().filter(|&(_, place)| place != Place::Outside)
+}

@@ -1,0 +1,9 @@
+//! In which cell of a line does a point lie? (Franklin and Magalhães, 4.1)
+//!
+//! * [`algorithm`]: the algorithm, generic over the session.
+//! * [`checks`]: what must hold for its answers, decided exactly.
+//! * [`task`]: how it is asked, judged, drawn and reported.
+
+pub mod algorithm;
+pub mod checks;
+pub mod task;

@@ -1,0 +1,114 @@
+//! Every probe against the rule without infinitesimals, and the cells against each other.
+
+use crate::algorithm::{Place, place};
+use crate::checks::partition_fault;
+use predicament_judge::interval as judge;
+use predicament_predicates::{Axis, PredicateKind, Predicates, Query, Scene, Vertex, ZeroMeaning};
+use rayon::prelude::*;
+
+use super::{CHUNK, Cells, Found, Interval, describe};
+use predicament_tasks::{AnswerLine, Asked, Case, Class, Finding, Outcome, Stop, Watch};
+
+/// What is true about each probe, by the coordinates of cells and probe.
+pub(super) fn truth(scene: &Scene, content: &Cells, watch: &Watch) -> Result<Vec<Found>, Stop> {
+    let chunks: Result<Vec<Vec<Found>>, Stop> = content
+        .probes
+        .par_chunks(CHUNK)
+        .map(|probes| {
+            let found = probes.iter().map(|&probe| by_rule(scene, content, judge::place, probe)).collect();
+            watch.done(probes.len() as u64).map(|()| found)
+        })
+        .collect();
+    Ok(chunks?.into_iter().flatten().collect())
+}
+
+/// The answer by a rule of the judge, about coordinates and numbers.
+fn by_rule(
+    scene: &Scene,
+    content: &Cells,
+    rule: impl Fn(&Scene, Axis, [Vertex; 2], Vertex) -> judge::Place,
+    probe: Vertex,
+) -> Found {
+    let place = |cell| match rule(scene, content.axis, cell, probe) {
+        judge::Place::Outside => Place::Outside,
+        judge::Place::AtEnd => Place::AtEnd,
+        judge::Place::Inside => Place::Inside,
+    };
+    let places = content.cells.iter().map(|&cell| place(cell));
+    places.enumerate().filter(|&(_, place)| place != Place::Outside).collect()
+}
+
+/// Where the probe is, seen from all cells as one.
+fn whole(session: &dyn Predicates, content: &Cells, probe: Vertex) -> Place {
+    match (content.cells.first(), content.cells.last()) {
+        (Some(&[left, _]), Some(&[_, right])) => place(session, content.axis, [left, right], probe),
+        _ => Place::Outside,
+    }
+}
+
+/// Judges the cells of all probes.
+pub(super) fn judge(
+    case: &Case<'_, Interval>,
+    asked: &Asked<'_>,
+    found: &[Found],
+    outcome: &mut Outcome,
+) -> Result<(), Stop> {
+    let zero = asked.contract(PredicateKind::Compare).zero;
+    let perturbed = |probe| by_rule(case.scene(), case.content, judge::perturbed_place, probe);
+    for (at, (cells, &probe)) in found.iter().zip(&case.content.probes).enumerate() {
+        let exact = &case.truth[at];
+        let whole = whole(asked.session, case.content, probe);
+        let (class, check) = class(zero, whole, cells, exact, || perturbed(probe));
+        if asked.budget.answers {
+            outcome.answers.push(AnswerLine {
+                query: at,
+                args: vec![probe],
+                answer: describe(cells),
+                exact: describe(exact),
+                class,
+                stage: "",
+            });
+        }
+        outcome.note(class, asked.budget.findings_per_class, || {
+            let truth = match zero {
+                ZeroMeaning::Never => perturbed(probe),
+                ZeroMeaning::Exact | ZeroMeaning::Band => exact.clone(),
+            };
+            let query = Query::of_task("interval", &[probe]);
+            Finding::plain(class, check, vec![query], describe(cells), describe(&truth))
+        });
+    }
+    Ok(())
+}
+
+/// The class of an answer and the check that it is from.
+fn class(
+    zero: ZeroMeaning,
+    whole: Place,
+    found: &Found,
+    exact: &Found,
+    perturbed: impl FnOnce() -> Found,
+) -> (Class, &'static str) {
+    if let Some(fault) = partition_fault(whole, found.iter().map(|&(_, place)| place)) {
+        return (Class::Topology, fault.name());
+    }
+    let at_end = |cells: &Found| cells.iter().any(|&(_, place)| place == Place::AtEnd);
+    match zero {
+        ZeroMeaning::Never if at_end(found) => (Class::Inconsistent, "never zero"),
+        ZeroMeaning::Never if *found != perturbed() => (Class::SignFlip, "half-open rule"),
+        ZeroMeaning::Never if at_end(exact) => (Class::TieBroken, "cells"),
+        ZeroMeaning::Never => (Class::Agree, "cells"),
+        ZeroMeaning::Exact | ZeroMeaning::Band => {
+            let lost = |from: &Found, to: &Found| {
+                from.iter().any(|&(cell, place)| place == Place::AtEnd && !to.contains(&(cell, Place::AtEnd)))
+            };
+            let class = match (found == exact, lost(exact, found), lost(found, exact)) {
+                (true, _, _) => Class::Agree,
+                (false, true, _) => Class::MissedZero,
+                (false, false, true) => Class::Overreach,
+                (false, false, false) => Class::SignFlip,
+            };
+            (class, "cells")
+        }
+    }
+}

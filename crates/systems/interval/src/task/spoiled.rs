@@ -1,0 +1,78 @@
+//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
+
+use crate::algorithm::Place;
+
+use super::{Cells, CellsFound, Interval};
+use predicament_tasks::{Class, Spoiled};
+
+pub(super) fn all() -> Vec<Spoiled<Interval>> {
+    vec![
+        Spoiled::new(
+            "interval-loses-a-point",
+            "the first point that is in a cell is in none",
+            "exact",
+            &[(Class::Topology, "gap")],
+            |_, _, answer: &mut CellsFound| {
+                if let Some(found) = answer.0.iter_mut().find(|found| !found.is_empty()) {
+                    found.clear();
+                }
+            },
+        ),
+        Spoiled::new(
+            "interval-stray-point",
+            "the first point that is in no cell is in the first",
+            "exact",
+            &[(Class::Topology, "stray")],
+            |_, _, answer: &mut CellsFound| {
+                if let Some(found) = answer.0.iter_mut().find(|found| found.is_empty()) {
+                    found.push((0, Place::Inside));
+                }
+            },
+        ),
+        Spoiled::new(
+            "interval-unbroken-tie",
+            "points in a cell are at its end, and at that of the next one",
+            "sos",
+            &[(Class::Inconsistent, "never zero")],
+            |_, content: &Cells, answer: &mut CellsFound| {
+                let last = content.cells.len().saturating_sub(1);
+                for_each_inside(answer, |cell| {
+                    let both = if cell < last { [cell, cell + 1] } else { [cell.saturating_sub(1), cell] };
+                    both.map(|cell| (cell, Place::AtEnd)).to_vec()
+                });
+            },
+        ),
+        Spoiled::new(
+            "interval-takes-an-end",
+            "a point at the ends of two cells is in the first of them",
+            "exact",
+            &[(Class::MissedZero, "cells")],
+            |_, _, answer: &mut CellsFound| {
+                for found in answer.0.iter_mut().filter(|found| found.len() == 2) {
+                    *found = vec![(found[0].0, Place::Inside)];
+                }
+            },
+        ),
+        Spoiled::new(
+            "interval-next-cell",
+            "points are in the cell beside the one that they are in",
+            "exact",
+            &[(Class::SignFlip, "cells")],
+            |_, content: &Cells, answer: &mut CellsFound| {
+                let last = content.cells.len().saturating_sub(1);
+                for_each_inside(answer, |cell| {
+                    vec![(if cell < last { cell + 1 } else { cell.saturating_sub(1) }, Place::Inside)]
+                });
+            },
+        ),
+    ]
+}
+
+/// Replaces what was found of each point that is inside of one cell.
+fn for_each_inside(answer: &mut CellsFound, with: impl Fn(usize) -> Vec<(usize, Place)>) {
+    for found in &mut answer.0 {
+        if let [(cell, Place::Inside)] = found[..] {
+            *found = with(cell);
+        }
+    }
+}

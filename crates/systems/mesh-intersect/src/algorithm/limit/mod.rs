@@ -1,0 +1,302 @@
+//! The limit of a perturbed result as the perturbation goes to zero: what the Boolean operation of the meshes themselves is, regularised.
+//!
+//! [`mod@crate::algorithm::overlay`] overlays meshes one of which has moved by an infinitesimal, so that its results can have triangles without area,
+//! vertices apart that are at one place, and sheets without volume: the union of two boxes that share a face keeps that face
+//! twice, where the move opens a gap. The volume of the result is continuous in the move, and so is its surface as a chain of oriented
+//! triangles. What that chain is where the move is zero, is found here by an exact session: vertices at one place become one, triangles without
+//! area go, triangles that face each other in one plane cancel. The limit does not depend on the move: it is the closure of the
+//! interior of the result (Requicha's *regularised* operation).
+//!
+//! # Steps
+//! 1. Triangles whose boxes may meet those of the other mesh are the only ones that are looked at.
+//! 2. Vertices at one place: by the nearest doubles, and where these are equal and not exact, by `compare` (`places.rs`).
+//! 3. Triangles with a vertex twice go, and pairs of opposite ones: 5 would do that too, and takes longer.
+//! 4. Triangles without area go: one `orient2d` each, in a plane where the triangle that they are a part of has area.
+//! 5. What faces each other otherwise is cut in its plane (`sheets.rs`).
+//! 6. Where 4 and 5 have left edges open, triangles are divided at the vertices on their edges (`joints.rs`).
+//!
+//! # What is taken
+//! Results of sessions that move a mesh as a whole: a line that is parallel to a plane stays so, and each constructed vertex is a point
+//! in the limit. Where each vertex moves on its own that may not hold; the limit is refused where it does not.
+
+pub(crate) mod chain;
+pub(crate) mod joints;
+mod nearest;
+pub(crate) mod places;
+pub(crate) mod plane;
+pub(crate) mod sheets;
+
+use predicament_grid::{Bounds, shared};
+use predicament_predicates::{Predicates, Vertex};
+
+pub use places::Places;
+
+use self::chain::Chain;
+use self::joints::Joints;
+use self::places::Same;
+use self::sheets::{Gone, Label, Left, Part};
+use crate::algorithm::overlay::number;
+use crate::algorithm::overlay::{MeshOverlay, Solid, Undone};
+
+/// The invariant of a result.
+const CLOSED: &str = "the limit of a closed surface is closed";
+
+/// The limit of a result.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Limit {
+    /// The surface: closed, counterclockwise as seen from outside, each triangle with an area; triangles meet in vertices and edges only where
+    /// those of the operands do.
+    pub solid: Solid,
+    /// The doubles nearest to its vertices.
+    pub places: Places,
+    /// What was done.
+    pub counts: Counts,
+}
+
+/// How much of a result was without extent.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Counts {
+    /// Vertices that another one at the same place stands for.
+    pub merged: usize,
+    /// Triangles without area.
+    pub flat: usize,
+    /// Triangles that an opposite one has cancelled.
+    pub cancelled: usize,
+    /// Triangles that were replaced by what a facing one does not cover.
+    pub covered: usize,
+    /// Triangles that were divided at vertices on their edges.
+    pub divided: usize,
+}
+
+/// The limit of a result of an overlay, in a session that says zero where something is zero, and knows what the overlay has constructed.
+///
+/// # Errors
+/// [`Undone::Broken`] where a constructed vertex is no point without a move, or signs break an invariant; [`Undone::Refused`] where
+/// the session does not construct a point.
+pub fn limit(session: &mut dyn Predicates, overlay: &MeshOverlay, solid: Solid) -> Result<Limit, Undone> {
+    let places = Places::new(session.scene())?;
+    let mut work = Work { places, ..Work::default() };
+    work.merge(session, &solid);
+    work.cancel();
+    work.flatten(session, overlay)?;
+    work.uncover(session, overlay)?;
+    work.divide(session);
+    work.finish(solid)
+}
+
+/// A result on the way to its limit.
+#[derive(Default)]
+struct Work {
+    places: Places,
+    /// The triangles that are looked at, of either mesh, in their order.
+    parts: [Vec<Part>; 2],
+    /// The places of triangles that go.
+    gone: Vec<u32>,
+    /// Those of them that leave edges open.
+    removed: Vec<[Vertex; 3]>,
+    /// Those of them that others may border on.
+    dead: Gone,
+    added: Vec<([Vertex; 3], Label)>,
+    counts: Counts,
+}
+
+impl Work {
+    /// Takes the triangles that are near the other mesh, by vertices of which each stands for all at its place.
+    fn merge(&mut self, session: &dyn Predicates, solid: &Solid) {
+        let near = near(session, &self.places, solid);
+        let vertices = near.iter().flatten().flat_map(|&place| solid.triangles[place as usize]).collect();
+        let same = Same::of(session, &self.places, vertices);
+        self.counts.merged = same.count();
+        for (parts, near) in self.parts.iter_mut().zip(near) {
+            for place in near {
+                let named = solid.triangles[place as usize];
+                let triangle = named.map(|v| same.stand(v));
+                let [a, b, c] = triangle;
+                let (source, is_turned) = (solid.sources[place as usize], solid.turned[place as usize]);
+                let part = Part { place, triangle, named, label: Label { source, is_turned } };
+                if a == b || b == c || c == a {
+                    self.gone.push(place);
+                    self.dead.flat.push(part);
+                } else {
+                    parts.push(part);
+                }
+            }
+        }
+        self.counts.flat = self.gone.len();
+    }
+
+    /// Removes pairs of opposite triangles.
+    fn cancel(&mut self) {
+        // A triangle with ascending vertices, and whether it is turned the same way then.
+        let sorted = |part: &Part| {
+            let [a, b, c] = part.triangle;
+            let mut all = [a, b, c];
+            all.sort_unstable();
+            (all, [[a, b, c], [b, c, a], [c, a, b]].contains(&all), part.place, *part)
+        };
+        let mut all: Vec<_> = self.parts.iter().flatten().map(sorted).collect();
+        all.sort_unstable_by_key(|&(triangle, is_even, place, _)| (triangle, is_even, place));
+        let mut cancelled: Vec<u32> = Vec::new();
+        for same in all.chunk_by(|a, b| a.0 == b.0) {
+            let (odd, even) = same.split_at(same.partition_point(|(_, is_even, ..)| !is_even));
+            for (&(.., first), &(.., second)) in odd.iter().zip(even) {
+                cancelled.extend([first.place, second.place]);
+                let is_first = first.label.source.mesh <= second.label.source.mesh;
+                self.dead.cancelled.push(if is_first { [first, second] } else { [second, first] });
+            }
+        }
+        cancelled.sort_unstable();
+        self.counts.cancelled = cancelled.len();
+        self.keep(|part| cancelled.binary_search(&part.place).is_err());
+        self.gone.extend(cancelled);
+    }
+
+    fn keep(&mut self, keep: impl Fn(&Part) -> bool) {
+        self.parts.iter_mut().for_each(|parts| parts.retain(&keep));
+    }
+
+    /// Removes triangles without area.
+    fn flatten(&mut self, session: &dyn Predicates, overlay: &MeshOverlay) -> Result<(), Undone> {
+        let is_flat = |part: &Part| -> Result<bool, Undone> {
+            if part.named.iter().all(|v| !v.is_constructed()) {
+                return Ok(false);
+            }
+            let mesh = &overlay.meshes()[usize::from(part.label.source.mesh)];
+            let whole = mesh.triangles()[part.label.source.triangle as usize];
+            let (plane, _) = sheets::view(session, &self.places, whole)?;
+            let [a, b, c] = part.triangle;
+            Ok(session.orient2d(plane, a, b, c).is_zero())
+        };
+        let mut flat = Vec::new();
+        for part in self.parts.iter().flatten() {
+            if is_flat(part)? {
+                flat.push(*part);
+            }
+        }
+        flat.sort_unstable_by_key(|part| part.place);
+        self.counts.flat += flat.len();
+        self.keep(|part| flat.binary_search_by_key(&part.place, |flat| flat.place).is_err());
+        self.removed.extend(flat.iter().map(|part| part.triangle));
+        self.gone.extend(flat.iter().map(|part| part.place));
+        self.dead.flat.extend(flat);
+        Ok(())
+    }
+
+    /// Replaces what faces a triangle of the other mesh by what is left of it.
+    fn uncover(&mut self, session: &mut dyn Predicates, overlay: &MeshOverlay) -> Result<(), Undone> {
+        let meshes = overlay.meshes().each_ref().map(|mesh| &**mesh);
+        let parts = self.parts.each_ref().map(|parts| &parts[..]);
+        let Left { mut gone, instead } = sheets::left(session, &self.places, meshes, parts, &self.dead)?;
+        if gone.is_empty() {
+            return Ok(());
+        }
+        self.places.extend(session.scene())?;
+        gone.sort_unstable();
+        self.counts.covered = gone.len();
+        let is_covered = |part: &&Part| gone.binary_search(&part.place).is_ok();
+        self.removed.extend(self.parts.iter().flatten().filter(is_covered).map(|part| part.triangle));
+        self.keep(|part| gone.binary_search(&part.place).is_err());
+        self.gone.extend(gone);
+        // One point can have been constructed twice; the older vertex stands for it.
+        let new = instead.iter().flat_map(|(triangle, _)| *triangle);
+        let old = self.parts.iter().flatten().flat_map(|part| part.triangle);
+        let same = Same::of(session, &self.places, new.chain(old).collect());
+        let named = |(triangle, label): ([Vertex; 3], Label)| (triangle.map(|v| same.stand(v)), label);
+        self.added = instead.into_iter().map(named).collect();
+        Ok(())
+    }
+
+    /// The edges that are open: what was removed has them, and what was added has not, or the other way round.
+    fn open(&self) -> Vec<[Vertex; 2]> {
+        let mut chain = Chain::default();
+        self.removed.iter().for_each(|&triangle| chain.add(triangle, 1));
+        self.added.iter().for_each(|&(triangle, _)| chain.add(triangle, -1));
+        chain.open()
+    }
+
+    /// Divides triangles at vertices on their edges.
+    fn divide(&mut self, session: &dyn Predicates) {
+        let open = self.open();
+        let joints = Joints::of(session, &self.places, &open);
+        if joints.is_empty() {
+            return;
+        }
+        let mut added = Vec::new();
+        for (triangle, label) in std::mem::take(&mut self.added) {
+            match joints.divided(triangle) {
+                Some(pieces) => {
+                    self.counts.divided += 1;
+                    added.extend(pieces.into_iter().map(|piece| (piece, label)));
+                }
+                None => added.push((triangle, label)),
+            }
+        }
+        for parts in &mut self.parts {
+            parts.retain(|part| {
+                let Some(pieces) = joints.divided(part.triangle) else { return true };
+                self.counts.divided += 1;
+                self.gone.push(part.place);
+                self.removed.push(part.triangle);
+                added.extend(pieces.into_iter().map(|piece| (piece, part.label)));
+                false
+            });
+        }
+        self.added = added;
+    }
+
+    /// The result with all changes.
+    fn finish(mut self, mut solid: Solid) -> Result<Limit, Undone> {
+        if !self.open().is_empty() {
+            return Err(Undone::Broken(CLOSED));
+        }
+        for part in self.parts.iter().flatten() {
+            solid.triangles[part.place as usize] = part.triangle;
+        }
+        self.gone.sort_unstable();
+        let mut gone = self.gone.into_iter().peekable();
+        let stays: Vec<bool> = (0_u32..).take(solid.triangles.len()).map(|at| gone.next_if_eq(&at).is_none()).collect();
+        let mut stay = stays.iter();
+        solid.triangles.retain(|_| stay.next() == Some(&true));
+        let mut stay = stays.iter();
+        solid.sources.retain(|_| stay.next() == Some(&true));
+        let mut stay = stays.iter();
+        solid.turned.retain(|_| stay.next() == Some(&true));
+        for (triangle, Label { source, is_turned }) in self.added {
+            solid.triangles.push(triangle);
+            solid.sources.push(source);
+            solid.turned.push(is_turned);
+        }
+        Ok(Limit { solid, places: self.places, counts: self.counts })
+    }
+}
+
+/// The triangles whose boxes may meet that of one from the other mesh, with all other pieces of the same triangle.
+fn near(session: &dyn Predicates, places: &Places, solid: &Solid) -> [Vec<u32>; 2] {
+    let scene = session.scene();
+    let of = |mesh: u8| -> Vec<u32> {
+        let all = (0_u32..).zip(&solid.sources);
+        all.filter(|(_, source)| source.mesh == mesh).map(|(place, _)| place).collect()
+    };
+    let all = [of(0), of(1)];
+    let box_of = all
+        .each_ref()
+        .map(|all| move |at: usize| Bounds::of(solid.triangles[all[at] as usize].map(|v| places.nearest(scene, v))));
+    let (near, _) = shared(all.each_ref().map(Vec::len), [&box_of[0], &box_of[1]]);
+    // Pieces of one triangle follow each other.
+    let pieces = |place: u32| {
+        let source = solid.sources[place as usize];
+        let before = solid.sources[..place as usize].iter().rev().take_while(|&&other| other == source).count();
+        let after = solid.sources[place as usize..].iter().take_while(|&&other| other == source).count();
+        (place as usize - before..place as usize + after).zip(place - number(before)..).map(|(_, place)| place)
+    };
+    [0, 1].map(|mesh: usize| {
+        let mut places: Vec<u32> = Vec::with_capacity(near[mesh].len());
+        for &at in &near[mesh] {
+            let place = all[mesh][at as usize];
+            if places.last().is_none_or(|&last| last < place) {
+                places.extend(pieces(place));
+            }
+        }
+        places
+    })
+}

@@ -1,0 +1,117 @@
+//! A plane in space as a scene in the plane: its vertices seen in a coordinate plane, where [`mod@predicament_overlay::algorithm::overlay`] works.
+
+use std::collections::HashMap;
+
+use predicament_predicates::{Axis, Construction, Plane, Predicates, Refused, Scene, Sign, Vertex};
+
+use super::places::Places;
+
+/// What a segment in the plane is a part of.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Line {
+    /// The line of two input vertices.
+    Edge([Vertex; 2]),
+    /// Where the plane of three input vertices passes through this one.
+    Cut([Vertex; 3]),
+}
+
+/// A session about vertices of a plane, each an input vertex of a 2D scene at the nearest doubles; all signs are those of the session in space.
+///
+/// Nearest doubles are in the order of the coordinates, where they are not equal: boxes of segments that meet have a point in common there too.
+pub(crate) struct InPlane<'a> {
+    session: &'a mut dyn Predicates,
+    plane: Plane,
+    /// The input vertices, then what was constructed.
+    flat: Scene,
+    /// The vertex in space of each input vertex.
+    vertices: Vec<Vertex>,
+    /// The vertex in space of each constructed one.
+    constructed: Vec<Vertex>,
+    /// What a segment is a part of, by its ends.
+    lines: HashMap<[Vertex; 2], Line>,
+    /// Three input vertices of the plane, and one that is not in it.
+    of: ([Vertex; 3], Vertex),
+}
+
+impl<'a> InPlane<'a> {
+    /// A session about these vertices of the plane of three input vertices, with another one that is not in it; none where no 2D scene has them.
+    pub fn new(
+        session: &'a mut dyn Predicates,
+        places: &Places,
+        plane: Plane,
+        vertices: Vec<Vertex>,
+        of: ([Vertex; 3], Vertex),
+    ) -> Option<InPlane<'a>> {
+        let axes = plane.axes().map(Axis::index);
+        let point = |&v: &Vertex| {
+            let point = places.nearest(session.scene(), v);
+            axes.map(|axis| point[axis])
+        };
+        let points: Vec<[f64; 2]> = vertices.iter().map(point).collect();
+        let flat = Scene::from_points2(&points).ok()?;
+        Some(InPlane { session, plane, flat, vertices, constructed: Vec::new(), lines: HashMap::new(), of })
+    }
+
+    /// Notes what a segment of this scene is a part of.
+    pub fn on_line(&mut self, [a, b]: [Vertex; 2], line: Line) {
+        self.lines.insert([a.min(b), a.max(b)], line);
+    }
+
+    /// A vertex in space.
+    pub fn vertex(&self, v: Vertex) -> Vertex {
+        v.construction().map_or_else(|| self.vertices[v.index()], |index| self.constructed[index])
+    }
+
+    /// The session in space.
+    pub fn space(&self) -> &dyn Predicates {
+        &*self.session
+    }
+}
+
+impl Predicates for InPlane<'_> {
+    fn scene(&self) -> &Scene {
+        &self.flat
+    }
+
+    /// Where two lines in the plane cross, as the point of a line and a plane in space, or of three planes.
+    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        let InPlane { session, flat, constructed, lines, of: (corners, apart), .. } = self;
+        flat.construct_all(definitions, |scene, vertex| {
+            let Some(Construction::Ssi(segments)) = scene.construction(vertex) else {
+                return Err("it is no crossing of two segments".to_owned());
+            };
+            let definition = match segments.map(|segment| lines.get(&segment).copied()) {
+                [Some(Line::Edge(line)), Some(Line::Edge([c, d]))] => Construction::Lpi { line, plane: [c, d, *apart] },
+                [Some(Line::Edge(line)), Some(Line::Cut(plane))] | [Some(Line::Cut(plane)), Some(Line::Edge(line))] => {
+                    Construction::Lpi { line, plane }
+                }
+                [Some(Line::Cut(first)), Some(Line::Cut(second))] => Construction::Tpi([*corners, first, second]),
+                [None, _] | [_, None] => return Err("a segment is on no line of input vertices".to_owned()),
+            };
+            constructed.extend(session.construct(&[definition]).map_err(|why| why.to_string())?);
+            Ok(())
+        })
+    }
+
+    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        self.session.compare(self.plane.axes()[axis.index()], self.vertex(a), self.vertex(b))
+    }
+
+    fn orient2d(&self, _: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        let [a, b, c] = [a, b, c].map(|v| self.vertex(v));
+        // A point without segments is two vertices of the scene.
+        if a == b || b == c || c == a { Sign::Zero } else { self.session.orient2d(self.plane, a, b, c) }
+    }
+
+    fn orient3d(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
+        unreachable!("no 2D scene has an orient3d")
+    }
+
+    fn incircle(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
+        unreachable!("no overlay asks for circles")
+    }
+
+    fn insphere(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
+        unreachable!("no 2D scene has an insphere")
+    }
+}

@@ -1,0 +1,201 @@
+//! An overlay by registered contacts, in floating point only (Wang, Jiang, Schroeder and Teran, Algorithms 7 to 12).
+//!
+//! A tolerance scheme says which pairs of simplices are in contact, and where on either one by weights. What passes through what is what was
+//! registered; a point is where its weight puts it on its edge; everything after that is asked about points in doubles. A contact of less
+//! than an edge with a triangle is a degeneracy, and there is no result, as where exact signs are zero.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use predicament_mesh::{Complex, MaterialMesh, Simplices};
+use predicament_predicates::{
+    Axis, Construction, Declined, Plane, PredicateKind, Predicates, Refused, Scene, Sign, Vertex,
+};
+
+use super::meet::Hit;
+use super::near::Near;
+use super::{Extent, MeshOverlay, Step, Undone, finish};
+use predicament_contacts::algorithm::pairs::{Contact, contacts};
+
+/// The invariant of an edge that is registered.
+const ENDS: &str = "the ends of an edge that passes through a triangle are on two sides of it";
+/// The invariant of a contact of full dimension.
+const APART: &str = "an edge and a triangle that are registered have boxes that meet";
+
+/// Points in doubles: those of a scene, and registered ones beside them. Signs are those of floating-point determinants.
+#[derive(Clone, Debug)]
+pub struct Registered {
+    scene: Scene,
+    /// Where definitions were registered.
+    places: BTreeMap<Construction, [f64; 3]>,
+    /// The constructed vertices, in their order.
+    points: Vec<[f64; 3]>,
+}
+
+/// Overlays two meshes by the contacts that a session registers, over vertices of their own in its scene; `done` is told when each step is
+/// done. Returned with it is where the constructed vertices are.
+///
+/// # Errors
+/// [`Undone::Contact`] where less than an edge and a triangle are in contact; [`Undone::Refused`] if the session registers no contacts;
+/// [`Undone::Broken`] where signs of doubles break an invariant.
+pub fn mesh_overlay_registered(
+    session: &dyn Predicates,
+    meshes: [Arc<MaterialMesh>; 2],
+    done: &mut dyn FnMut(Step),
+) -> Result<(MeshOverlay, Registered), Undone> {
+    let declined = |why: Declined| Undone::Refused(Refused::session(why.to_string()));
+    session.supports_contacts().map_err(declined)?;
+    let scene = session.scene();
+    let both = [&*meshes[0], &*meshes[1]];
+    let (near, bounds) = Near::of(scene, both, None);
+    done(Step::Near);
+    let near = [&near[0], &near[1]];
+    let complexes = both.map(|mesh| {
+        let triangles = mesh.triangles().to_vec();
+        Complex::new(scene, &Simplices { triangles, ..Simplices::default() })
+    });
+    let [Ok(first), Ok(second)] = complexes else {
+        return Err(Undone::Broken("the triangles of a mesh are simplices"));
+    };
+    let registered = contacts(session, &first, &second).registered;
+    let mut points = Registered { scene: scene.clone(), places: BTreeMap::new(), points: Vec::new() };
+    let mut hits = [Vec::new(), Vec::new()];
+    let found = Found { complexes: [&first, &second], near, triangles: near.map(by_vertices(both)) };
+    for contact in registered {
+        found.add(&contact, both, &mut points, &mut hits)?;
+    }
+    hits.iter_mut().for_each(|hits| hits.sort_unstable_by_key(|hit| (hit.triangle, hit.edge)));
+    done(Step::Passages);
+    let before = scene.constructions().len();
+    let overlay = finish(&mut points, &meshes, before, (near, &bounds), hits, Extent::Whole, done)?;
+    Ok((overlay, points))
+}
+
+/// The places of triangles that are near, by their vertices in ascending order.
+type Triangles = BTreeMap<[Vertex; 3], Vec<u32>>;
+
+/// What contacts are between.
+struct Found<'a> {
+    complexes: [&'a Complex; 2],
+    near: [&'a Near; 2],
+    triangles: [Triangles; 2],
+}
+
+impl Found<'_> {
+    /// Adds a contact to what passes through what: a triangle that is there several times is passed as often.
+    fn add(
+        &self,
+        contact: &Contact,
+        meshes: [&MaterialMesh; 2],
+        points: &mut Registered,
+        hits: &mut [Vec<Hit>; 2],
+    ) -> Result<(), Undone> {
+        let of = [contact.a, contact.b];
+        let vertices = [0, 1].map(|mesh: usize| self.complexes[mesh].vertices_of(of[mesh]));
+        let (mesh, ends, corners, weights) = match vertices {
+            [&[p, q], &[a, b, c]] => (0, [p, q], [a, b, c], contact.on_a),
+            [&[a, b, c], &[p, q]] => (1, [p, q], [a, b, c], contact.on_b),
+            other => return Err(Undone::Contact(other.map(<[Vertex]>::to_vec))),
+        };
+        let edge = self.near[mesh].edge(ends[0], ends[1]).ok_or(Undone::Broken(APART))?;
+        let triangles = self.triangles[1 - mesh].get(&corners).ok_or(Undone::Broken(APART))?;
+        for &triangle in triangles {
+            let plane = meshes[1 - mesh].triangles()[self.near[1 - mesh].triangles[triangle as usize] as usize];
+            let [from, to] = ends.map(|v| points.orient3d(plane[0], plane[1], plane[2], v));
+            let begins = if from.is_zero() { -to } else { from };
+            if begins.is_zero() || to == begins {
+                return Err(Undone::Broken(ENDS));
+            }
+            hits[mesh].push(Hit { edge, triangle, is_first_behind: begins == Sign::Positive });
+            let [p, q] = ends.map(|v| points.scene.point3(v));
+            let place = [0, 1, 2].map(|axis| weights[0] * p[axis] + weights[1] * q[axis]);
+            points.places.insert(Construction::Lpi { line: ends, plane }.canonical(), place);
+        }
+        Ok(())
+    }
+}
+
+/// For what is near in either mesh where its triangles are.
+fn by_vertices(meshes: [&MaterialMesh; 2]) -> impl FnMut(&Near) -> Triangles {
+    let mut meshes = meshes.into_iter();
+    move |near| {
+        let mesh = meshes.next().expect("two meshes");
+        let mut triangles = Triangles::new();
+        for (&of, place) in near.triangles.iter().zip(0..) {
+            let mut corners = mesh.triangles()[of as usize];
+            corners.sort_unstable();
+            triangles.entry(corners).or_default().push(place);
+        }
+        triangles
+    }
+}
+
+impl Registered {
+    /// Where a vertex is.
+    #[must_use]
+    pub fn place(&self, v: Vertex) -> [f64; 3] {
+        v.construction().map_or_else(|| self.scene.point3(v), |index| self.points[index])
+    }
+}
+
+fn difference(a: f64, b: f64) -> f64 {
+    a - b
+}
+
+impl Predicates for Registered {
+    fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        let (places, points) = (&self.places, &mut self.points);
+        self.scene.construct_all(definitions, |scene, vertex| {
+            let definition = scene.construction(vertex).expect("just constructed");
+            points.push(*places.get(definition).ok_or("it is not registered")?);
+            Ok(())
+        })
+    }
+
+    fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
+        match kind {
+            PredicateKind::Incircle | PredicateKind::Insphere => {
+                Err(Declined::predicate(kind, "registered points have no tolerance for circles"))
+            }
+            kind => self.scene.has_dimension_for(kind),
+        }
+    }
+
+    fn rounded_point(&self, v: Vertex) -> Option<&[f64]> {
+        Some(&self.points.get(v.construction()?)?[..])
+    }
+
+    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
+        Sign::of(difference(self.place(a)[axis.index()], self.place(b)[axis.index()]))
+    }
+
+    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
+        let [x, y] = plane.axes().map(Axis::index);
+        let [a, b, c] = [a, b, c].map(|v| self.place(v));
+        let [p, q] = [a, b].map(|p| [x, y].map(|axis| difference(p[axis], c[axis])));
+        Sign::of(p[0] * q[1] - p[1] * q[0])
+    }
+
+    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
+        let [a, b, c, d] = [a, b, c, d].map(|v| self.place(v));
+        let [p, q, r] = [a, b, c].map(|p| [0, 1, 2].map(|axis| difference(p[axis], d[axis])));
+        let minor = |i: usize, j: usize| p[i] * q[j] - p[j] * q[i];
+        Sign::of(minor(1, 2) * r[0] + minor(2, 0) * r[1] + minor(0, 1) * r[2])
+    }
+
+    /// # Panics
+    /// Always: it is not supported.
+    fn incircle(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
+        unreachable!("declined")
+    }
+
+    /// # Panics
+    /// Always: it is not supported.
+    fn insphere(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
+        unreachable!("declined")
+    }
+}

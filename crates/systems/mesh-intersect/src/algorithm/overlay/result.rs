@@ -1,0 +1,156 @@
+//! What users take from an overlay: Boolean operations, and the regions of both meshes together.
+
+use predicament_mesh::half_edge::{ConversionError, HalfEdgeMesh, IndexedFaces};
+use predicament_mesh::{MaterialMesh, OUTSIDE};
+use predicament_predicates::Vertex;
+use rayon::prelude::*;
+
+use super::{MeshOverlay, Piece};
+use predicament_overlay::algorithm::overlay::Operation;
+
+/// Triangles that one thread takes at a time.
+const PART: usize = 32768;
+
+/// A solid: a closed surface, counterclockwise as seen from outside.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Solid {
+    /// By input vertices and constructed ones.
+    pub triangles: Vec<[Vertex; 3]>,
+    /// For each triangle what it is, or is a piece of.
+    pub sources: Vec<Source>,
+    /// For each triangle whether it faces the other way than what it is a piece of.
+    pub turned: Vec<bool>,
+}
+
+/// The triangle of a mesh that a triangle of a result is, or is a piece of.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Source {
+    /// The first mesh, 0, or the second, 1.
+    pub mesh: u8,
+    /// Its place there.
+    pub triangle: u32,
+}
+
+impl Solid {
+    /// The result as a half-edge mesh, with its labels: a face's marker is the mesh that it is of, 0 or 1, and its user data the place of its
+    /// triangle here, by which [`Solid::sources`] and [`Solid::turned`] say the rest. Vertices are those that are corners, ascending.
+    ///
+    /// # Errors
+    /// [`ConversionError`] where four triangles share an edge, as along the curves of a symmetric difference, or where parts of an operand
+    /// touch.
+    pub fn half_edges(&self) -> Result<HalfEdgeMesh, ConversionError> {
+        let mut vertices: Vec<Vertex> = self.triangles.as_flattened().to_vec();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let place = |v: &Vertex| super::near::number(vertices.partition_point(|other| other < v));
+        let faces: IndexedFaces = self.triangles.iter().map(|triangle| triangle.iter().map(place)).collect();
+        let mut mesh = HalfEdgeMesh::new(vertices, &faces)?;
+        let faces: Vec<_> = mesh.faces().collect();
+        for ((face, source), at) in faces.into_iter().zip(&self.sources).zip(0..) {
+            mesh.set_face_marker(face, source.mesh);
+            mesh.set_face_user_data(face, at);
+        }
+        Ok(mesh)
+    }
+}
+
+impl MeshOverlay {
+    /// The result of an operation on what is inside of the meshes: in any of their regions.
+    ///
+    /// Triangles of the first mesh come first, whole ones before pieces, both in the order of the mesh.
+    #[must_use]
+    pub fn solid(&self, operation: Operation) -> Solid {
+        let mut solid = Solid::default();
+        for side in [0, 1] {
+            let pieces = self.pieces(side);
+            let take = |&Piece { triangle: [a, b, c], of, region }: &Piece| {
+                let inside = |own: u32| {
+                    let both = [own, region].map(|region| region != OUTSIDE);
+                    operation.holds(if side == 0 { both } else { [both[1], both[0]] })
+                };
+                let [front, behind] = self.meshes[side].sides()[of as usize].map(inside);
+                let source = Source { mesh: u8::from(side == 1), triangle: of };
+                match [front, behind] {
+                    [false, true] => Some(([a, b, c], (source, false))),
+                    [true, false] => Some(([a, c, b], (source, true))),
+                    _ => None,
+                }
+            };
+            let whole = |part: usize| {
+                let places = part * PART..self.whole[side].len().min((part + 1) * PART);
+                let taken = places.filter_map(|place| self.whole_piece(side, place)).filter_map(|piece| take(&piece));
+                taken.unzip::<_, _, Vec<_>, Vec<_>>()
+            };
+            let parts: Vec<_> = (0..self.whole[side].len().div_ceil(PART)).into_par_iter().map(whole).collect();
+            for (triangles, labels) in parts {
+                solid.triangles.extend(triangles);
+                solid.sources.extend(labels.iter().map(|(source, _)| source));
+                solid.turned.extend(labels.iter().map(|(_, is_turned)| is_turned));
+            }
+            for (triangle, (source, is_turned)) in pieces.iter().filter_map(take) {
+                solid.triangles.push(triangle);
+                solid.sources.push(source);
+                solid.turned.push(is_turned);
+            }
+        }
+        solid
+    }
+
+    /// All triangles with the regions of both meshes on either side, as a number for each pair of regions that comes up: the
+    /// triangles, their regions in front and behind, and the pairs by number; the first pair is outside of both.
+    #[must_use]
+    pub fn regions(&self) -> Regions {
+        let mut pairs: Vec<[u32; 2]> = vec![[OUTSIDE; 2]];
+        let all: Vec<(u8, Piece)> = [0_u8, 1]
+            .into_iter()
+            .flat_map(|side| {
+                let at = usize::from(side);
+                let whole = (0..self.whole[at].len()).filter_map(move |place| self.whole_piece(at, place));
+                whole.chain(self.pieces(at).iter().copied()).map(move |piece| (side, piece))
+            })
+            .collect();
+        let of = |(side, piece): &(u8, Piece)| {
+            let pair = |own: u32| if *side == 0 { [own, piece.region] } else { [piece.region, own] };
+            self.meshes[usize::from(*side)].sides()[piece.of as usize].map(pair)
+        };
+        pairs.extend(all.iter().flat_map(of));
+        pairs.sort_unstable();
+        pairs.dedup();
+        let number = |pair: [u32; 2]| super::near::number(pairs.partition_point(|other| *other < pair));
+        Regions {
+            triangles: all.iter().map(|(_, piece)| piece.triangle).collect(),
+            sides: all.iter().map(|one| of(one).map(number)).collect(),
+            sources: all.iter().map(|&(mesh, piece)| Source { mesh, triangle: piece.of }).collect(),
+            pairs,
+        }
+    }
+
+    fn whole_piece(&self, side: usize, place: usize) -> Option<Piece> {
+        let region = self.whole[side][place]?.get() - 1;
+        let triangle = self.meshes[side].triangles()[place];
+        Some(Piece { triangle, of: super::near::number(place), region })
+    }
+}
+
+/// The overlay of both meshes: each triangle with the regions of both on either side.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Regions {
+    /// By input vertices and constructed ones.
+    pub triangles: Vec<[Vertex; 3]>,
+    /// For each the place of the pair of regions in front of it, and of that behind it.
+    pub sides: Vec<[u32; 2]>,
+    /// For each what it is, or is a piece of.
+    pub sources: Vec<Source>,
+    /// A region of the first mesh and one of the second, ascending.
+    pub pairs: Vec<[u32; 2]>,
+}
+
+impl Regions {
+    /// A mesh of all of it, over so many vertices, where these are all input vertices.
+    ///
+    /// # Errors
+    /// As [`MaterialMesh::new`].
+    pub fn into_mesh(self, vertices: usize) -> Result<MaterialMesh, predicament_mesh::MaterialError> {
+        MaterialMesh::new(vertices, self.triangles, self.sides)
+    }
+}

@@ -1,0 +1,346 @@
+//! Triangles that both meshes have, where nothing of the one passes through anything of the other.
+//!
+//! A mesh is overlaid with itself, or with what was cut from it. Each edge is then tied with all triangles around it, and nearly none of them meet
+//! once one of the meshes has moved. What both have is found by its coordinates here, and set aside where that can be told without a tie.
+//!
+//! # What is set aside
+//! Let S be the surface of one mesh, and S + δ the same surface in the other, δ = (ε, ε², ε³) or its opposite.
+//!
+//! - *Around a vertex.* Seen along x, the triangles around it all turn the same way and go around it once: they are a graph over a
+//!   polygon of the yz plane. Its x differs by at most some L times the distance in that plane; moved by δ it is above itself by at least
+//!   ε − L(ε² + ε³), and does not meet itself. Two triangles that have a corner in common are both around that corner.
+//! - *Elsewhere.* An edge and a triangle that are apart are apart after a small enough move. A triangle is set aside only if it
+//!   is apart from all other such triangles that it has no corner in common with: a plane across an axis or a diagonal separates them, or a
+//!   line in a coordinate plane, by the signs of determinants in doubles that exceed their rounding errors.
+//!
+//! So an edge of a triangle that is set aside in one mesh does not pass through a triangle that is set aside in the other. All other
+//! pairs are asked about. The surface is closed, so that the triangles around a vertex are loops; a loop whose triangles turn the same way
+//! crosses a ray as often as it goes around.
+
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+
+use predicament_grid::Bounds;
+use predicament_grid::two_level::{Sizes, TwoLevel};
+use predicament_mesh::MaterialMesh;
+use predicament_predicates::{Plane, Predicates, Scene, Sign, Vertex};
+
+use super::meet::do_meet;
+use super::near::{number, span};
+
+/// Smaller meshes are asked about in full.
+const FEWEST: usize = 4096;
+/// So many vertices are looked for before all are.
+const SAMPLE: usize = 256;
+/// One in so many has to be found, of the sample, and of all triangles.
+const SHARE: usize = 8;
+/// Vertices or triangles that one thread takes at a time.
+const PART: usize = 4096;
+/// Of a cell with more triangles than this none is looked at: they are asked about.
+const MOST: usize = 512;
+/// There is no such vertex or triangle.
+const NONE: u32 = u32::MAX;
+
+/// The triangles of either mesh that are asked about, ascending: all but those that are set aside. None if that is not worth its while, or not
+/// known of the session.
+pub(super) fn asked_about(session: &dyn Predicates, meshes: [&MaterialMesh; 2]) -> Option<[Vec<u32>; 2]> {
+    let is_one_surface = |mesh: &MaterialMesh| mesh.sides().iter().all(|sides| sides == &mesh.sides()[0]);
+    let is_large = meshes.iter().all(|mesh| mesh.triangles().len() >= FEWEST);
+    if !session.moves_second_mesh() || !is_large || !is_one_surface(meshes[0]) {
+        return None;
+    }
+    let scene = session.scene();
+    let [first, second] = meshes.map(Vertices::of);
+    if !is_worth_it(scene, first, second) {
+        return None;
+    }
+    let same = same_triangles(meshes, first, second, &same_vertices(scene, first, second));
+    let mut is_same = vec![false; meshes[0].triangles().len()];
+    same.iter().filter(|&&at| at != NONE).for_each(|&at| is_same[at as usize] = true);
+    let clear = clear_vertices(session, meshes[0], first);
+    let is_clear = |at: usize| meshes[0].triangles()[at].iter().all(|&v| clear[first.place(v)]);
+    let candidates: Vec<u32> = (0..is_same.len()).filter(|&at| is_same[at] && is_clear(at)).map(number).collect();
+    if candidates.len() < is_same.len() / SHARE {
+        return None;
+    }
+    let mut aside = vec![false; is_same.len()];
+    for (&at, is_apart) in candidates.iter().zip(apart(scene, meshes[0], &candidates)) {
+        aside[at as usize] = is_apart;
+    }
+    let asked =
+        |count: usize, is_aside: &dyn Fn(usize) -> bool| (0..count).filter(|&at| !is_aside(at)).map(number).collect();
+    Some([asked(aside.len(), &|at| aside[at]), asked(same.len(), &|at| same[at] != NONE && aside[same[at] as usize])])
+}
+
+/// The vertices of a mesh: from the first to the last that it has.
+#[derive(Clone, Copy)]
+struct Vertices {
+    first: usize,
+    count: usize,
+}
+
+impl Vertices {
+    fn of(mesh: &MaterialMesh) -> Vertices {
+        let [first, last] = span(mesh);
+        Vertices { first, count: last + 1 - first }
+    }
+
+    fn place(self, v: Vertex) -> usize {
+        v.index() - self.first
+    }
+
+    fn vertex(self, place: usize) -> Vertex {
+        Vertex::input(self.first + place)
+    }
+}
+
+/// The bits of a point; those of zero for its opposite.
+fn bits(p: [f64; 3]) -> [u64; 3] {
+    p.map(|x| (x + 0.0).to_bits())
+}
+
+/// A number made of others.
+fn mixed(words: [u64; 3]) -> usize {
+    // (Odd numbers without a pattern; any others would do.)
+    let sum = words[0].wrapping_mul(0x9e37_79b9_7f4a_7c15)
+        ^ words[1].wrapping_mul(0xc2b2_ae3d_27d4_eb4f).rotate_left(21)
+        ^ words[2].wrapping_mul(0x1656_67b1_9e37_79f9).rotate_left(42);
+    #[allow(clippy::cast_possible_truncation)] // the lower half is as good
+    let low = (sum ^ sum >> 32) as usize;
+    low
+}
+
+/// Things by three words: each in a slot that follows from them, or in one of the next.
+struct Table {
+    slots: Vec<u32>,
+}
+
+impl Table {
+    /// The things `0..count`, of which those without words are left out; of those with the same words the first.
+    fn of(count: usize, words: &dyn Fn(usize) -> [u64; 3]) -> Table {
+        let mut table = Table { slots: vec![NONE; (2 * count).next_power_of_two()] };
+        for at in 0..count {
+            let own = words(at);
+            let slot = table.slot(own, &|other| words(other) == own);
+            if table.slots[slot] == NONE {
+                table.slots[slot] = number(at);
+            }
+        }
+        table
+    }
+
+    /// The slot of what is found, or where it would be.
+    fn slot(&self, words: [u64; 3], is_it: &dyn Fn(usize) -> bool) -> usize {
+        let mut slot = mixed(words) & (self.slots.len() - 1);
+        while self.slots[slot] != NONE && !is_it(self.slots[slot] as usize) {
+            slot = (slot + 1) & (self.slots.len() - 1);
+        }
+        slot
+    }
+
+    fn get(&self, words: [u64; 3], is_it: &dyn Fn(usize) -> bool) -> u32 {
+        self.slots[self.slot(words, is_it)]
+    }
+}
+
+/// Whether enough vertices of a sample of the second mesh are where the first mesh has one.
+fn is_worth_it(scene: &Scene, first: Vertices, second: Vertices) -> bool {
+    let place = |of: Vertices, at: usize| bits(scene.point3(of.vertex(at)));
+    let sample = |at: usize| place(second, at * (second.count / SAMPLE).max(1));
+    let count = SAMPLE.min(second.count);
+    let table = Table::of(count, &sample);
+    let is_found = |at: usize| {
+        let own = place(first, at);
+        table.get(own, &|other| sample(other) == own) != NONE
+    };
+    let part = |part: usize| (part * PART..first.count.min((part + 1) * PART)).filter(|&at| is_found(at)).count();
+    let found: usize = predicament_grid::parallel::each(first.count.div_ceil(PART), &part).into_iter().sum();
+    found >= count / SHARE
+}
+
+/// For each vertex of the second mesh the place of the first mesh's vertex that is where it is.
+fn same_vertices(scene: &Scene, first: Vertices, second: Vertices) -> Vec<u32> {
+    let place = |of: Vertices, at: usize| bits(scene.point3(of.vertex(at)));
+    let table = OnceLock::new();
+    let find = |part: usize| -> Vec<u32> {
+        let find = |at: usize| {
+            let own = place(second, at);
+            if at < first.count && place(first, at) == own {
+                return number(at);
+            }
+            let table = table.get_or_init(|| Table::of(first.count, &|at| place(first, at)));
+            table.get(own, &|other| place(first, other) == own)
+        };
+        (part * PART..second.count.min((part + 1) * PART)).map(find).collect()
+    };
+    predicament_grid::parallel::each(second.count.div_ceil(PART), &find).concat()
+}
+
+/// For each triangle of the second mesh the place of one of the first mesh with the same three vertices.
+fn same_triangles(meshes: [&MaterialMesh; 2], first: Vertices, second: Vertices, same: &[u32]) -> Vec<u32> {
+    let sorted = |mut places: [u32; 3]| {
+        places.sort_unstable();
+        places.map(u64::from)
+    };
+    let of_first = |at: usize| sorted(meshes[0].triangles()[at].map(|v| number(first.place(v))));
+    let table = OnceLock::new();
+    let find = |at: usize| {
+        let places = meshes[1].triangles()[at].map(|v| same[second.place(v)]);
+        if places.contains(&NONE) {
+            return NONE;
+        }
+        let own = sorted(places);
+        if meshes[0].triangles().len() > at && of_first(at) == own {
+            return number(at);
+        }
+        let table = table.get_or_init(|| Table::of(meshes[0].triangles().len(), &of_first));
+        table.get(own, &|other| of_first(other) == own)
+    };
+    let count = meshes[1].triangles().len();
+    let part = |part: usize| -> Vec<u32> { (part * PART..count.min((part + 1) * PART)).map(find).collect() };
+    predicament_grid::parallel::each(count.div_ceil(PART), &part).concat()
+}
+
+/// For each vertex whether the triangles around it are one graph over the yz plane.
+fn clear_vertices(session: &dyn Predicates, mesh: &MaterialMesh, of: Vertices) -> Vec<bool> {
+    const UP: u8 = 1;
+    const DOWN: u8 = 2;
+    const OTHER: u8 = 4;
+    /// A triangle that crosses the ray from the vertex along y; two of them are as bad as more.
+    const CROSSING: u8 = 8;
+    let turn = |&[a, b, c]: &[Vertex; 3]| session.orient2d(Plane::Yz, a, b, c);
+    let turns = predicament_grid::parallel::all(mesh.triangles(), &turn);
+    let scene = session.scene();
+    let mut seen = vec![0_u8; of.count];
+    for (corners, turn) in mesh.triangles().iter().zip(turns) {
+        let flag = match turn {
+            Sign::Positive => UP,
+            Sign::Negative => DOWN,
+            Sign::Zero => OTHER,
+        };
+        let heights = corners.map(|v| scene.point3(v)[2]);
+        for (corner, &v) in corners.iter().enumerate() {
+            let [from, to] =
+                [heights[(corner + 1) % 3], heights[(corner + 2) % 3]].map(|height| height < heights[corner]);
+            let crosses = if turn == Sign::Positive { from && !to } else { to && !from };
+            let there = &mut seen[of.place(v)];
+            if crosses {
+                *there = (*there).saturating_add(CROSSING);
+            }
+            *there |= flag;
+        }
+    }
+    seen.into_iter().map(|seen| seen == UP | CROSSING || seen == DOWN | CROSSING).collect()
+}
+
+/// For each of these triangles whether it is known to be apart from all others of them that have no corner of it.
+fn apart(scene: &Scene, mesh: &MaterialMesh, of: &[u32]) -> Vec<bool> {
+    let corners = |at: u32| mesh.triangles()[of[at as usize] as usize];
+    let box_of = |&at: &u32| Bounds::of(mesh.triangles()[at as usize].map(|v| scene.point3(v)));
+    let boxes = predicament_grid::parallel::all(of, &box_of);
+    let grid = TwoLevel::new(&boxes, Sizes::of(&boxes));
+    let meets: Vec<AtomicBool> = of.iter().map(|_| AtomicBool::new(false)).collect();
+    let meet = |at: u32| meets[at as usize].store(true, Relaxed);
+    let part = |part: usize| {
+        let mut here = Vec::new();
+        for slot in part * PART..grid.slots().min((part + 1) * PART) {
+            let list = grid.list(slot);
+            if list.len() > MOST {
+                list.iter().copied().for_each(meet);
+                continue;
+            }
+            // Boxes of one cell are side by side for all pairs of them.
+            here.clear();
+            here.extend(list.iter().map(|&at| {
+                let own = corners(at);
+                (at, boxes[at as usize], Diagonals::of(own.map(|v| scene.point3(v))), own)
+            }));
+            for (place, (at, bounds, diagonals, own)) in here.iter().enumerate() {
+                for (other, others, other_diagonals, theirs) in &here[place + 1..] {
+                    if do_meet(bounds, others)
+                        && diagonals.do_meet(other_diagonals)
+                        && !theirs.iter().any(|v| own.contains(v))
+                        && !are_apart([own, theirs].map(|triangle| triangle.map(|v| scene.point3(v))))
+                    {
+                        meet(*at);
+                        meet(*other);
+                    }
+                }
+            }
+        }
+    };
+    predicament_grid::parallel::each(grid.slots().div_ceil(PART), &part);
+    meets.into_iter().map(|meets| !meets.into_inner()).collect()
+}
+
+/// Where a triangle is along the diagonals of the coordinate planes.
+///
+/// A rounded sum is monotone in the sum: of two that differ the smaller one is that of the smaller sum.
+struct Diagonals {
+    low: [f64; 6],
+    high: [f64; 6],
+}
+
+impl Diagonals {
+    fn of(triangle: [[f64; 3]; 3]) -> Diagonals {
+        let [a, b, c] = triangle.map(|[x, y, z]| [x + y, x - y, y + z, y - z, z + x, z - x]);
+        let (mut low, mut high) = (a, a);
+        for i in 0..6 {
+            low[i] = low[i].min(b[i]).min(c[i]);
+            high[i] = high[i].max(b[i]).max(c[i]);
+        }
+        Diagonals { low, high }
+    }
+
+    /// Whether none of them is known to separate the two.
+    #[inline]
+    fn do_meet(&self, other: &Diagonals) -> bool {
+        (0..6).all(|i| (self.low[i] <= other.high[i]) & (other.low[i] <= self.high[i]))
+    }
+}
+
+/// Whether a line in a coordinate plane is known to separate two triangles.
+fn are_apart([t, s]: [[[f64; 3]; 3]; 2]) -> bool {
+    planes(t).into_iter().any(|plane| are_separated(plane, t, s))
+}
+
+/// The two axes of each coordinate plane, that in which a triangle is about largest first.
+fn planes(t: [[f64; 3]; 3]) -> [[usize; 2]; 3] {
+    let area = |[i, j]: [usize; 2]| {
+        ((t[1][i] - t[0][i]) * (t[2][j] - t[0][j]) - (t[1][j] - t[0][j]) * (t[2][i] - t[0][i])).abs()
+    };
+    let mut planes = [[0, 1], [1, 2], [2, 0]];
+    planes.sort_by(|&a, &b| area(b).total_cmp(&area(a)));
+    planes
+}
+
+/// Whether a line along an edge of one of two triangles has the other one strictly beyond it in a coordinate plane. Unproved, it is not.
+fn are_separated([i, j]: [usize; 2], t: [[f64; 3]; 3], s: [[f64; 3]; 3]) -> bool {
+    let flat = |t: [[f64; 3]; 3]| t.map(|p| [p[i], p[j]]);
+    let [t, s] = [flat(t), flat(s)];
+    let is_beyond = |t: [[f64; 2]; 3], s: [[f64; 2]; 3], edge: usize| {
+        let [a, b, c] = [t[edge], t[(edge + 1) % 3], t[(edge + 2) % 3]];
+        match turn(a, b, c) {
+            Some(true) => s.iter().all(|&p| turn(a, b, p) == Some(false)),
+            Some(false) => s.iter().all(|&p| turn(a, b, p) == Some(true)),
+            None => false,
+        }
+    };
+    (0..3).any(|edge| is_beyond(t, s, edge) || is_beyond(s, t, edge))
+}
+
+/// Whether a, b, c turn counterclockwise, rather than clockwise; none where rounding could decide.
+///
+/// With u = 2^-53, the determinant of rounded differences has an error of less than 4 u times the sum of its products' magnitudes
+/// (Shewchuk, *Adaptive precision floating-point arithmetic*, 1997, section 4.3), if that sum is far from underflow; it is not if it overflows.
+#[inline]
+fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Option<bool> {
+    /// 4 u.
+    const ERROR: f64 = 2.0 * f64::EPSILON;
+    /// Products that underflow have an error of at most 2^-1074: nothing beside 4 u times 2^-900.
+    const LEAST: f64 = 1e-270;
+    let left = (a[0] - c[0]) * (b[1] - c[1]);
+    let right = (a[1] - c[1]) * (b[0] - c[0]);
+    let (determinant, sum) = (left - right, left.abs() + right.abs());
+    (sum > LEAST && determinant.abs() > ERROR * sum && sum < f64::INFINITY).then_some(determinant > 0.0)
+}

@@ -1,0 +1,201 @@
+//! Triangulations of points in the plane that have given edges.
+//!
+//! A sweep over the points, from left to right, adds each to the convex hull of those before it. Then edges are flipped until those that are
+//! wanted are there (Sloan, *A fast algorithm for generating constrained Delaunay triangulations*, 1993). Isolated points and chains
+//! with a free end need no treatment of their own, as they would with loops.
+
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
+
+use predicament_predicates::{Plane, Predicates, Sign, Vertex};
+
+/// The invariant of edges that are wanted.
+const APART: &str = "no point is inside of an edge, and no two edges cross";
+
+/// Points seen in a coordinate plane.
+pub(super) struct Points<'a> {
+    pub session: &'a dyn Predicates,
+    pub plane: Plane,
+    /// All at different places.
+    pub vertices: &'a [Vertex],
+}
+
+impl Points<'_> {
+    fn turn(&self, a: u32, b: u32, c: u32) -> Sign {
+        let [a, b, c] = [a, b, c].map(|at| self.vertices[at as usize]);
+        self.session.orient2d(self.plane, a, b, c)
+    }
+
+    /// The places of all points, from left to right, and from below to above where neither is left.
+    fn sorted(&self) -> Vec<u32> {
+        let mut order: Vec<u32> = (0..).take(self.vertices.len()).collect();
+        let [first, second] = self.plane.axes();
+        predicament_grid::sort::sort_by_sign(&mut order, |a, b| {
+            let [a, b] = [a, b].map(|at| self.vertices[at as usize]);
+            match self.session.compare(first, a, b) {
+                Sign::Zero => self.session.compare(second, a, b),
+                sign => sign,
+            }
+        });
+        order
+    }
+
+    /// Triangles of the convex hull, counterclockwise, by places of points; each of these edges is one of theirs.
+    ///
+    /// # Errors
+    /// The invariant that signs break.
+    pub fn triangulated(&self, edges: &[[u32; 2]]) -> Result<Vec<[u32; 3]>, &'static str> {
+        let mut mesh = self.swept();
+        let wanted: BTreeSet<[u32; 2]> = edges.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
+        for &[a, b] in &wanted {
+            self.enforce(&mut mesh, [a, b], &wanted)?;
+        }
+        Ok(mesh.triangles())
+    }
+
+    /// The triangulation of the sweep; without triangles where all points are on one line.
+    fn swept(&self) -> Mesh {
+        let order = self.sorted();
+        let mut mesh = Mesh::default();
+        let off = (2..order.len()).find(|&at| !self.turn(order[0], order[1], order[at]).is_zero());
+        let Some(off) = off else { return mesh };
+        // The hull, counterclockwise: what follows each point, and what comes before it.
+        let mut hull: Vec<u32> = order[..off].to_vec();
+        let is_left = self.turn(order[0], order[1], order[off]) == Sign::Positive;
+        if !is_left {
+            hull.reverse();
+        }
+        hull.windows(2).for_each(|pair| mesh.add([pair[0], pair[1], order[off]]));
+        hull.push(order[off]);
+        let mut around = Hull { next: vec![0; order.len()], before: vec![0; order.len()] };
+        hull.iter().zip(hull.iter().cycle().skip(1)).for_each(|(&a, &b)| around.link(a, b));
+        let mut last = order[off];
+        for (at, &point) in order.iter().enumerate().skip(off + 1) {
+            let (mut ahead, mut back) = (last, last);
+            // Its left neighbour is on the hull, and so not all of the hull is seen.
+            for _ in 0..at {
+                let next = around.next[ahead as usize];
+                if self.turn(ahead, next, point) != Sign::Negative {
+                    break;
+                }
+                mesh.add([next, ahead, point]);
+                ahead = next;
+            }
+            for _ in 0..at {
+                let before = around.before[back as usize];
+                if self.turn(before, back, point) != Sign::Negative {
+                    break;
+                }
+                mesh.add([back, before, point]);
+                back = before;
+            }
+            around.link(back, point);
+            around.link(point, ahead);
+            last = point;
+        }
+        mesh
+    }
+
+    /// Flips edges until there is this one.
+    fn enforce(&self, mesh: &mut Mesh, [a, b]: [u32; 2], wanted: &BTreeSet<[u32; 2]>) -> Result<(), &'static str> {
+        if mesh.has([a, b]) {
+            return Ok(());
+        }
+        let mut crossed = self.crossed(mesh, [a, b])?;
+        if crossed.iter().any(|&[u, w]| wanted.contains(&[u.min(w), u.max(w)])) {
+            return Err(APART);
+        }
+        // Each pass over the edges leaves fewer of them.
+        let mut left = 16 + crossed.len().saturating_pow(2).saturating_mul(4);
+        while let Some([u, w]) = crossed.pop_front() {
+            left = left.checked_sub(1).ok_or(APART)?;
+            let (Some(c), Some(d)) = (mesh.across([u, w]), mesh.across([w, u])) else { return Err(APART) };
+            let is_convex = self.turn(c, u, d) == Sign::Positive && self.turn(d, w, c) == Sign::Positive;
+            if !is_convex {
+                crossed.push_back([u, w]);
+                continue;
+            }
+            mesh.flip([u, w], [c, d]);
+            let is_end = |v: u32| v == a || v == b;
+            if !is_end(c) && !is_end(d) && self.turn(a, b, c) == -self.turn(a, b, d) {
+                crossed.push_back([c, d]);
+            }
+        }
+        mesh.has([a, b]).then_some(()).ok_or(APART)
+    }
+
+    /// The edges that cross the way from one point to another.
+    fn crossed(&self, mesh: &Mesh, [a, b]: [u32; 2]) -> Result<VecDeque<[u32; 2]>, &'static str> {
+        let is_ahead =
+            |&(u, w): &(u32, u32)| self.turn(a, u, b) == Sign::Positive && self.turn(a, w, b) == Sign::Negative;
+        let (mut right, mut left) = mesh.around(a).find(is_ahead).ok_or(APART)?;
+        let mut crossed = VecDeque::new();
+        loop {
+            crossed.push_back([right, left]);
+            let beyond = mesh.across([left, right]).ok_or(APART)?;
+            if beyond == b {
+                return Ok(crossed);
+            }
+            match self.turn(a, b, beyond) {
+                Sign::Positive => left = beyond,
+                Sign::Negative => right = beyond,
+                Sign::Zero => return Err(APART),
+            }
+            if crossed.len() > mesh.apices.len() {
+                return Err(APART);
+            }
+        }
+    }
+}
+
+/// The border of a convex hull, counterclockwise.
+struct Hull {
+    next: Vec<u32>,
+    before: Vec<u32>,
+}
+
+impl Hull {
+    fn link(&mut self, a: u32, b: u32) {
+        self.next[a as usize] = b;
+        self.before[b as usize] = a;
+    }
+}
+
+/// Triangles by their edges.
+#[derive(Default)]
+struct Mesh {
+    /// For each edge in the direction of a triangle its third corner.
+    apices: BTreeMap<(u32, u32), u32>,
+}
+
+impl Mesh {
+    fn add(&mut self, [a, b, c]: [u32; 3]) {
+        self.apices.extend([((a, b), c), ((b, c), a), ((c, a), b)]);
+    }
+
+    fn has(&self, [a, b]: [u32; 2]) -> bool {
+        self.apices.contains_key(&(a, b)) || self.apices.contains_key(&(b, a))
+    }
+
+    fn across(&self, [a, b]: [u32; 2]) -> Option<u32> {
+        self.apices.get(&(a, b)).copied()
+    }
+
+    /// The other two corners of each triangle at a point.
+    fn around(&self, a: u32) -> impl Iterator<Item = (u32, u32)> {
+        self.apices.range((a, 0)..=(a, u32::MAX)).map(|(&(_, u), &w)| (u, w))
+    }
+
+    /// Replaces the edge of two triangles by the one between their other corners.
+    fn flip(&mut self, [u, w]: [u32; 2], [c, d]: [u32; 2]) {
+        self.apices.remove(&(u, w));
+        self.apices.remove(&(w, u));
+        self.add([u, d, c]);
+        self.add([d, w, c]);
+    }
+
+    /// Each once, ascending by the least corner, with which it begins.
+    fn triangles(&self) -> Vec<[u32; 3]> {
+        let all = self.apices.iter().map(|(&(a, b), &c)| [a, b, c]);
+        all.filter(|[a, b, c]| a < b && a < c).collect()
+    }
+}

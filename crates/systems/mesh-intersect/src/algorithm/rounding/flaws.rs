@@ -1,0 +1,207 @@
+//! What rounding has done to a mesh: triangles that have turned over, folds, and triangles that pass through each other.
+
+use predicament_grid::{Bounds, BoxIndex, shared};
+use predicament_predicates::{Plane, Predicates, Sign, Vertex};
+
+/// The flaws of a mesh of doubles.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Flaws {
+    /// Triangles that have turned over.
+    pub turned: usize,
+    /// Pairs of triangles with a common edge, of which one lies on the other.
+    pub folded: usize,
+    /// Other pairs of triangles that have more in common than corners and edges.
+    pub crossing: usize,
+    /// The vertices of such triangles, ascending.
+    pub vertices: Vec<u32>,
+}
+
+impl Flaws {
+    /// All of them.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.turned + self.folded + self.crossing
+    }
+
+    fn note(&mut self, triangle: [u32; 3]) {
+        self.vertices.extend(triangle);
+    }
+}
+
+/// The flaws of triangles with a moved vertex, each with the place of what it is a part of, and how that was turned in a coordinate plane.
+///
+/// The session has to say zero where something is zero.
+///
+/// # Panics
+/// If a triangle has a vertex or a place that there is not.
+pub fn flaws(
+    session: &dyn Predicates,
+    triangles: &[([u32; 3], u32)],
+    is_moved: &(dyn Fn(u32) -> bool + Sync),
+    turns: &[Option<(Plane, Sign)>],
+) -> Flaws {
+    let mut flaws = Flaws::default();
+    for &(triangle, place) in triangles {
+        if let Some((plane, turn)) = turns[place as usize] {
+            let [a, b, c] = triangle.map(vertex);
+            // (Seen from its edge it is flat, not turned.)
+            if session.orient2d(plane, a, b, c) == -turn {
+                flaws.turned += 1;
+                flaws.note(triangle);
+            }
+        }
+    }
+    for (pair, flaw) in pairs(session, triangles.len(), &|at| triangles[at].0, is_moved) {
+        match flaw {
+            Flaw::Fold => flaws.folded += 1,
+            Flaw::Crossing => flaws.crossing += 1,
+        }
+        pair.into_iter().for_each(|at| flaws.note(triangles[at as usize].0));
+    }
+    flaws.vertices.sort_unstable();
+    flaws.vertices.dedup();
+    flaws
+}
+
+/// The pairs of triangles, by their places, of which one has a moved vertex and that have more in common than corners and edges.
+pub(crate) fn pairs(
+    session: &dyn Predicates,
+    count: usize,
+    triangle: &(dyn Fn(usize) -> [u32; 3] + Sync),
+    is_moved: &(dyn Fn(u32) -> bool + Sync),
+) -> Vec<([u32; 2], Flaw)> {
+    let has_moved = |at: usize| triangle(at).into_iter().any(is_moved);
+    let moved: Vec<usize> = (0..count).filter(|&at| has_moved(at)).collect();
+    let box_of = |at: usize| Bounds::of(triangle(at).map(|v| session.scene().point3(vertex(v))));
+    let ([_, near], _) = shared([moved.len(), count], [&|at: usize| box_of(moved[at]), &|at: usize| box_of(at)]);
+    let index = BoxIndex::new(near.iter().map(|&at| box_of(at as usize)).collect());
+    let pairs_of = |first: usize| {
+        let mut found = Vec::new();
+        index.near(&box_of(first), 0.0, &mut found);
+        let others = found.into_iter().map(|at| near[at as usize] as usize);
+        // Of two moved ones once.
+        let others = others.filter(|&other| other != first && (other > first || !has_moved(other)));
+        let number = |at: usize| u32::try_from(at).expect("fewer than 2^32 triangles");
+        let flaw = |other: usize| {
+            let flaw = flaw(session, triangle(first), triangle(other))?;
+            Some(([number(first), number(other)], flaw))
+        };
+        others.filter_map(flaw).collect::<Vec<_>>()
+    };
+    predicament_grid::parallel::each(moved.len(), &|at| pairs_of(moved[at])).into_iter().flatten().collect()
+}
+
+fn vertex(v: u32) -> Vertex {
+    Vertex::input(v as usize)
+}
+
+/// What is wrong with two triangles.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Flaw {
+    /// One lies on the other along a common edge, or they have the same corners.
+    Fold,
+    /// They have another point in common.
+    Crossing,
+}
+
+/// What two triangles have in common besides their common vertices and edge, if anything.
+///
+/// # Panics
+/// If the scene has no such vertex.
+pub fn flaw(session: &dyn Predicates, first: [u32; 3], second: [u32; 3]) -> Option<Flaw> {
+    let common: Vec<u32> = first.into_iter().filter(|v| second.contains(v)).collect();
+    let [t, u] = [first.map(vertex), second.map(vertex)];
+    match common[..] {
+        // The same triangle again, or opposite ones: a sheet.
+        [_, _, _] => Some(Flaw::Fold),
+        [p, q] => {
+            let apex = |triangle: [u32; 3]| triangle.into_iter().find(|v| !common.contains(v)).map(vertex);
+            let ([a, b, c], apices) = (t, [apex(first)?, apex(second)?]);
+            let in_plane = session.orient3d(a, b, c, apices[1]).is_zero();
+            (in_plane && is_one_side(session, [vertex(p), vertex(q)], apices)).then_some(Flaw::Fold)
+        }
+        [p] => {
+            let (p, opposite) = (vertex(p), |triangle: [Vertex; 3], p: Vertex| {
+                let at = triangle.iter().position(|&v| v == p).unwrap_or_default();
+                [triangle[(at + 1) % 3], triangle[(at + 2) % 3]]
+            });
+            let meets =
+                meet(session, opposite(t, p), u) || meet(session, opposite(u, p), t) || overlap_at(session, p, [t, u]);
+            meets.then_some(Flaw::Crossing)
+        }
+        _ => {
+            let edges = |[a, b, c]: [Vertex; 3]| [[a, b], [b, c], [c, a]];
+            let meets = edges(t).into_iter().any(|edge| meet(session, edge, u))
+                || edges(u).into_iter().any(|edge| meet(session, edge, t));
+            meets.then_some(Flaw::Crossing)
+        }
+    }
+}
+
+/// Whether two vertices of one plane with an edge are on the same side of it.
+fn is_one_side(session: &dyn Predicates, [p, q]: [Vertex; 2], [v, w]: [Vertex; 2]) -> bool {
+    [Plane::Xy, Plane::Yz, Plane::Zx].into_iter().any(|plane| {
+        let [first, second] = [v, w].map(|v| session.orient2d(plane, p, q, v));
+        !first.is_zero() && first == second
+    })
+}
+
+/// Whether an edge and a triangle without a common vertex have a point in common.
+fn meet(session: &dyn Predicates, [p, q]: [Vertex; 2], [a, b, c]: [Vertex; 3]) -> bool {
+    let sides = [p, q].map(|v| session.orient3d(a, b, c, v));
+    match sides {
+        [Sign::Zero, Sign::Zero] => meet_in_plane(session, [p, q], [a, b, c]),
+        [first, second] if first == second => false,
+        _ => {
+            let turns = [[a, b], [b, c], [c, a]].map(|[u, v]| session.orient3d(p, q, u, v));
+            !(turns.contains(&Sign::Positive) && turns.contains(&Sign::Negative))
+        }
+    }
+}
+
+/// Whether an edge in the plane of a triangle has a point in common with it.
+fn meet_in_plane(session: &dyn Predicates, [p, q]: [Vertex; 2], [a, b, c]: [Vertex; 3]) -> bool {
+    let planes = [Plane::Xy, Plane::Yz, Plane::Zx].into_iter();
+    let seen = planes.map(|plane| (plane, session.orient2d(plane, a, b, c))).find(|(_, turn)| !turn.is_zero());
+    let Some((plane, turn)) = seen else { return true };
+    // Apart, if an edge of the triangle has both ends beyond it, or the edge's line has the triangle on one side.
+    let beyond = |u: Vertex, v: Vertex| [p, q].iter().all(|&w| session.orient2d(plane, u, v, w) == -turn);
+    let sides = [a, b, c].map(|v| session.orient2d(plane, p, q, v));
+    let is_aside = !sides[0].is_zero() && sides.iter().all(|side| *side == sides[0]);
+    !(beyond(a, b) || beyond(b, c) || beyond(c, a) || is_aside)
+}
+
+/// Whether two triangles of one plane with one common vertex have more than that in common there: an edge of one goes into the other, or along
+/// one of its edges.
+fn overlap_at(session: &dyn Predicates, p: Vertex, [first, second]: [[Vertex; 3]; 2]) -> bool {
+    let [a, b, c] = first;
+    if second.iter().any(|&v| v != p && !session.orient3d(a, b, c, v).is_zero()) {
+        return along_edge(session, p, [first, second]);
+    }
+    let planes = [Plane::Xy, Plane::Yz, Plane::Zx].into_iter();
+    let seen = planes.map(|plane| (plane, session.orient2d(plane, a, b, c))).find(|(_, turn)| !turn.is_zero());
+    let Some((plane, _)) = seen else { return true };
+    let ends = |triangle: [Vertex; 3]| {
+        let at = triangle.iter().position(|&v| v == p).unwrap_or_default();
+        let [u, v] = [triangle[(at + 1) % 3], triangle[(at + 2) % 3]];
+        if session.orient2d(plane, p, u, v) == Sign::Negative { [v, u] } else { [u, v] }
+    };
+    let [first, second] = [ends(first), ends(second)];
+    let turn = |v: Vertex, w: Vertex| session.orient2d(plane, p, v, w);
+    // The two wedges have a direction in common.
+    let is_inside = |[u, v]: [Vertex; 2], w: Vertex| turn(u, w) != Sign::Negative && turn(w, v) != Sign::Negative;
+    first.iter().any(|&w| is_inside(second, w)) || second.iter().any(|&w| is_inside(first, w))
+}
+
+/// Whether an edge of one triangle at a common vertex goes the same way as one of the other, which is in another plane.
+fn along_edge(session: &dyn Predicates, p: Vertex, [first, second]: [[Vertex; 3]; 2]) -> bool {
+    let others = |triangle: [Vertex; 3]| triangle.into_iter().filter(move |&v| v != p);
+    others(first).any(|v| others(second).any(|w| is_same_way(session, p, v, w)))
+}
+
+/// Whether two vertices are in the same direction from a third.
+fn is_same_way(session: &dyn Predicates, p: Vertex, v: Vertex, w: Vertex) -> bool {
+    use predicament_predicates::Axis::{X, Y, Z};
+    [Plane::Xy, Plane::Yz, Plane::Zx].into_iter().all(|plane| session.orient2d(plane, p, v, w).is_zero())
+        && [X, Y, Z].into_iter().all(|axis| session.compare(axis, v, p) == session.compare(axis, w, p))
+}

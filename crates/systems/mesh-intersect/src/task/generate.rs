@@ -1,0 +1,176 @@
+//! Pairs of meshes by size, and where the second one is.
+
+use predicament_corpus::{Family, Making, Random, Recipe};
+use predicament_formats::bits::{power_of_two, step};
+use predicament_formats::{CorpusError, Fields};
+use predicament_mesh::OUTSIDE;
+
+use super::content::parts;
+use super::shapes::{checkers, combs, crowd, needles, terrain};
+use predicament_mesh_locate::task::generate::{lattice_of_tetrahedra, surface_of};
+use predicament_mesh_locate::task::probes::Surface;
+use predicament_tasks::solids::{self, Shape};
+
+/// Where the second mesh is, which is a copy of the first.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Placed {
+    /// Moved by parts of its size that are not short in binary, so that nothing is degenerate.
+    Apart,
+    /// In the same place.
+    Same,
+    /// Moved by one, in x.
+    Step,
+    /// Each coordinate moved by one double.
+    Ulp,
+    /// Moved by 2^-30.
+    Hair,
+    /// Turned by a quarter around z.
+    Quarter,
+    /// Turned a little around z, and rounded.
+    Turned,
+    /// Moved by half a cell along each axis.
+    Half,
+    /// Larger by a part in 2^20, seen from the origin.
+    Offset,
+    /// Moved by two, in x: unit spheres touch in a vertex.
+    Tangent,
+    /// Moved by a little less.
+    Nearly,
+    /// 2^40 times as small, around the origin.
+    Tiny,
+}
+
+const PLACED: [(&str, Placed); 12] = [
+    ("apart", Placed::Apart),
+    ("same", Placed::Same),
+    ("step", Placed::Step),
+    ("ulp", Placed::Ulp),
+    ("hair", Placed::Hair),
+    ("quarter", Placed::Quarter),
+    ("turned", Placed::Turned),
+    ("half", Placed::Half),
+    ("offset", Placed::Offset),
+    ("tangent", Placed::Tangent),
+    ("nearly", Placed::Nearly),
+    ("tiny", Placed::Tiny),
+];
+
+macro_rules! family {
+    ($name:literal, $about:literal, $shape:path) => {
+        Family {
+            name: $name,
+            reported_as: Some($name),
+            parameters: &["placed"],
+            about: $about,
+            read: |_, fields| recipe(fields, $shape),
+        }
+    };
+}
+
+/// The families of pairs.
+pub(super) static FAMILIES: [Family; 10] = [
+    family!("intersect-spheres", "two spheres of about n triangles each", sphere),
+    family!("intersect-tori", "two tori of about n triangles each", torus),
+    family!(
+        "intersect-cubes",
+        "two cubes of unit cells, about n triangles each: they share planes, edges, corners",
+        cubes
+    ),
+    family!("intersect-combs", "two prisms over combs of about n corners", combs),
+    family!("intersect-tetrahedra", "two lattices of tetrahedra, each a region, about n triangles each", tetrahedra),
+    family!("intersect-shells", "two nests of cubes, every second one a cavity, of about n corners each", shells),
+    family!("intersect-checkers", "two heaps of cubes that share edges and corners, about n triangles each", checkers),
+    family!("intersect-needles", "two rows of long tetrahedra, about n triangles each", needles),
+    family!("intersect-crowds", "two crowds of tetrahedra, about n triangles each", crowd),
+    Family {
+        name: "intersect-terrains",
+        reported_as: Some("intersect-terrains"),
+        parameters: &["ground"],
+        about: "two solids under terrains of about n triangles each, over one ground or apart",
+        read: terrains,
+    },
+];
+
+fn recipe(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Surface) -> Result<Recipe, CorpusError> {
+    let placed = match fields.get("placed") {
+        None => Placed::Apart,
+        Some(field) => {
+            let name = field.str()?;
+            let known = PLACED.iter().find(|(known, _)| *known == name).map(|(_, placed)| *placed);
+            known.ok_or_else(|| {
+                let names = PLACED.map(|(name, _)| format!("\"{name}\"")).join(", ");
+                field.error(format!("no place of the second mesh is called `{name}`"), format!("use one of {names}"))
+            })?
+        }
+    };
+    let make = move |making: &Making| {
+        let [first, mut second] = [(); 2].map(|()| shape(making.n, &mut making.random()));
+        second.points.iter_mut().for_each(|point| *point = place(placed, *point));
+        parts([first, second])
+    };
+    // At most as many vertices as triangles; a few are made even for the smallest n.
+    Ok(Recipe::new(make).with_coordinates(|n| 6 * (n + 200)))
+}
+
+fn place(placed: Placed, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    match placed {
+        Placed::Apart => [x + 1.0 / 3.0, y + 1.0 / 5.0, z + 1.0 / 7.0],
+        Placed::Same => [x, y, z],
+        Placed::Step => [x + 1.0, y, z],
+        Placed::Ulp => [x, y, z].map(|x| step(x, 1)),
+        Placed::Hair => [x, y, z].map(|x| x + power_of_two(-30)),
+        Placed::Quarter => [-y, x, z],
+        // A rotation by the angle whose tangent is 1/64, but for a factor near 1.
+        Placed::Turned => [x - y / 64.0, y + x / 64.0, z + x / 128.0],
+        Placed::Half => [x + 0.5, y + 0.5, z + 0.5],
+        Placed::Offset => [x, y, z].map(|x| x + x * power_of_two(-20)),
+        Placed::Tangent => [x + 2.0, y, z],
+        Placed::Nearly => [x + (2.0 - power_of_two(-40)), y, z],
+        Placed::Tiny => [x, y, z].map(|x| x * power_of_two(-40)),
+    }
+}
+
+fn closed(shape: Shape) -> Surface {
+    surface_of(shape, [OUTSIDE, 1])
+}
+
+fn sphere(n: usize, rng: &mut Random) -> Surface {
+    closed(solids::sphere(n, rng))
+}
+
+fn torus(n: usize, rng: &mut Random) -> Surface {
+    closed(solids::torus(n, rng))
+}
+
+fn cubes(n: usize, rng: &mut Random) -> Surface {
+    closed(solids::lattice(n / 2, rng))
+}
+
+fn tetrahedra(n: usize, _: &mut Random) -> Surface {
+    lattice_of_tetrahedra(n)
+}
+
+fn shells(n: usize, rng: &mut Random) -> Surface {
+    closed(solids::shells(n, rng))
+}
+
+/// Two terrains of heights of their own, over the same squares or over others.
+fn terrains(_: &str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
+    let is_shared = match fields.get("ground") {
+        None => false,
+        Some(field) => match field.str()? {
+            "shared" => true,
+            "apart" => false,
+            other => return Err(field.error(format!("no ground is called `{other}`"), "use \"shared\" or \"apart\"")),
+        },
+    };
+    let make = move |making: &Making| {
+        let mut random = making.random();
+        let [first, mut second] = [(); 2].map(|()| terrain(making.n, &mut random));
+        if !is_shared {
+            second.points.iter_mut().for_each(|point| *point = place(Placed::Apart, *point));
+        }
+        parts([first, second])
+    };
+    Ok(Recipe::new(make).with_coordinates(|n| 6 * (n + 200)))
+}

@@ -1,0 +1,188 @@
+//! The same overlay asked for in other ways, of the same backend: with the meshes exchanged, and a difference as an intersection.
+//!
+//! # Exchanged
+//! The overlay of B and A has the volumes of that of A and B. Where nothing touches it has the same parts of the same triangles too. Where
+//! something does, a perturbation that moves the second mesh moves another one now, and sheets without volume come and go.
+//!
+//! # Complement
+//! A∖B is what A has in common with the complement of B in a box around both. The complement is given as a mesh: the box, and the surface of B with its sides
+//! exchanged, over the same vertices, with those of the box behind all others. So each perturbation moves A and B as before, and results
+//! have the same parts of the same triangles, ties or not.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use crate::algorithm::overlay::Source;
+use predicament_mesh::{MaterialMesh, OUTSIDE};
+use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
+use rug::Rational;
+
+use super::measures::{Measure, Sums, add};
+use super::{Laws, MeshIntersect, TwoMeshes, name, note, points};
+use crate::task::content::for_both;
+use predicament_tasks::{Asked, Outcome, Stop};
+
+/// What triangles of a box around the origin are, by corners whose bits are their coordinates' signs, seen counterclockwise from outside.
+const BOX: [[usize; 3]; 12] = [
+    [0, 2, 3],
+    [0, 3, 1],
+    [4, 5, 7],
+    [4, 7, 6],
+    [0, 1, 5],
+    [0, 5, 4],
+    [2, 6, 7],
+    [2, 7, 3],
+    [0, 4, 6],
+    [0, 6, 2],
+    [1, 3, 7],
+    [1, 7, 5],
+];
+
+/// A scene of two meshes.
+struct Other {
+    scene: Scene,
+    content: TwoMeshes,
+}
+
+impl Other {
+    fn new(points: &[[f64; 3]], meshes: [MaterialMesh; 2]) -> Option<Other> {
+        let [first, second] = &meshes;
+        let scene = for_both(Scene::from_points3(points).ok()?, [first, second]);
+        Some(Other { scene, content: TwoMeshes { meshes: meshes.map(Arc::new) } })
+    }
+}
+
+impl Laws<'_> {
+    /// Overlays the meshes again.
+    pub(super) fn again(&self, asked: &Asked<'_>, outcome: &mut Outcome) -> Result<(), Stop> {
+        let is_exact = asked.contract(PredicateKind::Orient3d).zero == ZeroMeaning::Exact;
+        self.with_exchanged(asked, is_exact, outcome);
+        asked.watch.done(0)?;
+        self.with_complement(asked, outcome);
+        asked.watch.done(0)
+    }
+
+    /// What the results of another scene have of each triangle, which is the first of `places` by its source there; a finding where there are none.
+    fn results_of(
+        &self,
+        other: &Other,
+        asked: &Asked<'_>,
+        check: &str,
+        places: &dyn Fn(Source) -> Source,
+        outcome: &mut Outcome,
+    ) -> Option<[Sums; 4]> {
+        let law = "what is overlaid in one way is in the other too";
+        let answer = match asked.backend.answer(&MeshIntersect, &other.scene, &other.content) {
+            Ok(answer) => answer,
+            Err(why) => {
+                // A box is longer than the meshes, and tolerances grow with lengths.
+                if asked.contract(PredicateKind::Orient3d).zero != ZeroMeaning::Band {
+                    note(outcome, check, why, law);
+                }
+                return None;
+            }
+        };
+        if let Some(rule) = answer.broken {
+            note(outcome, check, rule.to_owned(), law);
+            return None;
+        }
+        let Ok(points) = points(&other.scene, &answer, self.place) else {
+            note(outcome, check, "a vertex is no point".to_owned(), law);
+            return None;
+        };
+        let laws = Laws { scene: &other.scene, content: &other.content, answer: &answer, points, place: self.place };
+        let of =
+            |at: usize| laws.of_result(at).into_iter().map(|(source, measure)| (places(source), measure)).collect();
+        Some([0, 1, 2, 3].map(of))
+    }
+
+    fn with_exchanged(&self, asked: &Asked<'_>, is_exact: bool, outcome: &mut Outcome) {
+        const CHECK: &str = "meshes exchanged";
+        // The vertices of the second mesh come first.
+        let is_of_second = self.scene.second_mesh().unwrap_or_default();
+        let is_of_second = |v: Vertex| is_of_second.get(v.index()).copied().unwrap_or_default();
+        let (mut order, rest): (Vec<Vertex>, Vec<Vertex>) = self.scene.vertices().partition(|&v| is_of_second(v));
+        order.extend(rest);
+        let place: BTreeMap<Vertex, Vertex> = order.iter().enumerate().map(|(at, &v)| (v, Vertex::input(at))).collect();
+        let points: Vec<[f64; 3]> = order.iter().map(|&v| self.scene.point3(v)).collect();
+        let moved = |mesh: &MaterialMesh| {
+            let triangles = mesh.triangles().iter().map(|triangle| triangle.map(|v| place[&v])).collect();
+            MaterialMesh::new(points.len(), triangles, mesh.sides().to_vec())
+        };
+        let [first, second] = &self.content.meshes;
+        let (Ok(first), Ok(second)) = (moved(first), moved(second)) else { return };
+        let Some(other) = Other::new(&points, [second, first]) else { return };
+        let back = |source: Source| Source { mesh: 1 - source.mesh, ..source };
+        let Some(results) = self.results_of(&other, asked, CHECK, &back, outcome) else { return };
+        let own = [0, 1, 2, 3].map(|at| self.of_result(at));
+        let second = self.of_mesh(1);
+        // The difference of the second and the first, and what both have in common, are the second.
+        let laws: [(&str, Vec<(&Sums, i32)>); 4] = [
+            ("unions are the same", vec![(&own[0], 1), (&results[0], -1)]),
+            ("intersections are the same", vec![(&own[1], 1), (&results[1], -1)]),
+            ("B∖A and what is common are B", vec![(&results[2], 1), (&own[1], 1), (&second, -1)]),
+            ("symmetric differences are the same", vec![(&own[3], 1), (&results[3], -1)]),
+        ];
+        for (law, terms) in laws {
+            let left = left(&terms);
+            let volume: Rational = left.values().map(|measure| &measure[3]).sum();
+            if !volume.is_zero() {
+                note(outcome, CHECK, format!("volumes are {:e} off", volume.to_f64() / 6.0), law);
+            } else if is_exact && let Some((source, _)) = left.first_key_value() {
+                note(outcome, CHECK, format!("{}: other parts of it", name(*source)), law);
+            }
+        }
+    }
+
+    fn with_complement(&self, asked: &Asked<'_>, outcome: &mut Outcome) {
+        const CHECK: &str = "difference by complement";
+        let mut points: Vec<[f64; 3]> = self.scene.vertices().map(|v| self.scene.point3(v)).collect();
+        let count = points.len();
+        let largest = points.as_flattened().iter().fold(1.0_f64, |largest, x| largest.max(x.abs()));
+        let half = 2.0 * largest;
+        if !half.is_finite() {
+            return;
+        }
+        points
+            .extend((0..8).map(|corner: u8| [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { -half } else { half })));
+        let of = &self.content.meshes[1];
+        // The surface of the second mesh; places of its triangles there.
+        let (mut triangles, mut sides, mut places) = (Vec::new(), Vec::new(), Vec::new());
+        for ((triangle, of_triangle), at) in of.triangles().iter().zip(of.sides()).zip(0..) {
+            let outside = of_triangle.map(|region| u32::from(region == OUTSIDE));
+            if outside[0] != outside[1] {
+                triangles.push(*triangle);
+                sides.push(outside);
+                places.push(at);
+            }
+        }
+        triangles.extend(BOX.map(|triangle| triangle.map(|corner| Vertex::input(count + corner))));
+        sides.extend([[OUTSIDE, 1]; BOX.len()]);
+        let Ok(complement) = MaterialMesh::new(points.len(), triangles, sides) else { return };
+        let first = MaterialMesh::clone(&self.content.meshes[0]);
+        let Some(other) = Other::new(&points, [first, complement]) else { return };
+        // Triangles of the box come after all of the mesh.
+        let beyond = u32::MAX;
+        let back = |source: Source| match source.mesh {
+            0 => source,
+            _ => Source { triangle: places.get(source.triangle as usize).copied().unwrap_or(beyond), ..source },
+        };
+        let Some(results) = self.results_of(&other, asked, CHECK, &back, outcome) else { return };
+        let left = left(&[(&self.of_result(2), 1), (&results[1], -1)]);
+        if let Some((source, _)) = left.first_key_value() {
+            let of = if source.triangle == beyond { "the box".to_owned() } else { name(*source) };
+            let got = format!("{} triangles, first {of}: other parts of it", left.len());
+            note(outcome, CHECK, got, "A∖B is what A has in common with the complement of B");
+        }
+    }
+}
+
+/// What is left of sums, each taken so many times.
+fn left(terms: &[(&Sums, i32)]) -> Sums {
+    let mut left = Sums::new();
+    for (sums, times) in terms {
+        sums.iter().for_each(|(source, measure): (&Source, &Measure)| add(&mut left, *source, measure, *times));
+    }
+    left.retain(|_, measure| measure.iter().any(|x| !x.is_zero()));
+    left
+}

@@ -1,0 +1,357 @@
+//! `mesh-intersect`: two multi-material meshes, cut where they meet.
+//!
+//! 3D-EPUG-Overlay (Franklin and Magalhães, section 4.5). The answer is all of it: pieces of all triangles, each in a region of
+//! either mesh, of which Boolean operations take some.
+
+mod checks;
+mod content;
+mod files;
+mod generate;
+mod judge;
+mod manner;
+mod memory;
+mod phases;
+mod read;
+mod section;
+mod settled;
+mod shapes;
+mod spoiled;
+mod spoiled_results;
+mod surface;
+
+use std::path::{Path, PathBuf};
+
+use crate::algorithm::overlay::{Regions, Source as OfMesh, Undone, mesh_overlay, mesh_overlay_registered};
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_overlay::algorithm::overlay::Operation;
+use predicament_predicates::{Construction, Declined, PredicateKind, Predicates, Query, Scene, Vertex};
+
+use predicament_records::{RunDir, TableSpec};
+use predicament_report::Section;
+use predicament_report::drawing::{Role, Shape};
+
+use manner::{Manner, manner};
+
+pub use content::TwoMeshes;
+pub use section::MeshIntersectRow;
+pub use settled::Settled;
+pub use surface::flaw_of;
+
+use predicament_tasks::output::{Canvas, Placed};
+use predicament_tasks::{
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Purpose, Refusal,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
+};
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct MeshIntersect;
+
+/// The overlay, and the vertices that were constructed.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Overlaid {
+    /// All pieces, with the regions of both meshes on either side.
+    pub regions: Regions,
+    /// The surface of each operation, in the order of [`Operation::ALL`].
+    pub solids: [Vec<[Vertex; 3]>; 4],
+    /// For each triangle of these what it is, or is a piece of.
+    pub sources: [Vec<OfMesh>; 4],
+    /// What was constructed.
+    pub constructions: Vec<Construction>,
+    /// How many constructions the scene had before.
+    pub before: usize,
+    /// What the session has rounded the constructed vertices to; none where it keeps them.
+    pub rounded: Option<Vec<[f64; 3]>>,
+    /// Where contacts with these vertices were registered; none where none were. What is judged is the points that are defined.
+    pub registered: Option<Vec<[f64; 3]>>,
+    /// The results without a perturbation, and in doubles, or what does not hold; none where they were not asked for, or the session rounds.
+    pub settled: Option<std::result::Result<Settled, String>>,
+    /// The first invariant that did not hold: then there is nothing else.
+    pub broken: Option<&'static str>,
+}
+
+impl Overlaid {
+    /// Overlays the meshes of a scene; with `settles` the results without a perturbation are asked for, too.
+    ///
+    /// # Errors
+    /// [`Halt::Refused`] where the session does not construct a vertex, or meshes touch and it says so.
+    fn of(session: &mut dyn Predicates, content: &TwoMeshes, settles: bool) -> Result<Overlaid, Halt> {
+        memory::affordable(session.scene(), content)?;
+        let before = session.scene().constructions().len();
+        let overlaid = match manner(session, content) {
+            Manner::Signs(zeros) => mesh_overlay(session, content.meshes.clone(), zeros).map(|overlay| (overlay, None)),
+            Manner::Contacts => mesh_overlay_registered(session, content.meshes.clone(), &mut |_| {})
+                .map(|(overlay, registered)| (overlay, Some(registered))),
+        };
+        let (overlay, registered) = match overlaid {
+            Ok(overlaid) => overlaid,
+            Err(Undone::Refused(why)) => return Err(why.into()),
+            Err(touch @ (Undone::Touch(_) | Undone::Contact(_))) => {
+                let why = format!("{touch}; what touches is decided by backends that break ties");
+                return Err(Halt::Refused(Refusal { check: "touch", why: Declined::scene(why) }));
+            }
+            Err(Undone::Broken(rule)) => return Ok(Overlaid { before, broken: Some(rule), ..Overlaid::default() }),
+        };
+        let constructions = overlay.constructions().to_vec();
+        let solids = Operation::ALL.map(|operation| overlay.solid(operation));
+        Ok(Overlaid {
+            settled: if settles { settled::settled(session, &overlay, &solids, before) } else { None },
+            regions: overlay.regions(),
+            sources: solids.each_ref().map(|solid| solid.sources.clone()),
+            solids: solids.map(|solid| solid.triangles),
+            rounded: output::rounded_points(session, before, constructions.len()),
+            registered: registered
+                .and_then(|registered| output::rounded_points(&registered, before, constructions.len())),
+            constructions,
+            before,
+            broken: None,
+        })
+    }
+}
+
+impl Answer for Overlaid {
+    fn digest(&self) -> u64 {
+        let number = |n: usize| (n as u64).to_le_bytes();
+        let pieces = self.regions.triangles.iter().zip(&self.regions.sides).flat_map(|(triangle, sides)| {
+            let pairs = sides.map(|side| self.regions.pairs[side as usize]);
+            let regions = pairs.into_iter().flatten().map(|region| region as usize);
+            triangle.map(Vertex::index).into_iter().chain(regions).collect::<Vec<_>>()
+        });
+        digest(pieces.flat_map(number).chain(self.broken.unwrap_or_default().bytes()))
+    }
+}
+
+impl SceneFormat for MeshIntersect {
+    fn name(&self) -> &'static str {
+        "mesh-intersect"
+    }
+
+    fn template(&self) -> String {
+        include_str!("template.txt").to_owned()
+    }
+
+    fn about(&self) -> &'static str {
+        "two multi-material meshes, cut where they meet (Franklin and Magalhães, 4.5)"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["points", "first", "second", "first_regions", "second_regions", "moved", "check"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points"]
+    }
+
+    fn file_keys(&self) -> &'static [&'static str] {
+        &["first", "second"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        read::read(context, fields)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &generate::FAMILIES
+    }
+}
+
+impl Task for MeshIntersect {
+    type Content = TwoMeshes;
+    type Truth = ();
+    type Answer = Overlaid;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("intersect-spheres", 40).with("placed = \"apart\""),
+                Compared::near("intersect-spheres", 24).with("placed = \"ulp\""),
+                Compared::degenerate("intersect-cubes", 24).with("placed = \"step\""),
+            ]
+        }
+    }
+
+    fn turns(&self, knob: Knob) -> Turns {
+        match knob {
+            Knob::Translation => Turns::UpTo(32, "meshes that are rounded cross themselves"),
+            Knob::Shift | Knob::Precision => Turns::Nowhere("meshes that are rounded cross themselves"),
+            _ => Turns::Everywhere,
+        }
+    }
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]
+    }
+
+    fn constructs(&self) -> bool {
+        true
+    }
+
+    fn judges_whole(&self) -> bool {
+        true
+    }
+
+    /// The truth is in the laws, and in the meshes.
+    fn truth(&self, _: &Scene, _: &TwoMeshes, watch: &Watch) -> Result<(), Stop> {
+        watch.done(0)
+    }
+
+    fn sampled(&self, (): &()) -> Option<String> {
+        None
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &TwoMeshes,
+        how: &How<'_>,
+        answer: &mut Overlaid,
+    ) -> Result<(), Halt> {
+        how.watch.done(0)?;
+        let settles = how.purpose != Purpose::Use;
+        *answer = Overlaid::of(session, content, settles)?;
+        how.watch.done(content.triangles() as u64)?;
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, MeshIntersect>,
+        asked: &Asked<'_>,
+        answer: &Overlaid,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        outcome.sampled = judge::sampled(case.content);
+        section::rows(case, asked, answer, outcome);
+        judge::judge(case, asked, answer, outcome)
+    }
+
+    fn building(&self, _: &Scene, content: &TwoMeshes) -> Vec<Phase> {
+        phases::building(content)
+    }
+
+    fn asking<P: Predicates>(&self, session: &mut P, content: &TwoMeshes) -> Vec<Phase> {
+        phases::asking(session, content)
+    }
+
+    fn tables(&self) -> Vec<TableSpec> {
+        vec![TableSpec::of::<MeshIntersectRow>()]
+    }
+
+    fn section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error> {
+        section::section(runs)
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<MeshIntersect>> {
+        let mut all = spoiled::all();
+        all.extend(spoiled_results::all());
+        all
+    }
+
+    fn describe(&self, _: &LoadedScene, content: &TwoMeshes, _: &Watch) -> Result<String, Stop> {
+        let [first, second] = content.meshes.each_ref().map(|mesh| (mesh.triangles().len(), mesh.regions() - 1));
+        Ok(format!("{} triangles around {} regions, and {} around {}\n", first.0, first.1, second.0, second.1))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &TwoMeshes,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let _ = query;
+        let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|answer| told(&answer));
+        Ok(Explanation::default().with_answers(backends, ask))
+    }
+
+    /// A mesh for each operation, in doubles where it is known without the perturbation and as the perturbation has it otherwise, what rounding has
+    /// done, all vertices exactly, and a JSON file of all pieces.
+    fn write(&self, scene: &Scene, _: &TwoMeshes, answer: &Overlaid, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+        let placed = Placed::new(
+            scene,
+            &answer.constructions,
+            answer.before,
+            answer.rounded.as_ref().or(answer.registered.as_ref()).map(|points| &points[..]),
+        )?;
+        let mut files = Vec::new();
+        if let Some(Ok(settled)) = &answer.settled {
+            files.extend(files::settled(settled, folder)?);
+        }
+        let perturbed = if files.is_empty() { &answer.solids[..] } else { &[] };
+        for (operation, solid) in Operation::ALL.iter().zip(perturbed) {
+            let faces: Vec<Vec<Vertex>> =
+                solid.iter().map(|triangle| triangle.map(|v| placed.place(v)).to_vec()).collect();
+            files.extend(output::mesh(&placed.meshes, &faces, folder, operation.name())?);
+        }
+        let regions = &answer.regions;
+        let piece = |at: usize| {
+            let sides = regions.sides[at].map(|side| regions.pairs[side as usize]);
+            serde_json::json!({
+                "vertices": regions.triangles[at].map(|v| v.to_string()),
+                "mesh": regions.sources[at].mesh + 1,
+                "triangle": regions.sources[at].triangle,
+                "front": sides[0],
+                "behind": sides[1],
+            })
+        };
+        let pieces: Vec<serde_json::Value> = (0..regions.triangles.len()).map(piece).collect();
+        let path = folder.join("pieces.json");
+        std::fs::write(&path, format!("{}\n", serde_json::json!({ "pieces": pieces, "broken": answer.broken })))?;
+        files.push(path);
+        if answer.rounded.is_none() {
+            files.push(output::vertices(&placed.exact, regions.triangles.as_flattened().iter().copied(), folder)?);
+        }
+        Ok(files)
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &TwoMeshes,
+        answer: Option<&Overlaid>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        let given = [("first", Role::Given), ("second", Role::Second)];
+        for ((name, role), mesh) in given.into_iter().zip(&content.meshes) {
+            canvas.faces(scene, name, role, mesh.triangles())?.is_shown = answer.is_none();
+        }
+        let Some(answer) = answer else { return Ok(()) };
+        if let Some(Ok(settled)) = &answer.settled {
+            for (operation, result) in settled.by_operation() {
+                let closed = &result.rounded.closed;
+                let face = |triangle: &[u32; 3]| vec![triangle.map(|v| closed.points[v as usize]).to_vec()];
+                let layer =
+                    canvas.places(operation.name(), Role::Found, Shape::Areas, closed.triangles.iter().map(face));
+                layer.is_shown = operation == Operation::Union;
+            }
+            return Ok(());
+        }
+        let rounded = answer.rounded.as_ref().or(answer.registered.as_ref());
+        let placed = Placed::new(scene, &answer.constructions, answer.before, rounded.map(|points| &points[..]))?;
+        for (operation, solid) in Operation::ALL.into_iter().zip(&answer.solids) {
+            let faces = solid.iter().map(|triangle| triangle.map(|v| placed.place(v)));
+            let layer = canvas.faces(&placed.meshes, operation.name(), Role::Found, faces)?;
+            layer.is_shown = operation == Operation::Union;
+        }
+        Ok(())
+    }
+}
+
+fn told(answer: &Overlaid) -> String {
+    if let Some(rule) = answer.broken {
+        return format!("violated: {rule}");
+    }
+    let solids = Operation::ALL.iter().zip(&answer.solids);
+    let solids: Vec<String> = solids.map(|(of, solid)| format!("{} of {}", of.name(), solid.len())).collect();
+    format!(
+        "{} points, {} pieces; triangles: {}",
+        answer.constructions.len(),
+        answer.regions.triangles.len(),
+        solids.join(", ")
+    )
+}

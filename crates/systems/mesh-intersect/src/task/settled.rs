@@ -1,0 +1,89 @@
+//! The results where the meshes are: their limits as the perturbation goes to zero, and those in doubles.
+//!
+//! An overlay's results are those of perturbed meshes. Who uses one wants the meshes that were given, and a file of doubles. Both steps are
+//! taken where an answer is judged or written, and not where it is timed.
+
+use crate::algorithm::limit::{self, limit};
+use crate::algorithm::overlay::{MeshOverlay, Solid, Undone};
+use crate::algorithm::rounding::{NotRounded, Rounded, rounded};
+use predicament_overlay::algorithm::overlay::Operation;
+use predicament_predicates::{Construction, Declined, Predicates};
+
+/// The results of all operations without a perturbation.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Settled {
+    /// In the order of [`Operation::ALL`].
+    pub results: [Result; 4],
+    /// What was constructed, for the overlay and after it.
+    pub constructions: Vec<Construction>,
+}
+
+/// One of the results.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Result {
+    /// The limit.
+    pub solid: Solid,
+    /// How much of the perturbed result was without extent.
+    pub counts: limit::Counts,
+    /// The limit in doubles.
+    pub rounded: Rounded,
+}
+
+/// Why a result has no limit, or none in doubles.
+enum Unsettled {
+    Declined(Declined),
+    Undone(Undone),
+    NotRounded(NotRounded),
+}
+
+impl From<Declined> for Unsettled {
+    fn from(why: Declined) -> Unsettled {
+        Unsettled::Declined(why)
+    }
+}
+
+impl std::fmt::Display for Unsettled {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Unsettled::Declined(why) => why.fmt(f),
+            Unsettled::Undone(why) => why.fmt(f),
+            Unsettled::NotRounded(why) => why.fmt(f),
+        }
+    }
+}
+
+/// The results of an overlay without the session's perturbation; none where the session rounds, and has no way to say that something is
+/// zero.
+///
+/// # Errors
+/// What does not hold, such as that a constructed vertex is a point where the meshes are.
+pub(super) fn settled(
+    session: &dyn Predicates,
+    overlay: &MeshOverlay,
+    solids: &[Solid; 4],
+    before: usize,
+) -> Option<std::result::Result<Settled, String>> {
+    let exact = session.unperturbed()?;
+    let scene = session.scene().clone();
+    let mut settled: std::result::Result<Settled, Unsettled> = Ok(Settled::default());
+    let asked = exact.with_session(&scene, &mut |session| {
+        let mut one = |solid: &Solid| -> std::result::Result<Result, Unsettled> {
+            let limit = limit(session, overlay, solid.clone()).map_err(Unsettled::Undone)?;
+            let rounded = rounded(exact, session, &limit).map_err(Unsettled::NotRounded)?;
+            Ok(Result { solid: limit.solid, counts: limit.counts, rounded })
+        };
+        let results: std::result::Result<Vec<Result>, Unsettled> = solids.iter().map(&mut one).collect();
+        settled = results.map(|results| {
+            let results = <[Result; 4]>::try_from(results).unwrap_or_default();
+            Settled { results, constructions: session.scene().constructions()[before..].to_vec() }
+        });
+    });
+    Some(asked.map_err(Unsettled::Declined).and(settled).map_err(|why| why.to_string()))
+}
+
+impl Settled {
+    /// The results by operation.
+    pub(super) fn by_operation(&self) -> impl Iterator<Item = (Operation, &Result)> {
+        Operation::ALL.into_iter().zip(&self.results)
+    }
+}

@@ -1,0 +1,8 @@
+//! What the tests share.
+
+#[path = "../../../../delaunay/tests/it/common/liar.rs"]
+pub mod liar;
+pub mod overlaid;
+pub mod shapes;
+pub mod touching;
+pub mod volumes;

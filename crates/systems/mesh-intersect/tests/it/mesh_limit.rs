@@ -1,0 +1,229 @@
+//! Limits of perturbed results against cells that are counted.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use predicament_exact::Exact;
+use predicament_judge::{Points, nearest};
+use predicament_mesh::MaterialMesh;
+use predicament_mesh_intersect::algorithm::limit::{Counts, Limit, limit};
+use predicament_mesh_intersect::algorithm::overlay::{Zeros, mesh_overlay};
+use predicament_overlay::algorithm::overlay::Operation;
+use predicament_predicates::{Backend, Off, Predicates, Scene, Vertex};
+use predicament_sos::PerMesh;
+use rug::Rational;
+
+use crate::common::shapes::Random;
+
+type Cell = [i64; 3];
+
+/// Cubes of a lattice: the length of their edges, where the lattice begins, and which of them there are.
+#[derive(Clone, Debug)]
+struct Cubes {
+    size: i64,
+    from: Cell,
+    cells: BTreeSet<Cell>,
+}
+
+impl Cubes {
+    fn random(random: &mut Random, size: i64, from: Cell, along: i64) -> Cubes {
+        let mut cells = BTreeSet::new();
+        for x in 0..along {
+            for y in 0..along {
+                for z in 0..along {
+                    if random.whole(1) == 0.0 {
+                        cells.insert([x, y, z]);
+                    }
+                }
+            }
+        }
+        cells.insert([0, 0, 0]);
+        Cubes { size, from, cells }
+    }
+
+    /// Its unit cells.
+    fn units(&self) -> BTreeSet<Cell> {
+        let unit = |cell: &Cell| {
+            let low = [0, 1, 2].map(|i: usize| self.from[i] + cell[i] * self.size);
+            let size = self.size;
+            (0..size.pow(3)).map(move |at| [low[0] + at / size / size, low[1] + at / size % size, low[2] + at % size])
+        };
+        self.cells.iter().flat_map(unit).collect()
+    }
+
+    /// Its surface: two triangles a square, divided along either diagonal.
+    fn surface(&self, random: &mut Random) -> (Vec<Cell>, Vec<[usize; 3]>) {
+        let (mut points, mut triangles, mut known) = (Vec::new(), Vec::new(), BTreeMap::new());
+        for cell in &self.cells {
+            for axis in 0..3 {
+                for up in [0, 1] {
+                    let mut beside = *cell;
+                    beside[axis] += 2 * up - 1;
+                    if self.cells.contains(&beside) {
+                        continue;
+                    }
+                    let mut corner = |i: i64, j: i64| {
+                        let mut at = *cell;
+                        at[axis] += up;
+                        at[(axis + 1) % 3] += i;
+                        at[(axis + 2) % 3] += j;
+                        let at = [0, 1, 2].map(|i: usize| self.from[i] + at[i] * self.size);
+                        *known.entry(at).or_insert_with(|| {
+                            points.push(at);
+                            points.len() - 1
+                        })
+                    };
+                    let mut square = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
+                    if up == 0 {
+                        square.reverse();
+                    }
+                    square.rotate_left(usize::from(random.whole(1) == 0.0));
+                    let [a, b, c, d] = square;
+                    triangles.extend([[a, b, c], [a, c, d]]);
+                }
+            }
+        }
+        (points, triangles)
+    }
+}
+
+/// The number of squares between cells of a set and others.
+fn squares(cells: &BTreeSet<Cell>) -> usize {
+    let beside = |cell: &Cell| {
+        (0..6)
+            .filter(|&way| {
+                let mut beside = *cell;
+                beside[way / 2] += if way % 2 == 0 { 1 } else { -1 };
+                !cells.contains(&beside)
+            })
+            .count()
+    };
+    cells.iter().map(beside).sum()
+}
+
+/// Two lots of cubes in one scene.
+struct Pair {
+    scene: Scene,
+    meshes: [Arc<MaterialMesh>; 2],
+}
+
+impl Pair {
+    fn new(cubes: [&Cubes; 2], random: &mut Random) -> Pair {
+        let [first, second] = cubes.map(|cubes| cubes.surface(random));
+        let points: Vec<[f64; 3]> =
+            first.0.iter().chain(&second.0).map(|p| p.map(|x| f64::from(i32::try_from(x).unwrap()))).collect();
+        let before = first.0.len();
+        let scene = Scene::from_points3(&points).unwrap().with_second_mesh((before..points.len()).map(Vertex::input));
+        let mesh = |triangles: Vec<[usize; 3]>, by: usize| {
+            let triangles = triangles.into_iter().map(|t| t.map(|at| Vertex::input(at + by))).collect();
+            Arc::new(MaterialMesh::of_closed(points.len(), triangles).unwrap())
+        };
+        let meshes = [mesh(first.1, 0), mesh(second.1, before)];
+        Pair { scene, meshes }
+    }
+
+    fn limit(&self, operation: Operation) -> Result<(Limit, Scene), String> {
+        let mut session = PerMesh.prepare(&self.scene, Off).unwrap();
+        let overlay = mesh_overlay(&mut session, self.meshes.clone(), Zeros::Refused).map_err(|why| why.to_string())?;
+        let perturbed = session.scene().clone();
+        let mut exact = Exact.prepare(&perturbed, Off).unwrap();
+        let limit = limit(&mut exact, &overlay, overlay.solid(operation)).map_err(|why| why.to_string())?;
+        Ok((limit, exact.scene().clone()))
+    }
+}
+
+/// What is wrong with a limit, where so many unit cells and squares around them are right.
+fn flaw(limit: &Limit, scene: &Scene, cells: usize, squares: usize) -> Option<String> {
+    let mut points = Points::of(scene);
+    let mut place = BTreeMap::new();
+    for &v in limit.solid.triangles.as_flattened() {
+        place.entry(v).or_insert_with(|| {
+            let point = match scene.construction(v) {
+                None => scene.point3(v).map(predicament_judge::rational).to_vec(),
+                Some(definition) => {
+                    let v = points.construct(&[*definition]).unwrap()[0];
+                    points.point(v).unwrap().into_owned()
+                }
+            };
+            <[Rational; 3]>::try_from(point).unwrap()
+        });
+    }
+    for (&v, point) in &place {
+        assert_eq!(limit.places.nearest(scene, v), point.each_ref().map(nearest));
+        assert!(limit.places.is_exact(v));
+    }
+    let mut edges: BTreeMap<[Vertex; 2], i32> = BTreeMap::new();
+    let (mut volume, mut area) = (Rational::new(), Rational::new());
+    for triangle in &limit.solid.triangles {
+        let [a, b, c] = triangle.map(|v| &place[&v]);
+        let minor = |i: usize, j: usize| {
+            let minus = |p: &[Rational; 3], i: usize| Rational::from(&p[i] - &a[i]);
+            minus(b, i) * minus(c, j) - minus(b, j) * minus(c, i)
+        };
+        let normal = [minor(1, 2), minor(2, 0), minor(0, 1)];
+        let own: Rational = normal.iter().map(|x| x.clone().abs()).sum();
+        if own == 0 {
+            return Some(format!("a triangle without area: {triangle:?}"));
+        }
+        area += own / 2;
+        volume += (0..3).map(|i| Rational::from(&normal[i] * &a[i])).sum::<Rational>() / 6;
+        let [a, b, c] = *triangle;
+        for [a, b] in [[a, b], [b, c], [c, a]] {
+            *edges.entry([a.min(b), a.max(b)]).or_default() += if a < b { 1 } else { -1 };
+        }
+    }
+    if edges.values().any(|uses| *uses != 0) {
+        return Some("the surface is open".to_owned());
+    }
+    let different: BTreeSet<&[Rational; 3]> = place.values().collect();
+    if different.len() != place.len() {
+        return Some("two vertices at one place".to_owned());
+    }
+    let found = [volume, area];
+    let wanted = [cells, squares].map(Rational::from);
+    (found != wanted).then(|| format!("volume and area are {found:?}, not {wanted:?}"))
+}
+
+fn combined(operation: Operation, [a, b]: &[BTreeSet<Cell>; 2]) -> BTreeSet<Cell> {
+    a.union(b).filter(|cell| operation.holds([a.contains(*cell), b.contains(*cell)])).copied().collect()
+}
+
+/// The flaws of the limits of many pairs, and what was done to make them.
+fn flaws(cases: u64) -> (Vec<String>, Counts) {
+    let (mut flaws, mut all) = (Vec::new(), Counts::default());
+    for seed in 0..cases {
+        let mut random = Random(seed + 1);
+        let size = |random: &mut Random| if random.whole(1) == 0.0 { 1 } else { 2 };
+        let sizes = [size(&mut random), 1 + size(&mut random)];
+        let offset = [(); 3].map(|()| if random.whole(1) == 0.0 { 0 } else { 1 });
+        let first = Cubes::random(&mut random, sizes[0], [0; 3], 3);
+        let second = Cubes::random(&mut random, sizes[1], offset, 2);
+        let pair = Pair::new([&first, &second], &mut random);
+        let units = [first.units(), second.units()];
+        for operation in Operation::ALL {
+            let cells = combined(operation, &units);
+            let why = match pair.limit(operation) {
+                Err(why) => Some(why),
+                Ok((limit, scene)) => {
+                    let Counts { merged, flat, cancelled, covered, divided } = limit.counts;
+                    all.merged += merged;
+                    all.flat += flat;
+                    all.cancelled += cancelled;
+                    all.covered += covered;
+                    all.divided += divided;
+                    flaw(&limit, &scene, cells.len(), squares(&cells))
+                }
+            };
+            flaws.extend(why.map(|why| format!("{seed}, {}: {why}", operation.name())));
+        }
+    }
+    (flaws, all)
+}
+
+#[test]
+fn limits_of_cubes_are_their_cells() {
+    let (flaws, counts) = flaws(predicament_effort::cases(24).into());
+    assert!(flaws.is_empty(), "{} flaws, first: {}", flaws.len(), flaws[0]);
+    let Counts { merged, flat, cancelled, covered, divided } = counts;
+    assert!([merged, flat, cancelled, covered, divided].iter().all(|count| *count > 0), "{counts:?}");
+}

@@ -1,0 +1,7 @@
+//! In which region of a mesh does a point lie? (PinMesh, 4.4)
+//!
+//! * [`algorithm`]: the algorithm, generic over the session.
+//! * [`task`]: how it is asked, judged, drawn and reported.
+
+pub mod algorithm;
+pub mod task;

@@ -1,0 +1,177 @@
+//! A multi-material mesh, and points to locate in it.
+
+use std::sync::{Arc, OnceLock};
+
+use crate::algorithm::MeshIndex;
+use predicament_corpus::{Canon, Content, Items, List, Spelled, unnumbered};
+use predicament_mesh::{MaterialMesh, OUTSIDE};
+use predicament_predicates::{Scene, Vertex};
+
+use super::phases::MeshFile;
+
+/// A mesh with points to locate in it.
+///
+/// Every probe is a vertex of its own, even where its coordinates are those of a vertex of the mesh. The probes are numbered in
+/// turn before and after all vertices of the mesh, the first one before: so Simulation of Simplicity moves half of them further than the
+/// mesh and half of them less far. They are the second of two meshes, for perturbations that move one as a whole.
+#[derive(Debug)]
+pub struct ProbedMesh {
+    /// The mesh.
+    pub mesh: Arc<MaterialMesh>,
+    /// The tetrahedra that it was made of, if it was: the first is region 1. Their `orient3d` is positive.
+    pub tetrahedra: Vec<[Vertex; 4]>,
+    /// What to locate.
+    pub probes: Vec<Probe>,
+    /// Where the mesh was read, if it was.
+    file: Option<MeshFile>,
+    index: OnceLock<MeshIndex>,
+}
+
+impl ProbedMesh {
+    /// A mesh and its probes.
+    #[must_use]
+    pub fn new(mesh: MaterialMesh, tetrahedra: Vec<[Vertex; 4]>, probes: Vec<Probe>) -> ProbedMesh {
+        ProbedMesh { mesh: Arc::new(mesh), tetrahedra, probes, file: None, index: OnceLock::new() }
+    }
+
+    /// The same, of a mesh that was read in this file.
+    #[must_use]
+    pub(super) fn of_file(self, file: Option<MeshFile>) -> ProbedMesh {
+        ProbedMesh { file, ..self }
+    }
+
+    /// The file that the mesh was read in.
+    pub(super) fn file(&self) -> Option<&MeshFile> {
+        self.file.as_ref()
+    }
+
+    /// The mesh with its grid. Built once: it asks no predicate, so all backends share it.
+    pub fn mesh_index(&self, scene: &Scene) -> &MeshIndex {
+        self.index.get_or_init(|| MeshIndex::new(self.mesh.clone(), scene))
+    }
+
+    /// The vertices of the probes.
+    #[must_use]
+    pub fn vertices(&self) -> Vec<Vertex> {
+        self.probes.iter().map(|probe| probe.vertex).collect()
+    }
+}
+
+impl Content for ProbedMesh {
+    fn count(&self) -> usize {
+        self.probes.len()
+    }
+
+    fn canon(&self, canon: &mut Canon) {
+        canon.text("mesh-locate");
+        canon.count(self.mesh.triangles().len());
+        for (triangle, sides) in self.mesh.triangles().iter().zip(self.mesh.sides()) {
+            canon.vertices(triangle);
+            sides.iter().for_each(|&region| canon.count(region as usize));
+        }
+        canon.count(self.probes.len());
+        for probe in &self.probes {
+            canon.text(probe.kind.name());
+            canon.count(probe.vertex.index());
+        }
+    }
+
+    /// The id is another one where probes were chosen: it tells how, and all that are written out are
+    /// [`Given`](ProbeKind::Given), as how a probe was chosen does not follow from where it is.
+    fn spelled(&self, scene: &Scene) -> Option<Spelled> {
+        let apart = unnumbered(scene, &self.vertices());
+        let mesh = if self.tetrahedra.is_empty() {
+            spelled_mesh(&self.mesh, ["triangles", "regions"], |v| apart.vertex(v))
+        } else {
+            let tetrahedra: Vec<[Vertex; 4]> =
+                self.tetrahedra.iter().map(|corners| corners.map(|v| apart.vertex(v))).collect();
+            List::required("tetrahedra", Items::tuples(&tetrahedra))
+        };
+        let lists = vec![mesh, List::new("probes", Items::Rows(apart.places))];
+        let words = vec![("quick_stride", "0".to_owned())];
+        Some(Spelled { points: apart.points, words, lists, ..Spelled::default() })
+    }
+
+    /// The index is another one.
+    fn moved(&self, scene: Scene) -> (Scene, Option<Arc<dyn Content>>) {
+        let (mesh, tetrahedra, probes) = (self.mesh.clone(), self.tetrahedra.clone(), self.probes.clone());
+        (scene, Some(Arc::new(ProbedMesh { mesh, tetrahedra, probes, file: None, index: OnceLock::new() })))
+    }
+}
+
+/// The triangles of a mesh under the first key, and their regions under the second where these are not outside and 1.
+pub fn spelled_mesh(mesh: &MaterialMesh, [key, regions]: [&'static str; 2], vertex: impl Fn(Vertex) -> Vertex) -> List {
+    let tuples = mesh.triangles().iter().map(|corners| corners.iter().map(|&v| vertex(v)).collect()).collect();
+    if mesh.sides().iter().all(|&sides| sides == [OUTSIDE, 1]) {
+        return List::required(key, Items::Tuples(tuples));
+    }
+    let rows = mesh.sides().iter().map(|sides| sides.to_vec()).collect();
+    List::required(key, Items::Labelled { tuples, key: regions, rows })
+}
+
+/// A point to locate.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Probe {
+    /// Its vertex in the scene.
+    pub vertex: Vertex,
+    /// How it was chosen.
+    pub kind: ProbeKind,
+}
+
+/// How a probe was chosen.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum ProbeKind {
+    /// Written in the scene.
+    Given,
+    /// On a vertex of the mesh.
+    Vertex,
+    /// At the middle of an edge, rounded.
+    Midpoint,
+    /// At the centroid of a triangle, rounded.
+    Centroid,
+    /// One double beside the centroid of a triangle, along an axis.
+    Ulp,
+    /// On a line through a vertex along an axis.
+    Line,
+    /// On a line through the middle of an edge along an axis.
+    EdgeLine,
+    /// With the coordinates of three vertices, one of each.
+    Lattice,
+    /// Outside of the bounding box, on a line through a vertex along an axis.
+    Far,
+    /// Anywhere in the bounding box.
+    Random,
+}
+
+impl ProbeKind {
+    /// All kinds.
+    pub const ALL: [ProbeKind; 10] = [
+        ProbeKind::Given,
+        ProbeKind::Vertex,
+        ProbeKind::Midpoint,
+        ProbeKind::Centroid,
+        ProbeKind::Ulp,
+        ProbeKind::Line,
+        ProbeKind::EdgeLine,
+        ProbeKind::Lattice,
+        ProbeKind::Far,
+        ProbeKind::Random,
+    ];
+
+    /// The name in reports.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            ProbeKind::Given => "given",
+            ProbeKind::Vertex => "vertex",
+            ProbeKind::Midpoint => "midpoint",
+            ProbeKind::Centroid => "centroid",
+            ProbeKind::Ulp => "ulp",
+            ProbeKind::Line => "line",
+            ProbeKind::EdgeLine => "edge-line",
+            ProbeKind::Lattice => "lattice",
+            ProbeKind::Far => "far",
+            ProbeKind::Random => "random",
+        }
+    }
+}

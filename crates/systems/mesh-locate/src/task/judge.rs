@@ -1,0 +1,276 @@
+//! Every probe against the crossing sums of the mesh, against the other axes, and against tetrahedra.
+//!
+//! A backend is judged by what it says about every triangle in the way. What users run, and what is timed, is the way by labels and by
+//! the nearest triangle; a backend whose signs are proved has to give the same answers by it.
+
+use std::collections::BTreeMap;
+
+use crate::algorithm::{Location, MeshIndex, Ray, Scratch, locate_all};
+use predicament_judge::solids::{Materials, Place};
+use predicament_judge::{Sample, sign};
+use predicament_mesh::OUTSIDE;
+use predicament_predicates::{PredicateKind, Predicates, Query, Question, Scene, Sign, Vertex, ZeroMeaning};
+use rayon::prelude::*;
+
+use super::bands::Bands;
+use super::content::{Probe, ProbeKind, ProbedMesh};
+use super::section::MeshLocateRow;
+use super::{Located, MeshLocate, named};
+use predicament_tasks::{Answer, AnswerLine, Asked, Case, Class, Finding, Outcome, Stop, Watch};
+
+/// The work that the truth of one scene may be: triangles looked at.
+const BUDGET: u64 = 60_000_000;
+/// What the exact signs for one probe cost, in triangles looked at.
+const SIGNS: u64 = 20_000;
+/// How many probes beyond the sample that are in no one region the judge is asked about.
+const MOST_ASKED_LATER: usize = 100;
+/// How many probes are asked about along all axes, at the two levels of thoroughness.
+const TURNED: [usize; 2] = [300, 3_000];
+
+/// What is true about the probes of a mesh.
+pub struct Truth {
+    places: Vec<Place>,
+    /// Where the probes are among tetrahedra, by their own faces; none where the mesh is not made of any.
+    solids: Vec<Option<Place>>,
+    sample: Sample,
+}
+
+impl Truth {
+    /// Finds where a sample of the probes is, by all triangles.
+    pub(super) fn new(scene: &Scene, content: &ProbedMesh, watch: &Watch) -> Result<Truth, Stop> {
+        let triangles = content.mesh.triangles();
+        let sample = Sample::within(BUDGET, content.probes.len(), triangles.len() as u64 + SIGNS);
+        let judge = Materials::new(scene, triangles, content.mesh.sides());
+        let probes: Vec<Probe> = sample.places().map(|at| content.probes[at]).collect();
+        let locate = |probe: &Probe| -> Result<_, Stop> {
+            watch.done(0)?;
+            let solid = (!content.tetrahedra.is_empty()).then(|| among(scene, &content.tetrahedra, probe.vertex));
+            Ok((judge.locate(probe.vertex), solid))
+        };
+        let found: Vec<(Place, Option<Place>)> = probes.par_iter().map(locate).collect::<Result<_, _>>()?;
+        let (places, solids) = found.into_iter().unzip();
+        Ok(Truth { places, solids, sample })
+    }
+
+    /// How many probes were located by all triangles, if not all.
+    pub(super) fn sampled(&self) -> Option<String> {
+        (!self.sample.is_all())
+            .then(|| format!("probes by all triangles: {}; the others along all axes or by sums alone", self.sample))
+    }
+
+    /// The region that a probe is in, if it is of the sample and in one.
+    fn of(&self, at: usize) -> Option<(&Place, Option<&Place>)> {
+        let place = at / self.sample.step();
+        self.sample.has(at).then(|| (&self.places[place], self.solids[place].as_ref()))
+    }
+
+    /// How many probes of the sample are in a region, and how many on the mesh.
+    pub(super) fn counts(&self) -> [usize; 3] {
+        let count = |which: fn(&Place) -> bool| self.places.iter().filter(|place| which(place)).count();
+        [
+            count(|place| matches!(place, Place::In(_))),
+            count(|place| matches!(place, Place::On(_))),
+            count(|place| matches!(place, Place::Windings(_))),
+        ]
+    }
+}
+
+/// Where a point is among tetrahedra, each a region: strictly in one, on the border of some, or in none. Borders have no triangles here.
+fn among(scene: &Scene, tetrahedra: &[[Vertex; 4]], q: Vertex) -> Place {
+    let p = scene.point3(q);
+    let mut within = Vec::new();
+    for (region, corners) in (1_u32..).zip(tetrahedra) {
+        let points = corners.map(|v| scene.point3(v));
+        let is_beside =
+            |axis: usize| points.iter().all(|c| c[axis] < p[axis]) || points.iter().all(|c| c[axis] > p[axis]);
+        if (0..3).any(is_beside) {
+            continue;
+        }
+        // With the point in the place of each corner.
+        let signs = [0, 1, 2, 3].map(|at: usize| {
+            let mut args = *corners;
+            args[at] = q;
+            sign(scene, Question::Orient3d, &args)
+        });
+        if signs.contains(&Sign::Negative) {
+            continue;
+        }
+        if signs.contains(&Sign::Zero) {
+            return Place::On(Vec::new());
+        }
+        within.push((region, 1));
+    }
+    match within[..] {
+        [] => Place::In(OUTSIDE),
+        [(region, _)] => Place::In(region),
+        _ => Place::Windings(within),
+    }
+}
+
+/// The class of an answer by itself, and the check that found it. `bands` says what zeros within the session's bands allow.
+fn class_of(
+    answer: Location,
+    place: &Place,
+    zero: ZeroMeaning,
+    mesh_sides: &dyn Fn(u32) -> [u32; 2],
+    bands: &dyn Fn(Location) -> bool,
+) -> (Class, &'static str) {
+    const EXACT: &str = "exact location";
+    match (answer, place) {
+        (Location::Undecided, Place::On(_)) if zero == ZeroMeaning::Band => (Class::MissedZero, "missed surface"),
+        (Location::Undecided, _) if zero != ZeroMeaning::Band => (Class::Topology, "one region"),
+        (Location::Undecided, _) if bands(answer) => (Class::InBand, EXACT),
+        (Location::Undecided, _) => (Class::Overreach, "undecided location"),
+        // What the mesh itself contradicts is not the backend's.
+        (Location::Contradiction, Place::Windings(_)) => (Class::Agree, EXACT),
+        (Location::Contradiction, _) => (Class::Topology, "one region"),
+        (Location::In(_), Place::Windings(_)) => (Class::SignFlip, EXACT),
+        (Location::In(region), Place::In(truth)) if region == *truth => (Class::Agree, EXACT),
+        (Location::In(_), Place::In(_)) => (Class::SignFlip, EXACT),
+        (Location::On(_), Place::In(_) | Place::Windings(_)) => match zero {
+            ZeroMeaning::Exact => (Class::Overreach, EXACT),
+            ZeroMeaning::Band if bands(answer) => (Class::InBand, EXACT),
+            ZeroMeaning::Band => (Class::Overreach, EXACT),
+            ZeroMeaning::Never => (Class::Inconsistent, "unbroken tie"),
+        },
+        (Location::On(triangle), Place::On(triangles)) => match zero {
+            ZeroMeaning::Never => (Class::Inconsistent, "unbroken tie"),
+            _ if triangle == triangles[0] => (Class::Agree, EXACT),
+            ZeroMeaning::Band if bands(answer) => (Class::InBand, EXACT),
+            ZeroMeaning::Exact | ZeroMeaning::Band => (Class::Overreach, EXACT),
+        },
+        (Location::In(region), Place::On(triangles)) => {
+            let is_around = triangles.iter().any(|&triangle| mesh_sides(triangle).contains(&region));
+            match zero {
+                // A perturbation moves the point to one of the regions that meet there.
+                ZeroMeaning::Never if is_around => (Class::TieBroken, EXACT),
+                ZeroMeaning::Never => (Class::Topology, "region not around"),
+                ZeroMeaning::Exact | ZeroMeaning::Band => (Class::MissedZero, "missed surface"),
+            }
+        }
+    }
+}
+
+/// Whether two answers to one question can both be given by a session of this kind.
+fn agree(one: Location, other: Location, zero: ZeroMeaning) -> bool {
+    // With a band one ray may decide where another does not; where a point is on a triangle, all rays find it there. Two regions are no such case.
+    one == other || (zero == ZeroMeaning::Band && [one, other].iter().any(|at| !matches!(at, Location::In(_))))
+}
+
+/// Judges the locations of all probes.
+pub(super) fn judge(
+    case: &Case<'_, MeshLocate>,
+    asked: &Asked<'_>,
+    answers: &[Location],
+    outcome: &mut Outcome,
+) -> Result<(), Stop> {
+    let (content, truth) = (case.content, &case.truth);
+    let contract = asked.contract(PredicateKind::Orient3d);
+    let zero = contract.zero;
+    let index = content.mesh_index(case.scene());
+    let probes = content.vertices();
+    let short = Located(locate_all(index, asked.session, &probes, &|_| true));
+    outcome.digest = Some(short.digest());
+    // Proved signs are exact ones, or those of one perturbed scene.
+    let shortcut = (contract.proved && zero != ZeroMeaning::Band).then_some(&short.0);
+    asked.watch.done(0)?;
+    let turned = turned(index, asked, answers, &probes)?;
+    let sides = |triangle: u32| content.mesh.sides()[triangle as usize];
+    let judge = Materials::new(case.scene(), content.mesh.triangles(), content.mesh.sides());
+    let in_bands = Bands::new(asked.session, content);
+    let mut asked_later = 0;
+    let mut rows: BTreeMap<ProbeKind, MeshLocateRow> = BTreeMap::new();
+    for (at, &answer) in answers.iter().enumerate() {
+        // What is in no one region may be so by the mesh itself: then the judge is asked, also about probes beyond the sample.
+        let is_open = answer == Location::Contradiction && truth.of(at).is_none() && asked_later < MOST_ASKED_LATER;
+        asked_later += usize::from(is_open);
+        let later = is_open.then(|| judge.locate(probes[at]));
+        let known = truth.of(at).or(later.as_ref().map(|place| (place, None)));
+        let (mut class, mut check) = match known {
+            Some((place, _)) => class_of(answer, place, zero, &sides, &|answer| in_bands.allow(probes[at], answer)),
+            None if answer == Location::Contradiction => (Class::Topology, "one region"),
+            None => (Class::Agree, "one region"),
+        };
+        let (mut got, mut right) = (answer, known.map_or_else(|| "one region".to_owned(), |(place, _)| told(place)));
+        let mut law = |holds: bool, broken: &'static str, other: Location, truth: String| {
+            if class.is_legal() && !holds {
+                (class, check, got, right) = (Class::Topology, broken, other, truth);
+            }
+        };
+        let by_solids = known.and_then(|(_, solid)| solid);
+        let fits = by_solids.is_none_or(|solid| match (answer, solid) {
+            (Location::In(region), Place::In(truth)) => region == *truth,
+            // A point on a border is on it, or broken ties put it anywhere around; the truth by triangles says where.
+            (_, Place::On(_)) => true,
+            // In tetrahedra that overlap.
+            (Location::Contradiction, Place::Windings(_)) => true,
+            _ => matches!(answer, Location::On(_) | Location::Undecided) && zero == ZeroMeaning::Band,
+        });
+        law(fits, "tetrahedron", answer, by_solids.map_or_else(String::new, told));
+        if let Some(&other) = turned.get(&at) {
+            law(false, "direction", other, format!("{} along the other axes", named(answer)));
+        }
+        if let Some(&other) = shortcut.map(|all| &all[at]) {
+            // Sums tell what surfaces that cross contradict; the nearest triangle does not.
+            law(answer == other || answer == Location::Contradiction, "shortcut", other, named(answer));
+        }
+        let kind = content.probes[at].kind;
+        let row = rows.entry(kind).or_insert_with(|| MeshLocateRow::of(case, asked, kind));
+        row.count(answer, class, known.is_some());
+        if asked.budget.answers {
+            outcome.answers.push(AnswerLine {
+                query: at,
+                args: vec![probes[at]],
+                answer: named(answer),
+                exact: known.map_or_else(|| "not of the sample".to_owned(), |(place, _)| told(place)),
+                class,
+                stage: "",
+            });
+        }
+        outcome.note(class, asked.budget.findings_per_class, || {
+            Finding::plain(class, check, vec![Query::of_task("mesh-locate", &[probes[at]])], named(got), right)
+        });
+    }
+    rows.values().for_each(|row| outcome.row(row));
+    Ok(())
+}
+
+/// Of a sample of the probes, those that are somewhere else along another axis, and where.
+fn turned(
+    index: &MeshIndex,
+    asked: &Asked<'_>,
+    answers: &[Location],
+    probes: &[Vertex],
+) -> Result<BTreeMap<usize, Location>, Stop> {
+    let most = TURNED[usize::from(asked.budget.thorough)];
+    let zero = asked.contract(PredicateKind::Orient3d).zero;
+    let sample = Sample::within(most as u64, answers.len(), 1);
+    let places: Vec<usize> = sample.places().collect();
+    let session: &dyn Predicates = asked.session;
+    let other = |&at: &usize| -> Result<Option<(usize, Location)>, Stop> {
+        asked.watch.done(0)?;
+        let mut scratch = Scratch::new();
+        let others = Ray::ALL.iter().map(|&ray| index.question(session, probes[at], ray, &mut scratch));
+        let differs = others.into_iter().find(|&other| !agree(answers[at], other, zero));
+        Ok(differs.map(|other| (at, other)))
+    };
+    let found: Vec<Option<(usize, Location)>> = places.par_iter().map(other).collect::<Result<_, _>>()?;
+    Ok(found.into_iter().flatten().collect())
+}
+
+/// A place in words.
+pub(super) fn told(place: &Place) -> String {
+    match place {
+        Place::In(OUTSIDE) => "outside".to_owned(),
+        Place::In(region) => format!("in region {region}"),
+        Place::On(triangles) => match triangles.first() {
+            Some(first) if triangles.len() == 1 => format!("on triangle {first}"),
+            Some(first) => format!("on triangle {first} and {} more", triangles.len() - 1),
+            None => "on a border".to_owned(),
+        },
+        Place::Windings(windings) => {
+            let list: Vec<String> = windings.iter().map(|(region, winding)| format!("{region}: {winding}")).collect();
+            format!("in no one region; winding numbers {}", list.join(", "))
+        }
+    }
+}

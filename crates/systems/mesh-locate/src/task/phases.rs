@@ -1,0 +1,77 @@
+//! What locating takes, phase by phase: reading, checking and the grid, which ask no predicate, then labels and queries.
+
+use crate::algorithm::{MeshIndex, locate_labelled};
+use predicament_corpus::Origin;
+use predicament_formats::{Cache, CorpusError, Decimals, mesh};
+use predicament_mesh::MaterialMesh;
+use predicament_predicates::{Predicates, Scene, Vertex};
+
+use super::content::ProbedMesh;
+use predicament_tasks::Phase;
+
+/// The file of a mesh, which can be read again.
+#[derive(Clone, Debug)]
+pub(super) struct MeshFile {
+    pub(super) origin: Origin,
+    pub(super) round: bool,
+    pub(super) cache: Cache,
+}
+
+impl MeshFile {
+    /// Reads the file: its name, what is in it, and how many decimals were rounded.
+    pub(super) fn read(&self) -> Result<(String, mesh::ImportedMesh, usize), CorpusError> {
+        let decimals = Decimals::new(self.round);
+        let (file, bytes) = self.origin.bytes(&self.cache)?;
+        let read = mesh::read(&file, bytes, &decimals)?;
+        Ok((file, read, decimals.rounded()))
+    }
+}
+
+/// The phases that ask no predicate.
+pub(super) fn building(scene: &Scene, content: &ProbedMesh) -> Vec<Phase> {
+    let mesh = &content.mesh;
+    let (triangles, sides) = (mesh.triangles(), mesh.sides());
+    let timed = |name: &'static str| (name, "triangle", triangles.len());
+    let mut phases = Vec::new();
+    if let Some(file) = content.file() {
+        let (name, unit, count) = timed("reading");
+        let (reading, read) = Phase::timed(name, unit, count, || file.read());
+        // It was read before; `bench` says so if the file is gone.
+        read.unwrap_or_else(|why| panic!("{why}"));
+        phases.push(reading);
+    }
+    // Copies that the checks take: over the mesh's own vertices, as it was read.
+    let first = triangles.as_flattened().iter().map(|v| v.index()).min().unwrap_or(0);
+    let own = |v: Vertex| Vertex::input(v.index() - first);
+    let vertices = triangles.as_flattened().iter().map(|v| v.index() - first + 1).max().unwrap_or(0);
+    let tetrahedra: Vec<[Vertex; 4]> = content.tetrahedra.iter().map(|corners| corners.map(own)).collect();
+    let copy: Vec<[Vertex; 3]> = triangles.iter().map(|corners| corners.map(own)).collect();
+    let (name, unit, count) = timed("checking");
+    let sides_of = sides.to_vec();
+    let (checking, checked) = Phase::timed(name, unit, count, || {
+        if tetrahedra.is_empty() {
+            MaterialMesh::new(vertices, copy, sides_of)
+        } else {
+            MaterialMesh::of_tetrahedra(vertices, &tetrahedra)
+        }
+    });
+    checked.unwrap_or_else(|why| panic!("checked before, and refused now: {why}"));
+    phases.push(checking.with_bytes(size_of_val(triangles) + size_of_val(sides)));
+    let (name, unit, count) = timed("grid");
+    let (grid, index) = Phase::timed(name, unit, count, || MeshIndex::new(mesh.clone(), scene));
+    phases.push(grid.with_bytes(index.bytes()));
+    phases
+}
+
+/// The phases that ask a session.
+pub(super) fn asking<P: Predicates>(session: &P, content: &ProbedMesh) -> Vec<Phase> {
+    let (index, probes) = (content.mesh_index(session.scene()), content.vertices());
+    if probes.is_empty() {
+        return Vec::new();
+    }
+    let triangles = content.mesh.triangles().len();
+    let (labelling, labels) = Phase::timed("labels", "triangle", triangles, || index.labels(session, &probes));
+    let (queries, _) =
+        Phase::timed("queries", "query", probes.len(), || locate_labelled(index, session, &labels, &probes, &|_| true));
+    vec![labelling.with_bytes(labels.bytes()), queries]
+}

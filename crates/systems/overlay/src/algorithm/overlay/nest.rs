@@ -1,0 +1,266 @@
+//! The order of edges around nodes, and the faces that components lie in.
+//!
+//! Directions are those of the input segments: which of two edges comes first around a node is the side of an input vertex on
+//! the line of an input segment, also where the node is constructed.
+//!
+//! A component's leftmost node, the lowest of these, has all of it on its right. The face just left of there is that below the
+//! lowest piece above it that a vertical line a little left of it meets.
+
+use predicament_grid::Raster;
+use predicament_mesh::{Nesting, Subdivision};
+use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
+
+use super::chains::Chains;
+use super::far::Run;
+use super::polygon::Edge;
+use super::reach::{Reach, edge_raw, place};
+use super::supports::Supports;
+use super::view::View;
+use super::{NONE, number};
+use predicament_grid::sort::sort_by_sign;
+
+/// Pieces as they lie in the plane.
+pub(super) struct Pieces<'a> {
+    pub view: View<'a>,
+    pub supports: &'a Supports,
+    pub chains: &'a Chains,
+    /// Whether each segment goes to the right, or straight up.
+    pub is_ahead: Vec<bool>,
+    /// How each run leaves its ends: a segment in the direction away from there, and whether that is to the right or straight up.
+    runs: Vec<[Direction; 2]>,
+}
+
+/// The ends of a segment in a direction, and whether that is to the right or straight up.
+type Direction = ([Vertex; 2], bool);
+
+/// A piece, or an edge of a run, that a vertical line meets.
+#[derive(Clone, Copy)]
+struct Above {
+    piece: u32,
+    /// Whether the piece goes from left to right there.
+    is_ahead: bool,
+    /// The ends of its segment and of itself, from left to right.
+    ends: [Vertex; 2],
+    nodes: [Vertex; 2],
+}
+
+impl<'a> Pieces<'a> {
+    pub fn new(session: &'a dyn Predicates, supports: &'a Supports, chains: &'a Chains) -> Pieces<'a> {
+        let view = View::new(session);
+        let is_ahead = supports.ends.iter().map(|&[a, b]| view.is_ahead(a, b)).collect();
+        let along = |from: Vertex, to: Vertex, [a, b]: [Vertex; 2]| {
+            let [a, b] = if view.along([a, b]).order(from, to) == Sign::Positive { [b, a] } else { [a, b] };
+            ([a, b], view.is_ahead(a, b))
+        };
+        let directions = |run: &Run| {
+            let [first, last] = [run.edges[0], run.edges[run.edges.len() - 1]];
+            [along(first.from, first.to, first.support), along(last.to, last.from, last.support)]
+        };
+        let runs = chains.runs.iter().map(directions).collect();
+        Pieces { view, supports, chains, is_ahead, runs }
+    }
+
+    /// The ends of the segment of a half-edge, in its direction, and whether that is to the right or straight up.
+    #[inline]
+    pub fn direction(&self, half: u32) -> Direction {
+        let piece = half as usize / 2;
+        let segment = self.chains.pieces[piece].segment as usize;
+        if segment == NONE as usize {
+            return self.runs[piece - (self.chains.pieces.len() - self.runs.len())][half as usize % 2];
+        }
+        let [a, b] = self.supports.ends[segment];
+        let is_ahead = self.is_ahead[segment];
+        if half.is_multiple_of(2) { ([a, b], is_ahead) } else { ([b, a], !is_ahead) }
+    }
+
+    /// The counterclockwise order of two half-edges that leave one node, from straight down on.
+    fn order_around(&self, a: u32, b: u32) -> Sign {
+        let ([from, to], a_is_ahead) = self.direction(a);
+        let ([_, other], b_is_ahead) = self.direction(b);
+        match (a_is_ahead, b_is_ahead) {
+            (true, false) => Sign::Negative,
+            (false, true) => Sign::Positive,
+            _ => -self.view.turn(from, to, other),
+        }
+    }
+
+    /// Nodes, pieces and their order around nodes.
+    pub fn subdivision(&self) -> Subdivision {
+        let ends = self.chains.pieces.iter().map(|piece| piece.ends).collect();
+        Subdivision::new(self.chains.nodes.len(), ends, |_, halves| {
+            sort_by_sign(halves, |a, b| self.order_around(a, b));
+        })
+    }
+
+    fn vertex(&self, node: u32) -> Vertex {
+        self.chains.nodes[node as usize]
+    }
+
+    /// Where each component with edges is, from left to right by their leftmost nodes.
+    pub fn nestings(&self, subdivision: &Subdivision, raster: Option<Raster>, reach: &Reach) -> Vec<Nesting> {
+        // A crossing is right of an end of both its segments: it is leftmost nowhere, but where edges are parts of segments.
+        let candidates = if self.supports.are_whole { self.chains.inputs } else { self.chains.nodes.len() };
+        let mut leftmost = vec![NONE; subdivision.components()];
+        for node in 0..number(candidates) {
+            let best = &mut leftmost[subdivision.component(node) as usize];
+            if *best == NONE || self.view.order(self.vertex(node), self.vertex(*best)) == Sign::Negative {
+                *best = node;
+            }
+        }
+        leftmost.retain(|&node| node != NONE && !subdivision.leaving(node).is_empty());
+        sort_by_sign(&mut leftmost, |a, b| self.view.order(self.vertex(a), self.vertex(b)));
+        let outside = |node: u32| {
+            let halves = subdivision.leaving(node).iter().copied();
+            // The last counterclockwise has all others on its right, and the outside on its left.
+            halves.reduce(|last, half| if self.order_around(last, half) == Sign::Negative { half } else { last })
+        };
+        if leftmost.len() < 2 {
+            let outside = leftmost.iter().filter_map(|&node| outside(node));
+            return outside.map(|outside| Nesting { outside, within: None }).collect();
+        }
+        let runs: Vec<(usize, Edge)> =
+            (0..).zip(&self.chains.runs).flat_map(|(at, run)| run.edges.iter().map(move |&edge| (at, edge))).collect();
+        let raster = raster.filter(|_| runs.is_empty()).unwrap_or_else(|| {
+            let far = runs.iter().map(|&(_, edge)| edge_raw(self.view.session, edge));
+            Raster::new(&reach.raw.iter().copied().chain(far).collect::<Vec<_>>())
+        });
+        let seen = vec![NONE; self.supports.ends.len() + runs.len()];
+        let mut rays = Rays { pieces: self, reach, runs, seen, sorted: Vec::new() };
+        let nesting = |&node: &u32| {
+            let outside = outside(node)?;
+            Some(Nesting { outside, within: rays.above(&raster, node) })
+        };
+        leftmost.iter().filter_map(nesting).collect()
+    }
+
+    /// The part of a segment that a vertical line a little left of a vertex meets above the vertex.
+    fn meet(&self, segment: u32, from: Vertex) -> Option<Above> {
+        let is_past = |v: Vertex| self.view.compare(Axis::X, v, from) == Sign::Negative;
+        let [a, b] = self.supports.ends[segment as usize];
+        let past = [is_past(a), is_past(b)];
+        if past[0] == past[1] {
+            return None;
+        }
+        let ends = if past[0] { [a, b] } else { [b, a] };
+        if self.view.turn(ends[0], ends[1], from) != Sign::Negative {
+            return None;
+        }
+        let range = self.chains.of(segment as usize);
+        let along = &self.chains.along[range.clone()];
+        // The first node on the other side of the line.
+        let at = along.partition_point(|&node| is_past(self.vertex(node)) == past[0]);
+        let place = range.start + at.checked_sub(1)?;
+        let piece = self.chains.piece[place];
+        if piece == NONE {
+            return None;
+        }
+        let [u, v] = [along[at - 1], *along.get(at)?];
+        let nodes = if past[0] { [u, v] } else { [v, u] };
+        let is_ahead = self.chains.pieces[piece as usize].ends[0] == nodes[0];
+        Some(Above { piece, is_ahead, ends, nodes: nodes.map(|node| self.vertex(node)) })
+    }
+
+    /// An edge of a run where a vertical line a little left of a vertex meets it above the vertex.
+    fn meet_run(&self, run: usize, edge: Edge, from: Vertex) -> Option<Above> {
+        let is_past = |v: Vertex| self.view.compare(Axis::X, v, from) == Sign::Negative;
+        let is_ahead = is_past(edge.from);
+        if is_ahead == is_past(edge.to) {
+            return None;
+        }
+        let nodes = if is_ahead { [edge.from, edge.to] } else { [edge.to, edge.from] };
+        let [a, b] = edge.support;
+        let ends = if self.view.order(a, b) == Sign::Negative { [a, b] } else { [b, a] };
+        if self.view.turn(ends[0], ends[1], from) != Sign::Negative {
+            return None;
+        }
+        let piece = number(self.chains.pieces.len() - self.chains.runs.len() + run);
+        Some(Above { piece, is_ahead, ends, nodes })
+    }
+
+    /// Whether one of two pieces is below the other where a vertical line meets both.
+    fn is_below(&self, a: &Above, b: &Above) -> bool {
+        let [left, other] = [a.nodes[0], b.nodes[0]];
+        if left == other {
+            return self.view.turn(b.ends[0], b.ends[1], a.ends[1]) == Sign::Negative;
+        }
+        if self.view.order(left, other) == Sign::Negative {
+            self.view.turn(a.ends[0], a.ends[1], other) == Sign::Positive
+        } else {
+            self.view.turn(b.ends[0], b.ends[1], left) == Sign::Negative
+        }
+    }
+}
+
+/// Rays upward.
+struct Rays<'a> {
+    pieces: &'a Pieces<'a>,
+    reach: &'a Reach,
+    /// The edges of runs, each with the place of its run.
+    runs: Vec<(usize, Edge)>,
+    /// The last node for which each segment and each edge of a run was looked at.
+    seen: Vec<u32>,
+    /// Ends of segments from left to right, once they are needed.
+    sorted: Vec<Vertex>,
+}
+
+impl Rays<'_> {
+    /// The half-edge with the face on its left that is just left of a node.
+    fn above(&mut self, raster: &Raster, node: u32) -> Option<u32> {
+        let pieces = self.pieces;
+        let scene = pieces.view.session.scene();
+        let from = pieces.vertex(node);
+        let (columns, y) = match from.construction() {
+            None => {
+                let [x, y] = scene.point2(Plane::Xy, from);
+                ([x, x], y)
+            }
+            Some(_) => match place(pieces.view.session, from) {
+                Some(([x, y], error)) if error.iter().all(|error| error.is_finite()) => {
+                    ([(x - error[0]).next_down(), (x + error[0]).next_up()], (y - error[1]).next_down())
+                }
+                _ => (self.columns(from), f64::MIN),
+            },
+        };
+        let mut best: Option<(Above, usize)> = None;
+        raster.upward(columns, y, |parts, row| {
+            for &part in parts {
+                // Parts of segments, then edges of runs.
+                let part = part as usize;
+                let far = part.checked_sub(self.reach.segments.len());
+                let place =
+                    far.map_or_else(|| self.reach.segments[part] as usize, |far| pieces.supports.ends.len() + far);
+                if std::mem::replace(&mut self.seen[place], node) == node {
+                    continue;
+                }
+                let met = match far.map(|far| self.runs[far]) {
+                    None => pieces.meet(number(place), from),
+                    Some((run, edge)) => pieces.meet_run(run, edge, from),
+                };
+                let Some(above) = met else { continue };
+                if best.as_ref().is_none_or(|(best, _)| pieces.is_below(&above, best)) {
+                    let top = above.ends.map(|v| scene.point2(Plane::Xy, v)[1]);
+                    best = Some((above, raster.last_row(top[0].max(top[1]))));
+                }
+            }
+            // What is found from now on is above all of it.
+            best.as_ref().is_some_and(|&(_, last)| last <= row)
+        });
+        let (above, _) = best?;
+        // To the left: what is below is on its left.
+        Some(2 * above.piece + u32::from(above.is_ahead))
+    }
+
+    /// Raw coordinates between which a constructed vertex is.
+    fn columns(&mut self, v: Vertex) -> [f64; 2] {
+        let scene = self.pieces.view.session.scene();
+        let x = |v: Vertex| scene.coordinate(Axis::X, v);
+        if self.sorted.is_empty() {
+            self.sorted = self.pieces.supports.ends.as_flattened().to_vec();
+            self.sorted.sort_unstable_by(|&a, &b| x(a).total_cmp(&x(b)));
+        }
+        let sorted = &self.sorted;
+        let right = sorted.partition_point(|&end| self.pieces.view.compare(Axis::X, end, v) == Sign::Negative);
+        let end = |at: Option<usize>| at.and_then(|at| sorted.get(at)).map(|&end| x(end));
+        [end(right.checked_sub(1)).unwrap_or(f64::MIN), end(Some(right)).unwrap_or(f64::MAX)]
+    }
+}

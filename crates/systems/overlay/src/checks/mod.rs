@@ -1,0 +1,7 @@
+//! What must hold.
+//!
+//! * [`overlay`]: for arrangements of segments, and Boolean operations on polygons.
+//! * [`snap`]: for drawings rounded to pixels.
+
+pub mod overlay;
+pub mod snap;

@@ -1,0 +1,149 @@
+//! Rational points of the plane.
+
+use std::cmp::Ordering;
+
+use predicament_grid::{Bounds, BoxIndex};
+use rug::Rational;
+
+use predicament_judge::sum::sum;
+
+/// A point of the plane, with rational coordinates.
+pub type Point = [Rational; 2];
+
+/// (b − a) × (p − a).
+pub(super) fn turn(a: &Point, b: &Point, p: &Point) -> Rational {
+    let minus = |p: &Point, i: usize| Rational::from(&p[i] - &a[i]);
+    minus(b, 0) * minus(p, 1) - minus(b, 1) * minus(p, 0)
+}
+
+/// The side of p on the line from a to b.
+pub(super) fn side(a: &Point, b: &Point, p: &Point) -> Ordering {
+    turn(a, b, p).cmp0()
+}
+
+/// Whether p, which is on the line of a and b, is not beyond either.
+pub(super) fn is_between(a: &Point, b: &Point, p: &Point) -> bool {
+    (0..2).all(|i| (a[i] <= p[i] && p[i] <= b[i]) || (b[i] <= p[i] && p[i] <= a[i]))
+}
+
+/// Whether p is on the closed segment from a to b.
+pub(super) fn is_on(a: &Point, b: &Point, p: &Point) -> bool {
+    is_between(a, b, p) && side(a, b, p).is_eq()
+}
+
+/// How far p is from the closed segment from a to b, rounded at the end only.
+pub(super) fn distance(a: &Point, b: &Point, p: &Point) -> f64 {
+    let minus = |p: &Point, q: &Point| [0, 1].map(|i: usize| Rational::from(&p[i] - &q[i]));
+    let dot = |u: &Point, v: &Point| Rational::from(&u[0] * &v[0]) + Rational::from(&u[1] * &v[1]);
+    let [along, to] = [minus(b, a), minus(p, a)];
+    let square = dot(&along, &along);
+    let part = if square.is_zero() { square } else { dot(&to, &along) / square };
+    let part = part.clamp(&0, &1);
+    let off = [0, 1].map(|i: usize| Rational::from(&to[i] - &Rational::from(&along[i] * &part)).to_f64());
+    off[0].hypot(off[1])
+}
+
+/// What two segments have in common besides equal ends.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Common {
+    /// Nothing.
+    Nothing,
+    /// Inner points of both cross.
+    Crossing,
+    /// A point that is no end of both, without a crossing: one touches or overlaps the other.
+    Touch,
+}
+
+/// What two segments have in common.
+pub(super) fn common([a, b]: [&Point; 2], [c, d]: [&Point; 2]) -> Common {
+    let [c_side, d_side] = [side(a, b, c), side(a, b, d)];
+    if c_side == d_side && c_side.is_ne() {
+        return Common::Nothing;
+    }
+    let [a_side, b_side] = [side(c, d, a), side(c, d, b)];
+    if a_side.is_ne() && b_side.is_ne() && c_side.is_ne() && d_side.is_ne() {
+        return if a_side == b_side { Common::Nothing } else { Common::Crossing };
+    }
+    let touches = |[a, b]: [&Point; 2], p: &Point| p != a && p != b && is_on(a, b, p);
+    let is_touched = touches([a, b], c) || touches([a, b], d) || touches([c, d], a) || touches([c, d], b);
+    if is_touched { Common::Touch } else { Common::Nothing }
+}
+
+/// Segments, rounded, by which those that may have something in common are found.
+pub(super) struct Neighbours {
+    /// The segments by their ends, each coordinate off by less than a part in 2^52 of the largest one.
+    segments: Vec<[[f64; 2]; 2]>,
+    index: BoxIndex<2>,
+    /// How far boxes may be off.
+    reach: f64,
+    /// A turn of rounded points beyond this has the sign of that of the points.
+    certain: f64,
+}
+
+impl Neighbours {
+    /// None where there are no segments, or some are beyond all doubles.
+    pub(super) fn new<'a>(segments: impl Iterator<Item = [&'a Point; 2]>) -> Option<Neighbours> {
+        let rounded = |ends: [&Point; 2]| ends.map(|p| [0, 1].map(|i: usize| p[i].to_f64()));
+        let segments: Vec<[[f64; 2]; 2]> = segments.map(rounded).collect();
+        let largest = segments.as_flattened().as_flattened().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        if segments.is_empty() || !largest.is_finite() {
+            return None;
+        }
+        let index = BoxIndex::new(segments.iter().map(|&ends| Bounds::of(ends)).collect());
+        // With M the largest and u = 2^-52 a difference is below 2M, and off by 2uM for its ends and uM for itself; a
+        // product is off by at most 2 · 2M · 3uM + 9u²M² + 4uM², and the turn by twice that and 8uM² for itself: below 41uM².
+        // Where M² u is as small as this nothing is certain, as products may underflow.
+        let square = largest * largest;
+        let certain = if square > 1e-200 { square * 2.0_f64.powi(-46) } else { f64::INFINITY };
+        Some(Neighbours { segments, index, reach: largest * 2.0_f64.powi(-50), certain })
+    }
+
+    /// The segments that may have a point in common with this one: all that have, and itself.
+    pub(super) fn of(&self, at: usize, near: &mut Vec<u32>) {
+        self.index.near(&self.index.boxes()[at], self.reach, near);
+        near.retain(|&other| !self.are_apart(at, other as usize));
+    }
+
+    /// Whether one of the two is certainly on one side of the other's line.
+    fn are_apart(&self, at: usize, other: usize) -> bool {
+        let beside = |[a, b]: [[f64; 2]; 2], ends: [[f64; 2]; 2]| {
+            let turns = ends.map(|p| (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]));
+            turns.iter().all(|&turn| turn > self.certain) || turns.iter().all(|&turn| turn < -self.certain)
+        };
+        let [one, two] = [at, other].map(|at| self.segments[at]);
+        beside(one, two) || beside(two, one)
+    }
+}
+
+/// The winding number of closed chains of edges around a point; none for a point of an edge.
+pub(super) fn winding<'a>(edges: impl Iterator<Item = [&'a Point; 2]>, p: &Point) -> Option<i32> {
+    let mut winding = 0;
+    for [a, b] in edges {
+        let is_below = [a[1] <= p[1], b[1] <= p[1]];
+        if is_below[0] == is_below[1] {
+            if a[1] == p[1] && is_on(a, b, p) {
+                return None;
+            }
+            continue;
+        }
+        match (side(a, b, p), is_below[0]) {
+            (Ordering::Equal, _) => return None,
+            (Ordering::Greater, true) => winding += 1,
+            (Ordering::Less, false) => winding -= 1,
+            _ => {}
+        }
+    }
+    Some(winding)
+}
+
+/// Twice the area of closed chains of edges.
+pub(super) fn area<'a>(edges: impl Iterator<Item = [&'a Point; 2]>) -> Rational {
+    let mut terms: Vec<Rational> = Vec::new();
+    // From one of the points: what is far from the origin would be the difference of large numbers.
+    let mut origin: Option<&Point> = None;
+    for [a, b] in edges {
+        let origin = *origin.get_or_insert(a);
+        terms.push(turn(origin, a, b));
+    }
+    sum(terms)
+}

@@ -1,0 +1,45 @@
+//! What is reported about arrangements and overlays.
+
+use crate::checks::overlay::Check as Law;
+
+use predicament_tasks::Check;
+
+/// What the algorithm looks after itself.
+pub const RULES: &[&str] = &[
+    "a component lies in a face of one that begins left of it",
+    "a crossing is on both its segments",
+    "a region has one outer loop",
+    "a segment begins once",
+    "an edge ends after it begins",
+    "events come from left to right",
+    "winding numbers agree around every edge",
+];
+
+const fn law(law: Law) -> Check {
+    Check::topology(law.name(), law.law())
+}
+
+/// The same law, violated by no more than rounding.
+const fn rounded(law: Law) -> Check {
+    Check::rounded(law.name(), law.law())
+}
+
+pub(super) const CHECKS: &[Check] = &[
+    law(Law::Nodes),
+    law(Law::Chain),
+    law(Law::OnSegment),
+    law(Law::Edges),
+    law(Law::Crossing),
+    law(Law::Euler),
+    law(Law::Boundary),
+    law(Law::Nesting),
+    law(Law::Winding),
+    law(Law::Orientation),
+    law(Law::ResultCrossing),
+    law(Law::Area),
+    law(Law::Membership),
+    rounded(Law::OnSegment),
+    rounded(Law::Area),
+    Check::topology("vertex not finite", "every node is a point"),
+    Check::invariants("the sweep and the winding numbers do not contradict themselves", &[RULES]),
+];

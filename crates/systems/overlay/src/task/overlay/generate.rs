@@ -1,0 +1,59 @@
+//! Families of segments and of pairs of polygons.
+
+use crate::algorithm::overlay::Rule;
+use predicament_corpus::{Family, Making, Parts, Random, Recipe};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{Scene, Vertex};
+
+use super::content::{Layered, Layers, read_method};
+use super::shapes::{self, Lines, Pair};
+
+macro_rules! family {
+    ($name:literal, $about:literal, $recipe:ident, $shape:path) => {
+        Family {
+            name: $name,
+            reported_as: Some($name),
+            parameters: &[],
+            about: $about,
+            read: |_, fields| $recipe(fields, $shape),
+        }
+    };
+}
+
+/// The families.
+pub(super) static FAMILIES: [Family; 8] = [
+    family!("overlay-segments", "short segments: each crosses about one other", lines, shapes::uniform),
+    family!("overlay-grid", "upright and level lines of a grid that end on each other", lines, shapes::grid),
+    family!("overlay-pencil", "segments through one point", lines, shapes::pencil),
+    family!("overlay-bundles", "bundles of eight segments an ulp apart", lines, shapes::bundles),
+    family!("overlay-stars", "two stars of n corners around one point", pairs, shapes::stars),
+    family!("overlay-shifted", "a star of n corners and the same one moved by an ulp", pairs, shapes::shifted),
+    family!("overlay-combs", "two combs of about n corners across each other", pairs, shapes::combs),
+    family!("overlay-squares", "squares on integers: edges are shared, whole and in parts", pairs, shapes::squares),
+];
+
+fn lines(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Lines) -> Result<Recipe, CorpusError> {
+    let method = read_method(fields)?;
+    let make = move |making: &Making| {
+        let Lines { points, segments } = shape(making.n, &mut making.random());
+        let segments = segments.into_iter().map(|ends| ends.map(Vertex::input)).collect();
+        parts(&points, Layers::Segments(segments), method)
+    };
+    Ok(Recipe::new(make).with_coordinates(|n| 4 * n + 16))
+}
+
+fn pairs(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Pair) -> Result<Recipe, CorpusError> {
+    let method = read_method(fields)?;
+    let make = move |making: &Making| {
+        let Pair { points, loops } = shape(making.n, &mut making.random());
+        let vertices = |one: Vec<usize>| one.into_iter().map(Vertex::input).collect();
+        let loops = loops.map(|loops| loops.into_iter().map(vertices).collect());
+        parts(&points, Layers::Polygons(loops, Rule::NonZero), method)
+    };
+    Ok(Recipe::new(make).with_coordinates(|n| 8 * n + 64))
+}
+
+fn parts(points: &[[f64; 2]], layers: Layers, method: crate::algorithm::overlay::Method) -> Parts {
+    let scene = Scene::from_points2(points).expect("generators make finite points");
+    Parts::new(scene, Layered { layers, method })
+}

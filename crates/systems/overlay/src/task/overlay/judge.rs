@@ -1,0 +1,236 @@
+//! Arrangements and results against the laws that they satisfy, decided in rationals.
+
+use std::collections::BTreeMap;
+
+use crate::checks::overlay::{Expected, Flaw, Graph, Operands, Point, Results, Windings};
+use predicament_judge::{Points, rational};
+use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
+
+use super::content::Layers;
+use super::{Layered, Overlaid, Overlay2d};
+use predicament_tasks::rounding::{Excuse, Rounding};
+use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop};
+
+/// Edges held against their neighbours, at the two levels.
+const EDGES_CROSSED: [usize; 2] = [1_000, 20_000];
+/// Points and components located, at the two levels.
+const LOCATED: [usize; 2] = [24, 200];
+/// Points that are located in results.
+const PROBES: usize = 200;
+
+/// What is sampled.
+pub(super) fn sampled(content: &Layered) -> Option<String> {
+    (content.size() > EDGES_CROSSED[0]).then(|| {
+        "all nodes, chains and boundaries; edges against their neighbours, components and points: an even sample"
+            .to_owned()
+    })
+}
+
+/// Judges an arrangement and, of polygons, the results.
+pub(super) fn judge(
+    case: &Case<'_, Overlay2d>,
+    asked: &Asked<'_>,
+    answer: &Overlaid,
+    outcome: &mut Outcome,
+) -> Result<(), Stop> {
+    let broken = answer.overlay.arrangement.broken.into_iter();
+    for rule in broken.chain(answer.regions.iter().filter_map(|made| made.broken)) {
+        note(outcome, Class::Topology, rule, "violated".to_owned(), rule);
+    }
+    asked.watch.done(0)?;
+    let at = match Places::new(case.scene(), answer) {
+        Ok(at) => at,
+        Err(v) => {
+            let got = format!("{v} has no finite coordinates");
+            note(outcome, Class::Topology, "vertex not finite", got, "every vertex is a point");
+            return Ok(());
+        }
+    };
+    let expected = Expected {
+        has_areas: asked.contract(PredicateKind::Orient2d).zero != ZeroMeaning::Never,
+        edges_crossed: EDGES_CROSSED[usize::from(asked.budget.thorough)],
+        located: LOCATED[usize::from(asked.budget.thorough)],
+    };
+    asked.watch.done(0)?;
+    let found = flaws(case, asked, answer, &at, expected)?;
+    let is_metric = |flaw: &&Flaw| flaw.check.is_metric();
+    let mut excuse = None;
+    if answer.rounded.is_some() && found.iter().any(|flaw| is_metric(&flaw)) {
+        let (rounding, exactly) = at.exactly(case.scene(), answer);
+        // Of the laws that are not metric nothing is asked.
+        let few = Expected { edges_crossed: 1, located: 1, ..expected };
+        let violated = flaws(case, asked, answer, &exactly, few)?;
+        let violated = violated.iter().filter(is_metric).map(|flaw| flaw.check).collect();
+        excuse = Some(Excuse { rounding, violated });
+    }
+    for flaw in found {
+        let told = format!("{} times, first: {}", flaw.count, flaw.what);
+        let (class, got) = Excuse::judged(excuse.as_ref().filter(|_| is_metric(&&flaw)), &flaw.check, told);
+        note(outcome, class, flaw.check.name(), got, flaw.check.law());
+    }
+    if outcome.findings.is_empty() {
+        outcome.counts.add(Class::Agree, outcome.queries);
+    }
+    Ok(())
+}
+
+/// What violates a law with vertices at these places.
+fn flaws(
+    case: &Case<'_, Overlay2d>,
+    asked: &Asked<'_>,
+    answer: &Overlaid,
+    at: &Places,
+    expected: Expected,
+) -> Result<Vec<Flaw>, Stop> {
+    let (scene, content) = (case.scene(), case.content);
+    let wanted = wanted(content);
+    let graph = graph(scene, &wanted, answer, at);
+    let mut flaws = graph.flaws(expected);
+    asked.watch.done(0)?;
+    if let Layers::Polygons(loops, rule) = &content.layers {
+        let exactly = |one: &Vec<Vertex>| one.iter().map(|&v| input(scene, v)).collect();
+        let inside: fn(i32) -> bool = match rule {
+            crate::algorithm::overlay::Rule::EvenOdd => |winding| winding % 2 != 0,
+            crate::algorithm::overlay::Rule::NonZero => |winding| winding != 0,
+        };
+        let operands =
+            Operands { loops: loops.each_ref().map(|loops| loops.iter().map(exactly).collect()), rules: [inside; 2] };
+        let one = |edges: &Vec<crate::algorithm::overlay::Edge>| edges.iter().map(|edge| at.of(edge.from)).collect();
+        let windings = Windings {
+            passes: wanted.values().copied().collect(),
+            faces: answer.overlay.windings.clone(),
+            modulo_two: *rule == crate::algorithm::overlay::Rule::EvenOdd,
+        };
+        flaws.extend(windings.flaws(&graph));
+        asked.watch.done(0)?;
+        let mut results = Results::default();
+        for (regions, made) in results.regions.iter_mut().zip(&answer.regions) {
+            *regions = made.regions.iter().map(|region| region.loops().map(one).collect()).collect();
+        }
+        let only = [0, 1].map(|operand| windings.only(operand));
+        flaws.extend(results.flaws(&operands, &probes(scene), expected, only));
+    }
+    Ok(flaws)
+}
+
+fn note(outcome: &mut Outcome, class: Class, check: &str, got: String, law: &str) {
+    outcome.counts.add(class, 1);
+    outcome.findings.push(Finding::plain(class, check, Vec::new(), got, law.to_owned()));
+}
+
+fn input(scene: &Scene, v: Vertex) -> Point {
+    scene.point2(predicament_predicates::Plane::Xy, v).map(rational)
+}
+
+/// Where the vertices of an answer are: as they are, or as the session has rounded them.
+struct Places {
+    of: BTreeMap<Vertex, Point>,
+}
+
+impl Places {
+    fn new(scene: &Scene, answer: &Overlaid) -> Result<Places, Vertex> {
+        let points = answer.scene.as_ref().map(Points::of);
+        let mut of = BTreeMap::new();
+        for (at, &v) in answer.overlay.arrangement.vertices.iter().enumerate() {
+            let point = if !v.is_constructed() {
+                input(scene, v)
+            } else if let Some(rounded) = &answer.rounded {
+                let point = rounded[at];
+                if !point.iter().all(|x| x.is_finite()) {
+                    return Err(v);
+                }
+                point.map(rational)
+            } else {
+                let point = points.as_ref().and_then(|points| points.point(v)).ok_or(v)?;
+                <[rug::Rational; 2]>::try_from(point.into_owned()).map_err(|_| v)?
+            };
+            of.insert(v, point);
+        }
+        Ok(Places { of })
+    }
+
+    /// The same with all that was rounded where it is exactly.
+    fn exactly(&self, scene: &Scene, answer: &Overlaid) -> (Rounding<2>, Places) {
+        let vertices = &answer.overlay.arrangement.vertices;
+        let rounded = answer.rounded.iter().flatten().zip(vertices).filter(|(_, v)| v.is_constructed());
+        let (constructed, rounded): (Vec<Vertex>, Vec<[f64; 2]>) = rounded.map(|(point, &v)| (v, *point)).unzip();
+        let scene = answer.scene.as_ref().unwrap_or(scene);
+        let rounding = Rounding::new(scene, constructed.iter().copied().zip(rounded));
+        let mut of = self.of.clone();
+        of.extend(constructed.into_iter().zip(rounding.exact.iter().cloned()));
+        (rounding, Places { of })
+    }
+
+    fn of(&self, v: Vertex) -> Point {
+        self.of.get(&v).cloned().unwrap_or_default()
+    }
+}
+
+/// The arrangement as numbers, with the segments that it has to be of.
+fn graph(scene: &Scene, wanted: &BTreeMap<[Vertex; 2], [i64; 2]>, answer: &Overlaid, at: &Places) -> Graph {
+    let arrangement = &answer.overlay.arrangement;
+    let subdivision = &arrangement.subdivision;
+    let halves = 0..u32::try_from(2 * arrangement.pieces.len()).unwrap_or(u32::MAX);
+    // Each segment that it should be of, and the chain of it that there is, if there is.
+    let place: BTreeMap<[Vertex; 2], usize> = arrangement.segments.iter().copied().zip(0..).collect();
+    let chain = |segment: &[Vertex; 2]| place.get(segment).map_or_else(Vec::new, |&at| arrangement.chain(at).to_vec());
+    Graph {
+        nodes: arrangement.vertices.iter().map(|&v| at.of(v)).collect(),
+        chains: wanted.keys().map(chain).collect(),
+        segments: wanted.keys().map(|ends| ends.map(|v| input(scene, v))).collect(),
+        edges: arrangement.pieces.iter().map(|piece| piece.ends).collect(),
+        next: halves.clone().map(|half| subdivision.next(half)).collect(),
+        face: halves.map(|half| subdivision.face(half)).collect(),
+        faces: subdivision.faces().len(),
+    }
+}
+
+/// The segments that have to be in the arrangement, each once: all, or those that an operand passes in one direction more
+/// often than in the other (with an even-odd rule, an odd number of times). With each, for both operands, how often it is passed
+/// from its lower end to the other, less how often back.
+fn wanted(content: &Layered) -> BTreeMap<[Vertex; 2], [i64; 2]> {
+    let mut passed: BTreeMap<[Vertex; 2], [i64; 2]> = BTreeMap::new();
+    match &content.layers {
+        Layers::Segments(segments) => {
+            for &[a, b] in segments {
+                passed.insert([a.min(b), a.max(b)], [1, 1]);
+            }
+        }
+        Layers::Polygons(operands, rule) => {
+            for (operand, loops) in operands.iter().enumerate() {
+                for one in loops {
+                    for (&a, &b) in one.iter().zip(one.iter().cycle().skip(1)).filter(|(a, b)| a != b) {
+                        passed.entry([a.min(b), a.max(b)]).or_default()[operand] += if a < b { 1 } else { -1 };
+                    }
+                }
+            }
+            let is_even_odd = *rule == crate::algorithm::overlay::Rule::EvenOdd;
+            passed.retain(|_, times| times.iter().any(|times| if is_even_odd { times % 2 != 0 } else { *times != 0 }));
+        }
+    }
+    passed
+}
+
+/// Points in the scene's box, in no special place.
+fn probes(scene: &Scene) -> Vec<Point> {
+    let coordinates = scene.coordinates();
+    let range = |axis: usize| {
+        let along = coordinates.iter().skip(axis).step_by(2);
+        along.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &x| [low.min(x), high.max(x)])
+    };
+    let ranges = [0, 1].map(range);
+    // Multiples of irrational numbers, roughly: spread evenly, and on no line that matters.
+    let part = |at: usize, step: u64| {
+        let at = u64::try_from(at).unwrap_or(0) + 1;
+        rug::Rational::from((at.wrapping_mul(step) >> 11, 1_u64 << 53))
+    };
+    (0..PROBES)
+        .map(|at| {
+            let parts = [part(at, 0xC13F_A9A9_02A6_328F), part(at, 0x91E1_0DA5_C79E_7B1C)];
+            [0, 1].map(|axis: usize| {
+                let [low, high] = ranges[axis].map(rational);
+                rug::Rational::from(&high - &low) * &parts[axis] + low
+            })
+        })
+        .collect()
+}

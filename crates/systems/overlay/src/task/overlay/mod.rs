@@ -1,0 +1,338 @@
+//! `overlay2d`: the arrangement of segments, and the Boolean operations on two polygons.
+//!
+//! All intersections are found and constructed; what is inside of which operand goes from face to face. Wrong signs miss
+//! crossings and put vertices in the wrong order; then faces do not close, and areas do not add up.
+
+mod checks;
+mod content;
+mod generate;
+mod judge;
+mod shapes;
+mod spoiled;
+
+use std::path::{Path, PathBuf};
+
+use crate::algorithm::overlay::{Edge, Operation, Overlay, Regions, arrange, overlay};
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{PredicateKind, Predicates, Query, Refused, Scene, Vertex};
+use predicament_report::drawing::Role;
+
+pub use content::{Layered, Layers};
+
+pub use checks::RULES;
+use predicament_tasks::output::Canvas;
+use predicament_tasks::{
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest, output,
+};
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Overlay2d;
+
+/// An arrangement and, of polygons, the results.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Overlaid {
+    /// The arrangement with winding numbers; of segments, the arrangement alone.
+    pub overlay: Overlay,
+    /// The results by [`Operation::ALL`]; empty for segments.
+    pub regions: [Regions; 4],
+    /// The scene with what was constructed.
+    pub scene: Option<Scene>,
+    /// What the session has rounded each node's vertex to; none where it rounds nothing.
+    pub rounded: Option<Vec<[f64; 2]>>,
+}
+
+impl Overlaid {
+    /// Overlays a scene.
+    ///
+    /// # Errors
+    /// [`Refused`] where the session does not construct a crossing.
+    fn of(session: &mut dyn Predicates, content: &Layered) -> Result<Overlaid, Refused> {
+        let (overlay, regions) = match content.operands() {
+            None => {
+                let mut overlay = Overlay::default();
+                overlay.arrangement = arrange(session, &content.edges(), content.method)?;
+                (overlay, <[Regions; 4]>::default())
+            }
+            Some([a, b]) => {
+                let overlay = overlay(session, [&a, &b], content.method)?;
+                let regions = Operation::ALL.map(|operation| overlay.regions(&*session, operation));
+                (overlay, regions)
+            }
+        };
+        let rounded = |v: Vertex| session.rounded_point(v).and_then(|point| <[f64; 2]>::try_from(point).ok());
+        let vertices = &overlay.arrangement.vertices;
+        let rounds = vertices.iter().any(|&v| v.is_constructed() && rounded(v).is_some());
+        let rounded = rounds.then(|| vertices.iter().map(|&v| rounded(v).unwrap_or_default()).collect());
+        Ok(Overlaid { overlay, regions, scene: Some(session.scene().clone()), rounded })
+    }
+
+    /// The name of a vertex that does not depend on what else was constructed.
+    fn name(&self, v: Vertex) -> [u64; 4] {
+        use predicament_predicates::Construction::Ssi;
+        let id = |v: Vertex| v.index() as u64;
+        match self.scene.as_ref().and_then(|scene| scene.construction(v)) {
+            Some(Ssi([[a, b], [c, d]])) => [id(*a), id(*b), id(*c), id(*d)],
+            _ => [id(v), u64::MAX, u64::MAX, u64::MAX],
+        }
+    }
+}
+
+/// Of definitions, not of the order in which vertices were constructed: both methods have the same.
+impl Answer for Overlaid {
+    fn digest(&self) -> u64 {
+        let arrangement = &self.overlay.arrangement;
+        let nodes = arrangement.vertices.iter().flat_map(|&v| self.name(v));
+        let pieces = arrangement.pieces.iter().flat_map(|piece| piece.ends.map(u64::from));
+        let loops = self.regions.iter().flat_map(|made| {
+            made.regions.iter().flat_map(|region| {
+                region
+                    .loops()
+                    .flat_map(|one| one.iter().flat_map(|edge| self.name(edge.from)).chain([one.len() as u64]))
+            })
+        });
+        digest(nodes.chain(pieces).chain(loops).flat_map(u64::to_le_bytes))
+    }
+}
+
+impl SceneFormat for Overlay2d {
+    fn name(&self) -> &'static str {
+        "overlay2d"
+    }
+
+    fn template(&self) -> String {
+        include_str!("template.txt").to_owned()
+    }
+
+    fn about(&self) -> &'static str {
+        "the arrangement of segments; union, intersection and differences of polygons"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["points", "segments", "first", "second", "rule", "method"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points", "polygons"]
+    }
+
+    fn file_keys(&self) -> &'static [&'static str] {
+        &["first"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        content::read(context, fields)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &generate::FAMILIES
+    }
+
+    fn generator_keys(&self) -> &'static [&'static str] {
+        &["method"]
+    }
+
+    fn naming_keys(&self) -> &'static [&'static str] {
+        &["method"]
+    }
+}
+
+impl Task for Overlay2d {
+    type Content = Layered;
+    type Truth = ();
+    type Answer = Overlaid;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("overlay-stars", 24),
+                Compared::near("overlay-shifted", 24),
+                Compared::degenerate("overlay-squares", 16),
+            ]
+        }
+    }
+
+    fn turns(&self, _: Knob) -> Turns {
+        Turns::Everywhere
+    }
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare, PredicateKind::Orient2d]
+    }
+
+    fn constructs(&self) -> bool {
+        true
+    }
+
+    fn judges_whole(&self) -> bool {
+        true
+    }
+
+    /// The truth is in the laws, and in the operands.
+    fn truth(&self, _: &Scene, _: &Layered, watch: &Watch) -> Result<(), Stop> {
+        watch.done(0)
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &Layered,
+        how: &How<'_>,
+        answer: &mut Overlaid,
+    ) -> Result<(), Halt> {
+        how.watch.done(0)?;
+        *answer = Overlaid::of(session, content)?;
+        how.watch.done(content.size() as u64)?;
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, Overlay2d>,
+        asked: &Asked<'_>,
+        answer: &Overlaid,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        outcome.sampled = judge::sampled(case.content);
+        judge::judge(case, asked, answer, outcome)
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Overlay2d>> {
+        spoiled::all()
+    }
+
+    fn describe(&self, _: &LoadedScene, content: &Layered, _: &Watch) -> Result<String, Stop> {
+        Ok(match &content.layers {
+            Layers::Segments(segments) => format!("{} segments\n", segments.len()),
+            Layers::Polygons(operands, _) => {
+                let [a, b] = operands.each_ref().map(|loops| (loops.len(), loops.iter().map(Vec::len).sum::<usize>()));
+                format!("{} loops of {} corners, and {} of {}\n", a.0, a.1, b.0, b.1)
+            }
+        })
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &Layered,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let _ = query;
+        let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|found| told(&found));
+        Ok(Explanation::default().with_answers(backends, ask))
+    }
+
+    /// Each result as a picture and GeoJSON, the arrangement as JSON, and all vertices exactly.
+    fn write(
+        &self,
+        scene: &Scene,
+        content: &Layered,
+        answer: &Overlaid,
+        folder: &Path,
+    ) -> std::io::Result<Vec<PathBuf>> {
+        let arrangement = &answer.overlay.arrangement;
+        let (shown, at) = shown(scene, answer)?;
+        let mut files = Vec::new();
+        if content.operands().is_some() {
+            let ring = |one: &Vec<Edge>| one.iter().map(|edge| at(edge.from)).collect::<Vec<_>>();
+            for (operation, made) in Operation::ALL.into_iter().zip(&answer.regions) {
+                let polygons: Vec<Vec<Vec<Vertex>>> =
+                    made.regions.iter().map(|region| region.loops().map(ring).collect()).collect();
+                files.extend(output::plane(&shown, &polygons, folder, operation.name())?);
+            }
+        }
+        let subdivision = &arrangement.subdivision;
+        let edge = |(at, piece): (u32, &crate::algorithm::overlay::Piece)| {
+            let vertices = piece.ends.map(|node| arrangement.vertices[node as usize].to_string());
+            let faces = [2 * at, 2 * at + 1].map(|half| subdivision.face(half));
+            serde_json::json!({ "vertices": vertices, "left": faces[0], "right": faces[1] })
+        };
+        let json = serde_json::json!({
+            "edges": (0..).zip(&arrangement.pieces).map(edge).collect::<Vec<_>>(),
+            "faces": subdivision.faces().len(),
+            "windings": answer.overlay.windings,
+            "broken": arrangement.broken,
+        });
+        let path = folder.join("arrangement.json");
+        std::fs::write(&path, format!("{json}\n"))?;
+        files.push(path);
+        files.push(output::vertices(&shown, arrangement.vertices.iter().map(|&v| at(v)), folder)?);
+        Ok(files)
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &Layered,
+        answer: Option<&Overlaid>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        match &content.layers {
+            Layers::Segments(segments) => {
+                canvas.lines(scene, "segments", Role::Given, segments)?;
+            }
+            Layers::Polygons(operands, _) => {
+                for (name, role, loops) in
+                    [("first", Role::Given, &operands[0]), ("second", Role::Second, &operands[1])]
+                {
+                    canvas.areas(scene, name, role, [loops.clone()])?;
+                }
+            }
+        }
+        let Some(answer) = answer else { return Ok(()) };
+        let (shown, at) = shown(scene, answer)?;
+        if content.operands().is_some() {
+            let ring = |one: &Vec<Edge>| one.iter().map(|edge| at(edge.from)).collect::<Vec<_>>();
+            for (operation, made) in Operation::ALL.into_iter().zip(&answer.regions) {
+                let areas = made.regions.iter().map(|region| region.loops().map(ring).collect());
+                let layer = canvas.areas(&shown, operation.name(), Role::Found, areas)?;
+                layer.is_shown = operation == Operation::Intersection;
+            }
+        }
+        let nodes = answer.overlay.arrangement.vertices.iter().map(|&v| at(v));
+        canvas.points(&shown, "vertices of the arrangement", Role::Mark, nodes)?;
+        Ok(())
+    }
+}
+
+/// The scene in which an answer is shown, and its vertices there: a session that rounds has its own points.
+fn shown<'a>(scene: &Scene, answer: &'a Overlaid) -> std::io::Result<(Scene, impl Fn(Vertex) -> Vertex + use<'a>)> {
+    let vertices = &answer.overlay.arrangement.vertices;
+    let exact = answer.scene.clone().unwrap_or_else(|| scene.clone());
+    let inputs = scene.len();
+    let shown = match &answer.rounded {
+        None => exact,
+        Some(rounded) => {
+            let coordinates = [scene.coordinates(), rounded.as_flattened()].concat();
+            Scene::new(scene.dimension(), coordinates).map_err(std::io::Error::other)?
+        }
+    };
+    let place = move |v: Vertex| {
+        let is_rounded = answer.rounded.is_some() && v.is_constructed();
+        let at = is_rounded.then(|| vertices.iter().position(|&other| other == v)).flatten();
+        at.map_or(v, |at| Vertex::input(inputs + at))
+    };
+    Ok((shown, place))
+}
+
+fn told(found: &Overlaid) -> String {
+    let arrangement = &found.overlay.arrangement;
+    let [nodes, edges, faces] =
+        [arrangement.vertices.len(), arrangement.pieces.len(), arrangement.subdivision.faces().len()];
+    let regions: Vec<String> = Operation::ALL
+        .into_iter()
+        .zip(&found.regions)
+        .filter(|(_, made)| !made.regions.is_empty())
+        .map(|(operation, made)| format!("{} {}", operation.name(), made.regions.len()))
+        .collect();
+    let regions = if regions.is_empty() { String::new() } else { format!("; regions: {}", regions.join(", ")) };
+    let broken = arrangement.broken.map_or(String::new(), |rule| format!("; violated: {rule}"));
+    format!("{nodes} nodes, {edges} edges, {faces} faces{regions}{broken}")
+}

@@ -1,0 +1,321 @@
+//! `snap2d`: segments brought back to doubles, by snap rounding and by rounding each crossing.
+//!
+//! The predicates under test find the arrangement; how it is rounded is exact. So a wrong sign shows as a crossing that
+//! is not hot, and what rounding itself does shows under exact signs, method by method, in `snap.csv`.
+
+mod checks;
+mod content;
+mod judge;
+mod section;
+mod spoiled;
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use crate::algorithm::overlay::{self, Arrangement, Edge, arrange};
+use crate::algorithm::snap::{Drawing, Pixel, Snapped, snap};
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{Construction, Plane, PredicateKind, Predicates, Query, Scene, Sign, Vertex};
+use predicament_records::{RunDir, TableSpec};
+use predicament_report::Section;
+use predicament_report::drawing::{Role, Shape};
+
+pub use content::{Drawn, method_name};
+pub use section::SnapRow;
+
+use predicament_tasks::output::Canvas;
+use predicament_tasks::segment_source::named;
+use predicament_tasks::{
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest, output,
+};
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Snap2d;
+
+/// The chains of all segments.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Chains {
+    /// Pixels and chains.
+    pub snapped: Snapped,
+    /// The first rule that signs have broken, as the statement that should hold.
+    pub broken: Option<&'static str>,
+}
+
+impl Answer for Chains {
+    fn digest(&self) -> u64 {
+        let pixels = self.snapped.pixels.iter().flatten().map(|i| i.cast_unsigned());
+        let of_chain = |chain: &Vec<u32>| chain.iter().map(|&at| u64::from(at)).chain([u64::MAX]).collect::<Vec<_>>();
+        let chains = self.snapped.chains.iter().flat_map(of_chain);
+        let broken = self.broken.unwrap_or_default();
+        digest(pixels.chain([u64::MAX]).chain(chains).flat_map(u64::to_le_bytes).chain(broken.bytes()))
+    }
+}
+
+impl Chains {
+    /// The pixels of each chain.
+    #[must_use]
+    pub fn pixels(&self) -> Vec<Vec<Pixel>> {
+        let of = |chain: &Vec<u32>| chain.iter().map(|&at| self.snapped.pixels[at as usize]).collect();
+        self.snapped.chains.iter().map(of).collect()
+    }
+}
+
+/// Coordinates of all input points.
+fn points(scene: &Scene) -> Vec<[f64; 2]> {
+    scene.vertices().map(|v| [scene.point(v)[0], scene.point(v)[1]]).collect()
+}
+
+/// The incidences of an arrangement: pairs of segments that cross, and segments with the points on them. `in_line` says whether two
+/// segments are in one line.
+fn incidences(
+    scene: &Scene,
+    arrangement: &Arrangement,
+    in_line: impl Fn([Vertex; 2], [Vertex; 2]) -> bool,
+) -> (Vec<[u32; 2]>, Vec<[u32; 2]>) {
+    let number = |at: usize| u32::try_from(at).expect("fewer than 2^32");
+    let place = |ends: [_; 2]| arrangement.segments.binary_search(&ends).ok().map(number);
+    let (mut crossings, mut touching) = (Vec::new(), Vec::new());
+    for segment in 0..arrangement.segments.len() {
+        for v in arrangement.chain(segment).iter().map(|&node| arrangement.vertices[node as usize]) {
+            match scene.construction(v) {
+                Some(Construction::Ssi(lines)) if v.is_constructed() => {
+                    let by = lines.map(|mut ends| {
+                        ends.sort_unstable();
+                        place(ends)
+                    });
+                    // One of the two that define it: not itself, and not one in line with it, such as itself once more.
+                    let others = by.into_iter().flatten().filter(|&other| other != number(segment));
+                    let ends = |of: usize| arrangement.segments[of];
+                    let other = others.into_iter().find(|&other| !in_line(ends(segment), ends(other as usize)));
+                    crossings.extend(other.map(|other| [number(segment).min(other), number(segment).max(other)]));
+                }
+                _ => touching.push([number(segment), number(v.index())]),
+            }
+        }
+    }
+    crossings.sort_unstable();
+    crossings.dedup();
+    (crossings, touching)
+}
+
+/// Arranges and rounds.
+fn solve(session: &mut dyn Predicates, content: &Drawn) -> Result<Chains, Halt> {
+    let edges: Vec<Edge> = content.segments.iter().map(|&[a, b]| Edge::whole(a, b)).collect();
+    let arrangement = arrange(session, &edges, overlay::Method::Grid)?;
+    if arrangement.segments != content.segments {
+        return Ok(Chains { broken: Some("an arrangement has the segments that were given"), ..Chains::default() });
+    }
+    let turn = |[a, b]: [Vertex; 2], c| session.orient2d(Plane::Xy, a, b, c);
+    let in_line = |line, [c, d]: [Vertex; 2]| [turn(line, c), turn(line, d)] == [Sign::Zero; 2];
+    let (crossings, touching) = incidences(session.scene(), &arrangement, in_line);
+    let points = points(session.scene());
+    let segments: Vec<[u32; 2]> =
+        content.segments.iter().map(|ends| ends.map(|v| u32::try_from(v.index()).expect("fewer than 2^32"))).collect();
+    let drawing = Drawing { points: &points, segments: &segments, crossings: &crossings, touching: &touching };
+    Ok(match snap(drawing, content.pixel, content.method) {
+        Ok(snapped) => Chains { snapped, broken: arrangement.broken },
+        Err(_) => Chains { broken: Some("segments that cross have a point in common"), ..Chains::default() },
+    })
+}
+
+impl SceneFormat for Snap2d {
+    fn name(&self) -> &'static str {
+        "snap2d"
+    }
+
+    fn template(&self) -> String {
+        include_str!("template.txt").to_owned()
+    }
+
+    fn about(&self) -> &'static str {
+        "segments and their crossings rounded to pixels: snap rounding, iterated or not, and each point by itself"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["points", "segments", "pixel", "method"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points"]
+    }
+
+    fn file_keys(&self) -> &'static [&'static str] {
+        &["segments"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        content::read(context, fields)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &content::FAMILIES
+    }
+
+    fn generator_keys(&self) -> &'static [&'static str] {
+        &["pixel", "method"]
+    }
+
+    fn naming_keys(&self) -> &'static [&'static str] {
+        &["method"]
+    }
+}
+
+impl Task for Snap2d {
+    type Content = Drawn;
+    type Truth = judge::Truth;
+    type Answer = Chains;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("snap-uniform", 30).with("pixel = 8"),
+                Compared::near("snap-near", 30).with("pixel = 8"),
+                Compared::degenerate("snap-lattice", 30).with("pixel = 4"),
+            ]
+        }
+    }
+
+    fn turns(&self, knob: Knob) -> Turns {
+        match knob {
+            Knob::Scale => Turns::Nowhere("pixels keep their size"),
+            Knob::Translation => Turns::UpTo(40, "middles of pixels are no doubles"),
+            _ => Turns::Everywhere,
+        }
+    }
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare, PredicateKind::Orient2d]
+    }
+
+    fn constructs(&self) -> bool {
+        true
+    }
+
+    fn judges_whole(&self) -> bool {
+        true
+    }
+
+    fn truth(&self, scene: &Scene, content: &Drawn, watch: &Watch) -> Result<judge::Truth, Stop> {
+        judge::Truth::new(scene, content, watch)
+    }
+
+    fn sampled(&self, truth: &judge::Truth) -> Option<String> {
+        truth.sampled()
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &Drawn,
+        how: &How<'_>,
+        answer: &mut Chains,
+    ) -> Result<(), Halt> {
+        how.watch.done(0)?;
+        *answer = solve(session, content)?;
+        how.watch.done(content.segments.len() as u64)?;
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, Snap2d>,
+        asked: &Asked<'_>,
+        answer: &Chains,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        judge::judge(case, asked, answer, outcome)
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Snap2d>> {
+        spoiled::all()
+    }
+
+    fn describe(&self, loaded: &LoadedScene, content: &Drawn, watch: &Watch) -> Result<String, Stop> {
+        let truth = judge::Truth::new(&loaded.scene, content, watch)?;
+        let (segments, crossings) = (content.segments.len(), truth.crossings.len());
+        let (method, pixel) = (method_name(content.method), content.pixel);
+        Ok(format!("{segments} segments with {crossings} pairs that cross, by method {method}; pixels of 2^{pixel}\n"))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &Drawn,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let (at, about) = named(&content.segments, query)?;
+        let ask = |backend: &dyn Contestant| {
+            backend.answer(self, scene, content).map(|chains| match chains.pixels().get(at) {
+                Some(chain) => chain.iter().map(|[x, y]| format!("({x}, {y})")).collect::<Vec<_>>().join(" "),
+                None => chains.broken.unwrap_or("no chain").to_owned(),
+            })
+        };
+        Ok(about.with_answers(backends, ask))
+    }
+
+    fn write(&self, scene: &Scene, content: &Drawn, answer: &Chains, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+        let chain = |chain: &Vec<u32>| -> Vec<[f64; 2]> {
+            chain.iter().map(|&at| answer.snapped.centre(at, content.pixel)).collect()
+        };
+        let chains: Vec<Vec<[f64; 2]>> = answer.snapped.chains.iter().map(chain).collect();
+        let features: Vec<serde_json::Value> = chains
+            .iter()
+            .zip(&content.segments)
+            .map(|(chain, [a, b])| {
+                // A line of GeoJSON has two positions at least.
+                let line: Vec<[f64; 2]> = if chain.len() == 1 { chain.repeat(2) } else { chain.clone() };
+                serde_json::json!({
+                    "type": "Feature",
+                    "geometry": { "type": "LineString", "coordinates": line },
+                    "properties": { "segment": [a.to_string(), b.to_string()] },
+                })
+            })
+            .collect();
+        let path = folder.join("chains.geojson");
+        let text = serde_json::json!({ "type": "FeatureCollection", "features": features });
+        std::fs::write(&path, format!("{text}\n"))?;
+        let vertices = output::vertices(scene, content.segments.iter().flatten().copied(), folder)?;
+        Ok(vec![path, vertices])
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &Drawn,
+        answer: Option<&Chains>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        canvas.lines(scene, "segments", Role::Given, &content.segments)?;
+        let Some(answer) = answer else { return Ok(()) };
+        let centre = |&at: &u32| {
+            let [x, y] = answer.snapped.centre(at, content.pixel);
+            [x, y, 0.0]
+        };
+        let chains = answer.snapped.chains.iter().map(|chain| vec![chain.iter().map(centre).collect()]);
+        canvas.places("chains", Role::Found, Shape::Lines, chains);
+        let half = 2_f64.powi(content.pixel) / 2.0;
+        let pixel = |[x, y, _]: [f64; 3]| {
+            let corner = |[i, j]: [f64; 2]| [x + i * half, y + j * half, 0.0];
+            vec![[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(corner).to_vec()]
+        };
+        let hot: BTreeSet<u32> = answer.snapped.chains.iter().flatten().copied().collect();
+        canvas.places("hot pixels", Role::Faint, Shape::Areas, hot.iter().map(|at| pixel(centre(at))));
+        Ok(())
+    }
+
+    fn tables(&self) -> Vec<TableSpec> {
+        vec![TableSpec::of::<SnapRow>()]
+    }
+
+    fn section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error> {
+        section::section(runs)
+    }
+}

@@ -1,0 +1,162 @@
+//! A session's answers against the surroundings of the probes.
+
+use crate::algorithm::{Location, Locations};
+use predicament_predicates::ZeroMeaning;
+
+use super::{Ground, Surroundings};
+
+/// What is wrong with an answer.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Fault {
+    /// In no region, where every sector is in one: the probe fell between.
+    Gap,
+    /// In two regions or more, where no sector is in more than one.
+    Double,
+    /// In other regions than those of any sector.
+    Misplaced,
+    /// On a boundary that the probe is not on, from a session whose zeros are
+    /// exact or which has none.
+    FalseBoundary,
+    /// Not on the boundaries that the probe is on, from a session whose zeros
+    /// are exact.
+    MissedBoundary,
+    /// On a boundary, from a session that breaks all ties; the probe is not
+    /// itself a vertex of the map.
+    UnbrokenTie,
+}
+
+impl Fault {
+    /// The name used in CSV files and reports.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Fault::Gap => "gap",
+            Fault::Double => "double",
+            Fault::Misplaced => "misplaced",
+            Fault::FalseBoundary => "false-boundary",
+            Fault::MissedBoundary => "missed-boundary",
+            Fault::UnbrokenTie => "unbroken-tie",
+        }
+    }
+
+    /// Whether the answer fits no sector at all, for sessions of every
+    /// philosophy; the other faults are broken promises about zeros.
+    #[must_use]
+    pub const fn is_topological(self) -> bool {
+        matches!(self, Fault::Gap | Fault::Double | Fault::Misplaced)
+    }
+}
+
+/// An answer that the surroundings of its probe rule out.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct TilingViolation {
+    /// The probe's place.
+    pub probe: usize,
+    /// What it stands on; never [`Ground::Defect`].
+    pub ground: Ground,
+    /// What is wrong.
+    pub fault: Fault,
+}
+
+/// How the probes on one kind of ground were answered.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Counts {
+    /// On a boundary, whatever else.
+    pub boundary: usize,
+    /// On no boundary and in no region.
+    pub none: usize,
+    /// On no boundary and in one region.
+    pub one: usize,
+    /// On no boundary and in two regions or more.
+    pub more: usize,
+}
+
+impl Counts {
+    /// All probes on this ground.
+    #[must_use]
+    pub fn probes(&self) -> usize {
+        self.boundary + self.none + self.one + self.more
+    }
+}
+
+/// The sum over all answers.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct TilingReport {
+    counts: [Counts; Ground::ALL.len()],
+    violations: Vec<TilingViolation>,
+}
+
+impl TilingReport {
+    /// How the probes on this ground were answered.
+    #[must_use]
+    pub fn counts(&self, ground: Ground) -> Counts {
+        self.counts[ground as usize]
+    }
+
+    /// What is wrong, in the order of the probes, at most one per probe.
+    #[must_use]
+    pub fn violations(&self) -> &[TilingViolation] {
+        &self.violations
+    }
+}
+
+/// Judges answers by the law of [the module](super) and by what the session
+/// says its zeros mean; of an incomplete result, the part that is there.
+///
+/// # Panics
+/// If there are more answers than probes.
+#[must_use]
+pub fn tiling_report(surroundings: &Surroundings, answers: &Locations, zero: ZeroMeaning) -> TilingReport {
+    assert!(answers.len() <= surroundings.len(), "{} answers to {} probes", answers.len(), surroundings.len());
+    let mut report = TilingReport::default();
+    for (probe, answer) in answers.iter().enumerate() {
+        let ground = surroundings.ground(probe);
+        let counts = &mut report.counts[ground as usize];
+        match answer {
+            Location { boundary: &[_, ..], .. } => counts.boundary += 1,
+            Location { inside: &[], .. } => counts.none += 1,
+            Location { inside: &[_], .. } => counts.one += 1,
+            Location { inside: &[_, _, ..], .. } => counts.more += 1,
+        }
+        if ground != Ground::Defect {
+            let fault = topology(surroundings, probe, answer).or_else(|| promise(surroundings, probe, answer, zero));
+            report.violations.extend(fault.map(|fault| TilingViolation { probe, ground, fault }));
+        }
+    }
+    report
+}
+
+/// Whether some sector S has I ⊆ S ⊆ I ∪ B.
+fn topology(surroundings: &Surroundings, probe: usize, answer: Location<'_>) -> Option<Fault> {
+    let Location { inside, boundary } = answer;
+    let accounted = |sector: &[u32]| {
+        inside.iter().all(|region| sector.binary_search(region).is_ok())
+            && sector
+                .iter()
+                .all(|region| inside.binary_search(region).is_ok() || boundary.binary_search(region).is_ok())
+    };
+    if surroundings.sectors(probe).any(accounted) {
+        return None;
+    }
+    let ground = surroundings.ground(probe);
+    Some(match inside.len() {
+        0 if boundary.is_empty() && ground == Ground::Land => Fault::Gap,
+        2.. if ground != Ground::Overlap => Fault::Double,
+        _ => Fault::Misplaced,
+    })
+}
+
+/// Whether the boundaries named are those that the session's zeros stand for.
+fn promise(surroundings: &Surroundings, probe: usize, answer: Location<'_>, zero: ZeroMeaning) -> Option<Fault> {
+    let truth = surroundings.boundary(probe);
+    let named_in_vain = answer.boundary.iter().any(|region| truth.binary_search(region).is_err());
+    match zero {
+        ZeroMeaning::Band => None,
+        _ if named_in_vain => Some(Fault::FalseBoundary),
+        ZeroMeaning::Exact => (answer.boundary != truth).then_some(Fault::MissedBoundary),
+        ZeroMeaning::Never => {
+            let broken = answer.boundary.is_empty() || surroundings.is_map_vertex(probe);
+            (!broken).then_some(Fault::UnbrokenTie)
+        }
+    }
+}

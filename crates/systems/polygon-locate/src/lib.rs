@@ -1,0 +1,9 @@
+//! In which region of a map does a point lie? (4.2)
+//!
+//! * [`algorithm`]: the algorithm, generic over the session.
+//! * [`checks`]: what must hold for its answers, decided exactly.
+//! * [`task`]: how it is asked, judged, drawn and reported.
+
+pub mod algorithm;
+pub mod checks;
+pub mod task;

@@ -1,0 +1,227 @@
+//! The second step: faces are split between the vertices that they have on the plane.
+//!
+//! Along the line where face and plane meet, one is inside of the face between two of its vertices if the number of its edges that
+//! went off to the positive side so far is odd, and that of those to the negative side as well; if
+//! only one is, an edge lies there. A cap is one face of several loops, and these can touch: corners in one point are taken
+//! in the order in which the line passes them, and may be joined by an edge without length.
+
+use predicament_mesh::half_edge::{Face, HalfEdge, MeshVertex, OperationError};
+use predicament_predicates::{Axis, Sign, Vertex};
+
+use super::Halt;
+use super::cutter::{Cutter, cross};
+use super::lines::{Line, OWN_ENDS};
+use predicament_grid::sort::sort_by_sign;
+
+/// A vertex of a face on the plane: the half-edge that ends there, and the sides of the vertices before and after it.
+#[derive(Clone, Copy)]
+struct Corner {
+    at: HalfEdge,
+    before: Sign,
+    after: Sign,
+}
+
+/// What all chords of a face have in common.
+struct Split {
+    cap: Option<usize>,
+    support: [Vertex; 3],
+    plane: [Vertex; 3],
+    /// The user data of their half-edges, where they have a line of their own.
+    line: Option<u32>,
+}
+
+impl Cutter<'_> {
+    /// Splits the faces at these vertices, and returns all faces that touch the plane then.
+    pub(super) fn split_faces(&mut self, place: usize, on_plane: &[MeshVertex]) -> Result<Vec<Face>, Halt> {
+        let mesh = &self.mesh;
+        let mut touched: Vec<Face> = on_plane.iter().flat_map(|&v| mesh.ring(v).filter_map(|h| mesh.face(h))).collect();
+        // Those of one cap stand together; others are alone.
+        let group = |f: &Face| self.cap_of(*f).map_or((f.index(), 0), |cap| (usize::MAX, cap));
+        touched.sort_unstable_by_key(|f| (group(f), *f));
+        touched.dedup();
+        let groups: Vec<Vec<Face>> = touched.chunk_by(|f, g| group(f) == group(g)).map(<[Face]>::to_vec).collect();
+        touched.clear();
+        for mut faces in groups {
+            self.split_group(place, &mut faces)?;
+            touched.append(&mut faces);
+        }
+        Ok(touched)
+    }
+
+    /// Splits a face, or a cap of several loops; `faces` are then its pieces.
+    fn split_group(&mut self, place: usize, faces: &mut Vec<Face>) -> Result<(), Halt> {
+        let mut corners = Vec::new();
+        let (mut below, mut above) = (None, None);
+        for &f in &*faces {
+            for h in self.mesh.loop_of(self.mesh.half_edge_of_face(f)) {
+                match self.sign(self.mesh.end(h)) {
+                    Sign::Negative => below = Some(self.mesh.end(h)),
+                    Sign::Positive => above = Some(self.mesh.end(h)),
+                    Sign::Zero => {
+                        let [before, after] = [self.mesh.start(h), self.mesh.end(self.mesh.next(h))];
+                        corners.push(Corner { at: h, before: self.sign(before), after: self.sign(after) });
+                    }
+                }
+            }
+        }
+        let (Some(_), Some(above)) = (below, above) else { return Ok(()) };
+        let mut split = Split {
+            cap: self.cap_of(faces[0]),
+            support: self.support(faces[0]),
+            plane: self.planes[place],
+            line: None,
+        };
+        let (ends, up) = self.sort_along(&mut corners, &split, above);
+        let before = faces.len();
+        self.join(&corners, &ends, up, &mut split, faces)?;
+        if split.cap.is_some() || faces.len() > before {
+            self.faces_split += 1;
+        }
+        Ok(())
+    }
+
+    /// Sorts corners along the line. Returns where those in one point end, and which side is up: on the left of the line, seen as the
+    /// inside of the face is on the left of its edges. `above` is a vertex on the positive side.
+    fn sort_along(&self, corners: &mut [Corner], split: &Split, above: MeshVertex) -> (Vec<usize>, Sign) {
+        // Between two there is one way only.
+        let as_they_are = (1..=corners.len()).collect();
+        if corners.len() < 3 {
+            return (as_they_are, Sign::Positive);
+        }
+        let direction = cross(self.normal(split.support), self.normal(split.plane));
+        let mut axes = [(Axis::X, direction[0]), (Axis::Y, direction[1]), (Axis::Z, direction[2])];
+        axes.sort_by(|p, q| q.1.abs().total_cmp(&p.1.abs()));
+        let vertex = |corner: &Corner| self.mesh.scene_vertex(self.mesh.end(corner.at));
+        let first = vertex(&corners[0]);
+        let tells = |axis| corners.iter().any(|corner| !self.session.compare(axis, vertex(corner), first).is_zero());
+        let Some(axis) = axes.into_iter().map(|(axis, _)| axis).find(|&axis| tells(axis)) else {
+            return (as_they_are, Sign::Positive);
+        };
+        sort_by_sign(corners, |a, b| self.session.compare(axis, vertex(&a), vertex(&b)));
+        let apart = |at: usize| !self.session.compare(axis, vertex(&corners[at - 1]), vertex(&corners[at])).is_zero();
+        let ends = (1..corners.len()).filter(|&at| apart(at)).chain([corners.len()]).collect();
+        let up =
+            self.turn(split, [vertex(&corners[0]), vertex(&corners[corners.len() - 1])], self.mesh.scene_vertex(above));
+        (ends, if up == Sign::Negative { Sign::Negative } else { Sign::Positive })
+    }
+
+    /// The turn of three vertices as the face is seen from outside.
+    fn turn(&self, split: &Split, [a, b]: [Vertex; 2], c: Vertex) -> Sign {
+        let Some((plane, reversed)) = self.seen(split.support) else { return Sign::Zero };
+        let turn = self.session.orient2d(plane, a, b, c);
+        if reversed { -turn } else { turn }
+    }
+
+    /// Joins the corners between which the line is inside; `ends` are where those in one point end.
+    fn join(
+        &mut self,
+        corners: &[Corner],
+        ends: &[usize],
+        up: Sign,
+        split: &mut Split,
+        faces: &mut Vec<Face>,
+    ) -> Result<(), Halt> {
+        let mut inside = [false; 2];
+        let mut from: Option<HalfEdge> = None;
+        let mut start = 0;
+        for &end in ends {
+            let mut here = corners[start..end].to_vec();
+            start = end;
+            let alone = here.len() == 1;
+            while !here.is_empty() {
+                let corner = here.remove(next_in_point(&here, inside == [true; 2], up));
+                let arrived = match from {
+                    // Among others, one that the line does not go through.
+                    Some(_) if !alone && !self.may_open(split, &corner) => continue,
+                    Some(from) => Some(self.chord(from, corner.at, split, faces)?),
+                    None => None,
+                };
+                for (inside, side) in inside.iter_mut().zip([Sign::Negative, Sign::Positive]) {
+                    *inside ^= (corner.before == side) ^ (corner.after == side);
+                }
+                from = (inside == [true; 2]).then(|| match arrived {
+                    // The chord that has arrived divides the corner: on goes the half that is open to the right.
+                    Some(chord) if corner.before != up => chord,
+                    _ => corner.at,
+                });
+            }
+        }
+        if inside == [false; 2] { Ok(()) } else { Err(Halt::Broken("a face has an even number of crossings")) }
+    }
+
+    /// Whether the line may go through the inside at a corner: not, if it touches the line with a convex angle.
+    fn may_open(&self, split: &Split, corner: &Corner) -> bool {
+        if corner.before != corner.after || corner.before.is_zero() {
+            return true;
+        }
+        let [a, b, c] =
+            [self.mesh.start(corner.at), self.mesh.end(corner.at), self.mesh.end(self.mesh.next(corner.at))]
+                .map(|v| self.mesh.scene_vertex(v));
+        self.turn(split, [a, b], c) == Sign::Negative
+    }
+
+    /// An edge between two corners, and the half-edge in that direction.
+    fn chord(
+        &mut self,
+        from: HalfEdge,
+        to: HalfEdge,
+        split: &mut Split,
+        faces: &mut Vec<Face>,
+    ) -> Result<HalfEdge, Halt> {
+        let (Some(f), Some(g)) = (self.mesh.face(from), self.mesh.face(to)) else {
+            return Err(Halt::Broken("an edge across a face stays in it"));
+        };
+        if f != g {
+            let Some(cap) = split.cap else { return Err(Halt::Broken("an edge across a face stays in it")) };
+            // A hole becomes a part of the loop around it.
+            self.mesh.open_face(g)?;
+            faces.retain(|&face| face != g);
+            self.caps[cap].faces.retain(|&face| face != g);
+        }
+        let made = if f == g { self.mesh.split_face(from, to) } else { self.mesh.insert_auxiliary_edge(from, to) };
+        let [h, back] = match made {
+            Ok(h) => [h, self.mesh.opposite(h)],
+            Err(OperationError::EdgeExists(edge)) => {
+                // The part touches itself along an edge that lies in a cap: there it comes apart.
+                let (edges, divided) = self.mesh.divide_at_edge(from, to, edge)?;
+                self.see_new_vertices(&divided);
+                edges
+            }
+            Err(why) => return Err(why.into()),
+        };
+        if f == g
+            && let Some(new) = self.mesh.face(back)
+        {
+            self.mesh.set_face_user_data(new, self.mesh.face_user_data(f));
+            faces.push(new);
+            if let Some(cap) = split.cap {
+                self.caps[cap].faces.push(new);
+            }
+        }
+        let of_inputs = [from, to].iter().all(|&h| !self.mesh.scene_vertex(self.mesh.end(h)).is_constructed());
+        let line = match split.line {
+            _ if of_inputs => OWN_ENDS,
+            Some(line) => line,
+            None => self.add_line(Line::Planes([split.support, split.plane])),
+        };
+        if !of_inputs {
+            split.line = Some(line);
+        }
+        for half in [h, back] {
+            self.mesh.set_user_data(half, line);
+            self.mesh.set_user_data(self.mesh.opposite(half), line);
+        }
+        Ok(h)
+    }
+}
+
+/// Of corners in one point, the place of the one that the line passes next: one where it goes in if it is outside, one where
+/// it goes out if it is inside; else one that only touches it.
+fn next_in_point(here: &[Corner], inside: bool, up: Sign) -> usize {
+    let wanted = |c: &Corner| {
+        let [before, after] = [c.before * up, c.after * up];
+        if inside { before < after } else { before > after }
+    };
+    let touches = |c: &Corner| c.before == c.after;
+    here.iter().position(wanted).or_else(|| here.iter().position(touches)).unwrap_or(0)
+}

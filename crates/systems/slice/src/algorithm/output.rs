@@ -1,0 +1,107 @@
+//! The fourth step for loops in no plane, and the fifth: everything is triangulated.
+
+use std::collections::BTreeMap;
+
+use predicament_mesh::half_edge::{Face, HalfEdge};
+use predicament_predicates::Vertex;
+
+use super::cutter::Cutter;
+use super::{Part, Sliced, Source};
+use predicament_triangulate::algorithm::{Method, projection, triangulate};
+
+/// Parts that triangles are added to.
+#[derive(Default)]
+struct Parts {
+    /// By the parts' numbers; those without faces are left out in the end.
+    parts: Vec<Part>,
+    broken: Option<&'static str>,
+}
+
+impl Parts {
+    fn push(&mut self, part: u32, source: Source, triangles: impl IntoIterator<Item = [Vertex; 3]>) {
+        let part = &mut self.parts[part as usize];
+        part.triangles.extend(triangles);
+        part.sources.resize(part.triangles.len(), source);
+    }
+}
+
+impl Cutter<'_> {
+    /// The parts, triangulated; `before` constructions were in the scene before.
+    pub(super) fn output(mut self, before: usize) -> Sliced {
+        let mut out = Parts { parts: vec![Part::default(); self.parts], broken: None };
+        let faces: Vec<Face> = self.mesh.faces().collect();
+        let mut caps: BTreeMap<(usize, u32), Vec<Vec<Vertex>>> = BTreeMap::new();
+        for f in faces {
+            let first = self.mesh.half_edge_of_face(f);
+            let part = self.mesh.vertex_user_data(self.mesh.end(first));
+            if let Some(cap) = self.cap_of(f) {
+                caps.entry((cap, part)).or_default().push(self.vertices(first));
+                continue;
+            }
+            let source = Source::Face(self.faces[self.mesh.face_user_data(f) as usize]);
+            let mut around = self.mesh.loop_of(first);
+            if let (Some(a), Some(b), Some(c), None) = (around.next(), around.next(), around.next(), around.next()) {
+                let [a, b, c] = [a, b, c].map(|h| self.vertex(h));
+                // An edge without length leaves nothing of a triangle.
+                out.push(part, source, (a != b && b != c && a != c).then_some([a, b, c]));
+                continue;
+            }
+            drop(around);
+            let support = self.support(f);
+            let around = self.vertices(first);
+            self.triangulate(&mut out, part, source, support, &[around]);
+        }
+        for ((cap, part), loops) in caps {
+            let support = self.support(self.caps[cap].faces[0]);
+            let plane = u32::try_from(self.caps[cap].plane).expect("a plane's place in a list of vertices");
+            self.triangulate(&mut out, part, Source::Cap(plane), support, &loops);
+        }
+        self.cover_open(&mut out);
+        out.parts.retain(|part| !part.triangles.is_empty());
+        Sliced {
+            parts: out.parts,
+            constructions: self.session.scene().constructions()[before..].to_vec(),
+            faces_split: self.faces_split,
+            broken: out.broken.map(|what| (what, None)),
+        }
+    }
+
+    /// Triangulates loops on the plane of a support.
+    fn triangulate(&self, out: &mut Parts, part: u32, source: Source, support: [Vertex; 3], loops: &[Vec<Vertex>]) {
+        let Some((plane, reversed)) = self.seen(support) else {
+            out.broken.get_or_insert("a face has an area in a coordinate plane");
+            return;
+        };
+        let made = triangulate(&*self.session, plane, reversed, loops, Method::Monotone);
+        if let Some(what) = made.broken {
+            out.broken.get_or_insert(what);
+        }
+        out.push(part, source, made.triangles);
+    }
+
+    /// Covers what is still open.
+    fn cover_open(&mut self, out: &mut Parts) {
+        let firsts: Vec<HalfEdge> = self.mesh.boundary_loops(1).collect();
+        for first in firsts {
+            let part = self.mesh.vertex_user_data(self.mesh.end(first));
+            let around: Vec<Vertex> = self.mesh.vertex_loop(first).map(|v| self.mesh.scene_vertex(v)).collect();
+            let loops = std::slice::from_ref(&around);
+            let made = projection(&*self.session, loops)
+                .map(|(plane, reversed)| triangulate(&*self.session, plane, reversed, loops, Method::Monotone));
+            match made {
+                Some(made) if made.broken.is_none() => out.push(part, Source::Cover, made.triangles),
+                // Nowhere simple, or not for this session.
+                _ => out.parts[part as usize].open.push(around),
+            }
+        }
+    }
+
+    /// The vertices of a loop.
+    fn vertices(&self, first: HalfEdge) -> Vec<Vertex> {
+        self.mesh.loop_of(first).map(|h| self.vertex(h)).collect()
+    }
+
+    fn vertex(&self, h: HalfEdge) -> Vertex {
+        self.mesh.scene_vertex(self.mesh.end(h))
+    }
+}

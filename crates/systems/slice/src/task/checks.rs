@@ -1,0 +1,49 @@
+//! What is reported about the parts of a mesh.
+
+use crate::checks::Check as Law;
+
+use predicament_tasks::Check;
+use predicament_triangulate::task::RULES as TRIANGULATION;
+
+/// What the algorithm looks after itself.
+const RULES: &[&str] = &[
+    "a face has an area in a coordinate plane",
+    "a face has an even number of crossings",
+    "a face has three edges",
+    "a face is on one side of a plane",
+    "a mesh has at most 2^32 - 2 elements of a kind",
+    "an edge across a face stays in it",
+    "an edge has two ends",
+    "the mesh keeps its invariants",
+    "two vertices are joined by one edge at most",
+];
+
+/// The check that a law holds.
+pub const fn law(law: Law) -> Check {
+    Check::topology(law.name(), law.law())
+}
+
+/// The same law, violated by no more than rounding.
+pub const fn rounded(law: Law) -> Check {
+    Check::rounded(law.name(), law.law())
+}
+
+pub(super) const CHECKS: &[Check] = &[
+    law(Law::Closed),
+    law(Law::Side),
+    law(Law::CapInPlane),
+    law(Law::CapOrientation),
+    law(Law::PieceInFace),
+    law(Law::PieceOrientation),
+    law(Law::FaceArea),
+    law(Law::Volume),
+    law(Law::Degenerate),
+    law(Law::SelfIntersection),
+    rounded(Law::Side),
+    rounded(Law::CapInPlane),
+    rounded(Law::PieceInFace),
+    rounded(Law::FaceArea),
+    rounded(Law::Volume),
+    Check::topology("vertex not finite", "every vertex of the parts is a point"),
+    Check::invariants("cutting faces and covering caps does not contradict itself", &[RULES, TRIANGULATION]),
+];

@@ -1,0 +1,263 @@
+//! `slice`: a mesh split by planes, one after the other.
+//!
+//! The cascade of the lecture: each plane splits what the planes before it have left, so edges that were constructed
+//! are split again. Exact arithmetic and Simulation of Simplicity keep the points; controls round them between
+//! the cuts, and what comes out is judged as they have it.
+
+mod checks;
+mod content;
+mod faces;
+mod generate;
+mod judge;
+mod spoiled;
+
+use std::path::{Path, PathBuf};
+
+use crate::algorithm::{Sliced, Source, slice};
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source as SceneSource};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
+use predicament_report::drawing::Role;
+
+pub use content::Solid;
+
+pub use checks::{law, rounded};
+use predicament_tasks::output::{Canvas, Placed};
+
+use predicament_tasks::{
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest, output,
+};
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Slice;
+
+/// The parts, and the vertices that were constructed.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Cut {
+    /// The parts.
+    pub sliced: Sliced,
+    /// How many constructions the scene had before.
+    pub before: usize,
+    /// What the session has rounded the constructed vertices to; none where it keeps them.
+    pub rounded: Option<Vec<[f64; 3]>>,
+}
+
+impl Cut {
+    fn with_points(session: &dyn Predicates, sliced: Sliced, before: usize) -> Cut {
+        let rounded = output::rounded_points(session, before, sliced.constructions.len());
+        Cut { rounded, sliced, before }
+    }
+}
+
+impl Answer for Cut {
+    fn digest(&self) -> u64 {
+        let vertex = |v: Vertex| (v.index() as u64).to_le_bytes();
+        let parts = self.sliced.parts.iter().flat_map(|part| {
+            let ends = (part.triangles.len() as u64).to_le_bytes();
+            let open = part.open.iter().flatten();
+            part.triangles.as_flattened().iter().chain(open).map(move |&v| vertex(v)).chain([ends])
+        });
+        let broken = self.sliced.broken.map_or("", |(what, _)| what);
+        digest(parts.flatten().chain(broken.bytes()))
+    }
+}
+
+impl SceneFormat for Slice {
+    fn name(&self) -> &'static str {
+        "slice"
+    }
+
+    fn template(&self) -> String {
+        include_str!("template.txt").to_owned()
+    }
+
+    fn about(&self) -> &'static str {
+        "the parts of a mesh that planes make, one after the other"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["mesh", "points", "faces", "planes", "closed"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points", "planes"]
+    }
+
+    fn file_keys(&self) -> &'static [&'static str] {
+        &["mesh"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<SceneSource, CorpusError> {
+        content::read(context, fields)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &generate::FAMILIES
+    }
+}
+
+impl Task for Slice {
+    type Content = Solid;
+    type Truth = ();
+    type Answer = Cut;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("slice-torus", 48).with("cut = \"random\""),
+                Compared::degenerate("slice-lattice", 24).with("cut = \"vertices\""),
+            ]
+        }
+    }
+
+    fn turns(&self, knob: Knob) -> Turns {
+        match knob {
+            Knob::Shift | Knob::Scale | Knob::Aspect | Knob::Size => Turns::Everywhere,
+            Knob::Translation => Turns::UpTo(32, "a mesh that is rounded crosses itself"),
+            Knob::Precision => Turns::UpTo(29, "a mesh that is rounded crosses itself"),
+            Knob::Pythagorean => Turns::UpTo(8, "coordinates have more than 53 bits, and faces do not stay flat"),
+            Knob::Noise | Knob::Turn => Turns::Nowhere("faces of four corners do not stay flat"),
+        }
+    }
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]
+    }
+
+    fn constructs(&self) -> bool {
+        true
+    }
+
+    fn judges_whole(&self) -> bool {
+        true
+    }
+
+    /// The truth is in the laws, and in the mesh.
+    fn truth(&self, _: &Scene, _: &Solid, watch: &Watch) -> Result<(), Stop> {
+        watch.done(0)
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &Solid,
+        how: &How<'_>,
+        answer: &mut Cut,
+    ) -> Result<(), Halt> {
+        how.watch.done(0)?;
+        let before = session.scene().constructions().len();
+        let sliced = slice(session, content.mesh(), &content.supports, &content.planes)?;
+        *answer = Cut::with_points(session, sliced, before);
+        how.watch.done(content.faces.len() as u64)?;
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, Slice>,
+        asked: &Asked<'_>,
+        answer: &Cut,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        asked.watch.done(0)?;
+        judge::judge(case, asked, answer, outcome);
+        Ok(())
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Slice>> {
+        spoiled::all()
+    }
+
+    fn describe(&self, _: &LoadedScene, content: &Solid, _: &Watch) -> Result<String, Stop> {
+        let closed = if content.is_closed { "closed" } else { "open" };
+        Ok(format!("{} faces, {closed}, and {} planes\n", content.faces.len(), content.planes.len()))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &Solid,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let _ = query;
+        let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|cut| told(&cut.sliced));
+        Ok(Explanation::default().with_answers(backends, ask))
+    }
+
+    /// Each part as meshes, all vertices exactly, and a JSON file of what each triangle is a piece of.
+    fn write(&self, scene: &Scene, _: &Solid, answer: &Cut, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+        let parts = &answer.sliced.parts;
+        let placed = Placed::new(scene, &answer.sliced.constructions, answer.before, answer.rounded.as_deref())?;
+        let mut files = Vec::new();
+        for (at, part) in parts.iter().enumerate() {
+            let faces: Vec<Vec<Vertex>> = part.triangles.iter().map(|t| t.map(|v| placed.place(v)).to_vec()).collect();
+            files.extend(output::mesh(&placed.meshes, &faces, folder, &format!("part-{at}"))?);
+        }
+        let path = folder.join("parts.json");
+        let ids = |vertices: &[Vertex]| vertices.iter().map(ToString::to_string).collect::<Vec<_>>();
+        let part = |part: &crate::algorithm::Part| {
+            let triangle = |(triangle, source): (&[Vertex; 3], &Source)| serde_json::json!({ "vertices": ids(triangle), "of": name(*source) });
+            let triangles: Vec<serde_json::Value> = part.triangles.iter().zip(&part.sources).map(triangle).collect();
+            let open: Vec<Vec<String>> = part.open.iter().map(|around| ids(around)).collect();
+            serde_json::json!({ "triangles": triangles, "open": open })
+        };
+        let json = serde_json::json!({
+            "parts": parts.iter().map(part).collect::<Vec<_>>(),
+            "broken": answer.sliced.broken.map(|(what, _)| what),
+        });
+        std::fs::write(&path, format!("{json}\n"))?;
+        files.push(path);
+        if answer.rounded.is_none() {
+            let used = parts.iter().flat_map(|part| part.triangles.as_flattened().iter().copied());
+            files.push(output::vertices(&placed.exact, used, folder)?);
+        }
+        Ok(files)
+    }
+
+    fn draw(&self, scene: &Scene, content: &Solid, answer: Option<&Cut>, canvas: &mut Canvas) -> std::io::Result<()> {
+        let face = |face: &[u32]| face.iter().map(|&v| Vertex::input(v as usize)).collect::<Vec<Vertex>>();
+        let given = content.faces.iter().map(face);
+        let Some(answer) = answer else {
+            canvas.faces(scene, "faces", Role::Given, given)?;
+            canvas.faces(scene, "points of planes", Role::Mark, &content.planes)?;
+            return Ok(());
+        };
+        let parts = &answer.sliced.parts;
+        let placed = Placed::new(scene, &answer.sliced.constructions, answer.before, answer.rounded.as_deref())?;
+        let place = |v| placed.place(v);
+        for (at, part) in parts.iter().enumerate() {
+            let role = [Role::Found, Role::Second, Role::Given, Role::Mark][at % 4];
+            let faces = part.triangles.iter().map(|triangle| triangle.map(place));
+            canvas.faces(&placed.meshes, &format!("part {at}"), role, faces)?;
+        }
+        let open =
+            parts.iter().flat_map(|part| &part.open).map(|around| around.iter().map(|&v| place(v)).collect::<Vec<_>>());
+        canvas.lines(&placed.meshes, "open loops", Role::Mark, open)?;
+        canvas.faces(scene, "faces that were given", Role::Faint, given)?.hide();
+        Ok(())
+    }
+}
+
+fn name(source: Source) -> String {
+    match source {
+        Source::Face(face) => format!("face {face}"),
+        Source::Cap(plane) => format!("cap {plane}"),
+        Source::Cover => "cover".to_owned(),
+    }
+}
+
+fn told(sliced: &Sliced) -> String {
+    let triangles: usize = sliced.parts.iter().map(|part| part.triangles.len()).sum();
+    let parts = format!("{} parts of {triangles} triangles", sliced.parts.len());
+    match sliced.broken {
+        None => parts,
+        Some((what, _)) => format!("{parts}; violated: {what}"),
+    }
+}

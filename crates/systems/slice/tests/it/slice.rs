@@ -1,0 +1,207 @@
+//! Slicing: parts of solids by exact signs, by broken ties, and by signs that mean nothing.
+
+use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+use predicament_exact::Exact;
+use predicament_mesh::HalfEdgeMesh;
+use predicament_mesh::half_edge::IndexedFaces;
+use predicament_predicates::{
+    Backend, Construction, Off, Predicates, Question, Refused, Scene, Sign, Vertex, answer_by,
+};
+use predicament_slice::algorithm::{Sliced, slice};
+use predicament_sos::Sos;
+
+/// Points, faces, and for each face three corners that turn as it does.
+struct Shape {
+    points: Vec<[f64; 3]>,
+    faces: IndexedFaces,
+    supports: Vec<[Vertex; 3]>,
+}
+
+/// A prism over a polygon in the plane, whose second corner is convex.
+fn prism(polygon: &[[f64; 2]]) -> Shape {
+    let n = u32::try_from(polygon.len()).unwrap();
+    let points = [0.0, 1.0].iter().flat_map(|&z| polygon.iter().map(move |&[x, y]| [x, y, z])).collect();
+    let mut faces: Vec<Vec<u32>> = vec![(0..n).rev().collect(), (n..2 * n).collect()];
+    faces.extend((0..n).map(|i| vec![i, (i + 1) % n, n + (i + 1) % n, n + i]));
+    let mut supports: Vec<[u32; 3]> = faces.iter().map(|face| [face[0], face[1], face[2]]).collect();
+    (supports[0], supports[1]) = ([2, 1, 0], [n, n + 1, n + 2]);
+    let supports = supports.into_iter().map(|support| support.map(|v| Vertex::input(v as usize))).collect();
+    Shape { points, faces: faces.into_iter().collect(), supports }
+}
+
+/// Teeth of one height.
+fn comb(teeth: i32) -> Shape {
+    let mut polygon = vec![[0.0, -1.0], [f64::from(2 * teeth - 1), -1.0]];
+    for tooth in (0..teeth).rev() {
+        let left = f64::from(2 * tooth);
+        polygon.extend([[left + 1.0, 8.0], [left, 8.0]]);
+        if tooth > 0 {
+            polygon.extend([[left, 0.0], [left - 1.0, 0.0]]);
+        }
+    }
+    prism(&polygon)
+}
+
+impl Shape {
+    fn scene(&self) -> Scene {
+        Scene::from_points3(&self.points).unwrap()
+    }
+
+    fn mesh(&self) -> HalfEdgeMesh {
+        HalfEdgeMesh::new((0..self.points.len()).map(Vertex::input).collect(), &self.faces).unwrap()
+    }
+
+    fn sliced(&self, session: &mut dyn Predicates, planes: &[[usize; 3]]) -> Result<Sliced, Refused> {
+        let planes: Vec<[Vertex; 3]> = planes.iter().map(|plane| plane.map(Vertex::input)).collect();
+        slice(session, self.mesh(), &self.supports, &planes)
+    }
+}
+
+/// Three numbers below n, by a seed.
+fn three(n: usize, seed: u64) -> [usize; 3] {
+    let mut hasher = DefaultHasher::new();
+    seed.hash(&mut hasher);
+    let hash = usize::try_from(hasher.finish() >> 1).unwrap();
+    let first = hash % n;
+    let second = (first + 1 + hash / n % (n - 1)) % n;
+    let third = (0..n).map(|at| (hash / n / n + at) % n).find(|&at| at != first && at != second).unwrap();
+    [first, second, third]
+}
+
+/// Each directed edge of a part is there as often as its reverse.
+fn check_closed(sliced: &Sliced) {
+    for part in &sliced.parts {
+        assert_eq!(part.sources.len(), part.triangles.len());
+        let mut surplus: BTreeMap<[Vertex; 2], i32> = BTreeMap::new();
+        for [a, b, c] in &part.triangles {
+            for [p, q] in [[a, b], [b, c], [c, a]] {
+                *surplus.entry([*p.min(q), *p.max(q)]).or_default() += if p < q { 1 } else { -1 };
+            }
+        }
+        assert!(surplus.values().all(|&surplus| surplus == 0) || !part.open.is_empty(), "a part is open");
+    }
+}
+
+/// Planes through three vertices each, of which no three are on a line.
+fn planes(shape: &Shape, count: usize, seed: u64) -> Vec<[usize; 3]> {
+    let scene = shape.scene();
+    let flat = |plane: &[usize; 3]| {
+        let [a, b, c] = plane.map(Vertex::input);
+        let exact = Exact.prepare(&scene, Off).unwrap();
+        use predicament_predicates::Plane::{Xy, Yz, Zx};
+        [Xy, Yz, Zx].into_iter().all(|plane| exact.orient2d(plane, a, b, c).is_zero())
+    };
+    let mut found: Vec<[usize; 3]> =
+        (0..).map(|at| three(shape.points.len(), 1000 * seed + at)).filter(|plane| !flat(plane)).take(count).collect();
+    found.dedup();
+    found
+}
+
+fn lattice(side: u32) -> Shape {
+    let mut numbers: BTreeMap<[u32; 3], u32> = BTreeMap::new();
+    let (mut points, mut faces, mut supports) = (Vec::new(), IndexedFaces::default(), Vec::new());
+    for axis in 0..3 {
+        for level in [0, side] {
+            for (i, j) in (0..side).flat_map(|i| (0..side).map(move |j| (i, j))) {
+                let mut square = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]].map(|[u, v]| {
+                    let mut place = [0; 3];
+                    (place[axis], place[(axis + 1) % 3], place[(axis + 2) % 3]) = (level, u, v);
+                    *numbers.entry(place).or_insert_with(|| {
+                        points.push(place.map(f64::from));
+                        u32::try_from(points.len() - 1).unwrap()
+                    })
+                });
+                if level == 0 {
+                    square.reverse();
+                }
+                faces.push(square);
+                supports.push([square[0], square[1], square[2]].map(|v| Vertex::input(v as usize)));
+            }
+        }
+    }
+    Shape { points, faces, supports }
+}
+
+/// Slices a shape by many sets of planes through its vertices, by exact signs, and some by broken ties.
+fn check(shape: impl Fn(u64) -> Shape) {
+    let mut wrong = Vec::new();
+    let mut broken_ties = 0;
+    for seed in 0..u64::from(predicament_effort::cases(200)) {
+        let shape = shape(seed);
+        let planes = planes(&shape, 1 + usize::try_from(seed % 6).unwrap(), seed);
+        let scene = shape.scene();
+        let mut note = |name: &str, sliced: &Sliced| match sliced.broken {
+            None => check_closed(sliced),
+            Some(what) => wrong.push(format!("{name} {seed} {what:?} {planes:?}")),
+        };
+        note("exact", &shape.sliced(&mut Exact.prepare(&scene, Off).unwrap(), &planes).unwrap());
+        if planes.len() < 3 {
+            // Refused where an edge lies in a plane that has other vertices.
+            if let Ok(sliced) = shape.sliced(&mut Sos::default().prepare(&scene, Off).unwrap(), &planes) {
+                note("sos", &sliced);
+                broken_ties += 1;
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert!(broken_ties > 0, "{broken_ties}");
+}
+
+#[test]
+fn combs_by_planes_through_their_corners() {
+    check(|seed| comb(2 + i32::try_from(seed % 4).unwrap()));
+}
+
+#[test]
+fn lattices_by_planes_through_their_vertices() {
+    check(|seed| lattice(1 + u32::try_from(seed % if predicament_effort::whole() { 3 } else { 2 }).unwrap()));
+}
+
+/// Signs by a hash of the question; every point is constructed.
+struct Whim {
+    scene: Scene,
+    seed: u64,
+}
+
+impl Whim {
+    fn sign<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
+        let mut hasher = DefaultHasher::new();
+        (question, args, self.seed).hash(&mut hasher);
+        match hasher.finish() % 5 {
+            0 => Sign::Zero,
+            1 | 2 => Sign::Negative,
+            _ => Sign::Positive,
+        }
+    }
+}
+
+impl Predicates for Whim {
+    fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        self.scene.construct_all(definitions, |_, _| Ok(()))
+    }
+
+    answer_by!(sign);
+}
+
+#[test]
+fn whatever_signs_come_there_is_an_end() {
+    let (mut named, mut closed) = (0, 0);
+    for seed in 0..u64::from(predicament_effort::cases(3000)) {
+        let shape = if seed % 2 == 0 { comb(3) } else { lattice(2) };
+        let planes = planes(&shape, 4, seed % 16);
+        let mut session = Whim { scene: shape.scene(), seed };
+        let Ok(sliced) = shape.sliced(&mut session, &planes) else { continue };
+        if sliced.broken.is_some() {
+            named += 1;
+        } else {
+            closed += 1;
+        }
+    }
+    assert!(named > 10, "{named} and {closed}");
+}

@@ -1,0 +1,32 @@
+//! What is reported about triangles of polygons.
+
+use predicament_tasks::Check;
+
+/// What the algorithm looks after itself.
+pub const RULES: &[&str] = &[
+    "a hole can be joined to a vertex on its left",
+    "a loop has three vertices",
+    "a polygon has an ear",
+    "a split vertex is inside",
+    "a start vertex is outside",
+    "a vertex sees the opposite chain",
+    "a walk has three vertices",
+    "the edges at a place come and leave in turn",
+    "the edges of an end vertex bound one region",
+    "the third side of an ear is a new edge",
+    "there are fewer than 2^30 vertices",
+    "walks make a mesh",
+];
+
+pub(super) const CHECKS: &[Check] = &[
+    Check::topology("loops do not cross", "what is to be triangulated is a polygon"),
+    Check::topology("vertices", "the corners of each triangle are three vertices of the polygon"),
+    Check::topology("count", "there are n + 2h − 2 triangles"),
+    Check::topology("positive", "each triangle is counterclockwise; flat only where loops touch, or ties are broken"),
+    Check::topology("area", "areas add up to that of the polygon"),
+    Check::topology("boundary", "each edge of the polygon is a side of one triangle"),
+    Check::topology("diagonals", "each other side is one of two triangles, in both directions"),
+    Check::topology("overlap", "no two triangles have an inner point in common"),
+    Check::topology("perturbed triangles", "where ties are broken flat triangles are counterclockwise once perturbed"),
+    Check::invariants("walks and ears, or a sweep, do not contradict themselves", &[RULES]),
+];

@@ -1,0 +1,257 @@
+//! `triangulate`: triangles of polygons with holes, in the plane and of faces in space.
+//!
+//! By ear clipping and by a plane sweep. Wrong signs cut ears across edges, join holes to what they do not see and
+//! lose the order of the sweep; what comes of it is held against the polygon's area, its edges and the number of triangles.
+
+mod checks;
+mod content;
+mod generate;
+mod judge;
+mod shapes;
+mod spoiled;
+
+use std::path::{Path, PathBuf};
+
+use crate::algorithm::{Triangulation, oriented, projection, triangulate};
+use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields};
+use predicament_predicates::{Dimension, Plane, PredicateKind, Predicates, Query, Scene, Vertex};
+use predicament_report::drawing::Role;
+
+pub use content::Polygons;
+pub use judge::Truth;
+
+pub use checks::RULES;
+use predicament_tasks::output::Canvas;
+use predicament_tasks::{
+    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, digest, output,
+};
+
+/// The task.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Triangulate;
+
+/// The triangles of each polygon, in their order.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Triangulated(pub Vec<Triangulation>);
+
+impl Answer for Triangulated {
+    fn digest(&self) -> u64 {
+        let ids = |found: &Triangulation| {
+            let triangles = found.triangles.as_flattened().iter().map(|v| v.index()).collect::<Vec<_>>();
+            [triangles.len()].into_iter().chain(triangles)
+        };
+        digest(self.0.iter().flat_map(ids).flat_map(usize::to_le_bytes))
+    }
+}
+
+impl SceneFormat for Triangulate {
+    fn name(&self) -> &'static str {
+        "triangulate"
+    }
+
+    fn about(&self) -> &'static str {
+        "triangles of polygons with holes, by ears or by a plane sweep"
+    }
+
+    fn keys(&self) -> &'static [&'static str] {
+        &["points", "loops", "regions", "map", "method"]
+    }
+
+    fn coordinate_keys(&self) -> &'static [&'static str] {
+        &["points", "map", "polygons"]
+    }
+
+    fn template(&self) -> String {
+        include_str!("template.txt").to_owned()
+    }
+
+    fn file_keys(&self) -> &'static [&'static str] {
+        &["map"]
+    }
+
+    fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
+        content::read(context, fields)
+    }
+
+    fn families(&self) -> &'static [Family] {
+        &generate::FAMILIES
+    }
+
+    fn generator_keys(&self) -> &'static [&'static str] {
+        &["method"]
+    }
+
+    fn naming_keys(&self) -> &'static [&'static str] {
+        &["method"]
+    }
+}
+
+impl Task for Triangulate {
+    type Content = Polygons;
+    type Truth = Truth;
+    type Answer = Triangulated;
+
+    fn compared(&self) -> &'static [Compared] {
+        const {
+            &[
+                Compared::general("polygon-star", 60),
+                Compared::near("polygon-sliver", 60),
+                Compared::degenerate("polygon-comb", 60),
+            ]
+        }
+    }
+
+    fn turns(&self, knob: Knob) -> Turns {
+        match knob {
+            Knob::Translation => Turns::UpTo(32, "a polygon that is rounded crosses itself"),
+            Knob::Precision => Turns::UpTo(37, "a polygon that is rounded crosses itself"),
+            _ => Turns::Everywhere,
+        }
+    }
+
+    fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
+        vec![PredicateKind::Compare, PredicateKind::Orient2d]
+    }
+
+    fn judges_whole(&self) -> bool {
+        true
+    }
+
+    fn truth(&self, scene: &Scene, content: &Polygons, watch: &Watch) -> Result<Truth, Stop> {
+        Truth::new(scene, &content.polygons, watch)
+    }
+
+    fn sampled(&self, truth: &Truth) -> Option<String> {
+        truth.sampled()
+    }
+
+    fn solve<P: Predicates>(
+        &self,
+        session: &mut P,
+        content: &Polygons,
+        how: &How<'_>,
+        answer: &mut Triangulated,
+    ) -> Result<(), Halt> {
+        answer.0.clear();
+        for polygon in &content.polygons {
+            answer.0.push(solve(session, polygon, content));
+            how.watch.done(1)?;
+        }
+        Ok(())
+    }
+
+    fn judge(
+        &self,
+        case: &Case<'_, Triangulate>,
+        asked: &Asked<'_>,
+        answer: &Triangulated,
+        outcome: &mut Outcome,
+    ) -> Result<(), Stop> {
+        judge::judge(case, asked, answer, outcome)
+    }
+
+    fn checks(&self) -> &'static [Check] {
+        checks::CHECKS
+    }
+
+    fn spoiled(&self) -> Vec<Spoiled<Triangulate>> {
+        spoiled::all()
+    }
+
+    fn describe(&self, loaded: &LoadedScene, content: &Polygons, watch: &Watch) -> Result<String, Stop> {
+        let truth = Truth::new(&loaded.scene, &content.polygons, watch)?;
+        let loops: usize = content.polygons.iter().map(Vec::len).sum();
+        let corners: usize = truth.polygons.iter().map(crate::checks::Polygon::corners).sum();
+        let touching: usize = truth.polygons.iter().map(|polygon| polygon.touches().touching.len()).sum();
+        Ok(format!(
+            "{} polygons, {loops} loops, {corners} corners; {touching} pairs of edges touch without a common vertex\n",
+            content.polygons.len()
+        ))
+    }
+
+    fn explain(
+        &self,
+        scene: &Scene,
+        content: &Polygons,
+        query: &Query,
+        backends: &[&dyn Contestant],
+    ) -> Result<Explanation, String> {
+        let vertices: Vec<_> = query.vertices().collect();
+        let has = |polygon: &Vec<Vec<Vertex>>| vertices.iter().all(|v| polygon.iter().any(|one| one.contains(v)));
+        let at = content.polygons.iter().position(has);
+        let at = at.ok_or_else(|| format!("`{query}`: no polygon of the scene has these vertices"))?;
+        let ask = |backend: &dyn Contestant| {
+            backend.answer(self, scene, content).map(|found| describe(&found.0[at], &vertices))
+        };
+        Ok(Explanation { vertices: vertices.clone(), ..Explanation::default() }.with_answers(backends, ask))
+    }
+
+    /// OFF, OBJ and PLY of faces in space; SVG and GeoJSON in the plane; and all vertices exactly.
+    fn write(
+        &self,
+        scene: &Scene,
+        content: &Polygons,
+        answer: &Triangulated,
+        folder: &Path,
+    ) -> std::io::Result<Vec<PathBuf>> {
+        let triangles = || answer.0.iter().flat_map(|found| &found.triangles);
+        let mut files = match scene.dimension() {
+            Dimension::Two => {
+                let polygons: Vec<Vec<Vec<Vertex>>> = triangles().map(|triangle| vec![triangle.to_vec()]).collect();
+                output::plane(scene, &polygons, folder, "triangles")?
+            }
+            Dimension::Three => {
+                let faces: Vec<Vec<Vertex>> = triangles().map(|triangle| triangle.to_vec()).collect();
+                output::mesh(scene, &faces, folder, "triangles")?
+            }
+        };
+        let corners = content.polygons.iter().flatten().flatten().copied();
+        files.push(output::vertices(scene, corners, folder)?);
+        Ok(files)
+    }
+
+    fn draw(
+        &self,
+        scene: &Scene,
+        content: &Polygons,
+        answer: Option<&Triangulated>,
+        canvas: &mut Canvas,
+    ) -> std::io::Result<()> {
+        let triangles = answer.into_iter().flat_map(|answer| &answer.0).flat_map(|found| &found.triangles);
+        canvas.faces(scene, "triangles", Role::Found, triangles)?;
+        let closed = |ring: &Vec<Vertex>| ring.iter().chain(ring.first()).copied().collect::<Vec<Vertex>>();
+        canvas.lines(scene, "loops", Role::Given, content.polygons.iter().flatten().map(closed))?;
+        Ok(())
+    }
+}
+
+/// Turns the loops as they nest, in a plane in which the polygon is seen, and triangulates it.
+fn solve(session: &dyn Predicates, polygon: &[Vec<Vertex>], content: &Polygons) -> Triangulation {
+    let (plane, reversed) = match session.scene().dimension() {
+        Dimension::Two => (Plane::Xy, false),
+        Dimension::Three => match projection(session, polygon) {
+            Some(seen) => seen,
+            None => return Triangulation { triangles: Vec::new(), broken: Some("a face has area in a plane") },
+        },
+    };
+    let loops = oriented(session, plane, reversed, polygon);
+    triangulate(session, plane, reversed, &loops, content.method)
+}
+
+/// Vertices as text.
+fn words(vertices: &[Vertex]) -> String {
+    predicament_tasks::ids(vertices)
+}
+
+/// The triangles of a polygon in words, as far as they are about these vertices.
+fn describe(found: &Triangulation, vertices: &[Vertex]) -> String {
+    let is_about = |triangle: &&[Vertex; 3]| {
+        let common = triangle.iter().filter(|v| vertices.contains(v)).count();
+        common >= vertices.len().min(2)
+    };
+    let about: Vec<String> = found.triangles.iter().filter(is_about).take(6).map(|triangle| words(triangle)).collect();
+    let broken = found.broken.map_or(String::new(), |rule| format!("; broken: {rule}"));
+    format!("{} triangles; {}{broken}", found.triangles.len(), about.join(", "))
+}

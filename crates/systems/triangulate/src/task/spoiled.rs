@@ -1,0 +1,106 @@
+//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
+
+use predicament_judge::sign;
+use predicament_predicates::{Question, Scene, Vertex};
+
+use super::{Polygons, Triangulate, Triangulated, judge};
+use predicament_tasks::{Class, Spoiled};
+
+pub(super) fn all() -> Vec<Spoiled<Triangulate>> {
+    vec![
+        Spoiled::new(
+            "triangulate-repeats-a-corner",
+            "the first triangle has a corner twice",
+            "exact",
+            &[(Class::Topology, "vertices")],
+            |_, _, answer: &mut Triangulated| {
+                for found in &mut answer.0 {
+                    if let Some([a, _, c]) = found.triangles.first_mut() {
+                        *c = *a;
+                    }
+                }
+            },
+        ),
+        Spoiled::new(
+            "triangulate-flips-flat-pairs",
+            "of two flat triangles with a common side the other diagonal is taken",
+            "sos",
+            &[(Class::Topology, "perturbed triangles")],
+            |scene: &Scene, content: &Polygons, answer: &mut Triangulated| {
+                for (found, loops) in answer.0.iter_mut().zip(&content.polygons) {
+                    let (plane, _) = judge::seen(scene, loops);
+                    flip(scene, Question::Orient2d(plane), &mut found.triangles);
+                }
+            },
+        ),
+        Spoiled::new(
+            "triangulate-gives-up",
+            "triangulating stops at a polygon that has an ear",
+            "exact",
+            &[(Class::Topology, "a polygon has an ear")],
+            |_, _, answer: &mut Triangulated| {
+                answer.0.iter_mut().for_each(|found| found.broken = Some("a polygon has an ear"))
+            },
+        ),
+        Spoiled::new(
+            "triangulate-loses-a-triangle",
+            "the last triangle is lost",
+            "sos",
+            &[
+                (Class::Topology, "area"),
+                (Class::Topology, "boundary"),
+                (Class::Topology, "count"),
+                (Class::Topology, "diagonals"),
+            ],
+            |_, _, answer: &mut Triangulated| {
+                for found in &mut answer.0 {
+                    found.triangles.pop();
+                }
+            },
+        ),
+        Spoiled::new(
+            "triangulate-turns-a-triangle",
+            "the first triangle is turned over",
+            "exact",
+            &[(Class::Topology, "positive")],
+            |_, _, answer: &mut Triangulated| {
+                for triangle in answer.0.iter_mut().filter_map(|found| found.triangles.first_mut()) {
+                    triangle.swap(1, 2);
+                }
+            },
+        ),
+        Spoiled::new(
+            "triangulate-repeats-a-triangle",
+            "the first triangle is there twice",
+            "exact",
+            &[(Class::Topology, "overlap")],
+            |_, _, answer: &mut Triangulated| {
+                for found in &mut answer.0 {
+                    found.triangles.extend(found.triangles.first().copied());
+                }
+            },
+        ),
+    ]
+}
+
+/// Replaces the first two triangles with a common side, all of whose corners are in one line.
+fn flip(scene: &Scene, question: Question, triangles: &mut [[Vertex; 3]]) {
+    let is_flat = |corners: [Vertex; 3]| sign(scene, question, &corners).is_zero();
+    let flat: Vec<usize> = (0..triangles.len()).filter(|&at| is_flat(triangles[at])).collect();
+    for &i in &flat {
+        for &j in flat.iter().filter(|&&j| j != i) {
+            for turn in 0..3 {
+                let [a, b, c] = [0, 1, 2].map(|corner| triangles[i][(corner + turn) % 3]);
+                for other in 0..3 {
+                    let [p, q, d] = [0, 1, 2].map(|corner| triangles[j][(corner + other) % 3]);
+                    // The side from a to b is one from b to a of the other.
+                    if p == b && q == a && d != c && is_flat([a, c, d]) {
+                        triangles[i] = [a, d, c];
+                        triangles[j] = [d, b, c];
+                        return;
+                    }
+                }
+            }
+        }
+    }
+}
