@@ -128,7 +128,7 @@ impl Task for Leftmost {
             "of several leftmost vertices only the first is found",
             "exact",
             &[(Class::MissedZero, "smallest x")],
-            |_, _, answer| answer.0.truncate(1),
+            |_, _, answer: &mut Found| answer.0.truncate(1),
         )]
     }
 

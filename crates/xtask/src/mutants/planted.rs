@@ -161,16 +161,16 @@ impl Tree {
             return Err("mutants: git does not list the files of the tree".to_owned());
         }
         let listed = String::from_utf8_lossy(&listed.stdout).into_owned();
-        let files: Vec<&Path> = listed
-            .split('\0')
-            .filter(|name| !name.is_empty())
-            .map(Path::new)
-            .filter(|&f| root().join(f).is_file())
-            .collect();
+        // A link to a folder is copied as that folder.
+        let of = |name: &str| {
+            let path = root().join(name);
+            if path.is_dir() { files_in(&path) } else { vec![path] }
+        };
+        let listed = listed.split('\0').filter(|name| !name.is_empty()).flat_map(of).filter(|path| path.is_file());
         let text = |why: std::io::Error, path: &Path| format!("{}: {why}", path.display());
-        let mut kept: Vec<PathBuf> = Vec::with_capacity(files.len());
-        for file in files {
-            let (from, to) = (root().join(file), self.path.join(file));
+        let mut kept: Vec<PathBuf> = Vec::new();
+        for from in listed {
+            let to = self.path.join(from.strip_prefix(root()).expect("a file of the tree"));
             let new = std::fs::read(&from).map_err(|why| text(why, &from))?;
             if std::fs::read(&to).ok().as_ref() != Some(&new) {
                 let folder = to.parent().expect("a file in the tree");
