@@ -239,7 +239,10 @@ impl Tree {
                     // Findings that are expected are no fault's.
                     (0 | 100, [_, false]) => Sight::Nothing,
                     (100, [true, _]) => Sight::Fault,
-                    _ => Sight::Unclear,
+                    (code, [all, any]) => {
+                        println!("the run ended with {code}; findings of all checks: {all}, of any: {any}");
+                        Sight::Unclear
+                    }
                 })
             }
         }

@@ -22,7 +22,11 @@ pub(super) const FAULTS: &[Planted] = &[
             "            points.sort(session, near.edges[many[at] as usize], &mut places);\n",
             "            points.sort(session, near.edges[many[at] as usize], &mut places);\n            places.reverse();\n",
         )],
-        seen: Run("intersections", "sos", &[["topology", "vertices that no triangle parts are in one region"]]),
+        seen: Run(
+            "intersections",
+            "sos:per-mesh",
+            &[["topology", "vertices that no triangle parts are in one region"]],
+        ),
     },
     Planted {
         name: "mesh-overlay-drops-a-piece",
