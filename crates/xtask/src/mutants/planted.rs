@@ -124,6 +124,8 @@ pub(super) fn try_all(names: &[String]) -> Result<(), String> {
 enum Sight {
     Fault,
     Nothing,
+    /// Findings of some of the checks, or a run that ended otherwise.
+    Part,
     /// The faulty tree does not compile.
     Unbuilt,
     /// Something is seen without the fault.
@@ -135,6 +137,7 @@ impl Sight {
         match self {
             Sight::Fault => "caught",
             Sight::Nothing => "MISSED",
+            Sight::Part => "MISSED BY SOME of its checks",
             Sight::Unbuilt => "DOES NOT COMPILE",
             Sight::Unclear => "NOT TRIED: what has to see it sees something without it, or does not run",
         }
@@ -239,7 +242,10 @@ impl Tree {
                     // Findings that are expected are no fault's.
                     (0 | 100, [_, false]) => Sight::Nothing,
                     (100, [true, _]) => Sight::Fault,
-                    _ => Sight::Unclear,
+                    (code, [all, any]) => {
+                        println!("the run ended with {code}; findings of all checks: {all}, of any: {any}");
+                        Sight::Part
+                    }
                 })
             }
         }
