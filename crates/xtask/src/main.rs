@@ -32,6 +32,8 @@ Usage: cargo xtask <command>
 Commands:
   demo   build the tool, run the embedded corpora, leave a report to open
   test   format, clippy, tests, doc tests, docs, the embedded corpora through the gate, the example crate
+  test CRATE...
+         format, clippy and the tests of these crates alone, such as `delaunay` (seconds after a change in it)
   nightly
          heavy tests whole, the peers, the benches, cargo package, cargo deny, advisories, the recipes of docs/CI.md, the report in a browser, the page about data, runs in parts by engines, the oldest compiler, ten minutes of each fuzz target
   engines [NAME...]
@@ -50,7 +52,7 @@ Commands:
   sample the sample report anew: embedded and fetched suites, times, comparison and knobs; `reports/sample` and the
          table of README (20 minutes)
   mutants [--every N] [--from K] [--all-tests] [PACKAGE...]
-         the mutation score: every N-th (50th) small change to arithmetic, exact, sos, tolerance, checks and judge, from
+         the mutation score: every N-th (50th) small change to arithmetic, exact, sos, tolerance, laws and judge, from
          the K-th on (0), by cargo-mutants and the tests of the package; with --all-tests what these miss is tried again
          by those of the packages above; prints what no test noticed (hours)
   mutants --planted [NAME...]
@@ -63,6 +65,7 @@ Commands:
 Examples:
   cargo xtask demo
   cargo xtask test
+  cargo xtask test delaunay hull
   cargo xtask engines cgal-epick robust-predicates
 ";
 
@@ -71,7 +74,7 @@ fn main() -> ExitCode {
     let command = args.next().unwrap_or_else(|| "help".to_owned());
     let rest: Vec<String> = args.collect();
     let is_known = |argument: &str| {
-        ["advisories", "engines", "mutants"].contains(&command.as_str())
+        ["advisories", "engines", "mutants", "test"].contains(&command.as_str())
             || command == "browser" && argument == "--accept"
     };
     if let Some(extra) = rest.iter().find(|argument| !is_known(argument)) {
@@ -80,7 +83,8 @@ fn main() -> ExitCode {
     }
     let done = match command.as_str() {
         "demo" => m4::ensure().and_then(|()| steps::demo()),
-        "test" => m4::ensure().and_then(|()| steps::test()),
+        "test" if rest.is_empty() => m4::ensure().and_then(|()| steps::test()),
+        "test" => m4::ensure().and_then(|()| steps::test_of(&rest)),
         "nightly" => m4::ensure().and_then(|()| steps::nightly()),
         "browser" => m4::ensure().and_then(|()| browser::check(false, !rest.is_empty())),
         "advisories" => advisories::check(&rest),

@@ -58,6 +58,24 @@ pub fn test() -> Result<(), String> {
     page()
 }
 
+/// Format, clippy and the tests of these crates alone, named as their folders are: `delaunay`, `exact`.
+pub fn test_of(crates: &[String]) -> Result<(), String> {
+    let folders = ["kernel", "instrument", "systems", "lab"].map(|group| root().join("crates").join(group));
+    let is_one = |name: &String| folders.iter().any(|group| group.join(name).join("Cargo.toml").is_file());
+    if let Some(strange) = crates.iter().find(|name| !is_one(name)) {
+        return Err(format!("no crate is called `{strange}`: name a folder of crates/*, such as `delaunay`"));
+    }
+    let packages: Vec<String> =
+        crates.iter().flat_map(|name| ["-p".to_owned(), format!("predicament-{name}")]).collect();
+    let with = |words: &[&str], end: &[&str]| {
+        let words = words.iter().map(|&word| word.to_owned()).chain(packages.iter().cloned());
+        cargo_command(&words.chain(end.iter().map(|&word| word.to_owned())).collect::<Vec<_>>())
+    };
+    step("format", &with(&["fmt", "--check"], &[]), &[])?;
+    step("clippy", &with(&["clippy", "--profile", "ci", "--all-targets"], &["--", "-D", "warnings"]), &[])?;
+    step("tests and doc tests", &with(&["test", "--profile", "ci"], &[]), &[])
+}
+
 /// The pages of all public items, as the documentation of what clippy has looked at.
 ///
 /// Rustdoc needs the metadata of what a crate depends on, and clippy has left it, but for itself: it is taken where the compiler is
